@@ -1,0 +1,88 @@
+"""The command line: parse, call, show; no physics.
+
+Each command lives in a module of its own that is imported only when the command runs, so that
+``asperity --help`` stays fast. Errors of :mod:`asperity.errors` become one line on standard error and an
+exit code: 0 fine, 2 bad input, 3 no solution.
+"""
+
+from __future__ import annotations
+
+import importlib
+import sys
+from typing import Any
+
+import click
+
+from asperity import __version__
+from asperity.errors import AsperityError
+
+#: Command name -> (module that defines it, function name, one-line help shown without importing the module).
+COMMANDS: dict[str, tuple[str, str, str]] = {
+}
+
+
+class LazyGroup(click.Group):
+    """A click group that imports a command's module only when that command is used."""
+
+    def __init__(self, *args: Any, commands_by_module: dict[str, tuple[str, str, str]], **kwargs: Any) -> None:
+        super().__init__(*args, **kwargs)
+        self._commands_by_module = commands_by_module
+
+    def list_commands(self, ctx: click.Context) -> list[str]:
+        """Names of all commands, in the order of the table."""
+        return list(self._commands_by_module)
+
+    def get_command(self, ctx: click.Context, cmd_name: str) -> click.Command | None:
+        """The command of this name, imported now; None if there is none."""
+        entry = self._commands_by_module.get(cmd_name)
+        if entry is None:
+            return None
+        module, attribute, _ = entry
+        command: click.Command = getattr(importlib.import_module(module), attribute)
+        return command
+
+    def format_commands(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
+        """Write the list of commands from the table, without importing any of them."""
+        with formatter.section("Commands"):
+            formatter.write_dl([(name, entry[2]) for name, entry in self._commands_by_module.items()])
+
+    def resolve_command(
+        self, ctx: click.Context, args: list[str]
+    ) -> tuple[str | None, click.Command | None, list[str]]:
+        """Find the command; a mistyped name is answered with the nearest known one."""
+        name = args[0]
+        if name not in self._commands_by_module and not name.startswith("-"):
+            import difflib
+
+            near = difflib.get_close_matches(name, self._commands_by_module, n=1)
+            hint = f"; did you mean '{near[0]}'?" if near else ""
+            raise click.UsageError(
+                f"there is no command '{name}'{hint} (known: {', '.join(self._commands_by_module)})", ctx
+            )
+        return super().resolve_command(ctx, args)
+
+
+@click.group(
+    cls=LazyGroup,
+    commands_by_module=COMMANDS,
+    context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 100},
+)
+@click.version_option(__version__, prog_name="asperity")
+def asperity() -> None:
+    """From a measured rough surface to the torsional stiffness of a traction-drive robot joint."""
+
+
+def main() -> None:
+    """Entry point of the ``asperity`` command."""
+    try:
+        code = asperity.main(prog_name="asperity", standalone_mode=False)
+    except AsperityError as error:
+        click.echo(f"asperity: error: {error}", err=True)
+        sys.exit(error.exit_code)
+    except click.ClickException as error:
+        error.show()
+        sys.exit(error.exit_code)
+    except (click.Abort, KeyboardInterrupt):
+        click.echo("asperity: interrupted", err=True)
+        sys.exit(130)
+    sys.exit(code if isinstance(code, int) else 0)

@@ -1,0 +1,57 @@
+"""Double precision and the compilation cache: the only module that touches JAX's global configuration.
+
+Critical spot areas span more than a hundred decades, so single precision is not an option. The command line
+and the examples call :func:`use_double_precision`; a library user calls it once. Solvers call
+:func:`require_double_precision` and refuse to go on otherwise, instead of switching it on behind one's back.
+"""
+
+from asperity.errors import PrecisionError
+
+
+def use_double_precision() -> None:
+    """Switch JAX to 64-bit floats for this process; call it before the first computation."""
+    import jax
+
+    jax.config.update("jax_enable_x64", True)
+
+
+def require_double_precision() -> None:
+    """Raise unless JAX computes in 64-bit floats.
+
+    Raises
+    ------
+    PrecisionError
+        If ``jax_enable_x64`` is off.
+    """
+    import jax
+
+    if not jax.config.jax_enable_x64:
+        raise PrecisionError(
+            "JAX is set to single precision (32-bit floats), which the contact law cannot be solved in; call "
+            "asperity.precision.use_double_precision() first, or set the environment variable JAX_ENABLE_X64=1"
+        )
+
+
+def use_compilation_cache() -> None:
+    """Keep compiled programs in the user's cache directory, so that later runs start in a fraction of the time.
+
+    Set ``ASPERITY_CACHE_DIR`` to choose another folder, or to an empty string to switch the cache off.
+    A folder that cannot be written leaves the cache off: results never depend on it.
+    """
+    import os
+    from pathlib import Path
+
+    import jax
+    import platformdirs
+
+    folder = os.environ.get("ASPERITY_CACHE_DIR")
+    if folder == "":
+        return
+    cache = Path(folder) if folder else Path(platformdirs.user_cache_dir("asperity", appauthor=False)) / "jax"
+    try:
+        cache.mkdir(parents=True, exist_ok=True)
+    except OSError:
+        return
+    jax.config.update("jax_compilation_cache_dir", str(cache))
+    jax.config.update("jax_persistent_cache_min_compile_time_secs", 0.0)
+    jax.config.update("jax_persistent_cache_min_entry_size_bytes", -1)
