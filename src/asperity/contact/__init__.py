@@ -1,0 +1,1 @@
+"""One roller pair: load to spots to stiffness."""

@@ -1,0 +1,306 @@
+r"""The fractal contact law: normal force to spots to stiffness. Zou et al. 2025, equations (20), (22)–(24).
+
+The law is one universal function. With :math:`y = \ln(a_l/a_c)` and the load :math:`F_c` at which the largest
+spot is just critical, equation (20) reads (A5)
+
+.. math::
+    \ln\frac{F_n}{F_c} = \begin{cases}
+      y & y < 0 \quad\text{(every spot plastic)}\\
+      \dfrac D2 y + \ln\!\left[1 + \kappa \dfrac{2-D}{2} \dfrac{e^{py}-1}{p}\right] & y \ge 0
+    \end{cases}
+    \qquad p = \frac{3-2D}{2}, \quad \kappa = \frac{2\sqrt\pi}{3}\sqrt{\ln\gamma}
+
+which is almost straight: two Householder steps of third order (exponential and logarithm of each step are shared
+by all three derivatives) solve it to rounding. Areas span more than a hundred decades, so
+everything is kept in logarithms until the end.
+"""
+
+from __future__ import annotations
+
+import math
+
+import equinox as eqx
+import jax
+import jax.numpy as jnp
+from jax import Array
+
+from asperity.contact.asperity import AsperityBase, base_factor, slip_factor
+from asperity.contact.population import log_critical_area, log_domain_extension_factor
+from asperity.types import Real
+
+_HOUSEHOLDER_STEPS = 2
+_SERIES_LIMIT = 0.25
+_SERIES_TERMS = 11
+
+
+class Surface(eqx.Module):
+    """Fractal roughness of a contact: both bodies' roughness carried by one equivalent surface.
+
+    Parameters
+    ----------
+    fractal_dimension : Real
+        Profile fractal dimension D [-], 1 < D < 2.
+    fractal_roughness : Real
+        Fractal roughness G [m].
+    frequency_ratio : Real
+        Ratio gamma of successive Weierstrass–Mandelbrot frequencies [-], > 1.
+    asperity_base : {"majumdar_bhushan_1991", "circular_spot"}
+        Variant of the base length of an asperity, see :mod:`asperity.contact.asperity`.
+    """
+
+    fractal_dimension: Real
+    fractal_roughness: Real
+    frequency_ratio: Real
+    asperity_base: AsperityBase = eqx.field(static=True)
+
+
+class FractalContact(eqx.Module):
+    """The state of one rough contact under load; arrays of one broadcast shape, SI units.
+
+    Parameters
+    ----------
+    largest_area, critical_area : Array
+        Largest spot a_l and critical spot a_c [m^2].
+    real_contact_area : Array
+        Real area of contact A_r [m^2].
+    elastic_load, plastic_load : Array
+        Shares F_e and F_p of the normal force carried by elastic and by plastic spots [N].
+    tangential_stiffness, normal_stiffness : Array
+        K_t and K_n of all elastic spots together [N/m].
+    domain_extension_factor, contact_factor : Array
+        psi and lambda [-].
+    """
+
+    largest_area: Array
+    critical_area: Array
+    real_contact_area: Array
+    elastic_load: Array
+    plastic_load: Array
+    tangential_stiffness: Array
+    normal_stiffness: Array
+    domain_extension_factor: Array
+    contact_factor: Array
+
+
+def _relative_expm1(x: Array) -> Array:
+    """(e^x − 1)/x with all digits, and all digits of its derivative, through x = 0."""
+    near = jnp.abs(x) < _SERIES_LIMIT
+    far_x = jnp.where(near, 1.0, x)
+    near_x = jnp.where(near, x, 0.0)
+    series = jnp.ones_like(x)
+    for n in range(_SERIES_TERMS, 1, -1):
+        series = 1.0 + near_x / n * series
+    return jnp.where(near, series, jnp.expm1(far_x) / far_x)
+
+
+def elastic_load_coefficient(*, fractal_dimension: Real, frequency_ratio: Real, asperity_base: AsperityBase) -> Real:
+    r"""Coefficient of the elastic share of the load, :math:`\kappa = \frac{2\sqrt\pi}{3}\sqrt{\ln\gamma}`.
+
+    Parameters
+    ----------
+    fractal_dimension : Real
+        Profile fractal dimension D [-]; enters the circular-spot variant only.
+    frequency_ratio : Real
+        Frequency ratio gamma [-].
+    asperity_base : {"majumdar_bhushan_1991", "circular_spot"}
+        Variant, see :mod:`asperity.contact.asperity`.
+
+    Returns
+    -------
+    Real
+        kappa [-], the pressure on a spot of critical area over the hardness; 0.7524 for gamma = 1.5.
+
+    References
+    ----------
+    From equations (17) and (19) of Zou et al. 2025; equation (A5) of :doc:`/equations`.
+    """
+    factor = base_factor(fractal_dimension=fractal_dimension, asperity_base=asperity_base)
+    return (2.0 * math.sqrt(math.pi) / 3.0) * factor * jnp.sqrt(jnp.log(frequency_ratio))
+
+
+def _log_load_ratio(log_area_ratio: Array, dimension: Array, coefficient: Array) -> Array:
+    """The branch y >= 0 of (A5): ln(F_n/F_c) as a function of y = ln(a_l/a_c)."""
+    power = 1.5 - dimension
+    rise = log_area_ratio * _relative_expm1(power * log_area_ratio)
+    return 0.5 * dimension * log_area_ratio + jnp.log1p(coefficient * (1.0 - 0.5 * dimension) * rise)
+
+
+@jax.custom_jvp
+def _solve_log_area_ratio(log_load_ratio: Array, dimension: Array, coefficient: Array) -> Array:
+    power = 1.5 - dimension
+    weight = coefficient * (1.0 - 0.5 * dimension)
+    y = log_load_ratio / jnp.maximum(0.5 * dimension, 1.5 - 0.5 * dimension)
+    for _ in range(_HOUSEHOLDER_STEPS):
+        rise = y * _relative_expm1(power * y)
+        total = 1.0 + weight * rise
+        growth = weight * (1.0 + power * rise) / total
+        slope = 0.5 * dimension + growth
+        second = growth * (power - growth)
+        third = second * (power - 2.0 * growth)
+        newton = (0.5 * dimension * y + jnp.log1p(weight * rise) - log_load_ratio) / slope
+        first_order = newton * second / slope
+        y = y - newton * (1.0 - 0.5 * first_order) / (1.0 - first_order + newton**2 * third / (6.0 * slope))
+    return jax.lax.optimization_barrier(y)  # keeps XLA from solving again for every use
+
+
+@_solve_log_area_ratio.defjvp
+def _solve_log_area_ratio_jvp(
+    primals: tuple[Array, Array, Array], tangents: tuple[Array, Array, Array]
+) -> tuple[Array, Array]:
+    """Implicit differentiation of (A5) at its root; applies to itself, so any order is exact."""
+    load_ratio, dimension, coefficient = primals
+    load_dot, dimension_dot, coefficient_dot = tangents
+    y = _solve_log_area_ratio(load_ratio, dimension, coefficient)
+    _, slope = jax.jvp(lambda v: _log_load_ratio(v, dimension, coefficient), (y,), (jnp.ones_like(y),))
+    _, drift = jax.jvp(
+        lambda d, k: _log_load_ratio(y, d, k), (dimension, coefficient), (dimension_dot, coefficient_dot)
+    )
+    return y, (load_dot - drift) / slope
+
+
+def log_area_ratio(*, log_load_ratio: Real, fractal_dimension: Real, elastic_load_coefficient: Real) -> Real:
+    r"""Solve the universal load law (A5) for :math:`y = \ln(a_l/a_c)`.
+
+    Parameters
+    ----------
+    log_load_ratio : Real
+        ln(F_n/F_c) [-].
+    fractal_dimension : Real
+        Profile fractal dimension D [-], 1 < D < 2; D = 1.5 is a removable singularity.
+    elastic_load_coefficient : Real
+        kappa [-], :func:`elastic_load_coefficient`.
+
+    Returns
+    -------
+    Real
+        ln(a_l/a_c) [-]; negative where every spot is plastic.
+
+    Notes
+    -----
+    Two Householder steps of third order on ln F: within 1e-14 of the root for 1.02 <= D <= 1.99 and loads up to
+    e^200 F_c; each costs one exponential and one logarithm.
+    Derivatives are implicit. At F_n = F_c the law has a kink.
+
+    References
+    ----------
+    Zou et al. 2025, equation (20), in the form (A5) of :doc:`/equations`.
+    """
+    ratio, dimension, coefficient = jnp.broadcast_arrays(
+        *(jnp.asarray(v, dtype=float) for v in (log_load_ratio, fractal_dimension, elastic_load_coefficient))
+    )
+    elastic = ratio > 0.0
+    solved = _solve_log_area_ratio(jnp.where(elastic, ratio, 1.0), dimension, coefficient)
+    return jnp.where(elastic, solved, ratio)
+
+
+def fractal_contact(
+    *,
+    surface: Surface,
+    normal_force: Real,
+    tangential_force: Real,
+    friction_coefficient: Real,
+    contact_factor: Real,
+    contact_modulus: Real,
+    tangential_contact_modulus: Real,
+    hardness: Real,
+) -> FractalContact:
+    r"""Spots, load shares and stiffnesses of a rough contact under load.
+
+    .. math::
+        K_t = \frac{8G^*}{\sqrt\pi}\Bigl(1-\frac{T}{\mu F_n}\Bigr)^{1/3} \lambda \frac{D}{D-1}
+              \psi^{(2-D)/2} a_l^{D/2} \left(a_c^{(1-D)/2} - a_l^{(1-D)/2}\right), \qquad
+        A_r = \lambda \psi^{(2-D)/2} \frac{D}{2-D} a_l
+
+    and :math:`K_n` is the same with :math:`2E` for :math:`8G^*` and no slip factor.
+
+    Parameters
+    ----------
+    surface : Surface
+        Fractal parameters of the equivalent surface.
+    normal_force : Real
+        Normal force F_n [N]; where it is not positive there is no contact and every output load, area and
+        stiffness is 0.
+    tangential_force : Real
+        Tangential force T >= 0 [N].
+    friction_coefficient : Real
+        Friction coefficient mu [-].
+    contact_factor : Real
+        Contact factor lambda [-], :func:`asperity.contact.population.contact_factor`.
+    contact_modulus, tangential_contact_modulus : Real
+        E and G* [Pa], :mod:`asperity.materials`.
+    hardness : Real
+        Hardness H [Pa].
+
+    Returns
+    -------
+    FractalContact
+        Everything the law says, in the broadcast shape of the inputs.
+
+    Notes
+    -----
+    Valid for 1 < D < 2. K_t and K_n vanish where every spot is plastic (a_l <= a_c), K_t also from gross
+    slip on (T >= mu F_n). Nothing limits a_l or A_r to the nominal area: compare them with the Hertzian area.
+
+    References
+    ----------
+    Zou et al. 2025, equations (20), (22)–(24); (A5), (A6) of :doc:`/equations`.
+    """
+    dimension = surface.fractal_dimension
+    half = 0.5 * dimension
+    log_psi = log_domain_extension_factor(fractal_dimension=dimension)
+    population = contact_factor * jnp.exp((1.0 - half) * log_psi)  # lambda psi^((2-D)/2)
+    kappa = elastic_load_coefficient(
+        fractal_dimension=dimension, frequency_ratio=surface.frequency_ratio, asperity_base=surface.asperity_base
+    )
+    log_critical = log_critical_area(
+        fractal_dimension=dimension,
+        fractal_roughness=surface.fractal_roughness,
+        contact_modulus=contact_modulus,
+        hardness=hardness,
+    )
+    pressure_scale = population * hardness * (half / (1.0 - half))  # F_c = this times a_c
+
+    touching = normal_force > 0.0
+    safe_force = jnp.where(touching, normal_force, 1.0)
+    y = log_area_ratio(
+        log_load_ratio=jnp.log(safe_force / pressure_scale) - log_critical,
+        fractal_dimension=dimension,
+        elastic_load_coefficient=kappa,
+    )
+    some_elastic = touching & (y > 0.0)
+    y_elastic = jnp.where(some_elastic, y, 0.0)
+
+    rise = y_elastic * _relative_expm1((1.5 - dimension) * y_elastic)
+    elastic_weight = kappa * (1.0 - half) * rise
+    elastic_share = elastic_weight / (1.0 + elastic_weight)  # F_e / F_n, from the two terms of (A5)
+    plastic_share = 1.0 / (1.0 + elastic_weight)
+
+    largest = jnp.where(touching, jnp.exp(log_critical + y), 0.0)
+    real_area = population * (half / (1.0 - half)) * largest  # (A6)
+    # (24), the integral of sqrt(a/pi) n(a) from a_c to a_l, with a_l = a_c e^y; exponents joined before exp
+    log_front = jnp.where(some_elastic, 0.5 * log_critical + half * y_elastic, 0.0)
+    radius_sum = (
+        population
+        * (dimension / (dimension - 1.0))
+        * jnp.exp(log_front)
+        * -jnp.expm1(-(half - 0.5) * y_elastic)
+        / math.sqrt(math.pi)
+    )
+    slip = slip_factor(
+        tangential_force=tangential_force,
+        normal_force=normal_force,
+        friction_coefficient=friction_coefficient,
+    )
+    force = jnp.where(touching, normal_force, 0.0)
+    values = jnp.broadcast_arrays(
+        largest,
+        jnp.exp(log_critical),
+        real_area,
+        force * elastic_share,
+        force * plastic_share,
+        8.0 * tangential_contact_modulus * radius_sum * slip,  # (24)
+        2.0 * contact_modulus * radius_sum,  # (A6)
+        jnp.exp(log_psi),
+        contact_factor,
+    )
+    return FractalContact(*values)

@@ -1,0 +1,138 @@
+"""Limits of the model as data: each with its value, the limit, and what crossing it means."""
+
+from __future__ import annotations
+
+import equinox as eqx
+import jax.numpy as jnp
+from jax import Array
+
+from asperity.contact.fractal import FractalContact
+from asperity.contact.hertz_line import FIRST_YIELD_RATIO, effective_radius, half_width, peak_pressure
+from asperity.drive.force_balance import DriveForces
+from asperity.drive.geometry import DriveGeometry, contact_radii, triangle
+from asperity.materials import ContactPair
+from asperity.types import Real
+
+
+class Diagnostics(eqx.Module):
+    """How close a joint is to the limits of its model; every value is fine below 1 unless said otherwise.
+
+    Parameters
+    ----------
+    gross_slip : Array
+        T/(mu N) of each contact, shape (5, ...) [-]; infinite where a lifted contact should carry a force.
+    self_locking : Array
+        tan(beta/2)/mu of the planet's wedge contacts, the larger of both sides, shape (...) [-].
+    real_area_over_hertz_area : Array
+        Real area of contact over the Hertzian strip 2bB, shape (5, ...) [-].
+    largest_spot_over_hertz_area : Array
+        Largest spot over the Hertzian strip, shape (5, ...) [-].
+    critical_over_largest_spot : Array
+        a_c/a_l, shape (5, ...) [-]; from 1 on every spot is plastic and the law has no stiffness.
+    pressure_over_first_yield : Array
+        Hertzian peak pressure over 1.67 times the yield strength of the weaker body, shape (5, ...) [-].
+    normal_over_rest : Array
+        Normal force over its value at rest, shape (5, ...) [-]; 0 means lifted off, fine above 0.
+    hertz_half_width, hertz_peak_pressure : Array
+        Half-width b [m] and peak pressure p_0 [Pa] of the smooth contact, shape (5, ...).
+    """
+
+    gross_slip: Array
+    self_locking: Array
+    real_area_over_hertz_area: Array
+    largest_spot_over_hertz_area: Array
+    critical_over_largest_spot: Array
+    pressure_over_first_yield: Array
+    normal_over_rest: Array
+    hertz_half_width: Array
+    hertz_peak_pressure: Array
+
+
+def slip_ratio(*, normal_force: Real, tangential_force: Real, friction_coefficient: Real) -> Real:
+    r"""Traction used over traction available, :math:`T/(\mu N)`.
+
+    Parameters
+    ----------
+    normal_force, tangential_force : Real
+        N and T of a contact [N].
+    friction_coefficient : Real
+        mu [-].
+
+    Returns
+    -------
+    Real
+        Ratio [-]; the contact slips grossly from 1 on. Infinite for a force without a normal load, 0 for neither.
+    """
+    limit = friction_coefficient * normal_force
+    touching = limit > 0.0
+    force = jnp.abs(tangential_force)
+    return jnp.where(
+        touching, force / jnp.where(touching, limit, 1.0), jnp.where(force > 0.0, jnp.inf, 0.0)
+    )
+
+
+def diagnose(
+    *,
+    geometry: DriveGeometry,
+    forces: DriveForces,
+    contacts: FractalContact,
+    pairs: ContactPair,
+    contact_length: Real,
+    friction_coefficient: Real,
+    rest_force: Real,
+) -> Diagnostics:
+    """Compare a solved joint with the limits of the model.
+
+    Parameters
+    ----------
+    geometry : DriveGeometry
+        The drive.
+    forces : DriveForces
+        Its forces.
+    contacts : FractalContact
+        Its contacts, shape (5, ...).
+    pairs : ContactPair
+        Moduli and limits of the contacts, shape (5, ...).
+    contact_length, friction_coefficient : Real
+        B [m] and mu [-], shape (1 or 5, ...).
+    rest_force : Real
+        Normal forces at rest, shape (5, ...) [N].
+
+    Returns
+    -------
+    Diagnostics
+        Ratios of value over limit.
+
+    References
+    ----------
+    K. L. Johnson, Contact Mechanics, 1985, sections 4.2 and 6.2; :doc:`/assumptions`.
+    """
+    driving, driven, sign = contact_radii(geometry)
+    radius = effective_radius(radius_1=driving, radius_2=driven, sign=sign)
+    touching = forces.normal > 0.0
+    width = half_width(
+        normal_force=jnp.where(touching, forces.normal, 1.0),
+        contact_length=contact_length,
+        effective_radius=radius,
+        contact_modulus=pairs.contact_modulus,
+    )
+    pressure = peak_pressure(
+        normal_force=jnp.where(touching, forces.normal, 0.0), contact_length=contact_length, half_width=width
+    )
+    strip = 2.0 * width * contact_length
+    sides = triangle(geometry)
+    friction = jnp.broadcast_to(friction_coefficient, forces.normal.shape)
+    largest = jnp.where(touching, contacts.largest_area, 1.0)
+    return Diagnostics(
+        gross_slip=slip_ratio(
+            normal_force=forces.normal, tangential_force=forces.tangential, friction_coefficient=friction_coefficient
+        ),
+        self_locking=sides.sin_wedge / (1.0 + sides.cos_wedge) / jnp.minimum(friction[1], friction[2]),
+        real_area_over_hertz_area=contacts.real_contact_area / strip,
+        largest_spot_over_hertz_area=contacts.largest_area / strip,
+        critical_over_largest_spot=jnp.where(touching, contacts.critical_area / largest, jnp.inf),
+        pressure_over_first_yield=pressure / (FIRST_YIELD_RATIO * pairs.yield_strength),
+        normal_over_rest=forces.normal / rest_force,
+        hertz_half_width=jnp.where(touching, width, 0.0),
+        hertz_peak_pressure=pressure,
+    )

@@ -1,0 +1,1 @@
+"""The mechanism: geometry, force balance, torsional stiffness."""

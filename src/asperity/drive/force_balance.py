@@ -1,0 +1,490 @@
+r"""Static force balance of the drive, equations (1)–(5), closed by (A3).
+
+The thirteen unknown forces of a branch reduce to two, exactly: the sun–planet tangential force
+:math:`T_{sp}` and the sum :math:`S = N_{pwr} + N_{pwl}` of the planet's loads. Equal creep makes
+:math:`c = T_{sp}/S` the traction coefficient of both planet–roller contacts, and (2) then gives
+:math:`N_{pwr} - N_{pwl} = T_{sp} \cot(\theta/2)`; every other force follows from one line of (1)–(5) each.
+The two that remain are found from the carrier's moment (5) and the closure by Newton's method.
+"""
+
+from __future__ import annotations
+
+from typing import Literal, NamedTuple
+
+import equinox as eqx
+import jax
+import jax.numpy as jnp
+from jax import Array
+
+from asperity.drive.geometry import DriveGeometry, Triangle, triangle
+from asperity.types import Real
+
+Closure = Literal["elastic", "constant_pin_force"]
+
+_NEWTON_BUDGET = 20
+_STEP_TOLERANCE = 1e-9  # of a method that converges quadratically: the error left behind is its square
+_SMALL_LOAD = 1e-6
+
+
+class Bearings(eqx.Module):
+    r"""Friction torques of the bearings; a pin's is :math:`T_B + \tfrac12 \mu_b F_c d`.
+
+    Parameters
+    ----------
+    sun_torque, loading_roller_torque, carrier_torque : Real
+        Constant friction torque of one sun, loading roller and carrier bearing [N·m]; each body has two.
+    pin_friction_coefficient : Real
+        Friction coefficient mu_b of the loading rollers' pins [-].
+    pin_diameter : Real
+        Diameter d of the loading rollers' pins [m].
+    """
+
+    sun_torque: Real
+    loading_roller_torque: Real
+    carrier_torque: Real
+    pin_friction_coefficient: Real
+    pin_diameter: Real
+
+
+class NormalSprings(eqx.Module):
+    r"""Compression of the five contacts around their preload, exact for every logarithmic line-contact law.
+
+    .. math:: \delta(N) = N \left[s_0 - (s_0 - t_0) \ln (N/N_0)\right]
+
+    Parameters
+    ----------
+    secant_compliance, incremental_compliance : Real
+        s_0 = delta/N and t_0 = d delta/dN at the preload N_0, shape (5, ...) [m/N].
+    """
+
+    secant_compliance: Real
+    incremental_compliance: Real
+
+
+def compression(*, springs: NormalSprings, normal_force: Real, rest_force: Real) -> Real:
+    r"""Approach of the two bodies of each contact beyond their state at rest.
+
+    .. math:: \delta(N) - \delta(N_0), \quad \delta(N) = N \left[s_0 - (s_0 - t_0) \ln (N/N_0)\right]
+
+    Parameters
+    ----------
+    springs : NormalSprings
+        Secant and incremental compliance at rest [m/N].
+    normal_force, rest_force : Real
+        Normal force N and its value N_0 at rest [N].
+
+    Returns
+    -------
+    Real
+        Approach [m]. Below a millionth of the rest force the tangent there is continued, which only iterates
+        of the solver ever see.
+
+    References
+    ----------
+    The Johnson and the Weber–Banaschek compressions, :mod:`asperity.contact.hertz_line`, are both of this form.
+    """
+    ratio = normal_force / rest_force
+    loaded = ratio > _SMALL_LOAD
+    safe = jnp.where(loaded, ratio, _SMALL_LOAD)
+    bend = springs.secant_compliance - springs.incremental_compliance
+    log_safe = jnp.log(safe)
+    curve = safe * (springs.secant_compliance - bend * log_safe)
+    tangent = springs.incremental_compliance - bend * log_safe
+    return rest_force * (curve + tangent * (ratio - safe) - springs.secant_compliance)
+
+
+class RestState(NamedTuple):
+    """Forces at rest and without torque: the assembled preload."""
+
+    normal_force: Array
+    pin_force_left: Array
+    pin_force_right: Array
+
+
+def rest_state(*, geometry: DriveGeometry, preload: Real) -> RestState:
+    """Preload at rest: N_sp = N_0, both sides equal; equations (2)–(4) without tangential forces.
+
+    Parameters
+    ----------
+    geometry : DriveGeometry
+        The drive.
+    preload : Real
+        Normal force N_0 between sun and planet at rest [N].
+
+    Returns
+    -------
+    RestState
+        Normal forces, shape (5, ...), and the two pin forces [N].
+
+    References
+    ----------
+    Equation (A3) of :doc:`/equations`.
+    """
+    sides = triangle(geometry)
+    planet_roller = preload / (2.0 * sides.cos_direction)
+    pin_left = planet_roller * sides.sin_wedge / jnp.cos(geometry.left_push_angle)
+    pin_right = planet_roller * sides.sin_wedge / jnp.cos(geometry.right_push_angle)
+    left_ring = pin_left * jnp.sin(geometry.left_push_angle) + planet_roller * sides.cos_wedge
+    right_ring = pin_right * jnp.sin(geometry.right_push_angle) + planet_roller * sides.cos_wedge
+    normal = jnp.stack(
+        jnp.broadcast_arrays(jnp.asarray(preload), planet_roller, planet_roller, right_ring, left_ring)
+    )
+    return RestState(normal, pin_left, pin_right)
+
+
+class DriveForces(eqx.Module):
+    """All forces of one branch and the torques of the drive, SI units.
+
+    Parameters
+    ----------
+    normal, tangential : Array
+        Normal and tangential forces of the contacts ``sp, pwr, pwl, wro, wlo``, shape (5, ...) [N].
+    pin_left, pin_right : Array
+        Carrier pin forces F_cl, F_cr [N].
+    input_torque, output_torque : Array
+        Torques T_in at the sun and T_out at the carrier [N·m].
+    left_bearing_torque, right_bearing_torque : Array
+        Friction torque T_B of one bearing of the left and the right loading roller [N·m].
+    balance_residual : Array
+        Largest residual of the eleven equations (1)–(5), relative to the largest force [-].
+    closure_residual : Array
+        Residual of the closure (A3), relative [-]; 0 where a contact has lifted off, because it then no longer
+        binds.
+    """
+
+    normal: Array
+    tangential: Array
+    pin_left: Array
+    pin_right: Array
+    input_torque: Array
+    output_torque: Array
+    left_bearing_torque: Array
+    right_bearing_torque: Array
+    balance_residual: Array
+    closure_residual: Array
+
+
+class _Drive(NamedTuple):
+    """Everything that stays fixed while the two unknowns are sought."""
+
+    geometry: DriveGeometry
+    sides: Triangle
+    bearings: Bearings
+    springs: NormalSprings
+    rest: RestState
+    output_torque: Array
+    planet_centrifugal: Real
+    roller_centrifugal: Real
+
+
+def _branch_forces(drive: _Drive, load_sum: Array, sun_force: Array) -> dict[str, Array]:
+    """Every force of a branch from S and T_sp, one published equation a line."""
+    side, geometry, bearings = drive.sides, drive.geometry, drive.bearings
+    radius = geometry.loading_roller_radius
+    cos_l, sin_l = jnp.cos(geometry.left_push_angle), jnp.sin(geometry.left_push_angle)
+    cos_r, sin_r = jnp.cos(geometry.right_push_angle), jnp.sin(geometry.right_push_angle)
+    difference = sun_force * (1.0 + side.cos_direction) / side.sin_direction  # (2) x and moment
+    traction = sun_force / load_sum  # (A3) equal creep
+    n_pwr, n_pwl = 0.5 * (load_sum + difference), 0.5 * (load_sum - difference)
+    t_pwr, t_pwl = traction * n_pwr, traction * n_pwl
+    n_sp = (
+        (t_pwr - t_pwl) * side.sin_direction + load_sum * side.cos_direction - drive.planet_centrifugal
+    )  # (2) y
+    # (3) t and (4) t with the roller moments T_wo = T_pw − 2 T_B/R_w put in; a pin's friction grows with |F|
+    push_l = n_pwl * side.sin_wedge + t_pwl * (1.0 + side.cos_wedge)
+    push_r = n_pwr * side.sin_wedge - t_pwr * (1.0 + side.cos_wedge)
+    constant = 2.0 * bearings.loading_roller_torque / radius
+    pin_friction = bearings.pin_friction_coefficient * bearings.pin_diameter / radius
+    side_l = jnp.sign(push_l - constant)
+    side_r = jnp.sign(push_r + constant)
+    f_cl = (push_l - constant) / (cos_l + side_l * pin_friction)
+    f_cr = (push_r + constant) / (cos_r - side_r * pin_friction)
+    pin_torque = 0.5 * bearings.pin_friction_coefficient * bearings.pin_diameter
+    b_l = bearings.loading_roller_torque + pin_torque * jnp.abs(f_cl)
+    b_r = bearings.loading_roller_torque + pin_torque * jnp.abs(f_cr)
+    return {
+        "n_sp": n_sp,
+        "n_pwr": n_pwr,
+        "n_pwl": n_pwl,
+        "n_wro": f_cr * sin_r + n_pwr * side.cos_wedge + t_pwr * side.sin_wedge + drive.roller_centrifugal,  # (4) r
+        "n_wlo": f_cl * sin_l + n_pwl * side.cos_wedge - t_pwl * side.sin_wedge + drive.roller_centrifugal,  # (3) r
+        "t_sp": sun_force,
+        "t_pwr": t_pwr,
+        "t_pwl": t_pwl,
+        "t_wro": t_pwr - 2.0 * b_r / radius,  # (4) M
+        "t_wlo": t_pwl - 2.0 * b_l / radius,  # (3) M
+        "f_cl": f_cl,
+        "f_cr": f_cr,
+        "b_l": b_l,
+        "b_r": b_r,
+    }
+
+
+def _normal_stack(force: dict[str, Array]) -> Array:
+    return jnp.stack(
+        jnp.broadcast_arrays(force["n_sp"], force["n_pwr"], force["n_pwl"], force["n_wro"], force["n_wlo"])
+    )
+
+
+def _carrier_residual(drive: _Drive, force: dict[str, Array]) -> Array:
+    """Equation (5) over 3 (R_o − R_w): a force [N]."""
+    geometry = drive.geometry
+    push = force["f_cl"] * jnp.cos(geometry.left_push_angle) - force["f_cr"] * jnp.cos(geometry.right_push_angle)
+    torque = 2.0 * drive.bearings.carrier_torque + drive.output_torque
+    return push - torque / (geometry.planet_count * drive.sides.roller_orbit)  # (5)
+
+
+def _closure_residual(drive: _Drive, force: dict[str, Array], closure: Closure) -> Array:
+    r"""Equation (A3), as a force [N]: zero where the closure holds, growing with S.
+
+    For ``elastic`` the planet is displaced by (x, y) and the rollers radially by r_r and r_l. The approaches are
+    delta_sp = −y, delta_pwr = x sin th + y cos th − r_r cos b, delta_pwl = −x sin th + y cos th − r_l cos b,
+    delta_wro = r_r, delta_wlo = r_l. Eliminating the four displacements leaves one condition:
+    2 cos th delta_sp + delta_pwr + delta_pwl + cos b (delta_wro + delta_wlo) = 0.
+    """
+    if closure == "constant_pin_force":
+        return force["f_cr"] - drive.rest.pin_force_right
+    sp, pwr, pwl, wro, wlo = compression(
+        springs=drive.springs, normal_force=_normal_stack(force), rest_force=drive.rest.normal_force
+    )
+    misfit = 2.0 * drive.sides.cos_direction * sp + pwr + pwl + drive.sides.cos_wedge * (wro + wlo)
+    return misfit / drive.springs.incremental_compliance[1]
+
+
+def _contact_floor(drive: _Drive, sun_force: Array) -> Array:
+    """Smallest S at which no contact pulls: N_pwl = 0, or N_sp = 0 under the planet's centrifugal force."""
+    side, centrifugal = drive.sides, drive.planet_centrifugal
+    difference = sun_force * (1.0 + side.cos_direction) / side.sin_direction
+    product = centrifugal**2 - 4.0 * side.cos_direction * side.sin_direction * sun_force * difference
+    real = product > 0.0
+    root = jnp.where(real, jnp.sqrt(jnp.where(real, product, 1.0)), -centrifugal)
+    return jnp.maximum(jnp.abs(difference), (centrifugal + root) / (2.0 * side.cos_direction))
+
+
+def _residuals(drive: _Drive, closure: Closure, unknowns: tuple[Array, Array]) -> tuple[Array, Array]:
+    """Closure and carrier moment; a lifted contact stays at zero force while S goes below its floor."""
+    load_sum, sun_force = unknowns
+    free = _branch_forces(drive, load_sum, sun_force)
+    held = _branch_forces(drive, jnp.maximum(load_sum, _contact_floor(drive, sun_force)), sun_force)
+    return _closure_residual(drive, free, closure), _carrier_residual(drive, held)
+
+
+def _solve_two_by_two(linear, right_side: tuple[Array, Array]) -> tuple[Array, Array]:  # type: ignore[no-untyped-def]
+    """Solve linear(u, v) = right_side for the pair (u, v) by Cramer's rule, elementwise."""
+    one, zero = jnp.ones_like(right_side[0]), jnp.zeros_like(right_side[0])
+    a, c = linear((one, zero))
+    b, d = linear((zero, one))
+    determinant = a * d - b * c
+    e, f = right_side
+    return (e * d - b * f) / determinant, (a * f - c * e) / determinant
+
+
+def _newton(residuals, start: tuple[Array, Array]) -> tuple[Array, Array]:  # type: ignore[no-untyped-def]
+    """Newton's method until the last step of every point is negligible, or the budget is spent."""
+
+    def unfinished(state: tuple[Array, Array, Array, Array]) -> Array:
+        *_, change, count = state
+        return (change > _STEP_TOLERANCE) & (count < _NEWTON_BUDGET)
+
+    def improve(state: tuple[Array, Array, Array, Array]) -> tuple[Array, Array, Array, Array]:
+        load_sum, sun_force, _, count = state
+        value, tangent_map = jax.linearize(residuals, (load_sum, sun_force))
+        step = _solve_two_by_two(tangent_map, value)
+        relative = jnp.maximum(jnp.abs(step[0]), jnp.abs(step[1])) / (jnp.abs(load_sum) + jnp.abs(sun_force))
+        change = jnp.max(jnp.where(jnp.isnan(relative), 0.0, relative))
+        return load_sum - step[0], sun_force - step[1], change, count + 1
+
+    first = (*start, jnp.asarray(jnp.inf), jnp.asarray(0))
+    load_sum, sun_force, *_ = jax.lax.while_loop(unfinished, improve, first)
+    return load_sum, sun_force
+
+
+def force_balance(
+    *,
+    geometry: DriveGeometry,
+    bearings: Bearings,
+    springs: NormalSprings,
+    preload: Real,
+    output_torque: Real,
+    carrier_speed: Real,
+    planet_mass: Real,
+    loading_roller_mass: Real,
+    closure: Closure,
+) -> DriveForces:
+    r"""Solve the static force balance of one branch under a given output torque.
+
+    Parameters
+    ----------
+    geometry : DriveGeometry
+        The drive.
+    bearings : Bearings
+        Friction of its bearings.
+    springs : NormalSprings
+        Normal springs of the contacts; used by the ``elastic`` closure only.
+    preload : Real
+        Normal force N_0 between sun and planet at rest [N].
+    output_torque : Real
+        Torque T_out >= 0 at the carrier [N·m]. The other direction is the mirror image: left becomes right.
+    carrier_speed : Real
+        Angular velocity of the carrier [rad/s].
+    planet_mass, loading_roller_mass : Real
+        Masses [kg]; enter through the centrifugal forces m omega_c^2 r.
+    closure : {"elastic", "constant_pin_force"}
+        ``elastic``: the preload is an interference fixed at assembly, see :doc:`/equations` (A3);
+        ``constant_pin_force``: the right pin force keeps its preload value.
+
+    Returns
+    -------
+    DriveForces
+        Forces, torques and the two residuals. Contacts never pull: a lifted one carries no force.
+
+    Notes
+    -----
+    Newton's method from the preload state, usually three steps. The residuals are part of the result; whoever uses the forces must
+    look at them (:func:`asperity.joint.solve` does). Derivatives are those of the equations at their root.
+
+    References
+    ----------
+    Zou et al. 2025, equations (1)–(5), with the signs of Newton's third law; (A3) of :doc:`/equations`.
+    """
+    sides = triangle(geometry)
+    rest = rest_state(geometry=geometry, preload=preload)
+    speed_squared = carrier_speed**2
+    drive = _Drive(
+        geometry=geometry,
+        sides=sides,
+        bearings=bearings,
+        springs=springs,
+        rest=rest,
+        output_torque=jnp.asarray(output_torque),
+        planet_centrifugal=planet_mass * speed_squared * sides.planet_orbit,
+        roller_centrifugal=loading_roller_mass * speed_squared * sides.roller_orbit,
+    )
+    leverage = (
+        1.0 + sides.cos_wedge - sides.sin_wedge * (1.0 + sides.cos_direction) / sides.sin_direction
+    )  # (5) with (3), (4) and no losses
+    loss_free = output_torque / (geometry.planet_count * sides.roller_orbit * leverage)
+    start = jnp.broadcast_arrays(
+        2.0 * rest.normal_force[1],
+        loss_free,
+        drive.planet_centrifugal,
+        drive.roller_centrifugal,
+        springs.secant_compliance[1],
+        bearings.loading_roller_torque + bearings.carrier_torque + bearings.pin_friction_coefficient,
+    )[:2]
+
+    def residuals(unknowns: tuple[Array, Array]) -> tuple[Array, Array]:
+        return _residuals(drive, closure, unknowns)
+
+    load_sum, sun_force = jax.lax.custom_root(
+        residuals, (start[0], start[1]), _newton, _solve_two_by_two
+    )
+    floor = _contact_floor(drive, sun_force)
+    held = load_sum < floor
+    force = _branch_forces(drive, jnp.where(held, floor, load_sum), sun_force)
+    closure_error = jnp.where(held, 0.0, jnp.abs(_residuals(drive, closure, (load_sum, sun_force))[0]))
+    normal = _normal_stack(force)
+    normal = jnp.maximum(normal, 0.0)  # a lifted contact's rounding; the balance below is taken with it
+    tangential = jnp.stack(
+        jnp.broadcast_arrays(force["t_sp"], force["t_pwr"], force["t_pwl"], force["t_wro"], force["t_wlo"])
+    )
+    input_torque = (
+        2.0 * bearings.sun_torque + geometry.planet_count * geometry.sun_radius * force["t_sp"]
+    )  # (1)
+    scale = jnp.maximum(jnp.max(normal, axis=0), jnp.max(jnp.abs(tangential), axis=0))
+    equations = balance_equations(
+        geometry=geometry,
+        bearings=bearings,
+        normal=normal,
+        tangential=tangential,
+        pin_left=force["f_cl"],
+        pin_right=force["f_cr"],
+        left_bearing_torque=force["b_l"],
+        right_bearing_torque=force["b_r"],
+        input_torque=input_torque,
+        output_torque=drive.output_torque,
+        planet_centrifugal=drive.planet_centrifugal,
+        roller_centrifugal=drive.roller_centrifugal,
+    )
+    return DriveForces(
+        normal=normal,
+        tangential=tangential,
+        pin_left=force["f_cl"],
+        pin_right=force["f_cr"],
+        input_torque=input_torque,
+        output_torque=jnp.broadcast_to(drive.output_torque, scale.shape),
+        left_bearing_torque=force["b_l"],
+        right_bearing_torque=force["b_r"],
+        balance_residual=jnp.max(jnp.abs(equations), axis=0) / scale,
+        closure_residual=closure_error / scale,
+    )
+
+
+def balance_equations(
+    *,
+    geometry: DriveGeometry,
+    bearings: Bearings,
+    normal: Real,
+    tangential: Real,
+    pin_left: Real,
+    pin_right: Real,
+    left_bearing_torque: Real,
+    right_bearing_torque: Real,
+    input_torque: Real,
+    output_torque: Real,
+    planet_centrifugal: Real,
+    roller_centrifugal: Real,
+) -> Array:
+    """The eleven equations (1)–(5) as they are written, each as a force [N] that vanishes in equilibrium.
+
+    Parameters
+    ----------
+    geometry : DriveGeometry
+        The drive.
+    bearings : Bearings
+        Friction of its bearings.
+    normal, tangential : Real
+        Contact forces in the order of :data:`asperity.drive.geometry.CONTACT_NAMES`, shape (5, ...) [N].
+    pin_left, pin_right : Real
+        Carrier pin forces [N].
+    left_bearing_torque, right_bearing_torque : Real
+        Friction torque of one loading-roller bearing on either side [N·m].
+    input_torque, output_torque : Real
+        Torques at sun and carrier [N·m].
+    planet_centrifugal, roller_centrifugal : Real
+        m omega_c^2 r of a planet and of a loading roller [N].
+
+    Returns
+    -------
+    Array
+        Residuals, shape (11, ...) [N]; moments are divided by the radius they act at.
+
+    References
+    ----------
+    Zou et al. 2025, equations (1)–(5); the signs of (2) and (4) as in :doc:`/assumptions`.
+    """
+    side = triangle(geometry)
+    n_sp, n_pwr, n_pwl, n_wro, n_wlo = normal
+    t_sp, t_pwr, t_pwl, t_wro, t_wlo = tangential
+    cos_th, sin_th, cos_b, sin_b = side.cos_direction, side.sin_direction, side.cos_wedge, side.sin_wedge
+    cos_l, sin_l = jnp.cos(geometry.left_push_angle), jnp.sin(geometry.left_push_angle)
+    cos_r, sin_r = jnp.cos(geometry.right_push_angle), jnp.sin(geometry.right_push_angle)
+    sun, roller = geometry.sun_radius, geometry.loading_roller_radius
+    count, orbit = geometry.planet_count, side.roller_orbit
+    return jnp.stack(
+        jnp.broadcast_arrays(
+            (input_torque - 2.0 * bearings.sun_torque) / (count * sun) - t_sp,  # (1)
+            t_sp + t_pwr * cos_th - n_pwr * sin_th + n_pwl * sin_th + t_pwl * cos_th,  # (2) x
+            n_sp - t_pwr * sin_th - n_pwr * cos_th - n_pwl * cos_th + t_pwl * sin_th + planet_centrifugal,  # (2) y
+            t_pwr + t_pwl - t_sp,  # (2) M
+            pin_left * cos_l - n_pwl * sin_b - t_pwl * cos_b - t_wlo,  # (3) t
+            pin_left * sin_l + n_pwl * cos_b - t_pwl * sin_b - n_wlo + roller_centrifugal,  # (3) r
+            t_wlo - t_pwl + 2.0 * left_bearing_torque / roller,  # (3) M
+            pin_right * cos_r - n_pwr * sin_b + t_pwr * cos_b + t_wro,  # (4) t
+            pin_right * sin_r + n_pwr * cos_b + t_pwr * sin_b - n_wro + roller_centrifugal,  # (4) r
+            t_wro - t_pwr + 2.0 * right_bearing_torque / roller,  # (4) M
+            pin_left * cos_l
+            - pin_right * cos_r
+            - (2.0 * bearings.carrier_torque + output_torque) / (count * orbit),  # (5)
+        )
+    )

@@ -1,0 +1,276 @@
+"""Geometry and kinematics of the planetary traction drive from its radii alone: (A1), (A2).
+
+The five contacts of one branch, in the order of every array with a contact axis (the first axis):
+sun–planet ``sp``, planet–right and planet–left loading roller ``pwr``, ``pwl``, right and left loading
+roller–outer ring ``wro``, ``wlo``.
+"""
+
+from __future__ import annotations
+
+import equinox as eqx
+import jax.numpy as jnp
+
+from asperity.types import Real
+
+#: Names of the five contacts of a branch, in the order of the contact axis.
+CONTACT_NAMES = ("sp", "pwr", "pwl", "wro", "wlo")
+
+
+class DriveGeometry(eqx.Module):
+    """Radii and arrangement of a planetary traction drive, SI units.
+
+    Parameters
+    ----------
+    sun_radius, planet_radius, loading_roller_radius, ring_radius : Real
+        Radii R_s, R_p, R_w of the rollers and inner radius R_o of the outer ring [m].
+    planet_count : Real
+        Number of planets [-], equally spaced.
+    left_push_angle, right_push_angle : Real
+        Directions gamma_l, gamma_r of the carrier's push on the loading rollers, from the tangent [rad].
+    """
+
+    sun_radius: Real
+    planet_radius: Real
+    loading_roller_radius: Real
+    ring_radius: Real
+    planet_count: Real
+    left_push_angle: Real
+    right_push_angle: Real
+
+
+class Triangle(eqx.Module):
+    r"""The triangle sun centre – planet centre – loading roller centre, which tangency alone fixes (A1).
+
+    Parameters
+    ----------
+    planet_orbit, roller_distance, roller_orbit : Real
+        Centre distances OP = R_s + R_p, PW = R_p + R_w, OW = R_o − R_w [m].
+    cos_polar, sin_polar : Real
+        Of alpha, the polar angle of a loading roller from its planet [-].
+    cos_direction, sin_direction : Real
+        Of theta, the direction planet → loading roller from the radial line [-].
+    cos_wedge, sin_wedge : Real
+        Of beta = theta − alpha, the wedge angle [-].
+    """
+
+    planet_orbit: Real
+    roller_distance: Real
+    roller_orbit: Real
+    cos_polar: Real
+    sin_polar: Real
+    cos_direction: Real
+    sin_direction: Real
+    cos_wedge: Real
+    sin_wedge: Real
+
+
+def triangle(geometry: DriveGeometry) -> Triangle:
+    r"""Close the triangle of centres.
+
+    .. math::
+        \cos\alpha = \frac{OP^2 + OW^2 - PW^2}{2\,OP\,OW}, \quad
+        \theta = \operatorname{atan2}(OW \sin\alpha,\; OW\cos\alpha - OP), \quad \beta = \theta - \alpha
+
+    Parameters
+    ----------
+    geometry : DriveGeometry
+        The radii [m].
+
+    Returns
+    -------
+    Triangle
+        Distances and the sines and cosines of the three angles; nan where the triangle does not close.
+
+    References
+    ----------
+    Equation (A1) of :doc:`/equations`.
+    """
+    planet_orbit = geometry.sun_radius + geometry.planet_radius
+    roller_distance = geometry.planet_radius + geometry.loading_roller_radius
+    roller_orbit = geometry.ring_radius - geometry.loading_roller_radius
+    cos_polar = (planet_orbit**2 + roller_orbit**2 - roller_distance**2) / (2.0 * planet_orbit * roller_orbit)
+    closes = jnp.abs(cos_polar) < 1.0
+    sin_polar = jnp.sqrt(jnp.where(closes, 1.0 - cos_polar**2, jnp.nan))
+    cos_direction = (roller_orbit * cos_polar - planet_orbit) / roller_distance
+    sin_direction = roller_orbit * sin_polar / roller_distance
+    return Triangle(
+        planet_orbit=planet_orbit,
+        roller_distance=roller_distance,
+        roller_orbit=roller_orbit,
+        cos_polar=cos_polar,
+        sin_polar=sin_polar,
+        cos_direction=cos_direction,
+        sin_direction=sin_direction,
+        cos_wedge=cos_direction * cos_polar + sin_direction * sin_polar,
+        sin_wedge=sin_direction * cos_polar - cos_direction * sin_polar,
+    )
+
+
+class DriveAngles(eqx.Module):
+    """The three angles of (A1) [rad].
+
+    Parameters
+    ----------
+    polar : Real
+        alpha, polar angle of a loading roller from its planet [rad].
+    direction : Real
+        theta, direction planet → loading roller from the radial line [rad].
+    wedge : Real
+        beta, the wedge angle [rad]; half of it is the self-locking angle.
+    """
+
+    polar: Real
+    direction: Real
+    wedge: Real
+
+
+def angles(geometry: DriveGeometry) -> DriveAngles:
+    """The angles alpha, theta and beta of (A1).
+
+    Parameters
+    ----------
+    geometry : DriveGeometry
+        The radii [m].
+
+    Returns
+    -------
+    DriveAngles
+        Angles [rad]; nan where the triangle does not close.
+
+    References
+    ----------
+    Equation (A1) of :doc:`/equations`.
+    """
+    sides = triangle(geometry)
+    polar = jnp.arctan2(sides.sin_polar, sides.cos_polar)
+    direction = jnp.arctan2(sides.sin_direction, sides.cos_direction)
+    return DriveAngles(polar=polar, direction=direction, wedge=direction - polar)
+
+
+def speed_ratio(geometry: DriveGeometry) -> Real:
+    r"""Speed ratio sun over carrier with the ring fixed.
+
+    .. math:: \frac{\omega_s}{\omega_c} = -\frac{R_o - R_s}{R_s}
+
+    Parameters
+    ----------
+    geometry : DriveGeometry
+        The radii [m].
+
+    Returns
+    -------
+    Real
+        Ratio [-]; negative, the carrier turns against the sun.
+
+    References
+    ----------
+    Equation (A2) of :doc:`/equations`.
+    """
+    return -(geometry.ring_radius - geometry.sun_radius) / geometry.sun_radius
+
+
+def carrier_speed(*, geometry: DriveGeometry, sun_speed: Real) -> Real:
+    """Angular velocity of the carrier, equation (A2).
+
+    Parameters
+    ----------
+    geometry : DriveGeometry
+        The radii [m].
+    sun_speed : Real
+        Angular velocity of the sun [rad/s].
+
+    Returns
+    -------
+    Real
+        Angular velocity of the carrier [rad/s]; of opposite sign.
+    """
+    return sun_speed / speed_ratio(geometry)
+
+
+def contact_radii(geometry: DriveGeometry) -> tuple[Real, Real, Real]:
+    """Radii and kind of the five contacts.
+
+    Parameters
+    ----------
+    geometry : DriveGeometry
+        The radii [m].
+
+    Returns
+    -------
+    driving_radius, driven_radius : Real
+        Radii of the driving and the driven body, shape (5, ...) [m].
+    sign : Real
+        +1 for the external contacts, −1 for those inside the ring, shape (5, 1, ...) [-].
+    """
+    sun, planet, roller, ring = jnp.broadcast_arrays(
+        geometry.sun_radius, geometry.planet_radius, geometry.loading_roller_radius, geometry.ring_radius
+    )
+    sign = jnp.array([1.0, 1.0, 1.0, -1.0, -1.0]).reshape((5,) + (1,) * sun.ndim)
+    return (
+        jnp.stack([sun, planet, planet, roller, roller]),
+        jnp.stack([planet, roller, roller, ring, ring]),
+        sign,
+    )
+
+
+class Clearance(eqx.Module):
+    """One condition that an arrangement of rollers must meet to exist.
+
+    Parameters
+    ----------
+    name : str
+        What must not happen.
+    gap : Real
+        Free distance [m]; the rollers fit where it is positive.
+    """
+
+    name: str = eqx.field(static=True)
+    gap: Real
+
+
+def clearances(geometry: DriveGeometry) -> tuple[Clearance, ...]:
+    """Every free distance that must be positive for the rollers to fit.
+
+    Parameters
+    ----------
+    geometry : DriveGeometry
+        The radii [m].
+
+    Returns
+    -------
+    tuple of Clearance
+        Named gaps [m]. The last ones are nan where the triangle itself does not close.
+    """
+    sides = triangle(geometry)
+    half_pitch = jnp.pi / geometry.planet_count
+    orbit, roller = sides.planet_orbit, geometry.loading_roller_radius
+    polar = jnp.arctan2(sides.sin_polar, sides.cos_polar)
+    to_next_planet = jnp.sqrt(
+        orbit**2 + sides.roller_orbit**2 - 2.0 * orbit * sides.roller_orbit * jnp.cos(2.0 * half_pitch - polar)
+    )
+    return (
+        Clearance("the loading roller must be smaller than the ring", sides.roller_orbit),
+        Clearance(
+            "the loading roller must reach from the planet to the ring (R_s + 2 R_p + 2 R_w > R_o)",
+            orbit + sides.roller_distance - sides.roller_orbit,
+        ),
+        Clearance(
+            "the planet must not touch the ring (R_s + 2 R_p < R_o)",
+            geometry.ring_radius - orbit - geometry.planet_radius,
+        ),
+        Clearance("neighbouring planets must not overlap", 2.0 * (orbit * jnp.sin(half_pitch) - geometry.planet_radius)),
+        Clearance(
+            "the two loading rollers of one planet must not overlap", 2.0 * (sides.roller_orbit * sides.sin_polar - roller)
+        ),
+        Clearance(
+            "loading rollers of neighbouring planets must not overlap",
+            2.0 * (sides.roller_orbit * jnp.sin(half_pitch - polar) - roller),
+        ),
+        Clearance(
+            "a loading roller must not touch the next planet", to_next_planet - geometry.planet_radius - roller
+        ),
+        Clearance(
+            "the loading rollers must lie outside the planet's centre circle, or they cannot press it to the sun",
+            sides.roller_distance * sides.cos_direction,
+        ),
+    )
