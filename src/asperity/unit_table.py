@@ -1,0 +1,100 @@
+"""Dimensions and units: what a quantity can measure, and the exact SI factor of every unit that is read.
+
+Factors are ratios of whole numbers times a power of pi. The angle is a dimension of its own here: N·m and
+N·m/rad are different things.
+"""
+
+import functools
+from enum import Enum
+
+__all__ = ["Dimension", "Exponents", "Unit", "unit_table"]
+
+Exponents = tuple[int, int, int, int]  # of metre, kilogram, second, radian
+Unit = tuple[int, int, int, Exponents]  # numerator, denominator and power of pi of the SI factor; exponents
+
+
+class Dimension(Enum):
+    """What a quantity measures: name, SI unit, an example to quote, exponents of m, kg, s and rad."""
+
+    DIMENSIONLESS = ("a dimensionless number", "1", "0.12", (0, 0, 0, 0))
+    LENGTH = ("a length", "m", "13.5 mm", (1, 0, 0, 0))
+    AREA = ("an area", "m^2", "1.2 mm^2", (2, 0, 0, 0))
+    VOLUME = ("a volume", "m^3", "2 cm^3", (3, 0, 0, 0))
+    CURVATURE = ("a curvature", "1/m", "0.2 1/mm", (-1, 0, 0, 0))
+    ANGLE = ("an angle", "rad", "12 deg", (0, 0, 0, 1))
+    TIME = ("a time", "s", "2 ms", (0, 0, 1, 0))
+    FREQUENCY = ("a frequency", "1/s", "50 Hz", (0, 0, -1, 0))
+    SPEED = ("a speed", "m/s", "2 m/s", (1, 0, -1, 0))
+    ANGULAR_VELOCITY = ("an angular velocity", "rad/s", "6000 rpm", (0, 0, -1, 1))
+    MASS = ("a mass", "kg", "25 g", (0, 1, 0, 0))
+    DENSITY = ("a density", "kg/m^3", "7850 kg/m^3", (-3, 1, 0, 0))
+    FORCE = ("a force", "N", "1000 N", (1, 1, -2, 0))
+    TORQUE = ("a torque", "N*m", "5 N*m", (2, 1, -2, 0))
+    PRESSURE = ("a pressure", "Pa", "450 MPa", (-1, 1, -2, 0))
+    POWER = ("a power", "W", "100 W", (2, 1, -3, 0))
+    STIFFNESS = ("a stiffness", "N/m", "4e6 N/mm", (0, 1, -2, 0))
+    TORSIONAL_STIFFNESS = ("a torsional stiffness", "N*m/rad", "8.6 N*m/arcmin", (2, 1, -2, -1))
+    STIFFNESS_PER_AREA = ("a stiffness per area", "Pa/m", "2e4 MPa/mm", (-2, 1, -2, 0))
+
+    def __init__(self, label: str, si_unit: str, example: str, exponents: Exponents) -> None:
+        self.label = label
+        self.si_unit = si_unit
+        self.example = example
+        self.exponents = exponents
+
+
+@functools.cache
+def unit_table() -> dict[str, Unit]:
+    """Every unit by each of its spellings: those that stand alone, and those that take SI prefixes."""
+    angle, length, mass, time = (0, 0, 0, 1), (1, 0, 0, 0), (0, 1, 0, 0), (0, 0, 1, 0)
+    force, pressure, energy = (1, 1, -2, 0), (-1, 1, -2, 0), (2, 1, -2, 0)
+    pound_force = 45359237 * 980665  # lbf = 0.45359237 kg * 9.80665 m/s^2, exactly; in units of 1e-13 N
+    number = (0, 0, 0, 0)
+    alone: list[tuple[str, Unit]] = [
+        ("inch inches in", (254, 10**4, 0, length)),
+        ("µin microinch microinches", (254, 10**10, 0, length)),
+        ("thou", (254, 10**7, 0, length)),
+        ("foot feet ft", (3048, 10**4, 0, length)),
+        ("micron microns", (1, 10**6, 0, length)),
+        ("kg kilogram kilograms", (1, 1, 0, mass)),
+        ("pound pounds lb", (45359237, 10**8, 0, mass)),
+        ("minute minutes min", (60, 1, 0, time)),
+        ("hour hours h", (3600, 1, 0, time)),
+        ("lbf pound_force", (pound_force, 10**13, 0, force)),
+        ("kgf", (980665, 10**5, 0, force)),
+        ("psi", (pound_force * 10**8, 10**13 * 254**2, 0, pressure)),
+        ("ksi", (pound_force * 10**11, 10**13 * 254**2, 0, pressure)),
+        ("atm", (101325, 1, 0, pressure)),
+        ("degree degrees deg °", (1, 180, 1, angle)),
+        ("arcminute arcminutes arcmin", (1, 180 * 60, 1, angle)),
+        ("arcsecond arcseconds arcsec", (1, 180 * 3600, 1, angle)),
+        ("turn turns revolution revolutions rev", (2, 1, 1, angle)),
+        ("rpm", (2, 60, 1, (0, 0, -1, 1))),
+        ("percent %", (1, 100, 0, number)),
+        ("ppm", (1, 10**6, 0, number)),
+        ("1 dimensionless", (1, 1, 0, number)),
+    ]
+    prefixed: list[tuple[str, str, Unit]] = [  # symbol, full names
+        ("m", "meter meters metre metres", (1, 1, 0, length)),
+        ("g", "gram grams", (1, 1000, 0, mass)),
+        ("s", "second seconds", (1, 1, 0, time)),
+        ("N", "newton newtons", (1, 1, 0, force)),
+        ("Pa", "pascal pascals", (1, 1, 0, pressure)),
+        ("bar", "", (10**5, 1, 0, pressure)),
+        ("J", "joule joules", (1, 1, 0, energy)),
+        ("W", "watt watts", (1, 1, 0, (2, 1, -3, 0))),
+        ("Hz", "hertz", (1, 1, 0, (0, 0, -1, 0))),
+        ("rad", "radian radians", (1, 1, 0, angle)),
+    ]
+    prefixes = [("T", "tera", 12), ("G", "giga", 9), ("M", "mega", 6), ("k", "kilo", 3), ("", "", 0)]
+    prefixes += [("d", "deci", -1), ("c", "centi", -2), ("m", "milli", -3), ("µ", "micro", -6)]
+    prefixes += [("n", "nano", -9), ("p", "pico", -12), ("f", "femto", -15)]
+    table: dict[str, Unit] = {}
+    for symbol, names, (numerator, denominator, pi_power, exponents) in prefixed:
+        for short, long, power in prefixes:
+            up, down = 10 ** max(power, 0), 10 ** max(-power, 0)
+            scaled = (numerator * up, denominator * down, pi_power, exponents)
+            table[short + symbol] = scaled
+            table.update({long + name: scaled for name in names.split()})
+    # "min" is a minute and "ft" a foot: what stands alone wins
+    return table | {name: unit for names, unit in alone for name in names.split()}

@@ -1,0 +1,317 @@
+"""Quantities as text: ``"13.5 mm"`` to SI and back, in a fraction of a millisecond and without dependencies.
+
+A quantity is a decimal number and a product of units: ``5 N*m``, ``5 N·m``, ``5 N m``, ``7850 kg/m^3``,
+``3e4 N*m/rad``. Products and quotients are read from left to right (``N/mm/rad`` is N/(mm·rad)); there are no
+parentheses. Powers are whole numbers after ``^`` or ``**``, or superscripts. The arithmetic is exact but for
+one rounding, so that ``"13.5 mm"`` gives the same float as writing ``0.0135``.
+"""
+
+import math
+import re
+
+from asperity.errors import InputError
+from asperity.unit_table import Dimension, Exponents, Unit, unit_table
+
+__all__ = ["Dimension", "format_quantity", "from_si", "parse_quantity", "parse_tolerance"]
+
+LONGEST_TEXT = 200
+LARGEST_POWER = 12
+
+_SUPERSCRIPTS = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻⁺", "0123456789-+")
+_TO_SUPERSCRIPTS = str.maketrans("0123456789-", "⁰¹²³⁴⁵⁶⁷⁸⁹⁻")
+_SAME = str.maketrans("−μ·⋅×∙\u00a0\u202f", "-µ****  ")
+_NUMBER = r"(?a:([+-]?)(\d+\.?\d*|\.\d+)(?:[eE]([+-]?\d+))?(?![\d.]))"
+_TERM = r"\s*([*/]?)\s*(1(?=\s*/|\s*$)|[^\W\d]+|[%°])(?:\s*(?:\^|\*\*)\s*([+-]?(?a:\d)+))?"
+_PLUS_MINUS = r"±|\+\s?/?\s?-"
+# The patterns stay text: re compiles each on first use and keeps it, so that importing costs nothing.
+
+
+def _nearest(name: str) -> str:
+    """Say which known unit an unknown one resembles most."""
+    import difflib
+
+    if name.lower() in ("nm", "nmm"):
+        return "; write a torque as 'N*m'"
+    by_lower_case: dict[str, str] = {}
+    for known in [
+        "mm",
+        "MPa",
+        "rpm",
+        "deg",
+        *unit_table(),
+    ]:  # the common one first where the case alone differs
+        by_lower_case.setdefault(known.lower(), known)
+    close = difflib.get_close_matches(name.lower(), list(by_lower_case), n=1, cutoff=0.6)
+    return (
+        f"; did you mean '{by_lower_case[close[0]]}'?"
+        if close
+        else "; known are e.g. mm, N, MPa, deg, rpm, N*m"
+    )
+
+
+def _parse_unit(text: str) -> Unit:
+    """Exact SI factor and exponents of a product of units, read from left to right."""
+    written = text.strip()
+    plain = re.sub(
+        "[⁰¹²³⁴⁵⁶⁷⁸⁹⁻⁺]+", lambda raised: "^" + raised[0].translate(_SUPERSCRIPTS), written.translate(_SAME)
+    )
+    units = unit_table()
+    numerator, denominator, pi_power = 1, 1, 0
+    total = [0, 0, 0, 0]
+    position = 0
+    while position < len(plain):
+        match = re.match(_TERM, plain[position:])
+        if match is None or (position == 0 and match[1] == "*"):
+            hint = "; parentheses are not read, write 'N/m/rad'" if "(" in plain else ""
+            raise InputError(f"cannot read the unit '{written}' from '{plain[position:].strip()}' on{hint}")
+        operator, name, power_text = match.groups()
+        name = "µ" + name[1:] if name[0] == "u" and "µ" + name[1:] in units else name
+        if name not in units:
+            raise InputError(f"unknown unit '{name}'{_nearest(name)}")
+        power = int(power_text[:5]) if power_text else 1
+        if abs(power) > LARGEST_POWER:
+            raise InputError(f"the power {power_text} in '{written}' is beyond ±{LARGEST_POWER}")
+        top, bottom, unit_pi, exponents = units[name]
+        power = -power if operator == "/" else power
+        numerator *= top**power if power >= 0 else bottom**-power
+        denominator *= bottom**power if power >= 0 else top**-power
+        pi_power += power * unit_pi
+        total = [old + power * new for old, new in zip(total, exponents, strict=True)]
+        position += match.end()
+    return numerator, denominator, pi_power, (total[0], total[1], total[2], total[3])
+
+
+def _dimension_of(exponents: Exponents) -> str:
+    for dimension in Dimension:
+        if dimension.exponents == exponents:
+            return dimension.label
+    parts = [
+        f"{s}^{e}" if e != 1 else s for s, e in zip(("m", "kg", "s", "rad"), exponents, strict=True) if e
+    ]
+    return f"a quantity of unit {'*'.join(parts)}"
+
+
+def _split(text: str, dimension: Dimension) -> tuple[str, str]:
+    """Number and unit of a quantity, both as text."""
+    plain = text.translate(_SAME).strip()
+    example = f"e.g. '{dimension.example}'"
+    if not plain:
+        raise InputError(f"expected {dimension.label} ({example}), got an empty text")
+    if len(plain) > LONGEST_TEXT:
+        raise InputError(f"expected {dimension.label} ({example}), got {len(plain)} characters of text")
+    if re.match(r"[+-]?(nan|inf(inity)?)\b", plain, re.IGNORECASE):
+        raise InputError(
+            f"expected {dimension.label} ({example}), got '{text}', which is not a finite number"
+        )
+    match = re.match(_NUMBER, plain)
+    if match is None:
+        raise InputError(
+            f"expected {dimension.label} ({example}), got '{text}', which does not start with a number"
+        )
+    rest = plain[match.end() :]
+    if re.match(r",\s*\d", rest):
+        raise InputError(
+            f"expected {dimension.label} ({example}), got '{text}': write a decimal point, no comma"
+        )
+    return match.group(), rest
+
+
+def _exact(number: str) -> tuple[int, int]:
+    """Numerator and denominator of a decimal number."""
+    match = re.fullmatch(_NUMBER, number)
+    if match is None or not math.isfinite(float(number)):
+        raise InputError(f"the number '{number}' is not finite in double precision")
+    sign, digits, exponent = match.groups()
+    whole, _, decimals = digits.partition(".")
+    mantissa = int(whole + decimals) * (-1 if sign == "-" else 1)
+    if mantissa == 0:
+        return 0, 1
+    if float(number) == 0.0:
+        raise InputError(f"the number '{number}' is too small for double precision")
+    power = int(exponent or 0) - len(decimals)
+    return mantissa * 10 ** max(power, 0), 10 ** max(-power, 0)
+
+
+def parse_quantity(text: object, dimension: Dimension) -> float:
+    """Value of a quantity in SI units (radians for angles).
+
+    Parameters
+    ----------
+    text : str
+        Number and unit, such as ``"13.5 mm"``. A number by itself, as text or as int or float, is accepted
+        for :attr:`Dimension.DIMENSIONLESS` only.
+    dimension : Dimension
+        What the quantity has to measure.
+
+    Returns
+    -------
+    float
+        The value in ``dimension.si_unit``: the double nearest to the exact value where pi is not involved,
+        within a few units in the last place otherwise.
+
+    Raises
+    ------
+    InputError
+        If the text is no quantity, its unit is unknown or missing, it measures something else, or the value
+        is not a finite double.
+
+    Examples
+    --------
+    >>> parse_quantity("13.5 mm", Dimension.LENGTH)
+    0.0135
+    >>> parse_quantity("8.6 N·m/arcmin", Dimension.TORSIONAL_STIFFNESS).__round__(3)
+    29564.622
+    """
+    example = f"e.g. '{dimension.example}'"
+    if isinstance(text, bool) or not isinstance(text, str | int | float):
+        raise InputError(f"expected {dimension.label} as text ({example}), got {text!r}")
+    if not isinstance(text, str):
+        if dimension is not Dimension.DIMENSIONLESS:
+            raise InputError(
+                f"expected {dimension.label} with its unit as text ({example}), got the bare number {text!r}"
+            )
+        try:
+            value = float(text)
+        except OverflowError:
+            value = math.inf
+        if not math.isfinite(value):
+            raise InputError(
+                f"expected {dimension.label} ({example}), got a number that is not finite: {value}"
+            )
+        return value
+    number, unit_text = _split(text, dimension)
+    if not unit_text and dimension is not Dimension.DIMENSIONLESS:
+        raise InputError(
+            f"expected {dimension.label} with its unit ({example}), got the bare number '{text}'"
+        )
+    top, bottom = _exact(number)
+    numerator, denominator, pi_power, exponents = _parse_unit(unit_text)
+    if exponents != dimension.exponents:
+        measured = f"{_dimension_of(exponents)} '{unit_text.strip(' */')}'"
+        raise InputError(f"expected {dimension.label} ({example}), got {measured} in '{text}'")
+    try:
+        value = (top * numerator) / (bottom * denominator) * math.pi**pi_power
+    except OverflowError:
+        value = math.inf
+    if not math.isfinite(value) or (value == 0.0 and top != 0):
+        raise InputError(f"'{text}' in {dimension.si_unit} is beyond the range of double precision")
+    return value
+
+
+def parse_tolerance(text: object, dimension: Dimension) -> tuple[float, float]:
+    """Value and tolerance of a text such as ``"13.5 mm +- 5 µm"``, in SI units.
+
+    Both parts carry their own unit. ``±``, ``+-`` and ``+/-`` are read alike.
+
+    Parameters
+    ----------
+    text : str
+        The value, the sign, the tolerance.
+    dimension : Dimension
+        What both have to measure.
+
+    Returns
+    -------
+    tuple of float
+        Value and tolerance in ``dimension.si_unit``; the tolerance is zero or positive.
+
+    Raises
+    ------
+    InputError
+        If there is not exactly one sign, one of the parts is no such quantity, or the tolerance is negative.
+
+    Examples
+    --------
+    >>> parse_tolerance("13.5 mm ± 5 µm", Dimension.LENGTH)
+    (0.0135, 5e-06)
+    """
+    wanted = f"{dimension.label} with its tolerance (e.g. '{dimension.example} +- {dimension.example}')"
+    if not isinstance(text, str):
+        raise InputError(f"expected {wanted}, got {text!r}")
+    parts = re.split(_PLUS_MINUS, text.translate(_SAME)) if len(text) <= 2 * LONGEST_TEXT else []
+    if len(parts) != 2:
+        raise InputError(f"expected {wanted}, got '{text[:LONGEST_TEXT]}', which has not exactly one '+-'")
+    value, tolerance = (parse_quantity(part, dimension) for part in parts)
+    if tolerance < 0.0:
+        raise InputError(f"expected {wanted}, got the negative tolerance '{parts[1].strip()}'")
+    return value, tolerance
+
+
+def from_si(value_si: float, unit: str) -> float:
+    """Value in the given unit of a quantity known in SI units.
+
+    Parameters
+    ----------
+    value_si : float
+        The value in SI units (radians for angles).
+    unit : str
+        The unit wanted, such as ``"N*m/arcmin"``.
+
+    Returns
+    -------
+    float
+        The value in that unit.
+
+    Raises
+    ------
+    InputError
+        If the unit is unknown or malformed.
+
+    Examples
+    --------
+    >>> from_si(0.0135, "mm")
+    13.5
+    """
+    numerator, denominator, pi_power, _ = _parse_unit(unit)
+    try:
+        if numerator % denominator == 0:
+            return value_si / (numerator // denominator) / math.pi**pi_power
+        return value_si * (denominator / numerator) / math.pi**pi_power
+    except OverflowError:
+        raise InputError(f"the unit '{unit}' is beyond the range of double precision") from None
+
+
+def format_quantity(value_si: float, unit: str, digits: int = 4) -> str:
+    """Text of a quantity for display, in the given unit.
+
+    Numbers from 0.001 up to a million are written out, others with a power of ten; whole digits are never
+    rounded away. Nan and infinities are shown as such.
+
+    Parameters
+    ----------
+    value_si : float
+        The value in SI units (radians for angles).
+    unit : str
+        The unit to show, such as ``"N*m/arcmin"``; ``"1"`` for a dimensionless number.
+    digits : int
+        Significant digits.
+
+    Returns
+    -------
+    str
+        Number and unit.
+
+    Raises
+    ------
+    InputError
+        If the unit is unknown or malformed.
+
+    Examples
+    --------
+    >>> format_quantity(0.0135, "mm"), format_quantity(4.3e6, "N*m/rad")
+    ('13.5 mm', '4.3e6 N·m/rad')
+    """
+    value = from_si(value_si, unit)
+    if value == 0.0 or not math.isfinite(value):
+        number = f"{value:g}".lstrip("-") if value == 0.0 else f"{value:g}"
+    elif 1e-3 <= abs(value) < 999999.5:
+        decimals = max(digits - 1 - math.floor(math.log10(abs(value))), 0)
+        number = f"{value:.{decimals}f}"
+        number = number.rstrip("0").rstrip(".") if decimals else number
+    else:
+        mantissa, power = f"{value:.{digits - 1}e}".split("e")
+        mantissa = mantissa.rstrip("0").rstrip(".") if "." in mantissa else mantissa
+        number = f"{mantissa}e{int(power)}"
+    shown = re.sub(r"(?:\^|\*\*)([+-]?\d+)", lambda match: match[1].translate(_TO_SUPERSCRIPTS), unit.strip())
+    shown = shown.replace("*", "·")
+    return number if shown in ("", "1") else f"{number} {shown}"

@@ -1,0 +1,74 @@
+"""Every unit and spelling against pint, an independent table; the few it lacks from their definition."""
+
+import math
+
+import pint
+import pytest
+
+from asperity.unit_table import Dimension, unit_table
+from asperity.units import parse_quantity
+
+PINT = pint.UnitRegistry(cache_folder=None)
+
+SPELLINGS = {
+    Dimension.LENGTH: "m mm cm µm um nm pm km dm inch in ft thou micron "
+    "meter metres millimeter micrometer foot",
+    Dimension.AREA: "m^2 mm**2 mm^2 cm² µm² inch^2 m*mm",
+    Dimension.VOLUME: "m^3 cm³ mm^3",
+    Dimension.CURVATURE: "1/mm mm^-1 m⁻¹ 1/inch",
+    Dimension.ANGLE: "rad mrad deg degree degrees arcmin arcsec arcminute turn revolution µrad",
+    Dimension.TIME: "s ms µs min h hour minutes seconds",
+    Dimension.FREQUENCY: "Hz kHz 1/s s^-1 hertz",
+    Dimension.SPEED: "m/s mm/s inch/min km/h m*s^-1",
+    Dimension.ANGULAR_VELOCITY: "rpm rad/s deg/s turn/s revolution/minute rad*s^-1 krad/s",
+    Dimension.MASS: "kg g mg kilogram gram lb pound",
+    Dimension.DENSITY: "kg/m^3 kg/m**3 g/cm^3 g/cm³ kg*m^-3 lb/inch^3 kg/m/m/m",
+    Dimension.FORCE: "N kN mN MN newton newtons lbf kgf kg*m/s^2 pound_force",
+    Dimension.TORQUE: "N*m N*mm mN*m kN*m lbf*inch lbf*ft newton*meter J",
+    Dimension.PRESSURE: "Pa MPa GPa kPa psi ksi bar mbar N/mm^2 N/m^2 megapascal gigapascal kN/mm**2 atm",
+    Dimension.POWER: "W kW N*m/s J/s mW",
+    Dimension.STIFFNESS: "N/m N/mm N/µm kN/mm N/um lbf/inch MN/m",
+    Dimension.TORSIONAL_STIFFNESS: "N*m/rad N*m/arcmin N*mm/deg kN*m/rad lbf*inch/deg "
+    "N*m*rad^-1 J/rad N/rad*m",
+    Dimension.STIFFNESS_PER_AREA: "Pa/m MPa/mm GPa/µm N/m^3 N/mm/mm^2",
+    Dimension.DIMENSIONLESS: "% percent mm/m ppm µm/mm dimensionless N/N",
+}
+PAIRS = [(dimension, unit) for dimension, units in SPELLINGS.items() for unit in units.split()]
+
+
+@pytest.mark.parametrize(("dimension", "unit"), PAIRS)
+def test_every_spelling_agrees_with_pint(dimension, unit):
+    expected = PINT.Quantity(f"3.7 {unit}").to_base_units().magnitude
+    assert parse_quantity(f"3.7 {unit}", dimension) == pytest.approx(expected, rel=4e-15)
+
+
+def test_every_unit_of_the_table_agrees_with_pint():
+    not_in_pint = {"°", "rev", "revolutions", "microns", "1", "dimensionless"}
+    for name, (numerator, denominator, pi_power, exponents) in unit_table().items():
+        if name in not_in_pint:
+            continue
+        quantity = PINT.Quantity(1.0, "percent" if name == "%" else name).to_base_units()
+        assert numerator / denominator * math.pi**pi_power == pytest.approx(quantity.magnitude, rel=4e-15), (
+            name
+        )
+        powers = dict(quantity.unit_items())
+        assert exponents == tuple(
+            powers.get(base, 0) for base in ("meter", "kilogram", "second", "radian")
+        ), name
+
+
+def test_units_that_pint_spells_otherwise():
+    assert parse_quantity("180 °", Dimension.ANGLE) == math.pi
+    assert parse_quantity("60 rev/min", Dimension.ANGULAR_VELOCITY) == 2 * math.pi
+    assert parse_quantity("3 microns", Dimension.LENGTH) == 3e-6
+
+
+def test_what_stands_alone_wins_over_a_prefix():
+    assert unit_table()["min"][3] == Dimension.TIME.exponents
+    assert unit_table()["ft"][3] == Dimension.LENGTH.exponents
+
+
+def test_si_unit_and_example_of_every_dimension_measure_it():
+    for dimension in Dimension:
+        assert parse_quantity(f"2 {dimension.si_unit}", dimension) == 2.0
+        assert math.isfinite(parse_quantity(dimension.example, dimension))

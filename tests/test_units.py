@@ -1,0 +1,265 @@
+"""Quantities as text, against pint (an independent parser), exact decimals and SI definitions."""
+
+import math
+import subprocess
+import sys
+from fractions import Fraction
+
+import pint
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from asperity.errors import InputError
+from asperity.units import Dimension, format_quantity, from_si, parse_quantity, parse_tolerance
+
+PINT = pint.UnitRegistry(cache_folder=None)
+
+PAIRS = [(dimension, dimension.example.split(" ")[-1]) for dimension in Dimension if " " in dimension.example]
+PAIRS += [(dimension, dimension.si_unit) for dimension in Dimension if dimension.si_unit != "1"]
+PAIRS += [(Dimension.DIMENSIONLESS, "%"), (Dimension.PRESSURE, "psi"), (Dimension.LENGTH, "inch")]
+
+numbers = st.one_of(
+    st.floats(1e-12, 1e12).map(repr),
+    st.floats(1e-12, 1e12).map("-{:.5e}".format),
+    st.integers(-(10**12), 10**12).map(str),
+    st.decimals(-1000, 1000, places=3).map(lambda d: format(d, "f")),
+    st.sampled_from(["1e-8", "+13.5", ".5", "5.", "1E3", "2.e+4", "−7"]),
+)
+
+
+def by_pint(text: str) -> float:
+    return PINT.Quantity(text).to_base_units().magnitude
+
+
+@given(st.sampled_from(PAIRS), numbers, st.sampled_from(["", " ", "  "]))
+def test_any_number_agrees_with_pint(pair, number, gap):
+    dimension, unit = pair
+    gap = gap or " " * unit.startswith("1")  # "51/mm" is another number
+    expected = float(number.replace("−", "-")) * by_pint(f"1 {unit}")
+    assert parse_quantity(f"{number}{gap}{unit}", dimension) == pytest.approx(expected, rel=1e-14)
+
+
+FACTORS = "N mm kg s rad MPa m deg psi min"
+
+
+@given(
+    st.lists(
+        st.tuples(st.sampled_from("*/ "), st.sampled_from(FACTORS.split()), st.integers(-3, 3)),
+        min_size=1,
+        max_size=5,
+    )
+)
+def test_products_and_quotients_read_like_pint(terms):
+    unit = "".join(f"{op if i else ''}{name}^{power}" for i, (op, name, power) in enumerate(terms))
+    quantity = PINT.Quantity(f"1 {unit}").to_base_units()
+    got = f"1 {unit}"
+    powers = dict(quantity.unit_items())
+    exponents = tuple(round(powers.get(name, 0)) for name in ("meter", "kilogram", "second", "radian"))
+    for dimension in Dimension:
+        if dimension.exponents == exponents:
+            assert parse_quantity(got, dimension) == pytest.approx(quantity.magnitude, rel=1e-13)
+        else:
+            with pytest.raises(InputError):
+                parse_quantity(got, dimension)
+
+
+def test_decimal_text_gives_the_float_of_the_same_decimal_in_si():
+    assert parse_quantity("13.5 mm", Dimension.LENGTH) == 0.0135
+    assert parse_quantity("1e-8 mm", Dimension.LENGTH) == 1e-11
+    assert parse_quantity("450 MPa", Dimension.PRESSURE) == 450e6
+    assert parse_quantity("5 um", Dimension.LENGTH) == 5e-6
+    assert parse_quantity("12 %", Dimension.DIMENSIONLESS) == 0.12
+
+
+@given(st.decimals(-1000, 1000, places=6))
+def test_millimetres_are_rounded_once(number):
+    assert parse_quantity(f"{number:f} mm", Dimension.LENGTH) == float(Fraction(number) / 1000)
+
+
+def test_angles_from_their_definition():
+    assert parse_quantity("180 deg", Dimension.ANGLE) == math.pi
+    assert parse_quantity("10800 arcmin", Dimension.ANGLE) == pytest.approx(math.pi, rel=4e-16)
+    assert parse_quantity("6000 rpm", Dimension.ANGULAR_VELOCITY) == pytest.approx(200 * math.pi, rel=4e-16)
+    assert parse_quantity("1 N*m/arcmin", Dimension.TORSIONAL_STIFFNESS) == pytest.approx(
+        10800 / math.pi, rel=4e-16
+    )
+
+
+@pytest.mark.parametrize(
+    "text", ["5 N*m", "5 N·m", "5 N m", "5N⋅m", "5 N × m", "5e3 N mm", "5\u00a0N\u202fm", "5 m N"]
+)
+def test_signs_of_multiplication(text):
+    assert parse_quantity(text, Dimension.TORQUE) == 5.0
+
+
+@pytest.mark.parametrize(
+    "text",
+    ["7850 kg/m^3", "7850 kg/m**3", "7850 kg/m³", "7850 kg m⁻³", "7.85 g / cm ^ 3", "7850kg/m3"[:-1] + "³"],
+)
+def test_signs_of_powers(text):
+    assert parse_quantity(text, Dimension.DENSITY) == 7850.0
+
+
+@pytest.mark.parametrize("text", ["3 um", "3 µm", "3 μm", "3 micron", "3 micrometre"])
+def test_both_greek_letters_and_u_are_micro(text):
+    assert parse_quantity(text, Dimension.LENGTH) == 3e-6
+
+
+@pytest.mark.parametrize(
+    ("value", "expected"), [("0.12", 0.12), (0.12, 0.12), (3, 3.0), (" 1e-3 ", 1e-3), ("0", 0.0)]
+)
+def test_bare_numbers_are_dimensionless(value, expected):
+    assert parse_quantity(value, Dimension.DIMENSIONLESS) == expected
+
+
+@pytest.mark.parametrize(
+    ("text", "dimension", "message"),
+    [
+        ("450 MPa", Dimension.LENGTH, r"expected a length \(e.g. '13.5 mm'\), got a pressure 'MPa'"),
+        ("5 N*m", Dimension.TORSIONAL_STIFFNESS, "expected a torsional stiffness .* got a torque 'N\\*m'"),
+        ("5 N*m/rad", Dimension.TORQUE, "expected a torque .* got a torsional stiffness 'N\\*m/rad'"),
+        ("50 Hz", Dimension.ANGULAR_VELOCITY, "expected an angular velocity .* got a frequency 'Hz'"),
+        ("3 rad", Dimension.DIMENSIONLESS, "expected a dimensionless number .* got an angle 'rad'"),
+        ("3 %", Dimension.LENGTH, "expected a length .* got a dimensionless number '%'"),
+        ("5 kg*m", Dimension.MASS, r"expected a mass .* got a quantity of unit m\*kg"),
+        ("13.5", Dimension.LENGTH, "with its unit .* bare number '13.5'"),
+        (13.5, Dimension.LENGTH, "with its unit .* bare number 13.5"),
+        (13, Dimension.LENGTH, "with its unit .* bare number 13"),
+        ("5 mpa", Dimension.PRESSURE, "unknown unit 'mpa'; did you mean 'MPa'"),
+        ("5 RPM", Dimension.ANGULAR_VELOCITY, "unknown unit 'RPM'; did you mean 'rpm'"),
+        ("5 milimeter", Dimension.LENGTH, "unknown unit 'milimeter'; did you mean 'millimeter'"),
+        ("5 Nm", Dimension.TORQUE, r"unknown unit 'Nm'; write a torque as 'N\*m'"),
+        ("5 qqqqqq", Dimension.LENGTH, "unknown unit 'qqqqqq'; known are"),
+        ("", Dimension.LENGTH, "empty"),
+        ("  ", Dimension.LENGTH, "empty"),
+        ("nan mm", Dimension.LENGTH, "not a finite number"),
+        ("-inf mm", Dimension.LENGTH, "not a finite number"),
+        ("Infinity", Dimension.DIMENSIONLESS, "not a finite number"),
+        (math.nan, Dimension.DIMENSIONLESS, "not finite"),
+        (-math.inf, Dimension.DIMENSIONLESS, "not finite"),
+        (10**400, Dimension.DIMENSIONLESS, "not finite"),
+        ("1e400 mm", Dimension.LENGTH, "not finite in double precision"),
+        ("1e99999999999999 mm", Dimension.LENGTH, "not finite in double precision"),
+        ("1e-400 mm", Dimension.LENGTH, "too small for double precision"),
+        ("1e-320 fm", Dimension.LENGTH, "beyond the range"),
+        ("1e300 GPa", Dimension.PRESSURE, "beyond the range"),
+        ("1,5 mm", Dimension.LENGTH, "decimal point"),
+        ("mm", Dimension.LENGTH, "does not start with a number"),
+        ("mm 5", Dimension.LENGTH, "does not start with a number"),
+        ("5.5.5 mm", Dimension.LENGTH, "does not start with a number"),
+        ("1 000 mm", Dimension.LENGTH, "cannot read the unit"),
+        ("1/2 mm", Dimension.LENGTH, "cannot read the unit"),
+        ("1 1 mm", Dimension.LENGTH, "cannot read the unit"),
+        ("5 * mm", Dimension.LENGTH, "cannot read the unit"),
+        ("5 N//m", Dimension.STIFFNESS, "cannot read the unit"),
+        ("5 N*", Dimension.FORCE, "cannot read the unit"),
+        ("5 m^1.5", Dimension.LENGTH, "cannot read the unit"),
+        ("5 m^99", Dimension.LENGTH, "beyond ±12"),
+        ("5 N/(m)", Dimension.STIFFNESS, "parentheses are not read"),
+        ("5 mm" + " " * 300 + "x", Dimension.LENGTH, "characters of text"),
+        (True, Dimension.DIMENSIONLESS, "got True"),
+        (None, Dimension.LENGTH, "got None"),
+        (["13.5 mm"], Dimension.LENGTH, r"got \['13.5 mm'\]"),
+        ({"mm": 5}, Dimension.LENGTH, "got {'mm': 5}"),
+    ],
+)
+def test_bad_input_is_named(text, dimension, message):
+    with pytest.raises(InputError, match=message):
+        parse_quantity(text, dimension)
+
+
+@given(
+    st.one_of(st.text(max_size=30), st.text("0123456789.eE+-*/^ mNPakgrd%°²⁻()", max_size=30)),
+    st.sampled_from(Dimension),
+)
+def test_any_text_is_a_finite_number_or_an_input_error(text, dimension):
+    try:
+        value = parse_quantity(text, dimension)
+    except InputError:
+        return
+    assert math.isfinite(value)
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("13.5 mm +- 5 um", (0.0135, 5e-6)),
+        ("13.5 mm ± 5 µm", (0.0135, 5e-6)),
+        ("13.5mm+/-0.005mm", (0.0135, 5e-6)),
+        ("-13.5 mm +− 0 mm", (-0.0135, 0.0)),
+        ("1e+1 mm + - 1e-3 mm", (0.01, 1e-6)),
+    ],
+)
+def test_tolerance(text, expected):
+    assert parse_tolerance(text, Dimension.LENGTH) == expected
+
+
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        ("13.5 mm", r"not exactly one '\+-'"),
+        ("13.5 mm ± 1 mm ± 1 mm", r"not exactly one '\+-'"),
+        ("13.5 ± 0.005 mm", "bare number"),
+        ("13.5 mm ± 0.005", "bare number"),
+        ("13.5 mm ± 5 N", "expected a length .* got a force"),
+        ("13.5 mm ± 1 %", "got a dimensionless number"),
+        ("13.5 mm ± -1 µm", "negative tolerance"),
+        ("13.5 mm ±", "empty"),
+        (13.5, "got 13.5"),
+        (True, "got True"),
+        (None, "got None"),
+    ],
+)
+def test_bad_tolerance_is_named(text, message):
+    with pytest.raises(InputError, match=message):
+        parse_tolerance(text, Dimension.LENGTH)
+
+
+@given(st.sampled_from(PAIRS), st.floats(-1e12, 1e12, allow_subnormal=False))
+def test_text_and_value_round_trip(pair, value):
+    dimension, unit = pair
+    back = parse_quantity(format_quantity(value, unit, digits=17), dimension)
+    assert back == pytest.approx(value, rel=1e-14, abs=1e-300)
+
+
+@pytest.mark.parametrize(
+    ("value", "unit", "expected"),
+    [
+        (0.0135, "mm", "13.5 mm"),
+        (4.9999e6, "N*m/rad", "5e6 N·m/rad"),
+        (4.3e6, "N*m/rad", "4.3e6 N·m/rad"),
+        (-1e-11, "mm", "-1e-8 mm"),
+        (46.2963, "N", "46.3 N"),
+        (123456.78, "N/m", "123457 N/m"),
+        (999999.7, "N", "1e6 N"),
+        (7850.0, "kg/m^3", "7850 kg/m³"),
+        (2.0, "kg*m**-3", "2 kg·m⁻³"),
+        (0.0, "N", "0 N"),
+        (-0.0, "N", "0 N"),
+        (0.12, "1", "0.12"),
+        (0.12, "%", "12 %"),
+        (math.nan, "N", "nan N"),
+        (-math.inf, "N", "-inf N"),
+        (math.pi, "deg", "180 deg"),
+        (200 * math.pi, "rpm", "6000 rpm"),
+    ],
+)
+def test_display(value, unit, expected):
+    assert format_quantity(value, unit) == expected
+
+
+def test_conversion_to_a_unit():
+    assert from_si(450e6, "MPa") == 450.0
+    assert from_si(math.pi, "arcmin") == pytest.approx(10800.0, rel=4e-16)
+    with pytest.raises(InputError, match="unknown unit"):
+        from_si(1.0, "furlongs")
+    with pytest.raises(InputError, match="beyond the range"):
+        from_si(1.0, "Tm^12*Tm^12*Tm^12")
+
+
+def test_importing_loads_nothing_heavy():
+    heavy = "{'pint', 'numpy', 'jax', 'pydantic', 'decimal', 'fractions', 'difflib'}"
+    code = f"import sys, asperity.units; print(sorted({heavy} & set(sys.modules)))"
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert done.stdout.strip() == "[]"
