@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import equinox as eqx
 import jax.numpy as jnp
-from jax import Array
 
 from asperity.contact.fractal import FractalContact
 from asperity.contact.hertz_line import FIRST_YIELD_RATIO, effective_radius, half_width, peak_pressure
@@ -19,33 +18,33 @@ class Diagnostics(eqx.Module):
 
     Parameters
     ----------
-    gross_slip : Array
+    gross_slip : Real
         T/(mu N) of each contact, shape (5, ...) [-]; infinite where a lifted contact should carry a force.
-    self_locking : Array
+    self_locking : Real
         tan(beta/2)/mu of the planet's wedge contacts, the larger of both sides, shape (...) [-].
-    real_area_over_hertz_area : Array
+    real_area_over_hertz_area : Real
         Real area of contact over the Hertzian strip 2bB, shape (5, ...) [-].
-    largest_spot_over_hertz_area : Array
+    largest_spot_over_hertz_area : Real
         Largest spot over the Hertzian strip, shape (5, ...) [-].
-    critical_over_largest_spot : Array
+    critical_over_largest_spot : Real
         a_c/a_l, shape (5, ...) [-]; from 1 on every spot is plastic and the law has no stiffness.
-    pressure_over_first_yield : Array
+    pressure_over_first_yield : Real
         Hertzian peak pressure over 1.67 times the yield strength of the weaker body, shape (5, ...) [-].
-    normal_over_rest : Array
+    normal_over_rest : Real
         Normal force over its value at rest, shape (5, ...) [-]; 0 means lifted off, fine above 0.
-    hertz_half_width, hertz_peak_pressure : Array
+    hertz_half_width, hertz_peak_pressure : Real
         Half-width b [m] and peak pressure p_0 [Pa] of the smooth contact, shape (5, ...).
     """
 
-    gross_slip: Array
-    self_locking: Array
-    real_area_over_hertz_area: Array
-    largest_spot_over_hertz_area: Array
-    critical_over_largest_spot: Array
-    pressure_over_first_yield: Array
-    normal_over_rest: Array
-    hertz_half_width: Array
-    hertz_peak_pressure: Array
+    gross_slip: Real
+    self_locking: Real
+    real_area_over_hertz_area: Real
+    largest_spot_over_hertz_area: Real
+    critical_over_largest_spot: Real
+    pressure_over_first_yield: Real
+    normal_over_rest: Real
+    hertz_half_width: Real
+    hertz_peak_pressure: Real
 
 
 def slip_ratio(*, normal_force: Real, tangential_force: Real, friction_coefficient: Real) -> Real:
@@ -66,9 +65,7 @@ def slip_ratio(*, normal_force: Real, tangential_force: Real, friction_coefficie
     limit = friction_coefficient * normal_force
     touching = limit > 0.0
     force = jnp.abs(tangential_force)
-    return jnp.where(
-        touching, force / jnp.where(touching, limit, 1.0), jnp.where(force > 0.0, jnp.inf, 0.0)
-    )
+    return jnp.where(touching, force / jnp.where(touching, limit, 1.0), jnp.where(force > 0.0, jnp.inf, 0.0))
 
 
 def diagnose(
@@ -125,7 +122,9 @@ def diagnose(
     largest = jnp.where(touching, contacts.largest_area, 1.0)
     return Diagnostics(
         gross_slip=slip_ratio(
-            normal_force=forces.normal, tangential_force=forces.tangential, friction_coefficient=friction_coefficient
+            normal_force=forces.normal,
+            tangential_force=forces.tangential,
+            friction_coefficient=friction_coefficient,
         ),
         self_locking=sides.sin_wedge / (1.0 + sides.cos_wedge) / jnp.minimum(friction[1], friction[2]),
         real_area_over_hertz_area=contacts.real_contact_area / strip,

@@ -20,7 +20,15 @@ from asperity.contact.hertz_line import (
 )
 from asperity.contact.population import ContactFactorModel, contact_factor
 from asperity.diagnostics import Diagnostics, diagnose
-from asperity.drive.force_balance import Bearings, Closure, DriveForces, NormalSprings, force_balance, rest_state
+from asperity.drive.force_balance import (
+    Bearings,
+    Closure,
+    DriveForces,
+    Mechanism,
+    NormalSprings,
+    force_balance,
+    rest_state,
+)
 from asperity.drive.geometry import (
     CONTACT_NAMES,
     DriveAngles,
@@ -147,7 +155,7 @@ class JointResult(eqx.Module):
     loading_roller_mass: Real
     forces: DriveForces
     contacts: FractalContact
-    contact_torsional_stiffness: Array
+    contact_torsional_stiffness: Any
     published: TorsionalStiffness
     diagnostics: Diagnostics
     solved: Array
@@ -237,8 +245,16 @@ def normal_springs(*, joint: Joint, rest_force: Real) -> NormalSprings:
     sun, planet, roller, ring = bodies.sun, bodies.planet, bodies.loading_roller, bodies.ring
     first = per_contact((sun, planet, planet, roller, roller))
     second = per_contact((planet, roller, roller, ring, ring))
-    body_1 = {"contact_length": length, "youngs_modulus": first.youngs_modulus, "poisson_ratio": first.poisson_ratio}
-    body_2 = {"contact_length": length, "youngs_modulus": second.youngs_modulus, "poisson_ratio": second.poisson_ratio}
+    body_1 = {
+        "contact_length": length,
+        "youngs_modulus": first.youngs_modulus,
+        "poisson_ratio": first.poisson_ratio,
+    }
+    body_2 = {
+        "contact_length": length,
+        "youngs_modulus": second.youngs_modulus,
+        "poisson_ratio": second.poisson_ratio,
+    }
     as_roller = roller_secant_compliance(radius=driven, half_width=width, **body_2)
     as_ring = ring_secant_compliance(wall_thickness=joint.ring_wall_thickness, half_width=width, **body_2)
     secant = roller_secant_compliance(radius=driving, half_width=width, **body_1) + jnp.where(
@@ -275,6 +291,39 @@ def _with_one_rank(joint: Joint) -> Joint:
     )
 
 
+def mechanism(joint: Joint) -> Mechanism:
+    """The joint's drive with its masses, springs and speed, ready for the force balance.
+
+    Parameters
+    ----------
+    joint : Joint
+        The joint.
+
+    Returns
+    -------
+    Mechanism
+        Input of :func:`asperity.drive.force_balance.force_balance`.
+    """
+    geometry = joint.geometry
+    rest = rest_state(geometry=geometry, preload=joint.preload)
+    return Mechanism(
+        geometry=geometry,
+        bearings=joint.bearings,
+        springs=normal_springs(joint=joint, rest_force=rest.normal_force),
+        preload=joint.preload,
+        carrier_speed=carrier_speed(geometry=geometry, sun_speed=joint.sun_speed),
+        planet_mass=roller_mass(
+            density=joint.bodies.planet.density, radius=geometry.planet_radius, length=joint.planet_length
+        ),
+        loading_roller_mass=roller_mass(
+            density=joint.bodies.loading_roller.density,
+            radius=geometry.loading_roller_radius,
+            length=joint.loading_roller_length,
+        ),
+        closure=joint.closure,
+    )
+
+
 def evaluate(joint: Joint) -> JointResult:
     """The chain itself: pure, for ``jit``, ``vmap`` and ``grad``; never raises.
 
@@ -293,27 +342,9 @@ def evaluate(joint: Joint) -> JointResult:
     """
     joint = _with_one_rank(joint)
     geometry = joint.geometry
-    speed = carrier_speed(geometry=geometry, sun_speed=joint.sun_speed)
-    planet_mass = roller_mass(
-        density=joint.bodies.planet.density, radius=geometry.planet_radius, length=joint.planet_length
-    )
-    loading_roller_mass = roller_mass(
-        density=joint.bodies.loading_roller.density,
-        radius=geometry.loading_roller_radius,
-        length=joint.loading_roller_length,
-    )
+    drive = mechanism(joint)
     rest = rest_state(geometry=geometry, preload=joint.preload)
-    forces = force_balance(
-        geometry=geometry,
-        bearings=joint.bearings,
-        springs=normal_springs(joint=joint, rest_force=rest.normal_force),
-        preload=joint.preload,
-        output_torque=joint.output_torque,
-        carrier_speed=speed,
-        planet_mass=planet_mass,
-        loading_roller_mass=loading_roller_mass,
-        closure=joint.closure,
-    )
+    forces = force_balance(mechanism=drive, output_torque=joint.output_torque)
 
     pairs = contact_pairs(joint.bodies)
     driving, driven, sign = contact_radii(geometry)
@@ -342,9 +373,9 @@ def evaluate(joint: Joint) -> JointResult:
     return JointResult(
         angles=angles(geometry),
         speed_ratio=speed_ratio(geometry),
-        carrier_speed=speed,
-        planet_mass=planet_mass,
-        loading_roller_mass=loading_roller_mass,
+        carrier_speed=drive.carrier_speed,
+        planet_mass=drive.planet_mass,
+        loading_roller_mass=drive.loading_roller_mass,
         forces=forces,
         contacts=contacts,
         contact_torsional_stiffness=contact_torsional_stiffness(

@@ -25,7 +25,7 @@ def require_double_precision() -> None:
     """
     import jax
 
-    if not jax.config.jax_enable_x64:
+    if not jax.config.read("jax_enable_x64"):
         raise PrecisionError(
             "JAX is set to single precision (32-bit floats), which the contact law cannot be solved in; call "
             "asperity.precision.use_double_precision() first, or set the environment variable JAX_ENABLE_X64=1"

@@ -13,18 +13,18 @@ from typing import Any
 
 import click
 
-from asperity import __version__
 from asperity.errors import AsperityError
 
 #: Command name -> (module that defines it, function name, one-line help shown without importing the module).
-COMMANDS: dict[str, tuple[str, str, str]] = {
-}
+COMMANDS: dict[str, tuple[str, str, str]] = {}
 
 
 class LazyGroup(click.Group):
     """A click group that imports a command's module only when that command is used."""
 
-    def __init__(self, *args: Any, commands_by_module: dict[str, tuple[str, str, str]], **kwargs: Any) -> None:
+    def __init__(
+        self, *args: Any, commands_by_module: dict[str, tuple[str, str, str]], **kwargs: Any
+    ) -> None:
         super().__init__(*args, **kwargs)
         self._commands_by_module = commands_by_module
 
@@ -67,7 +67,7 @@ class LazyGroup(click.Group):
     commands_by_module=COMMANDS,
     context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 100},
 )
-@click.version_option(__version__, prog_name="asperity")
+@click.version_option(package_name="asperity", prog_name="asperity")
 def asperity() -> None:
     """From a measured rough surface to the torsional stiffness of a traction-drive robot joint."""
 

@@ -325,10 +325,12 @@ def slip_factor(*, tangential_force: Real, normal_force: Real, friction_coeffici
     sticks = (tangential_force < limit) & (normal_force > 0.0)
     safe_limit = jnp.where(sticks, limit, 1.0)
     safe_force = jnp.where(sticks, tangential_force, 0.0)
-    return jnp.where(sticks, jnp.exp(jnp.log1p(-safe_force / safe_limit) / 3.0), 0.0)  # (22)
+    return jnp.where(sticks, jnp.exp(jnp.log(1.0 - safe_force / safe_limit) / 3.0), 0.0)  # (22)
 
 
-def tangential_spot_stiffness(*, spot_area: Real, tangential_contact_modulus: Real, slip_factor: Real) -> Real:
+def tangential_spot_stiffness(
+    *, spot_area: Real, tangential_contact_modulus: Real, slip_factor: Real
+) -> Real:
     r"""Tangential stiffness of one elastic spot.
 
     .. math:: k_t = 8 G^* \sqrt{a/\pi}\,\left(1 - \frac{Q}{\mu P}\right)^{1/3}

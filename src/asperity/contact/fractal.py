@@ -93,7 +93,9 @@ def _relative_expm1(x: Array) -> Array:
     return jnp.where(near, series, jnp.expm1(far_x) / far_x)
 
 
-def elastic_load_coefficient(*, fractal_dimension: Real, frequency_ratio: Real, asperity_base: AsperityBase) -> Real:
+def elastic_load_coefficient(
+    *, fractal_dimension: Real, frequency_ratio: Real, asperity_base: AsperityBase
+) -> Real:
     r"""Coefficient of the elastic share of the load, :math:`\kappa = \frac{2\sqrt\pi}{3}\sqrt{\ln\gamma}`.
 
     Parameters
@@ -130,8 +132,10 @@ def _solve_log_area_ratio(log_load_ratio: Array, dimension: Array, coefficient: 
     power = 1.5 - dimension
     weight = coefficient * (1.0 - 0.5 * dimension)
     y = log_load_ratio / jnp.maximum(0.5 * dimension, 1.5 - 0.5 * dimension)
+    singular = power == 0.0
+    inverse = jnp.where(singular, 0.0, 1.0 / jnp.where(singular, 1.0, power))
     for _ in range(_HOUSEHOLDER_STEPS):
-        rise = y * _relative_expm1(power * y)
+        rise = jnp.where(singular, y, jnp.expm1(power * y) * inverse)
         total = 1.0 + weight * rise
         growth = weight * (1.0 + power * rise) / total
         slope = 0.5 * dimension + growth
@@ -250,7 +254,9 @@ def fractal_contact(
     log_psi = log_domain_extension_factor(fractal_dimension=dimension)
     population = contact_factor * jnp.exp((1.0 - half) * log_psi)  # lambda psi^((2-D)/2)
     kappa = elastic_load_coefficient(
-        fractal_dimension=dimension, frequency_ratio=surface.frequency_ratio, asperity_base=surface.asperity_base
+        fractal_dimension=dimension,
+        frequency_ratio=surface.frequency_ratio,
+        asperity_base=surface.asperity_base,
     )
     log_critical = log_critical_area(
         fractal_dimension=dimension,

@@ -66,9 +66,7 @@ def half_width(
     ----------
     K. L. Johnson, Contact Mechanics, 1985, equation (4.43).
     """
-    return jnp.sqrt(
-        4.0 * normal_force * effective_radius / (math.pi * contact_length * contact_modulus)
-    )
+    return jnp.sqrt(4.0 * normal_force * effective_radius / (math.pi * contact_length * contact_modulus))
 
 
 def peak_pressure(*, normal_force: Real, contact_length: Real, half_width: Real) -> Real:
@@ -159,7 +157,7 @@ def roller_secant_compliance(
     scale = logarithmic_compliance(
         contact_length=contact_length, youngs_modulus=youngs_modulus, poisson_ratio=poisson_ratio
     )
-    return scale * (2.0 * jnp.log(4.0 * radius / half_width) - 1.0)
+    return scale * (2.0 * (jnp.log(4.0 * radius) - jnp.log(half_width)) - 1.0)
 
 
 def ring_secant_compliance(
@@ -202,5 +200,5 @@ def ring_secant_compliance(
         contact_length=contact_length, youngs_modulus=youngs_modulus, poisson_ratio=poisson_ratio
     )
     return scale * (
-        2.0 * jnp.log(2.0 * wall_thickness / half_width) - poisson_ratio / (1.0 - poisson_ratio)
+        2.0 * (jnp.log(2.0 * wall_thickness) - jnp.log(half_width)) - poisson_ratio / (1.0 - poisson_ratio)
     )

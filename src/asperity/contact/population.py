@@ -75,7 +75,9 @@ def log_domain_extension_factor(*, fractal_dimension: Real) -> Real:
 
 
 def domain_extension_factor(*, fractal_dimension: Real) -> Real:
-    r"""Domain extension factor psi, the root above 1 of
+    r"""Domain extension factor of the spot population.
+
+    It is the root psi > 1 of
 
     .. math:: \psi^{(2-D)/2} - \left(1 + \psi^{-D/2}\right)^{-(2-D)/D} = \frac{2-D}{D}
 
@@ -103,7 +105,7 @@ def domain_extension_factor(*, fractal_dimension: Real) -> Real:
     >>> float(domain_extension_factor(fractal_dimension=1.4))  # doctest: +ELLIPSIS
     2.08485078067...
     """
-    return jnp.exp(log_domain_extension_factor(fractal_dimension=fractal_dimension))  # type: ignore[no-any-return]
+    return jnp.exp(log_domain_extension_factor(fractal_dimension=fractal_dimension))
 
 
 def printed_contact_factor(
@@ -148,7 +150,7 @@ def printed_contact_factor(
     span = 1e3 * jnp.abs(radius_1 + sign * radius_2)
     radius = 1e3 * effective_radius(radius_1=radius_1, radius_2=radius_2, sign=sign)
     base = jnp.sqrt(4.0 * length / (math.pi * modulus) * radius) / (math.pi * span)
-    return base ** (1.0 / radius)  # (11)
+    return jnp.exp(jnp.log(base) / radius)  # (11)
 
 
 def hertz_area_contact_factor(
@@ -309,7 +311,9 @@ def critical_area(
     )
 
 
-def spot_density(*, spot_area: Real, largest_area: Real, contact_factor: Real, fractal_dimension: Real) -> Real:
+def spot_density(
+    *, spot_area: Real, largest_area: Real, contact_factor: Real, fractal_dimension: Real
+) -> Real:
     r"""Number of spots per unit of spot area.
 
     .. math:: n(a) = \lambda \frac D2 \psi^{(2-D)/2} a_l^{D/2} a^{-(D+2)/2}, \quad 0 < a \le a_l
@@ -337,6 +341,10 @@ def spot_density(*, spot_area: Real, largest_area: Real, contact_factor: Real, f
     half = fractal_dimension / 2.0
     log_psi = log_domain_extension_factor(fractal_dimension=fractal_dimension)
     density = (
-        contact_factor * half * jnp.exp((1.0 - half) * log_psi) * largest_area**half * spot_area ** (-half - 1.0)
+        contact_factor
+        * half
+        * jnp.exp((1.0 - half) * log_psi)
+        * largest_area**half
+        * spot_area ** (-half - 1.0)
     )  # (12)
     return jnp.where(spot_area <= largest_area, density, 0.0)

@@ -22,7 +22,7 @@ from asperity.types import Real
 Closure = Literal["elastic", "constant_pin_force"]
 
 _NEWTON_BUDGET = 20
-_STEP_TOLERANCE = 1e-9  # of a method that converges quadratically: the error left behind is its square
+_STEP_TOLERANCE = 1e-6  # convergence is quadratic: what such a last step leaves behind is below 1e-12
 _SMALL_LOAD = 1e-6
 
 
@@ -53,12 +53,12 @@ class NormalSprings(eqx.Module):
 
     Parameters
     ----------
-    secant_compliance, incremental_compliance : Real
+    secant_compliance, incremental_compliance : Array
         s_0 = delta/N and t_0 = d delta/dN at the preload N_0, shape (5, ...) [m/N].
     """
 
-    secant_compliance: Real
-    incremental_compliance: Real
+    secant_compliance: Array
+    incremental_compliance: Array
 
 
 def compression(*, springs: NormalSprings, normal_force: Real, rest_force: Real) -> Real:
@@ -91,6 +91,38 @@ def compression(*, springs: NormalSprings, normal_force: Real, rest_force: Real)
     curve = safe * (springs.secant_compliance - bend * log_safe)
     tangent = springs.incremental_compliance - bend * log_safe
     return rest_force * (curve + tangent * (ratio - safe) - springs.secant_compliance)
+
+
+class Mechanism(eqx.Module):
+    """A drive ready to be loaded: everything about its force balance but the torque. SI units.
+
+    Parameters
+    ----------
+    geometry : DriveGeometry
+        Radii and arrangement.
+    bearings : Bearings
+        Friction of its bearings.
+    springs : NormalSprings
+        Normal springs of the contacts; used by the ``elastic`` closure only.
+    preload : Real
+        Normal force N_0 between sun and planet at rest [N].
+    carrier_speed : Real
+        Angular velocity of the carrier [rad/s].
+    planet_mass, loading_roller_mass : Real
+        Masses [kg]; enter through the centrifugal forces m omega_c^2 r.
+    closure : {"elastic", "constant_pin_force"}
+        ``elastic``: the preload is an interference fixed at assembly, see :doc:`/equations` (A3);
+        ``constant_pin_force``: the right pin force keeps its preload value.
+    """
+
+    geometry: DriveGeometry
+    bearings: Bearings
+    springs: NormalSprings
+    preload: Real
+    carrier_speed: Real
+    planet_mass: Real
+    loading_roller_mass: Real
+    closure: Closure = eqx.field(static=True)
 
 
 class RestState(NamedTuple):
@@ -167,10 +199,8 @@ class DriveForces(eqx.Module):
 class _Drive(NamedTuple):
     """Everything that stays fixed while the two unknowns are sought."""
 
-    geometry: DriveGeometry
+    mechanism: Mechanism
     sides: Triangle
-    bearings: Bearings
-    springs: NormalSprings
     rest: RestState
     output_torque: Array
     planet_centrifugal: Real
@@ -179,7 +209,7 @@ class _Drive(NamedTuple):
 
 def _branch_forces(drive: _Drive, load_sum: Array, sun_force: Array) -> dict[str, Array]:
     """Every force of a branch from S and T_sp, one published equation a line."""
-    side, geometry, bearings = drive.sides, drive.geometry, drive.bearings
+    side, geometry, bearings = drive.sides, drive.mechanism.geometry, drive.mechanism.bearings
     radius = geometry.loading_roller_radius
     cos_l, sin_l = jnp.cos(geometry.left_push_angle), jnp.sin(geometry.left_push_angle)
     cos_r, sin_r = jnp.cos(geometry.right_push_angle), jnp.sin(geometry.right_push_angle)
@@ -206,8 +236,14 @@ def _branch_forces(drive: _Drive, load_sum: Array, sun_force: Array) -> dict[str
         "n_sp": n_sp,
         "n_pwr": n_pwr,
         "n_pwl": n_pwl,
-        "n_wro": f_cr * sin_r + n_pwr * side.cos_wedge + t_pwr * side.sin_wedge + drive.roller_centrifugal,  # (4) r
-        "n_wlo": f_cl * sin_l + n_pwl * side.cos_wedge - t_pwl * side.sin_wedge + drive.roller_centrifugal,  # (3) r
+        "n_wro": f_cr * sin_r
+        + n_pwr * side.cos_wedge
+        + t_pwr * side.sin_wedge
+        + drive.roller_centrifugal,  # (4) r
+        "n_wlo": f_cl * sin_l
+        + n_pwl * side.cos_wedge
+        - t_pwl * side.sin_wedge
+        + drive.roller_centrifugal,  # (3) r
         "t_sp": sun_force,
         "t_pwr": t_pwr,
         "t_pwl": t_pwl,
@@ -220,21 +256,25 @@ def _branch_forces(drive: _Drive, load_sum: Array, sun_force: Array) -> dict[str
     }
 
 
-def _normal_stack(force: dict[str, Array]) -> Array:
-    return jnp.stack(
-        jnp.broadcast_arrays(force["n_sp"], force["n_pwr"], force["n_pwl"], force["n_wro"], force["n_wlo"])
-    )
+def _normals(force: dict[str, Array]) -> tuple[Array, ...]:
+    return force["n_sp"], force["n_pwr"], force["n_pwl"], force["n_wro"], force["n_wlo"]
+
+
+def _each(springs: NormalSprings) -> list[NormalSprings]:
+    return [jax.tree.map(lambda leaf, i=i: leaf[i], springs) for i in range(5)]
 
 
 def _carrier_residual(drive: _Drive, force: dict[str, Array]) -> Array:
     """Equation (5) over 3 (R_o − R_w): a force [N]."""
-    geometry = drive.geometry
-    push = force["f_cl"] * jnp.cos(geometry.left_push_angle) - force["f_cr"] * jnp.cos(geometry.right_push_angle)
-    torque = 2.0 * drive.bearings.carrier_torque + drive.output_torque
+    geometry = drive.mechanism.geometry
+    push = force["f_cl"] * jnp.cos(geometry.left_push_angle) - force["f_cr"] * jnp.cos(
+        geometry.right_push_angle
+    )
+    torque = 2.0 * drive.mechanism.bearings.carrier_torque + drive.output_torque
     return push - torque / (geometry.planet_count * drive.sides.roller_orbit)  # (5)
 
 
-def _closure_residual(drive: _Drive, force: dict[str, Array], closure: Closure) -> Array:
+def _closure_residual(drive: _Drive, force: dict[str, Array]) -> Array:
     r"""Equation (A3), as a force [N]: zero where the closure holds, growing with S.
 
     For ``elastic`` the planet is displaced by (x, y) and the rollers radially by r_r and r_l. The approaches are
@@ -242,13 +282,17 @@ def _closure_residual(drive: _Drive, force: dict[str, Array], closure: Closure) 
     delta_wro = r_r, delta_wlo = r_l. Eliminating the four displacements leaves one condition:
     2 cos th delta_sp + delta_pwr + delta_pwl + cos b (delta_wro + delta_wlo) = 0.
     """
-    if closure == "constant_pin_force":
+    if drive.mechanism.closure == "constant_pin_force":
         return force["f_cr"] - drive.rest.pin_force_right
-    sp, pwr, pwl, wro, wlo = compression(
-        springs=drive.springs, normal_force=_normal_stack(force), rest_force=drive.rest.normal_force
+    # contact by contact: XLA does not vectorise logarithms of a stacked array inside a fused loop
+    sp, pwr, pwl, wro, wlo = (
+        compression(springs=springs, normal_force=normal, rest_force=rest)
+        for springs, normal, rest in zip(
+            _each(drive.mechanism.springs), _normals(force), drive.rest.normal_force, strict=True
+        )
     )
     misfit = 2.0 * drive.sides.cos_direction * sp + pwr + pwl + drive.sides.cos_wedge * (wro + wlo)
-    return misfit / drive.springs.incremental_compliance[1]
+    return misfit / drive.mechanism.springs.incremental_compliance[1]
 
 
 def _contact_floor(drive: _Drive, sun_force: Array) -> Array:
@@ -261,12 +305,12 @@ def _contact_floor(drive: _Drive, sun_force: Array) -> Array:
     return jnp.maximum(jnp.abs(difference), (centrifugal + root) / (2.0 * side.cos_direction))
 
 
-def _residuals(drive: _Drive, closure: Closure, unknowns: tuple[Array, Array]) -> tuple[Array, Array]:
+def _residuals(drive: _Drive, unknowns: tuple[Array, Array]) -> tuple[Array, Array]:
     """Closure and carrier moment; a lifted contact stays at zero force while S goes below its floor."""
     load_sum, sun_force = unknowns
     free = _branch_forces(drive, load_sum, sun_force)
     held = _branch_forces(drive, jnp.maximum(load_sum, _contact_floor(drive, sun_force)), sun_force)
-    return _closure_residual(drive, free, closure), _carrier_residual(drive, held)
+    return _closure_residual(drive, free), _carrier_residual(drive, held)
 
 
 def _solve_two_by_two(linear, right_side: tuple[Array, Array]) -> tuple[Array, Array]:  # type: ignore[no-untyped-def]
@@ -299,39 +343,15 @@ def _newton(residuals, start: tuple[Array, Array]) -> tuple[Array, Array]:  # ty
     return load_sum, sun_force
 
 
-def force_balance(
-    *,
-    geometry: DriveGeometry,
-    bearings: Bearings,
-    springs: NormalSprings,
-    preload: Real,
-    output_torque: Real,
-    carrier_speed: Real,
-    planet_mass: Real,
-    loading_roller_mass: Real,
-    closure: Closure,
-) -> DriveForces:
+def force_balance(*, mechanism: Mechanism, output_torque: Real) -> DriveForces:
     r"""Solve the static force balance of one branch under a given output torque.
 
     Parameters
     ----------
-    geometry : DriveGeometry
-        The drive.
-    bearings : Bearings
-        Friction of its bearings.
-    springs : NormalSprings
-        Normal springs of the contacts; used by the ``elastic`` closure only.
-    preload : Real
-        Normal force N_0 between sun and planet at rest [N].
+    mechanism : Mechanism
+        The preloaded drive.
     output_torque : Real
         Torque T_out >= 0 at the carrier [N·m]. The other direction is the mirror image: left becomes right.
-    carrier_speed : Real
-        Angular velocity of the carrier [rad/s].
-    planet_mass, loading_roller_mass : Real
-        Masses [kg]; enter through the centrifugal forces m omega_c^2 r.
-    closure : {"elastic", "constant_pin_force"}
-        ``elastic``: the preload is an interference fixed at assembly, see :doc:`/equations` (A3);
-        ``constant_pin_force``: the right pin force keeps its preload value.
 
     Returns
     -------
@@ -340,25 +360,25 @@ def force_balance(
 
     Notes
     -----
-    Newton's method from the preload state, usually three steps. The residuals are part of the result; whoever uses the forces must
-    look at them (:func:`asperity.joint.solve` does). Derivatives are those of the equations at their root.
+    Newton's method from the preload state, usually three steps. The residuals are part of the result; whoever
+    uses the forces must look at them (:func:`asperity.joint.solve` does). Derivatives are those of the equations
+    at their root.
 
     References
     ----------
     Zou et al. 2025, equations (1)–(5), with the signs of Newton's third law; (A3) of :doc:`/equations`.
     """
+    geometry, bearings = mechanism.geometry, mechanism.bearings
     sides = triangle(geometry)
-    rest = rest_state(geometry=geometry, preload=preload)
-    speed_squared = carrier_speed**2
+    rest = rest_state(geometry=geometry, preload=mechanism.preload)
+    speed_squared = mechanism.carrier_speed**2
     drive = _Drive(
-        geometry=geometry,
+        mechanism=mechanism,
         sides=sides,
-        bearings=bearings,
-        springs=springs,
         rest=rest,
         output_torque=jnp.asarray(output_torque),
-        planet_centrifugal=planet_mass * speed_squared * sides.planet_orbit,
-        roller_centrifugal=loading_roller_mass * speed_squared * sides.roller_orbit,
+        planet_centrifugal=mechanism.planet_mass * speed_squared * sides.planet_orbit,
+        roller_centrifugal=mechanism.loading_roller_mass * speed_squared * sides.roller_orbit,
     )
     leverage = (
         1.0 + sides.cos_wedge - sides.sin_wedge * (1.0 + sides.cos_direction) / sides.sin_direction
@@ -369,21 +389,19 @@ def force_balance(
         loss_free,
         drive.planet_centrifugal,
         drive.roller_centrifugal,
-        springs.secant_compliance[1],
+        mechanism.springs.secant_compliance[1],
         bearings.loading_roller_torque + bearings.carrier_torque + bearings.pin_friction_coefficient,
     )[:2]
 
     def residuals(unknowns: tuple[Array, Array]) -> tuple[Array, Array]:
-        return _residuals(drive, closure, unknowns)
+        return _residuals(drive, unknowns)
 
-    load_sum, sun_force = jax.lax.custom_root(
-        residuals, (start[0], start[1]), _newton, _solve_two_by_two
-    )
+    load_sum, sun_force = jax.lax.custom_root(residuals, (start[0], start[1]), _newton, _solve_two_by_two)
     floor = _contact_floor(drive, sun_force)
     held = load_sum < floor
     force = _branch_forces(drive, jnp.where(held, floor, load_sum), sun_force)
-    closure_error = jnp.where(held, 0.0, jnp.abs(_residuals(drive, closure, (load_sum, sun_force))[0]))
-    normal = _normal_stack(force)
+    closure_error = jnp.where(held, 0.0, jnp.abs(_residuals(drive, (load_sum, sun_force))[0]))
+    normal = jnp.stack(jnp.broadcast_arrays(*_normals(force)))
     normal = jnp.maximum(normal, 0.0)  # a lifted contact's rounding; the balance below is taken with it
     tangential = jnp.stack(
         jnp.broadcast_arrays(force["t_sp"], force["t_pwr"], force["t_pwl"], force["t_wro"], force["t_wlo"])
@@ -424,8 +442,8 @@ def balance_equations(
     *,
     geometry: DriveGeometry,
     bearings: Bearings,
-    normal: Real,
-    tangential: Real,
+    normal: Array,
+    tangential: Array,
     pin_left: Real,
     pin_right: Real,
     left_bearing_torque: Real,
@@ -443,7 +461,7 @@ def balance_equations(
         The drive.
     bearings : Bearings
         Friction of its bearings.
-    normal, tangential : Real
+    normal, tangential : Array
         Contact forces in the order of :data:`asperity.drive.geometry.CONTACT_NAMES`, shape (5, ...) [N].
     pin_left, pin_right : Real
         Carrier pin forces [N].
@@ -475,7 +493,12 @@ def balance_equations(
         jnp.broadcast_arrays(
             (input_torque - 2.0 * bearings.sun_torque) / (count * sun) - t_sp,  # (1)
             t_sp + t_pwr * cos_th - n_pwr * sin_th + n_pwl * sin_th + t_pwl * cos_th,  # (2) x
-            n_sp - t_pwr * sin_th - n_pwr * cos_th - n_pwl * cos_th + t_pwl * sin_th + planet_centrifugal,  # (2) y
+            n_sp
+            - t_pwr * sin_th
+            - n_pwr * cos_th
+            - n_pwl * cos_th
+            + t_pwl * sin_th
+            + planet_centrifugal,  # (2) y
             t_pwr + t_pwl - t_sp,  # (2) M
             pin_left * cos_l - n_pwl * sin_b - t_pwl * cos_b - t_wlo,  # (3) t
             pin_left * sin_l + n_pwl * cos_b - t_pwl * sin_b - n_wlo + roller_centrifugal,  # (3) r

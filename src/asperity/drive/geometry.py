@@ -246,7 +246,9 @@ def clearances(geometry: DriveGeometry) -> tuple[Clearance, ...]:
     orbit, roller = sides.planet_orbit, geometry.loading_roller_radius
     polar = jnp.arctan2(sides.sin_polar, sides.cos_polar)
     to_next_planet = jnp.sqrt(
-        orbit**2 + sides.roller_orbit**2 - 2.0 * orbit * sides.roller_orbit * jnp.cos(2.0 * half_pitch - polar)
+        orbit**2
+        + sides.roller_orbit**2
+        - 2.0 * orbit * sides.roller_orbit * jnp.cos(2.0 * half_pitch - polar)
     )
     return (
         Clearance("the loading roller must be smaller than the ring", sides.roller_orbit),
@@ -258,16 +260,21 @@ def clearances(geometry: DriveGeometry) -> tuple[Clearance, ...]:
             "the planet must not touch the ring (R_s + 2 R_p < R_o)",
             geometry.ring_radius - orbit - geometry.planet_radius,
         ),
-        Clearance("neighbouring planets must not overlap", 2.0 * (orbit * jnp.sin(half_pitch) - geometry.planet_radius)),
         Clearance(
-            "the two loading rollers of one planet must not overlap", 2.0 * (sides.roller_orbit * sides.sin_polar - roller)
+            "neighbouring planets must not overlap",
+            2.0 * (orbit * jnp.sin(half_pitch) - geometry.planet_radius),
+        ),
+        Clearance(
+            "the two loading rollers of one planet must not overlap",
+            2.0 * (sides.roller_orbit * sides.sin_polar - roller),
         ),
         Clearance(
             "loading rollers of neighbouring planets must not overlap",
             2.0 * (sides.roller_orbit * jnp.sin(half_pitch - polar) - roller),
         ),
         Clearance(
-            "a loading roller must not touch the next planet", to_next_planet - geometry.planet_radius - roller
+            "a loading roller must not touch the next planet",
+            to_next_planet - geometry.planet_radius - roller,
         ),
         Clearance(
             "the loading rollers must lie outside the planet's centre circle, or they cannot press it to the sun",

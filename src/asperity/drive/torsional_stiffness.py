@@ -6,6 +6,7 @@ import math
 
 import equinox as eqx
 import jax.numpy as jnp
+from jax import Array
 
 from asperity.drive.geometry import DriveGeometry, speed_ratio
 from asperity.types import Real
@@ -99,7 +100,7 @@ def referred_to_sun(*, torsional_stiffness: Real, sun_radius: Real, radius: Real
     return torsional_stiffness * (sun_radius / radius) ** 2  # (26), (27)
 
 
-def series_torsional_stiffness(*, geometry: DriveGeometry, tangential_stiffness: Real) -> TorsionalStiffness:
+def series_torsional_stiffness(*, geometry: DriveGeometry, tangential_stiffness: Array) -> TorsionalStiffness:
     r"""Torsional stiffness of the joint from its five tangential stiffnesses in series and parallel.
 
     .. math::
@@ -112,7 +113,7 @@ def series_torsional_stiffness(*, geometry: DriveGeometry, tangential_stiffness:
     ----------
     geometry : DriveGeometry
         The drive with n planets.
-    tangential_stiffness : Real
+    tangential_stiffness : Array
         K_t of the contacts in the order of :data:`asperity.drive.geometry.CONTACT_NAMES`, shape (5, ...) [N/m].
 
     Returns
