@@ -13,7 +13,6 @@ import numpy as np
 
 from asperity.joint import solve
 from asperity.precision import require_double_precision
-from asperity.types import Real
 from asperity.zou2025 import preset
 from asperity.zou2025.roller_pair import pair_contact
 
@@ -30,7 +29,8 @@ class PairCurve:
     Parameters
     ----------
     case : str
-        Letter of the case and of the panel of Fig. 4.
+        Letter of the case and of the panel of Fig. 4; ``e_low`` and ``f_low`` are cases e and f at the lowest
+        fractal dimension of case c, which the paper does not show.
     name : str
         What is varied, an argument of :func:`asperity.zou2025.preset.table_1_pair`.
     values : ndarray
@@ -100,25 +100,26 @@ class Curves:
     radius: JointCurves
 
 
-def _logarithmic(limits: tuple[float, float], count: int) -> np.ndarray:
-    return np.geomspace(*limits, count)
-
-
 def _dimensions() -> np.ndarray:
     lower, upper = preset.DIMENSION_RANGE
     return np.linspace(lower, upper, round((upper - lower) / 0.0025) + 1)
 
 
-def _pair_axes() -> dict[str, tuple[str, np.ndarray]]:
-    """Case → what it varies and over which values; case b goes on past gross slip, to show it."""
+def _pair_axes() -> dict[str, tuple[str, np.ndarray, float]]:
+    """Case → what it varies, over which values, at which D; case b goes on past gross slip, to show it."""
     slip = preset.FRICTION_COEFFICIENT * preset.PAIR_NORMAL_FORCE
+    dimension, low = preset.FRACTAL_DIMENSION, preset.DIMENSION_RANGE[0]
+    radii = np.linspace(*preset.SECOND_RADIUS_RANGE, 161)
+    lengths = np.linspace(*preset.CONTACT_LENGTH_RANGE, 101)
     return {
-        "a": ("normal_force", np.linspace(0.0, preset.PAIR_NORMAL_FORCE, 201)),
-        "b": ("tangential_force", np.linspace(0.0, 1.1 * slip, 331)),
-        "c": ("fractal_dimension", _dimensions()),
-        "d": ("fractal_roughness", _logarithmic(preset.ROUGHNESS_RANGE, 101)),
-        "e": ("second_radius", np.linspace(*preset.SECOND_RADIUS_RANGE, 161)),
-        "f": ("contact_length", np.linspace(*preset.CONTACT_LENGTH_RANGE, 101)),
+        "a": ("normal_force", np.linspace(0.0, preset.PAIR_NORMAL_FORCE, 201), dimension),
+        "b": ("tangential_force", np.linspace(0.0, 1.1 * slip, 331), dimension),
+        "c": ("fractal_dimension", _dimensions(), dimension),
+        "d": ("fractal_roughness", np.geomspace(*preset.ROUGHNESS_RANGE, 101), dimension),
+        "e": ("second_radius", radii, dimension),
+        "f": ("contact_length", lengths, dimension),
+        "e_low": ("second_radius", radii, low),
+        "f_low": ("contact_length", lengths, low),
     }
 
 
@@ -132,36 +133,19 @@ def pair_curves() -> dict[str, PairCurve]:
     """
     require_double_precision()
     axes = _pair_axes()
-    names = [name for name, _ in axes.values()]
-    sizes = [values.size for _, values in axes.values()]
-    ends = np.cumsum([0, *sizes])
-    varied: dict[str, Real] = {}
-    for name in names:  # one flat batch: each quantity keeps its Table 1 value outside its own case
-        rest = _table_1_value(name)
-        column = np.full(ends[-1], rest)
-        for start, (other, values) in zip(ends[:-1], axes.values(), strict=True):
-            if other == name:
-                column[start : start + values.size] = values
-        varied[name] = jnp.asarray(column)
+    columns: dict[str, list[np.ndarray]] = {name: [] for name in preset.TABLE_1}
+    for name, values, dimension in axes.values():  # one flat batch: what a case does not vary keeps its value
+        fixed = {**preset.TABLE_1, "fractal_dimension": dimension}
+        for key, column in columns.items():
+            column.append(values if key == name else np.full(values.size, fixed[key]))
+    varied = {key: jnp.asarray(np.concatenate(column)) for key, column in columns.items()}
     contact = eqx.filter_jit(pair_contact)(preset.table_1_pair(**varied))
     stiffness = np.asarray(contact.tangential_stiffness)
+    ends = np.cumsum([values.size for _, values, _ in axes.values()])[:-1]
     return {
-        case: PairCurve(case, name, values, stiffness[start : start + values.size])
-        for (case, (name, values)), start in zip(axes.items(), ends[:-1], strict=True)
+        case: PairCurve(case, name, values, part)
+        for (case, (name, values, _)), part in zip(axes.items(), np.split(stiffness, ends), strict=True)
     }
-
-
-def _table_1_value(name: str) -> float:
-    rollers = preset.table_1_pair()
-    known = {
-        "normal_force": rollers.normal_force,
-        "tangential_force": rollers.tangential_force,
-        "fractal_dimension": rollers.surface.fractal_dimension,
-        "fractal_roughness": rollers.surface.fractal_roughness,
-        "second_radius": rollers.radii[1],
-        "contact_length": rollers.contact_length,
-    }
-    return float(known[name])
 
 
 def joint_curves() -> dict[str, JointCurves]:
@@ -184,7 +168,7 @@ def joint_curves() -> dict[str, JointCurves]:
             np.array([preset.FRACTAL_DIMENSION]),
         ),
         "dimension": (OUTPUT_TORQUES, "fractal_dimension", _dimensions()),
-        "roughness": (OUTPUT_TORQUES, "fractal_roughness", _logarithmic(preset.ROUGHNESS_RANGE, 101)),
+        "roughness": (OUTPUT_TORQUES, "fractal_roughness", np.geomspace(*preset.ROUGHNESS_RANGE, 101)),
         "length": (OUTPUT_TORQUES, "contact_length", np.linspace(*preset.CONTACT_LENGTH_RANGE, 51)),
         "friction": (OUTPUT_TORQUES, "friction_coefficient", np.linspace(*_FRICTION_RANGE, 261)),
         "radius": (OUTPUT_TORQUES, "radius_scale", np.linspace(1.0, _LARGEST_RADIUS_SCALE, 21)),

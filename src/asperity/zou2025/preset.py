@@ -38,6 +38,16 @@ SCALING_PARAMETER = 1.5  # gamma, below equation (7)
 PEAK_DIMENSION = 1.85  # sections 5.1, 5.2 and conclusions
 DESIGN_WINDOW = (1.7, 1.85)  # fractal dimension, section 5.2
 
+#: The numbers of a roller pair that the cases of Table 1 vary, at their common values; SI units.
+TABLE_1 = {
+    "normal_force": PAIR_NORMAL_FORCE,
+    "tangential_force": 0.0,
+    "fractal_dimension": FRACTAL_DIMENSION,
+    "fractal_roughness": FRACTAL_ROUGHNESS,
+    "second_radius": PAIR_RADII[1],
+    "contact_length": CONTACT_LENGTH,
+}
+
 FRICTION_COEFFICIENT = 0.12  # ours
 PRELOAD = 1000.0  # N, ours
 YOUNGS_MODULUS = 206e9  # Pa, ours
@@ -193,18 +203,10 @@ def table_1_pair(**varied: Real) -> RollerPair:
     RollerPair
         The pair, the other numbers as in Table 1.
     """
-    values: dict[str, Real] = {
-        "normal_force": PAIR_NORMAL_FORCE,
-        "tangential_force": 0.0,
-        "fractal_dimension": FRACTAL_DIMENSION,
-        "fractal_roughness": FRACTAL_ROUGHNESS,
-        "second_radius": PAIR_RADII[1],
-        "contact_length": CONTACT_LENGTH,
-    }
-    unknown = set(varied) - set(values)
+    unknown = set(varied) - set(TABLE_1)
     if unknown:
-        raise TypeError(f"Table 1 has no column {sorted(unknown)}; it has {sorted(values)}")
-    values.update(varied)
+        raise TypeError(f"Table 1 has no column {sorted(unknown)}; it has {sorted(TABLE_1)}")
+    values: dict[str, Real] = {**TABLE_1, **varied}
     return RollerPair(
         bodies=(steel(), steel()),
         surface=rough_surface(
