@@ -16,7 +16,13 @@ import click
 from asperity.errors import AsperityError
 
 #: Command name -> (module that defines it, function name, one-line help shown without importing the module).
-COMMANDS: dict[str, tuple[str, str, str]] = {}
+COMMANDS: dict[str, tuple[str, str, str]] = {
+    "reproduce": (
+        "asperity.cli.reproduce",
+        "reproduce",
+        "Recompute the paper's figures and judge its claims.",
+    ),
+}
 
 
 class LazyGroup(click.Group):

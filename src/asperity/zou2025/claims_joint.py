@@ -57,7 +57,10 @@ def peak_claim(
                 met=inside and farthest <= PEAK_NEAR.limit,
                 evidence=f"peaks between D = {min(places):.3f} and {max(places):.3f} at {_torques(output_torque)}, at "
                 f"most {farthest:.3f} from {stated:g} (allowed {PEAK_NEAR.limit:g})",
-                numbers={f"peak_fractal_dimension_at_{t:g}_Nm": p for t, p in zip(output_torque, places, strict=True)},
+                numbers={
+                    f"peak_fractal_dimension_at_{t:g}_Nm": p
+                    for t, p in zip(output_torque, places, strict=True)
+                },
             ),
         ),
     )
@@ -184,8 +187,8 @@ def size_claim(
                 says="the growth with B is significant",
                 met=least >= SIGNIFICANT.limit,
                 evidence=f"{most:+.1%} at most for {length[-1] / length[0]:g} times the length (significant from "
-                f"{SIGNIFICANT.limit:.0%} on): B enters the equations through the contact factor (11) alone, to the "
-                "power 1/(2R) with R in mm, and the load that the spots share stays the same",
+                f"{SIGNIFICANT.limit:.0%} on): B enters the contact law through the factor (11) alone, to the power "
+                "1/(2R) with R in mm, and the load that the spots share stays the same",
                 numbers={"largest_change": most},
             ),
             Statement(

@@ -15,7 +15,7 @@ from asperity.errors import InputError
 from asperity.zou2025.criteria import CRITERIA
 from asperity.zou2025.curves import Curves
 from asperity.zou2025.panels import Panel
-from asperity.zou2025.preset import ASSUMPTIONS
+from asperity.zou2025.preset import ASSUMPTIONS, REMARKS
 from asperity.zou2025.verdict import Claim
 
 
@@ -208,7 +208,11 @@ def verdict_document(curves: Curves, claims: tuple[Claim, ...]) -> dict[str, Any
         "claims": [claim.as_dict() for claim in claims],
         "criteria": [vars(criterion) for criterion in CRITERIA],
         "assumptions": [vars(assumption) for assumption in ASSUMPTIONS],
-        **{name: [dict(zip(header, row, strict=True)) for row in rows] for name, (header, rows) in tables.items()},
+        "remarks": list(REMARKS),
+        **{
+            name: [dict(zip(header, row, strict=True)) for row in rows]
+            for name, (header, rows) in tables.items()
+        },
     }
 
 
@@ -228,5 +232,7 @@ def write_verdicts(document: dict[str, Any], folder: Path) -> Path:
         The file.
     """
     path = folder / "claims.json"
-    path.write_text(json.dumps(document, indent=2, ensure_ascii=False, allow_nan=False) + "\n", encoding="utf-8")
+    path.write_text(
+        json.dumps(document, indent=2, ensure_ascii=False, allow_nan=False) + "\n", encoding="utf-8"
+    )
     return path

@@ -79,18 +79,33 @@ class Assumption:
 #: What the paper leaves open and this reproduction had to choose.
 ASSUMPTIONS = (
     Assumption("bodies", "steel, E = 206 GPa, nu = 0.3, 7850 kg/m^3", "only the yield strength is printed"),
-    Assumption("hardness", "H = 2.8 sigma_y = 1260 MPa", "Tabor's factor; the paper names a factor, no value"),
+    Assumption(
+        "hardness", "H = 2.8 sigma_y = 1260 MPa", "Tabor's factor; the paper names a factor, no value"
+    ),
     Assumption("friction coefficient", "mu = 0.12", "Table 1 case b ends at T = 119 N for F_n = 1000 N"),
     Assumption("preload", "N_0 = 1000 N at the sun", "'sufficiently high' in the paper; the load of Table 1"),
     Assumption("closure of (1)-(5)", "elastic, equation (A3)", "13 unknowns, 11 equations"),
     Assumption("ring wall", "10 mm", "enters the normal springs of the closure only"),
     Assumption("bearing friction", "none", "T_B is not given"),
     Assumption("carrier push", "gamma_l = gamma_r = 0", "not given"),
-    Assumption("roller length", "equal to the contact length", "makes the masses; centrifugal forces are below 1 %"),
+    Assumption(
+        "roller length", "equal to the contact length", "makes the masses; centrifugal forces are below 1 %"
+    ),
     Assumption("D, G of the joint", "1.4, 1e-8 mm where not varied", "the values of Table 1"),
     Assumption("contact factor", "equation (11) as printed, in mm, N, MPa", "only this gives Fig. 4f"),
     Assumption("torque of Fig. 6", "5 N*m", "not given; the end of the stated range"),
     Assumption("friction range of Fig. 8b", "0.04 to 0.30", "not given"),
+)
+
+#: What a reader who holds the paper beside the figures must know.
+REMARKS = (
+    "Table 1 varies the radius in case e and the length in case f; the caption of Fig. 4 names them the other way "
+    "round. Panels 4e and 4f follow the table.",
+    "Case b goes on from the 119 N of Table 1 to 132 N, to show that nothing is left beyond gross slip.",
+    "The caption of Fig. 8 names contact length and radius; its panels show contact length and friction coefficient.",
+    "Fig. 6 multiplies by the square of the driven roller's radius: only so is sun-planet the highest.",
+    "The joint stiffness counts the tangential springs of the asperities alone; the bodies and the floating planet, "
+    "which make a real joint far softer, are not in the paper's equations.",
 )
 
 
