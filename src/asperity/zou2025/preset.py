@@ -150,6 +150,12 @@ def operating_grid(**varied: ArrayLike) -> OperatingPoint:
     -------
     OperatingPoint
         All fields in the shape (n_1, n_2, ...), in the order of the arguments.
+
+    Examples
+    --------
+    >>> point = operating_grid(output_torque=[1.0, 5.0], fractal_dimension=[1.3, 1.4, 1.5])
+    >>> point.contact_length.shape
+    (2, 3)
     """
     values: dict[str, ArrayLike] = {
         "output_torque": OUTPUT_TORQUE_RANGE[1],
