@@ -7,6 +7,7 @@ import jax.numpy as jnp
 
 from asperity.contact.fractal import FractalContact
 from asperity.contact.hertz_line import FIRST_YIELD_RATIO, effective_radius, half_width, peak_pressure
+from asperity.drive.capacity import slip_ratio
 from asperity.drive.force_balance import DriveForces
 from asperity.drive.geometry import DriveGeometry, contact_radii, triangle
 from asperity.materials import ContactPair
@@ -45,27 +46,6 @@ class Diagnostics(eqx.Module):
     normal_over_rest: Real
     hertz_half_width: Real
     hertz_peak_pressure: Real
-
-
-def slip_ratio(*, normal_force: Real, tangential_force: Real, friction_coefficient: Real) -> Real:
-    r"""Traction used over traction available, :math:`T/(\mu N)`.
-
-    Parameters
-    ----------
-    normal_force, tangential_force : Real
-        N and T of a contact [N].
-    friction_coefficient : Real
-        mu [-].
-
-    Returns
-    -------
-    Real
-        Ratio [-]; the contact slips grossly from 1 on. Infinite for a force without a normal load, 0 for neither.
-    """
-    limit = friction_coefficient * normal_force
-    touching = limit > 0.0
-    force = jnp.abs(tangential_force)
-    return jnp.where(touching, force / jnp.where(touching, limit, 1.0), jnp.where(force > 0.0, jnp.inf, 0.0))
 
 
 def diagnose(
