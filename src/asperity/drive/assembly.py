@@ -104,10 +104,14 @@ def _elongations(coordinates: Array, side: Triangle, geometry: DriveGeometry) ->
     planet, right, left = (_Body(*coordinates[k : k + 3]) for k in (1, 4, 7))
     ring = _Body(*jnp.zeros_like(coordinates[:3]))
 
-    def contact(first: _Body, second: _Body, along_x: Real, along_y: Real, outer: float) -> tuple[Array, Array]:
+    def contact(
+        first: _Body, second: _Body, along_x: Real, along_y: Real, outer: float
+    ) -> tuple[Array, Array]:
         """Approach and slip of two bodies; (along_x, along_y) points from the first centre to the contact."""
         approach = (first.x - second.x) * along_x + (first.y - second.y) * along_y
-        slip = (first.y - second.y) * along_x - (first.x - second.x) * along_y + first.turn + outer * second.turn
+        slip = (
+            (first.y - second.y) * along_x - (first.x - second.x) * along_y + first.turn + outer * second.turn
+        )
         return approach, slip
 
     sin_a, cos_a = side.sin_polar, side.cos_polar
@@ -211,7 +215,9 @@ def assembly_stiffness(
     full = jax.tree.map(lambda leaf: jnp.broadcast_to(leaf, shape), (side, geometry))
     force = solve(with_ring, *full)
 
-    energy = jnp.where(jnp.isinf(compliance), 0.0, compliance) * force**2  # c_j f_j^2 per unit force on the sun's arc
+    energy = (
+        jnp.where(jnp.isinf(compliance), 0.0, compliance) * force**2
+    )  # c_j f_j^2 per unit force on the sun's arc
     ring_energy = jnp.sum(jnp.broadcast_to(ring, shape) * force[3:5] ** 2, axis=0)
     lever = geometry.planet_count * geometry.sun_radius**2
     input_shaft = _compliance(supports.input_shaft_stiffness) * lever
