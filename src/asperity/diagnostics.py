@@ -6,7 +6,9 @@ import equinox as eqx
 import jax.numpy as jnp
 
 from asperity.contact.fractal import FractalContact
-from asperity.contact.hertz_line import FIRST_YIELD_RATIO, effective_radius, half_width, peak_pressure
+from asperity.contact.hertz_line import effective_radius, first_yield_pressure, half_width, peak_pressure
+from asperity.contact.interface import Interface
+from asperity.drive.capacity import slip_ratio
 from asperity.drive.force_balance import DriveForces
 from asperity.drive.geometry import DriveGeometry, contact_radii, triangle
 from asperity.materials import ContactPair
@@ -30,6 +32,9 @@ class Diagnostics(eqx.Module):
         a_c/a_l, shape (5, ...) [-]; from 1 on every spot is plastic and the law has no stiffness.
     pressure_over_first_yield : Real
         Hertzian peak pressure over 1.67 times the yield strength of the weaker body, shape (5, ...) [-].
+    asperity_over_bulk_stiffness : Real
+        Tangential stiffness of the asperities over that of the bodies, shape (5, ...) [-]. The published model counts
+        the asperities alone, which is fair where this is far below 1.
     normal_over_rest : Real
         Normal force over its value at rest, shape (5, ...) [-]; 0 means lifted off, fine above 0.
     hertz_half_width, hertz_peak_pressure : Real
@@ -42,30 +47,10 @@ class Diagnostics(eqx.Module):
     largest_spot_over_hertz_area: Real
     critical_over_largest_spot: Real
     pressure_over_first_yield: Real
+    asperity_over_bulk_stiffness: Real
     normal_over_rest: Real
     hertz_half_width: Real
     hertz_peak_pressure: Real
-
-
-def slip_ratio(*, normal_force: Real, tangential_force: Real, friction_coefficient: Real) -> Real:
-    r"""Traction used over traction available, :math:`T/(\mu N)`.
-
-    Parameters
-    ----------
-    normal_force, tangential_force : Real
-        N and T of a contact [N].
-    friction_coefficient : Real
-        mu [-].
-
-    Returns
-    -------
-    Real
-        Ratio [-]; the contact slips grossly from 1 on. Infinite for a force without a normal load, 0 for neither.
-    """
-    limit = friction_coefficient * normal_force
-    touching = limit > 0.0
-    force = jnp.abs(tangential_force)
-    return jnp.where(touching, force / jnp.where(touching, limit, 1.0), jnp.where(force > 0.0, jnp.inf, 0.0))
 
 
 def diagnose(
@@ -73,6 +58,7 @@ def diagnose(
     geometry: DriveGeometry,
     forces: DriveForces,
     contacts: FractalContact,
+    interfaces: Interface,
     pairs: ContactPair,
     contact_length: Real,
     friction_coefficient: Real,
@@ -88,6 +74,8 @@ def diagnose(
         Its forces.
     contacts : FractalContact
         Its contacts, shape (5, ...).
+    interfaces : Interface
+        Stiffness of asperities and bulk, shape (5, ...).
     pairs : ContactPair
         Moduli and limits of the contacts, shape (5, ...).
     contact_length, friction_coefficient : Real
@@ -116,6 +104,7 @@ def diagnose(
     pressure = peak_pressure(
         normal_force=jnp.where(touching, forces.normal, 0.0), contact_length=contact_length, half_width=width
     )
+    sticks = interfaces.bulk_tangential > 0.0
     strip = 2.0 * width * contact_length
     sides = triangle(geometry)
     friction = jnp.broadcast_to(friction_coefficient, forces.normal.shape)
@@ -130,7 +119,12 @@ def diagnose(
         real_area_over_hertz_area=contacts.real_contact_area / strip,
         largest_spot_over_hertz_area=contacts.largest_area / strip,
         critical_over_largest_spot=jnp.where(touching, contacts.critical_area / largest, jnp.inf),
-        pressure_over_first_yield=pressure / (FIRST_YIELD_RATIO * pairs.yield_strength),
+        pressure_over_first_yield=pressure / first_yield_pressure(yield_strength=pairs.yield_strength),
+        asperity_over_bulk_stiffness=jnp.where(
+            sticks,
+            interfaces.asperity_tangential / jnp.where(sticks, interfaces.bulk_tangential, 1.0),
+            jnp.nan,
+        ),
         normal_over_rest=forces.normal / rest_force,
         hertz_half_width=jnp.where(touching, width, 0.0),
         hertz_peak_pressure=pressure,
