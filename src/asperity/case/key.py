@@ -65,11 +65,9 @@ class Key:
         """The range in words."""
         low = format_quantity(self._si(self.lower), self.unit)
         high = format_quantity(self._si(self.upper), self.unit)
-        kind = "a whole number " if self.whole else ""
-        return (
-            f"{kind}{'above' if self.open_lower else 'from'} {low} "
-            f"{'to below' if self.open_upper else 'to'} {high}"
-        )
+        kind = "a whole number, " if self.whole else ""
+        above, below = "above" if self.open_lower else "at least", "below" if self.open_upper else "at most"
+        return f"{kind}{above} {low} and {below} {high}"
 
     def _si(self, value: float) -> float:
         return value / from_si(1.0, self.unit)
@@ -78,8 +76,12 @@ class Key:
         """Whether a value in SI units is inside the range."""
         value = from_si(value_si, self.unit)
         # a bound that was converted there and back is still the bound
-        low_side = value > self.lower or (not self.open_lower and math.isclose(value, self.lower, rel_tol=1e-12))
-        high_side = value < self.upper or (not self.open_upper and math.isclose(value, self.upper, rel_tol=1e-12))
+        low_side = value > self.lower or (
+            not self.open_lower and math.isclose(value, self.lower, rel_tol=1e-12)
+        )
+        high_side = value < self.upper or (
+            not self.open_upper and math.isclose(value, self.upper, rel_tol=1e-12)
+        )
         return low_side and high_side and not (self.whole and value_si != round(value_si))
 
     def check(self, value_si: float) -> None:
@@ -96,7 +98,9 @@ class Key:
             With the value and the allowed range.
         """
         if not self.admits(value_si):
-            raise InputError(f"{format_quantity(value_si, self.unit)} is not allowed; it must be {self.allowed}")
+            raise InputError(
+                f"{format_quantity(value_si, self.unit)} is not allowed; it must be {self.allowed}"
+            )
 
     def read(self, written: object) -> Quantity:
         """Read and check one value of a file.

@@ -28,6 +28,9 @@ BEARING_TORQUE = Key(Dimension.TORQUE, 0.0, 1e6, "N*m")
 PIN_FRICTION_COEFFICIENT = Key(Dimension.DIMENSIONLESS, 0.0, 10.0)
 PIN_DIAMETER = Key(Dimension.LENGTH, 0.0, 1e5, "mm")
 
+SPRING = Key(Dimension.STIFFNESS, 1e-6, 1e15, "N/mm")
+TORSION_SPRING = Key(Dimension.TORSIONAL_STIFFNESS, 1e-6, 1e15, "N*m/rad")
+
 YOUNGS_MODULUS = Key(Dimension.PRESSURE, 1e-4, 1e4, "GPa")
 POISSON_RATIO = Key(Dimension.DIMENSIONLESS, -1.0, 0.5, open_lower=True)
 DENSITY = Key(Dimension.DENSITY, 0.0, 1e5, "kg/m^3")

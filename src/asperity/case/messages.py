@@ -73,7 +73,8 @@ def keys_by_path(model: type[BaseModel] = Case) -> dict[str, Key]:
 
 
 def _keys_of(path: str, annotation: Any, metadata: tuple[Any, ...]) -> dict[str, Key]:
-    found = {path: key for key in metadata if isinstance(key, Key)}
+    stated = [note for note in metadata if isinstance(note, Key)]
+    found = {path: stated[0]} if stated else {}
     origin = get_origin(annotation)
     if origin is Annotated:
         inner, *notes = get_args(annotation)
@@ -111,9 +112,7 @@ def _shown(value: Any) -> str:
 
 def _sentence(error: ErrorDetails) -> str:
     """One error of pydantic as 'key: what is wrong'."""
-    parts = tuple(
-        str(part) for part in error["loc"] if part not in (ONE_FOR_ALL, ONE_FOR_EACH, "[key]")
-    )
+    parts = tuple(str(part) for part in error["loc"] if part not in (ONE_FOR_ALL, ONE_FOR_EACH, "[key]"))
     path = ".".join(parts)
     kind, value, context = error["type"], error["input"], error.get("ctx", {})
     if kind == "extra_forbidden":

@@ -122,11 +122,30 @@ class BearingFriction(Section):
     """Diameter d of the loading rollers' pins."""
 
 
+class Compliance(Section):
+    """Springs of the structure around the rollers; an absent key is the ideal its description names."""
+
+    pin_stiffness: Annotated[Quantity, limits.SPRING] | None = None
+    """Stiffness of one carrier pin along its push; rigid if absent."""
+    pin_transverse_stiffness: Annotated[Quantity, limits.SPRING] | None = None
+    """Stiffness of one carrier pin across its push; free if absent."""
+    planet_support_stiffness: Annotated[Quantity, limits.SPRING] | None = None
+    """Stiffness of a planet's bearing on the carrier; the planet floats if absent."""
+    ring_bending_stiffness: Annotated[Quantity, limits.SPRING] | None = None
+    """Stiffness of the ring as a whole under one loading roller; rigid if absent."""
+    input_shaft_stiffness: Annotated[Quantity, limits.TORSION_SPRING] | None = None
+    """Torsional stiffness of the shaft to the sun; rigid if absent."""
+    output_shaft_stiffness: Annotated[Quantity, limits.TORSION_SPRING] | None = None
+    """Torsional stiffness of the shaft from the carrier; rigid if absent."""
+
+
 class ModelChoice(Section):
     """Which variants of the model to use."""
 
     closure: Literal["elastic", "constant_pin_force"]
     """How the forces of the statically indeterminate branch are found."""
+    closure_springs: Literal["bulk", "bulk_and_asperities"]
+    """Normal springs of the elastic closure: the bodies alone, or with their asperities."""
     contact_factor: Literal["printed", "hertz_area", "unity"]
     """Model of the contact factor lambda."""
     asperity_base: Literal["majumdar_bhushan_1991", "circular_spot"]
@@ -196,6 +215,8 @@ class Case(Section):
     """Preload, torque, speed, friction."""
     bearings: BearingFriction | None = None
     """Friction of the bearings; none if the section is absent."""
+    compliance: Compliance | None = None
+    """Springs of pins, planet supports, ring and shafts; ideal if the section is absent."""
     model: ModelChoice
     """Variants of the model."""
     materials: Annotated[dict[MaterialName, MaterialEntry], Field(min_length=1)]

@@ -37,7 +37,9 @@ def read_case(path: str | Path) -> Case:
     file = Path(path)
     try:
         if file.is_file() and file.stat().st_size > LARGEST_FILE:
-            raise InputError(f"{path}: a joint file has at most {LARGEST_FILE} bytes, this one {file.stat().st_size}")
+            raise InputError(
+                f"{path}: a joint file has at most {LARGEST_FILE} bytes, this one {file.stat().st_size}"
+            )
         text = file.read_bytes().decode("utf-8-sig")
     except FileNotFoundError:
         raise InputError(f"{path}: there is no such file; 'asperity init' writes an example") from None
