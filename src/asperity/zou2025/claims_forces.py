@@ -30,9 +30,7 @@ def _ends(symbol: str, contacts: tuple[int, ...], force: np.ndarray) -> tuple[st
     return ", ".join(words) + " N", numbers
 
 
-def load_claim(
-    *, output_torque: np.ndarray, normal_force: np.ndarray, tangential_force: np.ndarray
-) -> Claim:
+def load_claim(*, output_torque: np.ndarray, normal_force: np.ndarray, tangential_force: np.ndarray) -> Claim:
     """C7: the trends of the contact forces with the output torque.
 
     Parameters
@@ -57,7 +55,9 @@ def load_claim(
         "with the output torque the right wedge loads up and the left one unloads",
         ("5a", "5b"),
         (
-            Statement("N_sp, N_pwr and N_wro rise", rises(normal_force[list(_RIGHT)]), span + right_text, right),
+            Statement(
+                "N_sp, N_pwr and N_wro rise", rises(normal_force[list(_RIGHT)]), span + right_text, right
+            ),
             Statement("N_pwl and N_wlo fall", falls(normal_force[list(_LEFT)]), span + left_text, left),
             Statement("all tangential forces rise", rises(tangential_force), span + all_text, all_numbers),
             Statement(
@@ -78,7 +78,9 @@ def _alike(
     over_dimension: np.ndarray,
     over_roughness: np.ndarray,
 ) -> Statement:
-    worst = max(float(np.max(relative_difference(k[right], k[left]))) for k in (over_dimension, over_roughness))
+    worst = max(
+        float(np.max(relative_difference(k[right], k[left]))) for k in (over_dimension, over_roughness)
+    )
     along = relative_difference(over_torque[right], over_torque[left])
     apart = np.flatnonzero(along > NEARLY_SAME.limit)
     until = float(output_torque[apart[0] - 1]) if apart.size and apart[0] > 0 else float(output_torque[-1])

@@ -57,7 +57,10 @@ def peak_claim(
                 met=inside and farthest <= PEAK_NEAR.limit,
                 evidence=f"peaks between D = {min(places):.3f} and {max(places):.3f} at {_torques(output_torque)}, at "
                 f"most {farthest:.3f} from {stated:g} (allowed {PEAK_NEAR.limit:g})",
-                numbers={f"peak_fractal_dimension_at_{t:g}_Nm": p for t, p in zip(output_torque, places, strict=True)},
+                numbers={
+                    f"peak_fractal_dimension_at_{t:g}_Nm": p
+                    for t, p in zip(output_torque, places, strict=True)
+                },
             ),
         ),
     )

@@ -37,13 +37,18 @@ NONLINEAR = Criterion(
     "nonlinear", 0.01, "-", "the curve leaves the chord of its end points by at least 1 % of its total change"
 )
 SLIGHT = Criterion(
-    "slightly, weakly, limited", 0.20, "-", "the whole range changes the value by less than 20 % of where it starts"
+    "slightly, weakly, limited",
+    0.20,
+    "-",
+    "the whole range changes the value by less than 20 % of where it starts",
 )
 SIGNIFICANT = Criterion(
     "significantly", 0.20, "-", "the whole range changes the value by at least 20 % of where it starts"
 )
 NEARLY_SAME = Criterion("nearly the same", 0.10, "-", "two values differ by at most 10 % of the larger")
-PEAK_NEAR = Criterion("peak near D", 0.02, "-", "the maximum lies within 0.02 of the stated fractal dimension")
+PEAK_NEAR = Criterion(
+    "peak near D", 0.02, "-", "the maximum lies within 0.02 of the stated fractal dimension"
+)
 TENDENCY = Criterion("tends to", 0.80, "-", "it does so over at least 80 % of the range")
 SATURATED = Criterion(
     "saturates", 0.10, "-", "the slope at the end is at most 10 % of the slope at the start of the range"

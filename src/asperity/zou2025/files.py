@@ -208,7 +208,10 @@ def verdict_document(curves: Curves, claims: tuple[Claim, ...]) -> dict[str, Any
         "claims": [claim.as_dict() for claim in claims],
         "criteria": [vars(criterion) for criterion in CRITERIA],
         "assumptions": [vars(assumption) for assumption in ASSUMPTIONS],
-        **{name: [dict(zip(header, row, strict=True)) for row in rows] for name, (header, rows) in tables.items()},
+        **{
+            name: [dict(zip(header, row, strict=True)) for row in rows]
+            for name, (header, rows) in tables.items()
+        },
     }
 
 
@@ -228,5 +231,7 @@ def write_verdicts(document: dict[str, Any], folder: Path) -> Path:
         The file.
     """
     path = folder / "claims.json"
-    path.write_text(json.dumps(document, indent=2, ensure_ascii=False, allow_nan=False) + "\n", encoding="utf-8")
+    path.write_text(
+        json.dumps(document, indent=2, ensure_ascii=False, allow_nan=False) + "\n", encoding="utf-8"
+    )
     return path

@@ -135,15 +135,15 @@ def _pair_panel(curve: PairCurve, title: str, *, logarithmic: bool, note: str) -
         x=x,
         y=Axis("tangential stiffness $K_t$", "N/mm", "tangential_stiffness_N_per_mm", logarithmic),
         abscissa=curve.values * factor,
-        series=(
-            Series("", "tangential_stiffness_N_per_mm", curve.tangential_stiffness * _PER_MILLIMETRE),
-        ),
+        series=(Series("", "tangential_stiffness_N_per_mm", curve.tangential_stiffness * _PER_MILLIMETRE),),
         legend="",
         kind="single",
         mark_peak=curve.name == "fractal_dimension",
-        inset={"fractal_dimension": "logarithmic", "second_radius": "magnified", "contact_length": "magnified"}.get(
-            curve.name, ""
-        ),
+        inset={
+            "fractal_dimension": "logarithmic",
+            "second_radius": "magnified",
+            "contact_length": "magnified",
+        }.get(curve.name, ""),
         note=note,
     )
 
@@ -174,9 +174,7 @@ def pair_panels(pairs: dict[str, PairCurve]) -> tuple[Panel, ...]:
 
 
 def _contact_series(prefix: str, unit: str, values: np.ndarray) -> tuple[Series, ...]:
-    return tuple(
-        Series(name, f"{prefix}_{name}_{unit}", values[i]) for i, name in enumerate(CONTACT_NAMES)
-    )
+    return tuple(Series(name, f"{prefix}_{name}_{unit}", values[i]) for i, name in enumerate(CONTACT_NAMES))
 
 
 def force_panels(loads: JointCurves) -> tuple[Panel, Panel]:
@@ -233,7 +231,10 @@ def contact_panels(dimension: JointCurves, roughness: JointCurves) -> tuple[Pane
     tuple of Panel
     """
     panels = []
-    for name, curves, fixed in (("6a", dimension, "fractal_roughness"), ("6b", roughness, "fractal_dimension")):
+    for name, curves, fixed in (
+        ("6a", dimension, "fractal_roughness"),
+        ("6b", roughness, "fractal_dimension"),
+    ):
         x, factor = _QUANTITIES[curves.name]
         panels.append(
             Panel(

@@ -54,7 +54,7 @@ YOUNGS_MODULUS = 206e9  # Pa, ours
 POISSON_RATIO = 0.3  # ours
 DENSITY = 7850.0  # kg/m^3, ours
 HARDNESS_FACTOR = 2.8  # ours
-RING_WALL = 10e-3  # m, ours
+RING_WALL = 60e-3  # m, ours
 
 
 @dataclass(frozen=True)
@@ -79,14 +79,18 @@ class Assumption:
 #: What the paper leaves open and this reproduction had to choose.
 ASSUMPTIONS = (
     Assumption("bodies", "steel, E = 206 GPa, nu = 0.3, 7850 kg/m^3", "only the yield strength is printed"),
-    Assumption("hardness", "H = 2.8 sigma_y = 1260 MPa", "Tabor's factor; the paper names a factor, no value"),
+    Assumption(
+        "hardness", "H = 2.8 sigma_y = 1260 MPa", "Tabor's factor; the paper names a factor, no value"
+    ),
     Assumption("friction coefficient", "mu = 0.12", "Table 1 case b ends at T = 119 N for F_n = 1000 N"),
     Assumption("preload", "N_0 = 1000 N at the sun", "'sufficiently high' in the paper; the load of Table 1"),
     Assumption("closure of (1)-(5)", "elastic, equation (A3)", "13 unknowns, 11 equations"),
-    Assumption("ring wall", "10 mm", "enters the normal springs of the closure only"),
+    Assumption("ring wall", "60 mm", "not given; 1.5 R_o compresses like a solid body; bulk and closure only"),
     Assumption("bearing friction", "none", "T_B is not given"),
     Assumption("carrier push", "gamma_l = gamma_r = 0", "not given"),
-    Assumption("roller length", "equal to the contact length", "makes the masses; centrifugal forces are below 1 %"),
+    Assumption(
+        "roller length", "equal to the contact length", "makes the masses; centrifugal forces are below 1 %"
+    ),
     Assumption("D, G of the joint", "1.4, 1e-8 mm where not varied", "the values of Table 1"),
     Assumption("contact factor", "equation (11) as printed, in mm, N, MPa", "only this gives Fig. 4f"),
     Assumption("torque of Fig. 6", "5 N*m", "not given; the end of the stated range"),
