@@ -187,8 +187,8 @@ def size_claim(
                 says="the growth with B is significant",
                 met=least >= SIGNIFICANT.limit,
                 evidence=f"{most:+.1%} at most for {length[-1] / length[0]:g} times the length (significant from "
-                f"{SIGNIFICANT.limit:.0%} on): B enters the equations through the contact factor (11) alone, to the "
-                "power 1/(2R) with R in mm, and the load that the spots share stays the same",
+                f"{SIGNIFICANT.limit:.0%} on): B enters the contact law through the factor (11) alone, to the power "
+                "1/(2R) with R in mm, and the load that the spots share stays the same",
                 numbers={"largest_change": most},
             ),
             Statement(

@@ -15,7 +15,7 @@ from asperity.errors import InputError
 from asperity.zou2025.criteria import CRITERIA
 from asperity.zou2025.curves import Curves
 from asperity.zou2025.panels import Panel
-from asperity.zou2025.preset import ASSUMPTIONS
+from asperity.zou2025.preset import ASSUMPTIONS, REMARKS
 from asperity.zou2025.verdict import Claim
 
 
@@ -208,6 +208,7 @@ def verdict_document(curves: Curves, claims: tuple[Claim, ...]) -> dict[str, Any
         "claims": [claim.as_dict() for claim in claims],
         "criteria": [vars(criterion) for criterion in CRITERIA],
         "assumptions": [vars(assumption) for assumption in ASSUMPTIONS],
+        "remarks": list(REMARKS),
         **{
             name: [dict(zip(header, row, strict=True)) for row in rows]
             for name, (header, rows) in tables.items()

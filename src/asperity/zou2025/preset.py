@@ -97,6 +97,17 @@ ASSUMPTIONS = (
     Assumption("friction range of Fig. 8b", "0.04 to 0.30", "not given"),
 )
 
+#: What a reader who holds the paper beside the figures must know.
+REMARKS = (
+    "Table 1 varies the radius in case e and the length in case f; the caption of Fig. 4 names them the other way "
+    "round. Panels 4e and 4f follow the table.",
+    "Case b goes on from the 119 N of Table 1 to 132 N, to show that nothing is left beyond gross slip.",
+    "The caption of Fig. 8 names contact length and radius; its panels show contact length and friction coefficient.",
+    "Fig. 6 multiplies by the square of the driven roller's radius: only so is sun-planet the highest.",
+    "The joint stiffness counts the tangential springs of the asperities alone; the bodies and the floating planet, "
+    "which make a real joint far softer, are not in the paper's equations.",
+)
+
 
 class OperatingPoint(eqx.Module):
     """What the figures vary in the joint of Table 2. Fields are numbers or arrays of one shape. SI units.
