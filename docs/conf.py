@@ -1,13 +1,8 @@
-"""How the documentation is built: `python -m sphinx -W -b html docs build/docs`. The pages need no network."""
+"""How the documentation is built: `python -m sphinx -W docs docs/_build/html`. The pages need no network."""
 
 from __future__ import annotations
 
 import importlib.metadata
-import sys
-from pathlib import Path
-
-HERE = Path(__file__).parent
-sys.path.insert(0, str(HERE / "_extensions"))
 
 project = "asperity"
 author = "the asperity authors"
@@ -23,14 +18,14 @@ extensions = [
     "sphinx.ext.autosummary",
     "numpydoc",
     "sphinx_copybutton",
-    "mathml",
+    "sphinx.ext.mathjax",
+    "sphinx-mathjax-offline",  # copies MathJax and its fonts into the pages instead of fetching them
 ]
 templates_path = ["_templates"]
-exclude_patterns = ["_build", "_templates", "_extensions"]
+exclude_patterns = ["_build", "_templates"]
 
 html_theme = "furo"
 html_title = "asperity"
-html_math_renderer = "mathml"
 html_static_path = ["_static"]
 html_css_files = ["asperity.css"]
 html_show_sphinx = False
