@@ -93,6 +93,124 @@ def peak_pressure(*, normal_force: Real, contact_length: Real, half_width: Real)
     return 2.0 * normal_force / (math.pi * half_width * contact_length)
 
 
+def mean_pressure(*, normal_force: Real, contact_length: Real, half_width: Real) -> Real:
+    r"""Mean Hertzian pressure, :math:`\bar p = N/(2 b B) = \pi p_0/4`.
+
+    Parameters
+    ----------
+    normal_force : Real
+        Normal force N [N].
+    contact_length : Real
+        Contact line length B [m].
+    half_width : Real
+        Half-width b [m].
+
+    Returns
+    -------
+    Real
+        Mean pressure [Pa].
+
+    References
+    ----------
+    K. L. Johnson, Contact Mechanics, 1985, section 4.2.
+    """
+    return normal_force / (2.0 * half_width * contact_length)
+
+
+def first_yield_pressure(*, yield_strength: Real) -> Real:
+    r"""Peak pressure at which a line contact first yields below the surface, :math:`p_0 = 1.67\,\sigma_y`.
+
+    Parameters
+    ----------
+    yield_strength : Real
+        Yield strength of the weaker body [Pa].
+
+    Returns
+    -------
+    Real
+        Peak pressure [Pa].
+
+    Notes
+    -----
+    Tresca, without friction; von Mises in plane strain with nu = 0.3 would give 1.79.
+
+    References
+    ----------
+    K. L. Johnson, Contact Mechanics, 1985, section 6.2.
+    """
+    return FIRST_YIELD_RATIO * yield_strength
+
+
+def axis_shear_stress(*, depth: Real, peak_pressure: Real, half_width: Real) -> Real:
+    r"""Principal shear stress under the middle of a line contact.
+
+    .. math:: \tau_1 = p_0 \left(s - \frac{s^2}{\sqrt{1+s^2}}\right), \quad s = z/b
+
+    Parameters
+    ----------
+    depth : Real
+        Depth z below the surface [m].
+    peak_pressure : Real
+        Peak pressure p_0 [Pa].
+    half_width : Real
+        Half-width b [m].
+
+    Returns
+    -------
+    Real
+        Shear stress [Pa].
+
+    References
+    ----------
+    K. L. Johnson, Contact Mechanics, 1985, equations (4.45), (4.46).
+    """
+    ratio = depth / half_width
+    return peak_pressure * (ratio - ratio**2 / jnp.sqrt(1.0 + ratio**2))
+
+
+def maximum_shear_depth(*, half_width: Real) -> Real:
+    r"""Depth of the largest shear stress, :math:`z = b\sqrt{(\sqrt5 - 1)/2} = 0.786\,b`.
+
+    Parameters
+    ----------
+    half_width : Real
+        Half-width b [m].
+
+    Returns
+    -------
+    Real
+        Depth [m].
+
+    References
+    ----------
+    K. L. Johnson, Contact Mechanics, 1985, section 4.2(c): 0.78 b; the exact root of the derivative of
+    :func:`axis_shear_stress`.
+    """
+    return math.sqrt((math.sqrt(5.0) - 1.0) / 2.0) * half_width
+
+
+def maximum_shear_stress(*, peak_pressure: Real) -> Real:
+    r"""Largest shear stress under a line contact, :math:`\tau_{max} = 0.300\,p_0`.
+
+    Parameters
+    ----------
+    peak_pressure : Real
+        Peak pressure p_0 [Pa].
+
+    Returns
+    -------
+    Real
+        Shear stress [Pa].
+
+    References
+    ----------
+    K. L. Johnson, Contact Mechanics, 1985, section 4.2(c).
+    """
+    return axis_shear_stress(
+        depth=maximum_shear_depth(half_width=1.0), peak_pressure=peak_pressure, half_width=1.0
+    )
+
+
 def logarithmic_compliance(*, contact_length: Real, youngs_modulus: Real, poisson_ratio: Real) -> Real:
     r"""Compliance scale of one body under a line load, :math:`(1-\nu^2)/(\pi E B)`.
 
@@ -202,3 +320,31 @@ def ring_secant_compliance(
     return scale * (
         2.0 * (jnp.log(2.0 * wall_thickness) - jnp.log(half_width)) - poisson_ratio / (1.0 - poisson_ratio)
     )
+
+
+def mindlin_ratio(*, contact_modulus: Real, tangential_contact_modulus: Real) -> Real:
+    r"""Tangential over normal stiffness of a smooth contact that sticks.
+
+    .. math:: \frac{k_t}{k_n} = \frac{4 G^*}{E} \;\left(= \frac{2(1-\nu)}{2-\nu} \text{ for like bodies}\right)
+
+    Parameters
+    ----------
+    contact_modulus, tangential_contact_modulus : Real
+        E and G* of the pair [Pa], :mod:`asperity.materials`.
+
+    Returns
+    -------
+    Real
+        Ratio [-]; 0.824 for nu = 0.3.
+
+    Notes
+    -----
+    The ratio 8G*a/(2Ea) of a circular contact, used here for the line contact as well. In plane strain the
+    normal and the tangential surface compliance of a half-plane are equal, so that a very long contact tends to 1:
+    the ratio is on the soft side by up to 18 %.
+
+    References
+    ----------
+    R. D. Mindlin, J. Appl. Mech. 16 (1949) 259; K. L. Johnson, Contact Mechanics, 1985, section 7.2.
+    """
+    return 4.0 * tangential_contact_modulus / contact_modulus

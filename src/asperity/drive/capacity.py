@@ -1,0 +1,127 @@
+"""Torque capacity: the largest output torque that every contact can pass without gross slip (A9)."""
+
+from __future__ import annotations
+
+import equinox as eqx
+import jax
+import jax.numpy as jnp
+from jax import Array
+
+from asperity.drive.force_balance import Mechanism, force_balance
+from asperity.drive.geometry import triangle
+from asperity.types import Real
+
+_STEPS = 100  # doublings and halvings together: sixty halvings reach rounding, forty doublings 10^12 times the guess
+
+
+class TorqueCapacity(eqx.Module):
+    """How much torque a preloaded drive can pass.
+
+    Parameters
+    ----------
+    output_torque : Array
+        Capacity at the carrier [N·m]; infinite where the wedge tightens faster than the traction grows, 0 where a
+        contact slips without any torque.
+    limiting_contact : Array
+        Index of the contact that slips first, in the order of :data:`asperity.drive.geometry.CONTACT_NAMES` [-].
+    """
+
+    output_torque: Array
+    limiting_contact: Array
+
+
+def slip_ratio(*, normal_force: Real, tangential_force: Real, friction_coefficient: Real) -> Array:
+    r"""Traction used over traction available, :math:`|T|/(\mu N)`.
+
+    Parameters
+    ----------
+    normal_force, tangential_force : Real
+        N and T of a contact [N].
+    friction_coefficient : Real
+        mu [-].
+
+    Returns
+    -------
+    Array
+        Ratio [-]; the contact slips grossly from 1 on. Infinite for a force without a normal load, 0 for neither.
+
+    References
+    ----------
+    Amontons–Coulomb friction; Zou et al. 2025, equation (22).
+    """
+    limit = friction_coefficient * normal_force
+    touching = limit > 0.0
+    force = jnp.abs(tangential_force)
+    return jnp.where(touching, force / jnp.where(touching, limit, 1.0), jnp.where(force > 0.0, jnp.inf, 0.0))
+
+
+@eqx.filter_jit
+def torque_capacity(*, mechanism: Mechanism, friction_coefficient: Real) -> TorqueCapacity:
+    r"""Largest output torque at which every contact keeps :math:`T < \mu N`.
+
+    .. math:: \max_i \frac{T_i(T_{out})}{\mu_i N_i(T_{out})} = 1
+
+    Parameters
+    ----------
+    mechanism : Mechanism
+        The preloaded drive.
+    friction_coefficient : Real
+        mu of the contacts, shape (1, ...) or (5, ...) [-].
+
+    Returns
+    -------
+    TorqueCapacity
+        Capacity [N·m] and the contact that limits it.
+
+    Notes
+    -----
+    Doubling until a contact slips, then bisection, each point a full force balance. The derivatives are implicit.
+
+    References
+    ----------
+    Equation (A9) of :doc:`/equations`.
+    """
+
+    def ratios(torque: Array) -> Array:
+        forces = force_balance(mechanism=mechanism, output_torque=torque)
+        return slip_ratio(
+            normal_force=forces.normal,
+            tangential_force=forces.tangential,
+            friction_coefficient=friction_coefficient,
+        )
+
+    def excess(torque: Array) -> Array:
+        return jnp.max(ratios(torque), axis=0) - 1.0
+
+    sides = triangle(mechanism.geometry)
+    unit = jnp.min(jnp.asarray(friction_coefficient), axis=0) * mechanism.preload * sides.roller_orbit
+    unit = unit * mechanism.geometry.planet_count
+    start = jnp.broadcast_to(unit, jnp.shape(mechanism.preload + 0.0 * unit + sides.roller_orbit))
+
+    def narrow(_: int, bounds: tuple[Array, Array, Array]) -> tuple[Array, Array, Array]:
+        """Double the upper bound until a contact slips there, then halve the interval."""
+        lower, upper, bracketed = bounds
+        trial = jnp.where(bracketed, 0.5 * (lower + upper), upper)
+        slips = excess(trial) >= 0.0
+        next_upper = jnp.where(slips, trial, jnp.where(bracketed, upper, 2.0 * upper))
+        return jnp.where(slips, lower, trial), next_upper, bracketed | slips
+
+    first = (jnp.zeros_like(start), start, jnp.zeros_like(start, dtype=bool))
+    lower, upper, bracketed = jax.lax.stop_gradient(jax.lax.fori_loop(0, _STEPS, narrow, first))
+    unlimited = ~bracketed
+    slips_at_rest = bracketed & (lower == 0.0)
+    ends = unlimited | slips_at_rest
+
+    def divide(linear, right_side: Array) -> Array:  # type: ignore[no-untyped-def]
+        return right_side / linear(jnp.ones_like(right_side))
+
+    def bounded_excess(torque: Array) -> Array:
+        return jnp.where(ends, torque - upper, excess(torque))
+
+    # the root is known; custom_root gives it the implicit derivative
+    root = jax.lax.custom_root(bounded_excess, upper, lambda _, found: found, divide)
+    capacity = jnp.where(unlimited, jnp.inf, jnp.where(slips_at_rest, 0.0, root))
+    return TorqueCapacity(
+        output_torque=capacity,
+        limiting_contact=jnp.argmax(ratios(jax.lax.stop_gradient(root)), axis=0),
+    )
