@@ -14,6 +14,7 @@ import jax.numpy as jnp
 import numpy as np
 
 from asperity.contact.fractal import Surface
+from asperity.drive.assembly import RIGID_SUPPORTS
 from asperity.drive.force_balance import Bearings
 from asperity.drive.geometry import DriveGeometry
 from asperity.joint import Bodies, Joint
@@ -282,7 +283,9 @@ def table_2_joint(point: OperatingPoint) -> Joint:
         preload=PRELOAD,
         output_torque=point.output_torque,
         sun_speed=SUN_SPEED,
+        supports=RIGID_SUPPORTS,
         closure="elastic",
+        closure_springs="bulk",
         contact_factor_model="printed",
     )
 
