@@ -104,6 +104,24 @@ def examine(joint: Joint) -> Examination:
     return examination
 
 
+def capacity(joint: Joint) -> TorqueCapacity:
+    """Torque capacity of one joint, compiled for one use.
+
+    Parameters
+    ----------
+    joint : Joint
+        One joint, without batch axes.
+
+    Returns
+    -------
+    TorqueCapacity
+        Capacity [N·m] and the limiting contact.
+    """
+    numbers = jax.tree.map(lambda leaf: np.asarray(leaf, dtype=float), joint)
+    found: TorqueCapacity = compile_fast(_capacity, numbers)(numbers)
+    return found
+
+
 def _refuse_overlap(joint: Joint, gaps: tuple[Clearance, ...]) -> None:
     geometry = joint.geometry
     for clearance in gaps:
@@ -172,11 +190,11 @@ def _refuse_locked_pins(joint: Joint) -> None:
 
 def _refuse_torque(numbers: Joint) -> None:
     """Compare the torque with the capacity, which is worth finding only when some contact slips."""
-    capacity = compile_fast(_capacity, numbers)(numbers)
-    limit, torque = float(capacity.output_torque), float(numbers.output_torque)
+    found = capacity(numbers)
+    limit, torque = float(found.output_torque), float(numbers.output_torque)
     if torque < limit:
         return
-    contact = CONTACT_NAMES[int(capacity.limiting_contact)]
+    contact = CONTACT_NAMES[int(found.limiting_contact)]
     told = f"the output torque {format_quantity(torque, 'N*m')} is beyond the torque capacity"
     if limit == 0.0:
         raise InputError(
