@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
@@ -189,7 +190,7 @@ def force_panels(loads: JointCurves) -> tuple[Panel, Panel]:
     -------
     tuple of Panel
     """
-    common = {
+    common: dict[str, Any] = {
         "conditions": "Table 2, 6000 rpm, $N_0$ = 1000 N",
         "x": _OUTPUT_TORQUE,
         "abscissa": loads.output_torque,

@@ -12,8 +12,10 @@ import equinox as eqx
 import jax
 import jax.numpy as jnp
 import numpy as np
+from jax.typing import ArrayLike
 
 from asperity.contact.fractal import Surface
+from asperity.drive.assembly import RIGID_SUPPORTS
 from asperity.drive.force_balance import Bearings
 from asperity.drive.geometry import DriveGeometry
 from asperity.joint import Bodies, Joint
@@ -136,7 +138,7 @@ class OperatingPoint(eqx.Module):
     radius_scale: Real
 
 
-def operating_grid(**varied: Real) -> OperatingPoint:
+def operating_grid(**varied: ArrayLike) -> OperatingPoint:
     """The paper's operating point with some fields varied over the grid of their values.
 
     Parameters
@@ -149,8 +151,14 @@ def operating_grid(**varied: Real) -> OperatingPoint:
     -------
     OperatingPoint
         All fields in the shape (n_1, n_2, ...), in the order of the arguments.
+
+    Examples
+    --------
+    >>> point = operating_grid(output_torque=[1.0, 5.0], fractal_dimension=[1.3, 1.4, 1.5])
+    >>> point.contact_length.shape
+    (2, 3)
     """
-    values: dict[str, Real] = {
+    values: dict[str, ArrayLike] = {
         "output_torque": OUTPUT_TORQUE_RANGE[1],
         "fractal_dimension": FRACTAL_DIMENSION,
         "fractal_roughness": FRACTAL_ROUGHNESS,
@@ -282,7 +290,9 @@ def table_2_joint(point: OperatingPoint) -> Joint:
         preload=PRELOAD,
         output_torque=point.output_torque,
         sun_speed=SUN_SPEED,
+        supports=RIGID_SUPPORTS,
         closure="elastic",
+        closure_springs="bulk",
         contact_factor_model="printed",
     )
 
