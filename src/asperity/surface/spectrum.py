@@ -21,35 +21,34 @@ class BinnedSpectrum:
     Attributes
     ----------
     frequency : array, shape (bins,)
-        Geometric centre of each bin [1/m].
+        Geometric mean of the Fourier frequencies in each bin [1/m].
+    spread : array, shape (bins,)
+        Variance of the logarithm of frequency within the bin [-].
     ordinates : array, shape (bins,)
         Number of Fourier frequencies in the bin.
-    density : array, shape (blocks, bins)
-        Mean one-sided power spectral density [m^3] of each block of profiles.
-    profiles : array, shape (blocks,)
-        Number of profiles in each block.
+    independent : array, shape (bins,)
+        Number of independent ordinates behind the average: ordinates times profiles, less for a taper and for
+        neighbouring rows of a map, which resemble each other.
+    density : array, shape (bins,)
+        One-sided power spectral density, averaged over the bin and all profiles [m^3].
+    profiles : int
+        Number of profiles averaged.
     points, spacing : int, float
         Points of a profile and their distance [m].
     differenced : bool
         True: density of the differences of neighbouring heights, divided by the transfer function of the
         difference, so that it reads as a density of heights.
-    degrees_lost : float
-        Factor (at least 1) by which the taper widens the variance of bin averages.
     """
 
     frequency: NDArray[np.float64]
+    spread: NDArray[np.float64]
     ordinates: NDArray[np.int64]
+    independent: NDArray[np.float64]
     density: NDArray[np.float64]
-    profiles: NDArray[np.int64]
+    profiles: int
     points: int
     spacing: float
     differenced: bool
-    degrees_lost: float
-
-    @property
-    def mean(self) -> NDArray[np.float64]:
-        """Density averaged over all profiles [m^3], shape (bins,)."""
-        return np.asarray(np.average(self.density, axis=0, weights=self.profiles))
 
     @property
     def nyquist(self) -> float:
@@ -93,9 +92,14 @@ def power_spectral_densities(
 
 
 def binned_spectrum(
-    *, profiles: NDArray[np.float64], spacing: float, differenced: bool, bins_per_decade: int, blocks: int
+    *,
+    profiles: NDArray[np.float64],
+    spacing: float,
+    differenced: bool,
+    bins_per_decade: int,
+    rows_of_a_map: bool,
 ) -> BinnedSpectrum:
-    """Average of the spectra of many profiles in narrow logarithmic bins.
+    r"""Average of the spectra of many profiles in narrow logarithmic bins.
 
     Parameters
     ----------
@@ -108,8 +112,10 @@ def binned_spectrum(
         taper, which resolves low frequencies of steep spectra best.
     bins_per_decade : int
         Bins per decade; at low frequencies every ordinate is a bin of its own.
-    blocks : int
-        Profiles are averaged in at most so many blocks of neighbours, for later error estimates.
+    rows_of_a_map : bool
+        True: the profiles are neighbouring rows of one map. Their resemblance is measured: with I the ordinates
+        of the two-dimensional transform that fall into a bin, :math:`2 (\sum I)^2 / \sum I^2` of them are
+        independent. False: the profiles are independent.
 
     Returns
     -------
@@ -119,43 +125,59 @@ def binned_spectrum(
     rows, points = profiles.shape
     used = points - 1 if differenced else points
     taper = scipy.signal.get_window(("tukey", 0.1) if differenced else "hann", used)
-    norm = 2.0 * spacing / np.sum(taper**2)
     frequency = scipy.fft.rfftfreq(used, spacing)
     last = used // 2 if used % 2 == 0 else frequency.size  # leave out the real ordinate at the sampling limit
     edges = _bin_edges(last, bins_per_decade)
-    transfer = 4.0 * np.sin(np.pi * frequency[1:last] * spacing) ** 2 if differenced else None
-    limits = np.unique(np.linspace(0, rows, min(blocks, rows) + 1).astype(int))
-    density = np.zeros((limits.size - 1, edges.size - 1))
-    for b, (low, high) in enumerate(zip(limits[:-1], limits[1:], strict=True)):
-        step = max(1, _CHUNK_POINTS // points)
-        for start in range(int(low), int(high), step):
-            block = profiles[start : min(start + step, int(high))]
-            if differenced:
-                values = np.diff(block, axis=1)
-                values -= values.mean(axis=1, keepdims=True)
-            else:
-                values = _without_line(block)
-            values *= taper
-            spectrum = scipy.fft.rfft(values, axis=1)[:, 1:last]
-            power = np.einsum("ij,ij->j", spectrum.real, spectrum.real)
-            power += np.einsum("ij,ij->j", spectrum.imag, spectrum.imag)
-            if transfer is not None:
-                power /= transfer
-            density[b] += np.add.reduceat(power, edges[:-1] - 1)
     counts = np.diff(edges)
-    profiles_in = np.diff(limits)
-    density *= norm / (counts * profiles_in[:, None])
-    centre = np.sqrt(frequency[edges[:-1]] * frequency[edges[1:] - 1])
+    transfer = 4.0 * np.sin(np.pi * frequency[1:last] * spacing) ** 2 if differenced else np.ones(last - 1)
+    norm = 2.0 * spacing / np.sum(taper**2)
+
+    total = np.zeros(last - 1)
+    kept = np.empty((rows, last - 1), dtype=np.complex64) if rows_of_a_map and rows > 1 else None
+    scale = float(np.std(profiles[0])) or 1.0
+    step = max(1, _CHUNK_POINTS // points)
+    for start in range(0, rows, step):
+        block = profiles[start : start + step]
+        if differenced:
+            values = np.diff(block, axis=1)
+            values -= values.mean(axis=1, keepdims=True)
+        else:
+            values = _without_line(block)
+        values *= taper
+        spectrum = scipy.fft.rfft(values, axis=1, workers=2)[:, 1:last]
+        total += np.einsum("ij,ij->j", spectrum.real, spectrum.real)
+        total += np.einsum("ij,ij->j", spectrum.imag, spectrum.imag)
+        if kept is not None:
+            kept[start : start + step] = spectrum / (scale * np.sqrt(transfer))
+    density = np.add.reduceat(total / transfer, edges[:-1] - 1) * norm / (counts * rows)
+    loss = used * np.sum(taper**4) / np.sum(taper**2) ** 2
+    independent = counts * rows / loss if kept is None else _independent_ordinates(kept, edges) / loss
+    log = np.log(frequency[1:last])
+    mean = np.add.reduceat(log, edges[:-1] - 1) / counts
+    spread = np.add.reduceat((log - np.repeat(mean, counts)) ** 2, edges[:-1] - 1) / counts
     return BinnedSpectrum(
-        frequency=centre,
+        frequency=np.exp(mean),
+        spread=spread,
         ordinates=counts,
+        independent=np.asarray(independent, dtype=np.float64),
         density=density,
-        profiles=profiles_in,
+        profiles=rows,
         points=points,
         spacing=spacing,
         differenced=differenced,
-        degrees_lost=float(used * np.sum(taper**4) / np.sum(taper**2) ** 2),
     )
+
+
+def _independent_ordinates(spectra: NDArray[np.complex64], edges: NDArray[np.int64]) -> NDArray[np.float64]:
+    """Independent ordinates per bin from the transform of the row spectra across the rows; at least one."""
+    taper = np.hanning(spectra.shape[0] + 2)[1:-1].astype(np.float32)
+    spectra *= taper[:, None]
+    across = scipy.fft.fft(spectra, axis=0, workers=2, overwrite_x=True)
+    power = (across.real**2 + across.imag**2).astype(np.float64)
+    first = np.add.reduceat(power.sum(axis=0), edges[:-1] - 1)
+    second = np.add.reduceat(np.einsum("ij,ij->j", power, power), edges[:-1] - 1)
+    correlated = np.mean(taper.astype(np.float64) ** 4) / np.mean(taper.astype(np.float64) ** 2) ** 2
+    return np.maximum(2.0 * first**2 / second / correlated, 1.0)
 
 
 def _bin_edges(last: int, per_decade: int) -> NDArray[np.int64]:
