@@ -19,7 +19,11 @@ from asperity.surface.spectrum import BinnedSpectrum
 
 #: How power above the sampling limit appears: not at all, or folded back below it.
 TAILS = ("band_limited", "folded")
-_STEPS = 60
+#: The folded power of exponents nearer to 1 diverges; the fit may pass there on its way [-].
+LEAST_FOLDING_EXPONENT = 1.02
+#: Scatter of ln P beyond which no further care is taken of the weights [-].
+HOPELESS_MISFIT = 1.0
+_STEPS = 40
 
 
 @dataclass(frozen=True)
@@ -50,6 +54,8 @@ class SpectralFit:
         Sum of squared normalised residuals and its degrees of freedom.
     converged : bool
         Whether the iteration came to rest.
+    sampling_frequency : float
+        Inverse of the spacing [1/m].
     """
 
     fractal_dimension: float
@@ -66,6 +72,28 @@ class SpectralFit:
     chi_square: float
     degrees: int
     converged: bool
+    sampling_frequency: float
+
+    @property
+    def usable_high(self) -> float:
+        """Upper end of the band [1/m], not above where the power law sinks into the floor or the folded power."""
+        f = np.logspace(np.log10(self.low), np.log10(self.high), 200)
+        sunk = np.flatnonzero(self.expected(f) > 2.0 * self.density(f))
+        return float(f[sunk[0]]) if sunk.size else self.high
+
+    @property
+    def decades(self) -> float:
+        """Width of the usable band [decades]."""
+        return float(np.log10(self.usable_high / self.low))
+
+    def expected(self, frequency: NDArray[np.float64]) -> NDArray[np.float64]:
+        """The fitted density [m^3] with floor and folding."""
+        density = self.density(frequency) + self.floor
+        if self.tail == "folded":
+            s = max(5.0 - 2.0 * self.fractal_dimension, LEAST_FOLDING_EXPONENT)
+            x = frequency / self.sampling_frequency
+            density = density + self.density(np.asarray(self.sampling_frequency)) * (zeta(s, 1.0 + x) + zeta(s, 1.0 - x))
+        return np.asarray(density)
 
     def density(self, frequency: NDArray[np.float64]) -> NDArray[np.float64]:
         """The pure power law [m^3], without floor and folding."""
@@ -81,11 +109,11 @@ def fit_spectrum(
     Returns
     -------
     SpectralFit or None
-        None if fewer than three bins more than parameters lie in the band.
+        None if fewer than three bins more than parameters lie in the band, or the spectrum vanishes in one.
     """
     inside = (spectrum.frequency >= low * (1 - 1e-9)) & (spectrum.frequency <= high * (1 + 1e-9))
     parameters = 3 if with_floor else 2
-    if int(inside.sum()) < parameters + 3:
+    if int(inside.sum()) < parameters + 3 or not (spectrum.density[inside] > 0.0).all():
         return None
     f, data = spectrum.frequency[inside], spectrum.density[inside]
     nu, spread = spectrum.independent[inside], spectrum.spread[inside]
@@ -99,6 +127,8 @@ def fit_spectrum(
         residual, jacobian = model.residual(theta, data)
         misfit_square = _misfit(residual, jacobian, nu)
         if misfit_square == 0.0:
+            break
+        if misfit_square > HOPELESS_MISFIT**2:
             break
         theta, converged = _maximise(model, theta, data, 1.0 / (1.0 / nu + misfit_square))
     residual, jacobian = model.residual(theta, data)
@@ -121,6 +151,7 @@ def fit_spectrum(
         chi_square=float(np.sum(nu * residual**2)),
         degrees=int(f.size - parameters),
         converged=converged,
+        sampling_frequency=2.0 * spectrum.nyquist,
     )
 
 
@@ -144,7 +175,7 @@ class _Model:
         beta = 5.0 - 2.0 * dimension
         power = np.exp(-beta * self.log_u) * (1.0 + 0.5 * beta**2 * self.spread)
         if self.tail == "folded":
-            s = max(beta, 1.02)
+            s = max(beta, LEAST_FOLDING_EXPONENT)
             x = self.u / self.sampling
             power = power + self.sampling ** (-s) * (zeta(s, 1.0 + x) + zeta(s, 1.0 - x))
         return power
@@ -185,8 +216,12 @@ def _maximise(
     value = loss(theta)
     for _ in range(_STEPS):
         residual, jacobian = model.residual(theta, data)
+        if model.with_floor and jacobian[:, 2].max() < 1e-3:
+            return theta, False  # the floor vanishes: the model without one says the same
         information = jacobian.T @ (weight[:, None] * jacobian)
         information[np.diag_indices_from(information)] += 1e-12 * np.trace(information)
+        if not np.isfinite(information).all():
+            return theta, False
         step = np.linalg.solve(information, jacobian.T @ (weight * residual))
         step *= min(1.0, 0.5 / max(abs(step[0]), 1e-300), 5.0 / max(float(np.abs(step).max()), 1e-300))
         decrease = float(step @ (information @ step))
@@ -198,7 +233,7 @@ def _maximise(
         else:
             return theta, decrease < 1e-6
         theta, value = theta + step, trial
-        if decrease < 1e-12 * max(1.0, float(weight.sum())) or abs(step[:2]).max() < 1e-10:
+        if decrease < 1e-9 or abs(step[:2]).max() < 1e-10:
             return theta, True
     return theta, False
 

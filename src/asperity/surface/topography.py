@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from dataclasses import dataclass, field, replace
 
 import numpy as np
@@ -108,6 +107,7 @@ class Topography:
 
 #: What may be done with missing points; none of these happens unless asked for.
 MISSING_CHOICES = ("refuse", "longest", "interpolate")
+_RECTANGLE_CELLS = 400_000
 
 
 def without_missing(topography: Topography, *, choice: str) -> Topography:
@@ -119,8 +119,8 @@ def without_missing(topography: Topography, *, choice: str) -> Topography:
         Surface that may have missing points.
     choice : {"refuse", "longest", "interpolate"}
         ``refuse`` raises if a point is missing. ``longest`` keeps of a profile its longest complete piece and of
-        a map its largest block of complete neighbouring rows. ``interpolate`` fills gaps along x by straight
-        lines and drops rows of a map whose ends, or more than half of whose points, are missing.
+        a map its largest complete rectangle. ``interpolate`` first fills the gaps inside each row by straight
+        lines along x (never beyond the first and last measured point), then keeps the largest piece likewise.
 
     Returns
     -------
@@ -144,31 +144,57 @@ def without_missing(topography: Topography, *, choice: str) -> Topography:
             "longest complete piece (--missing longest) or fill gaps by straight lines (--missing interpolate)"
         )
     rows = np.atleast_2d(topography.heights)
-    absent = np.isnan(rows)
-    if choice == "longest":
-        complete = ~absent[0] if not topography.is_map else ~absent.any(axis=1)
-        first, last = _longest_run(complete)
-        if last - first < 2:
-            raise InputError(f"{topography.source} has no complete piece left ({count} of {total} points are missing)")
-        kept = topography.heights[first:last]
-        note = f"{count} of {total} points missing: kept the longest complete piece, {kept.size} points"
-        return topography.with_heights(kept, note)
-    usable = ~absent[:, 0] & ~absent[:, -1] & (absent.mean(axis=1) <= 0.5)
-    if not usable.any():
-        raise InputError(
-            f"no row of {topography.source} can be filled: ends or more than half of the points are missing"
-        )
-    first, last = _longest_run(usable)
-    filled = rows[first:last].copy()
+    filled = 0
+    if choice == "interpolate":
+        rows = rows.copy()
+        filled = _fill_gaps(rows)
+    complete = ~np.isnan(rows)
+    if topography.is_map:
+        top, bottom, left, right = _largest_rectangle(complete)
+        kept = np.ascontiguousarray(rows[top:bottom, left:right])
+    else:
+        left, right = _longest_run(complete[0])
+        kept = rows[0, left:right]
+    if kept.size == 0 or kept.shape[-1] < 2:
+        raise InputError(f"{topography.source} has no complete piece left ({count} of {total} points are missing)")
+    note = f"{count} of {total} points missing: filled {filled} along x, kept a complete piece of {kept.shape} points"
+    return topography.with_heights(kept, note)
+
+
+def _fill_gaps(rows: NDArray[np.float64]) -> int:
+    """Fill gaps between measured points of each row in place; the number of points filled."""
+    filled = 0
     column = np.arange(rows.shape[1])
-    for row, gap in zip(filled, absent[first:last], strict=True):
-        if gap.any():
-            row[gap] = np.interp(column[gap], column[~gap], row[~gap])
-    note = (
-        f"{count} of {total} points missing: filled {int(absent[first:last].sum())} by straight lines along x, "
-        f"dropped {rows.shape[0] - (last - first)} rows"
-    )
-    return topography.with_heights(filled if topography.is_map else filled[0], note)
+    for row in rows:
+        gap = np.isnan(row)
+        if gap.any() and not gap.all():
+            present = column[~gap]
+            gap[: present[0]] = gap[present[-1] + 1 :] = False
+            row[gap] = np.interp(column[gap], present, row[present])
+            filled += int(gap.sum())
+    return filled
+
+
+def _largest_rectangle(complete: NDArray[np.bool_]) -> tuple[int, int, int, int]:
+    """Largest rectangle of True: top, bottom, left, right (half open); on a coarse grid for large maps."""
+    cell = max(1, int(np.ceil(np.sqrt(complete.size / _RECTANGLE_CELLS))))
+    tall, wide = (n // cell for n in complete.shape)
+    blocks = complete[: tall * cell, : wide * cell].reshape(tall, cell, wide, cell).all(axis=(1, 3))
+    best, area = (0, 0, 0, 0), 0
+    height = np.zeros(wide, dtype=np.int64)
+    for bottom, row in enumerate(blocks):
+        height = np.where(row, height + 1, 0)
+        stack: list[tuple[int, int]] = []  # (left edge, height), heights rising
+        for right, h in enumerate([*height.tolist(), 0]):
+            left = right
+            while stack and stack[-1][1] >= h:
+                left, tallness = stack.pop()
+                if tallness * (right - left) > area:
+                    area = tallness * (right - left)
+                    best = (bottom + 1 - tallness, bottom + 1, left, right)
+            stack.append((left, h))
+    top, bottom, left, right = (cell * edge for edge in best)
+    return top, bottom, left, right
 
 
 def _longest_run(flags: NDArray[np.bool_]) -> tuple[int, int]:
@@ -179,9 +205,3 @@ def _longest_run(flags: NDArray[np.bool_]) -> tuple[int, int]:
     starts, stops = edges[::2], edges[1::2]
     best = int(np.argmax(stops - starts))
     return int(starts[best]), int(stops[best])
-
-
-def each_profile(topographies: list[Topography], *, direction: str) -> Iterator[tuple[NDArray[np.float64], float]]:
-    """Profiles and spacing of every surface of a list, in turn."""
-    for topography in topographies:
-        yield topography.profiles(direction=direction)
