@@ -31,7 +31,7 @@ _HIGHEST_LINE = 0.9999
 #: Longest wave that is fitted, in inverse record lengths.
 _LONGEST_WAVE = 0.05
 _CONDITION = 1e-13
-_ITERATIONS = 15
+_ITERATIONS = 40
 #: Largest scatter of ln a about the line that still counts as this function [-].
 LARGEST_LINE_MISFIT = 0.15
 
@@ -162,7 +162,7 @@ def _amplitudes(
     scale = float(np.std(profile))
     z = (profile - profile.mean()) / scale
     best = _fit_comb(z, spacing, gamma, float(np.log(start)))
-    used = (best.error < 1.0 / _SIGNIFICANCE) & (best.frequency * length > 0.99)
+    used = (best.error < 1.0 / _SIGNIFICANCE) & (best.frequency * length > 2.0)
     first, stop = _run(used)
     if stop - first < 4:
         return None
@@ -256,6 +256,7 @@ def _comb_offset(profile: NDArray[np.float64], spacing: float, gamma: float) -> 
         place = start * gamma**k
         low = (place / np.sqrt(gamma)).astype(np.int64)
         high = np.minimum((place * np.sqrt(gamma)).astype(np.int64) + 1, power.size)
-        score += power[np.round(place).astype(np.int64)] / np.maximum(total[high] - total[low], 1e-300)
+        share = power[np.round(place).astype(np.int64)] / np.maximum(total[high] - total[low], 1e-300)
+        score += np.log(share + 1e-4)  # logarithms: a band without a line cannot outvote the lines
     best = int(np.argmax(score))
     return float(start[best] / (padded * spacing))
