@@ -18,6 +18,7 @@ from asperity.errors import AsperityError
 
 #: Command name -> (module that defines it, function name, one-line help shown without importing the module).
 COMMANDS: dict[str, tuple[str, str, str]] = {
+    "surface": ("asperity.cli.surface", "surface", "Measure D and G of rough surfaces, make and combine them."),
 }
 
 
