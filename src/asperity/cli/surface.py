@@ -31,27 +31,57 @@ def _length(context: click.Context, parameter: click.Parameter, value: str | Non
 
 @surface.command("measure")
 @click.argument("files", nargs=-1, required=True, type=click.Path(path_type=Path), metavar="FILE...")
-@click.option("--json", "as_json", is_flag=True, help="Print the measurement document (SI units) instead of text.")
-@click.option("--plot", type=click.Path(path_type=Path, dir_okay=False), help="Write a figure (PNG, PDF or SVG).")
+@click.option(
+    "--json", "as_json", is_flag=True, help="Print the measurement document (SI units) instead of text."
+)
+@click.option(
+    "--plot", type=click.Path(path_type=Path, dir_okay=False), help="Write a figure (PNG, PDF or SVG)."
+)
 @click.option("--position-unit", help="Unit of the positions of a text file that does not name it.")
 @click.option("--height-unit", help="Unit of the heights of a file that does not name it.")
-@click.option("--spacing", callback=_length, help="Distance of the points, such as '0.5 um', if the file has none.")
+@click.option(
+    "--spacing", callback=_length, help="Distance of the points, such as '0.5 um', if the file has none."
+)
 @click.option("--decimal", type=click.Choice(["auto", "point", "comma"]), default="auto", show_default=True)
-@click.option("--missing", type=click.Choice(["refuse", "longest", "interpolate"]), default="refuse", show_default=True,
-              help="Missing points: refuse, keep the longest complete piece, or fill gaps along x.")
-@click.option("--form", type=click.Choice(_FORMS), default="mean", show_default=True, help="Form taken off first.")
+@click.option(
+    "--missing",
+    type=click.Choice(["refuse", "longest", "interpolate"]),
+    default="refuse",
+    show_default=True,
+    help="Missing points: refuse, keep the longest complete piece, or fill gaps along x.",
+)
+@click.option(
+    "--form", type=click.Choice(_FORMS), default="mean", show_default=True, help="Form taken off first."
+)
 @click.option("--degree", type=int, help="Degree of a polynomial form.")
-@click.option("--outliers", type=float, help="Mark points beyond so many robust standard deviations as missing.")
+@click.option(
+    "--outliers", type=float, help="Mark points beyond so many robust standard deviations as missing."
+)
 @click.option("--from", "start", callback=_length, help="Start of the part of a profile, such as '468 um'.")
 @click.option("--to", "stop", callback=_length, help="End of the part of a profile.")
-@click.option("--lambda-s", callback=_length, help="Short cutoff of the Gaussian filter, for height parameters.")
-@click.option("--lambda-c", callback=_length, help="Long cutoff of the Gaussian filter, for height parameters.")
-@click.option("--direction", type=click.Choice(["x", "y"]), default="x", show_default=True,
-              help="Direction of a map whose D and G are the result.")
+@click.option(
+    "--lambda-s", callback=_length, help="Short cutoff of the Gaussian filter, for height parameters."
+)
+@click.option(
+    "--lambda-c", callback=_length, help="Long cutoff of the Gaussian filter, for height parameters."
+)
+@click.option(
+    "--direction",
+    type=click.Choice(["x", "y"]),
+    default="x",
+    show_default=True,
+    help="Direction of a map whose D and G are the result.",
+)
 @click.option("--estimator", type=click.Choice(_ESTIMATORS), default="automatic", show_default=True)
-@click.option("--shortest", callback=_length, help="Shortest wavelength of the band; found automatically if absent.")
-@click.option("--longest", callback=_length, help="Longest wavelength of the band; found automatically if absent.")
-@click.option("--gamma", type=float, default=1.5, show_default=True, help="Frequency ratio of the model, above 1.")
+@click.option(
+    "--shortest", callback=_length, help="Shortest wavelength of the band; found automatically if absent."
+)
+@click.option(
+    "--longest", callback=_length, help="Longest wavelength of the band; found automatically if absent."
+)
+@click.option(
+    "--gamma", type=float, default=1.5, show_default=True, help="Frequency ratio of the model, above 1."
+)
 def measure(files: tuple[Path, ...], as_json: bool, plot: Path | None, **options: Any) -> int:
     """Fractal dimension D and roughness G of profile or map files, with 95 % intervals.
 
@@ -124,7 +154,11 @@ def _write_figure(plot: Path, topographies: list, fit: FractalFit | str, directi
 
 
 def _document(
-    surfaces: list[MeasuredSurface], fits: DirectionalFits, chosen: FractalFit | str, source: str, direction: str
+    surfaces: list[MeasuredSurface],
+    fits: DirectionalFits,
+    chosen: FractalFit | str,
+    source: str,
+    direction: str,
 ) -> dict[str, Any]:
     from asperity.surface.measurement import SCHEMA, SCHEMA_VERSION, measurement_document, surface_measurement
 
@@ -184,14 +218,18 @@ def _print(surfaces: list[MeasuredSurface], fits: DirectionalFits, direction: st
             continue
         d_low, d_high = fit.dimension_interval(confidence=0.95)
         g_low, g_high = fit.roughness_interval(confidence=0.95)
-        click.echo(f"fractal dimension D{mark}: {fit.fractal_dimension:.4f}  (95 %: {d_low:.4f} .. {d_high:.4f})")
         click.echo(
-            f"fractal roughness G{mark}: {fit.fractal_roughness:.4g} m  (95 %: {g_low:.4g} .. {g_high:.4g} m), "
+            f"fractal dimension D{mark}: {fit.fractal_dimension:.4f}  (95 %: {d_low:.4f} .. {d_high:.4f})"
+        )
+        click.echo(
+            f"fractal roughness G{mark}: {fit.fractal_roughness:.4g} m  (95 %: {g_low:.4g} .. "
+            f"{g_high:.4g} m), "
             f"gamma {fit.frequency_ratio:g}"
         )
         click.echo(
             f"  band {1e6 * fit.shortest_wavelength:.4g} .. {1e6 * fit.longest_wavelength:.4g} um, "
-            f"estimator {fit.estimator}, {fit.profiles} profile(s), scatter beyond chance {100 * fit.misfit:.1f} %"
+            f"estimator {fit.estimator}, {fit.profiles} profile(s), scatter beyond chance "
+            f"{100 * fit.misfit:.1f} %"
         )
     if fits.anisotropy_ratio is not None:
         click.echo(f"amplitude along x over along y: {fits.anisotropy_ratio:.3f}")
@@ -199,15 +237,25 @@ def _print(surfaces: list[MeasuredSurface], fits: DirectionalFits, direction: st
 
 @surface.command("synthesize")
 @click.argument("output", type=click.Path(path_type=Path, dir_okay=False))
-@click.option("--kind", type=click.Choice(["weierstrass", "self_affine", "spectral", "map"]), required=True,
-              help="Weierstrass-Mandelbrot profile (6); exact self-affine noise; band-limited noise; map of it.")
+@click.option(
+    "--kind",
+    type=click.Choice(["weierstrass", "self_affine", "spectral", "map"]),
+    required=True,
+    help="Weierstrass-Mandelbrot profile (6); exact self-affine noise; band-limited noise; map of it.",
+)
 @click.option("--fractal-dimension", "-D", type=float, required=True, help="D of a profile, 1 to 2.")
-@click.option("--fractal-roughness", "-G", callback=_length, required=True, help="G with its unit, such as '1e-9 m'.")
-@click.option("--points", type=click.IntRange(16, 100_000_000), required=True, help="Points (along each side of a map).")
+@click.option(
+    "--fractal-roughness", "-G", callback=_length, required=True, help="G with its unit, such as '1e-9 m'."
+)
+@click.option(
+    "--points", type=click.IntRange(16, 100_000_000), required=True, help="Points (along each side of a map)."
+)
 @click.option("--spacing", callback=_length, required=True, help="Distance of the points, such as '0.1 um'.")
 @click.option("--seed", type=int, required=True, help="Seed of the random phases.")
 @click.option("--periodic", is_flag=True, help="One period (spectral and map only).")
-@click.option("--gamma", type=float, default=1.5, show_default=True, help="Frequency ratio (weierstrass only).")
+@click.option(
+    "--gamma", type=float, default=1.5, show_default=True, help="Frequency ratio (weierstrass only)."
+)
 def synthesize(output: Path, kind: str, **options: Any) -> None:
     """Write a surface of known D and G: .npy (heights in m) or .csv (x and z in m) of a profile."""
     import numpy as np
@@ -265,13 +313,17 @@ def synthesize(output: Path, kind: str, **options: Any) -> None:
             raise InputError(f"{output}: write a .npy file, or a .csv file of a profile")
     except OSError as error:
         raise InputError(f"{output} cannot be written: {error.strerror}") from None
-    click.echo(f"wrote {output}: {heights.shape} heights in m, spacing {spacing:.6g} m, rms {heights.std():.6g} m")
+    click.echo(
+        f"wrote {output}: {heights.shape} heights in m, spacing {spacing:.6g} m, rms {heights.std():.6g} m"
+    )
 
 
 @surface.command("combine")
 @click.argument("first", type=click.Path(path_type=Path))
 @click.argument("second", type=click.Path(path_type=Path))
-@click.option("--json", "as_json", is_flag=True, help="Print the measurement document (SI units) instead of text.")
+@click.option(
+    "--json", "as_json", is_flag=True, help="Print the measurement document (SI units) instead of text."
+)
 def combine(first: Path, second: Path, as_json: bool) -> None:
     """One equivalent D and G of two measured bodies (two documents of ``measure --json``)."""
     from asperity.precision import use_double_precision
@@ -287,5 +339,9 @@ def combine(first: Path, second: Path, as_json: bool) -> None:
     interval = both.interval(confidence=0.95)
     (d_low, d_high), (g_low, g_high) = interval["fractal_dimension"], interval["fractal_roughness"]
     click.echo(f"{both.source}")
-    click.echo(f"fractal dimension D: {float(both.fractal_dimension):.4f}  (95 %: {d_low:.4f} .. {d_high:.4f})")
-    click.echo(f"fractal roughness G: {float(both.fractal_roughness):.4g} m  (95 %: {g_low:.4g} .. {g_high:.4g} m)")
+    click.echo(
+        f"fractal dimension D: {float(both.fractal_dimension):.4f}  (95 %: {d_low:.4f} .. {d_high:.4f})"
+    )
+    click.echo(
+        f"fractal roughness G: {float(both.fractal_roughness):.4g} m  (95 %: {g_low:.4g} .. {g_high:.4g} m)"
+    )

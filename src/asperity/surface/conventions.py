@@ -1,15 +1,16 @@
 r"""What D and G mean here, exactly, and how they translate into the other conventions in use.
 
 The reference is equation (6): term n of the Weierstrass-Mandelbrot profile has the frequency
-:math:`f_n = \gamma^n / L` and the amplitude :math:`(\ln\gamma)^{1/2} G^{D-1} f_n^{-(2-D)}`. Random phases give
+:math:`f_n = \gamma^n / L` and the amplitude :math:`(\ln\gamma)^{1/2} G^{D-1} f_n^{-(2-D)}`. Random phases
+give
 
 .. math::
     S(\tau) = \langle [z(x+\tau) - z(x)]^2 \rangle
             = \ln\gamma \, G^{2(D-1)} \sum_n f_n^{-2(2-D)} [1 - \cos(2\pi f_n \tau)]
 
-Since the frequencies are :math:`\ln\gamma` apart in :math:`\ln f`, the sum over n times :math:`\ln\gamma` is the
-integral over :math:`df/f` on average over one logarithmic period: the factor :math:`(\ln\gamma)^{1/2}` of (6) is
-there to make G independent of gamma. Everything below is that integral.
+Since the frequencies are :math:`\ln\gamma` apart in :math:`\ln f`, the sum over n times :math:`\ln\gamma` is
+the integral over :math:`df/f` on average over one logarithmic period: the factor :math:`(\ln\gamma)^{1/2}` of
+(6) is there to make G independent of gamma. Everything below is that integral.
 """
 
 from __future__ import annotations
@@ -33,7 +34,8 @@ def validated_fractal(*, fractal_dimension: float, fractal_roughness: float) -> 
     """
     if not 1.0 < fractal_dimension < 2.0:
         raise InputError(
-            f"the fractal dimension is {fractal_dimension}; that of a profile lies between 1 and 2 (take 1 off the "
+            f"the fractal dimension is {fractal_dimension}; that of a profile lies between 1 and 2 "
+            f"(take 1 off the "
             "dimension of a surface)"
         )
     if not (fractal_roughness > 0.0 and math.isfinite(fractal_roughness)):
@@ -73,7 +75,8 @@ def power_spectral_density(
 
     Notes
     -----
-    Half of the squared amplitude of term n, spread over the distance :math:`f_n \ln\gamma` of the frequencies.
+    Half of the squared amplitude of term n, spread over the distance :math:`f_n \ln\gamma` of the
+    frequencies.
 
     Examples
     --------
@@ -81,7 +84,9 @@ def power_spectral_density(
     0.5
     """
     f = np.asarray(frequency, dtype=np.float64)
-    log = 2.0 * (fractal_dimension - 1.0) * math.log(fractal_roughness) - (5.0 - 2.0 * fractal_dimension) * np.log(f)
+    log = 2.0 * (fractal_dimension - 1.0) * math.log(fractal_roughness) - (
+        5.0 - 2.0 * fractal_dimension
+    ) * np.log(f)
     return np.asarray(0.5 * np.exp(log))
 
 
@@ -99,7 +104,9 @@ def power_spectral_density_of_wavenumber(
     """
     q = np.asarray(wavenumber, dtype=np.float64)
     return 0.5 * power_spectral_density(
-        frequency=q / (2.0 * math.pi), fractal_dimension=fractal_dimension, fractal_roughness=fractal_roughness
+        frequency=q / (2.0 * math.pi),
+        fractal_dimension=fractal_dimension,
+        fractal_roughness=fractal_roughness,
     )
 
 
@@ -135,7 +142,9 @@ def structure_function_constant(*, fractal_dimension: float) -> float:
     return math.pi * (2.0 * math.pi) ** (2.0 * H) / (2.0 * math.gamma(1.0 + 2.0 * H) * math.sin(math.pi * H))
 
 
-def structure_function(*, lag: ArrayLike, fractal_dimension: float, fractal_roughness: float) -> NDArray[np.float64]:
+def structure_function(
+    *, lag: ArrayLike, fractal_dimension: float, fractal_roughness: float
+) -> NDArray[np.float64]:
     r"""Structure function of the model, :math:`S(\tau) = c(D)\, G^{2(D-1)} \tau^{4-2D}` [m^2], tau in [m].
 
     It is exact for the continuous spectrum, and for the Weierstrass-Mandelbrot profile with all n from minus
@@ -144,10 +153,14 @@ def structure_function(*, lag: ArrayLike, fractal_dimension: float, fractal_roug
     tau = np.asarray(lag, dtype=np.float64)
     c = structure_function_constant(fractal_dimension=fractal_dimension)
     D = fractal_dimension
-    return np.asarray(c * np.exp(2.0 * (D - 1.0) * math.log(fractal_roughness) + (4.0 - 2.0 * D) * np.log(tau)))
+    return np.asarray(
+        c * np.exp(2.0 * (D - 1.0) * math.log(fractal_roughness) + (4.0 - 2.0 * D) * np.log(tau))
+    )
 
 
-def roughness_from_spectrum(*, level: ArrayLike, frequency: ArrayLike, fractal_dimension: ArrayLike) -> NDArray:
+def roughness_from_spectrum(
+    *, level: ArrayLike, frequency: ArrayLike, fractal_dimension: ArrayLike
+) -> NDArray:
     r"""G [m] from the value P [m^3] of the spectrum at the frequency f: the inverse of the density above."""
     D = np.asarray(fractal_dimension, dtype=np.float64)
     f = np.asarray(frequency, dtype=np.float64)
@@ -161,7 +174,9 @@ def roughness_from_structure_function(*, level: float, lag: float, fractal_dimen
     return math.exp((math.log(level / c) - (4.0 - 2.0 * D) * math.log(lag)) / (2.0 * (D - 1.0)))
 
 
-def majumdar_tien_roughness(*, fractal_dimension: float, fractal_roughness: float, frequency_ratio: float) -> float:
+def majumdar_tien_roughness(
+    *, fractal_dimension: float, fractal_roughness: float, frequency_ratio: float
+) -> float:
     r"""G of Majumdar & Tien, whose sum has no :math:`(\ln\gamma)^{1/2}`, from the G of equation (6).
 
     .. math::
@@ -178,11 +193,13 @@ def roughness_from_majumdar_tien(
     *, fractal_dimension: float, majumdar_tien_fractal_roughness: float, frequency_ratio: float
 ) -> float:
     r"""G of equation (6) from that of Majumdar & Tien; the inverse of :func:`majumdar_tien_roughness`."""
-    return majumdar_tien_fractal_roughness * math.log(frequency_ratio) ** (-1.0 / (2.0 * (fractal_dimension - 1.0)))
+    return majumdar_tien_fractal_roughness * math.log(frequency_ratio) ** (
+        -1.0 / (2.0 * (fractal_dimension - 1.0))
+    )
 
 
 def topothesy(*, fractal_dimension: float, fractal_roughness: float) -> float:
-    r"""Topothesy :math:`\Lambda` [m], :math:`S(\tau) = \Lambda^{2D-2} \tau^{4-2D}`: the lag of unit mean square slope.
+    r"""Topothesy :math:`\Lambda` [m], the lag of unit slope: :math:`S(\tau) = \Lambda^{2D-2} \tau^{4-2D}`.
 
     References
     ----------
@@ -193,7 +210,7 @@ def topothesy(*, fractal_dimension: float, fractal_roughness: float) -> float:
 
 
 def mean_cosine_power(*, fractal_dimension: float) -> float:
-    r"""Mean of :math:`|\cos\theta|^{2H}` over all directions, :math:`\Gamma(H+\frac12)/(\sqrt\pi\,\Gamma(H+1))`."""
+    r"""Mean of :math:`|\cos\theta|^{2H}` over directions, :math:`\Gamma(H+\frac12)/(\sqrt\pi\Gamma(H+1))`."""
     H = 2.0 - fractal_dimension
     return float(gamma_function(H + 0.5) / (math.sqrt(math.pi) * gamma_function(H + 1.0)))
 
@@ -204,7 +221,8 @@ def profile_roughness_from_areal(*, fractal_dimension: float, areal_fractal_roug
     .. math::
         G^{2(D-1)} = G_a^{2(D-1)} \langle |\cos\theta|^{2H} \rangle
 
-    A wave of frequency f that runs at the angle theta to the profile shows the lower frequency :math:`f\cos\theta`.
+    A wave of frequency f that runs at the angle theta to the profile shows the lower frequency
+    :math:`f\cos\theta`.
     """
     m = mean_cosine_power(fractal_dimension=fractal_dimension)
     return areal_fractal_roughness * m ** (1.0 / (2.0 * (fractal_dimension - 1.0)))

@@ -31,9 +31,9 @@ def equivalent_surface(*, first: SurfaceMeasurement, second: SurfaceMeasurement)
     Returns
     -------
     SurfaceMeasurement
-        For equal D exactly :math:`G^{2(D-1)} = G_1^{2(D-1)} + G_2^{2(D-1)}`. Otherwise the sum of two power laws
-        is not one; the straight line that fits ln S best, evenly in the logarithm of lag over the common band,
-        is returned. The covariance follows from those of both by the derivatives of that rule.
+        For equal D exactly :math:`G^{2(D-1)} = G_1^{2(D-1)} + G_2^{2(D-1)}`. Otherwise the sum of two power
+        laws is not one; the straight line that fits ln S best, evenly in the logarithm of lag over the common
+        band, is returned. The covariance follows from those of both by the derivatives of that rule.
 
     Raises
     ------
@@ -45,13 +45,15 @@ def equivalent_surface(*, first: SurfaceMeasurement, second: SurfaceMeasurement)
     gamma = float(first.frequency_ratio)
     if abs(float(second.frequency_ratio) - gamma) > 1e-9 * gamma:
         raise InputError(
-            f"the surfaces were measured for gamma = {gamma} and {float(second.frequency_ratio)}; use one gamma"
+            f"the surfaces were measured for gamma = {gamma} and {float(second.frequency_ratio)}; "
+            f"use one gamma"
         )
     short = max(float(first.shortest_wavelength), float(second.shortest_wavelength))
     long = min(float(first.longest_wavelength), float(second.longest_wavelength))
     if long < 10.0 * short * (1.0 - 1e-9):
         raise NoSolutionError(
-            f"the self-affine bands of the two surfaces share only {short:.3g} .. {long:.3g} m; a decade is needed"
+            f"the self-affine bands of the two surfaces share only {short:.3g} .. {long:.3g} m; a "
+            f"decade is needed"
         )
     lag = np.geomspace(0.5 * short, 0.5 * long, _LAGS)
     values = np.array(
@@ -65,8 +67,10 @@ def equivalent_surface(*, first: SurfaceMeasurement, second: SurfaceMeasurement)
     result, misfit = _combined(values, lag)
     if misfit > LARGEST_MISFIT:
         raise NoSolutionError(
-            f"the sum of the two surfaces departs from a power law by {100 * misfit:.0f} % rms of its structure "
-            f"function (limit {100 * LARGEST_MISFIT:.0f} %): D = {values[0]:.3f} and {values[2]:.3f} differ too much"
+            f"the sum of the two surfaces departs from a power law by {100 * misfit:.0f} % rms of "
+            f"its structure "
+            f"function (limit {100 * LARGEST_MISFIT:.0f} %): D = {values[0]:.3f} and "
+            f"{values[2]:.3f} differ too much"
         )
     jacobian = np.empty((2, 4))
     for i in range(4):

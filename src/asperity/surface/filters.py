@@ -34,8 +34,8 @@ def gaussian_lowpass(*, heights: NDArray[np.float64], spacing: float, cutoff: fl
     Returns
     -------
     array, shape of ``heights``
-        The weights are renormalised where they hang over an end or a gap, so a constant stays a constant; within
-        half a cutoff of the ends the result is that of the truncated weights.
+        The weights are renormalised where they hang over an end or a gap, so a constant stays a constant;
+        within half a cutoff of the ends the result is that of the truncated weights.
 
     Raises
     ------
@@ -49,17 +49,20 @@ def gaussian_lowpass(*, heights: NDArray[np.float64], spacing: float, cutoff: fl
     length = heights.shape[-1] * spacing
     if not 2.0 * spacing <= cutoff <= length:
         raise InputError(
-            f"the cutoff is {cutoff:.4g} m; it must lie between twice the spacing ({2 * spacing:.4g} m) and the "
+            f"the cutoff is {cutoff:.4g} m; it must lie between twice the spacing "
+            f"({2 * spacing:.4g} m) and the "
             f"length of the profile ({length:.4g} m)"
         )
     rows = np.atleast_2d(heights)
-    reach = int(math.ceil(1.5 * cutoff / spacing))  # the weight falls to 1e-14 there
+    reach = math.ceil(1.5 * cutoff / spacing)  # the weight falls to 1e-14 there
     x = np.arange(-reach, reach + 1) * spacing
     weight = np.exp(-math.pi * (x / (ALPHA * cutoff)) ** 2)
     weight /= weight.sum()
     present = ~np.isnan(rows)
     level = np.nanmean(rows)
-    total = scipy.signal.fftconvolve(np.where(present, rows - level, 0.0), weight[None, :], mode="same", axes=1)
+    total = scipy.signal.fftconvolve(
+        np.where(present, rows - level, 0.0), weight[None, :], mode="same", axes=1
+    )
     if present.all():
         share = scipy.signal.fftconvolve(np.ones((1, rows.shape[1])), weight[None, :], mode="same", axes=1)
     else:
@@ -97,7 +100,9 @@ def filtered(*, topography: Topography, short_cutoff: float | None, long_cutoff:
         raise InputError(f"lambda_s = {short_cutoff} m must be shorter than lambda_c = {long_cutoff} m")
     out = topography
     if short_cutoff is not None:
-        out = out.with_heights(_lowpass(out, short_cutoff), f"Gaussian filter, lambda_s = {short_cutoff:.4g} m")
+        out = out.with_heights(
+            _lowpass(out, short_cutoff), f"Gaussian filter, lambda_s = {short_cutoff:.4g} m"
+        )
     if long_cutoff is not None:
         rough = out.heights - _lowpass(out, long_cutoff)
         out = out.with_heights(rough, f"Gaussian filter, lambda_c = {long_cutoff:.4g} m")

@@ -19,7 +19,7 @@ from asperity.surface.spectral_likelihood import SpectralFit
 from asperity.surface.spectrum import BinnedSpectrum, binned_spectrum
 from asperity.surface.structure_function import logarithmic_lags, structure_functions
 
-#: ``automatic`` takes ``lines`` where the spectrum is a Weierstrass-Mandelbrot comb and ``likelihood`` elsewhere.
+#: ``automatic`` takes ``lines`` where the spectrum is a Weierstrass-Mandelbrot comb, else ``likelihood``.
 ESTIMATORS = ("automatic", "likelihood", "lines", "structure_function", "power_spectrum")
 _BINS_PER_DECADE = 20
 _SEGMENTS = 12
@@ -122,10 +122,10 @@ def fractal_fit(
 
     Notes
     -----
-    ``likelihood``: maximum (Whittle) likelihood of the averaged spectrum, with folding at the sampling limit or a
-    white floor where the data call for it. ``structure_function``: weighted straight line of ln S against ln lag,
-    its covariance by the jackknife over blocks. ``power_spectrum``: straight line of ln P against ln f, Hann window.
-    ``lines``: amplitudes of the comb of the Weierstrass-Mandelbrot function.
+    ``likelihood``: maximum (Whittle) likelihood of the averaged spectrum, with folding at the sampling limit
+    or a white floor where the data call for it. ``structure_function``: weighted straight line of ln S
+    against ln lag, its covariance by the jackknife over blocks. ``power_spectrum``: straight line of ln P
+    against ln f, Hann window. ``lines``: amplitudes of the comb of the Weierstrass-Mandelbrot function.
     """
     if estimator not in ESTIMATORS:
         raise InputError(f"there is no estimator '{estimator}'; known: {', '.join(ESTIMATORS)}")
@@ -133,7 +133,8 @@ def fractal_fit(
         raise InputError(f"the frequency ratio gamma is {frequency_ratio}; it must be above 1")
     if profiles.ndim != 2 or profiles.shape[1] < 64:
         raise NoSolutionError(
-            f"profiles of {profiles.shape[-1]} points are too short for a fractal dimension; 64 or more are needed"
+            f"profiles of {profiles.shape[-1]} points are too short for a fractal dimension; 64 or "
+            f"more are needed"
         )
     if np.ptp(profiles) == 0.0:
         raise NoSolutionError("all heights are equal: there is no roughness to measure")
@@ -143,7 +144,8 @@ def fractal_fit(
             return lines
         if estimator == "lines":
             raise NoSolutionError(
-                f"the spectrum is not a comb of lines at f0 * {frequency_ratio:g}^n with amplitudes of a power law; "
+                f"the spectrum is not a comb of lines at f0 * {frequency_ratio:g}^n with amplitudes "
+                f"of a power law; "
                 "use the estimator 'likelihood' for a continuous spectrum"
             )
     step = height_step(profiles=profiles)
@@ -175,19 +177,23 @@ def fractal_fit(
     if estimator == "power_spectrum":
         return _from_straight_line(spectrum, fit, common)
     D = fit.fractal_dimension
-    return _result(D, fit.log_level, fit.reference_frequency, fit.covariance, fit, "likelihood", fit.misfit, common)
+    return _result(
+        D, fit.log_level, fit.reference_frequency, fit.covariance, fit, "likelihood", fit.misfit, common
+    )
 
 
 def _accepted(search: BandSearch, step: float | None) -> SpectralFit:
     if search.fit is not None:
         D, error = search.fit.fractal_dimension, math.sqrt(search.fit.covariance[0, 0])
-        if 1.0 < D - error and D + error < 2.0:
+        if D - error > 1.0 and D + error < 2.0:
             return search.fit
         reason = f"D = {D:.3f} +- {error:.3f} cannot be told from the limits 1 and 2 of a fractal profile"
     else:
         reason = search.reason
     quantised = "" if step is None else f"; the heights are quantised in steps of {1e6 * step:.4g} um"
-    raise NoSolutionError(f"no power law over at least {NARROWEST_DECADES:g} decade, so no D and G: {reason}{quantised}")
+    raise NoSolutionError(
+        f"no power law over at least {NARROWEST_DECADES:g} decade, so no D and G: {reason}{quantised}"
+    )
 
 
 def _from_lines(profiles: NDArray[np.float64], spacing: float, gamma: float) -> FractalFit | None:
@@ -222,7 +228,9 @@ def _result(
 ) -> FractalFit:
     """From (D, ln P at a reference frequency) and their covariance to (D, ln G)."""
     if not 1.0 < D < 2.0:
-        raise NoSolutionError(f"the estimator '{estimator}' gives D = {D:.3f}, outside 1 .. 2: no fractal profile")
+        raise NoSolutionError(
+            f"the estimator '{estimator}' gives D = {D:.3f}, outside 1 .. 2: no fractal profile"
+        )
     log_f = math.log(reference)
     log_G = (log_level + math.log(2.0) + (5.0 - 2.0 * D) * log_f) / (2.0 * (D - 1.0))
     jacobian = np.array([[1.0, 0.0], [-(log_f + log_G) / (D - 1.0), 0.5 / (D - 1.0)]])
@@ -240,7 +248,9 @@ def _result(
 
 def _from_straight_line(spectrum: BinnedSpectrum, fit: SpectralFit, common: dict) -> FractalFit:
     """Least squares of ln P on ln f within the band, the mean logarithm of chi-square taken off."""
-    inside = (spectrum.frequency >= fit.low * (1 - 1e-9)) & (spectrum.frequency <= fit.usable_high * (1 + 1e-9))
+    inside = (spectrum.frequency >= fit.low * (1 - 1e-9)) & (
+        spectrum.frequency <= fit.usable_high * (1 + 1e-9)
+    )
     nu = spectrum.independent[inside]
     y = np.log(spectrum.density[inside]) - (digamma(nu) - np.log(nu))
     reference = fit.reference_frequency
@@ -252,7 +262,14 @@ def _from_straight_line(spectrum: BinnedSpectrum, fit: SpectralFit, common: dict
     to_dimension = np.array([[0.0, 0.5], [1.0, 0.0]])  # D = (5 + slope) / 2
     covariance = to_dimension @ covariance @ to_dimension.T
     return _result(
-        0.5 * (5.0 + float(slope)), float(level), reference, covariance, fit, "power_spectrum", fit.misfit, common
+        0.5 * (5.0 + float(slope)),
+        float(level),
+        reference,
+        covariance,
+        fit,
+        "power_spectrum",
+        fit.misfit,
+        common,
     )
 
 
@@ -266,17 +283,22 @@ def _from_structure_function(
         length = profiles.shape[1] // cut
         pieces = profiles[:, : cut * length].reshape(-1, length)
     lags = logarithmic_lags(points=pieces.shape[1], per_decade=12, longest_fraction=0.25)
-    tau = lags * spacing
+    tau = lags.astype(np.float64) * spacing
     used = (tau >= 0.5 / fit.usable_high * (1 - 1e-9)) & (tau <= 0.5 / fit.low)
     if used.sum() < 4 or np.log10(tau[used][-1] / tau[used][0]) < NARROWEST_DECADES - 1e-9:
-        raise NoSolutionError("less than one decade of lags lies in the self-affine band: no structure function fit")
+        raise NoSolutionError(
+            "less than one decade of lags lies in the self-affine band: no structure function fit"
+        )
     S = structure_functions(profiles=pieces, lags=lags[used])
     blocks = np.array_split(np.arange(pieces.shape[0]), min(_SEGMENTS, pieces.shape[0]))
     sums = np.stack([S[b].sum(axis=0) for b in blocks])
     counts = np.array([b.size for b in blocks], dtype=np.float64)
     whole = _line(tau[used], sums.sum(axis=0) / counts.sum())
     left_out = np.stack(
-        [_line(tau[used], (sums.sum(axis=0) - s) / (counts.sum() - c)) for s, c in zip(sums, counts, strict=True)]
+        [
+            _line(tau[used], (sums.sum(axis=0) - s) / (counts.sum() - c))
+            for s, c in zip(sums, counts, strict=True)
+        ]
     )
     k = len(blocks)
     covariance = (k - 1) * np.cov(left_out.T, bias=True)

@@ -107,7 +107,7 @@ def _element_width(topography: Topography) -> float | None:
 
 
 def _upward_crossings(z: NDArray[np.float64], threshold: float) -> NDArray[np.float64]:
-    """Places, in points, where the profile crosses its mean upwards between a counted valley and a counted peak."""
+    """Places, in points, of upward crossings of the mean between a counted valley and a counted peak."""
     counted = np.flatnonzero(np.abs(z) > threshold)
     if counted.size == 0:
         return np.empty(0)
@@ -116,7 +116,7 @@ def _upward_crossings(z: NDArray[np.float64], threshold: float) -> NDArray[np.fl
     places = []
     for t in turns:
         first, last = int(counted[t]), int(counted[t + 1])
-        rise = first + int(np.flatnonzero(z[first:last + 1] > 0.0)[0])
+        rise = first + int(np.flatnonzero(z[first : last + 1] > 0.0)[0])
         below, above = z[rise - 1], z[rise]
         places.append(rise - 1 + below / (below - above))
     return np.asarray(places)

@@ -9,7 +9,8 @@ from asperity.errors import InputError
 #: Unit word, lower case -> metres.
 METRES: dict[str, float] = {
     "m": 1.0, "meter": 1.0, "metre": 1.0, "cm": 1e-2, "mm": 1e-3, "millimeter": 1e-3, "millimetre": 1e-3,
-    "um": 1e-6, "µm": 1e-6, "μm": 1e-6, "micron": 1e-6, "microns": 1e-6, "micrometer": 1e-6, "micrometre": 1e-6,
+    "um": 1e-6, "µm": 1e-6, "\u03bcm": 1e-6, "micron": 1e-6, "microns": 1e-6,
+    "micrometer": 1e-6, "micrometre": 1e-6,
     "nm": 1e-9, "nanometer": 1e-9, "nanometre": 1e-9, "pm": 1e-12, "å": 1e-10, "angstrom": 1e-10,
     "in": 0.0254, "inch": 0.0254,
 }  # fmt: skip
@@ -32,7 +33,9 @@ def metres_per_unit(unit: str) -> float:
     """
     factor = METRES.get(unit.strip().lower())
     if factor is None:
-        raise InputError(f"'{unit}' is not a known unit of length; known: m, cm, mm, um, nm, pm, angstrom, in")
+        raise InputError(
+            f"'{unit}' is not a known unit of length; known: m, cm, mm, um, nm, pm, angstrom, in"
+        )
     return factor
 
 
@@ -60,7 +63,7 @@ def length_in_metres(text: str) -> float:
 
 
 def unit_in_words(text: str) -> str | None:
-    """The unit of length named in a column heading such as ``"[mm]"`` or ``"Lateral um"``; None if there is none."""
+    """The unit of length in a column heading such as ``"[mm]"`` or ``"Lateral um"``, or None."""
     for word in re.findall(r"[^\W\d_]+", text.replace("°", " ")):
         if word.lower() in METRES and word.lower() != "in":
             return str(word)

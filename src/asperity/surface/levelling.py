@@ -44,21 +44,27 @@ def levelled(*, topography: Topography, form: str, degree: int | None = None) ->
     z = topography.heights
     present = ~np.isnan(z)
     if int(present.sum()) <= len(powers):
-        raise InputError(f"{topography.source}: {int(present.sum())} points are too few for the form '{form}'")
-    x = np.linspace(-1.0, 1.0, z.shape[-1])
-    y = np.linspace(-1.0, 1.0, z.shape[0]) if topography.is_map else np.zeros(1)
+        raise InputError(
+            f"{topography.source}: {int(present.sum())} points are too few for the form '{form}'"
+        )
+    x = np.linspace(-1.0, 1.0, z.shape[-1], dtype=np.float64)
+    y = np.linspace(-1.0, 1.0, z.shape[0], dtype=np.float64) if topography.is_map else np.zeros(1)
     highest = max(max(p) for p in powers)
-    along = np.polynomial.legendre.legvander(x, highest)
-    across = np.polynomial.legendre.legvander(y, highest)
+    along = np.asarray(np.polynomial.legendre.legvander(x, highest), dtype=np.float64)
+    across = np.asarray(np.polynomial.legendre.legvander(y, highest), dtype=np.float64)
     surfaces = _fitted(np.atleast_2d(z), np.atleast_2d(present), along, across, powers)
-    return topography.with_heights(z - surfaces.reshape(z.shape), f"took off: {form}{'' if degree is None else degree}")
+    return topography.with_heights(
+        z - surfaces.reshape(z.shape), f"took off: {form}{'' if degree is None else degree}"
+    )
 
 
 def _powers(topography: Topography, form: str, degree: int | None) -> list[tuple[int, int]]:
     """Degrees along (x, y) of the terms of a form."""
     if form == "polynomial":
         if degree is None or not 0 <= degree <= _HIGHEST_DEGREE:
-            raise InputError(f"a polynomial form needs a degree between 0 and {_HIGHEST_DEGREE}, not {degree}")
+            raise InputError(
+                f"a polynomial form needs a degree between 0 and {_HIGHEST_DEGREE}, not {degree}"
+            )
         if not topography.is_map:
             return [(i, 0) for i in range(degree + 1)]
         return [(i, j) for i in range(degree + 1) for j in range(degree + 1 - i)]
@@ -98,8 +104,9 @@ def _fitted(
 def without_outliers(*, topography: Topography, threshold: float, window: int) -> Topography:
     """The surface with outliers marked as missing.
 
-    A point is an outlier if it is further from the running median of its neighbours along x than ``threshold``
-    times the robust standard deviation (1.4826 times the median absolute value) of such distances.
+    A point is an outlier if it is further from the running median of its neighbours along x than
+    ``threshold`` times the robust standard deviation (1.4826 times the median absolute value) of such
+    distances.
 
     Parameters
     ----------
@@ -121,7 +128,9 @@ def without_outliers(*, topography: Topography, threshold: float, window: int) -
         If threshold or window are out of range.
     """
     if not threshold > 0.0 or window < 3 or window % 2 == 0:
-        raise InputError(f"outliers need a positive threshold and an odd window of 3 or more, not {threshold}, {window}")
+        raise InputError(
+            f"outliers need a positive threshold and an odd window of 3 or more, not {threshold}, {window}"
+        )
     z = np.atleast_2d(topography.heights)
     known = np.where(np.isnan(z), np.nanmedian(z), z)
     distance = np.abs(z - scipy.ndimage.median_filter(known, size=(1, window), mode="nearest"))

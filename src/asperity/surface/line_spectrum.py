@@ -1,7 +1,7 @@
-r"""The estimator that knows the Weierstrass-Mandelbrot function: its lines at :math:`f_0 \gamma^n`, one by one.
+r"""The estimator that knows the Weierstrass-Mandelbrot function: its lines :math:`f_0 \gamma^n`, one by one.
 
-Ordinary estimators take a spectrum of a few lines for a continuous one and are off by up to 0.3 in D. Here the
-comb is found, the amplitude of every line is fitted by least squares, and
+Ordinary estimators take a spectrum of a few lines for a continuous one and are off by up to 0.3 in D. Here
+the comb is found, the amplitude of every line is fitted by least squares, and
 
 .. math::
     \ln a_n = \tfrac12 \ln\ln\gamma + (D - 1) \ln G - (2 - D) \ln f_n
@@ -123,7 +123,9 @@ def _regression(
     """Weighted straight line ln a against ln f, translated into D and ln G with their covariance."""
     reference = float(np.average(x, weights=s**-2.0))
     extra = 0.0
-    for _ in range(30):  # a variance of the misfit, beside the known errors, that makes chi-square one per degree
+    for _ in range(
+        30
+    ):  # a variance of the misfit, beside the known errors, that makes chi-square one per degree
         w = 1.0 / (s**2 + extra)
         design = np.stack([np.ones_like(x), x - reference], axis=1)
         covariance = np.linalg.inv(design.T @ (w[:, None] * design))
@@ -154,7 +156,7 @@ def _regression(
 def _amplitudes(
     profile: NDArray[np.float64], spacing: float, gamma: float
 ) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64], float] | None:
-    """ln f, ln a, standard error of ln a of the significant lines, and the share of variance they explain."""
+    """Ln f, ln a, standard error of ln a of the significant lines, and the share of variance they explain."""
     length = profile.size * spacing
     start = _comb_offset(profile, spacing, gamma)
     if start is None:
@@ -168,7 +170,12 @@ def _amplitudes(
         return None
     chosen = slice(first, stop)
     explained = 1.0 - best.rough_variance / float(np.mean(np.diff(z) ** 2))
-    return np.log(best.frequency[chosen]), np.log(best.amplitude[chosen] * scale), best.error[chosen], explained
+    return (
+        np.log(best.frequency[chosen]),
+        np.log(best.amplitude[chosen] * scale),
+        best.error[chosen],
+        explained,
+    )
 
 
 @dataclass(frozen=True)
@@ -184,8 +191,8 @@ class _Comb:
 def _fit_comb(z: NDArray[np.float64], spacing: float, gamma: float, log_start: float) -> _Comb:
     """Least squares for all amplitudes below the sampling limit and, by Gauss-Newton, the place of the comb.
 
-    Lines longer than the record stand for whatever slow form there is; lines above the sampling limit count as
-    noise.
+    Lines longer than the record stand for whatever slow form there is; lines above the sampling limit count
+    as noise.
     """
     n = z.size
     length = n * spacing
@@ -204,7 +211,9 @@ def _fit_comb(z: NDArray[np.float64], spacing: float, gamma: float, log_start: f
         wave = np.exp(2j * np.pi * f * x[:, None])
         design[:, 2 : 2 + m], design[:, 2 + m : -1] = wave.real, wave.imag
         resolved = f * length > 0.99
-        design[:, -1] = (2.0 * np.pi * x[:, None] * (wave.real * (f * B) - wave.imag * (f * A)))[:, resolved].sum(axis=1)
+        design[:, -1] = (2.0 * np.pi * x[:, None] * (wave.real * (f * B) - wave.imag * (f * A)))[
+            :, resolved
+        ].sum(axis=1)
         size = float(np.linalg.norm(design[:, -1])) / np.sqrt(n)
         design[:, -1] /= size or 1.0
         gram = design.T @ design

@@ -31,8 +31,8 @@ class Conditioning:
     outlier_threshold : float or None
         Robust standard deviations beyond which a point counts as missing; None keeps all.
     short_cutoff, long_cutoff : float or None
-        lambda_s and lambda_c of the Gaussian filter [m], for the height parameters only: the filter would bend
-        the spectrum that D and G come from.
+        lambda_s and lambda_c of the Gaussian filter [m], for the height parameters only: the filter would
+        bend the spectrum that D and G come from.
     """
 
     form: str
@@ -71,7 +71,7 @@ def conditioned(*, topography: Topography, conditioning: Conditioning) -> Measur
 
 
 def pooled_profiles(*, surfaces: list[Topography], direction: str) -> tuple[NDArray[np.float64], float, bool]:
-    """Profiles of several surfaces as one array, cut to a common length; their spacing; whether rows of one map.
+    """Profiles of several surfaces, cut to a common length; their spacing; whether rows of one map.
 
     Raises
     ------
@@ -83,7 +83,8 @@ def pooled_profiles(*, surfaces: list[Topography], direction: str) -> tuple[NDAr
     for surface, (_, other) in zip(surfaces, sets, strict=True):
         if abs(other - spacing) > 1e-3 * spacing:
             raise InputError(
-                f"{surface.source} has the spacing {other:.6g} m, {surfaces[0].source} {spacing:.6g} m; measure files "
+                f"{surface.source} has the spacing {other:.6g} m, {surfaces[0].source} "
+                f"{spacing:.6g} m; measure files "
                 "of different spacing one by one"
             )
     points = min(profiles.shape[1] for profiles, _ in sets)
@@ -103,7 +104,7 @@ class DirectionalFits:
 
     @property
     def anisotropy_ratio(self) -> float | None:
-        """Ratio of the amplitudes along x and along y at the middle of the common band [-], 1 if isotropic."""
+        """Amplitude along x over that along y at the middle of the common band [-], 1 if isotropic."""
         x, y = self.along_x, self.along_y
         if not isinstance(x, FractalFit) or not isinstance(y, FractalFit):
             return None

@@ -114,11 +114,14 @@ def measurement_from_document(*, document: Any) -> SurfaceMeasurement:
         raise InputError(f"this is not a surface measurement: its key 'schema' must be '{SCHEMA}'")
     if document.get("schema_version") != SCHEMA_VERSION:
         raise InputError(
-            f"the measurement has schema version {document.get('schema_version')}; this release reads version "
+            f"the measurement has schema version {document.get('schema_version')}; this release "
+            f"reads version "
             f"{SCHEMA_VERSION}: measure again"
         )
     if "refused" in document:
-        raise InputError(f"the measurement of {document.get('source', 'this surface')} was refused: {document['refused']}")
+        raise InputError(
+            f"the measurement of {document.get('source', 'this surface')} was refused: {document['refused']}"
+        )
     try:
         D, G = float(document["fractal_dimension"]), float(document["fractal_roughness_m"])
         covariance = np.asarray(document["covariance_of_dimension_and_log_roughness"], dtype=np.float64)
@@ -130,12 +133,16 @@ def measurement_from_document(*, document: Any) -> SurfaceMeasurement:
     except (TypeError, ValueError) as error:
         raise InputError(f"the measurement holds a value that is not a number ({error})") from None
     validated_fractal(fractal_dimension=D, fractal_roughness=G)
-    if covariance.shape != (2, 2) or not np.isfinite(covariance).all() or np.linalg.eigvalsh(covariance).min() < (
-        -1e-9 * np.trace(covariance)
+    if (
+        covariance.shape != (2, 2)
+        or not np.isfinite(covariance).all()
+        or np.linalg.eigvalsh(covariance).min() < (-1e-9 * np.trace(covariance))
     ):
         raise InputError("the covariance of (D, ln G) must be two by two and not negative")
     if not gamma > 1.0 or not 0.0 < short < long:
-        raise InputError(f"the measurement has gamma = {gamma} and the band {short} .. {long} m; neither may be so")
+        raise InputError(
+            f"the measurement has gamma = {gamma} and the band {short} .. {long} m; neither may be so"
+        )
     return SurfaceMeasurement(
         fractal_dimension=jnp.asarray(D, dtype=jnp.float64),
         fractal_roughness=jnp.asarray(G, dtype=jnp.float64),
@@ -163,5 +170,7 @@ def read_measurement(*, path: str | Path) -> SurfaceMeasurement:
     except OSError as error:
         raise InputError(f"the measurement {path} cannot be read: {error.strerror}") from None
     except ValueError:
-        raise InputError(f"{path} is not JSON; write it with 'asperity surface measure FILE --json'") from None
+        raise InputError(
+            f"{path} is not JSON; write it with 'asperity surface measure FILE --json'"
+        ) from None
     return measurement_from_document(document=document)

@@ -40,7 +40,12 @@ def measurement_figure(*, surfaces: list[Topography], fit: FractalFit | str, dir
     )
     positive = spectrum.density > 0.0
     axes["spectrum"].loglog(
-        spectrum.frequency[positive], spectrum.density[positive], ".", color="0.35", markersize=4, label="measured"
+        spectrum.frequency[positive],
+        spectrum.density[positive],
+        ".",
+        color="0.35",
+        markersize=4,
+        label="measured",
     )
     axes["spectrum"].set(xlabel="spatial frequency f [1/m]", ylabel="one-sided power spectral density P [m³]")
     axes["spectrum"].set_title("Spectrum")
@@ -59,8 +64,10 @@ def measurement_figure(*, surfaces: list[Topography], fit: FractalFit | str, dir
         low, high = fit.roughness_interval(confidence=0.95)
         d_low, d_high = fit.dimension_interval(confidence=0.95)
         figure.suptitle(
-            f"D = {fit.fractal_dimension:.4f} ({d_low:.4f} … {d_high:.4f}),  G = {fit.fractal_roughness:.3g} m "
-            f"({low:.3g} … {high:.3g} m),  95 % intervals,  {fit.estimator}, {fit.profiles} profile(s) along {direction}",
+            f"D = {fit.fractal_dimension:.4f} ({d_low:.4f} … {d_high:.4f}),  G = "
+            f"{fit.fractal_roughness:.3g} m "
+            f"({low:.3g} … {high:.3g} m),  95 % intervals,  {fit.estimator}, {fit.profiles} "
+            f"profile(s) along {direction}",
             fontsize=9,
         )
     for name in ("spectrum", "structure"):
@@ -77,7 +84,7 @@ def _heights(axes: Any, figure: Figure, surface: Topography, profiles: np.ndarra
             1e6 * surface.heights[::stride, ::stride],
             extent=(0.0, 1e6 * width, 0.0, 1e6 * height),
             origin="lower",
-            aspect="equal",
+            aspect="auto",
             cmap="viridis",
         )
         figure.colorbar(image, ax=axes, label="height z [µm]")
@@ -101,4 +108,6 @@ def _power_laws(axes: Any, fit: FractalFit, spacing: float) -> None:
     tau = np.geomspace(max(0.5 * fit.shortest_wavelength, spacing), 0.5 * fit.longest_wavelength, 50)
     S = conventions.structure_function(lag=tau, fractal_dimension=D, fractal_roughness=G)
     axes["structure"].loglog(tau, S, color="tab:red", linewidth=1.5, label="the same D and G")
-    axes["structure"].axvspan(tau[0], tau[-1], color="tab:red", alpha=0.07, label="half wavelengths of the band")
+    axes["structure"].axvspan(
+        tau[0], tau[-1], color="tab:red", alpha=0.07, label="half wavelengths of the band"
+    )

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-_SAMPLE = 4000
+_SAMPLE = 2000
 _COHERENCE = 0.8
 
 
@@ -33,13 +33,13 @@ def height_step(*, profiles: NDArray[np.float64]) -> float | None:
     largest = float(np.quantile(size, 0.995)) * 1.05
     if largest == 0.0:
         return None
-    steps = np.geomspace(largest, largest / 300.0, 1200)
+    steps = np.geomspace(largest, largest / 300.0, 800)
     coherence = np.abs(np.mean(np.exp(2j * np.pi * d / steps[:, None]), axis=1))
     moved = np.mean(size > 0.5 * steps[:, None], axis=1)
     good = np.flatnonzero((coherence > _COHERENCE) & (moved >= 0.2))
     if good.size == 0:
         return None
-    near = good[good <= good[0] + 12]
+    near = good[good <= good[0] + 8]
     return float(steps[near[np.argmax(coherence[near])]])
 
 

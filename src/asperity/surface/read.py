@@ -1,4 +1,4 @@
-"""Reading measured surfaces: plain text and NumPy files directly, instrument formats through SurfaceTopography."""
+"""Reading measured surfaces: text and NumPy files directly, instrument formats through SurfaceTopography."""
 
 from __future__ import annotations
 
@@ -35,8 +35,8 @@ def read_surface(
     Parameters
     ----------
     path : str or Path
-        The file. Text (columns of numbers) and ``.npy`` are read without further packages; X3P, SDF, SUR, AL3D,
-        OPD, OPDX, Zygo, FRT, TMD, NetCDF and some 35 more need the extra ``surface``.
+        The file. Text (columns of numbers) and ``.npy`` are read without further packages; X3P, SDF, SUR,
+        AL3D, OPD, OPDX, Zygo, FRT, TMD, NetCDF and some 35 more need the extra ``surface``.
     position_unit, height_unit : str or None
         Unit of positions and heights, such as ``"mm"``. Needed only where the file does not name it; where it
         does, the given one wins for text files, and contradicting an instrument file is refused.
@@ -64,7 +64,11 @@ def read_surface(
     elif looks_like_text(beginning):
         try:
             topography = text_topography(
-                path=path, position_unit=position_unit, height_unit=height_unit, spacing=spacing, decimal=decimal
+                path=path,
+                position_unit=position_unit,
+                height_unit=height_unit,
+                spacing=spacing,
+                decimal=decimal,
             )
         except InputError as error:
             if "no table of numbers" not in str(error):
@@ -73,7 +77,9 @@ def read_surface(
     else:
         topography = _instrument_topography(path, height_unit, "")
     if np.isnan(topography.heights).all():
-        raise InputError(f"{path.name} holds no valid height: all {topography.heights.size} points are missing")
+        raise InputError(
+            f"{path.name} holds no valid height: all {topography.heights.size} points are missing"
+        )
     if topography.heights.shape[-1] < 2:
         raise InputError(f"{path.name} holds {topography.heights.size} point(s); a profile needs more")
     return topography
@@ -90,7 +96,8 @@ def _beginning(path: Path) -> bytes:
             raise InputError(f"{path} is empty")
         if size > LARGEST_FILE:
             raise InputError(
-                f"{path} has {size / 1024**3:.1f} GiB; files above {LARGEST_FILE // 1024**3} GiB are not read: cut it"
+                f"{path} has {size / 1024**3:.1f} GiB; files above {LARGEST_FILE // 1024**3} GiB "
+                f"are not read: cut it"
             )
         with path.open("rb") as file:
             return file.read(4096)
@@ -104,7 +111,7 @@ def _instrument_topography(path: Path, height_unit: str | None, remark: str) -> 
     import warnings
 
     try:
-        import SurfaceTopography as reader_package
+        import SurfaceTopography
     except ImportError:
         raise MissingExtraError(
             f"{path.name} is not plain text or .npy, so it needs a package of instrument readers that is not "
@@ -114,12 +121,16 @@ def _instrument_topography(path: Path, height_unit: str | None, remark: str) -> 
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")
         try:
-            reader = reader_package.open_topography(_without_clutter(path))
+            reader = SurfaceTopography.open_topography(_without_clutter(path))
             measured = reader.topography()
             heights = np.ma.filled(np.ma.asarray(measured.heights(), dtype=np.float64), np.nan)
         except Exception as error:  # the readers raise whatever their parsers stumble on
             kind = type(error).__name__
-            why = "its format is not known" if "CannotDetect" in kind else f"its content is not understood ({kind})"
+            why = (
+                "its format is not known"
+                if "CannotDetect" in kind
+                else f"its content is not understood ({kind})"
+            )
             raise InputError(f"{path.name} cannot be read: {why}.{remark}".rstrip(".")) from None
     return _from_reader(measured, heights, height_unit, path.name, len(reader.channels), reader.format())
 
@@ -155,11 +166,15 @@ def _from_reader(
 
 
 def _without_clutter(path: Path) -> str | io.BytesIO:
-    """An X3P container as the reader wants it: entries on top, no system clutter, empty offsets written as zero."""
+    """An X3P container as the reader wants it: entries on top, no clutter, empty offsets written as zero."""
     if not zipfile.is_zipfile(path):
         return str(path)
     with zipfile.ZipFile(path) as archive:
-        names = [n for n in archive.namelist() if not n.startswith("__MACOSX/") and not n.endswith((".DS_Store", "/"))]
+        names = [
+            n
+            for n in archive.namelist()
+            if not n.startswith("__MACOSX/") and not n.endswith((".DS_Store", "/"))
+        ]
         main = [n for n in names if n.rsplit("/", 1)[-1] == "main.xml"]
         if len(main) != 1:
             return str(path)

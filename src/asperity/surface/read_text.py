@@ -1,4 +1,4 @@
-"""Plain text and NumPy files: profiles and maps as columns of numbers, whatever the line ends and the separators."""
+"""Text and NumPy files: profiles and maps as columns of numbers, whatever the line ends and separators."""
 
 from __future__ import annotations
 
@@ -69,7 +69,9 @@ def text_topography(
         step, note = _equal_spacing(table[:, 0], source)
         if step < 0.0:
             step, height = -step, height[::-1]
-        return Topography(np.ascontiguousarray(height), step * scale_x, source=source, notes=(note,) if note else ())
+        return Topography(
+            np.ascontiguousarray(height), step * scale_x, source=source, notes=(note,) if note else ()
+        )
     if columns == 3:
         scale_x = _scale(position_unit, units[0], "position", source)
         return _grid(table, scale_x, _scale(height_unit, units[2], "height", source), source)
@@ -82,7 +84,9 @@ def text_topography(
     heights = table * scale_z
     if columns == 1:
         return Topography(heights[:, 0].copy(), spacing, source=source)
-    return Topography(heights, spacing, spacing, source=source, notes=("rows and columns taken as equally spaced",))
+    return Topography(
+        heights, spacing, spacing, source=source, notes=("rows and columns taken as equally spaced",)
+    )
 
 
 def numpy_topography(*, path: Path, height_unit: str | None, spacing: float | None) -> Topography:
@@ -98,7 +102,9 @@ def numpy_topography(*, path: Path, height_unit: str | None, spacing: float | No
     except (OSError, ValueError) as error:
         raise InputError(f"{path.name} is not a readable NumPy file ({error})") from None
     if array.ndim not in (1, 2) or array.dtype.kind not in "fiu" or min(array.shape) == 0:
-        raise InputError(f"{path.name} holds an array {array.shape} of {array.dtype}; a line or grid of reals is needed")
+        raise InputError(
+            f"{path.name} holds an array {array.shape} of {array.dtype}; a line or grid of reals is needed"
+        )
     if height_unit is None or spacing is None:
         raise InputError(
             f"{path.name} is a bare array: give the unit of its heights and the distance of its points "
@@ -165,7 +171,9 @@ def _data_block(lines: list[str], decimal: str, path: Path) -> tuple[int, str | 
     )
 
 
-def _table(lines: list[str], first: int, separator: str | None, comma: bool, path: Path) -> NDArray[np.float64]:
+def _table(
+    lines: list[str], first: int, separator: str | None, comma: bool, path: Path
+) -> NDArray[np.float64]:
     body = [line for line in lines[first:] if line and not line.isspace()]
     if comma:
         body = [line.replace(",", ".") for line in body]
@@ -187,14 +195,17 @@ def _table_with_gaps(body: list[str], separator: str | None, first: int, path: P
     for i, line in enumerate(body):
         fields = line.split(separator)
         if len(fields) > width or (len(fields) < width and separator is None):
-            raise InputError(f"{path.name}: row {i + 1} of the table has {len(fields)} columns, the first has {width}")
+            raise InputError(
+                f"{path.name}: row {i + 1} of the table has {len(fields)} columns, the first has {width}"
+            )
         for j, value in enumerate(fields):
             try:
                 rows[i, j] = float(value)
             except ValueError:
                 if missing.fullmatch(value.strip()) is None:
                     raise InputError(
-                        f"{path.name}: '{value.strip()[:40]}' in row {i + 1} of the table (which starts in line "
+                        f"{path.name}: '{value.strip()[:40]}' in row {i + 1} of the table (which "
+                        f"starts in line "
                         f"{first + 1}) is not a number"
                     ) from None
     return rows
@@ -238,7 +249,9 @@ def _equal_spacing(position: NDArray[np.float64], source: str) -> tuple[float, s
             f"{abs(step):.6g}, in the unit of the file); resample the profile first"
         )
     if deviation > 0.05 * abs(step):
-        return float(step), f"positions are rounded to {quantum:g}; spacing from a straight line through all of them"
+        return float(
+            step
+        ), f"positions are rounded to {quantum:g}; spacing from a straight line through all of them"
     return float(step), ""
 
 

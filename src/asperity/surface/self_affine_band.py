@@ -1,4 +1,4 @@
-"""Where a spectrum is a power law: the widest band of frequencies that one straight line fits, or a refusal."""
+"""Where a spectrum is a power law: the widest band that one straight line fits, or a refusal."""
 
 from __future__ import annotations
 
@@ -55,8 +55,8 @@ def widest_power_law(
     Returns
     -------
     BandSearch
-        With the widest accepted band. A band is accepted if it spans at least one decade above any white floor,
-        1 < D < 2, and ln P scatters and bends about the fit by no more than the limits of this module.
+        With the widest accepted band. A band is accepted if it spans at least one decade above any white
+        floor, 1 < D < 2, and ln P scatters and bends about the fit by no more than the limits of this module.
     """
     lowest = LOWEST_ORDINATE / (spectrum.points * spectrum.spacing)
     highest = spectrum.nyquist
@@ -64,7 +64,9 @@ def widest_power_law(
     if not loud.all():
         first = int(np.argmin(loud))
         if first == 0:
-            return BandSearch(None, "the spectrum lies in the noise of quantised heights even at its long waves")
+            return BandSearch(
+                None, "the spectrum lies in the noise of quantised heights even at its long waves"
+            )
         highest = float(spectrum.frequency[spectrum.frequency >= lowest][first - 1])
     bottoms = [low] if low is not None else _edges(lowest, highest)
     tops = [high] if high is not None else _edges(lowest, highest)
@@ -90,7 +92,8 @@ def widest_power_law(
     if not windows:
         return BandSearch(
             None,
-            f"only {max(np.log10(highest / lowest), 0.0):.2f} decades of wavelength lie between the record length "
+            f"only {max(np.log10(highest / lowest), 0.0):.2f} decades of wavelength lie between the "
+            f"record length "
             "and the noise or sampling limit; at least one is needed",
         )
     return BandSearch(None, nearest[1] or "no band of one decade has enough frequencies to judge")
@@ -127,20 +130,20 @@ def _information_criterion(fit: SpectralFit) -> float:
 
 
 def _fault(fit: SpectralFit, spectrum: BinnedSpectrum) -> tuple[str, float]:
-    """What forbids calling this band a power law, in words, and a grade of how far off it is; empty if nothing."""
+    """What forbids calling this band a power law, in words, and how far off it is; empty if nothing."""
     where = f"between the wavelengths {1 / fit.high:.3g} m and {1 / fit.low:.3g} m"
     if not 1.0 < fit.fractal_dimension < 2.0:
         off = max(1.0 - fit.fractal_dimension, fit.fractal_dimension - 2.0)
         return (
-            f"{where} the spectrum falls as frequency^-{5 - 2 * fit.fractal_dimension:.2f}; a fractal profile "
+            f"{where} the spectrum falls as frequency^-{5 - 2 * fit.fractal_dimension:.2f}; a "
+            f"fractal profile "
             "(1 < D < 2) needs an exponent between 1 and 3",
             2.0 + off,
         )
     if fit.decades < NARROWEST_DECADES * (1.0 - 1e-9):
         return (
             f"{where} only {max(fit.decades, 0.0):.2f} decades of a power law rise above white noise "
-            f"({'power folded at the sampling limit' if fit.floor == 0.0 else f'{fit.floor:.3g} m^3'}); at least "
-            "one is needed",
+            f"({_noise_name(fit)}); at least one is needed",
             1.5 + NARROWEST_DECADES - fit.decades,
         )
     if fit.misfit > LARGEST_MISFIT:
@@ -152,16 +155,23 @@ def _fault(fit: SpectralFit, spectrum: BinnedSpectrum) -> tuple[str, float]:
     drift, error = _drift(fit, spectrum)
     if abs(drift) > LARGEST_DRIFT and abs(drift) > 2.0 * error:
         return (
-            f"{where} the spectrum bends: the local D changes by {drift:+.2f} from the long to the short waves "
+            f"{where} the spectrum bends: the local D changes by {drift:+.2f} from the long to the "
+            f"short waves "
             f"({LARGEST_DRIFT} is the limit)",
             abs(drift) / LARGEST_DRIFT,
         )
     return "", 0.0
 
 
+def _noise_name(fit: SpectralFit) -> str:
+    return "power folded at the sampling limit" if fit.floor == 0.0 else f"{fit.floor:.3g} m^3"
+
+
 def _drift(fit: SpectralFit, spectrum: BinnedSpectrum) -> tuple[float, float]:
     """Change of the local D across the band and its standard error, from a parabola in ln f."""
-    inside = (spectrum.frequency >= fit.low * (1 - 1e-9)) & (spectrum.frequency <= fit.usable_high * (1 + 1e-9))
+    inside = (spectrum.frequency >= fit.low * (1 - 1e-9)) & (
+        spectrum.frequency <= fit.usable_high * (1 + 1e-9)
+    )
     f = spectrum.frequency[inside]
     if f.size < 6:
         return 0.0, np.inf

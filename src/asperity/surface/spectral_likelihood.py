@@ -1,7 +1,7 @@
-r"""Maximum-likelihood fit of the power law to a binned spectrum: the most precise estimator on self-affine noise.
+r"""Maximum-likelihood fit of the power law to a binned spectrum, the most precise on self-affine noise.
 
-The average of :math:`\nu` independent ordinates of a periodogram scatters about its expectation P by the factor
-of a chi-square variable with :math:`2\nu` degrees of freedom, so the (Whittle) likelihood of a band is
+The average of :math:`\nu` independent ordinates of a periodogram scatters about its expectation P by the
+factor of a chi-square variable with :math:`2\nu` degrees of freedom, so the (Whittle) likelihood of a band is
 
 .. math::
     -\ln\mathcal{L} = \sum_b \nu_b \left[ \ln P(f_b) + I_b / P(f_b) \right]
@@ -76,7 +76,7 @@ class SpectralFit:
 
     @property
     def usable_high(self) -> float:
-        """Upper end of the band [1/m], not above where the power law sinks into the floor or the folded power."""
+        """Upper end of the band [1/m], below where the power law sinks into floor or folded power."""
         f = np.logspace(np.log10(self.low), np.log10(self.high), 200)
         sunk = np.flatnonzero(self.expected(f) > 2.0 * self.density(f))
         return float(f[sunk[0]]) if sunk.size else self.high
@@ -92,7 +92,9 @@ class SpectralFit:
         if self.tail == "folded":
             s = max(5.0 - 2.0 * self.fractal_dimension, LEAST_FOLDING_EXPONENT)
             x = frequency / self.sampling_frequency
-            density = density + self.density(np.asarray(self.sampling_frequency)) * (zeta(s, 1.0 + x) + zeta(s, 1.0 - x))
+            density = density + self.density(np.asarray(self.sampling_frequency)) * (
+                zeta(s, 1.0 + x) + zeta(s, 1.0 - x)
+            )
         return np.asarray(density)
 
     def density(self, frequency: NDArray[np.float64]) -> NDArray[np.float64]:
@@ -134,7 +136,7 @@ def fit_spectrum(
     residual, jacobian = model.residual(theta, data)
     weight = 1.0 / (1.0 / nu + misfit_square)
     information = jacobian.T @ (weight[:, None] * jacobian)
-    covariance = np.linalg.pinv(information)[:2, :2]
+    covariance = np.asarray(np.linalg.pinv(information)[:2, :2], dtype=np.float64)
     expected = model.log_density(theta)
     return SpectralFit(
         fractal_dimension=float(theta[0]),
@@ -159,7 +161,12 @@ class _Model:
     """ln of the expected density in bins at u = f / reference; parameters (D, ln level, ln floor)."""
 
     def __init__(
-        self, u: NDArray[np.float64], spread: NDArray[np.float64], sampling: float, tail: str, with_floor: bool
+        self,
+        u: NDArray[np.float64],
+        spread: NDArray[np.float64],
+        sampling: float,
+        tail: str,
+        with_floor: bool,
     ) -> None:
         self.u, self.log_u, self.spread = u, np.log(u), spread
         self.sampling, self.tail, self.with_floor = sampling, tail, with_floor

@@ -113,9 +113,9 @@ def binned_spectrum(
     bins_per_decade : int
         Bins per decade; at low frequencies every ordinate is a bin of its own.
     rows_of_a_map : bool
-        True: the profiles are neighbouring rows of one map. Their resemblance is measured: with I the ordinates
-        of the two-dimensional transform that fall into a bin, :math:`2 (\sum I)^2 / \sum I^2` of them are
-        independent. False: the profiles are independent.
+        True: the profiles are neighbouring rows of one map. Their resemblance is measured: with I the
+        ordinates of the two-dimensional transform that fall into a bin, :math:`2 (\sum I)^2 / \sum I^2` of them
+        are independent. False: the profiles are independent.
 
     Returns
     -------
@@ -200,7 +200,9 @@ def _without_line(profiles: NDArray[np.float64]) -> NDArray[np.float64]:
 
 def _check(profiles: NDArray[np.float64], spacing: float) -> None:
     if profiles.ndim != 2 or profiles.shape[1] < 16:
-        raise InputError(f"profiles must have shape (profiles, points) with 16 points or more, not {profiles.shape}")
+        raise InputError(
+            f"profiles must have shape (profiles, points) with 16 points or more, not {profiles.shape}"
+        )
     if not spacing > 0.0:
         raise InputError(f"the spacing is {spacing} m; it must be positive")
     if not np.isfinite(profiles).all():

@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 from asperity.errors import InputError
 
-#: Up to this lag differences are formed directly: the transform loses digits where S is far below the variance.
+#: Up to this lag differences are formed directly: the transform loses digits where S is small.
 DIRECT_LAGS = 16
 _CHUNK_POINTS = 2_000_000
 
@@ -65,9 +65,9 @@ def _complete(block: NDArray[np.float64], lags: NDArray[np.int64]) -> NDArray[np
     out = np.empty((block.shape[0], lags.size))
     short = lags <= DIRECT_LAGS
     for j in np.flatnonzero(short):
-        k = int(lags[j])
-        difference = block[:, k:] - block[:, :-k]
-        out[:, j] = np.einsum("ij,ij->i", difference, difference) / (points - k)
+        lag = int(lags[j])
+        difference = block[:, lag:] - block[:, :-lag]
+        out[:, j] = np.einsum("ij,ij->i", difference, difference) / (points - lag)
     if not short.all():
         k = lags[~short]
         z = block - block.mean(axis=1, keepdims=True)

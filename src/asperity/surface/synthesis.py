@@ -21,7 +21,7 @@ def self_affine_profile(
     fractal_roughness: float,
     random: np.random.Generator,
 ) -> NDArray[np.float64]:
-    r"""Exact self-affine noise: fractional Brownian motion with :math:`S(\tau) = c(D) G^{2(D-1)} \tau^{4-2D}`.
+    r"""Exact self-affine noise: fractional Brownian motion, :math:`S(\tau) = c(D) G^{2(D-1)} \tau^{4-2D}`.
 
     Parameters
     ----------
@@ -38,8 +38,8 @@ def self_affine_profile(
     -------
     array, shape (points,)
         Height [m], starting at zero. The structure function is exact at every lag of the record; nothing is
-        periodic and no frequency is cut off: frequencies above the sampling limit are folded back, as they are
-        when a real surface is sampled point by point.
+        periodic and no frequency is cut off: frequencies above the sampling limit are folded back, as they
+        are when a real surface is sampled point by point.
 
     Notes
     -----
@@ -50,7 +50,9 @@ def self_affine_profile(
     ----------
     Davies & Harte, Biometrika 74 (1987) 95.
     """
-    D, G = conventions.validated_fractal(fractal_dimension=fractal_dimension, fractal_roughness=fractal_roughness)
+    D, G = conventions.validated_fractal(
+        fractal_dimension=fractal_dimension, fractal_roughness=fractal_roughness
+    )
     _check_points(points, spacing)
     H = 2.0 - D
     n = scipy.fft.next_fast_len(points - 1, real=True)
@@ -83,7 +85,8 @@ def spectral_profile(
     fractal_dimension, fractal_roughness : float
         D [-] and G [m].
     periodic : bool
-        True: one period of a periodic profile. False: a quarter cut from a periodic profile four times as long.
+        True: one period of a periodic profile. False: a quarter cut from a periodic profile four times as
+        long.
     random : numpy.random.Generator
         Source of randomness.
 
@@ -92,12 +95,16 @@ def spectral_profile(
     array, shape (points,)
         Height [m].
     """
-    D, G = conventions.validated_fractal(fractal_dimension=fractal_dimension, fractal_roughness=fractal_roughness)
+    D, G = conventions.validated_fractal(
+        fractal_dimension=fractal_dimension, fractal_roughness=fractal_roughness
+    )
     _check_points(points, spacing)
     n = points if periodic else scipy.fft.next_fast_len(4 * points, real=True)
     frequency = scipy.fft.rfftfreq(n, spacing)
     density = np.zeros_like(frequency)
-    density[1:] = conventions.power_spectral_density(frequency=frequency[1:], fractal_dimension=D, fractal_roughness=G)
+    density[1:] = conventions.power_spectral_density(
+        frequency=frequency[1:], fractal_dimension=D, fractal_roughness=G
+    )
     spectrum = scipy.fft.rfft(random.standard_normal(n)) * np.sqrt(density / (2.0 * spacing))
     return scipy.fft.irfft(spectrum, n=n)[:points]
 
@@ -136,9 +143,9 @@ def spectral_surface(
 
     Notes
     -----
-    White noise times the square root of the density, by Fourier transform. The corners of the frequency square
-    are kept, so that a row of the map has the profile spectrum apart from what its cross frequencies lack above
-    the sampling limit.
+    White noise times the square root of the density, by Fourier transform. The corners of the frequency
+    square are kept, so that a row of the map has the profile spectrum apart from what its cross frequencies
+    lack above the sampling limit.
     """
     D, G = conventions.validated_fractal(
         fractal_dimension=fractal_dimension, fractal_roughness=areal_fractal_roughness
@@ -160,4 +167,6 @@ def spectral_surface(
 
 def _check_points(points: int, spacing: float) -> None:
     if points < 2 or not (spacing > 0.0 and np.isfinite(spacing)):
-        raise InputError(f"a surface needs at least 2 points at a positive distance, not {points} at {spacing} m")
+        raise InputError(
+            f"a surface needs at least 2 points at a positive distance, not {points} at {spacing} m"
+        )

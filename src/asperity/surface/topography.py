@@ -37,15 +37,20 @@ class Topography:
     def __post_init__(self) -> None:
         if self.heights.ndim not in (1, 2):
             raise InputError(
-                f"heights must be a line or a grid, not an array with {self.heights.ndim} axes ({self.source})"
+                f"heights must be a line or a grid, not an array with {self.heights.ndim} axes "
+                f"({self.source})"
             )
         if self.heights.ndim == 2 and self.spacing_across is None:
             raise InputError(f"a map needs the distance of its rows, spacing_across ({self.source})")
         for name, value in (("spacing", self.spacing), ("spacing_across", self.spacing_across)):
             if value is not None and not (np.isfinite(value) and value > 0.0):
-                raise InputError(f"the {name} of {self.source or 'a surface'} is {value} m; it must be positive")
+                raise InputError(
+                    f"the {name} of {self.source or 'a surface'} is {value} m; it must be positive"
+                )
         if np.isinf(self.heights).any():
-            raise InputError(f"{self.source or 'the surface'} holds infinite heights; mark missing points as NaN")
+            raise InputError(
+                f"{self.source or 'the surface'} holds infinite heights; mark missing points as NaN"
+            )
 
     @property
     def is_map(self) -> bool:
@@ -67,7 +72,7 @@ class Topography:
     @property
     def position(self) -> NDArray[np.float64]:
         """Position of the points along x [m], starting at zero, shape (points,) or (columns,)."""
-        return np.arange(self.heights.shape[-1]) * self.spacing
+        return np.arange(self.heights.shape[-1], dtype=np.float64) * self.spacing
 
     def with_heights(self, heights: NDArray[np.float64], note: str = "") -> Topography:
         """The same surface with other heights, and a note of what was done."""
@@ -118,9 +123,9 @@ def without_missing(topography: Topography, *, choice: str) -> Topography:
     topography : Topography
         Surface that may have missing points.
     choice : {"refuse", "longest", "interpolate"}
-        ``refuse`` raises if a point is missing. ``longest`` keeps of a profile its longest complete piece and of
-        a map its largest complete rectangle. ``interpolate`` first fills the gaps inside each row by straight
-        lines along x (never beyond the first and last measured point), then keeps the largest piece likewise.
+        ``refuse`` raises if a point is missing. ``longest`` keeps of a profile its longest complete piece
+        and of a map its largest complete rectangle. ``interpolate`` first fills the gaps inside each row by
+        straight lines along x (never beyond the first and last measured point), then keeps the largest piece likewise.
 
     Returns
     -------
@@ -140,8 +145,10 @@ def without_missing(topography: Topography, *, choice: str) -> Topography:
     total = topography.heights.size
     if choice == "refuse":
         raise InputError(
-            f"{count} of {total} points of {topography.source} are missing; say what to do with them: keep the "
-            "longest complete piece (--missing longest) or fill gaps by straight lines (--missing interpolate)"
+            f"{count} of {total} points of {topography.source} are missing; say what to do with "
+            f"them: keep the "
+            "longest complete piece (--missing longest) or fill gaps by straight lines (--missing "
+            "interpolate)"
         )
     rows = np.atleast_2d(topography.heights)
     filled = 0
@@ -156,8 +163,11 @@ def without_missing(topography: Topography, *, choice: str) -> Topography:
         left, right = _longest_run(complete[0])
         kept = rows[0, left:right]
     if kept.size == 0 or kept.shape[-1] < 2:
-        raise InputError(f"{topography.source} has no complete piece left ({count} of {total} points are missing)")
-    note = f"{count} of {total} points missing: filled {filled} along x, kept a complete piece of {kept.shape} points"
+        raise InputError(
+            f"{topography.source} has no complete piece left ({count} of {total} points are missing)"
+        )
+    piece = " x ".join(str(n) for n in kept.shape)
+    note = f"{count} of {total} points missing: filled {filled} along x, kept a complete piece of {piece}"
     return topography.with_heights(kept, note)
 
 
@@ -179,10 +189,12 @@ def _largest_rectangle(complete: NDArray[np.bool_]) -> tuple[int, int, int, int]
     """Largest rectangle of True: top, bottom, left, right (half open); on a coarse grid for large maps."""
     cell = max(1, int(np.ceil(np.sqrt(complete.size / _RECTANGLE_CELLS))))
     tall, wide = (n // cell for n in complete.shape)
-    blocks = complete[: tall * cell, : wide * cell].reshape(tall, cell, wide, cell).all(axis=(1, 3))
+    blocks = np.asarray(
+        complete[: tall * cell, : wide * cell].reshape(tall, cell, wide, cell).all(axis=(1, 3))
+    )
     best, area = (0, 0, 0, 0), 0
     height = np.zeros(wide, dtype=np.int64)
-    for bottom, row in enumerate(blocks):
+    for bottom, row in enumerate(list(blocks)):
         height = np.where(row, height + 1, 0)
         stack: list[tuple[int, int]] = []  # (left edge, height), heights rising
         for right, h in enumerate([*height.tolist(), 0]):

@@ -1,8 +1,8 @@
 r"""The Weierstrass-Mandelbrot surface: a profile (equation (6)) and an areal map, as direct sums.
 
 With :math:`f_n = \gamma^n / L` the term of index n has the amplitude
-:math:`(\ln\gamma)^{1/2} G^{D-1} f_n^{D-2}`: the profile length L only fixes where the frequencies sit, and the
-mean power density does not depend on :math:`\gamma` (see :mod:`asperity.surface.conventions`).
+:math:`(\ln\gamma)^{1/2} G^{D-1} f_n^{D-2}`: the profile length L only fixes where the frequencies sit, and
+the mean power density does not depend on :math:`\gamma` (see :mod:`asperity.surface.conventions`).
 """
 
 from __future__ import annotations
@@ -55,9 +55,9 @@ def weierstrass_mandelbrot_profile(
 
     Notes
     -----
-    Valid for 1 < D < 2, G > 0, gamma > 1. The terms are summed one after another, so memory does not grow with
-    their number. Differentiable in every floating-point argument. Values outside the range of validity give
-    NaN or a meaningless height: :func:`asperity.surface.conventions.validated_fractal` checks them.
+    Valid for 1 < D < 2, G > 0, gamma > 1. The terms are summed one after another, so memory does not grow
+    with their number. Differentiable in every floating-point argument. Values outside the range of validity
+    give NaN or a meaningless height: :func:`asperity.surface.conventions.validated_fractal` checks them.
 
     References
     ----------
@@ -133,8 +133,9 @@ def weierstrass_mandelbrot_surface(
     Notes
     -----
     Each plane wave is the real part of a product of a function of x and one of y, so the double sum is one
-    matrix product: 4096 by 4096 points with 10 ridges take a second or two. The G of a straight profile of this
-    surface is smaller than its areal G: :func:`asperity.surface.conventions.profile_roughness_from_areal`.
+    matrix product: 4096 by 4096 points with 10 ridges take a second or two. The G of a straight profile of
+    this surface is smaller than its areal G, see
+    :func:`asperity.surface.conventions.profile_roughness_from_areal`.
 
     References
     ----------
@@ -146,7 +147,8 @@ def weierstrass_mandelbrot_surface(
     phi = jnp.asarray(phases, dtype=jnp.float64)
     if phi.ndim != 2 or x.ndim != 1 or y.ndim != 1:
         raise InputError(
-            f"phases must have shape (ridges, terms) and positions one axis, not {phi.shape}, {x.shape}, {y.shape}"
+            f"phases must have shape (ridges, terms) and positions one axis, not {phi.shape}, "
+            f"{x.shape}, {y.shape}"
         )
     L = jnp.asarray(profile_length, dtype=jnp.float64)
     D = jnp.asarray(fractal_dimension, dtype=jnp.float64)
