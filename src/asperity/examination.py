@@ -63,7 +63,9 @@ def _compiled(function: Any, structure: Any, shapes: tuple[tuple[int, ...], ...]
     lowered = jax.jit(function).lower(jax.tree.unflatten(structure, leaves))
     try:
         return lowered.compile(compiler_options=_COMPILE_FAST)
-    except jax.errors.JaxRuntimeError:  # a release of XLA without these options: the same program, built more slowly
+    except (
+        jax.errors.JaxRuntimeError
+    ):  # a release of XLA without these options: the same program, built more slowly
         return lowered.compile()
 
 

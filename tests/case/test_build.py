@@ -57,12 +57,16 @@ def test_each_contact_can_have_its_own_entry(example_text):
         for i, name in enumerate(("sp", "pwr", "pwl", "wro", "wlo"))
     )
     joint = joint_from_case(parse_case(example_text[: example_text.index("[surface]")] + tables, source="x"))
-    assert [surface.fractal_dimension for surface in joint.surfaces] == pytest.approx([1.3, 1.4, 1.5, 1.6, 1.7])
+    assert [surface.fractal_dimension for surface in joint.surfaces] == pytest.approx(
+        [1.3, 1.4, 1.5, 1.6, 1.7]
+    )
 
 
 def test_arrays_become_batch_axes(example_case):
     torque = np.linspace(0.0, 5.0, 4)
-    joint = with_values(example_case, {"load.output_torque": torque, "surface.fractal_dimension": torque[:, None] / 10 + 1.3})
+    joint = with_values(
+        example_case, {"load.output_torque": torque, "surface.fractal_dimension": torque[:, None] / 10 + 1.3}
+    )
     np.testing.assert_array_equal(joint.output_torque, torque)
     assert joint.surfaces[0].fractal_dimension.shape == (4, 1)
 
