@@ -68,7 +68,7 @@ class NormalContact(eqx.Module):
 
 def _starting_pressure(half_space: HalfSpace, heights: Array, mean_pressure: Array) -> Array:
     """Pressure that would flatten the surface completely, shifted to the load and cut at zero."""
-    flattening = half_space.pressure_estimate(heights)
+    flattening = half_space.flattening_pressure(heights)
 
     def newton(_: int, level: Array) -> Array:
         above = flattening > level
@@ -110,7 +110,7 @@ def _solved(
         start = _starting_pressure(half_space, heights, total / float(heights.size))
     return bounded_solution(
         response=half_space.normal_displacement,
-        estimate=half_space.pressure_estimate,
+        estimate=half_space.traction_estimate,
         target=heights,
         lower=jnp.zeros_like(heights),
         upper=jnp.full_like(heights, hardness),

@@ -96,7 +96,7 @@ def conjugate_gradients(
 def _normal_rate(half_space: HalfSpace, mask: Array, tolerance: Array, max_iterations: Array) -> tuple[Array, ...]:
     return conjugate_gradients(
         response=half_space.normal_displacement,
-        estimate=half_space.pressure_estimate,
+        estimate=half_space.traction_estimate,
         usable=mask,
         target=mask.astype(jnp.float64),
         tolerance=tolerance,
@@ -111,7 +111,7 @@ def _tangential_rate(
     both = jnp.stack([mask, mask])
     return conjugate_gradients(
         response=half_space.shear_displacement,
-        estimate=half_space.shear_traction_estimate,
+        estimate=half_space.traction_estimate,
         usable=both,
         target=jnp.zeros(both.shape).at[axis].set(mask.astype(jnp.float64)),
         tolerance=tolerance,
