@@ -66,28 +66,48 @@ def _masked_sum(mask: Array, field: Array) -> Array:
     return jnp.sum(jnp.where(mask, field, 0.0))
 
 
-def within_bounds(traction: Array, lower: Array, upper: Array, total: Array | None) -> Array:
-    """Cut the traction at its bounds and scale what lies between them to the prescribed total.
+def _moved_to_total(traction: Array, chosen: Array, lower: Array, upper: Array, total: Array) -> Array:
+    """Scale the chosen points towards one bound so that the whole adds up, as far as they can."""
+    now, least, most = (_masked_sum(chosen, bound) for bound in (traction, lower, upper))
+    need = total - _masked_sum(~chosen, traction)
+    fall = jnp.clip((need - least) / (now - least), 0.0, 1.0)
+    rise = jnp.clip((most - need) / (most - now), 0.0, 1.0)
+    moved = jnp.where(need < now, lower + (traction - lower) * fall, upper - (upper - traction) * rise)
+    return jnp.where(chosen, moved, traction)
+
+
+def within_bounds(traction: Array, lower: Array, upper: Array | None, total: Array | None) -> Array:
+    """Cut the traction at its bounds and move what lies between them to the prescribed total.
 
     Parameters
     ----------
-    traction, lower, upper : array
-        Traction and its bounds [Pa].
+    traction : array
+        Traction [Pa].
+    lower, upper : array
+        Bounds [Pa]; no upper bound is None.
     total : array, scalar, or None
-        Prescribed sum [Pa].
+        Prescribed sum [Pa], between the sums of the bounds.
 
     Returns
     -------
     array
-        Traction within its bounds; its sum is the total unless an upper bound cuts again.
+        Traction within its bounds and of this sum. Points on a bound stay there unless the others cannot make up the sum.
     """
+    if upper is None:
+        cut = jnp.maximum(traction, lower)
+        if total is None:
+            return cut
+        least = jnp.sum(jnp.broadcast_to(lower, cut.shape))
+        return lower + (cut - lower) * ((total - least) / (jnp.sum(cut) - least))
     cut = jnp.clip(traction, lower, upper)
     if total is None:
         return cut
-    inside = (cut > lower) & (cut < upper)
-    rest = jnp.where(inside, lower, cut)
-    factor = (total - jnp.sum(rest)) / _masked_sum(inside, cut - lower)
-    return jnp.where(inside, jnp.minimum(lower + (cut - lower) * factor, upper), cut)
+    moved = _moved_to_total(cut, (cut > lower) & (cut < upper), lower, upper, total)
+    missing = jnp.abs(jnp.sum(moved) - total) > 1e-12 * jnp.sum(jnp.abs(moved))
+    everywhere = jnp.ones(cut.shape, dtype=bool)
+    return jax.lax.cond(
+        missing, lambda t: _moved_to_total(t, everywhere, lower, upper, total), lambda t: t, moved
+    )
 
 
 def bounded_solution(
@@ -96,7 +116,7 @@ def bounded_solution(
     estimate: Response,
     target: Array,
     lower: Array,
-    upper: Array,
+    upper: Array | None,
     total: Array | None,
     start: Array,
     scale: Callable[[Array, Array], Array],
@@ -113,8 +133,8 @@ def bounded_solution(
         Rough inverse of A, symmetric and positive; it only affects the number of iterations.
     target : array
         b [m].
-    lower, upper : array, shape of ``target``
-        Bounds [Pa]; equal where no traction can act.
+    lower, upper : array
+        Bounds [Pa], scalar or field; equal where no traction can act; no upper bound is None.
     total : array, scalar, or None
         Prescribed sum of the traction [Pa], or None if b alone decides.
     start : array
@@ -131,7 +151,14 @@ def bounded_solution(
     BoundedSolution
         The last iterate.
     """
-    usable = upper > lower
+
+    def off_bounds(t: Array, g: Array | None) -> Array:
+        """Points between their bounds or, given the gradient, about to leave one."""
+        free = t > lower if g is None else (t > lower) | (g < 0.0)
+        if upper is None:
+            return free
+        below = t < upper if g is None else (t < upper) | (g > 0.0)
+        return free & below & (lower < upper)
 
     def misfit(t: Array, u: Array) -> tuple[Array, Array, Array, Array]:
         """Which pixels may move, their misfit without its common shift, how many they are, and the shift."""
@@ -139,10 +166,10 @@ def bounded_solution(
         if total is None:
             shift = jnp.zeros(())
         else:
-            inside = (t > lower) & (t < upper)
+            inside = off_bounds(t, None)
             shift = _masked_sum(inside, g) / jnp.sum(inside, dtype=g.dtype)
         g = g - shift
-        moving = usable & ((t > lower) | (g < 0.0)) & ((t < upper) | (g > 0.0))
+        moving = off_bounds(t, g)
         return moving, jnp.where(moving, g, 0.0), jnp.maximum(jnp.sum(moving, dtype=g.dtype), 1.0), shift
 
     def step(state: _State) -> _State:
@@ -166,8 +193,8 @@ def bounded_solution(
             inside = within_bounds(t_new, lower, upper, total)
             return inside, response(inside)
 
-        outside = jnp.any((t_new < lower) | (t_new > upper))
-        t_new, u_new = jax.lax.cond(outside, cut, lambda _: (t_new, u_new), None)
+        beyond = t_new < lower if upper is None else (t_new < lower) | (t_new > upper)
+        t_new, u_new = jax.lax.cond(jnp.any(beyond), cut, lambda _: (t_new, u_new), None)
         return _State(t_new, u_new, d, g, slope, shift, residual, state.iterations + 1)
 
     def unfinished(state: _State) -> Array:

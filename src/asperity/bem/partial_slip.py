@@ -69,6 +69,7 @@ def _history(
         return half_space.aligned_shear_displacement(traction, axis)
 
     sliding_displacement = pressure_weighted_displacement(cap, response(cap))
+    sliding_force = jnp.sum(cap) * half_space.pixel_area
     contact = cap > 0.0
 
     def step(carry: tuple[Array, Array, Array], value: Array) -> tuple[tuple[Array, Array, Array], tuple]:
@@ -80,7 +81,7 @@ def _history(
             lower=-cap,
             upper=cap,
             total=value / half_space.pixel_area if force_driven else None,
-            start=traction,
+            start=cap * (value / sliding_force) if force_driven else traction,
             scale=lambda t, u: sliding_displacement,
             tolerance=tolerance,
             max_iterations=max_iterations,
