@@ -1,4 +1,4 @@
-"""Boundary elements: the independent check of every closed-form contact law. Imports neither contact nor drive."""
+"""Boundary elements: the independent check of the closed-form laws. Imports neither contact nor drive."""
 
 from asperity.bem.elastic_pair import ElasticPair, elastic_pair
 from asperity.bem.free_half_space import FreeHalfSpace

@@ -5,13 +5,14 @@ r"""The one minimisation behind frictionless contact and partial slip.
     \quad\text{and, if asked,}\quad \sum t = T
 
 t is the traction on the pixels, A the elastic response, b the imposed displacement. Where t lies between its
-bounds the misfit u - b, u = A t, vanishes up to one common shift, which is the rigid displacement if the total is prescribed.
+bounds the misfit u - b, u = A t, vanishes up to one common shift, which is the rigid displacement if the
+total is prescribed.
 
 The solver is the conjugate-gradient method of Polonsky and Keer (1999) with three changes: the gradient is
-preconditioned by the opposite operator (Hiptmair 2006), so that the number of iterations hardly grows with the grid;
-Polak and Ribière's formula stands in for the restarts, so that pixels entering or leaving do not throw away
-the search direction; and the displacement is updated with the step instead of being recomputed, which saves
-transforms wherever no pixel was cut off at a bound.
+preconditioned by the opposite operator (Hiptmair 2006), so that the number of iterations hardly grows with
+the grid; Polak and Ribière's formula stands in for the restarts, so that pixels entering or leaving do not
+throw away the search direction; and the displacement is updated with the step instead of being recomputed,
+which saves transforms wherever no pixel was cut off at a bound.
 """
 
 from __future__ import annotations
@@ -91,7 +92,8 @@ def within_bounds(traction: Array, lower: Array, upper: Array | None, total: Arr
     Returns
     -------
     array
-        Traction within its bounds and of this sum. Points on a bound stay there unless the others cannot make up the sum.
+        Traction within its bounds and of this sum. Points on a bound stay there unless the others cannot
+        make up the sum.
     """
     if upper is None:
         cut = jnp.maximum(traction, lower)

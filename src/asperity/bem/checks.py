@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import math
 
+import jax.numpy as jnp
 import numpy as np
+from jax import Array
 from jax.typing import ArrayLike
 
 from asperity.errors import InputError
@@ -96,7 +98,7 @@ def field_on_grid(name: str, field: ArrayLike, shape: tuple[int, ...]) -> np.nda
     return array
 
 
-def grid(shape: tuple[int, ...], pixel_size: tuple[float, ...]) -> tuple[tuple[int, ...], tuple[float, ...]]:
+def grid(shape: tuple[int, ...], pixel_size: tuple[float, ...]) -> tuple[tuple[int, ...], Array]:
     """Shape and pixel size of a grid with one axis (a strip, plane strain) or two, checked.
 
     Parameters
@@ -109,7 +111,7 @@ def grid(shape: tuple[int, ...], pixel_size: tuple[float, ...]) -> tuple[tuple[i
     Returns
     -------
     tuple
-        Shape and pixel size as plain numbers.
+        Shape, and the pixel size as an array.
 
     Raises
     ------
@@ -120,7 +122,7 @@ def grid(shape: tuple[int, ...], pixel_size: tuple[float, ...]) -> tuple[tuple[i
     spacing = tuple(positive("pixel_size", d, "m") for d in pixel_size)
     if len(points) not in (1, 2) or len(points) != len(spacing) or min(points) < 2:
         raise InputError(
-            f"shape {points} with pixel_size of {len(spacing)} values: a grid has one or two axes, at least 2 "
-            "points along each and one pixel size per axis"
+            f"shape {points} with pixel_size of {len(spacing)} values: a grid has one or two axes, at least "
+            "2 points along each and one pixel size per axis"
         )
-    return points, spacing
+    return points, jnp.asarray(spacing, dtype=jnp.float64)

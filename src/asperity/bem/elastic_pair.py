@@ -13,8 +13,8 @@ from asperity.types import Real
 class ElasticPair(eqx.Module):
     r"""Two elastic half-spaces seen from their common surface, SI units.
 
-    A wave of pressure, or of shear traction along the wave, of wavenumber q moves the two surfaces relative to
-    each other by :math:`2/(E q)` times the traction; shear traction across the wave by :math:`1/(G q)`.
+    A wave of pressure, or of shear traction along the wave, of wavenumber q moves the two surfaces relative
+    to each other by :math:`2/(E q)` times the traction; shear traction across the wave by :math:`1/(G q)`.
 
     Parameters
     ----------
@@ -26,9 +26,9 @@ class ElasticPair(eqx.Module):
     Notes
     -----
     Both compliances are sums over the bodies, so unlike materials are combined exactly, except for one thing:
-    the displacement along the surface under *normal* pressure, which is proportional to Dundurs' second constant
-    :math:`\beta`. It vanishes for like materials (and for two incompressible ones) and is neglected otherwise:
-    the normal and the tangential problem are solved one after the other.
+    the displacement along the surface under *normal* pressure, which is proportional to Dundurs' second
+    constant :math:`\beta`. It vanishes for like materials (and for two incompressible ones) and is neglected
+    otherwise: the normal and the tangential problem are solved one after the other.
 
     References
     ----------
@@ -40,12 +40,12 @@ class ElasticPair(eqx.Module):
 
     @property
     def poisson_ratio(self) -> Real:
-        r"""Poisson's ratio [-] of the one half-space on a rigid one that shears like the pair, :math:`1 - 2G/E`."""
+        r"""Poisson's ratio [-] of a single half-space that shears like the pair, :math:`1 - 2G/E`."""
         return 1.0 - 2.0 * self.antiplane_modulus / self.contact_modulus
 
     @property
     def tangential_contact_modulus(self) -> Real:
-        r"""G* [Pa], :math:`1/G^* = (2-\nu_1)/G_1 + (2-\nu_2)/G_2 = 1/G + 2/E`; 8 G* r for a circle of radius r."""
+        r"""G* [Pa], :math:`1/G^* = (2-\nu_1)/G_1 + (2-\nu_2)/G_2 = 1/G + 2/E`."""
         return 1.0 / (1.0 / self.antiplane_modulus + 2.0 / self.contact_modulus)
 
 

@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+import functools
+
 import equinox as eqx
+import jax
 import jax.numpy as jnp
 from jax import Array
 
@@ -14,17 +17,54 @@ from asperity.errors import InputError
 from asperity.precision import require_double_precision
 
 
-def _wrapped_distance(points: int, spacing: float) -> Array:
-    """0, 1, ... n-1, (n), 1-n, ... -1 pixels, as the circular convolution of twice the length wants it [m]."""
+def _wrapped_distance(points: int, spacing: Array) -> Array:
+    """0, 1, ... n-1, (n), 1-n, ... -1 pixels [m], the order of a circular convolution of twice the length."""
     steps = jnp.arange(2 * points)
     return jnp.where(steps <= points, steps, steps - 2 * points).astype(jnp.float64) * spacing
+
+
+@functools.partial(jax.jit, static_argnames="shape")
+def _strip_operators(
+    pair: ElasticPair, shape: tuple[int, ...], pixel_size: Array, reference_distance: Array
+) -> tuple[Array, Array]:
+    base = strip_integral(
+        _wrapped_distance(shape[0], pixel_size[0]),
+        pixel_size=pixel_size[0],
+        reference_distance=reference_distance,
+    )
+    symbol = jnp.fft.rfft(base).real
+    normal = 2.0 / pair.contact_modulus * symbol
+    return normal, jnp.stack([normal, symbol / pair.antiplane_modulus])
+
+
+@functools.partial(jax.jit, static_argnames="shape")
+def _surface_operators(pair: ElasticPair, shape: tuple[int, ...], pixel_size: Array) -> tuple[Array, Array]:
+    x, y = (_wrapped_distance(n, pixel_size[axis]) for axis, n in enumerate(shape))
+    xx, yy, xy = patch_integrals(x[:, None], y[None, :], pixel_size=pixel_size)
+    # Entry n is reached by no pair of points; an odd coefficient has to vanish there for the symbol to be
+    # real.
+    xy = xy.at[shape[0], :].set(0.0).at[:, shape[1]].set(0.0)
+    coefficients = jnp.stack([normal_patch(pair, xx, yy), *shear_patch(pair, xx, yy, xy)])
+    symbols = jnp.fft.rfftn(coefficients, axes=(1, 2)).real
+    return symbols[0], symbols[1:]
+
+
+@functools.partial(jax.jit, static_argnames="shape")
+def _window_inverse(pair: ElasticPair, shape: tuple[int, ...], pixel_size: Array) -> Array:
+    """Inverse response of the periodic surface on the bare window, its mean (zero) raised to be positive.
+
+    Transforms of the window cost a quarter of the response's, so the whole inverse is worth its price here.
+    """
+    q = wavenumber_magnitude(shape, pixel_size)
+    lowest = jnp.min(jnp.where(q > 0.0, q, jnp.inf))
+    return pair.contact_modulus / 2.0 * jnp.maximum(q, 0.5 * lowest)
 
 
 class FreeHalfSpace(HalfSpace):
     r"""Half-spaces that carry traction only inside the grid's window and are free elsewhere.
 
-    With two axes displacements are relative to infinity. With one axis the grid is a strip in plane strain, where
-    displacement grows without bound; it is then relative to ``reference_distance``.
+    With two axes displacements are relative to infinity. With one axis the grid is a strip in plane strain,
+    where displacement grows without bound; it is then relative to ``reference_distance``.
 
     Parameters
     ----------
@@ -35,7 +75,8 @@ class FreeHalfSpace(HalfSpace):
     pixel_size : tuple of float
         Spacing along each axis [m].
     reference_distance : float, optional
-        Only on a strip, and required there: distance from a load at which the surface is taken as unmoved [m].
+        Only on a strip, and required there: distance from a load at which the surface is taken as unmoved
+        [m].
 
     Raises
     ------
@@ -46,8 +87,8 @@ class FreeHalfSpace(HalfSpace):
 
     Notes
     -----
-    The convolution with the pixels' influence coefficients is exact (no periodic images) as the transforms run
-    on twice the window along each axis.
+    The convolution with the pixels' influence coefficients is exact (no periodic images) as the transforms
+    run on twice the window along each axis.
 
     References
     ----------
@@ -56,11 +97,10 @@ class FreeHalfSpace(HalfSpace):
 
     pair: ElasticPair
     shape: tuple[int, ...] = eqx.field(static=True)
-    pixel_size: tuple[float, ...] = eqx.field(static=True)
+    pixel_size: Array
     _normal: Array
     _shear: Array
     _inverse: Array
-    periodic: bool = eqx.field(static=True, default=False)
 
     def __init__(
         self,
@@ -71,36 +111,25 @@ class FreeHalfSpace(HalfSpace):
         reference_distance: float | None = None,
     ) -> None:
         require_double_precision()
-        self.pair = pair
         self.shape, self.pixel_size = grid(shape, pixel_size)
-        self.periodic = False
-        q = wavenumber_magnitude(self.shape, self.pixel_size)
-        lowest = jnp.min(jnp.where(q > 0.0, q, jnp.inf))
-        # Transforms of the bare window cost a quarter of the response's: take the whole inverse of the periodic surface,
-        # its mean (zero) replaced so that it stays positive.
-        self._inverse = pair.contact_modulus / 2.0 * jnp.maximum(q, 0.5 * lowest)
-        if len(self.shape) == 1:
-            if reference_distance is None:
-                raise InputError("a strip (one axis) needs reference_distance [m]; displacement has no limit there")
-            distance = _wrapped_distance(self.shape[0], self.pixel_size[0])
-            base = strip_integral(
-                distance,
-                pixel_size=self.pixel_size[0],
-                reference_distance=positive("reference_distance", reference_distance, "m"),
-            )
-            symbol = jnp.fft.rfft(base).real
-            self._normal = 2.0 / pair.contact_modulus * symbol
-            self._shear = jnp.stack([self._normal, symbol / pair.antiplane_modulus])
-        else:
+        self.pair = jax.tree.map(jnp.asarray, pair)
+        self._inverse = _window_inverse(self.pair, self.shape, self.pixel_size)
+        if len(self.shape) == 2:
             if reference_distance is not None:
                 raise InputError("reference_distance is for a strip; with two axes the reference is infinity")
-            x, y = (_wrapped_distance(n, d) for n, d in zip(self.shape, self.pixel_size, strict=True))
-            xx, yy, xy = patch_integrals(x[:, None], y[None, :], pixel_size=self.pixel_size)
-            # Entry n is reached by no pair of points; an odd coefficient has to vanish there to stay real.
-            xy = xy.at[self.shape[0], :].set(0.0).at[:, self.shape[1]].set(0.0)
-            coefficients = jnp.stack([normal_patch(pair, xx, yy), *shear_patch(pair, xx, yy, xy)])
-            symbols = jnp.fft.rfftn(coefficients, axes=(1, 2)).real
-            self._normal, self._shear = symbols[0], symbols[1:]
+            self._normal, self._shear = _surface_operators(self.pair, self.shape, self.pixel_size)
+        else:
+            if reference_distance is None:
+                raise InputError(
+                    "a strip (one axis) needs reference_distance [m]; displacement has no limit there"
+                )
+            far = jnp.asarray(positive("reference_distance", reference_distance, "m"))
+            self._normal, self._shear = _strip_operators(self.pair, self.shape, self.pixel_size, far)
+
+    @property
+    def periodic(self) -> bool:
+        """See :class:`~asperity.bem.half_space.HalfSpace`."""
+        return False
 
     def _convolved(self, traction: Array, symbol: Array) -> Array:
         padded = jnp.pad(traction, [(0, n) for n in self.shape])

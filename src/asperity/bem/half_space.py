@@ -1,15 +1,17 @@
 r"""What every half-space model offers to the solvers, and the periodic one.
 
 The elastic surface is a grid of one axis (a strip in plane strain: loads are per metre of length) or two.
-Displacements are those of both bodies together; tractions act on the centre pixel areas. Each model maps traction to
-displacement by fast Fourier transforms, and also offers a rough way back that costs much less than the transforms: the
-inverse response of an unrestricted surface, :math:`E q/2`, or its nearest-neighbour part. It preconditions conjugate
-gradients; on a patchy contact area the nearest neighbours alone need about 15 % more iterations than the whole.
+Displacements are those of both bodies together; tractions act on the centre pixel areas. Each model maps
+traction to displacement by fast Fourier transforms, and also offers a rough way back that costs much less
+than the transforms: the inverse response of an unrestricted surface, :math:`E q/2`, or its nearest-neighbour
+part. It preconditions conjugate gradients; on a patchy contact area the nearest neighbours alone need about
+15 % more iterations than the whole.
 """
 
 from __future__ import annotations
 
 import abc
+import functools
 import itertools
 import math
 
@@ -74,14 +76,14 @@ def mixed(field: Array, symbols: Array, shape: tuple[int, ...]) -> Array:
     return back[(slice(None), *(slice(n) for n in field.shape[1:]))]
 
 
-def wavenumbers(shape: tuple[int, ...], pixel_size: tuple[float, ...]) -> list[Array]:
+def wavenumbers(shape: tuple[int, ...], pixel_size: Array) -> list[Array]:
     """Angular wavenumber [rad/m] along each axis of the half-spectrum, broadcastable against each other.
 
     Parameters
     ----------
     shape : tuple of int
         Points along each axis.
-    pixel_size : tuple of float
+    pixel_size : array, shape (axes,)
         Spacing along each axis [m].
 
     Returns
@@ -91,9 +93,11 @@ def wavenumbers(shape: tuple[int, ...], pixel_size: tuple[float, ...]) -> list[A
     """
     last = len(shape) - 1
     q = []
-    for axis, (n, d) in enumerate(zip(shape, pixel_size, strict=True)):
-        f = jnp.fft.rfftfreq(n, d) if axis == last else jnp.fft.fftfreq(n, d)
-        q.append((2.0 * math.pi * f).reshape([-1 if i == axis else 1 for i in range(last + 1)]))
+    for axis, n in enumerate(shape):
+        f = jnp.fft.rfftfreq(n) if axis == last else jnp.fft.fftfreq(n)
+        q.append(
+            (2.0 * math.pi * f / pixel_size[axis]).reshape([-1 if i == axis else 1 for i in range(last + 1)])
+        )
     return q
 
 
@@ -102,22 +106,26 @@ class HalfSpace(eqx.Module):
 
     pair: eqx.AbstractVar[ElasticPair]
     shape: eqx.AbstractVar[tuple[int, ...]]
-    pixel_size: eqx.AbstractVar[tuple[float, ...]]
-    periodic: eqx.AbstractVar[bool]
+    pixel_size: eqx.AbstractVar[Array]
 
     @property
-    def pixel_area(self) -> float:
+    @abc.abstractmethod
+    def periodic(self) -> bool:
+        """Whether the surface repeats, so that displacements are relative to its mean plane."""
+
+    @property
+    def pixel_area(self) -> Array:
         """Area of one pixel [m^2]; its length [m] on a strip, where every force is per metre."""
-        return math.prod(self.pixel_size)
+        return jnp.prod(self.pixel_size)
 
     @property
-    def nominal_area(self) -> float:
+    def nominal_area(self) -> Array:
         """Area of the whole grid [m^2]; length [m] on a strip."""
-        return self.pixel_area * math.prod(self.shape)
+        return self.pixel_area * float(math.prod(self.shape))
 
     @property
     def force_unit(self) -> str:
-        """"N", or "N/m" on a strip."""
+        """Unit of every force: N, or N/m on a strip."""
         return "N" if len(self.shape) == 2 else "N/m"
 
     @abc.abstractmethod
@@ -130,11 +138,11 @@ class HalfSpace(eqx.Module):
 
     @abc.abstractmethod
     def aligned_shear_displacement(self, traction: Array, axis: int) -> Array:
-        """Displacement along one axis [m] under shear traction along the same axis [Pa]; both of grid shape."""
+        """Displacement along one axis [m] under shear traction along the same axis [Pa], both (*grid)."""
 
     @abc.abstractmethod
     def traction_estimate(self, displacement: Array) -> Array:
-        """Traction [Pa] that gives roughly this displacement [m], component by component; any leading axes."""
+        """Traction [Pa] that gives roughly this displacement [m]; any leading axes."""
 
     def flattening_pressure(self, heights: Array) -> Array:
         """Pressure [Pa], up to a constant, that would press this periodic surface [m] flat."""
@@ -160,14 +168,14 @@ def normal_symbol(pair: ElasticPair, q: Array) -> Array:
     return jnp.where(q > 0.0, 2.0 / (pair.contact_modulus * jnp.where(q > 0.0, q, 1.0)), 0.0)
 
 
-def wavenumber_magnitude(shape: tuple[int, ...], pixel_size: tuple[float, ...]) -> Array:
+def wavenumber_magnitude(shape: tuple[int, ...], pixel_size: Array) -> Array:
     """Magnitude of the wavenumber [rad/m] over the half-spectrum.
 
     Parameters
     ----------
     shape : tuple of int
         Points along each axis.
-    pixel_size : tuple of float
+    pixel_size : array, shape (axes,)
         Spacing along each axis [m].
 
     Returns
@@ -219,20 +227,21 @@ def shear_symbols(pair: ElasticPair, q_axes: list[Array], shape: tuple[int, ...]
     return jnp.where(q > 0.0, jnp.stack(parts) / safe, 0.0)
 
 
-def nearest_neighbour_weights(shape: tuple[int, ...], pixel_size: tuple[float, ...]) -> Array:
+def nearest_neighbour_weights(shape: tuple[int, ...], pixel_size: Array) -> Array:
     """The part of the operator :math:`q` that reaches the nearest neighbours, diagonal ones included [1/m].
 
     Parameters
     ----------
     shape : tuple of int
         Points along each axis.
-    pixel_size : tuple of float
+    pixel_size : array, shape (axes,)
         Spacing along each axis [m].
 
     Returns
     -------
     array, shape (3,) or (3, 3)
-        Weights; symmetric, and positive as an operator because the long-range part they leave out is negative.
+        Weights; symmetric, and positive as an operator because the long-range part they leave out is
+        negative.
     """
     kernel = jnp.fft.irfftn(wavenumber_magnitude(shape, pixel_size), s=shape)
     near = jnp.array([1, 0, 1])
@@ -264,6 +273,17 @@ def weighted_neighbours(field: Array, weights: Array) -> Array:
     return total
 
 
+@functools.partial(jax.jit, static_argnames="shape")
+def _periodic_operators(
+    pair: ElasticPair, shape: tuple[int, ...], pixel_size: Array
+) -> tuple[Array, Array, Array]:
+    return (
+        normal_symbol(pair, wavenumber_magnitude(shape, pixel_size)),
+        shear_symbols(pair, wavenumbers(shape, pixel_size), shape),
+        pair.contact_modulus / 2.0 * nearest_neighbour_weights(shape, pixel_size),
+    )
+
+
 class PeriodicHalfSpace(HalfSpace):
     r"""Half-spaces whose surface repeats with the period of the grid.
 
@@ -287,26 +307,28 @@ class PeriodicHalfSpace(HalfSpace):
 
     References
     ----------
-    H. M. Stanley and T. Kato, J. Tribol. 119 (1997) 481; K. L. Johnson, Contact Mechanics, 1985, section 13.2.
+    H. M. Stanley and T. Kato, J. Tribol. 119 (1997) 481; K. L. Johnson, Contact Mechanics, 1985, section
+    13.2.
     """
 
     pair: ElasticPair
     shape: tuple[int, ...] = eqx.field(static=True)
-    pixel_size: tuple[float, ...] = eqx.field(static=True)
+    pixel_size: Array
     _normal: Array
     _shear: Array
     _neighbours: Array
-    periodic: bool = eqx.field(static=True, default=True)
 
     def __init__(self, pair: ElasticPair, *, shape: tuple[int, ...], pixel_size: tuple[float, ...]) -> None:
         require_double_precision()
-        self.pair = pair
         self.shape, self.pixel_size = grid(shape, pixel_size)
-        self.periodic = True
-        self._normal = normal_symbol(pair, wavenumber_magnitude(self.shape, self.pixel_size))
-        self._shear = shear_symbols(pair, wavenumbers(self.shape, self.pixel_size), self.shape)
-        weights = nearest_neighbour_weights(self.shape, self.pixel_size)
-        self._neighbours = pair.contact_modulus / 2.0 * weights
+        self.pair = jax.tree.map(jnp.asarray, pair)
+        operators = _periodic_operators(self.pair, self.shape, self.pixel_size)
+        self._normal, self._shear, self._neighbours = operators
+
+    @property
+    def periodic(self) -> bool:
+        """See :class:`HalfSpace`."""
+        return True
 
     def normal_displacement(self, pressure: Array) -> Array:
         """See :class:`HalfSpace`."""

@@ -19,21 +19,22 @@ from jax import Array
 from asperity.bem.elastic_pair import ElasticPair
 
 
-def _over_pixel(primitive: Callable[[Array, Array], Array], x: Array, y: Array, dx: float, dy: float) -> Array:
+def _over_pixel(
+    primitive: Callable[[Array, Array], Array], x: Array, y: Array, dx: Array, dy: Array
+) -> Array:
     right, left, top, bottom = x + dx / 2.0, x - dx / 2.0, y + dy / 2.0, y - dy / 2.0
-    return (
-        primitive(right, top) - primitive(right, bottom) - primitive(left, top) + primitive(left, bottom)
-    )
+    return primitive(right, top) - primitive(right, bottom) - primitive(left, top) + primitive(left, bottom)
 
 
-def patch_integrals(x: Array, y: Array, *, pixel_size: tuple[float, ...]) -> tuple[Array, Array, Array]:
-    r"""Integrals of :math:`x^2/r^3`, :math:`y^2/r^3` and :math:`xy/r^3` over the pixel centred at distance (x, y).
+def patch_integrals(x: Array, y: Array, *, pixel_size: Array) -> tuple[Array, Array, Array]:
+    r"""Integrals of :math:`x^2/r^3`, :math:`y^2/r^3`, :math:`xy/r^3` over the pixel centred at (x, y).
 
     Parameters
     ----------
     x, y : array
-        Distances between pixel centres [m]; multiples of the pixel size, so that no corner has x = 0 or y = 0.
-    pixel_size : tuple of float
+        Distances between pixel centres [m]; multiples of the pixel size, so that no corner has x = 0 or y =
+        0.
+    pixel_size : array, shape (2,)
         Sides of the pixel [m].
 
     Returns
@@ -41,7 +42,7 @@ def patch_integrals(x: Array, y: Array, *, pixel_size: tuple[float, ...]) -> tup
     tuple of arrays
         The three integrals [m].
     """
-    dx, dy = pixel_size
+    dx, dy = pixel_size[0], pixel_size[1]
     xx = _over_pixel(lambda a, b: b * jnp.arcsinh(a / jnp.abs(b)), x, y, dx, dy)
     yy = _over_pixel(lambda a, b: a * jnp.arcsinh(b / jnp.abs(a)), x, y, dx, dy)
     xy = _over_pixel(lambda a, b: -jnp.hypot(a, b), x, y, dx, dy)
@@ -65,7 +66,8 @@ def normal_patch(pair: ElasticPair, xx: Array, yy: Array) -> Array:
 
     References
     ----------
-    A. E. H. Love, Phil. Trans. R. Soc. A 228 (1929) 377; K. L. Johnson, Contact Mechanics, 1985, equation (3.25).
+    A. E. H. Love, Phil. Trans. R. Soc. A 228 (1929) 377; K. L. Johnson, Contact Mechanics, 1985, equation
+    (3.25).
     """
     return (xx + yy) / (math.pi * pair.contact_modulus)
 
@@ -73,8 +75,9 @@ def normal_patch(pair: ElasticPair, xx: Array, yy: Array) -> Array:
 def shear_patch(pair: ElasticPair, xx: Array, yy: Array, xy: Array) -> tuple[Array, Array, Array]:
     r"""Tangential displacements per shear traction on a pixel (Cerruti), components xx, yy, xy.
 
-    .. math:: u_{xx} = \frac{1}{2\pi}\int\!\!\int\left[\frac1G \frac{x^2}{r^3} + \frac2E\frac{y^2}{r^3}\right],
-              \quad u_{xy} = \frac{1}{2\pi}\left(\frac1G - \frac2E\right)\int\!\!\int\frac{xy}{r^3}
+    .. math::
+        u_{xx} = \frac{1}{2\pi}\int\!\!\int\left[\frac{x^2}{G r^3} + \frac{2 y^2}{E r^3}\right], \quad
+        u_{xy} = \frac{1}{2\pi}\left(\frac1G - \frac2E\right)\int\!\!\int\frac{xy}{r^3}
 
     Parameters
     ----------
@@ -101,16 +104,16 @@ def shear_patch(pair: ElasticPair, xx: Array, yy: Array, xy: Array) -> tuple[Arr
     )
 
 
-def strip_integral(x: Array, *, pixel_size: float, reference_distance: float) -> Array:
+def strip_integral(x: Array, *, pixel_size: Array, reference_distance: Array) -> Array:
     r"""Integral of :math:`\frac1\pi\ln(d/|x - s|)` over the pixel centred at s = 0.
 
     Parameters
     ----------
     x : array
         Distances between pixel centres [m].
-    pixel_size : float
+    pixel_size : array, scalar
         Width of the pixel [m].
-    reference_distance : float
+    reference_distance : array, scalar
         Distance d at which the displacement is taken as zero [m].
 
     Returns

@@ -20,24 +20,25 @@ _LOAD_TOLERANCE = 1e-9
 
 
 class NormalContact(eqx.Module):
-    """A converged normal contact; SI units.
+    r"""A converged normal contact; SI units.
 
     Parameters
     ----------
     half_space : HalfSpace
         The elastic bodies and the grid.
-    pressure : Array, shape (\\*grid)
+    pressure : Array, shape (\*grid)
         Contact pressure [Pa]; exactly zero outside the contact.
-    displacement : Array, shape (\\*grid)
+    displacement : Array, shape (\*grid)
         Normal displacement of the surface [m], both bodies together.
-    gap : Array, shape (\\*grid)
-        Distance of the surfaces [m]; zero in elastic contact, negative by the depth of the flow where hardness caps
-        the pressure.
+    gap : Array, shape (\*grid)
+        Distance of the surfaces [m]; zero in elastic contact, negative by the depth of the flow where
+        hardness caps the pressure.
     normal_force : Array, scalar
         Load, the sum of the pressure [N; N/m on a strip].
     approach : Array, scalar
-        Rigid displacement of the rough body towards the half-space [m], from first touch of its highest point at
-        height zero; relative to infinity, to the reference distance (strip) or to the mean plane (periodic).
+        Rigid displacement of the rough body towards the half-space [m], from first touch of its highest
+        point at height zero; relative to infinity, to the reference distance (strip) or to the mean plane
+        (periodic).
     real_contact_area : Array, scalar
         Area of the pixels that carry pressure [m^2; m on a strip].
     contact_fraction : Array, scalar
@@ -136,8 +137,8 @@ def normal_contact(
 
     .. math:: g = u(p) - h + \delta \ge 0,\quad p \ge 0,\quad p\,g = 0,\quad \int p = F_n
 
-    By superposition this is also the contact of two rough elastic bodies: h is then the sum of both roughnesses and the
-    moduli those of the pair.
+    By superposition this is also the contact of two rough elastic bodies: h is then the sum of both
+    roughnesses and the moduli those of the pair.
 
     Parameters
     ----------
@@ -150,9 +151,11 @@ def normal_contact(
     hardness : float, optional
         Cap on the pressure [Pa]; without it the contact is elastic whatever the pressure.
     start : NormalContact, optional
-        Solution at a nearby load on the same grid to start from; saves iterations, does not change the result.
+        Solution at a nearby load on the same grid to start from; saves iterations, does not change the
+        result.
     tolerance : float
-        Bound on the root mean square gap inside the contact, relative to the pressure-weighted mean displacement [-].
+        Bound on the root mean square gap inside the contact, relative to the pressure-weighted mean
+        displacement [-].
     max_iterations : int
         Where to give up.
 
@@ -164,15 +167,16 @@ def normal_contact(
     Raises
     ------
     InputError
-        For heights that do not fit, a load that is not positive, or one that the capped pressure cannot carry.
+        For heights that do not fit, a load that is not positive, or one that the capped pressure cannot
+        carry.
     NoSolutionError
         If the iteration does not converge or the pressure does not add up to the load.
 
     Notes
     -----
-    Small slopes, no friction, no adhesion. The hardness cap is perfect plasticity of the surface points one by one
-    (Almqvist et al. 2007): it limits the pressure but moves no material sideways. The approach is that of the given heights: subtract
-    their maximum for the travel since first touch.
+    Small slopes, no friction, no adhesion. The hardness cap is perfect plasticity of the surface points one
+    by one (Almqvist et al. 2007): it limits the pressure but moves no material sideways. The approach is
+    that of the given heights: subtract their maximum for the travel since first touch.
 
     References
     ----------
@@ -184,12 +188,13 @@ def normal_contact(
     force = positive("normal_force", normal_force, unit)
     limit = float("inf") if hardness is None else positive("hardness", hardness, "Pa")
     positive("tolerance", tolerance, "(relative)")
-    if force >= limit * half_space.nominal_area:
+    capacity = limit * float(half_space.nominal_area)
+    if force >= capacity:
         raise InputError(
             f"normal_force = {force:g} {unit}: a surface of hardness {limit:g} Pa carries less than "
-            f"{limit * half_space.nominal_area:g} {unit} on this grid; lower the load"
+            f"{capacity:g} {unit} on this grid; lower the load"
         )
-    total = jnp.asarray(force / half_space.pixel_area)
+    total = force / half_space.pixel_area
     found = _solved(
         half_space,
         h,
@@ -199,12 +204,13 @@ def normal_contact(
         jnp.asarray(tolerance),
         jnp.asarray(max_iterations),
     )
-    balance = jnp.abs(jnp.sum(found.traction) / total - 1.0)
     refuse_unconverged("normal contact", found, tolerance)
+    carried = jnp.sum(found.traction) * half_space.pixel_area
+    balance = jnp.abs(carried / force - 1.0)
     if not float(balance) <= _LOAD_TOLERANCE:
         raise NoSolutionError(
-            f"normal contact: the pressure adds up to {float(jnp.sum(found.traction)) * half_space.pixel_area:.9g} {unit} instead of "
-            f"{force:.9g} {unit}; the state is not in balance and is not returned"
+            f"normal contact: the pressure adds up to {float(carried):.9g} {unit} instead of {force:.9g} "
+            f"{unit}; the state is not in balance and is not returned"
         )
     touching = found.traction > 0.0
     gap = found.displacement - h - found.shift
@@ -214,7 +220,7 @@ def normal_contact(
         pressure=found.traction,
         displacement=found.displacement,
         gap=gap,
-        normal_force=jnp.sum(found.traction) * half_space.pixel_area,
+        normal_force=carried,
         approach=found.shift,
         real_contact_area=fraction * half_space.nominal_area,
         contact_fraction=fraction,
@@ -242,9 +248,9 @@ def refuse_unconverged(what: str, found: BoundedSolution, tolerance: float) -> N
     NoSolutionError
         If it is not a solution.
     """
-    residual = float(jnp.max(found.residual))
+    residual, iterations = float(jnp.max(found.residual)), int(jnp.max(found.iterations))
     if not residual <= tolerance or not bool(jnp.all(jnp.isfinite(found.traction))):
         raise NoSolutionError(
-            f"{what}: not converged after {int(jnp.max(found.iterations))} iterations, relative residual {residual:.3g} "
-            f"against the tolerance {tolerance:.3g}; raise max_iterations, or loosen the tolerance"
+            f"{what}: not converged after {iterations} iterations, relative residual {residual:.3g} against "
+            f"the tolerance {tolerance:.3g}; raise max_iterations, or loosen the tolerance"
         )

@@ -15,12 +15,13 @@ from asperity.bem.half_space import HalfSpace
 from asperity.bem.normal_contact import pressure_weighted_displacement, refuse_unconverged
 from asperity.errors import InputError, NoSolutionError
 
-#: Largest difference between the sum of the traction and the prescribed force, over the sliding force, that is accepted.
+#: Largest difference between the sum of the traction and the prescribed force, over the sliding force, that
+# is accepted.
 _FORCE_TOLERANCE = 1e-9
 
 
 class PartialSlip(eqx.Module):
-    """A converged history of shear, one entry per step; SI units.
+    r"""A converged history of shear, one entry per step; SI units.
 
     Parameters
     ----------
@@ -32,14 +33,15 @@ class PartialSlip(eqx.Module):
         Share of the contact area that sticks (traction below the cap) [-].
     friction_work : Array, shape (steps,)
         Work dissipated by slip since the start [J; J/m on a strip], from slip and traction point by point.
-    traction : Array, shape (steps, \\*grid)
+    traction : Array, shape (steps, \*grid)
         Shear traction [Pa].
-    slip : Array, shape (steps, \\*grid)
+    slip : Array, shape (steps, \*grid)
         Accumulated slip in the contact [m].
     iterations : Array, shape (steps,)
         Conjugate-gradient iterations.
     residual : Array, shape (steps,)
-        Root mean square misfit of displacement where it sticks, over the pressure-weighted displacement at sliding [-].
+        Root mean square misfit of displacement where it sticks, over the pressure-weighted displacement at
+        sliding [-].
     load_balance_error : Array, shape (steps,)
         Difference between the sum of the traction and the prescribed force over the sliding force [-].
     """
@@ -92,7 +94,12 @@ def _history(
         work = work - jnp.sum(found.traction * (new_slip - slip)) * half_space.pixel_area
         stick = jnp.sum(sticks, dtype=cap.dtype) / jnp.sum(contact, dtype=cap.dtype)
         small = BoundedSolution(found.traction, new_slip, rigid, found.iterations, found.residual)
-        return (found.traction, new_slip, work), (small, stick, work, jnp.sum(found.traction) * half_space.pixel_area)
+        return (found.traction, new_slip, work), (
+            small,
+            stick,
+            work,
+            jnp.sum(found.traction) * half_space.pixel_area,
+        )
 
     zero = jnp.zeros_like(cap)
     _, out = jax.lax.scan(step, (zero, zero, jnp.zeros(())), path)
@@ -133,8 +140,8 @@ def partial_slip(
     displacement : array, shape (steps,), optional
         Prescribed rigid displacements [m]; may go into gross sliding.
     tolerance : float
-        Bound on the root mean square misfit of displacement in the stick zone, relative to the pressure-weighted
-        elastic displacement at sliding [-].
+        Bound on the root mean square misfit of displacement in the stick zone, relative to the
+        pressure-weighted elastic displacement at sliding [-].
     max_iterations : int
         Where to give up, per step.
 
@@ -146,21 +153,24 @@ def partial_slip(
     Raises
     ------
     InputError
-        For fields that do not fit, no or two histories, a force beyond sliding, or a direction that does not exist.
+        For fields that do not fit, no or two histories, a force beyond sliding, or a direction that does not
+        exist.
     NoSolutionError
         If a step does not converge or its traction does not add up to the force.
 
     Notes
     -----
-    The traction is taken parallel to the shear and slip across it is disregarded, as Cattaneo and Mindlin do; exact
-    for nu = 0, and within about one per cent of the displacement otherwise. The pressure is not changed by the shear, which holds for
-    like materials. Within a step slip and traction are taken at its end, so the work of slip that changes along a step
-    converges with the number of steps; the state itself does not depend on their number as long as the force grows or falls.
+    The traction is taken parallel to the shear and slip across it is disregarded, as Cattaneo and Mindlin
+    do; exact for nu = 0, and within about one per cent of the displacement otherwise. The pressure is not
+    changed by the shear, which holds for like materials. Within a step slip and traction are taken at its
+    end, so the work of slip that changes along a step converges with the number of steps; the state itself
+    does not depend on their number as long as the force grows or falls.
 
     References
     ----------
     C. Cattaneo, Rend. Accad. Naz. Lincei 27 (1938) 342. R. D. Mindlin, J. Appl. Mech. 16 (1949) 259.
-    J. J. Kalker, Three-Dimensional Elastic Bodies in Rolling Contact, 1990, section 4.2 (the minimum principle).
+    J. J. Kalker, Three-Dimensional Elastic Bodies in Rolling Contact, 1990, section 4.2 (the minimum
+    principle).
     """
     if axis not in (0, 1):
         raise InputError(f"axis = {axis}: the tangential directions are 0 and 1")
@@ -168,17 +178,23 @@ def partial_slip(
     positive("tolerance", tolerance, "(relative)")
     p = field_on_grid("pressure", pressure, half_space.shape)
     if p.min() < 0.0 or p.max() <= 0.0:
-        raise InputError(f"pressure lies between {p.min():g} and {p.max():g} Pa: it must not pull, and must press somewhere")
+        raise InputError(
+            f"pressure lies between {p.min():g} and {p.max():g} Pa: it must nowhere pull and somewhere press"
+        )
     if (tangential_force is None) == (displacement is None):
         raise InputError("give either tangential_force or displacement, one value per step")
     force_driven = tangential_force is not None
-    path = np.atleast_1d(np.asarray(tangential_force if force_driven else displacement, dtype=np.float64))
+    given = tangential_force if force_driven else displacement
+    path = np.atleast_1d(np.asarray(given, dtype=np.float64))
     if path.ndim != 1 or not np.all(np.isfinite(path)):
-        raise InputError(f"the history of shear must be a list of finite numbers, not an array of shape {path.shape}")
-    sliding_force = mu * float(p.sum()) * half_space.pixel_area
-    if force_driven and np.abs(path).max() >= sliding_force:
         raise InputError(
-            f"tangential_force reaches {np.abs(path).max():g} {half_space.force_unit}: from {sliding_force:g} {half_space.force_unit} on "
+            f"the history of shear must be a list of finite numbers, not an array of shape {path.shape}"
+        )
+    sliding_force = mu * float(p.sum()) * float(half_space.pixel_area)
+    if force_driven and np.abs(path).max() >= sliding_force:
+        unit = half_space.force_unit
+        raise InputError(
+            f"tangential_force reaches {np.abs(path).max():g} {unit}: from {sliding_force:g} {unit} on "
             "(friction coefficient times load) the bodies slide; prescribe the displacement instead"
         )
     found, stick, work, force = _history(
@@ -194,8 +210,8 @@ def partial_slip(
     balance = jnp.abs(force - jnp.asarray(path)) / sliding_force if force_driven else jnp.zeros_like(force)
     if not float(jnp.max(balance)) <= _FORCE_TOLERANCE:
         raise NoSolutionError(
-            f"partial slip: the traction misses the prescribed force by {float(jnp.max(balance)):.3g} of the sliding force; "
-            "the state is not in balance and is not returned"
+            f"partial slip: the traction misses the prescribed force by {float(jnp.max(balance)):.3g} of the "
+            "sliding force; the state is not in balance and is not returned"
         )
     return PartialSlip(
         tangential_force=force,

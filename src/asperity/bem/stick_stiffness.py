@@ -15,10 +15,12 @@ from asperity.bem.half_space import HalfSpace
 from asperity.errors import InputError, NoSolutionError
 
 Response = Callable[[Array], Array]
+#: Solution t, residual, direction, slope, t·b so far, iterations.
+_Linear = tuple[Array, Array, Array, Array, Array, Array]
 
 
 class ContactStiffness(eqx.Module):
-    """Force per rigid displacement of a contact area that neither grows nor slips; SI units.
+    r"""Force per rigid displacement of a contact area that neither grows nor slips; SI units.
 
     Parameters
     ----------
@@ -26,7 +28,7 @@ class ContactStiffness(eqx.Module):
         Force along the displacement over the displacement [N/m; N/m per metre of length on a strip].
     cross_stiffness : Array, scalar
         Force along the other tangential axis over the displacement, same unit; zero for the normal stiffness.
-    traction_rate : Array, shape (\\*grid) if normal, (2, \\*grid) if tangential
+    traction_rate : Array, shape (\*grid) if normal, (2, \*grid) if tangential
         Traction per displacement [Pa/m].
     iterations : Array, scalar
         Conjugate-gradient iterations.
@@ -42,7 +44,13 @@ class ContactStiffness(eqx.Module):
 
 
 def conjugate_gradients(
-    *, response: Response, estimate: Response, usable: Array, target: Array, tolerance: Array, max_iterations: Array
+    *,
+    response: Response,
+    estimate: Response,
+    usable: Array,
+    target: Array,
+    tolerance: Array,
+    max_iterations: Array,
 ) -> tuple[Array, Array, Array]:
     r"""Solve A t = b on the usable points, preconditioned; call it inside a compiled function.
 
@@ -66,34 +74,37 @@ def conjugate_gradients(
 
     Notes
     -----
-    Were M the exact inverse, the ratio would be the relative error of :math:`t \cdot b`, which conjugate gradients approach
-    from below. That error is second order in the error of t.
+    Were M the exact inverse, the ratio would be the relative error of :math:`t \cdot b`, which conjugate
+    gradients approach from below. That error is second order in the error of t.
     """
 
     def restricted(field: Array) -> Array:
         return jnp.where(usable, field, 0.0)
 
-    def unfinished(state: tuple[Array, ...]) -> Array:
-        t, _, _, _, slope, k = state
-        return (slope > tolerance * jnp.sum(t * target)) & (k < max_iterations)
+    def unfinished(state: _Linear) -> Array:
+        _, _, _, slope, work, k = state
+        return (slope > tolerance * work) & (k < max_iterations)
 
-    def step(state: tuple[Array, ...]) -> tuple[Array, ...]:
-        t, r, z, d, slope, k = state
+    def step(state: _Linear) -> _Linear:
+        t, r, d, slope, work, k = state
         w = restricted(response(d))
         tau = slope / jnp.sum(d * w)
         r = r - tau * w
         z = restricted(estimate(r))
         new = jnp.sum(r * z)
-        return t + tau * d, r, z, z + new / slope * d, new, k + 1
+        return t + tau * d, r, z + new / slope * d, new, work + tau * slope, k + 1
 
     z = restricted(estimate(target))
-    first = (jnp.zeros_like(target), target, z, z, jnp.sum(target * z), jnp.zeros((), dtype=jnp.int64))
-    t, _, _, _, slope, k = jax.lax.while_loop(unfinished, step, first)
-    return t, k, slope / jnp.sum(t * target)
+    zero = jnp.zeros(())
+    first = (jnp.zeros_like(target), target, z, jnp.sum(target * z), zero, jnp.zeros((), dtype=jnp.int64))
+    t, _, _, slope, work, k = jax.lax.while_loop(unfinished, step, first)
+    return t, k, slope / work
 
 
 @eqx.filter_jit
-def _normal_rate(half_space: HalfSpace, mask: Array, tolerance: Array, max_iterations: Array) -> tuple[Array, ...]:
+def _normal_rate(
+    half_space: HalfSpace, mask: Array, tolerance: Array, max_iterations: Array
+) -> tuple[Array, ...]:
     return conjugate_gradients(
         response=half_space.normal_displacement,
         estimate=half_space.traction_estimate,
@@ -124,37 +135,47 @@ def _checked_mask(half_space: HalfSpace, contact_mask: ArrayLike, tolerance: flo
     mask = jnp.asarray(contact_mask)
     if mask.shape != half_space.shape or mask.dtype != jnp.bool_:
         raise InputError(
-            f"contact_mask has shape {mask.shape} and type {mask.dtype}: the grid needs {half_space.shape} of bool"
+            f"contact_mask has shape {mask.shape} and type {mask.dtype}: the grid needs {half_space.shape} "
+            "of bool"
         )
     touching = int(jnp.sum(mask))
     if touching == 0:
         raise InputError("contact_mask is empty: where nothing touches there is no stiffness")
     if half_space.periodic and touching == mask.size:
         raise InputError(
-            "contact_mask is full: a periodic interface in complete contact has no compliance of its own (the "
-            "stiffness is infinite); lower the load"
+            "contact_mask is full: a periodic interface in complete contact has no compliance of its own "
+            "(the stiffness is infinite); lower the load"
         )
     return mask
 
 
 def _checked_result(
-    what: str, half_space: HalfSpace, rate: Array, main: Array, cross: Array, k: Array, error: Array, tolerance: float
+    what: str,
+    half_space: HalfSpace,
+    rate: Array,
+    main: Array,
+    cross: Array,
+    k: Array,
+    error: Array,
+    tolerance: float,
 ) -> ContactStiffness:
     if not float(error) <= tolerance or not float(main) > 0.0:
         raise NoSolutionError(
-            f"{what}: not converged after {int(k)} iterations, estimated relative error {float(error):.3g} against the "
-            f"tolerance {tolerance:.3g}; raise max_iterations, or loosen the tolerance"
+            f"{what}: not converged after {int(k)} iterations, estimated relative error {float(error):.3g} "
+            f"against the tolerance {tolerance:.3g}; raise max_iterations, or loosen the tolerance"
         )
     area = half_space.pixel_area
     return ContactStiffness(main * area, cross * area, rate, k, error)
 
 
 def normal_stiffness(
-    half_space: HalfSpace, contact_mask: ArrayLike, *, tolerance: float = 1e-9, max_iterations: int = 1000
+    half_space: HalfSpace, contact_mask: ArrayLike, *, tolerance: float = 1e-7, max_iterations: int = 1000
 ) -> ContactStiffness:
     r"""Incremental normal stiffness of a contact, :math:`\mathrm dF_n/\mathrm d\delta`.
 
-    .. math:: \int_{\text{contact}} K_n(x - y)\, p'(y)\, \mathrm dy = 1 \text{ on the contact}, \qquad k_n = \int p'
+    .. math::
+        \int_{\text{contact}} K_n(x - y)\, p'(y)\, \mathrm dy = 1 \text{ on the contact},
+        \qquad k_n = \int p'
 
     Parameters
     ----------
@@ -181,14 +202,15 @@ def normal_stiffness(
 
     Notes
     -----
-    The area is held fixed, but the result is the derivative of the load of the *growing* contact too: the pressure vanishes at
-    the edge, so area gained or lost carries load of second order only (true on a grid up to its resolution). On a
-    periodic half-space the displacement is relative to the mean plane: this is the stiffness of the interface
-    alone, dF/d(mean gap) with opposite sign.
+    The area is held fixed, but the result is the derivative of the load of the *growing* contact too: the
+    pressure vanishes at the edge, so area gained or lost carries load of second order only (true on a grid
+    up to its resolution). On a periodic half-space the displacement is relative to the mean plane: this is
+    the stiffness of the interface alone, dF/d(mean gap) with opposite sign.
 
     References
     ----------
-    J. R. Barber, Proc. R. Soc. A 459 (2003) 53. K. L. Johnson, Contact Mechanics, 1985, section 3.8: 2 E a for a disc.
+    J. R. Barber, Proc. R. Soc. A 459 (2003) 53. K. L. Johnson, Contact Mechanics, 1985, section 3.8: 2 E a
+    for a disc.
     """
     mask = _checked_mask(half_space, contact_mask, tolerance)
     rate, k, error = _normal_rate(half_space, mask, jnp.asarray(tolerance), jnp.asarray(max_iterations))
@@ -202,13 +224,14 @@ def tangential_stiffness(
     contact_mask: ArrayLike,
     *,
     axis: int,
-    tolerance: float = 1e-9,
+    tolerance: float = 1e-7,
     max_iterations: int = 1000,
 ) -> ContactStiffness:
     r"""Incremental tangential stiffness of a contact in full stick.
 
-    .. math:: \int_{\text{contact}} K_{ij}(x - y)\, \tau_j'(y)\, \mathrm dy = \delta_{i,\text{axis}} \text{ on the contact},
-              \qquad k_t = \int \tau_{\text{axis}}'
+    .. math::
+        \int_{\text{contact}} K_{ij}(x - y)\, \tau_j'(y)\, \mathrm dy = \delta_{i,\text{axis}}
+        \text{ on the contact}, \qquad k_t = \int \tau_{\text{axis}}'
 
     Both components of the shear traction are unknown; they are coupled unless Poisson's ratio is zero.
 
@@ -233,23 +256,34 @@ def tangential_stiffness(
     Raises
     ------
     InputError
-        If the mask does not fit the grid, is empty, or full on a periodic half-space; if the axis is neither 0 nor 1.
+        If the mask does not fit the grid, is empty, or full on a periodic half-space; if the axis is neither
+        0 nor 1.
     NoSolutionError
         If the iteration does not converge.
 
     Notes
     -----
-    Infinitesimal shear after full normal loading: no point slips yet. Exact for like materials; for unlike ones the
-    coupling to the normal problem through Dundurs' second constant is neglected.
+    Infinitesimal shear after full normal loading: no point slips yet. Exact for like materials; for unlike
+    ones the coupling to the normal problem through Dundurs' second constant is neglected.
 
     References
     ----------
-    R. D. Mindlin, J. Appl. Mech. 16 (1949) 259: 8 G* a for a disc. K. L. Johnson, Contact Mechanics, 1985, section 3.6.
+    R. D. Mindlin, J. Appl. Mech. 16 (1949) 259: 8 G* a for a disc. K. L. Johnson, Contact Mechanics, 1985,
+    section 3.6.
     """
     if axis not in (0, 1):
         raise InputError(f"axis = {axis}: the tangential directions are 0 and 1")
     mask = _checked_mask(half_space, contact_mask, tolerance)
-    rate, k, error = _tangential_rate(half_space, mask, axis, jnp.asarray(tolerance), jnp.asarray(max_iterations))
+    rate, k, error = _tangential_rate(
+        half_space, mask, axis, jnp.asarray(tolerance), jnp.asarray(max_iterations)
+    )
     return _checked_result(
-        "tangential stiffness", half_space, rate, jnp.sum(rate[axis]), jnp.sum(rate[1 - axis]), k, error, tolerance
+        "tangential stiffness",
+        half_space,
+        rate,
+        jnp.sum(rate[axis]),
+        jnp.sum(rate[1 - axis]),
+        k,
+        error,
+        tolerance,
     )
