@@ -12,7 +12,7 @@ def axis(points, spacing):
 
 
 def rough_surface(n=64, seed=0):
-    """Periodic isotropic self-affine surface, Hurst exponent 0.8, waves from n/2 down to 8 pixels, rms slope 1."""
+    """Periodic isotropic self-affine surface, Hurst exponent 0.8, waves n/2 to 8 pixels long, rms slope 1."""
     rng = np.random.default_rng(seed)
     q = 2.0 * np.pi * np.fft.fftfreq(n, 1.0 / n)
     qx, qy = np.meshgrid(q, q[: n // 2 + 1], indexing="ij")
@@ -26,9 +26,8 @@ def rough_surface(n=64, seed=0):
 @pytest.fixture(scope="session")
 def rough_half_space():
     """Unit square, contact modulus 1, Poisson's ratio 0.3."""
-    return PeriodicHalfSpace(
-        ElasticPair(contact_modulus=1.0, antiplane_modulus=0.35), shape=(64, 64), pixel_size=(1 / 64, 1 / 64)
-    )
+    pair = ElasticPair(contact_modulus=1.0, antiplane_modulus=0.35)
+    return PeriodicHalfSpace(pair, shape=(64, 64), pixel_size=(1 / 64, 1 / 64))
 
 
 @pytest.fixture(scope="session")

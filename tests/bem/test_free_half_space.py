@@ -11,8 +11,8 @@ PAIR = ElasticPair(contact_modulus=2.0, antiplane_modulus=0.7)
 
 
 def test_far_from_one_pixel_the_surface_moves_as_under_boussinesqs_and_cerrutis_point_loads():
-    free = FreeHalfSpace(PAIR, shape=(41, 31), pixel_size=(1.0, 1.0))
-    point = np.zeros((2, 41, 31))
+    free = FreeHalfSpace(PAIR, shape=(41, 41), pixel_size=(1.0, 1.0))
+    point = np.zeros((2, 41, 41))
     point[0, 0, 0] = 1.0
     x, y = 40.0, 30.0
     r = np.hypot(x, y)
@@ -37,18 +37,9 @@ def test_the_padded_convolution_has_no_images():
 
 
 def test_the_periodic_response_tends_to_the_free_one_near_a_balanced_load():
-    """A quadrupole's field decays fast: a long period then changes little."""
-    n = 128
-    load = np.zeros((n, n))
-    load[62:66, 62:66] = np.outer([1, -1, -1, 1], [1, -1, -1, 1])
-    free = FreeHalfSpace(PAIR, shape=(n, n), pixel_size=(1.0, 1.0)).normal_displacement(jnp.array(load))
-    periodic = PeriodicHalfSpace(PAIR, shape=(n, n), pixel_size=(1.0, 1.0)).normal_displacement(
-        jnp.array(load)
-    )
-    middle = (slice(60, 68), slice(60, 68))
-    assert float(jnp.abs(free - periodic)[middle].max() / jnp.abs(free).max()) < 0.12  # pixels against waves
-
-    smooth = np.exp(-(((np.arange(n) - 64) / 6.0) ** 2))
+    """A curved load's field decays fast: a long period then changes little."""
+    n = 64
+    smooth = np.exp(-(((np.arange(n) - 32) / 3.0) ** 2))
     bump = np.outer(smooth, np.gradient(np.gradient(smooth)))
     free = FreeHalfSpace(PAIR, shape=(n, n), pixel_size=(1.0, 1.0)).normal_displacement(jnp.array(bump))
     periodic = PeriodicHalfSpace(PAIR, shape=(n, n), pixel_size=(1.0, 1.0)).normal_displacement(

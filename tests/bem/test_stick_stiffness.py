@@ -22,8 +22,8 @@ UNLIKE = elastic_pair(
 
 @pytest.fixture(scope="module")
 def disc():
-    radius, n = 1e-3, 45
-    spacing = 2.0 * radius / 41
+    radius, n = 1e-3, 41
+    spacing = 2.0 * radius / 40
     x = (np.arange(n) - n // 2) * spacing
     mask = x[:, None] ** 2 + x**2 <= radius**2
     return radius, FreeHalfSpace(UNLIKE, shape=(n, n), pixel_size=(spacing, spacing)), jnp.asarray(mask)
@@ -57,7 +57,7 @@ def test_mindlins_ratio_of_a_disc_is_free_of_the_grids_error(disc):
 
 
 def test_mindlins_ratio_on_a_rough_patch(rough_half_space, rough_contact):
-    """Isotropic roughness: the mean over both directions is near Mindlin's ratio (1 %), though no spot is a disc."""
+    """Isotropic roughness: the mean of both directions is near Mindlin's ratio (1 %), though no spot is a disc."""
     mask = rough_contact.pressure > 0.0
     normal = normal_stiffness(rough_half_space, mask).stiffness
     both = [tangential_stiffness(rough_half_space, mask, axis=axis) for axis in (0, 1)]
@@ -70,7 +70,7 @@ def test_mindlins_ratio_on_a_rough_patch(rough_half_space, rough_contact):
 
 
 def test_normal_stiffness_is_the_slope_of_load_over_gap(rough_half_space, rough_heights, rough_contact):
-    """Independent route: central difference of two nonlinear solutions; 0.5 % for the area's jumps by whole pixels."""
+    """Independent route: difference of two nonlinear solutions; 0.5 % for the area's jumps by whole pixels."""
     gaps = [
         float(normal_contact(rough_half_space, rough_heights, normal_force=f, tolerance=1e-10).mean_gap)
         for f in (0.0495, 0.0505)
@@ -80,9 +80,9 @@ def test_normal_stiffness_is_the_slope_of_load_over_gap(rough_half_space, rough_
 
 
 def test_sheared_without_coupling_both_directions_are_the_normal_problem_scaled():
-    """nu = 0: the shear kernel is isotropic and half as compliant again as nothing: k_t = k_n exactly."""
-    half_space = PeriodicHalfSpace(ElasticPair(1.0, 0.5), shape=(32, 32), pixel_size=(1 / 32, 1 / 32))
-    mask = jnp.asarray(np.random.default_rng(2).random((32, 32)) < 0.2)
+    """nu = 0, that is 1/G = 2/E: the shear kernel is isotropic and equal to the normal one, so k_t = k_n."""
+    half_space = PeriodicHalfSpace(ElasticPair(1.0, 0.5), shape=(64, 64), pixel_size=(1 / 64, 1 / 64))
+    mask = jnp.asarray(np.random.default_rng(2).random((64, 64)) < 0.2)
     normal = float(normal_stiffness(half_space, mask, tolerance=1e-12).stiffness)
     for axis in (0, 1):
         found = tangential_stiffness(half_space, mask, axis=axis, tolerance=1e-12)
@@ -98,8 +98,8 @@ def test_the_estimated_error_bounds_the_true_one(rough_half_space, rough_contact
 
 
 def test_a_line_punch_along_its_axis_is_the_log_of_the_reference_distance():
-    """Antiplane strain, rigid strip of half-width a: k = pi G / ln(2d/a) per length (Johnson 1985, section 2.8)."""
-    n, half_width, far = 200, 1e-3, 1.0
+    """Rigid strip of half-width a along its axis: k = pi G / ln(2d/a) per length (Johnson 1985, section 2.8)."""
+    n, half_width, far = 129, 1e-3, 1.0
     strip = FreeHalfSpace(UNLIKE, shape=(n,), pixel_size=(2.0 * half_width / n,), reference_distance=far)
     mask = jnp.ones(n, dtype=bool)
     logarithm = np.log(2.0 * far / half_width)
@@ -114,7 +114,7 @@ def test_bad_masks_and_axes_are_named(rough_half_space):
     empty = jnp.zeros((64, 64), dtype=bool)
     with pytest.raises(InputError, match="empty"):
         normal_stiffness(rough_half_space, empty)
-    with pytest.raises(InputError, match="full.*infinite"):
+    with pytest.raises(InputError, match=r"full.*infinite"):
         tangential_stiffness(rough_half_space, ~empty, axis=0)
     with pytest.raises(InputError, match="axis = 2"):
         tangential_stiffness(rough_half_space, empty, axis=2)
@@ -123,5 +123,5 @@ def test_bad_masks_and_axes_are_named(rough_half_space):
 
 
 def test_an_unconverged_stiffness_is_an_error(rough_half_space, rough_contact):
-    with pytest.raises(NoSolutionError, match="not converged after 2 iterations"):
+    with pytest.raises(NoSolutionError, match=r"not converged after 2 iterations"):
         normal_stiffness(rough_half_space, rough_contact.pressure > 0.0, max_iterations=2)

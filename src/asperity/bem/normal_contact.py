@@ -101,15 +101,16 @@ def pressure_weighted_displacement(pressure: Array, displacement: Array) -> Arra
 def _solved(
     half_space: HalfSpace,
     heights: Array,
-    total: Array,
+    force: Array,
     hardness: Array | None,
     start: Array | None,
     tolerance: Array,
     max_iterations: Array,
-) -> BoundedSolution:
+) -> tuple[BoundedSolution, dict[str, Array]]:
+    total = force / half_space.pixel_area
     if start is None:
         start = _starting_pressure(half_space, heights, total / float(heights.size))
-    return bounded_solution(
+    found = bounded_solution(
         response=half_space.normal_displacement,
         estimate=half_space.traction_estimate,
         target=heights,
@@ -121,6 +122,17 @@ def _solved(
         tolerance=tolerance,
         max_iterations=max_iterations,
     )
+    carried = jnp.sum(found.traction) * half_space.pixel_area
+    fraction = jnp.mean(found.traction > 0.0, dtype=heights.dtype)
+    gap = found.displacement - heights - found.shift
+    return found, {
+        "gap": gap,
+        "normal_force": carried,
+        "real_contact_area": fraction * half_space.nominal_area,
+        "contact_fraction": fraction,
+        "mean_gap": jnp.mean(gap),
+        "load_balance_error": jnp.abs(carried / force - 1.0),
+    }
 
 
 def normal_contact(
@@ -194,40 +206,29 @@ def normal_contact(
             f"normal_force = {force:g} {unit}: a surface of hardness {limit:g} Pa carries less than "
             f"{capacity:g} {unit} on this grid; lower the load"
         )
-    total = force / half_space.pixel_area
-    found = _solved(
+    found, derived = _solved(
         half_space,
         h,
-        total,
+        jnp.asarray(force),
         None if hardness is None else jnp.asarray(limit),
         None if start is None else start.pressure,
         jnp.asarray(tolerance),
         jnp.asarray(max_iterations),
     )
     refuse_unconverged("normal contact", found, tolerance)
-    carried = jnp.sum(found.traction) * half_space.pixel_area
-    balance = jnp.abs(carried / force - 1.0)
-    if not float(balance) <= _LOAD_TOLERANCE:
+    if not float(derived["load_balance_error"]) <= _LOAD_TOLERANCE:
         raise NoSolutionError(
-            f"normal contact: the pressure adds up to {float(carried):.9g} {unit} instead of {force:.9g} "
-            f"{unit}; the state is not in balance and is not returned"
+            f"normal contact: the pressure adds up to {float(derived['normal_force']):.9g} {unit} instead of "
+            f"{force:.9g} {unit}; the state is not in balance and is not returned"
         )
-    touching = found.traction > 0.0
-    gap = found.displacement - h - found.shift
-    fraction = jnp.mean(touching, dtype=h.dtype)
     return NormalContact(
         half_space=half_space,
         pressure=found.traction,
         displacement=found.displacement,
-        gap=gap,
-        normal_force=carried,
         approach=found.shift,
-        real_contact_area=fraction * half_space.nominal_area,
-        contact_fraction=fraction,
-        mean_gap=jnp.mean(gap),
         iterations=found.iterations,
         residual=found.residual,
-        load_balance_error=balance,
+        **derived,
     )
 
 
