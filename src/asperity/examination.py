@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 import math
 from typing import Any
 
@@ -37,25 +38,34 @@ class Examination(eqx.Module):
     clearances: tuple[Clearance, ...]
 
 
-def compile_fast(function: Any, *arguments: Any) -> Any:
-    """Compile a function for one use: quick to build, not quick to run.
+def compile_fast(function: Any, joint: Joint) -> Any:
+    """Compile a function of a joint for one use, or a few: quick to build, not quick to run.
 
     Parameters
     ----------
     function : callable
-        A pure function of modules of numbers.
-    *arguments
-        What it will be called with.
+        A pure function of one joint.
+    joint : Joint
+        A joint with leaves as NumPy arrays.
 
     Returns
     -------
     callable
-        The compiled function, for arguments of the same shapes.
+        The compiled function, for joints of the same structure; the same one if asked again.
     """
-    lowered = jax.jit(function).lower(*arguments)
+    leaves, structure = jax.tree.flatten(joint)
+    return _compiled(function, structure, tuple(leaf.shape for leaf in leaves))
+
+
+@functools.lru_cache(maxsize=16)
+def _compiled(function: Any, structure: Any, shapes: tuple[tuple[int, ...], ...]) -> Any:
+    leaves = [jax.ShapeDtypeStruct(shape, np.float64) for shape in shapes]
+    lowered = jax.jit(function).lower(jax.tree.unflatten(structure, leaves))
     try:
         return lowered.compile(compiler_options=_COMPILE_FAST)
-    except Exception:  # a release of XLA without these options: the same program, compiled more slowly
+    except (
+        jax.errors.JaxRuntimeError
+    ):  # a release of XLA without these options: the same program, built more slowly
         return lowered.compile()
 
 

@@ -24,7 +24,7 @@ def test_json_and_files(folder: Path) -> None:
     assert result.exit_code == 0, result.output
     document = json.loads(result.stdout)
     assert len(document["claims"]) == 14
-    panels = "4a 4b 4c 4d 4e 4f 5a 5b 6a 6b 7a 7b 8a 8b".split()
+    panels = ["4a", "4b", "4c", "4d", "4e", "4f", "5a", "5b", "6a", "6b", "7a", "7b", "8a", "8b"]
     for panel in panels:
         assert (folder / f"figure_{panel}.png").stat().st_size > 5000
         assert (folder / f"figure_{panel}.csv").read_text(encoding="utf-8").count("\n") > 50

@@ -1,7 +1,10 @@
 """The verdicts on the paper itself; the numbers named here come from the model reference, not from a run."""
 
+from pathlib import Path
+
 import pytest
 
+from asperity.zou2025.criteria import CRITERIA, PEAK_NEAR
 from asperity.zou2025.verdict import Claim
 
 Claims = dict[str, Claim]
@@ -48,3 +51,25 @@ def test_every_verdict_names_numbers(claims: Claims) -> None:
             assert statement.evidence
             assert statement.numbers
             assert all(value == value and abs(value) != float("inf") for value in statement.numbers.values())
+
+
+def test_the_table_of_the_docs_is_the_computed_one(claims: Claims) -> None:
+    page = (Path(__file__).parents[2] / "docs" / "reproduction.md").read_text(encoding="utf-8")
+    for claim in claims.values():
+        verdict = "met" if claim.met else "not met"
+        assert f"| {claim.name} | {claim.title} | {', '.join(claim.panels)} | {verdict} |" in page
+    for criterion in CRITERIA:
+        number = f"{criterion.limit:.0%}".replace("%", " %") if criterion is not PEAK_NEAR else "0.02"
+        assert f"| {criterion.name} | {number} | {criterion.meaning} |" in page
+
+
+def test_the_numbers_of_the_docs_are_the_computed_ones(claims: Claims) -> None:
+    numbers = {name: [s.numbers for s in claim.statements] for name, claim in claims.items()}
+    assert round(numbers["C8"][0]["largest_difference"], 2) == 0.30
+    assert round(numbers["C8"][1]["largest_difference"], 2) == 0.35
+    assert round(numbers["C5"][0]["change_at_lowest_D"], 3) == -0.013
+    assert round(numbers["C6"][0]["change_at_lowest_D"], 3) == -0.038
+    assert round(numbers["C11"][1]["change_strongest"], 2) == -0.14
+    window = numbers["window"][1]
+    assert window["smallest_share"] == pytest.approx(0.5, abs=0.02)
+    assert (round(window["optimal_from_D"], 2), round(window["optimal_to_D"], 2)) == (1.80, 1.91)

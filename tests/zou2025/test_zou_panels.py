@@ -13,7 +13,22 @@ def panels(curves: Curves) -> dict[str, Panel]:
 
 
 def test_fourteen_panels_in_the_order_of_the_paper(panels: dict[str, Panel]) -> None:
-    assert list(panels) == "4a 4b 4c 4d 4e 4f 5a 5b 6a 6b 7a 7b 8a 8b".split()
+    assert list(panels) == [
+        "4a",
+        "4b",
+        "4c",
+        "4d",
+        "4e",
+        "4f",
+        "5a",
+        "5b",
+        "6a",
+        "6b",
+        "7a",
+        "7b",
+        "8a",
+        "8b",
+    ]
 
 
 def test_columns_name_units_and_are_distinct(panels: dict[str, Panel]) -> None:

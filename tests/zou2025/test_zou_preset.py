@@ -1,43 +1,46 @@
 """The preset holds what the tables print."""
 
 import math
+from pathlib import Path
 
+import jax
 import numpy as np
 import pytest
 
-from asperity.joint import solve
+from asperity.case.build import joint_from_case
+from asperity.case.reader import read_case
+from asperity.drive.geometry import angles
 from asperity.zou2025 import preset
+from asperity.zou2025.curves import Curves
 
 
-@pytest.fixture(scope="module")
-def solved():  # type: ignore[no-untyped-def]
-    """The joint at (nearly) no torque and at 5 N·m."""
-    return solve(preset.table_2_joint(preset.operating_grid(output_torque=np.array([1e-6, 5.0]))))
-
-
-def test_sun_tangential_force_at_full_torque(solved) -> None:  # type: ignore[no-untyped-def]
+def test_sun_tangential_force_at_full_torque(curves: Curves) -> None:
     # without losses T_out = 9 T_in and T_in = 3 T_sp R_s
-    assert float(solved.forces.tangential[0, 1]) == pytest.approx(5.0 / 9.0 / 3.0 / 4e-3, rel=1e-12)
-    assert round(float(solved.forces.tangential[0, 1]), 2) == 46.30
+    force = curves.loads.tangential_force[0, -1, 0]
+    assert force == pytest.approx(5.0 / 9.0 / 3.0 / 4e-3, rel=1e-12)
+    assert round(float(force), 2) == 46.30
 
 
-def test_output_stiffness_at_small_and_full_torque(solved) -> None:  # type: ignore[no-untyped-def]
-    small, full = np.asarray(solved.published.output)
-    assert small == pytest.approx(5.0e6, rel=0.01)  # the model reference states two digits
-    assert full == pytest.approx(4.3e6, rel=0.01)
+def test_output_stiffness_without_and_at_full_torque(curves: Curves) -> None:
+    stiffness = curves.loads.output_stiffness[:, 0]
+    assert stiffness[0] == pytest.approx(5.0e6, rel=0.01)  # the model reference states two digits
+    assert stiffness[-1] == pytest.approx(4.3e6, rel=0.01)
 
 
-def test_stiffness_at_the_output_is_81_times_that_at_the_sun(solved) -> None:  # type: ignore[no-untyped-def]
-    np.testing.assert_allclose(solved.published.output, 81.0 * np.asarray(solved.published.sun), rtol=1e-12)
+def test_stiffness_at_the_output_is_81_times_that_at_the_sun(curves: Curves) -> None:
+    np.testing.assert_allclose(curves.loads.output_stiffness, 81.0 * curves.loads.sun_stiffness, rtol=1e-12)
 
 
-def test_guide_values_of_the_forces_at_full_torque(solved) -> None:  # type: ignore[no-untyped-def]
-    np.testing.assert_allclose(solved.forces.normal[:, 1], [1000.0, 657.0, 465.0, 646.0, 449.0], rtol=0.01)
-    np.testing.assert_allclose(solved.forces.tangential[1:3, 1], [27.1, 19.2], rtol=0.01)
+def test_guide_values_of_the_forces_at_full_torque(curves: Curves) -> None:
+    np.testing.assert_allclose(
+        curves.loads.normal_force[:, -1, 0], [1000.0, 657.0, 465.0, 646.0, 449.0], rtol=0.01
+    )
+    np.testing.assert_allclose(curves.loads.tangential_force[1:3, -1, 0], [27.1, 19.2], rtol=0.01)
 
 
-def test_geometry_of_table_2(solved) -> None:  # type: ignore[no-untyped-def]
-    assert math.degrees(float(np.ravel(solved.angles.wedge)[0])) == pytest.approx(13.1582, abs=1e-4)
+def test_geometry_of_table_2() -> None:
+    geometry = preset.table_2_joint(preset.operating_grid()).geometry
+    assert math.degrees(float(angles(geometry).wedge)) == pytest.approx(13.1582, abs=1e-4)
 
 
 def test_hardness_is_tabors() -> None:
@@ -65,3 +68,12 @@ def test_joined_keeps_every_point_in_order() -> None:
 def test_a_column_that_table_1_does_not_have_is_refused() -> None:
     with pytest.raises(TypeError, match=r"no column \['viscosity'\]"):
         preset.table_1_pair(viscosity=1.0)
+
+
+def test_the_joint_is_the_one_of_the_example_file() -> None:
+    example = Path(__file__).parents[2] / "examples" / "zou2025.toml"
+    from_file = joint_from_case(read_case(example))
+    from_preset = preset.table_2_joint(preset.operating_grid())
+    assert jax.tree.structure(from_file) == jax.tree.structure(from_preset)
+    for one, other in zip(jax.tree.leaves(from_file), jax.tree.leaves(from_preset), strict=True):
+        np.testing.assert_allclose(np.asarray(one, dtype=float), np.asarray(other, dtype=float), rtol=1e-14)

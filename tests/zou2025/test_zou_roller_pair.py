@@ -1,9 +1,11 @@
 """Table 1 case c against the values of the model reference (independent quadrature, four digits)."""
 
+import equinox as eqx
 import jax.numpy as jnp
 import numpy as np
 import pytest
 
+from asperity.contact.fractal import FractalContact
 from asperity.zou2025.preset import table_1_pair
 from asperity.zou2025.roller_pair import pair_contact
 
@@ -21,33 +23,47 @@ REFERENCE = {
 }
 
 
-def test_case_c_agrees_with_the_reference() -> None:
-    contact = pair_contact(table_1_pair(fractal_dimension=jnp.array(list(REFERENCE))))
-    np.testing.assert_allclose(
-        np.asarray(contact.tangential_stiffness) * 1e-3, list(REFERENCE.values()), rtol=6e-4
-    )
+SLIP = 120.0  # N, mu F_n = 0.12 times 1000 N
+SHARES = (0.5, 0.992)
+# (D, F_n, T): the reference's points, no load, gross slip, the common point and two tangential loads on it
+POINTS = [
+    *((d, 1000.0, 0.0) for d in REFERENCE),
+    (1.4, 0.0, 0.0),
+    (1.4, 1000.0, SLIP),
+    (1.4, 1000.0, 0.0),
+    *((1.4, 1000.0, SLIP * share) for share in SHARES),
+]
+NO_LOAD, SLIPPING, FREE = (len(REFERENCE) + i for i in range(3))
 
 
-def test_highest_of_the_reference_points_is_at_1_85() -> None:
-    dimensions = list(REFERENCE)
-    contact = pair_contact(table_1_pair(fractal_dimension=jnp.array(dimensions)))
-    assert dimensions[int(np.argmax(np.asarray(contact.tangential_stiffness)))] == 1.85
+@pytest.fixture(scope="module")
+def contact() -> FractalContact:
+    dimension, normal, tangential = jnp.array(POINTS).T
+    rollers = table_1_pair(fractal_dimension=dimension, normal_force=normal, tangential_force=tangential)
+    solved: FractalContact = eqx.filter_jit(pair_contact)(rollers)
+    return solved
 
 
-def test_no_load_means_no_contact() -> None:
-    contact = pair_contact(table_1_pair(normal_force=0.0))
-    assert float(contact.tangential_stiffness) == 0.0
-    assert float(contact.real_contact_area) == 0.0
+def test_case_c_agrees_with_the_reference(contact: FractalContact) -> None:
+    stiffness = np.asarray(contact.tangential_stiffness)[: len(REFERENCE)] * 1e-3
+    np.testing.assert_allclose(stiffness, list(REFERENCE.values()), rtol=6e-4)
 
 
-def test_gross_slip_means_no_stiffness_but_contact() -> None:
-    contact = pair_contact(table_1_pair(tangential_force=120.0))
-    assert float(contact.tangential_stiffness) == 0.0
-    assert float(contact.largest_area) > 0.0
+def test_highest_of_the_reference_points_is_at_1_85(contact: FractalContact) -> None:
+    top = int(np.argmax(np.asarray(contact.tangential_stiffness)[: len(REFERENCE)]))
+    assert list(REFERENCE)[top] == 1.85
 
 
-@pytest.mark.parametrize("share", [0.0, 0.5, 0.992])
-def test_tangential_force_enters_as_the_cube_root_of_what_friction_has_left(share: float) -> None:
-    free = float(pair_contact(table_1_pair()).tangential_stiffness)
-    loaded = float(pair_contact(table_1_pair(tangential_force=120.0 * share)).tangential_stiffness)
-    assert loaded == pytest.approx(free * (1.0 - share) ** (1.0 / 3.0), rel=1e-12)
+def test_no_load_means_no_contact(contact: FractalContact) -> None:
+    assert float(contact.tangential_stiffness[NO_LOAD]) == 0.0
+    assert float(contact.real_contact_area[NO_LOAD]) == 0.0
+
+
+def test_gross_slip_means_no_stiffness_but_contact(contact: FractalContact) -> None:
+    assert float(contact.tangential_stiffness[SLIPPING]) == 0.0
+    assert float(contact.largest_area[SLIPPING]) > 0.0
+
+
+def test_tangential_force_enters_as_the_cube_root_of_what_friction_has_left(contact: FractalContact) -> None:
+    stiffness = np.asarray(contact.tangential_stiffness)[FREE:]
+    np.testing.assert_allclose(stiffness[1:], stiffness[0] * np.cbrt(1.0 - np.array(SHARES)), rtol=1e-12)

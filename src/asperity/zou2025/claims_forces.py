@@ -140,15 +140,15 @@ def contact_claim(
             Statement(
                 "sp is significantly higher than all others",
                 ratio >= 1.0 + SIGNIFICANT.limit,
-                f"at least {ratio:.3g} times the next one, with the radius of the driven roller in (30); with the sun's "
-                f"own radius, as section 4 of the paper says, it would be at most {other:.2f} times",
+                f"at least {ratio:.3g} times the next one, with the radius of the driven roller in (30); with the "
+                f"sun's own radius, as section 4 of the paper says, it would be at most {other:.2f} times",
                 {"smallest_ratio": ratio, "largest_ratio_with_sun_radius": other},
             ),
             Statement(
                 "all tend to rise with D",
                 share >= TENDENCY.limit,
-                f"each rises over at least {share:.0%} of the range of D (tendency from {TENDENCY.limit:.0%} on); above "
-                "the peak they fall",
+                f"each rises over at least {share:.0%} of the range of D (tendency from {TENDENCY.limit:.0%} on); "
+                "above the peak they fall",
                 {"rising_share": share},
             ),
             Statement(

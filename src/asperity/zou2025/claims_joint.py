@@ -238,8 +238,8 @@ def friction_claim(*, output_torque: np.ndarray, friction: np.ndarray, stiffness
             Statement(
                 says="the growth saturates",
                 met=max(ratios) <= SATURATED.limit,
-                evidence=f"the slope over the last tenth of the range is at most {max(ratios):.1%} of that over the first "
-                f"(saturated up to {SATURATED.limit:.0%})",
+                evidence=f"the slope over the last tenth of the range is at most {max(ratios):.1%} of that over the "
+                f"first (saturated up to {SATURATED.limit:.0%})",
                 numbers={"largest_slope_ratio": max(ratios)},
             ),
             Statement(
@@ -299,8 +299,8 @@ def window_claim(
             Statement(
                 says="everywhere in the window K_T is close to its maximum",
                 met=float(np.min(share)) >= OPTIMAL.limit,
-                evidence=f"at its worst place K_T is {np.min(share):.0%} of the maximum (asked: {OPTIMAL.limit:.0%}); at "
-                f"{_torques(output_torque)} K_T holds {OPTIMAL.limit:.0%} for {low:.3f} <= D <= {high:.3f}",
+                evidence=f"at its worst place K_T is {np.min(share):.0%} of the maximum (asked: {OPTIMAL.limit:.0%}); "
+                f"at {_torques(output_torque)} K_T holds {OPTIMAL.limit:.0%} for {low:.3f} <= D <= {high:.3f}",
                 numbers={"smallest_share": float(np.min(share)), "optimal_from_D": low, "optimal_to_D": high},
             ),
         ),

@@ -118,6 +118,11 @@ def departure_from_chord(abscissa: np.ndarray, values: np.ndarray) -> float:
     -------
     float
         0 for a straight line [-].
+
+    Examples
+    --------
+    >>> departure_from_chord(np.array([0.0, 1.0, 2.0]), np.array([0.0, 1.0, 4.0]))
+    0.25
     """
     chord = np.interp(abscissa, abscissa[[0, -1]], values[[0, -1]])
     return float(np.max(np.abs(values - chord)) / abs(values[-1] - values[0]))
@@ -135,6 +140,11 @@ def peak(abscissa: np.ndarray, values: np.ndarray) -> float:
     -------
     float
         The place; an end of the range, exactly, where the curve is highest there.
+
+    Examples
+    --------
+    >>> round(peak(np.array([1.0, 2.0, 3.0]), np.array([0.0, 1.0, 0.5])), 4)
+    2.1667
     """
     top = int(np.argmax(values))
     if top in (0, values.size - 1):

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import textwrap
 from typing import Any
 
 import numpy as np
@@ -15,10 +16,11 @@ from asperity.zou2025.criteria import peak
 from asperity.zou2025.panels import Axis, Panel
 from asperity.zou2025.style import ACCENT, CONTACT_LABELS, CONTACT_STYLES, MARK, MUTED, STYLE, torque_colors
 
-_HEIGHT = 4.2  # inches
-_AXES_BOX = (0.75, 0.60, 4.75, 2.90)  # left, bottom, width, height in inches
+_HEIGHT = 4.45  # inches
+_AXES_BOX = (0.75, 0.85, 4.75, 2.90)  # left, bottom, width, height in inches
 _LEGEND_WIDTH = {"single": 0.0, "torques": 1.15, "contacts": 1.75}
 _SMALL = 0.25
+_NOTE_CHARACTERS = 14.0  # per inch of the figure's width
 
 
 def engineering_exponent(values: np.ndarray) -> int:
@@ -181,4 +183,7 @@ def panel_figure(panel: Panel) -> Figure:
             fontsize=8.5,
             color=MUTED,
         )
+        if panel.note:
+            note = textwrap.fill(panel.note, round(_NOTE_CHARACTERS * total))
+            figure.text(left / total, 0.02, note, fontsize=7.5, color=MUTED, va="bottom")
     return figure

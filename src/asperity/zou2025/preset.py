@@ -12,10 +12,12 @@ import equinox as eqx
 import jax
 import jax.numpy as jnp
 import numpy as np
+from jax.typing import ArrayLike
 
 from asperity.contact.fractal import Surface
-from asperity.drive.force_balance import Bearings
+from asperity.drive.assembly import RIGID_SUPPORTS
 from asperity.drive.geometry import DriveGeometry
+from asperity.drive.mechanism import Bearings
 from asperity.joint import Bodies, Joint
 from asperity.materials import Material, hardness
 from asperity.types import Real
@@ -84,8 +86,14 @@ ASSUMPTIONS = (
     ),
     Assumption("friction coefficient", "mu = 0.12", "Table 1 case b ends at T = 119 N for F_n = 1000 N"),
     Assumption("preload", "N_0 = 1000 N at the sun", "'sufficiently high' in the paper; the load of Table 1"),
-    Assumption("closure of (1)-(5)", "elastic, equation (A3)", "13 unknowns, 11 equations"),
-    Assumption("ring wall", "60 mm", "not given; 1.5 R_o compresses like a solid body; bulk and closure only"),
+    Assumption(
+        "closure of (1)-(5)",
+        "elastic, equation (A3), bulk springs",
+        "13 unknowns, 11 equations",
+    ),
+    Assumption(
+        "ring wall", "60 mm", "not given; 1.5 R_o compresses like a solid body; bulk and closure only"
+    ),
     Assumption("bearing friction", "none", "T_B is not given"),
     Assumption("carrier push", "gamma_l = gamma_r = 0", "not given"),
     Assumption(
@@ -136,7 +144,7 @@ class OperatingPoint(eqx.Module):
     radius_scale: Real
 
 
-def operating_grid(**varied: Real) -> OperatingPoint:
+def operating_grid(**varied: ArrayLike) -> OperatingPoint:
     """The paper's operating point with some fields varied over the grid of their values.
 
     Parameters
@@ -149,8 +157,14 @@ def operating_grid(**varied: Real) -> OperatingPoint:
     -------
     OperatingPoint
         All fields in the shape (n_1, n_2, ...), in the order of the arguments.
+
+    Examples
+    --------
+    >>> point = operating_grid(output_torque=[1.0, 5.0], fractal_dimension=[1.3, 1.4, 1.5])
+    >>> point.contact_length.shape
+    (2, 3)
     """
-    values: dict[str, Real] = {
+    values: dict[str, ArrayLike] = {
         "output_torque": OUTPUT_TORQUE_RANGE[1],
         "fractal_dimension": FRACTAL_DIMENSION,
         "fractal_roughness": FRACTAL_ROUGHNESS,
@@ -282,7 +296,9 @@ def table_2_joint(point: OperatingPoint) -> Joint:
         preload=PRELOAD,
         output_torque=point.output_torque,
         sun_speed=SUN_SPEED,
+        supports=RIGID_SUPPORTS,
         closure="elastic",
+        closure_springs="bulk",
         contact_factor_model="printed",
     )
 
