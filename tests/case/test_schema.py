@@ -12,7 +12,10 @@ def test_the_schema_tells_editors_what_a_joint_file_may_say():
     number, text = schema["$defs"]["SurfaceEntry"]["properties"]["fractal_dimension"]["anyOf"]
     assert (number["exclusiveMinimum"], number["exclusiveMaximum"]) == (1.0, 2.0)
     assert text["type"] == "string"
-    assert schema["$defs"]["ModelChoice"]["properties"]["closure"]["enum"] == ["elastic", "constant_pin_force"]
+    assert schema["$defs"]["ModelChoice"]["properties"]["closure"]["enum"] == [
+        "elastic",
+        "constant_pin_force",
+    ]
 
 
 def test_every_key_is_described():

@@ -32,7 +32,13 @@ def test_a_path_to_one_contact_splits_the_entry_for_all(example_case):
     changed = replace_values(values, {"surface.sp.fractal_dimension": 1.6, "drive.contact_length.wlo": 0.007})
     assert changed["surface"]["sp"]["fractal_dimension"] == 1.6
     assert changed["surface"]["pwl"] == values["surface"]
-    assert changed["drive"]["contact_length"] == {"sp": 5e-3, "pwr": 5e-3, "pwl": 5e-3, "wro": 5e-3, "wlo": 7e-3}
+    assert changed["drive"]["contact_length"] == {
+        "sp": 5e-3,
+        "pwr": 5e-3,
+        "pwl": 5e-3,
+        "wro": 5e-3,
+        "wlo": 7e-3,
+    }
     assert values == si_values(example_case)  # the original is left alone
 
 
@@ -44,7 +50,8 @@ def test_a_path_without_a_contact_sets_all_five(example_case):
 
 def test_what_the_file_leaves_out_can_be_set(example_case):
     changed = replace_values(
-        si_values(example_case), {"bearings.sun_torque": 0.1, "drive.planet_length": 0.02, "compliance.pin_stiffness": 1e8}
+        si_values(example_case),
+        {"bearings.sun_torque": 0.1, "drive.planet_length": 0.02, "compliance.pin_stiffness": 1e8},
     )
     assert changed["bearings"] == {"sun_torque": 0.1}
     assert changed["drive"]["planet_length"] == 0.02
@@ -96,4 +103,6 @@ def test_values_outside_their_range_are_refused(path, values, said):
 
 
 def test_values_inside_their_range_pass():
-    check_values({"load.preload": np.linspace(1.0, 1e4, 5), "drive.planets": [2.0, 3.0], "drive.sun_radius": 0.004})
+    check_values(
+        {"load.preload": np.linspace(1.0, 1e4, 5), "drive.planets": [2.0, 3.0], "drive.sun_radius": 0.004}
+    )

@@ -90,7 +90,10 @@ def test_the_papers_rollers_fit():
         ({"ring_radius": 40.9e-3}, "the two loading rollers"),
         ({"planet_count": 9.0}, "loading rollers of neighbouring"),
         ({"planet_count": 13.0}, "a loading roller must not"),
-        ({"sun_radius": 16e-3, "planet_radius": 10e-3, "loading_roller_radius": 9e-3}, "the loading rollers must lie outside"),
+        (
+            {"sun_radius": 16e-3, "planet_radius": 10e-3, "loading_roller_radius": 9e-3},
+            "the loading rollers must lie outside",
+        ),
     ],
 )
 def test_each_overlap_is_named(changes, word):
