@@ -19,8 +19,6 @@ HEAD = """\
 
 Quantities in a joint file are text with a unit; results are written with theirs, and `--json` gives SI. Exit codes:
 0 fine, 2 bad input (one sentence with the value, the allowed range and what to do), 3 no solution.
-
-Shell completion: `eval "$(_ASPERITY_COMPLETE=bash_source asperity)"` in bash, likewise `zsh_source`, `fish_source`.
 """
 
 

@@ -114,3 +114,20 @@ def paper_joint():
         )
 
     return make
+
+
+@pytest.fixture(scope="session")
+def load_example():
+    """Loader of a script of examples/ by its name, as a module."""
+    import importlib.util
+
+    def load(name: str):
+        path = Path(__file__).parents[1] / "examples" / f"{name}.py"
+        spec = importlib.util.spec_from_file_location(name, path)
+        assert spec is not None
+        assert spec.loader is not None
+        module = importlib.util.module_from_spec(spec)
+        spec.loader.exec_module(module)
+        return module
+
+    return load

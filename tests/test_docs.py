@@ -4,6 +4,7 @@ import ast
 import importlib
 import importlib.util
 import inspect
+import json
 import pkgutil
 import re
 import tomllib
@@ -168,3 +169,28 @@ def test_readme_marks_both_commands_for_ci():
         block = re.search(rf"^<!-- {marker} -->\n```sh\n(.+)\n```$", readme, flags=re.MULTILINE)
         assert block, marker
         assert "\n" not in block[1], "one command, one line"
+
+
+def test_readme_table_is_what_the_joint_gives(tmp_path):
+    from click.testing import CliRunner
+
+    from asperity.cli import asperity as command
+
+    text = (ROOT / "examples" / "zou2025.toml").read_text(encoding="utf-8")
+    file = tmp_path / "small_torque.toml"
+    file.write_text(re.sub(r'output_torque = "5 N\*m"', 'output_torque = "1e-3 N*m"', text), encoding="utf-8")
+    shown = CliRunner().invoke(command, ["joint", str(file), "--json"], catch_exceptions=False)
+    levels = json.loads(shown.stdout)["torsional_stiffness"]
+    rows = {
+        label: [float(cell) for cell in cells.split("|")]
+        for label, cells in re.findall(
+            r"^\| (as published|bodies in series|assembled)[^|]*\|[^|]*\| ([\d.e| ]+) \|$",
+            (ROOT / "README.md").read_text(encoding="utf-8"),
+            flags=re.MULTILINE,
+        )
+    }
+    names = {"as published": "published", "bodies in series": "series_with_bulk", "assembled": "assembly"}
+    assert rows.keys() == names.keys()
+    for label, name in names.items():
+        computed = [levels[name]["output_Nm_per_rad"], levels[name]["output_Nm_per_arcmin"]]
+        assert rows[label] == pytest.approx(computed, rel=5e-3)

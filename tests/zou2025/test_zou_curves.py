@@ -1,13 +1,9 @@
 """The batches take every number to its place."""
 
-import jax
-import jax.numpy as jnp
 import numpy as np
 import pytest
 
-from asperity.joint import solve
-from asperity.zou2025 import preset
-from asperity.zou2025.curves import Curves, JointCurves
+from asperity.zou2025.curves import OUTPUT_TORQUES, Curves
 
 
 def test_ranges_are_those_of_table_1(curves: Curves) -> None:
@@ -28,26 +24,27 @@ def test_all_cases_meet_at_the_common_point(curves: Curves) -> None:
         assert at_common == pytest.approx(3.904e6, rel=2e-4)  # N/mm, model reference
 
 
-def test_sweeps_agree_with_the_same_joints_solved_apart(curves: Curves) -> None:
-    fields = {"friction": "friction_coefficient", "length": "contact_length", "radius": "radius_scale"}
-    sweeps = {name: getattr(curves, name) for name in fields}
-    i, j = 3, 10
-    points = tuple(
-        preset.operating_grid(
-            output_torque=sweeps[name].output_torque[[i]], **{field: sweeps[name].values[[j]]}
-        )
-        for name, field in fields.items()
-    )
-    size = sum(c.output_stiffness.size for c in vars(curves).values() if isinstance(c, JointCurves))
-    same_size = jax.tree.map(
-        lambda leaf: jnp.resize(leaf, size), preset.joined(points)
-    )  # no second compilation
-    apart = solve(preset.table_2_joint(same_size))
-    for k, sweep in enumerate(sweeps.values()):
-        assert sweep.output_stiffness[i, j] == pytest.approx(float(apart.published.output[k]), rel=1e-12)
-        np.testing.assert_allclose(
-            sweep.normal_force[:, i, j], np.asarray(apart.forces.normal)[:, k], rtol=1e-12
-        )
+def test_all_sweeps_meet_at_the_common_joint_for_every_torque(curves: Curves) -> None:
+    common = {
+        "dimension": 1.4,
+        "roughness": 1e-11,
+        "length": 5e-3,
+        "friction": 0.12,
+        "radius": 1.0,
+    }
+    expected = np.interp(OUTPUT_TORQUES, curves.loads.output_torque, curves.loads.output_stiffness[:, 0])
+    for name, value in common.items():
+        sweep = getattr(curves, name)
+        at = int(np.argmin(np.abs(sweep.values - value)))
+        assert sweep.values[at] == pytest.approx(value, rel=1e-12)
+        np.testing.assert_allclose(sweep.output_stiffness[:, at], expected, rtol=1e-9, err_msg=name)
+
+
+def test_roughness_scales_out_of_the_stiffness_as_of_one_pair(curves: Curves) -> None:
+    # at fixed D all contacts see the same G: the joint falls with it by the same factor as a pair does, nearly
+    pair = curves.pairs["d"].tangential_stiffness
+    joint = curves.roughness.output_stiffness[-1]
+    assert joint[0] / joint[-1] == pytest.approx(pair[0] / pair[-1], rel=0.01)
 
 
 def test_planet_moment_balances_everywhere(curves: Curves) -> None:

@@ -1,10 +1,14 @@
 """The preset holds what the tables print."""
 
 import math
+from pathlib import Path
 
+import jax
 import numpy as np
 import pytest
 
+from asperity.case.build import joint_from_case
+from asperity.case.reader import read_case
 from asperity.drive.geometry import angles
 from asperity.zou2025 import preset
 from asperity.zou2025.curves import Curves
@@ -64,3 +68,12 @@ def test_joined_keeps_every_point_in_order() -> None:
 def test_a_column_that_table_1_does_not_have_is_refused() -> None:
     with pytest.raises(TypeError, match=r"no column \['viscosity'\]"):
         preset.table_1_pair(viscosity=1.0)
+
+
+def test_the_joint_is_the_one_of_the_example_file() -> None:
+    example = Path(__file__).parents[2] / "examples" / "zou2025.toml"
+    from_file = joint_from_case(read_case(example))
+    from_preset = preset.table_2_joint(preset.operating_grid())
+    assert jax.tree.structure(from_file) == jax.tree.structure(from_preset)
+    for one, other in zip(jax.tree.leaves(from_file), jax.tree.leaves(from_preset), strict=True):
+        np.testing.assert_allclose(np.asarray(one, dtype=float), np.asarray(other, dtype=float), rtol=1e-14)

@@ -34,6 +34,11 @@ COMMANDS: dict[str, tuple[str, str, str]] = {
         "reproduce",
         "Recompute the paper's figures and judge its claims.",
     ),
+    "surface": (
+        "asperity.cli.surface",
+        "surface",
+        "Measure D and G of rough surfaces, make and combine them.",
+    ),
 }
 
 

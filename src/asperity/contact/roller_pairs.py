@@ -40,7 +40,7 @@ class RollerPairs(eqx.Module):
     hardness : Array
         Hardness of the softer body [Pa].
     contact_factor_model : Array
-        Index in :data:`CONTACT_FACTOR_MODELS`, whole numbers.
+        Index in :data:`CONTACT_FACTOR_MODELS`, whole numbers [-].
     """
 
     surface: Surface

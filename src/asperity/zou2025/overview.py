@@ -20,7 +20,8 @@ from asperity.zou2025.style import MARK, MUTED, STYLE, torque_colors
 _SIZE = (11.0, 4.8)
 _INK = "#22303c"
 _BODIES = {"ring": "#e3e8ec", "planet": "#cfe3f1", "right": "#f6cfa6", "left": "#fbe7d2", "sun": "#22303c"}
-_SPOKE = 1.0
+_MARGIN = 1.0  # mm
+_DRAWN_WALL = 10.0  # mm; the paper gives no wall
 
 
 def _roller(axes: Axes, centre: tuple[float, float], radius: float, color: str) -> None:
@@ -50,14 +51,13 @@ def draw_drive(axes: Axes, geometry: DriveGeometry) -> None:
             "planet": geometry.planet_radius,
             "roller": geometry.loading_roller_radius,
             "ring": geometry.ring_radius,
-            "wall": preset.RING_WALL,
             "orbit": sides.planet_orbit,
             "roller_orbit": sides.roller_orbit,
         }.items()
     }
-    outside = mm["ring"] + mm["wall"]
+    outside = mm["ring"] + _DRAWN_WALL
     axes.add_patch(
-        Wedge((0, 0), outside, 0, 360, width=mm["wall"], facecolor=_BODIES["ring"], edgecolor=_INK, lw=1.1)
+        Wedge((0, 0), outside, 0, 360, width=_DRAWN_WALL, facecolor=_BODIES["ring"], edgecolor=_INK, lw=1.1)
     )
     polar = math.atan2(float(sides.sin_polar), float(sides.cos_polar))
     count = round(float(geometry.planet_count))
@@ -81,7 +81,7 @@ def draw_drive(axes: Axes, geometry: DriveGeometry) -> None:
         zorder=6,
     )
     axes.text(
-        0.0, mm["ring"] + 0.5 * mm["wall"], "fixed ring", ha="center", va="center", fontsize=9, color=_INK
+        0.0, mm["ring"] + 0.5 * _DRAWN_WALL, "fixed ring", ha="center", va="center", fontsize=9, color=_INK
     )
     axes.annotate(
         "sun (input)",
@@ -106,8 +106,8 @@ def draw_drive(axes: Axes, geometry: DriveGeometry) -> None:
             zorder=6,
         )
     )
-    axes.set_xlim(-outside - _SPOKE, outside + _SPOKE)
-    axes.set_ylim(-outside - _SPOKE, outside + _SPOKE)
+    axes.set_xlim(-outside - _MARGIN, outside + _MARGIN)
+    axes.set_ylim(-outside - _MARGIN, outside + _MARGIN)
     axes.set_aspect("equal")
     axes.axis("off")
 
@@ -191,6 +191,6 @@ def overview_figure(dimension: JointCurves) -> Figure:
             color=MUTED,
         )
         figure.text(
-            0.02, 0.882, "sun 4, planets 13.5, loading rollers 5, ring 40 mm", fontsize=9, color=MUTED
+            0.02, 0.882, "radii: sun 4, planets 13.5, loading rollers 5, ring 40 mm", fontsize=9, color=MUTED
         )
     return figure

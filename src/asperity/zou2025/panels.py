@@ -121,7 +121,9 @@ _PAIR_BASE = {
     "second_radius": "$R_1/R_2$ = 10/20 mm",
     "contact_length": "$B$ = 5 mm",
 }
-_SWAPPED = "Table 1 varies the radius in case e and the length in case f; the caption of Fig. 4 says it the other way"
+_SWAPPED = (
+    "Table 1 varies the radius in case e and the length in case f; the caption of Fig. 4 has it the other way"
+)
 
 
 def _pair_panel(curve: PairCurve, title: str, *, logarithmic: bool, note: str) -> Panel:
@@ -198,7 +200,7 @@ def force_panels(loads: JointCurves) -> tuple[Panel, Panel]:
         "kind": "contacts",
         "mark_peak": False,
         "inset": "",
-        "note": "left and right share a tangential force: wro runs on pwr, wlo on pwl (no bearing friction)",
+        "note": "without bearing friction both tangential forces of a loading roller are equal: the curves coincide",
     }
     normal, tangential = loads.normal_force[..., 0], loads.tangential_force[..., 0]
     return (
@@ -252,7 +254,7 @@ def contact_panels(dimension: JointCurves, roughness: JointCurves) -> tuple[Pane
                 kind="contacts",
                 mark_peak=False,
                 inset="",
-                note="the paper does not give the torque; with it left and right drift apart",
+                note="the paper gives no torque; at the largest, taken here, left and right differ most",
             )
         )
     return tuple(panels)
@@ -300,7 +302,14 @@ def joint_panels(curves: Curves) -> tuple[Panel, ...]:
     return (
         _joint_panel("7a", curves.dimension, f"{g}, {mu}", logarithmic=False, from_torque=0.0, note=""),
         _joint_panel("7b", curves.roughness, f"{d}, {mu}", logarithmic=True, from_torque=0.0, note=""),
-        _joint_panel("8a", curves.length, f"{d}, {g}, {mu}", logarithmic=False, from_torque=0.0, note=""),
+        _joint_panel(
+            "8a",
+            curves.length,
+            f"{d}, {g}, {mu}",
+            logarithmic=False,
+            from_torque=0.0,
+            note="the axis does not start at 0",
+        ),
         _joint_panel(
             "8b",
             curves.friction,

@@ -86,7 +86,11 @@ ASSUMPTIONS = (
     ),
     Assumption("friction coefficient", "mu = 0.12", "Table 1 case b ends at T = 119 N for F_n = 1000 N"),
     Assumption("preload", "N_0 = 1000 N at the sun", "'sufficiently high' in the paper; the load of Table 1"),
-    Assumption("closure of (1)-(5)", "elastic, equation (A3)", "13 unknowns, 11 equations"),
+    Assumption(
+        "closure of (1)-(5)",
+        "elastic, equation (A3), bulk springs",
+        "13 unknowns, 11 equations",
+    ),
     Assumption(
         "ring wall", "60 mm", "not given; 1.5 R_o compresses like a solid body; bulk and closure only"
     ),
