@@ -99,7 +99,9 @@ def _verified_range(case: Case) -> tuple[Diagnostic, ...]:
     for contact, surface in surfaces.items():
         value = surface.fractal_dimension.value
         ok = low <= value <= high
-        meaning = f"D is {'inside' if ok else 'outside'} the range in which the contact law is verified, {low} to {high}"
+        meaning = (
+            f"D is {'inside' if ok else 'outside'} the verified range of the contact law, {low} to {high}"
+        )
         limit = low if value < 0.5 * (low + high) else high
         told.append(Diagnostic("fractal_dimension", contact, value, limit, ok, meaning))
     return tuple(told)
