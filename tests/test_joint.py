@@ -243,3 +243,22 @@ def test_carrier_turns_the_other_way_with_the_published_ratio(paper_joint):
     assert float(found.carrier_speed) == pytest.approx(-69.81317007977317)
     assert float(found.speed_ratio) == pytest.approx(-9.0)
     assert math.degrees(float(found.angles.direction)) == pytest.approx(27.0831, abs=6e-5)
+
+
+@pytest.mark.parametrize(
+    "place",
+    [
+        lambda j: j.friction_coefficients[0],
+        lambda j: j.contact_lengths[0],
+        lambda j: j.surfaces[0].fractal_dimension,
+        lambda j: j.bodies.ring.youngs_modulus,
+        lambda j: j.bearings.pin_diameter,
+        lambda j: j.supports.output_shaft_stiffness,
+    ],
+)
+def test_a_single_number_may_be_the_batch(paper_joint, place):
+    """Shapes only, nothing is compiled."""
+    joint = eqx.tree_at(place, jax.tree.map(float, paper_joint()), np.full(3, 0.5))
+    shapes = jax.eval_shape(evaluate, joint)
+    assert shapes.forces.normal.shape in {(5, 1), (5, 3)}
+    assert shapes.assembly.stiffness.output.shape == (3,)
