@@ -189,7 +189,8 @@ def _accepted(search: BandSearch, step: float | None) -> SpectralFit:
         D, error = search.fit.fractal_dimension, math.sqrt(search.fit.covariance[0, 0])
         if D - CERTAIN * error > 1.0 and D + CERTAIN * error < 2.0:
             return search.fit
-        reason = f"D = {D:.3f} +- {CERTAIN * error:.3f} (95 %) cannot be told from the limits 1 and 2 of a fractal profile"
+            f"D = {D:.3f} +- {CERTAIN * error:.3f} (95 %) cannot be told from the limits 1 and 2 of a "
+            "fractal profile"
     else:
         reason = search.reason
     quantised = "" if step is None else f"; the heights are quantised in steps of {1e6 * step:.4g} um"
