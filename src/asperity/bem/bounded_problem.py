@@ -10,9 +10,9 @@ total is prescribed.
 
 The solver is the conjugate-gradient method of Polonsky and Keer (1999) with three changes: the gradient is
 preconditioned by a rough inverse of the response (operators of opposite order, Hiptmair 2006), so that the
-number of iterations hardly grows with the grid; Polak and Ribière's formula stands in for the restarts, so that pixels entering or leaving do not
-throw away the search direction; and the displacement is updated with the step instead of being recomputed,
-which saves transforms wherever no pixel was cut off at a bound.
+number of iterations hardly grows with the grid; Polak and Ribière's formula stands in for the restarts, so that
+pixels entering or leaving do not throw away the search direction; and the displacement is updated with the step
+instead of being recomputed, which saves transforms wherever no pixel was cut off at a bound.
 """
 
 from __future__ import annotations

@@ -60,8 +60,8 @@ def periodic_weierstrass_surface(
     Notes
     -----
     The areal sum of Yan and Komvopoulos with the wavevectors moved to the nearest ones that fit the period (by
-    half a lattice step at most, 25 % of the lowest frequency if that has two waves per side); amplitudes are those of the
-    exact frequencies. G is converted from profile to area so that profiles have the D and G asked for.
+    half a lattice step at most: 25 % of the lowest frequency if that has two waves per side); amplitudes are
+    those of the exact frequencies. G is converted from profile to area so that profiles have the D and G asked for.
 
     References
     ----------
