@@ -184,41 +184,43 @@ def _document(sample: Sample, found: Comparison) -> dict[str, Any]:
     return {"sample": dataclasses.asdict(sample), **results}
 
 
+_COLUMNS = {
+    "real_contact_area": ("A_r/A_0 [-]", None),
+    "normal_stiffness": ("K_n [N/µm]", 1e-6),
+    "tangential_stiffness": ("K_t [N/µm]", 1e-6),
+}
+
+
 def _show(samples: list[Sample], found: list[Comparison]) -> None:
     """One table per sample: boundary elements with their scatter, and both theories as ratios to them."""
     import numpy as np
 
-    from asperity.cli.terminal import console, table
+    from asperity.cli.terminal import prepare_output
 
-    target = console()
+    prepare_output()
     for sample, result in zip(samples, found, strict=True):
-        title = (
+        seeds = result.real_contact_area.shape[0]
+        click.secho(
             f"D = {sample.fractal_dimension:g}: rms height {float(result.rms_height) * 1e6:.3g} µm, rms slope "
-            f"{float(result.rms_slope):.3g}, {result.real_contact_area.shape[0]} surfaces"
+            f"{float(result.rms_slope):.3g}, {seeds} surfaces",
+            bold=True,
         )
-        columns = [
-            f"{quantity}{what}" for quantity in ("A", "Kn", "Kt") for what in ("", " ±%", ":law", ":P")
-        ]
-        rows = table(target, title, "F [N]", *columns, "cap %")
-        scales = {
-            "real_contact_area": sample.side**-2,
-            "normal_stiffness": 1e-6,
-            "tangential_stiffness": 1e-6,
-        }
+        head = [f"{label:>11s}  ±%   law     P" for label, _ in _COLUMNS.values()]
+        click.echo(f"{'F [N]':>8s}  " + "  ".join(head) + "  cap %")
         for index, force in enumerate(np.asarray(result.normal_force)):
-            cells = [f"{force:.3g}"]
-            for name, scale in scales.items():
+            cells = [f"{force:8.3g}"]
+            for name, (_, scale) in _COLUMNS.items():
                 solved = np.asarray(getattr(result, name))[:, index]
-                mean = solved.mean()
-                theory = float(np.mean(np.asarray(getattr(result, f"persson_{name}"))[:, index]))
-                law = float(getattr(result, f"law_{name}")[index])
-                cells += [f"{mean * scale:.3g}", f"{100.0 * solved.std() / mean:.0f}"]
-                cells += [f"{law / mean:.2g}", f"{theory / mean:.2g}"]
-            cells.append(f"{100.0 * float(np.mean(np.asarray(result.capped_fraction)[:, index])):.0f}")
-            rows.add_row(*cells)
-        target.print(rows)
+                mean = float(solved.mean())
+                law = float(getattr(result, f"law_{name}")[index]) / mean
+                theory = float(np.mean(np.asarray(getattr(result, f"persson_{name}"))[:, index])) / mean
+                shown = mean * (sample.side**-2 if scale is None else scale)
+                cells.append(f"{shown:11.4g} {100.0 * solved.std() / mean:3.0f} {law:5.3g} {theory:5.2f}")
+            cells.append(f"{100.0 * float(np.mean(np.asarray(result.capped_fraction)[:, index])):5.0f}")
+            click.echo("  ".join(cells))
+        click.echo()
     click.echo(
-        "A: real over nominal area [-]; Kn, Kt: normal and tangential stiffness [N/µm]; by boundary elements, mean over\n"
-        "the surfaces, ±%: their standard deviation. :law and :P: ratio to them of the fractal law (contact factor 1)\n"
-        "and of Persson's theory (elastic). cap %: share of the contact area whose pressure is capped by the hardness."
+        "Boundary elements: mean over the surfaces, and ±% their standard deviation. law and P: ratio to them of\n"
+        "the fractal law (contact factor 1) and of Persson's theory (elastic). cap %: share of the contact area\n"
+        "whose pressure is capped by the hardness."
     )
