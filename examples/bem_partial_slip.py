@@ -39,7 +39,8 @@ def main() -> dict[str, float]:
     contact = normal_contact(half_space, heights, normal_force=load)
     touching = contact.pressure > 0.0
     normal = float(normal_stiffness(half_space, touching).stiffness)
-    tangential = float(tangential_stiffness(half_space, touching, axis=0).stiffness)
+    along = [float(tangential_stiffness(half_space, touching, axis=axis).stiffness) for axis in (0, 1)]
+    tangential = 0.5 * sum(along)
     shares = np.array([0.25, 0.5, 0.75, 0.95])
     slip = partial_slip(
         half_space,
@@ -49,12 +50,13 @@ def main() -> dict[str, float]:
         tangential_force=shares * friction * load,
     )
     print(f"real contact area: {100.0 * float(contact.contact_fraction):.2f} % of the patch")
-    print(f"normal stiffness: {normal / 1e6:.1f} N/µm, tangential: {tangential / 1e6:.1f} N/µm")
-    print(f"tangential over normal: {tangential / normal:.4f}")
+    print(
+        f"normal stiffness: {normal / 1e6:.1f} N/µm, tangential: {along[0] / 1e6:.1f} and {along[1] / 1e6:.1f} N/µm"
+    )
+    print(f"tangential (mean of both directions) over normal: {tangential / normal:.4f}")
     for share, displacement, stick in zip(shares, slip.displacement, slip.stick_fraction, strict=True):
-        print(
-            f"T = {share:.2f} mu F: displacement {float(displacement) * 1e9:.2f} nm, sticks {100.0 * float(stick):.0f} %"
-        )
+        moved, sticks = float(displacement) * 1e9, 100.0 * float(stick)
+        print(f"T = {share:.2f} mu F: displacement {moved:.2f} nm, sticks {sticks:.0f} % of the contact area")
     return {"ratio": tangential / normal, "stick_at_95": float(slip.stick_fraction[-1])}
 
 
