@@ -32,7 +32,7 @@ def elastic_regime():
 
 
 def test_persson_meets_the_boundary_elements_within_its_known_error(elastic_regime):
-    """Literature: area 10-20 % low, plus the rim of the pixels here; mean stiffness within 25 % (two small surfaces)."""
+    """Area 10-20 % low in the literature, plus the rim of the pixels; mean stiffness of two small maps to 25 %."""
     found = elastic_regime
     area = np.asarray(found.persson_real_contact_area / found.real_contact_area)
     assert np.all((area > 0.5) & (area < 0.95))
