@@ -39,6 +39,11 @@ COMMANDS: dict[str, tuple[str, str, str]] = {
         "surface",
         "Measure D and G of rough surfaces, make and combine them.",
     ),
+    "verify-contact": (
+        "asperity.cli.verify_contact",
+        "verify_contact",
+        "Hold the fractal law against boundary elements.",
+    ),
 }
 
 
