@@ -18,6 +18,7 @@ from asperity.errors import AsperityError
 #: Command name -> (module that defines it, function name, one-line help shown without importing the module).
 COMMANDS: dict[str, tuple[str, str, str]] = {
     "joint": ("asperity.cli.joint", "joint", "Forces, stiffness and warnings of a joint file."),
+    "sweep": ("asperity.cli.sweep", "sweep", "Evaluate a joint file on a grid of any of its numbers."),
     "contact": ("asperity.cli.contact", "contact", "Stiffness of any number of roller pairs from a table."),
     "init": ("asperity.cli.init", "init", "Write a commented joint file to start from."),
     "schema": ("asperity.cli.schema", "schema", "Print the JSON schema of joint files, for editors."),
