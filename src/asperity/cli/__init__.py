@@ -19,10 +19,35 @@ from asperity.errors import AsperityError
 COMMANDS: dict[str, tuple[str, str, str]] = {
     "joint": ("asperity.cli.joint", "joint", "Forces, stiffness and warnings of a joint file."),
     "sweep": ("asperity.cli.sweep", "sweep", "Evaluate a joint file on a grid of any of its numbers."),
+    "sensitivity": (
+        "asperity.cli.sensitivity",
+        "sensitivity",
+        "Which numbers of a joint file matter: exact derivatives, ranked.",
+    ),
+    "uncertainty": (
+        "asperity.cli.uncertainty",
+        "uncertainty",
+        "Intervals of the results from the tolerances of a joint file.",
+    ),
+    "windup": (
+        "asperity.cli.windup",
+        "windup",
+        "Torque-angle curve, hysteresis and capacity of a joint file.",
+    ),
     "contact": ("asperity.cli.contact", "contact", "Stiffness of any number of roller pairs from a table."),
     "init": ("asperity.cli.init", "init", "Write a commented joint file to start from."),
     "schema": ("asperity.cli.schema", "schema", "Print the JSON schema of joint files, for editors."),
     "completion": ("asperity.cli.completion", "completion", "Print a shell completion script."),
+    "reproduce": (
+        "asperity.cli.reproduce",
+        "reproduce",
+        "Recompute the paper's figures and judge its claims.",
+    ),
+    "surface": (
+        "asperity.cli.surface",
+        "surface",
+        "Measure D and G of rough surfaces, make and combine them.",
+    ),
 }
 
 

@@ -33,7 +33,6 @@ DEFAULT_RESULTS = (
     "published_stiffness_output",
     "gross_slip",
     "self_locking",
-    "pressure_over_first_yield",
 )
 #: Share of the samples within the stated intervals.
 COVERAGE = 0.95
@@ -132,7 +131,7 @@ def uncertainty(
     Returns
     -------
     xarray.Dataset
-        Along ``result``: ``nominal``, ``mean``, ``standard_deviation``, ``quantile`` (at 2.5, 50 and 97.5 %),
+        Along ``result``: ``nominal``, ``mean``, ``standard_deviation``, ``quantiles`` (at 2.5, 50 and 97.5 %),
         ``first_order`` and ``total_order`` Sobol indices along ``input`` with 95 % confidence half-widths. Along
         ``sample``: the samples themselves and their ``status``. Statistics are those of the solved samples; Sobol
         indices are nan where any of their samples has no result.
@@ -160,31 +159,27 @@ def uncertainty(
     tables = si_values(case)
     rows = [row for name in names for row in _rows(name)]
     base = 1 << max(math.floor(math.log2(samples / (len(inputs) + 2))), 3)
-    total = 1 + samples + base * (len(inputs) + 2)
+    problem = {"num_vars": len(inputs), "names": list(inputs), "bounds": [[0.0, 1.0]] * len(inputs)}
+    design = sampler.sample(problem, base, calc_second_order=False, seed=seed)
+    random = np.random.default_rng(seed).uniform(size=(samples, len(inputs)))
+    cube = np.clip(np.concatenate([np.full((1, len(inputs)), 0.5), random, design]), _OPEN, 1.0 - _OPEN)
     done = 0
 
     def count(points: int) -> None:
         nonlocal done
         done += points
         if report is not None:
-            report(done, total)
+            report(done, cube.shape[0])
 
-    def evaluate(shares: np.ndarray) -> tuple[dict[str, np.ndarray], np.ndarray, np.ndarray]:
-        points = {
-            path: quantiles(entry, spread, shares[:, k]) for k, (path, (entry, spread)) in enumerate(inputs.items())
-        }
-        status, found = evaluate_points(tables, points, names, quick=False, report=count)
-        return points, status, np.concatenate([np.atleast_2d(found[name]) for name in names])
-
-    middle = np.full((1, len(inputs)), 0.5)
-    status, nominal = evaluate(middle)[1:]
-    refuse_failed(case, int(status[0]))
-    random = np.random.default_rng(seed).uniform(size=(samples, len(inputs)))
-    points, status, sampled = evaluate(random)
-    problem = {"num_vars": len(inputs), "names": list(inputs), "bounds": [[0.0, 1.0]] * len(inputs)}
-    design = sampler.sample(problem, base, calc_second_order=False, seed=seed)
-    designed = evaluate(np.clip(design, _OPEN, 1.0 - _OPEN))[2]
-    indices = np.stack([_sobol(analyser, problem, row, seed) for row in designed])
+    points = {
+        path: quantiles(entry, spread, cube[:, k]) for k, (path, (entry, spread)) in enumerate(inputs.items())
+    }
+    codes, found = evaluate_points(tables, points, names, report=count)
+    table = np.concatenate([np.atleast_2d(found[name]) for name in names])
+    refuse_failed(case, int(codes[0]))
+    mine = slice(1, 1 + samples)
+    nominal, sampled, status = table[:, 0], table[:, mine], codes[mine]
+    indices = np.stack([_sobol(analyser, problem, row, seed) for row in table[:, 1 + samples :]])
 
     shares = np.array([0.5 * (1.0 - COVERAGE), 0.5, 0.5 * (1.0 + COVERAGE)])
     solved = sampled[:, status == 0]
@@ -194,17 +189,17 @@ def uncertainty(
     pair = ("result", "input")
     made: xarray.Dataset = xarray.Dataset(
         {
-            "nominal": (("result",), nominal[:, 0], {"long_name": "result at the stated values", **with_unit}),
+            "nominal": (("result",), nominal, {"long_name": "result at the stated values", **with_unit}),
             "mean": (("result",), solved.mean(axis=1), {"long_name": "mean", **with_unit}),
             "standard_deviation": (("result",), solved.std(axis=1, ddof=1), {"long_name": "standard deviation", **with_unit}),
-            "quantile": (("result", "share"), np.quantile(solved, shares, axis=1).T, {"long_name": "quantile", **with_unit}),
+            "quantiles": (("result", "share"), np.quantile(solved, shares, axis=1).T, {"long_name": "value that this share of the results is below", **with_unit}),
             "first_order": (pair, indices[:, 0], {"long_name": "Sobol index of first order", "units": "1"}),
             "first_order_half_width": (pair, indices[:, 1], {"long_name": "95 % half-width", "units": "1"}),
             "total_order": (pair, indices[:, 2], {"long_name": "Sobol index of total order", "units": "1"}),
             "total_order_half_width": (pair, indices[:, 3], {"long_name": "95 % half-width", "units": "1"}),
             "status": (("sample",), status, {"long_name": "status", "units": "1", "flag_meanings": " ".join(STATUS_NAMES)}),
             "samples": (("result", "sample"), sampled, {"long_name": "sampled results", **with_unit}),
-            "points": (("input", "sample"), np.stack(list(points.values())), {"long_name": "sampled inputs", "units": "input_unit"}),
+            "points": (("input", "sample"), np.stack([column[mine] for column in points.values()]), {"long_name": "sampled inputs", "units": "input_unit"}),
         },
         coords={
             "result": [name for name, _, _ in rows],
