@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import click
 import numpy as np
@@ -44,7 +44,24 @@ def check_plot(path: str) -> None:
     check_folder(Path(path))
 
 
-def write_plot(figure: Figure, path: str) -> None:
+def number_or_null(value: Any) -> float | None:
+    """A number for a JSON document; None for nan and infinities, which JSON does not know.
+
+    Parameters
+    ----------
+    value : float or array
+        One number.
+
+    Returns
+    -------
+    float or None
+        The number.
+    """
+    number = float(value)
+    return number if np.isfinite(number) else None
+
+
+def write_plot(figure: Figure, path: str, *, quiet: bool = False) -> None:
     """Write a figure to a file and say so.
 
     Parameters
@@ -53,6 +70,8 @@ def write_plot(figure: Figure, path: str) -> None:
         What to draw.
     path : str
         File name.
+    quiet : bool, optional
+        Whether to say nothing on standard output.
 
     Raises
     ------
@@ -65,7 +84,7 @@ def write_plot(figure: Figure, path: str) -> None:
         figure.savefig(path, dpi=150)
     except OSError as error:
         raise cannot_write(path, error) from None
-    click.echo(f"drawn to {path}")
+    click.echo(f"drawn to {path}", err=quiet)
 
 
 def show_status(found: xarray.Dataset) -> None:

@@ -16,6 +16,7 @@ from asperity.errors import InputError
 from asperity.precision import use_double_precision
 from asperity.study.datasets import require
 from asperity.study.plan import Plan, block_results
+from asperity.study.points import QUICK_POINTS
 from asperity.study.store import unfinished_blocks, write_block
 
 #: Blocks handed out ahead of each worker, so that none waits.
@@ -43,7 +44,7 @@ def compute_block(path: str, plan: Plan, index: int) -> int:
         The same number.
     """
     use_double_precision()  # the flag does not travel to workers
-    status, found = block_results(plan, plan.blocks[index], quick=False)
+    status, found = block_results(plan, plan.blocks[index], quick=plan.points <= QUICK_POINTS)
     write_block(path, plan, index, status, found)
     return index
 

@@ -134,7 +134,8 @@ def _program(
     base = tuple(jax.ShapeDtypeStruct((), jnp.float64) for _ in numbers(tables))
     arrays = [jax.ShapeDtypeStruct((size,), jnp.float64)] * len(paths)
     if quick:
-        return compile_fast(kernel, base, *arrays)  # type: ignore[no-any-return]
+        packed = compile_fast(lambda both: kernel(both[0], *both[1]), (base, arrays))
+        return lambda base, *arrays: packed((base, list(arrays)))
     return jax.jit(kernel).lower(base, *arrays).compile()  # type: ignore[no-any-return]
 
 

@@ -69,7 +69,8 @@ def sweep_figure(dataset: xarray.Dataset, *, result: str | None = None) -> Figur
         _panels(figure, data, axes, name)
     failed, count = int((dataset["status"] != 0).sum()), dataset["status"].size
     told = f"{count} points" + (f", {failed} without a result" if failed else "")
-    figure.suptitle(f"{_words(name)}\n{told}", fontsize=10)
+    heading = told if len(axes) == 1 and name in _PREFERRED[:3] else f"{_words(name)}\n{told}"
+    figure.suptitle(heading, fontsize=10)
     return figure
 
 
@@ -127,11 +128,33 @@ def _curves(axes: Axes, data: xarray.Dataset, path: str, name: str) -> None:
             label = level.replace("_stiffness_output", "").replace("_", " ")
             axes.plot(x, drawn[-1], marker=".", label=label)
     _scale(axes, path, x)
-    axes.set_ylabel(_shown(RESULTS[name].unit))
+    axes.set_ylabel(_label_of_result(name))
+    axes.set_xlim(*_with_margin(x, log=_is_log(x)))
+    failed = data["status"].values != 0
+    for place in np.flatnonzero(failed):
+        middles = 0.5 * (x[1:] + x[:-1])
+        edges = np.concatenate([x[:1], middles, x[-1:]])
+        axes.axvspan(edges[place], edges[place + 1], color="0.9", linewidth=0.0, zorder=0)
+    if failed.any():
+        axes.fill_between([], [], color="0.9", label="no result")
     _log_if_wide(axes, np.concatenate(drawn))
     axes.grid(alpha=0.3)
-    if len(drawn) > 1:
+    if len(drawn) > 1 or failed.any():
         axes.legend()
+
+
+def _label_of_result(name: str) -> str:
+    what = "torsional stiffness at the output" if name in _PREFERRED[:3] else name.replace("_", " ")
+    return f"{what} [{_shown(RESULTS[name].unit)}]"
+
+
+def _with_margin(x: np.ndarray, *, log: bool) -> tuple[float, float]:
+    low, high = float(x.min()), float(x.max())
+    if low == high:
+        return low - 0.5 * abs(low) - 1e-300, high + 0.5 * abs(high) + 1e-300
+    if log:
+        return low * (low / high) ** 0.02, high * (high / low) ** 0.02
+    return low - 0.02 * (high - low), high + 0.02 * (high - low)
 
 
 def _log_if_wide(axes: Axes, values: np.ndarray) -> None:
@@ -153,7 +176,7 @@ def _map(figure: Figure, data: xarray.Dataset, axes: list[str], name: str) -> No
     panel.set_facecolor("white")
     _scale(panel, axes[0], x)
     _scale(panel, axes[1], y, vertical=True)
-    figure.colorbar(drawn, ax=panel, label=_shown(RESULTS[name].unit))
+    figure.colorbar(drawn, ax=panel, label=_label_of_result(name))
 
 
 def _panels(figure: Figure, data: xarray.Dataset, axes: list[str], name: str) -> None:
@@ -183,7 +206,7 @@ def _panels(figure: Figure, data: xarray.Dataset, axes: list[str], name: str) ->
     for panel in grid[-1]:
         _scale(panel, axes[0], x)
     for panel in grid[:, 0]:
-        panel.set_ylabel(_shown(RESULTS[name].unit))
+        panel.set_ylabel(_label_of_result(name))
         _log_if_wide(panel, np.asarray(values).ravel())
     for panel in list(grid.flat)[len(thirds) :]:
         panel.set_axis_off()
