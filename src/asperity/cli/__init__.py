@@ -20,6 +20,17 @@ from asperity.errors import AsperityError
 #: Command name -> (module that defines it, function name, one-line help shown without importing the module).
 COMMANDS: dict[str, tuple[str, str, str]] = {
     "joint": ("asperity.cli.joint", "joint", "Forces, stiffness and warnings of a joint file."),
+    "sweep": ("asperity.cli.sweep", "sweep", "Evaluate a joint file on a grid of any of its numbers."),
+    "sensitivity": (
+        "asperity.cli.sensitivity",
+        "sensitivity",
+        "Which numbers of a joint file matter: exact derivatives, ranked.",
+    ),
+    "uncertainty": (
+        "asperity.cli.uncertainty",
+        "uncertainty",
+        "Intervals of the results from the tolerances of a joint file.",
+    ),
     "windup": (
         "asperity.cli.windup",
         "windup",
