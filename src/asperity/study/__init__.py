@@ -1,0 +1,1 @@
+"""Studies on the vectorised solver: vary, compare, optimise, calibrate."""
