@@ -2,17 +2,25 @@
 
 from __future__ import annotations
 
+import math
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, NamedTuple
+
 import equinox as eqx
 import jax.numpy as jnp
+import numpy as np
 
 from asperity.contact.fractal import FractalContact
 from asperity.contact.hertz_line import effective_radius, first_yield_pressure, half_width, peak_pressure
 from asperity.contact.interface import Interface
 from asperity.drive.capacity import slip_ratio
-from asperity.drive.force_balance import DriveForces
-from asperity.drive.geometry import DriveGeometry, contact_radii, triangle
+from asperity.drive.force_balance import BALANCE_TOLERANCE, DriveForces
+from asperity.drive.geometry import CONTACT_NAMES, DriveGeometry, contact_radii, triangle
 from asperity.materials import ContactPair
 from asperity.types import Real
+
+if TYPE_CHECKING:
+    from asperity.joint import JointResult
 
 
 class Diagnostics(eqx.Module):
@@ -129,3 +137,135 @@ def diagnose(
         hertz_half_width=jnp.where(touching, width, 0.0),
         hertz_peak_pressure=pressure,
     )
+
+
+@dataclass(frozen=True, slots=True)
+class Diagnostic:
+    """One limit of the model, told for one contact or for the whole drive.
+
+    Parameters
+    ----------
+    name : str
+        What is compared; the name of a field of :class:`Diagnostics` where it comes from there.
+    contact : str or None
+        Which contact; None for the whole drive.
+    value, limit : float
+        The value and the limit it is compared with.
+    ok : bool
+        Whether the value is on the good side of its limit; never where it is nan.
+    meaning : str
+        What it means that the limit is kept or crossed.
+    """
+
+    name: str
+    contact: str | None
+    value: float
+    limit: float
+    ok: bool
+    meaning: str
+
+
+class _Rule(NamedTuple):
+    """How a field of :class:`Diagnostics` is judged, and what it means to be on either side of the limit."""
+
+    name: str
+    limit: float
+    good: str
+    bad: str
+    fine_above: bool = False
+
+
+_RULES = (
+    _Rule(
+        "gross_slip",
+        1.0,
+        "the tangential force is below what friction holds",
+        "the contact slips grossly: it has no tangential stiffness",
+    ),
+    _Rule(
+        "self_locking",
+        1.0,
+        "the wedge holds itself by friction",
+        "the friction coefficient is below tan(beta/2): the wedge does not hold itself by friction",
+    ),
+    _Rule(
+        "real_area_over_hertz_area",
+        1.0,
+        "the real area of contact is part of the Hertzian strip",
+        "the real area of contact exceeds the whole Hertzian strip: the contact law is used beyond its validity",
+    ),
+    _Rule(
+        "largest_spot_over_hertz_area",
+        1.0,
+        "the largest spot is part of the Hertzian strip",
+        "one spot exceeds the whole Hertzian strip: the contact law is used beyond its validity",
+    ),
+    _Rule(
+        "critical_over_largest_spot",
+        1.0,
+        "some spots are elastic",
+        "every spot is plastic: the contact law has no stiffness",
+    ),
+    _Rule(
+        "pressure_over_first_yield",
+        1.0,
+        "the bodies stay elastic under the contact",
+        "the Hertzian pressure exceeds first yield, 1.67 times the yield strength: the bodies deform plastically",
+    ),
+    _Rule(
+        "asperity_over_bulk_stiffness",
+        0.1,
+        "the asperities are at least ten times softer than the bodies under them",
+        "the bodies are not much stiffer than the asperities: the published stiffness, which leaves the bodies out, is "
+        "only an upper bound",
+    ),
+    _Rule("normal_over_rest", 0.0, "the contact is loaded", "the contact has lifted off", fine_above=True),
+)
+
+
+def listing(result: JointResult) -> tuple[Diagnostic, ...]:
+    """Every diagnostic of one solved joint, contact by contact, with its meaning in words.
+
+    Parameters
+    ----------
+    result : JointResult
+        Result of one joint, without batch axes.
+
+    Returns
+    -------
+    tuple of Diagnostic
+        Those of :class:`Diagnostics` that have a limit, then the residuals of the force balance.
+    """
+    entries = [
+        entry
+        for rule in _RULES
+        for contact, value in _by_contact(getattr(result.diagnostics, rule.name))
+        for entry in [_judged(rule, contact, value)]
+    ]
+    residuals = (
+        ("balance_residual", "equations (1) to (5)", result.forces.balance_residual),
+        ("closure_residual", "the closure (A3)", result.forces.closure_residual),
+    )
+    for name, equations, residual in residuals:
+        value = float(residual)
+        ok = value < BALANCE_TOLERANCE
+        meaning = (
+            f"residual of {equations}, relative to the largest force: {'solved' if ok else 'not solved'}"
+        )
+        entries.append(Diagnostic(name, None, value, BALANCE_TOLERANCE, ok, meaning))
+    return tuple(entries)
+
+
+def _by_contact(values: Real) -> list[tuple[str | None, float]]:
+    numbers = np.asarray(values)
+    if numbers.ndim == 0:
+        return [(None, float(numbers))]
+    return [(name, float(number)) for name, number in zip(CONTACT_NAMES, numbers, strict=True)]
+
+
+def _judged(rule: _Rule, contact: str | None, value: float) -> Diagnostic:
+    if math.isnan(value):
+        told = "undefined here: the contact slips or has lifted off"
+        return Diagnostic(rule.name, contact, value, rule.limit, False, told)
+    ok = value > rule.limit if rule.fine_above else value < rule.limit
+    return Diagnostic(rule.name, contact, value, rule.limit, ok, rule.good if ok else rule.bad)

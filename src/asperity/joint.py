@@ -13,7 +13,7 @@ from asperity.contact.fractal import FractalContact
 from asperity.contact.interface import Interface
 from asperity.diagnostics import Diagnostics, diagnose
 from asperity.drive.assembly import Assembly, assembly_stiffness
-from asperity.drive.force_balance import DriveForces, Mechanism, force_balance, rest_state
+from asperity.drive.force_balance import BALANCE_TOLERANCE, DriveForces, Mechanism, force_balance, rest_state
 from asperity.drive.geometry import CONTACT_NAMES, DriveAngles, angles, carrier_speed, speed_ratio
 from asperity.drive.torsional_stiffness import (
     TorsionalStiffness,
@@ -28,9 +28,6 @@ from asperity.precision import require_double_precision
 from asperity.types import Real
 
 __all__ = ["Bodies", "Joint", "JointResult", "evaluate", "mechanism", "solve"]
-
-#: Largest relative residual of the force balance and of its closure that counts as solved.
-BALANCE_TOLERANCE = 1e-9
 
 
 class JointResult(eqx.Module):

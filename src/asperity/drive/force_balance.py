@@ -21,6 +21,9 @@ from asperity.types import Real
 
 Closure = Literal["elastic", "constant_pin_force"]
 
+#: Largest relative residual of the force balance and of its closure that counts as solved.
+BALANCE_TOLERANCE = 1e-9
+
 _NEWTON_BUDGET = 20
 _STEP_TOLERANCE = 1e-6  # convergence is quadratic: what such a last step leaves behind is below 1e-12
 _SMALL_LOAD = 1e-6

@@ -1,0 +1,32 @@
+"""``asperity init``: a joint file to start from."""
+
+from __future__ import annotations
+
+import click
+
+
+@click.command()
+@click.argument("file", type=click.Path(), default="joint.toml")
+@click.option("--force", is_flag=True, help="Overwrite FILE if it exists.")
+def init(file: str, force: bool) -> None:
+    """Write a commented joint file, the joint of Zou et al. 2025, to FILE (joint.toml; '-' prints it)."""
+    from importlib.resources import files
+
+    from asperity.cli.terminal import prepare_output
+    from asperity.errors import InputError
+
+    text = files("asperity.case").joinpath("zou2025.toml").read_text(encoding="utf-8")
+    if file == "-":
+        prepare_output()
+        click.echo(text, nl=False)
+        return
+    try:
+        with open(file, "w" if force else "x", encoding="utf-8", newline="\n") as target:
+            target.write(text)
+    except FileExistsError:
+        raise InputError(
+            f"{file} exists already; choose another name, or overwrite it with --force"
+        ) from None
+    except OSError as error:
+        raise InputError(f"{file} cannot be written: {error.strerror}") from None
+    click.echo(f"wrote {file}; next: asperity joint {file}", err=True)

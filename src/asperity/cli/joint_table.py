@@ -1,0 +1,160 @@
+"""A solved joint as tables to read."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from asperity.cli.terminal import table
+from asperity.units import format_quantity
+
+if TYPE_CHECKING:
+    from rich.console import Console
+
+Document = dict[str, Any]
+
+_MODELS = (
+    ("assembly", "assembled: asperities, bodies, floating planets, structure"),
+    ("series_with_bulk", "asperities and bodies in series, centres held"),
+    ("published", "as published, equation (25): asperities alone, an upper bound"),
+)
+
+
+def _number(value: float | None, digits: int = 4) -> str:
+    return "-" if value is None else format_quantity(value, "1", digits)
+
+
+def _in(value: float | None, unit: str, digits: int = 4) -> str:
+    return "-" if value is None else format_quantity(value, unit, digits)
+
+
+def show_joint(target: Console, document: Document, *, source: str) -> None:
+    """Print what a joint document says.
+
+    Parameters
+    ----------
+    target : Console
+        Where to print.
+    document : dict
+        As :func:`asperity.joint_document.joint_document` makes it.
+    source : str
+        Name of the joint file.
+    """
+    drive, load = document["input"]["drive"], document["input"]["load"]
+    target.print(
+        f"{source}: {_number(drive['planets'])} planets, sun at {_in(load['sun_speed'], 'rpm')}, preload "
+        f"{_in(load['preload'], 'N')}, output torque {_in(load['output_torque'], 'N*m')}\n",
+        style="bold",
+    )
+    _show_stiffness(target, document)
+    _show_contacts(target, document)
+    _show_drive(target, document)
+    _show_budget(target, document)
+    _show_warnings(target, document)
+    target.print("\nAssumed", style="bold")
+    for sentence in document["assumptions"]:
+        target.print(f"  {sentence}", markup=False)
+
+
+def _show_stiffness(target: Console, document: Document) -> None:
+    shown = table(
+        target, "Torsional stiffness", "model", "sun\nN·m/rad", "output\nN·m/rad", "output\nN·m/arcmin"
+    )
+    for name, meaning in _MODELS:
+        entry = document["torsional_stiffness"][name]
+        shown.add_row(
+            meaning,
+            _number(entry["sun_Nm_per_rad"]),
+            _number(entry["output_Nm_per_rad"]),
+            _number(entry["output_Nm_per_arcmin"]),
+        )
+    target.print(shown)
+
+
+def _show_contacts(target: Console, document: Document) -> None:
+    shown = table(
+        target,
+        "Contacts",
+        "contact",
+        "normal\nforce\nN",
+        "tangential\nforce\nN",
+        "slip\nT/(mu N)",
+        "K_t\nasperities\nN/µm",
+        "K_t\nbodies\nN/µm",
+        "own K_T\nasperities\nN·m/rad",
+        "real area\nmm²",
+        "Hertz\nwidth\nmm",
+        "Hertz\npressure\nMPa",
+    )
+    slip = {entry["contact"]: entry for entry in document["diagnostics"] if entry["name"] == "gross_slip"}
+    for name, contact in document["contacts"].items():
+        shown.add_row(
+            name,
+            _number(document["forces"]["normal_N"][name]),
+            _number(document["forces"]["tangential_N"][name]),
+            _number(slip[name]["value"], 3),
+            _number(contact["tangential_stiffness_N_per_m"] * 1e-6),
+            _number(contact["bulk_tangential_stiffness_N_per_m"] * 1e-6),
+            _number(contact["torsional_stiffness_Nm_per_rad"]),
+            _number(contact["real_contact_area_m2"] * 1e6),
+            _number(contact["hertz_half_width_m"] * 2e3),
+            _number(contact["hertz_peak_pressure_Pa"] * 1e-6),
+        )
+    target.print(shown)
+
+
+def _show_drive(target: Console, document: Document) -> None:
+    geometry, forces = document["geometry"], document["forces"]
+    gap = min(geometry["clearances"], key=lambda entry: entry["gap_m"])
+    target.print("Drive", style="bold")
+    for label, text in (
+        (
+            "angles",
+            f"alpha {_in(geometry['alpha_rad'], 'deg', 6)}, theta {_in(geometry['theta_rad'], 'deg', 6)}, "
+            f"wedge beta {_in(geometry['wedge_angle_rad'], 'deg', 6)}",
+        ),
+        (
+            "speed",
+            f"ratio {_number(geometry['speed_ratio'])}, carrier {_in(forces['carrier_speed_rad_per_s'], 'rpm')}",
+        ),
+        (
+            "torque",
+            f"in {_in(forces['input_torque_Nm'], 'N*m')}, out {_in(forces['output_torque_Nm'], 'N*m')}",
+        ),
+        (
+            "pin force",
+            f"left {_in(forces['pin_N']['left'], 'N')}, right {_in(forces['pin_N']['right'], 'N')}",
+        ),
+        (
+            "mass",
+            f"planet {_in(forces['planet_mass_kg'], 'g')}, loading roller {_in(forces['loading_roller_mass_kg'], 'g')}",
+        ),
+        ("least gap", f"{_in(gap['gap_m'], 'mm')}: {gap['condition']}"),
+    ):
+        target.print(f"  {label:<10} {text}", markup=False)
+
+
+def _show_budget(target: Console, document: Document) -> None:
+    """Where the assembly's compliance comes from, largest share first."""
+    shares = []
+    for name, share in document["stiffness_budget"].items():
+        total = sum(share.values()) if isinstance(share, dict) and None not in share.values() else share
+        if isinstance(total, float) and total > 0.0:
+            shares.append((total, name.removesuffix("_share").replace("_", " ")))
+    told = ", ".join(f"{name} {100.0 * total:.1f} %" for total, name in sorted(shares, reverse=True))
+    target.print("\nCompliance of the assembly, by spring", style="bold")
+    target.print(f"  {told or 'none: the joint passes no torque'}", markup=False)
+
+
+def _show_warnings(target: Console, document: Document) -> None:
+    crossed: dict[tuple[str, str, float], list[str]] = {}
+    for entry in document["diagnostics"]:
+        if not entry["ok"]:
+            where = f"{entry['contact']} " if entry["contact"] else ""
+            key = (entry["name"], entry["meaning"], entry["limit"])
+            crossed.setdefault(key, []).append(f"{where}{_number(entry['value'], 3)}")
+    target.print("\nWarnings" if crossed else "\nNo warnings: every limit of the model is kept", style="bold")
+    for (name, meaning, limit), values in crossed.items():
+        target.print(
+            f"  {name.replace('_', ' ')} (limit {_number(limit)}): {', '.join(values)}", style="yellow"
+        )
+        target.print(f"    {meaning}", markup=False)

@@ -1,0 +1,197 @@
+"""A joint that is going to be reported: solved once, fast to compile, and refused where it cannot exist."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import equinox as eqx
+import jax
+import numpy as np
+
+from asperity.drive.capacity import TorqueCapacity, torque_capacity
+from asperity.drive.force_balance import BALANCE_TOLERANCE
+from asperity.drive.geometry import CONTACT_NAMES, Clearance, clearances
+from asperity.errors import InputError, NoSolutionError
+from asperity.joint import JointResult, evaluate, mechanism
+from asperity.joint_description import Joint, per_contact
+from asperity.precision import require_double_precision
+from asperity.units import format_quantity
+
+#: One joint runs in milliseconds however it is compiled; these make the compiler four times as fast.
+_COMPILE_FAST: dict[str, Any] = {"xla_backend_optimization_level": 0, "xla_cpu_use_fusion_emitters": False}
+
+
+class Examination(eqx.Module):
+    """A joint's result beside what decides whether it can exist.
+
+    Parameters
+    ----------
+    result : JointResult
+        Forces, contacts, stiffness and diagnostics.
+    clearances : tuple of Clearance
+        Free distances between the rollers [m].
+    """
+
+    result: JointResult
+    clearances: tuple[Clearance, ...]
+
+
+def compile_fast(function: Any, *arguments: Any) -> Any:
+    """Compile a function for one use: quick to build, not quick to run.
+
+    Parameters
+    ----------
+    function : callable
+        A pure function of modules of numbers.
+    *arguments
+        What it will be called with.
+
+    Returns
+    -------
+    callable
+        The compiled function, for arguments of the same shapes.
+    """
+    lowered = jax.jit(function).lower(*arguments)
+    try:
+        return lowered.compile(compiler_options=_COMPILE_FAST)
+    except Exception:  # a release of XLA without these options: the same program, compiled more slowly
+        return lowered.compile()
+
+
+def _examined(joint: Joint) -> Examination:
+    return Examination(result=evaluate(joint), clearances=clearances(joint.geometry))
+
+
+def _capacity(joint: Joint) -> TorqueCapacity:
+    return torque_capacity(
+        mechanism=mechanism(joint), friction_coefficient=per_contact(joint.friction_coefficients)
+    )
+
+
+def examine(joint: Joint) -> Examination:
+    """Solve one joint and refuse one that cannot exist.
+
+    Parameters
+    ----------
+    joint : Joint
+        One joint, without batch axes.
+
+    Returns
+    -------
+    Examination
+        Its result, with leaves as NumPy arrays, and its clearances.
+
+    Raises
+    ------
+    InputError
+        If the rollers do not fit, or the output torque exceeds the torque capacity; with the numbers.
+    NoSolutionError
+        If the force balance did not close.
+    PrecisionError
+        If JAX is in single precision.
+    """
+    require_double_precision()
+    numbers = jax.tree.map(lambda leaf: np.asarray(leaf, dtype=float), joint)
+    examination: Examination = jax.tree.map(np.asarray, compile_fast(_examined, numbers)(numbers))
+    _refuse_overlap(joint, examination.clearances)
+    _refuse_locked_pins(joint)
+    _refuse_wide_contacts(joint, examination.result)
+    slip = examination.result.diagnostics.gross_slip
+    if not np.all(np.asarray(slip) < 1.0):
+        _refuse_torque(numbers)
+    _refuse_unsolved(examination.result)
+    return examination
+
+
+def _refuse_overlap(joint: Joint, gaps: tuple[Clearance, ...]) -> None:
+    geometry = joint.geometry
+    for clearance in gaps:
+        gap = float(clearance.gap)
+        if gap > 0.0:
+            continue
+        radii = ", ".join(
+            f"{symbol} = {format_quantity(float(value), 'mm')}"
+            for symbol, value in (
+                ("R_s", geometry.sun_radius),
+                ("R_p", geometry.planet_radius),
+                ("R_w", geometry.loading_roller_radius),
+                ("R_o", geometry.ring_radius),
+            )
+        )
+        found = f"the gap is {format_quantity(gap, 'mm')}, it must be above 0 mm"
+        if math.isnan(gap):
+            found = "the triangle sun, planet, loading roller does not close"
+        raise InputError(
+            f"the rollers do not fit: {clearance.name}; {found} ({radii}, {float(geometry.planet_count):g} planets)"
+        )
+
+
+def _refuse_wide_contacts(joint: Joint, result: JointResult) -> None:
+    """Line-contact theory has a positive stiffness only where the strip is narrower than its bodies."""
+    geometry = joint.geometry
+    sun, planet, roller, wall = (
+        float(value)
+        for value in (
+            geometry.sun_radius,
+            geometry.planet_radius,
+            geometry.loading_roller_radius,
+            joint.ring_wall_thickness,
+        )
+    )
+    bodies = (min(sun, planet), *2 * (min(planet, roller),), *2 * (min(roller, wall),))
+    widths, stiffness = (
+        np.asarray(result.diagnostics.hertz_half_width),
+        np.asarray(result.interfaces.bulk_normal),
+    )
+    for name, body, width, bulk in zip(CONTACT_NAMES, bodies, widths, stiffness, strict=True):
+        if width >= body or (width > 0.0 and not bulk > 0.0):
+            raise InputError(
+                f"the contact {name} is {format_quantity(2.0 * float(width), 'mm')} wide, too wide for a radius or "
+                f"wall of {format_quantity(body, 'mm')}: line-contact theory needs a half-width far below it; lower "
+                "the preload, or choose longer contact lines or stiffer materials"
+            )
+
+
+def _refuse_locked_pins(joint: Joint) -> None:
+    bearings, geometry = joint.bearings, joint.geometry
+    diameter, roller = float(bearings.pin_diameter), float(geometry.loading_roller_radius)
+    if diameter >= 2.0 * roller:
+        raise InputError(
+            f"the pin diameter {format_quantity(diameter, 'mm')} must be below the diameter of the loading roller, "
+            f"{format_quantity(2.0 * roller, 'mm')}"
+        )
+    grip = float(bearings.pin_friction_coefficient) * diameter / roller
+    push = math.cos(max(abs(float(geometry.left_push_angle)), abs(float(geometry.right_push_angle))))
+    if grip >= push:
+        raise InputError(
+            f"the pins lock: pin friction coefficient times pin diameter over loading roller radius is {grip:.3g}, it "
+            f"must be below the cosine of the push angle, {push:.3g}"
+        )
+
+
+def _refuse_torque(numbers: Joint) -> None:
+    """Compare the torque with the capacity, which is worth finding only when some contact slips."""
+    capacity = compile_fast(_capacity, numbers)(numbers)
+    limit, torque = float(capacity.output_torque), float(numbers.output_torque)
+    if torque < limit:
+        return
+    contact = CONTACT_NAMES[int(capacity.limiting_contact)]
+    told = f"the output torque {format_quantity(torque, 'N*m')} is beyond the torque capacity"
+    if limit == 0.0:
+        raise InputError(
+            f"{told}, which is 0 N·m: contact {contact} slips or lifts off even without a torque"
+        )
+    raise InputError(
+        f"{told} {format_quantity(limit, 'N*m')}, at which contact {contact} slips; allowed are at least 0 N·m and "
+        f"below {format_quantity(limit, 'N*m')}, unless preload or friction coefficient are raised"
+    )
+
+
+def _refuse_unsolved(result: JointResult) -> None:
+    if not bool(result.solved):
+        raise NoSolutionError(
+            f"the force balance did not close: relative residual {float(result.forces.balance_residual):.3g} (balance) "
+            f"and {float(result.forces.closure_residual):.3g} (closure), allowed {BALANCE_TOLERANCE:g}; check radii, "
+            "preload and torque"
+        )
