@@ -278,6 +278,10 @@ def _variables(table: dict[str, Any], case: Case) -> Iterator[Variable]:
                     f"{where}: the finish {name!r} has no range for it; it has {', '.join(ranges)}"
                 )
             lower, upper = ranges[kind]
+            if lower == upper:
+                raise InputError(
+                    f"{where}: the finish {name!r} has the single value {lower:g} for it; write that into the joint file"
+                )
         else:
             for side in ("lower", "upper"):
                 if side not in entry:
