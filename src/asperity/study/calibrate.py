@@ -180,7 +180,8 @@ def calibrate(
     size = len(unknowns)
     begins = [model.first]
     if starts > 1:
-        begins += list(qmc.LatinHypercube(d=size, rng=np.random.default_rng(seed)).random(starts - 1))
+        sampler = qmc.LatinHypercube(d=size, rng=np.random.default_rng(seed))
+        begins += _usable(model, sampler.random(8 * (starts - 1)))[: starts - 1]
     ended = []
     for index, begin in enumerate(begins):
         found = least_squares(
@@ -189,19 +190,26 @@ def calibrate(
             jac=lambda x: model(x)[1] / scale,
             bounds=(np.zeros(size), np.ones(size)),
             method="trf",
-            xtol=1e-13,
-            ftol=1e-13,
-            gtol=1e-13,
-            max_nfev=200,
+            xtol=1e-10,
+            ftol=1e-10,
+            gtol=1e-12,
+            max_nfev=400,
         )
         ended.append((float(found.cost), bool(found.status > 0), found.x))
         if progress is not None:
             progress(index + 1, len(begins))
     ended.sort(key=lambda each: each[0])
-    good = [each for each in ended if each[1]]
-    if not good:
-        raise NoSolutionError(f"none of {len(begins)} starts of the least-squares fit converged; narrow the bounds")
-    return _conclude(model, good[0][2], tuple(scale * np.sqrt(2.0 * cost / data.size) for cost, _, _ in ended))
+    if not ended[0][1]:
+        raise NoSolutionError(
+            f"the best of {len(begins)} starts of the least-squares fit did not converge in 400 steps; "
+            "narrow the bounds, or ask for fewer unknowns"
+        )
+    return _conclude(model, ended[0][2], tuple(scale * np.sqrt(2.0 * cost / data.size) for cost, _, _ in ended))
+
+
+def _usable(model: CurveModel, places: np.ndarray) -> list[np.ndarray]:
+    """Places at which the joint has a stiffness at every torque: a search from elsewhere has no direction."""
+    return [place for place in places if np.all(model.stiffness(place)[0] > 0.0)]
 
 
 def _conclude(model: CurveModel, places: np.ndarray, starts: tuple[float, ...]) -> Calibration:
@@ -210,10 +218,11 @@ def _conclude(model: CurveModel, places: np.ndarray, starts: tuple[float, ...]) 
     data = model.measurement.measured
     stiffness, _, slip = model.stiffness(places)
     if not np.all(stiffness > 0.0):
-        where = model.torque[np.argmin(stiffness > 0.0)]
+        where = model.torque[~(stiffness > 0.0)].min()
         raise NoSolutionError(
-            f"the best fit slips grossly (slip ratio {slip.max():.3g}) within the measured torques, from about {where:.3g} N·m: "
-            "the joint file cannot explain these data; check units, preload and friction, or widen the bounds"
+            f"the best fit has no stiffness from {where:.3g} N·m on (largest slip ratio {slip.max():.3g}; below 1 every "
+            "contact spot is plastic): the joint file cannot explain these data; check units, preload and friction, or "
+            "widen the bounds"
         )
     prediction, slopes = model(places)
     residual = data - prediction

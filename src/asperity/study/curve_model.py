@@ -113,12 +113,12 @@ class CurveModel:
         slopes[:, self.in_joint] = self.weights @ (-by_joint / safe[:, None] ** 2)
         for index in self.in_curve:
             unknown = self.unknowns[index]
-            value, slope = self._curve_part(unknown.path, point)
+            value, slope = self.curve_part(unknown.path, point)
             prediction = prediction + value
             slopes[:, index] = slope
         return prediction, slopes * steps
 
-    def _curve_part(self, path: str, point: dict[str, float]) -> tuple[np.ndarray, np.ndarray]:
+    def curve_part(self, path: str, point: dict[str, float]) -> tuple[np.ndarray, np.ndarray]:
         """What an unknown of the curve adds to the angles, and the derivative by it."""
         data, kind = self.measurement, _kind(path)
         none = np.zeros(data.torque.size)

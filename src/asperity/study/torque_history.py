@@ -17,7 +17,7 @@ from asperity.errors import InputError
 
 History = Literal["virgin", "cycled"]
 
-_PANELS = 24
+_PANELS = 12
 _NODES = 4
 
 #: Coefficients and arguments of the loading curve whose sum is an angle.
