@@ -4,6 +4,7 @@ import os
 from pathlib import Path
 
 import jax
+import numpy as np
 import pytest
 
 jax.config.update("jax_enable_x64", True)
@@ -19,3 +20,114 @@ def shared_data() -> Path:
     if not folder.is_dir():
         pytest.skip(f"measured files are not here: {folder} does not exist (set ASPERITY_SHARED_DATA)")
     return folder
+
+
+@pytest.fixture(scope="session")
+def paper_joint():
+    """Maker of the paper's joint (assumptions: steel, N_0 = 1000 N, 5 N·m, no bearing friction) with changes.
+
+    Names of changes are those of the formulas' arguments; numbers may be arrays of one shape.
+    """
+    from asperity.contact.fractal import Surface
+    from asperity.drive.assembly import RIGID_SUPPORTS
+    from asperity.drive.force_balance import Bearings
+    from asperity.drive.geometry import DriveGeometry
+    from asperity.joint import Bodies, Joint
+    from asperity.materials import Material
+
+    standard = {
+        "sun_radius": 4e-3,
+        "planet_radius": 13.5e-3,
+        "loading_roller_radius": 5e-3,
+        "ring_radius": 40e-3,
+        "planet_count": 3.0,
+        "left_push_angle": 0.0,
+        "right_push_angle": 0.0,
+        "youngs_modulus": 206e9,
+        "poisson_ratio": 0.3,
+        "density": 7850.0,
+        "yield_strength": 450e6,
+        "hardness": 1260e6,
+        "fractal_dimension": 1.4,
+        "fractal_roughness": 1e-11,
+        "contact_length": 5e-3,
+        "friction_coefficient": 0.12,
+        "ring_wall_thickness": 10e-3,
+        "sun_torque": 0.0,
+        "loading_roller_torque": 0.0,
+        "carrier_torque": 0.0,
+        "pin_friction_coefficient": 0.0,
+        "pin_diameter": 0.0,
+        "preload": 1000.0,
+        "output_torque": 5.0,
+        "sun_speed": 6000 * np.pi / 30,
+        "supports": RIGID_SUPPORTS,
+        "closure": "elastic",
+        "closure_springs": "bulk",
+        "contact_factor_model": "printed",
+        "asperity_base": "majumdar_bhushan_1991",
+    }
+
+    def make(**changes):
+        unknown = changes.keys() - standard.keys()
+        assert not unknown, unknown
+        x = standard | changes
+        numbers = {
+            key: np.asarray(value, float)
+            for key, value in x.items()
+            if isinstance(value, int | float | np.ndarray)
+        }
+        shape = np.broadcast_shapes(*(value.shape for value in numbers.values()))
+        x |= {key: np.broadcast_to(value, shape).copy() for key, value in numbers.items()}
+
+        def pick(module, *names):
+            return module(*(x[name] for name in names))
+
+        body = pick(Material, "youngs_modulus", "poisson_ratio", "density", "yield_strength", "hardness")
+        surface = Surface(
+            x["fractal_dimension"], x["fractal_roughness"], np.full(shape, 1.5), x["asperity_base"]
+        )
+        return Joint(
+            geometry=pick(DriveGeometry, *list(standard)[:7]),
+            bodies=Bodies(body, body, body, body),
+            surfaces=(surface,),
+            contact_lengths=(x["contact_length"],),
+            friction_coefficients=(x["friction_coefficient"],),
+            planet_length=x["contact_length"],
+            loading_roller_length=x["contact_length"],
+            ring_wall_thickness=x["ring_wall_thickness"],
+            bearings=pick(
+                Bearings,
+                "sun_torque",
+                "loading_roller_torque",
+                "carrier_torque",
+                "pin_friction_coefficient",
+                "pin_diameter",
+            ),
+            preload=x["preload"],
+            output_torque=x["output_torque"],
+            sun_speed=x["sun_speed"],
+            supports=x["supports"],
+            closure=x["closure"],
+            closure_springs=x["closure_springs"],
+            contact_factor_model=x["contact_factor_model"],
+        )
+
+    return make
+
+
+@pytest.fixture(scope="session")
+def load_example():
+    """Loader of a script of examples/ by its name, as a module."""
+    import importlib.util
+
+    def load(name: str):
+        path = Path(__file__).parents[1] / "examples" / f"{name}.py"
+        spec = importlib.util.spec_from_file_location(name, path)
+        assert spec is not None
+        assert spec.loader is not None
+        module = importlib.util.module_from_spec(spec)
+        spec.loader.exec_module(module)
+        return module
+
+    return load

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 import math
 from typing import Any
 
@@ -37,25 +38,34 @@ class Examination(eqx.Module):
     clearances: tuple[Clearance, ...]
 
 
-def compile_fast(function: Any, *arguments: Any) -> Any:
-    """Compile a function for one use: quick to build, not quick to run.
+def compile_fast(function: Any, joint: Joint) -> Any:
+    """Compile a function of a joint for one use, or a few: quick to build, not quick to run.
 
     Parameters
     ----------
     function : callable
-        A pure function of modules of numbers.
-    *arguments
-        What it will be called with.
+        A pure function of one joint.
+    joint : Joint
+        A joint with leaves as NumPy arrays.
 
     Returns
     -------
     callable
-        The compiled function, for arguments of the same shapes.
+        The compiled function, for joints of the same structure; the same one if asked again.
     """
-    lowered = jax.jit(function).lower(*arguments)
+    leaves, structure = jax.tree.flatten(joint)
+    return _compiled(function, structure, tuple(leaf.shape for leaf in leaves))
+
+
+@functools.lru_cache(maxsize=16)
+def _compiled(function: Any, structure: Any, shapes: tuple[tuple[int, ...], ...]) -> Any:
+    leaves = [jax.ShapeDtypeStruct(shape, np.float64) for shape in shapes]
+    lowered = jax.jit(function).lower(jax.tree.unflatten(structure, leaves))
     try:
         return lowered.compile(compiler_options=_COMPILE_FAST)
-    except Exception:  # a release of XLA without these options: the same program, compiled more slowly
+    except (
+        jax.errors.JaxRuntimeError
+    ):  # a release of XLA without these options: the same program, built more slowly
         return lowered.compile()
 
 
@@ -102,6 +112,24 @@ def examine(joint: Joint) -> Examination:
         _refuse_torque(numbers)
     _refuse_unsolved(examination.result)
     return examination
+
+
+def capacity(joint: Joint) -> TorqueCapacity:
+    """Torque capacity of one joint, compiled for one use.
+
+    Parameters
+    ----------
+    joint : Joint
+        One joint, without batch axes.
+
+    Returns
+    -------
+    TorqueCapacity
+        Capacity [N·m] and the limiting contact.
+    """
+    numbers = jax.tree.map(lambda leaf: np.asarray(leaf, dtype=float), joint)
+    found: TorqueCapacity = compile_fast(_capacity, numbers)(numbers)
+    return found
 
 
 def _refuse_overlap(joint: Joint, gaps: tuple[Clearance, ...]) -> None:
@@ -172,11 +200,11 @@ def _refuse_locked_pins(joint: Joint) -> None:
 
 def _refuse_torque(numbers: Joint) -> None:
     """Compare the torque with the capacity, which is worth finding only when some contact slips."""
-    capacity = compile_fast(_capacity, numbers)(numbers)
-    limit, torque = float(capacity.output_torque), float(numbers.output_torque)
+    found = capacity(numbers)
+    limit, torque = float(found.output_torque), float(numbers.output_torque)
     if torque < limit:
         return
-    contact = CONTACT_NAMES[int(capacity.limiting_contact)]
+    contact = CONTACT_NAMES[int(found.limiting_contact)]
     told = f"the output torque {format_quantity(torque, 'N*m')} is beyond the torque capacity"
     if limit == 0.0:
         raise InputError(

@@ -187,7 +187,7 @@ def pair(body_1: Material, body_2: Material) -> ContactPair:
     Returns
     -------
     ContactPair
-        Their common moduli, the lower hardness and the lower yield strength.
+        Their :func:`contact_modulus` and :func:`tangential_contact_modulus`, the lower hardness and yield strength.
     """
     elastic = {
         "youngs_modulus_1": body_1.youngs_modulus,

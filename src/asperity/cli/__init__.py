@@ -18,10 +18,25 @@ from asperity.errors import AsperityError
 #: Command name -> (module that defines it, function name, one-line help shown without importing the module).
 COMMANDS: dict[str, tuple[str, str, str]] = {
     "joint": ("asperity.cli.joint", "joint", "Forces, stiffness and warnings of a joint file."),
+    "windup": (
+        "asperity.cli.windup",
+        "windup",
+        "Torque-angle curve, hysteresis and capacity of a joint file.",
+    ),
     "contact": ("asperity.cli.contact", "contact", "Stiffness of any number of roller pairs from a table."),
     "init": ("asperity.cli.init", "init", "Write a commented joint file to start from."),
     "schema": ("asperity.cli.schema", "schema", "Print the JSON schema of joint files, for editors."),
     "completion": ("asperity.cli.completion", "completion", "Print a shell completion script."),
+    "reproduce": (
+        "asperity.cli.reproduce",
+        "reproduce",
+        "Recompute the paper's figures and judge its claims.",
+    ),
+    "surface": (
+        "asperity.cli.surface",
+        "surface",
+        "Measure D and G of rough surfaces, make and combine them.",
+    ),
 }
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import textwrap
 from typing import TYPE_CHECKING, Any
 
 from asperity.cli.terminal import table
@@ -23,8 +24,18 @@ def _number(value: float | None, digits: int = 4) -> str:
     return "-" if value is None else format_quantity(value, "1", digits)
 
 
+def _scaled(value: float | None, factor: float) -> str:
+    return "-" if value is None else _number(value * factor)
+
+
 def _in(value: float | None, unit: str, digits: int = 4) -> str:
     return "-" if value is None else format_quantity(value, unit, digits)
+
+
+def _print_wrapped(target: Console, text: str, *, indent: int) -> None:
+    target.print(
+        textwrap.fill(text, target.width, subsequent_indent=" " * indent), markup=False, soft_wrap=True
+    )
 
 
 def show_joint(target: Console, document: Document, *, source: str) -> None:
@@ -44,6 +55,7 @@ def show_joint(target: Console, document: Document, *, source: str) -> None:
         f"{source}: {_number(drive['planets'])} planets, sun at {_in(load['sun_speed'], 'rpm')}, preload "
         f"{_in(load['preload'], 'N')}, output torque {_in(load['output_torque'], 'N*m')}\n",
         style="bold",
+        markup=False,
     )
     _show_stiffness(target, document)
     _show_contacts(target, document)
@@ -52,7 +64,7 @@ def show_joint(target: Console, document: Document, *, source: str) -> None:
     _show_warnings(target, document)
     target.print("\nAssumed", style="bold")
     for sentence in document["assumptions"]:
-        target.print(f"  {sentence}", markup=False)
+        _print_wrapped(target, f"  {sentence}", indent=4)
 
 
 def _show_stiffness(target: Console, document: Document) -> None:
@@ -71,33 +83,50 @@ def _show_stiffness(target: Console, document: Document) -> None:
 
 
 def _show_contacts(target: Console, document: Document) -> None:
+    contacts, forces = document["contacts"], document["forces"]
+    slip = {
+        entry["contact"]: entry["value"] for entry in document["diagnostics"] if entry["name"] == "gross_slip"
+    }
     shown = table(
         target,
-        "Contacts",
+        "Contact forces",
         "contact",
-        "normal\nforce\nN",
-        "tangential\nforce\nN",
-        "slip\nT/(mu N)",
-        "K_t\nasperities\nN/µm",
-        "K_t\nbodies\nN/µm",
-        "own K_T\nasperities\nN·m/rad",
+        "normal\nN",
+        "tangential\nN",
+        "slip T/(mu N)\n-",
+        "Hertz width\nmm",
+        "Hertz pressure\nMPa",
         "real area\nmm²",
-        "Hertz\nwidth\nmm",
-        "Hertz\npressure\nMPa",
     )
-    slip = {entry["contact"]: entry for entry in document["diagnostics"] if entry["name"] == "gross_slip"}
-    for name, contact in document["contacts"].items():
+    for name, contact in contacts.items():
         shown.add_row(
             name,
-            _number(document["forces"]["normal_N"][name]),
-            _number(document["forces"]["tangential_N"][name]),
-            _number(slip[name]["value"], 3),
-            _number(contact["tangential_stiffness_N_per_m"] * 1e-6),
-            _number(contact["bulk_tangential_stiffness_N_per_m"] * 1e-6),
+            _number(forces["normal_N"][name]),
+            _number(forces["tangential_N"][name]),
+            _number(slip[name], 3),
+            _scaled(contact["hertz_half_width_m"], 2e3),
+            _scaled(contact["hertz_peak_pressure_Pa"], 1e-6),
+            _scaled(contact["real_contact_area_m2"], 1e6),
+        )
+    target.print(shown)
+    shown = table(
+        target,
+        "Contact stiffness",
+        "contact",
+        "K_t asperities\nN/µm",
+        "K_t bodies\nN/µm",
+        "K_n asperities\nN/µm",
+        "K_n bodies\nN/µm",
+        "own K_T, asperities\nN·m/rad",
+    )
+    for name, contact in contacts.items():
+        shown.add_row(
+            name,
+            *(
+                _scaled(contact[f"{kind}_stiffness_N_per_m"], 1e-6)
+                for kind in ("tangential", "bulk_tangential", "normal", "bulk_normal")
+            ),
             _number(contact["torsional_stiffness_Nm_per_rad"]),
-            _number(contact["real_contact_area_m2"] * 1e6),
-            _number(contact["hertz_half_width_m"] * 2e3),
-            _number(contact["hertz_peak_pressure_Pa"] * 1e-6),
         )
     target.print(shown)
 
@@ -130,7 +159,7 @@ def _show_drive(target: Console, document: Document) -> None:
         ),
         ("least gap", f"{_in(gap['gap_m'], 'mm')}: {gap['condition']}"),
     ):
-        target.print(f"  {label:<10} {text}", markup=False)
+        _print_wrapped(target, f"  {label:<10} {text}", indent=13)
 
 
 def _show_budget(target: Console, document: Document) -> None:
@@ -142,7 +171,7 @@ def _show_budget(target: Console, document: Document) -> None:
             shares.append((total, name.removesuffix("_share").replace("_", " ")))
     told = ", ".join(f"{name} {100.0 * total:.1f} %" for total, name in sorted(shares, reverse=True))
     target.print("\nCompliance of the assembly, by spring", style="bold")
-    target.print(f"  {told or 'none: the joint passes no torque'}", markup=False)
+    _print_wrapped(target, f"  {told or 'none: the joint passes no torque'}", indent=2)
 
 
 def _show_warnings(target: Console, document: Document) -> None:
@@ -157,4 +186,4 @@ def _show_warnings(target: Console, document: Document) -> None:
         target.print(
             f"  {name.replace('_', ' ')} (limit {_number(limit)}): {', '.join(values)}", style="yellow"
         )
-        target.print(f"    {meaning}", markup=False)
+        _print_wrapped(target, f"    {meaning}", indent=4)

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import codecs
 import sys
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
@@ -82,3 +84,27 @@ def table(target: Console, title: str, *columns: str) -> Table:
     for index, column in enumerate(columns):
         made.add_column(column, justify="right" if index else "left", no_wrap=index > 0)
     return made
+
+
+@contextmanager
+def rows_progress(unit: str) -> Iterator[Callable[[int], None]]:
+    """A count on standard error while something of unknown length is done; nothing if that is no terminal.
+
+    Parameters
+    ----------
+    unit : str
+        What is counted.
+
+    Yields
+    ------
+    callable
+        To be called with the number done so far.
+    """
+    from rich.console import Console
+
+    target = Console(stderr=True)
+    if not target.is_terminal:
+        yield lambda done: None
+        return
+    with target.status(f"0 {unit}") as status:
+        yield lambda done: status.update(f"{done} {unit}")

@@ -59,6 +59,10 @@ def series_stiffness(stiffness_1: Real, stiffness_2: Real) -> Real:
     -------
     Real
         Stiffness [N/m].
+
+    References
+    ----------
+    Elementary: the same force passes both springs, their elongations add.
     """
     total = stiffness_1 + stiffness_2
     return stiffness_1 * (stiffness_2 / jnp.where(total > 0.0, total, 1.0))
@@ -76,6 +80,10 @@ def compliance_share(stiffness_1: Real, stiffness_2: Real) -> Real:
     -------
     Real
         Share [-]; nan where both are 0.
+
+    References
+    ----------
+    Elementary: elongation of the first spring over that of both under the same force.
     """
     total = stiffness_1 + stiffness_2
     return jnp.where(total > 0.0, stiffness_2 / jnp.where(total > 0.0, total, 1.0), jnp.nan)

@@ -221,7 +221,7 @@ def assembly_stiffness(
     ring_energy = jnp.sum(jnp.broadcast_to(ring, shape) * force[3:5] ** 2, axis=0)
     lever = geometry.planet_count * geometry.sun_radius**2
     input_shaft = _compliance(supports.input_shaft_stiffness) * lever
-    output_shaft = _compliance(supports.output_shaft_stiffness) * lever / speed_ratio(geometry) ** 2
+    output_shaft = _compliance(supports.output_shaft_stiffness) * lever * speed_ratio(geometry) ** 2
     total = jnp.sum(energy, axis=0) + ring_energy + input_shaft + output_shaft
     at_sun = jnp.where(passes, lever / jnp.where(passes, total, 1.0), 0.0)
 

@@ -11,8 +11,7 @@ from asperity.drive.force_balance import Mechanism, force_balance
 from asperity.drive.geometry import triangle
 from asperity.types import Real
 
-_DOUBLINGS = 40
-_BISECTIONS = 60
+_STEPS = 100  # doublings and halvings together: sixty halvings reach rounding, forty doublings 10^12 times the guess
 
 
 class TorqueCapacity(eqx.Module):
@@ -56,6 +55,7 @@ def slip_ratio(*, normal_force: Real, tangential_force: Real, friction_coefficie
     return jnp.where(touching, force / jnp.where(touching, limit, 1.0), jnp.where(force > 0.0, jnp.inf, 0.0))
 
 
+@eqx.filter_jit
 def torque_capacity(*, mechanism: Mechanism, friction_coefficient: Real) -> TorqueCapacity:
     r"""Largest output torque at which every contact keeps :math:`T < \mu N`.
 
@@ -75,7 +75,7 @@ def torque_capacity(*, mechanism: Mechanism, friction_coefficient: Real) -> Torq
 
     Notes
     -----
-    Bisection between bounds found by doubling, each point a full force balance. The derivatives are implicit.
+    Doubling until a contact slips, then bisection, each point a full force balance. The derivatives are implicit.
 
     References
     ----------
@@ -96,25 +96,21 @@ def torque_capacity(*, mechanism: Mechanism, friction_coefficient: Real) -> Torq
     sides = triangle(mechanism.geometry)
     unit = jnp.min(jnp.asarray(friction_coefficient), axis=0) * mechanism.preload * sides.roller_orbit
     unit = unit * mechanism.geometry.planet_count
-    start = jnp.broadcast_to(unit, excess(unit).shape)
+    start = jnp.broadcast_to(unit, jnp.shape(mechanism.preload + 0.0 * unit + sides.roller_orbit))
 
-    def widen(_: int, upper: Array) -> Array:
-        return jnp.where(excess(upper) < 0.0, 2.0 * upper, upper)
+    def narrow(_: int, bounds: tuple[Array, Array, Array]) -> tuple[Array, Array, Array]:
+        """Double the upper bound until a contact slips there, then halve the interval."""
+        lower, upper, bracketed = bounds
+        trial = jnp.where(bracketed, 0.5 * (lower + upper), upper)
+        slips = excess(trial) >= 0.0
+        next_upper = jnp.where(slips, trial, jnp.where(bracketed, upper, 2.0 * upper))
+        return jnp.where(slips, lower, trial), next_upper, bracketed | slips
 
-    def halve(_: int, bounds: tuple[Array, Array]) -> tuple[Array, Array]:
-        lower, upper = bounds
-        middle = 0.5 * (lower + upper)
-        holds = excess(middle) < 0.0
-        return jnp.where(holds, middle, lower), jnp.where(holds, upper, middle)
-
-    upper = jax.lax.stop_gradient(jax.lax.fori_loop(0, _DOUBLINGS, widen, start))
-    unlimited = excess(upper) < 0.0
-    slips_at_rest = excess(jnp.zeros_like(upper)) >= 0.0
+    first = (jnp.zeros_like(start), start, jnp.zeros_like(start, dtype=bool))
+    lower, upper, bracketed = jax.lax.stop_gradient(jax.lax.fori_loop(0, _STEPS, narrow, first))
+    unlimited = ~bracketed
+    slips_at_rest = bracketed & (lower == 0.0)
     ends = unlimited | slips_at_rest
-
-    def search(_: object, guess: Array) -> Array:
-        lower, upper = jax.lax.fori_loop(0, _BISECTIONS, halve, (jnp.zeros_like(guess), guess))
-        return 0.5 * (lower + upper)
 
     def divide(linear, right_side: Array) -> Array:  # type: ignore[no-untyped-def]
         return right_side / linear(jnp.ones_like(right_side))
@@ -122,7 +118,8 @@ def torque_capacity(*, mechanism: Mechanism, friction_coefficient: Real) -> Torq
     def bounded_excess(torque: Array) -> Array:
         return jnp.where(ends, torque - upper, excess(torque))
 
-    root = jax.lax.custom_root(bounded_excess, upper, search, divide)
+    # the root is known; custom_root gives it the implicit derivative
+    root = jax.lax.custom_root(bounded_excess, upper, lambda _, found: found, divide)
     capacity = jnp.where(unlimited, jnp.inf, jnp.where(slips_at_rest, 0.0, root))
     return TorqueCapacity(
         output_torque=capacity,

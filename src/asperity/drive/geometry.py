@@ -201,6 +201,10 @@ def contact_radii(geometry: DriveGeometry) -> tuple[Real, Real, Real]:
         Radii of the driving and the driven body, shape (5, ...) [m].
     sign : Real
         +1 for the external contacts, −1 for those inside the ring, shape (5, 1, ...) [-].
+
+    References
+    ----------
+    Zou et al. 2025, Table 2 and the two signs of equation (11).
     """
     sun, planet, roller, ring = jnp.broadcast_arrays(
         geometry.sun_radius, geometry.planet_radius, geometry.loading_roller_radius, geometry.ring_radius
@@ -240,6 +244,10 @@ def clearances(geometry: DriveGeometry) -> tuple[Clearance, ...]:
     -------
     tuple of Clearance
         Named gaps [m]. The last ones are nan where the triangle itself does not close.
+
+    References
+    ----------
+    Plane geometry on the triangle of equation (A1) of :doc:`/equations`.
     """
     sides = triangle(geometry)
     half_pitch = jnp.pi / geometry.planet_count

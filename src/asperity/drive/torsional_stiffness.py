@@ -72,7 +72,7 @@ def driven_radii(geometry: DriveGeometry) -> Real:
 
     References
     ----------
-    Zou et al. 2025, Fig. 6; only this choice gives its order of the curves.
+    Zou et al. 2025, equation (30) as used in Fig. 6; only this choice gives its order of the curves.
     """
     planet, roller = jnp.broadcast_arrays(geometry.planet_radius, geometry.loading_roller_radius)
     return jnp.stack([planet, roller, roller, roller, roller])

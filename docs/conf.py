@@ -1,0 +1,48 @@
+"""How the documentation is built: `python -m sphinx -W docs docs/_build/html`. The pages need no network."""
+
+from __future__ import annotations
+
+import importlib.metadata
+
+project = "asperity"
+author = "the asperity authors"
+copyright = "the asperity authors, Apache-2.0"
+try:
+    release = importlib.metadata.version("asperity")
+except importlib.metadata.PackageNotFoundError:
+    release = "from source"
+
+extensions = [
+    "myst_nb",
+    "sphinx.ext.autodoc",
+    "sphinx.ext.autosummary",
+    "numpydoc",
+    "sphinx_copybutton",
+    "sphinx.ext.mathjax",
+    "sphinx-mathjax-offline",  # copies MathJax and its fonts into the pages instead of fetching them
+]
+templates_path = ["_templates"]
+exclude_patterns = ["_build", "_templates"]
+
+html_theme = "furo"
+html_title = "asperity"
+html_static_path = ["_static"]
+html_css_files = ["asperity.css"]
+html_show_sphinx = False
+
+myst_enable_extensions = ["colon_fence", "deflist", "dollarmath"]
+myst_heading_anchors = 3
+nb_execution_mode = "cache"  # a page that computes runs once, and again only after it has changed
+nb_execution_raise_on_error = True
+nb_execution_timeout = 120
+nb_merge_streams = True
+
+autosummary_generate = True
+autodoc_default_options = {"members": True, "show-inheritance": False}
+autodoc_member_order = "bysource"
+autodoc_typehints = "none"  # the docstrings say it, with shape and unit
+autodoc_preserve_defaults = True
+numpydoc_show_class_members = False
+numpydoc_validation_checks: set[str] = set()
+
+suppress_warnings = ["mystnb.unknown_mime_type"]

@@ -1,0 +1,152 @@
+"""Half-spaces loaded on a finite window: exact pixel coefficients, zero-padded convolution."""
+
+from __future__ import annotations
+
+import functools
+
+import equinox as eqx
+import jax
+import jax.numpy as jnp
+from jax import Array
+
+from asperity.bem.checks import grid, positive
+from asperity.bem.elastic_pair import ElasticPair
+from asperity.bem.half_space import HalfSpace, filtered, mixed, wavenumber_magnitude
+from asperity.bem.influence import normal_patch, patch_integrals, shear_patch, strip_integral
+from asperity.errors import InputError
+from asperity.precision import require_double_precision
+
+
+def _wrapped_distance(points: int, spacing: Array) -> Array:
+    """0, 1, ... n-1, (n), 1-n, ... -1 pixels [m], the order of a circular convolution of twice the length."""
+    steps = jnp.arange(2 * points)
+    return jnp.where(steps <= points, steps, steps - 2 * points).astype(jnp.float64) * spacing
+
+
+@functools.partial(jax.jit, static_argnames="shape")
+def _strip_operators(
+    pair: ElasticPair, shape: tuple[int, ...], pixel_size: Array, reference_distance: Array
+) -> tuple[Array, Array]:
+    base = strip_integral(
+        _wrapped_distance(shape[0], pixel_size[0]),
+        pixel_size=pixel_size[0],
+        reference_distance=reference_distance,
+    )
+    symbol = jnp.fft.rfft(base).real
+    normal = 2.0 / pair.contact_modulus * symbol
+    return normal, jnp.stack([normal, symbol / pair.antiplane_modulus])
+
+
+@functools.partial(jax.jit, static_argnames="shape")
+def _surface_operators(pair: ElasticPair, shape: tuple[int, ...], pixel_size: Array) -> tuple[Array, Array]:
+    x, y = (_wrapped_distance(n, pixel_size[axis]) for axis, n in enumerate(shape))
+    xx, yy, xy = patch_integrals(x[:, None], y[None, :], pixel_size=pixel_size)
+    # Entry n is reached by no pair of points; an odd coefficient has to vanish there for the symbol to be
+    # real.
+    xy = xy.at[shape[0], :].set(0.0).at[:, shape[1]].set(0.0)
+    coefficients = jnp.stack([normal_patch(pair, xx, yy), *shear_patch(pair, xx, yy, xy)])
+    symbols = jnp.fft.rfftn(coefficients, axes=(1, 2)).real
+    return symbols[0], symbols[1:]
+
+
+@functools.partial(jax.jit, static_argnames="shape")
+def _window_inverse(pair: ElasticPair, shape: tuple[int, ...], pixel_size: Array) -> Array:
+    """Inverse response of the periodic surface on the bare window, its mean (zero) raised to be positive.
+
+    Transforms of the window cost a quarter of the response's, so the whole inverse is worth its price here.
+    """
+    q = wavenumber_magnitude(shape, pixel_size)
+    lowest = jnp.min(jnp.where(q > 0.0, q, jnp.inf))
+    return pair.contact_modulus / 2.0 * jnp.maximum(q, 0.5 * lowest)
+
+
+class FreeHalfSpace(HalfSpace):
+    r"""Half-spaces that carry traction only inside the grid's window and are free elsewhere.
+
+    With two axes displacements are relative to infinity. With one axis the grid is a strip in plane strain,
+    where displacement grows without bound; it is then relative to ``reference_distance``.
+
+    Parameters
+    ----------
+    pair : ElasticPair
+        The two bodies.
+    shape : tuple of int
+        Points along each axis.
+    pixel_size : tuple of float
+        Spacing along each axis [m].
+    reference_distance : float, optional
+        Only on a strip, and required there: distance from a load at which the surface is taken as unmoved
+        [m].
+
+    Raises
+    ------
+    InputError
+        If shape and pixel size do not describe a grid, or the reference distance is missing or out of place.
+    PrecisionError
+        If JAX computes in single precision.
+
+    Notes
+    -----
+    The convolution with the pixels' influence coefficients is exact (no periodic images) as the transforms
+    run on twice the window along each axis.
+
+    References
+    ----------
+    S. Liu, Q. Wang and G. Liu, Wear 243 (2000) 101.
+    """
+
+    pair: ElasticPair
+    shape: tuple[int, ...] = eqx.field(static=True)
+    pixel_size: Array
+    _normal: Array
+    _shear: Array
+    _inverse: Array
+
+    def __init__(
+        self,
+        pair: ElasticPair,
+        *,
+        shape: tuple[int, ...],
+        pixel_size: tuple[float, ...],
+        reference_distance: float | None = None,
+    ) -> None:
+        require_double_precision()
+        self.shape, self.pixel_size = grid(shape, pixel_size)
+        self.pair = jax.tree.map(jnp.asarray, pair)
+        self._inverse = _window_inverse(self.pair, self.shape, self.pixel_size)
+        if len(self.shape) == 2:
+            if reference_distance is not None:
+                raise InputError("reference_distance is for a strip; with two axes the reference is infinity")
+            self._normal, self._shear = _surface_operators(self.pair, self.shape, self.pixel_size)
+        else:
+            if reference_distance is None:
+                raise InputError(
+                    "a strip (one axis) needs reference_distance [m]; displacement has no limit there"
+                )
+            far = jnp.asarray(positive("reference_distance", reference_distance, "m"))
+            self._normal, self._shear = _strip_operators(self.pair, self.shape, self.pixel_size, far)
+
+    @property
+    def periodic(self) -> bool:
+        """See :class:`~asperity.bem.half_space.HalfSpace`."""
+        return False
+
+    def _convolved(self, traction: Array, symbol: Array) -> Array:
+        padded = jnp.pad(traction, [(0, n) for n in self.shape])
+        return filtered(padded, symbol)[tuple(slice(n) for n in self.shape)]
+
+    def normal_displacement(self, pressure: Array) -> Array:
+        """See :class:`~asperity.bem.half_space.HalfSpace`."""
+        return self._convolved(pressure, self._normal)
+
+    def shear_displacement(self, traction: Array) -> Array:
+        """See :class:`~asperity.bem.half_space.HalfSpace`."""
+        return mixed(traction, self._shear, tuple(2 * n for n in self.shape))
+
+    def aligned_shear_displacement(self, traction: Array, axis: int) -> Array:
+        """See :class:`~asperity.bem.half_space.HalfSpace`."""
+        return self._convolved(traction, self._shear[axis])
+
+    def traction_estimate(self, displacement: Array) -> Array:
+        """See :class:`~asperity.bem.half_space.HalfSpace`."""
+        return filtered(displacement, self._inverse)

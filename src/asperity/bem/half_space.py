@@ -1,0 +1,347 @@
+r"""What every half-space model offers to the solvers, and the periodic one.
+
+The elastic surface is a grid of one axis (a strip in plane strain: loads are per metre of length) or two.
+Displacements are those of both bodies together; tractions act on the centre pixel areas. Each model maps
+traction to displacement by fast Fourier transforms, and also offers a rough way back that costs much less
+than the transforms: the inverse response of an unrestricted surface, :math:`E q/2`, or its nearest-neighbour
+part. It preconditions conjugate gradients; on a patchy contact area the nearest neighbours alone need about
+15 % more iterations than the whole.
+"""
+
+from __future__ import annotations
+
+import abc
+import functools
+import itertools
+import math
+
+import equinox as eqx
+import jax
+import jax.numpy as jnp
+from jax import Array
+
+from asperity.bem.checks import grid
+from asperity.bem.elastic_pair import ElasticPair
+from asperity.precision import require_double_precision
+
+
+def _scaled(waves: Array, symbol: Array) -> Array:
+    """Complex waves times a real symbol, without promoting the symbol to complex numbers."""
+    return jax.lax.complex(waves.real * symbol, waves.imag * symbol)
+
+
+def filtered(field: Array, symbol: Array) -> Array:
+    """Multiply a real field's half-spectrum (last ``symbol.ndim`` axes) by a real symbol.
+
+    Parameters
+    ----------
+    field : array, shape (..., *grid)
+        Real field.
+    symbol : array, shape of the half-spectrum
+        Factor on each wave.
+
+    Returns
+    -------
+    array, shape of ``field``
+        The filtered field.
+    """
+    axes = tuple(range(-symbol.ndim, 0))
+    shape = field.shape[-symbol.ndim :]
+    return jnp.fft.irfftn(_scaled(jnp.fft.rfftn(field, axes=axes), symbol), s=shape, axes=axes)
+
+
+def mixed(field: Array, symbols: Array, shape: tuple[int, ...]) -> Array:
+    """Filter the two components of a vector field by a symmetric 2 x 2 symbol (xx, yy, xy).
+
+    Parameters
+    ----------
+    field : array, shape (2, *grid)
+        Vector field on the grid, zero-padded here if ``shape`` is larger.
+    symbols : array, shape (3, *half-spectrum) or (2, *half-spectrum)
+        xx, yy and, on grids with two axes, xy.
+    shape : tuple of int
+        Grid on which the symbols live.
+
+    Returns
+    -------
+    array, shape of ``field``
+        The filtered field.
+    """
+    axes = tuple(range(1, field.ndim))
+    waves = jnp.fft.rfftn(field, s=shape, axes=axes)
+    out = _scaled(waves, symbols[:2])
+    if len(shape) == 2:
+        out = out + _scaled(waves[::-1], symbols[2])
+    back = jnp.fft.irfftn(out, s=shape, axes=axes)
+    return back[(slice(None), *(slice(n) for n in field.shape[1:]))]
+
+
+def wavenumbers(shape: tuple[int, ...], pixel_size: Array) -> list[Array]:
+    """Angular wavenumber [rad/m] along each axis of the half-spectrum, broadcastable against each other.
+
+    Parameters
+    ----------
+    shape : tuple of int
+        Points along each axis.
+    pixel_size : array, shape (axes,)
+        Spacing along each axis [m].
+
+    Returns
+    -------
+    list of arrays
+        One per axis.
+    """
+    last = len(shape) - 1
+    q = []
+    for axis, n in enumerate(shape):
+        f = jnp.fft.rfftfreq(n) if axis == last else jnp.fft.fftfreq(n)
+        q.append(
+            (2.0 * math.pi * f / pixel_size[axis]).reshape([-1 if i == axis else 1 for i in range(last + 1)])
+        )
+    return q
+
+
+class HalfSpace(eqx.Module):
+    """Linear elastic surface: traction to displacement, and roughly back."""
+
+    pair: eqx.AbstractVar[ElasticPair]
+    shape: eqx.AbstractVar[tuple[int, ...]]
+    pixel_size: eqx.AbstractVar[Array]
+
+    @property
+    @abc.abstractmethod
+    def periodic(self) -> bool:
+        """Whether the surface repeats, so that displacements are relative to its mean plane."""
+
+    @property
+    def pixel_area(self) -> Array:
+        """Area of one pixel [m^2]; its length [m] on a strip, where every force is per metre."""
+        return jnp.prod(self.pixel_size)
+
+    @property
+    def nominal_area(self) -> Array:
+        """Area of the whole grid [m^2]; length [m] on a strip."""
+        return self.pixel_area * float(math.prod(self.shape))
+
+    @property
+    def force_unit(self) -> str:
+        """Unit of every force: N, or N/m on a strip."""
+        return "N" if len(self.shape) == 2 else "N/m"
+
+    @abc.abstractmethod
+    def normal_displacement(self, pressure: Array) -> Array:
+        """Normal approach of the surfaces [m] under a pressure field [Pa]."""
+
+    @abc.abstractmethod
+    def shear_displacement(self, traction: Array) -> Array:
+        """Relative tangential displacement [m], shape (2, *grid), under shear traction [Pa]."""
+
+    @abc.abstractmethod
+    def aligned_shear_displacement(self, traction: Array, axis: int) -> Array:
+        """Displacement along one axis [m] under shear traction along the same axis [Pa], both (*grid)."""
+
+    @abc.abstractmethod
+    def traction_estimate(self, displacement: Array) -> Array:
+        """Traction [Pa] that gives roughly this displacement [m]; any leading axes."""
+
+    def flattening_pressure(self, heights: Array) -> Array:
+        """Pressure [Pa], up to a constant, that would press this periodic surface [m] flat."""
+        q = wavenumber_magnitude(self.shape, self.pixel_size)
+        return filtered(heights, self.pair.contact_modulus / 2.0 * q)
+
+
+def normal_symbol(pair: ElasticPair, q: Array) -> Array:
+    r""":math:`2/(E q)`, zero for the mean (the mean plane of the surface is the reference).
+
+    Parameters
+    ----------
+    pair : ElasticPair
+        The two bodies.
+    q : array
+        Magnitude of the wavenumber [rad/m].
+
+    Returns
+    -------
+    array
+        Displacement per pressure [m/Pa].
+    """
+    return jnp.where(q > 0.0, 2.0 / (pair.contact_modulus * jnp.where(q > 0.0, q, 1.0)), 0.0)
+
+
+def wavenumber_magnitude(shape: tuple[int, ...], pixel_size: Array) -> Array:
+    """Magnitude of the wavenumber [rad/m] over the half-spectrum.
+
+    Parameters
+    ----------
+    shape : tuple of int
+        Points along each axis.
+    pixel_size : array, shape (axes,)
+        Spacing along each axis [m].
+
+    Returns
+    -------
+    array
+        The magnitude.
+    """
+    return jnp.sqrt(sum((k**2 for k in wavenumbers(shape, pixel_size)), jnp.zeros(())))
+
+
+def shear_symbols(pair: ElasticPair, q_axes: list[Array], shape: tuple[int, ...]) -> Array:
+    r"""Cerruti's kernel in Fourier space.
+
+    .. math:: \hat u_i = \frac1q\left[\frac1G(\delta_{ij} - n_i n_j) + \frac2E n_i n_j\right]\hat\tau_j,
+              \qquad n = \mathbf q/q
+
+    Parameters
+    ----------
+    pair : ElasticPair
+        The two bodies.
+    q_axes : list of arrays
+        Wavenumbers along the axes [rad/m].
+    shape : tuple of int
+        Points along each axis.
+
+    Returns
+    -------
+    array, shape (3, *half-spectrum), or (2, *half-spectrum) with one axis
+        Displacement per traction [m/Pa], components xx, yy and xy; zero for the mean.
+    """
+    q = jnp.sqrt(sum((k**2 for k in q_axes), jnp.zeros(())))
+    safe = jnp.where(q > 0.0, q, 1.0)
+    along_x = jnp.where(q > 0.0, (q_axes[0] / safe) ** 2, 0.0)
+    if len(shape) == 1:
+        projections = [along_x, 1.0 - along_x]
+        cross: list[Array] = []
+    else:
+        # The wave at half the sampling rate stands for both signs of its wavenumber: no cross term there.
+        inner = [
+            jnp.where(jnp.abs(k) * (1.0 + 1e-9) < jnp.max(jnp.abs(k)), k, 0.0) if n % 2 == 0 else k
+            for k, n in zip(q_axes, shape, strict=True)
+        ]
+        projections = [along_x, 1.0 - along_x]
+        cross = [inner[0] * inner[1] / safe**2]
+    in_plane, antiplane = 2.0 / pair.contact_modulus, 1.0 / pair.antiplane_modulus
+
+    parts = [antiplane + (in_plane - antiplane) * p for p in projections]
+    parts += [(in_plane - antiplane) * c for c in cross]
+    return jnp.where(q > 0.0, jnp.stack(parts) / safe, 0.0)
+
+
+def nearest_neighbour_weights(shape: tuple[int, ...], pixel_size: Array) -> Array:
+    """The part of the operator :math:`q` that reaches the nearest neighbours, diagonal ones included [1/m].
+
+    Parameters
+    ----------
+    shape : tuple of int
+        Points along each axis.
+    pixel_size : array, shape (axes,)
+        Spacing along each axis [m].
+
+    Returns
+    -------
+    array, shape (3,) or (3, 3)
+        Weights; symmetric, and positive as an operator because the long-range part they leave out is
+        negative.
+    """
+    kernel = jnp.fft.irfftn(wavenumber_magnitude(shape, pixel_size), s=shape)
+    near = jnp.array([1, 0, 1])
+    return kernel[near] if len(shape) == 1 else kernel[near[:, None], near[None, :]]
+
+
+def weighted_neighbours(field: Array, weights: Array) -> Array:
+    """Each value replaced by the weighted sum of its neighbourhood, nothing beyond the rim.
+
+    Parameters
+    ----------
+    field : array, shape (..., *grid)
+        Real field.
+    weights : array, shape (3,) or (3, 3)
+        Weights of the neighbours.
+
+    Returns
+    -------
+    array, shape of ``field``
+        The sums.
+    """
+    axes = weights.ndim
+    grid_shape = field.shape[-axes:]
+    padded = jnp.pad(field, [(0, 0)] * (field.ndim - axes) + [(1, 1)] * axes)
+    total = jnp.zeros_like(field)
+    for offset in itertools.product(range(3), repeat=axes):
+        shifted = padded[(..., *(slice(o, o + n) for o, n in zip(offset, grid_shape, strict=True)))]
+        total = total + weights[offset] * shifted
+    return total
+
+
+@functools.partial(jax.jit, static_argnames="shape")
+def _periodic_operators(
+    pair: ElasticPair, shape: tuple[int, ...], pixel_size: Array
+) -> tuple[Array, Array, Array]:
+    return (
+        normal_symbol(pair, wavenumber_magnitude(shape, pixel_size)),
+        shear_symbols(pair, wavenumbers(shape, pixel_size), shape),
+        pair.contact_modulus / 2.0 * nearest_neighbour_weights(shape, pixel_size),
+    )
+
+
+class PeriodicHalfSpace(HalfSpace):
+    r"""Half-spaces whose surface repeats with the period of the grid.
+
+    Displacements are relative to the mean plane of the surface: a uniform traction moves nothing.
+
+    Parameters
+    ----------
+    pair : ElasticPair
+        The two bodies.
+    shape : tuple of int
+        Points along each axis; one axis is a strip in plane strain with x across it and y along it.
+    pixel_size : tuple of float
+        Spacing along each axis [m].
+
+    Raises
+    ------
+    InputError
+        If shape and pixel size do not describe a grid.
+    PrecisionError
+        If JAX computes in single precision.
+
+    References
+    ----------
+    H. M. Stanley and T. Kato, J. Tribol. 119 (1997) 481; K. L. Johnson, Contact Mechanics, 1985, section
+    13.2.
+    """
+
+    pair: ElasticPair
+    shape: tuple[int, ...] = eqx.field(static=True)
+    pixel_size: Array
+    _normal: Array
+    _shear: Array
+    _neighbours: Array
+
+    def __init__(self, pair: ElasticPair, *, shape: tuple[int, ...], pixel_size: tuple[float, ...]) -> None:
+        require_double_precision()
+        self.shape, self.pixel_size = grid(shape, pixel_size)
+        self.pair = jax.tree.map(jnp.asarray, pair)
+        operators = _periodic_operators(self.pair, self.shape, self.pixel_size)
+        self._normal, self._shear, self._neighbours = operators
+
+    @property
+    def periodic(self) -> bool:
+        """See :class:`HalfSpace`."""
+        return True
+
+    def normal_displacement(self, pressure: Array) -> Array:
+        """See :class:`HalfSpace`."""
+        return filtered(pressure, self._normal)
+
+    def shear_displacement(self, traction: Array) -> Array:
+        """See :class:`HalfSpace`."""
+        return mixed(traction, self._shear, self.shape)
+
+    def aligned_shear_displacement(self, traction: Array, axis: int) -> Array:
+        """See :class:`HalfSpace`."""
+        return filtered(traction, self._shear[axis])
+
+    def traction_estimate(self, displacement: Array) -> Array:
+        """See :class:`HalfSpace`."""
+        return weighted_neighbours(displacement, self._neighbours)

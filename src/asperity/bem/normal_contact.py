@@ -1,0 +1,257 @@
+"""Frictionless normal contact of a rough surface with an elastic half-space."""
+
+from __future__ import annotations
+
+import equinox as eqx
+import jax
+import jax.numpy as jnp
+from jax import Array
+from jax.typing import ArrayLike
+
+from asperity.bem.bounded_problem import BoundedSolution, bounded_solution
+from asperity.bem.checks import field_on_grid, positive
+from asperity.bem.half_space import HalfSpace
+from asperity.errors import InputError, NoSolutionError
+
+#: Newton steps for the starting pressure; they converge monotonically and rarely need half of these.
+_START_STEPS = 30
+#: Largest relative difference between the sum of the pressure and the load that is accepted.
+_LOAD_TOLERANCE = 1e-9
+
+
+class NormalContact(eqx.Module):
+    r"""A converged normal contact; SI units.
+
+    Parameters
+    ----------
+    half_space : HalfSpace
+        The elastic bodies and the grid.
+    pressure : Array, shape (\*grid)
+        Contact pressure [Pa]; exactly zero outside the contact.
+    displacement : Array, shape (\*grid)
+        Normal displacement of the surface [m], both bodies together.
+    gap : Array, shape (\*grid)
+        Distance of the surfaces [m]; zero in elastic contact, negative by the depth of the flow where
+        hardness caps the pressure.
+    normal_force : Array, scalar
+        Load, the sum of the pressure [N; N/m on a strip].
+    approach : Array, scalar
+        Rigid displacement of the rough body towards the half-space [m], from first touch of its highest
+        point at height zero; relative to infinity, to the reference distance (strip) or to the mean plane
+        (periodic).
+    real_contact_area : Array, scalar
+        Area of the pixels that carry pressure [m^2; m on a strip].
+    contact_fraction : Array, scalar
+        Real over nominal area [-].
+    mean_gap : Array, scalar
+        Mean of the gap over the grid [m].
+    iterations : Array, scalar
+        Conjugate-gradient iterations.
+    residual : Array, scalar
+        Root mean square of the gap inside the contact over the pressure-weighted mean displacement [-].
+    load_balance_error : Array, scalar
+        Relative difference between the sum of the pressure and the prescribed load [-].
+    """
+
+    half_space: HalfSpace
+    pressure: Array
+    displacement: Array
+    gap: Array
+    normal_force: Array
+    approach: Array
+    real_contact_area: Array
+    contact_fraction: Array
+    mean_gap: Array
+    iterations: Array
+    residual: Array
+    load_balance_error: Array
+
+
+def _starting_pressure(half_space: HalfSpace, heights: Array, mean_pressure: Array) -> Array:
+    """Pressure that would flatten the surface completely, shifted to the load and cut at zero."""
+    flattening = half_space.flattening_pressure(heights)
+
+    def newton(_: int, level: Array) -> Array:
+        above = flattening > level
+        excess = jnp.mean(jnp.where(above, flattening - level, 0.0)) - mean_pressure
+        return level + excess / jnp.mean(above, dtype=heights.dtype)
+
+    level = jnp.min(flattening) - mean_pressure
+    level = jax.lax.fori_loop(0, _START_STEPS, newton, level)
+    return jnp.maximum(flattening - level, 0.0)
+
+
+def pressure_weighted_displacement(pressure: Array, displacement: Array) -> Array:
+    """Mean displacement weighted by the pressure: twice the elastic energy over the load [m].
+
+    Parameters
+    ----------
+    pressure, displacement : array
+        Pressure [Pa] and displacement [m].
+
+    Returns
+    -------
+    array, scalar
+        The mean.
+    """
+    return jnp.sum(pressure * displacement) / jnp.sum(pressure)
+
+
+@eqx.filter_jit
+def _solved(
+    half_space: HalfSpace,
+    heights: Array,
+    force: Array,
+    hardness: Array | None,
+    start: Array | None,
+    tolerance: Array,
+    max_iterations: Array,
+) -> tuple[BoundedSolution, dict[str, Array]]:
+    total = force / half_space.pixel_area
+    if start is None:
+        start = _starting_pressure(half_space, heights, total / float(heights.size))
+    found = bounded_solution(
+        response=half_space.normal_displacement,
+        estimate=half_space.traction_estimate,
+        target=heights,
+        lower=jnp.zeros(()),
+        upper=hardness,
+        total=total,
+        start=start,
+        scale=pressure_weighted_displacement,
+        tolerance=tolerance,
+        max_iterations=max_iterations,
+    )
+    carried = jnp.sum(found.traction) * half_space.pixel_area
+    fraction = jnp.mean(found.traction > 0.0, dtype=heights.dtype)
+    gap = found.displacement - heights - found.shift
+    return found, {
+        "gap": gap,
+        "normal_force": carried,
+        "real_contact_area": fraction * half_space.nominal_area,
+        "contact_fraction": fraction,
+        "mean_gap": jnp.mean(gap),
+        "load_balance_error": jnp.abs(carried / force - 1.0),
+    }
+
+
+def normal_contact(
+    half_space: HalfSpace,
+    heights: ArrayLike,
+    *,
+    normal_force: float,
+    hardness: float | None = None,
+    start: NormalContact | None = None,
+    tolerance: float = 1e-8,
+    max_iterations: int = 2000,
+) -> NormalContact:
+    r"""Press a rigid rough surface against an elastic half-space with a given load.
+
+    .. math:: g = u(p) - h + \delta \ge 0,\quad p \ge 0,\quad p\,g = 0,\quad \int p = F_n
+
+    By superposition this is also the contact of two rough elastic bodies: h is then the sum of both
+    roughnesses and the moduli those of the pair.
+
+    Parameters
+    ----------
+    half_space : HalfSpace
+        Elastic bodies and grid, periodic or free.
+    heights : array, shape (\*grid)
+        Height of the rough body towards the half-space, summits positive [m].
+    normal_force : float
+        Load [N; N/m on a strip], positive.
+    hardness : float, optional
+        Cap on the pressure [Pa]; without it the contact is elastic whatever the pressure.
+    start : NormalContact, optional
+        Solution at a nearby load on the same grid to start from; saves iterations, does not change the
+        result.
+    tolerance : float
+        Bound on the root mean square gap inside the contact, relative to the pressure-weighted mean
+        displacement [-].
+    max_iterations : int
+        Where to give up.
+
+    Returns
+    -------
+    NormalContact
+        Pressure, gap, area, approach, and how well they are converged.
+
+    Raises
+    ------
+    InputError
+        For heights that do not fit, a load that is not positive, or one that the capped pressure cannot
+        carry.
+    NoSolutionError
+        If the iteration does not converge or the pressure does not add up to the load.
+
+    Notes
+    -----
+    Small slopes, no friction, no adhesion. The hardness cap is perfect plasticity of the surface points one
+    by one (Almqvist et al. 2007): it limits the pressure but moves no material sideways. The approach is
+    that of the given heights: subtract their maximum for the travel since first touch.
+
+    References
+    ----------
+    I. A. Polonsky and L. M. Keer, Wear 231 (1999) 206. A. Almqvist et al., Wear 262 (2007) 205 (hardness).
+    R. Hiptmair, Comput. Math. Appl. 52 (2006) 699 (preconditioning by the opposite operator).
+    """
+    h = jnp.asarray(field_on_grid("heights", heights, half_space.shape))
+    unit = half_space.force_unit
+    force = positive("normal_force", normal_force, unit)
+    limit = float("inf") if hardness is None else positive("hardness", hardness, "Pa")
+    positive("tolerance", tolerance, "(relative)")
+    capacity = limit * float(half_space.nominal_area)
+    if force >= capacity:
+        raise InputError(
+            f"normal_force = {force:g} {unit}: a surface of hardness {limit:g} Pa carries less than "
+            f"{capacity:g} {unit} on this grid; lower the load"
+        )
+    found, derived = _solved(
+        half_space,
+        h,
+        jnp.asarray(force),
+        None if hardness is None else jnp.asarray(limit),
+        None if start is None else start.pressure,
+        jnp.asarray(tolerance),
+        jnp.asarray(max_iterations),
+    )
+    refuse_unconverged("normal contact", found, tolerance)
+    if not float(derived["load_balance_error"]) <= _LOAD_TOLERANCE:
+        raise NoSolutionError(
+            f"normal contact: the pressure adds up to {float(derived['normal_force']):.9g} {unit} instead of "
+            f"{force:.9g} {unit}; the state is not in balance and is not returned"
+        )
+    return NormalContact(
+        half_space=half_space,
+        pressure=found.traction,
+        displacement=found.displacement,
+        approach=found.shift,
+        iterations=found.iterations,
+        residual=found.residual,
+        **derived,
+    )
+
+
+def refuse_unconverged(what: str, found: BoundedSolution, tolerance: float) -> None:
+    """Raise unless the solution is converged and finite.
+
+    Parameters
+    ----------
+    what : str
+        For the message.
+    found : BoundedSolution
+        The last iterate.
+    tolerance : float
+        The bound that its residual has to meet [-].
+
+    Raises
+    ------
+    NoSolutionError
+        If it is not a solution.
+    """
+    residual, iterations = float(jnp.max(found.residual)), int(jnp.max(found.iterations))
+    if not residual <= tolerance or not bool(jnp.all(jnp.isfinite(found.traction))):
+        raise NoSolutionError(
+            f"{what}: not converged after {iterations} iterations, relative residual {residual:.3g} against "
+            f"the tolerance {tolerance:.3g}; raise max_iterations, or loosen the tolerance"
+        )

@@ -1,0 +1,289 @@
+"""Incremental stiffness of a contact whose area stays as it is: normal, and tangential in full stick."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import equinox as eqx
+import jax
+import jax.numpy as jnp
+from jax import Array
+from jax.typing import ArrayLike
+
+from asperity.bem.checks import positive
+from asperity.bem.half_space import HalfSpace
+from asperity.errors import InputError, NoSolutionError
+
+Response = Callable[[Array], Array]
+#: Solution t, residual, direction, slope, t·b so far, iterations.
+_Linear = tuple[Array, Array, Array, Array, Array, Array]
+
+
+class ContactStiffness(eqx.Module):
+    r"""Force per rigid displacement of a contact area that neither grows nor slips; SI units.
+
+    Parameters
+    ----------
+    stiffness : Array, scalar
+        Force along the displacement over the displacement [N/m; N/m per metre of length on a strip].
+    cross_stiffness : Array, scalar
+        Force along the other tangential axis over the displacement, same unit; zero for the normal stiffness.
+    traction_rate : Array, shape (\*grid) if normal, (2, \*grid) if tangential
+        Traction per displacement [Pa/m].
+    iterations : Array, scalar
+        Conjugate-gradient iterations.
+    error_estimate : Array, scalar
+        Estimated relative error of the stiffness due to stopping the iteration [-].
+    """
+
+    stiffness: Array
+    cross_stiffness: Array
+    traction_rate: Array
+    iterations: Array
+    error_estimate: Array
+
+
+def conjugate_gradients(
+    *,
+    response: Response,
+    estimate: Response,
+    usable: Array,
+    target: Array,
+    tolerance: Array,
+    max_iterations: Array,
+) -> tuple[Array, Array, Array]:
+    r"""Solve A t = b on the usable points, preconditioned; call it inside a compiled function.
+
+    Parameters
+    ----------
+    response, estimate : callable
+        A and its rough inverse.
+    usable : array of bool, shape of ``target``
+        Where t may differ from zero.
+    target : array
+        b, zero where not usable.
+    tolerance : array, scalar
+        Bound on :math:`r \cdot M r / t \cdot b`, M the rough inverse and r the residual [-].
+    max_iterations : array, scalar
+        Where to give up.
+
+    Returns
+    -------
+    tuple of arrays
+        t, the iterations used and the last value of that ratio.
+
+    Notes
+    -----
+    Were M the exact inverse, the ratio would be the relative error of :math:`t \cdot b`, which conjugate
+    gradients approach from below. That error is second order in the error of t.
+    """
+
+    def restricted(field: Array) -> Array:
+        return jnp.where(usable, field, 0.0)
+
+    def unfinished(state: _Linear) -> Array:
+        _, _, _, slope, work, k = state
+        return (slope > tolerance * work) & (k < max_iterations)
+
+    def step(state: _Linear) -> _Linear:
+        t, r, d, slope, work, k = state
+        w = restricted(response(d))
+        tau = slope / jnp.sum(d * w)
+        r = r - tau * w
+        z = restricted(estimate(r))
+        new = jnp.sum(r * z)
+        return t + tau * d, r, z + new / slope * d, new, work + tau * slope, k + 1
+
+    z = restricted(estimate(target))
+    zero = jnp.zeros(())
+    first = (jnp.zeros_like(target), target, z, jnp.sum(target * z), zero, jnp.zeros((), dtype=jnp.int64))
+    t, _, _, slope, work, k = jax.lax.while_loop(unfinished, step, first)
+    return t, k, slope / work
+
+
+@eqx.filter_jit
+def _normal_rate(
+    half_space: HalfSpace, mask: Array, tolerance: Array, max_iterations: Array
+) -> tuple[Array, ...]:
+    return conjugate_gradients(
+        response=half_space.normal_displacement,
+        estimate=half_space.traction_estimate,
+        usable=mask,
+        target=mask.astype(jnp.float64),
+        tolerance=tolerance,
+        max_iterations=max_iterations,
+    )
+
+
+@eqx.filter_jit
+def _tangential_rate(
+    half_space: HalfSpace, mask: Array, axis: int, tolerance: Array, max_iterations: Array
+) -> tuple[Array, ...]:
+    both = jnp.stack([mask, mask])
+    return conjugate_gradients(
+        response=half_space.shear_displacement,
+        estimate=half_space.traction_estimate,
+        usable=both,
+        target=jnp.zeros(both.shape).at[axis].set(mask.astype(jnp.float64)),
+        tolerance=tolerance,
+        max_iterations=max_iterations,
+    )
+
+
+def _checked_mask(half_space: HalfSpace, contact_mask: ArrayLike, tolerance: float) -> Array:
+    positive("tolerance", tolerance, "(relative)")
+    mask = jnp.asarray(contact_mask)
+    if mask.shape != half_space.shape or mask.dtype != jnp.bool_:
+        raise InputError(
+            f"contact_mask has shape {mask.shape} and type {mask.dtype}: the grid needs {half_space.shape} "
+            "of bool"
+        )
+    touching = int(jnp.sum(mask))
+    if touching == 0:
+        raise InputError("contact_mask is empty: where nothing touches there is no stiffness")
+    if half_space.periodic and touching == mask.size:
+        raise InputError(
+            "contact_mask is full: a periodic interface in complete contact has no compliance of its own "
+            "(the stiffness is infinite); lower the load"
+        )
+    return mask
+
+
+def _checked_result(
+    what: str,
+    half_space: HalfSpace,
+    rate: Array,
+    main: Array,
+    cross: Array,
+    k: Array,
+    error: Array,
+    tolerance: float,
+) -> ContactStiffness:
+    if not float(error) <= tolerance or not float(main) > 0.0:
+        raise NoSolutionError(
+            f"{what}: not converged after {int(k)} iterations, estimated relative error {float(error):.3g} "
+            f"against the tolerance {tolerance:.3g}; raise max_iterations, or loosen the tolerance"
+        )
+    area = half_space.pixel_area
+    return ContactStiffness(main * area, cross * area, rate, k, error)
+
+
+def normal_stiffness(
+    half_space: HalfSpace, contact_mask: ArrayLike, *, tolerance: float = 1e-7, max_iterations: int = 1000
+) -> ContactStiffness:
+    r"""Incremental normal stiffness of a contact, :math:`\mathrm dF_n/\mathrm d\delta`.
+
+    .. math::
+        \int_{\text{contact}} K_n(x - y)\, p'(y)\, \mathrm dy = 1 \text{ on the contact},
+        \qquad k_n = \int p'
+
+    Parameters
+    ----------
+    half_space : HalfSpace
+        Elastic bodies and grid.
+    contact_mask : array of bool, shape (\*grid)
+        Where the bodies touch: ``contact.pressure > 0``.
+    tolerance : float
+        Bound on the estimated relative error of the stiffness [-].
+    max_iterations : int
+        Where to give up.
+
+    Returns
+    -------
+    ContactStiffness
+        Stiffness and pressure rate.
+
+    Raises
+    ------
+    InputError
+        If the mask does not fit the grid, is empty, or full on a periodic half-space.
+    NoSolutionError
+        If the iteration does not converge.
+
+    Notes
+    -----
+    The area is held fixed, but the result is the derivative of the load of the *growing* contact too: the
+    pressure vanishes at the edge, so area gained or lost carries load of second order only (true on a grid
+    up to its resolution). On a periodic half-space the displacement is relative to the mean plane: this is
+    the stiffness of the interface alone, dF/d(mean gap) with opposite sign.
+
+    References
+    ----------
+    J. R. Barber, Proc. R. Soc. A 459 (2003) 53. K. L. Johnson, Contact Mechanics, 1985, section 3.8: 2 E a
+    for a disc.
+    """
+    mask = _checked_mask(half_space, contact_mask, tolerance)
+    rate, k, error = _normal_rate(half_space, mask, jnp.asarray(tolerance), jnp.asarray(max_iterations))
+    return _checked_result(
+        "normal stiffness", half_space, rate, jnp.sum(rate), jnp.zeros(()), k, error, tolerance
+    )
+
+
+def tangential_stiffness(
+    half_space: HalfSpace,
+    contact_mask: ArrayLike,
+    *,
+    axis: int,
+    tolerance: float = 1e-7,
+    max_iterations: int = 1000,
+) -> ContactStiffness:
+    r"""Incremental tangential stiffness of a contact in full stick.
+
+    .. math::
+        \int_{\text{contact}} K_{ij}(x - y)\, \tau_j'(y)\, \mathrm dy = \delta_{i,\text{axis}}
+        \text{ on the contact}, \qquad k_t = \int \tau_{\text{axis}}'
+
+    Both components of the shear traction are unknown; they are coupled unless Poisson's ratio is zero.
+
+    Parameters
+    ----------
+    half_space : HalfSpace
+        Elastic bodies and grid.
+    contact_mask : array of bool, shape (\*grid)
+        Where the bodies touch: ``contact.pressure > 0``.
+    axis : {0, 1}
+        Direction of the displacement; on a strip 0 is across it and 1 along it.
+    tolerance : float
+        Bound on the estimated relative error of the stiffness [-].
+    max_iterations : int
+        Where to give up.
+
+    Returns
+    -------
+    ContactStiffness
+        Stiffness, cross stiffness and traction rate.
+
+    Raises
+    ------
+    InputError
+        If the mask does not fit the grid, is empty, or full on a periodic half-space; if the axis is neither
+        0 nor 1.
+    NoSolutionError
+        If the iteration does not converge.
+
+    Notes
+    -----
+    Infinitesimal shear after full normal loading: no point slips yet. Exact for like materials; for unlike
+    ones the coupling to the normal problem through Dundurs' second constant is neglected.
+
+    References
+    ----------
+    R. D. Mindlin, J. Appl. Mech. 16 (1949) 259: 8 G* a for a disc. K. L. Johnson, Contact Mechanics, 1985,
+    section 3.6.
+    """
+    if axis not in (0, 1):
+        raise InputError(f"axis = {axis}: the tangential directions are 0 and 1")
+    mask = _checked_mask(half_space, contact_mask, tolerance)
+    rate, k, error = _tangential_rate(
+        half_space, mask, axis, jnp.asarray(tolerance), jnp.asarray(max_iterations)
+    )
+    return _checked_result(
+        "tangential stiffness",
+        half_space,
+        rate,
+        jnp.sum(rate[axis]),
+        jnp.sum(rate[1 - axis]),
+        k,
+        error,
+        tolerance,
+    )

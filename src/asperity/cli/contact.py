@@ -1,0 +1,50 @@
+"""``asperity contact``: any number of roller pairs at once."""
+
+from __future__ import annotations
+
+import click
+
+
+@click.command()
+@click.option("--table", type=click.Path(), required=True, help="CSV table of roller pairs to read.")
+@click.option("--out", type=click.Path(), required=True, help="CSV table to write.")
+@click.option("--gamma", type=float, default=1.5, show_default=True, help="Frequency ratio of all surfaces.")
+@click.option(
+    "--asperity-base",
+    type=click.Choice(["majumdar_bhushan_1991", "circular_spot"]),
+    default="majumdar_bhushan_1991",
+    show_default=True,
+    help="Base length of an asperity.",
+)
+def contact(table: str, out: str, gamma: float, asperity_base: str) -> None:
+    """Spots, loads and stiffness of every roller pair in a CSV table.
+
+    Columns of the table: D, G_mm, F_N, T_N, mu, R1_mm, R2_mm, sign (1 outer, -1 inner contact), B_mm, E1_MPa,
+    E2_MPa, nu1, nu2, H_MPa (the hardness), lambda (printed, hertz_area or unity). Behind them come psi, lam,
+    a_c_mm2, a_l_mm2, A_r_mm2, Fe_N, Fp_N, Kt_N_per_mm, Kn_N_per_mm. A bad row is reported with its line and
+    column, and nothing is written.
+    """
+    from asperity.case.limits import FREQUENCY_RATIO
+    from asperity.errors import InputError
+    from asperity.precision import use_compilation_cache, use_double_precision
+
+    try:
+        FREQUENCY_RATIO.check(gamma)
+    except InputError as error:
+        raise InputError(f"--gamma: {error}") from None
+    use_double_precision()
+    use_compilation_cache()
+    from asperity.case.contact_table import convert_contact_table
+    from asperity.cli.terminal import rows_progress
+
+    with rows_progress("rows") as progress:
+        summary = convert_contact_table(
+            table,
+            out,
+            frequency_ratio=gamma,
+            asperity_base=asperity_base,  # type: ignore[arg-type]
+            progress=progress,
+        )
+    if summary.replaced_columns:
+        click.echo(f"replaced the columns {', '.join(summary.replaced_columns)} of {table}", err=True)
+    click.echo(f"wrote {out}: {summary.rows} roller pairs", err=True)

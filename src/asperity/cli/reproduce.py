@@ -1,0 +1,155 @@
+"""``asperity reproduce``: the paper's cases, figures and claims, recomputed."""
+
+from __future__ import annotations
+
+import json
+import sys
+import textwrap
+from typing import Any
+
+import click
+
+_WIDTH = 110
+
+
+def _table(rows: list[dict[str, Any]], columns: dict[str, str]) -> list[str]:
+    """Rows as an aligned text table; ``columns`` maps keys to headings."""
+    cells = [list(columns.values())]
+    cells += [
+        [f"{row[k]:.5g}" if isinstance(row[k], float) else str(row[k]) for k in columns] for row in rows
+    ]
+    widths = [max(len(row[i]) for row in cells) for i in range(len(columns))]
+    return ["  " + "  ".join(cell.rjust(w) for cell, w in zip(row, widths, strict=True)) for row in cells]
+
+
+def _verdict(met: bool) -> str:
+    return click.style("met    ", fg="green") if met else click.style("not met", fg="red", bold=True)
+
+
+def _claim_lines(claim: dict[str, Any]) -> list[str]:
+    panels = ", ".join(claim["panels"])
+    lines = [
+        f"{claim['name']:<6} {_verdict(claim['met'])}  {click.style(claim['title'], bold=True)} ({panels})"
+    ]
+    for part in claim["statements"]:
+        lines.append(f"         {_verdict(part['met'])}  {part['says']}")
+        lines += textwrap.wrap(
+            part["evidence"], _WIDTH - 20, initial_indent=" " * 18, subsequent_indent=" " * 18
+        )
+    return lines
+
+
+def _report(document: dict[str, Any]) -> str:
+    """The document of :func:`asperity.zou2025.files.verdict_document` for people."""
+    contacts = ("sp", "pwr", "pwl", "wro", "wlo")
+    lines = [
+        click.style(document["paper"], bold=True),
+        "Recomputed from its equations (1)-(30): the published model, in which the asperities alone are elastic.",
+        "",
+        click.style("Table 1: one roller pair (lengths in m, forces in N; K_t in N/mm)", bold=True),
+        *_table(
+            document["table_1"],
+            {
+                "case": "case",
+                "varied": "varied",
+                "from_SI": "from",
+                "to_SI": "to",
+                "tangential_stiffness_start_N_per_mm": "K_t at start",
+                "tangential_stiffness_end_N_per_mm": "K_t at end",
+                "tangential_stiffness_largest_N_per_mm": "largest K_t",
+            },
+        ),
+        "",
+        click.style(
+            "Table 2: the joint (torque in N*m, forces in N, K_T at the output in N*m/rad)", bold=True
+        ),
+        *_table(
+            document["table_2"],
+            {
+                "output_torque_Nm": "torque",
+                **{f"normal_force_{c}_N": f"N_{c}" for c in contacts},
+                **{f"tangential_force_{c}_N": f"T_{c}" for c in contacts[:3]},
+                "torsional_stiffness_output_Nm_per_rad": "K_T",
+            },
+        ),
+        "",
+        click.style("Assumed, because the paper does not say", bold=True),
+    ]
+    lines += [f"  {a['what']}: {a['value']} ({a['reason']})" for a in document["assumptions"]]
+    lines += ["", click.style("What the paper's words are taken to mean", bold=True)]
+    lines += [f"  {c['name']} ({c['limit']:g}): {c['meaning']}" for c in document["criteria"]]
+    lines += [
+        "",
+        click.style(f"Claims: {document['met']} of {len(document['claims'])} met in every part", bold=True),
+    ]
+    for claim in document["claims"]:
+        lines += _claim_lines(claim)
+    lines += ["", click.style("Remarks", bold=True), *(f"  {remark}" for remark in document["remarks"])]
+    return "\n".join(lines)
+
+
+@click.command()
+@click.option(
+    "--out",
+    type=click.Path(file_okay=False),
+    help="Folder for the 14 panels (PNG and CSV), the tables (CSV) and the verdicts (JSON); made if absent.",
+)
+@click.option("--json", "as_json", is_flag=True, help="Print one JSON document instead of text.")
+def reproduce(out: str | None, as_json: bool) -> None:
+    """Recompute the cases and figures of Zou et al. 2025 and judge its claims.
+
+    Every claim is judged by computed numbers against criteria that are printed with it. The exit code is 0
+    whether or not the claims are met.
+    """
+    from rich.console import Console
+    from rich.progress import Progress
+
+    from asperity.errors import InputError
+    from asperity.precision import use_compilation_cache, use_double_precision
+
+    use_double_precision()
+    use_compilation_cache()
+    from asperity.zou2025.claims import judge
+    from asperity.zou2025.curves import Curves, joint_curves, pair_curves
+    from asperity.zou2025.files import (
+        output_folder,
+        verdict_document,
+        write_panel,
+        write_tables,
+        write_verdicts,
+    )
+    from asperity.zou2025.panels import all_panels
+
+    folder = output_folder(out) if out is not None else None
+    console = Console(stderr=True)
+    with Progress(console=console, transient=True, disable=not sys.stderr.isatty()) as progress:
+        bar = progress.add_task("roller pairs", total=2 if folder is None else 16)
+        pairs = pair_curves()
+        progress.update(bar, advance=1, description="joints")
+        curves = Curves(pairs=pairs, **joint_curves())
+        progress.update(bar, advance=1, description="claims")
+        document = verdict_document(curves, judge(curves))
+        if folder is not None:
+            try:
+                for panel in all_panels(curves):
+                    progress.update(bar, description=f"figure {panel.name}")
+                    write_panel(panel, folder)
+                    progress.update(bar, advance=1)
+                write_tables(curves, folder)
+                write_verdicts(document, folder)
+            except OSError as error:
+                raise InputError(
+                    f"cannot write to {folder}: {error.strerror or error}; choose another folder with --out"
+                ) from error
+    click.echo(
+        json.dumps(document, indent=2, ensure_ascii=False, allow_nan=False) if as_json else _report(document)
+    )
+    if folder is not None:
+        click.echo(
+            f"\n14 panels (PNG, CSV), table_1.csv, table_2.csv and claims.json are in {folder}", err=True
+        )
+    elif not as_json:
+        click.echo(
+            "\nNo files written; --out FOLDER writes the 14 panels of Figs. 4-8 there as PNG and CSV.",
+            err=True,
+        )

@@ -1,0 +1,185 @@
+"""``asperity windup``: torque–angle curve, hysteresis loop, lost motion and catalogue stiffness of a joint."""
+
+from __future__ import annotations
+
+import dataclasses
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from asperity.errors import InputError
+
+if TYPE_CHECKING:
+    from asperity.drive.capacity import TorqueCapacity
+    from asperity.windup import Windup
+
+LEVELS = ("assembly", "series_with_bulk", "published")
+
+
+@click.command()
+@click.argument("file", type=click.Path())
+@click.option(
+    "--torque", help="Largest torque of the curve, with its unit; default: the file's output torque."
+)
+@click.option(
+    "--level",
+    type=click.Choice(LEVELS),
+    default="assembly",
+    show_default=True,
+    help="Which stiffness is integrated.",
+)
+@click.option(
+    "--stages",
+    type=(float, float),
+    default=(1.0 / 3.0, 2.0 / 3.0),
+    show_default="one and two thirds",
+    help="Bounds of the stages K1|K2|K3 as shares of the largest torque.",
+)
+@click.option("--csv", "csv_file", type=click.Path(dir_okay=False), help="Write the curves to this CSV file.")
+@click.option(
+    "--plot",
+    "plot_file",
+    type=click.Path(dir_okay=False),
+    help="Draw the curves: PNG, SVG or PDF.",
+)
+@click.option(
+    "--json", "as_json", is_flag=True, help="Print one JSON document in SI units instead of a table."
+)
+def windup(
+    file: str,
+    torque: str | None,
+    level: str,
+    stages: tuple[float, float],
+    csv_file: str | None,
+    plot_file: str | None,
+    as_json: bool,
+) -> None:
+    """Wind-up of the joint described in FILE: capacity, torque–angle curve, hysteresis, lost motion, K1/K2/K3.
+
+    The output turns against the locked sun. The loop runs between plus and minus the largest torque.
+    """
+    from asperity.case.reader import read_case
+
+    case = read_case(file)
+    from asperity.precision import use_compilation_cache, use_double_precision
+    from asperity.units import Dimension, parse_quantity
+
+    asked = None if torque is None else parse_quantity(torque, Dimension.TORQUE)
+    use_double_precision()
+    use_compilation_cache()
+    from asperity.case.build import joint_from_case
+    from asperity.examination import capacity, examine
+    from asperity.windup import windup as wind_up
+
+    joint = joint_from_case(case)
+    largest = float(joint.output_torque) if asked is None else asked
+    joint = dataclasses.replace(joint, output_torque=largest)
+    examine(joint)  # refuses rollers that do not fit and a torque beyond the capacity
+    curve = wind_up(joint, largest_torque=largest, level=level, stage_shares=stages)  # type: ignore[arg-type]
+    document = _document(curve, capacity(joint), level)
+    if csv_file:
+        _write_csv(curve, csv_file)
+    if plot_file:
+        from asperity.windup_figure import windup_figure
+
+        try:
+            windup_figure(curve, title=f"Wind-up of {file}, {level} stiffness").savefig(plot_file, dpi=150)
+        except (OSError, ValueError) as error:
+            raise InputError(f"{plot_file}: the picture cannot be written: {error}") from None
+    if as_json:
+        import json
+
+        click.echo(json.dumps(document, indent=2, allow_nan=False))
+        return
+    _show(document, file)
+
+
+def _document(curve: Windup, capacity: TorqueCapacity, level: str) -> dict[str, Any]:
+    """Everything the command says, in SI units."""
+    import math
+
+    from asperity.drive.geometry import CONTACT_NAMES
+
+    limit = float(capacity.output_torque)
+    finite = math.isfinite(limit)
+    return {
+        "level": level,
+        "torque_capacity_Nm": limit if finite else None,
+        "limiting_contact": CONTACT_NAMES[int(capacity.limiting_contact)] if finite else None,
+        "largest_torque_Nm": float(curve.torque[-1]),
+        "windup_rad": float(curve.angle[-1]),
+        "hysteresis_rad": float(curve.hysteresis),
+        "lost_motion_rad": float(curve.lost_motion),
+        "dissipated_energy_J": float(curve.dissipated_energy),
+        "stages": [
+            {
+                "name": f"K{index + 1}",
+                "from_Nm": float(curve.stage_torque[index]),
+                "to_Nm": float(curve.stage_torque[index + 1]),
+                "stiffness_Nm_per_rad": float(curve.stage_stiffness[index]),
+            }
+            for index in range(3)
+        ],
+    }
+
+
+def _write_csv(curve: Windup, path: str) -> None:
+    """The loading curve and both branches of the loop, one row a point, units in the column names."""
+    import csv
+
+    import numpy as np
+
+    columns = {
+        "loading_torque_Nm": curve.torque,
+        "loading_angle_rad": curve.angle,
+        "incremental_stiffness_Nm_per_rad": curve.stiffness,
+        "loop_torque_Nm": curve.loop_torque,
+        "unloading_angle_rad": curve.unloading_angle,
+        "reloading_angle_rad": curve.reloading_angle,
+    }
+    rows = np.column_stack([np.asarray(column) for column in columns.values()])
+    try:
+        with open(path, "w", newline="") as target:
+            writer = csv.writer(target)
+            writer.writerow(columns)
+            writer.writerows([repr(float(value)) for value in row] for row in rows)
+    except OSError as error:
+        raise InputError(f"{path}: cannot be written: {error.strerror}") from None
+
+
+def _show(document: dict[str, Any], file: str) -> None:
+    from asperity.cli.terminal import console, table
+    from asperity.units import format_quantity
+
+    def arcminutes(key: str) -> str:
+        return format_quantity(document[key], "arcmin")
+
+    target = console()
+    target.print(f"{file}: wind-up at the output, sun locked, {document['level']} stiffness\n")
+    limit = document["torque_capacity_Nm"]
+    summary = table(target, "Figures", "quantity", "value")
+    summary.add_row(
+        "torque capacity",
+        "not limited by friction: the wedge tightens with the torque"
+        if limit is None
+        else f"{format_quantity(limit, 'N*m')}, {document['limiting_contact']} slips first",
+    )
+    summary.add_row("largest torque of the curve", format_quantity(document["largest_torque_Nm"], "N*m"))
+    summary.add_row("wind-up there", arcminutes("windup_rad"))
+    summary.add_row("width of the loop at zero torque", arcminutes("hysteresis_rad"))
+    summary.add_row("lost motion (middle line, +-3 % of the torque)", arcminutes("lost_motion_rad"))
+    summary.add_row("energy lost a cycle", f"{document['dissipated_energy_J']:.4g} J")
+    target.print(summary)
+    stages = table(
+        target, "Catalogue stages (secant stiffness)", "stage", "from N·m", "to N·m", "N·m/rad", "N·m/arcmin"
+    )
+    for stage in document["stages"]:
+        stiffness = stage["stiffness_Nm_per_rad"]
+        stages.add_row(
+            stage["name"],
+            f"{stage['from_Nm']:.4g}",
+            f"{stage['to_Nm']:.4g}",
+            f"{stiffness:.5g}",
+            format_quantity(stiffness, "N*m/arcmin").split(" ")[0],
+        )
+    target.print(stages)

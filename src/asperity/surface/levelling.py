@@ -1,0 +1,140 @@
+"""Taking off form: straight line, plane, polynomial, cylinder; and marking outliers as missing."""
+
+from __future__ import annotations
+
+import numpy as np
+import scipy.ndimage
+from numpy.typing import NDArray
+
+from asperity.errors import InputError
+from asperity.surface.topography import Topography
+
+#: Forms that can be taken off.
+FORMS = ("none", "mean", "line", "plane", "polynomial", "cylinder_x", "cylinder_y")
+_HIGHEST_DEGREE = 12
+
+
+def levelled(*, topography: Topography, form: str, degree: int | None = None) -> Topography:
+    """The surface less its least-squares form; missing points neither count nor change.
+
+    Parameters
+    ----------
+    topography : Topography
+        Profile or map.
+    form : str
+        ``none``, ``mean``, ``line`` (of a profile), ``plane`` (of a map), ``polynomial`` (of the given total
+        degree), ``cylinder_x`` or ``cylinder_y`` (of a map: plane and a parabola along x or along y).
+    degree : int or None
+        Degree of a polynomial, 0 to 12; only for ``polynomial``.
+
+    Returns
+    -------
+    Topography
+
+    Raises
+    ------
+    InputError
+        If the form is unknown, does not suit, or there are too few points for it.
+    """
+    if form not in FORMS:
+        raise InputError(f"there is no form '{form}'; known: {', '.join(FORMS)}")
+    if form == "none":
+        return topography
+    powers = _powers(topography, form, degree)
+    z = topography.heights
+    present = ~np.isnan(z)
+    if int(present.sum()) <= len(powers):
+        raise InputError(
+            f"{topography.source}: {int(present.sum())} points are too few for the form '{form}'"
+        )
+    x = np.linspace(-1.0, 1.0, z.shape[-1], dtype=np.float64)
+    y = np.linspace(-1.0, 1.0, z.shape[0], dtype=np.float64) if topography.is_map else np.zeros(1)
+    highest = max(max(p) for p in powers)
+    along = np.asarray(np.polynomial.legendre.legvander(x, highest), dtype=np.float64)
+    across = np.asarray(np.polynomial.legendre.legvander(y, highest), dtype=np.float64)
+    surfaces = _fitted(np.atleast_2d(z), np.atleast_2d(present), along, across, powers)
+    return topography.with_heights(
+        z - surfaces.reshape(z.shape), f"took off: {form}{'' if degree is None else degree}"
+    )
+
+
+def _powers(topography: Topography, form: str, degree: int | None) -> list[tuple[int, int]]:
+    """Degrees along (x, y) of the terms of a form."""
+    if form == "polynomial":
+        if degree is None or not 0 <= degree <= _HIGHEST_DEGREE:
+            raise InputError(
+                f"a polynomial form needs a degree between 0 and {_HIGHEST_DEGREE}, not {degree}"
+            )
+        if not topography.is_map:
+            return [(i, 0) for i in range(degree + 1)]
+        return [(i, j) for i in range(degree + 1) for j in range(degree + 1 - i)]
+    if form == "mean":
+        return [(0, 0)]
+    if topography.is_map == (form == "line"):
+        raise InputError(f"the form '{form}' does not suit a {'map' if topography.is_map else 'profile'}")
+    plane = [(0, 0), (1, 0), (0, 1)]
+    extra = {"cylinder_x": [(2, 0)], "cylinder_y": [(0, 2)]}
+    return [(0, 0), (1, 0)] if form == "line" else plane + extra.get(form, [])
+
+
+def _fitted(
+    z: NDArray[np.float64],
+    present: NDArray[np.bool_],
+    along: NDArray[np.float64],
+    across: NDArray[np.float64],
+    powers: list[tuple[int, int]],
+) -> NDArray[np.float64]:
+    """Least-squares sum of products of Legendre polynomials, by normal equations summed over rows."""
+    m = present.astype(np.float64)
+    data = np.where(present, z, 0.0)
+    n = along.shape[1]
+    pairs = np.einsum("ij,jk,jl->ikl", m, along, along, optimize=True)
+    gram4 = np.einsum("ikl,ip,iq->kplq", pairs, across, across, optimize=True)
+    right = across.T @ (data @ along)
+    index = [i * n + j for i, j in powers]
+    gram = gram4.reshape(n * n, n * n)[np.ix_(index, index)]
+    vector = right.T.reshape(n * n)[index]
+    coefficients = np.zeros((n, n))
+    solution = np.linalg.lstsq(gram, vector, rcond=None)[0]
+    for (i, j), c in zip(powers, solution, strict=True):
+        coefficients[j, i] = c
+    return np.asarray(across @ coefficients @ along.T)
+
+
+def without_outliers(*, topography: Topography, threshold: float, window: int) -> Topography:
+    """The surface with outliers marked as missing.
+
+    A point is an outlier if it is further from the running median of its neighbours along x than
+    ``threshold`` times the robust standard deviation (1.4826 times the median absolute value) of such
+    distances.
+
+    Parameters
+    ----------
+    topography : Topography
+        Profile or map.
+    threshold : float
+        In robust standard deviations, positive; 6 is gentle.
+    window : int
+        Odd number of points of the running median.
+
+    Returns
+    -------
+    Topography
+        Its notes say how many points were marked; missing points are then treated by an explicit choice.
+
+    Raises
+    ------
+    InputError
+        If threshold or window are out of range.
+    """
+    if not threshold > 0.0 or window < 3 or window % 2 == 0:
+        raise InputError(
+            f"outliers need a positive threshold and an odd window of 3 or more, not {threshold}, {window}"
+        )
+    z = np.atleast_2d(topography.heights)
+    known = np.where(np.isnan(z), np.nanmedian(z), z)
+    distance = np.abs(z - scipy.ndimage.median_filter(known, size=(1, window), mode="nearest"))
+    scale = 1.4826 * float(np.nanmedian(distance))
+    outlying = distance > threshold * scale if scale > 0.0 else np.zeros_like(distance, dtype=bool)
+    marked = np.where(outlying, np.nan, z).reshape(topography.heights.shape)
+    return topography.with_heights(marked, f"{int(outlying.sum())} outliers marked as missing")

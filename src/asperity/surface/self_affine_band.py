@@ -1,0 +1,187 @@
+"""Where a spectrum is a power law: the widest band that one straight line fits, or a refusal."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from asperity.surface.spectral_likelihood import TAILS, SpectralFit, fit_spectrum
+from asperity.surface.spectrum import BinnedSpectrum
+
+#: Narrowest band that is called a power law [decades].
+NARROWEST_DECADES = 1.0
+#: Largest scatter of ln P about the line, beyond chance, that is still called straight [-].
+LARGEST_MISFIT = 0.15
+#: Largest change of the local D from one end of the band to the other, beyond chance [-].
+LARGEST_DRIFT = 0.2
+#: Lowest ordinates left out: what levelling and the finite record distort.
+LOWEST_ORDINATE = 3
+#: Folding is considered only for bands that reach up to this share of the sampling limit [-].
+FOLDING_REACH = 0.75
+_EDGES_PER_DECADE = 5
+
+
+@dataclass(frozen=True)
+class BandSearch:
+    """Outcome of the search: a fit, or the reason why there is none.
+
+    Attributes
+    ----------
+    fit : SpectralFit or None
+        The accepted fit.
+    reason : str
+        Why there is none; empty if there is one.
+    """
+
+    fit: SpectralFit | None
+    reason: str
+
+
+def widest_power_law(
+    *, spectrum: BinnedSpectrum, low: float | None, high: float | None, noise_density: float
+) -> BandSearch:
+    """Search for the widest self-affine band, or judge the band that is given.
+
+    Parameters
+    ----------
+    spectrum : BinnedSpectrum
+        Averaged spectrum.
+    low, high : float or None
+        Limits of the band [1/m]; None lets the search choose that limit.
+    noise_density : float
+        Known white noise of the instrument (such as that of quantised heights) [m^3]; zero if none is known.
+
+    Returns
+    -------
+    BandSearch
+        With the widest accepted band. A band is accepted if it spans at least one decade above any white
+        floor, 1 < D < 2, and ln P scatters and bends about the fit by no more than the limits of this module.
+    """
+    lowest = LOWEST_ORDINATE / (spectrum.points * spectrum.spacing)
+    highest = spectrum.nyquist
+    loud = spectrum.density[spectrum.frequency >= lowest] > 2.0 * noise_density
+    if not loud.all():
+        first = int(np.argmin(loud))
+        if first == 0:
+            return BandSearch(
+                None, "the spectrum lies in the noise of quantised heights even at its long waves"
+            )
+        highest = float(spectrum.frequency[spectrum.frequency >= lowest][first - 1])
+    bottoms = [low] if low is not None else _edges(lowest, highest)
+    tops = [high] if high is not None else _edges(lowest, highest)
+    windows = sorted(
+        ((b, t) for b in bottoms for t in tops if t / b >= 10.0**NARROWEST_DECADES * (1.0 - 1e-9)),
+        key=lambda w: w[0] / w[1],
+    )
+    best: SpectralFit | None = None
+    nearest: tuple[float, str] = (np.inf, "")
+    for bottom, top in windows:
+        if best is not None and best.decades >= np.log10(top / bottom):
+            break
+        fit = _best_model(spectrum, bottom, top)
+        if fit is None:
+            continue
+        fault, grade = _fault(fit, spectrum)
+        if not fault and (best is None or fit.decades > best.decades):
+            best = fit
+        elif fault and grade < nearest[0]:
+            nearest = (grade, fault)
+    if best is not None:
+        return BandSearch(best, "")
+    if not windows:
+        return BandSearch(
+            None,
+            f"only {max(np.log10(highest / lowest), 0.0):.2f} decades of wavelength lie between the "
+            f"record length "
+            "and the noise or sampling limit; at least one is needed",
+        )
+    return BandSearch(None, nearest[1] or "no band of one decade has enough frequencies to judge")
+
+
+def _edges(lowest: float, highest: float) -> list[float]:
+    if highest <= lowest:
+        return []
+    count = max(2, int(np.ceil(np.log10(highest / lowest) * _EDGES_PER_DECADE)) + 1)
+    return [float(f) for f in np.logspace(np.log10(lowest), np.log10(highest), count)]
+
+
+def _best_model(spectrum: BinnedSpectrum, low: float, high: float) -> SpectralFit | None:
+    """Of four models (folded or not, with a floor or not) the one of least Bayesian information criterion.
+
+    A floor is tried only where the fit without one leaves something unexplained.
+    """
+    fits: list[SpectralFit] = []
+    tails = TAILS if high >= FOLDING_REACH * spectrum.nyquist else TAILS[:1]
+    for tail in tails:
+        fit = fit_spectrum(spectrum=spectrum, low=low, high=high, tail=tail, with_floor=False)
+        if fit is not None:
+            fits.append(fit)
+    if not fits or min(fit.chi_square / fit.degrees for fit in fits) > 1.0:
+        for tail in tails:
+            fit = fit_spectrum(spectrum=spectrum, low=low, high=high, tail=tail, with_floor=True)
+            if fit is not None:
+                fits.append(fit)
+    return min((fit for fit in fits if fit.converged), key=_information_criterion, default=None)
+
+
+def _information_criterion(fit: SpectralFit) -> float:
+    return -2.0 * fit.log_likelihood + fit.parameters * float(np.log(fit.degrees + fit.parameters))
+
+
+def _fault(fit: SpectralFit, spectrum: BinnedSpectrum) -> tuple[str, float]:
+    """What forbids calling this band a power law, in words, and how far off it is; empty if nothing."""
+    where = f"between the wavelengths {1 / fit.high:.3g} m and {1 / fit.low:.3g} m"
+    if not 1.0 < fit.fractal_dimension < 2.0:
+        off = max(1.0 - fit.fractal_dimension, fit.fractal_dimension - 2.0)
+        return (
+            f"{where} the spectrum falls as frequency^-{5 - 2 * fit.fractal_dimension:.2f}; a "
+            f"fractal profile "
+            "(1 < D < 2) needs an exponent between 1 and 3",
+            2.0 + off,
+        )
+    if fit.decades < NARROWEST_DECADES * (1.0 - 1e-9):
+        return (
+            f"{where} only {max(fit.decades, 0.0):.2f} decades of a power law rise above white noise "
+            f"({_noise_name(fit)}); at least one is needed",
+            1.5 + NARROWEST_DECADES - fit.decades,
+        )
+    if fit.misfit > LARGEST_MISFIT:
+        return (
+            f"{where} the spectrum scatters about a power law by {100 * fit.misfit:.0f} % beyond chance "
+            f"({100 * LARGEST_MISFIT:.0f} % is the limit)",
+            fit.misfit / LARGEST_MISFIT,
+        )
+    drift, error = _drift(fit, spectrum)
+    if abs(drift) > LARGEST_DRIFT and abs(drift) > 2.0 * error:
+        return (
+            f"{where} the spectrum bends: the local D changes by {drift:+.2f} from the long to the "
+            f"short waves "
+            f"({LARGEST_DRIFT} is the limit)",
+            abs(drift) / LARGEST_DRIFT,
+        )
+    return "", 0.0
+
+
+def _noise_name(fit: SpectralFit) -> str:
+    return "power folded at the sampling limit" if fit.floor == 0.0 else f"{fit.floor:.3g} m^3"
+
+
+def _drift(fit: SpectralFit, spectrum: BinnedSpectrum) -> tuple[float, float]:
+    """Change of the local D across the band and its standard error, from a parabola in ln f."""
+    inside = (spectrum.frequency >= fit.low * (1 - 1e-9)) & (
+        spectrum.frequency <= fit.usable_high * (1 + 1e-9)
+    )
+    f = spectrum.frequency[inside]
+    if f.size < 6:
+        return 0.0, np.inf
+    explained = fit.expected(f)
+    nu = spectrum.independent[inside]
+    weight = np.sqrt(1.0 / (1.0 / nu + fit.misfit**2))
+    u = np.log(f / np.sqrt(f[0] * f[-1]))
+    design = np.stack([np.ones_like(u), u, u**2], axis=1) * weight[:, None]
+    residual = (spectrum.density[inside] / explained - 1.0) * weight
+    covariance = np.linalg.pinv(design.T @ design)
+    curvature = float((covariance @ (design.T @ residual))[2])
+    width = float(u[-1] - u[0])
+    return curvature * width, float(np.sqrt(covariance[2, 2])) * width

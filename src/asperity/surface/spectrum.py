@@ -1,0 +1,209 @@
+"""Power spectral densities of measured profiles, and their averages in narrow bins of frequency."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+import scipy.fft
+import scipy.signal
+from numpy.typing import NDArray
+
+from asperity.errors import InputError
+
+_CHUNK_POINTS = 4_000_000
+
+
+@dataclass(frozen=True)
+class BinnedSpectrum:
+    """Averages of the raw spectrum over narrow bins of frequency and blocks of profiles.
+
+    Attributes
+    ----------
+    frequency : array, shape (bins,)
+        Geometric mean of the Fourier frequencies in each bin [1/m].
+    spread : array, shape (bins,)
+        Variance of the logarithm of frequency within the bin [-].
+    ordinates : array, shape (bins,)
+        Number of Fourier frequencies in the bin.
+    independent : array, shape (bins,)
+        Number of independent ordinates behind the average: ordinates times profiles, less for a taper and for
+        neighbouring rows of a map, which resemble each other.
+    density : array, shape (bins,)
+        One-sided power spectral density, averaged over the bin and all profiles [m^3].
+    profiles : int
+        Number of profiles averaged.
+    points, spacing : int, float
+        Points of a profile and their distance [m].
+    differenced : bool
+        True: density of the differences of neighbouring heights, divided by the transfer function of the
+        difference, so that it reads as a density of heights.
+    """
+
+    frequency: NDArray[np.float64]
+    spread: NDArray[np.float64]
+    ordinates: NDArray[np.int64]
+    independent: NDArray[np.float64]
+    density: NDArray[np.float64]
+    profiles: int
+    points: int
+    spacing: float
+    differenced: bool
+
+    @property
+    def nyquist(self) -> float:
+        """Sampling limit [1/m]."""
+        return 0.5 / self.spacing
+
+
+def power_spectral_densities(
+    *, profiles: NDArray[np.float64], spacing: float, window: str | tuple[str, float]
+) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    r"""One-sided power spectral density of each profile, straight line removed, windowed.
+
+    .. math::
+        P(f_j) = \frac{2 \Delta}{\sum_i w_i^2} \left| \sum_i w_i z_i e^{-2\pi i f_j x_i} \right|^2
+
+    Parameters
+    ----------
+    profiles : array, shape (profiles, points)
+        Heights [m], no missing points.
+    spacing : float
+        Distance of the points [m].
+    window : str or tuple
+        A window of ``scipy.signal.get_window``, such as ``"hann"``.
+
+    Returns
+    -------
+    frequency : array, shape (frequencies,)
+        f [1/m], from 1/length to the sampling limit.
+    density : array, shape (profiles, frequencies)
+        P [m^3]. The ordinate at the sampling limit of an even number of points is one-sided as well.
+    """
+    _check(profiles, spacing)
+    points = profiles.shape[1]
+    w = scipy.signal.get_window(window, points)
+    levelled = _without_line(profiles)
+    spectrum = scipy.fft.rfft(levelled * w, axis=1)[:, 1:]
+    density = (2.0 * spacing / np.sum(w**2)) * (spectrum.real**2 + spectrum.imag**2)
+    if points % 2 == 0:
+        density[:, -1] *= 0.5
+    return scipy.fft.rfftfreq(points, spacing)[1:], density
+
+
+def binned_spectrum(
+    *,
+    profiles: NDArray[np.float64],
+    spacing: float,
+    differenced: bool,
+    bins_per_decade: int,
+    rows_of_a_map: bool,
+) -> BinnedSpectrum:
+    r"""Average of the spectra of many profiles in narrow logarithmic bins.
+
+    Parameters
+    ----------
+    profiles : array, shape (profiles, points)
+        Heights [m], no missing points.
+    spacing : float
+        Distance of the points [m].
+    differenced : bool
+        False: straight line removed and Hann window. True: differences of neighbouring heights with a light
+        taper, which resolves low frequencies of steep spectra best.
+    bins_per_decade : int
+        Bins per decade; at low frequencies every ordinate is a bin of its own.
+    rows_of_a_map : bool
+        True: the profiles are neighbouring rows of one map. Their resemblance is measured: with I the
+        ordinates of the two-dimensional transform that fall into a bin, :math:`2 (\sum I)^2 / \sum I^2` of them
+        are independent. False: the profiles are independent.
+
+    Returns
+    -------
+    BinnedSpectrum
+    """
+    _check(profiles, spacing)
+    rows, points = profiles.shape
+    used = points - 1 if differenced else points
+    taper = scipy.signal.get_window(("tukey", 0.1) if differenced else "hann", used)
+    frequency = scipy.fft.rfftfreq(used, spacing)
+    last = used // 2 if used % 2 == 0 else frequency.size  # leave out the real ordinate at the sampling limit
+    edges = _bin_edges(last, bins_per_decade)
+    counts = np.diff(edges)
+    transfer = 4.0 * np.sin(np.pi * frequency[1:last] * spacing) ** 2 if differenced else np.ones(last - 1)
+    norm = 2.0 * spacing / np.sum(taper**2)
+
+    total = np.zeros(last - 1)
+    kept = np.empty((rows, last - 1), dtype=np.complex64) if rows_of_a_map and rows > 1 else None
+    scale = float(np.std(profiles[0])) or 1.0
+    step = max(1, _CHUNK_POINTS // points)
+    for start in range(0, rows, step):
+        block = profiles[start : start + step]
+        if differenced:
+            values = np.diff(block, axis=1)
+            values -= values.mean(axis=1, keepdims=True)
+        else:
+            values = _without_line(block)
+        values *= taper
+        spectrum = scipy.fft.rfft(values, axis=1, workers=2)[:, 1:last]
+        total += np.einsum("ij,ij->j", spectrum.real, spectrum.real)
+        total += np.einsum("ij,ij->j", spectrum.imag, spectrum.imag)
+        if kept is not None:
+            kept[start : start + step] = spectrum / (scale * np.sqrt(transfer))
+    density = np.add.reduceat(total / transfer, edges[:-1] - 1) * norm / (counts * rows)
+    loss = used * np.sum(taper**4) / np.sum(taper**2) ** 2
+    independent = counts * rows / loss if kept is None else _independent_ordinates(kept, edges) / loss
+    log = np.log(frequency[1:last])
+    mean = np.add.reduceat(log, edges[:-1] - 1) / counts
+    spread = np.add.reduceat((log - np.repeat(mean, counts)) ** 2, edges[:-1] - 1) / counts
+    return BinnedSpectrum(
+        frequency=np.exp(mean),
+        spread=spread,
+        ordinates=counts,
+        independent=np.asarray(independent, dtype=np.float64),
+        density=density,
+        profiles=rows,
+        points=points,
+        spacing=spacing,
+        differenced=differenced,
+    )
+
+
+def _independent_ordinates(spectra: NDArray[np.complex64], edges: NDArray[np.int64]) -> NDArray[np.float64]:
+    """Independent ordinates per bin from the transform of the row spectra across the rows; at least one."""
+    taper = np.hanning(spectra.shape[0] + 2)[1:-1].astype(np.float32)
+    spectra *= taper[:, None]
+    across = scipy.fft.fft(spectra, axis=0, workers=2, overwrite_x=True)
+    power = (across.real**2 + across.imag**2).astype(np.float64)
+    first = np.add.reduceat(power.sum(axis=0), edges[:-1] - 1)
+    second = np.add.reduceat(np.einsum("ij,ij->j", power, power), edges[:-1] - 1)
+    correlated = np.mean(taper.astype(np.float64) ** 4) / np.mean(taper.astype(np.float64) ** 2) ** 2
+    return np.maximum(2.0 * first**2 / second / correlated, 1.0)
+
+
+def _bin_edges(last: int, per_decade: int) -> NDArray[np.int64]:
+    """First ordinate of each bin, and the end: ordinates 1 .. last - 1 without gaps."""
+    ratio = 10.0 ** (1.0 / per_decade)
+    edges = [1]
+    while edges[-1] < last:
+        edges.append(min(last, max(edges[-1] + 1, round(edges[-1] * ratio))))
+    return np.asarray(edges, dtype=np.int64)
+
+
+def _without_line(profiles: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Each profile less its least-squares straight line."""
+    points = profiles.shape[1]
+    u = np.arange(points) - 0.5 * (points - 1)
+    levelled = profiles - profiles.mean(axis=1, keepdims=True)
+    levelled -= ((levelled @ u) / (u @ u))[:, None] * u
+    return levelled
+
+
+def _check(profiles: NDArray[np.float64], spacing: float) -> None:
+    if profiles.ndim != 2 or profiles.shape[1] < 16:
+        raise InputError(
+            f"profiles must have shape (profiles, points) with 16 points or more, not {profiles.shape}"
+        )
+    if not spacing > 0.0:
+        raise InputError(f"the spacing is {spacing} m; it must be positive")
+    if not np.isfinite(profiles).all():
+        raise InputError("profiles for a spectrum must have no missing points")

@@ -1,0 +1,80 @@
+"""How the figures look: one place for type, colours and lines."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+#: Matplotlib settings of every figure.
+STYLE: dict[str, Any] = {
+    "font.family": "DejaVu Sans",
+    "font.size": 9.5,
+    "axes.titlesize": 11,
+    "axes.titleweight": "bold",
+    "axes.titlelocation": "left",
+    "axes.labelsize": 10,
+    "axes.labelcolor": "#22303c",
+    "axes.edgecolor": "#55626e",
+    "axes.linewidth": 0.8,
+    "axes.spines.top": False,
+    "axes.spines.right": False,
+    "axes.grid": True,
+    "axes.axisbelow": True,
+    "grid.color": "#dfe4e8",
+    "grid.linewidth": 0.7,
+    "lines.linewidth": 2.0,
+    "lines.solid_capstyle": "round",
+    "xtick.color": "#55626e",
+    "ytick.color": "#55626e",
+    "xtick.labelcolor": "#22303c",
+    "ytick.labelcolor": "#22303c",
+    "legend.frameon": False,
+    "legend.fontsize": 9,
+    "legend.title_fontsize": 9,
+    "legend.handlelength": 1.8,
+    "mathtext.fontset": "dejavusans",
+    "savefig.dpi": 150,
+    "figure.facecolor": "white",
+}
+
+#: Colour of a panel with one curve.
+ACCENT = "#14557b"
+#: Colour of text that comments.
+MUTED = "#6b7782"
+#: Colour of what is marked: peaks, limits.
+MARK = "#c2410c"
+#: Contact → colour, dash and width: right solid, left dashed; ring on top of planet thinner, so that both show.
+CONTACT_STYLES: dict[str, dict[str, Any]] = {
+    "sp": {"color": "#22303c", "linestyle": "-"},
+    "pwr": {"color": "#4a9bd1", "linestyle": "-", "linewidth": 3.6},
+    "pwl": {"color": "#4a9bd1", "linestyle": (0, (2.2, 1.1)), "linewidth": 3.6},
+    "wro": {"color": "#d9730d", "linestyle": "-", "linewidth": 1.5},
+    "wlo": {"color": "#d9730d", "linestyle": (0, (5.9, 2.9)), "linewidth": 1.5},
+}
+#: Contact → what it is, for legends.
+CONTACT_LABELS = {
+    "sp": "sun–planet",
+    "pwr": "planet–right roller",
+    "pwl": "planet–left roller",
+    "wro": "right roller–ring",
+    "wlo": "left roller–ring",
+}
+
+
+def torque_colors(count: int) -> list[Any]:
+    """Colours of a family of curves, light for the first to dark for the last.
+
+    Parameters
+    ----------
+    count : int
+        How many.
+
+    Returns
+    -------
+    list
+        RGBA tuples.
+    """
+    from matplotlib import colormaps
+
+    return [colormaps["YlGnBu"](x) for x in np.linspace(0.35, 0.95, count)]

@@ -1,0 +1,71 @@
+"""What a judged claim looks like."""
+
+from __future__ import annotations
+
+from dataclasses import asdict, dataclass
+from typing import Any
+
+
+@dataclass(frozen=True)
+class Statement:
+    """One sentence of a claim, held against computed numbers.
+
+    Parameters
+    ----------
+    says : str
+        What the paper says, in our words.
+    met : bool
+        Whether the equations give it.
+    evidence : str
+        The computed numbers in a sentence, with units.
+    numbers : dict
+        The same for machines: name with unit → value.
+    """
+
+    says: str
+    met: bool
+    evidence: str
+    numbers: dict[str, float]
+
+
+@dataclass(frozen=True)
+class Claim:
+    """A claim of the paper: met when every one of its statements is.
+
+    Parameters
+    ----------
+    name : str
+        C1 … C13, or ``window``.
+    title : str
+        The claim in a few words.
+    panels : tuple of str
+        Panels of the figures that show it.
+    statements : tuple of Statement
+        Its parts.
+    """
+
+    name: str
+    title: str
+    panels: tuple[str, ...]
+    statements: tuple[Statement, ...]
+
+    @property
+    def met(self) -> bool:
+        """True when every statement is met."""
+        return all(statement.met for statement in self.statements)
+
+    def as_dict(self) -> dict[str, Any]:
+        """The claim as plain data for JSON.
+
+        Returns
+        -------
+        dict
+            ``name``, ``title``, ``panels``, ``met`` and ``statements``.
+        """
+        return {
+            "name": self.name,
+            "title": self.title,
+            "panels": list(self.panels),
+            "met": self.met,
+            "statements": [asdict(statement) for statement in self.statements],
+        }

@@ -1,0 +1,64 @@
+"""The free response: direct sums, far field, and the limit of the periodic one."""
+
+import jax.numpy as jnp
+import numpy as np
+import pytest
+
+from asperity.bem import ElasticPair, FreeHalfSpace, PeriodicHalfSpace
+from asperity.errors import InputError
+
+PAIR = ElasticPair(contact_modulus=2.0, antiplane_modulus=0.7)
+
+
+def test_far_from_one_pixel_the_surface_moves_as_under_boussinesqs_and_cerrutis_point_loads():
+    free = FreeHalfSpace(PAIR, shape=(41, 41), pixel_size=(1.0, 1.0))
+    point = np.zeros((2, 41, 41))
+    point[0, 0, 0] = 1.0
+    x, y = 40.0, 30.0
+    r = np.hypot(x, y)
+    normal = free.normal_displacement(jnp.array(point[0]))[40, 30]
+    assert float(normal) == pytest.approx(
+        1.0 / (np.pi * 2.0 * r), rel=1e-4
+    )  # Johnson 1985, (3.22a), both bodies
+    shear = free.shear_displacement(jnp.array(point))[:, 40, 30]
+    nu, G = PAIR.poisson_ratio, PAIR.antiplane_modulus
+    point_load = np.array([1.0 - nu + nu * x**2 / r**2, nu * x * y / r**2]) / (2.0 * np.pi * G * r)
+    np.testing.assert_allclose(shear, point_load, rtol=1e-4)  # Johnson 1985, (3.75)
+
+
+def test_the_padded_convolution_has_no_images():
+    free = FreeHalfSpace(PAIR, shape=(6, 5), pixel_size=(0.4, 0.3))
+    columns = np.stack([np.ravel(free.normal_displacement(jnp.array(e.reshape(6, 5)))) for e in np.eye(30)])
+    np.testing.assert_allclose(columns, columns.T, atol=1e-15)
+    np.testing.assert_allclose(
+        columns[0, 0], columns[-1, -1], rtol=1e-12
+    )  # corners do not see each other's images
+    assert columns[0, -1] == columns[0].min()
+
+
+def test_the_periodic_response_tends_to_the_free_one_near_a_balanced_load():
+    """A curved load's field decays fast: a long period then changes little."""
+    n = 64
+    smooth = np.exp(-(((np.arange(n) - 32) / 3.0) ** 2))
+    bump = np.outer(smooth, np.gradient(np.gradient(smooth)))
+    free = FreeHalfSpace(PAIR, shape=(n, n), pixel_size=(1.0, 1.0)).normal_displacement(jnp.array(bump))
+    periodic = PeriodicHalfSpace(PAIR, shape=(n, n), pixel_size=(1.0, 1.0)).normal_displacement(
+        jnp.array(bump)
+    )
+    assert float(jnp.abs(free - periodic).max() / jnp.abs(free).max()) < 0.02
+
+
+def test_a_strip_needs_its_reference_and_a_surface_has_infinity():
+    with pytest.raises(InputError, match="needs reference_distance"):
+        FreeHalfSpace(PAIR, shape=(8,), pixel_size=(1.0,))
+    with pytest.raises(InputError, match="the reference is infinity"):
+        FreeHalfSpace(PAIR, shape=(8, 8), pixel_size=(1.0, 1.0), reference_distance=1.0)
+
+
+def test_the_reference_distance_of_a_strip_only_shifts_the_displacement():
+    near = FreeHalfSpace(PAIR, shape=(8,), pixel_size=(0.1,), reference_distance=1.0)
+    far = FreeHalfSpace(PAIR, shape=(8,), pixel_size=(0.1,), reference_distance=10.0)
+    load = jnp.arange(8.0)
+    shift = far.normal_displacement(load) - near.normal_displacement(load)
+    expected = 2.0 / (np.pi * 2.0) * float(load.sum()) * 0.1 * np.log(10.0)
+    np.testing.assert_allclose(shift, expected, rtol=1e-12)

@@ -1,0 +1,107 @@
+"""Smooth line contact against numbers and integrals of its own."""
+
+import math
+
+import jax
+import numpy as np
+import pytest
+from scipy.integrate import quad
+
+from asperity.contact.hertz_line import (
+    FIRST_YIELD_RATIO,
+    effective_radius,
+    half_width,
+    logarithmic_compliance,
+    peak_pressure,
+    ring_secant_compliance,
+    roller_secant_compliance,
+)
+
+E, NU, B = 206e9, 0.3, 5e-3
+MODULUS = E / (2 * (1 - NU**2))
+BODY = {"contact_length": B, "youngs_modulus": E, "poisson_ratio": NU}
+
+
+def test_effective_radius_inside_and_outside():
+    assert float(effective_radius(radius_1=4e-3, radius_2=13.5e-3, sign=1.0)) == pytest.approx(
+        54e-6 / 17.5e-3
+    )
+    assert float(effective_radius(radius_1=5e-3, radius_2=40e-3, sign=-1.0)) == pytest.approx(200e-6 / 35e-3)
+
+
+def test_strip_of_the_papers_sun_contact():
+    """Sun on planet at 1000 N, plain arithmetic: 1.53 GPa, about twice first yield of a 450 MPa steel."""
+    radius = effective_radius(radius_1=4e-3, radius_2=13.5e-3, sign=1.0)
+    width = half_width(
+        normal_force=1000.0, contact_length=B, effective_radius=radius, contact_modulus=MODULUS
+    )
+    pressure = peak_pressure(normal_force=1000.0, contact_length=B, half_width=width)
+    assert float(width) == pytest.approx(
+        math.sqrt(4 * 1000 * 3.0857142857142857e-3 / (math.pi * B * MODULUS)), rel=1e-12
+    )
+    assert float(pressure) == pytest.approx(1.53e9, rel=3e-3)
+    assert float(pressure) / (FIRST_YIELD_RATIO * 450e6) == pytest.approx(2.0, rel=0.03)
+
+
+def test_elliptic_pressure_carries_the_load():
+    width = half_width(normal_force=700.0, contact_length=B, effective_radius=3e-3, contact_modulus=MODULUS)
+    peak = float(peak_pressure(normal_force=700.0, contact_length=B, half_width=width))
+    load, _ = quad(lambda s: peak * math.sqrt(1 - s * s) * B * float(width), -1, 1)
+    assert load == pytest.approx(700.0, rel=1e-9)
+
+
+def compression_of(secant, **geometry):
+    def compression(force):
+        width = half_width(
+            normal_force=force, contact_length=B, effective_radius=3e-3, contact_modulus=MODULUS
+        )
+        return force * secant(half_width=width, **geometry, **BODY)
+
+    return compression
+
+
+@pytest.mark.parametrize(
+    ("secant", "geometry"),
+    [(roller_secant_compliance, {"radius": 4e-3}), (ring_secant_compliance, {"wall_thickness": 8e-3})],
+)
+def test_incremental_compliance_is_secant_less_one_logarithmic_unit(secant, geometry):
+    compression = compression_of(secant, **geometry)
+    force = 600.0
+    incremental = jax.grad(compression)(force)
+    unit = (1 - NU**2) / (math.pi * E * B)
+    assert float(logarithmic_compliance(**BODY)) == pytest.approx(unit, rel=1e-14)
+    assert float(compression(force)) / force - float(incremental) == pytest.approx(unit, rel=1e-9)
+
+
+def test_compression_of_a_roller_and_of_a_wall_by_hand():
+    force = 600.0
+    width = math.sqrt(4 * force * 3e-3 / (math.pi * B * MODULUS))
+    unit = force / B * (1 - NU**2) / (math.pi * E)
+    roller = compression_of(roller_secant_compliance, radius=4e-3)(force)
+    wall = compression_of(ring_secant_compliance, wall_thickness=8e-3)(force)
+    assert float(roller) == pytest.approx(unit * (2 * math.log(4 * 4e-3 / width) - 1), rel=1e-12)
+    assert float(wall) == pytest.approx(
+        2 * unit * (math.log(2 * 8e-3 / width) - NU / (2 * (1 - NU))), rel=1e-12
+    )
+
+
+def test_wall_compression_is_boussinesq_minus_far_field():
+    """Plane strain half plane under an elliptic pressure: depth integral of the strain under its middle down to h.
+
+    On the axis (Johnson 1985, 4.46) sigma_x = -p0 [(b^2 + 2 z^2)/(b sqrt(b^2 + z^2)) - 2 z/b],
+    sigma_z = -p0 b/sqrt(b^2 + z^2).
+    """
+    force, depth = 600.0, 8e-3
+    width = math.sqrt(4 * force * 3e-3 / (math.pi * B * MODULUS))
+    peak = 2 * force / (math.pi * width * B)
+
+    def strain(z):
+        root = math.hypot(width, z)
+        across = -peak * ((width**2 + 2 * z**2) / (width * root) - 2 * z / width)
+        down = -peak * width / root
+        return -((1 - NU**2) * down - NU * (1 + NU) * across) / E
+
+    exact, _ = quad(strain, 0.0, depth, epsrel=1e-10, points=[width, 10 * width], limit=200)
+    found = compression_of(ring_secant_compliance, wall_thickness=depth)(force)
+    assert float(found) == pytest.approx(exact, rel=2e-3)  # the formula drops terms of (b/h)^2
+    np.testing.assert_array_less(width / depth, 0.02)

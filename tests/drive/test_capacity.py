@@ -1,0 +1,98 @@
+"""Torque capacity: every contact at or below mu N, one of them exactly at it."""
+
+import math
+
+import jax
+import jax.numpy as jnp
+import numpy as np
+import pytest
+
+from asperity.drive.capacity import slip_ratio, torque_capacity
+from asperity.drive.force_balance import Bearings, Mechanism, NormalSprings, force_balance
+from asperity.drive.geometry import CONTACT_NAMES, DriveGeometry
+
+PAPER = DriveGeometry(4e-3, 13.5e-3, 5e-3, 40e-3, 3.0, 0.0, 0.0)
+
+
+def drive(preload=1000.0, closure="elastic", roller_torque=0.0, sun_torque=0.0):
+    compliance = jnp.full(5, 7e-9)
+    return Mechanism(
+        geometry=PAPER,
+        bearings=Bearings(sun_torque, roller_torque, 0.0, 0.0, 0.0),
+        springs=NormalSprings(compliance, 0.9 * compliance),
+        preload=preload,
+        carrier_speed=0.0,
+        planet_mass=0.02,
+        loading_roller_mass=0.003,
+        closure=closure,
+    )
+
+
+@jax.jit
+def capacity(mechanism, friction):
+    return torque_capacity(mechanism=mechanism, friction_coefficient=friction)
+
+
+def ratios(mechanism, torque, friction):
+    forces = force_balance(mechanism=mechanism, output_torque=torque)
+    return np.asarray(
+        slip_ratio(
+            normal_force=forces.normal, tangential_force=forces.tangential, friction_coefficient=friction
+        )
+    )
+
+
+@pytest.mark.parametrize("mu", [0.05, 0.12, 0.2])
+def test_at_capacity_one_contact_is_at_its_limit_and_none_beyond(mu):
+    friction = jnp.array([mu])
+    found = capacity(drive(), friction)
+    at_limit = ratios(drive(), found.output_torque, friction)
+    assert at_limit.max() == pytest.approx(1.0, rel=1e-9)
+    assert int(found.limiting_contact) == int(at_limit.argmax())
+
+
+def test_per_contact_friction_names_the_weak_contact():
+    friction = jnp.array([0.2, 0.2, 0.05, 0.2, 0.2])
+    found = capacity(drive(), friction)
+    assert CONTACT_NAMES[int(found.limiting_contact)] == "pwl"
+    assert ratios(drive(), found.output_torque, friction)[2] == pytest.approx(1.0, rel=1e-9)
+
+
+def test_a_steep_enough_friction_never_slips():
+    """Once the left roller has lifted, the traction coefficient stays at tan(theta/2) = 0.2408."""
+    direction = math.radians(27.0830551)  # model values of the paper's joint
+    limit = math.tan(direction / 2.0)
+    assert math.isinf(float(capacity(drive(), jnp.array([1.001 * limit])).output_torque))
+    assert math.isfinite(float(capacity(drive(), jnp.array([0.99 * limit])).output_torque))
+
+
+def test_capacity_is_proportional_to_the_preload_of_a_linear_drive():
+    """Linear springs and no speed: all forces scale with the load."""
+    compliance = jnp.full(5, 7e-9)
+    linear = lambda n: Mechanism(  # noqa: E731
+        geometry=PAPER, bearings=Bearings(0.0, 0.0, 0.0, 0.0, 0.0), springs=NormalSprings(compliance, compliance),
+        preload=n, carrier_speed=0.0, planet_mass=0.0, loading_roller_mass=0.0, closure="elastic",
+    )  # fmt: skip
+    friction = jnp.array([0.12])
+    one, two = (float(capacity(linear(n), friction).output_torque) for n in (500.0, 1000.0))
+    assert two == pytest.approx(2.0 * one, rel=1e-9)
+
+
+def test_a_bearing_that_drags_too_hard_leaves_no_capacity():
+    assert float(capacity(drive(roller_torque=5.0), jnp.array([0.12])).output_torque) == 0.0
+
+
+def test_gradient_is_the_implicit_one():
+    friction = jnp.array([0.12])
+
+    def of_preload(n):
+        return torque_capacity(mechanism=drive(preload=n), friction_coefficient=friction).output_torque
+
+    slope = float(jax.jit(jax.grad(of_preload))(1000.0))
+    difference = float(of_preload(1001.0) - of_preload(999.0)) / 2.0
+    assert slope == pytest.approx(difference, rel=1e-6)
+
+
+def test_slip_ratio_of_an_open_contact():
+    assert float(slip_ratio(normal_force=0.0, tangential_force=1.0, friction_coefficient=0.1)) == math.inf
+    assert float(slip_ratio(normal_force=0.0, tangential_force=0.0, friction_coefficient=0.1)) == 0.0

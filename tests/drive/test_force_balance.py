@@ -1,0 +1,418 @@
+"""The force balance against its equations written out anew, an independent solver, and global balances.
+
+Everything is computed for batches of one size, so that each closure is compiled once for the whole file.
+"""
+
+import importlib.util
+import math
+from pathlib import Path
+
+import equinox as eqx
+import jax
+import numpy as np
+import pytest
+
+from asperity.drive.force_balance import force_balance, rest_state
+from asperity.joint import mechanism
+
+SIZE = 256
+CLOSURES = ("elastic", "constant_pin_force")
+
+
+@eqx.filter_jit
+def solved_forces(joint):
+    return force_balance(mechanism=mechanism(joint), output_torque=joint.output_torque)
+
+
+def numbers(forces):
+    names = ("sp", "pwr", "pwl", "wro", "wlo")
+    flat = {f"N_{name}": value for name, value in zip(names, np.asarray(forces.normal), strict=True)}
+    flat |= {f"T_{name}": value for name, value in zip(names, np.asarray(forces.tangential), strict=True)}
+    flat |= {"F_cl": forces.pin_left, "F_cr": forces.pin_right}
+    flat |= {"T_in": forces.input_torque, "T_out": forces.output_torque}
+    flat |= {"B_l": forces.left_bearing_torque, "B_r": forces.right_bearing_torque}
+    return {key: np.asarray(value) for key, value in flat.items()}
+
+
+@pytest.fixture(scope="module")
+def forces_of(paper_joint):
+    """Forces of a batch of the paper's joint with changes, as a dictionary of arrays of the length of the changes."""
+
+    def solve(**changes):
+        closure = changes.pop("closure", "elastic")
+        rows = np.broadcast_arrays(*map(np.atleast_1d, changes.values()))
+        count = rows[0].size
+        padded = {key: np.resize(row, SIZE).astype(float) for key, row in zip(changes, rows, strict=True)}
+        forces = solved_forces(paper_joint(closure=closure, **({"preload": np.full(SIZE, 1000.0)} | padded)))
+        found = {key: value[:count] for key, value in numbers(forces).items()}
+        return found | {
+            "balance": np.asarray(forces.balance_residual)[:count],
+            "closure": np.asarray(forces.closure_residual)[:count],
+        }
+
+    return solve
+
+
+def random_drives(seed):
+    """Drives around the paper's with everything different: sizes, planets, angles, losses, speed, load."""
+    rng = np.random.default_rng(seed)
+
+    def between(low, high):
+        return rng.uniform(low, high, SIZE)
+
+    return {
+        "sun_radius": between(3.8e-3, 4.4e-3),
+        "planet_radius": between(13.4e-3, 13.8e-3),
+        "loading_roller_radius": between(5.0e-3, 5.3e-3),
+        "planet_count": rng.integers(2, 5, SIZE).astype(float),
+        "left_push_angle": between(-0.2, 0.2),
+        "right_push_angle": between(-0.2, 0.2),
+        "ring_wall_thickness": between(4e-3, 12e-3),
+        "sun_torque": between(0, 5e-3),
+        "loading_roller_torque": between(0, 5e-3),
+        "carrier_torque": between(0, 5e-2),
+        "pin_friction_coefficient": between(0, 5e-3),
+        "pin_diameter": between(2e-3, 6e-3),
+        "contact_length": between(4e-3, 12e-3),
+        "preload": between(1000, 2000),
+        "output_torque": between(0.1, 2.5),
+        "sun_speed": between(0, 1500),
+    }
+
+
+def by_cosines(x, ring=40e-3):
+    """Sides and angles of the triangle of centres by the law of cosines, each at its own corner."""
+    OP, PW = x["sun_radius"] + x["planet_radius"], x["planet_radius"] + x["loading_roller_radius"]
+    OW = ring - x["loading_roller_radius"]
+    theta = np.pi - np.arccos((OP**2 + PW**2 - OW**2) / (2 * OP * PW))
+    beta = np.arccos((PW**2 + OW**2 - OP**2) / (2 * PW * OW))
+    return OP, OW, theta, beta
+
+
+def inertia(x):
+    OP, OW, _, _ = by_cosines(x)
+    speed = x["sun_speed"] * x["sun_radius"] / (40e-3 - x["sun_radius"])
+    mass = {
+        k: 7850 * np.pi * x[k] ** 2 * x["contact_length"] for k in ("planet_radius", "loading_roller_radius")
+    }
+    return mass["planet_radius"] * speed**2 * OP, mass["loading_roller_radius"] * speed**2 * OW
+
+
+@pytest.mark.parametrize("closure", CLOSURES)
+def test_the_eleven_equations_written_anew(forces_of, closure):
+    """(1)-(5) as free bodies: every contact force as a vector acting at its point, with Newton's third law."""
+    x = random_drives(3)
+    f = forces_of(closure=closure, **x)
+    _, OW, theta, beta = by_cosines(x)
+    C_p, C_w = inertia(x)
+    zero, one = np.zeros(SIZE), np.ones(SIZE)
+
+    def vector(
+        angle,
+    ):  # unit vector at an angle from the radial line y towards x, the planet's direction of drive
+        return np.stack([np.sin(angle) * one, np.cos(angle) * one])
+
+    along_x, up = np.stack([one, zero]), np.stack([zero, one])
+    to_r, to_l = vector(theta), vector(-theta)  # from the planet's centre to the rollers
+    side_r, side_l = np.stack([to_r[1], -to_r[0]]), np.stack([to_l[1], -to_l[0]])  # turned clockwise
+    # planet: the sun pushes it outwards and along x; rollers push it inwards and brake its surface
+    planet = (
+        f["N_sp"] * up
+        + f["T_sp"] * along_x
+        - f["N_pwr"] * to_r
+        - f["N_pwl"] * to_l
+        + f["T_pwr"] * side_r
+        + f["T_pwl"] * side_l
+        + C_p * up
+    )
+    out_r, out_l = vector(theta - beta), vector(beta - theta)  # from the axis through the rollers' centres
+    round_r, round_l = np.stack([out_r[1], -out_r[0]]), np.stack([out_l[1], -out_l[0]])
+    pin_r = -np.cos(x["right_push_angle"]) * round_r + np.sin(x["right_push_angle"]) * out_r
+    pin_l = np.cos(x["left_push_angle"]) * round_l + np.sin(x["left_push_angle"]) * out_l
+    right = (
+        f["N_pwr"] * to_r
+        - f["T_pwr"] * side_r
+        - f["N_wro"] * out_r
+        - f["T_wro"] * round_r
+        + f["F_cr"] * pin_r
+        + C_w * out_r
+    )
+    left = (
+        f["N_pwl"] * to_l
+        - f["T_pwl"] * side_l
+        - f["N_wlo"] * out_l
+        - f["T_wlo"] * round_l
+        + f["F_cl"] * pin_l
+        + C_w * out_l
+    )
+    R_w, n = x["loading_roller_radius"], x["planet_count"]
+    # the pins of a branch push its two rollers towards each other; the ring brakes both
+    push = f["F_cl"] * np.cos(x["left_push_angle"]) - f["F_cr"] * np.cos(x["right_push_angle"])
+    residuals = [
+        (f["T_in"] - 2 * x["sun_torque"]) / x["sun_radius"] - n * f["T_sp"],
+        *planet,
+        f["T_sp"] - f["T_pwr"] - f["T_pwl"],
+        *right,
+        *left,
+        f["T_wlo"] - f["T_pwl"] + 2 * f["B_l"] / R_w,
+        f["T_wro"] - f["T_pwr"] + 2 * f["B_r"] / R_w,
+        n * push - (2 * x["carrier_torque"] + x["output_torque"]) / OW,
+    ]
+    assert len(residuals) == 11
+    for index, residual in enumerate(residuals):
+        assert np.abs(residual / f["N_sp"]).max() < 1e-12, index
+    assert f["balance"].max() < 1e-12
+    assert f["closure"].max() < 1e-9
+    np.testing.assert_allclose(f["T_out"], x["output_torque"])
+    # a pin's friction torque grows with its force
+    for side in ("l", "r"):
+        friction = x["pin_friction_coefficient"] * np.abs(f[f"F_c{side}"]) * x["pin_diameter"] / 2
+        np.testing.assert_allclose(f[f"B_{side}"], x["loading_roller_torque"] + friction, rtol=1e-12)
+
+
+@pytest.mark.parametrize("closure", CLOSURES)
+def test_global_balances_and_the_closures_themselves(forces_of, closure):
+    x = random_drives(4)
+    f = forces_of(closure=closure, **x)
+    _, _, theta, beta = by_cosines(x)
+    n = x["planet_count"]
+    # the whole drive about its axis: the ring takes what goes in and out; bearings of (1), (3)-(5) enter as printed
+    bearings = 2 * x["sun_torque"] - 2 * x["carrier_torque"] + 2 * n * (f["B_l"] + f["B_r"])
+    ring = n * 40e-3 * (f["T_wro"] + f["T_wlo"])
+    np.testing.assert_allclose(f["T_in"] + f["T_out"], ring + bearings, rtol=1e-11)
+    np.testing.assert_allclose((f["N_pwr"] - f["N_pwl"]) * np.tan(theta / 2), f["T_sp"], rtol=1e-10)
+    np.testing.assert_allclose(f["T_pwr"] * f["N_pwl"], f["T_pwl"] * f["N_pwr"], rtol=1e-12)  # equal creep
+    rest = {"pw": x["preload"] / (2 * np.cos(theta))}
+    pins = {side: rest["pw"] * np.sin(beta) / np.cos(x[f"{side}_push_angle"]) for side in ("left", "right")}
+    if closure == "constant_pin_force":
+        np.testing.assert_allclose(f["F_cr"], pins["right"], rtol=1e-10)
+        return
+    # elastic: five compressions must come from four displacements
+    rest |= {
+        "wro": pins["right"] * np.sin(x["right_push_angle"]) + rest["pw"] * np.cos(beta),
+        "wlo": pins["left"] * np.sin(x["left_push_angle"]) + rest["pw"] * np.cos(beta),
+        "sp": x["preload"],
+    }
+    rest |= {"pwr": rest["pw"], "pwl": rest["pw"]}
+    approach = {c: compression(c, f[f"N_{c}"], x) - compression(c, rest[c], x) for c in COMPRESSED}
+    for i in range(0, SIZE, 16):
+        sin, cos, cos_b = np.sin(theta[i]), np.cos(theta[i]), np.cos(beta[i])
+        follows = np.array(  # of planet x, planet y, right roller out, left roller out
+            [[0, -1, 0, 0], [sin, cos, -cos_b, 0], [-sin, cos, 0, -cos_b], [0, 0, 1, 0], [0, 0, 0, 1]]
+        )
+        five = np.array([approach[c][i] for c in COMPRESSED])
+        moved, *_ = np.linalg.lstsq(follows, five, rcond=None)
+        np.testing.assert_allclose(follows @ moved, five, atol=1e-9 * np.abs(five).max())
+
+
+COMPRESSED = ("sp", "pwr", "pwl", "wro", "wlo")
+
+
+def compression(contact, N, x):
+    """Johnson 1985, 5.6 for rollers and Weber and Banaschek 1953 for the ring's wall, line contact of like steel."""
+    E, nu, B = 206e9, 0.3, x["contact_length"]
+    R1, R2 = {
+        "sp": (x["sun_radius"], x["planet_radius"]),
+        "pw": (x["planet_radius"], x["loading_roller_radius"]),
+        "wo": (x["loading_roller_radius"], 40e-3),
+    }[contact[0] + contact[-1] if contact[0] == "w" else contact[:2]]
+    inner = contact[0] == "w"
+    R = R1 * R2 / (R2 - R1 if inner else R1 + R2)
+    b = np.sqrt(4 * N * R * 2 * (1 - nu**2) / (np.pi * B * E))
+    unit = N / B * (1 - nu**2) / (np.pi * E)
+    if not inner:
+        return unit * (2 * np.log(4 * R1 / b) - 1 + 2 * np.log(4 * R2 / b) - 1)
+    wall = 2 * np.log(2 * x["ring_wall_thickness"] / b) - nu / (1 - nu)
+    return unit * (2 * np.log(4 * R1 / b) - 1 + wall)
+
+
+def load_baseline():
+    path = Path(__file__).parents[2] / "benchmarks" / "baseline_scipy.py"
+    if not path.exists():
+        pytest.skip("benchmarks/ is not shipped with this copy")
+    spec = importlib.util.spec_from_file_location("baseline_scipy", path)
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module
+
+
+@pytest.mark.parametrize("closure", CLOSURES)
+def test_agreement_with_an_independent_solver(forces_of, closure):
+    """The SciPy baseline solves for 13 forces and 4 displacements at once and shares no code."""
+    baseline = load_baseline()
+    x = {key: value[:8] for key, value in random_drives(5).items()}
+    f = forces_of(closure=closure, **x)
+    names = {
+        "planet_count": "planets",
+        "left_push_angle": "push_angle_left",
+        "right_push_angle": "push_angle_right",
+        "ring_wall_thickness": "ring_wall",
+        "sun_torque": "bearing_torque_sun",
+        "loading_roller_torque": "bearing_torque_loading_roller",
+        "carrier_torque": "bearing_torque_carrier",
+        "pin_friction_coefficient": "bearing_friction",
+        "pin_diameter": "bearing_diameter",
+    }
+    for i in range(8):
+        case = {names.get(key, key): value[i] for key, value in x.items()}
+        other = baseline.force_balance(
+            {**baseline.PAPER, **case, "closure": closure, "normal_law": "nonlinear"}
+        )
+        for c in COMPRESSED:
+            assert f[f"N_{c}"][i] == pytest.approx(other["normal"][c], rel=1e-9)
+            assert f[f"T_{c}"][i] == pytest.approx(other["tangential"][c], rel=1e-9, abs=1e-9)
+        assert f["F_cl"][i] == pytest.approx(other["pin"]["left"], rel=1e-8)
+        assert f["F_cr"][i] == pytest.approx(other["pin"]["right"], rel=1e-8)
+        assert f["T_in"][i] == pytest.approx(other["input_torque"], rel=1e-9)
+
+
+def test_guide_values_of_the_papers_joint(forces_of):
+    """Values computed elsewhere for 5 N·m with linear springs, good to 1 %; T_sp follows from statics alone."""
+    f = forces_of(output_torque=5.0)
+    guide = {
+        "N_sp": 1000,
+        "N_pwr": 657,
+        "N_pwl": 465,
+        "N_wro": 646,
+        "N_wlo": 449,
+        "T_pwr": 27.1,
+        "T_pwl": 19.2,
+    }
+    for name, value in guide.items():
+        assert f[name][0] == pytest.approx(value, rel=0.01), name
+    assert f["T_sp"][0] == pytest.approx(5.0 / 9.0 / (3 * 4e-3), rel=1e-10)  # T_in = T_out/9
+    assert f["T_sp"][0] == pytest.approx(46.30, abs=0.005)
+    assert f["T_in"][0] == pytest.approx(5.0 / 9.0, rel=1e-10)
+
+
+@pytest.mark.parametrize("closure", CLOSURES)
+def test_no_losses_nine_to_one_and_rest_at_no_torque(forces_of, closure):
+    torque = np.array([0.0, 1.0, 5.0])
+    f = forces_of(closure=closure, output_torque=torque, sun_speed=0.0)
+    np.testing.assert_allclose(9.0 * f["T_in"], torque, rtol=1e-11, atol=1e-13)
+    side = 1000.0 / (2 * math.cos(math.radians(27.0831)))  # (2) y by hand
+    rest = {"N_sp": 1000.0, "N_pwr": side, "N_pwl": side}
+    for name, value in rest.items():
+        assert f[name][0] == pytest.approx(value, rel=1e-6)
+
+
+def test_rest_state_balances_with_inclined_pins(paper_joint):
+    x = {key: value[:5] for key, value in random_drives(6).items()}
+    joint = paper_joint(**x)
+    rest = rest_state(geometry=joint.geometry, preload=joint.preload)
+    _, _, theta, beta = by_cosines(x)
+    sp, pwr, pwl, wro, wlo = np.asarray(rest.normal_force)
+    np.testing.assert_allclose(sp, (pwr + pwl) * np.cos(theta), rtol=1e-12)
+    for pw, wo, pin, angle in (
+        (pwr, wro, rest.pin_force_right, x["right_push_angle"]),
+        (pwl, wlo, rest.pin_force_left, x["left_push_angle"]),
+    ):
+        np.testing.assert_allclose(pin * np.cos(angle), pw * np.sin(beta), rtol=1e-12)
+        np.testing.assert_allclose(pin * np.sin(angle) + pw * np.cos(beta), wo, rtol=1e-12)
+
+
+def test_forces_move_with_torque_as_in_figure_5(forces_of):
+    f = forces_of(output_torque=np.linspace(0.0, 8.0, 9))
+    for name in ("N_sp", "N_pwr", "N_wro", "T_sp", "T_pwr", "T_pwl", "T_wro", "T_wlo"):
+        assert (np.diff(f[name]) > 0).all(), name
+    for name in ("N_pwl", "N_wlo"):
+        assert (np.diff(f[name]) < 0).all(), name
+
+
+def test_the_other_direction_is_the_mirror_image(forces_of):
+    x = {"left_push_angle": 0.1, "right_push_angle": -0.15}
+    swapped = {"left_push_angle": -0.15, "right_push_angle": 0.1}
+    forward, backward = forces_of(output_torque=4.0, **x), forces_of(output_torque=-4.0, **swapped)
+    for one, other, sign in (
+        ("N_sp", "N_sp", 1),
+        ("N_pwr", "N_pwl", 1),
+        ("N_wro", "N_wlo", 1),
+        ("T_sp", "T_sp", -1),
+        ("T_pwr", "T_pwl", -1),
+        ("T_wro", "T_wlo", -1),
+        ("F_cr", "F_cl", 1),
+    ):
+        assert forward[one][0] == pytest.approx(sign * backward[other][0], rel=1e-9), one
+
+
+@pytest.mark.parametrize("closure", CLOSURES)
+def test_scaled_drive_and_other_units(forces_of, closure):
+    """All lengths times s: forces s^2, torques s^3, speeds 1/s. And the same drive in mm, N, MPa, tonnes."""
+    lengths = {
+        "sun_radius": 4e-3,
+        "planet_radius": 13.5e-3,
+        "loading_roller_radius": 5e-3,
+        "ring_radius": 40e-3,
+        "contact_length": 5e-3,
+        "ring_wall_thickness": 8e-3,
+        "pin_diameter": 3e-3,
+    }
+    rest = {"pin_friction_coefficient": 3e-3, "loading_roller_torque": 1e-3, "carrier_torque": 1e-2}
+    rest |= {"preload": 900.0, "output_torque": 4.0, "sun_speed": 700.0}
+    here = forces_of(closure=closure, **lengths, **rest)
+    s = 1.7
+    power = {"preload": 2, "sun_speed": -1, "pin_friction_coefficient": 0}
+    bigger = {key: value * s ** power.get(key, 3) for key, value in rest.items()}
+    there = forces_of(closure=closure, **{key: value * s for key, value in lengths.items()}, **bigger)
+    power = {"preload": 0, "sun_speed": 0, "pin_friction_coefficient": 0}
+    in_mm = {key: value * 1e3 ** power.get(key, 1) for key, value in rest.items()}
+    in_mm |= {"youngs_modulus": 206e3, "density": 7850e-12}
+    millimetres = forces_of(closure=closure, **{key: value * 1e3 for key, value in lengths.items()}, **in_mm)
+    for name, value in here.items():
+        if name in ("balance", "closure"):
+            continue
+        torque = name in ("T_in", "T_out", "B_l", "B_r")
+        assert there[name][0] == pytest.approx(value[0] * s ** (3 if torque else 2), rel=1e-9), name
+        assert millimetres[name][0] == pytest.approx(value[0] * (1e3 if torque else 1), rel=1e-9), name
+
+
+@pytest.mark.parametrize("closure", CLOSURES)
+def test_too_much_torque_lifts_the_left_roller_and_nothing_pulls(forces_of, closure):
+    torque = np.array([5.0, 20.0, 40.0, 60.0, 200.0])
+    f = forces_of(closure=closure, output_torque=torque)
+    for name in ("N_sp", "N_pwr", "N_pwl", "N_wro", "N_wlo"):
+        assert (f[name] >= 0).all(), name
+    if closure == "elastic":  # a constant pin force goes on pressing
+        assert f["N_pwl"][0] > 0
+        assert (f["N_pwl"][-2:] == 0).all()
+        assert (np.abs(f["T_pwl"][-2:]) < 1e-9).all()
+    assert f["balance"].max() < 1e-9
+    np.testing.assert_allclose(9.0 * f["T_in"], torque, rtol=1e-9)  # the statics do not care
+
+
+def test_speed_lifts_the_planet_off_the_sun_and_nothing_pulls(forces_of):
+    rpm = np.array([0.0, 6e3, 6e4, 3e5, 1e6])
+    f = forces_of(sun_speed=rpm * math.pi / 30, output_torque=1.0)
+    assert (np.diff(f["N_sp"]) <= 0).all()
+    assert f["N_sp"][-1] == 0
+    assert (f["N_pwl"] >= 0).all()
+    assert f["balance"].max() < 1e-9
+    slow = forces_of(sun_speed=rpm[:2] * math.pi / 30, output_torque=1.0)["N_wro"]
+    assert slow[1] > slow[0]  # the roller's own weight presses it to the ring
+
+
+def test_gradients_of_all_forces_are_those_of_the_equations(paper_joint):
+    """Derivatives along a random direction in all continuous inputs, against central differences."""
+    x, closure = random_drives(8), "elastic"
+    keys = [key for key in x if key != "planet_count"]
+    rng = np.random.default_rng(9)
+    direction = {key: rng.uniform(-1, 1, SIZE) * np.abs(x[key]) for key in keys}
+
+    @eqx.filter_jit
+    def along(joint, tangent):
+        return jax.jvp(lambda j: solved_forces(j).normal, (joint,), (tangent,))
+
+    joint = paper_joint(closure=closure, **x)
+    moved = paper_joint(closure=closure, **(x | {key: x[key] + direction[key] for key in keys}))
+    rigid = lambda leaf: np.where(np.isinf(leaf), 0.0, leaf)  # noqa: E731
+    tangent = jax.tree.map(lambda there, here: rigid(there) - rigid(here), moved, joint)
+    value, slope = along(joint, tangent)
+    h = 1e-5
+    up, down = (
+        solved_forces(
+            paper_joint(closure=closure, **(x | {key: x[key] + k * h * direction[key] for key in keys}))
+        )
+        for k in (1, -1)
+    )
+    difference = np.asarray(up.normal - down.normal) / (2 * h)
+    np.testing.assert_allclose(slope, difference, rtol=1e-6, atol=1e-6 * float(np.max(value)))

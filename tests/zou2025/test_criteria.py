@@ -1,0 +1,65 @@
+"""The measures behind the verdicts, on curves whose answer is known."""
+
+import numpy as np
+import pytest
+
+from asperity.zou2025 import criteria
+
+X = np.linspace(0.0, 10.0, 101)
+
+
+def test_rises_and_falls_want_every_step() -> None:
+    assert criteria.rises(X)
+    assert not criteria.rises(-X)
+    assert criteria.falls(-X)
+    assert not criteria.falls(np.array([3.0, 2.0, 2.0]))
+    assert not criteria.rises(np.array([[1.0, 2.0], [2.0, 1.0]]))
+
+
+def test_relative_change() -> None:
+    np.testing.assert_allclose(
+        criteria.relative_change(np.array([[2.0, 9.0, 3.0], [4.0, 0.0, 2.0]])), [0.5, -0.5]
+    )
+
+
+def test_chord_of_a_line_and_of_a_parabola() -> None:
+    assert criteria.departure_from_chord(X, 3.0 - 2.0 * X) == pytest.approx(0.0, abs=1e-12)
+    assert criteria.departure_from_chord(X, X**2) == pytest.approx(0.25)  # x - x^2 at x = 1/2 of the range
+
+
+def test_peak_between_samples() -> None:
+    assert criteria.peak(X, 7.0 - (X - 4.237) ** 2) == pytest.approx(4.237)
+
+
+def test_peak_at_an_end_is_that_end() -> None:
+    assert criteria.peak(X, X) == 10.0
+    assert criteria.peak(X, -X) == 0.0
+
+
+def test_relative_difference_does_not_care_for_order() -> None:
+    assert criteria.relative_difference(np.array(8.0), np.array(10.0)) == pytest.approx(0.2)
+    assert criteria.relative_difference(np.array(10.0), np.array(8.0)) == pytest.approx(0.2)
+
+
+def test_rising_share() -> None:
+    assert criteria.rising_share(np.array([0.0, 1.0, 2.0, 3.0, 1.0])) == pytest.approx(0.75)
+
+
+def test_slope_ratio() -> None:
+    assert criteria.slope_ratio(X, 2.0 * X) == pytest.approx(1.0)
+    assert criteria.slope_ratio(X, 1.0 - np.exp(-X)) == pytest.approx(np.exp(-9.0), rel=1e-6)
+
+
+def test_interval_above() -> None:
+    parabola = 1.0 - ((X - 5.0) / 4.0) ** 2  # 0.75 of the top at 5 ± 2
+    assert criteria.interval_above(X, parabola, 0.75) == pytest.approx((3.0, 7.0))
+    assert criteria.interval_above(X, X, 0.5) == pytest.approx((5.0, 10.0))
+
+
+def test_every_criterion_tells_its_rule() -> None:
+    assert len({c.name for c in criteria.CRITERIA}) == len(criteria.CRITERIA)
+    assert all(c.limit > 0.0 and c.meaning for c in criteria.CRITERIA)
+
+
+def test_slight_and_significant_share_their_border() -> None:
+    assert criteria.SLIGHT.limit == criteria.SIGNIFICANT.limit

@@ -1,0 +1,79 @@
+"""The preset holds what the tables print."""
+
+import math
+from pathlib import Path
+
+import jax
+import numpy as np
+import pytest
+
+from asperity.case.build import joint_from_case
+from asperity.case.reader import read_case
+from asperity.drive.geometry import angles
+from asperity.zou2025 import preset
+from asperity.zou2025.curves import Curves
+
+
+def test_sun_tangential_force_at_full_torque(curves: Curves) -> None:
+    # without losses T_out = 9 T_in and T_in = 3 T_sp R_s
+    force = curves.loads.tangential_force[0, -1, 0]
+    assert force == pytest.approx(5.0 / 9.0 / 3.0 / 4e-3, rel=1e-12)
+    assert round(float(force), 2) == 46.30
+
+
+def test_output_stiffness_without_and_at_full_torque(curves: Curves) -> None:
+    stiffness = curves.loads.output_stiffness[:, 0]
+    assert stiffness[0] == pytest.approx(5.0e6, rel=0.01)  # the model reference states two digits
+    assert stiffness[-1] == pytest.approx(4.3e6, rel=0.01)
+
+
+def test_stiffness_at_the_output_is_81_times_that_at_the_sun(curves: Curves) -> None:
+    np.testing.assert_allclose(curves.loads.output_stiffness, 81.0 * curves.loads.sun_stiffness, rtol=1e-12)
+
+
+def test_guide_values_of_the_forces_at_full_torque(curves: Curves) -> None:
+    np.testing.assert_allclose(
+        curves.loads.normal_force[:, -1, 0], [1000.0, 657.0, 465.0, 646.0, 449.0], rtol=0.01
+    )
+    np.testing.assert_allclose(curves.loads.tangential_force[1:3, -1, 0], [27.1, 19.2], rtol=0.01)
+
+
+def test_geometry_of_table_2() -> None:
+    geometry = preset.table_2_joint(preset.operating_grid()).geometry
+    assert math.degrees(float(angles(geometry).wedge)) == pytest.approx(13.1582, abs=1e-4)
+
+
+def test_hardness_is_tabors() -> None:
+    assert float(preset.steel().hardness) == pytest.approx(1260e6)
+
+
+def test_grid_has_the_order_of_its_arguments() -> None:
+    point = preset.operating_grid(
+        output_torque=np.array([1.0, 2.0, 3.0]), contact_length=np.array([5e-3, 6e-3])
+    )
+    assert point.output_torque.shape == (3, 2)
+    np.testing.assert_array_equal(point.output_torque[:, 0], [1.0, 2.0, 3.0])
+    np.testing.assert_array_equal(point.contact_length[0], [5e-3, 6e-3])
+    np.testing.assert_array_equal(np.asarray(point.fractal_dimension), np.full((3, 2), 1.4))
+
+
+def test_joined_keeps_every_point_in_order() -> None:
+    one = preset.operating_grid(output_torque=np.array([1.0, 2.0]), fractal_dimension=np.array([1.3, 1.4]))
+    other = preset.operating_grid(output_torque=np.array([5.0]))
+    flat = preset.joined((one, other))
+    np.testing.assert_array_equal(flat.output_torque, [1.0, 1.0, 2.0, 2.0, 5.0])
+    np.testing.assert_array_equal(flat.fractal_dimension, [1.3, 1.4, 1.3, 1.4, 1.4])
+
+
+def test_a_column_that_table_1_does_not_have_is_refused() -> None:
+    with pytest.raises(TypeError, match=r"no column \['viscosity'\]"):
+        preset.table_1_pair(viscosity=1.0)
+
+
+def test_the_joint_is_the_one_of_the_example_file() -> None:
+    example = Path(__file__).parents[2] / "examples" / "zou2025.toml"
+    from_file = joint_from_case(read_case(example))
+    from_preset = preset.table_2_joint(preset.operating_grid())
+    assert jax.tree.structure(from_file) == jax.tree.structure(from_preset)
+    for one, other in zip(jax.tree.leaves(from_file), jax.tree.leaves(from_preset), strict=True):
+        np.testing.assert_allclose(np.asarray(one, dtype=float), np.asarray(other, dtype=float), rtol=1e-14)
