@@ -154,7 +154,9 @@ def _tables(name: str, extension: str | Path | None) -> dict[str, dict[str, Any]
         except tomllib.TOMLDecodeError as error:
             raise InputError(f"{extension}: not valid TOML: {error}") from None
         except (OSError, UnicodeDecodeError) as error:
-            raise InputError(f"{extension}: cannot be read: {getattr(error, 'strerror', None) or error}") from None
+            raise InputError(
+                f"{extension}: cannot be read: {getattr(error, 'strerror', None) or error}"
+            ) from None
         for entry, value in added.items():
             if not isinstance(value, dict):
                 raise InputError(f"{extension}: {entry}: expected a table, got {value!r}")
@@ -165,7 +167,9 @@ def _tables(name: str, extension: str | Path | None) -> dict[str, dict[str, Any]
 def _words(name: str, entry: Mapping[str, Any]) -> dict[str, str]:
     for word in ("description", "reference"):
         if not isinstance(entry.get(word), str) or not entry[word].strip():
-            raise InputError(f"library entry {name}: '{word}' must be there, as text: an entry without a source is no use")
+            raise InputError(
+                f"library entry {name}: '{word}' must be there, as text: an entry without a source is no use"
+            )
     return {word: str(entry.get(word, "")) for word in _WORDS}
 
 
@@ -204,7 +208,9 @@ def read_materials(extension: str | Path | None = None) -> dict[str, LibraryMate
             if key not in numbers:
                 raise InputError(f"library entry {name}: '{key}' is missing")
         if ("hardness" in numbers) == ("hardness_factor" in numbers):
-            raise InputError(f"library entry {name}: exactly one of 'hardness' and 'hardness_factor' is needed")
+            raise InputError(
+                f"library entry {name}: exactly one of 'hardness' and 'hardness_factor' is needed"
+            )
         found[name] = LibraryMaterial(name=name, numbers=numbers, **words)
     return found
 
@@ -212,7 +218,9 @@ def read_materials(extension: str | Path | None = None) -> dict[str, LibraryMate
 def _range(name: str, key: str, value: Any, dimension: Dimension) -> tuple[float, float]:
     pair = value if isinstance(value, list) else [value, value]
     if len(pair) != 2:
-        raise InputError(f"library entry {name}: {key}: expected one value or [lowest, highest], got {value!r}")
+        raise InputError(
+            f"library entry {name}: {key}: expected one value or [lowest, highest], got {value!r}"
+        )
     try:
         low, high = (parse_quantity(each, dimension) for each in pair)
     except InputError as error:
@@ -254,10 +262,15 @@ def read_finishes(extension: str | Path | None = None) -> dict[str, Finish]:
         length = _range(name, "sampling_length", entry["sampling_length"], Dimension.LENGTH)[0]
         dimension = _range(name, "fractal_dimension", entry["fractal_dimension"], Dimension.DIMENSIONLESS)
         if not 1.0 < dimension[0] <= dimension[1] < 2.0:
-            raise InputError(f"library entry {name}: fractal_dimension must be between 1 and 2, got {dimension}")
+            raise InputError(
+                f"library entry {name}: fractal_dimension must be between 1 and 2, got {dimension}"
+            )
         corners = [
             fractal_roughness_from_ra(
-                roughness_average=each, sampling_length=length, fractal_dimension=d, frequency_ratio=FREQUENCY_RATIO
+                roughness_average=each,
+                sampling_length=length,
+                fractal_dimension=d,
+                frequency_ratio=FREQUENCY_RATIO,
             )
             for each in average
             for d in dimension
@@ -306,7 +319,7 @@ def with_library_materials(tables: Mapping[str, Any], *, folder: Path) -> dict[s
             library = read_materials(folder / entry["file"] if "file" in entry else None)
             if entry["library"] not in library:
                 raise InputError(
-                    f"materials.{name}.library: there is no material {entry['library']!r}; known are {', '.join(library)}"
+                    f"materials.{name}.library: there is no {entry['library']!r}; known are {', '.join(library)}"
                 )
             numbers = dict(library[entry["library"]].numbers)
             if "hardness" in own or "hardness_factor" in own:

@@ -11,7 +11,7 @@ from asperity.case.model import Case
 from asperity.errors import InputError, NoSolutionError
 from asperity.precision import require_double_precision
 from asperity.study.curve_model import CurveModel
-from asperity.study.design_file import Variable
+from asperity.study.design_problem import Variable
 from asperity.study.measurement import Measurement
 from asperity.study.torque_history import History
 from asperity.windup import StiffnessLevel
@@ -174,7 +174,9 @@ def calibrate(
     require_double_precision()
     data = measurement.measured
     if data.size <= len(unknowns):
-        raise InputError(f"{data.size} rows cannot determine {len(unknowns)} unknowns; more rows than unknowns are needed")
+        raise InputError(
+            f"{data.size} rows cannot determine {len(unknowns)} unknowns; more rows than unknowns are needed"
+        )
     model = CurveModel(case=case, measurement=measurement, unknowns=unknowns, level=level, history=history)
     scale = float(np.sqrt(np.mean(data**2))) or 1.0
     size = len(unknowns)
@@ -204,7 +206,9 @@ def calibrate(
             f"the best of {len(begins)} starts of the least-squares fit did not converge in 400 steps; "
             "narrow the bounds, or ask for fewer unknowns"
         )
-    return _conclude(model, ended[0][2], tuple(scale * np.sqrt(2.0 * cost / data.size) for cost, _, _ in ended))
+    return _conclude(
+        model, ended[0][2], tuple(scale * np.sqrt(2.0 * cost / data.size) for cost, _, _ in ended)
+    )
 
 
 def _usable(model: CurveModel, places: np.ndarray) -> list[np.ndarray]:
@@ -220,8 +224,8 @@ def _conclude(model: CurveModel, places: np.ndarray, starts: tuple[float, ...]) 
     if not np.all(stiffness > 0.0):
         where = model.torque[~(stiffness > 0.0)].min()
         raise NoSolutionError(
-            f"the best fit has no stiffness from {where:.3g} N·m on (largest slip ratio {slip.max():.3g}; below 1 every "
-            "contact spot is plastic): the joint file cannot explain these data; check units, preload and friction, or "
+            f"the best fit has no stiffness from {where:.3g} N·m on (largest slip ratio {slip.max():.3g}; below 1 "
+            "every contact spot is plastic): the joint file cannot explain these data; check units, preload, friction, or "
             "widen the bounds"
         )
     prediction, slopes = model(places)
@@ -237,7 +241,8 @@ def _conclude(model: CurveModel, places: np.ndarray, starts: tuple[float, ...]) 
         along = spread / singular
     covariance = (rows.T * np.minimum(along, 1e6) ** 2) @ rows
     directions = tuple(
-        _direction(model, places, rows[k], float(along[k]), spread, float(singular[k])) for k in reversed(range(len(along)))
+        _direction(model, places, rows[k], float(along[k]), spread, float(singular[k]))
+        for k in reversed(range(len(along)))
     )
     quantile = float(student.ppf(0.975, freedom))
     estimates = []
@@ -288,7 +293,9 @@ def _direction(
             percent = 100.0 * np.expm1(change * np.log(unknown.upper / unknown.lower))
             parts.append(f"{unknown.path} {percent:+.3g} %")
         else:
-            parts.append(f"{unknown.path} {change * (unknown.upper - unknown.lower):+.3g}{_unit(unknown.path)}")
+            parts.append(
+                f"{unknown.path} {change * (unknown.upper - unknown.lower):+.3g}{_unit(unknown.path)}"
+            )
     effect = abs(step) * singular / np.sqrt(model.measurement.torque.size) / spread
     determined = along < UNINFORMED
     verdict = "told by the data" if determined else "NOT told apart by the data"

@@ -6,7 +6,7 @@ import numpy as np
 
 from asperity.case.model import Case
 from asperity.case.values import numeric_keys, si_values
-from asperity.study.design_file import Variable
+from asperity.study.design_problem import Variable
 from asperity.study.measurement import Measurement
 from asperity.study.quantities import quantities_and_slopes
 from asperity.study.torque_history import History, curve_operator
@@ -46,12 +46,15 @@ class CurveModel:
     ) -> None:
         self.unknowns, self.level, self.measurement = unknowns, level, measurement
         self.values = si_values(case)
-        self.in_joint = [index for index, each in enumerate(unknowns) if _kind(each.path) not in CURVE_UNKNOWNS]
+        self.in_joint = [
+            index for index, each in enumerate(unknowns) if _kind(each.path) not in CURVE_UNKNOWNS
+        ]
         self.in_curve = [index for index in range(len(unknowns)) if index not in self.in_joint]
         self.paths = tuple(unknowns[index].path for index in self.in_joint)
         if measurement.angle is not None:
             operator = curve_operator(measurement.torque, history)
-            self.torque, self.weights = operator.torque, operator.weights
+            self.torque = operator.torque
+            self.weights: np.ndarray | None = operator.weights
         else:
             self.torque, self.weights = np.abs(measurement.torque), None
         stated = numeric_keys(case)
@@ -75,7 +78,7 @@ class CurveModel:
         return {u.path: float(u.from_unit(p)) for u, p in zip(self.unknowns, places, strict=True)}
 
     def stiffness(self, places: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        """Stiffness at the torques of the model, its slopes by the joint's unknowns [SI], and the largest slip ratio."""
+        """Stiffness at the model's torques, its slopes by the joint's unknowns, largest slip ratio [SI]."""
         point = self.point(places)
         changes = {path: np.full(self.torque.size, point[path]) for path in self.paths}
         found, slopes = quantities_and_slopes(

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, field
+from pathlib import Path
 
 import numpy as np
 
@@ -11,19 +12,19 @@ from asperity.case.reader import parse_case
 from asperity.case.values import si_values
 from asperity.errors import InputError, NoSolutionError
 from asperity.precision import require_double_precision
-from asperity.study.design_file import Constraint, DesignProblem
+from asperity.study.design_problem import DesignProblem
+from asperity.study.design_search import (
+    ACTIVE,
+    FEASIBLE,
+    largest_violation,
+    least_violation,
+    local_optimum,
+    optimality_gap,
+    starting_places,
+)
 from asperity.study.joint_text import joint_file_text
 from asperity.study.judgement import Judge, Judged
 from asperity.study.quantities import QUANTITIES, at_level, quantities_and_slopes
-
-#: Margin below zero (logarithm of the ratio to the limit) that still counts as met: what the search leaves behind.
-FEASIBLE = 1e-7
-
-#: A limit with a smaller margin than this is one that holds the design back.
-ACTIVE = 1e-5
-
-#: Largest gradient that the active limits leave unexplained, relative to that of the objective, in a proven optimum.
-OPTIMAL = 1e-3
 
 
 @dataclass(frozen=True)
@@ -157,181 +158,56 @@ def design(problem: DesignProblem, *, progress: Callable[[int, int], None] | Non
     """
     require_double_precision()
     if len(problem.objectives) != 1:
-        raise InputError(f"a design has one objective, got {len(problem.objectives)}; several make a Pareto front")
+        raise InputError(
+            f"a design has one objective, got {len(problem.objectives)}; several make a Pareto front"
+        )
     judge = Judge(problem)
-    starts = _starting_places(judge)
+    starts = starting_places(judge)
     ended: list[tuple[np.ndarray, Judged, bool]] = []
     for index, start in enumerate(starts):
-        end, converged = _search(judge, start)
+        end, converged = local_optimum(judge, start)
         ended.append((end, judge(end), converged))
         if progress is not None:
             progress(index + 1, len(starts))
-    feasible = [each for each in ended if _violation(each[1]) <= FEASIBLE]
+    feasible = [each for each in ended if largest_violation(each[1]) <= FEASIBLE]
     if feasible:
         places, judged, _ = min(feasible, key=lambda each: float(each[1].objective.max()))
     else:
-        nearest = sorted(ended, key=lambda each: _violation(each[1]))
-        tries = [_least_violation(judge, each[0]) for each in nearest[: max(3, len(nearest) // 2)]]
-        places = min(tries, key=lambda each: _violation(judge(each)))
+        nearest = sorted(ended, key=lambda each: largest_violation(each[1]))
+        tries = [least_violation(judge, each[0]) for each in nearest[: max(3, len(nearest) // 2)]]
+        places = min(tries, key=lambda each: largest_violation(judge(each)))
         judged = judge(places)
-        if _violation(judged) <= FEASIBLE:  # the way to the limits was found only now: go on from there
-            again, converged = _search(judge, places)
-            if _violation(judge(again)) <= FEASIBLE:
+        if (
+            largest_violation(judged) <= FEASIBLE
+        ):  # the way to the limits was found only now: go on from there
+            again, converged = local_optimum(judge, places)
+            if largest_violation(judge(again)) <= FEASIBLE:
                 places = again
             judged = judge(places)
     return _result(judge, places, judged, ended)
-
-
-def _starting_places(judge: Judge) -> list[np.ndarray]:
-    """The joint of the file first, where it lies within the bounds, then a Latin hypercube of rollers that fit."""
-    from scipy.stats import qmc
-
-    problem = judge.problem
-    values = si_values(problem.case)
-    first = []
-    for variable in problem.variables:
-        node: object = values
-        for part in variable.path.split("."):
-            node = node.get(part) if isinstance(node, dict) else None
-        inside = isinstance(node, float) and variable.lower <= node <= variable.upper
-        first.append(variable.to_unit(node) if inside and isinstance(node, float) else 0.5)
-    sampler = qmc.LatinHypercube(d=len(first), rng=np.random.default_rng(problem.seed))
-    found = [np.clip(np.array(first), 0.0, 1.0)]
-    while len(found) < problem.starts:
-        found.extend(sampler.random(max(problem.starts - 1, 1)))
-    return found[: problem.starts]
-
-
-def _violation(judged: Judged) -> float:
-    return max(0.0, -float(judged.margins.min()))
-
-
-def _search(judge: Judge, start: np.ndarray) -> tuple[np.ndarray, bool]:
-    """SLSQP from one start; trust-constr where it gives up. The last variable bounds the objective from above."""
-    from scipy.optimize import Bounds, NonlinearConstraint, minimize
-
-    size = start.size
-    bounds = Bounds(np.append(np.zeros(size), -np.inf), np.append(np.ones(size), np.inf))
-    upward = np.append(np.zeros(size), 1.0)
-
-    def inequalities(x: np.ndarray) -> np.ndarray:
-        judged = judge(np.clip(x[:-1], 0.0, 1.0))
-        return np.concatenate([x[-1] - judged.objective[0], judged.margins])
-
-    def slopes(x: np.ndarray) -> np.ndarray:
-        judged = judge(np.clip(x[:-1], 0.0, 1.0))
-        top = np.hstack([-judged.objective_slopes[0], np.ones((judged.objective.shape[1], 1))])
-        return np.vstack([top, np.hstack([judged.margin_slopes, np.zeros((judged.margins.size, 1))])])
-
-    begin = np.append(start, judge(start).objective.max())
-    found = minimize(
-        lambda x: x[-1],
-        begin,
-        jac=lambda x: upward,
-        bounds=bounds,
-        constraints=[{"type": "ineq", "fun": inequalities, "jac": slopes}],
-        method="SLSQP",
-        options={"maxiter": 200, "ftol": 1e-12},
-    )
-    end = np.clip(found.x[:-1], 0.0, 1.0) if np.all(np.isfinite(found.x)) else start
-    if found.success or (_violation(judge(end)) <= FEASIBLE and _optimality(judge, end)[0] < OPTIMAL):
-        return end, True
-    import warnings
-
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore")  # delta_grad == 0 warnings of the quasi-Newton update of a linear objective
-        second = minimize(
-            lambda x: x[-1],
-            np.append(end, judge(end).objective.max()),
-            jac=lambda x: upward,
-            hess=lambda x: np.zeros((size + 1, size + 1)),
-            bounds=bounds,
-            constraints=[NonlinearConstraint(inequalities, 0.0, np.inf, jac=slopes)],
-            method="trust-constr",
-            options={"maxiter": 300, "gtol": 1e-9, "xtol": 1e-10},
-        )
-    other = np.clip(second.x[:-1], 0.0, 1.0)
-    better = (_violation(judge(other)), float(judge(other).objective.max())) < (
-        _violation(judge(end)),
-        float(judge(end).objective.max()),
-    )
-    end = other if better else end
-    return end, _violation(judge(end)) <= FEASIBLE and _optimality(judge, end)[0] < OPTIMAL
-
-
-def _least_violation(judge: Judge, start: np.ndarray) -> np.ndarray:
-    """Places at which the largest violation of a limit is smallest."""
-    from scipy.optimize import Bounds, minimize
-
-    size = start.size
-    upward = np.append(np.zeros(size), 1.0)
-    found = minimize(
-        lambda x: x[-1],
-        np.append(start, _violation(judge(start))),
-        jac=lambda x: upward,
-        bounds=Bounds(np.zeros(size + 1), np.append(np.ones(size), np.inf)),
-        constraints=[
-            {
-                "type": "ineq",
-                "fun": lambda x: judge(np.clip(x[:-1], 0.0, 1.0)).margins + x[-1],
-                "jac": lambda x: np.hstack(
-                    [judge(np.clip(x[:-1], 0.0, 1.0)).margin_slopes, np.ones((len(judge.rows), 1))]
-                ),
-            }
-        ],
-        method="SLSQP",
-        options={"maxiter": 200, "ftol": 1e-12},
-    )
-    end = np.clip(found.x[:-1], 0.0, 1.0) if np.all(np.isfinite(found.x)) else start
-    return end if _violation(judge(end)) <= _violation(judge(start)) else start
-
-
-def _optimality(judge: Judge, places: np.ndarray) -> tuple[float, np.ndarray]:
-    """Unexplained part of the objective's gradient and multipliers of all margins, by non-negative least squares."""
-    from scipy.optimize import nnls
-
-    judged = judge(places)
-    violation = _violation(judged)
-    size = places.size
-    if violation <= FEASIBLE:
-        worst = judged.objective[0]
-        top = judged.objective_slopes[0][worst >= worst.max() - ACTIVE]
-        near = judged.margins < ACTIVE
-    else:
-        top, near = np.zeros((0, size)), judged.margins < -violation + ACTIVE
-    bounds = np.vstack([np.eye(size)[places < 1e-7], -np.eye(size)[places > 1.0 - 1e-7]])
-    pull = np.vstack([-top, judged.margin_slopes[near], bounds])
-    # weights of the worst scenarios (or of the violated limits) add up to one
-    ones = np.concatenate([np.ones(len(top)), np.full(int(near.sum()), 0.0 if len(top) else 1.0), np.zeros(len(bounds))])
-    scale = max(1e-12, float(np.abs(pull).max()) if pull.size else 1.0)
-    system = np.vstack([pull.T / scale, ones[None, :]])
-    weights, _ = nnls(system, np.append(np.zeros(size), 1.0))
-    gradient = np.linalg.norm(pull[: len(top)].T @ weights[: len(top)]) if len(top) else scale
-    rest = float(np.linalg.norm(pull.T @ weights) / max(float(gradient), 1e-12))
-    multipliers = np.zeros(judged.margins.size)
-    multipliers[near] = weights[len(top) : len(top) + int(near.sum())]
-    return rest, multipliers
 
 
 def _result(
     judge: Judge, places: np.ndarray, judged: Judged, ended: list[tuple[np.ndarray, Judged, bool]]
 ) -> DesignResult:
     problem, goal = judge.problem, judge.problem.objectives[0]
-    optimality, multipliers = _optimality(judge, places)
+    optimality, multipliers = optimality_gap(judge, places)
     point = judge.point(places)
-    violation = _violation(judged)
+    violation = largest_violation(judged)
     feasible = violation <= FEASIBLE
     text = joint_file_text(
         problem.case,
         point,
         comment=(
-            f"Designed by asperity from {problem.joint_file.rsplit('/', 1)[-1]}: {goal.text}, {problem.level} stiffness.\n"
+            f"Designed by asperity from {Path(problem.joint_file).name}: {goal.text}, {problem.level} stiffness.\n"
             + ("All limits are met." if feasible else "NOT all limits are met: this is the least violation.")
         ),
     )
     nominal = nominal_quantities(text)
     if not np.all(judged.values["solved"]):
-        raise NoSolutionError("the force balance of the design found did not close in every scenario; narrow the bounds")
+        raise NoSolutionError(
+            "the force balance of the design found did not close in every scenario; narrow the bounds"
+        )
     before = _objective_of_file(judge)
     return DesignResult(
         problem=problem,
@@ -351,7 +227,7 @@ def _result(
             StartReport(
                 point=judge.point(end),
                 objective=_as_value(goal.sign, goal.name, found.objective[0]),
-                violation=_violation(found),
+                violation=largest_violation(found),
                 converged=converged,
             )
             for end, found, converged in ended
@@ -407,7 +283,9 @@ def _limits(judge: Judge, judged: Judged, multipliers: np.ndarray, violation: fl
                 row=kind.row_names[row.row],
                 at_most=constraint.at_most,
                 limit=constraint.limit,
-                value=float(judged.values[at_level(constraint.name, judge.problem.level)][row.row, row.scenario]),
+                value=float(
+                    judged.values[at_level(constraint.name, judge.problem.level)][row.row, row.scenario]
+                ),
                 margin=float(judged.margins[worst]),
                 active=bool(judged.margins[worst] < ACTIVE - (violation if violation > FEASIBLE else 0.0)),
                 multiplier=float(sum(multipliers[index] for index in mine)),
@@ -451,23 +329,3 @@ def conflict(result: DesignResult) -> str:
         f"no design meets all limits; at best they are missed by {100.0 * np.expm1(result.violation):.3g} %: "
         f"{listed}{held}; relax one of these, or widen the bounds"
     )
-
-
-def describe_constraint(constraint: Constraint) -> str:
-    """A limit in words.
-
-    Parameters
-    ----------
-    constraint : Constraint
-        The limit.
-
-    Returns
-    -------
-    str
-        For example "slip ratio T/(mu N) at most 0.8".
-    """
-    from asperity.units import format_quantity
-
-    kind = QUANTITIES[constraint.name]
-    sense = "at most" if constraint.at_most else "at least"
-    return f"{kind.label} {sense} {format_quantity(constraint.limit, kind.unit)}"

@@ -2,10 +2,8 @@
 
 from __future__ import annotations
 
-import math
 import tomllib
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, get_args
 
@@ -15,6 +13,7 @@ from asperity.case.reader import read_case
 from asperity.case.values import key_at, numeric_keys
 from asperity.errors import InputError
 from asperity.library import read_finishes
+from asperity.study.design_problem import Constraint, DesignProblem, Objective, Variable, WorstCase
 from asperity.study.quantities import QUANTITIES
 from asperity.unit_table import Dimension
 from asperity.units import parse_quantity
@@ -22,118 +21,6 @@ from asperity.windup import StiffnessLevel
 
 #: Numbers of a joint file that span decades; designs search and report them by their logarithm.
 _LOGARITHMIC = ("fractal_roughness", "preload", "stiffness")
-_WHOLE = 1e-9
-
-
-@dataclass(frozen=True)
-class Variable:
-    """A number that a design may choose.
-
-    Parameters
-    ----------
-    path : str
-        Its dotted path in the joint file.
-    lower, upper : float
-        Bounds [SI].
-    logarithmic : bool
-        Whether it is searched by its logarithm.
-    """
-
-    path: str
-    lower: float
-    upper: float
-    logarithmic: bool
-
-    def to_unit(self, value: float) -> float:
-        """Place of a value between the bounds, 0 to 1."""
-        if self.logarithmic:
-            return math.log(value / self.lower) / math.log(self.upper / self.lower)
-        return (value - self.lower) / (self.upper - self.lower)
-
-    def from_unit(self, place: Any) -> Any:
-        """Value [SI] at a place, 0 to 1; arrays are welcome."""
-        if self.logarithmic:
-            return self.lower * (self.upper / self.lower) ** place
-        return self.lower + (self.upper - self.lower) * place
-
-    def slope(self, value: Any) -> Any:
-        """Derivative of the value [SI] by the place."""
-        if self.logarithmic:
-            return value * math.log(self.upper / self.lower)
-        return self.upper - self.lower
-
-
-@dataclass(frozen=True)
-class Objective:
-    """What a design makes as large or as small as possible: a quantity, and +1 to minimise or −1 to maximise it."""
-
-    name: str
-    sign: float
-
-    @property
-    def text(self) -> str:
-        """In words."""
-        return f"{'smallest' if self.sign > 0 else 'largest'} {QUANTITIES[self.name].label}"
-
-
-@dataclass(frozen=True)
-class Constraint:
-    """A limit of a quantity.
-
-    Parameters
-    ----------
-    name : str
-        The quantity.
-    at_most : bool
-        Whether the limit is an upper one.
-    limit : float
-        The limit [SI].
-    rows : tuple of int
-        Which rows of the quantity (contacts, clearances) it holds for.
-    implied : bool
-        True for the limits every design has, stated or not.
-    """
-
-    name: str
-    at_most: bool
-    limit: float
-    rows: tuple[int, ...]
-    implied: bool = False
-
-
-@dataclass(frozen=True)
-class WorstCase:
-    """Where the limits must hold and the objective is taken at its worst.
-
-    Parameters
-    ----------
-    torques : tuple of float
-        Output torques [N·m]; empty for the torque of the joint file alone.
-    tolerances : {"none", "corners", "samples"}
-        Whether, and how, the tolerances of the joint file are tried.
-    samples, seed : int
-        Number of samples and seed of their random numbers.
-    """
-
-    torques: tuple[float, ...]
-    tolerances: str
-    samples: int
-    seed: int
-
-
-@dataclass(frozen=True)
-class DesignProblem:
-    """A design task, checked. ``starts`` and ``seed`` steer the search."""
-
-    case: Case
-    joint_file: str
-    level: StiffnessLevel
-    variables: tuple[Variable, ...]
-    objectives: tuple[Objective, ...]
-    constraints: tuple[Constraint, ...]
-    worst_case: WorstCase
-    starts: int
-    seed: int
 
 
 _SECTIONS = ("joint", "level", "variables", "objective", "constraints", "worst_case", "search")
@@ -234,7 +121,9 @@ def _only(table: Mapping[str, Any], known: tuple[str, ...], place: str) -> None:
     for name in table:
         if name not in known:
             where = f"{place}.{name}" if place else name
-            raise InputError(f"{where}: unknown key{nearest(name, known) or '; known are ' + ', '.join(known)}")
+            raise InputError(
+                f"{where}: unknown key{nearest(name, known) or '; known are ' + ', '.join(known)}"
+            )
 
 
 def _count(value: Any, name: str, lowest: int, highest: int) -> int:
@@ -266,7 +155,9 @@ def _variables(table: dict[str, Any], case: Case) -> Iterator[Variable]:
         key = key_at(path)
         _only(entry, ("lower", "upper", "scale", "finish"), where)
         if key.whole:
-            raise InputError(f"{where}: whole numbers cannot be free variables; try each in a design of its own")
+            raise InputError(
+                f"{where}: whole numbers cannot be free variables; try each in a design of its own"
+            )
         if "finish" in entry:
             name = entry["finish"]
             if name not in finishes:
@@ -280,7 +171,7 @@ def _variables(table: dict[str, Any], case: Case) -> Iterator[Variable]:
             lower, upper = ranges[kind]
             if lower == upper:
                 raise InputError(
-                    f"{where}: the finish {name!r} has the single value {lower:g} for it; write that into the joint file"
+                    f"{where}: the finish {name!r} has one value for it, {lower:g}; write that into the joint file"
                 )
         else:
             for side in ("lower", "upper"):
@@ -294,9 +185,13 @@ def _variables(table: dict[str, Any], case: Case) -> Iterator[Variable]:
         if scale not in ("log", "linear"):
             raise InputError(f"{where}.scale: {scale!r} is not one of log, linear")
         if not lower < upper:
-            raise InputError(f"{where}: the lower bound {entry.get('lower')} must be below the upper {entry.get('upper')}")
+            raise InputError(
+                f"{where}: the lower bound {entry.get('lower')} must be below the upper {entry.get('upper')}"
+            )
         if scale == "log" and lower <= 0.0:
-            raise InputError(f"{where}: a logarithmic scale needs a positive lower bound, got {entry['lower']}")
+            raise InputError(
+                f"{where}: a logarithmic scale needs a positive lower bound, got {entry['lower']}"
+            )
         yield Variable(path, lower, upper, scale == "log")
 
 
@@ -308,7 +203,9 @@ def _objectives(table: dict[str, Any]) -> tuple[Objective, ...]:
         for name in [names] if isinstance(names, str) else names:
             _known_quantity(name, f"objective.{word}")
             if QUANTITIES[name].rows == "contacts" and sign < 0.0 and name != "normal_over_rest":
-                raise InputError(f"objective.maximise: {name} can only be minimised (its largest contact counts)")
+                raise InputError(
+                    f"objective.maximise: {name} can only be minimised (its largest contact counts)"
+                )
             found.append(Objective(name, sign))
     if not 1 <= len(found) <= 3:
         raise InputError(f"objective: one objective, or two or three for a Pareto front, got {len(found)}")
@@ -351,7 +248,9 @@ def _constraints(table: dict[str, Any]) -> Iterator[Constraint]:
                 if kind.ratio and limit <= 0.0:
                     raise InputError(f"{where}.{side}: {entry[side]} is not allowed; it must be above 0")
                 if name == "slip_ratio" and (side == "at_least" or limit > 1.0):
-                    raise InputError(f"{where}: allowed is at_most, up to 1 (gross slip); got {side} {entry[side]}")
+                    raise InputError(
+                        f"{where}: allowed is at_most, up to 1 (gross slip); got {side} {entry[side]}"
+                    )
                 yield Constraint(name, side == "at_most", limit, rows)
     stated = {(name, side) for name, value in table.items() for side in value}
     every_contact, every_gap = tuple(range(5)), tuple(range(8))
@@ -376,7 +275,9 @@ def _worst_case(table: dict[str, Any]) -> WorstCase:
             except InputError as error:
                 raise InputError(f"worst_case.torque.{side}: {error}") from None
         if not 0.0 <= bounds[0] < bounds[1]:
-            raise InputError(f"worst_case.torque: needs 0 <= lower < upper, got {entry['lower']} and {entry['upper']}")
+            raise InputError(
+                f"worst_case.torque: needs 0 <= lower < upper, got {entry['lower']} and {entry['upper']}"
+            )
         points = _count(entry.get("points"), "worst_case.torque.points", 2, 50)
         torques = tuple(bounds[0] + (bounds[1] - bounds[0]) * k / (points - 1) for k in range(points))
     tolerances = table.get("tolerances", "none")

@@ -91,7 +91,9 @@ def _scalar(value: Any) -> str:
 
 def _lines(table: Mapping[str, Any], path: tuple[str, ...]) -> Iterator[str]:
     """Lines of a table: its own keys first, then its sub-tables; tables of plain values below a key go on one line."""
-    below = {name: value for name, value in table.items() if isinstance(value, dict) and _is_section(path, value)}
+    below = {
+        name: value for name, value in table.items() if isinstance(value, dict) and _is_section(path, value)
+    }
     own = {name: value for name, value in table.items() if name not in below}
     if own:
         if path:

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from asperity.case.values import Values, numeric_keys, si_values
-from asperity.study.design_file import Constraint, DesignProblem
+from asperity.study.design_problem import Constraint, DesignProblem
 from asperity.study.quantities import QUANTITIES, at_level, quantities_and_slopes, quantities_at
 from asperity.study.scenarios import Scenarios, scenarios
 
@@ -145,7 +145,9 @@ class Judge:
             steep = slope[row, np.arange(value.shape[1])][self.judged] * steps
             objective.append(goal.sign * (log_ratio(picked, 1.0) if ratio else picked))
             usable = np.isfinite(picked) & (picked > 0.0)
-            weight = np.where(usable, 1.0 / np.where(usable, picked, 1.0), 0.0) if ratio else np.ones_like(picked)
+            weight = (
+                np.where(usable, 1.0 / np.where(usable, picked, 1.0), 0.0) if ratio else np.ones_like(picked)
+            )
             objective_slopes.append(goal.sign * _finite(steep) * weight[:, None])
 
         margin_slopes = []

@@ -73,7 +73,9 @@ def _column(header: str) -> tuple[str, float]:
     if match[3]:
         unit = re.sub(r"\bNm\b|\bNm(?=/)", "N*m", unit.replace("_per_", "/"))
     if not unit.strip():
-        raise InputError(f"column '{header}' states no unit, e.g. '{name} [{dimension.example.split(' ', 1)[1]}]'")
+        raise InputError(
+            f"column '{header}' states no unit, e.g. '{name} [{dimension.example.split(' ', 1)[1]}]'"
+        )
     try:
         return name, parse_quantity(f"1 {unit}", dimension)
     except InputError as error:
@@ -123,7 +125,9 @@ def read_measurement(path: str | Path) -> Measurement:
         if names.count(name) > 1:
             raise InputError(f"{path}: there are {names.count(name)} columns '{name}'")
     if "torque" not in names or ("angle" in names) == ("stiffness" in names):
-        raise InputError(f"{path}: needs the columns 'torque' and either 'angle' or 'stiffness', got {', '.join(names)}")
+        raise InputError(
+            f"{path}: needs the columns 'torque' and either 'angle' or 'stiffness', got {', '.join(names)}"
+        )
     numbers = np.empty((len(rows) - 1, len(columns)))
     for index, (row, (line, _)) in enumerate(zip(rows[1:], lines[1:], strict=True)):
         if len(row) != len(columns):
@@ -132,7 +136,9 @@ def read_measurement(path: str | Path) -> Measurement:
             try:
                 numbers[index, place] = float(text) * factor
             except ValueError:
-                raise InputError(f"{path}, line {line}, column '{name}': '{text.strip()}' is not a number") from None
+                raise InputError(
+                    f"{path}, line {line}, column '{name}': '{text.strip()}' is not a number"
+                ) from None
             if not np.isfinite(numbers[index, place]):
                 raise InputError(f"{path}, line {line}, column '{name}': '{text.strip()}' is not finite")
     by_name = {name: numbers[:, place] for place, name in enumerate(names)}
@@ -142,7 +148,9 @@ def read_measurement(path: str | Path) -> Measurement:
         raise InputError(f"{path}, line {line}: time runs backwards; rows must be in the order of time")
     if stiffness is not None and np.any(stiffness <= 0.0):
         line = lines[int(np.argmax(stiffness <= 0.0)) + 1][0]
-        raise InputError(f"{path}, line {line}: the stiffness {stiffness[stiffness <= 0.0][0]:g} must be positive")
+        raise InputError(
+            f"{path}, line {line}: the stiffness {stiffness[stiffness <= 0.0][0]:g} must be positive"
+        )
     return Measurement(
         torque=by_name["torque"],
         angle=by_name.get("angle"),

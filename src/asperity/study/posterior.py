@@ -128,7 +128,12 @@ def sample(
         target_accept_prob=0.9,
     )
     run = MCMC(
-        kernel, num_warmup=warmup, num_samples=draws, num_chains=chains, chain_method="sequential", progress_bar=False
+        kernel,
+        num_warmup=warmup,
+        num_samples=draws,
+        num_chains=chains,
+        chain_method="sequential",
+        progress_bar=False,
     )
     run.run(jax.random.key(seed))
     by_chain = run.get_samples(group_by_chain=True)
@@ -137,8 +142,8 @@ def sample(
     effective = np.atleast_1d(effective_sample_size(places))
     if not np.all(r_hat < LARGEST_R_HAT):
         raise NoSolutionError(
-            f"the chains of the posterior disagree (largest split-R-hat {np.max(r_hat):.3g}, allowed {LARGEST_R_HAT}); take "
-            "more warm-up steps, or fewer unknowns: the least-squares fit names the combinations the data cannot tell"
+            f"the chains of the posterior disagree (largest split-R-hat {np.max(r_hat):.3g}, allowed {LARGEST_R_HAT}); "
+            "take more warm-up steps, or fewer unknowns: the fit names the combinations that the data cannot tell"
         )
     return Posterior(
         places=places.reshape(-1, size),

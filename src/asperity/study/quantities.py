@@ -82,7 +82,9 @@ QUANTITIES: dict[str, QuantityKind] = {
     "pressure_over_first_yield": QuantityKind("Hertz pressure over first yield", _PLAIN, "1", "contacts"),
     "real_area_over_hertz_area": QuantityKind("real area over Hertz area", _PLAIN, "1", "contacts"),
     "critical_over_largest_spot": QuantityKind("critical over largest spot", _PLAIN, "1", "contacts"),
-    "normal_over_rest": QuantityKind("normal force over its value at rest", _PLAIN, "1", "contacts", ratio=False),
+    "normal_over_rest": QuantityKind(
+        "normal force over its value at rest", _PLAIN, "1", "contacts", ratio=False
+    ),
     "clearance": QuantityKind("clearance", Dimension.LENGTH, "mm", "clearances", ratio=False),
 }
 
@@ -92,6 +94,9 @@ LEVELS: tuple[StiffnessLevel, ...] = ("published", "series_with_bulk", "assembly
 #: Points of one call of the compiled program. One program serves every study of joints of one kind, so that it is
 #: compiled once and found in the cache ever after; more points are more calls.
 _BLOCK = 64
+
+#: Up to so many points, calling that program is quicker than compiling one without derivatives.
+_FEW = 4096
 
 
 def joint_quantities(values: Values) -> dict[str, Array]:
@@ -112,8 +117,10 @@ def joint_quantities(values: Values) -> dict[str, Array]:
     result = evaluate(joint)
     size = joint_size(joint)
     limits = result.diagnostics
-    levels = dict(zip(LEVELS, (result.published, result.series_with_bulk, result.assembly.stiffness), strict=True))
-    found = {
+    levels = dict(
+        zip(LEVELS, (result.published, result.series_with_bulk, result.assembly.stiffness), strict=True)
+    )
+    found: dict[str, Any] = {
         **{f"stiffness.{level}": [stiffness.output] for level, stiffness in levels.items()},
         "preload": [joint.preload],
         "mass": [size.mass],
@@ -152,7 +159,9 @@ def _joined(numbers: Any, key: Any) -> Values:
 
 # A design asks for thousands of small calls: the time to compile counts, the speed of the program hardly does.
 @functools.partial(jax.jit, static_argnums=0, compiler_options={"xla_backend_optimization_level": 0})
-def _values_and_slopes(key: Any, numbers: Array, tangents: Array) -> tuple[dict[str, Array], dict[str, Array]]:
+def _values_and_slopes(
+    key: Any, numbers: Array, tangents: Array
+) -> tuple[dict[str, Array], dict[str, Array]]:
     return jax.jvp(lambda leaves: joint_quantities(_joined(leaves, key)), (numbers,), (tangents,))
 
 
@@ -191,6 +200,8 @@ def quantities_at(values: Values, changes: Mapping[str, Any]) -> dict[str, np.nd
     points = max((np.size(value) for value in changes.values()), default=1)
     numbers, key = _split(replace_values(values, changes))
     table = np.stack([np.broadcast_to(np.asarray(leaf, float), (points,)) for leaf in numbers])
+    if points <= _FEW:
+        return _with_quotients(_in_blocks(key, table, np.zeros_like(table))[0])
     return _with_quotients({n: np.asarray(v) for n, v in _values_only(key, jnp.asarray(table)).items()})
 
 

@@ -10,7 +10,7 @@ import numpy as np
 
 from asperity.case.values import numeric_keys
 from asperity.errors import InputError
-from asperity.study.design_file import DesignProblem
+from asperity.study.design_problem import DesignProblem
 
 #: More toleranced numbers have too many corners; they are sampled instead.
 MOST_CORNERED = 7

@@ -52,7 +52,8 @@ def angle_terms(torques: np.ndarray, history: History) -> list[_Terms]:
         upward = moved >= sequence[0]
         before = [largest, -largest] if upward else [-largest, largest]
     reversals: list[tuple[float, _Terms]] = []
-    last, last_terms, direction = 0.0, [], 0.0
+    last, direction = 0.0, 0.0
+    last_terms: _Terms = []
     found = []
     for torque in [*before, *sequence]:
         step = np.sign(torque - last)
@@ -62,7 +63,11 @@ def angle_terms(torques: np.ndarray, history: History) -> list[_Terms]:
             direction = float(step)
             while len(reversals) >= 2 and (torque - reversals[-2][0]) * direction >= 0.0:
                 del reversals[-2:]
-            if len(reversals) == 1 and abs(torque) >= abs(reversals[0][0]) and torque * reversals[0][0] <= 0.0:
+            if (
+                len(reversals) == 1
+                and abs(torque) >= abs(reversals[0][0])
+                and torque * reversals[0][0] <= 0.0
+            ):
                 reversals.clear()
         if reversals:
             turned, base = reversals[-1]

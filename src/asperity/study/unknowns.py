@@ -9,7 +9,7 @@ import numpy as np
 from asperity.case.model import Case
 from asperity.case.values import key_at, numeric_keys
 from asperity.errors import InputError
-from asperity.study.design_file import Variable
+from asperity.study.design_problem import Variable
 from asperity.study.measurement import Measurement
 from asperity.unit_table import Dimension
 from asperity.units import parse_quantity
@@ -95,13 +95,18 @@ def _of_curve(name: str, sides: list[str], measurement: Measurement) -> list[Var
     middle = float(np.mean(measurement.angle))
     default = {
         "play": (0.0, span),
-        "play_torque": (1e-3 * float(np.max(np.abs(measurement.torque))), float(np.max(np.abs(measurement.torque)))),
+        "play_torque": (
+            1e-3 * float(np.max(np.abs(measurement.torque))),
+            float(np.max(np.abs(measurement.torque))),
+        ),
         "offset": (middle - span, middle + span),
         "drift": (-span / duration, span / duration),
     }[name]
     lower, upper = _bounds(name, sides, CURVE_UNKNOWNS[name]) if sides else default
     if name in ("play", "play_torque") and (lower < 0.0 or (name == "play_torque" and lower == 0.0)):
-        raise InputError(f"unknown '{name}': it cannot be negative{' or zero' if name == 'play_torque' else ''}")
+        raise InputError(
+            f"unknown '{name}': it cannot be negative{' or zero' if name == 'play_torque' else ''}"
+        )
     if name == "offset":
         labels = np.unique(measurement.repetition)
         if labels.size > 1:
@@ -127,7 +132,9 @@ def _of_joint(path: str, sides: list[str], case: Case) -> Variable:
     elif path.endswith("fractal_dimension"):
         lower, upper = 1.05, 1.95
     elif stated is None or stated.value <= 0.0 or linear:
-        raise InputError(f"unknown '{path}': the joint file gives no value to start from; state bounds, {path}=LOWER:UPPER")
+        raise InputError(
+            f"unknown '{path}': the joint file gives no value to start from; state bounds, {path}=LOWER:UPPER"
+        )
     else:
         lower, upper = stated.value / DEFAULT_FACTOR, stated.value * DEFAULT_FACTOR
         if not (key.admits(lower) and key.admits(upper)):
