@@ -5,6 +5,7 @@ balance of contact length against compactness. Each is asked at the level the pa
 level of the assembled joint. Run it in the folder of the examples: python design_advice.py
 """
 
+import tempfile
 import tomllib
 from pathlib import Path
 
@@ -41,7 +42,7 @@ def best_surface(level: str, roughness: str | None) -> DesignResult:
 
 
 def write_joint(roughness: str) -> str:
-    path = Path("/tmp") / f"joint_{roughness.replace(' ', '_')}.toml"
+    path = Path(tempfile.gettempdir()) / f"joint_{roughness.replace(' ', '_')}.toml"
     path.write_text((HERE / "zou2025.toml").read_text().replace("1e-8 mm", roughness))
     return str(path)
 

@@ -225,7 +225,7 @@ def _conclude(model: CurveModel, places: np.ndarray, starts: tuple[float, ...]) 
         where = model.torque[~(stiffness > 0.0)].min()
         raise NoSolutionError(
             f"the best fit has no stiffness from {where:.3g} N·m on (largest slip ratio {slip.max():.3g}; below 1 "
-            "every contact spot is plastic): the joint file cannot explain these data; check units, preload, friction, or "
+            "every contact spot is plastic): the joint file cannot explain these data; check units and preload, or "
             "widen the bounds"
         )
     prediction, slopes = model(places)

@@ -18,6 +18,9 @@ from asperity.study.scenarios import Scenarios, scenarios
 #: Largest logarithm of a ratio that the search sees: an absent force or an infinite slip ratio is this far away.
 FARTHEST = 14.0
 
+#: Logarithm of an objective that does not exist.
+_NOWHERE = 30.0
+
 
 @dataclass(frozen=True)
 class Row:
@@ -143,8 +146,10 @@ class Judge:
             row = np.argmax(goal.sign * value, axis=0)  # the worst contact
             picked = value[row, np.arange(value.shape[1])][self.judged]
             steep = slope[row, np.arange(value.shape[1])][self.judged] * steps
-            objective.append(goal.sign * (log_ratio(picked, 1.0) if ratio else picked))
-            usable = np.isfinite(picked) & (picked > 0.0)
+            usable = np.isfinite(picked) & ((picked > 0.0) | (not ratio))
+            # an objective that does not exist, such as the stiffness of a slipping joint, is worse than any other
+            sized = goal.sign * (np.log(np.where(usable, picked, 1.0)) if ratio else picked)
+            objective.append(np.where(usable, sized, _NOWHERE))
             weight = (
                 np.where(usable, 1.0 / np.where(usable, picked, 1.0), 0.0) if ratio else np.ones_like(picked)
             )
