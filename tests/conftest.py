@@ -9,6 +9,8 @@ import pytest
 
 jax.config.update("jax_enable_x64", True)
 jax.config.update("jax_numpy_dtype_promotion", "strict")
+# most of the suite's time is compilation; the unoptimised programs compute the same numbers in a third of it
+jax.config.update("jax_disable_most_optimizations", True)
 
 SHARED = Path(os.environ.get("ASPERITY_SHARED_DATA", Path(__file__).parents[2] / "shared"))
 
