@@ -8,6 +8,8 @@ An elasticity of 2 says that one per cent more of x makes about two per cent mor
 
 from __future__ import annotations
 
+import functools
+import json
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
@@ -26,6 +28,7 @@ from asperity.joint import Joint, evaluate
 from asperity.precision import require_double_precision
 from asperity.study.datasets import common_attributes, require
 from asperity.study.parameters import long_name
+from asperity.study.points import table_structure
 from asperity.study.results import RESULTS, Solved
 from asperity.study.status import STATUS_MEANINGS, UNBALANCED, joint_status
 
@@ -132,17 +135,23 @@ def sensitivity(case: Case) -> xarray.Dataset:
 
 
 def _differentiated(case: Case, inputs: dict[str, NumericKey], point: Array) -> tuple[Array, Array]:
-    tables = si_values(case)
-
-    def judged(numbers: Array) -> tuple[Array, tuple[Array, Array]]:
-        joint = joint_from_values(replace_values(tables, dict(zip(inputs, numbers, strict=True))))
-        values, status = _judged(joint)
-        return values, (values, status)
-
-    differentiate: Callable[[Array], Any] = jax.jacfwd(judged, has_aux=True)
+    differentiate = _differentiation(table_structure(si_values(case)), tuple(inputs))
     jacobian, (values, status) = compile_fast(differentiate, point)(point)
     refuse_failed(case, int(status))
     return values, jacobian
+
+
+@functools.lru_cache(maxsize=8)
+def _differentiation(structure: str, paths: tuple[str, ...]) -> Callable[[Array], Any]:
+    """Jacobian, values and status as a function of all numbers of a file of this structure."""
+    tables = json.loads(structure)
+
+    def judged(numbers: Array) -> tuple[Array, tuple[Array, Array]]:
+        joint = joint_from_values(replace_values(tables, dict(zip(paths, numbers, strict=True))))
+        values, status = _judged(joint)
+        return values, (values, status)
+
+    return jax.jacfwd(judged, has_aux=True)  # type: ignore[no-any-return]
 
 
 def refuse_failed(case: Case, status: int) -> None:
