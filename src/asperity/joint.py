@@ -13,8 +13,9 @@ from asperity.contact.fractal import FractalContact
 from asperity.contact.interface import Interface
 from asperity.diagnostics import Diagnostics, diagnose
 from asperity.drive.assembly import Assembly, assembly_stiffness
-from asperity.drive.force_balance import BALANCE_TOLERANCE, DriveForces, Mechanism, force_balance, rest_state
+from asperity.drive.force_balance import BALANCE_TOLERANCE, DriveForces, force_balance
 from asperity.drive.geometry import CONTACT_NAMES, DriveAngles, angles, carrier_speed, speed_ratio
+from asperity.drive.mechanism import Mechanism, rest_state
 from asperity.drive.torsional_stiffness import (
     TorsionalStiffness,
     contact_torsional_stiffness,

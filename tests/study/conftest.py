@@ -15,6 +15,11 @@ FILE = Path(__file__).parents[2] / "examples" / "zou2025.toml"
 
 
 @pytest.fixture(scope="session")
+def zou_file() -> Path:
+    return FILE
+
+
+@pytest.fixture(scope="session")
 def joint_text():
     return FILE.read_text()
 

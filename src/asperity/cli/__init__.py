@@ -8,11 +8,13 @@ exit code: 0 fine, 2 bad input, 3 no solution.
 from __future__ import annotations
 
 import importlib
+import os
 import sys
 from typing import Any
 
 import click
 
+from asperity.cli.terminal import prepare_output
 from asperity.errors import AsperityError
 
 #: Command name -> (module that defines it, function name, one-line help shown without importing the module).
@@ -35,6 +37,9 @@ COMMANDS: dict[str, tuple[str, str, str]] = {
         "Torque-angle curve, hysteresis and capacity of a joint file.",
     ),
     "contact": ("asperity.cli.contact", "contact", "Stiffness of any number of roller pairs from a table."),
+    "design": ("asperity.cli.design", "design", "The best joint within limits, or a Pareto front."),
+    "calibrate": ("asperity.cli.calibrate", "calibrate", "Unknowns of a joint from a measured curve."),
+    "materials": ("asperity.cli.materials", "materials", "Library of materials and finishes, with sources."),
     "init": ("asperity.cli.init", "init", "Write a commented joint file to start from."),
     "schema": ("asperity.cli.schema", "schema", "Print the JSON schema of joint files, for editors."),
     "completion": ("asperity.cli.completion", "completion", "Print a shell completion script."),
@@ -47,6 +52,11 @@ COMMANDS: dict[str, tuple[str, str, str]] = {
         "asperity.cli.surface",
         "surface",
         "Measure D and G of rough surfaces, make and combine them.",
+    ),
+    "verify-contact": (
+        "asperity.cli.verify_contact",
+        "verify_contact",
+        "Hold the fractal law against boundary elements.",
     ),
 }
 
@@ -94,20 +104,37 @@ class LazyGroup(click.Group):
         return super().resolve_command(ctx, args)
 
 
+def _show_version(context: click.Context, option: click.Parameter, asked: bool) -> None:
+    if asked:
+        from asperity import __version__
+
+        click.echo(f"asperity {__version__}")
+        context.exit()
+
+
 @click.group(
     cls=LazyGroup,
     commands_by_module=COMMANDS,
     context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 100},
 )
-@click.version_option(package_name="asperity", prog_name="asperity")
+@click.option(
+    "--version",
+    is_flag=True,
+    is_eager=True,
+    expose_value=False,
+    callback=_show_version,
+    help="Show the version.",
+)
 def asperity() -> None:
     """From a measured rough surface to the torsional stiffness of a traction-drive robot joint."""
 
 
 def main() -> None:
     """Entry point of the ``asperity`` command."""
+    prepare_output()
     try:
         code = asperity.main(prog_name="asperity", standalone_mode=False)
+        sys.stdout.flush()
     except AsperityError as error:
         click.echo(f"asperity: error: {error}", err=True)
         sys.exit(error.exit_code)
@@ -117,4 +144,7 @@ def main() -> None:
     except (click.Abort, KeyboardInterrupt):
         click.echo("asperity: interrupted", err=True)
         sys.exit(130)
+    except BrokenPipeError:  # whoever read the output has seen enough; nothing is left to be flushed at exit
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        sys.exit(1)
     sys.exit(code if isinstance(code, int) else 0)
