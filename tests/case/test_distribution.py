@@ -16,7 +16,9 @@ def test_forms():
     assert str(parse_distribution("normal  3  sigma")) == "normal 3 sigma"
 
 
-@pytest.mark.parametrize("text", ["", "normal", "gauss", "normal 0 sigma", "normal 11 sigma", "normal -2 sigma", "uniform 2"])
+@pytest.mark.parametrize(
+    "text", ["", "normal", "gauss", "normal 0 sigma", "normal 11 sigma", "normal -2 sigma", "uniform 2"]
+)
 def test_other_words_are_refused(text):
     with pytest.raises(InputError):
         parse_distribution(text)

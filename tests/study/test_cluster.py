@@ -43,7 +43,8 @@ class Cluster:
         where = ["--scheduler-file", str(self.file), "--no-dashboard"]
         self.scheduler = self._start("dask_scheduler", "--host", "127.0.0.1", "--port", "0", *where)
         self.workers = [
-            self._start("dask_worker", *where, "--nthreads", "1", "--no-nanny", "--memory-limit", "0") for _ in "12"
+            self._start("dask_worker", *where, "--nthreads", "1", "--no-nanny", "--memory-limit", "0")
+            for _ in "12"
         ]
 
     def _start(self, module, *arguments):

@@ -10,13 +10,20 @@ from asperity.study.points import evaluate_points
 from asperity.study.sensitivity import judged_results, ranking, sensitivity
 from asperity.unit_table import Dimension
 
-OUTPUT = {"assembly_stiffness_output", "series_with_bulk_stiffness_output", "published_stiffness_output", "torque_capacity"}
+OUTPUT = {
+    "assembly_stiffness_output",
+    "series_with_bulk_stiffness_output",
+    "published_stiffness_output",
+    "torque_capacity",
+}
 
 
 @pytest.fixture(scope="module")
 def homogeneous(joint_text):
     """The paper's joint with the one contact factor whose units cancel: those of (11) do not."""
-    return parse_case(joint_text.replace('contact_factor = "printed"', 'contact_factor = "unity"'), source="x")
+    return parse_case(
+        joint_text.replace('contact_factor = "printed"', 'contact_factor = "unity"'), source="x"
+    )
 
 
 @pytest.fixture(scope="module")
@@ -27,7 +34,9 @@ def found(homogeneous):
 @pytest.mark.parametrize("base", range(3), ids=["length", "mass", "time"])
 def test_elasticities_obey_the_dimensions(homogeneous, found, base):
     # Euler's theorem: in units of another size every result changes by the power of its dimension
-    exponents = np.array([entry.key.dimension.exponents[base] for entry in numeric_keys(homogeneous).values()])
+    exponents = np.array(
+        [entry.key.dimension.exponents[base] for entry in numeric_keys(homogeneous).values()]
+    )
     for name, (unit, _) in judged_results().items():
         if name in OUTPUT:
             dimension = Dimension.TORQUE if unit == "N*m" else Dimension.TORSIONAL_STIFFNESS
@@ -72,7 +81,9 @@ def test_closed_forms(found):
     slope = float(found["derivative"].sel(result="self_locking_margin", input="load.friction_coefficient"))
     assert slope == pytest.approx(np.tan(np.radians(13.1582) / 2.0) / 0.12**2, rel=1e-5)
     # every branch carries its share: capacity is proportional to the number of planets
-    assert float(found["elasticity"].sel(result="torque_capacity", input="drive.planets")) == pytest.approx(1.0, abs=1e-9)
+    assert float(found["elasticity"].sel(result="torque_capacity", input="drive.planets")) == pytest.approx(
+        1.0, abs=1e-9
+    )
     # Hertz: p0 ~ sqrt(N E/(R B)); yield strength enters the first yield pressure alone
     pressure = found.sel(result="pressure_margin_sp")
     ratio = 1.0 - float(pressure["result_value"])

@@ -85,7 +85,9 @@ def test_only_unfinished_blocks_are_computed_again(case, filled, tmp_path, monke
     computed = []
     block_results = sweep_module.block_results
     monkeypatch.setattr(
-        sweep_module, "block_results", lambda plan, block, **o: computed.append(block) or block_results(plan, block, **o)
+        sweep_module,
+        "block_results",
+        lambda plan, block, **o: computed.append(block) or block_results(plan, block, **o),
     )
     told = []
     again = sweep(case, AXES, results=RESULTS, store=path, block_points=7, report=lambda *n: told.append(n))
@@ -151,7 +153,13 @@ def test_too_large_for_memory_or_disk(case, tmp_path):
     axes = [parse_axis("load.output_torque=0 N*m:5 N*m:2000000")]
     with pytest.raises(InputError, match="stream them to a store"):
         sweep(case, axes, results=RESULTS)
-    keys = ("sun_torque", "loading_roller_torque", "carrier_torque", "pin_friction_coefficient", "pin_diameter")
+    keys = (
+        "sun_torque",
+        "loading_roller_torque",
+        "carrier_torque",
+        "pin_friction_coefficient",
+        "pin_diameter",
+    )
     units = dict(zip(keys, (" N*m", " N*m", " N*m", "", " mm"), strict=True))
     huge = [parse_axis(f"bearings.{key}=0{unit}:0.1{unit}:1000") for key, unit in units.items()]
     with pytest.raises(InputError, match="GB are free"):

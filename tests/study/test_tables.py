@@ -18,8 +18,16 @@ def small():
     return dataset(
         dimensions=("load.preload", "load.output_torque"),
         coordinates={
-            "load.preload": (("load.preload",), np.array([900.0, 1000.0]), {"units": "N", "long_name": "preload"}),
-            "load.output_torque": (("load.output_torque",), np.array([0.0, 20.0]), {"units": "N*m", "long_name": "t"}),
+            "load.preload": (
+                ("load.preload",),
+                np.array([900.0, 1000.0]),
+                {"units": "N", "long_name": "preload"},
+            ),
+            "load.output_torque": (
+                ("load.output_torque",),
+                np.array([0.0, 20.0]),
+                {"units": "N*m", "long_name": "t"},
+            ),
         },
         status=status,
         found={"published_stiffness_output": stiffness, "normal_force": forces},

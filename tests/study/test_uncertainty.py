@@ -11,6 +11,7 @@ from asperity.errors import InputError
 from asperity.study.sensitivity import sensitivity
 from asperity.study.uncertainty import toleranced_inputs, uncertainty
 
+
 @pytest.fixture(scope="module")
 def toleranced(joint_text):
     text = joint_text
@@ -57,8 +58,12 @@ def test_moments_and_indices_of_a_product(spread):
         others = math.prod(1.0 + v for key, v in relative.items() if key != name)
         first, total = own / variance, own * others / variance
         at = one.sel(input=name)
-        assert float(at["first_order"]) == pytest.approx(first, abs=max(2.0 * float(at["first_order_half_width"]), 0.01))
-        assert float(at["total_order"]) == pytest.approx(total, abs=max(2.0 * float(at["total_order_half_width"]), 0.01))
+        assert float(at["first_order"]) == pytest.approx(
+            first, abs=max(2.0 * float(at["first_order_half_width"]), 0.01)
+        )
+        assert float(at["total_order"]) == pytest.approx(
+            total, abs=max(2.0 * float(at["total_order_half_width"]), 0.01)
+        )
 
 
 def test_quantiles_hold_their_share(spread):
@@ -111,13 +116,17 @@ def test_small_tolerances_are_linear(joint_text):
     text = joint_text.replace('"1000 N"', '"1000 N +- 0.1 N, normal 1 sigma"').replace('"printed"', '"unity"')
     case = parse_case(text, source="x")
     found = uncertainty(case, results=("published_stiffness_output",), samples=4_000).isel(result=0)
-    slope = float(sensitivity(case)["derivative"].sel(result="published_stiffness_output", input="load.preload"))
+    slope = float(
+        sensitivity(case)["derivative"].sel(result="published_stiffness_output", input="load.preload")
+    )
     assert float(found["standard_deviation"]) == pytest.approx(abs(slope) * 0.1, rel=0.06)
     assert float(found["first_order"].squeeze()) == pytest.approx(1.0, abs=0.05)
 
 
 def test_a_distribution_is_never_guessed(toleranced, case):
-    with pytest.raises(InputError, match=r"drive\.contact_length: the file states a tolerance but not its distribution"):
+    with pytest.raises(
+        InputError, match=r"drive\.contact_length: the file states a tolerance but not its distribution"
+    ):
         toleranced_inputs(toleranced, otherwise=None)
     with pytest.raises(InputError, match="no tolerances"):
         toleranced_inputs(case, otherwise=None)

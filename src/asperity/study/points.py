@@ -152,7 +152,7 @@ def _program(
     if quick:
         packed = compile_fast(lambda both: kernel(both[0], *both[1]), (base, arrays))
         return lambda base, *arrays: packed((base, list(arrays)))
-    return jax.jit(kernel).lower(base, *arrays).compile()  # type: ignore[no-any-return]
+    return jax.jit(kernel).lower(base, *arrays).compile()
 
 
 def evaluate_points(
@@ -212,8 +212,8 @@ def evaluate_points(
     for start in range(0, count, size):
         part = slice(start, min(start + size, count))
         missing = size - (part.stop - start)
-        batch = [np.pad(column[part], (0, missing), mode="edge") for column in columns.values()]
-        code, done = program(base, *batch)
+        padded = [np.pad(column[part], (0, missing), mode="edge") for column in columns.values()]
+        code, done = program(base, *padded)
         status[part] = np.asarray(code)[: size - missing]
         for name, value in done.items():
             found[name][..., part] = np.asarray(value)[..., : size - missing]

@@ -103,7 +103,7 @@ def sensitivity(case: Case) -> xarray.Dataset:
     is that of one side or their mean.
     """
     require_double_precision()
-    xarray = require("xarray")
+    xr = require("xarray")
     inputs = numeric_keys(case)
     point = jnp.asarray([entry.value for entry in inputs.values()])
     values, jacobian = _differentiated(case, inputs, point)
@@ -114,10 +114,14 @@ def sensitivity(case: Case) -> xarray.Dataset:
     nonzero = np.where(y == 0.0, np.nan, y)[:, None]
     elasticity = np.where(finite, derivative * x / nonzero, np.nan)
     pair = ("result", "input")
-    made: xarray.Dataset = xarray.Dataset(
+    made: xarray.Dataset = xr.Dataset(
         {
             "derivative": (pair, derivative, {"long_name": "derivative", "units": "result_unit/input_unit"}),
-            "elasticity": (pair, elasticity, {"long_name": "relative change of the result per relative change of the input", "units": "1"}),
+            "elasticity": (
+                pair,
+                elasticity,
+                {"long_name": "relative change of the result per relative change of the input", "units": "1"},
+            ),
             "value": (("input",), x, {"long_name": "value of the input", "units": "input_unit"}),
             "result_value": (("result",), y, {"long_name": "value of the result", "units": "result_unit"}),
         },
@@ -151,7 +155,7 @@ def _differentiation(structure: str, paths: tuple[str, ...]) -> Callable[[Array]
         values, status = _judged(joint)
         return values, (values, status)
 
-    return jax.jacfwd(judged, has_aux=True)  # type: ignore[no-any-return]
+    return jax.jacfwd(judged, has_aux=True)
 
 
 def refuse_failed(case: Case, status: int) -> None:

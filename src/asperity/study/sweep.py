@@ -130,7 +130,9 @@ def _size(block: tuple[slice, ...]) -> int:
     return int(np.prod([part.stop - part.start for part in block]))
 
 
-def _in_memory(plan: Plan, scheduler: str | None, workers: int | None, report: Report | None) -> xarray.Dataset:
+def _in_memory(
+    plan: Plan, scheduler: str | None, workers: int | None, report: Report | None
+) -> xarray.Dataset:
     if scheduler is not None or workers:
         raise InputError("a cluster writes to a store, which is missing: give one, e.g. --out sweep.zarr")
     if plan.points > IN_MEMORY_POINTS or plan.bytes > IN_MEMORY_BYTES:
