@@ -1,18 +1,16 @@
 """A real cluster of separate processes: one worker is killed in the middle and nothing is lost."""
 
+import json
 import os
 import subprocess
 import sys
 import time
 from pathlib import Path
 
-import jax.numpy as jnp
 import numpy as np
 import pytest
 
-from asperity.case.build import with_values
 from asperity.errors import InputError
-from asperity.joint import solve
 from asperity.study.cluster import worker_environment
 from asperity.study.parameters import parse_axis
 from asperity.study.store import unfinished_blocks
@@ -45,7 +43,8 @@ class Cluster:
         where = ["--scheduler-file", str(self.file), "--no-dashboard"]
         self.scheduler = self._start("dask_scheduler", "--host", "127.0.0.1", "--port", "0", *where)
         self.workers = [
-            self._start("dask_worker", *where, "--nthreads", "1", "--no-nanny", "--memory-limit", "0") for _ in "12"
+            self._start("dask_worker", *where, "--nthreads", "1", "--no-nanny", "--memory-limit", "0")
+            for _ in "12"
         ]
 
     def _start(self, module, *arguments):
@@ -55,8 +54,6 @@ class Cluster:
             return subprocess.Popen(command, env=self.environment, stdout=log, stderr=log, cwd=self.folder)
 
     def address(self):
-        import json
-
         for _ in range(600):
             if self.file.exists() and self.file.stat().st_size:
                 return json.loads(self.file.read_text())["address"]
@@ -76,7 +73,7 @@ def cluster(tmp_path):
     made.close()
 
 
-def test_a_killed_worker_loses_nothing(case, cluster, tmp_path):
+def test_a_killed_worker_loses_nothing(case, cluster, tmp_path, evaluated_directly):
     from distributed import Client
 
     store = tmp_path / "s.zarr"
@@ -105,9 +102,7 @@ def test_a_killed_worker_loses_nothing(case, cluster, tmp_path):
     assert cluster.workers[1].poll() is None
     assert unfinished_blocks(store) == []
 
-    grid = np.meshgrid(*(axis.values for axis in AXES), indexing="ij")
-    changes = {axis.path: jnp.asarray(values.ravel()) for axis, values in zip(AXES, grid, strict=True)}
-    direct = np.asarray(solve(with_values(case, changes)).published.output).reshape(20, 30)
+    direct = np.asarray(evaluated_directly(AXES).published.output).reshape(20, 30)
     np.testing.assert_array_equal(found["status"].values, 0)
     np.testing.assert_allclose(found["published_stiffness_output"].values, direct, rtol=1e-11)
 

@@ -56,11 +56,17 @@ def test_nonsense_is_refused_with_a_reason(text, told):
 )
 def test_two_axes_for_one_number_are_refused(case, paths):
     with pytest.raises(InputError, match="vary it once"):
-        check_axes(case, [Axis(path, 1.5, 1.6, 2, "linear") if "fractal" in path else _axis(path) for path in paths])
+        check_axes(
+            case, [Axis(path, 1.5, 1.6, 2, "linear") if "fractal" in path else _axis(path) for path in paths]
+        )
 
 
 def _axis(path):
-    ends = {"load.preload": (900.0, 1000.0), "materials.steel.hardness": (1e9, 2e9), "materials.steel.hardness_factor": (2.0, 3.0)}
+    ends = {
+        "load.preload": (900.0, 1000.0),
+        "materials.steel.hardness": (1e9, 2e9),
+        "materials.steel.hardness_factor": (2.0, 3.0),
+    }
     return Axis(path, *ends.get(path, (0.1, 0.2)), 2, "linear")
 
 

@@ -20,7 +20,9 @@ _SAME = {
 
 def test_every_leaf_of_the_result_is_offered(case):
     shapes = eqx.filter_eval_shape(evaluate, joint_from_case(case))
-    leaves = {".".join(str(key.name) for key in path) for path, _ in jax.tree_util.tree_leaves_with_path(shapes)}
+    leaves = {
+        ".".join(str(key.name) for key in path) for path, _ in jax.tree_util.tree_leaves_with_path(shapes)
+    }
     offered = {result.path.removeprefix("result.") for result in RESULTS.values()}
     assert {_SAME.get(leaf, leaf) for leaf in leaves} - _NOT_OFFERED <= offered
 
@@ -32,7 +34,9 @@ def test_groups_and_names_are_chosen_once():
     assert len(GROUPS["stiffness"]) == 6
 
 
-@pytest.mark.parametrize(("name", "told"), [("published_stifness_sun", "did you mean"), ("xyzzy", "groups: all")])
+@pytest.mark.parametrize(
+    ("name", "told"), [("published_stifness_sun", "did you mean"), ("xyzzy", "groups: all")]
+)
 def test_unknown_results_are_refused(name, told):
     with pytest.raises(InputError, match=told):
         chosen_results([name])

@@ -16,10 +16,22 @@ FAILURES = [
     ({"drive.loading_roller_radius": 0.0041}, "roller_does_not_reach_ring", "reach"),
     ({"drive.planet_radius": 0.0185}, "planet_touches_ring", "planet must not touch the ring"),
     ({"drive.planets": 7.0}, "planets_overlap", "neighbouring planets"),
-    ({"drive.loading_roller_radius": 0.0049, "drive.ring_radius": 0.0407}, "rollers_of_planet_overlap", "one planet"),
-    ({"drive.planets": 5.0, "drive.planet_radius": 0.0125, "drive.loading_roller_radius": 0.0059}, None, "not "),
+    (
+        {"drive.loading_roller_radius": 0.0049, "drive.ring_radius": 0.0407},
+        "rollers_of_planet_overlap",
+        "one planet",
+    ),
+    (
+        {"drive.planets": 5.0, "drive.planet_radius": 0.0125, "drive.loading_roller_radius": 0.0059},
+        None,
+        "not ",
+    ),
     ({"bearings.pin_diameter": 0.0101}, "pin_too_thick_or_locked", "pin diameter"),
-    ({"bearings.pin_diameter": 0.004, "bearings.pin_friction_coefficient": 2.0}, "pin_too_thick_or_locked", "lock"),
+    (
+        {"bearings.pin_diameter": 0.004, "bearings.pin_friction_coefficient": 2.0},
+        "pin_too_thick_or_locked",
+        "lock",
+    ),
     ({"load.output_torque": 20.0}, "beyond_torque_capacity", "beyond the torque capacity"),
     ({"load.preload": 1e8, "load.friction_coefficient": 0.3}, "contact_too_wide", "wide"),
 ]
@@ -35,7 +47,9 @@ def codes(case):
             node = node.get(step, {}) if isinstance(node, dict) else node
         base.setdefault(path, node)
     points = {path: np.array([changes.get(path, base[path]) for changes, _, _ in FAILURES]) for path in PATHS}
-    status, found = evaluate_points(si_values(case), points, ("published_stiffness_output", "wedge_angle", "gross_slip"))
+    status, found = evaluate_points(
+        si_values(case), points, ("published_stiffness_output", "wedge_angle", "gross_slip")
+    )
     return status, found
 
 
@@ -44,7 +58,11 @@ def test_failed_points_are_those_that_the_joint_command_refuses(case, codes, ind
     changes, name, told = FAILURES[index]
     status, found = codes
     assert name is None or STATUS_NAMES[status[index]] == name
-    assert (told is None) == (status[index] == 0) == bool(np.isfinite(found["published_stiffness_output"][index]))
+    assert (
+        (told is None)
+        == (status[index] == 0)
+        == bool(np.isfinite(found["published_stiffness_output"][index]))
+    )
     if told is not None and index in (1, 8):  # each examination compiles anew: two stand for all
         with pytest.raises(AsperityError, match=told):
             examine(with_values(case, changes))

@@ -70,7 +70,9 @@ def parse_distribution(text: str) -> Distribution:
         raise InputError(f"a tolerance can be distributed as {FORMS}, got '{text}'")
     sigmas = float(found[1])
     if not 0.0 < sigmas <= _MOST_SIGMAS:
-        raise InputError(f"a tolerance is above 0 and at most {_MOST_SIGMAS:g} standard deviations, got '{text}'")
+        raise InputError(
+            f"a tolerance is above 0 and at most {_MOST_SIGMAS:g} standard deviations, got '{text}'"
+        )
     return Distribution("normal", sigmas)
 
 

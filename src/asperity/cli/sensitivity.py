@@ -83,7 +83,9 @@ def sensitivity_document(found: xarray.Dataset) -> dict[str, Any]:
     return {
         "inputs": {
             name: {"value": float(value), "unit": str(unit)}
-            for name, value, unit in zip(inputs, found["value"].values, found["input_unit"].values, strict=True)
+            for name, value, unit in zip(
+                inputs, found["value"].values, found["input_unit"].values, strict=True
+            )
         },
         "results": {
             name: {
@@ -91,10 +93,12 @@ def sensitivity_document(found: xarray.Dataset) -> dict[str, Any]:
                 "unit": str(one["result_unit"].item()),
                 "description": str(one["result_name"].item()),
                 "derivative": {
-                    i: number_or_null(value) for i, value in zip(inputs, one["derivative"].values, strict=True)
+                    i: number_or_null(value)
+                    for i, value in zip(inputs, one["derivative"].values, strict=True)
                 },
                 "elasticity": {
-                    i: number_or_null(value) for i, value in zip(inputs, one["elasticity"].values, strict=True)
+                    i: number_or_null(value)
+                    for i, value in zip(inputs, one["elasticity"].values, strict=True)
                 },
             }
             for name in found["result"].values.tolist()
@@ -113,11 +117,17 @@ def _show(ranked: xarray.Dataset) -> None:
     value = float(ranked["result_value"])
     target = console()
     title = f"{ranked['result_name'].item()}: {value:.5g} {shown_unit}".rstrip()
-    rows = table(target, title, "number of the file", "value", "elasticity", f"derivative [{shown_unit or '-'}]")
+    rows = table(
+        target, title, "number of the file", "value", "elasticity", f"derivative [{shown_unit or '-'}]"
+    )
     for path in ranked["input"].values.tolist():
         one = ranked.sel(input=path)
         key = key_at(path)
-        per = "" if str(one["input_unit"].item()) == "1" else f" per {one['input_unit'].item()}".replace("*", "·")
+        per = (
+            ""
+            if str(one["input_unit"].item()) == "1"
+            else f" per {one['input_unit'].item()}".replace("*", "·")
+        )
         elasticity, derivative = float(one["elasticity"]), float(one["derivative"])
         rows.add_row(
             path,
@@ -127,4 +137,6 @@ def _show(ranked: xarray.Dataset) -> None:
         )
     target.print(rows)
     if not np.isfinite(value):
-        click.echo("the result is infinite: no torque makes a contact slip, and there is nothing to differentiate")
+        click.echo(
+            "the result is infinite: no torque makes a contact slip, and there is nothing to differentiate"
+        )

@@ -47,7 +47,9 @@ if TYPE_CHECKING:
     help="Draw the sweep to an image, sweep.png if no name is given.",
 )
 @click.option("--plot-result", metavar="NAME", help="Which result to draw instead of the stiffness.")
-@click.option("--scheduler", metavar="tcp://HOST:PORT", help="A running Dask scheduler; needs --out of type .zarr.")
+@click.option(
+    "--scheduler", metavar="tcp://HOST:PORT", help="A running Dask scheduler; needs --out of type .zarr."
+)
 @click.option(
     "--workers",
     type=click.IntRange(0),
@@ -64,14 +66,14 @@ def sweep(
     scheduler: str | None,
     workers: int | None,
 ) -> None:
-    """Evaluate the joint in FILE on a grid of any of its numbers.
+    r"""Evaluate the joint in FILE on a grid of any of its numbers.
 
     Without --out a small sweep is printed. Points without a result (rollers that do not fit, a torque beyond the
     capacity) are kept, with the reason in their status.
 
     \b
     asperity sweep joint.toml --over "load.output_torque=0 N*m:5 N*m:11" --plot
-    asperity sweep joint.toml --over "surface.fractal_roughness=1e-10 mm:1e-8 mm:50:log" \\
+    asperity sweep joint.toml --over "surface.fractal_roughness=1e-10 mm:1e-8 mm:50:log" \
         --over "load.preload=500 N:2000 N:40" --results stiffness,gross_slip --out sweep.nc
     """
     from asperity.case.reader import read_case
@@ -95,7 +97,9 @@ def sweep(
     if plot is not None:
         check_plot(plot)
     if (scheduler is not None or workers) and not streamed:
-        raise InputError("--scheduler and --workers need an --out of type .zarr, which the processes write to")
+        raise InputError(
+            "--scheduler and --workers need an --out of type .zarr, which the processes write to"
+        )
     try:
         with progress_bar("points") as report:
             found = evaluate_sweep(

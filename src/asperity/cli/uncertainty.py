@@ -14,14 +14,18 @@ if TYPE_CHECKING:
 @click.command()
 @click.argument("file", type=click.Path())
 @click.option("--samples", type=int, default=100_000, show_default=True, help="Monte-Carlo samples.")
-@click.option("--seed", type=click.IntRange(0), default=0, show_default=True, help="Seed of the random numbers.")
+@click.option(
+    "--seed", type=click.IntRange(0), default=0, show_default=True, help="Seed of the random numbers."
+)
 @click.option(
     "--distribution",
     metavar="TEXT",
     help="For tolerances whose distribution the file does not state: 'uniform', 'triangular' or "
     "'normal K sigma' (the tolerance is K standard deviations).",
 )
-@click.option("--results", metavar="NAMES", help="Results or groups of them, separated by commas, as for sweep.")
+@click.option(
+    "--results", metavar="NAMES", help="Results or groups of them, separated by commas, as for sweep."
+)
 @click.option("--json", "as_json", is_flag=True, help="Print one JSON document in SI units.")
 @click.option(
     "--plot",
@@ -135,7 +139,9 @@ def _show(found: xarray.Dataset) -> None:
 
     show_status(found)
     target = console()
-    rows = table(target, "95 % of the results", "result", "unit", "nominal", "mean", "std. dev.", "2.5 %", "97.5 %")
+    rows = table(
+        target, "95 % of the results", "result", "unit", "nominal", "mean", "std. dev.", "2.5 %", "97.5 %"
+    )
     for name in found["result"].values.tolist():
         one = found.sel(result=name)
         low, _, high = one["quantiles"].values

@@ -152,7 +152,7 @@ def worker_environment() -> dict[str, str]:
         "OMP_NUM_THREADS": "1",
         "XLA_FLAGS": " ".join(filter(None, (os.environ.get("XLA_FLAGS"), _ONE_THREAD))),
     }
-    cache = jax.config.jax_compilation_cache_dir
+    cache = jax.config.read("jax_compilation_cache_dir")
     if cache:
         found["JAX_COMPILATION_CACHE_DIR"] = str(cache)
         found["JAX_PERSISTENT_CACHE_MIN_COMPILE_TIME_SECS"] = "0"

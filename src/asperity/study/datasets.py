@@ -135,7 +135,7 @@ def dataset(
     xarray.Dataset
         With ``status`` and one variable a result.
     """
-    xarray = require("xarray")
+    xr = require("xarray")
     variables: dict[str, Any] = {"status": (dimensions, status, flag_attributes())}
     for name, value in found.items():
         dims = ("contact", *dimensions) if RESULTS[name].per_contact else dimensions
@@ -143,7 +143,7 @@ def dataset(
     coords = dict(coordinates)
     if any(RESULTS[name].per_contact for name in found):
         coords["contact"] = contact_coordinate()
-    made: xarray.Dataset = xarray.Dataset(variables, coords=coords, attrs=dict(attributes))
+    made: xarray.Dataset = xr.Dataset(variables, coords=coords, attrs=dict(attributes))
     return made
 
 

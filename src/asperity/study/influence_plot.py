@@ -118,7 +118,9 @@ def uncertainty_figure(spread: xarray.Dataset, *, result: str) -> Figure:
             color=colour,
             label=told,
         )
-    labels = [f"{n}\n({d})" for n, d in zip(one["input_name"].values, one["distribution"].values, strict=True)]
+    labels = [
+        f"{n}\n({d})" for n, d in zip(one["input_name"].values, one["distribution"].values, strict=True)
+    ]
     right.set_yticks(place, np.array(labels)[order])
     right.invert_yaxis()
     right.set_xlabel("Sobol index: share of the variance [-]")

@@ -99,7 +99,9 @@ def parse_axis(text: str) -> Axis:
     try:
         count = int(parts[2])
     except ValueError:
-        raise InputError(f"{path}: the count must be a whole number of at least 1, got '{parts[2]}'") from None
+        raise InputError(
+            f"{path}: the count must be a whole number of at least 1, got '{parts[2]}'"
+        ) from None
     axis = Axis(path, ends[0], ends[1], count, "log" if len(parts) == 4 else "linear")
     check_axis(axis)
     return axis
@@ -122,7 +124,9 @@ def check_axis(axis: Axis) -> None:
     if axis.count < 1:
         raise InputError(f"{axis.path}: the count must be at least 1, got {axis.count}")
     if axis.count == 1 and axis.start != axis.stop:
-        raise InputError(f"{axis.path}: one value cannot start and stop at different ones; the count must be above 1")
+        raise InputError(
+            f"{axis.path}: one value cannot start and stop at different ones; the count must be above 1"
+        )
     if axis.count > 1 and axis.start == axis.stop:
         raise InputError(
             f"{axis.path}: {axis.count} values from {format_quantity(axis.start, unit)} to the same value; "
@@ -135,7 +139,9 @@ def check_axis(axis: Axis) -> None:
         )
     values = axis.values
     if axis.count > 1 and np.any(np.diff(values) == 0.0):
-        raise InputError(f"{axis.path}: {axis.count} values do not fit between start and stop in double precision")
+        raise InputError(
+            f"{axis.path}: {axis.count} values do not fit between start and stop in double precision"
+        )
     check_values({axis.path: values})
 
 
@@ -182,7 +188,9 @@ def check_paths(case: Case, paths: Sequence[str]) -> None:
         replace_values(values, {path: 1.0})  # raises if this joint has no such number
         generic, contact = _generic(path)
         for other, other_generic, other_contact in seen:
-            if generic == other_generic and (contact == other_contact or contact is None or other_contact is None):
+            if generic == other_generic and (
+                contact == other_contact or contact is None or other_contact is None
+            ):
                 both = path if other == path else f"{other} and {path}"
                 raise InputError(f"{both}: two axes for the same number; vary it once")
         seen.append((path, generic, contact))

@@ -57,9 +57,7 @@ class Plan:
     @property
     def blocks(self) -> list[tuple[slice, ...]]:
         """Where each block lies in the grid, in order."""
-        starts = (
-            range(0, count, step) for count, step in zip(self.shape, self.block_shape, strict=True)
-        )
+        starts = (range(0, count, step) for count, step in zip(self.shape, self.block_shape, strict=True))
         return [
             tuple(
                 slice(start, min(start + step, count))
@@ -75,7 +73,7 @@ class Plan:
 
     def as_dict(self) -> dict[str, Any]:
         """Everything that decides the numbers, as plain data."""
-        return json.loads(  # type: ignore[no-any-return]
+        return json.loads(
             json.dumps(
                 {
                     "joint": self.values,
@@ -152,7 +150,9 @@ def block_shape(shape: tuple[int, ...], most: int) -> tuple[int, ...]:
     return tuple(reversed(block))
 
 
-def block_results(plan: Plan, block: tuple[slice, ...], **options: Any) -> tuple[np.ndarray, dict[str, np.ndarray]]:
+def block_results(
+    plan: Plan, block: tuple[slice, ...], **options: Any
+) -> tuple[np.ndarray, dict[str, np.ndarray]]:
     """Evaluate one block of a sweep.
 
     Parameters
@@ -174,7 +174,9 @@ def block_results(plan: Plan, block: tuple[slice, ...], **options: Any) -> tuple
     values = [axis.values[part] for axis, part in zip(plan.axes, block, strict=True)]
     grid = np.meshgrid(*values, indexing="ij")
     points = {axis.path: column.reshape(-1) for axis, column in zip(plan.axes, grid, strict=True)}
-    status, found = evaluate_points(plan.values, points, plan.results, **options)
+    status, found = evaluate_points(
+        plan.values, points, plan.results, batch=math.prod(plan.block_shape), **options
+    )
     shape = grid[0].shape
     return status.reshape(shape), {
         name: value.reshape(value.shape[:-1] + shape) for name, value in found.items()

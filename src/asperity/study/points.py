@@ -103,6 +103,22 @@ def _with_numbers(node: Any, base: Iterator[Any]) -> Any:
     return node if isinstance(node, str) else next(base)
 
 
+def table_structure(values: Values) -> str:
+    """What is left of the tables of a joint file without its numbers, to recognise files of the same structure.
+
+    Parameters
+    ----------
+    values : dict
+        Tables in SI units.
+
+    Returns
+    -------
+    str
+        JSON, with 1.0 for every number.
+    """
+    return json.dumps(_structure(values))
+
+
 def _structure(node: Any) -> Any:
     if isinstance(node, dict):
         return {name: _structure(node[name]) for name in sorted(node)}
@@ -136,7 +152,7 @@ def _program(
     if quick:
         packed = compile_fast(lambda both: kernel(both[0], *both[1]), (base, arrays))
         return lambda base, *arrays: packed((base, list(arrays)))
-    return jax.jit(kernel).lower(base, *arrays).compile()  # type: ignore[no-any-return]
+    return jax.jit(kernel).lower(base, *arrays).compile()
 
 
 def evaluate_points(
@@ -145,6 +161,7 @@ def evaluate_points(
     results: tuple[str, ...],
     *,
     quick: bool | None = None,
+    batch: int | None = None,
     report: Callable[[int], Any] | None = None,
 ) -> tuple[np.ndarray, dict[str, np.ndarray]]:
     """Status and results of a joint at many points.
@@ -159,6 +176,8 @@ def evaluate_points(
         Names of :data:`asperity.study.results.RESULTS`.
     quick : bool, optional
         Whether to compile fast and run slowly; by default up to :data:`QUICK_POINTS` points.
+    batch : int, optional
+        Points for which to compile, at most; by default as many as there are. Calls with the same one share a program.
     report : callable, optional
         Called with the number of points just done.
 
@@ -179,8 +198,8 @@ def evaluate_points(
     columns = {path: np.asarray(column, dtype=float) for path, column in points.items()}
     count = next(iter(columns.values())).size
     quick = count <= QUICK_POINTS if quick is None else quick
-    size = min(batch_size(results), 1 << max(count - 1, 0).bit_length())
-    program = _program(json.dumps(_structure(values)), paths, results, size, quick)
+    size = min(batch_size(results), 1 << max((batch or count) - 1, 0).bit_length())
+    program = _program(table_structure(values), paths, results, size, quick)
     base = tuple(np.float64(number) for number in numbers(values))
     outside = np.zeros(count, dtype=bool)
     for path, column in columns.items():
@@ -193,8 +212,8 @@ def evaluate_points(
     for start in range(0, count, size):
         part = slice(start, min(start + size, count))
         missing = size - (part.stop - start)
-        batch = [np.pad(column[part], (0, missing), mode="edge") for column in columns.values()]
-        code, done = program(base, *batch)
+        padded = [np.pad(column[part], (0, missing), mode="edge") for column in columns.values()]
+        code, done = program(base, *padded)
         status[part] = np.asarray(code)[: size - missing]
         for name, value in done.items():
             found[name][..., part] = np.asarray(value)[..., : size - missing]

@@ -100,28 +100,28 @@ def _table() -> dict[str, Result]:
         """
         assembly_stiffness_output         | assembly.stiffness.output | N*m/rad | torsional stiffness at the output, assembly with floating bodies
         assembly_stiffness_sun            | assembly.stiffness.sun    | N*m/rad | torsional stiffness at the sun, assembly with floating bodies
-        """,
+        """,  # noqa: E501
     )
     add(
         "series",
         """
         series_with_bulk_stiffness_output | series_with_bulk.output   | N*m/rad | torsional stiffness at the output, asperities and bulk in series
         series_with_bulk_stiffness_sun    | series_with_bulk.sun      | N*m/rad | torsional stiffness at the sun, asperities and bulk in series
-        """,
+        """,  # noqa: E501
     )
     add(
         "published",
         """
         published_stiffness_output        | published.output          | N*m/rad | torsional stiffness at the output as published (asperities alone, an upper bound)
         published_stiffness_sun           | published.sun             | N*m/rad | torsional stiffness at the sun as published (asperities alone, an upper bound)
-        """,
+        """,  # noqa: E501
     )
     add(
         "assembly",
         """
         tangential_share | assembly.tangential_share | 1 | share of the contact's tangential spring in the compliance of the assembly
         normal_share     | assembly.normal_share     | 1 | share of the contact's normal spring (planet float) in the compliance of the assembly
-        """,
+        """,  # noqa: E501
         contact=True,
     )
     add(
@@ -132,7 +132,7 @@ def _table() -> dict[str, Result]:
         planet_support_share | assembly.planet_support_share | 1 | share of the planet supports in the compliance of the assembly
         input_shaft_share    | assembly.input_shaft_share    | 1 | share of the input shaft in the compliance of the assembly
         output_shaft_share   | assembly.output_shaft_share   | 1 | share of the output shaft in the compliance of the assembly
-        """,
+        """,  # noqa: E501
     )
     add(
         "forces",
@@ -150,7 +150,7 @@ def _table() -> dict[str, Result]:
         input_torque        | forces.input_torque        | N*m | torque at the sun
         left_bearing_torque | forces.left_bearing_torque | N*m | friction torque of one bearing of the left loading roller
         right_bearing_torque | forces.right_bearing_torque | N*m | friction torque of one bearing of the right loading roller
-        """,
+        """,  # noqa: E501
     )
     add(
         "contacts",
@@ -167,7 +167,7 @@ def _table() -> dict[str, Result]:
         plastic_load                  | contacts.plastic_load             | N       | load carried by plastic spots
         domain_extension_factor       | contacts.domain_extension_factor  | 1       | domain extension factor psi
         contact_factor                | contacts.contact_factor           | 1       | contact factor lambda
-        """,
+        """,  # noqa: E501
         contact=True,
     )
     diagnostics = """
@@ -179,9 +179,9 @@ def _table() -> dict[str, Result]:
         normal_over_rest             | diagnostics.normal_over_rest             | 1 | normal force over its value at rest
         hertz_half_width             | diagnostics.hertz_half_width             | m | half-width of the smooth contact
         hertz_peak_pressure          | diagnostics.hertz_peak_pressure          | Pa | Hertzian peak pressure
-        """
+        """  # noqa: E501
     add("diagnostics", diagnostics, contact=True)
-    slip = "gross_slip | diagnostics.gross_slip | 1 | traction used over traction available, T/(mu N); the contact slips from 1 on"
+    slip = "gross_slip | diagnostics.gross_slip | 1 | traction used over available, T/(mu N); slips from 1 on"
     add("diagnostics", slip, contact=True, needs="balance")
     lock = "self_locking | diagnostics.self_locking | 1 | tan(beta/2)/mu; the wedge holds itself below 1"
     add("diagnostics", lock, needs="geometry")

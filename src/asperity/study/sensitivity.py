@@ -8,6 +8,8 @@ An elasticity of 2 says that one per cent more of x makes about two per cent mor
 
 from __future__ import annotations
 
+import functools
+import json
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
@@ -26,6 +28,7 @@ from asperity.joint import Joint, evaluate
 from asperity.precision import require_double_precision
 from asperity.study.datasets import common_attributes, require
 from asperity.study.parameters import long_name
+from asperity.study.points import table_structure
 from asperity.study.results import RESULTS, Solved
 from asperity.study.status import STATUS_MEANINGS, UNBALANCED, joint_status
 
@@ -100,7 +103,7 @@ def sensitivity(case: Case) -> xarray.Dataset:
     is that of one side or their mean.
     """
     require_double_precision()
-    xarray = require("xarray")
+    xr = require("xarray")
     inputs = numeric_keys(case)
     point = jnp.asarray([entry.value for entry in inputs.values()])
     values, jacobian = _differentiated(case, inputs, point)
@@ -111,10 +114,14 @@ def sensitivity(case: Case) -> xarray.Dataset:
     nonzero = np.where(y == 0.0, np.nan, y)[:, None]
     elasticity = np.where(finite, derivative * x / nonzero, np.nan)
     pair = ("result", "input")
-    made: xarray.Dataset = xarray.Dataset(
+    made: xarray.Dataset = xr.Dataset(
         {
             "derivative": (pair, derivative, {"long_name": "derivative", "units": "result_unit/input_unit"}),
-            "elasticity": (pair, elasticity, {"long_name": "relative change of the result per relative change of the input", "units": "1"}),
+            "elasticity": (
+                pair,
+                elasticity,
+                {"long_name": "relative change of the result per relative change of the input", "units": "1"},
+            ),
             "value": (("input",), x, {"long_name": "value of the input", "units": "input_unit"}),
             "result_value": (("result",), y, {"long_name": "value of the result", "units": "result_unit"}),
         },
@@ -132,17 +139,23 @@ def sensitivity(case: Case) -> xarray.Dataset:
 
 
 def _differentiated(case: Case, inputs: dict[str, NumericKey], point: Array) -> tuple[Array, Array]:
-    tables = si_values(case)
-
-    def judged(numbers: Array) -> tuple[Array, tuple[Array, Array]]:
-        joint = joint_from_values(replace_values(tables, dict(zip(inputs, numbers, strict=True))))
-        values, status = _judged(joint)
-        return values, (values, status)
-
-    differentiate: Callable[[Array], Any] = jax.jacfwd(judged, has_aux=True)
+    differentiate = _differentiation(table_structure(si_values(case)), tuple(inputs))
     jacobian, (values, status) = compile_fast(differentiate, point)(point)
     refuse_failed(case, int(status))
     return values, jacobian
+
+
+@functools.lru_cache(maxsize=8)
+def _differentiation(structure: str, paths: tuple[str, ...]) -> Callable[[Array], Any]:
+    """Jacobian, values and status as a function of all numbers of a file of this structure."""
+    tables = json.loads(structure)
+
+    def judged(numbers: Array) -> tuple[Array, tuple[Array, Array]]:
+        joint = joint_from_values(replace_values(tables, dict(zip(paths, numbers, strict=True))))
+        values, status = _judged(joint)
+        return values, (values, status)
+
+    return jax.jacfwd(judged, has_aux=True)
 
 
 def refuse_failed(case: Case, status: int) -> None:

@@ -177,8 +177,8 @@ def open_store(path: str | Path) -> xarray.Dataset:
     xarray.Dataset
         Lazy.
     """
-    xarray = require("xarray")
-    opened = xarray.open_zarr(str(path), consolidated=False)
+    xr = require("xarray")
+    opened = xr.open_zarr(str(path), consolidated=False)
     told = _plan_of(Path(path))
     ordered: xarray.Dataset = opened if told is None else opened[["status", *told["results"]]]
     return ordered
@@ -222,11 +222,18 @@ def _refuse_other(folder: Path, plan: Plan) -> None:
     """Raise unless the store here belongs to this very sweep."""
     told = _plan_of(folder)
     if told is None:
-        raise InputError(f"{folder}: this exists and is not the store of a sweep; choose another --out or remove it")
+        raise InputError(
+            f"{folder}: this exists and is not the store of a sweep; choose another --out or remove it"
+        )
     wanted = _identity(plan)
     differing = [part for part in wanted if told.get(part) != wanted[part]]
     if differing:
-        words = {"joint": "the joint file", "axes": "the axes", "results": "the results", "version": "the version"}
+        words = {
+            "joint": "the joint file",
+            "axes": "the axes",
+            "results": "the results",
+            "version": "the version",
+        }
         differ = ", ".join(words.get(part, part) for part in differing)
         raise InputError(
             f"{folder}: this holds another sweep (different: {differ}); choose another --out, or --overwrite it"
@@ -241,7 +248,7 @@ def _refuse_full_disk(folder: Path, plan: Plan) -> None:
     free = shutil.disk_usage(folder.parent).free
     if plan.bytes > free:
         raise InputError(
-            f"{folder}: {plan.points:.3g} points with {len(plan.results)} results take about {plan.bytes / 1e9:.3g} GB, "
+            f"{folder}: {plan.points:.3g} points with {len(plan.results)} results take about {plan.bytes / 1e9:.3g} GB "
             f"and {free / 1e9:.3g} GB are free; ask for fewer with --results, or for fewer points"
         )
 

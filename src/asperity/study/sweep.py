@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 import json
 from collections.abc import Callable, Sequence
 from pathlib import Path
@@ -97,7 +98,7 @@ def sweep(
     todo = _Progress(plan, blocks, report)
     if scheduler is None and (workers == 0 or (workers is None and todo.left <= ONE_PROCESS_POINTS)):
         for index in blocks:
-            status, found = block_results(plan, plan.blocks[index], quick=todo.left <= QUICK_POINTS)
+            status, found = block_results(plan, plan.blocks[index], quick=plan.points <= QUICK_POINTS)
             write_block(store, plan, index, status, found)
             todo.finished(index)
     else:
@@ -129,7 +130,9 @@ def _size(block: tuple[slice, ...]) -> int:
     return int(np.prod([part.stop - part.start for part in block]))
 
 
-def _in_memory(plan: Plan, scheduler: str | None, workers: int | None, report: Report | None) -> xarray.Dataset:
+def _in_memory(
+    plan: Plan, scheduler: str | None, workers: int | None, report: Report | None
+) -> xarray.Dataset:
     if scheduler is not None or workers:
         raise InputError("a cluster writes to a store, which is missing: give one, e.g. --out sweep.zarr")
     if plan.points > IN_MEMORY_POINTS or plan.bytes > IN_MEMORY_BYTES:
@@ -145,8 +148,8 @@ def _in_memory(plan: Plan, scheduler: str | None, workers: int | None, report: R
         if report is not None:
             report(done, plan.points)
 
-    whole = tuple(slice(0, count) for count in plan.shape)
-    status, found = block_results(plan, whole, report=count)
+    one = dataclasses.replace(plan, block_shape=plan.shape)
+    status, found = block_results(one, one.blocks[0], report=count)
     return dataset(
         dimensions=tuple(axis.path for axis in plan.axes),
         coordinates={axis.path: coordinate(axis) for axis in plan.axes},

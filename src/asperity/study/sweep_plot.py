@@ -63,7 +63,9 @@ def sweep_figure(dataset: xarray.Dataset, *, result: str | None = None) -> Figur
     figure = Figure(figsize=(8.0, 5.0), layout="constrained")
     if len(axes) == 1:
         _curves(figure.subplots(), data, axes[0], name)
-    elif len(axes) == 2 and min(data.sizes[dim] for dim in axes) > _CURVES and "contact" not in data[name].dims:
+    elif (
+        len(axes) == 2 and min(data.sizes[dim] for dim in axes) > _CURVES and "contact" not in data[name].dims
+    ):
         _map(figure, data, axes, name)
     else:
         _panels(figure, data, axes, name)
@@ -102,7 +104,9 @@ def _label(path: str) -> str:
 
 def _is_log(values: np.ndarray) -> bool:
     """Whether an axis is evenly spaced in its logarithm rather than in its value."""
-    return bool(values.size > 2 and values.min() > 0.0 and np.ptp(np.diff(np.log(values))) < 1e-9 * values.size)
+    return bool(
+        values.size > 2 and values.min() > 0.0 and np.ptp(np.diff(np.log(values))) < 1e-9 * values.size
+    )
 
 
 def _scale(axes: Axes, path: str, values: np.ndarray, *, vertical: bool = False) -> None:

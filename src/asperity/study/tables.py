@@ -62,7 +62,7 @@ def frame(dataset: xarray.Dataset) -> pandas.DataFrame:
     pandas.DataFrame
         Coordinates, status as code and as word, results; per-contact results have a column for each contact.
     """
-    pandas = require("pandas")
+    pd = require("pandas")
     dims = tuple(name for name in dataset.dims if name != "contact")
     shape = tuple(dataset.sizes[name] for name in dims)
     columns: dict[str, Any] = {}
@@ -70,7 +70,9 @@ def frame(dataset: xarray.Dataset) -> pandas.DataFrame:
         if name in dataset.coords:
             column = dataset.coords[name]
             places = (1,) * dims.index(name) + (-1,) + (1,) * (len(dims) - dims.index(name) - 1)
-            columns[_header(str(name), column)] = np.broadcast_to(column.values.reshape(places), shape).ravel()
+            columns[_header(str(name), column)] = np.broadcast_to(
+                column.values.reshape(places), shape
+            ).ravel()
     codes = dataset["status"].transpose(*dims).values.ravel()
     columns["status"] = codes
     columns["status_meaning"] = np.array([*STATUS_NAMES, "not_computed"], dtype=object)[codes]
@@ -83,7 +85,7 @@ def frame(dataset: xarray.Dataset) -> pandas.DataFrame:
         for contact in dataset["contact"].values:
             one = variable.sel(contact=contact).transpose(*dims)
             columns[_header(f"{name}_{contact}", variable)] = one.values.ravel()
-    made: pandas.DataFrame = pandas.DataFrame(columns)
+    made: pandas.DataFrame = pd.DataFrame(columns)
     return made
 
 

@@ -40,7 +40,9 @@ _RESAMPLES = 100
 _FEWEST = 100
 
 
-def toleranced_inputs(case: Case, *, otherwise: Distribution | None) -> dict[str, tuple[NumericKey, Distribution]]:
+def toleranced_inputs(
+    case: Case, *, otherwise: Distribution | None
+) -> dict[str, tuple[NumericKey, Distribution]]:
     """The numbers of a joint file that have a tolerance, with their distributions.
 
     Parameters
@@ -68,8 +70,8 @@ def toleranced_inputs(case: Case, *, otherwise: Distribution | None) -> dict[str
     unstated = [path for path, entry in found.items() if entry.distribution is None]
     if unstated and otherwise is None:
         raise InputError(
-            f"{', '.join(unstated)}: the file states a tolerance but not its distribution; write it behind a comma, as in "
-            f"\"4 mm +- 5 um, uniform\", or give one for all of them (--distribution): {FORMS}"
+            f"{', '.join(unstated)}: the file states a tolerance but not its distribution; write it behind a comma, "
+            f'as in "4 mm +- 5 um, uniform", or give one for all of them (--distribution): {FORMS}'
         )
     return {path: (entry, entry.distribution or otherwise) for path, entry in found.items()}  # type: ignore[misc]
 
@@ -152,7 +154,7 @@ def uncertainty(
     A. Saltelli et al., Comput. Phys. Commun. 181 (2010) 259; T. Iwanaga, W. Usher and J. Herman,
     Socio-Environ. Syst. Model. 4 (2022) 18155 (SALib).
     """
-    xarray, sampler, analyser = (require(m) for m in ("xarray", "SALib.sample.sobol", "SALib.analyze.sobol"))
+    xr, sampler, analyser = (require(m) for m in ("xarray", "SALib.sample.sobol", "SALib.analyze.sobol"))
     names, inputs = chosen_results(results), toleranced_inputs(case, otherwise=distribution)
     if samples < _FEWEST:
         raise InputError(f"{samples} samples are too few for 95 % intervals; at least {_FEWEST} are needed")
@@ -184,22 +186,40 @@ def uncertainty(
     shares = np.array([0.5 * (1.0 - COVERAGE), 0.5, 0.5 * (1.0 + COVERAGE)])
     solved = sampled[:, status == 0]
     if solved.shape[1] < _FEWEST:
-        raise InputError(f"only {solved.shape[1]} of {samples} samples have a result: the tolerances are too wide")
+        raise InputError(
+            f"only {solved.shape[1]} of {samples} samples have a result: the tolerances are too wide"
+        )
     with_unit = {"units": "unit"}
     pair = ("result", "input")
-    made: xarray.Dataset = xarray.Dataset(
+    made: xarray.Dataset = xr.Dataset(
         {
             "nominal": (("result",), nominal, {"long_name": "result at the stated values", **with_unit}),
             "mean": (("result",), solved.mean(axis=1), {"long_name": "mean", **with_unit}),
-            "standard_deviation": (("result",), solved.std(axis=1, ddof=1), {"long_name": "standard deviation", **with_unit}),
-            "quantiles": (("result", "share"), np.quantile(solved, shares, axis=1).T, {"long_name": "value that this share of the results is below", **with_unit}),
+            "standard_deviation": (
+                ("result",),
+                solved.std(axis=1, ddof=1),
+                {"long_name": "standard deviation", **with_unit},
+            ),
+            "quantiles": (
+                ("result", "share"),
+                np.quantile(solved, shares, axis=1).T,
+                {"long_name": "value that this share of the results is below", **with_unit},
+            ),
             "first_order": (pair, indices[:, 0], {"long_name": "Sobol index of first order", "units": "1"}),
             "first_order_half_width": (pair, indices[:, 1], {"long_name": "95 % half-width", "units": "1"}),
             "total_order": (pair, indices[:, 2], {"long_name": "Sobol index of total order", "units": "1"}),
             "total_order_half_width": (pair, indices[:, 3], {"long_name": "95 % half-width", "units": "1"}),
-            "status": (("sample",), status, {"long_name": "status", "units": "1", "flag_meanings": " ".join(STATUS_NAMES)}),
+            "status": (
+                ("sample",),
+                status,
+                {"long_name": "status", "units": "1", "flag_meanings": " ".join(STATUS_NAMES)},
+            ),
             "samples": (("result", "sample"), sampled, {"long_name": "sampled results", **with_unit}),
-            "points": (("input", "sample"), np.stack([column[mine] for column in points.values()]), {"long_name": "sampled inputs", "units": "input_unit"}),
+            "points": (
+                ("input", "sample"),
+                np.stack([column[mine] for column in points.values()]),
+                {"long_name": "sampled inputs", "units": "input_unit"},
+            ),
         },
         coords={
             "result": [name for name, _, _ in rows],
@@ -225,7 +245,9 @@ def _rows(name: str) -> list[tuple[str, str, str]]:
     result = RESULTS[name]
     if not result.per_contact:
         return [(name, result.unit, result.description)]
-    return [(f"{name}_{contact}", result.unit, f"{result.description}, {contact}") for contact in CONTACT_NAMES]
+    return [
+        (f"{name}_{contact}", result.unit, f"{result.description}, {contact}") for contact in CONTACT_NAMES
+    ]
 
 
 def _sobol(analyser: Any, problem: dict[str, Any], row: np.ndarray, seed: int) -> np.ndarray:
