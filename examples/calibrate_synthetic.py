@@ -33,7 +33,9 @@ def synthetic(seed: int) -> Measurement:
     once = np.concatenate([np.linspace(0.0, 10.0, 21), loop, -loop])
     torque = np.concatenate([once, once[:0:-1][:20], once])  # back to zero between the repetitions
     repetition = np.concatenate([np.ones(once.size), np.ones(20), np.full(once.size, 2.0)])
-    blank = Measurement(torque, np.zeros(torque.size), None, 4.0 * np.arange(torque.size), repetition, "synthetic")
+    blank = Measurement(
+        torque, np.zeros(torque.size), None, 4.0 * np.arange(torque.size), repetition, "synthetic"
+    )
     case = read_case(Path(__file__).parent / "zou2025.toml")
     unknowns = read_unknowns(TRUTH, case=case, measurement=blank)
     model = CurveModel(case=case, measurement=blank, unknowns=unknowns, level="assembly", history="virgin")
@@ -50,7 +52,9 @@ def main() -> None:
     assert data.angle is not None
     assert data.time is not None
     lines = ["# synthetic: see calibrate_synthetic.py", "time [s],repetition,torque [N*m],angle [arcmin]"]
-    for time, repetition, torque, angle in zip(data.time, data.repetition, data.torque, data.angle, strict=True):
+    for time, repetition, torque, angle in zip(
+        data.time, data.repetition, data.torque, data.angle, strict=True
+    ):
         lines.append(f"{time:g},{repetition:g},{torque:.4f},{angle / ARCMIN:.5f}")
     Path(sys.argv[1]).write_text("\n".join(lines) + "\n")
 

@@ -49,7 +49,7 @@ def design_figure(result: DesignResult) -> Figure:
         axes = figure.add_subplot(grid[2 * line, column])
         below = figure.add_subplot(grid[2 * line + 1, column], sharex=axes)
         places = np.tile(centre, (_POINTS, 1))
-        places[:, index] = np.linspace(0.0, 1.0, _POINTS)
+        places[:, index] = np.sort(np.append(np.linspace(0.0, 1.0, _POINTS - 1), centre[index]))
         objectives, margins = judge.judge_many(places)
         key = key_at(variable.path)
         x = np.array([from_si(float(v), key.unit) for v in variable.from_unit(places[:, index])])
