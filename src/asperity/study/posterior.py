@@ -132,10 +132,11 @@ def sample(
         num_warmup=warmup,
         num_samples=draws,
         num_chains=chains,
-        chain_method="sequential",
+        chain_method="vectorized",
         progress_bar=False,
     )
-    run.run(jax.random.key(seed))
+    with jax.numpy_dtype_promotion("standard"):  # NumPyro counts its steps in integers
+        run.run(jax.random.key(seed))
     by_chain = run.get_samples(group_by_chain=True)
     places = np.asarray(by_chain["places"])
     r_hat = np.atleast_1d(split_gelman_rubin(places))
