@@ -11,6 +11,7 @@ from pydantic import ValidationError
 from asperity.case.messages import explain
 from asperity.case.model import Case
 from asperity.errors import InputError
+from asperity.library import with_library_materials
 
 #: A joint file is a page; anything larger is some other file.
 LARGEST_FILE = 1_000_000
@@ -49,10 +50,10 @@ def read_case(path: str | Path) -> Case:
         raise InputError(f"{path}: this is not a text file in UTF-8 (byte {error.start})") from None
     except (OSError, ValueError) as error:
         raise InputError(f"{path}: cannot be read: {getattr(error, 'strerror', None) or error}") from None
-    return parse_case(text, source=str(path))
+    return parse_case(text, source=str(path), folder=file.parent)
 
 
-def parse_case(text: str, *, source: str) -> Case:
+def parse_case(text: str, *, source: str, folder: Path | None = None) -> Case:
     """Read the text of a joint file.
 
     Parameters
@@ -61,6 +62,8 @@ def parse_case(text: str, *, source: str) -> Case:
         TOML.
     source : str
         What to call it in error messages.
+    folder : Path, optional
+        Where paths of material libraries in the file start.
 
     Returns
     -------
@@ -80,10 +83,10 @@ def parse_case(text: str, *, source: str) -> Case:
         raise InputError(f"{source}: not a joint file: nested too deeply") from None
     except ValueError as error:  # numbers of thousands of digits
         raise InputError(f"{source}: not a joint file: {error}") from None
-    return case_from_tables(tables, source=source)
+    return case_from_tables(tables, source=source, folder=folder)
 
 
-def case_from_tables(tables: dict[str, Any], *, source: str) -> Case:
+def case_from_tables(tables: dict[str, Any], *, source: str, folder: Path | None = None) -> Case:
     """Check the nested tables of a joint file.
 
     Parameters
@@ -92,6 +95,8 @@ def case_from_tables(tables: dict[str, Any], *, source: str) -> Case:
         The sections of the file, as :func:`tomllib.loads` returns them.
     source : str
         What to call them in error messages.
+    folder : Path, optional
+        Where paths of material libraries in them start.
 
     Returns
     -------
@@ -104,6 +109,8 @@ def case_from_tables(tables: dict[str, Any], *, source: str) -> Case:
         If they say something that is not allowed.
     """
     try:
-        return Case.model_validate(tables)
+        return Case.model_validate(with_library_materials(tables, folder=folder or Path()))
+    except InputError as error:
+        raise InputError(f"{source}: {error}") from None
     except ValidationError as error:
         raise InputError(f"{source}: {explain(error)}") from None

@@ -20,12 +20,26 @@ from asperity.errors import AsperityError
 #: Command name -> (module that defines it, function name, one-line help shown without importing the module).
 COMMANDS: dict[str, tuple[str, str, str]] = {
     "joint": ("asperity.cli.joint", "joint", "Forces, stiffness and warnings of a joint file."),
+    "sweep": ("asperity.cli.sweep", "sweep", "Evaluate a joint file on a grid of any of its numbers."),
+    "sensitivity": (
+        "asperity.cli.sensitivity",
+        "sensitivity",
+        "Which numbers of a joint file matter: exact derivatives, ranked.",
+    ),
+    "uncertainty": (
+        "asperity.cli.uncertainty",
+        "uncertainty",
+        "Intervals of the results from the tolerances of a joint file.",
+    ),
     "windup": (
         "asperity.cli.windup",
         "windup",
         "Torque-angle curve, hysteresis and capacity of a joint file.",
     ),
     "contact": ("asperity.cli.contact", "contact", "Stiffness of any number of roller pairs from a table."),
+    "design": ("asperity.cli.design", "design", "The best joint within limits, or a Pareto front."),
+    "calibrate": ("asperity.cli.calibrate", "calibrate", "Unknowns of a joint from a measured curve."),
+    "materials": ("asperity.cli.materials", "materials", "Library of materials and finishes, with sources."),
     "init": ("asperity.cli.init", "init", "Write a commented joint file to start from."),
     "schema": ("asperity.cli.schema", "schema", "Print the JSON schema of joint files, for editors."),
     "completion": ("asperity.cli.completion", "completion", "Print a shell completion script."),
@@ -38,6 +52,11 @@ COMMANDS: dict[str, tuple[str, str, str]] = {
         "asperity.cli.surface",
         "surface",
         "Measure D and G of rough surfaces, make and combine them.",
+    ),
+    "verify-contact": (
+        "asperity.cli.verify_contact",
+        "verify_contact",
+        "Hold the fractal law against boundary elements.",
     ),
 }
 

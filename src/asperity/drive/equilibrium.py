@@ -24,7 +24,7 @@ def balance_equations(
     output_torque: Real,
     planet_centrifugal: Real,
     roller_centrifugal: Real,
-) -> Array:
+) -> tuple[Array, ...]:
     """The eleven equations (1)–(5) as they are written, each as a force [N] that vanishes in equilibrium.
 
     Parameters
@@ -46,8 +46,8 @@ def balance_equations(
 
     Returns
     -------
-    Array
-        Residuals, shape (11, ...) [N]; moments are divided by the radius they act at.
+    tuple of Array
+        Eleven residuals in the order of the paper [N]; moments are divided by the radius they act at.
 
     References
     ----------
@@ -61,25 +61,23 @@ def balance_equations(
     cos_r, sin_r = jnp.cos(geometry.right_push_angle), jnp.sin(geometry.right_push_angle)
     sun, roller = geometry.sun_radius, geometry.loading_roller_radius
     count, orbit = geometry.planet_count, side.roller_orbit
-    return jnp.stack(
-        jnp.broadcast_arrays(
-            (input_torque - 2.0 * bearings.sun_torque) / (count * sun) - t_sp,  # (1)
-            t_sp + t_pwr * cos_th - n_pwr * sin_th + n_pwl * sin_th + t_pwl * cos_th,  # (2) x
-            n_sp
-            - t_pwr * sin_th
-            - n_pwr * cos_th
-            - n_pwl * cos_th
-            + t_pwl * sin_th
-            + planet_centrifugal,  # (2) y
-            t_pwr + t_pwl - t_sp,  # (2) M
-            pin_left * cos_l - n_pwl * sin_b - t_pwl * cos_b - t_wlo,  # (3) t
-            pin_left * sin_l + n_pwl * cos_b - t_pwl * sin_b - n_wlo + roller_centrifugal,  # (3) r
-            t_wlo - t_pwl + 2.0 * left_bearing_torque / roller,  # (3) M
-            pin_right * cos_r - n_pwr * sin_b + t_pwr * cos_b + t_wro,  # (4) t
-            pin_right * sin_r + n_pwr * cos_b + t_pwr * sin_b - n_wro + roller_centrifugal,  # (4) r
-            t_wro - t_pwr + 2.0 * right_bearing_torque / roller,  # (4) M
-            pin_left * cos_l
-            - pin_right * cos_r
-            - (2.0 * bearings.carrier_torque + output_torque) / (count * orbit),  # (5)
-        )
+    return (
+        (input_torque - 2.0 * bearings.sun_torque) / (count * sun) - t_sp,  # (1)
+        t_sp + t_pwr * cos_th - n_pwr * sin_th + n_pwl * sin_th + t_pwl * cos_th,  # (2) x
+        n_sp
+        - t_pwr * sin_th
+        - n_pwr * cos_th
+        - n_pwl * cos_th
+        + t_pwl * sin_th
+        + planet_centrifugal,  # (2) y
+        t_pwr + t_pwl - t_sp,  # (2) M
+        pin_left * cos_l - n_pwl * sin_b - t_pwl * cos_b - t_wlo,  # (3) t
+        pin_left * sin_l + n_pwl * cos_b - t_pwl * sin_b - n_wlo + roller_centrifugal,  # (3) r
+        t_wlo - t_pwl + 2.0 * left_bearing_torque / roller,  # (3) M
+        pin_right * cos_r - n_pwr * sin_b + t_pwr * cos_b + t_wro,  # (4) t
+        pin_right * sin_r + n_pwr * cos_b + t_pwr * sin_b - n_wro + roller_centrifugal,  # (4) r
+        t_wro - t_pwr + 2.0 * right_bearing_torque / roller,  # (4) M
+        pin_left * cos_l
+        - pin_right * cos_r
+        - (2.0 * bearings.carrier_torque + output_torque) / (count * orbit),  # (5)
     )

@@ -13,7 +13,7 @@ from scipy.stats import norm
 from asperity.errors import InputError, NoSolutionError
 from asperity.surface import conventions
 from asperity.surface.line_spectrum import fit_lines
-from asperity.surface.quantisation import height_step, quantisation_noise_density
+from asperity.surface.quantisation import height_step, quantisation_noise_density, resolved_frequency
 from asperity.surface.self_affine_band import NARROWEST_DECADES, BandSearch, widest_power_law
 from asperity.surface.spectral_likelihood import SpectralFit
 from asperity.surface.spectrum import BinnedSpectrum, binned_spectrum
@@ -23,6 +23,8 @@ from asperity.surface.structure_function import logarithmic_lags, structure_func
 ESTIMATORS = ("automatic", "likelihood", "lines", "structure_function", "power_spectrum")
 _BINS_PER_DECADE = 20
 _SEGMENTS = 12
+#: Standard errors by which D must lie inside 1 .. 2.
+CERTAIN = 1.96
 
 
 @dataclass(frozen=True)
@@ -163,6 +165,9 @@ def fractal_fit(
         low=None if longest_wavelength is None else 1.0 / longest_wavelength,
         high=None if shortest_wavelength is None else 1.0 / shortest_wavelength,
         noise_density=noise,
+        resolved_frequency=math.inf
+        if step is None
+        else resolved_frequency(profiles=profiles, step=step, spacing=spacing),
     )
     fit = _accepted(search, step)
     common = {
@@ -185,9 +190,12 @@ def fractal_fit(
 def _accepted(search: BandSearch, step: float | None) -> SpectralFit:
     if search.fit is not None:
         D, error = search.fit.fractal_dimension, math.sqrt(search.fit.covariance[0, 0])
-        if D - error > 1.0 and D + error < 2.0:
+        if D - CERTAIN * error > 1.0 and D + CERTAIN * error < 2.0:
             return search.fit
-        reason = f"D = {D:.3f} +- {error:.3f} cannot be told from the limits 1 and 2 of a fractal profile"
+        reason = (
+            f"D = {D:.3f} +- {CERTAIN * error:.3f} (95 %) cannot be told from the limits 1 and 2 of a "
+            "fractal profile"
+        )
     else:
         reason = search.reason
     quantised = "" if step is None else f"; the heights are quantised in steps of {1e6 * step:.4g} um"

@@ -1,0 +1,190 @@
+"""``asperity calibrate``: unknowns of a joint from a measured curve."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import click
+
+if TYPE_CHECKING:
+    from asperity.study.calibrate import Calibration
+    from asperity.study.posterior import Posterior
+
+
+@click.command()
+@click.argument("file", type=click.Path())
+@click.argument("data", type=click.Path())
+@click.option("-u", "--unknown", "unknowns", multiple=True, required=True, metavar="KEY[=LOWER:UPPER]",
+              help="A number of FILE, or play, play_torque, offset, drift; repeat for several.")  # fmt: skip
+@click.option("--level", default="assembly", show_default=True,
+              type=click.Choice(["published", "series_with_bulk", "assembly"]),
+              help="Stiffness that is fitted.")  # fmt: skip
+@click.option("--history", default="virgin", show_default=True, type=click.Choice(["virgin", "cycled"]),
+              help="Joint before the first row: never loaded, or cycled to the largest torque.")  # fmt: skip
+@click.option(
+    "--starts", default=4, show_default=True, type=click.IntRange(1, 1000), help="Starts of the search."
+)
+@click.option("--seed", default=1, show_default=True, type=click.IntRange(0), help="Of starts and draws.")
+@click.option("--out", type=click.Path(), help="Write the calibrated joint as a joint file.")
+@click.option("--plot", type=click.Path(), help="Draw data, fit and residuals (.png, .svg, .pdf).")
+@click.option("--posterior", "draws", type=click.IntRange(50, 100000), metavar="DRAWS",
+              help="Draw from the posterior too, so many from each of two chains (extra 'bayes').")  # fmt: skip
+@click.option("--plot-posterior", type=click.Path(), help="Draw the posterior (.png, .svg, .pdf).")
+@click.option(
+    "--json", "as_json", is_flag=True, help="Print one JSON document in SI units instead of tables."
+)
+def calibrate(
+    file: str,
+    data: str,
+    unknowns: tuple[str, ...],
+    level: Any,
+    history: Any,
+    starts: int,
+    seed: int,
+    out: str | None,
+    plot: str | None,
+    draws: int | None,
+    plot_posterior: str | None,
+    as_json: bool,
+) -> None:
+    """Fit numbers of the joint file FILE to the measured curve DATA.
+
+    DATA is a CSV file with columns torque and angle, or torque and stiffness, if wanted time and repetition; units in
+    the header, e.g. 'torque [N*m]', 'angle [arcmin]'. Rows in the order of time: the hysteresis follows the history.
+    """
+    from asperity.case.reader import read_case
+    from asperity.cli.progress import progress_bar
+    from asperity.cli.study_figures import check_folder, check_image_name, write_figure, write_text
+    from asperity.errors import InputError
+    from asperity.precision import use_compilation_cache, use_double_precision
+
+    check_image_name(plot)
+    check_image_name(plot_posterior)
+    check_folder(out)
+    if plot_posterior is not None and draws is None:
+        raise InputError("--plot-posterior needs --posterior DRAWS, e.g. --posterior 1000")
+    case = read_case(file)
+    use_double_precision()
+    use_compilation_cache()
+    from asperity.study.calibrate import calibrate as fit
+    from asperity.study.measurement import read_measurement
+    from asperity.study.posterior import posterior, require_numpyro
+    from asperity.study.unknowns import read_unknowns
+
+    if draws is not None:
+        require_numpyro()
+    measurement = read_measurement(data)
+    with progress_bar("starts") as report:
+        found = fit(
+            case=case,
+            measurement=measurement,
+            unknowns=read_unknowns(unknowns, case=case, measurement=measurement),
+            level=level,
+            history=history,
+            starts=starts,
+            seed=seed,
+            progress=report,
+        )
+    drawn = None
+    if draws is not None:
+        drawn = posterior(found, draws=draws, warmup=max(300, draws // 2), chains=2, seed=seed)
+    if as_json:
+        import json
+
+        click.echo(json.dumps(_document(found, drawn), indent=2, allow_nan=False))
+    else:
+        _show(found, drawn)
+    if out is not None:
+        from asperity.study.joint_text import joint_file_text
+
+        paths = set(found.model.paths)
+        changes = {each.path: each.value for each in found.estimates if each.path in paths}
+        text = joint_file_text(
+            case, changes, comment=f"Calibrated by asperity: {file} from {data}, {level} stiffness."
+        )
+        write_text(text, out)
+    from asperity.study.calibration_plot import calibration_figure, posterior_figure
+
+    if plot is not None:
+        write_figure(calibration_figure(found), plot)
+    if plot_posterior is not None and drawn is not None:
+        write_figure(posterior_figure(found, drawn), plot_posterior)
+
+
+def _document(found: Calibration, drawn: Posterior | None) -> dict[str, Any]:
+    import math
+    from dataclasses import asdict
+
+    import numpy as np
+
+    unit = "rad" if found.model.measurement.angle is not None else "N*m/rad"
+    document: dict[str, Any] = {
+        "estimates": [
+            {
+                k: (None if isinstance(v, float) and not math.isfinite(v) else v)
+                for k, v in asdict(each).items()
+            }
+            for each in found.estimates
+        ],
+        "directions": [
+            {**asdict(each), "standard_deviation": min(each.standard_deviation, 1e300)}
+            for each in found.directions
+        ],
+        "covariance_of_places": found.covariance.tolist(),
+        "residual_standard_deviation": {"value": found.standard_deviation, "unit": unit},
+        "durbin_watson": found.durbin_watson,
+        "rms_of_starts": [float(each) for each in found.starts],
+    }
+    if drawn is not None:
+        document["posterior"] = {
+            unknown.path: {
+                "quantiles": {
+                    str(q): float(unknown.from_unit(np.quantile(drawn.places[:, i], q)))
+                    for q in (0.025, 0.5, 0.975)
+                },
+                "r_hat": float(drawn.r_hat[i]),
+                "effective_draws": float(drawn.effective_draws[i]),
+            }
+            for i, unknown in enumerate(found.model.unknowns)
+        }
+        document["posterior_divergences"] = drawn.divergences
+    return document
+
+
+def _show(found: Calibration, drawn: Posterior | None) -> None:
+    import numpy as np
+
+    from asperity.cli.terminal import console, table
+    from asperity.study.calibrate import CORRELATED
+    from asperity.study.calibration_plot import unit_of
+    from asperity.units import format_quantity
+
+    target, data = console(), found.model.measurement
+    rows = table(target, f"{len(found.estimates)} unknowns from {data.torque.size} rows of {data.source}",
+                 "unknown", "estimate", "95 % from", "to", "")  # fmt: skip
+    for each in found.estimates:
+        unit = unit_of(each.path)
+        ends = [format_quantity(v, unit) if each.determined else "-" for v in (each.lower, each.upper)]
+        note = "" if each.determined else "NOT determined"
+        rows.add_row(
+            each.path, format_quantity(each.value, unit, 5), *ends, f"{note} {each.at_bound}".strip()
+        )
+    target.print(rows)
+    unit = "arcsec" if data.angle is not None else "N*m/arcmin"
+    target.print(f"residual: {format_quantity(found.standard_deviation, unit)} (standard deviation)")
+    if found.durbin_watson < CORRELATED:
+        target.print(
+            f"Neighbouring residuals are alike (Durbin–Watson {found.durbin_watson:.2f}, independent ones give 2): "
+            "the model does not explain the curve fully, and the intervals are too narrow."
+        )
+    target.print("Combinations of unknowns, the worst determined first:")
+    for direction in found.directions:
+        target.print(f"  {direction.words}", markup=False)
+    if drawn is not None:
+        rows = table(target, f"Posterior, {drawn.places.shape[0]} draws, {drawn.divergences} divergent",
+                     "unknown", "2.5 %", "median", "97.5 %", "R-hat", "effective")  # fmt: skip
+        for i, unknown in enumerate(found.model.unknowns):
+            ends = [unknown.from_unit(np.quantile(drawn.places[:, i], q)) for q in (0.025, 0.5, 0.975)]
+            shown = [format_quantity(float(v), unit_of(unknown.path)) for v in ends]
+            rows.add_row(unknown.path, *shown, f"{drawn.r_hat[i]:.3f}", f"{drawn.effective_draws[i]:.0f}")
+        target.print(rows)

@@ -1,0 +1,72 @@
+"""``asperity materials``: the library of materials and finishes with their sources."""
+
+from __future__ import annotations
+
+import click
+
+
+@click.command()
+@click.argument("name", required=False)
+@click.option("--file", type=click.Path(), help="A library file of your own whose materials are added.")
+@click.option(
+    "--finishes-file", type=click.Path(), help="A library file of your own whose finishes are added."
+)
+@click.option("--json", "as_json", is_flag=True, help="Print one JSON document; finishes in SI units.")
+def materials(name: str | None, file: str | None, finishes_file: str | None, as_json: bool) -> None:
+    """List the library, or the entry NAME with its source.
+
+    A joint file takes a material of the library by its name: [bodies] sun = "52100", or, to change some of its
+    numbers, [materials.sun] library = "52100". A finish bounds the roughness of a design: { finish = "ground" }.
+    """
+    from dataclasses import asdict
+
+    from asperity.case.messages import nearest
+    from asperity.errors import InputError
+    from asperity.library import Finish, LibraryMaterial, read_finishes, read_materials
+
+    found, finishes = read_materials(file), read_finishes(finishes_file)
+    if name is not None:
+        if name not in found and name not in finishes:
+            hint = nearest(name, [*found, *finishes]) or f"; known are {', '.join([*found, *finishes])}"
+            raise InputError(f"the library has no entry '{name}'{hint}")
+        found = {name: found[name]} if name in found else {}
+        finishes = {name: finishes[name]} if name in finishes else {}
+    if as_json:
+        import json
+
+        document = {
+            "materials": {key: asdict(each) for key, each in found.items()},
+            "finishes": {key: asdict(each) for key, each in finishes.items()},
+        }
+        click.echo(json.dumps(document, indent=2))
+        return
+    from asperity.cli.terminal import console, table
+    from asperity.units import format_quantity
+
+    target = console()
+    if found:
+        shown = table(target, "Materials", "name", "E", "nu", "density", "yield strength", "hardness")
+        for each in found.values():
+            hard = each.numbers.get("hardness") or f"{each.numbers['hardness_factor']} x yield"
+            row = [
+                str(each.numbers[k]) for k in ("youngs_modulus", "poisson_ratio", "density", "yield_strength")
+            ]
+            shown.add_row(each.name, *row, str(hard))
+        target.print(shown)
+    if finishes:
+        shown = table(target, "Finishes (G from Ra by equation 6)", "name", "Ra", "D", "G from", "G to")
+        for finish in finishes.values():
+            low, high = finish.fractal_dimension
+            shown.add_row(
+                finish.name,
+                " to ".join(format_quantity(v, "um") for v in finish.roughness_average),
+                f"{low:g}" if low == high else f"{low:g} to {high:g}",
+                *(format_quantity(v, "mm", 3) for v in finish.fractal_roughness),
+            )
+        target.print(shown)
+    entries: list[LibraryMaterial | Finish] = [*found.values(), *finishes.values()]
+    for entry in entries:
+        target.print(
+            f"{entry.name}: {entry.description}. Source: {entry.reference}. {entry.note}".rstrip(),
+            markup=False,
+        )

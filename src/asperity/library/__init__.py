@@ -1,0 +1,333 @@
+"""Materials and surface finishes with their sources, as data; a file of the user's extends them.
+
+Each entry carries its reference; what could not be traced to one is not in here.
+"""
+
+from __future__ import annotations
+
+import math
+import tomllib
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from asperity.errors import InputError
+from asperity.unit_table import Dimension
+from asperity.units import parse_quantity
+
+__all__ = [
+    "Finish",
+    "LibraryMaterial",
+    "fractal_roughness_from_ra",
+    "read_finishes",
+    "read_materials",
+    "with_library_materials",
+]
+
+#: Root mean square over Ra of normally distributed heights.
+RMS_OVER_RA = math.sqrt(math.pi / 2.0)
+
+#: Frequency ratio gamma for which the fractal roughness of finishes is stated.
+FREQUENCY_RATIO = 1.5
+
+_MATERIAL_NUMBERS = {
+    "youngs_modulus": Dimension.PRESSURE,
+    "poisson_ratio": Dimension.DIMENSIONLESS,
+    "density": Dimension.DENSITY,
+    "yield_strength": Dimension.PRESSURE,
+    "hardness": Dimension.PRESSURE,
+    "hardness_factor": Dimension.DIMENSIONLESS,
+}
+_MATERIAL_NEEDS = ("youngs_modulus", "poisson_ratio", "density", "yield_strength")
+_WORDS = ("description", "reference", "note")
+
+
+@dataclass(frozen=True)
+class LibraryMaterial:
+    """A material of the library.
+
+    Parameters
+    ----------
+    name, description, reference, note : str
+        What it is and where its numbers come from.
+    numbers : dict
+        Keys of a material section of a joint file → text with units.
+    """
+
+    name: str
+    description: str
+    reference: str
+    note: str
+    numbers: dict[str, Any]
+
+
+@dataclass(frozen=True)
+class Finish:
+    """A surface finish of the library.
+
+    Parameters
+    ----------
+    name, description, reference, note : str
+        What it is and where its numbers come from.
+    roughness_average : tuple of float
+        Lowest and highest Ra [m].
+    sampling_length : float
+        Length over which Ra is taken [m].
+    fractal_dimension : tuple of float
+        Lowest and highest D [-]; equal where the source gives one value.
+    fractal_roughness : tuple of float
+        Lowest and highest G [m], from Ra by :func:`fractal_roughness_from_ra`.
+    """
+
+    name: str
+    description: str
+    reference: str
+    note: str
+    roughness_average: tuple[float, float]
+    sampling_length: float
+    fractal_dimension: tuple[float, float]
+    fractal_roughness: tuple[float, float]
+
+    @property
+    def ranges(self) -> dict[str, tuple[float, float]]:
+        """Keys of a surface section of a joint file → lowest and highest value [SI]."""
+        return {"fractal_dimension": self.fractal_dimension, "fractal_roughness": self.fractal_roughness}
+
+
+def fractal_roughness_from_ra(
+    *, roughness_average: float, sampling_length: float, fractal_dimension: float, frequency_ratio: float
+) -> float:
+    r"""Fractal roughness G of the Weierstrass–Mandelbrot profile (6) that has a given Ra.
+
+    .. math::
+        \sigma^2 = \tfrac12 L^2 \left(\frac GL\right)^{2(D-1)} \ln\gamma \sum_{n=0}^\infty \gamma^{2(D-2)n}
+        = \frac{L^2 \ln\gamma}{2\,(1 - \gamma^{2(D-2)})} \left(\frac GL\right)^{2(D-1)},
+        \qquad \sigma = \sqrt{\pi/2}\; R_a
+
+    Parameters
+    ----------
+    roughness_average : float
+        Ra [m].
+    sampling_length : float
+        Length L over which it is taken, the longest wavelength of the profile [m].
+    fractal_dimension : float
+        D [-].
+    frequency_ratio : float
+        gamma [-].
+
+    Returns
+    -------
+    float
+        G [m].
+
+    Notes
+    -----
+    Heights are taken as normally distributed, and wavelengths far below L as all present; 1 < D < 2.
+
+    References
+    ----------
+    Variance of equation (6) of :doc:`/equations` with random phases; Ra of a normal distribution.
+
+    Examples
+    --------
+    >>> g = fractal_roughness_from_ra(roughness_average=0.1e-6, sampling_length=0.8e-3,
+    ...                               fractal_dimension=1.5, frequency_ratio=1.5)
+    >>> f"{g * 1e3:.2e} mm"
+    '3.23e-08 mm'
+    """
+    exponent = 2.0 * (fractal_dimension - 1.0)
+    series = math.log(frequency_ratio) / (2.0 * (1.0 - frequency_ratio ** (2.0 * (fractal_dimension - 2.0))))
+    variance = (RMS_OVER_RA * roughness_average) ** 2
+    return float(sampling_length * (variance / (sampling_length**2 * series)) ** (1.0 / exponent))
+
+
+def _tables(name: str, extension: str | Path | None) -> dict[str, dict[str, Any]]:
+    from importlib.resources import files
+
+    tables = tomllib.loads(files("asperity.library").joinpath(name).read_text(encoding="utf-8"))
+    if extension is not None:
+        try:
+            added = tomllib.loads(Path(extension).read_text(encoding="utf-8-sig"))
+        except FileNotFoundError:
+            raise InputError(f"{extension}: there is no such library file") from None
+        except tomllib.TOMLDecodeError as error:
+            raise InputError(f"{extension}: not valid TOML: {error}") from None
+        except (OSError, UnicodeDecodeError) as error:
+            raise InputError(
+                f"{extension}: cannot be read: {getattr(error, 'strerror', None) or error}"
+            ) from None
+        for entry, value in added.items():
+            if not isinstance(value, dict):
+                raise InputError(f"{extension}: {entry}: expected a table, got {value!r}")
+        tables.update(added)
+    return tables
+
+
+def _words(name: str, entry: Mapping[str, Any]) -> dict[str, str]:
+    for word in ("description", "reference"):
+        if not isinstance(entry.get(word), str) or not entry[word].strip():
+            raise InputError(
+                f"library entry {name}: '{word}' must be there, as text: an entry without a source is no use"
+            )
+    return {word: str(entry.get(word, "")) for word in _WORDS}
+
+
+def read_materials(extension: str | Path | None = None) -> dict[str, LibraryMaterial]:
+    """The materials of the library.
+
+    Parameters
+    ----------
+    extension : str or Path, optional
+        A TOML file of the same form whose entries are added, or replace those of the same name.
+
+    Returns
+    -------
+    dict
+        Name → material.
+
+    Raises
+    ------
+    InputError
+        If an entry is incomplete, has an unknown key, or a number that cannot be read.
+    """
+    found = {}
+    for name, entry in _tables("materials_library.toml", extension).items():
+        words = _words(name, entry)
+        numbers = {key: value for key, value in entry.items() if key not in _WORDS}
+        for key, value in numbers.items():
+            if key not in _MATERIAL_NUMBERS:
+                raise InputError(
+                    f"library entry {name}: unknown key '{key}'; known are {', '.join((*_MATERIAL_NUMBERS, *_WORDS))}"
+                )
+            try:
+                parse_quantity(value, _MATERIAL_NUMBERS[key])
+            except InputError as error:
+                raise InputError(f"library entry {name}: {key}: {error}") from None
+        for key in _MATERIAL_NEEDS:
+            if key not in numbers:
+                raise InputError(f"library entry {name}: '{key}' is missing")
+        if ("hardness" in numbers) == ("hardness_factor" in numbers):
+            raise InputError(
+                f"library entry {name}: exactly one of 'hardness' and 'hardness_factor' is needed"
+            )
+        found[name] = LibraryMaterial(name=name, numbers=numbers, **words)
+    return found
+
+
+def _range(name: str, key: str, value: Any, dimension: Dimension) -> tuple[float, float]:
+    pair = value if isinstance(value, list) else [value, value]
+    if len(pair) != 2:
+        raise InputError(
+            f"library entry {name}: {key}: expected one value or [lowest, highest], got {value!r}"
+        )
+    try:
+        low, high = (parse_quantity(each, dimension) for each in pair)
+    except InputError as error:
+        raise InputError(f"library entry {name}: {key}: {error}") from None
+    if not 0.0 < low <= high:
+        raise InputError(f"library entry {name}: {key}: needs 0 < lowest <= highest, got {value!r}")
+    return low, high
+
+
+def read_finishes(extension: str | Path | None = None) -> dict[str, Finish]:
+    """The surface finishes of the library.
+
+    Parameters
+    ----------
+    extension : str or Path, optional
+        A TOML file of the same form whose entries are added, or replace those of the same name.
+
+    Returns
+    -------
+    dict
+        Name → finish.
+
+    Raises
+    ------
+    InputError
+        If an entry is incomplete, has an unknown key, or a number that cannot be read.
+    """
+    known = ("roughness_average", "sampling_length", "fractal_dimension", *_WORDS)
+    found = {}
+    for name, entry in _tables("finishes_library.toml", extension).items():
+        words = _words(name, entry)
+        for key in entry:
+            if key not in known:
+                raise InputError(f"library entry {name}: unknown key '{key}'; known are {', '.join(known)}")
+        for key in known[:3]:
+            if key not in entry:
+                raise InputError(f"library entry {name}: '{key}' is missing")
+        average = _range(name, "roughness_average", entry["roughness_average"], Dimension.LENGTH)
+        length = _range(name, "sampling_length", entry["sampling_length"], Dimension.LENGTH)[0]
+        dimension = _range(name, "fractal_dimension", entry["fractal_dimension"], Dimension.DIMENSIONLESS)
+        if not 1.0 < dimension[0] <= dimension[1] < 2.0:
+            raise InputError(
+                f"library entry {name}: fractal_dimension must be between 1 and 2, got {dimension}"
+            )
+        corners = [
+            fractal_roughness_from_ra(
+                roughness_average=each,
+                sampling_length=length,
+                fractal_dimension=d,
+                frequency_ratio=FREQUENCY_RATIO,
+            )
+            for each in average
+            for d in dimension
+        ]
+        found[name] = Finish(
+            name=name,
+            roughness_average=average,
+            sampling_length=length,
+            fractal_dimension=dimension,
+            fractal_roughness=(min(corners), max(corners)),
+            **words,
+        )
+    return found
+
+
+def with_library_materials(tables: Mapping[str, Any], *, folder: Path) -> dict[str, Any]:
+    """The tables of a joint file with names of library materials filled in.
+
+    Parameters
+    ----------
+    tables : mapping
+        The joint file as TOML reads it. ``materials.NAME = {library = "52100"}`` takes an entry, other keys beside
+        it replace single numbers, ``file = "my.toml"`` names a library file of one's own. A body whose material the
+        file does not define is looked up in the library.
+    folder : Path
+        Where the path of a library file starts.
+
+    Returns
+    -------
+    dict
+        New tables without such references; anything else is left for the reader of joint files to judge.
+
+    Raises
+    ------
+    InputError
+        If a library or an entry does not exist.
+    """
+    materials = tables.get("materials", {})
+    bodies = tables.get("bodies", {})
+    if not isinstance(materials, dict) or not isinstance(bodies, dict):
+        return dict(tables)
+    filled = dict(materials)
+    for name, entry in materials.items():
+        if isinstance(entry, dict) and "library" in entry:
+            own = {key: value for key, value in entry.items() if key not in ("library", "file")}
+            library = read_materials(folder / entry["file"] if "file" in entry else None)
+            if entry["library"] not in library:
+                raise InputError(
+                    f"materials.{name}.library: there is no {entry['library']!r}; known are {', '.join(library)}"
+                )
+            numbers = dict(library[entry["library"]].numbers)
+            if "hardness" in own or "hardness_factor" in own:
+                numbers.pop("hardness", None)
+                numbers.pop("hardness_factor", None)
+            filled[name] = {**numbers, **own}
+    wanted = [name for name in bodies.values() if isinstance(name, str) and name not in filled]
+    if wanted:
+        library = read_materials()
+        filled.update({name: dict(library[name].numbers) for name in wanted if name in library})
+    return {**tables, "materials": filled} if filled else dict(tables)

@@ -1,0 +1,145 @@
+"""The curve that a joint with given unknowns would show, with its derivatives by the unknowns."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from asperity.case.model import Case
+from asperity.case.values import numeric_keys, si_values
+from asperity.study.design_problem import Variable
+from asperity.study.measurement import Measurement
+from asperity.study.quantities import quantities_and_slopes
+from asperity.study.torque_history import History, curve_operator
+from asperity.study.unknowns import CURVE_UNKNOWNS
+from asperity.windup import StiffnessLevel
+
+#: Below this share of its median a stiffness is held, so that a search that strays past the torque capacity finds
+#: back. A curve that ends there is refused.
+STIFFNESS_FLOOR = 0.01
+
+
+class CurveModel:
+    """Predicts a measurement from places of the unknowns between their bounds.
+
+    Parameters
+    ----------
+    case : Case
+        The joint file.
+    measurement : Measurement
+        Torques, times and repetitions of the data.
+    unknowns : tuple of Variable
+        What is looked for.
+    level : {"published", "series_with_bulk", "assembly"}
+        Which stiffness the joint is taken to have.
+    history : {"virgin", "cycled"}
+        State before the first row.
+    """
+
+    def __init__(
+        self,
+        *,
+        case: Case,
+        measurement: Measurement,
+        unknowns: tuple[Variable, ...],
+        level: StiffnessLevel,
+        history: History,
+    ) -> None:
+        self.unknowns, self.level, self.measurement = unknowns, level, measurement
+        self.values = si_values(case)
+        self.in_joint = [
+            index for index, each in enumerate(unknowns) if _kind(each.path) not in CURVE_UNKNOWNS
+        ]
+        self.in_curve = [index for index in range(len(unknowns)) if index not in self.in_joint]
+        self.paths = tuple(unknowns[index].path for index in self.in_joint)
+        if measurement.angle is not None:
+            operator = curve_operator(measurement.torque, history)
+            self.torque = operator.torque
+            self.weights: np.ndarray | None = operator.weights
+        else:
+            self.torque, self.weights = np.abs(measurement.torque), None
+        stated = numeric_keys(case)
+        self.first = np.array([self._first(each, stated) for each in unknowns])
+
+    def _first(self, unknown: Variable, stated: dict) -> float:
+        """Place of the first guess: the file's value, no play, no drift."""
+        kind = _kind(unknown.path)
+        if kind in CURVE_UNKNOWNS:
+            guess = {"offset": 0.5 * (unknown.lower + unknown.upper), "drift": 0.0, "play": 0.0}.get(
+                kind, (unknown.lower * unknown.upper) ** 0.5
+            )
+        elif unknown.path in stated:
+            guess = stated[unknown.path].value
+        else:
+            guess = float(unknown.from_unit(0.5))
+        return float(np.clip(unknown.to_unit(min(max(guess, unknown.lower), unknown.upper)), 0.01, 0.99))
+
+    def point(self, places: np.ndarray) -> dict[str, float]:
+        """Values [SI] of the unknowns."""
+        return {u.path: float(u.from_unit(p)) for u, p in zip(self.unknowns, places, strict=True)}
+
+    def stiffness(self, places: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+        """Stiffness at the model's torques, its slopes by the joint's unknowns, largest slip ratio [SI]."""
+        point = self.point(places)
+        changes = {path: np.full(self.torque.size, point[path]) for path in self.paths}
+        found, slopes = quantities_and_slopes(
+            self.values, {**changes, "load.output_torque": self.torque}, self.paths
+        )
+        name = f"stiffness.{self.level}"
+        return found[name][0], slopes[name][0], found["slip_ratio"].max(axis=0)
+
+    def __call__(self, places: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """Predicted angles [rad] or stiffnesses [N·m/rad], and their derivatives by the places.
+
+        Parameters
+        ----------
+        places : ndarray
+            Shape (unknowns,), 0 to 1.
+
+        Returns
+        -------
+        prediction, slopes : ndarray
+            Shape (points,) and (points, unknowns).
+        """
+        point = self.point(places)
+        steps = np.array([u.slope(point[u.path]) for u in self.unknowns])
+        stiffness, by_joint, _ = self.stiffness(places)
+        usable = np.isfinite(stiffness) & (stiffness > 0.0)
+        floor = STIFFNESS_FLOOR * np.median(stiffness[usable]) if usable.any() else 1.0
+        held = ~usable | (stiffness < floor)
+        safe = np.where(held, floor, stiffness)
+        slopes = np.zeros((self.measurement.torque.size, len(self.unknowns)))
+        by_joint = np.where(held[:, None] | ~np.isfinite(by_joint), 0.0, by_joint)
+        if self.weights is None:
+            slopes[:, self.in_joint] = by_joint
+            return safe, slopes * steps
+        prediction = self.weights @ (1.0 / safe)
+        slopes[:, self.in_joint] = self.weights @ (-by_joint / safe[:, None] ** 2)
+        for index in self.in_curve:
+            unknown = self.unknowns[index]
+            value, slope = self.curve_part(unknown.path, point)
+            prediction = prediction + value
+            slopes[:, index] = slope
+        return prediction, slopes * steps
+
+    def curve_part(self, path: str, point: dict[str, float]) -> tuple[np.ndarray, np.ndarray]:
+        """What an unknown of the curve adds to the angles, and the derivative by it."""
+        data, kind = self.measurement, _kind(path)
+        none = np.zeros(data.torque.size)
+        if kind == "offset":
+            label = path.partition(" ")[2]
+            where = np.ones(none.size) if not label else (data.repetition == float(label)).astype(float)
+            return point[path] * where, where
+        if kind == "drift":
+            assert data.time is not None
+            elapsed = data.time - data.time[0]
+            return point[path] * elapsed, elapsed
+        width = point.get("play_torque")
+        side = np.sign(data.torque) if width is None else np.tanh(data.torque / width)
+        if kind == "play":
+            return 0.5 * point["play"] * side, 0.5 * side
+        assert width is not None
+        return none, -0.5 * point["play"] * (1.0 - side**2) * data.torque / width**2
+
+
+def _kind(path: str) -> str:
+    return path.partition(" ")[0]

@@ -1,0 +1,61 @@
+"""``asperity calibrate`` from the command line."""
+
+import json
+from importlib.resources import files
+
+import numpy as np
+import pytest
+from click.testing import CliRunner
+
+from asperity.case.reader import read_case
+from asperity.cli import asperity
+from asperity.errors import InputError
+from asperity.study.curve_model import CurveModel
+from asperity.study.measurement import Measurement
+from asperity.study.unknowns import read_unknowns
+
+
+@pytest.fixture
+def folder(tmp_path):
+    joint = tmp_path / "joint.toml"
+    joint.write_text(files("asperity.case").joinpath("zou2025.toml").read_text())
+    torque = np.concatenate(
+        [np.linspace(0.0, 8.0, 9), np.linspace(7.0, -8.0, 16), np.linspace(-7.0, 8.0, 16)]
+    )
+    data = Measurement(torque, np.zeros(torque.size), None, None, np.zeros(torque.size), "")
+    case = read_case(joint)
+    unknowns = read_unknowns(["load.preload"], case=case, measurement=data)
+    model = CurveModel(case=case, measurement=data, unknowns=unknowns, level="assembly", history="virgin")
+    angle = model(np.array([unknowns[0].to_unit(1250.0)]))[0]
+    angle += 1e-7 * np.random.default_rng(0).standard_normal(angle.size)
+    rows = "".join(f"{t},{1e3 * a}\n" for t, a in zip(torque, angle, strict=True))
+    (tmp_path / "data.csv").write_text("torque [N*m],angle [mrad]\n" + rows)
+    return tmp_path
+
+
+def invoke(*arguments):
+    return CliRunner().invoke(asperity, ["calibrate", *map(str, arguments)])
+
+
+def test_preload_is_recovered_and_written(folder):
+    out, plot = folder / "out.toml", folder / "fit.png"
+    result = invoke(folder / "joint.toml", folder / "data.csv", "-u", "load.preload", "--starts", 1,
+                    "--json", "--out", out, "--plot", plot)  # fmt: skip
+    assert result.exit_code == 0, result.output
+    (found,) = json.loads(result.stdout)["estimates"]
+    assert found["lower"] < 1250.0 < found["upper"]
+    assert found["value"] == pytest.approx(1250.0, rel=0.01)
+    assert read_case(out).load.preload.value == pytest.approx(found["value"], rel=1e-15)
+    assert plot.stat().st_size > 10_000
+    table = invoke(folder / "joint.toml", folder / "data.csv", "-u", "load.preload", "--starts", 1)
+    assert "told by the data" in table.stdout
+
+
+def test_bad_input(folder):
+    for arguments in (
+        (folder / "none.toml", folder / "data.csv", "-u", "load.preload"),
+        (folder / "joint.toml", folder / "none.csv", "-u", "load.preload"),
+        (folder / "joint.toml", folder / "data.csv", "-u", "drift"),
+        (folder / "joint.toml", folder / "data.csv", "-u", "load.preload", "--plot-posterior", "x.png"),
+    ):
+        assert isinstance(invoke(*arguments).exception, InputError)

@@ -1,0 +1,119 @@
+"""The library of materials and finishes."""
+
+import math
+
+import numpy as np
+import pytest
+
+from asperity.errors import InputError
+from asperity.library import (
+    fractal_roughness_from_ra,
+    read_finishes,
+    read_materials,
+    with_library_materials,
+)
+
+OWN = """
+[bronze]
+description = "a bronze"
+reference = "own tests"
+youngs_modulus = "110 GPa"
+poisson_ratio = 0.34
+density = "8800 kg/m^3"
+yield_strength = "200 MPa"
+hardness_factor = 2.8
+"""
+
+
+def test_every_entry_has_a_source_and_sensible_numbers():
+    materials = read_materials()
+    assert {"52100", "440C", "17-4PH", "Si3N4"} <= set(materials)
+    for each in materials.values():
+        assert len(each.reference) > 20
+    for finish in read_finishes().values():
+        assert len(finish.reference) > 20
+        assert 0.0 < finish.fractal_roughness[0] < finish.fractal_roughness[1] < 1e-6
+
+
+def test_smoother_process_smaller_roughness():
+    finishes = read_finishes()
+    assert finishes["superfinished"].fractal_roughness[1] < finishes["ground"].fractal_roughness[1]
+
+
+@pytest.mark.parametrize("dimension", [1.3, 1.5, 1.7])
+def test_roughness_from_ra_against_synthesised_profiles(dimension):
+    # equation (6) drawn with random phases; the mean square of many profiles against the closed form
+    length, average, gamma = 0.8e-3, 0.2e-6, 1.5
+    g = fractal_roughness_from_ra(
+        roughness_average=average, sampling_length=length, fractal_dimension=dimension, frequency_ratio=gamma
+    )
+    rng = np.random.default_rng(1)
+    n = np.arange(0, 60)
+    x = rng.random(100) * length
+    total = 0.0
+    for _ in range(300):
+        phase = rng.random(n.size) * 2.0 * math.pi
+        waves = np.cos(2.0 * math.pi * np.outer(x, gamma**n) / length - phase) * gamma ** (
+            (dimension - 2.0) * n
+        )
+        z = length * (g / length) ** (dimension - 1.0) * math.sqrt(math.log(gamma)) * waves.sum(axis=1)
+        total += np.mean(z**2) / 300
+    assert math.sqrt(total) == pytest.approx(average * math.sqrt(math.pi / 2.0), rel=0.05)
+
+
+def test_own_file_adds_and_replaces(tmp_path):
+    path = tmp_path / "own.toml"
+    path.write_text(OWN + OWN.replace("[bronze]", "[52100]"))
+    found = read_materials(path)
+    assert found["bronze"].numbers["poisson_ratio"] == 0.34
+    assert found["52100"].numbers["youngs_modulus"] == "110 GPa"
+    assert "440C" in found
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "message"),
+    [
+        ("reference", "note", "'reference' must be there"),
+        ('"110 GPa"', '"110 N"', "expected a pressure"),
+        ("hardness_factor = 2.8", "", "exactly one of"),
+        ("poisson_ratio = 0.34", "", "'poisson_ratio' is missing"),
+        ("poisson_ratio", "poison_ratio", "unknown key 'poison_ratio'"),
+    ],
+)
+def test_bad_entries(tmp_path, old, new, message):
+    path = tmp_path / "own.toml"
+    path.write_text(OWN.replace(old, new))
+    with pytest.raises(InputError, match=message):
+        read_materials(path)
+
+
+def test_joint_files_take_materials_by_name(tmp_path):
+    (tmp_path / "own.toml").write_text(OWN)
+    tables = {
+        "materials": {
+            "soft": {"library": "bronze", "file": "own.toml"},
+            "hard": {"library": "440C", "yield_strength": "1500 MPa"},
+            "tabor": {"library": "440C", "hardness_factor": 2.8},
+        },
+        "bodies": {"sun": "52100", "planet": "soft", "loading_roller": "hard", "ring": "tabor"},
+    }
+    found = with_library_materials(tables, folder=tmp_path)["materials"]
+    assert found["52100"]["youngs_modulus"] == "203 GPa"
+    assert found["soft"]["youngs_modulus"] == "110 GPa"
+    assert (found["hard"]["yield_strength"], found["hard"]["hardness"]) == ("1500 MPa", "6.61 GPa")
+    assert "hardness" not in found["tabor"]
+    with pytest.raises(InputError, match="there is no 'x9'"):
+        with_library_materials({"materials": {"a": {"library": "x9"}}, "bodies": {}}, folder=tmp_path)
+
+
+def test_filled_tables_are_a_valid_joint_file(tmp_path):
+    from importlib.resources import files
+    from tomllib import loads
+
+    tables = loads(files("asperity.case").joinpath("zou2025.toml").read_text())
+    tables["bodies"]["planet"] = "Si3N4"
+    filled = with_library_materials(tables, folder=tmp_path)
+    from asperity.case.reader import case_from_tables
+
+    case = case_from_tables(filled, source="test")
+    assert case.materials["Si3N4"].youngs_modulus.value == pytest.approx(307e9)
