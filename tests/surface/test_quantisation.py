@@ -13,6 +13,13 @@ def test_step_is_found_under_a_tilt_and_absent_without_rounding():
     assert height_step(profiles=rounded) == pytest.approx(0.7, rel=0.02)
 
 
+def test_staircase_with_rare_steps():
+    z = np.cumsum(np.cumsum(np.random.default_rng(1).standard_normal((1, 20000)), axis=1), axis=1)
+    step = 1e-2 * z.std()
+    got = height_step(profiles=np.round(z / step) * step)
+    assert got == pytest.approx(step, rel=1e-3)
+
+
 def test_coarse_steps_are_found_and_limit_the_frequency():
     z = np.cumsum(np.random.default_rng(0).standard_normal((1, 20000)), axis=1)
     rounded = np.round(z / 5.0) * 5.0

@@ -93,6 +93,7 @@ def fractal_fit(
     rows_of_a_map: bool,
     shortest_wavelength: float | None = None,
     longest_wavelength: float | None = None,
+    known_height_step: float | None = None,
 ) -> FractalFit:
     """Fractal dimension and roughness of parallel profiles, or a refusal.
 
@@ -110,6 +111,8 @@ def fractal_fit(
         Whether the profiles are neighbouring rows of one map, which resemble each other, or independent.
     shortest_wavelength, longest_wavelength : float or None
         Limits of the band [m]; None lets the search choose.
+    known_height_step : float or None
+        Step to which the instrument rounded the heights [m], as seen before levelling; None looks for one.
 
     Returns
     -------
@@ -150,7 +153,7 @@ def fractal_fit(
                 f"of a power law; "
                 "use the estimator 'likelihood' for a continuous spectrum"
             )
-    step = height_step(profiles=profiles)
+    step = known_height_step if known_height_step is not None else height_step(profiles=profiles)
     noise = quantisation_noise_density(step=step, spacing=spacing) if step is not None else 0.0
     hann = estimator == "power_spectrum"
     spectrum = binned_spectrum(

@@ -9,6 +9,7 @@ from asperity.surface.structure_function import logarithmic_lags, structure_func
 
 _SAMPLE = 2000
 _AGREEMENT = 0.8
+_PLATEAUS = 0.5
 _FEWEST_MOVES = 20
 _LEAST_SHARE = 0.02
 
@@ -36,6 +37,10 @@ def height_step(*, profiles: NDArray[np.float64]) -> float | None:
     d = d - np.median(d)
     size = np.abs(d)
     largest = float(np.quantile(size, 0.995)) * 1.05
+    if np.mean(size <= 1e-6 * size.max()) > _PLATEAUS:  # a staircase: steps are rare, and most of them single
+        every = np.abs(flat - np.median(flat))
+        rises = every[every > 1e-6 * every.max()]
+        return float(np.median(rises)) if rises.size else None
     if largest == 0.0:
         return None
     steps = np.geomspace(largest, largest / 300.0, 800)
