@@ -7,6 +7,8 @@ loss of a worker costs the blocks it was busy with, which others repeat.
 from __future__ import annotations
 
 import os
+import signal
+import threading
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
@@ -123,7 +125,18 @@ def _client(scheduler: str | None, workers: int | None) -> Iterator[Any]:
     count = workers or os.cpu_count() or 1
     with (
         dask.config.set({"distributed.worker.multiprocessing-method": "spawn"}),
-        distributed.LocalCluster(
+        _local_cluster(distributed, count) as cluster,
+        distributed.Client(cluster) as client,
+    ):
+        yield client
+
+
+def _local_cluster(distributed: Any, count: int) -> Any:
+    """Spawned workers; an interrupt from the keyboard ends this process, which then ends them."""
+    main = threading.current_thread() is threading.main_thread()
+    before = signal.signal(signal.SIGINT, signal.SIG_IGN) if main else None  # what they inherit
+    try:
+        return distributed.LocalCluster(
             n_workers=count,
             threads_per_worker=1,
             processes=True,
@@ -131,10 +144,10 @@ def _client(scheduler: str | None, workers: int | None) -> Iterator[Any]:
             env=worker_environment(),
             silence_logs="ERROR",
             memory_limit=0,
-        ) as cluster,
-        distributed.Client(cluster) as client,
-    ):
-        yield client
+        )
+    finally:
+        if main:
+            signal.signal(signal.SIGINT, before)
 
 
 def worker_environment() -> dict[str, str]:
@@ -152,7 +165,7 @@ def worker_environment() -> dict[str, str]:
         "OMP_NUM_THREADS": "1",
         "XLA_FLAGS": " ".join(filter(None, (os.environ.get("XLA_FLAGS"), _ONE_THREAD))),
     }
-    cache = jax.config.read("jax_compilation_cache_dir")
+    cache = getattr(jax.config, "jax_compilation_cache_dir", None)
     if cache:
         found["JAX_COMPILATION_CACHE_DIR"] = str(cache)
         found["JAX_PERSISTENT_CACHE_MIN_COMPILE_TIME_SECS"] = "0"

@@ -228,6 +228,9 @@ def _refuse_other(folder: Path, plan: Plan) -> None:
     wanted = _identity(plan)
     differing = [part for part in wanted if told.get(part) != wanted[part]]
     if differing:
+        differing = [
+            part for part in differing if part != "block_shape"
+        ] or differing  # it follows from the others
         words = {
             "joint": "the joint file",
             "axes": "the axes",
