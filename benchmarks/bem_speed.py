@@ -227,8 +227,11 @@ def report(rows: dict, reference: np.ndarray, points: int) -> None:
         difference = np.abs(row["pressure"] - reference).max() / reference.max()
         print(f"{name:18s}{row['threads']:8d}{row['seconds']:10.3f}{row['iterations'] or '-':>12}{row['area']:13.7f}"
               f"{row['mean_gap']:14.9f}{difference:18.1e}{row['seconds'] / ours['seconds']:11.1f}")  # fmt: skip
-    print(f"\ntangential stick stiffness (nu = {POISSON_RATIO}): k = {ours['shear_stiffness']:.6f} E, estimated relative "
-          f"error {ours['shear_error']:.0e}, {ours['shear_iterations']} iterations, {ours['shear_seconds']:.3f} s")  # fmt: skip
+    error, iterations, seconds = (ours[f"shear_{what}"] for what in ("error", "iterations", "seconds"))
+    print(
+        f"\ntangential stick stiffness (nu = {POISSON_RATIO}): k = {ours['shear_stiffness']:.6f} E,", end=" "
+    )
+    print(f"estimated relative error {error:.0e}, {iterations} iterations, {seconds:.3f} s")
     checks = [("tangential time over normal time", ours["shear_seconds"] / ours["seconds"], "<", 0.5)]
     for name, least in (("tamaas", 6.0), ("ContactMechanics", 3.0)):
         if name in rows:

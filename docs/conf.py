@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import importlib.metadata
+import re
+from typing import Any
 
 project = "asperity"
 author = "the asperity authors"
@@ -46,3 +48,23 @@ numpydoc_show_class_members = False
 numpydoc_validation_checks: set[str] = set()
 
 suppress_warnings = ["mystnb.unknown_mime_type"]
+
+
+def _skip(app: Any, what: str, name: str, thing: Any, skip: bool, options: Any) -> bool | None:
+    """Leave out what is not written as a class of its own: specialised generics and names of types."""
+    return (
+        True
+        if "[" in name or getattr(thing, "__name__", name).rpartition(".")[2] != name.rpartition(".")[2]
+        else None
+    )
+
+
+def _escape_shapes(app: Any, what: str, name: str, thing: Any, options: Any, lines: list[str]) -> None:
+    """Keep the star of a shape like (2, *grid) from starting an emphasis."""
+    lines[:] = [re.sub(r"(?<=[( ])\*(?=[\w-]+[),])", r"\\*", line) for line in lines]
+
+
+def setup(app: Any) -> None:
+    """Connect both to autodoc; the shapes before numpydoc sees them."""
+    app.connect("autodoc-skip-member", _skip)
+    app.connect("autodoc-process-docstring", _escape_shapes, priority=100)

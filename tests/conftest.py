@@ -9,6 +9,8 @@ import pytest
 
 jax.config.update("jax_enable_x64", True)
 jax.config.update("jax_numpy_dtype_promotion", "strict")
+# most of the suite's time is compilation; the unoptimised programs compute the same numbers in a third of it
+jax.config.update("jax_disable_most_optimizations", True)
 
 SHARED = Path(os.environ.get("ASPERITY_SHARED_DATA", Path(__file__).parents[2] / "shared"))
 
@@ -30,8 +32,8 @@ def paper_joint():
     """
     from asperity.contact.fractal import Surface
     from asperity.drive.assembly import RIGID_SUPPORTS
-    from asperity.drive.force_balance import Bearings
     from asperity.drive.geometry import DriveGeometry
+    from asperity.drive.mechanism import Bearings
     from asperity.joint import Bodies, Joint
     from asperity.materials import Material
 

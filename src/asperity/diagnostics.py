@@ -115,7 +115,9 @@ def diagnose(
     sticks = interfaces.bulk_tangential > 0.0
     strip = 2.0 * width * contact_length
     sides = triangle(geometry)
-    friction = jnp.broadcast_to(friction_coefficient, forces.normal.shape)
+    friction = jnp.broadcast_to(
+        friction_coefficient, jnp.broadcast_shapes(jnp.shape(friction_coefficient), forces.normal.shape)
+    )
     largest = jnp.where(touching, contacts.largest_area, 1.0)
     return Diagnostics(
         gross_slip=slip_ratio(

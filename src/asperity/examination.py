@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-import functools
 import math
-from typing import Any
 
 import equinox as eqx
 import jax
 import numpy as np
 
+from asperity.compilation import compile_fast
 from asperity.drive.capacity import TorqueCapacity, torque_capacity
 from asperity.drive.force_balance import BALANCE_TOLERANCE
 from asperity.drive.geometry import CONTACT_NAMES, Clearance, clearances
@@ -18,9 +17,6 @@ from asperity.joint import JointResult, evaluate, mechanism
 from asperity.joint_description import Joint, per_contact
 from asperity.precision import require_double_precision
 from asperity.units import format_quantity
-
-#: One joint runs in milliseconds however it is compiled; these make the compiler four times as fast.
-_COMPILE_FAST: dict[str, Any] = {"xla_backend_optimization_level": 0, "xla_cpu_use_fusion_emitters": False}
 
 
 class Examination(eqx.Module):
@@ -36,37 +32,6 @@ class Examination(eqx.Module):
 
     result: JointResult
     clearances: tuple[Clearance, ...]
-
-
-def compile_fast(function: Any, joint: Joint) -> Any:
-    """Compile a function of a joint for one use, or a few: quick to build, not quick to run.
-
-    Parameters
-    ----------
-    function : callable
-        A pure function of one joint.
-    joint : Joint
-        A joint with leaves as NumPy arrays.
-
-    Returns
-    -------
-    callable
-        The compiled function, for joints of the same structure; the same one if asked again.
-    """
-    leaves, structure = jax.tree.flatten(joint)
-    return _compiled(function, structure, tuple(leaf.shape for leaf in leaves))
-
-
-@functools.lru_cache(maxsize=16)
-def _compiled(function: Any, structure: Any, shapes: tuple[tuple[int, ...], ...]) -> Any:
-    leaves = [jax.ShapeDtypeStruct(shape, np.float64) for shape in shapes]
-    lowered = jax.jit(function).lower(jax.tree.unflatten(structure, leaves))
-    try:
-        return lowered.compile(compiler_options=_COMPILE_FAST)
-    except (
-        jax.errors.JaxRuntimeError
-    ):  # a release of XLA without these options: the same program, built more slowly
-        return lowered.compile()
 
 
 def _examined(joint: Joint) -> Examination:

@@ -13,8 +13,9 @@ from asperity.contact.fractal import FractalContact
 from asperity.contact.interface import Interface
 from asperity.diagnostics import Diagnostics, diagnose
 from asperity.drive.assembly import Assembly, assembly_stiffness
-from asperity.drive.force_balance import BALANCE_TOLERANCE, DriveForces, Mechanism, force_balance, rest_state
+from asperity.drive.force_balance import BALANCE_TOLERANCE, DriveForces, force_balance
 from asperity.drive.geometry import CONTACT_NAMES, DriveAngles, angles, carrier_speed, speed_ratio
+from asperity.drive.mechanism import Mechanism, rest_state
 from asperity.drive.torsional_stiffness import (
     TorsionalStiffness,
     contact_torsional_stiffness,
@@ -239,7 +240,7 @@ def solve(joint: Joint) -> JointResult:
         If JAX is in single precision.
     """
     require_double_precision()
-    result = _evaluate_compiled(joint)
+    result = _evaluate_compiled(jax.tree.map(jnp.asarray, joint))  # arrays: a new number is no new program
     unsolved = ~result.solved
     if isinstance(unsolved, jax.core.Tracer):
         checked: JointResult = eqx.error_if(

@@ -14,8 +14,9 @@ from asperity.contact.hertz_line import (
 )
 from asperity.contact.interface import Interface, bulk_tangential_stiffness
 from asperity.contact.population import contact_factor
-from asperity.drive.force_balance import DriveForces, NormalSprings
+from asperity.drive.force_balance import DriveForces
 from asperity.drive.geometry import contact_radii
+from asperity.drive.mechanism import NormalSprings
 from asperity.joint_description import Joint, contact_pairs, per_contact
 from asperity.types import Real
 

@@ -11,8 +11,8 @@ import jax.numpy as jnp
 from asperity.contact.fractal import Surface
 from asperity.contact.population import ContactFactorModel
 from asperity.drive.assembly import Supports
-from asperity.drive.force_balance import Bearings, Closure
 from asperity.drive.geometry import DriveGeometry
+from asperity.drive.mechanism import Bearings, Closure
 from asperity.materials import ContactPair, Material, pair
 from asperity.types import Real
 

@@ -8,9 +8,10 @@ from typing import Any
 import numpy as np
 
 import asperity
-from asperity.case.model import Case
+from asperity.case import limits
+from asperity.case.model import Case, SurfaceEntry
 from asperity.case.values import si_values
-from asperity.diagnostics import listing
+from asperity.diagnostics import Diagnostic, listing
 from asperity.drive.geometry import CONTACT_NAMES
 from asperity.drive.torsional_stiffness import TorsionalStiffness
 from asperity.examination import Examination
@@ -53,7 +54,7 @@ def joint_document(*, case: Case, examination: Examination) -> Document:
                 "ok": entry.ok,
                 "meaning": entry.meaning,
             }
-            for entry in listing(result)
+            for entry in (*listing(result), *_verified_range(case))
         ],
     }
     cleaned: Document = _plain(document)
@@ -85,6 +86,24 @@ def assumptions(case: Case) -> tuple[str, ...]:
     for roller in ("planet", "loading_roller"):
         if getattr(case.drive, f"{roller}_length") is None:
             told.append(f"no drive.{roller}_length: as long as the longest contact line on it")
+    return tuple(told)
+
+
+def _verified_range(case: Case) -> tuple[Diagnostic, ...]:
+    """Whether each D lies where the contact law is verified to rounding; the limit shown is the nearer bound."""
+    low, high = limits.VERIFIED_FRACTAL_DIMENSIONS
+    surfaces: dict[str | None, SurfaceEntry] = (
+        {None: case.surface} if isinstance(case.surface, SurfaceEntry) else {**dict(case.surface)}
+    )
+    told = []
+    for contact, surface in surfaces.items():
+        value = surface.fractal_dimension.value
+        ok = low <= value <= high
+        meaning = (
+            f"D is {'inside' if ok else 'outside'} the verified range of the contact law, {low} to {high}"
+        )
+        limit = low if value < 0.5 * (low + high) else high
+        told.append(Diagnostic("fractal_dimension", contact, value, limit, ok, meaning))
     return tuple(told)
 
 

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from scipy.optimize import minimize
 
-from asperity.bem.bounded_problem import bounded_solution, within_bounds
+from asperity.bem.bounded_problem import bounded_solution, shifted_within_bounds
 
 SIZE = 12
 RNG = np.random.default_rng(5)
@@ -56,14 +56,27 @@ def test_the_minimum_is_scipys(lower, upper, total):
         assert float(found.traction.sum()) == pytest.approx(total, abs=1e-12)
 
 
-@pytest.mark.parametrize("total", [-3.9, -0.3, 0.8, 3.9])
-def test_cutting_meets_the_total_whichever_bound_is_in_the_way(total):
-    wild = jnp.array(RNG.standard_normal(8) * 3.0)
-    cut = within_bounds(wild, jnp.array(-0.5), jnp.array(0.5), jnp.array(total))
-    assert float(cut.sum()) == pytest.approx(total, abs=1e-12)
-    assert float(jnp.abs(cut).max()) <= 0.5
+@pytest.mark.parametrize(("upper", "total"), [(0.5, -3.9), (0.5, 0.3), (0.5, 3.9), (np.inf, 100.0)])
+def test_the_shifted_cut_is_the_nearest_point_that_meets_the_total(upper, total):
+    wild = RNG.standard_normal(8) * 3.0
+    cut = shifted_within_bounds(
+        jnp.array(wild), jnp.ones(8, dtype=bool), jnp.array(-0.5), jnp.array(upper), jnp.array(total)
+    )
+    assert float(cut.sum()) == pytest.approx(total, abs=1e-11)
+    nearest = minimize(
+        lambda t: np.sum((t - wild) ** 2),
+        np.full(8, total / 8.0),
+        bounds=[(-0.5, upper)] * 8,
+        constraints=[{"type": "eq", "fun": lambda t: t.sum() - total}],
+        method="SLSQP",
+        options={"ftol": 1e-14},
+    )
+    np.testing.assert_allclose(cut, nearest.x, atol=1e-5)
 
 
-def test_without_an_upper_bound_points_at_the_lower_one_stay_there():
-    cut = within_bounds(jnp.array([-1.0, 0.0, 1.0, 3.0]), jnp.array(0.0), None, jnp.array(8.0))
-    np.testing.assert_allclose(cut, [0.0, 0.0, 2.0, 6.0])
+def test_points_that_may_not_change_keep_their_traction():
+    chosen = jnp.array([True, False, True, False])
+    cut = shifted_within_bounds(
+        jnp.array([0.2, 0.0, 0.9, 0.7]), chosen, jnp.array(0.0), jnp.array(1.0), jnp.array(2.3)
+    )
+    np.testing.assert_allclose(cut, [0.6, 0.0, 1.0, 0.7])

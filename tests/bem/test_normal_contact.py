@@ -185,6 +185,14 @@ def test_hardness_caps_the_pressure_and_spreads_the_load(rough_half_space, rough
     assert np.abs(gap[(pressure > 0.0) & (pressure < limit)]).max() < 1e-8
 
 
+def test_a_soft_body_yields_almost_everywhere_it_touches(rough_half_space, rough_heights):
+    """Hardness far below E times slope: the area tends to load over hardness (Bowden and Tabor)."""
+    hardness = 0.02
+    found = normal_contact(rough_half_space, rough_heights, normal_force=0.1 * hardness, hardness=hardness)
+    assert 0.1 < float(found.contact_fraction) < 0.105
+    assert int(found.iterations) < 60
+
+
 def test_a_hardness_beyond_every_pressure_changes_nothing(rough_half_space, rough_heights, rough_contact):
     limit = 2.0 * float(rough_contact.pressure.max())
     free = normal_contact(rough_half_space, rough_heights, normal_force=0.05, hardness=limit, tolerance=1e-10)

@@ -8,8 +8,9 @@ import numpy as np
 import pytest
 
 from asperity.drive.capacity import slip_ratio, torque_capacity
-from asperity.drive.force_balance import Bearings, Mechanism, NormalSprings, force_balance
+from asperity.drive.force_balance import force_balance
 from asperity.drive.geometry import CONTACT_NAMES, DriveGeometry
+from asperity.drive.mechanism import Bearings, Mechanism, NormalSprings
 
 PAPER = DriveGeometry(4e-3, 13.5e-3, 5e-3, 40e-3, 3.0, 0.0, 0.0)
 

@@ -12,7 +12,8 @@ import jax
 import numpy as np
 import pytest
 
-from asperity.drive.force_balance import force_balance, rest_state
+from asperity.drive.force_balance import force_balance
+from asperity.drive.mechanism import rest_state
 from asperity.joint import mechanism
 
 SIZE = 256

@@ -9,10 +9,10 @@ bounds the misfit u - b, u = A t, vanishes up to one common shift, which is the 
 total is prescribed.
 
 The solver is the conjugate-gradient method of Polonsky and Keer (1999) with three changes: the gradient is
-preconditioned by the opposite operator (Hiptmair 2006), so that the number of iterations hardly grows with
-the grid; Polak and Ribière's formula stands in for the restarts, so that pixels entering or leaving do not
-throw away the search direction; and the displacement is updated with the step instead of being recomputed,
-which saves transforms wherever no pixel was cut off at a bound.
+preconditioned by a rough inverse of the response (operators of opposite order, Hiptmair 2006), so that the
+number of iterations hardly grows with the grid; Polak and Ribière's formula stands in for the restarts, so that
+pixels entering or leaving do not throw away the search direction; and the displacement is updated with the step
+instead of being recomputed, which saves transforms wherever no pixel was cut off at a bound.
 """
 
 from __future__ import annotations
@@ -26,6 +26,10 @@ import jax.numpy as jnp
 from jax import Array
 
 Response = Callable[[Array], Array]
+#: Newton or bisection steps for the common shift; a dozen are usual.
+_SHIFT_STEPS = 200
+#: Shift, excess of the sum, its rate, bracket, steps.
+_Shift = tuple[Array, Array, Array, Array, Array, Array]
 
 
 class BoundedSolution(eqx.Module):
@@ -67,49 +71,70 @@ def _masked_sum(mask: Array, field: Array) -> Array:
     return jnp.sum(jnp.where(mask, field, 0.0))
 
 
-def _moved_to_total(traction: Array, chosen: Array, lower: Array, upper: Array, total: Array) -> Array:
-    """Scale the chosen points towards one bound so that the whole adds up, as far as they can."""
-    now, least, most = (_masked_sum(chosen, bound) for bound in (traction, lower, upper))
-    need = total - _masked_sum(~chosen, traction)
-    fall = jnp.clip((need - least) / (now - least), 0.0, 1.0)
-    rise = jnp.clip((most - need) / (most - now), 0.0, 1.0)
-    moved = jnp.where(need < now, lower + (traction - lower) * fall, upper - (upper - traction) * rise)
-    return jnp.where(chosen, moved, traction)
+def shifted_within_bounds(traction: Array, chosen: Array, lower: Array, upper: Array, total: Array) -> Array:
+    r"""The nearest traction within the bounds that has the prescribed sum: cut, after a common shift.
 
-
-def within_bounds(traction: Array, lower: Array, upper: Array | None, total: Array | None) -> Array:
-    """Cut the traction at its bounds and move what lies between them to the prescribed total.
+    .. math:: \sum_{\text{chosen}} \min(\max(t + c, l), h) + \sum_{\text{others}} t = T
 
     Parameters
     ----------
     traction : array
-        Traction [Pa].
+        Traction, inside its bounds where not chosen [Pa].
+    chosen : array of bool
+        Points that may change.
     lower, upper : array
-        Bounds [Pa]; no upper bound is None.
-    total : array, scalar, or None
-        Prescribed sum [Pa], between the sums of the bounds.
+        Bounds [Pa]; the upper one may be infinite.
+    total : array, scalar
+        Prescribed sum [Pa], within what the chosen points can make of it.
 
     Returns
     -------
     array
-        Traction within its bounds and of this sum. Points on a bound stay there unless the others cannot
-        make up the sum.
+        The traction; c is found by Newton's method inside a shrinking bracket.
     """
-    if upper is None:
-        cut = jnp.maximum(traction, lower)
-        if total is None:
-            return cut
-        least = jnp.sum(jnp.broadcast_to(lower, cut.shape))
-        return lower + (cut - lower) * ((total - least) / (jnp.sum(cut) - least))
-    cut = jnp.clip(traction, lower, upper)
+    need = total - _masked_sum(~chosen, traction)
+
+    def excess(c: Array) -> tuple[Array, Array]:
+        moved = traction + c
+        rate = jnp.sum(chosen & (moved > lower) & (moved < upper), dtype=traction.dtype)
+        return _masked_sum(chosen, jnp.clip(moved, lower, upper)) - need, rate
+
+    def unfinished(state: _Shift) -> Array:
+        _, error, _, low, high, k = state
+        return (jnp.abs(error) > 1e-14 * jnp.abs(need)) & (high > low) & (k < _SHIFT_STEPS)
+
+    def step(state: _Shift) -> _Shift:
+        c, error, rate, low, high, k = state
+        low, high = jnp.where(error < 0.0, c, low), jnp.where(error > 0.0, c, high)
+        newton = c - error / jnp.maximum(rate, 1.0)
+        inside = (rate > 0.0) & (newton > low) & (newton < high)
+        c = jnp.where(inside, newton, 0.5 * (low + high))
+        error, rate = excess(c)
+        return c, error, rate, low, high, k + 1
+
+    count = jnp.maximum(jnp.sum(chosen, dtype=traction.dtype), 1.0)
+    lowest = jnp.min(jnp.where(chosen, lower - traction, jnp.inf))
+    # An infinite upper bound is reached by nobody: the mean missing is then enough for every point.
+    room = jnp.where(jnp.isfinite(upper), upper, lower + jnp.abs(need) / count + jnp.abs(need))
+    highest = jnp.max(jnp.where(chosen, room - traction, -jnp.inf))
+    error, rate = excess(jnp.zeros(()))
+    first = (jnp.zeros(()), error, rate, lowest, highest, jnp.zeros((), dtype=jnp.int64))
+    c = jax.lax.while_loop(unfinished, step, first)[0]
+    return jnp.where(chosen, jnp.clip(traction + c, lower, upper), traction)
+
+
+def _within_bounds(
+    traction: Array, moving: Array, lower: Array, upper: Array | None, total: Array | None
+) -> Array:
+    """Cut the traction at its bounds, keeping its sum if one is prescribed."""
     if total is None:
-        return cut
-    moved = _moved_to_total(cut, (cut > lower) & (cut < upper), lower, upper, total)
-    missing = jnp.abs(jnp.sum(moved) - total) > 1e-12 * jnp.sum(jnp.abs(moved))
-    everywhere = jnp.ones(cut.shape, dtype=bool)
-    return jax.lax.cond(
-        missing, lambda t: _moved_to_total(t, everywhere, lower, upper, total), lambda t: t, moved
-    )
+        return jnp.maximum(traction, lower) if upper is None else jnp.clip(traction, lower, upper)
+    if upper is not None:
+        return shifted_within_bounds(traction, moving, lower, upper, total)
+    # Polonsky and Keer's scaling is cheaper than the shift and leaves points at the bound alone.
+    cut = jnp.maximum(traction, lower)
+    least = jnp.sum(jnp.broadcast_to(lower, cut.shape))
+    return lower + (cut - lower) * ((total - least) / (jnp.sum(cut) - least))
 
 
 def bounded_solution(
@@ -140,7 +165,7 @@ def bounded_solution(
     total : array, scalar, or None
         Prescribed sum of the traction [Pa], or None if b alone decides.
     start : array
-        Traction to start from [Pa].
+        Traction to start from [Pa]; shifted and cut to the bounds and the sum.
     scale : callable
         Displacement [m] that the misfit is measured by, from traction and displacement.
     tolerance : array, scalar
@@ -192,7 +217,7 @@ def bounded_solution(
         t_new, u_new = t - tau * d, u - tau * w
 
         def cut(_: None) -> tuple[Array, Array]:
-            inside = within_bounds(t_new, lower, upper, total)
+            inside = _within_bounds(t_new, moving, lower, upper, total)
             return inside, response(inside)
 
         beyond = t_new < lower if upper is None else (t_new < lower) | (t_new > upper)
@@ -204,7 +229,13 @@ def bounded_solution(
         return (state.residual > limit) & (state.iterations < max_iterations)
 
     zero = jnp.zeros_like(target)
-    t0 = within_bounds(start, lower, upper, total)
+    if total is None:
+        t0 = _within_bounds(start, jnp.ones(start.shape, dtype=bool), lower, upper, None)
+    else:
+        ceiling = jnp.asarray(jnp.inf) if upper is None else upper
+        t0 = shifted_within_bounds(
+            start, jnp.broadcast_to(lower < ceiling, start.shape), lower, ceiling, total
+        )
     infinite = jnp.asarray(jnp.inf)
     first = _State(
         t0, response(t0), zero, zero, infinite, jnp.zeros(()), infinite, jnp.zeros((), dtype=jnp.int64)

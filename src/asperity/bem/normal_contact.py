@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import equinox as eqx
-import jax
 import jax.numpy as jnp
 from jax import Array
 from jax.typing import ArrayLike
@@ -13,8 +12,6 @@ from asperity.bem.checks import field_on_grid, positive
 from asperity.bem.half_space import HalfSpace
 from asperity.errors import InputError, NoSolutionError
 
-#: Newton steps for the starting pressure; they converge monotonically and rarely need half of these.
-_START_STEPS = 30
 #: Largest relative difference between the sum of the pressure and the load that is accepted.
 _LOAD_TOLERANCE = 1e-9
 
@@ -67,20 +64,6 @@ class NormalContact(eqx.Module):
     load_balance_error: Array
 
 
-def _starting_pressure(half_space: HalfSpace, heights: Array, mean_pressure: Array) -> Array:
-    """Pressure that would flatten the surface completely, shifted to the load and cut at zero."""
-    flattening = half_space.flattening_pressure(heights)
-
-    def newton(_: int, level: Array) -> Array:
-        above = flattening > level
-        excess = jnp.mean(jnp.where(above, flattening - level, 0.0)) - mean_pressure
-        return level + excess / jnp.mean(above, dtype=heights.dtype)
-
-    level = jnp.min(flattening) - mean_pressure
-    level = jax.lax.fori_loop(0, _START_STEPS, newton, level)
-    return jnp.maximum(flattening - level, 0.0)
-
-
 def pressure_weighted_displacement(pressure: Array, displacement: Array) -> Array:
     """Mean displacement weighted by the pressure: twice the elastic energy over the load [m].
 
@@ -109,7 +92,7 @@ def _solved(
 ) -> tuple[BoundedSolution, dict[str, Array]]:
     total = force / half_space.pixel_area
     if start is None:
-        start = _starting_pressure(half_space, heights, total / float(heights.size))
+        start = half_space.flattening_pressure(heights)
     found = bounded_solution(
         response=half_space.normal_displacement,
         estimate=half_space.traction_estimate,

@@ -12,8 +12,8 @@ from asperity.case.model import Case, EachContact
 from asperity.case.values import Values, check_values, replace_values, si_values
 from asperity.contact.fractal import Surface
 from asperity.drive.assembly import RIGID_SUPPORTS, Supports
-from asperity.drive.force_balance import Bearings
 from asperity.drive.geometry import DriveGeometry
+from asperity.drive.mechanism import Bearings
 from asperity.joint_description import Bodies, Joint
 from asperity.materials import Material, hardness
 from asperity.types import Real

@@ -3,22 +3,21 @@
 from __future__ import annotations
 
 import csv
-import functools
 import math
 import os
 from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any, NamedTuple, TextIO
 
-import jax
 import jax.numpy as jnp
 import numpy as np
 
 from asperity.case import limits
 from asperity.case.key import Key
 from asperity.case.messages import nearest
+from asperity.compilation import compile_fast
 from asperity.contact.asperity import AsperityBase
-from asperity.contact.fractal import FractalContact, Surface
+from asperity.contact.fractal import Surface
 from asperity.contact.roller_pairs import CONTACT_FACTOR_MODELS, RollerPairs, roller_pair_contacts
 from asperity.errors import InputError
 from asperity.unit_table import Dimension
@@ -281,13 +280,8 @@ def _evaluated(
         hardness=si["H_MPa"],
         contact_factor_model=jnp.asarray(np.resize(columns[MODEL_COLUMN], size)),
     )
-    contacts = _compiled()(pairs)
+    contacts = compile_fast(roller_pair_contacts, pairs)(pairs)
     return {
         name: np.asarray(getattr(contacts, field))[:count] * from_si(1.0, unit)
         for name, (field, unit) in OUTPUT_COLUMNS.items()
     }
-
-
-@functools.cache
-def _compiled() -> Callable[[RollerPairs], FractalContact]:
-    return jax.jit(roller_pair_contacts)

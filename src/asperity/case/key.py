@@ -6,6 +6,7 @@ import math
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
+from asperity.case.distribution import Distribution, split_distribution
 from asperity.errors import InputError
 from asperity.unit_table import Dimension
 from asperity.units import format_quantity, from_si, parse_quantity, parse_tolerance
@@ -27,11 +28,14 @@ class Quantity:
         What stands behind ``+-``, in SI units; 0 where the file states none.
     text : str
         As it is written in the file.
+    distribution : Distribution or None
+        How it scatters within its tolerance; None where the file does not say.
     """
 
     value: float
     tolerance: float
     text: str
+    distribution: Distribution | None = None
 
 
 @dataclass(frozen=True)
@@ -121,13 +125,14 @@ class Key:
             If it is no such quantity, or outside the allowed range.
         """
         if isinstance(written, str) and any(sign in written for sign in ("±", "+-", "+/-", "+ -", "+ /")):
-            value, tolerance = parse_tolerance(written, self.dimension)
+            text, distribution = split_distribution(written)
+            value, tolerance = parse_tolerance(text, self.dimension)
         else:
-            value, tolerance = parse_quantity(written, self.dimension), 0.0
+            value, tolerance, distribution = parse_quantity(written, self.dimension), 0.0, None
         self.check(value)
         if self.whole and tolerance != 0.0:
             raise InputError(f"a whole number has no tolerance, got '{written}'")
-        return Quantity(value=value, tolerance=tolerance, text=str(written))
+        return Quantity(value=value, tolerance=tolerance, text=str(written), distribution=distribution)
 
     def __get_pydantic_core_schema__(self, source: Any, handler: GetCoreSchemaHandler) -> CoreSchema:
         """Tell pydantic to read a value with :meth:`read`."""

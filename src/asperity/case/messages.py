@@ -33,7 +33,10 @@ def nearest(name: str, known: Iterable[str]) -> str:
     """
     import difflib
 
-    close = difflib.get_close_matches(name, list(known), n=1, cutoff=0.5)
+    close = difflib.get_close_matches(name, list(known), n=3, cutoff=0.5)
+    close.sort(
+        key=lambda other: sorted(other) != sorted(name)
+    )  # letters in the wrong order are the likeliest slip
     return f"; did you mean '{close[0]}'?" if close else ""
 
 

@@ -79,8 +79,10 @@ def parse_case(text: str, *, source: str, folder: Path | None = None) -> Case:
         tables = tomllib.loads(text.replace("\r\n", "\n"))
     except tomllib.TOMLDecodeError as error:
         raise InputError(f"{source}: not valid TOML: {error}") from None
-    except (ValueError, RecursionError) as error:  # numbers of thousands of digits, tables nested without end
-        raise InputError(f"{source}: not a joint file: {str(error) or 'nested too deeply'}") from None
+    except RecursionError:
+        raise InputError(f"{source}: not a joint file: nested too deeply") from None
+    except ValueError as error:  # numbers of thousands of digits
+        raise InputError(f"{source}: not a joint file: {error}") from None
     return case_from_tables(tables, source=source, folder=folder)
 
 

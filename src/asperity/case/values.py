@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 from pydantic import BaseModel
 
+from asperity.case.distribution import Distribution
 from asperity.case.key import Key, Quantity
 from asperity.case.messages import keys_by_path, nearest
 from asperity.case.model import Case, EachContact
@@ -33,12 +34,15 @@ class NumericKey:
         Value and tolerance in SI units; the tolerance is 0 where the file states none.
     key : Key
         What it measures, its range and its unit for display.
+    distribution : Distribution or None
+        How it scatters within its tolerance; None where the file does not say.
     """
 
     path: str
     value: float
     tolerance: float
     key: Key
+    distribution: Distribution | None
 
 
 def si_values(case: Case) -> Values:
@@ -118,7 +122,7 @@ def numeric_keys(case: Case) -> dict[str, NumericKey]:
         Dotted path → the number, in the order of the file's sections.
     """
     return {
-        path: NumericKey(path, quantity.value, quantity.tolerance, key_at(path))
+        path: NumericKey(path, quantity.value, quantity.tolerance, key_at(path), quantity.distribution)
         for path, quantity in _quantities(case, "")
     }
 

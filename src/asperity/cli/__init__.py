@@ -8,16 +8,29 @@ exit code: 0 fine, 2 bad input, 3 no solution.
 from __future__ import annotations
 
 import importlib
+import os
 import sys
 from typing import Any
 
 import click
 
+from asperity.cli.terminal import prepare_output
 from asperity.errors import AsperityError
 
 #: Command name -> (module that defines it, function name, one-line help shown without importing the module).
 COMMANDS: dict[str, tuple[str, str, str]] = {
     "joint": ("asperity.cli.joint", "joint", "Forces, stiffness and warnings of a joint file."),
+    "sweep": ("asperity.cli.sweep", "sweep", "Evaluate a joint file on a grid of any of its numbers."),
+    "sensitivity": (
+        "asperity.cli.sensitivity",
+        "sensitivity",
+        "Which numbers of a joint file matter: exact derivatives, ranked.",
+    ),
+    "uncertainty": (
+        "asperity.cli.uncertainty",
+        "uncertainty",
+        "Intervals of the results from the tolerances of a joint file.",
+    ),
     "windup": (
         "asperity.cli.windup",
         "windup",
@@ -39,6 +52,11 @@ COMMANDS: dict[str, tuple[str, str, str]] = {
         "asperity.cli.surface",
         "surface",
         "Measure D and G of rough surfaces, make and combine them.",
+    ),
+    "verify-contact": (
+        "asperity.cli.verify_contact",
+        "verify_contact",
+        "Hold the fractal law against boundary elements.",
     ),
 }
 
@@ -86,20 +104,37 @@ class LazyGroup(click.Group):
         return super().resolve_command(ctx, args)
 
 
+def _show_version(context: click.Context, option: click.Parameter, asked: bool) -> None:
+    if asked:
+        from asperity import __version__
+
+        click.echo(f"asperity {__version__}")
+        context.exit()
+
+
 @click.group(
     cls=LazyGroup,
     commands_by_module=COMMANDS,
     context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 100},
 )
-@click.version_option(package_name="asperity", prog_name="asperity")
+@click.option(
+    "--version",
+    is_flag=True,
+    is_eager=True,
+    expose_value=False,
+    callback=_show_version,
+    help="Show the version.",
+)
 def asperity() -> None:
     """From a measured rough surface to the torsional stiffness of a traction-drive robot joint."""
 
 
 def main() -> None:
     """Entry point of the ``asperity`` command."""
+    prepare_output()
     try:
         code = asperity.main(prog_name="asperity", standalone_mode=False)
+        sys.stdout.flush()
     except AsperityError as error:
         click.echo(f"asperity: error: {error}", err=True)
         sys.exit(error.exit_code)
@@ -109,4 +144,7 @@ def main() -> None:
     except (click.Abort, KeyboardInterrupt):
         click.echo("asperity: interrupted", err=True)
         sys.exit(130)
+    except BrokenPipeError:  # whoever read the output has seen enough; nothing is left to be flushed at exit
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        sys.exit(1)
     sys.exit(code if isinstance(code, int) else 0)

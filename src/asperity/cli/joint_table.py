@@ -52,7 +52,7 @@ def show_joint(target: Console, document: Document, *, source: str) -> None:
     """
     drive, load = document["input"]["drive"], document["input"]["load"]
     target.print(
-        f"{source}: {_number(drive['planets'])} planets, sun at {_in(load['sun_speed'], 'rpm')}, preload "
+        f"{source}\n{_number(drive['planets'])} planets, sun at {_in(load['sun_speed'], 'rpm')}, preload "
         f"{_in(load['preload'], 'N')}, output torque {_in(load['output_torque'], 'N*m')}\n",
         style="bold",
         markup=False,

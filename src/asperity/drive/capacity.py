@@ -7,8 +7,9 @@ import jax
 import jax.numpy as jnp
 from jax import Array
 
-from asperity.drive.force_balance import Mechanism, force_balance
+from asperity.drive.force_balance import force_balance
 from asperity.drive.geometry import triangle
+from asperity.drive.mechanism import Mechanism
 from asperity.types import Real
 
 _STEPS = 100  # doublings and halvings together: sixty halvings reach rounding, forty doublings 10^12 times the guess

@@ -9,162 +9,25 @@ The two that remain are found from the carrier's moment (5) and the closure by N
 
 from __future__ import annotations
 
-from typing import Literal, NamedTuple
+import dataclasses
+import functools
+from typing import NamedTuple
 
 import equinox as eqx
 import jax
 import jax.numpy as jnp
 from jax import Array
 
-from asperity.drive.geometry import DriveGeometry, Triangle, triangle
+from asperity.drive.equilibrium import balance_equations
+from asperity.drive.geometry import Triangle, triangle
+from asperity.drive.mechanism import Mechanism, NormalSprings, RestState, compression, rest_state
 from asperity.types import Real
-
-Closure = Literal["elastic", "constant_pin_force"]
 
 #: Largest relative residual of the force balance and of its closure that counts as solved.
 BALANCE_TOLERANCE = 1e-9
 
 _NEWTON_BUDGET = 20
-_STEP_TOLERANCE = 1e-6  # convergence is quadratic: what such a last step leaves behind is below 1e-12
-_SMALL_LOAD = 1e-6
-
-
-class Bearings(eqx.Module):
-    r"""Friction torques of the bearings; a pin's is :math:`T_B + \tfrac12 \mu_b F_c d`.
-
-    Parameters
-    ----------
-    sun_torque, loading_roller_torque, carrier_torque : Real
-        Constant friction torque of one sun, loading roller and carrier bearing [N·m]; each body has two.
-    pin_friction_coefficient : Real
-        Friction coefficient mu_b of the loading rollers' pins [-].
-    pin_diameter : Real
-        Diameter d of the loading rollers' pins [m].
-    """
-
-    sun_torque: Real
-    loading_roller_torque: Real
-    carrier_torque: Real
-    pin_friction_coefficient: Real
-    pin_diameter: Real
-
-
-class NormalSprings(eqx.Module):
-    r"""Compression of the five contacts around their preload, exact for every logarithmic line-contact law.
-
-    .. math:: \delta(N) = N \left[s_0 - (s_0 - t_0) \ln (N/N_0)\right]
-
-    Parameters
-    ----------
-    secant_compliance, incremental_compliance : Array
-        s_0 = delta/N and t_0 = d delta/dN at the preload N_0, shape (5, ...) [m/N].
-    """
-
-    secant_compliance: Array
-    incremental_compliance: Array
-
-
-def compression(*, springs: NormalSprings, normal_force: Real, rest_force: Real) -> Real:
-    r"""Approach of the two bodies of each contact beyond their state at rest.
-
-    .. math:: \delta(N) - \delta(N_0), \quad \delta(N) = N \left[s_0 - (s_0 - t_0) \ln (N/N_0)\right]
-
-    Parameters
-    ----------
-    springs : NormalSprings
-        Secant and incremental compliance at rest [m/N].
-    normal_force, rest_force : Real
-        Normal force N and its value N_0 at rest [N].
-
-    Returns
-    -------
-    Real
-        Approach [m]. Below a millionth of the rest force the tangent there is continued, which only iterates
-        of the solver ever see.
-
-    References
-    ----------
-    The Johnson and the Weber–Banaschek compressions, :mod:`asperity.contact.hertz_line`, are both of this form.
-    """
-    ratio = normal_force / rest_force
-    loaded = ratio > _SMALL_LOAD
-    safe = jnp.where(loaded, ratio, _SMALL_LOAD)
-    bend = springs.secant_compliance - springs.incremental_compliance
-    log_safe = jnp.log(safe)
-    curve = safe * (springs.secant_compliance - bend * log_safe)
-    tangent = springs.incremental_compliance - bend * log_safe
-    return rest_force * (curve + tangent * (ratio - safe) - springs.secant_compliance)
-
-
-class Mechanism(eqx.Module):
-    """A drive ready to be loaded: everything about its force balance but the torque. SI units.
-
-    Parameters
-    ----------
-    geometry : DriveGeometry
-        Radii and arrangement.
-    bearings : Bearings
-        Friction of its bearings.
-    springs : NormalSprings
-        Normal springs of the contacts; used by the ``elastic`` closure only.
-    preload : Real
-        Normal force N_0 between sun and planet at rest [N].
-    carrier_speed : Real
-        Angular velocity of the carrier [rad/s].
-    planet_mass, loading_roller_mass : Real
-        Masses [kg]; enter through the centrifugal forces m omega_c^2 r.
-    closure : {"elastic", "constant_pin_force"}
-        ``elastic``: the preload is an interference fixed at assembly, see :doc:`/equations` (A3);
-        ``constant_pin_force``: the right pin force keeps its preload value.
-    """
-
-    geometry: DriveGeometry
-    bearings: Bearings
-    springs: NormalSprings
-    preload: Real
-    carrier_speed: Real
-    planet_mass: Real
-    loading_roller_mass: Real
-    closure: Closure = eqx.field(static=True)
-
-
-class RestState(NamedTuple):
-    """Forces at rest and without torque: the assembled preload."""
-
-    normal_force: Array
-    pin_force_left: Array
-    pin_force_right: Array
-
-
-def rest_state(*, geometry: DriveGeometry, preload: Real) -> RestState:
-    """Preload at rest: N_sp = N_0, both sides equal; equations (2)–(4) without tangential forces.
-
-    Parameters
-    ----------
-    geometry : DriveGeometry
-        The drive.
-    preload : Real
-        Normal force N_0 between sun and planet at rest [N].
-
-    Returns
-    -------
-    RestState
-        Normal forces, shape (5, ...), and the two pin forces [N].
-
-    References
-    ----------
-    Equation (A3) of :doc:`/equations`.
-    """
-    sides = triangle(geometry)
-    planet_roller = preload / (2.0 * sides.cos_direction)
-    pin_left = planet_roller * sides.sin_wedge / jnp.cos(geometry.left_push_angle)
-    pin_right = planet_roller * sides.sin_wedge / jnp.cos(geometry.right_push_angle)
-    left_ring = pin_left * jnp.sin(geometry.left_push_angle) + planet_roller * sides.cos_wedge
-    right_ring = pin_right * jnp.sin(geometry.right_push_angle) + planet_roller * sides.cos_wedge
-    normal = jnp.stack(
-        jnp.broadcast_arrays(jnp.asarray(preload), planet_roller, planet_roller, right_ring, left_ring)
-    )
-    return RestState(normal, pin_left, pin_right)
+_STEP_TOLERANCE = 1e-5  # convergence is quadratic: what such a last step leaves behind is below 1e-11
 
 
 class DriveForces(eqx.Module):
@@ -346,6 +209,11 @@ def _newton(residuals, start: tuple[Array, Array]) -> tuple[Array, Array]:  # ty
     return load_sum, sun_force
 
 
+def _largest(values: tuple[Array, ...]) -> Array:
+    """Largest magnitude, taken one by one: XLA would write a stacked array to memory first."""
+    return functools.reduce(jnp.maximum, (jnp.abs(value) for value in values))
+
+
 def force_balance(*, mechanism: Mechanism, output_torque: Real) -> DriveForces:
     r"""Solve the static force balance of one branch under a given output torque.
 
@@ -387,37 +255,31 @@ def force_balance(*, mechanism: Mechanism, output_torque: Real) -> DriveForces:
         1.0 + sides.cos_wedge - sides.sin_wedge * (1.0 + sides.cos_direction) / sides.sin_direction
     )  # (5) with (3), (4) and no losses
     loss_free = output_torque / (geometry.planet_count * sides.roller_orbit * leverage)
-    start = jnp.broadcast_arrays(
-        2.0 * rest.normal_force[1],
-        loss_free,
-        drive.planet_centrifugal,
-        drive.roller_centrifugal,
-        mechanism.springs.secant_compliance[1],
-        bearings.loading_roller_torque + bearings.carrier_torque + bearings.pin_friction_coefficient,
-    )[:2]
+    batch = dataclasses.replace(mechanism, springs=jax.tree.map(lambda leaf: leaf[0], mechanism.springs))
+    shape = jnp.broadcast_shapes(*(jnp.shape(leaf) for leaf in jax.tree.leaves((batch, output_torque))))
+    start = jnp.broadcast_to(2.0 * rest.normal_force[1], shape), jnp.broadcast_to(loss_free, shape)
 
     def residuals(unknowns: tuple[Array, Array]) -> tuple[Array, Array]:
         return _residuals(drive, unknowns)
 
-    load_sum, sun_force = jax.lax.custom_root(residuals, (start[0], start[1]), _newton, _solve_two_by_two)
+    load_sum, sun_force = jax.lax.custom_root(residuals, start, _newton, _solve_two_by_two)
     floor = _contact_floor(drive, sun_force)
     held = load_sum < floor
     force = _branch_forces(drive, jnp.where(held, floor, load_sum), sun_force)
-    closure_error = jnp.where(held, 0.0, jnp.abs(_residuals(drive, (load_sum, sun_force))[0]))
-    normal = jnp.stack(jnp.broadcast_arrays(*_normals(force)))
-    normal = jnp.maximum(normal, 0.0)  # a lifted contact's rounding; the balance below is taken with it
-    tangential = jnp.stack(
-        jnp.broadcast_arrays(force["t_sp"], force["t_pwr"], force["t_pwl"], force["t_wro"], force["t_wlo"])
-    )
+    force = jax.lax.optimization_barrier(force)  # keeps XLA from computing them again for every use
+    closure_error = jnp.where(held, 0.0, jnp.abs(_closure_residual(drive, force)))
+    # a lifted contact's rounding is cut off; the balance below is taken with what remains
+    normals = tuple(jnp.maximum(value, 0.0) for value in _normals(force))
+    tangentials = force["t_sp"], force["t_pwr"], force["t_pwl"], force["t_wro"], force["t_wlo"]
     input_torque = (
         2.0 * bearings.sun_torque + geometry.planet_count * geometry.sun_radius * force["t_sp"]
     )  # (1)
-    scale = jnp.maximum(jnp.max(normal, axis=0), jnp.max(jnp.abs(tangential), axis=0))
+    scale = _largest((*normals, *tangentials))
     equations = balance_equations(
         geometry=geometry,
         bearings=bearings,
-        normal=normal,
-        tangential=tangential,
+        normal=normals,
+        tangential=tangentials,
         pin_left=force["f_cl"],
         pin_right=force["f_cr"],
         left_bearing_torque=force["b_l"],
@@ -428,89 +290,14 @@ def force_balance(*, mechanism: Mechanism, output_torque: Real) -> DriveForces:
         roller_centrifugal=drive.roller_centrifugal,
     )
     return DriveForces(
-        normal=normal,
-        tangential=tangential,
+        normal=jnp.stack(jnp.broadcast_arrays(*normals)),
+        tangential=jnp.stack(jnp.broadcast_arrays(*tangentials)),
         pin_left=force["f_cl"],
         pin_right=force["f_cr"],
         input_torque=input_torque,
         output_torque=jnp.broadcast_to(drive.output_torque, scale.shape),
         left_bearing_torque=force["b_l"],
         right_bearing_torque=force["b_r"],
-        balance_residual=jnp.max(jnp.abs(equations), axis=0) / scale,
+        balance_residual=_largest(equations) / scale,
         closure_residual=closure_error / scale,
-    )
-
-
-def balance_equations(
-    *,
-    geometry: DriveGeometry,
-    bearings: Bearings,
-    normal: Array,
-    tangential: Array,
-    pin_left: Real,
-    pin_right: Real,
-    left_bearing_torque: Real,
-    right_bearing_torque: Real,
-    input_torque: Real,
-    output_torque: Real,
-    planet_centrifugal: Real,
-    roller_centrifugal: Real,
-) -> Array:
-    """The eleven equations (1)–(5) as they are written, each as a force [N] that vanishes in equilibrium.
-
-    Parameters
-    ----------
-    geometry : DriveGeometry
-        The drive.
-    bearings : Bearings
-        Friction of its bearings.
-    normal, tangential : Array
-        Contact forces in the order of :data:`asperity.drive.geometry.CONTACT_NAMES`, shape (5, ...) [N].
-    pin_left, pin_right : Real
-        Carrier pin forces [N].
-    left_bearing_torque, right_bearing_torque : Real
-        Friction torque of one loading-roller bearing on either side [N·m].
-    input_torque, output_torque : Real
-        Torques at sun and carrier [N·m].
-    planet_centrifugal, roller_centrifugal : Real
-        m omega_c^2 r of a planet and of a loading roller [N].
-
-    Returns
-    -------
-    Array
-        Residuals, shape (11, ...) [N]; moments are divided by the radius they act at.
-
-    References
-    ----------
-    Zou et al. 2025, equations (1)–(5); the signs of (2) and (4) as in :doc:`/assumptions`.
-    """
-    side = triangle(geometry)
-    n_sp, n_pwr, n_pwl, n_wro, n_wlo = normal
-    t_sp, t_pwr, t_pwl, t_wro, t_wlo = tangential
-    cos_th, sin_th, cos_b, sin_b = side.cos_direction, side.sin_direction, side.cos_wedge, side.sin_wedge
-    cos_l, sin_l = jnp.cos(geometry.left_push_angle), jnp.sin(geometry.left_push_angle)
-    cos_r, sin_r = jnp.cos(geometry.right_push_angle), jnp.sin(geometry.right_push_angle)
-    sun, roller = geometry.sun_radius, geometry.loading_roller_radius
-    count, orbit = geometry.planet_count, side.roller_orbit
-    return jnp.stack(
-        jnp.broadcast_arrays(
-            (input_torque - 2.0 * bearings.sun_torque) / (count * sun) - t_sp,  # (1)
-            t_sp + t_pwr * cos_th - n_pwr * sin_th + n_pwl * sin_th + t_pwl * cos_th,  # (2) x
-            n_sp
-            - t_pwr * sin_th
-            - n_pwr * cos_th
-            - n_pwl * cos_th
-            + t_pwl * sin_th
-            + planet_centrifugal,  # (2) y
-            t_pwr + t_pwl - t_sp,  # (2) M
-            pin_left * cos_l - n_pwl * sin_b - t_pwl * cos_b - t_wlo,  # (3) t
-            pin_left * sin_l + n_pwl * cos_b - t_pwl * sin_b - n_wlo + roller_centrifugal,  # (3) r
-            t_wlo - t_pwl + 2.0 * left_bearing_torque / roller,  # (3) M
-            pin_right * cos_r - n_pwr * sin_b + t_pwr * cos_b + t_wro,  # (4) t
-            pin_right * sin_r + n_pwr * cos_b + t_pwr * sin_b - n_wro + roller_centrifugal,  # (4) r
-            t_wro - t_pwr + 2.0 * right_bearing_torque / roller,  # (4) M
-            pin_left * cos_l
-            - pin_right * cos_r
-            - (2.0 * bearings.carrier_torque + output_torque) / (count * orbit),  # (5)
-        )
     )

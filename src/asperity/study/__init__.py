@@ -1,1 +1,6 @@
-"""Studies on the vectorised solver: vary, compare, optimise, calibrate."""
+"""What a designer does all day: vary, compare, weigh tolerances, optimise, calibrate. SI units, reasons instead of holes.
+
+:mod:`~asperity.study.sweep` evaluates a joint on a grid, in memory or streamed to disk;
+:mod:`~asperity.study.sensitivity` differentiates it; :mod:`~asperity.study.uncertainty` carries tolerances through it;
+:mod:`~asperity.study.design` chooses a joint under constraints; :mod:`~asperity.study.calibrate` fits one to a measurement.
+"""

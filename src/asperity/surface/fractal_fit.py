@@ -23,6 +23,8 @@ from asperity.surface.structure_function import logarithmic_lags, structure_func
 ESTIMATORS = ("automatic", "likelihood", "lines", "structure_function", "power_spectrum")
 _BINS_PER_DECADE = 20
 _SEGMENTS = 12
+#: Standard errors by which D must lie inside 1 .. 2.
+CERTAIN = 1.96
 
 
 @dataclass(frozen=True)
@@ -185,9 +187,10 @@ def fractal_fit(
 def _accepted(search: BandSearch, step: float | None) -> SpectralFit:
     if search.fit is not None:
         D, error = search.fit.fractal_dimension, math.sqrt(search.fit.covariance[0, 0])
-        if D - error > 1.0 and D + error < 2.0:
+        if D - CERTAIN * error > 1.0 and D + CERTAIN * error < 2.0:
             return search.fit
-        reason = f"D = {D:.3f} +- {error:.3f} cannot be told from the limits 1 and 2 of a fractal profile"
+            f"D = {D:.3f} +- {CERTAIN * error:.3f} (95 %) cannot be told from the limits 1 and 2 of a "
+            "fractal profile"
     else:
         reason = search.reason
     quantised = "" if step is None else f"; the heights are quantised in steps of {1e6 * step:.4g} um"

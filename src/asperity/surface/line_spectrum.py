@@ -18,6 +18,8 @@ import scipy.fft
 import scipy.linalg
 import scipy.signal
 from numpy.typing import NDArray
+from scipy.stats import norm
+from scipy.stats import t as student
 
 #: A band one gamma wide with fewer ordinates than this says nothing about lines.
 _FEWEST_ORDINATES = 128
@@ -26,6 +28,8 @@ _CONCENTRATION = 0.9
 _LONGEST = 16384
 _MOST_PROFILES = 32
 _SIGNIFICANCE = 5.0
+#: From so many profiles on their own spread counts, if it is the larger.
+_FEWEST_TO_SPREAD = 5
 #: Highest line that is fitted, as a share of the sampling limit.
 _HIGHEST_LINE = 0.9999
 #: Longest wave that is fitted, in inverse record lengths.
@@ -111,46 +115,79 @@ def fit_lines(*, profiles: NDArray[np.float64], spacing: float, frequency_ratio:
         log_a.append(found[1])
         error.append(found[2])
         explained.append(found[3])
-    x, y, s = np.concatenate(log_f), np.concatenate(log_a), np.concatenate(error)
-    if x.size < 4 or (x.max() - x.min()) < np.log(10.0) * 0.999:
+    if sum(f.size for f in log_f) < 4 or max(f.max() for f in log_f) - min(f.min() for f in log_f) < np.log(
+        9.99
+    ):
         return None
-    return _regression(x, y, s, float(np.mean(explained)), frequency_ratio)
+    result, covariance, misfit = _regression(log_f, log_a, error, frequency_ratio)
+    if len(log_f) >= _FEWEST_TO_SPREAD:
+        covariance = _wider(covariance, _spread_covariance(log_f, log_a, error, frequency_ratio))
+    if not 1.0 < result[0] < 2.0 or misfit > LARGEST_LINE_MISFIT:
+        return None
+    return LineFit(
+        fractal_dimension=float(result[0]),
+        log_roughness=float(result[1]),
+        covariance=covariance,
+        low=float(np.exp(min(f.min() for f in log_f))),
+        high=float(np.exp(max(f.max() for f in log_f))),
+        lines=sum(f.size for f in log_f),
+        misfit=misfit,
+        explained=float(np.mean(explained)),
+    )
 
 
 def _regression(
-    x: NDArray[np.float64], y: NDArray[np.float64], s: NDArray[np.float64], explained: float, gamma: float
-) -> LineFit | None:
-    """Weighted straight line ln a against ln f, translated into D and ln G with their covariance."""
-    reference = float(np.average(x, weights=s**-2.0))
+    log_f: list[NDArray[np.float64]],
+    log_a: list[NDArray[np.float64]],
+    error: list[NDArray[np.float64]],
+    gamma: float,
+) -> tuple[NDArray[np.float64], NDArray[np.float64], float]:
+    """(D, ln G), their covariance and the misfit, from a straight line of ln a against ln f.
+
+    every = np.concatenate(log_f)
+    if every.size < 4 or np.ptp(every) < np.log(9.99):
+    their median, so that no single line decides.
+    """
+    x, y, s = np.concatenate(log_f), np.concatenate(log_a), np.concatenate(error)
+    floor = float(np.median(s) ** 2)
     extra = 0.0
-    for _ in range(
-        30
-    ):  # a variance of the misfit, beside the known errors, that makes chi-square one per degree
-        w = 1.0 / (s**2 + extra)
+    for _ in range(40):
+        w = 1.0 / (s**2 + floor + extra)
+        reference = float(np.average(x, weights=w))
         design = np.stack([np.ones_like(x), x - reference], axis=1)
         covariance = np.linalg.inv(design.T @ (w[:, None] * design))
         level, slope = covariance @ (design.T @ (w * y))
         residual = y - level - slope * (x - reference)
         chi = float(np.sum(w * residual**2) / (x.size - 2))
-        if chi <= 1.0 + 2.0 * np.sqrt(2.0 / (x.size - 2)):
+        if chi <= 1.0 + np.sqrt(2.0 / (x.size - 2)):
             break
-        extra = max(extra, float(np.mean(s**2)) * 1e-3, 1e-30) * chi
-    misfit = float(np.sqrt(extra))
-    D = 2.0 + slope
-    if not 1.0 < D < 2.0 or misfit > LARGEST_LINE_MISFIT:
-        return None
-    log_G = (level - 0.5 * np.log(np.log(gamma)) + (2.0 - D) * reference) / (D - 1.0)
+        extra = max(extra, floor, 1e-30) * chi
+    D = 2.0 + float(slope)
+    log_G = (float(level) - 0.5 * np.log(np.log(gamma)) + (2.0 - D) * reference) / (D - 1.0)
     jacobian = np.array([[0.0, 1.0], [1.0 / (D - 1.0), -(reference + log_G) / (D - 1.0)]])
-    return LineFit(
-        fractal_dimension=float(D),
-        log_roughness=float(log_G),
-        covariance=jacobian @ covariance @ jacobian.T,
-        low=float(np.exp(x.min())),
-        high=float(np.exp(x.max())),
-        lines=int(x.size),
-        misfit=misfit,
-        explained=explained,
-    )
+    return np.array([D, log_G]), jacobian @ covariance @ jacobian.T, float(np.sqrt(extra))
+
+
+def _spread_covariance(
+    log_f: list[NDArray[np.float64]],
+    log_a: list[NDArray[np.float64]],
+    error: list[NDArray[np.float64]],
+    gamma: float,
+) -> NDArray[np.float64]:
+    """Covariance of (D, ln G) by leaving out one profile at a time, widened for their small number."""
+    k = len(log_f)
+    left_out = []
+    for i in range(k):
+        rest = [j for j in range(k) if j != i]
+        args = ([log_f[j] for j in rest], [log_a[j] for j in rest], [error[j] for j in rest])
+        left_out.append(_regression(*args, gamma)[0])
+    widening = float(student.ppf(0.975, k - 1) / norm.ppf(0.975)) ** 2
+    return np.asarray((k - 1) * np.cov(np.stack(left_out).T, bias=True) * widening)
+
+
+def _wider(first: NDArray[np.float64], second: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Of two covariances of (D, ln G) the one with the larger variance of D."""
+    return first if first[0, 0] >= second[0, 0] else second
 
 
 def _amplitudes(

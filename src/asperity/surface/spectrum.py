@@ -114,8 +114,8 @@ def binned_spectrum(
         Bins per decade; at low frequencies every ordinate is a bin of its own.
     rows_of_a_map : bool
         True: the profiles are neighbouring rows of one map. Their resemblance is measured: with I the
-        ordinates of the two-dimensional transform that fall into a bin, :math:`2 (\sum I)^2 / \sum I^2` of them
-        are independent. False: the profiles are independent.
+        ordinates of the two-dimensional transform that fall into a bin, :math:`2 (\sum I)^2 / \sum I^2`
+        of them are independent. False: the profiles are independent.
 
     Returns
     -------

@@ -125,7 +125,8 @@ def without_missing(topography: Topography, *, choice: str) -> Topography:
     choice : {"refuse", "longest", "interpolate"}
         ``refuse`` raises if a point is missing. ``longest`` keeps of a profile its longest complete piece
         and of a map its largest complete rectangle. ``interpolate`` first fills the gaps inside each row by
-        straight lines along x (never beyond the first and last measured point), then keeps the largest piece likewise.
+        straight lines along x (never beyond the first and last measured point), then keeps the largest
+        piece likewise.
 
     Returns
     -------

@@ -16,8 +16,8 @@ from jax.typing import ArrayLike
 
 from asperity.contact.fractal import Surface
 from asperity.drive.assembly import RIGID_SUPPORTS
-from asperity.drive.force_balance import Bearings
 from asperity.drive.geometry import DriveGeometry
+from asperity.drive.mechanism import Bearings
 from asperity.joint import Bodies, Joint
 from asperity.materials import Material, hardness
 from asperity.types import Real

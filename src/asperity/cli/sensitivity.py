@@ -1,0 +1,130 @@
+"""``asperity sensitivity``: which numbers of a joint file matter, and how much."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import click
+import numpy as np
+
+if TYPE_CHECKING:
+    import xarray
+
+
+@click.command()
+@click.argument("file", type=click.Path())
+@click.option(
+    "--result",
+    default="assembly_stiffness_output",
+    show_default=True,
+    metavar="NAME",
+    help="The result to rank by: assembly_, series_with_bulk_ or published_stiffness_output, torque_capacity, "
+    "slip_margin_sp (or another contact), pressure_margin_sp, self_locking_margin.",
+)
+@click.option("--json", "as_json", is_flag=True, help="Print all results as one JSON document in SI units.")
+@click.option(
+    "--plot",
+    is_flag=False,
+    flag_value="sensitivity.png",
+    type=click.Path(),
+    metavar="[IMAGE]",
+    help="Draw a tornado plot, to sensitivity.png if no name is given.",
+)
+def sensitivity(file: str, result: str, as_json: bool, plot: str | None) -> None:
+    """Exact derivatives and elasticities of the joint in FILE with respect to every number in it.
+
+    An elasticity of 2 says that one per cent more of the number makes about two per cent more of the result.
+    """
+    from asperity.case.reader import read_case
+
+    case = read_case(file)
+    from asperity.precision import use_compilation_cache, use_double_precision
+
+    use_double_precision()
+    use_compilation_cache()
+    from asperity.cli.study_output import check_plot, write_plot
+    from asperity.errors import InputError
+    from asperity.study.sensitivity import judged_results, ranking
+    from asperity.study.sensitivity import sensitivity as differentiate
+
+    if result not in judged_results():
+        raise InputError(f"there is no result '{result}'; choose among {', '.join(judged_results())}")
+    if plot is not None:
+        check_plot(plot)
+    found = differentiate(case)
+    if as_json:
+        import json
+
+        click.echo(json.dumps(sensitivity_document(found), indent=2, allow_nan=False))
+    else:
+        _show(ranking(found, result))
+    if plot is not None:
+        from asperity.study.influence_plot import tornado_figure
+
+        write_plot(tornado_figure(found, result=result), plot, quiet=as_json)
+
+
+def sensitivity_document(found: xarray.Dataset) -> dict[str, Any]:
+    """The sensitivities as plain data; what has no value is null.
+
+    Parameters
+    ----------
+    found : xarray.Dataset
+        What :func:`asperity.study.sensitivity.sensitivity` returns.
+
+    Returns
+    -------
+    dict
+        ``inputs`` and ``results``, each result with ``derivative`` and ``elasticity`` by input.
+    """
+    from asperity.cli.study_output import number_or_null
+
+    inputs = found["input"].values.tolist()
+    return {
+        "inputs": {
+            name: {"value": float(value), "unit": str(unit)}
+            for name, value, unit in zip(inputs, found["value"].values, found["input_unit"].values, strict=True)
+        },
+        "results": {
+            name: {
+                "value": number_or_null(one["result_value"]),
+                "unit": str(one["result_unit"].item()),
+                "description": str(one["result_name"].item()),
+                "derivative": {
+                    i: number_or_null(value) for i, value in zip(inputs, one["derivative"].values, strict=True)
+                },
+                "elasticity": {
+                    i: number_or_null(value) for i, value in zip(inputs, one["elasticity"].values, strict=True)
+                },
+            }
+            for name in found["result"].values.tolist()
+            for one in (found.sel(result=name),)
+        },
+    }
+
+
+def _show(ranked: xarray.Dataset) -> None:
+    from asperity.case.values import key_at
+    from asperity.cli.terminal import console, table
+    from asperity.units import format_quantity
+
+    unit = str(ranked["result_unit"].item())
+    shown_unit = "" if unit == "1" else unit.replace("*", "·")
+    value = float(ranked["result_value"])
+    target = console()
+    title = f"{ranked['result_name'].item()}: {value:.5g} {shown_unit}".rstrip()
+    rows = table(target, title, "number of the file", "value", "elasticity", f"derivative [{shown_unit or '-'}]")
+    for path in ranked["input"].values.tolist():
+        one = ranked.sel(input=path)
+        key = key_at(path)
+        per = "" if str(one["input_unit"].item()) == "1" else f" per {one['input_unit'].item()}".replace("*", "·")
+        elasticity, derivative = float(one["elasticity"]), float(one["derivative"])
+        rows.add_row(
+            path,
+            format_quantity(float(one["value"]), key.unit),
+            "-" if np.isnan(elasticity) else f"{elasticity + 0.0:+.4f}",
+            "-" if np.isnan(derivative) else f"{derivative + 0.0:.5g}{per}",
+        )
+    target.print(rows)
+    if not np.isfinite(value):
+        click.echo("the result is infinite: no torque makes a contact slip, and there is nothing to differentiate")

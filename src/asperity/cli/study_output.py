@@ -1,0 +1,179 @@
+"""What the commands for studies print and draw."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import click
+import numpy as np
+
+from asperity.errors import InputError
+
+if TYPE_CHECKING:
+    import xarray
+    from matplotlib.figure import Figure
+
+_MOST_ROWS = 200
+_SHOWN = (
+    "assembly_stiffness_output",
+    "series_with_bulk_stiffness_output",
+    "published_stiffness_output",
+    "torque_capacity",
+)
+_MOST_COLUMNS = 4
+
+
+def check_plot(path: str) -> None:
+    """Raise unless an image of this name can be written, before anything is computed.
+
+    Parameters
+    ----------
+    path : str
+        File name.
+
+    Raises
+    ------
+    InputError
+        If the ending is unknown or the folder cannot be written to.
+    """
+    from asperity.study.store import check_folder
+
+    if Path(path).suffix.lower() not in (".png", ".svg", ".pdf"):
+        raise InputError(f"{path}: an image ends in .png, .svg or .pdf")
+    check_folder(Path(path))
+
+
+def number_or_null(value: Any) -> float | None:
+    """A number for a JSON document; None for nan and infinities, which JSON does not know.
+
+    Parameters
+    ----------
+    value : float or array
+        One number.
+
+    Returns
+    -------
+    float or None
+        The number.
+    """
+    number = float(value)
+    return number if np.isfinite(number) else None
+
+
+def write_plot(figure: Figure, path: str, *, quiet: bool = False) -> None:
+    """Write a figure to a file and say so.
+
+    Parameters
+    ----------
+    figure : matplotlib.figure.Figure
+        What to draw.
+    path : str
+        File name.
+    quiet : bool, optional
+        Whether to say nothing on standard output.
+
+    Raises
+    ------
+    InputError
+        If it cannot be written.
+    """
+    from asperity.study.store import cannot_write
+
+    try:
+        figure.savefig(path, dpi=150)
+    except OSError as error:
+        raise cannot_write(path, error) from None
+    click.echo(f"drawn to {path}", err=quiet)
+
+
+def show_status(found: xarray.Dataset) -> None:
+    """Say how many points have a result, and why others have none.
+
+    Parameters
+    ----------
+    found : xarray.Dataset
+        Evaluated points.
+    """
+    from asperity.study.status import STATUS_MEANINGS
+
+    counts = status_counts(found)
+    total = sum(counts.values())
+    click.echo(f"{total} points, {counts.get(0, 0)} solved")
+    for code, count in sorted(counts.items()):
+        if code != 0:
+            click.echo(f"  {count} without a result: {STATUS_MEANINGS[code] if code > 0 else 'not computed'}")
+
+
+def status_counts(found: xarray.Dataset) -> dict[int, int]:
+    """How many points have each status.
+
+    Parameters
+    ----------
+    found : xarray.Dataset
+        Evaluated points; a lazy one is read chunk by chunk.
+
+    Returns
+    -------
+    dict
+        Code → number of points.
+    """
+    data = found["status"].data
+    if hasattr(data, "to_delayed"):  # chunks of a store: never all at once
+        parts = [part.compute(scheduler="synchronous") for part in data.to_delayed().ravel()]
+    else:
+        parts = [data]
+    counts: dict[int, int] = {}
+    for part in parts:
+        codes, numbers = np.unique(np.asarray(part), return_counts=True)
+        for code, number in zip(codes.tolist(), numbers.tolist(), strict=True):
+            counts[code] = counts.get(code, 0) + number
+    return counts
+
+
+def show_points(found: xarray.Dataset) -> None:
+    """Print the points of a small sweep: coordinates, main results, status.
+
+    Parameters
+    ----------
+    found : xarray.Dataset
+        Evaluated points.
+    """
+    from asperity.case.values import key_at
+    from asperity.cli.terminal import console, table
+    from asperity.study.parameters import long_name
+    from asperity.study.results import RESULTS
+    from asperity.study.status import STATUS_NAMES
+    from asperity.units import from_si
+
+    axes = [str(name) for name in found["status"].dims]
+    scalars = [str(name) for name, value in found.data_vars.items() if "contact" not in value.dims]
+    results = [name for name in _SHOWN if name in found] or scalars[1 : 1 + _MOST_COLUMNS]
+    units = {path: key_at(path).unit for path in axes}
+    target = console()
+    headers = [f"{long_name(path)}{_unit(units[path])}" for path in axes]
+    headers += [f"{name.replace('_', ' ')}{_unit(RESULTS[name].unit)}" for name in results]
+    shown = table(target, "", *headers, "status")
+    for column in shown.columns:
+        column.no_wrap, column.justify = False, "right"
+    points = np.ndindex(found["status"].shape)
+    for _, place in zip(range(_MOST_ROWS), points, strict=False):
+        at = dict(zip(axes, place, strict=True))
+        coordinates = [f"{from_si(float(found[path][at[path]]), units[path]):.6g}" for path in axes]
+        code = int(found["status"][place])
+        values = [_number(float(found[name].isel(at))) for name in results]
+        shown.add_row(*coordinates, *values, STATUS_NAMES[code].replace("_", " ") if code else "")
+    target.print(shown)
+    more = found["status"].size - _MOST_ROWS
+    if more > 0:
+        click.echo(f"and {more} more points; --out writes them all")
+    elif len(found.data_vars) > len(results) + 1:
+        click.echo(f"{len(found.data_vars) - 1} results at each point; --out writes them all")
+
+
+def _unit(unit: str) -> str:
+    return "" if unit == "1" else f" [{unit.replace('*', '·')}]"
+
+
+def _number(value: float) -> str:
+    return "-" if np.isnan(value) else f"{value:.5g}"

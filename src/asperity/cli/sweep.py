@@ -1,0 +1,132 @@
+"""``asperity sweep``: a joint file evaluated on a grid of any of its numbers."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import click
+
+from asperity.errors import InputError
+
+if TYPE_CHECKING:
+    import xarray
+
+
+@click.command()
+@click.argument("file", type=click.Path())
+@click.option(
+    "--over",
+    "axes",
+    multiple=True,
+    required=True,
+    metavar="KEY=START:STOP:COUNT[:log]",
+    help="An axis: any numeric key of the joint file, with units, e.g. 'load.output_torque=0 N*m:5 N*m:11'. "
+    "Repeat for more axes.",
+)
+@click.option(
+    "--results",
+    default="all",
+    show_default=True,
+    metavar="NAMES",
+    help="Results or groups of them, separated by commas: stiffness, assembly, series, published, forces, contacts, "
+    "diagnostics, geometry, residuals, capacity, all. What is not asked for is not computed.",
+)
+@click.option(
+    "--out",
+    type=click.Path(),
+    help="Where to write: a folder .zarr (any size; interrupted sweeps go on) or a file .nc, .parquet or .csv.",
+)
+@click.option("--overwrite", is_flag=True, help="Replace what an earlier run has written to --out.")
+@click.option(
+    "--plot",
+    is_flag=False,
+    flag_value="sweep.png",
+    type=click.Path(),
+    metavar="[IMAGE]",
+    help="Draw the sweep to an image, sweep.png if no name is given.",
+)
+@click.option("--plot-result", metavar="NAME", help="Which result to draw instead of the stiffness.")
+@click.option("--scheduler", metavar="tcp://HOST:PORT", help="A running Dask scheduler; needs --out of type .zarr.")
+@click.option(
+    "--workers",
+    type=click.IntRange(0),
+    help="Local processes for an --out of type .zarr; by default one a core if the sweep is large, none otherwise.",
+)
+def sweep(
+    file: str,
+    axes: tuple[str, ...],
+    results: str,
+    out: str | None,
+    overwrite: bool,
+    plot: str | None,
+    plot_result: str | None,
+    scheduler: str | None,
+    workers: int | None,
+) -> None:
+    """Evaluate the joint in FILE on a grid of any of its numbers.
+
+    Without --out a small sweep is printed. Points without a result (rollers that do not fit, a torque beyond the
+    capacity) are kept, with the reason in their status.
+
+    \b
+    asperity sweep joint.toml --over "load.output_torque=0 N*m:5 N*m:11" --plot
+    asperity sweep joint.toml --over "surface.fractal_roughness=1e-10 mm:1e-8 mm:50:log" \\
+        --over "load.preload=500 N:2000 N:40" --results stiffness,gross_slip --out sweep.nc
+    """
+    from asperity.case.reader import read_case
+
+    case = read_case(file)
+    from asperity.precision import use_compilation_cache, use_double_precision
+
+    use_double_precision()
+    use_compilation_cache()
+    from asperity.cli.progress import progress_bar
+    from asperity.cli.study_output import check_plot, write_plot
+    from asperity.study.parameters import parse_axis
+    from asperity.study.sweep import sweep as evaluate_sweep
+    from asperity.study.tables import check_table_path, write_table
+
+    grid = [parse_axis(axis) for axis in axes]
+    names = [name.strip() for name in results.split(",") if name.strip()]
+    streamed = out is not None and Path(out).suffix == ".zarr"
+    if out is not None and not streamed:
+        check_table_path(out, overwrite=overwrite)
+    if plot is not None:
+        check_plot(plot)
+    if (scheduler is not None or workers) and not streamed:
+        raise InputError("--scheduler and --workers need an --out of type .zarr, which the processes write to")
+    try:
+        with progress_bar("points") as report:
+            found = evaluate_sweep(
+                case,
+                grid,
+                results=names,
+                store=out if streamed else None,
+                overwrite=overwrite,
+                scheduler=scheduler,
+                workers=workers,
+                report=report,
+            )
+    except KeyboardInterrupt:
+        if streamed:
+            click.echo(f"finished blocks are kept in {out}; the same command goes on from there", err=True)
+        raise
+    if out is not None and not streamed:
+        write_table(found, out)
+    if plot is not None:
+        from asperity.study.sweep_plot import sweep_figure
+
+        write_plot(sweep_figure(found, result=plot_result), plot)
+    _show(found, out)
+
+
+def _show(found: xarray.Dataset, out: str | None) -> None:
+    """The points of a small sweep, or a summary."""
+    from asperity.cli.study_output import show_points, show_status
+
+    show_status(found)
+    if out is None:
+        show_points(found)
+    else:
+        click.echo(f"written to {out}")

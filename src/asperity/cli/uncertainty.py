@@ -1,0 +1,157 @@
+"""``asperity uncertainty``: intervals of the results from the tolerances of a joint file."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import click
+import numpy as np
+
+if TYPE_CHECKING:
+    import xarray
+
+
+@click.command()
+@click.argument("file", type=click.Path())
+@click.option("--samples", type=int, default=100_000, show_default=True, help="Monte-Carlo samples.")
+@click.option("--seed", type=click.IntRange(0), default=0, show_default=True, help="Seed of the random numbers.")
+@click.option(
+    "--distribution",
+    metavar="TEXT",
+    help="For tolerances whose distribution the file does not state: 'uniform', 'triangular' or "
+    "'normal K sigma' (the tolerance is K standard deviations).",
+)
+@click.option("--results", metavar="NAMES", help="Results or groups of them, separated by commas, as for sweep.")
+@click.option("--json", "as_json", is_flag=True, help="Print one JSON document in SI units.")
+@click.option(
+    "--plot",
+    is_flag=False,
+    flag_value="uncertainty.png",
+    type=click.Path(),
+    metavar="[IMAGE]",
+    help="Draw the first result's histogram and Sobol indices, to uncertainty.png if no name is given.",
+)
+def uncertainty(
+    file: str,
+    samples: int,
+    seed: int,
+    distribution: str | None,
+    results: str | None,
+    as_json: bool,
+    plot: str | None,
+) -> None:
+    """Intervals of the results of the joint in FILE, and which of its tolerances make them.
+
+    Tolerances are written in the file, with a distribution behind a comma: planet_radius = "13.5 mm +- 5 um, uniform",
+    preload = "1000 N +- 50 N, normal 2 sigma".
+    """
+    from asperity.case.distribution import parse_distribution
+    from asperity.case.reader import read_case
+
+    case = read_case(file)
+    otherwise = None if distribution is None else parse_distribution(distribution)
+    from asperity.precision import use_compilation_cache, use_double_precision
+
+    use_double_precision()
+    use_compilation_cache()
+    from asperity.cli.progress import progress_bar
+    from asperity.cli.study_output import check_plot, write_plot
+    from asperity.study.uncertainty import DEFAULT_RESULTS
+    from asperity.study.uncertainty import uncertainty as propagate
+
+    if plot is not None:
+        check_plot(plot)
+    names = DEFAULT_RESULTS if results is None else [n.strip() for n in results.split(",") if n.strip()]
+    with progress_bar("samples") as report:
+        found = propagate(
+            case, results=names, distribution=otherwise, samples=samples, seed=seed, report=report
+        )
+    if as_json:
+        import json
+
+        click.echo(json.dumps(uncertainty_document(found), indent=2, allow_nan=False))
+    else:
+        _show(found)
+    if plot is not None:
+        from asperity.study.influence_plot import uncertainty_figure
+
+        write_plot(uncertainty_figure(found, result=found["result"].values[0]), plot, quiet=as_json)
+
+
+def uncertainty_document(found: xarray.Dataset) -> dict[str, Any]:
+    """The intervals and indices as plain data, without the samples; what has no value is null.
+
+    Parameters
+    ----------
+    found : xarray.Dataset
+        What :func:`asperity.study.uncertainty.uncertainty` returns.
+
+    Returns
+    -------
+    dict
+        ``samples``, ``solved``, ``seed``, ``inputs``, ``results``.
+    """
+    from asperity.cli.study_output import number_or_null
+
+    inputs = found["input"].values.tolist()
+    indices = ("first_order", "first_order_half_width", "total_order", "total_order_half_width")
+
+    def told(one: xarray.Dataset) -> dict[str, Any]:
+        low, median, high = one["quantiles"].values
+        return {
+            "unit": str(one["unit"].item()),
+            "description": str(one["result_name"].item()),
+            "nominal": number_or_null(one["nominal"]),
+            "mean": number_or_null(one["mean"]),
+            "standard_deviation": number_or_null(one["standard_deviation"]),
+            "quantile_0.025": number_or_null(low),
+            "median": number_or_null(median),
+            "quantile_0.975": number_or_null(high),
+            "sobol": {
+                name: {key: number_or_null(one[key].values[k]) for key in indices}
+                for k, name in enumerate(inputs)
+            },
+        }
+
+    return {
+        "samples": int(found.sizes["sample"]),
+        "solved": int((found["status"] == 0).sum()),
+        "seed": int(found.attrs["seed"]),
+        "inputs": {
+            name: {
+                "tolerance": float(found["tolerance"].values[k]),
+                "unit": str(found["input_unit"].values[k]),
+                "distribution": str(found["distribution"].values[k]),
+            }
+            for k, name in enumerate(inputs)
+        },
+        "results": {name: told(found.sel(result=name)) for name in found["result"].values.tolist()},
+    }
+
+
+def _show(found: xarray.Dataset) -> None:
+    from asperity.cli.study_output import show_status
+    from asperity.cli.terminal import console, table
+
+    show_status(found)
+    target = console()
+    rows = table(target, "95 % of the results", "result", "unit", "nominal", "mean", "std. dev.", "2.5 %", "97.5 %")
+    for name in found["result"].values.tolist():
+        one = found.sel(result=name)
+        low, _, high = one["quantiles"].values
+        numbers = (one["nominal"], one["mean"], one["standard_deviation"], low, high)
+        unit = str(one["unit"].item()).replace("*", "·")
+        rows.add_row(name.replace("_", " "), unit, *(f"{float(number):.5g}" for number in numbers))
+    target.print(rows)
+    first = found.isel(result=0)
+    title = f"What makes the variance of the {str(first['result'].item()).replace('_', ' ')} (Sobol indices, ± 95 %)"
+    shares = table(target, title, "tolerance", "distribution", "first order", "total")
+    for k in np.argsort(-np.nan_to_num(first["total_order"].values)):
+        one = first.isel(input=int(k))
+        shares.add_row(
+            str(one["input"].item()),
+            str(one["distribution"].item()),
+            f"{float(one['first_order']):.3f} ± {float(one['first_order_half_width']):.3f}",
+            f"{float(one['total_order']):.3f} ± {float(one['total_order_half_width']):.3f}",
+        )
+    target.print(shares)

@@ -1,0 +1,226 @@
+"""``asperity verify-contact``: the fractal law against boundary elements and Persson's theory."""
+
+from __future__ import annotations
+
+import sys
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from asperity.errors import InputError
+
+if TYPE_CHECKING:
+    from asperity.verify.comparison import Comparison, Sample
+
+
+@click.command("verify-contact")
+@click.option(
+    "--dimension",
+    "dimensions",
+    type=float,
+    multiple=True,
+    default=(1.2, 1.4, 1.6, 1.8),
+    show_default=True,
+    help="Fractal dimension D of the profiles; may be given several times.",
+)
+@click.option("--roughness", default="1e-8 mm", show_default=True, help="Fractal roughness G, with its unit.")
+@click.option("--side", default="1 mm", show_default=True, help="Side of the periodic square, with its unit.")
+@click.option("--points", type=int, default=256, show_default=True, help="Grid points along the side.")
+@click.option(
+    "--pixels-per-wave", type=float, default=8.0, show_default=True, help="Pixels in the shortest wavelength."
+)
+@click.option("--seeds", type=int, default=4, show_default=True, help="Surfaces of each D.")
+@click.option("--loads", type=int, default=6, show_default=True, help="Loads per surface.")
+@click.option(
+    "--from",
+    "lowest",
+    type=float,
+    default=0.003,
+    show_default=True,
+    help="Smallest pressure over the smaller of hardness and E* times rms slope.",
+)
+@click.option("--to", "highest", type=float, default=0.3, show_default=True, help="Largest such pressure.")
+@click.option("--youngs-modulus", default="206 GPa", show_default=True, help="Of both bodies, with its unit.")
+@click.option("--poisson-ratio", type=float, default=0.3, show_default=True, help="Of both bodies.")
+@click.option("--hardness", default="1260 MPa", show_default=True, help="Of both bodies, with its unit.")
+@click.option("--gamma", type=float, default=1.5, show_default=True, help="Frequency ratio of the surface.")
+@click.option("--elastic", is_flag=True, help="Boundary elements without the cap of the hardness.")
+@click.option(
+    "--plot", "plot_file", type=click.Path(dir_okay=False), help="Draw the comparison: PNG, SVG or PDF."
+)
+@click.option(
+    "--json", "as_json", is_flag=True, help="Print one JSON document in SI units instead of tables."
+)
+def verify_contact(
+    dimensions: tuple[float, ...],
+    roughness: str,
+    side: str,
+    points: int,
+    pixels_per_wave: float,
+    seeds: int,
+    loads: int,
+    lowest: float,
+    highest: float,
+    youngs_modulus: str,
+    poisson_ratio: float,
+    hardness: str,
+    gamma: float,
+    elastic: bool,
+    plot_file: str | None,
+    as_json: bool,
+) -> None:
+    """Hold the fractal contact law against boundary elements.
+
+    Builds Weierstrass-Mandelbrot surfaces of given D and G, presses each against its like under a series of
+    loads, and sets area, normal and tangential stiffness beside the closed-form law (contact factor 1, as for a
+    nominally flat contact) and beside Persson's theory.
+    """
+    from asperity.units import Dimension
+
+    lengths = [
+        _read(name, text, Dimension.LENGTH) for name, text in (("roughness", roughness), ("side", side))
+    ]
+    stresses = [
+        _read(name, text, Dimension.PRESSURE)
+        for name, text in (("youngs-modulus", youngs_modulus), ("hardness", hardness))
+    ]
+    if loads < 1 or not 0.0 < lowest <= highest < 1.0:
+        raise InputError(
+            f"--loads {loads} --from {lowest:g} --to {highest:g}: needed are at least one load and 0 < from <= to < 1"
+        )
+    from rich.console import Console
+    from rich.progress import Progress
+
+    from asperity.precision import use_compilation_cache, use_double_precision
+
+    use_double_precision()
+    use_compilation_cache()
+    import numpy as np
+
+    from asperity.verify.comparison import Sample, compare
+
+    samples = [
+        Sample(
+            fractal_dimension=D,
+            fractal_roughness=lengths[0],
+            frequency_ratio=gamma,
+            side=lengths[1],
+            points=points,
+            waves_per_side=2.0,
+            pixels_per_wave=pixels_per_wave,
+            youngs_modulus=stresses[0],
+            poisson_ratio=poisson_ratio,
+            hardness=stresses[1],
+        )
+        for D in dimensions
+    ]
+    pressures = np.geomspace(lowest, highest, loads)
+    console = Console(stderr=True)
+    with Progress(console=console, transient=True, disable=not sys.stderr.isatty()) as progress:
+        bar = progress.add_task("contacts", total=len(samples) * seeds * loads)
+        found = [
+            compare(
+                sample,
+                seeds=seeds,
+                relative_pressures=pressures.tolist(),
+                elastic=elastic,
+                solved=lambda: progress.advance(bar),
+            )
+            for sample in samples
+        ]
+    if plot_file:
+        from asperity.verify.figure import comparison_figure
+
+        try:
+            comparison_figure(samples, found).savefig(plot_file, dpi=120)
+        except (OSError, ValueError) as error:
+            raise InputError(f"{plot_file}: the picture cannot be written: {error}") from None
+    if as_json:
+        import json
+
+        document = [_document(sample, result) for sample, result in zip(samples, found, strict=True)]
+        click.echo(json.dumps(document, indent=2))
+        return
+    _show(samples, found)
+
+
+def _read(option: str, text: str, dimension: Any) -> float:
+    from asperity.units import parse_quantity
+
+    try:
+        return parse_quantity(text, dimension)
+    except InputError as error:
+        raise InputError(f"--{option}: {error}") from None
+
+
+_UNITS = {
+    "normal_force": "N",
+    "pressure_scale": "Pa",
+    "rms_height": "m",
+    "real_contact_area": "m2",
+    "normal_stiffness": "N_per_m",
+    "tangential_stiffness": "N_per_m",
+}
+
+
+def _document(sample: Sample, found: Comparison) -> dict[str, Any]:
+    """Everything computed for one sample; null where a stiffness is infinite (complete contact)."""
+    import dataclasses
+    import math
+
+    import numpy as np
+
+    def plain(value: Any) -> Any:
+        if isinstance(value, list):
+            return [plain(entry) for entry in value]
+        return value if math.isfinite(value) else None
+
+    names = [field.name for field in dataclasses.fields(found)]
+    results = {}
+    for name in names:
+        stem = name.removeprefix("law_").removeprefix("persson_")
+        key = f"{name}_{_UNITS[stem]}" if stem in _UNITS else name
+        results[key] = plain(np.asarray(getattr(found, name)).tolist())
+    return {"sample": dataclasses.asdict(sample), **results}
+
+
+_COLUMNS = {
+    "real_contact_area": ("A_r/A_0 [-]", None),
+    "normal_stiffness": ("K_n [N/µm]", 1e-6),
+    "tangential_stiffness": ("K_t [N/µm]", 1e-6),
+}
+
+
+def _show(samples: list[Sample], found: list[Comparison]) -> None:
+    """One table per sample: boundary elements with their scatter, and both theories as ratios to them."""
+    import numpy as np
+
+    from asperity.cli.terminal import prepare_output
+
+    prepare_output()
+    for sample, result in zip(samples, found, strict=True):
+        seeds = result.real_contact_area.shape[0]
+        click.secho(
+            f"D = {sample.fractal_dimension:g}: rms height {float(result.rms_height) * 1e6:.3g} µm, rms slope "
+            f"{float(result.rms_slope):.3g}, {seeds} surfaces",
+            bold=True,
+        )
+        head = [f"{label:>11s}  ±%   law     P" for label, _ in _COLUMNS.values()]
+        click.echo(f"{'F [N]':>8s}  " + "  ".join(head) + "  cap %")
+        for index, force in enumerate(np.asarray(result.normal_force)):
+            cells = [f"{force:8.3g}"]
+            for name, (_, scale) in _COLUMNS.items():
+                solved = np.asarray(getattr(result, name))[:, index]
+                mean = float(solved.mean())
+                law = float(getattr(result, f"law_{name}")[index]) / mean
+                theory = float(np.mean(np.asarray(getattr(result, f"persson_{name}"))[:, index])) / mean
+                shown = mean * (sample.side**-2 if scale is None else scale)
+                cells.append(f"{shown:11.4g} {100.0 * solved.std() / mean:3.0f} {law:5.3g} {theory:5.2f}")
+            cells.append(f"{100.0 * float(np.mean(np.asarray(result.capped_fraction)[:, index])):5.0f}")
+            click.echo("  ".join(cells))
+        click.echo()
+    click.echo(
+        "Boundary elements: mean over the surfaces, and ±% their standard deviation. law and P: ratio to them of\n"
+        "the fractal law (contact factor 1) and of Persson's theory (elastic). cap %: share of the contact area\n"
+        "whose pressure is capped by the hardness."
+    )

@@ -1,0 +1,125 @@
+"""Compiling a function that runs once or a few times: quick to build, not quick to run.
+
+Most of the time between a command and its answer is JAX following the Python code and XLA compiling what comes
+out. XLA is told to hurry. Where a compilation cache is set (:func:`asperity.precision.use_compilation_cache`), the
+program that JAX found is kept beside XLA's, under a name made of the source code and the versions that it depends
+on, and the next process skips both.
+"""
+
+from __future__ import annotations
+
+import functools
+import hashlib
+import importlib.util
+import os
+import pickle
+import platform
+from collections.abc import Callable
+from importlib.metadata import version
+from pathlib import Path
+from typing import Any
+
+import jax
+import jax.numpy as jnp
+import numpy as np
+
+#: XLA's CPU compiler spends four fifths of its time on fusions and optimisations that pay off in millions of points.
+_COMPILE_FAST: dict[str, Any] = {"xla_backend_optimization_level": 0, "xla_cpu_use_fusion_emitters": False}
+
+_Kinds = tuple[tuple[tuple[int, ...], np.dtype[Any]], ...]
+
+
+def compile_fast(function: Callable[..., Any], *arguments: Any) -> Callable[..., Any]:
+    """Compile a function quickly, for one use or a few.
+
+    Parameters
+    ----------
+    function : callable
+        A pure function of modules of numbers, of this package and known by its name: what is compiled is kept.
+    *arguments
+        Modules whose leaves are arrays, of the shapes that the function will be called with.
+
+    Returns
+    -------
+    callable
+        The compiled function, for arguments of the same structure and shapes; the same one if asked again.
+    """
+    leaves, structure = jax.tree.flatten(arguments)
+    return _compiled(function, structure, tuple((jnp.shape(leaf), jnp.result_type(leaf)) for leaf in leaves))
+
+
+@functools.lru_cache(maxsize=16)
+def _compiled(function: Callable[..., Any], structure: Any, kinds: _Kinds) -> Callable[..., Any]:
+    shapes = [jax.ShapeDtypeStruct(shape, dtype) for shape, dtype in kinds]
+    kept = _kept_program(function, structure, kinds)
+    if kept is None:
+        return _built(jax.jit(function), *jax.tree.unflatten(structure, shapes))
+    program, result_structure = kept
+    call = _built(jax.jit(program), shapes)
+
+    def run(*arguments: Any) -> Any:
+        leaves = jax.tree.leaves(arguments)
+        return jax.tree.unflatten(result_structure, call(leaves))
+
+    return run
+
+
+def _built(jitted: Any, *arguments: Any) -> Callable[..., Any]:
+    lowered = jitted.lower(*arguments)
+    try:
+        return lowered.compile(compiler_options=_COMPILE_FAST)
+    except (
+        jax.errors.JaxRuntimeError
+    ):  # a release of XLA without these options: the same program, built slowly
+        return lowered.compile()
+
+
+def _kept_program(
+    function: Callable[..., Any], structure: Any, kinds: _Kinds
+) -> tuple[Callable[..., Any], Any] | None:
+    """The program of a function as of its flat leaves, from the cache or put there; None without a cache."""
+    folder = jax.config.jax_compilation_cache_dir  # type: ignore[attr-defined]
+    if not folder or importlib.util.find_spec("flatbuffers") is None:  # what jax.export writes its files with
+        return None
+    from jax import export
+
+    file = Path(folder) / f"asperity-{_fingerprint(function, structure, kinds)}.program"
+    try:
+        # a pickle, as trustworthy as the machine code that XLA keeps in the same folder of the user
+        stored, skeleton = pickle.loads(file.read_bytes())
+        return export.deserialize(bytearray(stored)).call, jax.tree.structure(skeleton)
+    except Exception:  # absent or damaged: the cache must never decide whether there is an answer
+        pass
+    result_structures = []
+
+    def flat(leaves: list[Any]) -> list[Any]:
+        result_leaves, result_structure = jax.tree.flatten(function(*jax.tree.unflatten(structure, leaves)))
+        result_structures.append(result_structure)
+        return result_leaves
+
+    exported = export.export(jax.jit(flat))([jax.ShapeDtypeStruct(shape, dtype) for shape, dtype in kinds])
+    (result_structure,) = result_structures
+    skeleton = jax.tree.unflatten(result_structure, [0] * len(exported.out_avals))
+    _keep(file, pickle.dumps((bytes(exported.serialize()), skeleton)))
+    return exported.call, result_structure
+
+
+def _keep(file: Path, content: bytes) -> None:
+    part = file.with_name(f"{file.name}.{os.getpid()}.part")
+    try:
+        part.write_bytes(content)
+        part.replace(file)
+    except OSError:  # a full or read-only disk costs time at the next start, nothing else
+        part.unlink(missing_ok=True)
+
+
+def _fingerprint(function: Callable[..., Any], structure: Any, kinds: _Kinds) -> str:
+    """Everything a program depends on: this package's source, the versions below it, and what is asked for."""
+    asked = (function.__module__, function.__qualname__, str(structure), kinds, jax.default_backend())
+    below = (platform.python_version(), *(version(name) for name in ("jax", "jaxlib", "equinox", "numpy")))
+    digest = hashlib.sha256(repr((asked, below)).encode())
+    package = Path(__file__).parent
+    for source in sorted(package.rglob("*.py")):
+        digest.update(str(source.relative_to(package)).encode())
+        digest.update(source.read_bytes())
+    return digest.hexdigest()[:32]

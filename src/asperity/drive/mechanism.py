@@ -1,0 +1,154 @@
+"""A preloaded drive before the torque comes: bearings, normal springs, and the state at rest."""
+
+from __future__ import annotations
+
+from typing import Literal, NamedTuple
+
+import equinox as eqx
+import jax.numpy as jnp
+from jax import Array
+
+from asperity.drive.geometry import DriveGeometry, triangle
+from asperity.types import Real
+
+Closure = Literal["elastic", "constant_pin_force"]
+
+_SMALL_LOAD = 1e-6
+
+
+class Bearings(eqx.Module):
+    r"""Friction torques of the bearings; a pin's is :math:`T_B + \tfrac12 \mu_b F_c d`.
+
+    Parameters
+    ----------
+    sun_torque, loading_roller_torque, carrier_torque : Real
+        Constant friction torque of one sun, loading roller and carrier bearing [N·m]; each body has two.
+    pin_friction_coefficient : Real
+        Friction coefficient mu_b of the loading rollers' pins [-].
+    pin_diameter : Real
+        Diameter d of the loading rollers' pins [m].
+    """
+
+    sun_torque: Real
+    loading_roller_torque: Real
+    carrier_torque: Real
+    pin_friction_coefficient: Real
+    pin_diameter: Real
+
+
+class NormalSprings(eqx.Module):
+    r"""Compression of the five contacts around their preload, exact for every logarithmic line-contact law.
+
+    .. math:: \delta(N) = N \left[s_0 - (s_0 - t_0) \ln (N/N_0)\right]
+
+    Parameters
+    ----------
+    secant_compliance, incremental_compliance : Array
+        s_0 = delta/N and t_0 = d delta/dN at the preload N_0, shape (5, ...) [m/N].
+    """
+
+    secant_compliance: Array
+    incremental_compliance: Array
+
+
+def compression(*, springs: NormalSprings, normal_force: Real, rest_force: Real) -> Real:
+    r"""Approach of the two bodies of each contact beyond their state at rest.
+
+    .. math:: \delta(N) - \delta(N_0), \quad \delta(N) = N \left[s_0 - (s_0 - t_0) \ln (N/N_0)\right]
+
+    Parameters
+    ----------
+    springs : NormalSprings
+        Secant and incremental compliance at rest [m/N].
+    normal_force, rest_force : Real
+        Normal force N and its value N_0 at rest [N].
+
+    Returns
+    -------
+    Real
+        Approach [m]. Below a millionth of the rest force the tangent there is continued, which only iterates
+        of the solver ever see.
+
+    References
+    ----------
+    The Johnson and the Weber–Banaschek compressions, :mod:`asperity.contact.hertz_line`, are both of this form.
+    """
+    ratio = normal_force / rest_force
+    loaded = ratio > _SMALL_LOAD
+    safe = jnp.where(loaded, ratio, _SMALL_LOAD)
+    bend = springs.secant_compliance - springs.incremental_compliance
+    log_safe = jnp.log(safe)
+    curve = safe * (springs.secant_compliance - bend * log_safe)
+    tangent = springs.incremental_compliance - bend * log_safe
+    return rest_force * (curve + tangent * (ratio - safe) - springs.secant_compliance)
+
+
+class Mechanism(eqx.Module):
+    """A drive ready to be loaded: everything about its force balance but the torque. SI units.
+
+    Parameters
+    ----------
+    geometry : DriveGeometry
+        Radii and arrangement.
+    bearings : Bearings
+        Friction of its bearings.
+    springs : NormalSprings
+        Normal springs of the contacts; used by the ``elastic`` closure only.
+    preload : Real
+        Normal force N_0 between sun and planet at rest [N].
+    carrier_speed : Real
+        Angular velocity of the carrier [rad/s].
+    planet_mass, loading_roller_mass : Real
+        Masses [kg]; enter through the centrifugal forces m omega_c^2 r.
+    closure : {"elastic", "constant_pin_force"}
+        ``elastic``: the preload is an interference fixed at assembly, see :doc:`/equations` (A3);
+        ``constant_pin_force``: the right pin force keeps its preload value.
+    """
+
+    geometry: DriveGeometry
+    bearings: Bearings
+    springs: NormalSprings
+    preload: Real
+    carrier_speed: Real
+    planet_mass: Real
+    loading_roller_mass: Real
+    closure: Closure = eqx.field(static=True)
+
+
+class RestState(NamedTuple):
+    """Forces at rest and without torque: the assembled preload."""
+
+    normal_force: Array
+    pin_force_left: Array
+    pin_force_right: Array
+
+
+def rest_state(*, geometry: DriveGeometry, preload: Real) -> RestState:
+    """Preload at rest: N_sp = N_0, both sides equal; equations (2)–(4) without tangential forces.
+
+    Parameters
+    ----------
+    geometry : DriveGeometry
+        The drive.
+    preload : Real
+        Normal force N_0 between sun and planet at rest [N].
+
+    Returns
+    -------
+    RestState
+        Normal forces, shape (5, ...), and the two pin forces [N].
+
+    References
+    ----------
+    Equation (A3) of :doc:`/equations`.
+    """
+    sides = triangle(geometry)
+    planet_roller = preload / (2.0 * sides.cos_direction)
+    pin_left = planet_roller * sides.sin_wedge / jnp.cos(geometry.left_push_angle)
+    pin_right = planet_roller * sides.sin_wedge / jnp.cos(geometry.right_push_angle)
+    left_ring = pin_left * jnp.sin(geometry.left_push_angle) + planet_roller * sides.cos_wedge
+    right_ring = pin_right * jnp.sin(geometry.right_push_angle) + planet_roller * sides.cos_wedge
+    normal = jnp.stack(
+        jnp.broadcast_arrays(jnp.asarray(preload), planet_roller, planet_roller, right_ring, left_ring)
+    )
+    return RestState(normal, pin_left, pin_right)

@@ -1,0 +1,226 @@
+"""What a study varies: numeric keys of the joint file, as axes with values in SI units."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any, Literal
+
+import numpy as np
+
+from asperity.case.model import Case
+from asperity.case.values import check_values, key_at, replace_values, si_values
+from asperity.drive.geometry import CONTACT_NAMES
+from asperity.errors import InputError
+from asperity.units import format_quantity, parse_quantity
+
+Scale = Literal["linear", "log"]
+
+_FORM = "KEY=start:stop:count or KEY=start:stop:count:log, e.g. load.output_torque=0 N*m:5 N*m:11"
+
+
+@dataclass(frozen=True)
+class Axis:
+    """One axis of a sweep: even steps of a number of the joint file.
+
+    Parameters
+    ----------
+    path : str
+        Dotted path of the number, e.g. ``load.output_torque``.
+    start, stop : float
+        First and last value, in SI units.
+    count : int
+        Number of values.
+    scale : {"linear", "log"}
+        Even steps of the value or of its logarithm.
+    """
+
+    path: str
+    start: float
+    stop: float
+    count: int
+    scale: Scale
+
+    @property
+    def values(self) -> np.ndarray:
+        """All values in SI units, shape (count,); first and last are exactly start and stop."""
+        if self.scale == "log":
+            return np.geomspace(self.start, self.stop, self.count)
+        return np.linspace(self.start, self.stop, self.count)
+
+    def as_dict(self) -> dict[str, Any]:
+        """The axis as plain data."""
+        return {
+            "key": self.path,
+            "start": self.start,
+            "stop": self.stop,
+            "count": self.count,
+            "scale": self.scale,
+        }
+
+
+def parse_axis(text: str) -> Axis:
+    """Read an axis from text.
+
+    Parameters
+    ----------
+    text : str
+        ``KEY=start:stop:count`` or ``KEY=start:stop:count:log``; start and stop carry their units.
+
+    Returns
+    -------
+    Axis
+        In SI units.
+
+    Raises
+    ------
+    InputError
+        If the text has another form, a joint file has no such number, or a value is of the wrong unit or outside its
+        range.
+
+    Examples
+    --------
+    >>> parse_axis("load.output_torque=0 N*m:5 N*m:3").values.tolist()
+    [0.0, 2.5, 5.0]
+    """
+    path, equals, rest = (part.strip() for part in text.partition("="))
+    parts = [part.strip() for part in rest.split(":")]
+    if not equals or not path or len(parts) not in (3, 4):
+        raise InputError(f"cannot read the axis '{text}'; write {_FORM}")
+    if len(parts) == 4 and parts[3] != "log":
+        raise InputError(f"{path}: the only spacing besides even steps is 'log', got '{parts[3]}'")
+    key = key_at(path)
+    ends = []
+    for which, written in zip(("start", "stop"), parts, strict=False):
+        try:
+            ends.append(parse_quantity(written, key.dimension))
+        except InputError as error:
+            raise InputError(f"{path}: the {which} of the axis: {error}") from None
+    try:
+        count = int(parts[2])
+    except ValueError:
+        raise InputError(f"{path}: the count must be a whole number of at least 1, got '{parts[2]}'") from None
+    axis = Axis(path, ends[0], ends[1], count, "log" if len(parts) == 4 else "linear")
+    check_axis(axis)
+    return axis
+
+
+def check_axis(axis: Axis) -> None:
+    """Raise unless an axis makes sense.
+
+    Parameters
+    ----------
+    axis : Axis
+        The axis.
+
+    Raises
+    ------
+    InputError
+        With the key, what is wrong, and what is allowed.
+    """
+    unit = key_at(axis.path).unit
+    if axis.count < 1:
+        raise InputError(f"{axis.path}: the count must be at least 1, got {axis.count}")
+    if axis.count == 1 and axis.start != axis.stop:
+        raise InputError(f"{axis.path}: one value cannot start and stop at different ones; the count must be above 1")
+    if axis.count > 1 and axis.start == axis.stop:
+        raise InputError(
+            f"{axis.path}: {axis.count} values from {format_quantity(axis.start, unit)} to the same value; "
+            "start and stop must differ"
+        )
+    if axis.scale == "log" and not (axis.start > 0.0 and axis.stop > 0.0):
+        raise InputError(
+            f"{axis.path}: logarithmic steps need values above 0, got {format_quantity(axis.start, unit)} to "
+            f"{format_quantity(axis.stop, unit)}"
+        )
+    values = axis.values
+    if axis.count > 1 and np.any(np.diff(values) == 0.0):
+        raise InputError(f"{axis.path}: {axis.count} values do not fit between start and stop in double precision")
+    check_values({axis.path: values})
+
+
+def check_axes(case: Case, axes: Sequence[Axis]) -> None:
+    """Raise unless a sweep of a joint file over these axes makes sense.
+
+    Parameters
+    ----------
+    case : Case
+        The joint file.
+    axes : sequence of Axis
+        The axes.
+
+    Raises
+    ------
+    InputError
+        If there is none, two vary the same number, or one of them is not in the file's joint.
+    """
+    if not axes:
+        raise InputError(f"a sweep needs at least one axis: --over {_FORM}")
+    for axis in axes:
+        check_axis(axis)
+    check_paths(case, [axis.path for axis in axes])
+
+
+def check_paths(case: Case, paths: Sequence[str]) -> None:
+    """Raise unless these numbers of a joint file can be varied independently.
+
+    Parameters
+    ----------
+    case : Case
+        The joint file.
+    paths : sequence of str
+        Dotted paths.
+
+    Raises
+    ------
+    InputError
+        If a joint file has no such number, or two paths stand for the same one.
+    """
+    values = si_values(case)
+    seen: list[tuple[str, str, str | None]] = []
+    for path in paths:
+        replace_values(values, {path: 1.0})  # raises if this joint has no such number
+        generic, contact = _generic(path)
+        for other, other_generic, other_contact in seen:
+            if generic == other_generic and (contact == other_contact or contact is None or other_contact is None):
+                both = path if other == path else f"{other} and {path}"
+                raise InputError(f"{both}: two axes for the same number; vary it once")
+        seen.append((path, generic, contact))
+
+
+def _generic(path: str) -> tuple[str, str | None]:
+    """A path without its contact, and the contact; hardness and its factor are one number."""
+    parts = path.split(".")
+    contact = next((part for part in parts[1:] if part in CONTACT_NAMES and parts[0] != "materials"), None)
+    kept = [part for part in parts if part != contact]
+    if parts[0] == "materials" and parts[-1] == "hardness_factor":
+        kept[-1] = "hardness"
+    return ".".join(kept), contact
+
+
+def long_name(path: str) -> str:
+    """A dotted path in words, for labels.
+
+    Parameters
+    ----------
+    path : str
+        For example ``drive.contact_length.sp``.
+
+    Returns
+    -------
+    str
+        For example ``contact length, sp``.
+
+    Examples
+    --------
+    >>> long_name("drive.contact_length.sp"), long_name("materials.steel.youngs_modulus")
+    ('contact length, sp', "Young's modulus, steel")
+    """
+    section, *rest = path.split(".")
+    generic, contact = _generic(path)
+    words = path.split(".")[-1] if section == "materials" else generic.split(".")[-1]
+    words = words.replace("youngs", "Young's").replace("poisson", "Poisson's").replace("_", " ")
+    if section in ("bearings", "compliance"):
+        return f"{words} ({section})"
+    whose = rest[0] if section == "materials" else contact
+    return f"{words}, {whose}" if whose else words

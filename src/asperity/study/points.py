@@ -1,0 +1,214 @@
+"""Evaluate a joint at many points: one compiled program, fed with batches of some of the joint's numbers."""
+
+from __future__ import annotations
+
+import functools
+import json
+from collections.abc import Callable, Iterator, Mapping
+from typing import Any
+
+import jax
+import jax.numpy as jnp
+import numpy as np
+from jax import Array
+
+from asperity.case.build import joint_from_values
+from asperity.case.key import Key
+from asperity.case.values import Values, key_at, replace_values
+from asperity.examination import compile_fast
+from asperity.joint import evaluate
+from asperity.joint_description import with_one_rank
+from asperity.precision import require_double_precision
+from asperity.study.results import GROUPS, RESULTS, result_values
+from asperity.study.status import LOCKED, OUT_OF_RANGE, SLIPS, joint_status
+
+Numbers = tuple[Any, ...]
+Kernel = Callable[..., tuple[Array, dict[str, Array]]]
+
+#: Points that pass through the program at once: few enough for its intermediate arrays to stay in the cache.
+BATCH = 32_768
+#: The same where the assembly, whose equations take some kilobytes a point, is among the results.
+ASSEMBLY_BATCH = 4_096
+#: Up to so many points a program that compiles fast and runs at a fraction of the speed is done sooner.
+QUICK_POINTS = 20_000
+
+
+def point_kernel(values: Values, paths: tuple[str, ...], results: tuple[str, ...]) -> Kernel:
+    """The function that evaluates points: numbers of the file and arrays of the varied ones in, results out.
+
+    Parameters
+    ----------
+    values : dict
+        Tables of the joint file, for their structure and names; the numbers in them are not used.
+    paths : tuple of str
+        Dotted paths of the varied numbers.
+    results : tuple of str
+        Names of :data:`asperity.study.results.RESULTS`.
+
+    Returns
+    -------
+    callable
+        Of the :func:`numbers` of a file and one array for each path, all of one shape, in SI units, to the status
+        codes and the results, which are nan where they mean nothing; pure, for ``jit``. Because the file's numbers
+        are arguments, one compiled program serves all files of the same structure.
+    """
+
+    def kernel(base: Numbers, *arrays: Array) -> tuple[Array, dict[str, Array]]:
+        tables = replace_values(_with_numbers(values, iter(base)), dict(zip(paths, arrays, strict=True)))
+        joint = with_one_rank(joint_from_values(tables))
+        found = evaluate(joint)
+        code = joint_status(joint, found)
+        masks = {
+            "geometry": (code == 0) | (code >= LOCKED),
+            "balance": (code == 0) | (code == SLIPS),
+            "operation": code == 0,
+        }
+        masked = {}
+        for name, value in result_values(results, joint, found).items():
+            shape = (5, *code.shape) if RESULTS[name].per_contact else code.shape
+            masked[name] = jnp.where(masks[RESULTS[name].needs], jnp.broadcast_to(value, shape), jnp.nan)
+        return code, masked
+
+    return kernel
+
+
+def numbers(values: Values) -> Numbers:
+    """All numbers of the tables of a joint file, in a fixed order.
+
+    Parameters
+    ----------
+    values : dict
+        Tables in SI units.
+
+    Returns
+    -------
+    tuple of float
+        The leaves that are numbers, by sorted names.
+    """
+    return tuple(value for value in _leaves(values) if not isinstance(value, str))
+
+
+def _leaves(node: Any) -> Iterator[Any]:
+    if isinstance(node, dict):
+        for name in sorted(node):
+            yield from _leaves(node[name])
+    else:
+        yield node
+
+
+def _with_numbers(node: Any, base: Iterator[Any]) -> Any:
+    """The same tables with other numbers, in the order of :func:`numbers`."""
+    if isinstance(node, dict):
+        return {name: _with_numbers(node[name], base) for name in sorted(node)}
+    return node if isinstance(node, str) else next(base)
+
+
+def _structure(node: Any) -> Any:
+    if isinstance(node, dict):
+        return {name: _structure(node[name]) for name in sorted(node)}
+    return node if isinstance(node, str) else 1.0
+
+
+def batch_size(results: tuple[str, ...]) -> int:
+    """Points that pass through the program at once.
+
+    Parameters
+    ----------
+    results : tuple of str
+        What is computed.
+
+    Returns
+    -------
+    int
+        A power of two.
+    """
+    return ASSEMBLY_BATCH if set(results) & set(GROUPS["assembly"]) else BATCH
+
+
+@functools.lru_cache(maxsize=32)
+def _program(
+    structure: str, paths: tuple[str, ...], results: tuple[str, ...], size: int, quick: bool
+) -> Kernel:
+    tables = json.loads(structure)
+    kernel = point_kernel(tables, paths, results)
+    base = tuple(jax.ShapeDtypeStruct((), jnp.float64) for _ in numbers(tables))
+    arrays = [jax.ShapeDtypeStruct((size,), jnp.float64)] * len(paths)
+    if quick:
+        packed = compile_fast(lambda both: kernel(both[0], *both[1]), (base, arrays))
+        return lambda base, *arrays: packed((base, list(arrays)))
+    return jax.jit(kernel).lower(base, *arrays).compile()  # type: ignore[no-any-return]
+
+
+def evaluate_points(
+    values: Values,
+    points: Mapping[str, np.ndarray],
+    results: tuple[str, ...],
+    *,
+    quick: bool | None = None,
+    report: Callable[[int], Any] | None = None,
+) -> tuple[np.ndarray, dict[str, np.ndarray]]:
+    """Status and results of a joint at many points.
+
+    Parameters
+    ----------
+    values : dict
+        Tables of the joint file in SI units, :func:`asperity.case.values.si_values`.
+    points : mapping
+        Dotted path → values in SI units, all of shape (n,).
+    results : tuple of str
+        Names of :data:`asperity.study.results.RESULTS`.
+    quick : bool, optional
+        Whether to compile fast and run slowly; by default up to :data:`QUICK_POINTS` points.
+    report : callable, optional
+        Called with the number of points just done.
+
+    Returns
+    -------
+    status : ndarray
+        Codes of :data:`asperity.study.status.STATUS_MEANINGS`, shape (n,).
+    found : dict of ndarray
+        Name → values, shape (n,) or (5, n); nan where they mean nothing.
+
+    Raises
+    ------
+    PrecisionError
+        If JAX is in single precision.
+    """
+    require_double_precision()
+    paths = tuple(points)
+    columns = {path: np.asarray(column, dtype=float) for path, column in points.items()}
+    count = next(iter(columns.values())).size
+    quick = count <= QUICK_POINTS if quick is None else quick
+    size = min(batch_size(results), 1 << max(count - 1, 0).bit_length())
+    program = _program(json.dumps(_structure(values)), paths, results, size, quick)
+    base = tuple(np.float64(number) for number in numbers(values))
+    outside = np.zeros(count, dtype=bool)
+    for path, column in columns.items():
+        outside |= _outside(key_at(path), column)
+
+    status = np.empty(count, dtype=np.int8)
+    found = {
+        name: np.empty((5, count) if RESULTS[name].per_contact else count, dtype=float) for name in results
+    }
+    for start in range(0, count, size):
+        part = slice(start, min(start + size, count))
+        missing = size - (part.stop - start)
+        batch = [np.pad(column[part], (0, missing), mode="edge") for column in columns.values()]
+        code, done = program(base, *batch)
+        status[part] = np.asarray(code)[: size - missing]
+        for name, value in done.items():
+            found[name][..., part] = np.asarray(value)[..., : size - missing]
+        if report is not None:
+            report(part.stop - start)
+    status[outside] = OUT_OF_RANGE
+    for name in results:
+        found[name][..., outside] = np.nan
+    return status, found
+
+
+def _outside(key: Key, column: np.ndarray) -> np.ndarray:
+    """Which values are outside the range of their key."""
+    if not key.whole and key.admits(float(column.min())) and key.admits(float(column.max())):
+        return np.zeros(column.size, dtype=bool)
+    distinct, where = np.unique(column, return_inverse=True)
+    return ~np.array([key.admits(float(value)) for value in distinct])[where]

@@ -1,0 +1,252 @@
+"""The law, Persson's theory and boundary elements on the same surfaces at the same loads."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+
+import equinox as eqx
+import jax.numpy as jnp
+import numpy as np
+from jax import Array
+
+from asperity.bem import (
+    ElasticPair,
+    PeriodicHalfSpace,
+    normal_contact,
+    normal_stiffness,
+    tangential_stiffness,
+)
+from asperity.contact.fractal import Surface, fractal_contact
+from asperity.errors import InputError
+from asperity.verify.periodic_weierstrass import periodic_weierstrass_surface
+from asperity.verify.persson import contact_fraction, interfacial_stiffness, wave_spectrum
+
+
+class Sample(eqx.Module):
+    """What is compared: one fractal surface on one square of two like bodies; SI units.
+
+    Parameters
+    ----------
+    fractal_dimension, fractal_roughness, frequency_ratio : float
+        D [-], G [m] and gamma [-] of the profiles.
+    side : float
+        Side of the nominally flat, periodic square [m].
+    points : int
+        Grid points along it.
+    waves_per_side : float
+        Side over the longest wavelength [-].
+    pixels_per_wave : float
+        Shortest wavelength over the pixel [-].
+    youngs_modulus, poisson_ratio, hardness : float
+        Of both bodies [Pa], [-], [Pa].
+    """
+
+    fractal_dimension: float
+    fractal_roughness: float
+    frequency_ratio: float
+    side: float
+    points: int
+    waves_per_side: float
+    pixels_per_wave: float
+    youngs_modulus: float
+    poisson_ratio: float
+    hardness: float
+
+    @property
+    def pair(self) -> ElasticPair:
+        """The two like bodies."""
+        E, nu = self.youngs_modulus, self.poisson_ratio
+        return ElasticPair(
+            contact_modulus=E / (2.0 * (1.0 - nu**2)), antiplane_modulus=E / (4.0 * (1.0 + nu))
+        )
+
+
+class Comparison(eqx.Module):
+    """Area and stiffness by three routes; boundary elements have one row per seed, SI units.
+
+    Parameters
+    ----------
+    normal_force : Array, shape (loads,)
+        Load F [N].
+    relative_pressure : Array, shape (loads,)
+        Load over nominal area and pressure scale [-].
+    pressure_scale : Array, scalar
+        The smaller of contact modulus times rms slope, where contact is about complete, and of hardness [Pa].
+    rms_height, rms_slope : Array, scalar
+        Means over the seeds [m], [-].
+    real_contact_area, normal_stiffness, tangential_stiffness : Array, shape (seeds, loads)
+        By boundary elements [m^2], [N/m], [N/m]; the tangential one is the mean over both directions.
+    law_real_contact_area, law_normal_stiffness, law_tangential_stiffness : Array, shape (loads,)
+        By the closed-form law with contact factor 1.
+    persson_real_contact_area, persson_normal_stiffness, persson_tangential_stiffness : Array, shape (seeds, loads)
+        By Persson's theory from each surface's spectrum; the tangential one with Mindlin's ratio.
+    capped_fraction : Array, shape (seeds, loads)
+        Share of the contact area at the hardness [-].
+    """
+
+    normal_force: Array
+    relative_pressure: Array
+    pressure_scale: Array
+    rms_height: Array
+    rms_slope: Array
+    real_contact_area: Array
+    normal_stiffness: Array
+    tangential_stiffness: Array
+    law_real_contact_area: Array
+    law_normal_stiffness: Array
+    law_tangential_stiffness: Array
+    persson_real_contact_area: Array
+    persson_normal_stiffness: Array
+    persson_tangential_stiffness: Array
+    capped_fraction: Array
+
+
+def sample_heights(sample: Sample, seed: int) -> np.ndarray:
+    """One surface of the sample.
+
+    Parameters
+    ----------
+    sample : Sample
+        What to build.
+    seed : int
+        Which one.
+
+    Returns
+    -------
+    array, shape (points, points)
+        Height [m].
+    """
+    return periodic_weierstrass_surface(
+        points=sample.points,
+        side=sample.side,
+        longest_wavelength=sample.side / sample.waves_per_side,
+        shortest_wavelength=sample.pixels_per_wave * sample.side / sample.points,
+        fractal_dimension=sample.fractal_dimension,
+        fractal_roughness=sample.fractal_roughness,
+        frequency_ratio=sample.frequency_ratio,
+        random=np.random.default_rng(seed),
+    )
+
+
+def compare(
+    sample: Sample,
+    *,
+    seeds: int,
+    relative_pressures: Sequence[float],
+    elastic: bool = False,
+    solved: Callable[[], None] = lambda: None,
+) -> Comparison:
+    """Solve the sample's surfaces under each load by boundary elements, and evaluate law and theory beside them.
+
+    Parameters
+    ----------
+    sample : Sample
+        The surface and the bodies.
+    seeds : int
+        How many surfaces of the same D and G.
+    relative_pressures : sequence of float
+        Mean pressures over the pressure scale of :class:`Comparison` [-], rising, below 1; the rms slope in it is
+        the mean over the seeds, so that all seeds carry the same loads.
+    elastic : bool
+        True: no cap on the pressure of the boundary elements (the law keeps its hardness).
+    solved : callable
+        Called after each solution.
+
+    Returns
+    -------
+    Comparison
+        All three routes.
+
+    Raises
+    ------
+    InputError
+        For no seeds or no loads, or loads that the hardness cannot carry.
+    NoSolutionError
+        If a contact does not converge.
+
+    Notes
+    -----
+    The incremental stiffness by boundary elements is elastic on the whole contact area, points at the hardness
+    included: it is that of a small oscillation, or of unloading. The law is taken on a nominally flat contact, for
+    which its contact factor lambda (a correction for curved bodies) is 1.
+    """
+    pressures = np.asarray(relative_pressures, dtype=np.float64)
+    rising = pressures.size > 0 and np.all(np.diff(pressures, prepend=0.0) > 0.0)
+    if seeds < 1 or not rising or not pressures[-1] < 1.0:
+        raise InputError(
+            f"seeds = {seeds}, relative pressures {list(relative_pressures)}: at least one seed is needed, and "
+            "pressures that rise from above 0 to below 1"
+        )
+    pair = sample.pair
+    pixel = sample.side / sample.points
+    half_space = PeriodicHalfSpace(pair, shape=(sample.points, sample.points), pixel_size=(pixel, pixel))
+    surfaces = [sample_heights(sample, seed) for seed in range(seeds)]
+    spectra = [wave_spectrum(heights, side=sample.side) for heights in surfaces]
+    E = pair.contact_modulus
+    rms_slope = jnp.mean(jnp.stack([s.rms_slope for s in spectra]))
+    scale = jnp.minimum(E * rms_slope, sample.hardness)
+    mean_pressure = jnp.asarray(pressures) * scale
+    force = mean_pressure * sample.side**2
+    hardness = None if elastic else sample.hardness
+
+    rows = []
+    for heights in surfaces:
+        row, contact = [], None
+        for load in np.asarray(force):
+            contact = normal_contact(half_space, heights, normal_force=load, hardness=hardness, start=contact)
+            mask = contact.pressure > 0.0
+            if contact.contact_fraction < 1.0:
+                shear = [tangential_stiffness(half_space, mask, axis=axis).stiffness for axis in (0, 1)]
+                stiffness = [normal_stiffness(half_space, mask).stiffness, 0.5 * (shear[0] + shear[1])]
+            else:
+                stiffness = [jnp.asarray(jnp.inf)] * 2
+            capped = (
+                jnp.mean(contact.pressure >= sample.hardness, dtype=jnp.float64) / contact.contact_fraction
+            )
+            row.append(jnp.stack([contact.real_contact_area, *stiffness, capped]))
+            solved()
+        rows.append(jnp.stack(row, axis=1))
+    area, normal, tangential, capped_fraction = jnp.stack(rows, axis=1)
+
+    law = fractal_contact(
+        surface=Surface(
+            fractal_dimension=sample.fractal_dimension,
+            fractal_roughness=sample.fractal_roughness,
+            frequency_ratio=sample.frequency_ratio,
+            asperity_base="majumdar_bhushan_1991",
+        ),
+        normal_force=force,
+        tangential_force=0.0,
+        friction_coefficient=1.0,
+        contact_factor=1.0,
+        contact_modulus=E,
+        tangential_contact_modulus=pair.tangential_contact_modulus,
+        hardness=sample.hardness,
+    )
+    nominal = sample.side**2
+    theory_area = nominal * jnp.stack(
+        [
+            contact_fraction(mean_pressure=mean_pressure, contact_modulus=E, rms_slope=s.rms_slope)
+            for s in spectra
+        ]
+    )
+    theory_normal = nominal * jnp.stack(
+        [interfacial_stiffness(spectrum=s, mean_pressure=mean_pressure, contact_modulus=E) for s in spectra]
+    )
+    return Comparison(
+        normal_force=force,
+        relative_pressure=jnp.asarray(pressures),
+        pressure_scale=scale,
+        rms_height=jnp.mean(jnp.stack([s.rms_height for s in spectra])),
+        rms_slope=rms_slope,
+        real_contact_area=area,
+        normal_stiffness=normal,
+        tangential_stiffness=tangential,
+        law_real_contact_area=law.real_contact_area,
+        law_normal_stiffness=law.normal_stiffness,
+        law_tangential_stiffness=law.tangential_stiffness,
+        persson_real_contact_area=theory_area,
+        persson_normal_stiffness=theory_normal,
+        persson_tangential_stiffness=theory_normal * (4.0 * pair.tangential_contact_modulus / E),
+        capped_fraction=capped_fraction,
+    )

@@ -1,0 +1,156 @@
+"""``asperity joint``: the document, the tables, the refusals."""
+
+import dataclasses
+import json
+
+import numpy as np
+import pytest
+
+CONTACTS = ["sp", "pwr", "pwl", "wro", "wlo"]
+
+
+@pytest.fixture
+def document(call, joint_file):
+    outcome = call("joint", joint_file(), "--json")
+    assert (outcome.code, outcome.err) == (0, "")
+    return json.loads(outcome.out)
+
+
+def test_the_document_has_every_key_in_si(document):
+    assert set(document["geometry"]) >= {"alpha_rad", "theta_rad", "wedge_angle_rad", "speed_ratio"}
+    forces = document["forces"]
+    assert list(forces["normal_N"]) == list(forces["tangential_N"]) == list(document["contacts"]) == CONTACTS
+    assert set(forces["pin_N"]) == {"left", "right"}
+    assert set(forces) >= {
+        "input_torque_Nm",
+        "planet_mass_kg",
+        "loading_roller_mass_kg",
+        "carrier_speed_rad_per_s",
+    }
+    for contact in document["contacts"].values():
+        assert set(contact) >= {
+            "largest_area_m2",
+            "critical_area_m2",
+            "real_contact_area_m2",
+            "contact_factor",
+            "tangential_stiffness_N_per_m",
+            "normal_stiffness_N_per_m",
+            "torsional_stiffness_Nm_per_rad",
+        }
+    for level in ("published", "series_with_bulk", "assembly"):
+        stiffness = document["torsional_stiffness"][level]
+        assert set(stiffness) == {"sun_Nm_per_rad", "output_Nm_per_rad", "output_Nm_per_arcmin"}
+    for entry in document["diagnostics"]:
+        assert set(entry) == {"name", "contact", "value", "limit", "ok", "meaning"}
+    assert document["input"]["load"]["preload"] == 1000.0
+    assert any("[bearings]" in sentence for sentence in document["assumptions"])
+
+
+def test_the_numbers_of_the_issue(document):
+    """T_sp = 46.30 N, about 4.3e6 N·m/rad at 5 N·m; angles, ratio and masses by hand from the radii."""
+    assert document["forces"]["tangential_N"]["sp"] == pytest.approx(46.30, abs=0.005)
+    published = document["torsional_stiffness"]["published"]
+    assert published["output_Nm_per_rad"] == pytest.approx(4.3e6, rel=0.02)
+    assert published["output_Nm_per_rad"] == pytest.approx(81.0 * published["sun_Nm_per_rad"], rel=1e-12)
+    assert published["output_Nm_per_arcmin"] == pytest.approx(
+        published["output_Nm_per_rad"] * 2.908882087e-4, rel=1e-9
+    )
+    assert document["geometry"]["alpha_rad"] == pytest.approx(0.243034, abs=1e-6)  # 13.9248 deg
+    assert document["geometry"]["theta_rad"] == pytest.approx(0.472689, abs=1e-6)  # 27.0831 deg
+    assert document["geometry"]["wedge_angle_rad"] == pytest.approx(0.229654, abs=1e-6)  # 13.1582 deg
+    assert document["geometry"]["speed_ratio"] == pytest.approx(-9.0, rel=1e-15)
+    assert document["forces"]["carrier_speed_rad_per_s"] == pytest.approx(-69.81317, rel=1e-6)
+    assert document["forces"]["planet_mass_kg"] == pytest.approx(
+        7850 * 3.14159265 * 13.5e-3**2 * 5e-3, rel=1e-8
+    )
+    assert document["forces"]["input_torque_Nm"] == pytest.approx(5.0 / 9.0, rel=1e-12)
+    shares = document["stiffness_budget"]
+    total = sum(sum(share.values()) if isinstance(share, dict) else share for share in shares.values())
+    assert total == pytest.approx(1.0, rel=1e-9)
+
+
+def test_at_small_torque_the_published_stiffness_is_five_million(call, joint_file):
+    outcome = call("joint", joint_file(('"5 N*m"', '"1e-6 N*m"')), "--json")
+    assert json.loads(outcome.out)["torsional_stiffness"]["published"]["output_Nm_per_rad"] == pytest.approx(
+        5.0e6, rel=0.02
+    )
+
+
+def test_the_tables_name_their_units_and_warn(call, joint_file):
+    outcome = call("joint", joint_file())
+    assert (outcome.code, outcome.err) == (0, "")
+    for text in (
+        "3 planets, sun at 6000 rpm, preload 1000 N, output torque 5 N·m",
+        "N·m/rad",
+        "N·m/arcmin",
+        "46.3",
+        "an upper bound",
+        "alpha 13.9248 deg, theta 27.0831 deg, wedge beta 13.1582 deg",
+        "ratio -9",
+        "real area over hertz area (limit 1): sp",
+        "no section [bearings]: the bearings have no friction",
+    ):
+        assert text in outcome.out, text
+    assert "\x1b" not in outcome.out
+    assert max(map(len, outcome.out.splitlines())) <= 100
+
+
+def test_numbers_without_a_value_are_null_and_the_diagnostics_say_why(call, joint_file):
+    """A planet thrown off the sun by its own centrifugal force: no contact, no torque, no stiffness."""
+    fast = joint_file(
+        ('"5 N*m"', '"0 N*m"'), ('"6000 rpm"', '"9e5 rpm"'), ('"elastic"', '"constant_pin_force"')
+    )
+    outcome = call("joint", fast, "--json")
+    assert outcome.code == 0, outcome.err
+    document = json.loads(outcome.out, parse_constant=lambda word: pytest.fail(word))
+    undefined = [entry for entry in document["diagnostics"] if entry["value"] is None]
+    assert undefined
+    assert not any(entry["ok"] for entry in undefined)
+    assert document["torsional_stiffness"]["published"]["output_Nm_per_rad"] == 0.0
+    assert call("joint", fast).code == 0
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "said"),
+    [
+        (
+            '"1000 N"',
+            "1000",
+            "load.preload: expected a force with its unit as text (e.g. '1000 N'), got the bare number 1000",
+        ),
+        ('"40 mm" ', '"30 mm" ', "the planet must not touch the ring (R_s + 2 R_p < R_o); the gap is -1 mm"),
+        ('"5 N*m"  ', '"50 N*m"  ', "the output torque 50 N·m is beyond the torque capacity"),
+    ],
+)
+def test_bad_input_is_one_message_and_exit_code_2(call, joint_file, old, new, said):
+    outcome = call("joint", joint_file((old, new)))
+    assert (outcome.code, outcome.out) == (2, "")
+    assert outcome.err.startswith("asperity: error: ")
+    assert said in outcome.err
+    assert "Traceback" not in outcome.err
+
+
+def test_a_file_that_is_not_there(call):
+    outcome = call("joint", "nowhere.toml")
+    assert outcome.code == 2
+    assert (
+        outcome.err
+        == "asperity: error: nowhere.toml: there is no such file; 'asperity init' writes an example\n"
+    )
+
+
+def test_no_solution_is_exit_code_3(call, joint_file, monkeypatch):
+    from asperity import examination
+
+    real = examination.compile_fast
+
+    def unsolved(function, joint):
+        done = real(function, joint)(joint)
+        result = dataclasses.replace(done.result, solved=np.asarray(False))
+        return lambda _: dataclasses.replace(done, result=result)
+
+    monkeypatch.setattr(examination, "compile_fast", unsolved)
+    outcome = call("joint", joint_file())
+    assert outcome.code == 3
+    assert outcome.out == ""
+    assert "the force balance did not close: relative residual" in outcome.err

@@ -1,0 +1,27 @@
+import io
+
+from asperity.cli.terminal import WIDEST, console, table
+
+
+def test_a_pipe_without_unicode_gets_plain_letters(monkeypatch):
+    raw = io.BytesIO()
+    monkeypatch.setattr("sys.stdout", io.TextIOWrapper(raw, encoding="ascii"))
+    target = console()
+    shown = table(target, "Stiffness", "model", "K\nN·m/rad", "area\nmm²")
+    shown.add_row("published → bound", "5", "1")
+    target.print(shown)
+    target.print("± é")
+    import sys
+
+    sys.stdout.flush()
+    text = raw.getvalue().decode("ascii")
+    assert "N*m/rad" in text
+    assert "mm^2" in text
+    assert "published -> bound" in text
+    assert "+- ?" in text
+    assert "\x1b" not in text
+
+
+def test_a_pipe_is_as_wide_as_tables_may_be(monkeypatch):
+    monkeypatch.setattr("sys.stdout", io.TextIOWrapper(io.BytesIO(), encoding="utf-8"))
+    assert console().width == WIDEST

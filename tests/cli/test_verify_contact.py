@@ -1,0 +1,48 @@
+"""The command from text to numbers."""
+
+import json
+
+import pytest
+from click.testing import CliRunner
+
+from asperity.cli.verify_contact import verify_contact
+from asperity.errors import InputError
+
+SMALL = ["--dimension", "1.6", "--points", "32", "--seeds", "1", "--loads", "2", "--pixels-per-wave", "8"]
+
+
+@pytest.fixture(autouse=True)
+def _no_cache(monkeypatch):
+    monkeypatch.setenv("ASPERITY_CACHE_DIR", "")
+
+
+def test_table_and_picture(tmp_path):
+    picture = tmp_path / "validity.png"
+    result = CliRunner().invoke(verify_contact, [*SMALL, "--plot", str(picture)], catch_exceptions=False)
+    assert result.exit_code == 0
+    assert "D = 1.6: rms height" in result.output
+    assert "K_n [N/µm]" in result.output
+    assert picture.stat().st_size > 10_000
+
+
+def test_json_carries_units_and_all_three_routes():
+    result = CliRunner().invoke(verify_contact, [*SMALL, "--json"], catch_exceptions=False)
+    (document,) = json.loads(result.output)
+    assert document["sample"]["side"] == 1e-3
+    assert len(document["normal_force_N"]) == 2
+    assert document["law_normal_stiffness_N_per_m"][0] > 0.0
+    assert document["persson_tangential_stiffness_N_per_m"][0][0] > 0.0
+    assert document["real_contact_area_m2"][0][1] > document["real_contact_area_m2"][0][0]
+
+
+@pytest.mark.parametrize(
+    ("change", "named"),
+    [
+        (["--roughness", "3 N"], "--roughness"),
+        (["--from", "0.5", "--to", "0.1"], "0 < from <= to < 1"),
+        (["--dimension", "2.5"], "between 1 and 2"),
+    ],
+)
+def test_bad_input_is_named(change, named):
+    with pytest.raises(InputError, match=named):
+        CliRunner().invoke(verify_contact, [*SMALL, *change], catch_exceptions=False)

@@ -1,0 +1,88 @@
+"""Conversion constants against quadrature and against each other."""
+
+import numpy as np
+import pytest
+from scipy.integrate import quad
+
+from asperity.errors import InputError
+from asperity.surface import conventions as c
+
+CASES = [(1.2, 3e-13), (1.5, 1e-9), (1.8, 2e-8)]
+
+
+@pytest.mark.parametrize(("D", "G"), CASES)
+def test_structure_function_is_the_cosine_transform_of_the_spectrum(D, G):
+    """S(tau) = 2 int P (1 - cos): substitution f = u / (2 pi tau), split where the cosine oscillates."""
+    tau, s = 1e-6, 5 - 2 * D
+    near = quad(lambda u: (1 - np.cos(u)) * u**-s, 0, 2 * np.pi, limit=200)[0]
+    far = (2 * np.pi) ** (1 - s) / (s - 1) - quad(lambda u: u**-s, 2 * np.pi, np.inf, weight="cos", wvar=1.0)[
+        0
+    ]
+    P1 = c.power_spectral_density(frequency=1 / (2 * np.pi * tau), fractal_dimension=D, fractal_roughness=G)
+    expected = 2 * P1 * (near + far) / (2 * np.pi * tau)
+    np.testing.assert_allclose(
+        c.structure_function(lag=tau, fractal_dimension=D, fractal_roughness=G), expected, rtol=1e-6
+    )
+
+
+@pytest.mark.parametrize(("D", "G"), CASES)
+def test_round_trips(D, G):
+    P = c.power_spectral_density(frequency=3e4, fractal_dimension=D, fractal_roughness=G)
+    np.testing.assert_allclose(c.roughness_from_spectrum(level=P, frequency=3e4, fractal_dimension=D), G)
+    S = float(c.structure_function(lag=2e-6, fractal_dimension=D, fractal_roughness=G))
+    np.testing.assert_allclose(c.roughness_from_structure_function(level=S, lag=2e-6, fractal_dimension=D), G)
+    mt = c.majumdar_tien_roughness(fractal_dimension=D, fractal_roughness=G, frequency_ratio=1.5)
+    np.testing.assert_allclose(
+        P, mt ** (2 * (D - 1)) / (2 * np.log(1.5)) * 3e4 ** -(5 - 2 * D)
+    )  # Majumdar & Tien's own spectrum
+    back = c.roughness_from_majumdar_tien(
+        fractal_dimension=D, majumdar_tien_fractal_roughness=mt, frequency_ratio=1.5
+    )
+    np.testing.assert_allclose(back, G)
+    areal = c.areal_roughness_from_profile(fractal_dimension=D, fractal_roughness=G)
+    np.testing.assert_allclose(
+        c.profile_roughness_from_areal(fractal_dimension=D, areal_fractal_roughness=areal), G
+    )
+
+
+@pytest.mark.parametrize(("D", "G"), CASES)
+def test_profile_spectrum_of_a_surface_is_the_integral_of_the_areal_one(D, G):
+    """P(fx) = 2 int C(sqrt(fx^2 + fy^2)) dfy."""
+    fx = 1e5
+    areal = c.areal_roughness_from_profile(fractal_dimension=D, fractal_roughness=G)
+
+    def C(fy):
+        return (
+            float(
+                c.areal_power_spectral_density(
+                    frequency=np.hypot(fx, fx * fy), fractal_dimension=D, areal_fractal_roughness=areal
+                )
+            )
+            / unit
+        )
+
+    unit = float(
+        c.areal_power_spectral_density(frequency=fx, fractal_dimension=D, areal_fractal_roughness=areal)
+    )
+    P = 4 * fx * unit * quad(C, 0, np.inf)[0]
+    np.testing.assert_allclose(
+        c.power_spectral_density(frequency=fx, fractal_dimension=D, fractal_roughness=G), P, rtol=1e-7
+    )
+
+
+def test_topothesy_and_wavenumber_density_and_dimensions():
+    D, G = 1.4, 1e-10
+    lam = c.topothesy(fractal_dimension=D, fractal_roughness=G)
+    np.testing.assert_allclose(
+        c.structure_function(lag=lam, fractal_dimension=D, fractal_roughness=G), lam**2
+    )
+    C = c.power_spectral_density_of_wavenumber(wavenumber=2 * np.pi, fractal_dimension=D, fractal_roughness=G)
+    assert pytest.approx(0.25 * G ** (2 * (D - 1))) == C  # half of P(1/m) = G^(2(D-1)) / 2
+    assert c.hurst_exponent(fractal_dimension=D) == pytest.approx(0.6)
+    assert c.surface_dimension(fractal_dimension=D) == pytest.approx(2.4)
+
+
+@pytest.mark.parametrize(("D", "G"), [(2.3, 1e-9), (1.0, 1e-9), (1.5, 0.0), (1.5, float("inf"))])
+def test_impossible_values_are_refused(D, G):
+    with pytest.raises(InputError):
+        c.validated_fractal(fractal_dimension=D, fractal_roughness=G)

@@ -1,0 +1,27 @@
+"""Rounded heights are found out."""
+
+import numpy as np
+import pytest
+
+from asperity.surface.quantisation import height_step, quantisation_noise_density
+
+
+def test_step_is_found_under_a_tilt_and_absent_without_rounding():
+    z = np.cumsum(np.random.default_rng(0).standard_normal((1, 3000)), axis=1)
+    assert height_step(profiles=z) is None
+    rounded = np.round(z / 0.7) * 0.7 + 0.01 * np.arange(3000)
+    assert height_step(profiles=rounded) == pytest.approx(0.7, rel=0.02)
+
+
+def test_bearing_step(shared_data):
+    """SOURCE.txt: heights in steps of about 0.076 um."""
+    from asperity.surface.read import read_surface
+
+    t = read_surface(
+        path=shared_data / "bearing_roller_profiles" / "NU206-RE-1.txt", position_unit="mm", height_unit="um"
+    )
+    assert height_step(profiles=t.heights[None]) == pytest.approx(0.076e-6, rel=0.03)
+
+
+def test_noise_of_rounding_is_a_twelfth_of_the_square():
+    assert quantisation_noise_density(step=3.0, spacing=2.0) == pytest.approx(2 * 2.0 * 9.0 / 12)

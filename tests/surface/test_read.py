@@ -1,0 +1,206 @@
+"""Text dialects, bare arrays, wrong files; instrument files with the numbers known about them."""
+
+import sys
+
+import numpy as np
+import pytest
+
+from asperity.errors import InputError, MissingExtraError
+from asperity.surface.height_parameters import height_parameters
+from asperity.surface.levelling import levelled
+from asperity.surface.read import read_surface
+
+X = np.arange(50) * 0.25
+Z = np.round(np.sin(X), 4)
+
+
+@pytest.mark.parametrize("end", ["\n", "\r", "\r\n"])
+@pytest.mark.parametrize(
+    ("separator", "comma"),
+    [("\t", False), (";", False), (",", False), ("  ", False), (";", True), ("\t", True)],
+)
+def test_line_ends_separators_and_decimal_signs(tmp_path, end, separator, comma):
+    rows = [f"{x:.2f}{separator}{z:.4f}" for x, z in zip(X, Z, strict=True)]
+    if comma:
+        rows = [row.replace(".", ",") for row in rows]
+    file = tmp_path / "p.txt"
+    file.write_bytes(end.join(rows).encode())
+    got = read_surface(path=file, position_unit="mm", height_unit="um")
+    np.testing.assert_allclose(got.heights, 1e-6 * Z, atol=1e-15)
+    assert got.spacing == pytest.approx(0.25e-3)
+
+
+def test_heading_names_the_units_and_missing_values_are_counted(tmp_path):
+    file = tmp_path / "p.csv"
+    file.write_text("machine 7\nX [mm];Z [nm]\n" + "".join(f"{x};{z}\n" for x, z in zip(X, Z, strict=True)))
+    assert read_surface(path=file).heights[3] == pytest.approx(1e-9 * Z[3])
+    file.write_text(file.read_text() + "12.5;NaN\n12.75;\n13.0;0.1\n")
+    assert read_surface(path=file).missing_points == 2
+
+
+def test_rounded_positions_give_the_true_spacing_and_unequal_ones_are_refused(tmp_path):
+    file = tmp_path / "p.txt"
+    true = 0.156 * np.arange(500)
+    np.savetxt(file, np.stack([np.round(true, 1), np.sin(true)], axis=1), fmt="%.4f")
+    got = read_surface(path=file, position_unit="um", height_unit="um")
+    assert got.spacing == pytest.approx(0.156e-6, rel=1e-4)
+    assert "rounded" in got.notes[0]
+    np.savetxt(file, np.stack([true**1.1, np.sin(true)], axis=1), fmt="%.4f")
+    with pytest.raises(InputError, match="not equally spaced"):
+        read_surface(path=file, position_unit="um", height_unit="um")
+
+
+def test_columns_of_heights_xyz_grids_and_npy(tmp_path):
+    random = np.random.default_rng(0)
+    grid = random.standard_normal((6, 5))
+    np.savetxt(tmp_path / "m.txt", grid)
+    got = read_surface(path=tmp_path / "m.txt", height_unit="um", spacing=2e-6)
+    np.testing.assert_allclose(got.heights, 1e-6 * grid)
+    x, y = np.meshgrid(np.arange(5) * 2.0, np.arange(6) * 3.0)
+    table = np.stack([x.ravel(), y.ravel(), grid.ravel()], axis=1)
+    np.savetxt(tmp_path / "xyz.txt", table[random.permutation(30)])
+    got = read_surface(path=tmp_path / "xyz.txt", position_unit="um", height_unit="um")
+    np.testing.assert_allclose(got.heights, 1e-6 * grid)
+    assert (got.spacing, got.spacing_across) == pytest.approx((2e-6, 3e-6))
+    np.save(tmp_path / "a.npy", grid)
+    got = read_surface(path=tmp_path / "a.npy", height_unit="nm", spacing=1e-6)
+    np.testing.assert_allclose(got.heights, 1e-9 * grid)
+    with pytest.raises(InputError, match="--spacing"):
+        read_surface(path=tmp_path / "a.npy", height_unit="nm")
+
+
+@pytest.mark.parametrize(
+    ("content", "says"),
+    [
+        (b"", "is empty"),
+        (b"0 1\n1 2\n2 3\n3 x4\n", "not a number"),
+        (b"1,5\n2,5\n3,5\n", "decimal comma"),
+        (b"0 1\n1 2\n2 3\n", "which unit"),
+        (b"0 nan\n1 nan\n2 nan\n", "no valid height"),
+    ],
+)
+def test_wrong_files_get_one_clear_message(tmp_path, content, says):
+    file = tmp_path / "w.txt"
+    file.write_bytes(content)
+    units = {} if says == "which unit" else {"position_unit": "mm", "height_unit": "um"}
+    with pytest.raises(InputError, match=says):
+        read_surface(path=file, **units)
+
+
+def test_folder_absent_and_huge_files(tmp_path):
+    with pytest.raises(InputError, match="folder"):
+        read_surface(path=tmp_path)
+    with pytest.raises(InputError, match="no file"):
+        read_surface(path=tmp_path / "no.txt")
+    with (tmp_path / "huge.dat").open("wb") as file:
+        file.truncate(5 * 1024**3)
+    with pytest.raises(InputError, match="GiB"):
+        read_surface(path=tmp_path / "huge.dat")
+
+
+def test_without_the_extra_the_message_says_what_to_install(tmp_path, monkeypatch):
+    monkeypatch.setitem(sys.modules, "SurfaceTopography", None)
+    (tmp_path / "a.sdf").write_bytes(b"\0\1\2\3" * 50)
+    with pytest.raises(MissingExtraError, match=r"pip install 'asperity\[surface\]'"):
+        read_surface(path=tmp_path / "a.sdf")
+
+
+# Numbers of the SOURCE.txt files: asserted in SurfaceTopography's own tests, or printed by the instrument.
+EXAMPLES = "surfacetopography_examples"
+
+
+@pytest.mark.parametrize(
+    ("name", "shape", "size", "rms", "tolerance"),
+    [
+        ("al3d-1.al3d", (296, 200), (87.6054e-6, 129.655992e-6), 7.688266102603082e-06, 1e-6),
+        ("metropro-1.dat", (480, 640), (702.8812979e-6, 527.1609734e-6), 7.528822204734589e-08, 1e-6),
+        ("x3p-2.x3p", (650, 650), (82.9767e-6, 204.4784e-6), 7.728033273597876e-08, 1e-6),
+    ],
+)
+def test_rms_heights_of_instrument_files(shared_data, name, shape, size, rms, tolerance):
+    pytest.importorskip("SurfaceTopography")
+    got = read_surface(path=shared_data / EXAMPLES / name)
+    assert got.heights.shape == shape
+    assert got.size == pytest.approx(size, rel=1e-6)
+    assert height_parameters(topography=got).root_mean_square == pytest.approx(rms, rel=tolerance)
+
+
+def test_zygo_after_curvature_detrend(shared_data):
+    pytest.importorskip("SurfaceTopography")
+    got = read_surface(path=shared_data / EXAMPLES / "metropro-1.dat")
+    flat = levelled(topography=got, form="polynomial", degree=2)
+    assert np.sqrt(np.mean(flat.heights**2)) == pytest.approx(3.911386124282179e-09, rel=1e-6)
+
+
+def test_frt_map_with_undefined_points(shared_data):
+    """The published 2.047476e-05 m and 3.463934e-06 m divide by all 250000 points, not by the measured ones."""
+    pytest.importorskip("SurfaceTopography")
+    got = read_surface(path=shared_data / EXAMPLES / "frt-1.frt")
+    assert got.heights.shape == (500, 500)
+    assert got.size == pytest.approx((0.012, 0.012))
+    assert got.missing_points == 76456
+    z, total = got.heights[~np.isnan(got.heights)], got.heights.size
+    published = np.sqrt(np.sum((z - z.sum() / total) ** 2) / total)
+    assert published == pytest.approx(2.047476e-05, rel=1e-6)
+    flat = levelled(topography=got, form="polynomial", degree=2).heights
+    assert np.sqrt(np.nansum(flat**2) / total) == pytest.approx(3.463934e-06, rel=1e-4)
+
+
+def test_dektak_pair_is_equal(shared_data):
+    pytest.importorskip("SurfaceTopography")
+    one = read_surface(path=shared_data / EXAMPLES / "opdx-3.opdx")
+    two = read_surface(path=shared_data / EXAMPLES / "opdx-3.txt", position_unit="m", height_unit="m")
+    assert one.heights.shape == two.heights.shape == (3001,)
+    np.testing.assert_allclose(one.heights, two.heights, rtol=1e-7, atol=1e-16)
+    assert one.spacing == pytest.approx(two.spacing, rel=1e-6)
+
+
+def test_dektak_header_values(shared_data):
+    got = read_surface(path=shared_data / EXAMPLES / "dektak-1.csv")
+    assert got.spacing == pytest.approx(0.156e-6, rel=5e-3)  # the header prints 0.156 um/sample
+    part = levelled(topography=got.cut(start=468e-6, stop=733e-6), form="line")
+    h = height_parameters(topography=part)
+    assert round(1e6 * h.arithmetic_mean, 5) == 0.00525
+    assert round(1e6 * h.root_mean_square, 5) in (0.01143, 0.01144)  # header 0.01143; the ends are rounded
+    assert h.skewness == pytest.approx(6.96, abs=0.01)
+
+
+def test_x3p_in_a_subfolder_with_clutter(shared_data):
+    pytest.importorskip("SurfaceTopography")
+    got = read_surface(path=shared_data / "csafe_bullet_land_x3p" / "sample-land.x3p")
+    assert got.heights.shape == (256, 918)
+    assert got.spacing == pytest.approx(2.58e-6)
+    assert got.missing_points == 25292
+
+
+def test_undefined_points_and_valid_flags(shared_data):
+    pytest.importorskip("SurfaceTopography")
+    sur = read_surface(path=shared_data / EXAMPLES / "sur-2.sur")
+    assert sur.heights.shape == (484, 563)
+    assert sur.size == pytest.approx((1.9615e-3, 1.6863e-3), rel=1e-4)
+    assert sur.missing_points > 0
+    hfm = read_surface(path=shared_data / EXAMPLES / "hfm-1.hfm")
+    assert hfm.heights.shape == (9600,)
+    assert hfm.size == pytest.approx((4.8e-3,))
+
+
+def test_format_without_a_unit_is_not_guessed(shared_data):
+    pytest.importorskip("SurfaceTopography")
+    with pytest.raises(InputError, match="which unit"):
+        read_surface(path=shared_data / EXAMPLES / "tmd-1.tmd")
+    got = read_surface(path=shared_data / EXAMPLES / "tmd-1.tmd", height_unit="um")
+    assert got.size == pytest.approx((18.9566e-6, 18.9566e-6), rel=1e-5)
+
+
+@pytest.mark.parametrize(
+    ("name", "spacing_um", "rms_um"),
+    [("81212-RE-1", 1.166, 0.097), ("NU206-RE-1", 1.240, 0.127), ("NU206-IR-1", 1.736, 0.139)],
+)
+def test_bearing_profiles_with_carriage_returns(shared_data, name, spacing_um, rms_um):
+    got = read_surface(
+        path=shared_data / "bearing_roller_profiles" / f"{name}.txt", position_unit="mm", height_unit="um"
+    )
+    assert 1e6 * got.spacing == pytest.approx(spacing_um, rel=1e-3)
+    middle = got.cut(start=0.3 * got.size[0], stop=0.7 * got.size[0])
+    flat = levelled(topography=middle, form="polynomial", degree=2)
+    assert 1e6 * height_parameters(topography=flat).root_mean_square == pytest.approx(rms_um, abs=0.004)

@@ -1,0 +1,105 @@
+"""The W-M sums against the equation written out term by term."""
+
+import jax
+import jax.numpy as jnp
+import numpy as np
+import pytest
+
+from asperity.errors import InputError
+from asperity.surface import conventions
+from asperity.surface.weierstrass import weierstrass_mandelbrot_profile, weierstrass_mandelbrot_surface
+
+L, D, G, GAMMA = 1e-3, 1.4, 1e-11, 1.5
+
+
+def profile(x, phases, lowest, D=D, G=G):
+    return weierstrass_mandelbrot_profile(
+        position=x,
+        profile_length=L,
+        fractal_dimension=D,
+        fractal_roughness=G,
+        frequency_ratio=GAMMA,
+        phases=phases,
+        lowest_index=lowest,
+    )
+
+
+def test_profile_is_equation_6_summed_by_hand():
+    phases = np.random.default_rng(0).uniform(0, 2 * np.pi, 20)
+    x = np.linspace(0, L, 101)
+    expected = np.zeros(101)
+    for n, phi in zip(range(-2, 18), phases, strict=True):
+        term = np.cos(phi) - np.cos(2 * np.pi * GAMMA**n * x / L - phi)
+        expected += L * (G / L) ** (D - 1) * np.sqrt(np.log(GAMMA)) * GAMMA ** ((D - 2) * n) * term
+    np.testing.assert_allclose(profile(x, phases, -2), expected, atol=1e-12 * np.abs(expected).max())
+
+
+def test_gradient_in_dimension_agrees_with_finite_differences():
+    phases = np.linspace(0.1, 6, 12)
+    x = np.array([0.3e-3])
+    slope = jax.grad(lambda d: profile(x, phases, 0, D=d)[0])(1.4)
+    h = 1e-6
+    numeric = (profile(x, phases, 0, D=1.4 + h) - profile(x, phases, 0, D=1.4 - h))[0] / (2 * h)
+    np.testing.assert_allclose(slope, numeric, rtol=1e-6)
+
+
+def test_surface_is_the_double_sum_and_vanishes_at_the_origin():
+    random = np.random.default_rng(1)
+    phases = random.uniform(0, 2 * np.pi, (5, 8))
+    x, y = np.linspace(0, L, 7), np.linspace(0, 0.5 * L, 6)
+    got = np.asarray(
+        weierstrass_mandelbrot_surface(
+            position_x=x,
+            position_y=y,
+            profile_length=L,
+            fractal_dimension=D,
+            fractal_roughness=G,
+            frequency_ratio=GAMMA,
+            phases=phases,
+            lowest_index=-1,
+        )
+    )
+    expected = np.zeros((6, 7))
+    for m in range(1, 6):
+        theta = np.pi * m / 5
+        along = x * np.cos(theta) + y[:, None] * np.sin(theta)
+        for j, n in enumerate(range(-1, 7)):
+            phi = phases[m - 1, j]
+            a = L * (G / L) ** (D - 1) * np.sqrt(np.log(GAMMA) / 5) * GAMMA ** ((D - 2) * n)
+            expected += a * (np.cos(phi) - np.cos(2 * np.pi * GAMMA**n / L * along - phi))
+    np.testing.assert_allclose(got, expected, atol=1e-12 * np.abs(expected).max())
+    assert abs(got[0, 0]) < 1e-12 * np.abs(expected).max()
+
+
+def test_wrong_shapes_are_refused():
+    with pytest.raises(InputError, match="ridges, terms"):
+        weierstrass_mandelbrot_surface(
+            position_x=jnp.zeros(3),
+            position_y=jnp.zeros(3),
+            profile_length=L,
+            fractal_dimension=D,
+            fractal_roughness=G,
+            frequency_ratio=GAMMA,
+            phases=jnp.zeros(4),
+            lowest_index=0,
+        )
+
+
+@pytest.mark.parametrize("dimension", [1.2, 1.5, 1.8])
+def test_log_period_average_of_the_structure_function_is_the_convention(dimension):
+    """<S(tau) tau^-2H> over one period of ln tau, from the line sum over n = -120 .. 120."""
+    H = 2 - dimension
+    n = np.arange(-120, 121)
+    f = GAMMA**n / L
+    tau = 1e-6 * GAMMA ** (np.arange(64) / 64)
+    S = np.array(
+        [
+            np.log(GAMMA)
+            * G ** (2 * (dimension - 1))
+            * np.sum(f ** (-2 * H) * 2 * np.sin(np.pi * f * t) ** 2)
+            for t in tau
+        ]
+    )
+    mean = np.mean(S * tau ** (-2 * H))
+    model = conventions.structure_function(lag=1.0, fractal_dimension=dimension, fractal_roughness=G)
+    np.testing.assert_allclose(mean, model, rtol=2e-2 if dimension > 1.7 else 2e-3)

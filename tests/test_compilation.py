@@ -1,0 +1,72 @@
+import jax
+import numpy as np
+import pytest
+
+from asperity import compilation
+from asperity.compilation import compile_fast
+
+
+def _twice(numbers):
+    return {name: 2.0 * value for name, value in numbers.items()}
+
+
+@pytest.fixture
+def cache(tmp_path):
+    """A compilation cache of this test's own."""
+    before = jax.config.jax_compilation_cache_dir
+    jax.config.update("jax_compilation_cache_dir", str(tmp_path))
+    compilation._compiled.cache_clear()
+    yield tmp_path
+    jax.config.update("jax_compilation_cache_dir", before)
+    compilation._compiled.cache_clear()
+
+
+def test_a_compiled_function_computes_the_same_and_is_kept():
+    numbers = {"a": np.float64(1.5), "b": np.arange(3.0)}
+    compiled = compile_fast(_twice, numbers)
+    np.testing.assert_array_equal(compiled(numbers)["b"], [0.0, 2.0, 4.0])
+    assert compile_fast(_twice, {"a": np.float64(7.0), "b": np.zeros(3)}) is compiled
+    assert compile_fast(_twice, {"a": np.float64(7.0), "b": np.zeros(4)}) is not compiled
+
+
+def test_a_compiler_without_the_options_is_no_obstacle(monkeypatch):
+    monkeypatch.setattr(compilation, "_COMPILE_FAST", {"xla_option_of_another_release": True})
+    assert compile_fast(_twice, {"c": np.float64(2.0)})({"c": np.float64(2.0)})["c"] == 4.0
+
+
+def _programs(folder):
+    return [path for path in folder.iterdir() if path.suffix == ".program"]
+
+
+def test_a_program_is_kept_on_disk_and_found_again(cache, monkeypatch):
+    pytest.importorskip("flatbuffers")
+    numbers = {"d": np.arange(2.0)}
+    np.testing.assert_array_equal(compile_fast(_twice, numbers)(numbers)["d"], [0.0, 2.0])
+    assert len(_programs(cache)) == 1
+    compilation._compiled.cache_clear()  # as in a new process
+
+    def never(*arguments):
+        raise AssertionError("it was followed again instead of being read")
+
+    monkeypatch.setattr(jax.export, "export", never)
+    np.testing.assert_array_equal(compile_fast(_twice, numbers)(numbers)["d"], [0.0, 2.0])
+
+
+def test_a_damaged_program_is_made_again(cache):
+    pytest.importorskip("flatbuffers")
+    numbers = {"e": np.float64(2.0)}
+    compile_fast(_twice, numbers)
+    (file,) = _programs(cache)
+    file.write_bytes(b"damaged")
+    compilation._compiled.cache_clear()
+    assert compile_fast(_twice, numbers)(numbers)["e"] == 4.0
+    assert file.stat().st_size > 100
+
+
+def test_a_change_of_the_source_is_another_program(monkeypatch):
+    structure = jax.tree.structure(0.0)
+    before = compilation._fingerprint(_twice, structure, ())
+    assert compilation._fingerprint(_twice, structure, ()) == before
+    assert compilation._fingerprint(_programs, structure, ()) != before
+    monkeypatch.setattr(compilation.Path, "read_bytes", lambda path: b"changed")
+    assert compilation._fingerprint(_twice, structure, ()) != before

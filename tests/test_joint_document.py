@@ -1,0 +1,55 @@
+import dataclasses
+import json
+
+import numpy as np
+import pytest
+
+from asperity.case.build import joint_from_case
+from asperity.case.reader import parse_case
+from asperity.examination import examine
+from asperity.joint_document import assumptions, joint_document
+
+
+@pytest.fixture(scope="module")
+def text(request):
+    return (request.config.rootpath / "examples" / "zou2025.toml").read_text(encoding="utf-8")
+
+
+@pytest.fixture(scope="module")
+def examination(text):
+    return examine(joint_from_case(parse_case(text, source="x")))
+
+
+def dimensions(document):
+    return {e["contact"]: e for e in document["diagnostics"] if e["name"] == "fractal_dimension"}
+
+
+def test_the_range_in_which_the_law_is_verified_is_a_diagnostic(text, examination):
+    inside = joint_document(case=parse_case(text, source="x"), examination=examination)
+    assert dimensions(inside)[None]["ok"]
+    low = parse_case(text.replace("fractal_dimension = 1.4", "fractal_dimension = 1.01"), source="x")
+    entry = dimensions(joint_document(case=low, examination=examination))[None]
+    assert (entry["value"], entry["limit"], entry["ok"]) == (1.01, 1.02, False)
+    five = text[: text.index("[surface]")] + "".join(
+        f'[surface.{c}]\nfractal_dimension = {d}\nfractal_roughness = "1e-8 mm"\nfrequency_ratio = 1.5\n'
+        for c, d in zip(("sp", "pwr", "pwl", "wro", "wlo"), (1.4, 1.995, 1.5, 1.6, 1.7), strict=True)
+    )
+    told = dimensions(joint_document(case=parse_case(five, source="x"), examination=examination))
+    assert [entry["ok"] for entry in told.values()] == [True, False, True, True, True]
+    assert told["pwr"]["limit"] == 1.99
+
+
+def test_what_json_cannot_say_is_null(text, examination):
+    contacts = dataclasses.replace(examination.result.contacts, critical_area=np.full(5, np.inf))
+    broken = dataclasses.replace(
+        examination, result=dataclasses.replace(examination.result, contacts=contacts)
+    )
+    document = joint_document(case=parse_case(text, source="x"), examination=broken)
+    assert document["contacts"]["sp"]["critical_area_m2"] is None
+    json.dumps(document, allow_nan=False)
+
+
+def test_what_the_file_leaves_out_is_told(text):
+    assert len(assumptions(parse_case(text, source="x"))) == 4
+    partly = parse_case(text + '[compliance]\npin_stiffness = "100 N/um"\n', source="x")
+    assert any("input_shaft_stiffness" in sentence for sentence in assumptions(partly))
