@@ -120,7 +120,7 @@ def stiffness_interval(joint: Joint, measurement: SurfaceMeasurement) -> dict[st
     )
     batch = dataclasses.replace(joint, surfaces=(surface,))
     result = compile_fast(evaluate, batch)(batch)
-    solved = np.broadcast_to(result.solved, surface.fractal_dimension.shape)
+    solved = np.broadcast_to(result.solved, np.shape(surface.fractal_dimension))
     tail = 50.0 * (1.0 - CONFIDENCE)
     document: dict[str, Any] = {
         "confidence": CONFIDENCE,

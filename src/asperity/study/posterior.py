@@ -207,7 +207,9 @@ def traceable_prediction(model: CurveModel) -> Callable[[Array], Array]:
         If the unknowns contain a play torque.
     """
     if any(unknown.path == "play_torque" for unknown in model.unknowns):
-        raise InputError("the posterior has no play torque; leave the unknown play_torque out, or draw no posterior")
+        raise InputError(
+            "the posterior has no play torque; leave the unknown play_torque out, or draw no posterior"
+        )
     torque = jnp.asarray(model.torque)
     weights = None if model.weights is None else jnp.asarray(model.weights)
     base = np.full(len(model.unknowns), 0.5)
