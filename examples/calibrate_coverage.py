@@ -46,7 +46,13 @@ def coverage(count: int) -> dict[str, tuple[int, float]]:
             torque, exact + SCATTER * rng.standard_normal(75), None, data.time, data.repetition, "synthetic"
         )
         found = calibrate(
-            case=case, measurement=noisy, unknowns=unknowns, level="assembly", history="virgin", starts=1, seed=0
+            case=case,
+            measurement=noisy,
+            unknowns=unknowns,
+            level="assembly",
+            history="virgin",
+            starts=1,
+            seed=0,
         )
         for each, value in zip(found.estimates, TRUTH.values(), strict=True):
             held[each.path] += each.lower < value < each.upper
@@ -59,7 +65,9 @@ def main() -> None:
     error = 100.0 * (0.95 * 0.05 / count) ** 0.5
     print(f"95 % intervals over {count} synthetic curves (counting error {error:.1f} %)")
     for path, (held, width) in coverage(count).items():
-        print(f"  {path:28s} {100.0 * held / count:5.1f} %   mean half-width {100.0 * width:.3g} % of the value")
+        print(
+            f"  {path:28s} {100.0 * held / count:5.1f} %   mean half-width {100.0 * width:.3g} % of the value"
+        )
 
 
 if __name__ == "__main__":

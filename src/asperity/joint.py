@@ -240,7 +240,7 @@ def solve(joint: Joint) -> JointResult:
         If JAX is in single precision.
     """
     require_double_precision()
-    result = _evaluate_compiled(joint)
+    result = _evaluate_compiled(jax.tree.map(jnp.asarray, joint))  # arrays: a new number is no new program
     unsolved = ~result.solved
     if isinstance(unsolved, jax.core.Tracer):
         checked: JointResult = eqx.error_if(

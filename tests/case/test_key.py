@@ -24,7 +24,7 @@ def test_a_quantity_is_read_in_si_with_its_tolerance_and_its_text():
 
 @pytest.mark.parametrize("written", ["0.001 mm", "1 um", "100 m", "100000 mm"])
 def test_a_closed_bound_belongs_to_the_range_in_every_unit(written):
-    RADIUS.read(written)
+    assert RADIUS.read(written).text == written
 
 
 @pytest.mark.parametrize(

@@ -19,7 +19,9 @@ from asperity.study.unknowns import read_unknowns
 def folder(tmp_path):
     joint = tmp_path / "joint.toml"
     joint.write_text(files("asperity.case").joinpath("zou2025.toml").read_text())
-    torque = np.concatenate([np.linspace(0.0, 8.0, 9), np.linspace(7.0, -8.0, 16), np.linspace(-7.0, 8.0, 16)])
+    torque = np.concatenate(
+        [np.linspace(0.0, 8.0, 9), np.linspace(7.0, -8.0, 16), np.linspace(-7.0, 8.0, 16)]
+    )
     data = Measurement(torque, np.zeros(torque.size), None, None, np.zeros(torque.size), "")
     case = read_case(joint)
     unknowns = read_unknowns(["load.preload"], case=case, measurement=data)

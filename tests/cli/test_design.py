@@ -71,5 +71,10 @@ def test_materials():
     assert result.exit_code == 0
     assert "52100" in result.stdout
     assert "superfinished" in result.stdout
-    assert json.loads(invoke("materials", "440C", "--json").stdout)["materials"]["440C"]["numbers"]["poisson_ratio"] == 0.28
+    assert (
+        json.loads(invoke("materials", "440C", "--json").stdout)["materials"]["440C"]["numbers"][
+            "poisson_ratio"
+        ]
+        == 0.28
+    )
     assert isinstance(invoke("materials", "441C").exception, InputError)

@@ -13,7 +13,6 @@ import numpy as np
 import pytest
 
 from asperity.drive.force_balance import force_balance
-from asperity.drive.mechanism import rest_state
 from asperity.joint import mechanism
 
 SIZE = 256
@@ -295,21 +294,6 @@ def test_no_losses_nine_to_one_and_rest_at_no_torque(forces_of, closure):
     rest = {"N_sp": 1000.0, "N_pwr": side, "N_pwl": side}
     for name, value in rest.items():
         assert f[name][0] == pytest.approx(value, rel=1e-6)
-
-
-def test_rest_state_balances_with_inclined_pins(paper_joint):
-    x = {key: value[:5] for key, value in random_drives(6).items()}
-    joint = paper_joint(**x)
-    rest = rest_state(geometry=joint.geometry, preload=joint.preload)
-    _, _, theta, beta = by_cosines(x)
-    sp, pwr, pwl, wro, wlo = np.asarray(rest.normal_force)
-    np.testing.assert_allclose(sp, (pwr + pwl) * np.cos(theta), rtol=1e-12)
-    for pw, wo, pin, angle in (
-        (pwr, wro, rest.pin_force_right, x["right_push_angle"]),
-        (pwl, wlo, rest.pin_force_left, x["left_push_angle"]),
-    ):
-        np.testing.assert_allclose(pin * np.cos(angle), pw * np.sin(beta), rtol=1e-12)
-        np.testing.assert_allclose(pin * np.sin(angle) + pw * np.cos(beta), wo, rtol=1e-12)
 
 
 def test_forces_move_with_torque_as_in_figure_5(forces_of):

@@ -47,9 +47,7 @@ def curve(case):
     torque = np.concatenate([history(), history()])
     repetition = np.repeat([1.0, 2.0], torque.size // 2)
     data = blank(torque, repetition)
-    joint = predicted(
-        case, data, ["load.preload", "load.friction_coefficient"], [900.0, 0.14]
-    )
+    joint = predicted(case, data, ["load.preload", "load.friction_coefficient"], [900.0, 0.14])
     extras = 0.5 * PLAY * np.sign(torque) + DRIFT * data.time + np.where(repetition == 1.0, *OFFSETS)
     return data, joint + extras
 
@@ -100,14 +98,16 @@ def test_misfit_shows_in_the_residuals(case, curve):
 
 
 def test_what_cannot_be_told_apart_is_named(case, curve):
-    # D = 1.4 at G = 1e-8 mm: asperities are a thousand times stiffer than the bodies, so D and G leave no trace
-    data, angle = curve
-    noise = 5e-6 * np.random.default_rng(3).standard_normal(angle.size)
+    # smooth surfaces are a thousand times stiffer than the bodies below them, so their roughness leaves no trace
+    data, _ = curve
+    roughness = "surface.fractal_roughness=1e-10 mm:1e-9 mm"
+    angle = predicted(case, data, ["load.preload", roughness], [900.0, 3e-13])
+    noise = 2e-5 * np.random.default_rng(3).standard_normal(angle.size)
     found = fitted(
         case,
         data,
         angle + noise,
-        texts=("load.preload", "surface.fractal_roughness=5e-9 mm:2e-8 mm", "offset=-1 arcmin:1 arcmin"),
+        texts=("load.preload", roughness),
     )
     by_name = {each.path: each for each in found.estimates}
     assert by_name["load.preload"].determined

@@ -14,7 +14,9 @@ from asperity.study.quantities import quantities_at
 
 
 def run(zou_file, text):
-    return design(design_from_tables(tomllib.loads('joint = "zou2025.toml"\n' + text), folder=zou_file.parent))
+    return design(
+        design_from_tables(tomllib.loads('joint = "zou2025.toml"\n' + text), folder=zou_file.parent)
+    )
 
 
 @pytest.fixture(scope="module")
@@ -60,7 +62,7 @@ def test_smallest_preload_against_bisection(zou_file, values):
 def test_written_file_says_what_the_search_saw(zou_file):
     found = run(
         zou_file,
-        '[variables]\nsurface.fractal_dimension = { lower = 1.3, upper = 1.9 }\n'
+        "[variables]\nsurface.fractal_dimension = { lower = 1.3, upper = 1.9 }\n"
         'load.preload = { lower = "300 N", upper = "3000 N" }\n[objective]\nmaximise = "stiffness"\n'
         "[constraints]\npressure_over_first_yield = { at_most = 1.6 }\n[search]\nstarts = 1",
     )

@@ -57,9 +57,17 @@ def test_good_file(zou_file):
         ("upper = 1.9", "upper = 2.5", "2.5 is not allowed"),
         ("upper = 1.9", "upper = 1.2", "must be below the upper"),
         ("upper = 1.9", 'upper = 1.9, scale = "cubic"', "not one of log, linear"),
-        ("surface.fractal_dimension = ", "surface.fractal_dimensions = ", "did you mean 'surface.fractal_dimension'"),
+        (
+            "surface.fractal_dimension = ",
+            "surface.fractal_dimensions = ",
+            "did you mean 'surface.fractal_dimension'",
+        ),
         ('"1e-9 mm"', "1e-9", "bare number"),
-        ("surface.fractal_dimension = { lower = 1.3, upper = 1.9 }", "drive.planets = { lower = 3, upper = 5 }", "whole numbers"),
+        (
+            "surface.fractal_dimension = { lower = 1.3, upper = 1.9 }",
+            "drive.planets = { lower = 3, upper = 5 }",
+            "whole numbers",
+        ),
         ('{ at_most = "210 mm" }', '{ at_most = "210 N" }', "expected a length"),
         ('{ at_most = "210 mm" }', "{ }", "say 'at_most' or 'at_least'"),
         ('contacts = ["sp"]', 'contacts = ["xx"]', "not one of sp, pwr"),
@@ -94,7 +102,11 @@ def test_unreadable(tmp_path):
 
 
 def test_corners_and_samples_of_tolerances(tmp_path, zou_file):
-    text = zou_file.read_text().replace('"13.5 mm"', '"13.5 mm +- 5 um"').replace('"1000 N"', '"1000 N +- 100 N"')
+    text = (
+        zou_file.read_text()
+        .replace('"13.5 mm"', '"13.5 mm +- 5 um"')
+        .replace('"1000 N"', '"1000 N +- 100 N"')
+    )
     (tmp_path / "zou2025.toml").write_text(text)
     corners = problem(GOOD.replace("[worst_case]", '[worst_case]\ntolerances = "corners"'), tmp_path)
     states = scenarios(corners)
@@ -104,7 +116,9 @@ def test_corners_and_samples_of_tolerances(tmp_path, zou_file):
     }  # fmt: skip
     changes = states.changes({"load.preload": 500.0})
     assert set(changes["load.preload"].round(6)) == {400.0, 500.0, 600.0}
-    sampled = problem(GOOD.replace("[worst_case]", '[worst_case]\ntolerances = "samples"\nsamples = 7'), tmp_path)
+    sampled = problem(
+        GOOD.replace("[worst_case]", '[worst_case]\ntolerances = "samples"\nsamples = 7'), tmp_path
+    )
     assert scenarios(sampled).torques.size == 1 + 4 * 8
 
 

@@ -26,7 +26,9 @@ def test_linear_model():
         chains=2,
         seed=0,
     )
-    expected = deviation * np.sqrt(np.diag(np.linalg.inv(design.T @ design)))  # t with 58 degrees of freedom, nearly
+    expected = deviation * np.sqrt(
+        np.diag(np.linalg.inv(design.T @ design))
+    )  # t with 58 degrees of freedom, nearly
     assert found.places.shape == (1200, 2)
     assert found.places.mean(axis=0) == pytest.approx(fit, abs=0.15 * expected.max())
     assert found.places.std(axis=0) == pytest.approx(expected, rel=0.15)

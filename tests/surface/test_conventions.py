@@ -51,7 +51,7 @@ def test_profile_spectrum_of_a_surface_is_the_integral_of_the_areal_one(D, G):
     fx = 1e5
     areal = c.areal_roughness_from_profile(fractal_dimension=D, fractal_roughness=G)
 
-    def C(fy):
+    def areal_density(fy):
         return (
             float(
                 c.areal_power_spectral_density(
@@ -64,7 +64,7 @@ def test_profile_spectrum_of_a_surface_is_the_integral_of_the_areal_one(D, G):
     unit = float(
         c.areal_power_spectral_density(frequency=fx, fractal_dimension=D, areal_fractal_roughness=areal)
     )
-    P = 4 * fx * unit * quad(C, 0, np.inf)[0]
+    P = 4 * fx * unit * quad(areal_density, 0, np.inf)[0]
     np.testing.assert_allclose(
         c.power_spectral_density(frequency=fx, fractal_dimension=D, fractal_roughness=G), P, rtol=1e-7
     )

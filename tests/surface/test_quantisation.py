@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from asperity.surface.quantisation import height_step, quantisation_noise_density
+from asperity.surface.quantisation import height_step, quantisation_noise_density, resolved_frequency
 
 
 def test_step_is_found_under_a_tilt_and_absent_without_rounding():
@@ -11,6 +11,23 @@ def test_step_is_found_under_a_tilt_and_absent_without_rounding():
     assert height_step(profiles=z) is None
     rounded = np.round(z / 0.7) * 0.7 + 0.01 * np.arange(3000)
     assert height_step(profiles=rounded) == pytest.approx(0.7, rel=0.02)
+
+
+def test_staircase_with_rare_steps():
+    z = np.cumsum(np.cumsum(np.random.default_rng(1).standard_normal((1, 20000)), axis=1), axis=1)
+    step = 1e-2 * z.std()
+    got = height_step(profiles=np.round(z / step) * step)
+    assert got == pytest.approx(step, rel=1e-3)
+
+
+def test_coarse_steps_are_found_and_limit_the_frequency():
+    z = np.cumsum(np.random.default_rng(0).standard_normal((1, 20000)), axis=1)
+    rounded = np.round(z / 5.0) * 5.0
+    step = height_step(profiles=rounded)
+    assert step == pytest.approx(5.0, rel=0.01)
+    # a random walk moves by 5 rms in 25 points: waves of 100 points are resolved
+    assert resolved_frequency(profiles=rounded, step=step, spacing=1.0) == pytest.approx(0.01, rel=0.5)
+    assert resolved_frequency(profiles=z, step=0.1, spacing=1.0) == np.inf
 
 
 def test_bearing_step(shared_data):

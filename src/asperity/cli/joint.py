@@ -10,10 +10,19 @@ import click
 @click.option(
     "--json", "as_json", is_flag=True, help="Print one JSON document in SI units instead of tables."
 )
-def joint(file: str, as_json: bool) -> None:
+@click.option(
+    "--surface",
+    "surfaces",
+    multiple=True,
+    type=click.Path(),
+    metavar="MEASUREMENT",
+    help="Measured surface of all contacts, from 'asperity surface measure --json'; twice: one for each body.",
+)
+def joint(file: str, as_json: bool, surfaces: tuple[str, ...]) -> None:
     """Forces, contacts, torsional stiffness and warnings of the joint described in FILE.
 
-    FILE is a TOML file; 'asperity init' writes one with comments.
+    FILE is a TOML file; 'asperity init' writes one with comments. With --surface the measured D and G take the
+    place of the file's, and their uncertainty comes out as an interval of the stiffness.
     """
     from asperity.case.reader import read_case
 
@@ -26,7 +35,18 @@ def joint(file: str, as_json: bool) -> None:
     from asperity.examination import examine
     from asperity.joint_document import joint_document
 
-    document = joint_document(case=case, examination=examine(joint_from_case(case)))
+    measured = None
+    if surfaces:
+        from asperity.measured_joint import measured_surface, stiffness_interval, with_measured_surface
+        from asperity.surface.measurement import measurement_document
+
+        measured = measured_surface(surfaces)
+        case = with_measured_surface(case, measured)
+    described = joint_from_case(case)
+    document = joint_document(case=case, examination=examine(described))
+    if measured is not None:
+        document["measured_surface"] = measurement_document(measurement=measured)
+        document["stiffness_interval"] = stiffness_interval(described, measured)
     if as_json:
         import json
 

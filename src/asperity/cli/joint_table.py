@@ -80,6 +80,28 @@ def _show_stiffness(target: Console, document: Document) -> None:
             _number(entry["output_Nm_per_arcmin"]),
         )
     target.print(shown)
+    interval = document.get("stiffness_interval")
+    if interval is None:
+        return
+    measured = document["measured_surface"]
+    spread = table(
+        target,
+        f"{interval['confidence']:.0%} interval from the measured surface "
+        f"(D = {measured['fractal_dimension']:.3f}, G = {_in(measured['fractal_roughness_m'], 'mm')})",
+        "model",
+        "output from\nN·m/rad",
+        "output to\nN·m/rad",
+    )
+    for name, meaning in _MODELS:
+        spread.add_row(
+            meaning, _number(interval[name]["low_Nm_per_rad"]), _number(interval[name]["high_Nm_per_rad"])
+        )
+    target.print(spread)
+    if interval["outside"] or interval["unsolved"]:
+        target.print(
+            f"of {interval['draws']} draws of D and G, {interval['outside']} had a D outside 1 to 2 and "
+            f"{interval['unsolved']} no solution; they are left out"
+        )
 
 
 def _show_contacts(target: Console, document: Document) -> None:

@@ -119,7 +119,7 @@ def measure(files: tuple[Path, ...], as_json: bool, plot: Path | None, **options
         raise InputError("a profile has no direction y; leave --direction out")
     topographies = [s.topography for s in surfaces]
     fits = directional_fits(
-        surfaces=topographies,
+        surfaces=surfaces,
         estimator=options["estimator"],
         frequency_ratio=options["gamma"],
         shortest_wavelength=options["shortest"],

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import jax.numpy as jnp
 from jax import Array
 
@@ -14,8 +16,8 @@ def balance_equations(
     *,
     geometry: DriveGeometry,
     bearings: Bearings,
-    normal: Array,
-    tangential: Array,
+    normal: Sequence[Array] | Array,
+    tangential: Sequence[Array] | Array,
     pin_left: Real,
     pin_right: Real,
     left_bearing_torque: Real,
@@ -33,7 +35,7 @@ def balance_equations(
         The drive.
     bearings : Bearings
         Friction of its bearings.
-    normal, tangential : Array
+    normal, tangential : sequence of Array
         Contact forces in the order of :data:`asperity.drive.geometry.CONTACT_NAMES`, shape (5, ...) [N].
     pin_left, pin_right : Real
         Carrier pin forces [N].

@@ -297,7 +297,7 @@ def _direction(
                 f"{unknown.path} {change * (unknown.upper - unknown.lower):+.3g}{_unit(unknown.path)}"
             )
     effect = abs(step) * singular / np.sqrt(model.measurement.torque.size) / spread
-    determined = along < UNINFORMED
+    determined = bool(along < UNINFORMED)
     verdict = "told by the data" if determined else "NOT told apart by the data"
     return Direction(
         shares={unknown.path: float(value) for unknown, value in zip(model.unknowns, row, strict=True)},

@@ -39,14 +39,17 @@ def design_figure(result: DesignResult) -> Figure:
     judge = Judge(problem)
     goal, count = problem.objectives[0], len(problem.variables)
     kind = QUANTITIES[goal.name]
-    columns = min(3, count)
+    columns = min(4, count)
     lines = -(-count // columns)
-    figure = Figure(figsize=(4.0 * columns, 3.2 * lines + 0.5), layout="constrained")
+    figure = Figure(figsize=(3.4 * columns + 1.0, 4.6 * lines + 0.5), layout="constrained")
+    grid = figure.add_gridspec(2 * lines, columns, height_ratios=[3.0, 1.6] * lines)
     centre = judge.places(result.point)
     for index, variable in enumerate(problem.variables):
-        axes = figure.add_subplot(lines, columns, index + 1)
+        line, column = divmod(index, columns)
+        axes = figure.add_subplot(grid[2 * line, column])
+        below = figure.add_subplot(grid[2 * line + 1, column], sharex=axes)
         places = np.tile(centre, (_POINTS, 1))
-        places[:, index] = np.linspace(0.0, 1.0, _POINTS)
+        places[:, index] = np.sort(np.append(np.linspace(0.0, 1.0, _POINTS - 1), centre[index]))
         objectives, margins = judge.judge_many(places)
         key = key_at(variable.path)
         x = np.array([from_si(float(v), key.unit) for v in variable.from_unit(places[:, index])])
@@ -54,23 +57,28 @@ def design_figure(result: DesignResult) -> Figure:
         exists = np.abs(raw) < 1e200
         y = np.full(_POINTS, np.nan)
         y[exists] = [from_si(float(v), kind.unit) for v in raw[exists]]
-        fine = margins.min(axis=1) >= -1e-6
+        least = margins.min(axis=1)
+        fine = least >= -1e-6
+        here = from_si(result.point[variable.path], key.unit)
         axes.plot(x, y, color="0.65", lw=1.5, label="a limit is broken")
         axes.plot(x, np.where(fine, y, np.nan), color="C0", lw=2.5, label="all limits met")
-        axes.plot(
-            from_si(result.point[variable.path], key.unit),
-            from_si(result.objective_after, kind.unit),
-            "o",
-            color="C3",
-            label="design",
-        )
+        axes.plot(here, from_si(result.objective_after, kind.unit), "o", color="C3", label="design")
+        below.plot(x, 100.0 * least, color="0.65", lw=1.5)
+        below.plot(x, np.where(fine, 100.0 * least, np.nan), color="C0", lw=2.5)
+        below.axhline(0.0, color="k", lw=0.7)
+        below.axvline(here, color="C3", lw=0.8)
+        below.set_ylim(max(-60.0, 100.0 * least.min() - 5.0), max(10.0, 100.0 * least.max() + 5.0))
         if variable.logarithmic:
             axes.set_xscale("log")
             if variable.upper > 8.0 * variable.lower:
                 axes.xaxis.set_minor_formatter(NullFormatter())
-        axes.set_xlabel(f"{variable.path} [{_shown(key.unit)}]")
-        axes.set_ylabel(f"{kind.label}\n[{_shown(kind.unit)}]" if index % columns == 0 else "")
-        axes.grid(alpha=0.3)
+        axes.tick_params(labelbottom=False)
+        below.set_xlabel(f"{variable.path} [{_shown(key.unit)}]", fontsize="small")
+        if column == 0:
+            axes.set_ylabel(f"{kind.label}\n[{_shown(kind.unit)}]", fontsize="small")
+            below.set_ylabel("smallest margin\nof the limits [%]", fontsize="small")
+        for panel in (axes, below):
+            panel.grid(alpha=0.3)
         if index == 0:
             axes.legend(fontsize="small")
     figure.suptitle(f"{goal.text}, {problem.level} stiffness, at its worst scenario", fontsize="medium")

@@ -111,6 +111,10 @@ def local_optimum(judge: Judge, start: np.ndarray) -> tuple[np.ndarray, bool]:
         largest_violation(judge(end)) <= FEASIBLE and optimality_gap(judge, end)[0] < OPTIMAL
     ):
         return end, True
+    if largest_violation(judge(end)) > FEASIBLE:
+        end = least_violation(judge, end)
+        if largest_violation(judge(end)) > FEASIBLE:
+            return end, False  # nothing to go on from: the limits conflict, at least around here
     import warnings
 
     with warnings.catch_warnings():
@@ -189,7 +193,8 @@ def optimality_gap(judge: Judge, places: np.ndarray) -> tuple[float, np.ndarray]
     Returns
     -------
     gap : float
-        What the active limits and bounds leave of the gradient, relative to it [-].
+        What the active limits and bounds leave of the gradient, relative to it, or to one logarithmic unit over the
+        range of a variable where the objective is flatter than that [-].
     multipliers : ndarray
         Of all margins, shape (rows,); where limits are missed, of the largest violation, adding up to one.
     """
@@ -213,8 +218,8 @@ def optimality_gap(judge: Judge, places: np.ndarray) -> tuple[float, np.ndarray]
     scale = max(1e-12, float(np.abs(pull).max()) if pull.size else 1.0)
     system = np.vstack([pull.T / scale, ones[None, :]])
     weights, _ = nnls(system, np.append(np.zeros(size), 1.0))
-    gradient = np.linalg.norm(pull[: len(top)].T @ weights[: len(top)]) if len(top) else scale
-    rest = float(np.linalg.norm(pull.T @ weights) / max(float(gradient), 1e-12))
+    gradient = np.linalg.norm(pull[: len(top)].T @ weights[: len(top)]) if len(top) else 1.0
+    rest = float(np.linalg.norm(pull.T @ weights) / max(float(gradient), 1.0))
     multipliers = np.zeros(judged.margins.size)
     multipliers[near] = weights[len(top) : len(top) + int(near.sum())]
     return rest, multipliers

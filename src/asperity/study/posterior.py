@@ -12,7 +12,7 @@ import numpy as np
 from jax import Array
 
 from asperity.case.values import replace_values
-from asperity.errors import MissingExtraError, NoSolutionError
+from asperity.errors import InputError, MissingExtraError, NoSolutionError
 from asperity.precision import require_double_precision
 from asperity.study.calibrate import Calibration
 from asperity.study.curve_model import CurveModel
@@ -132,10 +132,11 @@ def sample(
         num_warmup=warmup,
         num_samples=draws,
         num_chains=chains,
-        chain_method="sequential",
+        chain_method="vectorized",
         progress_bar=False,
     )
-    run.run(jax.random.key(seed))
+    with jax.numpy_dtype_promotion("standard"):  # NumPyro counts its steps in integers
+        run.run(jax.random.key(seed))
     by_chain = run.get_samples(group_by_chain=True)
     places = np.asarray(by_chain["places"])
     r_hat = np.atleast_1d(split_gelman_rubin(places))
@@ -202,11 +203,11 @@ def traceable_prediction(model: CurveModel) -> Callable[[Array], Array]:
 
     Raises
     ------
-    NoSolutionError
+    InputError
         If the unknowns contain a play torque.
     """
     if any(unknown.path == "play_torque" for unknown in model.unknowns):
-        raise NoSolutionError("the posterior has no play torque; calibrate without it")
+        raise InputError("the posterior has no play torque; leave the unknown play_torque out, or draw no posterior")
     torque = jnp.asarray(model.torque)
     weights = None if model.weights is None else jnp.asarray(model.weights)
     base = np.full(len(model.unknowns), 0.5)

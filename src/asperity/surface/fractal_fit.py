@@ -13,7 +13,7 @@ from scipy.stats import norm
 from asperity.errors import InputError, NoSolutionError
 from asperity.surface import conventions
 from asperity.surface.line_spectrum import fit_lines
-from asperity.surface.quantisation import height_step, quantisation_noise_density
+from asperity.surface.quantisation import height_step, quantisation_noise_density, resolved_frequency
 from asperity.surface.self_affine_band import NARROWEST_DECADES, BandSearch, widest_power_law
 from asperity.surface.spectral_likelihood import SpectralFit
 from asperity.surface.spectrum import BinnedSpectrum, binned_spectrum
@@ -93,6 +93,7 @@ def fractal_fit(
     rows_of_a_map: bool,
     shortest_wavelength: float | None = None,
     longest_wavelength: float | None = None,
+    known_height_step: float | None = None,
 ) -> FractalFit:
     """Fractal dimension and roughness of parallel profiles, or a refusal.
 
@@ -110,6 +111,8 @@ def fractal_fit(
         Whether the profiles are neighbouring rows of one map, which resemble each other, or independent.
     shortest_wavelength, longest_wavelength : float or None
         Limits of the band [m]; None lets the search choose.
+    known_height_step : float or None
+        Step to which the instrument rounded the heights [m], as seen before levelling; None looks for one.
 
     Returns
     -------
@@ -150,7 +153,7 @@ def fractal_fit(
                 f"of a power law; "
                 "use the estimator 'likelihood' for a continuous spectrum"
             )
-    step = height_step(profiles=profiles)
+    step = known_height_step if known_height_step is not None else height_step(profiles=profiles)
     noise = quantisation_noise_density(step=step, spacing=spacing) if step is not None else 0.0
     hann = estimator == "power_spectrum"
     spectrum = binned_spectrum(
@@ -165,6 +168,9 @@ def fractal_fit(
         low=None if longest_wavelength is None else 1.0 / longest_wavelength,
         high=None if shortest_wavelength is None else 1.0 / shortest_wavelength,
         noise_density=noise,
+        resolved_frequency=math.inf
+        if step is None
+        else resolved_frequency(profiles=profiles, step=step, spacing=spacing),
     )
     fit = _accepted(search, step)
     common = {
@@ -189,8 +195,10 @@ def _accepted(search: BandSearch, step: float | None) -> SpectralFit:
         D, error = search.fit.fractal_dimension, math.sqrt(search.fit.covariance[0, 0])
         if D - CERTAIN * error > 1.0 and D + CERTAIN * error < 2.0:
             return search.fit
+        reason = (
             f"D = {D:.3f} +- {CERTAIN * error:.3f} (95 %) cannot be told from the limits 1 and 2 of a "
             "fractal profile"
+        )
     else:
         reason = search.reason
     quantised = "" if step is None else f"; the heights are quantised in steps of {1e6 * step:.4g} um"

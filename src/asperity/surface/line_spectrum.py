@@ -144,9 +144,8 @@ def _regression(
 ) -> tuple[NDArray[np.float64], NDArray[np.float64], float]:
     """(D, ln G), their covariance and the misfit, from a straight line of ln a against ln f.
 
-    every = np.concatenate(log_f)
-    if every.size < 4 or np.ptp(every) < np.log(9.99):
-    their median, so that no single line decides.
+    A variance is added to those of the amplitudes until chi-square is one per degree of freedom; it starts
+    from their median, so that no single line decides.
     """
     x, y, s = np.concatenate(log_f), np.concatenate(log_a), np.concatenate(error)
     floor = float(np.median(s) ** 2)

@@ -13,6 +13,7 @@ from asperity.surface.filters import filtered
 from asperity.surface.fractal_fit import FractalFit, fractal_fit
 from asperity.surface.height_parameters import HeightParameters, height_parameters
 from asperity.surface.levelling import levelled, without_outliers
+from asperity.surface.quantisation import height_step
 from asperity.surface.topography import Topography, without_missing
 
 
@@ -45,10 +46,11 @@ class Conditioning:
 
 @dataclass(frozen=True)
 class MeasuredSurface:
-    """One conditioned surface with its height parameters."""
+    """One conditioned surface, its height parameters, and the step of its heights before levelling [m]."""
 
     topography: Topography
     heights: HeightParameters
+    height_step: float | None
 
 
 def conditioned(*, topography: Topography, conditioning: Conditioning) -> MeasuredSurface:
@@ -67,7 +69,8 @@ def conditioned(*, topography: Topography, conditioning: Conditioning) -> Measur
     rough = filtered(
         topography=flat, short_cutoff=conditioning.short_cutoff, long_cutoff=conditioning.long_cutoff
     )
-    return MeasuredSurface(flat, height_parameters(topography=rough))
+    step = height_step(profiles=complete.profiles(direction="x")[0])
+    return MeasuredSurface(flat, height_parameters(topography=rough), step)
 
 
 def pooled_profiles(*, surfaces: list[Topography], direction: str) -> tuple[NDArray[np.float64], float, bool]:
@@ -120,7 +123,7 @@ class DirectionalFits:
 
 def directional_fits(
     *,
-    surfaces: list[Topography],
+    surfaces: list[MeasuredSurface],
     estimator: str,
     frequency_ratio: float,
     shortest_wavelength: float | None,
@@ -133,9 +136,12 @@ def directional_fits(
     InputError
         If the surfaces do not go together; a missing power law is returned as its reason instead.
     """
+    steps = [surface.height_step for surface in surfaces if surface.height_step is not None]
 
     def attempt(direction: str) -> FractalFit | str:
-        profiles, spacing, rows_of_a_map = pooled_profiles(surfaces=surfaces, direction=direction)
+        profiles, spacing, rows_of_a_map = pooled_profiles(
+            surfaces=[surface.topography for surface in surfaces], direction=direction
+        )
         try:
             return fractal_fit(
                 profiles=profiles,
@@ -145,8 +151,9 @@ def directional_fits(
                 rows_of_a_map=rows_of_a_map,
                 shortest_wavelength=shortest_wavelength,
                 longest_wavelength=longest_wavelength,
+                known_height_step=max(steps, default=None),
             )
         except NoSolutionError as refusal:
             return str(refusal)
 
-    return DirectionalFits(attempt("x"), attempt("y") if surfaces[0].is_map else None)
+    return DirectionalFits(attempt("x"), attempt("y") if surfaces[0].topography.is_map else None)

@@ -111,7 +111,9 @@ def _instrument_topography(path: Path, height_unit: str | None, remark: str) -> 
     import warnings
 
     try:
-        import SurfaceTopography
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            import SurfaceTopography
     except ImportError:
         raise MissingExtraError(
             f"{path.name} is not plain text or .npy, so it needs a package of instrument readers that is not "

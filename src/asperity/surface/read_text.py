@@ -52,8 +52,6 @@ def text_topography(
     first, separator, comma = _data_block(lines, decimal, path)
     header = [line for line in lines[:first] if line.strip()]
     table = _table(lines, first, separator, comma, path)
-    if table.shape[1] > 1 and np.isnan(table[:, -1]).all():
-        table = table[:, :-1]
     names = _column_words(header, table.shape[1], separator)
     units = [unit_in_words(name) for name in names]
     columns = table.shape[1]

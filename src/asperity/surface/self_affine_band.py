@@ -39,7 +39,12 @@ class BandSearch:
 
 
 def widest_power_law(
-    *, spectrum: BinnedSpectrum, low: float | None, high: float | None, noise_density: float
+    *,
+    spectrum: BinnedSpectrum,
+    low: float | None,
+    high: float | None,
+    noise_density: float,
+    resolved_frequency: float,
 ) -> BandSearch:
     """Search for the widest self-affine band, or judge the band that is given.
 
@@ -51,6 +56,8 @@ def widest_power_law(
         Limits of the band [1/m]; None lets the search choose that limit.
     noise_density : float
         Known white noise of the instrument (such as that of quantised heights) [m^3]; zero if none is known.
+    resolved_frequency : float
+        Frequency above which the instrument does not resolve heights [1/m]; the search stays below it.
 
     Returns
     -------
@@ -59,7 +66,7 @@ def widest_power_law(
         floor, 1 < D < 2, and ln P scatters and bends about the fit by no more than the limits of this module.
     """
     lowest = LOWEST_ORDINATE / (spectrum.points * spectrum.spacing)
-    highest = spectrum.nyquist
+    highest = min(spectrum.nyquist, resolved_frequency)
     loud = spectrum.density[spectrum.frequency >= lowest] > 2.0 * noise_density
     if not loud.all():
         first = int(np.argmin(loud))
@@ -67,7 +74,7 @@ def widest_power_law(
             return BandSearch(
                 None, "the spectrum lies in the noise of quantised heights even at its long waves"
             )
-        highest = float(spectrum.frequency[spectrum.frequency >= lowest][first - 1])
+        highest = min(highest, float(spectrum.frequency[spectrum.frequency >= lowest][first - 1]))
     bottoms = [low] if low is not None else _edges(lowest, highest)
     tops = [high] if high is not None else _edges(lowest, highest)
     windows = sorted(

@@ -1,0 +1,72 @@
+"""The picture of the README: the drive to scale, and its stiffness at three levels of the model over D.
+
+Run it: ``python examples/stiffness_picture.py [picture.png]``.
+"""
+
+import sys
+from pathlib import Path
+
+import numpy as np
+from matplotlib import rc_context
+from matplotlib.figure import Figure
+
+from asperity.compilation import compile_fast
+from asperity.joint import evaluate
+from asperity.precision import use_compilation_cache, use_double_precision
+from asperity.zou2025.overview import draw_drive
+from asperity.zou2025.preset import DIMENSION_RANGE, operating_grid, table_2_joint
+from asperity.zou2025.style import ACCENT, MARK, MUTED, STYLE
+
+PICTURE = Path(__file__).parents[1] / "docs" / "images" / "readme.png"
+
+
+def stiffness_levels(dimension: np.ndarray) -> dict[str, np.ndarray]:
+    """Output stiffness of the paper's joint at 5 N·m by level of the model [N·m/rad]."""
+    joint = table_2_joint(operating_grid(fractal_dimension=dimension))
+    result = compile_fast(evaluate, joint)(joint)
+    assert bool(np.all(result.solved))
+    return {
+        "as published: asperities alone": np.asarray(result.published.output),
+        "with the elastic bodies in series": np.asarray(result.series_with_bulk.output),
+        "assembled, the planets floating": np.asarray(result.assembly.stiffness.output),
+    }
+
+
+def draw(dimension: np.ndarray, levels: dict[str, np.ndarray]) -> Figure:
+    with rc_context(STYLE):
+        figure = Figure(figsize=(11.0, 4.8), layout="constrained")
+        machine, curves = figure.subplots(1, 2, width_ratios=(1.0, 1.45))
+        geometry = table_2_joint(operating_grid()).geometry
+        draw_drive(machine, geometry)
+        machine.set_title("Planetary traction drive, to scale")
+        for (name, values), color in zip(levels.items(), (MUTED, ACCENT, MARK), strict=True):
+            curves.semilogy(dimension, values, color=color)
+            at = int(0.72 * dimension.size) if color == MUTED else int(0.45 * dimension.size)
+            curves.annotate(
+                name,
+                (dimension[at], values[at]),
+                xytext=(-8, 6) if color == MUTED else (0, 7),
+                textcoords="offset points",
+                color=color,
+                ha="right" if color == MUTED else "center",
+            )
+        curves.set_title("Its torsional stiffness, at three levels of the model")
+        curves.set_xlabel("fractal dimension $D$ of the surfaces ($G = 10^{-8}$ mm, 5 N·m)")
+        curves.set_ylabel("stiffness at the output [N·m/rad]")
+        curves.set_xlim(*DIMENSION_RANGE)
+    return figure
+
+
+def main(picture: Path = PICTURE) -> dict[str, np.ndarray]:
+    use_double_precision()
+    use_compilation_cache()
+    dimension = np.linspace(*DIMENSION_RANGE, 131)
+    levels = stiffness_levels(dimension)
+    draw(dimension, levels).savefig(picture, dpi=150)
+    for name, values in levels.items():
+        print(f"{name:36s}{np.min(values):10.3g} to {np.max(values):.3g} N·m/rad")
+    return levels
+
+
+if __name__ == "__main__":
+    main(*(Path(argument) for argument in sys.argv[1:2]))
