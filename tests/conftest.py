@@ -1,16 +1,28 @@
 """Shared set-up: double precision, strict promotion, and where the optional shared measurement files live."""
 
+import atexit
 import os
+import shutil
+import tempfile
 from pathlib import Path
 
 import jax
 import numpy as np
 import pytest
 
+from asperity.precision import use_compilation_cache
+
+if "ASPERITY_CACHE_DIR" not in os.environ:
+    # compiled once for all workers and subprocesses of this run, and thrown away with it
+    folder = tempfile.mkdtemp(prefix="asperity-tests-")
+    atexit.register(shutil.rmtree, folder, ignore_errors=True)
+    os.environ["ASPERITY_CACHE_DIR"] = folder
+
 jax.config.update("jax_enable_x64", True)
 jax.config.update("jax_numpy_dtype_promotion", "strict")
 # most of the suite's time is compilation; the unoptimised programs compute the same numbers in a third of it
 jax.config.update("jax_disable_most_optimizations", True)
+use_compilation_cache()
 
 SHARED = Path(os.environ.get("ASPERITY_SHARED_DATA", Path(__file__).parents[2] / "shared"))
 
