@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     import xarray
     from matplotlib.figure import Figure
 
-_MOST_ROWS = 200
+_MOST_ROWS = 60
 _SHOWN = (
     "assembly_stiffness_output",
     "series_with_bulk_stiffness_output",

@@ -27,7 +27,7 @@ from asperity.types import Real
 BALANCE_TOLERANCE = 1e-9
 
 _NEWTON_BUDGET = 20
-_STEP_TOLERANCE = 1e-5  # convergence is quadratic: what such a last step leaves behind is below 1e-11
+_STEP_TOLERANCE = 1e-6  # convergence is quadratic: what such a last step leaves behind is below 1e-13
 
 
 class DriveForces(eqx.Module):
