@@ -24,7 +24,7 @@ import numpy as np
 
 from asperity.contact.fractal import Surface
 from asperity.drive.assembly import RIGID_SUPPORTS
-from asperity.drive.force_balance import Bearings
+from asperity.drive.mechanism import Bearings
 from asperity.drive.geometry import DriveGeometry
 from asperity.joint import Bodies, Joint, evaluate
 from asperity.materials import Material
