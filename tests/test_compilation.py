@@ -70,3 +70,17 @@ def test_a_change_of_the_source_is_another_program(monkeypatch):
     assert compilation._fingerprint(_programs, structure, ()) != before
     monkeypatch.setattr(compilation.Path, "read_bytes", lambda path: b"changed")
     assert compilation._fingerprint(_twice, structure, ()) != before
+
+
+def test_closures_of_one_name_never_share_a_program(cache):
+    """A closure's name does not say what it computes; keeping its program gave one study the numbers of another."""
+    pytest.importorskip("flatbuffers")
+
+    def times(factor):
+        return lambda numbers: {"f": factor * numbers["f"]}
+
+    numbers = {"f": np.float64(5.0)}
+    assert compile_fast(times(2.0), numbers)(numbers)["f"] == 10.0
+    compilation._compiled.cache_clear()  # as in a new process
+    assert compile_fast(times(3.0), numbers)(numbers)["f"] == 15.0
+    assert not _programs(cache)

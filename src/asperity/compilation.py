@@ -14,6 +14,7 @@ import importlib.util
 import os
 import pickle
 import platform
+import sys
 from collections.abc import Callable
 from importlib.metadata import version
 from pathlib import Path
@@ -35,7 +36,8 @@ def compile_fast(function: Callable[..., Any], *arguments: Any) -> Callable[...,
     Parameters
     ----------
     function : callable
-        A pure function of modules of numbers, of this package and known by its name: what is compiled is kept.
+        A pure function of modules of numbers. Its program is kept between runs only if it is a function of a module
+        of this package, known by its name; a closure is compiled anew in every process.
     *arguments
         Modules whose leaves are arrays, of the shapes that the function will be called with.
 
@@ -81,6 +83,8 @@ def _kept_program(
     folder = jax.config.jax_compilation_cache_dir  # type: ignore[attr-defined]
     if not folder or importlib.util.find_spec("flatbuffers") is None:  # what jax.export writes its files with
         return None
+    if not _known_by_name(function):
+        return None
     from jax import export
 
     file = Path(folder) / f"asperity-{_fingerprint(function, structure, kinds)}.program"
@@ -102,6 +106,12 @@ def _kept_program(
     skeleton = jax.tree.unflatten(result_structure, [0] * len(exported.out_avals))
     _keep(file, pickle.dumps((bytes(exported.serialize()), skeleton)))
     return exported.call, result_structure
+
+
+def _known_by_name(function: Callable[..., Any]) -> bool:
+    """Whether the function's name says everything about it: a closure of the same name may compute something else."""
+    module = sys.modules.get(function.__module__)
+    return getattr(module, getattr(function, "__qualname__", ""), None) is function
 
 
 def _keep(file: Path, content: bytes) -> None:
