@@ -138,7 +138,7 @@ def block_shape(shape: tuple[int, ...], most: int) -> tuple[int, ...]:
     >>> block_shape((100, 100, 100), 30_000), block_shape((7, 11), 1000)
     ((3, 100, 100), (7, 11))
     >>> block_shape((1000, 1000), 300_000)
-    ((250, 1000))
+    (250, 1000)
     """
     block = []
     room = max(most, 1)
