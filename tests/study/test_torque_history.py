@@ -56,3 +56,18 @@ def test_tiny_reversals_hardly_matter():
 def test_no_torque_is_refused():
     with pytest.raises(InputError, match="all measured torques are zero"):
         curve_operator(np.zeros(3), "virgin")
+
+
+def test_full_loops_of_a_mindlin_spring_near_its_capacity():
+    """K = K0 (1 - T/Tc)^(1/3) in closed form; the error of the fixed panels grows towards the capacity."""
+    stiffness, capacity = 2.0e4, 13.17
+
+    def loading(torque):
+        return 1.5 * capacity / stiffness * (1.0 - (1.0 - torque / capacity) ** (2.0 / 3.0))
+
+    for largest, allowed in ((5.0, 2e-10), (10.0, 1e-7), (12.0, 5e-6)):
+        down = np.linspace(largest, -largest, 41)
+        operator = curve_operator(np.concatenate([[largest], down[1:]]), "virgin")
+        found = operator.weights @ (1.0 / (stiffness * (1.0 - operator.torque / capacity) ** (1.0 / 3.0)))
+        expected = loading(largest) - 2.0 * loading((largest - down) / 2.0)
+        assert np.max(np.abs(found - expected)) < allowed * loading(largest)
