@@ -55,3 +55,29 @@ def test_a_pulling_iterate_sees_the_continued_tangent():
     at = [float(compression(springs=spring, normal_force=n, rest_force=1000.0)) for n in (-100.0, -50.0, 0.0)]
     assert at[0] < at[1] < at[2]
     assert at[2] - at[1] == pytest.approx(at[1] - at[0], rel=1e-9)
+
+
+def test_the_steepest_compliance_is_that_of_a_contact_about_to_lift():
+    spring, rest = springs_at(1000.0), 1000.0
+    steepest = float(steepest_compliance(spring))
+    low, high = (
+        float(compression(springs=spring, normal_force=n, rest_force=rest)) for n in (-1.0, 0.9e-6 * rest)
+    )
+    assert (high - low) / (1.0 + 0.9e-6 * rest) == pytest.approx(steepest, rel=1e-9)
+    for force in (1.0, 100.0, 1000.0, 5000.0):
+        slope = (johnson(1.001 * force) - johnson(0.999 * force)) / (0.002 * force)
+        assert slope < steepest
+
+
+def test_slopes_and_bends_of_the_compression_by_finite_differences():
+    spring = springs_at(1000.0)
+
+    def approach(force):
+        return compression(springs=spring, normal_force=force, rest_force=1000.0)
+
+    for force in (3.0, 400.0, 2500.0):
+        step = 1e-4 * force
+        at = [float(approach(force + k * step)) for k in (-1, 0, 1)]
+        assert float(jax.grad(approach)(force)) == pytest.approx((at[2] - at[0]) / (2 * step), rel=1e-6)
+        bend = (at[2] - 2 * at[1] + at[0]) / step**2
+        assert float(jax.grad(jax.grad(approach))(force)) == pytest.approx(bend, rel=1e-4)

@@ -141,7 +141,7 @@ def _solve_log_area_ratio(log_load_ratio: Array, dimension: Array, coefficient: 
         slope = 0.5 * dimension + growth
         second = growth * (power - growth)
         third = second * (power - 2.0 * growth)
-        newton = (0.5 * dimension * y + jnp.log1p(weight * rise) - log_load_ratio) / slope
+        newton = (0.5 * dimension * y + jnp.log(total) - log_load_ratio) / slope
         first_order = newton * second / slope
         y = y - newton * (1.0 - 0.5 * first_order) / (1.0 - first_order + newton**2 * third / (6.0 * slope))
     return jax.lax.optimization_barrier(y)  # keeps XLA from solving again for every use

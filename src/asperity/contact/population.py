@@ -14,7 +14,8 @@ from asperity.types import Real
 
 ContactFactorModel = Literal["printed", "hertz_area", "unity"]
 
-_HALLEY_STEPS = 2
+# ln psi within 2e-6 on 1 < D < 2, in powers of D - 1.5: least squares through the roots. Only where the search starts.
+_START = (0.693504, -0.389088, 0.216115, -0.118178, 0.0641424, -0.0394134, 0.0212984)
 
 
 def _extension_residual(log_psi: Array, dimension: Array) -> Array:
@@ -27,23 +28,23 @@ def _extension_residual(log_psi: Array, dimension: Array) -> Array:
 
 @jax.custom_jvp
 def _log_extension_factor(dimension: Array) -> Array:
-    golden = math.log((1.0 + math.sqrt(5.0)) / 2.0)
-    # exact limits: psi -> golden^2 as D -> 1 and e - 1 as D -> 2; linear between, then Halley
-    log_psi = 2.0 * golden * (2.0 - dimension) + math.log(math.e - 1.0) * (dimension - 1.0)
+    centred = dimension - 1.5
+    log_psi = jnp.full_like(dimension, _START[-1])
+    for coefficient in reversed(_START[:-1]):
+        log_psi = log_psi * centred + coefficient
+    # one step of Halley's method, whose error is cubed: below rounding
     distance = 2.0 - dimension
-    for _ in range(_HALLEY_STEPS):
-        weight = jnp.exp(-0.5 * dimension * log_psi)
-        share = weight / (1.0 + weight)
-        growth = jnp.expm1(0.5 * distance * log_psi)
-        shrink = jnp.expm1(-distance / dimension * jnp.log1p(weight))
-        residual = (growth - shrink) / distance - 1.0 / dimension
-        slope = 0.5 * ((1.0 + growth) - (1.0 + shrink) * share)
-        bend = 0.25 * (
-            distance * (1.0 + growth)
-            + (1.0 + shrink) * share * (dimension * (1.0 - share) - distance * share)
-        )
-        step = residual / slope
-        log_psi = log_psi - step / (1.0 - 0.5 * step * bend / slope)
+    weight = jnp.exp(-0.5 * dimension * log_psi)
+    share = weight / (1.0 + weight)
+    growth = jnp.expm1(0.5 * distance * log_psi)
+    shrink = jnp.expm1(-distance / dimension * jnp.log1p(weight))
+    residual = (growth - shrink) / distance - 1.0 / dimension
+    slope = 0.5 * ((1.0 + growth) - (1.0 + shrink) * share)
+    bend = 0.25 * (
+        distance * (1.0 + growth) + (1.0 + shrink) * share * (dimension * (1.0 - share) - distance * share)
+    )
+    step = residual / slope
+    log_psi = log_psi - step / (1.0 - 0.5 * step * bend / slope)
     return jax.lax.optimization_barrier(log_psi)  # keeps XLA from computing it again for every use
 
 
@@ -93,7 +94,7 @@ def domain_extension_factor(*, fractal_dimension: Real) -> Real:
 
     Notes
     -----
-    Two Halley steps in ln psi from the straight line between the two exact limits: within 1e-15 for all D.
+    One Halley step in ln psi from a polynomial within 2e-6 of it: within 1e-15 for all D.
     Derivatives are implicit, hence exact.
 
     References

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import math
 from typing import Literal, NamedTuple
 
 import equinox as eqx
+import jax
 import jax.numpy as jnp
 from jax import Array
 
@@ -73,14 +75,41 @@ def compression(*, springs: NormalSprings, normal_force: Real, rest_force: Real)
     ----------
     The Johnson and the Weber–Banaschek compressions, :mod:`asperity.contact.hertz_line`, are both of this form.
     """
-    ratio = normal_force / rest_force
-    loaded = ratio > _SMALL_LOAD
-    safe = jnp.where(loaded, ratio, _SMALL_LOAD)
+    ratio = normal_force * (1.0 / rest_force)
+    safe = jnp.where(ratio > _SMALL_LOAD, ratio, _SMALL_LOAD)
+    secant = springs.secant_compliance
+    bend = secant - springs.incremental_compliance
+    tangent = steepest_compliance(springs)
+    return rest_force * (secant * (safe - 1.0) - bend * _times_own_logarithm(safe) + tangent * (ratio - safe))
+
+
+def steepest_compliance(springs: NormalSprings) -> Real:
+    r"""Largest slope of :func:`compression`, that of a contact about to lift off.
+
+    Parameters
+    ----------
+    springs : NormalSprings
+        Secant and incremental compliance at rest [m/N].
+
+    Returns
+    -------
+    Real
+        :math:`t_0 - (s_0 - t_0) \ln 10^{-6}` [m/N], the tangent that :func:`compression` goes on with.
+    """
     bend = springs.secant_compliance - springs.incremental_compliance
-    log_safe = jnp.log(safe)
-    curve = safe * (springs.secant_compliance - bend * log_safe)
-    tangent = springs.incremental_compliance - bend * log_safe
-    return rest_force * (curve + tangent * (ratio - safe) - springs.secant_compliance)
+    return springs.incremental_compliance - bend * math.log(_SMALL_LOAD)
+
+
+@jax.custom_jvp
+def _times_own_logarithm(x: Array) -> Array:
+    """X ln x; its derivative 1 + ln x needs no division, which would cost the solver a pass over memory."""
+    return x * jnp.log(x)
+
+
+@_times_own_logarithm.defjvp
+def _times_own_logarithm_jvp(primals: tuple[Array], tangents: tuple[Array]) -> tuple[Array, Array]:
+    (x,), (x_dot,) = primals, tangents
+    return _times_own_logarithm(x), (1.0 + jnp.log(x)) * x_dot
 
 
 class Mechanism(eqx.Module):
