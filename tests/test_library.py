@@ -106,6 +106,18 @@ def test_joint_files_take_materials_by_name(tmp_path):
         with_library_materials({"materials": {"a": {"library": "x9"}}, "bodies": {}}, folder=tmp_path)
 
 
+@pytest.mark.parametrize(
+    ("entry", "message"),
+    [
+        ({"library": ["440C"]}, r"materials\.a\.library: expected a name as text, got \['440C'\]"),
+        ({"library": "440C", "file": 3}, r"materials\.a\.file: expected a name as text, got 3"),
+    ],
+)
+def test_names_that_are_no_text_are_refused(tmp_path, entry, message):
+    with pytest.raises(InputError, match=message):
+        with_library_materials({"materials": {"a": entry}, "bodies": {}}, folder=tmp_path)
+
+
 def test_filled_tables_are_a_valid_joint_file(tmp_path):
     from importlib.resources import files
     from tomllib import loads

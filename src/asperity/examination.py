@@ -10,6 +10,7 @@ import numpy as np
 
 from asperity.compilation import compile_fast
 from asperity.drive.capacity import TorqueCapacity, torque_capacity
+from asperity.drive.existence import overlaps, pin_lock, smaller_body, some_contact_slips, too_wide
 from asperity.drive.force_balance import BALANCE_TOLERANCE
 from asperity.drive.geometry import CONTACT_NAMES, Clearance, clearances
 from asperity.errors import InputError, NoSolutionError
@@ -69,11 +70,10 @@ def examine(joint: Joint) -> Examination:
     require_double_precision()
     numbers = jax.tree.map(lambda leaf: np.asarray(leaf, dtype=float), joint)
     examination: Examination = jax.tree.map(np.asarray, compile_fast(_examined, numbers)(numbers))
-    _refuse_overlap(joint, examination.clearances)
-    _refuse_locked_pins(joint)
-    _refuse_wide_contacts(joint, examination.result)
-    slip = examination.result.diagnostics.gross_slip
-    if not np.all(np.asarray(slip) < 1.0):
+    _refuse_overlap(numbers, examination.clearances)
+    _refuse_locked_pins(numbers)
+    _refuse_wide_contacts(numbers, examination.result)
+    if some_contact_slips(slip_ratio=examination.result.diagnostics.gross_slip):
         _refuse_torque(numbers)
     _refuse_unsolved(examination.result)
     return examination
@@ -100,9 +100,9 @@ def capacity(joint: Joint) -> TorqueCapacity:
 def _refuse_overlap(joint: Joint, gaps: tuple[Clearance, ...]) -> None:
     geometry = joint.geometry
     for clearance in gaps:
-        gap = float(clearance.gap)
-        if gap > 0.0:
+        if not overlaps(gap=clearance.gap):
             continue
+        gap = float(clearance.gap)
         radii = ", ".join(
             f"{symbol} = {format_quantity(float(value), 'mm')}"
             for symbol, value in (
@@ -122,44 +122,32 @@ def _refuse_overlap(joint: Joint, gaps: tuple[Clearance, ...]) -> None:
 
 def _refuse_wide_contacts(joint: Joint, result: JointResult) -> None:
     """Line-contact theory has a positive stiffness only where the strip is narrower than its bodies."""
-    geometry = joint.geometry
-    sun, planet, roller, wall = (
-        float(value)
-        for value in (
-            geometry.sun_radius,
-            geometry.planet_radius,
-            geometry.loading_roller_radius,
-            joint.ring_wall_thickness,
+    bodies = smaller_body(geometry=joint.geometry, ring_wall_thickness=joint.ring_wall_thickness)
+    widths = result.diagnostics.hertz_half_width
+    wide = too_wide(
+        half_width=widths, smaller_body=bodies, bulk_normal_stiffness=result.interfaces.bulk_normal
+    )
+    if np.any(wide):
+        first = int(np.argmax(wide))
+        name, width, body = CONTACT_NAMES[first], float(np.asarray(widths)[first]), float(bodies[first])
+        raise InputError(
+            f"the contact {name} is {format_quantity(2.0 * width, 'mm')} wide, too wide for a radius or "
+            f"wall of {format_quantity(body, 'mm')}: line-contact theory needs a half-width far below it; lower "
+            "the preload, or choose longer contact lines or stiffer materials"
         )
-    )
-    bodies = (min(sun, planet), *2 * (min(planet, roller),), *2 * (min(roller, wall),))
-    widths, stiffness = (
-        np.asarray(result.diagnostics.hertz_half_width),
-        np.asarray(result.interfaces.bulk_normal),
-    )
-    for name, body, width, bulk in zip(CONTACT_NAMES, bodies, widths, stiffness, strict=True):
-        if width >= body or (width > 0.0 and not bulk > 0.0):
-            raise InputError(
-                f"the contact {name} is {format_quantity(2.0 * float(width), 'mm')} wide, too wide for a radius or "
-                f"wall of {format_quantity(body, 'mm')}: line-contact theory needs a half-width far below it; lower "
-                "the preload, or choose longer contact lines or stiffer materials"
-            )
 
 
 def _refuse_locked_pins(joint: Joint) -> None:
-    bearings, geometry = joint.bearings, joint.geometry
-    diameter, roller = float(bearings.pin_diameter), float(geometry.loading_roller_radius)
-    if diameter >= 2.0 * roller:
+    pins = pin_lock(geometry=joint.geometry, bearings=joint.bearings)
+    if pins.too_thick:
         raise InputError(
-            f"the pin diameter {format_quantity(diameter, 'mm')} must be below the diameter of the loading roller, "
-            f"{format_quantity(2.0 * roller, 'mm')}"
+            f"the pin diameter {format_quantity(float(joint.bearings.pin_diameter), 'mm')} must be below the diameter "
+            f"of the loading roller, {format_quantity(2.0 * float(joint.geometry.loading_roller_radius), 'mm')}"
         )
-    grip = float(bearings.pin_friction_coefficient) * diameter / roller
-    push = math.cos(max(abs(float(geometry.left_push_angle)), abs(float(geometry.right_push_angle))))
-    if grip >= push:
+    if pins.locks:
         raise InputError(
-            f"the pins lock: pin friction coefficient times pin diameter over loading roller radius is {grip:.3g}, it "
-            f"must be below the cosine of the push angle, {push:.3g}"
+            "the pins lock: pin friction coefficient times pin diameter over loading roller radius is "
+            f"{float(pins.grip):.3g}, it must be below the cosine of the push angle, {float(pins.push):.3g}"
         )
 
 

@@ -1,4 +1,4 @@
-"""``asperity design`` and ``asperity materials`` from the command line."""
+"""``asperity design`` from the command line."""
 
 import json
 from importlib.resources import files
@@ -64,17 +64,3 @@ def test_tables_and_conflict(folder):
 def test_bad_files(folder):
     assert isinstance(invoke("design", folder / "none.toml").exception, InputError)
     assert isinstance(invoke("design", folder / "design.toml", "--plot", "x.txt").exception, InputError)
-
-
-def test_materials():
-    result = invoke("materials")
-    assert result.exit_code == 0
-    assert "52100" in result.stdout
-    assert "superfinished" in result.stdout
-    assert (
-        json.loads(invoke("materials", "440C", "--json").stdout)["materials"]["440C"]["numbers"][
-            "poisson_ratio"
-        ]
-        == 0.28
-    )
-    assert isinstance(invoke("materials", "441C").exception, InputError)

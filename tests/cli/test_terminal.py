@@ -25,3 +25,18 @@ def test_a_pipe_without_unicode_gets_plain_letters(monkeypatch):
 def test_a_pipe_is_as_wide_as_tables_may_be(monkeypatch):
     monkeypatch.setattr("sys.stdout", io.TextIOWrapper(io.BytesIO(), encoding="utf-8"))
     assert console().width == WIDEST
+
+
+def test_units_in_brackets_are_no_markup(monkeypatch):
+    raw = io.BytesIO()
+    monkeypatch.setattr("sys.stdout", io.TextIOWrapper(raw, encoding="utf-8"))
+    target = console()
+    shown = table(target, "lengths [mm]", "radius [mm]", "pressure [MPa]")
+    shown.add_row("1", "2")
+    target.print(shown)
+    import sys
+
+    sys.stdout.flush()
+    lines = raw.getvalue().decode().splitlines()
+    assert lines[0].strip() == "lengths [mm]"
+    assert any(line.split() == ["radius", "[mm]", "pressure", "[MPa]"] for line in lines)

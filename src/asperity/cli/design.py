@@ -129,7 +129,7 @@ def _show_front(problem: DesignProblem, front: Any, names: list[str]) -> None:
     shown = table(
         target,
         f"Pareto front: {front.sizes['design']} designs, {problem.level} stiffness (eleven of them, evenly spread)",
-        *(f"{name.rsplit('.', 1)[-1]}\n\\[{unit}]" for name, unit in zip(names, units, strict=True)),
+        *(f"{name.rsplit('.', 1)[-1]}\n[{unit}]" for name, unit in zip(names, units, strict=True)),
     )
     for index in np.unique(np.linspace(0, front.sizes["design"] - 1, 11).round().astype(int)):
         shown.add_row(

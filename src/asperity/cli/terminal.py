@@ -78,12 +78,13 @@ def table(target: Console, title: str, *columns: str) -> Table:
         To be filled.
     """
     from rich import box
+    from rich.markup import escape
     from rich.table import Table
 
     lines = box.SIMPLE_HEAD if target.encoding.lower().startswith("utf") else None
-    made = Table(title=title, title_justify="left", title_style="bold", box=lines, pad_edge=False)
+    made = Table(title=escape(title), title_justify="left", title_style="bold", box=lines, pad_edge=False)
     for index, column in enumerate(columns):
-        made.add_column(column, justify="right" if index else "left", no_wrap=index > 0)
+        made.add_column(escape(column), justify="right" if index else "left", no_wrap=index > 0)
     return made
 
 

@@ -306,7 +306,7 @@ def with_library_materials(tables: Mapping[str, Any], *, folder: Path) -> dict[s
     Raises
     ------
     InputError
-        If a library or an entry does not exist.
+        If a library or an entry does not exist, or its name is no text.
     """
     materials = tables.get("materials", {})
     bodies = tables.get("bodies", {})
@@ -316,6 +316,9 @@ def with_library_materials(tables: Mapping[str, Any], *, folder: Path) -> dict[s
     for name, entry in materials.items():
         if isinstance(entry, dict) and "library" in entry:
             own = {key: value for key, value in entry.items() if key not in ("library", "file")}
+            for key in ("library", "file"):
+                if not isinstance(entry.get(key, ""), str):
+                    raise InputError(f"materials.{name}.{key}: expected a name as text, got {entry[key]!r}")
             library = read_materials(folder / entry["file"] if "file" in entry else None)
             if entry["library"] not in library:
                 raise InputError(

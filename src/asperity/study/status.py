@@ -7,6 +7,7 @@ import jax.numpy as jnp
 import numpy as np
 from jax import Array
 
+from asperity.drive.existence import overlaps, pin_lock, smaller_body, some_contact_slips, too_wide
 from asperity.drive.geometry import DriveGeometry, clearances
 from asperity.joint import Joint, JointResult
 
@@ -71,33 +72,19 @@ def joint_status(joint: Joint, result: JointResult) -> Array:
 
     code = jnp.zeros(shape, dtype=jnp.int8)
     for index, clearance in enumerate(clearances(geometry)):
-        code = mark(code, ~(jnp.asarray(clearance.gap) > 0.0), 1 + index)
-    roller = geometry.loading_roller_radius
-    grip = bearings.pin_friction_coefficient * bearings.pin_diameter / roller
-    push = jnp.maximum(jnp.abs(geometry.left_push_angle), jnp.abs(geometry.right_push_angle))
-    code = mark(code, (bearings.pin_diameter >= 2.0 * roller) | (grip >= jnp.cos(push)), LOCKED)
+        code = mark(code, overlaps(gap=clearance.gap), 1 + index)
+    pins = pin_lock(geometry=geometry, bearings=bearings)
+    code = mark(code, pins.too_thick | pins.locks, LOCKED)
     code = mark(code, ~result.solved, UNBALANCED)
-    wide = _widest_allowed(joint, shape)
-    width, bulk = result.diagnostics.hertz_half_width, result.interfaces.bulk_normal
-    too_wide = (width >= wide) | ((width > 0.0) & ~(bulk > 0.0))
-    code = mark(code, jnp.any(too_wide, axis=0), TOO_WIDE)
-    return mark(code, ~jnp.all(result.diagnostics.gross_slip < 1.0, axis=0), SLIPS)
-
-
-def _widest_allowed(joint: Joint, shape: tuple[int, ...]) -> Array:
-    """Radius or wall of the smaller body at each contact [m], shape (5, ...)."""
-    geometry = joint.geometry
-    sun, planet, roller, wall = (
-        jnp.broadcast_to(jnp.asarray(value), shape)
-        for value in (
-            geometry.sun_radius,
-            geometry.planet_radius,
-            geometry.loading_roller_radius,
-            joint.ring_wall_thickness,
-        )
+    wide = too_wide(
+        half_width=result.diagnostics.hertz_half_width,
+        smaller_body=smaller_body(
+            geometry=geometry, ring_wall_thickness=jnp.broadcast_to(joint.ring_wall_thickness, shape)
+        ),
+        bulk_normal_stiffness=result.interfaces.bulk_normal,
     )
-    inner, outer = jnp.minimum(planet, roller), jnp.minimum(roller, wall)
-    return jnp.stack([jnp.minimum(sun, planet), inner, inner, outer, outer])
+    code = mark(code, jnp.any(wide, axis=0), TOO_WIDE)
+    return mark(code, some_contact_slips(slip_ratio=result.diagnostics.gross_slip), SLIPS)
 
 
 def flag_attributes() -> dict[str, object]:

@@ -1,0 +1,162 @@
+"""Which drives cannot exist: every rule once, for one joint that is refused and for each point of a study.
+
+The functions take NumPy arrays or those of JAX and answer in kind: a single joint is judged after it is solved, and
+nothing has to be compiled for that.
+"""
+
+from __future__ import annotations
+
+from types import ModuleType
+from typing import Any, NamedTuple
+
+import jax
+import jax.numpy as jnp
+import numpy as np
+
+from asperity.drive.geometry import DriveGeometry
+from asperity.drive.mechanism import Bearings
+from asperity.types import Real
+
+
+def _library_of(*values: Real) -> ModuleType:
+    """JAX where any number is one of JAX's, traced or not, otherwise NumPy."""
+    return jnp if any(isinstance(value, jax.Array) for value in values) else np
+
+
+class PinLock(NamedTuple):
+    """What a loading roller's pin must not reach.
+
+    Parameters
+    ----------
+    too_thick : Any
+        Whether the pin is at least as thick as its roller.
+    grip : Real
+        Pin friction coefficient times pin diameter over roller radius [-].
+    push : Real
+        Cosine of the steeper push angle [-]; the pin locks where the grip reaches it.
+    locks : Any
+        Whether it locks.
+    """
+
+    too_thick: Any
+    grip: Real
+    push: Real
+    locks: Any
+
+
+def overlaps(*, gap: Real) -> Any:
+    """Whether two bodies overlap, :mod:`asperity.drive.geometry`.
+
+    Parameters
+    ----------
+    gap : Real
+        Free distance of :func:`asperity.drive.geometry.clearances` [m].
+
+    Returns
+    -------
+    Any
+        Truth values; true where there is no gap, also where the triangle does not close (nan).
+    """
+    return ~(_library_of(gap).asarray(gap) > 0.0)
+
+
+def pin_lock(*, geometry: DriveGeometry, bearings: Bearings) -> PinLock:
+    r"""Whether the pins of the loading rollers fit into them and let them turn.
+
+    .. math:: d < 2 R_w, \qquad \mu_b \frac{d}{R_w} < \cos\gamma
+
+    Parameters
+    ----------
+    geometry : DriveGeometry
+        The drive.
+    bearings : Bearings
+        Friction coefficient and diameter of its pins.
+
+    Returns
+    -------
+    PinLock
+        Both conditions, and the two sides of the second.
+
+    References
+    ----------
+    Zou et al. 2025, equations (3) and (4), with the pin's friction torque mu_b d F/2 put in: the pin force F is the
+    rollers' push over the cosine less the grip.
+    """
+    left, right, roller = geometry.left_push_angle, geometry.right_push_angle, geometry.loading_roller_radius
+    diameter, friction = bearings.pin_diameter, bearings.pin_friction_coefficient
+    library = _library_of(left, right, roller, diameter, friction)
+    grip = friction * diameter / roller
+    push = library.cos(library.maximum(abs(left), abs(right)))
+    return PinLock(too_thick=diameter >= 2.0 * roller, grip=grip, push=push, locks=grip >= push)
+
+
+def smaller_body(*, geometry: DriveGeometry, ring_wall_thickness: Real) -> Any:
+    """What a contact strip must be narrower than: radius or wall of the smaller body at each contact.
+
+    Parameters
+    ----------
+    geometry : DriveGeometry
+        The radii, shape (...) [m].
+    ring_wall_thickness : Real
+        Wall of the ring, shape (...) [m].
+
+    Returns
+    -------
+    Any
+        Lengths in the order of :data:`asperity.drive.geometry.CONTACT_NAMES`, shape (5, ...) [m].
+
+    References
+    ----------
+    The bodies whose size enters the logarithms of :mod:`asperity.contact.hertz_line`.
+    """
+    lengths = (
+        geometry.sun_radius,
+        geometry.planet_radius,
+        geometry.loading_roller_radius,
+        ring_wall_thickness,
+    )
+    library = _library_of(*lengths)
+    sun, planet, roller, wall = library.broadcast_arrays(*lengths)
+    inner, outer = library.minimum(planet, roller), library.minimum(roller, wall)
+    return library.stack([library.minimum(sun, planet), inner, inner, outer, outer])
+
+
+def too_wide(*, half_width: Real, smaller_body: Real, bulk_normal_stiffness: Real) -> Any:
+    """Whether a contact strip is too wide for line-contact theory, which then has no positive stiffness.
+
+    Parameters
+    ----------
+    half_width : Real
+        Hertzian half-width, shape (5, ...) [m]; 0 where the contact has lifted off.
+    smaller_body : Real
+        As :func:`smaller_body` gives it, shape (5, ...) [m].
+    bulk_normal_stiffness : Real
+        Normal stiffness of the bodies, shape (5, ...) [N/m].
+
+    Returns
+    -------
+    Any
+        Truth values, shape (5, ...).
+
+    References
+    ----------
+    :mod:`asperity.contact.hertz_line`, whose logarithms must stay positive.
+    """
+    return (half_width >= smaller_body) | ((half_width > 0.0) & ~(bulk_normal_stiffness > 0.0))
+
+
+def some_contact_slips(*, slip_ratio: Real) -> Any:
+    """Whether a contact slips grossly, which is to say that the torque is beyond the capacity.
+
+    Parameters
+    ----------
+    slip_ratio : Real
+        T/(mu N) of the contacts, shape (5, ...) [-]; see :func:`asperity.drive.capacity.slip_ratio`.
+
+    Returns
+    -------
+    Any
+        Truth values, shape (...); true also where a ratio is nan.
+    """
+    library = _library_of(slip_ratio)
+    return ~library.all(library.asarray(slip_ratio) < 1.0, axis=0)

@@ -1,0 +1,122 @@
+"""The tables say what the document says, in the units of their heads; warnings are gathered by limit."""
+
+import io
+
+import numpy as np
+import pytest
+
+from asperity.cli.joint_table import show_joint
+from asperity.cli.terminal import console
+
+CONTACTS = ("sp", "pwr", "pwl", "wro", "wlo")
+
+
+def each(*values):
+    return dict(zip(CONTACTS, values, strict=True))
+
+
+@pytest.fixture
+def document():
+    """A joint by hand in SI units; the left roller has lifted off the ring."""
+    contact = {
+        "hertz_half_width_m": 25e-6,
+        "hertz_peak_pressure_Pa": 750e6,
+        "real_contact_area_m2": 0.2e-6,
+        "tangential_stiffness_N_per_m": 123e6,
+        "bulk_tangential_stiffness_N_per_m": 456e6,
+        "normal_stiffness_N_per_m": 789e6,
+        "bulk_normal_stiffness_N_per_m": 321e6,
+        "torsional_stiffness_Nm_per_rad": 6543.0,
+    }
+    stiffness = {"sun_Nm_per_rad": 100.0, "output_Nm_per_rad": 8100.0, "output_Nm_per_arcmin": 2.356}
+    slips = [
+        {"name": "gross_slip", "contact": name, "value": value, "limit": 1.0, "ok": ok, "meaning": "it slips"}
+        for name, value, ok in zip(
+            CONTACTS, (0.4, 1.25, 0.5, 1.5, None), (True, False, True, False, False), strict=True
+        )
+    ]
+    return {
+        "input": {
+            "drive": {"planets": 3.0},
+            "load": {"preload": 1000.0, "output_torque": 5.0, "sun_speed": 100.0 * np.pi},
+        },
+        "assumptions": ["no section [bearings]: the bearings have no friction"],
+        "geometry": {
+            "alpha_rad": np.pi / 12.0,
+            "theta_rad": np.pi / 6.0,
+            "wedge_angle_rad": np.pi / 12.0,
+            "speed_ratio": -9.0,
+            "clearances": [{"condition": "far", "gap_m": 3e-3}, {"condition": "near", "gap_m": 0.5e-3}],
+        },
+        "forces": {
+            "normal_N": each(1001.0, 650.0, 460.0, 640.0, 0.0),
+            "tangential_N": each(46.3, 27.1, 19.2, 27.1, 19.2),
+            "pin_N": {"left": 111.0, "right": 222.0},
+            "input_torque_Nm": 0.5556,
+            "output_torque_Nm": 5.0,
+            "planet_mass_kg": 0.02247,
+            "loading_roller_mass_kg": 0.003083,
+            "carrier_speed_rad_per_s": -np.pi,
+        },
+        "contacts": {name: dict(contact) for name in CONTACTS},
+        "torsional_stiffness": dict.fromkeys(("assembly", "series_with_bulk", "published"), stiffness),
+        "stiffness_budget": {"pins_share": 0.25, "contacts_share": each(0.5, 0.25, 0.0, 0.0, 0.0)},
+        "diagnostics": slips,
+    }
+
+
+@pytest.fixture
+def shown(monkeypatch):
+    def show(document):
+        stream = io.TextIOWrapper(io.BytesIO(), encoding="utf-8")
+        monkeypatch.setattr("sys.stdout", stream)
+        show_joint(console(), document, source="joint.toml")
+        stream.flush()
+        return stream.buffer.getvalue().decode("utf-8").splitlines()
+
+    return show
+
+
+def test_numbers_are_converted_to_the_units_of_the_heads(document, shown):
+    lines = shown(document)
+    rows = [line.split() for line in lines]
+    assert ["sp", "1001", "46.3", "0.4", "0.05", "750", "0.2"] in rows  # 2b in mm, MPa, mm²
+    assert ["sp", "123", "456", "789", "321", "6543"] in rows  # N/µm
+    assert ["wlo", "0", "19.2", "-", "0.05", "750", "0.2"] in rows  # None is a dash
+    for text in (
+        "3 planets, sun at 3000 rpm, preload 1000 N, output torque 5 N·m",
+        "  angles     alpha 15 deg, theta 30 deg, wedge beta 15 deg",
+        "  speed      ratio -9, carrier -30 rpm",
+        "  torque     in 0.5556 N·m, out 5 N·m",
+        "  pin force  left 111 N, right 222 N",
+        "  mass       planet 22.47 g, loading roller 3.083 g",
+        "  least gap  0.5 mm: near",
+        "  contacts 75.0 %, pins 25.0 %",
+        "  no section [bearings]: the bearings have no friction",
+    ):
+        assert text in lines, text
+
+
+def test_warnings_are_gathered_by_limit(document, shown):
+    lines = shown(document)
+    place = lines.index("  gross slip (limit 1): pwr 1.25, wro 1.5, wlo -")
+    assert lines[place + 1] == "    it slips"
+    for entry in document["diagnostics"]:
+        entry["ok"] = True
+    assert "No warnings: every limit of the model is kept" in shown(document)
+
+
+def test_the_interval_of_a_measured_surface(document, shown):
+    bounds = {"low_Nm_per_rad": 7000.0, "high_Nm_per_rad": 9000.0}
+    document["measured_surface"] = {"fractal_dimension": 1.4, "fractal_roughness_m": 1e-11}
+    document["stiffness_interval"] = {
+        "confidence": 0.95,
+        "draws": 100,
+        "outside": 2,
+        "unsolved": 0,
+        **dict.fromkeys(("assembly", "series_with_bulk", "published"), bounds),
+    }
+    text = " ".join(" ".join(shown(document)).split())  # titles and sentences are wrapped
+    assert "95% interval from the measured surface (D = 1.400, G = 1e-8 mm)" in text
+    assert text.count("7000") == text.count("9000") == 3
+    assert "of 100 draws of D and G, 2 had a D outside 1 to 2 and 0 no solution" in text

@@ -1,0 +1,61 @@
+"""``asperity materials``: the library listed, one entry, a file of one's own."""
+
+import json
+
+import pytest
+
+OWN = """
+[bronze]
+description = "a bronze"
+reference = "own tests"
+youngs_modulus = "110 GPa"
+poisson_ratio = 0.34
+density = "8800 kg/m^3"
+yield_strength = "200 MPa"
+hardness_factor = 2.8
+"""
+
+
+def test_the_whole_library(call):
+    outcome = call("materials")
+    assert (outcome.code, outcome.err) == (0, "")
+    for text in ("52100", "superfinished", "yield strength", "G from", "Source: "):
+        assert text in outcome.out
+
+
+def test_one_entry(call):
+    found = json.loads(call("materials", "440C", "--json").out)
+    assert found["materials"]["440C"]["numbers"]["poisson_ratio"] == 0.28  # its data sheet
+    assert (list(found["materials"]), found["finishes"]) == (["440C"], {})
+    told = call("materials", "ground").out
+    assert "Finishes" in told
+    assert "Materials" not in told
+
+
+def test_finishes_are_in_si(call):
+    finish = json.loads(call("materials", "ground", "--json").out)["finishes"]["ground"]
+    low, high = finish["roughness_average"]
+    assert 1e-8 < low < high < 1e-5  # Ra of grinding: a tenth to a few micrometres
+    assert finish["fractal_dimension"] == [1.5, 1.5]
+
+
+def test_a_library_file_of_one_s_own(call, tmp_path):
+    (tmp_path / "mine.toml").write_text(OWN)
+    told = call("materials", "bronze", "--file", tmp_path / "mine.toml")
+    assert told.code == 0
+    assert "110 GPa" in told.out
+    assert "2.8 x yield" in told.out
+
+
+@pytest.mark.parametrize(
+    ("arguments", "said"),
+    [
+        (("441C",), "the library has no entry '441C'; did you mean '440C'?"),
+        (("wood",), "known are 52100"),
+        (("--file", "nowhere.toml"), "nowhere.toml: there is no such library file"),
+    ],
+)
+def test_refusals(call, arguments, said):
+    outcome = call("materials", *arguments)
+    assert (outcome.code, outcome.out) == (2, "")
+    assert said in outcome.err

@@ -1,0 +1,89 @@
+"""Points as they are printed: units of the key, counts of each status, nan as a dash."""
+
+import numpy as np
+import pytest
+from matplotlib.figure import Figure
+
+from asperity.cli.study_output import (
+    check_plot,
+    number_or_null,
+    show_points,
+    show_status,
+    status_counts,
+    write_plot,
+)
+from asperity.errors import InputError
+from asperity.study.status import STATUS_NAMES
+
+xarray = pytest.importorskip("xarray")
+SLIPS = STATUS_NAMES.index("beyond_torque_capacity")
+
+
+@pytest.fixture
+def found():
+    """Two preloads by two planet radii in SI units; one point slips."""
+    dims = ("load.preload", "drive.planet_radius")
+    stiffness = np.array([[5.0e6, 4.5e6], [4.0e6, np.nan]])
+    return xarray.Dataset(
+        {
+            "status": (dims, np.array([[0, 0], [0, SLIPS]], dtype=np.int8)),
+            "published_stiffness_output": (dims, stiffness),
+        },
+        coords={"load.preload": [1000.0, 800.0], "drive.planet_radius": [0.0135, 0.0136]},
+    )
+
+
+def test_counts_of_an_array_and_of_chunks(found):
+    assert status_counts(found) == {0: 3, SLIPS: 1}
+    pytest.importorskip("dask")
+    assert status_counts(found.chunk({"load.preload": 1})) == {0: 3, SLIPS: 1}
+
+
+def test_status_in_words(found, capsys):
+    show_status(found)
+    found["status"][0, 0] = -1
+    show_status(found)
+    told = capsys.readouterr().out.splitlines()
+    slips = "  1 without a result: the output torque is beyond the torque capacity: a contact slips"
+    assert told == [
+        "4 points, 3 solved",
+        slips,
+        "4 points, 2 solved",
+        "  1 without a result: not computed",
+        slips,
+    ]
+
+
+def test_points_are_shown_in_the_unit_of_the_key(found, capsys):
+    show_points(found)
+    lines = capsys.readouterr().out.splitlines()
+    head = lines[1].split("  ")
+    for text in ("preload [N]", "planet radius [mm]", "published stiffness output [N·m/rad]", "status"):
+        assert text in [word.strip() for word in head]
+    rows = [line.split() for line in lines if line.strip().startswith(("1000", "800"))]
+    assert rows == [
+        ["1000", "13.5", "5e+06"],
+        ["1000", "13.6", "4.5e+06"],
+        ["800", "13.5", "4e+06"],
+        ["800", "13.6", "-", "beyond", "torque", "capacity"],
+    ]
+
+
+def test_numbers_for_json():
+    assert number_or_null(np.float64(1.5)) == 1.5
+    assert [number_or_null(value) for value in (np.nan, np.inf, -np.inf)] == [None] * 3
+
+
+def test_plots(tmp_path, capsys):
+    check_plot(str(tmp_path / "a.PNG"))
+    with pytest.raises(InputError, match="an image ends in"):
+        check_plot(str(tmp_path / "a.bmp"))
+    with pytest.raises(InputError):
+        check_plot(str(tmp_path / "nowhere" / "a.png"))
+    path = str(tmp_path / "a.svg")
+    write_plot(Figure(figsize=(1.0, 1.0)), path)
+    write_plot(Figure(figsize=(1.0, 1.0)), path, quiet=True)
+    told = capsys.readouterr()
+    assert told.out == told.err == f"drawn to {path}\n"
+    with pytest.raises(InputError, match="nowhere"):
+        write_plot(Figure(), str(tmp_path / "nowhere" / "a.png"))
