@@ -86,3 +86,22 @@ def test_speed_lifts_the_planet_off_the_sun_and_nothing_pulls(forces_of):
     assert f["balance"].max() < 1e-9
     slow = forces_of(sun_speed=rpm[:2] * math.pi / 30, output_torque=1.0)["N_wro"]
     assert slow[1] > slow[0]  # the roller's own weight presses it to the ring
+
+
+@pytest.mark.parametrize("speed", [0.0, 3612.28125])
+def test_far_past_the_lift_off_the_balance_still_closes(forces_of, speed):
+    """Every torque from a loaded roller to one lifted since long, at full friction and with losses."""
+    torque = np.geomspace(0.05, 2000.0, 200)
+    losses = {
+        "pin_friction_coefficient": 0.001953125,
+        "pin_diameter": 0.003081044938209168,
+        "loading_roller_torque": 0.00024330783706319811,
+    }
+    f = forces_of(preload=300.0, planet_count=2.0, sun_speed=speed, output_torque=torque, **losses)
+    lifted = f["N_pwl"] == 0
+    assert 20 < lifted.sum() < 180
+    assert (np.diff(lifted.astype(int)) >= 0).all()
+    assert f["balance"].max() < 1e-9
+    assert f["closure"].max() < 1e-9
+    for name in ("N_sp", "N_pwr", "N_wro", "N_wlo"):
+        assert (f[name] >= 0).all(), name

@@ -2,12 +2,13 @@
 
 import math
 
+import jax
 import jax.numpy as jnp
 import numpy as np
 import pytest
 
 from asperity.drive.geometry import DriveGeometry, angles
-from asperity.drive.mechanism import NormalSprings, compression, rest_state
+from asperity.drive.mechanism import NormalSprings, compression, rest_state, steepest_compliance
 
 RADII = (4e-3, 13.5e-3, 5e-3, 40e-3)
 
