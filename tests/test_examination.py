@@ -67,6 +67,25 @@ def test_the_message_on_the_torque_tells_capacity_and_contact(paper_joint):
     refusal(paper_joint(output_torque=capacity * 1.001))
 
 
+def test_a_capacity_that_cannot_be_found_is_no_number(paper_joint, monkeypatch):
+    from asperity import examination
+    from asperity.drive.capacity import TorqueCapacity
+
+    def unknown(**_):
+        return TorqueCapacity(np.asarray(math.nan), np.asarray(0))
+
+    monkeypatch.setattr(examination, "capacity_by_search", unknown)
+    assert "beyond the torque capacity, which is unknown" in refusal(paper_joint(output_torque=30.0))
+    assert math.isnan(float(examine(paper_joint()).capacity.output_torque))
+
+
+def test_the_capacity_is_that_of_the_drive_whatever_torque_it_carries(paper_joint):
+    capacities = [examine(paper_joint(output_torque=torque)).capacity for torque in (0.0, 5.0, 13.0)]
+    assert {int(found.limiting_contact) for found in capacities} == {0}
+    torques = [float(found.output_torque) for found in capacities]
+    assert torques == pytest.approx([torques[0]] * 3, rel=1e-12)
+
+
 @settings(max_examples=60, deadline=None)
 @given(data=st.data())
 def test_any_joint_is_refused_or_has_a_finite_balanced_result(paper_joint, data):

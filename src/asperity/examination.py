@@ -2,20 +2,23 @@
 
 from __future__ import annotations
 
+import dataclasses
 import math
+from collections.abc import Callable
+from typing import Any
 
 import equinox as eqx
 import jax
 import numpy as np
 
 from asperity.compilation import compile_fast
-from asperity.drive.capacity import TorqueCapacity, torque_capacity
+from asperity.drive.capacity import TorqueCapacity, capacity_by_search
 from asperity.drive.existence import overlaps, pin_lock, smaller_body, some_contact_slips, too_wide
 from asperity.drive.force_balance import BALANCE_TOLERANCE
 from asperity.drive.geometry import CONTACT_NAMES, Clearance, clearances
 from asperity.errors import InputError, NoSolutionError
-from asperity.joint import JointResult, evaluate, mechanism
-from asperity.joint_description import Joint, per_contact
+from asperity.joint import JointResult, evaluate
+from asperity.joint_description import Joint
 from asperity.precision import require_double_precision
 from asperity.units import format_quantity
 
@@ -29,20 +32,17 @@ class Examination(eqx.Module):
         Forces, contacts, stiffness and diagnostics.
     clearances : tuple of Clearance
         Free distances between the rollers [m].
+    capacity : TorqueCapacity
+        Largest output torque without gross slip [N·m], and the contact that limits it.
     """
 
     result: JointResult
     clearances: tuple[Clearance, ...]
+    capacity: TorqueCapacity
 
 
-def _examined(joint: Joint) -> Examination:
-    return Examination(result=evaluate(joint), clearances=clearances(joint.geometry))
-
-
-def _capacity(joint: Joint) -> TorqueCapacity:
-    return torque_capacity(
-        mechanism=mechanism(joint), friction_coefficient=per_contact(joint.friction_coefficients)
-    )
+def _examined(joint: Joint) -> tuple[JointResult, tuple[Clearance, ...]]:
+    return evaluate(joint), clearances(joint.geometry)
 
 
 def examine(joint: Joint) -> Examination:
@@ -56,7 +56,7 @@ def examine(joint: Joint) -> Examination:
     Returns
     -------
     Examination
-        Its result, with leaves as NumPy arrays, and its clearances.
+        Its result, with leaves as NumPy arrays, its clearances and its torque capacity.
 
     Raises
     ------
@@ -69,32 +69,29 @@ def examine(joint: Joint) -> Examination:
     """
     require_double_precision()
     numbers = jax.tree.map(lambda leaf: np.asarray(leaf, dtype=float), joint)
-    examination: Examination = jax.tree.map(np.asarray, compile_fast(_examined, numbers)(numbers))
-    _refuse_overlap(numbers, examination.clearances)
+    program = compile_fast(_examined, numbers)
+    result, gaps = jax.tree.map(np.asarray, program(numbers))
+    _refuse_overlap(numbers, gaps)
     _refuse_locked_pins(numbers)
-    _refuse_wide_contacts(numbers, examination.result)
-    if some_contact_slips(slip_ratio=examination.result.diagnostics.gross_slip):
-        _refuse_torque(numbers)
-    _refuse_unsolved(examination.result)
-    return examination
+    _refuse_wide_contacts(numbers, result)
+    capacity = _capacity(numbers, program)
+    if some_contact_slips(slip_ratio=result.diagnostics.gross_slip):
+        _refuse_torque(numbers, result, capacity)
+    _refuse_unsolved(result)
+    return Examination(result=result, clearances=gaps, capacity=capacity)
 
 
-def capacity(joint: Joint) -> TorqueCapacity:
-    """Torque capacity of one joint, compiled for one use.
+def _capacity(numbers: Joint, program: Callable[..., Any]) -> TorqueCapacity:
+    """Torque capacity by the program that has just solved the joint, called with other torques."""
 
-    Parameters
-    ----------
-    joint : Joint
-        One joint, without batch axes.
+    def slip_ratios(torque: float) -> np.ndarray:
+        result, _ = program(dataclasses.replace(numbers, output_torque=np.float64(torque)))
+        return np.where(result.solved, result.diagnostics.gross_slip, np.nan)
 
-    Returns
-    -------
-    TorqueCapacity
-        Capacity [N·m] and the limiting contact.
-    """
-    numbers = jax.tree.map(lambda leaf: np.asarray(leaf, dtype=float), joint)
-    found: TorqueCapacity = compile_fast(_capacity, numbers)(numbers)
-    return found
+    orbit = numbers.geometry.ring_radius - numbers.geometry.loading_roller_radius
+    friction = min(float(each) for each in numbers.friction_coefficients)
+    first_guess = friction * float(numbers.preload * orbit * numbers.geometry.planet_count)
+    return capacity_by_search(slip_ratios=slip_ratios, first_guess=first_guess)
 
 
 def _refuse_overlap(joint: Joint, gaps: tuple[Clearance, ...]) -> None:
@@ -151,14 +148,19 @@ def _refuse_locked_pins(joint: Joint) -> None:
         )
 
 
-def _refuse_torque(numbers: Joint) -> None:
-    """Compare the torque with the capacity, which is worth finding only when some contact slips."""
-    found = capacity(numbers)
+def _refuse_torque(numbers: Joint, result: JointResult, found: TorqueCapacity) -> None:
+    """Say what the torque, under which some contact slips, is beyond."""
     limit, torque = float(found.output_torque), float(numbers.output_torque)
     if torque < limit:
         return
-    contact = CONTACT_NAMES[int(found.limiting_contact)]
     told = f"the output torque {format_quantity(torque, 'N*m')} is beyond the torque capacity"
+    if math.isnan(limit):
+        _refuse_unsolved(result)
+        raise InputError(
+            f"{told}, which is unknown, because the force balance does not close at every torque below; lower the "
+            "torque, or raise preload or friction coefficient"
+        )
+    contact = CONTACT_NAMES[int(found.limiting_contact)]
     if limit == 0.0:
         raise InputError(
             f"{told}, which is 0 N·m: contact {contact} slips or lifts off even without a torque"

@@ -42,6 +42,7 @@ def joint_document(*, case: Case, examination: Examination) -> Document:
         "assumptions": list(assumptions(case)),
         "geometry": _geometry(examination),
         "forces": _forces(result),
+        "torque_capacity": _capacity(examination),
         "contacts": {name: _contact(result, index) for index, name in enumerate(CONTACT_NAMES)},
         "torsional_stiffness": _torsional_stiffness(result),
         "stiffness_budget": _stiffness_budget(result),
@@ -132,6 +133,23 @@ def _forces(result: JointResult) -> Document:
         "carrier_speed_rad_per_s": result.carrier_speed,
         "balance_residual": forces.balance_residual,
         "closure_residual": forces.closure_residual,
+    }
+
+
+def _capacity(examination: Examination) -> Document:
+    found = examination.capacity
+    limit, contact = float(found.output_torque), CONTACT_NAMES[int(found.limiting_contact)]
+    meaning = f"the contact {contact} slips first"
+    if math.isinf(limit):
+        meaning = "not limited by friction: the wedge tightens with the torque"
+    elif math.isnan(limit):
+        meaning = "unknown: the force balance does not close at every torque on the way"
+    elif limit == 0.0:
+        meaning = f"the contact {contact} slips or has lifted off even without a torque"
+    return {
+        "output_torque_Nm": limit,
+        "limiting_contact": contact if math.isfinite(limit) else None,
+        "meaning": meaning,
     }
 
 

@@ -76,6 +76,24 @@ def test_at_small_torque_the_published_stiffness_is_five_million(call, joint_fil
     )
 
 
+def test_the_capacity_is_told_with_the_contact_that_limits_it(call, joint_file, document):
+    """T_sp = T_out/(9 n R_s) reaches mu N_sp; N_sp, 1000 N at rest, rises by a few per cent on the way."""
+    capacity = document["torque_capacity"]
+    by_hand = 0.12 * 1000.0 * 9.0 * 3.0 * 4e-3
+    assert by_hand < capacity["output_torque_Nm"] < 1.05 * by_hand
+    assert (capacity["limiting_contact"], capacity["meaning"]) == ("sp", "the contact sp slips first")
+    told = call("joint", joint_file()).out
+    assert f"  capacity   {capacity['output_torque_Nm']:.4g} N·m: the contact sp slips first" in told
+
+
+def test_a_wedge_that_tightens_has_no_capacity_to_tell(call, joint_file):
+    """Above tan(theta/2) = 0.2408, theta = 27.0831 deg, no contact ever slips."""
+    steep = joint_file(("friction_coefficient = 0.12", "friction_coefficient = 0.25"))
+    capacity = json.loads(call("joint", steep, "--json").out)["torque_capacity"]
+    assert capacity["output_torque_Nm"] is capacity["limiting_contact"] is None
+    assert "  capacity   not limited by friction: the wedge tightens" in call("joint", steep).out
+
+
 def test_the_tables_name_their_units_and_warn(call, joint_file):
     outcome = call("joint", joint_file())
     assert (outcome.code, outcome.err) == (0, "")
@@ -145,9 +163,9 @@ def test_no_solution_is_exit_code_3(call, joint_file, monkeypatch):
     real = examination.compile_fast
 
     def unsolved(function, joint):
-        done = real(function, joint)(joint)
-        result = dataclasses.replace(done.result, solved=np.asarray(False))
-        return lambda _: dataclasses.replace(done, result=result)
+        result, gaps = real(function, joint)(joint)
+        result = dataclasses.replace(result, solved=np.asarray(False))
+        return lambda _: (result, gaps)
 
     monkeypatch.setattr(examination, "compile_fast", unsolved)
     outcome = call("joint", joint_file())

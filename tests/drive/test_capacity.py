@@ -7,7 +7,7 @@ import jax.numpy as jnp
 import numpy as np
 import pytest
 
-from asperity.drive.capacity import slip_ratio, torque_capacity
+from asperity.drive.capacity import capacity_by_search, slip_ratio, torque_capacity
 from asperity.drive.force_balance import force_balance
 from asperity.drive.geometry import CONTACT_NAMES, DriveGeometry
 from asperity.drive.mechanism import Bearings, Mechanism, NormalSprings
@@ -32,6 +32,11 @@ def drive(preload=1000.0, closure="elastic", roller_torque=0.0, sun_torque=0.0):
 @jax.jit
 def capacity(mechanism, friction):
     return torque_capacity(mechanism=mechanism, friction_coefficient=friction)
+
+
+@jax.jit
+def balanced(mechanism, torque):
+    return force_balance(mechanism=mechanism, output_torque=torque)
 
 
 def ratios(mechanism, torque, friction):
@@ -97,3 +102,62 @@ def test_gradient_is_the_implicit_one():
 def test_slip_ratio_of_an_open_contact():
     assert float(slip_ratio(normal_force=0.0, tangential_force=1.0, friction_coefficient=0.1)) == math.inf
     assert float(slip_ratio(normal_force=0.0, tangential_force=0.0, friction_coefficient=0.1)) == 0.0
+
+
+def used(limit):
+    """Ratios of five contacts under a torque, as by hand: contact 3 slips at the limit [N·m], then lifts off."""
+
+    def ratios_at(torque):
+        share = torque / limit
+        return np.array([0.5 * share, 0.2, 0.0, share**3 if share < 1.5 else np.inf, 0.9 * share**3])
+
+    return ratios_at
+
+
+@pytest.mark.parametrize("guess", [1e-3, 1.0, 7.0, 7.5, 1e6])
+def test_search_finds_the_limit_from_any_guess(guess):
+    calls = []
+
+    def counted(torque):
+        calls.append(torque)
+        return used(7.0)(torque)
+
+    found = capacity_by_search(slip_ratios=counted, first_guess=guess)
+    assert float(found.output_torque) == pytest.approx(7.0, rel=1e-12)
+    assert CONTACT_NAMES[int(found.limiting_contact)] == "wro"
+    assert len(calls) < 70
+
+
+def test_search_without_a_limit_at_rest_and_without_a_solution():
+    never = capacity_by_search(slip_ratios=lambda torque: np.full(5, 0.99), first_guess=1.0)
+    at_rest = capacity_by_search(slip_ratios=lambda torque: np.array([0.0, 2.0, 0, 0, 0]), first_guess=1.0)
+    assert float(never.output_torque) == math.inf
+    assert (float(at_rest.output_torque), int(at_rest.limiting_contact)) == (0.0, 1)
+    for holes in ((0.0, 1.0), (6.9, 8.0), (6.9, math.inf)):
+
+        def with_hole(torque, holes=holes):
+            return np.full(5, np.nan) if holes[0] <= torque < holes[1] else used(7.0)(torque)
+
+        assert math.isnan(float(capacity_by_search(slip_ratios=with_hole, first_guess=1.0).output_torque)), (
+            holes
+        )
+
+
+@pytest.mark.parametrize("preload", [10.0, 1000.0, 1e5])
+def test_search_and_compiled_bisection_agree(preload):
+    """Two routes to the root of one equation."""
+    friction = jnp.array([0.12])
+    mechanism = drive(preload=jnp.asarray(preload))
+    compiled = capacity(mechanism, friction)
+
+    def ratios_at(torque):
+        forces = balanced(mechanism, torque)
+        return np.asarray(
+            slip_ratio(
+                normal_force=forces.normal, tangential_force=forces.tangential, friction_coefficient=friction
+            )
+        )
+
+    found = capacity_by_search(slip_ratios=ratios_at, first_guess=0.01 * preload)
+    assert float(found.output_torque) == pytest.approx(float(compiled.output_torque), rel=1e-11)
+    assert int(found.limiting_contact) == int(compiled.limiting_contact)

@@ -19,7 +19,7 @@ import click
     help="Measured surface of all contacts, from 'asperity surface measure --json'; twice: one for each body.",
 )
 def joint(file: str, as_json: bool, surfaces: tuple[str, ...]) -> None:
-    """Forces, contacts, torsional stiffness and warnings of the joint described in FILE.
+    """Forces, contacts, torsional stiffness, torque capacity and warnings of the joint described in FILE.
 
     FILE is a TOML file; 'asperity init' writes one with comments. With --surface the measured D and G take the
     place of the file's, and their uncertainty comes out as an interval of the stiffness.

@@ -155,6 +155,7 @@ def _show_contacts(target: Console, document: Document) -> None:
 
 def _show_drive(target: Console, document: Document) -> None:
     geometry, forces = document["geometry"], document["forces"]
+    capacity = document["torque_capacity"]
     gap = min(geometry["clearances"], key=lambda entry: entry["gap_m"])
     target.print("Drive", style="bold")
     for label, text in (
@@ -170,6 +171,12 @@ def _show_drive(target: Console, document: Document) -> None:
         (
             "torque",
             f"in {_in(forces['input_torque_Nm'], 'N*m')}, out {_in(forces['output_torque_Nm'], 'N*m')}",
+        ),
+        (
+            "capacity",
+            capacity["meaning"]
+            if capacity["output_torque_Nm"] is None
+            else f"{_in(capacity['output_torque_Nm'], 'N*m')}: {capacity['meaning']}",
         ),
         (
             "pin force",

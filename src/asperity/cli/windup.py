@@ -68,15 +68,15 @@ def windup(
     use_double_precision()
     use_compilation_cache()
     from asperity.case.build import joint_from_case
-    from asperity.examination import capacity, examine
+    from asperity.examination import examine
     from asperity.windup import windup as wind_up
 
     joint = joint_from_case(case)
     largest = float(joint.output_torque) if asked is None else asked
     joint = dataclasses.replace(joint, output_torque=largest)
-    examine(joint)  # refuses rollers that do not fit and a torque beyond the capacity
+    examination = examine(joint)  # refuses rollers that do not fit and a torque beyond the capacity
     curve = wind_up(joint, largest_torque=largest, level=level, stage_shares=stages)  # type: ignore[arg-type]
-    document = _document(curve, capacity(joint), level)
+    document = _document(curve, examination.capacity, level)
     if csv_file:
         _write_csv(curve, csv_file)
     if plot_file:

@@ -2,15 +2,25 @@
 
 from __future__ import annotations
 
+import math
+from collections.abc import Callable
+
 import equinox as eqx
 import jax
 import jax.numpy as jnp
+import numpy as np
 from jax import Array
 
 from asperity.drive.force_balance import force_balance
 from asperity.drive.geometry import triangle
 from asperity.drive.mechanism import Mechanism
 from asperity.types import Real
+
+#: Doublings of a first guess before a drive counts as not limited by friction.
+MOST_DOUBLINGS = 40
+#: Share of the first guess below which a drive has no capacity at all.
+SMALLEST_SHARE = 1e-12
+_ROOT_TOLERANCE = 1e-13
 
 _STEPS = 100  # doublings and halvings together: sixty halvings reach rounding, forty doublings 10^12 times the guess
 
@@ -126,3 +136,81 @@ def torque_capacity(*, mechanism: Mechanism, friction_coefficient: Real) -> Torq
         output_torque=capacity,
         limiting_contact=jnp.argmax(ratios(jax.lax.stop_gradient(root)), axis=0),
     )
+
+
+def capacity_by_search(*, slip_ratios: Callable[[float], np.ndarray], first_guess: float) -> TorqueCapacity:
+    r"""The capacity of one drive from any function that says how much of its friction is used under a torque.
+
+    .. math:: \max_i \frac{T_i(T_{out})}{\mu_i N_i(T_{out})} = 1
+
+    Parameters
+    ----------
+    slip_ratios : callable
+        Output torque [N·m] to T/(mu N) of the contacts, shape (5,) [-]; nan where the force balance does not close.
+    first_guess : float
+        Torque of the right order, where the doubling begins [N·m].
+
+    Returns
+    -------
+    TorqueCapacity
+        As :func:`torque_capacity` finds it, without derivatives; nan where the balance does not close at torques that
+        decide.
+
+    Notes
+    -----
+    Some fifteen calls of a function that is already there take milliseconds, where compiling
+    :func:`torque_capacity` takes seconds.
+
+    References
+    ----------
+    Equation (A9) of :doc:`/equations`; the root by T. R. Chandrupatla, Adv. Eng. Softw. 28 (1997) 145.
+    """
+
+    def excess(torque: float) -> float:
+        """Grows with the largest ratio r as (r − 1)/(r + 1): finite where a lifted contact has none."""
+        largest = float(np.max(slip_ratios(torque)))
+        return 1.0 if math.isinf(largest) else (largest - 1.0) / (largest + 1.0)
+
+    def found(torque: float, at: float) -> TorqueCapacity:
+        return TorqueCapacity(np.asarray(torque), np.asarray(np.argmax(slip_ratios(at))))  # type: ignore[arg-type]
+
+    lower = SMALLEST_SHARE * first_guess
+    below = excess(lower)
+    if not below < 0.0:
+        return found(below if math.isnan(below) else 0.0, lower)
+    upper = first_guess
+    for _ in range(MOST_DOUBLINGS):
+        above = excess(upper)
+        if above >= 0.0:
+            break
+        if above < 0.0:  # a torque without a solution is passed over
+            lower, below = upper, above
+        upper *= 2.0
+    else:
+        return found(math.nan if math.isnan(above) else math.inf, lower)
+    root = _root(excess, (lower, below), (upper, above))
+    return found(root, upper if math.isnan(root) else root)
+
+
+def _root(function: Callable[[float], float], low: tuple[float, float], high: tuple[float, float]) -> float:
+    """Where a function changes its sign between two points with their values; nan if a value is."""
+    (x2, f2), (x1, f1) = low, high
+    share = 0.5
+    while not math.isnan(f1 + f2):
+        x = x1 + share * (x2 - x1)
+        f = function(x)
+        if (f >= 0.0) == (f1 >= 0.0):
+            x3, f3 = x1, f1
+        else:
+            x3, f3, x2, f2 = x2, f2, x1, f1
+        x1, f1 = x, f
+        best, least = (x2, f2) if abs(f2) < abs(f1) else (x1, f1)
+        narrowest = _ROOT_TOLERANCE * abs(best) / abs(x2 - x1)
+        if least == 0.0 or narrowest > 0.5:
+            return best
+        xi, phi = (x1 - x2) / (x3 - x2), (f1 - f2) / (f3 - f2)
+        share = 0.5
+        if 1.0 - math.sqrt(1.0 - xi) < phi < math.sqrt(xi):  # inverse quadratic interpolation stays inside
+            share = f1 / (f2 - f1) * f3 / (f2 - f3) + (x3 - x1) / (x2 - x1) * f1 / (f3 - f1) * f2 / (f3 - f2)
+        share = min(1.0 - narrowest, max(narrowest, share))
+    return math.nan

@@ -1,0 +1,77 @@
+"""``asperity windup`` of a joint whose stiffness is replaced by a constant one: every figure is known by hand."""
+
+import csv
+import json
+
+import jax.numpy as jnp
+import numpy as np
+import pytest
+
+from asperity import windup as module
+
+STIFFNESS = 1e5  # N·m/rad
+ARCMINUTE = np.pi / 180.0 / 60.0
+
+
+@pytest.fixture
+def asked(monkeypatch):
+    """What the command asks the wind-up for."""
+    kept = {}
+
+    def constant(joint, **options):
+        kept.update(options, torque_of_joint=float(joint.output_torque))
+        return module.windup_of(
+            lambda torque: jnp.full_like(torque, STIFFNESS),
+            largest_torque=options["largest_torque"],
+            stage_shares=options["stage_shares"],
+        )
+
+    monkeypatch.setattr(module, "windup", constant)
+    return kept
+
+
+def test_document(call, joint_file, asked):
+    outcome = call("windup", joint_file(), "--torque", "10 N*m", "--level", "published", "--json")
+    assert (outcome.code, outcome.err) == (0, "")
+    found = json.loads(outcome.out)
+    assert (asked["level"], asked["torque_of_joint"]) == ("published", 10.0)
+    assert found["limiting_contact"] == "sp"
+    assert 12.96 < found["torque_capacity_Nm"] < 1.05 * 12.96  # mu N_0 9 n R_s, and a little for the wedge
+    assert found["largest_torque_Nm"] == 10.0
+    assert found["windup_rad"] == pytest.approx(10.0 / STIFFNESS, rel=1e-12)
+    for name in ("hysteresis_rad", "dissipated_energy_J"):  # a spring loses nothing
+        assert found[name] == pytest.approx(0.0, abs=1e-12)
+    assert found["lost_motion_rad"] == pytest.approx(2 * 0.03 * 10.0 / STIFFNESS, rel=1e-9)
+    assert [stage["to_Nm"] for stage in found["stages"]] == pytest.approx([10.0 / 3.0, 20.0 / 3.0, 10.0])
+    assert [stage["stiffness_Nm_per_rad"] for stage in found["stages"]] == pytest.approx([STIFFNESS] * 3)
+
+
+def test_table_curves_and_picture(call, joint_file, asked, tmp_path):
+    files = tmp_path / "w.csv", tmp_path / "w.png"
+    outcome = call("windup", joint_file(), "--csv", files[0], "--plot", files[1])
+    assert outcome.code == 0
+    assert asked["largest_torque"] == 5.0  # the file's own
+    for text in ("sp slips first", f"{5.0 / STIFFNESS / ARCMINUTE:.4g} arcmin", "29.09", "K3"):
+        assert text in outcome.out, text
+    rows = list(csv.DictReader(files[0].read_text().splitlines()))
+    torque, angle = (
+        np.array([float(row[f"loading_{name}"]) for row in rows]) for name in ("torque_Nm", "angle_rad")
+    )
+    np.testing.assert_allclose(angle, torque / STIFFNESS, atol=1e-15)
+    assert files[1].stat().st_size > 10_000
+
+
+@pytest.mark.parametrize(
+    ("arguments", "said"),
+    [
+        (("--torque", "50 N*m"), "the output torque 50 N·m is beyond the torque capacity"),
+        (("--torque", "5 N"), "expected a torque"),
+        (("--stages", "0.5", "0.2"), "allowed 0 < first < second < 1"),
+        (("--csv", "nowhere/w.csv"), "nowhere/w.csv: cannot be written"),
+        (("--plot", "w.xyz"), "w.xyz: the picture cannot be written"),
+    ],
+)
+def test_refusals(call, joint_file, asked, arguments, said):
+    outcome = call("windup", joint_file(), *arguments)
+    assert (outcome.code, outcome.out) == (2, "")
+    assert said in outcome.err
