@@ -28,7 +28,7 @@ if TYPE_CHECKING:
 @click.option("--out", type=click.Path(), help="Write the calibrated joint as a joint file.")
 @click.option("--plot", type=click.Path(), help="Draw data, fit and residuals (.png, .svg, .pdf).")
 @click.option("--posterior", "draws", type=click.IntRange(50, 100000), metavar="DRAWS",
-              help="Draw from the posterior too, so many from each of two chains (extra 'bayes').")  # fmt: skip
+              help="Draw from the posterior too, so many from each of four chains (extra 'bayes').")  # fmt: skip
 @click.option("--plot-posterior", type=click.Path(), help="Draw the posterior (.png, .svg, .pdf).")
 @click.option(
     "--json", "as_json", is_flag=True, help="Print one JSON document in SI units instead of tables."
@@ -87,7 +87,8 @@ def calibrate(
         )
     drawn = None
     if draws is not None:
-        drawn = posterior(found, draws=draws, warmup=max(300, draws // 2), chains=2, seed=seed)
+        with progress_bar("steps of the posterior") as report:
+            drawn = posterior(found, draws=draws, seed=seed, progress=report)
     if as_json:
         import json
 
