@@ -25,6 +25,9 @@ MOST_DEGREE = 10
 #: Half the width of the fitted box along each axis of the covariance, in standard deviations.
 REACH = 6.0
 
+#: Penalty of a term of degree d, times d²: it shifts the coefficient of a well-fitted one by about (1e-3 d²)² of it.
+STIFFENING = 1e-3
+
 #: How often that box is made smaller by a half if the joint hardly exists in it.
 _HALVINGS = 8
 
@@ -57,7 +60,7 @@ def exponents(unknowns: int) -> np.ndarray:
     for total in range(degree + 1):
         for chosen in combinations_with_replacement(range(unknowns), total):
             found.append([chosen.count(index) for index in range(unknowns)])
-    return np.array(found, int).reshape(-1, unknowns)
+    return np.array(found, int).reshape(len(found), unknowns)
 
 
 def fit_surrogate(
@@ -101,14 +104,24 @@ def fit_surrogate(
         exists = np.all(np.isfinite(compliance), axis=1)
         if exists.sum() >= 2 * len(powers):
             basis = np.asarray(_basis(scaled[exists], powers))
-            terms, *_ = np.linalg.lstsq(basis, np.log(compliance[exists]), rcond=None)
+            terms = _smooth_fit(basis, np.log(compliance[exists]), powers)
             found = {"middle": middle, "axes": axes, "low": low, "high": high, "terms": terms}
             return {name: jnp.asarray(value) for name, value in found.items()}
         reach = 0.5 * reach
     raise NoSolutionError(
         "next to the best fit the joint hardly exists (most changes of the unknowns make it slip or lift off within "
-        "the measured torques), so no posterior can be drawn; leave out the rows of the largest torques, or fix an unknown"
+        "the measured torques), so no posterior can be drawn; leave out the rows of the largest torques, or fix an "
+        "unknown"
     )
+
+
+def _smooth_fit(basis: np.ndarray, values: np.ndarray, powers: np.ndarray) -> np.ndarray:
+    """Least squares with a slight penalty of high degrees, so that the polynomial stays tame where the joint slips."""
+    degree = powers.sum(axis=1)
+    penalty = np.where(degree > 1, STIFFENING * np.sqrt(len(basis)) * degree**2, 0.0)
+    left = np.concatenate([basis, np.diag(penalty)])
+    right = np.concatenate([values, np.zeros((degree.size, values.shape[1]))])
+    return np.linalg.lstsq(left, right, rcond=None)[0]
 
 
 def _box(middle: np.ndarray, axes: np.ndarray, reach: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
@@ -134,7 +147,7 @@ def _scaled_inside(
         found.extend(scaled[np.all((places >= 0.0) & (places <= 1.0), axis=1)])
         if len(found) >= count:
             break
-    return np.array(found[:count]).reshape(-1, middle.size)
+    return np.array(found[:count]).reshape(len(found[:count]), middle.size)
 
 
 def _basis(scaled: np.ndarray | Array, powers: np.ndarray) -> Array:

@@ -63,10 +63,14 @@ class Chains:
     ) -> None:
         import numpyro
         import numpyro.distributions as dist
+        from numpyro.distributions import constraints
 
-        def model(coefficients: Any) -> None:
-            unit = numpyro.sample("unit", dist.Uniform(jnp.zeros(size), jnp.ones(size)).to_event(1))
-            numpyro.factor("likelihood", surrogate(coefficients, unit))
+        def model(frame: Any) -> None:
+            # coordinates of about unit covariance; a uniform prior of u is u (1 − u) in the logarithm of the odds
+            free = numpyro.sample("free", dist.ImproperUniform(constraints.real_vector, (), (size,)))
+            odds = frame["centre"] + frame["axes"] @ free
+            log_prior = jnp.sum(jax.nn.log_sigmoid(odds) + jax.nn.log_sigmoid(-odds))
+            numpyro.factor("density", log_prior + surrogate(frame["coefficients"], jax.nn.sigmoid(odds)))
 
         self._model, self._surrogate, self._exact, self._warmup = model, surrogate, exact, warmup
         self._random, self._key = np.random.default_rng(seed), jax.random.key(seed)
@@ -86,32 +90,36 @@ class Chains:
         covariance : ndarray
             First guess of the posterior's, shape (size, size).
         """
-        from numpyro.infer import NUTS
+        from numpyro.infer import NUTS, init_to_value
 
         inside = np.clip(begin, _MARGIN, 1.0 - _MARGIN)
+        odds = np.log(inside / (1.0 - inside))
+        centre = odds.mean(axis=0)
+        axes = np.linalg.cholesky(_in_log_odds(covariance, inside.mean(axis=0)))
+        self._frame = jax.tree.map(
+            jnp.asarray, {"coefficients": coefficients, "centre": centre, "axes": axes}
+        )
         kernel = NUTS(
-            self._model,
-            dense_mass=True,
-            inverse_mass_matrix=jnp.asarray(_in_log_odds(covariance, inside.mean(axis=0))),
+            self._model, dense_mass=True, init_strategy=init_to_value(values={"free": jnp.zeros(centre.size)})
         )
         self._key, key = jax.random.split(self._key)
         with jax.numpy_dtype_promotion("standard"):  # NumPyro counts its steps in integers
             self._state = kernel.init(
                 jax.random.split(key, len(begin)),
                 self._warmup,
-                {"unit": jnp.asarray(np.log(inside / (1.0 - inside)))},
-                (coefficients,),
+                {"free": jnp.asarray(np.linalg.solve(axes, (odds - centre).T).T)},
+                (self._frame,),
                 {},
             )
         if self._propose is None:  # the kernel keeps nothing of one start that another would change
-            self._propose = jax.jit(lambda state, fitted: self._proposal(kernel, state, fitted))
-        self._coefficients, self.position = coefficients, inside
+            self._propose = jax.jit(lambda state, frame: self._proposal(kernel, state, frame))
+        self.position = inside
         self.forget()
 
-    def _proposal(self, kernel: Any, state: Any, coefficients: Any) -> Any:
-        new = kernel.sample(state, (coefficients,), {})
-        unit = jax.nn.sigmoid(new.z["unit"])
-        return new, unit, jax.vmap(lambda point: self._surrogate(coefficients, point))(unit)
+    def _proposal(self, kernel: Any, state: Any, frame: Any) -> Any:
+        new = kernel.sample(state, (frame,), {})
+        unit = jax.nn.sigmoid(frame["centre"] + new.z["free"] @ frame["axes"].T)
+        return new, unit, jax.vmap(lambda point: self._surrogate(frame["coefficients"], point))(unit)
 
     def forget(self) -> None:
         """Count from here."""
@@ -120,7 +128,7 @@ class Chains:
     def _moved(self) -> tuple[Any, np.ndarray, np.ndarray]:
         assert self._propose is not None, "start comes first"
         with jax.numpy_dtype_promotion("standard"):
-            new, unit, log_surrogate = self._propose(self._state, self._coefficients)
+            new, unit, log_surrogate = self._propose(self._state, self._frame)
         self.divergences += int(np.sum(np.asarray(new.diverging)))
         return new, np.asarray(unit), np.asarray(log_surrogate)
 
