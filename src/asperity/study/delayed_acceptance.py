@@ -100,7 +100,10 @@ class Chains:
             jnp.asarray, {"coefficients": coefficients, "centre": centre, "axes": axes}
         )
         kernel = NUTS(
-            self._model, dense_mass=True, init_strategy=init_to_value(values={"free": jnp.zeros(centre.size)})
+            self._model,
+            dense_mass=True,
+            target_accept_prob=0.9,
+            init_strategy=init_to_value(values={"free": jnp.zeros(centre.size)}),
         )
         self._key, key = jax.random.split(self._key)
         with jax.numpy_dtype_promotion("standard"):  # NumPyro counts its steps in integers

@@ -28,7 +28,7 @@ FEWEST_EFFECTIVE = 100
 CHAINS = 4
 
 #: Steps that adapt the sampler to the surrogate, and steps after them that show how many proposals the model accepts.
-WARMUP = 300
+WARMUP = 400
 PILOT = 60
 
 #: Below this share of accepted proposals the surrogate is fitted anew to where the chains are, so often at most.
@@ -134,11 +134,13 @@ def sample(
     """
     require_numpyro()
     require_double_precision()
-    measured, span = jnp.asarray(data), float(np.log(DEVIATION_FACTOR))
+    span = float(np.log(DEVIATION_FACTOR))
 
-    def log_surrogate(coefficients: Any, point: Array) -> Array:
-        log_deviation = np.log(first_deviation) + span * (2.0 * point[-1] - 1.0)
-        scaled = (surrogate(coefficients, point[:-1]) - measured) * jnp.exp(-log_deviation)
+    def log_surrogate(
+        given: Any, point: Array
+    ) -> Array:  # data are an argument: one program for all of one form
+        log_deviation = given["log_deviation"] + span * (2.0 * point[-1] - 1.0)
+        scaled = (surrogate(given["fitted"], point[:-1]) - given["data"]) * jnp.exp(-log_deviation)
         return -data.size * log_deviation - 0.5 * jnp.sum(scaled**2)
 
     def log_likelihood(points: np.ndarray) -> np.ndarray:
@@ -153,7 +155,12 @@ def sample(
     moving = Chains(surrogate=log_surrogate, exact=log_likelihood, size=centre.size, warmup=warmup, seed=seed)
     total, done = warmup + PILOT + draws, 0
     for refit in range(REFITS + 1):
-        moving.start(fit(centre[:-1], spread[:-1, :-1]), begin, spread)
+        given = {
+            "fitted": fit(centre[:-1], spread[:-1, :-1]),
+            "data": data,
+            "log_deviation": np.log(first_deviation),
+        }
+        moving.start(given, begin, spread)
         for _ in range(warmup):
             moving.warm_up()
             done += 1
