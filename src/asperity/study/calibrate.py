@@ -308,9 +308,7 @@ def _direction(
 
 
 def _unit(path: str) -> str:
-    from asperity.case.values import key_at
-    from asperity.study.unknowns import CURVE_UNKNOWNS
+    from asperity.study.unknowns import si_unit_of
 
-    kind = path.partition(" ")[0]
-    unit = (CURVE_UNKNOWNS[kind] if kind in CURVE_UNKNOWNS else key_at(path).dimension).si_unit
+    unit = si_unit_of(path)
     return "" if unit == "1" else f" {unit.replace('*', '·')}"

@@ -35,6 +35,11 @@ PILOT = 60
 LEAST_ACCEPTANCE = 0.8
 REFITS = 3
 
+#: Share of the prior's standard deviation beyond which an unknown fills its bounds, and share of the draws next to a
+#: bound beyond which that cuts the posterior: then the bounds decide about the interval.
+FILLS = 0.9
+CUT_SHARE = 0.01
+
 #: The errors' standard deviation is looked for within this factor of the least-squares one, either way.
 DEVIATION_FACTOR = 10.0
 
@@ -64,6 +69,17 @@ class Posterior:
     effective_draws: np.ndarray
     divergences: int
     acceptance: float
+
+    def note(self, index: int) -> str:
+        """What the bounds have to do with the posterior of an unknown, in words; empty if nothing."""
+        places = self.places[:, index]
+        spread = float(np.std(places))
+        if spread > FILLS * UNINFORMED:
+            return "fills its bounds"
+        # a tenth of a standard deviation next to a bound holds 1 % where that lies 1.7 standard deviations away
+        shares = np.mean(places < 0.1 * spread), np.mean(places > 1.0 - 0.1 * spread)
+        sides = [side for side, share in zip(("lower", "upper"), shares, strict=True) if share > CUT_SHARE]
+        return f"cut by {' and '.join(sides)} bound" if sides else ""
 
 
 def require_numpyro() -> None:
