@@ -238,7 +238,7 @@ def _conclude(model: CurveModel, places: np.ndarray, starts: tuple[float, ...]) 
     spread = max(deviation, 1e-14 * float(np.max(np.abs(data))))
     _, singular, rows = np.linalg.svd(slopes, full_matrices=False)
     with np.errstate(divide="ignore"):
-        along = spread / singular
+        along = spread / np.abs(singular)  # LAPACK may give −0
     covariance = (rows.T * np.minimum(along, 1e6) ** 2) @ rows
     directions = tuple(
         _direction(model, places, rows[k], float(along[k]), spread, float(singular[k]))

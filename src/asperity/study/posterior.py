@@ -191,6 +191,11 @@ def sample(
             break
         centre, spread, begin = _where_likely(seen, moving, centre, spread)
         total += warmup + PILOT
+    if not np.all(np.isfinite(moving.log_exact)):
+        raise NoSolutionError(
+            f"{int(np.sum(~np.isfinite(moving.log_exact)))} of {chains} chains of the posterior never reached a joint "
+            "that exists at all measured torques; narrow the bounds around the fit, or leave out the largest torques"
+        )
     moving.forget()
     kept = []
     for _ in range(draws):
