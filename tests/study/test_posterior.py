@@ -1,5 +1,6 @@
 """The posterior against a linear model whose posterior is known, and against sums over a grid for the real joint."""
 
+import json
 from dataclasses import replace
 
 import jax.numpy as jnp
@@ -8,6 +9,7 @@ import pytest
 from scipy.special import logsumexp
 
 from asperity.case.reader import read_case
+from asperity.cli.calibrate import _document, _show
 from asperity.errors import InputError, NoSolutionError
 from asperity.study.calibrate import calibrate
 from asperity.study.calibration_plot import posterior_figure
@@ -132,6 +134,21 @@ def test_figure(cut_joint, drawn):
     assert len(panels) == 9
     assert panels[6].get_xlabel() == "load,\npreload [N]"
     assert panels[7].get_xlabel() == "play [arcmin]"
+
+
+def test_document_and_tables(cut_joint, drawn, capsys):
+    # 940 N and 0.1 N·m are the lower bounds
+    document = json.loads(json.dumps(_document(cut_joint, drawn), allow_nan=False))
+    preload, width = document["posterior"]["load.preload"], document["posterior"]["play_torque"]
+    assert (preload["unit"], width["unit"]) == ("N", "N*m")
+    assert 940.0 < preload["quantiles"]["0.025"] < preload["quantiles"]["0.975"] < 1500.0
+    assert 0.1 < width["quantiles"]["0.025"] < 0.2
+    assert document["estimates"][1]["unit"] == "rad"
+    errors = document["posterior_standard_deviation_of_errors"]
+    assert errors["unit"] == "rad"
+    assert errors["quantiles"]["0.025"] < 3e-6 < errors["quantiles"]["0.975"]
+    _show(cut_joint, drawn)
+    assert "load.preload: cut by lower bound" in capsys.readouterr().out
 
 
 def test_exact_data_have_no_posterior(cut_joint):
