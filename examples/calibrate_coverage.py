@@ -2,6 +2,8 @@
 
 Each curve has both directions of torque, hysteresis, play, an offset and a drift, and normal errors of the angle.
 Counted is how often the 95 % interval of each unknown contains its true value. Run: python calibrate_coverage.py 200
+
+With a second number the posterior, of so many draws a chain, is counted beside it: python calibrate_coverage.py 40 100
 """
 
 import sys
@@ -10,8 +12,9 @@ from pathlib import Path
 import numpy as np
 
 from asperity.case.reader import read_case
+from asperity.errors import NoSolutionError
 from asperity.precision import use_compilation_cache, use_double_precision
-from asperity.study.calibrate import calibrate
+from asperity.study.calibrate import Calibration, calibrate
 from asperity.study.curve_model import CurveModel
 from asperity.study.measurement import Measurement
 from asperity.study.unknowns import read_unknowns
@@ -25,9 +28,12 @@ TRUTH = {
 }
 SCATTER = 1e-6  # rad, 0.2 arcsec
 
+#: Unknown → how many intervals hold the truth, and their mean relative half-width.
+Coverage = dict[str, tuple[int, float]]
 
-def coverage(count: int) -> dict[str, tuple[int, float]]:
-    """How often each interval holds the truth, and its mean relative half-width."""
+
+def coverage(count: int, draws: int) -> tuple[int, Coverage, Coverage]:
+    """Number of curves that counted, and what least squares and (where draws are asked for) the posterior reach."""
     use_double_precision()
     use_compilation_cache()
     case = read_case(Path(__file__).parent / "zou2025.toml")
@@ -36,12 +42,12 @@ def coverage(count: int) -> dict[str, tuple[int, float]]:
     data = Measurement(torque, np.zeros(75), None, np.arange(75.0), np.zeros(75), "synthetic")
     unknowns = read_unknowns(TRUTH, case=case, measurement=data)
     model = CurveModel(case=case, measurement=data, unknowns=unknowns, level="assembly", history="virgin")
-    true = np.array([u.to_unit(v) for u, v in zip(unknowns, TRUTH.values(), strict=True)])
+    values = list(TRUTH.values())
+    true = np.array([u.to_unit(v) for u, v in zip(unknowns, values, strict=True)])
     exact, _ = model(true)
     rng = np.random.default_rng(2025)
-    held = {u.path: 0 for u in unknowns}
-    width = {u.path: 0.0 for u in unknowns}
-    for _ in range(count):
+    ends: list[np.ndarray] = []
+    for curve in range(count):
         noisy = Measurement(
             torque, exact + SCATTER * rng.standard_normal(75), None, data.time, data.repetition, "synthetic"
         )
@@ -54,20 +60,42 @@ def coverage(count: int) -> dict[str, tuple[int, float]]:
             starts=1,
             seed=0,
         )
-        for each, value in zip(found.estimates, TRUTH.values(), strict=True):
-            held[each.path] += each.lower < value < each.upper
-            width[each.path] += 0.5 * (each.upper - each.lower) / value / count
-    return {path: (held[path], width[path]) for path in held}
+        try:
+            drawn = posterior_ends(found, draws, seed=curve) if draws else np.zeros((len(unknowns), 2))
+        except NoSolutionError as error:
+            print(f"  not counted: {error}")
+            continue
+        ends.append(np.stack([np.array([(e.lower, e.upper) for e in found.estimates]), drawn]))
+    table = np.array(ends)  # (curves, ways, unknowns, ends)
+    inside = (table[..., 0] < np.array(values)) & (np.array(values) < table[..., 1])
+    width = 0.5 * np.nanmean(table[..., 1] - table[..., 0], axis=0) / np.array(values)
+    by_way = [
+        {u.path: (int(inside[:, way, i].sum()), float(width[way, i])) for i, u in enumerate(unknowns)}
+        for way in (0, 1)
+    ]
+    return len(ends), by_way[0], by_way[1]
+
+
+def posterior_ends(found: Calibration, draws: int, seed: int) -> np.ndarray:
+    """Ends of the middle 95 % of the posterior, shape (unknowns, 2) [SI]."""
+    from asperity.study.posterior import posterior
+
+    places = np.quantile(posterior(found, draws=draws, seed=seed).places, (0.025, 0.975), axis=0)
+    return np.array([u.from_unit(places[:, i]) for i, u in enumerate(found.model.unknowns)])
 
 
 def main() -> None:
     count = int(sys.argv[1]) if len(sys.argv) > 1 else 200
-    error = 100.0 * (0.95 * 0.05 / count) ** 0.5
-    print(f"95 % intervals over {count} synthetic curves (counting error {error:.1f} %)")
-    for path, (held, width) in coverage(count).items():
-        print(
-            f"  {path:28s} {100.0 * held / count:5.1f} %   mean half-width {100.0 * width:.3g} % of the value"
-        )
+    draws = int(sys.argv[2]) if len(sys.argv) > 2 else 0
+    counted, by_squares, by_posterior = coverage(count, draws)
+    error = 100.0 * (0.95 * 0.05 / counted) ** 0.5
+    print(f"95 % intervals over {counted} synthetic curves (counting error {error:.1f} %)")
+    ways = {"least squares": by_squares, **({"posterior": by_posterior} if draws else {})}
+    for name, table in ways.items():
+        print(name)
+        for path, (held, width) in table.items():
+            share = 100.0 * held / counted
+            print(f"  {path:28s} {share:5.1f} %   mean half-width {100.0 * width:.3g} % of the value")
 
 
 if __name__ == "__main__":

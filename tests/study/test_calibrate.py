@@ -117,6 +117,17 @@ def test_what_cannot_be_told_apart_is_named(case, curve):
     assert "NOT told apart" in found.directions[0].words
 
 
+@pytest.mark.filterwarnings("error")
+def test_no_play_says_nothing_about_its_torque(case):
+    # the estimate of the play is exactly 0, so that the slope by play_torque is too
+    torque = np.array([0.2, 0.6, 1.0, 2.0, 3.0, 2.0, 1.0, 0.5, 0.0, -0.5, -1.0, -2.0, -3.0, -1.0, 0.5, 2.0])
+    texts = ("play=0 arcmin:1 arcmin", "play_torque=0.1 N*m:5 N*m")
+    found = fitted(case, blank(torque), np.linspace(1e-5, 2e-5, torque.size), texts)
+    assert found.estimates[0].at_bound == "lower"
+    assert not found.estimates[1].determined
+    assert np.all(np.isfinite(found.covariance))
+
+
 def test_slopes_of_the_model(case, curve):
     data, _ = curve
     unknowns = read_unknowns((*UNKNOWNS, "play_torque=0.1 N*m:2 N*m"), case=case, measurement=data)

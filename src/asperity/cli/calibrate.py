@@ -28,7 +28,7 @@ if TYPE_CHECKING:
 @click.option("--out", type=click.Path(), help="Write the calibrated joint as a joint file.")
 @click.option("--plot", type=click.Path(), help="Draw data, fit and residuals (.png, .svg, .pdf).")
 @click.option("--posterior", "draws", type=click.IntRange(50, 100000), metavar="DRAWS",
-              help="Draw from the posterior too, so many from each of two chains (extra 'bayes').")  # fmt: skip
+              help="Draw from the posterior too, so many from each of four chains (extra 'bayes').")  # fmt: skip
 @click.option("--plot-posterior", type=click.Path(), help="Draw the posterior (.png, .svg, .pdf).")
 @click.option(
     "--json", "as_json", is_flag=True, help="Print one JSON document in SI units instead of tables."
@@ -87,7 +87,8 @@ def calibrate(
         )
     drawn = None
     if draws is not None:
-        drawn = posterior(found, draws=draws, warmup=max(300, draws // 2), chains=2, seed=seed)
+        with progress_bar("steps of the posterior") as report:
+            drawn = posterior(found, draws=draws, seed=seed, progress=report)
     if as_json:
         import json
 
@@ -115,14 +116,14 @@ def _document(found: Calibration, drawn: Posterior | None) -> dict[str, Any]:
     import math
     from dataclasses import asdict
 
-    import numpy as np
+    from asperity.study.unknowns import si_unit_of
 
     unit = "rad" if found.model.measurement.angle is not None else "N*m/rad"
     document: dict[str, Any] = {
         "estimates": [
             {
                 k: (None if isinstance(v, float) and not math.isfinite(v) else v)
-                for k, v in asdict(each).items()
+                for k, v in {**asdict(each), "unit": si_unit_of(each.path)}.items()
             }
             for each in found.estimates
         ],
@@ -138,22 +139,33 @@ def _document(found: Calibration, drawn: Posterior | None) -> dict[str, Any]:
     if drawn is not None:
         document["posterior"] = {
             unknown.path: {
-                "quantiles": {
-                    str(q): float(unknown.from_unit(np.quantile(drawn.places[:, i], q)))
-                    for q in (0.025, 0.5, 0.975)
-                },
+                "quantiles": _quantiles(unknown.from_unit(drawn.places[:, i])),
+                "unit": si_unit_of(unknown.path),
+                "note": drawn.note(i),
                 "r_hat": float(drawn.r_hat[i]),
                 "effective_draws": float(drawn.effective_draws[i]),
             }
             for i, unknown in enumerate(found.model.unknowns)
         }
+        document["posterior_standard_deviation_of_errors"] = {
+            "quantiles": _quantiles(drawn.standard_deviation),
+            "unit": unit,
+            "r_hat": float(drawn.r_hat[-1]),
+            "effective_draws": float(drawn.effective_draws[-1]),
+        }
+        document["posterior_draws"] = len(drawn.places)
         document["posterior_divergences"] = drawn.divergences
+        document["posterior_acceptance"] = drawn.acceptance
     return document
 
 
-def _show(found: Calibration, drawn: Posterior | None) -> None:
+def _quantiles(values: Any) -> dict[str, float]:
     import numpy as np
 
+    return {str(q): float(np.quantile(values, q)) for q in (0.025, 0.5, 0.975)}
+
+
+def _show(found: Calibration, drawn: Posterior | None) -> None:
     from asperity.cli.terminal import console, table
     from asperity.study.calibrate import CORRELATED
     from asperity.study.calibration_plot import unit_of
@@ -181,10 +193,21 @@ def _show(found: Calibration, drawn: Posterior | None) -> None:
     for direction in found.directions:
         target.print(f"  {direction.words}", markup=False)
     if drawn is not None:
-        rows = table(target, f"Posterior, {drawn.places.shape[0]} draws, {drawn.divergences} divergent",
-                     "unknown", "2.5 %", "median", "97.5 %", "R-hat", "effective")  # fmt: skip
+        title = f"Posterior, {len(drawn.places)} draws, {drawn.divergences} divergent, R-hat {drawn.r_hat.max():.3f}"
+        rows = table(target, title, "unknown", "2.5 %", "median", "97.5 %", "effective draws")
         for i, unknown in enumerate(found.model.unknowns):
-            ends = [unknown.from_unit(np.quantile(drawn.places[:, i], q)) for q in (0.025, 0.5, 0.975)]
-            shown = [format_quantity(float(v), unit_of(unknown.path)) for v in ends]
-            rows.add_row(unknown.path, *shown, f"{drawn.r_hat[i]:.3f}", f"{drawn.effective_draws[i]:.0f}")
+            values = _quantiles(unknown.from_unit(drawn.places[:, i])).values()
+            shown = [format_quantity(v, unit_of(unknown.path)) for v in values]
+            rows.add_row(unknown.path, *shown, f"{drawn.effective_draws[i]:.0f}")
+        shown = [format_quantity(v, unit) for v in _quantiles(drawn.standard_deviation).values()]
+        rows.add_row("size of errors", *shown, f"{drawn.effective_draws[-1]:.0f}")
         target.print(rows)
+        for i, unknown in enumerate(found.model.unknowns):
+            if note := drawn.note(i):
+                target.print(
+                    f"{unknown.path}: {note}, so that the bounds decide about the interval", markup=False
+                )
+        target.print(
+            f"The joint itself accepted {100.0 * drawn.acceptance:.3g} % of the proposals; the draws are exact, a low "
+            "share only makes them fewer."
+        )

@@ -238,7 +238,7 @@ def _conclude(model: CurveModel, places: np.ndarray, starts: tuple[float, ...]) 
     spread = max(deviation, 1e-14 * float(np.max(np.abs(data))))
     _, singular, rows = np.linalg.svd(slopes, full_matrices=False)
     with np.errstate(divide="ignore"):
-        along = spread / singular
+        along = spread / np.abs(singular)  # LAPACK may give −0
     covariance = (rows.T * np.minimum(along, 1e6) ** 2) @ rows
     directions = tuple(
         _direction(model, places, rows[k], float(along[k]), spread, float(singular[k]))
@@ -308,9 +308,7 @@ def _direction(
 
 
 def _unit(path: str) -> str:
-    from asperity.case.values import key_at
-    from asperity.study.unknowns import CURVE_UNKNOWNS
+    from asperity.study.unknowns import si_unit_of
 
-    kind = path.partition(" ")[0]
-    unit = (CURVE_UNKNOWNS[kind] if kind in CURVE_UNKNOWNS else key_at(path).dimension).si_unit
+    unit = si_unit_of(path)
     return "" if unit == "1" else f" {unit.replace('*', '·')}"

@@ -12,6 +12,7 @@ from asperity.study.unknowns import CURVE_UNKNOWNS
 from asperity.units import from_si
 
 if TYPE_CHECKING:
+    from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
 
@@ -72,7 +73,7 @@ def calibration_figure(calibration: Calibration) -> Figure:
 
 
 def posterior_figure(calibration: Calibration, posterior: Posterior) -> Figure:
-    """Draws of all pairs of unknowns, with the least-squares estimate.
+    """Draws of each unknown with the least-squares interval, of all pairs, and their correlations.
 
     Parameters
     ----------
@@ -84,35 +85,110 @@ def posterior_figure(calibration: Calibration, posterior: Posterior) -> Figure:
     Returns
     -------
     Figure
-        A triangle of panels.
+        A square of panels: histograms on the diagonal, pairs below it, rank correlations above it.
     """
+    from matplotlib.colors import TwoSlopeNorm
     from matplotlib.figure import Figure
+    from matplotlib.ticker import MaxNLocator
+    from scipy.stats import rankdata
 
     unknowns = calibration.model.unknowns
     count = len(unknowns)
-    values = [
-        np.array([from_si(float(v), unit_of(u.path)) for v in u.from_unit(posterior.places[:, i])])
-        for i, u in enumerate(unknowns)
+    factors = [from_si(1.0, unit_of(u.path)) for u in unknowns]
+    values = [u.from_unit(posterior.places[:, i]) * factors[i] for i, u in enumerate(unknowns)]
+    correlations = np.atleast_2d(np.corrcoef([rankdata(each) for each in values]))
+    limits = [
+        _limits(v, np.array([e.value, e.lower, e.upper]) * f)
+        for v, e, f in zip(values, calibration.estimates, factors, strict=True)
     ]
-    figure = Figure(figsize=(2.4 * count + 1.0, 2.2 * count + 0.6), layout="constrained")
+    figure = Figure(figsize=(2.1 * count + 1.6, 2.0 * count + 1.2), layout="constrained")
+    panels = figure.subplots(count, count, squeeze=False, sharex="col")
+    shades = TwoSlopeNorm(0.0, -1.0, 1.0)
     for row in range(count):
-        for column in range(row + 1):
-            axes = figure.add_subplot(count, count, row * count + column + 1)
+        for column in range(count):
+            axes = panels[row, column]
             if row == column:
-                axes.hist(values[row], bins=40, color="C0")
-                axes.axvline(
-                    from_si(calibration.estimates[row].value, unit_of(unknowns[row].path)), color="C3"
+                _marginal(axes, calibration, row, values[row], factors[row], posterior.note(row))
+            elif row > column:
+                axes.plot(
+                    values[column], values[row], ".", ms=1.5, mew=0.0, color="C0", alpha=0.4, rasterized=True
+                )
+                axes.plot(
+                    calibration.estimates[column].value * factors[column],
+                    calibration.estimates[row].value * factors[row],
+                    "+",
+                    color="C3",
+                )
+                axes.set_ylim(*limits[row])
+                axes.yaxis.set_major_locator(MaxNLocator(4))
+            else:
+                value = float(correlations[row, column])
+                axes.set_facecolor(_colour(shades(value)))
+                axes.text(
+                    0.5,
+                    0.5,
+                    f"{value:+.2f}".replace("-", "−"),
+                    ha="center",
+                    va="center",
+                    transform=axes.transAxes,
                 )
                 axes.set_yticks([])
-            else:
-                axes.plot(values[column], values[row], ",", color="C0", alpha=0.5)
+            axes.set_xlim(*limits[column])
+            axes.xaxis.set_major_locator(MaxNLocator(3))
+            axes.tick_params(labelsize="x-small")
+            axes.tick_params(axis="x", labelrotation=30.0, bottom=row >= column)
+            if column and row != column:
+                axes.tick_params(labelleft=False)
             if row == count - 1:
                 axes.set_xlabel(_label(unknowns[column].path), fontsize="small")
             if column == 0 and row:
                 axes.set_ylabel(_label(unknowns[row].path), fontsize="small")
-            axes.tick_params(labelsize="x-small")
-    figure.suptitle("posterior (line: least squares)", fontsize="medium")
+    figure.align_ylabels()
+    figure.suptitle(
+        f"posterior, {len(posterior.places)} draws: 95 % shaded; red: least squares with its 95 % interval; "
+        "above the diagonal: rank correlation",
+        fontsize="medium" if count > 3 else "x-small",
+        wrap=True,
+    )
     return figure
+
+
+def _marginal(
+    axes: Axes, calibration: Calibration, index: int, values: np.ndarray, factor: float, note: str
+) -> None:
+    """Histogram with the middle 95 % shaded, the least-squares estimate, and its interval as a bar above."""
+    estimate = calibration.estimates[index]
+    low, high = np.quantile(values, (0.025, 0.975))
+    axes.hist(values, bins=40, range=(values.min(), values.max()), density=True, color="C0", alpha=0.35)
+    inside = values[(values >= low) & (values <= high)]
+    weights = np.full(inside.size, 40.0 / (np.ptp(values) * values.size)) if np.ptp(values) else None
+    axes.hist(inside, bins=40, range=(values.min(), values.max()), weights=weights, color="C0")
+    top = axes.get_ylim()[1]
+    axes.set_ylim(0.0, 1.25 * top)
+    if estimate.determined:
+        axes.plot([estimate.lower * factor, estimate.upper * factor], [1.1 * top] * 2, "|-", color="C3")
+    else:
+        axes.text(0.97, 0.8, "no interval by\nleast squares", ha="right", va="top", color="C3",
+                  fontsize="xx-small", transform=axes.transAxes)  # fmt: skip
+    axes.plot(estimate.value * factor, 1.1 * top, "o", ms=4, color="C3")
+    if note:
+        axes.text(0.97, 0.82, note, ha="right", va="top", fontsize="xx-small", transform=axes.transAxes)
+    axes.set_yticks([])
+
+
+def _limits(values: np.ndarray, squares: np.ndarray) -> tuple[float, float]:
+    """Range of the draws and of the least-squares interval, of which no more than as much again on each side."""
+    low, high = float(values.min()), float(values.max())
+    width = (high - low) or 1e-3 * max(abs(low), 1e-30)
+    low, high = max(np.nanmin([low, *squares]), low - width), min(np.nanmax([high, *squares]), high + width)
+    return low - 0.04 * (high - low), high + 0.04 * (high - low)
+
+
+def _colour(shade: float) -> tuple[float, float, float, float]:
+    from matplotlib import colormaps
+
+    red, green, blue, _ = colormaps["RdBu_r"](shade)
+    return (0.5 + 0.5 * red, 0.5 + 0.5 * green, 0.5 + 0.5 * blue, 1.0)
 
 
 def unit_of(path: str) -> str:
@@ -136,6 +212,7 @@ def unit_of(path: str) -> str:
 
 
 def _label(path: str) -> str:
+    """Full name of an unknown and its unit, a line each."""
     unit = unit_of(path)
-    tail = path.rsplit(".", 1)[-1].replace("_", " ")
-    return f"{tail} [{'–' if unit == '1' else unit.replace('*', '·')}]"
+    words = path.replace(".", ",\n").replace("_", " ")
+    return f"{words} [{'–' if unit == '1' else unit.replace('*', '·')}]"

@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from typing import Any
+
 import numpy as np
 
 from asperity.case.model import Case
 from asperity.case.values import numeric_keys, si_values
 from asperity.study.design_problem import Variable
 from asperity.study.measurement import Measurement
-from asperity.study.quantities import quantities_and_slopes
+from asperity.study.quantities import quantities_and_slopes, quantities_at
 from asperity.study.torque_history import History, curve_operator
 from asperity.study.unknowns import CURVE_UNKNOWNS
 from asperity.windup import StiffnessLevel
@@ -16,6 +19,9 @@ from asperity.windup import StiffnessLevel
 #: Below this share of its median a stiffness is held, so that a search that strays past the torque capacity finds
 #: back. A curve that ends there is refused.
 STIFFNESS_FLOOR = 0.01
+
+#: Points of one call for many sets of unknowns: up to here the program that the fit uses serves.
+_POINTS = 4096
 
 
 class CurveModel:
@@ -121,8 +127,69 @@ class CurveModel:
             slopes[:, index] = slope
         return prediction, slopes * steps
 
-    def curve_part(self, path: str, point: dict[str, float]) -> tuple[np.ndarray, np.ndarray]:
-        """What an unknown of the curve adds to the angles, and the derivative by it."""
+    def compliances(self, places: np.ndarray) -> np.ndarray:
+        """Compliance at the model's torques, with nothing held.
+
+        Parameters
+        ----------
+        places : ndarray
+            Shape (sets, unknowns).
+
+        Returns
+        -------
+        ndarray
+            Shape (sets, torques) [rad/(N·m)]; nan for the whole set where the joint has no solution or no stiffness
+            at one of the torques, the largest measured one included.
+        """
+        largest = float(np.max(np.abs(self.measurement.torque)))
+        torque = self.torque if self.weights is None else np.append(self.torque, largest)
+        rows = max(1, _POINTS // torque.size)
+        found = [self._compliances(part, torque) for part in np.split(places, range(rows, len(places), rows))]
+        return np.concatenate(found)[:, : self.torque.size]
+
+    def _compliances(self, places: np.ndarray, torque: np.ndarray) -> np.ndarray:
+        changes = {
+            self.unknowns[index].path: np.repeat(
+                self.unknowns[index].from_unit(places[:, index]), torque.size
+            )
+            for index in self.in_joint
+        }
+        quantities = quantities_at(
+            self.values, {**changes, "load.output_torque": np.tile(torque, len(places))}
+        )
+        shape = (len(places), torque.size)
+        stiffness = quantities[f"stiffness.{self.level}"][0].reshape(shape)
+        holds = np.isfinite(stiffness) & (stiffness > 0.0) & (quantities["solved"][0].reshape(shape) > 0.0)
+        exists = np.all(holds, axis=1)[:, None]
+        return np.where(exists, 1.0 / np.where(exists, stiffness, 1.0), np.nan)
+
+    def predictions(self, places: np.ndarray) -> np.ndarray:
+        """Predictions of many sets of unknowns, with nothing held.
+
+        Parameters
+        ----------
+        places : ndarray
+            Shape (sets, unknowns).
+
+        Returns
+        -------
+        ndarray
+            Shape (sets, points) [rad] or [N·m/rad]; nan for a set whose joint does not exist, see :meth:`compliances`.
+        """
+        compliance = self.compliances(places)
+        if self.weights is None:
+            return 1.0 / compliance
+        found = compliance @ self.weights.T
+        for row, place in zip(found, places, strict=True):
+            point = self.point(place)
+            for index in self.in_curve:
+                row += self.curve_part(self.unknowns[index].path, point)[0]
+        return found
+
+    def curve_part(
+        self, path: str, point: dict[str, Any], tanh: Callable[[Any], Any] = np.tanh
+    ) -> tuple[Any, Any]:
+        """What an unknown of the curve adds to the angles, and the derivative by it (``tanh``: NumPy's or JAX's)."""
         data, kind = self.measurement, _kind(path)
         none = np.zeros(data.torque.size)
         if kind == "offset":
@@ -134,7 +201,7 @@ class CurveModel:
             elapsed = data.time - data.time[0]
             return point[path] * elapsed, elapsed
         width = point.get("play_torque")
-        side = np.sign(data.torque) if width is None else np.tanh(data.torque / width)
+        side = np.sign(data.torque) if width is None else tanh(data.torque / width)
         if kind == "play":
             return 0.5 * point["play"] * side, 0.5 * side
         assert width is not None

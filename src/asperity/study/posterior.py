@@ -1,26 +1,47 @@
-"""Posterior of a calibration by Hamiltonian Monte Carlo (NumPyro), started from the least-squares fit."""
+"""Posterior of a calibration: NUTS (NumPyro) on a surrogate proposes, the model itself decides."""
 
 from __future__ import annotations
 
 import importlib.util
 from collections.abc import Callable
 from dataclasses import dataclass
+from typing import Any
 
-import jax
 import jax.numpy as jnp
 import numpy as np
 from jax import Array
 
-from asperity.case.values import replace_values
 from asperity.errors import InputError, MissingExtraError, NoSolutionError
 from asperity.precision import require_double_precision
-from asperity.study.calibrate import Calibration
-from asperity.study.curve_model import CurveModel
-from asperity.study.quantities import joint_quantities
+from asperity.study.calibrate import UNINFORMED, Calibration
+from asperity.study.curve_surrogate import fit_surrogate, surrogate_prediction
+from asperity.study.delayed_acceptance import Chains
 
 #: Largest split-R-hat that counts as converged (A. Vehtari et al., Bayesian Anal. 16 (2021) 667, recommend 1.01;
 #: this is the bound beyond which the numbers are refused).
 LARGEST_R_HAT = 1.05
+
+#: Fewest effective draws of an unknown: with less the ends of a 95 % interval are noise.
+FEWEST_EFFECTIVE = 100
+
+#: Chains; agreement of two would prove less.
+CHAINS = 4
+
+#: Steps that adapt the sampler to the surrogate, and steps after them that show how many proposals the model accepts.
+WARMUP = 400
+PILOT = 60
+
+#: Below this share of accepted proposals the surrogate is fitted anew to where the chains are, so often at most.
+LEAST_ACCEPTANCE = 0.8
+REFITS = 3
+
+#: Share of the prior's standard deviation beyond which an unknown fills its bounds, and share of the draws next to a
+#: bound beyond which that cuts the posterior: then the bounds decide about the interval.
+FILLS = 0.9
+CUT_SHARE = 0.01
+
+#: The errors' standard deviation is looked for within this factor of the least-squares one, either way.
+DEVIATION_FACTOR = 10.0
 
 
 @dataclass(frozen=True)
@@ -34,9 +55,12 @@ class Posterior:
     standard_deviation : ndarray
         Of the errors, shape (draws,) [rad] or [N·m/rad].
     r_hat, effective_draws : ndarray
-        Split-R-hat and effective number of draws of each unknown, shape (unknowns,).
+        Split-R-hat and effective number of draws of each unknown and, last, of the logarithm of the standard
+        deviation, shape (unknowns + 1,).
     divergences : int
-        Number of divergent transitions.
+        Number of divergent transitions of the proposals.
+    acceptance : float
+        Share of the proposals that the model accepted [-].
     """
 
     places: np.ndarray
@@ -44,6 +68,18 @@ class Posterior:
     r_hat: np.ndarray
     effective_draws: np.ndarray
     divergences: int
+    acceptance: float
+
+    def note(self, index: int) -> str:
+        """What the bounds have to do with the posterior of an unknown, in words; empty if nothing."""
+        places = self.places[:, index]
+        spread = float(np.std(places))
+        if spread > FILLS * UNINFORMED:
+            return "fills its bounds"
+        # a tenth of a standard deviation next to a bound holds 1 % where that lies 1.7 standard deviations away
+        shares = np.mean(places < 0.1 * spread), np.mean(places > 1.0 - 0.1 * spread)
+        sides = [side for side, share in zip(("lower", "upper"), shares, strict=True) if share > CUT_SHARE]
+        return f"cut by {' and '.join(sides)} bound" if sides else ""
 
 
 def require_numpyro() -> None:
@@ -60,14 +96,18 @@ def require_numpyro() -> None:
 
 def sample(
     *,
-    predict: Callable[[Array], Array],
+    predict: Callable[[np.ndarray], np.ndarray],
+    surrogate: Callable[[Any, Array], Array],
+    fit: Callable[[np.ndarray, np.ndarray], Any],
     data: np.ndarray,
     first: np.ndarray,
+    covariance: np.ndarray,
     first_deviation: float,
     draws: int,
     warmup: int,
     chains: int,
     seed: int,
+    progress: Callable[[int, int], None] | None = None,
 ) -> Posterior:
     r"""Sample places of unknowns with uniform priors between their bounds, and the size of the errors.
 
@@ -77,15 +117,23 @@ def sample(
     Parameters
     ----------
     predict : callable
-        f: places, shape (unknowns,), → predictions, shape (points,); traceable by JAX.
+        f: places, shape (sets, unknowns) → predictions, shape (sets, points); nan where the likelihood is zero.
+    surrogate : callable
+        Coefficients and places, shape (unknowns,) → predictions like f's, shape (points,); traceable by JAX. It only
+        proposes: the draws have the posterior of f, see :class:`asperity.study.delayed_acceptance.Chains`.
+    fit : callable
+        Centre, shape (unknowns,), and covariance of places → coefficients of a surrogate that is good around there,
+        of the same shapes each time.
     data : ndarray
         y, shape (points,).
-    first : ndarray
-        Places to start from: the least-squares fit.
+    first, covariance : ndarray
+        Least-squares fit in places, and its covariance: chains begin around it.
     first_deviation : float
         s_0, the standard deviation of its residuals.
     draws, warmup, chains, seed : int
         Of the sampler; draws and warm-up steps are per chain.
+    progress : callable, optional
+        Called with the number of finished steps and of all steps.
 
     Returns
     -------
@@ -97,73 +145,162 @@ def sample(
     MissingExtraError
         If NumPyro is not installed.
     NoSolutionError
-        If the chains disagree (split-R-hat above :data:`LARGEST_R_HAT`).
-
-    References
-    ----------
-    M. D. Hoffman and A. Gelman, J. Mach. Learn. Res. 15 (2014) 1593 (NUTS).
+        If no beginning is possible, the chains disagree (split-R-hat above :data:`LARGEST_R_HAT`), or they hold fewer
+        than :data:`FEWEST_EFFECTIVE` effective draws.
     """
     require_numpyro()
     require_double_precision()
-    import numpyro
-    import numpyro.distributions as dist
-    from numpyro.diagnostics import effective_sample_size, split_gelman_rubin
-    from numpyro.infer import MCMC, NUTS, init_to_value
+    span = float(np.log(DEVIATION_FACTOR))
 
-    measured = jnp.asarray(data)
-    size = first.size
+    def log_surrogate(
+        given: Any, point: Array
+    ) -> Array:  # data are an argument: one program for all of one form
+        log_deviation = given["log_deviation"] + span * (2.0 * point[-1] - 1.0)
+        scaled = (surrogate(given["fitted"], point[:-1]) - given["data"]) * jnp.exp(-log_deviation)
+        return -data.size * log_deviation - 0.5 * jnp.sum(scaled**2)
 
-    def model() -> None:
-        places = numpyro.sample("places", dist.Uniform(jnp.zeros(size), jnp.ones(size)).to_event(1))
-        log_ratio = numpyro.sample("log_ratio", dist.Uniform(-jnp.log(10.0), jnp.log(10.0)))
-        deviation = first_deviation * jnp.exp(log_ratio)
-        numpyro.sample("data", dist.Normal(predict(places), deviation).to_event(1), obs=measured)
+    def log_likelihood(points: np.ndarray) -> np.ndarray:
+        log_deviation = np.log(first_deviation) + span * (2.0 * points[:, -1] - 1.0)
+        scaled = (predict(points[:, :-1]) - data) * np.exp(-log_deviation)[:, None]
+        found = -data.size * log_deviation - 0.5 * np.sum(scaled**2, axis=1)
+        return np.where(np.isfinite(found), found, -np.inf)
 
-    start = {"places": jnp.clip(jnp.asarray(first), 1e-3, 1.0 - 1e-3), "log_ratio": jnp.asarray(0.0)}
-    kernel = NUTS(
-        model,
-        init_strategy=init_to_value(values=start),
-        dense_mass=True,
-        forward_mode_differentiation=True,
-        target_accept_prob=0.9,
-    )
-    run = MCMC(
-        kernel,
-        num_warmup=warmup,
-        num_samples=draws,
-        num_chains=chains,
-        chain_method="vectorized",
-        progress_bar=False,
-    )
-    with jax.numpy_dtype_promotion("standard"):  # NumPyro counts its steps in integers
-        run.run(jax.random.key(seed))
-    by_chain = run.get_samples(group_by_chain=True)
-    places = np.asarray(by_chain["places"])
-    r_hat = np.atleast_1d(split_gelman_rubin(places))
-    effective = np.atleast_1d(effective_sample_size(places))
-    if not np.all(r_hat < LARGEST_R_HAT):
+    # ln s has the standard deviation 1/sqrt(2 n) where the errors are normal
+    centre, spread = np.append(first, 0.5), _capped(covariance, 1.0 / np.sqrt(2.0 * data.size) / (2.0 * span))
+    begin = _begins(log_likelihood, centre, spread, chains, seed)
+    moving = Chains(surrogate=log_surrogate, exact=log_likelihood, size=centre.size, warmup=warmup, seed=seed)
+    total, done = warmup + PILOT + draws, 0
+    for refit in range(REFITS + 1):
+        given = {
+            "fitted": fit(centre[:-1], spread[:-1, :-1]),
+            "data": data,
+            "log_deviation": np.log(first_deviation),
+        }
+        moving.start(given, begin, spread)
+        for _ in range(warmup):
+            moving.warm_up()
+            done += 1
+            _tell(progress, done, total)
+        moving.begin_exactly()
+        seen = []
+        for _ in range(PILOT):
+            seen.append(moving.step())
+            done += 1
+            _tell(progress, done, total)
+        if moving.accepted >= LEAST_ACCEPTANCE * moving.proposed or refit == REFITS:
+            break
+        centre, spread, begin = _where_likely(seen, moving, centre, spread)
+        total += warmup + PILOT
+    if not np.all(np.isfinite(moving.log_exact)):
         raise NoSolutionError(
-            f"the chains of the posterior disagree (largest split-R-hat {np.max(r_hat):.3g}, allowed {LARGEST_R_HAT}); "
-            "take more warm-up steps, or fewer unknowns: the fit names the combinations that the data cannot tell"
+            f"{int(np.sum(~np.isfinite(moving.log_exact)))} of {chains} chains of the posterior never reached a joint "
+            "that exists at all measured torques; narrow the bounds around the fit, or leave out the largest torques"
         )
+    moving.forget()
+    kept = []
+    for _ in range(draws):
+        moving.step()
+        kept.append(moving.position)
+        done += 1
+        _tell(progress, done, total)
+    return _concluded(np.stack(kept, axis=1), moving, first_deviation)
+
+
+def _tell(progress: Callable[[int, int], None] | None, done: int, total: int) -> None:
+    if progress is not None:
+        progress(done, total)
+
+
+def _capped(covariance: np.ndarray, last: float) -> np.ndarray:
+    """Covariance with no direction wider than the prior, and one more coordinate of given standard deviation."""
+    squares, axes = np.linalg.eigh(covariance)
+    size = len(covariance)
+    found = np.zeros((size + 1, size + 1))
+    found[:size, :size] = (axes * np.minimum(squares, UNINFORMED**2)) @ axes.T
+    found[size, size] = min(last, UNINFORMED) ** 2
+    return found
+
+
+def _begins(
+    log_likelihood: Callable[[np.ndarray], np.ndarray],
+    centre: np.ndarray,
+    spread: np.ndarray,
+    chains: int,
+    seed: int,
+) -> np.ndarray:
+    """Points around the fit at which the likelihood is not zero, shape (chains, size)."""
+    rng, found = np.random.default_rng(seed), []
+    for attempt in range(20):  # 20 times, ever closer
+        points = rng.multivariate_normal(centre, spread * 0.7**attempt, size=chains)
+        points = np.clip(points, 0.01 * centre, 1.0 - 0.01 * (1.0 - centre))
+        found.extend(points[np.isfinite(log_likelihood(points))])
+        if len(found) >= chains:
+            return np.array(found[:chains])
+    raise NoSolutionError(
+        "the joint exists nowhere around the best fit (it slips or lifts off within the measured torques), so no "
+        "posterior can be drawn; leave out the rows of the largest torques, or fix an unknown"
+    )
+
+
+def _where_likely(
+    seen: list[tuple[np.ndarray, np.ndarray]], moving: Chains, centre: np.ndarray, spread: np.ndarray
+) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Centre and covariance of the likelier half of what has been seen, and where to begin there."""
+    points = np.concatenate([*(each for each, _ in seen), moving.position])
+    logarithm = np.concatenate([*(each for _, each in seen), moving.log_exact])
+    order = np.argsort(-logarithm)[: max(len(points) // 2, len(moving.position))]
+    order = order[np.isfinite(logarithm[order])]
+    begin = np.where(np.isfinite(moving.log_exact)[:, None], moving.position, centre)
+    if order.size <= centre.size:
+        return centre, 0.25 * spread, begin
+    chosen = points[order]
+    return chosen.mean(axis=0), np.cov(chosen, rowvar=False), begin
+
+
+def _concluded(kept: np.ndarray, moving: Chains, first_deviation: float) -> Posterior:
+    from numpyro.diagnostics import effective_sample_size, split_gelman_rubin
+
+    with np.errstate(invalid="ignore", divide="ignore"):  # a chain that never moved
+        r_hat = np.atleast_1d(split_gelman_rubin(kept))
+        effective = np.atleast_1d(effective_sample_size(kept))
+    acceptance = moving.accepted / moving.proposed
+    if not (np.all(r_hat < LARGEST_R_HAT) and np.all(effective >= FEWEST_EFFECTIVE)):
+        raise NoSolutionError(
+            f"the chains of the posterior have not converged: largest split-R-hat {np.max(r_hat):.3g}, allowed "
+            f"{LARGEST_R_HAT}; fewest effective draws {np.min(effective):.0f}, needed {FEWEST_EFFECTIVE}; "
+            f"{100.0 * acceptance:.0f} % of the proposals accepted. Take more draws, narrower bounds, or fewer "
+            "unknowns: the fit names the combinations that the data cannot tell"
+        )
+    flat = kept.reshape(-1, kept.shape[-1])
     return Posterior(
-        places=places.reshape(-1, size),
-        standard_deviation=first_deviation * np.exp(np.asarray(by_chain["log_ratio"]).reshape(-1)),
+        places=flat[:, :-1],
+        standard_deviation=first_deviation * DEVIATION_FACTOR ** (2.0 * flat[:, -1] - 1.0),
         r_hat=r_hat,
         effective_draws=effective,
-        divergences=int(np.sum(np.asarray(run.get_extra_fields()["diverging"]))),
+        divergences=moving.divergences,
+        acceptance=acceptance,
     )
 
 
-def posterior(calibration: Calibration, *, draws: int, warmup: int, chains: int, seed: int) -> Posterior:
+def posterior(
+    calibration: Calibration,
+    *,
+    draws: int,
+    seed: int,
+    progress: Callable[[int, int], None] | None = None,
+) -> Posterior:
     """Posterior of the unknowns of a calibration.
 
     Parameters
     ----------
     calibration : Calibration
         The least-squares fit; the chains start there.
-    draws, warmup, chains, seed : int
-        Of the sampler; draws and warm-up steps are per chain.
+    draws : int
+        From each of :data:`CHAINS` chains.
+    seed : int
+        Of the sampler.
+    progress : callable, optional
+        Called with the number of finished steps and of all steps.
 
     Returns
     -------
@@ -172,68 +309,31 @@ def posterior(calibration: Calibration, *, draws: int, warmup: int, chains: int,
 
     Raises
     ------
+    InputError
+        If the data fit exactly: then there are no errors whose size could be told.
     MissingExtraError, NoSolutionError
         As :func:`sample`.
+
+    Notes
+    -----
+    The likelihood is zero where the joint has no stiffness at one of the measured torques.
     """
+    model, data = calibration.model, calibration.model.measurement.measured
+    if calibration.standard_deviation <= 1e-12 * float(np.max(np.abs(data))):
+        raise InputError(
+            "the data fit to the last digit, so that they say nothing about errors; a posterior needs measured data"
+        )
     return sample(
-        predict=traceable_prediction(calibration.model),
-        data=calibration.model.measurement.measured,
+        predict=model.predictions,
+        surrogate=surrogate_prediction(model),
+        fit=lambda centre, spread: fit_surrogate(model, centre, spread, seed=seed),
+        data=data,
         first=calibration.places,
+        covariance=calibration.covariance,
         first_deviation=calibration.standard_deviation,
         draws=draws,
-        warmup=warmup,
-        chains=chains,
+        warmup=WARMUP,
+        chains=CHAINS,
         seed=seed,
+        progress=progress,
     )
-
-
-def traceable_prediction(model: CurveModel) -> Callable[[Array], Array]:
-    """The prediction of a curve model as a function that JAX can trace.
-
-    Parameters
-    ----------
-    model : CurveModel
-        The model.
-
-    Returns
-    -------
-    callable
-        Places, shape (unknowns,) → predictions, shape (points,). A slope linear in play, offset and drift is taken
-        from the model itself; a play torque is not supported here.
-
-    Raises
-    ------
-    InputError
-        If the unknowns contain a play torque.
-    """
-    if any(unknown.path == "play_torque" for unknown in model.unknowns):
-        raise InputError(
-            "the posterior has no play torque; leave the unknown play_torque out, or draw no posterior"
-        )
-    torque = jnp.asarray(model.torque)
-    weights = None if model.weights is None else jnp.asarray(model.weights)
-    base = np.full(len(model.unknowns), 0.5)
-    _, slopes = model(base)
-    linear = jnp.asarray(slopes[:, model.in_curve])
-    middle = {model.unknowns[i].path: float(model.unknowns[i].from_unit(0.5)) for i in model.in_curve}
-    constant = sum((model.curve_part(path, middle)[0] for path in middle), np.zeros(len(slopes)))
-
-    def predict(places: Array) -> Array:
-        changes: dict[str, Array] = {"load.output_torque": torque}
-        for index in model.in_joint:
-            unknown = model.unknowns[index]
-            value = (
-                unknown.lower * jnp.exp(places[index] * jnp.log(unknown.upper / unknown.lower))
-                if unknown.logarithmic
-                else unknown.lower + (unknown.upper - unknown.lower) * places[index]
-            )
-            changes[unknown.path] = jnp.broadcast_to(value, torque.shape)
-        stiffness = joint_quantities(replace_values(model.values, changes))[f"stiffness.{model.level}"][0]
-        held = stiffness > 0.0
-        safe = jnp.where(held, stiffness, 1.0)
-        if weights is None:
-            return jnp.where(held, safe, jnp.nan)
-        angle = weights @ jnp.where(held, 1.0 / safe, jnp.inf)
-        return angle + constant + linear @ (places[jnp.array(model.in_curve, int)] - 0.5)
-
-    return predict

@@ -140,3 +140,20 @@ def _of_joint(path: str, sides: list[str], case: Case) -> Variable:
         if not (key.admits(lower) and key.admits(upper)):
             raise InputError(f"unknown '{path}': state bounds, {path}=LOWER:UPPER; allowed is {key.allowed}")
     return Variable(path, lower, upper, not linear and lower > 0.0)
+
+
+def si_unit_of(path: str) -> str:
+    """SI unit of an unknown.
+
+    Parameters
+    ----------
+    path : str
+        Its name.
+
+    Returns
+    -------
+    str
+        A unit of :mod:`asperity.units`.
+    """
+    kind = path.partition(" ")[0]
+    return (CURVE_UNKNOWNS[kind] if kind in CURVE_UNKNOWNS else key_at(path).dimension).si_unit
