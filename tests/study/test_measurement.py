@@ -39,14 +39,23 @@ def test_units_behind_an_underscore(tmp_path):
         ("torque [N*m],angle [rad]\n1,2\n1,x\n", "line 3, column 'angle': 'x' is not a number"),
         ("torque [N*m],angle [rad]\n1,nan\n", "not finite"),
         ("torque [N*m],angle [rad]\n1\n", "line 2: 1 values for 2 columns"),
-        ("torque [N*m],angle [rad],time [s]\n1,2,1\n1,2,0\n", "line 3: time runs backwards"),
+        ("torque [N*m],angle [rad],time [s]\n1,2,1\n2,3,0\n", "line 3: time runs backwards"),
         ("torque [N*m],stiffness [N*m/rad]\n1,2\n1,0\n", "line 3: the stiffness 0 must be positive"),
         ("torque [N*m],angle [rad],angle [deg]\n1,2,3\n", "2 columns 'angle'"),
+        ("torque [N*m],angle [rad]\n", "0 rows of numbers, needed are at least 2"),
+        ("torque [N*m],angle [rad]\n1,2\n", "1 rows of numbers, needed are at least 2"),
+        ("torque [N*m],angle [arcmin]\n0,0\n1,0\n", "all 2 rows have the angle 0"),
+        ("torque [N*m],angle [arcmin]\n1,0\n1,2\n", "all 2 rows have the torque 1 N"),
     ],
 )
 def test_bad_files(tmp_path, text, message):
     with pytest.raises(InputError, match=message.replace("(", r"\(")):
         read(tmp_path, text)
+
+
+def test_stiffnesses_may_all_belong_to_one_torque(tmp_path):
+    found = read(tmp_path, "torque [N*m],stiffness [N*m/rad]\n2,5\n2,4\n")
+    assert found.torque.tolist() == [2.0, 2.0]
 
 
 def test_missing_file(tmp_path):

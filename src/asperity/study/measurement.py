@@ -12,7 +12,7 @@ import numpy as np
 from asperity.case.messages import nearest
 from asperity.errors import InputError
 from asperity.unit_table import Dimension
-from asperity.units import parse_quantity
+from asperity.units import format_quantity, parse_quantity
 
 COLUMNS = {
     "torque": Dimension.TORQUE,
@@ -22,7 +22,8 @@ COLUMNS = {
     "repetition": None,
 }
 
-MOST_ROWS = 200_000
+#: Rows of numbers a file must and may have.
+FEWEST_ROWS, MOST_ROWS = 2, 200_000
 
 
 @dataclass(frozen=True)
@@ -80,6 +81,16 @@ def _column(header: str) -> tuple[str, float]:
         return name, parse_quantity(f"1 {unit}", dimension)
     except InputError as error:
         raise InputError(f"column '{header}': {error}") from None
+
+
+def _refuse_constant(path: str | Path, columns: dict[str, np.ndarray]) -> None:
+    """Torques or angles of a curve that never change: a sensor that was not connected, or a wrong column."""
+    for name, unit in (("torque", "N*m"), ("angle", "arcmin")):
+        if "angle" in columns and np.ptp(columns[name]) == 0.0:
+            raise InputError(
+                f"{path}: all {len(columns[name])} rows have the {name} {format_quantity(columns[name][0], unit)}; "
+                "a curve needs different ones, so look at the column and its unit"
+            )
 
 
 def read_measurement(path: str | Path) -> Measurement:
@@ -141,7 +152,10 @@ def read_measurement(path: str | Path) -> Measurement:
                 ) from None
             if not np.isfinite(numbers[index, place]):
                 raise InputError(f"{path}, line {line}, column '{name}': '{text.strip()}' is not finite")
+    if len(numbers) < FEWEST_ROWS:
+        raise InputError(f"{path}: {len(numbers)} rows of numbers, needed are at least {FEWEST_ROWS}")
     by_name = {name: numbers[:, place] for place, name in enumerate(names)}
+    _refuse_constant(path, by_name)
     time, stiffness = by_name.get("time"), by_name.get("stiffness")
     if time is not None and np.any(np.diff(time) < 0.0):
         line = lines[int(np.argmax(np.diff(time) < 0.0)) + 2][0]
