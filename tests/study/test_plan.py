@@ -18,7 +18,8 @@ def test_blocks_tile_the_grid(shape, most):
     assert 1 <= math.prod(block) <= most
     axes = tuple(type("A", (), {"count": count})() for count in shape)
     seen = np.zeros(shape, dtype=int)
-    for part in Plan({}, axes, (), block).blocks:
+    plan = Plan({}, axes, (), block)
+    for part in map(plan.block, range(plan.block_count)):
         seen[part] += 1
     assert np.all(seen == 1)
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import itertools
 import json
 import math
 from collections.abc import Sequence
@@ -55,16 +54,32 @@ class Plan:
         return math.prod(self.shape)
 
     @property
-    def blocks(self) -> list[tuple[slice, ...]]:
-        """Where each block lies in the grid, in order."""
-        starts = (range(0, count, step) for count, step in zip(self.shape, self.block_shape, strict=True))
-        return [
-            tuple(
-                slice(start, min(start + step, count))
-                for start, step, count in zip(corner, self.block_shape, self.shape, strict=True)
-            )
-            for corner in itertools.product(*starts)
-        ]
+    def block_count(self) -> int:
+        """Number of blocks."""
+        return math.prod(self._block_grid)
+
+    @property
+    def _block_grid(self) -> tuple[int, ...]:
+        return tuple(-(-count // step) for count, step in zip(self.shape, self.block_shape, strict=True))
+
+    def block(self, index: int) -> tuple[slice, ...]:
+        """Where a block lies in the grid.
+
+        Parameters
+        ----------
+        index : int
+            Number of the block, the last axis running fastest.
+
+        Returns
+        -------
+        tuple of slice
+            Its part of each axis.
+        """
+        corner = np.unravel_index(index, self._block_grid)
+        return tuple(
+            slice(int(place) * step, min((int(place) + 1) * step, count))
+            for place, step, count in zip(corner, self.block_shape, self.shape, strict=True)
+        )
 
     @property
     def bytes(self) -> int:

@@ -6,6 +6,7 @@ sweep goes on with the blocks that have no mark, and a half-written block is wri
 
 from __future__ import annotations
 
+import functools
 import json
 import os
 import shutil
@@ -71,7 +72,7 @@ def prepare_store(path: str | Path, plan: Plan) -> list[int]:
             raise
     except OSError as error:
         raise cannot_write(folder, error) from None
-    return list(range(len(plan.blocks)))
+    return list(range(plan.block_count))
 
 
 def check_folder(path: Path) -> None:
@@ -137,15 +138,23 @@ def write_block(
     InputError
         If the disk is full or the like.
     """
-    group = _group(path, "r+")
-    region = plan.blocks[index]
+    region = plan.block(index)
+    made = Path(path).joinpath("zarr.json").stat()
+    arrays = _arrays(str(path), (made.st_ino, made.st_mtime_ns))
     try:
-        group["status"][region] = status
+        arrays["status"][region] = status
         for name, value in found.items():
-            group[name][(slice(None), *region) if RESULTS[name].per_contact else region] = value
-        group[_MARKS][index] = 1
+            arrays[name][(slice(None), *region) if RESULTS[name].per_contact else region] = value
+        arrays[_MARKS][index] = 1
     except OSError as error:
         raise cannot_write(path, error) from None
+
+
+@functools.lru_cache(maxsize=2)
+def _arrays(path: str, _made: tuple[int, int]) -> dict[str, Any]:
+    """The arrays of a store, opened once in a process: to open them for each block costs as much as to write it."""
+    group = _group(path, "r+")
+    return {name: group[name] for name in ("status", _MARKS, *json.loads(group.attrs[_PLAN])["results"])}
 
 
 def unfinished_blocks(path: str | Path) -> list[int]:
@@ -295,6 +304,6 @@ def _build(folder: Path, plan: Plan) -> None:
     add_empty("status", False, "int8", -1, flag_attributes())
     for name in plan.results:
         add_empty(name, RESULTS[name].per_contact, "float64", np.nan, result_attributes(name))
-    count = len(plan.blocks)
+    count = plan.block_count
     group.create_array(_MARKS, shape=(count,), chunks=(1,), dtype="uint8", fill_value=0)
     group.attrs.update({**common_attributes("sweep of a joint"), _PLAN: json.dumps(_identity(plan))})

@@ -98,7 +98,7 @@ def sweep(
     todo = _Progress(plan, blocks, report)
     if scheduler is None and (workers == 0 or (workers is None and todo.left <= ONE_PROCESS_POINTS)):
         for index in blocks:
-            status, found = block_results(plan, plan.blocks[index], quick=plan.points <= QUICK_POINTS)
+            status, found = block_results(plan, plan.block(index), quick=plan.points <= QUICK_POINTS)
             write_block(store, plan, index, status, found)
             todo.finished(index)
     else:
@@ -110,7 +110,7 @@ class _Progress:
     """Counts points as blocks are finished."""
 
     def __init__(self, plan: Plan, blocks: list[int], report: Report | None) -> None:
-        self._sizes = {index: _size(plan.blocks[index]) for index in blocks}
+        self._sizes = {index: _size(plan.block(index)) for index in blocks}
         self.left = sum(self._sizes.values())
         self._points = plan.points
         self._report = report
@@ -149,7 +149,7 @@ def _in_memory(
             report(done, plan.points)
 
     one = dataclasses.replace(plan, block_shape=plan.shape)
-    status, found = block_results(one, one.blocks[0], report=count)
+    status, found = block_results(one, one.block(0), report=count)
     return dataset(
         dimensions=tuple(axis.path for axis in plan.axes),
         coordinates={axis.path: coordinate(axis) for axis in plan.axes},
