@@ -23,8 +23,8 @@ from asperity.study.store import unfinished_blocks, write_block
 
 #: Blocks handed out ahead of each worker, so that none waits.
 _AHEAD = 2
-#: Freed memory that a worker keeps, and the size of an array from which it would ask the system anew [bytes]. Dask's own
-#: setting hands all memory back after every block, and fetching it again is a quarter of the work.
+#: Freed memory that a worker keeps, and the size of an array from which it would ask the system anew [bytes]. Dask's
+#: own setting hands all memory back after every block, and fetching it again is a quarter of the work.
 _KEPT_MEMORY, _OWN_PAGES = 1 << 28, 1 << 25
 #: One thread a worker: there is a worker for each core.
 _ONE_THREAD = "--xla_cpu_multi_thread_eigen=false intra_op_parallelism_threads=1"
