@@ -57,7 +57,9 @@ def point_kernel(values: Values, paths: tuple[str, ...], results: tuple[str, ...
         tables = replace_values(_with_numbers(values, iter(base)), dict(zip(paths, arrays, strict=True)))
         joint = with_one_rank(joint_from_values(tables))
         found = evaluate(joint)
-        code = joint_status(joint, found)
+        points = jnp.broadcast_shapes(*(jnp.shape(array) for array in arrays))
+        # surfaces, hardness and the springs of the structure do not reach the force balance: one status for all points
+        code = jnp.broadcast_to(joint_status(joint, found), points)
         masks = {
             "geometry": (code == 0) | (code >= LOCKED),
             "balance": (code == 0) | (code == SLIPS),
@@ -65,7 +67,7 @@ def point_kernel(values: Values, paths: tuple[str, ...], results: tuple[str, ...
         }
         masked = {}
         for name, value in result_values(results, joint, found).items():
-            shape = (5, *code.shape) if RESULTS[name].per_contact else code.shape
+            shape = (5, *points) if RESULTS[name].per_contact else points
             masked[name] = jnp.where(masks[RESULTS[name].needs], jnp.broadcast_to(value, shape), jnp.nan)
         return code, masked
 
