@@ -31,6 +31,8 @@ def test_logarithmic_steps_have_a_constant_ratio():
         ("load.output_torque=0 N*m:5 N*m:0", "at least 1"),
         ("load.output_torque=0 N*m:5 N*m:x", "whole number"),
         ("load.output_torque=0 N*m:5 N*m:1", "above 1"),
+        ("load.output_torque=0 N*m:5 N*m:1000000000000", "at most 10000000, got 1000000000000"),
+        ("load.output_torque=0 N*m:5 N*m:99999999999999999999999:log", "above 0|at most 10000000"),
         ("load.output_torque=5 N*m:5 N*m:3", "must differ"),
         ("load.output_torque=0 N*m:5 N*m:3:log", "above 0"),
         ("load.output_torque=0 N*m:5 N*m:3:cubic", "'log'"),

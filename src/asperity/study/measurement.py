@@ -22,6 +22,9 @@ COLUMNS = {
     "repetition": None,
 }
 
+#: Largest size that a number of a column may have, in SI units: beyond it a unit or a column is wrong.
+LARGEST = {"torque": 1e9, "angle": 1e3, "stiffness": 1e15, "time": 1e12, "repetition": 1e9}
+
 #: Rows of numbers a file must and may have.
 FEWEST_ROWS, MOST_ROWS = 2, 200_000
 
@@ -152,6 +155,11 @@ def read_measurement(path: str | Path) -> Measurement:
                 ) from None
             if not np.isfinite(numbers[index, place]):
                 raise InputError(f"{path}, line {line}, column '{name}': '{text.strip()}' is not finite")
+            if abs(numbers[index, place]) > LARGEST[name]:
+                raise InputError(
+                    f"{path}, line {line}, column '{name}': {text.strip()} is not allowed; it must be between "
+                    f"{-LARGEST[name] / factor:.6g} and {LARGEST[name] / factor:.6g} in the unit of the column"
+                )
     if len(numbers) < FEWEST_ROWS:
         raise InputError(f"{path}: {len(numbers)} rows of numbers, needed are at least {FEWEST_ROWS}")
     by_name = {name: numbers[:, place] for place, name in enumerate(names)}

@@ -16,6 +16,9 @@ from asperity.units import format_quantity, parse_quantity
 
 Scale = Literal["linear", "log"]
 
+#: Values of one axis, which are all held in memory.
+MOST_VALUES = 10_000_000
+
 _FORM = "KEY=start:stop:count or KEY=start:stop:count:log, e.g. load.output_torque=0 N*m:5 N*m:11"
 
 
@@ -123,6 +126,10 @@ def check_axis(axis: Axis) -> None:
     unit = key_at(axis.path).unit
     if axis.count < 1:
         raise InputError(f"{axis.path}: the count must be at least 1, got {axis.count}")
+    if axis.count > MOST_VALUES:
+        raise InputError(
+            f"{axis.path}: the count must be at most {MOST_VALUES}, got {axis.count}; choose fewer steps"
+        )
     if axis.count == 1 and axis.start != axis.stop:
         raise InputError(
             f"{axis.path}: one value cannot start and stop at different ones; the count must be above 1"

@@ -38,6 +38,8 @@ DEFAULT_RESULTS = (
 COVERAGE = 0.95
 _RESAMPLES = 100
 _FEWEST = 100
+#: Numbers of inputs and results together that are held in memory.
+_MOST_NUMBERS = 200_000_000
 
 
 def toleranced_inputs(
@@ -160,6 +162,12 @@ def uncertainty(
         raise InputError(f"{samples} samples are too few for 95 % intervals; at least {_FEWEST} are needed")
     tables = si_values(case)
     rows = [row for name in names for row in _rows(name)]
+    most = _MOST_NUMBERS // (2 * (len(rows) + len(inputs)))
+    if samples > most:
+        raise InputError(
+            f"{samples} samples of {len(rows)} results are too many for the memory; at most {most} are allowed; "
+            "choose fewer samples, or fewer results"
+        )
     base = 1 << max(math.floor(math.log2(samples / (len(inputs) + 2))), 3)
     problem = {"num_vars": len(inputs), "names": list(inputs), "bounds": [[0.0, 1.0]] * len(inputs)}
     design = sampler.sample(problem, base, calc_second_order=False, seed=seed)
