@@ -9,10 +9,12 @@ from click.testing import CliRunner
 
 from asperity.case.reader import read_case
 from asperity.cli import asperity
+from asperity.cli.calibrate import interval_digits
 from asperity.errors import InputError
 from asperity.study.curve_model import CurveModel
 from asperity.study.measurement import Measurement
 from asperity.study.unknowns import read_unknowns
+from asperity.units import format_quantity
 
 
 @pytest.fixture
@@ -49,6 +51,15 @@ def test_preload_is_recovered_and_written(folder):
     assert plot.stat().st_size > 10_000
     table = invoke(folder / "joint.toml", folder / "data.csv", "-u", "load.preload", "--starts", 1)
     assert "told by the data" in table.stdout
+
+
+@pytest.mark.parametrize(
+    ("lower", "upper"), [(999.93, 1000.37), (1509.29, 1509.31), (-0.0536, -0.0486), (3.0, 3.0)]
+)
+def test_printed_intervals_keep_their_width(lower, upper):
+    digits = interval_digits(lower, upper)
+    shown = [float(format_quantity(each, "1", digits)) for each in (lower, upper)]
+    assert shown[1] - shown[0] == pytest.approx(upper - lower, rel=0.1)
 
 
 def test_bad_input(folder):

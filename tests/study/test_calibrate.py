@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from asperity.case.reader import read_case
-from asperity.errors import InputError
+from asperity.errors import InputError, NoSolutionError
 from asperity.study.calibrate import calibrate
 from asperity.study.curve_model import CurveModel
 from asperity.study.measurement import Measurement
@@ -174,6 +174,14 @@ def test_stiffness_data(case):
 def test_bad_unknowns(case, curve, text, message):
     with pytest.raises(InputError, match=message):
         read_unknowns([text], case=case, measurement=curve[0])
+
+
+def test_a_curve_past_slip_is_refused(case):
+    # 20 N·m is beyond the capacity of 13.2 N·m: the fit would end where the preload just carries it, with an interval
+    # of no width since the slope is infinite there
+    torque, angle = np.array([1.0, 20.0, 3.0]), np.array([3e-5, 6e-4, 1.2e-3])
+    with pytest.raises(NoSolutionError, match="slips at the largest measured torque, 20 N"):
+        fitted(case, blank(torque), angle, texts=("load.preload",))
 
 
 def test_more_unknowns_than_data(case):

@@ -38,7 +38,10 @@ def test_units_behind_an_underscore(tmp_path):
         ("torque [N*m]\n1\n", "either 'angle' or 'stiffness'"),
         ("torque [N*m],angle [rad]\n1,2\n1,x\n", "line 3, column 'angle': 'x' is not a number"),
         ("torque [N*m],angle [rad]\n1,nan\n", "not finite"),
-        ("torque [N*m],angle [rad]\n1,2\n1,-1e4\n", "line 3, column 'angle': -1e4 is not allowed; .* -1000 and 1000"),
+        (
+            "torque [N*m],angle [rad]\n1,2\n1,-1e4\n",
+            "line 3, column 'angle': -1e4 is not allowed; .* -1000 and 1000",
+        ),
         ("torque [kN*m],angle [rad]\n1e300,2\n", "1e300 is not allowed; it must be between -1e.06 and 1e.06"),
         ("torque [N*m],angle [rad]\n1\n", "line 2: 1 values for 2 columns"),
         ("torque [N*m],angle [rad],time [s]\n1,2,1\n2,3,0\n", "line 3: time runs backwards"),

@@ -165,6 +165,27 @@ def _quantiles(values: Any) -> dict[str, float]:
     return {str(q): float(np.quantile(values, q)) for q in (0.025, 0.5, 0.975)}
 
 
+def interval_digits(lower: float, upper: float) -> int:
+    """Significant digits with which both ends of an interval show its width to two digits; four at least.
+
+    Parameters
+    ----------
+    lower, upper : float
+        The ends, in any unit; nan where there is no interval.
+
+    Returns
+    -------
+    int
+        From 4 to 15.
+    """
+    import math
+
+    width, size = upper - lower, max(abs(lower), abs(upper))
+    if not (math.isfinite(width) and width > 0.0):
+        return 4
+    return min(max(4, 2 + math.ceil(math.log10(size / width))), 15)
+
+
 def _show(found: Calibration, drawn: Posterior | None) -> None:
     from asperity.cli.terminal import console, table
     from asperity.study.calibrate import CORRELATED
@@ -176,10 +197,19 @@ def _show(found: Calibration, drawn: Posterior | None) -> None:
                  "unknown", "estimate", "95 % from", "to", "")  # fmt: skip
     for each in found.estimates:
         unit = unit_of(each.path)
-        ends = [format_quantity(v, unit) if each.determined else "-" for v in (each.lower, each.upper)]
-        note = "" if each.determined else "NOT determined"
+        digits = interval_digits(each.lower, each.upper)
+        ends = [
+            format_quantity(v, unit, digits) if each.determined else "-" for v in (each.lower, each.upper)
+        ]
+        notes = [
+            "" if each.determined else "NOT determined",
+            each.at_bound and f"at its {each.at_bound} bound",
+        ]
         rows.add_row(
-            each.path, format_quantity(each.value, unit, 5), *ends, f"{note} {each.at_bound}".strip()
+            each.path,
+            format_quantity(each.value, unit, max(digits, 5)),
+            *ends,
+            ", ".join(note for note in notes if note),
         )
     target.print(rows)
     unit = "arcsec" if data.angle is not None else "N*m/arcmin"

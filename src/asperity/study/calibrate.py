@@ -228,6 +228,14 @@ def _conclude(model: CurveModel, places: np.ndarray, starts: tuple[float, ...]) 
             "every contact spot is plastic): the joint file cannot explain these data; check units and preload, or "
             "widen the bounds"
         )
+    # the quadrature ends just below the largest torque; the slip ratio grows in proportion to it
+    largest = float(np.max(np.abs(model.measurement.torque)))
+    reached = float(slip.max()) * largest / float(model.torque.max()) if largest else 0.0
+    if reached >= 1.0 or model.held(stiffness).any():
+        raise NoSolutionError(
+            f"the best fit slips at the largest measured torque, {largest:.6g} N·m (slip ratio {reached:.3g}, below 1 "
+            "is needed): a curve past gross slip cannot be fitted; leave those rows out, or widen the bounds"
+        )
     prediction, slopes = model(places)
     residual = data - prediction
     freedom = data.size - places.size

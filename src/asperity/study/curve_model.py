@@ -93,6 +93,25 @@ class CurveModel:
         name = f"stiffness.{self.level}"
         return found[name][0], slopes[name][0], found["slip_ratio"].max(axis=0)
 
+    def held(self, stiffness: np.ndarray) -> np.ndarray:
+        """At which of the model's torques the prediction uses :data:`STIFFNESS_FLOOR` instead of the joint's stiffness.
+
+        Parameters
+        ----------
+        stiffness : ndarray
+            Of the joint at the model's torques, shape (torques,) [N·m/rad].
+
+        Returns
+        -------
+        ndarray of bool
+            Shape (torques,).
+        """
+        return ~np.isfinite(stiffness) | (stiffness < self._floor(stiffness))
+
+    def _floor(self, stiffness: np.ndarray) -> float:
+        usable = np.isfinite(stiffness) & (stiffness > 0.0)
+        return STIFFNESS_FLOOR * float(np.median(stiffness[usable])) if usable.any() else 1.0
+
     def __call__(self, places: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Predicted angles [rad] or stiffnesses [N·m/rad], and their derivatives by the places.
 
@@ -109,10 +128,8 @@ class CurveModel:
         point = self.point(places)
         steps = np.array([u.slope(point[u.path]) for u in self.unknowns])
         stiffness, by_joint, _ = self.stiffness(places)
-        usable = np.isfinite(stiffness) & (stiffness > 0.0)
-        floor = STIFFNESS_FLOOR * np.median(stiffness[usable]) if usable.any() else 1.0
-        held = ~usable | (stiffness < floor)
-        safe = np.where(held, floor, stiffness)
+        held = self.held(stiffness)
+        safe = np.where(held, self._floor(stiffness), stiffness)
         slopes = np.zeros((self.measurement.torque.size, len(self.unknowns)))
         by_joint = np.where(held[:, None] | ~np.isfinite(by_joint), 0.0, by_joint)
         if self.weights is None:
