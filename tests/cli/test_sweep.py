@@ -52,11 +52,26 @@ def test_small_sweep_is_printed_drawn_and_written(tmp_path):
         ([*TORQUE, "--workers", "2"], r"need an --out of type \.zarr"),
         ([*TORQUE, "--plot", "s.bmp"], r"\.png, \.svg or \.pdf"),
         ([*TORQUE, "--results", "everything"], "no result 'everything'"),
+        ([*TORQUE, "--plot", "--plot-result", "nope"], "no result 'nope'"),
+        (
+            [*TORQUE, "--plot", "--results", "published", "--plot-result", "gross_slip"],
+            "'gross_slip' is not among",
+        ),
+        ([*TORQUE, "--plot-result", "gross_slip"], "--plot-result needs --plot"),
     ],
 )
-def test_refusals_come_first(arguments, told):
+def test_refusals_come_first(arguments, told, monkeypatch):
+    monkeypatch.setattr(
+        "asperity.study.sweep.block_results", lambda *_, **__: pytest.fail("computed before checking")
+    )
     with pytest.raises(InputError, match=told):
         run("sweep", FILE, *arguments)
+
+
+def test_help_shows_its_examples_line_by_line():
+    shown = run("sweep", "--help").output
+    assert "\\b" not in shown
+    assert '\n  asperity sweep joint.toml --over "load.output_torque=0 N*m:5 N*m:11" --plot\n' in shown
 
 
 def test_uncertainty_needs_tolerances_and_distributions(tmp_path):

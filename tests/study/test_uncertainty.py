@@ -132,5 +132,5 @@ def test_a_distribution_is_never_guessed(toleranced, case):
         toleranced_inputs(case, otherwise=None)
     with pytest.raises(InputError, match="too few"):
         uncertainty(toleranced, distribution=Distribution("uniform", 0.0), samples=10)
-    with pytest.raises(InputError, match="1000000000000 samples of .* are too many"):
+    with pytest.raises(InputError, match=r"1000000000000 samples of .* are too many"):
         uncertainty(toleranced, distribution=Distribution("uniform", 0.0), samples=10**12)

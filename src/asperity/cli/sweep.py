@@ -66,16 +66,16 @@ def sweep(
     scheduler: str | None,
     workers: int | None,
 ) -> None:
-    r"""Evaluate the joint in FILE on a grid of any of its numbers.
+    """Evaluate the joint in FILE on a grid of any of its numbers.
 
     Without --out a small sweep is printed. Points without a result (rollers that do not fit, a torque beyond the
     capacity) are kept, with the reason in their status.
 
     \b
     asperity sweep joint.toml --over "load.output_torque=0 N*m:5 N*m:11" --plot
-    asperity sweep joint.toml --over "surface.fractal_roughness=1e-10 mm:1e-8 mm:50:log" \
+    asperity sweep joint.toml --over "surface.fractal_roughness=1e-10 mm:1e-8 mm:50:log" \\
         --over "load.preload=500 N:2000 N:40" --results stiffness,gross_slip --out sweep.nc
-    """
+    """  # noqa: D301 (click's mark for lines that are not wrapped is the character itself)
     from asperity.case.reader import read_case
 
     case = read_case(file)
@@ -96,6 +96,8 @@ def sweep(
         check_table_path(out, overwrite=overwrite)
     if plot is not None:
         check_plot(plot)
+    if plot_result is not None:
+        _check_plot_result(plot_result, names, drawn=plot is not None)
     if (scheduler is not None or workers) and not streamed:
         raise InputError(
             "--scheduler and --workers need an --out of type .zarr, which the processes write to"
@@ -123,6 +125,21 @@ def sweep(
 
         write_plot(sweep_figure(found, result=plot_result), plot)
     _show(found, out)
+
+
+def _check_plot_result(name: str, asked: list[str], *, drawn: bool) -> None:
+    """Refuse a result that cannot be drawn before anything is computed."""
+    from asperity.study.results import chosen_results
+
+    if not drawn:
+        raise InputError(f"--plot-result needs --plot, the picture to draw '{name}' in")
+    chosen_results([name])  # raises if there is no such result
+    computed = chosen_results(asked)
+    if name not in computed:
+        raise InputError(
+            f"--plot-result '{name}' is not among the results that are computed, {', '.join(computed)}; ask for it "
+            "by --results"
+        )
 
 
 def _show(found: xarray.Dataset, out: str | None) -> None:
