@@ -6,8 +6,11 @@ import numpy as np
 import pytest
 from scipy.optimize import brentq
 
+from asperity.case.build import joint_from_values
 from asperity.case.reader import parse_case
 from asperity.case.values import si_values
+from asperity.drive.geometry import clearances
+from asperity.errors import NoSolutionError
 from asperity.study.design import conflict, design, nominal_quantities
 from asperity.study.design_file import design_from_tables
 from asperity.study.quantities import quantities_at
@@ -105,3 +108,33 @@ def test_conflict_is_named_with_its_size(zou_file, values):
     assert missed["preload"].value == pytest.approx(600.0 * factor, rel=1e-6)
     assert "against" in conflict(found)
     assert sum(limit.multiplier for limit in found.limits) == pytest.approx(1.0, rel=1e-6)
+
+
+IMPOSSIBLE = """[variables]
+load.preload = { lower = "300 N", upper = "5000 N" }
+drive.loading_roller_radius = { lower = "4.5 mm", upper = "7 mm" }
+[objective]
+minimise = "envelope_volume"
+[constraints]
+"""
+
+
+def test_the_least_violation_is_a_joint_that_exists(zou_file):
+    # a large wedge, which a small loading roller makes, lowers nothing here so much as rollers that overlap would
+    found = run(
+        zou_file,
+        IMPOSSIBLE + "pressure_over_first_yield = { at_most = 0.3 }\nslip_ratio = { at_most = 0.2 }\n"
+        'self_locking_ratio = { at_most = 0.1 }\nclearance = { at_least = "0.3 mm" }\n[search]\nstarts = 2',
+    )
+    assert not found.feasible
+    joint = joint_from_values(si_values(parse_case(found.joint_text, source="designed")))
+    assert min(float(gap.gap) for gap in clearances(joint.geometry)) > 0.0
+
+
+def test_without_any_joint_that_exists_there_is_no_design(zou_file):
+    with pytest.raises(NoSolutionError, match=r"no joint was found that exists .* slip ratio .* at 80 N"):
+        run(
+            zou_file,
+            IMPOSSIBLE + 'stiffness = { at_least = "10000 N*m/rad" }\n'
+            '[worst_case]\ntorque = { lower = "0 N*m", upper = "80 N*m", points = 2 }\n[search]\nstarts = 2',
+        )

@@ -72,6 +72,11 @@ def test_good_file(zou_file):
         ('{ at_most = "210 mm" }', "{ }", "say 'at_most' or 'at_least'"),
         ('contacts = ["sp"]', 'contacts = ["xx"]', "not one of sp, pwr"),
         ("at_most = 0.8", "at_most = 1.2", "up to 1"),
+        (
+            "[worst_case]",
+            'clearance = { at_least = "-1 mm" }\n[worst_case]',
+            "must be at least 0, since rollers",
+        ),
         ("points = 4", "points = 1", "whole number from 2 to 50"),
         ('lower = "0 N*m"', 'lower = "7 N*m"', "0 <= lower < upper"),
         ("[worst_case]", '[worst_case]\ntolerances = "corners"', "states no tolerance"),

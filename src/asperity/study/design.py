@@ -16,9 +16,11 @@ from asperity.study.design_problem import DesignProblem
 from asperity.study.design_search import (
     ACTIVE,
     FEASIBLE,
+    badness,
     largest_violation,
     least_violation,
     local_optimum,
+    nonexistence,
     optimality_gap,
     starting_places,
 )
@@ -173,10 +175,11 @@ def design(problem: DesignProblem, *, progress: Callable[[int, int], None] | Non
     if feasible:
         places, judged, _ = min(feasible, key=lambda each: float(each[1].objective.max()))
     else:
-        nearest = sorted(ended, key=lambda each: largest_violation(each[1]))
+        nearest = sorted(ended, key=lambda each: badness(judge, each[0]))
         tries = [least_violation(judge, each[0]) for each in nearest[: max(3, len(nearest) // 2)]]
-        places = min(tries, key=lambda each: largest_violation(judge(each)))
+        places = min(tries, key=lambda each: badness(judge, each))
         judged = judge(places)
+        _refuse_what_cannot_exist(judge, judged)
         if (
             largest_violation(judged) <= FEASIBLE
         ):  # the way to the limits was found only now: go on from there
@@ -185,6 +188,30 @@ def design(problem: DesignProblem, *, progress: Callable[[int, int], None] | Non
                 places = again
             judged = judge(places)
     return _result(judge, places, judged, ended)
+
+
+def _refuse_what_cannot_exist(judge: Judge, judged: Judged) -> None:
+    """Raise if the nearest that was found is no joint: then nothing can be said about the stated limits."""
+    from asperity.units import format_quantity
+
+    if nonexistence(judge, judged) <= FEASIBLE:
+        return
+    lack = judged.margins + judge.room
+    worst: dict[str, int] = {}
+    for index in np.argsort(lack):
+        if lack[index] < 0.9 * lack.min():
+            worst.setdefault(judge.rows[index].constraint.name, int(index))
+    parts = []
+    for name, index in worst.items():
+        row, kind = judge.rows[index], QUANTITIES[name]
+        value = format_quantity(float(judged.values[name][row.row, row.scenario]), kind.unit)
+        torque = format_quantity(float(judge.states.torques[row.scenario]), "N*m")
+        allowed = "at most 1" if row.constraint.at_most else "at least 0"
+        parts.append(f"{kind.label} at {kind.row_names[row.row]} {value} at {torque}, allowed is {allowed}")
+    raise NoSolutionError(
+        f"within the bounds no joint was found that exists in every scenario; the nearest has {'; '.join(parts)}; "
+        "widen the bounds, or lower the torque"
+    )
 
 
 def _result(
@@ -287,7 +314,10 @@ def _limits(judge: Judge, judged: Judged, multipliers: np.ndarray, violation: fl
                     judged.values[at_level(constraint.name, judge.problem.level)][row.row, row.scenario]
                 ),
                 margin=float(judged.margins[worst]),
-                active=bool(judged.margins[worst] < ACTIVE - (violation if violation > FEASIBLE else 0.0)),
+                active=bool(
+                    judged.margins[worst] < ACTIVE - (violation if violation > FEASIBLE else 0.0)
+                    or np.any((judged.margins + judge.room)[mine] < ACTIVE)
+                ),
                 multiplier=float(sum(multipliers[index] for index in mine)),
                 implied=constraint.implied,
                 output_torque=float(judge.states.torques[row.scenario]),

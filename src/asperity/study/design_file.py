@@ -251,6 +251,11 @@ def _constraints(table: dict[str, Any]) -> Iterator[Constraint]:
                     raise InputError(
                         f"{where}: allowed is at_most, up to 1 (gross slip); got {side} {entry[side]}"
                     )
+                if name in ("clearance", "normal_over_rest") and side == "at_least" and limit < 0.0:
+                    raise InputError(
+                        f"{where}.{side}: {entry[side]} is not allowed; it must be at least 0, since rollers that "
+                        "overlap or lift off make no joint"
+                    )
                 yield Constraint(name, side == "at_most", limit, rows)
     stated = {(name, side) for name, value in table.items() for side in value}
     every_contact, every_gap = tuple(range(5)), tuple(range(8))

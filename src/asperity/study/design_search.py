@@ -140,8 +140,46 @@ def local_optimum(judge: Judge, start: np.ndarray) -> tuple[np.ndarray, bool]:
     return end, largest_violation(judge(end)) <= FEASIBLE and optimality_gap(judge, end)[0] < OPTIMAL
 
 
+def nonexistence(judge: Judge, judged: Judged) -> float:
+    """How far a design is from a joint that can exist: whose rollers fit, roll without gross slip and stay in contact.
+
+    Parameters
+    ----------
+    judge : Judge
+        The problem.
+    judged : Judged
+        A design.
+
+    Returns
+    -------
+    float
+        Largest violation, in the measure of the margins [-]; 0 where it exists in every scenario.
+    """
+    return max(0.0, -float((judged.margins + judge.room).min()))
+
+
+def badness(judge: Judge, places: np.ndarray) -> tuple[float, float]:
+    """What is made small where limits are missed: first the lack of existence, then the largest violation.
+
+    Parameters
+    ----------
+    judge : Judge
+        The problem.
+    places : ndarray
+        Shape (n,).
+
+    Returns
+    -------
+    tuple of float
+        To be compared; the first is 0 for every joint that exists.
+    """
+    judged = judge(places)
+    lack = nonexistence(judge, judged)
+    return (lack if lack > FEASIBLE else 0.0), largest_violation(judged)
+
+
 def least_violation(judge: Judge, start: np.ndarray) -> np.ndarray:
-    """Places at which the largest violation of a limit is smallest.
+    """Places at which the largest violation of a limit is smallest, among joints that exist.
 
     Parameters
     ----------
@@ -153,31 +191,46 @@ def least_violation(judge: Judge, start: np.ndarray) -> np.ndarray:
     Returns
     -------
     ndarray
-        Places, shape (n,).
+        Places, shape (n,); where no joint that exists was found, those nearest to one.
     """
+    end = _least(judge, start, wishes=True)
+    if badness(judge, end)[0] > 0.0:
+        end = _least(judge, start, wishes=False)
+        if badness(judge, end)[0] == 0.0:
+            end = min(end, _least(judge, end, wishes=True), key=lambda each: badness(judge, each))
+    return min(end, start, key=lambda each: badness(judge, each))
+
+
+def _least(judge: Judge, start: np.ndarray, *, wishes: bool) -> np.ndarray:
+    """SLSQP on the largest violation: of the stated limits among joints that exist, or of existence itself."""
     from scipy.optimize import Bounds, minimize
 
-    size = start.size
+    size, must = start.size, np.isfinite(judge.room)
     upward = np.append(np.zeros(size), 1.0)
+
+    def inequalities(x: np.ndarray) -> np.ndarray:
+        margins = judge(np.clip(x[:-1], 0.0, 1.0)).margins
+        exists = (margins + judge.room)[must]
+        return np.concatenate([margins + x[-1], exists]) if wishes else exists + x[-1]
+
+    def slopes(x: np.ndarray) -> np.ndarray:
+        steep = judge(np.clip(x[:-1], 0.0, 1.0)).margin_slopes
+        rows = np.vstack([steep, steep[must]]) if wishes else steep[must]
+        moved = np.ones(len(rows))
+        moved[len(steep) :] = 0.0
+        return np.hstack([rows, moved[:, None]])
+
+    begin = -float(inequalities(np.append(start, 0.0)).min())
     found = minimize(
         lambda x: x[-1],
-        np.append(start, largest_violation(judge(start))),
+        np.append(start, max(0.0, begin)),
         jac=lambda x: upward,
         bounds=Bounds(np.zeros(size + 1), np.append(np.ones(size), np.inf)),
-        constraints=[
-            {
-                "type": "ineq",
-                "fun": lambda x: judge(np.clip(x[:-1], 0.0, 1.0)).margins + x[-1],
-                "jac": lambda x: np.hstack(
-                    [judge(np.clip(x[:-1], 0.0, 1.0)).margin_slopes, np.ones((len(judge.rows), 1))]
-                ),
-            }
-        ],
+        constraints=[{"type": "ineq", "fun": inequalities, "jac": slopes}],
         method="SLSQP",
         options={"maxiter": 200, "ftol": 1e-12},
     )
-    end = np.clip(found.x[:-1], 0.0, 1.0) if np.all(np.isfinite(found.x)) else start
-    return end if largest_violation(judge(end)) <= largest_violation(judge(start)) else start
+    return np.clip(found.x[:-1], 0.0, 1.0) if np.all(np.isfinite(found.x)) else start
 
 
 def optimality_gap(judge: Judge, places: np.ndarray) -> tuple[float, np.ndarray]:
@@ -209,11 +262,17 @@ def optimality_gap(judge: Judge, places: np.ndarray) -> tuple[float, np.ndarray]
         near = judged.margins < ACTIVE
     else:
         top, near = np.zeros((0, size)), judged.margins < -violation + ACTIVE
+    # where limits are missed, existence holds the design back too, but is no part of the violation
+    exists = (judged.margins + judge.room < ACTIVE) & ~near
     bounds = np.vstack([np.eye(size)[places < 1e-7], -np.eye(size)[places > 1.0 - 1e-7]])
-    pull = np.vstack([-top, judged.margin_slopes[near], bounds])
+    pull = np.vstack([-top, judged.margin_slopes[near], judged.margin_slopes[exists], bounds])
     # weights of the worst scenarios (or of the violated limits) add up to one
     ones = np.concatenate(
-        [np.ones(len(top)), np.full(int(near.sum()), 0.0 if len(top) else 1.0), np.zeros(len(bounds))]
+        [
+            np.ones(len(top)),
+            np.full(int(near.sum()), 0.0 if len(top) else 1.0),
+            np.zeros(int(exists.sum()) + len(bounds)),
+        ]
     )
     scale = max(1e-12, float(np.abs(pull).max()) if pull.size else 1.0)
     system = np.vstack([pull.T / scale, ones[None, :]])

@@ -21,6 +21,9 @@ FARTHEST = 14.0
 #: Logarithm of an objective that does not exist.
 _NOWHERE = 30.0
 
+#: A joint exists where every margin of its existence is larger than this: on the edge it does not.
+INSIDE = 1e-6
+
 
 @dataclass(frozen=True)
 class Row:
@@ -86,6 +89,9 @@ class Judge:
             for row in constraint.rows
             for scenario in self.judged
         )
+        #: How far each margin may fall below 0 before the joint cannot exist, shape (rows,); infinite for limits
+        #: that are wishes.
+        self.room = np.array([self._room(row.constraint) for row in self.rows])
         self.evaluations = 0
         self._last: tuple[bytes, Judged] | None = None
 
@@ -108,6 +114,14 @@ class Judge:
             else:
                 parts.append(sign * self._difference(constraint, value))
         return np.concatenate(parts)
+
+    def _room(self, constraint: Constraint) -> float:
+        """Rollers that overlap, slip grossly or lift off make no joint, whatever limit of them is stated."""
+        if constraint.name == "slip_ratio":
+            return -float(np.log(constraint.limit)) - INSIDE
+        if constraint.name in ("clearance", "normal_over_rest") and not constraint.at_most:
+            return constraint.limit / self._scale(constraint) - INSIDE
+        return float("inf")
 
     def _scale(self, constraint: Constraint) -> float:
         return self.length_scale if constraint.name == "clearance" else 1.0
