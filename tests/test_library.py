@@ -83,7 +83,7 @@ def test_own_file_adds_and_replaces(tmp_path):
 def test_bad_entries(tmp_path, old, new, message):
     path = tmp_path / "own.toml"
     path.write_text(OWN.replace(old, new))
-    with pytest.raises(InputError, match=message):
+    with pytest.raises(InputError, match=rf"own\.toml: library entry bronze: .*{message}"):
         read_materials(path)
 
 

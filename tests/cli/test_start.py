@@ -7,6 +7,8 @@ from pathlib import Path
 
 import pytest
 
+from asperity import cli
+
 ROOT = Path(__file__).parents[2]
 HEAVY = ("jax", "numpy", "pydantic", "rich", "scipy", "matplotlib")
 PROGRAM = """
@@ -78,3 +80,16 @@ def test_a_mistyped_command_is_answered_with_the_nearest():
     assert done.returncode == 2
     assert "did you mean 'joint'?" in done.stderr.decode()
     assert "Traceback" not in done.stderr.decode()
+
+
+def test_what_does_not_fit_into_memory_is_said(monkeypatch, capsys):
+    def exhausted(**_):
+        raise MemoryError("Unable to allocate 3.64 TiB")
+
+    monkeypatch.setattr("asperity.cli.asperity.main", exhausted)
+    with pytest.raises(SystemExit) as ended:
+        cli.main()
+    assert ended.value.code == 2
+    assert (
+        "the memory does not suffice (Unable to allocate 3.64 TiB); ask for fewer" in capsys.readouterr().err
+    )

@@ -141,6 +141,13 @@ def main() -> None:
     except click.ClickException as error:
         error.show()
         sys.exit(error.exit_code)
+    except MemoryError as error:
+        told = f" ({error})" if str(error) else ""
+        click.echo(
+            f"asperity: error: the memory does not suffice{told}; ask for fewer points, samples or results",
+            err=True,
+        )
+        sys.exit(2)
     except (click.Abort, KeyboardInterrupt):
         click.echo("asperity: interrupted", err=True)
         sys.exit(130)

@@ -5,9 +5,10 @@ Each entry carries its reference; what could not be traced to one is not in here
 
 from __future__ import annotations
 
+import contextlib
 import math
 import tomllib
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -164,6 +165,15 @@ def _tables(name: str, extension: str | Path | None) -> dict[str, dict[str, Any]
     return tables
 
 
+@contextlib.contextmanager
+def _naming(extension: str | Path | None) -> Iterator[None]:
+    """Put a user's library file before what is wrong with an entry; the entries of our own files are tested."""
+    try:
+        yield
+    except InputError as error:
+        raise (error if extension is None else InputError(f"{extension}: {error}")) from None
+
+
 def _words(name: str, entry: Mapping[str, Any]) -> dict[str, str]:
     for word in ("description", "reference"):
         if not isinstance(entry.get(word), str) or not entry[word].strip():
@@ -192,26 +202,29 @@ def read_materials(extension: str | Path | None = None) -> dict[str, LibraryMate
         If an entry is incomplete, has an unknown key, or a number that cannot be read.
     """
     found = {}
-    for name, entry in _tables("materials_library.toml", extension).items():
-        words = _words(name, entry)
-        numbers = {key: value for key, value in entry.items() if key not in _WORDS}
-        for key, value in numbers.items():
-            if key not in _MATERIAL_NUMBERS:
+    tables = _tables("materials_library.toml", extension)
+    with _naming(extension):
+        for name, entry in tables.items():
+            words = _words(name, entry)
+            numbers = {key: value for key, value in entry.items() if key not in _WORDS}
+            for key, value in numbers.items():
+                if key not in _MATERIAL_NUMBERS:
+                    raise InputError(
+                        f"library entry {name}: unknown key '{key}'; known are "
+                        f"{', '.join((*_MATERIAL_NUMBERS, *_WORDS))}"
+                    )
+                try:
+                    parse_quantity(value, _MATERIAL_NUMBERS[key])
+                except InputError as error:
+                    raise InputError(f"library entry {name}: {key}: {error}") from None
+            for key in _MATERIAL_NEEDS:
+                if key not in numbers:
+                    raise InputError(f"library entry {name}: '{key}' is missing")
+            if ("hardness" in numbers) == ("hardness_factor" in numbers):
                 raise InputError(
-                    f"library entry {name}: unknown key '{key}'; known are {', '.join((*_MATERIAL_NUMBERS, *_WORDS))}"
+                    f"library entry {name}: exactly one of 'hardness' and 'hardness_factor' is needed"
                 )
-            try:
-                parse_quantity(value, _MATERIAL_NUMBERS[key])
-            except InputError as error:
-                raise InputError(f"library entry {name}: {key}: {error}") from None
-        for key in _MATERIAL_NEEDS:
-            if key not in numbers:
-                raise InputError(f"library entry {name}: '{key}' is missing")
-        if ("hardness" in numbers) == ("hardness_factor" in numbers):
-            raise InputError(
-                f"library entry {name}: exactly one of 'hardness' and 'hardness_factor' is needed"
-            )
-        found[name] = LibraryMaterial(name=name, numbers=numbers, **words)
+            found[name] = LibraryMaterial(name=name, numbers=numbers, **words)
     return found
 
 
@@ -250,39 +263,43 @@ def read_finishes(extension: str | Path | None = None) -> dict[str, Finish]:
     """
     known = ("roughness_average", "sampling_length", "fractal_dimension", *_WORDS)
     found = {}
-    for name, entry in _tables("finishes_library.toml", extension).items():
-        words = _words(name, entry)
-        for key in entry:
-            if key not in known:
-                raise InputError(f"library entry {name}: unknown key '{key}'; known are {', '.join(known)}")
-        for key in known[:3]:
-            if key not in entry:
-                raise InputError(f"library entry {name}: '{key}' is missing")
-        average = _range(name, "roughness_average", entry["roughness_average"], Dimension.LENGTH)
-        length = _range(name, "sampling_length", entry["sampling_length"], Dimension.LENGTH)[0]
-        dimension = _range(name, "fractal_dimension", entry["fractal_dimension"], Dimension.DIMENSIONLESS)
-        if not 1.0 < dimension[0] <= dimension[1] < 2.0:
-            raise InputError(
-                f"library entry {name}: fractal_dimension must be between 1 and 2, got {dimension}"
-            )
-        corners = [
-            fractal_roughness_from_ra(
-                roughness_average=each,
+    tables = _tables("finishes_library.toml", extension)
+    with _naming(extension):
+        for name, entry in tables.items():
+            words = _words(name, entry)
+            for key in entry:
+                if key not in known:
+                    raise InputError(
+                        f"library entry {name}: unknown key '{key}'; known are {', '.join(known)}"
+                    )
+            for key in known[:3]:
+                if key not in entry:
+                    raise InputError(f"library entry {name}: '{key}' is missing")
+            average = _range(name, "roughness_average", entry["roughness_average"], Dimension.LENGTH)
+            length = _range(name, "sampling_length", entry["sampling_length"], Dimension.LENGTH)[0]
+            dimension = _range(name, "fractal_dimension", entry["fractal_dimension"], Dimension.DIMENSIONLESS)
+            if not 1.0 < dimension[0] <= dimension[1] < 2.0:
+                raise InputError(
+                    f"library entry {name}: fractal_dimension must be between 1 and 2, got {dimension}"
+                )
+            corners = [
+                fractal_roughness_from_ra(
+                    roughness_average=each,
+                    sampling_length=length,
+                    fractal_dimension=d,
+                    frequency_ratio=FREQUENCY_RATIO,
+                )
+                for each in average
+                for d in dimension
+            ]
+            found[name] = Finish(
+                name=name,
+                roughness_average=average,
                 sampling_length=length,
-                fractal_dimension=d,
-                frequency_ratio=FREQUENCY_RATIO,
+                fractal_dimension=dimension,
+                fractal_roughness=(min(corners), max(corners)),
+                **words,
             )
-            for each in average
-            for d in dimension
-        ]
-        found[name] = Finish(
-            name=name,
-            roughness_average=average,
-            sampling_length=length,
-            fractal_dimension=dimension,
-            fractal_roughness=(min(corners), max(corners)),
-            **words,
-        )
     return found
 
 
