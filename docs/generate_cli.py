@@ -18,7 +18,7 @@ HEAD = """\
 <!-- Written by docs/generate_cli.py from the help texts; edit those, then run it. -->
 
 Quantities in a joint file are text with a unit; results are written with theirs, and `--json` gives SI. Exit codes:
-0 fine, 2 bad input (one sentence with the value, the allowed range and what to do), 3 no solution.
+0 fine, 2 bad input (one sentence with the value, the allowed range and what to do), 3 no solution, 130 interrupted.
 """
 
 

@@ -59,3 +59,12 @@ def test_refusals(call, arguments, said):
     outcome = call("materials", *arguments)
     assert (outcome.code, outcome.out) == (2, "")
     assert said in outcome.err
+
+
+def test_numbers_of_a_library_file_are_checked_as_those_of_a_joint_file(call, tmp_path):
+    path = tmp_path / "mine.toml"
+    path.write_text(OWN.replace('"110 GPa"', '"-5 GPa"'))
+    outcome = call("materials", "--file", path)
+    assert (outcome.code, outcome.out) == (2, "")
+    assert "mine.toml: library entry bronze: materials.bronze.youngs_modulus: -5" in outcome.err
+    assert "is not allowed; it must be" in outcome.err

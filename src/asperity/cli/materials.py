@@ -2,7 +2,12 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 import click
+
+if TYPE_CHECKING:
+    from asperity.library import LibraryMaterial
 
 
 @click.command()
@@ -22,9 +27,11 @@ def materials(name: str | None, file: str | None, finishes_file: str | None, as_
 
     from asperity.case.messages import nearest
     from asperity.errors import InputError
-    from asperity.library import Finish, LibraryMaterial, read_finishes, read_materials
+    from asperity.library import Finish, read_finishes, read_materials
 
     found, finishes = read_materials(file), read_finishes(finishes_file)
+    if file is not None:
+        _check_numbers(file, found)
     if name is not None:
         if name not in found and name not in finishes:
             hint = nearest(name, [*found, *finishes]) or f"; known are {', '.join([*found, *finishes])}"
@@ -70,3 +77,18 @@ def materials(name: str | None, file: str | None, finishes_file: str | None, as_
             f"{entry.name}: {entry.description}. Source: {entry.reference}. {entry.note}".rstrip(),
             markup=False,
         )
+
+
+def _check_numbers(file: str, found: dict[str, LibraryMaterial]) -> None:
+    """Hold the numbers of a library to the ranges of a joint file's materials, which is where they go."""
+    from asperity.case.values import check_values, key_at
+    from asperity.errors import InputError
+    from asperity.units import parse_quantity
+
+    for name, entry in found.items():
+        for key, number in entry.numbers.items():
+            path = f"materials.{name.replace('.', '_')}.{key}"
+            try:
+                check_values({path: parse_quantity(number, key_at(path).dimension)})
+            except InputError as error:
+                raise InputError(f"{file}: library entry {name}: {error}") from None
