@@ -65,11 +65,11 @@ def test_a_damaged_program_is_made_again(cache):
 
 def test_a_change_of_the_source_is_another_program(monkeypatch):
     structure = jax.tree.structure(0.0)
-    before = compilation._fingerprint(_twice, structure, ())
-    assert compilation._fingerprint(_twice, structure, ()) == before
-    assert compilation._fingerprint(_programs, structure, ()) != before
+    before = compilation._fingerprint(_twice, (), structure, ())
+    assert compilation._fingerprint(_twice, (), structure, ()) == before
+    assert compilation._fingerprint(_programs, (), structure, ()) != before
     monkeypatch.setattr(compilation.Path, "read_bytes", lambda path: b"changed")
-    assert compilation._fingerprint(_twice, structure, ()) != before
+    assert compilation._fingerprint(_twice, (), structure, ()) != before
 
 
 def test_closures_of_one_name_never_share_a_program(cache):
@@ -84,3 +84,19 @@ def test_closures_of_one_name_never_share_a_program(cache):
     compilation._compiled.cache_clear()  # as in a new process
     assert compile_fast(times(3.0), numbers)(numbers)["f"] == 15.0
     assert not _programs(cache)
+
+
+def _scaled(names, factor, numbers):
+    return {name: float(factor) * numbers[name] for name in names}
+
+
+def test_options_say_what_to_compute_and_are_part_of_the_programs_name(cache):
+    pytest.importorskip("flatbuffers")
+    numbers = {"g": np.float64(5.0), "h": np.float64(7.0)}
+    for options in ((("g",), "2"), (("h",), "2"), (("g", "h"), "3")):
+        names, factor = options
+        expected = {name: float(factor) * numbers[name] for name in names}
+        for _ in range(2):
+            assert compile_fast(_scaled, numbers, options=options)(numbers) == expected
+            compilation._compiled.cache_clear()  # as in a new process
+    assert len(_programs(cache)) == 3

@@ -30,7 +30,9 @@ _COMPILE_FAST: dict[str, Any] = {"xla_backend_optimization_level": 0, "xla_cpu_u
 _Kinds = tuple[tuple[tuple[int, ...], np.dtype[Any]], ...]
 
 
-def compile_fast(function: Callable[..., Any], *arguments: Any) -> Callable[..., Any]:
+def compile_fast(
+    function: Callable[..., Any], *arguments: Any, options: tuple[Any, ...] = ()
+) -> Callable[..., Any]:
     """Compile a function quickly, for one use or a few.
 
     Parameters
@@ -40,22 +42,30 @@ def compile_fast(function: Callable[..., Any], *arguments: Any) -> Callable[...,
         of this package, known by its name; a closure is compiled anew in every process.
     *arguments
         Modules whose leaves are arrays, of the shapes that the function will be called with.
+    options : tuple, optional
+        Arguments in front of these that are no numbers but say what to compute: texts and tuples of texts, whose
+        ``repr`` says everything about them.
 
     Returns
     -------
     callable
-        The compiled function, for arguments of the same structure and shapes; the same one if asked again.
+        The compiled function without the options, for arguments of the same structure and shapes; the same one if
+        asked again.
     """
     leaves, structure = jax.tree.flatten(arguments)
-    return _compiled(function, structure, tuple((jnp.shape(leaf), jnp.result_type(leaf)) for leaf in leaves))
+    return _compiled(
+        function, options, structure, tuple((jnp.shape(leaf), jnp.result_type(leaf)) for leaf in leaves)
+    )
 
 
 @functools.lru_cache(maxsize=16)
-def _compiled(function: Callable[..., Any], structure: Any, kinds: _Kinds) -> Callable[..., Any]:
+def _compiled(
+    function: Callable[..., Any], options: tuple[Any, ...], structure: Any, kinds: _Kinds
+) -> Callable[..., Any]:
     shapes = [jax.ShapeDtypeStruct(shape, dtype) for shape, dtype in kinds]
-    kept = _kept_program(function, structure, kinds)
+    kept = _kept_program(function, options, structure, kinds)
     if kept is None:
-        return _built(jax.jit(function), *jax.tree.unflatten(structure, shapes))
+        return _built(jax.jit(functools.partial(function, *options)), *jax.tree.unflatten(structure, shapes))
     program, result_structure = kept
     call = _built(jax.jit(program), shapes)
 
@@ -77,7 +87,7 @@ def _built(jitted: Any, *arguments: Any) -> Callable[..., Any]:
 
 
 def _kept_program(
-    function: Callable[..., Any], structure: Any, kinds: _Kinds
+    function: Callable[..., Any], options: tuple[Any, ...], structure: Any, kinds: _Kinds
 ) -> tuple[Callable[..., Any], Any] | None:
     """The program of a function as of its flat leaves, from the cache or put there; None without a cache."""
     folder = jax.config.jax_compilation_cache_dir  # type: ignore[attr-defined]
@@ -87,7 +97,7 @@ def _kept_program(
         return None
     from jax import export
 
-    file = Path(folder) / f"asperity-{_fingerprint(function, structure, kinds)}.program"
+    file = Path(folder) / f"asperity-{_fingerprint(function, options, structure, kinds)}.program"
     try:
         # a pickle, as trustworthy as the machine code that XLA keeps in the same folder of the user
         stored, skeleton = pickle.loads(file.read_bytes())
@@ -97,7 +107,8 @@ def _kept_program(
     result_structures = []
 
     def flat(leaves: list[Any]) -> list[Any]:
-        result_leaves, result_structure = jax.tree.flatten(function(*jax.tree.unflatten(structure, leaves)))
+        result = function(*options, *jax.tree.unflatten(structure, leaves))
+        result_leaves, result_structure = jax.tree.flatten(result)
         result_structures.append(result_structure)
         return result_leaves
 
@@ -123,9 +134,12 @@ def _keep(file: Path, content: bytes) -> None:
         part.unlink(missing_ok=True)
 
 
-def _fingerprint(function: Callable[..., Any], structure: Any, kinds: _Kinds) -> str:
+def _fingerprint(
+    function: Callable[..., Any], options: tuple[Any, ...], structure: Any, kinds: _Kinds
+) -> str:
     """Everything a program depends on: this package's source, the versions below it, and what is asked for."""
-    asked = (function.__module__, function.__qualname__, str(structure), kinds, jax.default_backend())
+    name = (function.__module__, function.__qualname__)
+    asked = (*name, options, str(structure), kinds, jax.default_backend())
     below = (platform.python_version(), *(version(name) for name in ("jax", "jaxlib", "equinox", "numpy")))
     digest = hashlib.sha256(repr((asked, below)).encode())
     package = Path(__file__).parent

@@ -17,7 +17,7 @@ from asperity.contact.population import contact_factor
 from asperity.drive.force_balance import DriveForces
 from asperity.drive.geometry import contact_radii
 from asperity.drive.mechanism import NormalSprings
-from asperity.joint_description import Joint, contact_pairs, per_contact
+from asperity.joint_description import Joint, contact_bodies, contact_pairs, per_contact
 from asperity.types import Real
 
 
@@ -44,16 +44,9 @@ def bulk_springs(*, joint: Joint, normal_force: Real) -> NormalSprings:
         effective_radius=effective_radius(radius_1=driving, radius_2=driven, sign=sign),
         contact_modulus=contact_pairs(joint.bodies).contact_modulus,
     )
-    bodies = joint.bodies
-    first = per_contact(
-        (bodies.sun, bodies.planet, bodies.planet, bodies.loading_roller, bodies.loading_roller)
-    )
-    second = per_contact(
-        (bodies.planet, bodies.loading_roller, bodies.loading_roller, bodies.ring, bodies.ring)
-    )
     body_1, body_2 = (
         {"contact_length": length, "youngs_modulus": body.youngs_modulus, "poisson_ratio": body.poisson_ratio}
-        for body in (first, second)
+        for body in contact_bodies(joint.bodies)
     )
     as_roller = roller_secant_compliance(radius=driven, half_width=width, **body_2)
     as_ring = ring_secant_compliance(wall_thickness=joint.ring_wall_thickness, half_width=width, **body_2)

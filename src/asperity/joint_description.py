@@ -109,8 +109,27 @@ def per_contact(values: tuple[Any, ...]) -> Any:
     return jax.tree.map(lambda *leaves: jnp.stack(jnp.broadcast_arrays(*map(jnp.asarray, leaves))), *values)
 
 
+def contact_bodies(bodies: Bodies) -> tuple[Material, Material]:
+    """The driving and the driven body of the five contacts.
+
+    Parameters
+    ----------
+    bodies : Bodies
+        Materials.
+
+    Returns
+    -------
+    driving, driven : Material
+        Leaves of shape (5, ...).
+    """
+    sun, planet, roller, ring = bodies.sun, bodies.planet, bodies.loading_roller, bodies.ring
+    return per_contact((sun, planet, planet, roller, roller)), per_contact(
+        (planet, roller, roller, ring, ring)
+    )
+
+
 def contact_pairs(bodies: Bodies) -> ContactPair:
-    """Moduli and limits of the five contacts, shape (5, ...).
+    """Moduli and limits of the five contacts.
 
     Parameters
     ----------
@@ -122,11 +141,7 @@ def contact_pairs(bodies: Bodies) -> ContactPair:
     ContactPair
         Leaves of shape (5, ...).
     """
-    sun_planet = pair(bodies.sun, bodies.planet)
-    planet_roller = pair(bodies.planet, bodies.loading_roller)
-    roller_ring = pair(bodies.loading_roller, bodies.ring)
-    result: ContactPair = per_contact((sun_planet, planet_roller, planet_roller, roller_ring, roller_ring))
-    return result
+    return pair(*contact_bodies(bodies))
 
 
 def with_one_rank(joint: Joint) -> Joint:

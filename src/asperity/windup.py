@@ -19,8 +19,8 @@ import jax.numpy as jnp
 import numpy as np
 from jax import Array
 
+from asperity.compilation import compile_fast
 from asperity.errors import InputError, NoSolutionError
-from asperity.examination import compile_fast
 from asperity.joint import Joint, evaluate
 from asperity.precision import require_double_precision
 from asperity.types import Real

@@ -149,9 +149,9 @@ def test_files_that_cannot_be(tmp_path):
     source = write(tmp_path / "in.csv", reference_rows()[:1])
     with pytest.raises(InputError, match=r"absent\.csv: No such file"):
         convert(tmp_path / "absent.csv", tmp_path / "out.csv")
-    with pytest.raises(InputError, match="no file that a table could be written to"):
+    with pytest.raises(InputError, match="is no file; give the name of a file"):
         convert(source, tmp_path)
-    with pytest.raises(InputError, match="there is no directory"):
+    with pytest.raises(InputError, match="there is no folder"):
         convert(source, tmp_path / "nowhere" / "out.csv")
     (tmp_path / "bytes.csv").write_bytes(b"D,\xff\n")
     with pytest.raises(InputError, match="not a text file in UTF-8"):

@@ -2,17 +2,13 @@
 
 import numpy as np
 import pytest
-from matplotlib.figure import Figure
 
 from asperity.cli.study_output import (
-    check_plot,
     number_or_null,
     show_points,
     show_status,
     status_counts,
-    write_plot,
 )
-from asperity.errors import InputError
 from asperity.study.status import STATUS_NAMES
 
 xarray = pytest.importorskip("xarray")
@@ -72,18 +68,3 @@ def test_points_are_shown_in_the_unit_of_the_key(found, capsys):
 def test_numbers_for_json():
     assert number_or_null(np.float64(1.5)) == 1.5
     assert [number_or_null(value) for value in (np.nan, np.inf, -np.inf)] == [None] * 3
-
-
-def test_plots(tmp_path, capsys):
-    check_plot(str(tmp_path / "a.PNG"))
-    with pytest.raises(InputError, match="an image ends in"):
-        check_plot(str(tmp_path / "a.bmp"))
-    with pytest.raises(InputError):
-        check_plot(str(tmp_path / "nowhere" / "a.png"))
-    path = str(tmp_path / "a.svg")
-    write_plot(Figure(figsize=(1.0, 1.0)), path)
-    write_plot(Figure(figsize=(1.0, 1.0)), path, quiet=True)
-    told = capsys.readouterr()
-    assert told.out == told.err == f"drawn to {path}\n"
-    with pytest.raises(InputError, match="nowhere"):
-        write_plot(Figure(), str(tmp_path / "nowhere" / "a.png"))

@@ -46,3 +46,13 @@ def test_json_carries_units_and_all_three_routes():
 def test_bad_input_is_named(change, named):
     with pytest.raises(InputError, match=named):
         CliRunner().invoke(verify_contact, [*SMALL, *change], catch_exceptions=False)
+
+
+def test_a_picture_that_cannot_be_drawn_is_refused_before_anything_is_computed(monkeypatch):
+    def compute(*_, **__):
+        raise AssertionError("it was computed")
+
+    monkeypatch.setattr("asperity.verify.comparison.compare", compute)
+    result = CliRunner().invoke(verify_contact, [*SMALL, "--plot", "law.xyz"])
+    assert isinstance(result.exception, InputError)
+    assert "law.xyz: an image ends in .png, .svg or .pdf" in str(result.exception)

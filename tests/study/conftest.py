@@ -8,7 +8,7 @@ import pytest
 
 from asperity.case.build import with_values
 from asperity.case.reader import parse_case
-from asperity.examination import compile_fast
+from asperity.compilation import compile_fast
 from asperity.joint import evaluate
 
 FILE = Path(__file__).parents[2] / "examples" / "zou2025.toml"

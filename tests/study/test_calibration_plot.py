@@ -30,7 +30,10 @@ def fitted(*, angle=None, stiffness=None, time=None, repetition=None):
         residual=residual,
         standard_deviation=2.0 * ARCMINUTE / 60.0,
         durbin_watson=1.234,
-        estimates=(SimpleNamespace(value=1000.0), SimpleNamespace(value=0.25 * ARCMINUTE)),
+        estimates=(
+            SimpleNamespace(value=1000.0, lower=900.0, upper=1100.0, determined=True),
+            SimpleNamespace(value=0.25 * ARCMINUTE, lower=-np.inf, upper=np.inf, determined=False),
+        ),
     )
 
 
@@ -75,16 +78,21 @@ def test_stiffnesses_are_drawn_over_sorted_torques():
 def test_draws_of_a_posterior_in_the_units_of_the_unknowns():
     calibration = fitted(angle=TORQUE * ARCMINUTE)
     places = np.array([[0.0, 0.0], [0.5, 0.25], [1.0, 1.0]])
-    figure = posterior_figure(calibration, SimpleNamespace(places=places))
-    first, pair, second = figure.axes
-    assert sum(bar.get_height() for bar in first.patches) == 3  # a histogram of all draws
-    assert first.get_lines()[0].get_xdata() == pytest.approx([1000.0, 1000.0])
-    assert second.get_lines()[0].get_xdata() == pytest.approx([0.25, 0.25])
+    notes = ("", "cut by lower bound")
+    drawn = SimpleNamespace(places=places, note=notes.__getitem__)
+    first, above, pair, second = posterior_figure(calibration, drawn).axes
     # from 500 to 2000 N on a logarithmic scale the middle is 1000 N; play from 0 to 1 arcmin
     np.testing.assert_allclose(
         pair.get_lines()[0].get_xydata(), [[500.0, 0.0], [1000.0, 0.25], [2000.0, 1.0]], rtol=1e-12
     )
-    assert (pair.get_xlabel(), pair.get_ylabel()) == ("preload [N]", "play [arcmin]")
+    np.testing.assert_allclose(pair.get_lines()[1].get_xydata(), [[1000.0, 0.25]], rtol=1e-12)
+    assert above.texts[0].get_text() == "+1.00"  # the draws rise together
+    assert "cut by lower bound" in " ".join(text.get_text() for text in second.texts) + second.get_title()
+    assert "preload" in pair.get_xlabel()
+    assert "[N]" in pair.get_xlabel()
+    assert "[arcmin]" in second.get_xlabel()
+    reds = [line.get_xdata()[0] for line in first.get_lines() if line.get_color() == "C3"]
+    assert 1000.0 in np.round(reds, 9)
 
 
 @pytest.mark.parametrize(

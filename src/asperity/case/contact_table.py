@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import csv
 import math
-import os
 from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any, NamedTuple, TextIO
@@ -22,6 +21,7 @@ from asperity.contact.roller_pairs import CONTACT_FACTOR_MODELS, RollerPairs, ro
 from asperity.errors import InputError
 from asperity.unit_table import Dimension
 from asperity.units import from_si
+from asperity.writing import check_file, replacing
 
 ROWS_AT_ONCE = 65536
 MOST_ERRORS = 12
@@ -103,14 +103,10 @@ def convert_contact_table(
     InputError
         If a file cannot be read or written, a column is missing, or a row is bad; then nothing is written.
     """
-    made = Path(target)
-    if made.exists() and not made.is_file():
-        raise InputError(f"{target}: this is no file that a table could be written to")
-    if not made.absolute().parent.is_dir():
-        raise InputError(f"{target}: there is no directory {made.absolute().parent}")
+    check_file(target)
     try:
         with open(source, encoding="utf-8-sig", newline="") as stream:
-            return _convert(stream, str(source), made, frequency_ratio, asperity_base, progress)
+            return _convert(stream, str(source), Path(target), frequency_ratio, asperity_base, progress)
     except UnicodeDecodeError:
         raise InputError(f"{source}: this is not a text file in UTF-8") from None
     except csv.Error as error:
@@ -132,25 +128,19 @@ def _convert(
     _check_header(header, source)
     kept = [index for index, name in enumerate(header) if name not in OUTPUT_COLUMNS]
     rows = 0
-    # beside the target, so that putting it in place is one step that cannot be seen half done
-    temporary = target.with_name(f".{target.name}.{os.getpid()}.part")
-    try:
-        with open(temporary, "x", encoding="utf-8", newline="") as made:
-            writer = csv.writer(made, lineterminator="\n")
-            writer.writerow([*(header[index] for index in kept), *OUTPUT_COLUMNS])
-            for lines, cells in _chunks(reader, header, source):
-                columns = _columns(cells, lines, header, source)
-                results = _evaluated(columns, frequency_ratio, asperity_base)
-                told = [[repr(number) for number in results[name].tolist()] for name in OUTPUT_COLUMNS]
-                writer.writerows(
-                    [*(row[index] for index in kept), *numbers]
-                    for row, numbers in zip(cells, zip(*told, strict=True), strict=True)
-                )
-                rows += len(cells)
-                progress(rows)
-        os.replace(temporary, target)
-    finally:
-        temporary.unlink(missing_ok=True)
+    with replacing(target) as part, part.open("x", encoding="utf-8", newline="") as made:
+        writer = csv.writer(made, lineterminator="\n")
+        writer.writerow([*(header[index] for index in kept), *OUTPUT_COLUMNS])
+        for lines, cells in _chunks(reader, header, source):
+            columns = _columns(cells, lines, header, source)
+            results = _evaluated(columns, frequency_ratio, asperity_base)
+            told = [[repr(number) for number in results[name].tolist()] for name in OUTPUT_COLUMNS]
+            writer.writerows(
+                [*(row[index] for index in kept), *numbers]
+                for row, numbers in zip(cells, zip(*told, strict=True), strict=True)
+            )
+            rows += len(cells)
+            progress(rows)
     return Summary(rows, tuple(name for name in header if name in OUTPUT_COLUMNS))
 
 

@@ -6,6 +6,9 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+from asperity.cli.terminal import say_written
+from asperity.writing import check_file, check_image, write_image, write_text
+
 if TYPE_CHECKING:
     from asperity.study.calibrate import Calibration
     from asperity.study.posterior import Posterior
@@ -54,13 +57,12 @@ def calibrate(
     """
     from asperity.case.reader import read_case
     from asperity.cli.progress import progress_bar
-    from asperity.cli.study_figures import check_folder, check_image_name, write_figure, write_text
     from asperity.errors import InputError
     from asperity.precision import use_compilation_cache, use_double_precision
 
-    check_image_name(plot)
-    check_image_name(plot_posterior)
-    check_folder(out)
+    check_image(plot)
+    check_image(plot_posterior)
+    check_file(out)
     if plot_posterior is not None and draws is None:
         raise InputError("--plot-posterior needs --posterior DRAWS, e.g. --posterior 1000")
     case = read_case(file)
@@ -104,12 +106,15 @@ def calibrate(
             case, changes, comment=f"Calibrated by asperity: {file} from {data}, {level} stiffness."
         )
         write_text(text, out)
+        say_written(out)
     from asperity.study.calibration_plot import calibration_figure, posterior_figure
 
     if plot is not None:
-        write_figure(calibration_figure(found), plot)
+        write_image(calibration_figure(found), plot)
+        say_written(plot)
     if plot_posterior is not None and drawn is not None:
-        write_figure(posterior_figure(found, drawn), plot_posterior)
+        write_image(posterior_figure(found, drawn), plot_posterior)
+        say_written(plot_posterior)
 
 
 def _document(found: Calibration, drawn: Posterior | None) -> dict[str, Any]:

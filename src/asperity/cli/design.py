@@ -6,6 +6,9 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+from asperity.cli.terminal import say_written
+from asperity.writing import check_file, check_image, write_image, write_text
+
 if TYPE_CHECKING:
     from asperity.study.design import DesignResult
     from asperity.study.design_problem import DesignProblem
@@ -46,11 +49,10 @@ def design(
     the command says which of them conflict and by how much, and ends with exit code 3.
     """
     from asperity.cli.progress import progress_bar
-    from asperity.cli.study_figures import check_folder, check_image_name, write_figure, write_text
     from asperity.precision import use_compilation_cache, use_double_precision
 
-    check_image_name(plot)
-    check_folder(out)
+    check_image(plot)
+    check_file(out)
     from asperity.study.design_file import read_design
 
     problem = read_design(file)
@@ -72,10 +74,12 @@ def design(
         _show(result)
     if out is not None:
         write_text(result.joint_text, out)
+        say_written(out)
     if plot is not None:
         from asperity.study.design_plot import design_figure
 
-        write_figure(design_figure(result), plot)
+        write_image(design_figure(result), plot)
+        say_written(plot)
     if not result.feasible:
         from asperity.errors import NoSolutionError
 
@@ -91,7 +95,6 @@ def _front(
     generations: int,
 ) -> None:
     from asperity.cli.progress import progress_bar
-    from asperity.cli.study_figures import write_figure, write_text
     from asperity.study.pareto import pareto_front, require_pymoo
 
     require_pymoo()
@@ -110,10 +113,12 @@ def _front(
         head = ",".join(f"{name} [{front[name].attrs['units']}]" for name in names)
         rows = zip(*(front[name].values for name in names), strict=True)
         write_text("\n".join([head, *(",".join(repr(float(v)) for v in row) for row in rows)]) + "\n", out)
+        say_written(out)
     if plot is not None:
         from asperity.study.design_plot import pareto_figure
 
-        write_figure(pareto_figure(front, tuple(goal.name for goal in problem.objectives)), plot)
+        write_image(pareto_figure(front, tuple(goal.name for goal in problem.objectives)), plot)
+        say_written(plot)
 
 
 def _show_front(problem: DesignProblem, front: Any, names: list[str]) -> None:

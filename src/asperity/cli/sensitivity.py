@@ -7,6 +7,9 @@ from typing import TYPE_CHECKING, Any
 import click
 import numpy as np
 
+from asperity.cli.terminal import say_written
+from asperity.writing import check_image, write_image
+
 if TYPE_CHECKING:
     import xarray
 
@@ -42,15 +45,13 @@ def sensitivity(file: str, result: str, as_json: bool, plot: str | None) -> None
 
     use_double_precision()
     use_compilation_cache()
-    from asperity.cli.study_output import check_plot, write_plot
     from asperity.errors import InputError
     from asperity.study.sensitivity import judged_results, ranking
     from asperity.study.sensitivity import sensitivity as differentiate
 
     if result not in judged_results():
         raise InputError(f"there is no result '{result}'; choose among {', '.join(judged_results())}")
-    if plot is not None:
-        check_plot(plot)
+    check_image(plot)
     found = differentiate(case)
     if as_json:
         import json
@@ -61,7 +62,8 @@ def sensitivity(file: str, result: str, as_json: bool, plot: str | None) -> None
     if plot is not None:
         from asperity.study.influence_plot import tornado_figure
 
-        write_plot(tornado_figure(found, result=result), plot, quiet=as_json)
+        write_image(tornado_figure(found, result=result), plot)
+        say_written(plot)
 
 
 def sensitivity_document(found: xarray.Dataset) -> dict[str, Any]:

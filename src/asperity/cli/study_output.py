@@ -1,18 +1,14 @@
-"""What the commands for studies print and draw."""
+"""What the commands for studies print."""
 
 from __future__ import annotations
 
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import click
 import numpy as np
 
-from asperity.errors import InputError
-
 if TYPE_CHECKING:
     import xarray
-    from matplotlib.figure import Figure
 
 _MOST_ROWS = 60
 _SHOWN = (
@@ -22,26 +18,6 @@ _SHOWN = (
     "torque_capacity",
 )
 _MOST_COLUMNS = 4
-
-
-def check_plot(path: str) -> None:
-    """Raise unless an image of this name can be written, before anything is computed.
-
-    Parameters
-    ----------
-    path : str
-        File name.
-
-    Raises
-    ------
-    InputError
-        If the ending is unknown or the folder cannot be written to.
-    """
-    from asperity.study.store import check_folder
-
-    if Path(path).suffix.lower() not in (".png", ".svg", ".pdf"):
-        raise InputError(f"{path}: an image ends in .png, .svg or .pdf")
-    check_folder(Path(path))
 
 
 def number_or_null(value: Any) -> float | None:
@@ -59,32 +35,6 @@ def number_or_null(value: Any) -> float | None:
     """
     number = float(value)
     return number if np.isfinite(number) else None
-
-
-def write_plot(figure: Figure, path: str, *, quiet: bool = False) -> None:
-    """Write a figure to a file and say so.
-
-    Parameters
-    ----------
-    figure : matplotlib.figure.Figure
-        What to draw.
-    path : str
-        File name.
-    quiet : bool, optional
-        Whether to say nothing on standard output.
-
-    Raises
-    ------
-    InputError
-        If it cannot be written.
-    """
-    from asperity.study.store import cannot_write
-
-    try:
-        figure.savefig(path, dpi=150)
-    except OSError as error:
-        raise cannot_write(path, error) from None
-    click.echo(f"drawn to {path}", err=quiet)
 
 
 def show_status(found: xarray.Dataset) -> None:

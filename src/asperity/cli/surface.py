@@ -8,6 +8,9 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+from asperity.cli.terminal import say_written
+from asperity.writing import check_file, check_image, replacing, write_image
+
 if TYPE_CHECKING:
     from asperity.surface.fractal_fit import FractalFit
     from asperity.surface.measure import DirectionalFits, MeasuredSurface
@@ -92,6 +95,7 @@ def measure(files: tuple[Path, ...], as_json: bool, plot: Path | None, **options
     from asperity.surface.measure import Conditioning, conditioned, directional_fits
     from asperity.surface.read import read_surface
 
+    check_image(plot)
     use_double_precision()
     conditioning = Conditioning(
         form=options["form"],
@@ -142,15 +146,10 @@ def measure(files: tuple[Path, ...], as_json: bool, plot: Path | None, **options
 
 
 def _write_figure(plot: Path, topographies: list, fit: FractalFit | str, direction: str) -> None:
-    from asperity.errors import InputError
     from asperity.surface.plots import measurement_figure
 
-    figure = measurement_figure(surfaces=topographies, fit=fit, direction=direction)
-    try:
-        figure.savefig(plot, dpi=150)
-    except (OSError, ValueError) as error:
-        raise InputError(f"the figure {plot} cannot be written: {error}") from None
-    click.echo(f"wrote {plot}", err=True)
+    write_image(measurement_figure(surfaces=topographies, fit=fit, direction=direction), plot)
+    say_written(plot)
 
 
 def _document(
@@ -265,6 +264,9 @@ def synthesize(output: Path, kind: str, **options: Any) -> None:
     from asperity.surface import synthesis
     from asperity.surface.conventions import validated_fractal
 
+    if output.suffix not in ((".npy",) if kind == "map" else (".npy", ".csv")):
+        raise InputError(f"{output}: write a .npy file, or a .csv file of a profile")
+    check_file(output)
     use_double_precision()
     D, G = validated_fractal(
         fractal_dimension=options["fractal_dimension"], fractal_roughness=options["fractal_roughness"]
@@ -303,16 +305,12 @@ def synthesize(output: Path, kind: str, **options: Any) -> None:
                 lowest_index=0,
             )
         )
-    try:
+    with replacing(output) as part:
         if output.suffix == ".npy":
-            np.save(output, heights)
-        elif output.suffix == ".csv" and kind != "map":
-            table = np.stack([np.arange(points) * spacing, heights], axis=1)
-            np.savetxt(output, table, delimiter=",", header="x [m],z [m]", comments="", fmt="%.17g")
+            np.save(part, heights)
         else:
-            raise InputError(f"{output}: write a .npy file, or a .csv file of a profile")
-    except OSError as error:
-        raise InputError(f"{output} cannot be written: {error.strerror}") from None
+            table = np.stack([np.arange(points) * spacing, heights], axis=1)
+            np.savetxt(part, table, delimiter=",", header="x [m],z [m]", comments="", fmt="%.17g")
     click.echo(
         f"wrote {output}: {heights.shape} heights in m, spacing {spacing:.6g} m, rms {heights.std():.6g} m"
     )

@@ -7,7 +7,9 @@ from typing import TYPE_CHECKING
 
 import click
 
+from asperity.cli.terminal import say_written
 from asperity.errors import InputError
+from asperity.writing import check_image, write_image
 
 if TYPE_CHECKING:
     import xarray
@@ -84,7 +86,6 @@ def sweep(
     use_double_precision()
     use_compilation_cache()
     from asperity.cli.progress import progress_bar
-    from asperity.cli.study_output import check_plot, write_plot
     from asperity.study.parameters import parse_axis
     from asperity.study.sweep import sweep as evaluate_sweep
     from asperity.study.tables import check_table_path, write_table
@@ -94,8 +95,7 @@ def sweep(
     streamed = out is not None and Path(out).suffix == ".zarr"
     if out is not None and not streamed:
         check_table_path(out, overwrite=overwrite)
-    if plot is not None:
-        check_plot(plot)
+    check_image(plot)
     if plot_result is not None:
         _check_plot_result(plot_result, names, drawn=plot is not None)
     if (scheduler is not None or workers) and not streamed:
@@ -123,7 +123,8 @@ def sweep(
     if plot is not None:
         from asperity.study.sweep_plot import sweep_figure
 
-        write_plot(sweep_figure(found, result=plot_result), plot)
+        write_image(sweep_figure(found, result=plot_result), plot)
+        say_written(plot)
     _show(found, out)
 
 

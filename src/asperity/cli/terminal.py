@@ -6,7 +6,10 @@ import codecs
 import sys
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from pathlib import Path
 from typing import TYPE_CHECKING
+
+import click
 
 if TYPE_CHECKING:
     from rich.console import Console
@@ -86,6 +89,17 @@ def table(target: Console, title: str, *columns: str) -> Table:
     for index, column in enumerate(columns):
         made.add_column(escape(column), justify="right" if index else "left", no_wrap=index > 0)
     return made
+
+
+def say_written(path: str | Path) -> None:
+    """Say on standard error that a file has been written.
+
+    Parameters
+    ----------
+    path : str or Path
+        Its name.
+    """
+    click.echo(f"wrote {path}", err=True)
 
 
 @contextmanager

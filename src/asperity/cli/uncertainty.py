@@ -7,6 +7,9 @@ from typing import TYPE_CHECKING, Any
 import click
 import numpy as np
 
+from asperity.cli.terminal import say_written
+from asperity.writing import check_image, write_image
+
 if TYPE_CHECKING:
     import xarray
 
@@ -59,12 +62,10 @@ def uncertainty(
     use_double_precision()
     use_compilation_cache()
     from asperity.cli.progress import progress_bar
-    from asperity.cli.study_output import check_plot, write_plot
     from asperity.study.uncertainty import DEFAULT_RESULTS
     from asperity.study.uncertainty import uncertainty as propagate
 
-    if plot is not None:
-        check_plot(plot)
+    check_image(plot)
     names = DEFAULT_RESULTS if results is None else [n.strip() for n in results.split(",") if n.strip()]
     with progress_bar("samples") as report:
         found = propagate(
@@ -79,7 +80,8 @@ def uncertainty(
     if plot is not None:
         from asperity.study.influence_plot import uncertainty_figure
 
-        write_plot(uncertainty_figure(found, result=found["result"].values[0]), plot, quiet=as_json)
+        write_image(uncertainty_figure(found, result=found["result"].values[0]), plot)
+        say_written(plot)
 
 
 def uncertainty_document(found: xarray.Dataset) -> dict[str, Any]:

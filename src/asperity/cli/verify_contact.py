@@ -7,7 +7,9 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+from asperity.cli.terminal import say_written
 from asperity.errors import InputError
+from asperity.writing import check_image, write_image
 
 if TYPE_CHECKING:
     from asperity.verify.comparison import Comparison, Sample
@@ -77,6 +79,7 @@ def verify_contact(
     """
     from asperity.units import Dimension
 
+    check_image(plot_file)
     lengths = [
         _read(name, text, Dimension.LENGTH) for name, text in (("roughness", roughness), ("side", side))
     ]
@@ -131,10 +134,8 @@ def verify_contact(
     if plot_file:
         from asperity.verify.figure import comparison_figure
 
-        try:
-            comparison_figure(samples, found).savefig(plot_file, dpi=120)
-        except (OSError, ValueError) as error:
-            raise InputError(f"{plot_file}: the picture cannot be written: {error}") from None
+        write_image(comparison_figure(samples, found), plot_file)
+        say_written(plot_file)
     if as_json:
         import json
 

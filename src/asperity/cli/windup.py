@@ -7,7 +7,8 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from asperity.errors import InputError
+from asperity.cli.terminal import say_written
+from asperity.writing import check_file, check_image, replacing, write_image
 
 if TYPE_CHECKING:
     from asperity.drive.capacity import TorqueCapacity
@@ -60,6 +61,8 @@ def windup(
     """
     from asperity.case.reader import read_case
 
+    check_file(csv_file)
+    check_image(plot_file)
     case = read_case(file)
     from asperity.precision import use_compilation_cache, use_double_precision
     from asperity.units import Dimension, parse_quantity
@@ -79,13 +82,12 @@ def windup(
     document = _document(curve, examination.capacity, level)
     if csv_file:
         _write_csv(curve, csv_file)
+        say_written(csv_file)
     if plot_file:
         from asperity.windup_figure import windup_figure
 
-        try:
-            windup_figure(curve, title=f"Wind-up of {file}, {level} stiffness").savefig(plot_file, dpi=150)
-        except (OSError, ValueError) as error:
-            raise InputError(f"{plot_file}: the picture cannot be written: {error}") from None
+        write_image(windup_figure(curve, title=f"Wind-up of {file}, {level} stiffness"), plot_file)
+        say_written(plot_file)
     if as_json:
         import json
 
@@ -138,13 +140,10 @@ def _write_csv(curve: Windup, path: str) -> None:
         "reloading_angle_rad": curve.reloading_angle,
     }
     rows = np.column_stack([np.asarray(column) for column in columns.values()])
-    try:
-        with open(path, "w", newline="") as target:
-            writer = csv.writer(target)
-            writer.writerow(columns)
-            writer.writerows([repr(float(value)) for value in row] for row in rows)
-    except OSError as error:
-        raise InputError(f"{path}: cannot be written: {error.strerror}") from None
+    with replacing(path) as part, part.open("w", newline="") as target:
+        writer = csv.writer(target)
+        writer.writerow(columns)
+        writer.writerows([repr(float(value)) for value in row] for row in rows)
 
 
 def _show(document: dict[str, Any], file: str) -> None:

@@ -170,7 +170,14 @@ def carrier_residual(branch: Branch, force: BranchForces) -> Array:
 
 
 def contact_floors(branch: Branch, sun_force: Array) -> tuple[Array, Array]:
-    """Where a contact lifts off.
+    r"""Where a contact lifts off: equation (2) with one normal force put to zero.
+
+    .. math::
+        S_{pwl} = |k T_{sp}|, \quad
+        S_{sp} = \frac{C_p + \sqrt{C_p^2 - 4 k T_{sp}^2 \sin\theta\cos\theta}}{2\cos\theta}, \quad
+        k = \cot\frac\theta2
+
+    with the planet's centrifugal force C_p.
 
     Parameters
     ----------
@@ -182,7 +189,11 @@ def contact_floors(branch: Branch, sun_force: Array) -> tuple[Array, Array]:
     Returns
     -------
     roller, planet : Array
-        S at N_pwl = 0, and S at N_sp = 0 under the planet's centrifugal force [N].
+        S at N_pwl = 0, and S at N_sp = 0 under the planet's centrifugal force [N]; 0 where N_sp never vanishes.
+
+    References
+    ----------
+    Zou et al. 2025, equation (2), with equal creep (A3) of :doc:`/equations`.
     """
     side, centrifugal = branch.sides, branch.planet_centrifugal
     difference = sun_force * ((1.0 + side.cos_direction) / side.sin_direction)

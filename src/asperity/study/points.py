@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import functools
 import json
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Mapping
 from typing import Any
 
 import jax
@@ -14,15 +14,15 @@ from jax import Array
 
 from asperity.case.build import joint_from_values
 from asperity.case.key import Key
+from asperity.case.structure import Numbers, numbers, table_structure, with_numbers
 from asperity.case.values import Values, key_at, replace_values
-from asperity.examination import compile_fast
+from asperity.compilation import compile_fast
 from asperity.joint import evaluate
 from asperity.joint_description import with_one_rank
 from asperity.precision import require_double_precision
 from asperity.study.results import GROUPS, RESULTS, result_values
 from asperity.study.status import LOCKED, OUT_OF_RANGE, SLIPS, joint_status
 
-Numbers = tuple[Any, ...]
 Kernel = Callable[..., tuple[Array, dict[str, Array]]]
 
 #: Points that pass through the program at once: few enough for its intermediate arrays to stay in the cache.
@@ -54,7 +54,7 @@ def point_kernel(values: Values, paths: tuple[str, ...], results: tuple[str, ...
     """
 
     def kernel(base: Numbers, *arrays: Array) -> tuple[Array, dict[str, Array]]:
-        tables = replace_values(_with_numbers(values, iter(base)), dict(zip(paths, arrays, strict=True)))
+        tables = replace_values(with_numbers(values, base), dict(zip(paths, arrays, strict=True)))
         joint = with_one_rank(joint_from_values(tables))
         found = evaluate(joint)
         points = jnp.broadcast_shapes(*(jnp.shape(array) for array in arrays))
@@ -72,59 +72,6 @@ def point_kernel(values: Values, paths: tuple[str, ...], results: tuple[str, ...
         return code, masked
 
     return kernel
-
-
-def numbers(values: Values) -> Numbers:
-    """All numbers of the tables of a joint file, in a fixed order.
-
-    Parameters
-    ----------
-    values : dict
-        Tables in SI units.
-
-    Returns
-    -------
-    tuple of float
-        The leaves that are numbers, by sorted names.
-    """
-    return tuple(value for value in _leaves(values) if not isinstance(value, str))
-
-
-def _leaves(node: Any) -> Iterator[Any]:
-    if isinstance(node, dict):
-        for name in sorted(node):
-            yield from _leaves(node[name])
-    else:
-        yield node
-
-
-def _with_numbers(node: Any, base: Iterator[Any]) -> Any:
-    """The same tables with other numbers, in the order of :func:`numbers`."""
-    if isinstance(node, dict):
-        return {name: _with_numbers(node[name], base) for name in sorted(node)}
-    return node if isinstance(node, str) else next(base)
-
-
-def table_structure(values: Values) -> str:
-    """What is left of the tables of a joint file without its numbers, to recognise files of the same structure.
-
-    Parameters
-    ----------
-    values : dict
-        Tables in SI units.
-
-    Returns
-    -------
-    str
-        JSON, with 1.0 for every number.
-    """
-    return json.dumps(_structure(values))
-
-
-def _structure(node: Any) -> Any:
-    if isinstance(node, dict):
-        return {name: _structure(node[name]) for name in sorted(node)}
-    return node if isinstance(node, str) else 1.0
 
 
 def batch_size(results: tuple[str, ...]) -> int:
@@ -148,13 +95,18 @@ def _program(
     structure: str, paths: tuple[str, ...], results: tuple[str, ...], size: int, quick: bool
 ) -> Kernel:
     tables = json.loads(structure)
-    kernel = point_kernel(tables, paths, results)
     base = tuple(jax.ShapeDtypeStruct((), jnp.float64) for _ in numbers(tables))
     arrays = [jax.ShapeDtypeStruct((size,), jnp.float64)] * len(paths)
     if quick:
-        packed = compile_fast(lambda both: kernel(both[0], *both[1]), (base, arrays))
-        return lambda base, *arrays: packed((base, list(arrays)))
-    return jax.jit(kernel).lower(base, *arrays).compile()
+        return compile_fast(_evaluated, base, *arrays, options=(structure, paths, results))
+    return jax.jit(point_kernel(tables, paths, results)).lower(base, *arrays).compile()
+
+
+def _evaluated(
+    structure: str, paths: tuple[str, ...], results: tuple[str, ...], base: Any, *columns: Array
+) -> Any:
+    """The kernel as a function that is known by its name, so that its program is kept."""
+    return point_kernel(json.loads(structure), paths, results)(base, *columns)
 
 
 def evaluate_points(

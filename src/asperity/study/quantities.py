@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import functools
+import itertools
+import json
 from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any, Literal
@@ -13,7 +15,9 @@ import numpy as np
 from jax import Array
 
 from asperity.case.build import joint_from_values
+from asperity.case.structure import numbers, table_structure, with_numbers
 from asperity.case.values import Values, replace_values
+from asperity.compilation import compile_fast
 from asperity.drive.geometry import CONTACT_NAMES, clearances
 from asperity.joint import evaluate
 from asperity.study.size import joint_size
@@ -143,34 +147,20 @@ def joint_quantities(values: Values) -> dict[str, Array]:
     }
 
 
-def _split(values: Values) -> tuple[list[Any], Any]:
-    """Numbers of the tables, and the tables with places for them; names are part of the places."""
-    leaves, places = jax.tree.flatten(values)
-    numbers = [leaf for leaf in leaves if not isinstance(leaf, str)]
-    names = tuple(leaf if isinstance(leaf, str) else None for leaf in leaves)
-    return numbers, (places, names)
-
-
-def _joined(numbers: Any, key: Any) -> Values:
-    places, names = key
-    rest = iter(numbers)
-    return jax.tree.unflatten(places, [next(rest) if name is None else name for name in names])
-
-
-# A design asks for thousands of small calls: the time to compile counts, the speed of the program hardly does.
-@functools.partial(jax.jit, static_argnums=0, compiler_options={"xla_backend_optimization_level": 0})
 def _values_and_slopes(
-    key: Any, numbers: Array, tangents: Array
+    structure: str, table: Array, tangents: Array
 ) -> tuple[dict[str, Array], dict[str, Array]]:
-    return jax.jvp(lambda leaves: joint_quantities(_joined(leaves, key)), (numbers,), (tangents,))
+    """Quantities and their derivatives along a direction, for the rows of numbers of files of one structure."""
+    tables = json.loads(structure)
+    return jax.jvp(lambda rows: joint_quantities(with_numbers(tables, rows)), (table,), (tangents,))
 
 
 @functools.partial(jax.jit, static_argnums=0)
-def _values_only(key: Any, numbers: Array) -> dict[str, Array]:
-    return joint_quantities(_joined(numbers, key))
+def _values_only(structure: str, table: Array) -> dict[str, Array]:
+    return joint_quantities(with_numbers(json.loads(structure), table))
 
 
-def _in_blocks(key: Any, *tables: np.ndarray) -> Any:
+def _in_blocks(structure: str, *tables: np.ndarray) -> Any:
     """Call the compiled program block by block; the last block is filled up with copies of its last point."""
     points = tables[0].shape[1]
     parts = []
@@ -178,7 +168,8 @@ def _in_blocks(key: Any, *tables: np.ndarray) -> Any:
         block = [table[:, start : start + _BLOCK] for table in tables]
         missing = _BLOCK - block[0].shape[1]
         padded = [np.pad(part, ((0, 0), (0, missing)), mode="edge") for part in block]
-        parts.append(jax.tree.map(np.asarray, _values_and_slopes(key, *map(jnp.asarray, padded))))
+        program = compile_fast(_values_and_slopes, *padded, options=(structure,))
+        parts.append(jax.tree.map(np.asarray, program(*padded)))
     return jax.tree.map(lambda *pieces: np.concatenate(pieces, axis=-1)[..., :points], *parts)
 
 
@@ -198,11 +189,16 @@ def quantities_at(values: Values, changes: Mapping[str, Any]) -> dict[str, np.nd
         Name → array of shape (rows, points) [SI], as :func:`joint_quantities`, with ratios of stiffness.
     """
     points = max((np.size(value) for value in changes.values()), default=1)
-    numbers, key = _split(replace_values(values, changes))
-    table = np.stack([np.broadcast_to(np.asarray(leaf, float), (points,)) for leaf in numbers])
+    structure, table = _tabulated(replace_values(values, changes), points)
     if points <= _FEW:
-        return _with_quotients(_in_blocks(key, table, np.zeros_like(table))[0])
-    return _with_quotients({n: np.asarray(v) for n, v in _values_only(key, jnp.asarray(table)).items()})
+        return _with_quotients(_in_blocks(structure, table, np.zeros_like(table))[0])
+    return _with_quotients({n: np.asarray(v) for n, v in _values_only(structure, jnp.asarray(table)).items()})
+
+
+def _tabulated(values: Values, points: int) -> tuple[str, np.ndarray]:
+    """Structure of the tables, and all their numbers at every point, shape (numbers, points)."""
+    rows = [np.broadcast_to(np.asarray(number, float), (points,)) for number in numbers(values)]
+    return table_structure(values), np.stack(rows)
 
 
 def quantities_and_slopes(
@@ -230,16 +226,15 @@ def quantities_and_slopes(
     """
     points = max(np.size(value) for value in changes.values())
     filled = replace_values(values, changes)
-    numbers, key = _split(filled)
-    table = np.stack([np.broadcast_to(np.asarray(leaf, float), (points,)) for leaf in numbers])
-    zeros = _joined([0.0] * len(numbers), key)
+    structure, table = _tabulated(filled, points)
+    nothing = with_numbers(filled, itertools.repeat(0.0))
     count = max(len(variables), 1)
-    directions = np.zeros((len(numbers), count))
+    directions = np.zeros((len(table), count))
     for index, path in enumerate(variables):
-        directions[:, index] = _split(replace_values(zeros, {path: 1.0}))[0]
+        directions[:, index] = numbers(replace_values(nothing, {path: 1.0}))
     primal = np.tile(table, (1, count))
     tangent = np.repeat(directions, points, axis=1)
-    found, slopes = _in_blocks(key, primal, tangent)
+    found, slopes = _in_blocks(structure, primal, tangent)
     first = {name: value[:, :points] for name, value in found.items()}
     by_variable = {
         name: np.moveaxis(value.reshape(value.shape[0], count, points), 1, 2)[:, :, : len(variables)]

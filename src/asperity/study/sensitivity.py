@@ -8,10 +8,8 @@ An elasticity of 2 says that one per cent more of x makes about two per cent mor
 
 from __future__ import annotations
 
-import functools
 import json
-from collections.abc import Callable
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import jax
 import jax.numpy as jnp
@@ -20,15 +18,16 @@ from jax import Array
 
 from asperity.case.build import joint_from_case, joint_from_values
 from asperity.case.model import Case
+from asperity.case.structure import table_structure
 from asperity.case.values import NumericKey, numeric_keys, replace_values, si_values
+from asperity.compilation import compile_fast
 from asperity.drive.geometry import CONTACT_NAMES
 from asperity.errors import InputError, NoSolutionError
-from asperity.examination import compile_fast, examine
+from asperity.examination import examine
 from asperity.joint import Joint, evaluate
 from asperity.precision import require_double_precision
 from asperity.study.datasets import common_attributes, require
 from asperity.study.parameters import long_name
-from asperity.study.points import table_structure
 from asperity.study.results import RESULTS, Solved
 from asperity.study.status import STATUS_MEANINGS, UNBALANCED, joint_status
 
@@ -62,13 +61,15 @@ def judged_results() -> dict[str, tuple[str, str]]:
 
 
 def _judged(joint: Joint) -> tuple[Array, Array]:
-    """Values of :func:`judged_results`, in their order, and the status."""
+    """Values of :func:`judged_results` of a batch, in their order, shape (results, batch), and the status."""
     result = evaluate(joint)
     solved = Solved(joint, result)
     rows = [RESULTS[name].value(solved) for name in (*_LEVELS, "torque_capacity")]
     for ratio, _ in _MARGINS.values():
-        rows.extend(jnp.atleast_1d(1.0 - RESULTS[ratio].value(solved)))
-    return jnp.stack([jnp.reshape(row, ()) for row in rows]), joint_status(joint, result)
+        margin = 1.0 - RESULTS[ratio].value(solved)
+        rows.extend(margin if RESULTS[ratio].per_contact else [margin])
+    shape = result.solved.shape
+    return jnp.stack([jnp.broadcast_to(row, shape) for row in rows]), joint_status(joint, result)
 
 
 def sensitivity(case: Case) -> xarray.Dataset:
@@ -139,23 +140,26 @@ def sensitivity(case: Case) -> xarray.Dataset:
 
 
 def _differentiated(case: Case, inputs: dict[str, NumericKey], point: Array) -> tuple[Array, Array]:
-    differentiate = _differentiation(table_structure(si_values(case)), tuple(inputs))
-    jacobian, (values, status) = compile_fast(differentiate, point)(point)
+    form = (table_structure(si_values(case)), tuple(inputs))
+    values, status, jacobian = compile_fast(_jacobian, point, options=form)(point)
     refuse_failed(case, int(status))
     return values, jacobian
 
 
-@functools.lru_cache(maxsize=8)
-def _differentiation(structure: str, paths: tuple[str, ...]) -> Callable[[Array], Any]:
-    """Jacobian, values and status as a function of all numbers of a file of this structure."""
+def _jacobian(structure: str, paths: tuple[str, ...], point: Array) -> tuple[Array, Array, Array]:
+    """Values, status and Jacobian at all numbers of a file of this structure.
+
+    The joint is repeated along the batch axis, once for each number, and each copy is moved along its own: JAX follows
+    that in a fraction of the time of a vectorising transformation.
+    """
     tables = json.loads(structure)
 
-    def judged(numbers: Array) -> tuple[Array, tuple[Array, Array]]:
-        joint = joint_from_values(replace_values(tables, dict(zip(paths, numbers, strict=True))))
-        values, status = _judged(joint)
-        return values, (values, status)
+    def judged(table: Array) -> tuple[Array, Array]:
+        return _judged(joint_from_values(replace_values(tables, dict(zip(paths, table, strict=True)))))
 
-    return jax.jacfwd(judged, has_aux=True)
+    copies = jnp.repeat(point[:, None], point.size, axis=1)
+    values, jacobian, status = jax.jvp(judged, (copies,), (jnp.eye(point.size),), has_aux=True)
+    return values[:, 0], status[0], jacobian
 
 
 def refuse_failed(case: Case, status: int) -> None:

@@ -28,6 +28,7 @@ from asperity.study.datasets import (
 from asperity.study.plan import Plan
 from asperity.study.results import RESULTS
 from asperity.study.status import flag_attributes
+from asperity.writing import cannot_write, check_folder
 
 if TYPE_CHECKING:
     import xarray
@@ -73,46 +74,6 @@ def prepare_store(path: str | Path, plan: Plan) -> list[int]:
     except OSError as error:
         raise cannot_write(folder, error) from None
     return list(range(plan.block_count))
-
-
-def check_folder(path: Path) -> None:
-    """Raise unless a new file or folder can be made here, before hours are spent on its content.
-
-    Parameters
-    ----------
-    path : Path
-        What is to be written.
-
-    Raises
-    ------
-    InputError
-        If the folder around it does not exist or cannot be written to.
-    """
-    if not path.parent.is_dir():
-        raise InputError(f"{path}: there is no folder '{path.parent}' to write to; create it first")
-    try:
-        with tempfile.NamedTemporaryFile(dir=path.parent, prefix=f".{path.name}-"):
-            pass
-    except OSError as error:
-        raise cannot_write(path, error) from None
-
-
-def cannot_write(path: str | Path, error: OSError) -> InputError:
-    """The error that says that and why something cannot be written.
-
-    Parameters
-    ----------
-    path : str or Path
-        What was to be written.
-    error : OSError
-        Why not.
-
-    Returns
-    -------
-    InputError
-        To be raised.
-    """
-    return InputError(f"{path}: cannot be written: {error.strerror or error}")
 
 
 def write_block(

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import os
-import uuid
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -12,7 +10,7 @@ import numpy as np
 from asperity.errors import InputError
 from asperity.study.datasets import require
 from asperity.study.status import STATUS_NAMES
-from asperity.study.store import cannot_write, check_folder
+from asperity.writing import check_folder, replacing
 
 if TYPE_CHECKING:
     import pandas
@@ -109,16 +107,10 @@ def write_table(dataset: xarray.Dataset, path: str | Path) -> None:
         If it cannot be written.
     """
     file = Path(path)
-    part = file.with_name(f".{uuid.uuid4().hex}{file.suffix}")
-    try:
+    with replacing(file) as part:
         if file.suffix == ".nc":
             dataset.to_netcdf(part, engine="h5netcdf")
         elif file.suffix == ".parquet":
             frame(dataset).to_parquet(part, engine="pyarrow", index=False)
         else:
             frame(dataset).to_csv(part, index=False)
-        os.replace(part, file)
-    except OSError as error:
-        raise cannot_write(file, error) from None
-    finally:
-        part.unlink(missing_ok=True)

@@ -1,0 +1,167 @@
+"""Files that are written: whether they can be, before anything is computed, and whole or not at all."""
+
+from __future__ import annotations
+
+import tempfile
+import uuid
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from asperity.errors import InputError
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+#: Endings of pictures.
+IMAGE_SUFFIXES = (".png", ".svg", ".pdf")
+_DOTS_PER_INCH = 150
+
+
+def cannot_write(path: str | Path, error: OSError) -> InputError:
+    """The error that says that and why something cannot be written.
+
+    Parameters
+    ----------
+    path : str or Path
+        What was to be written.
+    error : OSError
+        Why not.
+
+    Returns
+    -------
+    InputError
+        To be raised.
+    """
+    return InputError(f"{path}: cannot be written: {error.strerror or error}")
+
+
+def check_folder(path: str | Path | None) -> None:
+    """Raise unless a new file or folder can be made here, before hours are spent on its content.
+
+    Parameters
+    ----------
+    path : str, Path or None
+        What is to be written; None for nothing.
+
+    Raises
+    ------
+    InputError
+        If the folder around it does not exist or cannot be written to.
+    """
+    if path is None:
+        return
+    file = Path(path)
+    if not file.parent.is_dir():
+        raise InputError(f"{path}: there is no folder '{file.parent}' to write to; create it first")
+    try:
+        with tempfile.NamedTemporaryFile(dir=file.parent, prefix=f".{file.name}-"):
+            pass
+    except OSError as error:
+        raise cannot_write(path, error) from None
+
+
+def check_file(path: str | Path | None) -> None:
+    """Raise unless a file can be written here.
+
+    Parameters
+    ----------
+    path : str, Path or None
+        Its name; None for nothing.
+
+    Raises
+    ------
+    InputError
+        If something else than a file has this name, or as :func:`check_folder`.
+    """
+    if path is not None and Path(path).exists() and not Path(path).is_file():
+        raise InputError(f"{path}: this is there and is no file; give the name of a file")
+    check_folder(path)
+
+
+def check_image(path: str | Path | None) -> None:
+    """Raise unless a picture can be written here.
+
+    Parameters
+    ----------
+    path : str, Path or None
+        Its name; None for nothing.
+
+    Raises
+    ------
+    InputError
+        If the ending is unknown, or as :func:`check_file`.
+    """
+    if path is not None and Path(path).suffix.lower() not in IMAGE_SUFFIXES:
+        raise InputError(f"{path}: an image ends in .png, .svg or .pdf")
+    check_file(path)
+
+
+@contextmanager
+def replacing(path: str | Path) -> Iterator[Path]:
+    """A name beside a file that takes its place in one step when all is written, and vanishes otherwise.
+
+    Parameters
+    ----------
+    path : str or Path
+        The file.
+
+    Yields
+    ------
+    Path
+        Where to write; the same ending.
+
+    Raises
+    ------
+    InputError
+        As :func:`check_file`, or if the system refuses.
+    """
+    check_file(path)
+    file = Path(path).resolve()
+    part = file.with_name(f".{uuid.uuid4().hex}{file.suffix}")
+    try:
+        yield part
+        part.replace(file)
+    except OSError as error:
+        raise cannot_write(path, error) from None
+    finally:
+        part.unlink(missing_ok=True)
+
+
+def write_text(text: str, path: str | Path) -> None:
+    """Write a text file in UTF-8, lines ending as they stand.
+
+    Parameters
+    ----------
+    text : str
+        What to write.
+    path : str or Path
+        File name.
+
+    Raises
+    ------
+    InputError
+        If it cannot be written.
+    """
+    with replacing(path) as part:
+        part.write_text(text, encoding="utf-8", newline="")
+
+
+def write_image(figure: Figure, path: str | Path) -> None:
+    """Write a picture.
+
+    Parameters
+    ----------
+    figure : matplotlib.figure.Figure
+        What to draw.
+    path : str or Path
+        File name with one of :data:`IMAGE_SUFFIXES`.
+
+    Raises
+    ------
+    InputError
+        If it cannot be written.
+    """
+    with replacing(path) as part:
+        figure.savefig(part, dpi=_DOTS_PER_INCH)

@@ -1,0 +1,98 @@
+"""Names of files are checked before anything is computed; a file is there whole or not at all."""
+
+import os
+from pathlib import Path
+
+import pytest
+from matplotlib.figure import Figure
+
+from asperity.errors import InputError
+from asperity.writing import (
+    cannot_write,
+    check_file,
+    check_folder,
+    check_image,
+    replacing,
+    write_image,
+    write_text,
+)
+
+
+def test_names_that_will_do(tmp_path):
+    for check in (check_folder, check_file, check_image):
+        check(None)
+    for name in ("a.png", "a.SVG", "a.pdf"):
+        check_image(tmp_path / name)
+    (tmp_path / "there.csv").write_text("old")
+    check_file(str(tmp_path / "there.csv"))
+    assert os.listdir(tmp_path) == ["there.csv"]
+
+
+def test_names_that_will_not(tmp_path):
+    with pytest.raises(InputError, match=r"a\.jpg: an image ends in \.png, \.svg or \.pdf"):
+        check_image("a.jpg")
+    for check in (check_folder, check_file, check_image):
+        with pytest.raises(InputError, match=r"there is no folder '.*nowhere' to write to; create it first"):
+            check(str(tmp_path / "nowhere" / "a.png"))
+    (tmp_path / "folder.png").mkdir()
+    for path in (tmp_path / "folder.png", Path(os.devnull).with_suffix("")):
+        with pytest.raises(InputError, match="is no file; give the name of a file"):
+            check_file(path)
+        with pytest.raises(InputError, match="is no file"), replacing(path):
+            pass
+    with pytest.raises(InputError, match="is no file"):
+        check_image(tmp_path / "folder.png")
+
+
+def test_a_folder_that_may_not_be_written_to(tmp_path, monkeypatch):
+    def refuse(*_, **__):
+        raise PermissionError(13, "Permission denied")
+
+    monkeypatch.setattr("tempfile.NamedTemporaryFile", refuse)
+    with pytest.raises(InputError, match=r"a\.csv: cannot be written: Permission denied"):
+        check_file(tmp_path / "a.csv")
+
+
+def test_files_are_written_whole(tmp_path):
+    write_image(Figure(figsize=(1.0, 1.0)), tmp_path / "a.svg")
+    write_text("µ = 0.12\r\n", str(tmp_path / "a.toml"))
+    assert (tmp_path / "a.svg").read_text().startswith("<?xml")
+    assert (tmp_path / "a.toml").read_bytes().decode() == "µ = 0.12\r\n"
+    write_text("new", tmp_path / "a.toml")
+    assert (tmp_path / "a.toml").read_text() == "new"
+    assert sorted(os.listdir(tmp_path)) == ["a.svg", "a.toml"]
+
+
+def test_what_breaks_off_leaves_the_old_file_and_nothing_else(tmp_path):
+    file = tmp_path / "a.csv"
+    file.write_text("old")
+
+    def break_off(error):
+        with replacing(file) as part:
+            assert part.suffix == ".csv"
+            part.write_text("half")
+            raise error
+
+    with pytest.raises(KeyboardInterrupt):
+        break_off(KeyboardInterrupt())
+    with pytest.raises(InputError, match=r"a\.csv: cannot be written: No space left"):
+        break_off(OSError(28, "No space left on device"))
+    assert file.read_text() == "old"
+    assert os.listdir(tmp_path) == ["a.csv"]
+
+
+def test_a_link_is_followed(tmp_path):
+    (tmp_path / "far").mkdir()
+    target, link = tmp_path / "far" / "a.txt", tmp_path / "a.txt"
+    target.write_text("old")
+    link.symlink_to(target)
+    write_text("new", link)
+    assert link.is_symlink()
+    assert target.read_text() == "new"
+
+
+def test_the_reason_of_the_system_is_told():
+    assert str(cannot_write("x.csv", OSError(28, "No space left on device"))) == (
+        "x.csv: cannot be written: No space left on device"
+    )
+    assert str(cannot_write("x.csv", OSError("odd"))) == "x.csv: cannot be written: odd"
