@@ -96,3 +96,12 @@ def test_the_reason_of_the_system_is_told():
         "x.csv: cannot be written: No space left on device"
     )
     assert str(cannot_write("x.csv", OSError("odd"))) == "x.csv: cannot be written: odd"
+
+
+def test_what_is_read_is_not_written_over(tmp_path):
+    (tmp_path / "joint.toml").write_text("read")
+    (tmp_path / "link.csv").symlink_to(tmp_path / "joint.toml")
+    for path in ("joint.toml", "link.csv"):
+        with pytest.raises(InputError, match="this is the file that is read; give another name"):
+            check_file(tmp_path / path, str(tmp_path / "joint.toml"))
+    check_file(tmp_path / "other.csv", str(tmp_path / "joint.toml"), tmp_path / "absent.csv")

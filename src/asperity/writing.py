@@ -62,21 +62,26 @@ def check_folder(path: str | Path | None) -> None:
         raise cannot_write(path, error) from None
 
 
-def check_file(path: str | Path | None) -> None:
+def check_file(path: str | Path | None, *inputs: str | Path) -> None:
     """Raise unless a file can be written here.
 
     Parameters
     ----------
     path : str, Path or None
         Its name; None for nothing.
+    *inputs : str or Path
+        Files that are read and must not be written over.
 
     Raises
     ------
     InputError
-        If something else than a file has this name, or as :func:`check_folder`.
+        If it is an input, something else than a file has this name, or as :func:`check_folder`.
     """
-    if path is not None and Path(path).exists() and not Path(path).is_file():
-        raise InputError(f"{path}: this is there and is no file; give the name of a file")
+    if path is not None and Path(path).exists():
+        if not Path(path).is_file():
+            raise InputError(f"{path}: this is there and is no file; give the name of a file")
+        if any(Path(each).exists() and Path(path).samefile(each) for each in inputs):
+            raise InputError(f"{path}: this is the file that is read; give another name")
     check_folder(path)
 
 

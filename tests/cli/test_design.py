@@ -51,6 +51,22 @@ def test_design_agrees_with_the_joint_command(folder):
     assert pressure == pytest.approx(2.0, rel=1e-6)
 
 
+def test_inputs_are_not_written_over(folder):
+    for name in ("design.toml", "zou2025.toml"):
+        result = invoke("design", folder / "design.toml", "--out", folder / name)
+        assert isinstance(result.exception, InputError)
+        assert "this is the file that is read; give another name" in str(result.exception)
+
+
+def test_a_front_is_a_table(folder):
+    pytest.importorskip("pymoo")
+    front = DESIGN.replace('maximise = "stiffness"', 'maximise = "stiffness"\nminimise = "mass"')
+    (folder / "design.toml").write_text(front)
+    result = invoke("design", folder / "design.toml", "--out", folder / "front.toml")
+    assert isinstance(result.exception, InputError)
+    assert "a Pareto front is a table of many joints" in str(result.exception)
+
+
 def test_tables_and_conflict(folder):
     text = DESIGN.replace("at_most = 2.0", "at_most = 0.9").replace("at_most = 0.8", "at_most = 0.2")
     (folder / "design.toml").write_text(text)

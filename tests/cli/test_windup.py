@@ -67,11 +67,14 @@ def test_table_curves_and_picture(call, joint_file, asked, tmp_path):
         (("--torque", "50 N*m"), "the output torque 50 N·m is beyond the torque capacity"),
         (("--torque", "5 N"), "expected a torque"),
         (("--stages", "0.5", "0.2"), "allowed 0 < first < second < 1"),
+        (("--csv", "joint.toml"), "joint.toml: this is the file that is read; give another name"),
         (("--csv", "nowhere/w.csv"), "nowhere/w.csv: there is no folder 'nowhere'"),
         (("--plot", "w.xyz"), "w.xyz: an image ends in .png, .svg or .pdf"),
     ],
 )
-def test_refusals(call, joint_file, asked, arguments, said):
-    outcome = call("windup", joint_file(), *arguments)
+def test_refusals(call, joint_file, asked, arguments, said, monkeypatch):
+    file = joint_file()
+    monkeypatch.chdir(file.parent)
+    outcome = call("windup", file, *arguments)
     assert (outcome.code, outcome.out) == (2, "")
     assert said in outcome.err

@@ -117,6 +117,7 @@ def test_no_scheduler_there(case, tmp_path, monkeypatch):
             store=tmp_path / "s.zarr",
             scheduler="tcp://127.0.0.1:9",
         )
+    assert not (tmp_path / "s.zarr").exists()
     with pytest.raises(InputError, match="no Dask scheduler answers at nonsense"):
         sweep(
             case,

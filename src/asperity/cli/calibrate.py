@@ -62,7 +62,7 @@ def calibrate(
 
     check_image(plot)
     check_image(plot_posterior)
-    check_file(out)
+    check_file(out, file, data)
     if plot_posterior is not None and draws is None:
         raise InputError("--plot-posterior needs --posterior DRAWS, e.g. --posterior 1000")
     case = read_case(file)
@@ -91,13 +91,7 @@ def calibrate(
     if draws is not None:
         with progress_bar("steps of the posterior") as report:
             drawn = posterior(found, draws=draws, seed=seed, progress=report)
-    if as_json:
-        import json
-
-        click.echo(json.dumps(_document(found, drawn), indent=2, allow_nan=False))
-    else:
-        _show(found, drawn)
-    if out is not None:
+    if out is not None:  # files first: whoever reads the tables may close the pipe
         from asperity.study.joint_text import joint_file_text
 
         paths = set(found.model.paths)
@@ -115,6 +109,12 @@ def calibrate(
     if plot_posterior is not None and drawn is not None:
         write_image(posterior_figure(found, drawn), plot_posterior)
         say_written(plot_posterior)
+    if as_json:
+        import json
+
+        click.echo(json.dumps(_document(found, drawn), indent=2, allow_nan=False))
+    else:
+        _show(found, drawn)
 
 
 def _document(found: Calibration, drawn: Posterior | None) -> dict[str, Any]:

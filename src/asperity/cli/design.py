@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from asperity.cli.terminal import say_written
+from asperity.errors import InputError
 from asperity.writing import check_file, check_image, write_image, write_text
 
 if TYPE_CHECKING:
@@ -52,10 +53,11 @@ def design(
     from asperity.precision import use_compilation_cache, use_double_precision
 
     check_image(plot)
-    check_file(out)
+    check_file(out, file)
     from asperity.study.design_file import read_design
 
     problem = read_design(file)
+    check_file(out, problem.joint_file)
     use_double_precision()
     use_compilation_cache()
     if len(problem.objectives) > 1:
@@ -66,13 +68,7 @@ def design(
 
     with progress_bar("starts") as report:
         result = search(problem, progress=report)
-    if as_json:
-        import json
-
-        click.echo(json.dumps(_document(result), indent=2, allow_nan=False))
-    else:
-        _show(result)
-    if out is not None:
+    if out is not None:  # files first: whoever reads the tables may close the pipe
         write_text(result.joint_text, out)
         say_written(out)
     if plot is not None:
@@ -80,6 +76,12 @@ def design(
 
         write_image(design_figure(result), plot)
         say_written(plot)
+    if as_json:
+        import json
+
+        click.echo(json.dumps(_document(result), indent=2, allow_nan=False))
+    else:
+        _show(result)
     if not result.feasible:
         from asperity.errors import NoSolutionError
 
@@ -98,17 +100,11 @@ def _front(
     from asperity.study.pareto import pareto_front, require_pymoo
 
     require_pymoo()
+    if out is not None and not out.endswith(".csv"):
+        raise InputError(f"{out}: a Pareto front is a table of many joints; give it a name that ends in .csv")
     with progress_bar("generations") as report:
         front = pareto_front(problem, population=population, generations=generations, progress=report)
     names = [goal.name for goal in problem.objectives] + [variable.path for variable in problem.variables]
-    if as_json:
-        import json
-
-        click.echo(
-            json.dumps({name: front[name].values.tolist() for name in names}, indent=2, allow_nan=False)
-        )
-    else:
-        _show_front(problem, front, names)
     if out is not None:
         head = ",".join(f"{name} [{front[name].attrs['units']}]" for name in names)
         rows = zip(*(front[name].values for name in names), strict=True)
@@ -119,6 +115,14 @@ def _front(
 
         write_image(pareto_figure(front, tuple(goal.name for goal in problem.objectives)), plot)
         say_written(plot)
+    if as_json:
+        import json
+
+        click.echo(
+            json.dumps({name: front[name].values.tolist() for name in names}, indent=2, allow_nan=False)
+        )
+    else:
+        _show_front(problem, front, names)
 
 
 def _show_front(problem: DesignProblem, front: Any, names: list[str]) -> None:

@@ -151,4 +151,4 @@ def _show(found: xarray.Dataset, out: str | None) -> None:
     if out is None:
         show_points(found)
     else:
-        click.echo(f"written to {out}")
+        say_written(out)

@@ -61,7 +61,7 @@ def windup(
     """
     from asperity.case.reader import read_case
 
-    check_file(csv_file)
+    check_file(csv_file, file)
     check_image(plot_file)
     case = read_case(file)
     from asperity.precision import use_compilation_cache, use_double_precision

@@ -161,7 +161,7 @@ def read_measurement(path: str | Path) -> Measurement:
                     f"{-LARGEST[name] / factor:.6g} and {LARGEST[name] / factor:.6g} in the unit of the column"
                 )
     if len(numbers) < FEWEST_ROWS:
-        raise InputError(f"{path}: {len(numbers)} rows of numbers, needed are at least {FEWEST_ROWS}")
+        raise InputError(f"{path}: needs at least {FEWEST_ROWS} rows of numbers, got {len(numbers)}")
     by_name = {name: numbers[:, place] for place, name in enumerate(names)}
     _refuse_constant(path, by_name)
     time, stiffness = by_name.get("time"), by_name.get("stiffness")

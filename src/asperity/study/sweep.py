@@ -18,7 +18,7 @@ from asperity.study.datasets import common_attributes, coordinate, dataset
 from asperity.study.parameters import Axis
 from asperity.study.plan import Plan, block_results, make_plan
 from asperity.study.points import QUICK_POINTS
-from asperity.study.store import open_store, prepare_store, remove_store, write_block
+from asperity.study.store import open_store, prepare_store, remove_store, unfinished_blocks, write_block
 
 if TYPE_CHECKING:
     import xarray
@@ -94,6 +94,7 @@ def sweep(
         return _in_memory(plan, scheduler, workers, report)
     if overwrite and Path(store).exists():
         remove_store(store)
+    new = not Path(store).exists()
     blocks = prepare_store(store, plan)
     todo = _Progress(plan, blocks, report)
     if scheduler is None and (workers == 0 or (workers is None and todo.left <= ONE_PROCESS_POINTS)):
@@ -102,7 +103,12 @@ def sweep(
             write_block(store, plan, index, status, found)
             todo.finished(index)
     else:
-        run_on_cluster(plan, store, blocks, scheduler=scheduler, workers=workers, finished=todo.finished)
+        try:
+            run_on_cluster(plan, store, blocks, scheduler=scheduler, workers=workers, finished=todo.finished)
+        except InputError:
+            if new and len(unfinished_blocks(store)) == plan.block_count:
+                remove_store(store)
+            raise
     return open_store(store)
 
 
