@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 from asperity.errors import InputError
-from asperity.study.cluster import worker_environment
+from asperity.study.cluster import _client, worker_environment
 from asperity.study.parameters import parse_axis
 from asperity.study.store import unfinished_blocks
 from asperity.study.sweep import sweep
@@ -126,3 +126,22 @@ def test_no_scheduler_there(case, tmp_path, monkeypatch):
             store=tmp_path / "t.zarr",
             scheduler="nonsense://x y",
         )
+
+
+@pytest.mark.skipif(
+    not Path("/proc/self/environ").exists(), reason="the system does not show a process's start"
+)
+def test_local_workers_start_with_their_settings_and_leave_ours_alone():
+    """What the allocator sees is the environment that the process started with."""
+    names = ("XLA_FLAGS", "JAX_ENABLE_X64")
+    before = {name: os.environ.get(name) for name in names}
+
+    def seen():
+        start = Path("/proc/self/environ").read_text().split("\0")
+        return [each for each in start if each.startswith("MALLOC_TRIM")], os.environ["XLA_FLAGS"]
+
+    with _client(None, 1) as client:
+        ((allocator, flags),) = client.run(seen).values()
+    assert allocator == ["MALLOC_TRIM_THRESHOLD_=268435456"]
+    assert "multi_thread_eigen=false" in flags
+    assert {name: os.environ.get(name) for name in names} == before

@@ -25,9 +25,10 @@ from asperity.study.store import unfinished_blocks, write_block
 _AHEAD = 2
 #: Freed memory that a worker keeps, and the size of an array from which it would ask the system anew [bytes]. Dask's
 #: own setting hands all memory back after every block, and fetching it again is a quarter of the work.
-_KEPT_MEMORY, _OWN_PAGES = 1 << 28, 1 << 25
+_ALLOCATOR = {"MALLOC_TRIM_THRESHOLD_": str(1 << 28), "MALLOC_MMAP_THRESHOLD_": str(1 << 25)}
 #: One thread a worker: there is a worker for each core.
 _ONE_THREAD = "--xla_cpu_multi_thread_eigen=false intra_op_parallelism_threads=1"
+_PRE_SPAWN = "distributed.nanny.pre-spawn-environ"
 _CONNECT_SECONDS = "10s"
 
 
@@ -126,14 +127,10 @@ def _client(scheduler: str | None, workers: int | None) -> Iterator[Any]:
             yield client
         return
     count = workers or os.cpu_count() or 1
+    # an allocator looks at its environment only as a process starts; Dask sets this one in our own process too
+    before_start = {**dask.config.get(_PRE_SPAWN), **_ALLOCATOR}
     with (
-        dask.config.set(
-            {
-                "distributed.worker.multiprocessing-method": "spawn",
-                # before the process starts: its memory allocator looks at the environment only then
-                "distributed.nanny.pre-spawn-environ": worker_environment(),
-            }
-        ),
+        dask.config.set({"distributed.worker.multiprocessing-method": "spawn", _PRE_SPAWN: before_start}),
         _local_cluster(distributed, count) as cluster,
         distributed.Client(cluster) as client,
     ):
@@ -150,6 +147,7 @@ def _local_cluster(distributed: Any, count: int) -> Any:
             threads_per_worker=1,
             processes=True,
             dashboard_address=None,
+            env=worker_environment(),
             silence_logs="ERROR",
             memory_limit=0,
         )
@@ -171,8 +169,7 @@ def worker_environment() -> dict[str, str]:
     found = {
         "JAX_ENABLE_X64": "1",
         "OMP_NUM_THREADS": "1",
-        "MALLOC_TRIM_THRESHOLD_": str(_KEPT_MEMORY),
-        "MALLOC_MMAP_THRESHOLD_": str(_OWN_PAGES),
+        **_ALLOCATOR,
         "DASK_DISTRIBUTED__WORKER__PROFILE__ENABLED": "False",  # it looks at every thread a hundred times a second
         "XLA_FLAGS": " ".join(filter(None, (os.environ.get("XLA_FLAGS"), _ONE_THREAD))),
     }
