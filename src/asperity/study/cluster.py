@@ -148,7 +148,7 @@ def _local_cluster(distributed: Any, count: int) -> Any:
             processes=True,
             dashboard_address=None,
             env=worker_environment(),
-            silence_logs="ERROR",
+            silence_logs="CRITICAL",  # a worker that ends may miss a heartbeat; failures of blocks come as exceptions
             memory_limit=0,
         )
     finally:
