@@ -46,7 +46,7 @@ def paper_joint():
     from asperity.drive.assembly import RIGID_SUPPORTS
     from asperity.drive.geometry import DriveGeometry
     from asperity.drive.mechanism import Bearings
-    from asperity.joint import Bodies, Joint
+    from asperity.joint.evaluation import Bodies, Joint
     from asperity.materials import Material
 
     standard = {

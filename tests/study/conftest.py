@@ -6,10 +6,10 @@ import jax
 import numpy as np
 import pytest
 
-from asperity.case.build import with_values
-from asperity.case.reader import parse_case
 from asperity.compilation import compile_fast
-from asperity.joint import evaluate
+from asperity.joint.evaluation import evaluate
+from asperity.joint_file.build import with_values
+from asperity.joint_file.reader import parse_case
 
 FILE = Path(__file__).parents[2] / "examples" / "zou2025.toml"
 

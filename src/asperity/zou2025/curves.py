@@ -11,7 +11,7 @@ import numpy as np
 from jax import Array
 
 from asperity.errors import NoSolutionError
-from asperity.joint import Joint, evaluate
+from asperity.joint.evaluation import Joint, evaluate
 from asperity.precision import require_double_precision
 from asperity.types import Real
 from asperity.zou2025 import preset
