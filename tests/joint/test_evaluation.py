@@ -73,7 +73,7 @@ def test_the_papers_joint(chain):
 @pytest.mark.parametrize("closure", ["elastic", "constant_pin_force"])
 def test_agreement_with_the_independent_script(chain, closure):
     """Forces by fsolve, contacts by brentq and quad: benchmarks/baseline_scipy.py, which shares no code with us."""
-    path = Path(__file__).parents[1] / "benchmarks" / "baseline_scipy.py"
+    path = Path(__file__).parents[2] / "benchmarks" / "baseline_scipy.py"
     if not path.exists():
         pytest.skip("benchmarks/ is not shipped with this copy")
     spec = importlib.util.spec_from_file_location("baseline_scipy", path)

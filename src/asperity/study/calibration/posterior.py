@@ -40,6 +40,9 @@ REFITS = 3
 FILLS = 0.9
 CUT_SHARE = 0.01
 
+#: Standard errors by which a share of draws must differ from :data:`CUT_SHARE` before the answer counts as certain.
+CERTAIN = 2.0
+
 #: The errors' standard deviation is looked for within this factor of the least-squares one, either way.
 DEVIATION_FACTOR = 10.0
 
@@ -61,6 +64,8 @@ class Posterior:
         Number of divergent transitions of the proposals.
     acceptance : float
         Share of the proposals that the model accepted [-].
+    chains : int
+        Number of chains; the draws are in their order, chain by chain.
     """
 
     places: np.ndarray
@@ -69,17 +74,59 @@ class Posterior:
     effective_draws: np.ndarray
     divergences: int
     acceptance: float
+    chains: int
+
+    def share_error(self, inside: np.ndarray) -> float:
+        """Standard error of the share of draws for which something holds, from the effective number of such draws.
+
+        Parameters
+        ----------
+        inside : ndarray
+            Truth value of each draw, shape (draws,).
+
+        Returns
+        -------
+        float
+            Standard error of ``mean(inside)`` [-]. Where all draws agree, the error of one draw in the effective
+            number of draws.
+        """
+        from numpyro.diagnostics import effective_sample_size
+
+        share = float(np.mean(inside))
+        if share in (0.0, 1.0):
+            return 1.0 / float(np.min(self.effective_draws))
+        count = float(effective_sample_size(np.reshape(inside, (self.chains, -1)).astype(float)))
+        return float(np.sqrt(share * (1.0 - share) / count))
 
     def note(self, index: int) -> str:
-        """What the bounds have to do with the posterior of an unknown, in words; empty if nothing."""
+        """How the bounds of an unknown limit its posterior, in words; empty if they do not.
+
+        Parameters
+        ----------
+        index : int
+            Which unknown.
+
+        Returns
+        -------
+        str
+            "cut" where the share of the draws next to a bound is certainly above :data:`CUT_SHARE`, "possibly cut"
+            where the draws are too few to decide.
+        """
         places = self.places[:, index]
         spread = float(np.std(places))
         if spread > FILLS * UNINFORMED:
             return "fills its bounds"
         # a tenth of a standard deviation next to a bound holds 1 % where that lies 1.7 standard deviations away
-        shares = np.mean(places < 0.1 * spread), np.mean(places > 1.0 - 0.1 * spread)
-        sides = [side for side, share in zip(("lower", "upper"), shares, strict=True) if share > CUT_SHARE]
-        return f"cut by {' and '.join(sides)} bound" if sides else ""
+        certain, possible = [], []
+        for side, near in (("lower", places < 0.1 * spread), ("upper", places > 1.0 - 0.1 * spread)):
+            excess, error = float(np.mean(near)) - CUT_SHARE, self.share_error(near)
+            if excess > CERTAIN * error:
+                certain.append(side)
+            elif excess > -CERTAIN * error and np.any(near):
+                possible.append(side)
+        notes = [f"cut by {' and '.join(certain)} bound"] if certain else []
+        notes += [f"possibly cut by {' and '.join(possible)} bound: take more draws"] if possible else []
+        return "; ".join(notes)
 
 
 def require_numpyro() -> None:
@@ -279,6 +326,7 @@ def _concluded(kept: np.ndarray, moving: Chains, first_deviation: float) -> Post
         effective_draws=effective,
         divergences=moving.divergences,
         acceptance=acceptance,
+        chains=kept.shape[0],
     )
 
 
