@@ -145,15 +145,13 @@ def rough_interfaces(*, joint: Joint, forces: DriveForces, contacts: FractalCont
     touching = forces.normal > 0.0
     springs = bulk_springs(joint=joint, normal_force=jnp.where(touching, forces.normal, 1.0))
     bulk_normal = jnp.where(touching, 1.0 / springs.incremental_compliance, 0.0)
-    pairs = contact_pairs(joint.bodies)
     return Interface(
         asperity_normal=contacts.normal_stiffness,
         asperity_tangential=contacts.tangential_stiffness,
         bulk_normal=bulk_normal,
         bulk_tangential=bulk_tangential_stiffness(
-            bulk_normal_stiffness=bulk_normal,
-            contact_modulus=pairs.contact_modulus,
-            tangential_contact_modulus=pairs.tangential_contact_modulus,
+            normal_compliance=springs.incremental_compliance,
+            logarithmic_compliance=springs.secant_compliance - springs.incremental_compliance,
             normal_force=forces.normal,
             tangential_force=jnp.abs(forces.tangential),
             friction_coefficient=per_contact(joint.friction_coefficients),
