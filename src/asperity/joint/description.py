@@ -10,7 +10,7 @@ import jax.numpy as jnp
 
 from asperity.contact.fractal import Surface
 from asperity.contact.population import ContactFactorModel
-from asperity.drive.assembly import Supports
+from asperity.drive.assembly import StructureSprings
 from asperity.drive.geometry import DriveGeometry
 from asperity.drive.mechanism import Bearings, Closure
 from asperity.materials import ContactPair, Material, pair
@@ -65,8 +65,8 @@ class Joint(eqx.Module):
         Torque at the carrier [N·m], >= 0.
     sun_speed : Real
         Angular velocity of the sun [rad/s].
-    supports : Supports
-        Springs of pins, shafts, planet supports and ring; :data:`asperity.drive.assembly.RIGID_SUPPORTS` for none.
+    structure : StructureSprings
+        Springs of pins, shafts, planet supports and ring; :data:`asperity.drive.assembly.IDEAL_STRUCTURE` for none.
     closure : {"elastic", "constant_pin_force"}
         Closure of the force balance, :func:`asperity.drive.force_balance.force_balance`.
     closure_springs : {"bulk", "bulk_and_asperities"}
@@ -88,7 +88,7 @@ class Joint(eqx.Module):
     preload: Real
     output_torque: Real
     sun_speed: Real
-    supports: Supports
+    structure: StructureSprings
     closure: Closure = eqx.field(static=True)
     closure_springs: ClosureSprings = eqx.field(static=True)
     contact_factor_model: ContactFactorModel = eqx.field(static=True)

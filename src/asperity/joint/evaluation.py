@@ -13,7 +13,7 @@ from asperity.contact.fractal import FractalContact
 from asperity.contact.interface import Interface
 from asperity.drive.assembly import Assembly, assembly_stiffness
 from asperity.drive.force_balance import BALANCE_TOLERANCE, DriveForces, force_balance
-from asperity.drive.geometry import CONTACT_NAMES, DriveAngles, angles, carrier_speed, speed_ratio
+from asperity.drive.geometry import CONTACT_NAMES, DriveAngles, angles, carrier_speed, speed_ratio, triangle
 from asperity.drive.mechanism import Mechanism, rest_state
 from asperity.drive.torsional_stiffness import (
     TorsionalStiffness,
@@ -196,9 +196,10 @@ def evaluate(joint: Joint) -> JointResult:
         ),
         assembly=assembly_stiffness(
             geometry=geometry,
+            sides=triangle(geometry),
             normal_stiffness=jnp.asarray(interfaces.normal),
             tangential_stiffness=jnp.asarray(interfaces.tangential),
-            supports=joint.supports,
+            structure=joint.structure,
         ),
         diagnostics=diagnose(
             geometry=geometry,

@@ -15,7 +15,7 @@ import numpy as np
 from jax.typing import ArrayLike
 
 from asperity.contact.fractal import Surface
-from asperity.drive.assembly import RIGID_SUPPORTS
+from asperity.drive.assembly import IDEAL_STRUCTURE
 from asperity.drive.geometry import DriveGeometry
 from asperity.drive.mechanism import Bearings
 from asperity.joint.evaluation import Bodies, Joint
@@ -296,7 +296,7 @@ def table_2_joint(point: OperatingPoint) -> Joint:
         preload=PRELOAD,
         output_torque=point.output_torque,
         sun_speed=SUN_SPEED,
-        supports=RIGID_SUPPORTS,
+        structure=IDEAL_STRUCTURE,
         closure="elastic",
         closure_springs="bulk",
         contact_factor_model="printed",
