@@ -87,8 +87,13 @@ def test_springs_of_any_stiffness_side_by_side_to_rounding(branch, forces, compl
 
 
 def test_rigid_contacts_that_share_a_force_in_any_way(branch, forces):
-    compliance = np.concatenate([np.zeros(5), 10.0 ** np.linspace(-9.0, -8.0, 5), [0.0, INF, 0.0, INF, INF, INF]])
-    work = np.where(np.isinf(compliance), 0.0, compliance) * np.asarray(forces(jnp.asarray(compliance)).force) ** 2
+    compliance = np.concatenate(
+        [np.zeros(5), 10.0 ** np.linspace(-9.0, -8.0, 5), [0.0, INF, 0.0, INF, INF, INF]]
+    )
+    work = (
+        np.where(np.isinf(compliance), 0.0, compliance)
+        * np.asarray(forces(jnp.asarray(compliance)).force) ** 2
+    )
     assert work.sum() == pytest.approx(
         exact_compliance(np.asarray(elongation_matrix(branch)), compliance), rel=1e-12
     )
@@ -104,7 +109,7 @@ def test_a_drive_whose_sides_are_open_carries_nothing(branch, forces):
 
 
 def test_elongations_by_displacing_circles():
-    """Two rollers in a ring: the change of the gap and of the travelled arcs under a small displacement of each body."""
+    """Two rollers in a ring: gaps and travelled arcs under a small displacement of each body."""
     centres = np.array([[0.0, 0.0], [0.012, 0.02]])
     inner, outer = 0.01, np.hypot(*centres[1]) - 0.01
     ring_contact = centres[1] / np.hypot(*centres[1])

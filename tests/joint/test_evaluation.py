@@ -13,7 +13,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from asperity.drive.force_balance import DriveForces
-from asperity.drive.geometry import angles
+from asperity.drive.geometry import angles, triangle
 from asperity.drive.torsional_stiffness import TorsionalStiffness
 from asperity.errors import NoSolutionError, PrecisionError
 from asperity.joint.evaluation import evaluate, roller_mass, solve
@@ -238,7 +238,7 @@ def test_no_solution_is_an_error_inside_jit_too(paper_joint, monkeypatch):
         solved: jax.Array
 
     def only_triangle(joint):
-        wedge = angles(joint.geometry).wedge
+        wedge = angles(triangle(joint.geometry)).wedge
         return Triangle(wedge, wedge > 0.0)
 
     monkeypatch.setattr("asperity.joint.evaluation._evaluate_compiled", only_triangle)

@@ -13,7 +13,7 @@ from asperity.contact.population import ContactFactorModel
 from asperity.drive.assembly import StructureSprings
 from asperity.drive.geometry import DriveGeometry
 from asperity.drive.mechanism import Bearings, Closure
-from asperity.materials import ContactPair, Material, pair
+from asperity.materials import Material
 from asperity.types import Real
 
 ClosureSprings = Literal["bulk", "bulk_and_asperities"]
@@ -107,41 +107,6 @@ def per_contact(values: tuple[Any, ...]) -> Any:
     The same kind of thing with leaves of shape (1, ...) or (5, ...).
     """
     return jax.tree.map(lambda *leaves: jnp.stack(jnp.broadcast_arrays(*map(jnp.asarray, leaves))), *values)
-
-
-def contact_bodies(bodies: Bodies) -> tuple[Material, Material]:
-    """The driving and the driven body of the five contacts.
-
-    Parameters
-    ----------
-    bodies : Bodies
-        Materials.
-
-    Returns
-    -------
-    driving, driven : Material
-        Leaves of shape (5, ...).
-    """
-    sun, planet, roller, ring = bodies.sun, bodies.planet, bodies.loading_roller, bodies.ring
-    return per_contact((sun, planet, planet, roller, roller)), per_contact(
-        (planet, roller, roller, ring, ring)
-    )
-
-
-def contact_pairs(bodies: Bodies) -> ContactPair:
-    """Moduli and limits of the five contacts.
-
-    Parameters
-    ----------
-    bodies : Bodies
-        Materials.
-
-    Returns
-    -------
-    ContactPair
-        Leaves of shape (5, ...).
-    """
-    return pair(*contact_bodies(bodies))
 
 
 def with_one_rank(joint: Joint) -> Joint:
