@@ -24,8 +24,7 @@ from asperity.drive.branch import (
     held_load_sum,
 )
 from asperity.drive.equilibrium import balance_equations
-from asperity.drive.geometry import triangle
-from asperity.drive.mechanism import Mechanism, NormalSprings, compression, rest_state, steepest_compliance
+from asperity.drive.mechanism import Mechanism, NormalSprings, compression, steepest_compliance
 from asperity.types import Real
 
 #: Largest relative residual of the force balance and of its closure that counts as solved.
@@ -185,8 +184,7 @@ def force_balance(*, mechanism: Mechanism, output_torque: Real) -> DriveForces:
     Zou et al. 2025, equations (1)–(5), with the signs of Newton's third law; (A3) of :doc:`/equations`.
     """
     geometry, bearings = mechanism.geometry, mechanism.bearings
-    sides = triangle(geometry)
-    rest = rest_state(geometry=geometry, preload=mechanism.preload)
+    sides, rest = mechanism.sides, mechanism.rest
     speed_squared = mechanism.carrier_speed**2
     branch = Branch(
         mechanism=mechanism,
@@ -200,7 +198,8 @@ def force_balance(*, mechanism: Mechanism, output_torque: Real) -> DriveForces:
         1.0 + sides.cos_wedge - sides.sin_wedge * (1.0 + sides.cos_direction) / sides.sin_direction
     )  # (5) with (3), (4) and no losses
     loss_free = output_torque / (geometry.planet_count * sides.roller_orbit * leverage)
-    batch = dataclasses.replace(mechanism, springs=jax.tree.map(lambda leaf: leaf[0], mechanism.springs))
+    springs, first_rest = jax.tree.map(lambda leaf: leaf[0], (mechanism.springs, rest.normal_force))
+    batch = dataclasses.replace(mechanism, springs=springs, rest=rest._replace(normal_force=first_rest))
     shape = jnp.broadcast_shapes(*(jnp.shape(leaf) for leaf in jax.tree.leaves((batch, output_torque))))
     start = jnp.broadcast_to(2.0 * rest.normal_force[1], shape), jnp.broadcast_to(loss_free, shape)
 
@@ -223,6 +222,7 @@ def force_balance(*, mechanism: Mechanism, output_torque: Real) -> DriveForces:
     scale = _largest((*normals, *force.tangential))
     equations = balance_equations(
         geometry=geometry,
+        sides=sides,
         bearings=bearings,
         normal=normals,
         tangential=force.tangential,
