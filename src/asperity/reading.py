@@ -28,19 +28,21 @@ _KEY_PART = r"""(?:[A-Za-z0-9_-]+|"(?:[^"\\\n]|\\.)*"|'[^'\n]*')"""
 _LONG_KEY = rf"{_KEY_PART}(?:[ \t]*\.[ \t]*{_KEY_PART}){{{MOST_KEY_PARTS},}}"
 
 
-def _refusal(path: str | Path, error: OSError) -> InputError:
+def _refusal(path: str | Path, error: OSError, hint: str = "") -> InputError:
     if isinstance(error, FileNotFoundError):
-        return InputError(f"{path}: there is no such file")
+        return InputError(f"{path}: there is no such file{hint and f'; {hint}'}")
     return InputError(f"{path}: cannot be read: {error.strerror or error}")
 
 
-def check_regular(path: str | Path) -> int:
+def check_regular(path: str | Path, *, hint: str = "") -> int:
     """Size of a file, if it is one that can be read to its end.
 
     Parameters
     ----------
     path : str or Path
         File name.
+    hint : str, optional
+        What to do if there is no such file.
 
     Returns
     -------
@@ -55,7 +57,7 @@ def check_regular(path: str | Path) -> int:
     try:
         found = Path(path).stat()
     except OSError as error:
-        raise _refusal(path, error) from None
+        raise _refusal(path, error, hint) from None
     except ValueError:  # a null character in the name
         raise InputError(f"{path}: this is not a valid file name") from None
     if stat.S_ISDIR(found.st_mode):
@@ -67,7 +69,7 @@ def check_regular(path: str | Path) -> int:
     return found.st_size
 
 
-def read_bytes(path: str | Path, *, largest: int = LARGEST_FILE) -> bytes:
+def read_bytes(path: str | Path, *, largest: int = LARGEST_FILE, hint: str = "") -> bytes:
     """The content of a regular file.
 
     Parameters
@@ -76,6 +78,8 @@ def read_bytes(path: str | Path, *, largest: int = LARGEST_FILE) -> bytes:
         File name.
     largest : int, optional
         Largest allowed size [byte].
+    hint : str, optional
+        What to do if there is no such file.
 
     Returns
     -------
@@ -87,12 +91,12 @@ def read_bytes(path: str | Path, *, largest: int = LARGEST_FILE) -> bytes:
     InputError
         As :func:`check_regular`, or if the file is larger or cannot be read.
     """
-    size = check_regular(path)
+    size = check_regular(path, hint=hint)
     try:
         with open(path, "rb") as stream:
             content = stream.read(largest + 1)
     except OSError as error:
-        raise _refusal(path, error) from None
+        raise _refusal(path, error, hint) from None
     if len(content) > largest:
         raise InputError(
             f"{path}: this file has {max(size, len(content))} bytes; at most {largest} bytes are read here"
@@ -100,7 +104,7 @@ def read_bytes(path: str | Path, *, largest: int = LARGEST_FILE) -> bytes:
     return content
 
 
-def read_text(path: str | Path, *, largest: int = LARGEST_FILE) -> str:
+def read_text(path: str | Path, *, largest: int = LARGEST_FILE, hint: str = "") -> str:
     """The text of a regular file in UTF-8, without a byte order mark.
 
     Parameters
@@ -109,6 +113,8 @@ def read_text(path: str | Path, *, largest: int = LARGEST_FILE) -> str:
         File name.
     largest : int, optional
         Largest allowed size [byte].
+    hint : str, optional
+        What to do if there is no such file.
 
     Returns
     -------
@@ -121,7 +127,7 @@ def read_text(path: str | Path, *, largest: int = LARGEST_FILE) -> str:
         As :func:`read_bytes`, or if it is not text in UTF-8.
     """
     try:
-        return read_bytes(path, largest=largest).decode("utf-8-sig")
+        return read_bytes(path, largest=largest, hint=hint).decode("utf-8-sig")
     except UnicodeDecodeError as error:
         raise InputError(f"{path}: this is not a text file in UTF-8 (byte {error.start})") from None
 

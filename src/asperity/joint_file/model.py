@@ -1,4 +1,4 @@
-"""What a joint file says: one class a section, one field a key."""
+"""The content of a joint file: a class for each section, a field for each key."""
 
 from __future__ import annotations
 
@@ -228,13 +228,9 @@ class Case(Section):
 
     @model_validator(mode="after")
     def _known_materials(self) -> Case:
-        for body, name in self.bodies:
-            if name not in self.materials:
-                from asperity.joint_file.messages import nearest
+        from asperity.joint_file.messages import unknown_materials
 
-                known = list(self.materials)
-                hint = nearest(name, known)
-                raise InputError(
-                    f"bodies.{body}: there is no material {name!r}{hint}; the file defines {', '.join(known)}"
-                )
+        unknown = unknown_materials(dict(self.bodies), list(self.materials))
+        if unknown:
+            raise InputError("\n  ".join(unknown))
         return self
