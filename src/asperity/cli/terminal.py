@@ -252,15 +252,26 @@ def table(target: Console, title: str, *columns: str) -> Table:
     return made
 
 
+def say(sentence: str) -> None:
+    """Write a message to standard error.
+
+    Parameters
+    ----------
+    sentence : str
+        The message.
+    """
+    click.echo(sentence, err=True)
+
+
 def say_written(path: str | Path) -> None:
-    """Say on standard error that a file has been written.
+    """Report on standard error that a file has been written.
 
     Parameters
     ----------
     path : str or Path
         Its name.
     """
-    click.echo(f"wrote {path}", err=True)
+    say(f"wrote {path}")
 
 
 @contextmanager
