@@ -165,10 +165,10 @@ def _run() -> int:
             err=True,
         )
         return 2
-    except Terminated:
-        click.echo("asperity: terminated", err=True)
-        return 143
-    except (click.Abort, KeyboardInterrupt):
+    except (click.Abort, KeyboardInterrupt) as error:
+        if isinstance(error, Terminated) or isinstance(error.__cause__, Terminated):
+            click.echo("asperity: terminated", err=True)
+            return 143
         click.echo("asperity: interrupted", err=True)
         return 130
     except BrokenPipeError:  # the reader of the output has seen enough; nothing is left to be flushed at exit
