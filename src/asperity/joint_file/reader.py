@@ -59,7 +59,7 @@ def parse_case(text: str, *, source: str, folder: Path | None = None) -> Case:
     InputError
         If it is not valid TOML, or contains something that is not allowed.
     """
-    return case_from_tables(parse_toml(text, source=source), source=source, folder=folder)
+    return case_from_tables(parse_toml(text, source=source), source=source, folder=folder).with_text(text)
 
 
 def case_from_tables(tables: dict[str, Any], *, source: str, folder: Path | None = None) -> Case:

@@ -24,7 +24,7 @@ from asperity.study.design.design_search import (
     optimality_gap,
     starting_places,
 )
-from asperity.study.design.joint_text import joint_file_text
+from asperity.joint_file.edited_text import joint_file_text
 from asperity.study.design.judgement import Judge, Judged
 from asperity.study.quantities import QUANTITIES, at_level, quantities_and_slopes
 
