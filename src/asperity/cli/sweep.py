@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 import click
 
-from asperity.cli.terminal import say_written
+from asperity.cli.terminal import say, say_written
 from asperity.errors import InputError
 from asperity.writing import check_image, write_image
 
@@ -37,7 +37,7 @@ if TYPE_CHECKING:
 @click.option(
     "--out",
     type=click.Path(),
-    help="Where to write: a folder .zarr (any size; interrupted sweeps go on) or a file .nc, .parquet or .csv.",
+    help="Where to write: a folder .zarr (any size; interrupted sweeps can be continued) or a file .nc, .parquet or .csv.",
 )
 @click.option("--overwrite", is_flag=True, help="Replace what an earlier run has written to --out.")
 @click.option(
@@ -113,10 +113,11 @@ def sweep(
                 scheduler=scheduler,
                 workers=workers,
                 report=report,
+                notice=say,
             )
     except KeyboardInterrupt:
         if streamed:
-            click.echo(f"finished blocks are kept in {out}; the same command goes on from there", err=True)
+            say(f"the finished blocks are kept in {out}; the same command continues from there")
         raise
     if out is not None and not streamed:
         write_table(found, out)

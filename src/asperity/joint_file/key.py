@@ -54,6 +54,8 @@ class Key:
         Whether the bound itself is outside.
     whole : bool
         Whether only whole numbers make sense.
+    example : str
+        What to quote in messages; the example of the dimension if empty.
     """
 
     dimension: Dimension
@@ -63,6 +65,12 @@ class Key:
     open_lower: bool = False
     open_upper: bool = False
     whole: bool = False
+    example: str = ""
+
+    @property
+    def typical(self) -> str:
+        """A value that the key could have, as text."""
+        return self.example or self.dimension.example
 
     @property
     def allowed(self) -> str:
@@ -126,9 +134,10 @@ class Key:
         """
         if isinstance(written, str) and any(sign in written for sign in ("±", "+-", "+/-", "+ -", "+ /")):
             text, distribution = split_distribution(written)
-            value, tolerance = parse_tolerance(text, self.dimension)
+            value, tolerance = parse_tolerance(text, self.dimension, example=self.typical)
         else:
-            value, tolerance, distribution = parse_quantity(written, self.dimension), 0.0, None
+            value = parse_quantity(written, self.dimension, example=self.typical)
+            tolerance, distribution = 0.0, None
         self.check(value)
         if self.whole and tolerance != 0.0:
             raise InputError(f"a whole number has no tolerance, got '{written}'")
@@ -144,7 +153,7 @@ class Key:
         self, schema: CoreSchema, handler: GetJsonSchemaHandler
     ) -> dict[str, Any]:
         """Describe the key to editors: text with a unit, or a plain number if dimensionless."""
-        text = {"type": "string", "examples": [self.dimension.example]}
+        text = {"type": "string", "examples": [self.typical]}
         if self.dimension is not Dimension.DIMENSIONLESS:
             return text
         bounds = {

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from typing import Any
 
@@ -151,7 +151,7 @@ def replace_values(values: Values, changes: Mapping[str, Any]) -> Values:
     tables: Values = _copied(values)
     for path, value in changes.items():
         key_at(path)
-        for steps in _targets(tables, path):
+        for steps in change_targets(tables, path):
             _set(tables, steps, value)
     return tables
 
@@ -161,8 +161,29 @@ def _copied(node: Any) -> Any:
     return {name: _copied(below) for name, below in node.items()} if isinstance(node, dict) else node
 
 
-def _targets(tables: Values, path: str) -> list[tuple[str, ...]]:
-    """Where a change of this path goes; splits an entry for all contacts if the path names one of them."""
+def _for_each_contact(entry: Any) -> Values:
+    return {name: _copied(entry) for name in _CONTACTS}
+
+
+def change_targets(
+    tables: Any, path: str, *, split: Callable[[Any], Any] = _for_each_contact
+) -> list[tuple[str, ...]]:
+    """Where a change of a number goes in nested tables.
+
+    Parameters
+    ----------
+    tables : mapping
+        Nested tables of a joint file. An entry for all contacts is split if the path names one contact.
+    path : str
+        Dotted path of the number.
+    split : callable, optional
+        Makes an entry for each contact from one for all.
+
+    Returns
+    -------
+    list of tuple of str
+        Names of the tables on the way to each number, and its own.
+    """
     for place in _ONE_OR_FIVE:
         if path == place or path.startswith(f"{place}."):
             break
@@ -177,7 +198,7 @@ def _targets(tables: Values, path: str) -> list[tuple[str, ...]]:
     for_each = isinstance(entry, dict) and "sp" in entry
     if rest and rest[0] in _CONTACTS:
         if not for_each:
-            parent[head[-1]] = {name: _copied(entry) for name in _CONTACTS}
+            parent[head[-1]] = split(entry)
         return [head + rest]
     return [(*head, name, *rest) for name in _CONTACTS] if for_each else [head + rest]
 
@@ -188,10 +209,24 @@ def _set(tables: Values, steps: tuple[str, ...], value: Any) -> None:
         if steps[0] == "materials" and step not in table:
             raise InputError(f"{'.'.join(steps)}: there is no material '{step}'{nearest(step, table)}")
         table = table.setdefault(step, {})
-    replaced = {"hardness": "hardness_factor", "hardness_factor": "hardness"}.get(steps[-1])
-    if replaced is not None:
-        table.pop(replaced, None)  # exactly one of them describes a material
+    table.pop(counterpart(steps[-1]), None)
     table[steps[-1]] = value
+
+
+def counterpart(name: str) -> str:
+    """The key that a key replaces, because exactly one of them describes a material.
+
+    Parameters
+    ----------
+    name : str
+        Name of a key.
+
+    Returns
+    -------
+    str
+        Name of the other key; empty if there is none.
+    """
+    return {"hardness": "hardness_factor", "hardness_factor": "hardness"}.get(name, "")
 
 
 def check_values(changes: Mapping[str, Any]) -> None:

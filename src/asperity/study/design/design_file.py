@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import tomllib
 from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import Any, get_args
@@ -14,6 +13,7 @@ from asperity.joint_file.model import Case
 from asperity.joint_file.reader import read_case
 from asperity.joint_file.values import key_at, numeric_keys
 from asperity.library import read_finishes
+from asperity.reading import read_toml
 from asperity.study.design.design_problem import Constraint, DesignProblem, Objective, Variable, WorstCase
 from asperity.study.quantities import QUANTITIES
 from asperity.unit_table import Dimension
@@ -46,14 +46,7 @@ def read_design(path: str | Path) -> DesignProblem:
         If it cannot be read or says something that is not allowed.
     """
     file = Path(path)
-    try:
-        tables = tomllib.loads(file.read_text(encoding="utf-8-sig"))
-    except FileNotFoundError:
-        raise InputError(f"{path}: there is no such file") from None
-    except tomllib.TOMLDecodeError as error:
-        raise InputError(f"{path}: not valid TOML: {error}") from None
-    except (OSError, UnicodeDecodeError) as error:
-        raise InputError(f"{path}: cannot be read: {getattr(error, 'strerror', None) or error}") from None
+    tables = read_toml(file)
     try:
         return design_from_tables(tables, folder=file.parent)
     except InputError as error:
@@ -66,7 +59,7 @@ def design_from_tables(tables: Mapping[str, Any], *, folder: Path) -> DesignProb
     Parameters
     ----------
     tables : mapping
-        The design file as :func:`tomllib.loads` returns it.
+        The design file as :func:`asperity.reading.parse_toml` returns it.
     folder : Path
         Where the path of the joint file starts.
 

@@ -75,11 +75,25 @@ class Plan:
         tuple of slice
             Its part of each axis.
         """
-        corner = np.unravel_index(index, self._block_grid)
         return tuple(
-            slice(int(place) * step, min((int(place) + 1) * step, count))
-            for place, step, count in zip(corner, self.block_shape, self.shape, strict=True)
+            slice(place * step, min((place + 1) * step, count))
+            for place, step, count in zip(self.block_place(index), self.block_shape, self.shape, strict=True)
         )
+
+    def block_place(self, index: int) -> tuple[int, ...]:
+        """Which block it is along each axis.
+
+        Parameters
+        ----------
+        index : int
+            Number of the block, the last axis running fastest.
+
+        Returns
+        -------
+        tuple of int
+            Numbers from 0.
+        """
+        return tuple(int(place) for place in np.unravel_index(index, self._block_grid))
 
     @property
     def bytes(self) -> int:

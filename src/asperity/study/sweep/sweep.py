@@ -18,7 +18,14 @@ from asperity.study.parameters import Axis
 from asperity.study.points import QUICK_POINTS
 from asperity.study.sweep.cluster import run_on_cluster
 from asperity.study.sweep.plan import Plan, block_results, make_plan
-from asperity.study.sweep.store import open_store, prepare_store, remove_store, unfinished_blocks, write_block
+from asperity.study.sweep.store import (
+    open_store,
+    prepare_store,
+    remove_store,
+    repair_store,
+    unfinished_blocks,
+    write_block,
+)
 
 if TYPE_CHECKING:
     import xarray
@@ -45,6 +52,7 @@ def sweep(
     workers: int | None = None,
     block_points: int | None = None,
     report: Report | None = None,
+    notice: Callable[[str], Any] | None = None,
 ) -> xarray.Dataset:
     """Evaluate a joint on a grid.
 
@@ -58,7 +66,8 @@ def sweep(
         Results or groups of them, e.g. ``("stiffness", "gross_slip")``; ``("all",)`` for every one. What is not
         asked for is not computed.
     store : str or Path, optional
-        A Zarr store to stream to. An interrupted sweep with the same store goes on where it stopped.
+        A Zarr store to stream to. An interrupted sweep with the same store continues where it stopped; what is already
+        in it is verified, and computed again if it is damaged.
     overwrite : bool, optional
         Whether another sweep's store may be deleted.
     scheduler : str, optional
@@ -69,6 +78,8 @@ def sweep(
         Points of a block at most.
     report : callable, optional
         Called with the points done and the points of the whole.
+    notice : callable, optional
+        Called with a sentence about a damaged store that is repaired.
 
     Returns
     -------
@@ -96,6 +107,11 @@ def sweep(
         remove_store(store)
     new = not Path(store).exists()
     blocks = prepare_store(store, plan)
+    if not new:
+        damaged = repair_store(store, plan)
+        if damaged and notice is not None:
+            notice(f"{len(damaged)} blocks of {store} are damaged or missing and are computed again")
+        blocks = sorted({*blocks, *damaged})
     todo = _Progress(plan, blocks, report)
     if scheduler is None and (workers == 0 or (workers is None and todo.left <= ONE_PROCESS_POINTS)):
         for index in blocks:
@@ -109,7 +125,7 @@ def sweep(
             if new and len(unfinished_blocks(store)) == plan.block_count:
                 remove_store(store)
             raise
-    return open_store(store)
+    return open_store(store, verify=False)
 
 
 class _Progress:
@@ -128,7 +144,7 @@ class _Progress:
             self._report(self._points - self.left, self._points)
 
     def finished(self, index: int) -> None:
-        """Note that a block is on disk."""
+        """Count a block that has been written."""
         self._tell(self._sizes[index])
 
 
