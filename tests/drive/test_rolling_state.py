@@ -1,7 +1,8 @@
-"""The rolling drive: an independent solver of rigid bodies in the plane, published numbers, energy, symmetry, gradients."""
+"""The rolling drive against rigid bodies in the plane and published numbers; energy, symmetry and gradients."""
 
 import math
 
+import equinox as eqx
 import jax
 import jax.numpy as jnp
 import numpy as np
@@ -30,14 +31,16 @@ CONTACT_MODULUS = MODULUS / (2.0 * (1.0 - POISSON**2))
 def rolled(paper_joint):
     """The paper's joint under a torque, smooth bodies alone, sun at rest unless said otherwise."""
 
+    @eqx.filter_jit
+    def compiled(joint):
+        joint = with_one_rank(joint)
+        drive = mechanism(joint)
+        standing = force_balance(mechanism=drive, output_torque=joint.output_torque)
+        return drive, rolling_state(mechanism=drive, standing=standing, law=law(drive))
+
     def state(torque, *, sun_speed=0.0, **changes):
         joint = paper_joint(sun_speed=sun_speed, output_torque=torque, ring_wall_thickness=WALL, **changes)
-        drive = mechanism(with_one_rank(joint))
-        return drive, rolling_state(
-            mechanism=drive,
-            standing=force_balance(mechanism=drive, output_torque=jnp.asarray(torque)),
-            law=law(drive),
-        )
+        return compiled(jax.tree.map(jnp.asarray, joint))
 
     return state
 

@@ -87,7 +87,7 @@ class _Unknowns(NamedTuple):
     right_force: Array
 
 
-def creepages(*, law: CreepLaw, normal: Real, tangential: Real) -> Array:
+def creepages(*, law: CreepLaw, normal: Array, tangential: Array) -> Array:
     r"""Creepage of contacts under given forces.
 
     .. math:: \xi = \kappa\sqrt N\,\frac{q}{1 + \sqrt{1-|q|}}, \qquad q = \frac{T}{\mu N}
@@ -96,7 +96,7 @@ def creepages(*, law: CreepLaw, normal: Real, tangential: Real) -> Array:
     ----------
     law : CreepLaw
         The law of each contact.
-    normal, tangential : Real
+    normal, tangential : Array
         Forces, shape (5, ...) [N]; the tangential ones of either sign.
 
     Returns
@@ -120,19 +120,19 @@ def creepages(*, law: CreepLaw, normal: Real, tangential: Real) -> Array:
     return jnp.where(touching, law.gross_slip_scale * jnp.sqrt(safe_normal) * share, 0.0)
 
 
-def lost_speed(creepage: Real) -> Real:
+def lost_speed(creepage: Array) -> Array:
     r"""Logarithm of the speed of the driving surface over that of the driven one.
 
     .. math:: \ln\frac{1 + \xi/2}{1 - \xi/2} = 2\operatorname{artanh}\frac\xi2
 
     Parameters
     ----------
-    creepage : Real
+    creepage : Array
         Difference of the surface speeds over their mean [-].
 
     Returns
     -------
-    Real
+    Array
         Logarithm [-], which adds up over contacts in series.
 
     References
@@ -142,7 +142,7 @@ def lost_speed(creepage: Real) -> Real:
     return 2.0 * jnp.arctanh(0.5 * creepage)
 
 
-def speed_loss(*, geometry: DriveGeometry, creepage: Real) -> Array:
+def speed_loss(*, geometry: DriveGeometry, creepage: Array) -> Array:
     r"""Share of the output speed that creep takes, exactly.
 
     .. math::
@@ -154,7 +154,7 @@ def speed_loss(*, geometry: DriveGeometry, creepage: Real) -> Array:
     ----------
     geometry : DriveGeometry
         The drive.
-    creepage : Real
+    creepage : Array
         Creepages, shape (5, ...) [-]; those in series on the right side are used, in a rolling state both sides agree.
 
     Returns
@@ -185,10 +185,12 @@ def _misfits(branch: Branch, law: CreepLaw, unknowns: _Unknowns) -> _Unknowns:
     """Closure, carrier moment and equal creep, each as a force [N]."""
     force = _forces(branch, unknowns)
     lost = lost_speed(_creep(law, force))
-    per_creep = branch.rest.normal_force[3] * law.friction_coefficient[-1] / law.gross_slip_scale[3]
-    per_creep = per_creep / jnp.sqrt(branch.rest.normal_force[3])  # mu N over the creepage at gross slip
+    friction, scale = jnp.asarray(law.friction_coefficient), jnp.asarray(law.gross_slip_scale)
+    per_creep = (
+        jnp.sqrt(branch.rest.normal_force[3]) * friction[-1] / scale[3]
+    )  # mu N over creepage at gross slip
     return _Unknowns(
-        closure_misfit(branch, force),
+        jnp.asarray(closure_misfit(branch, force)),
         carrier_residual(branch, force),
         (lost[1] + lost[3] - lost[2] - lost[4]) * per_creep,
     )
