@@ -228,6 +228,7 @@ def test_every_published_equation_holds(rolled, closure):
     torque = 2.0 * drive.bearings.sun_torque + 3.0 * drive.geometry.sun_radius * found.tangential[0]
     equations = balance_equations(
         geometry=drive.geometry,
+        sides=drive.sides,
         bearings=drive.bearings,
         normal=tuple(found.normal),
         tangential=tuple(found.tangential),
