@@ -4,7 +4,6 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 import pytest
-from scipy.integrate import quad
 
 from asperity.contact.carter import rolling_traction
 from asperity.contact.hertz_line import axis_shear_stress
@@ -24,24 +23,34 @@ def components(stress):
     return np.array([float(v) for v in (stress.longitudinal, stress.normal, stress.shear)])
 
 
-def flamant(x, z, pressure, traction, width):
-    """Johnson 1985, equations (2.23) and section 2.3: a line force presses and pulls at s, summed over the contact."""
+def flamant(x, z, pressure, traction, width, kink=0.0):
+    """Johnson 1985, equations (2.23) and section 2.3: a line force presses and pulls at s, summed over the contact.
 
-    def integral(weight):
-        points = [s for s in (x - z, x, x + z) if -width < s < width]
-        return quad(weight, -width, width, points=points or None, epsrel=1e-10, limit=400)[0]
+    Gauss's rule on both sides of a kink, after a substitution that removes the roots at the ends.
+    """
+    nodes, weights = np.polynomial.legendre.leggauss(300)
+    sums = np.zeros(3)
+    for low, high in ((-width, kink), (kink, width)):
+        middle, half = (low + high) / 2, (high - low) / 2
+        s = middle + half * np.sin(np.pi / 2 * nodes)
+        weight = weights * half * np.pi / 2 * np.cos(np.pi / 2 * nodes)
+        d = x - s
+        p, q = pressure(s), traction(s)
+        share = -2 / np.pi * weight / (d * d + z * z) ** 2
+        sums += [
+            np.sum(share * (p * d**2 * z + q * d**3)),
+            np.sum(share * (p * z**3 + q * d * z**2)),
+            np.sum(share * (p * d * z**2 + q * d**2 * z)),
+        ]
+    return sums
 
-    def kernel(power_x, power_z):
-        def share(s):
-            d = x - s
-            square = (d * d + z * z) ** 2
-            normal = pressure(s) * d**power_x * z**power_z
-            tangent = traction(s) * d ** (power_x + 1) * z ** (power_z - 1)
-            return -2 / np.pi * (normal + tangent) / square
 
-        return integral(share)
+def ellipse(s):
+    return P0 * np.sqrt(np.maximum(1 - (s / A) ** 2, 0.0))
 
-    return np.array([kernel(2, 1), kernel(0, 3), kernel(1, 2)])
+
+def nothing(s):
+    return 0.0 * s
 
 
 PLACES = [(0.0, 0.786), (-0.866, 0.5), (0.5, 0.3), (1.4, 0.4), (-2.5, 2.0)]
@@ -50,44 +59,24 @@ PLACES = [(0.0, 0.786), (-0.866, 0.5), (0.5, 0.3), (1.4, 0.4), (-2.5, 2.0)]
 @pytest.mark.parametrize(("across", "down"), PLACES)
 def test_pressure_and_full_slip_are_flamant_summed(across, down):
     x, z = across * A, down * A
-
-    def ellipse(s):
-        return P0 * np.sqrt(max(1 - (s / A) ** 2, 0.0))
-
     pressed = pressure_stress(position=x, depth=z, half_width=A, peak_pressure=P0)
     pulled = traction_stress(position=x, depth=z, centre=0.0, half_width=A, peak_traction=MU * P0)
-    np.testing.assert_allclose(components(pressed), flamant(x, z, ellipse, lambda s: 0.0, A), rtol=1e-6, atol=1.0)
-    np.testing.assert_allclose(
-        components(pulled), flamant(x, z, lambda s: 0.0, lambda s: MU * ellipse(s), A), rtol=1e-6, atol=1.0
-    )
+    np.testing.assert_allclose(components(pressed), flamant(x, z, ellipse, nothing, A), atol=10.0)
+    np.testing.assert_allclose(components(pulled), flamant(x, z, nothing, lambda s: MU * ellipse(s), A), atol=10.0)
 
 
 @pytest.mark.parametrize("share", [0.6, -0.3, 1.0, 0.0])
-def test_partial_slip_is_flamant_summed_over_carters_traction(share):
-    x, z = 0.35 * A, 0.45 * A
-
-    def ellipse(s):
-        return P0 * np.sqrt(max(1 - (s / A) ** 2, 0.0))
+@pytest.mark.parametrize(("across", "down"), [(0.35, 0.45), (-0.8, 0.3)])
+def test_partial_slip_is_flamant_summed_over_carters_traction(share, across, down):
+    x, z = across * A, down * A
+    contact = {"half_width": A, "peak_pressure": P0, "friction_coefficient": MU, "slip_ratio": share}
 
     def carter(s):
-        return float(
-            rolling_traction(
-                position=s, slip_ratio=share, half_width=A, peak_pressure=P0, friction_coefficient=MU
-            )
-        )
+        return np.asarray(rolling_traction(position=jnp.asarray(s), **contact))
 
-    found = rolling_stress(
-        position=x, depth=z, half_width=A, peak_pressure=P0, friction_coefficient=MU, slip_ratio=share
-    )
-    s = A * np.sin(np.linspace(-np.pi / 2, np.pi / 2, 4001))  # one call for the whole traction
-    table = np.array(
-        rolling_traction(
-            position=jnp.array(s), slip_ratio=share, half_width=A, peak_pressure=P0, friction_coefficient=MU
-        )
-    )
-    expected = flamant(x, z, ellipse, lambda v: np.interp(v, s, table), A)
-    assert carter(0.0) == pytest.approx(np.interp(0.0, s, table))
-    np.testing.assert_allclose(components(found), expected, rtol=2e-5, atol=1e4)
+    found = rolling_stress(position=x, depth=z, **contact)
+    kink = A - 2 * A * np.sqrt(1 - abs(share))
+    np.testing.assert_allclose(components(found), flamant(x, z, ellipse, carter, A, kink), atol=1e3)
 
 
 def test_surface_carries_pressure_and_traction():
@@ -119,12 +108,12 @@ def test_equilibrium_and_compatibility(share):
         )
         return jnp.stack([found.longitudinal, found.normal, found.shear])
 
-    for place in ([0.3, 0.4], [-1.3, 0.2], [0.9, 0.1]):
-        slope = jax.jacfwd(stress)(jnp.array(place))
-        assert float(slope[0, 0] + slope[2, 1]) == pytest.approx(0.0, abs=1e-11)
-        assert float(slope[2, 0] + slope[1, 1]) == pytest.approx(0.0, abs=1e-11)
-        bend = jax.hessian(lambda p: stress(p)[0] + stress(p)[1])(jnp.array(place))
-        assert float(jnp.trace(bend)) == pytest.approx(0.0, abs=1e-9)
+    places = jnp.array([[0.3, 0.4], [-1.3, 0.2], [0.9, 0.1]])
+    slopes = jax.vmap(jax.jacfwd(stress))(places)
+    np.testing.assert_allclose(slopes[:, 0, 0] + slopes[:, 2, 1], 0.0, atol=1e-11)
+    np.testing.assert_allclose(slopes[:, 2, 0] + slopes[:, 1, 1], 0.0, atol=1e-11)
+    bend = jax.vmap(jax.hessian(lambda p: stress(p)[0] + stress(p)[1]))(places)
+    np.testing.assert_allclose(jnp.trace(bend, axis1=1, axis2=2), 0.0, atol=1e-9)
 
 
 def test_axis_and_orthogonal_shear_of_johnson():

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import partial
 
 import equinox as eqx
 import jax
@@ -12,6 +13,9 @@ from jax import Array
 
 from asperity.contact.subsurface_stress import PlaneStress, pressure_stress, traction_stress
 from asperity.types import Real
+
+#: A squared stress over (place, friction, Poisson's ratio).
+Square = Callable[[Array, Array, Array], Array]
 
 #: Steps in friction from 0, Newton steps at each of them and at the last; residual of the gradient.
 _FRICTION_STEPS, _NEWTON_STEPS, _LAST_STEPS, _RESIDUAL = 24, 3, 10, 1e-10
@@ -89,36 +93,57 @@ def mises_friction(poisson_ratio: Real) -> Real:
     return 0.34 + 0.129 * (poisson_ratio - 0.19)
 
 
-def _peak(
-    square: Callable[[Array, Array, Array], Array], friction: Real, poisson: Real, start: tuple[float, float]
-) -> StressPeak:
-    """Follow a maximum of a squared stress from no friction to the friction that is asked for."""
-    slope, bend = jax.grad(square), jax.hessian(square)
+@partial(jax.jit, static_argnums=0)
+def _peaks(square: Square, frictions: Array, poissons: Array, start: Array) -> StressPeak:
+    """Follow a maximum of a squared stress from no friction to each friction that is asked for."""
 
     def one(friction: Array, poisson: Array) -> StressPeak:
+        def shape(place: Array, level: Array) -> tuple[Array, Array, Array]:
+            """Slope, second derivatives and their determinant."""
+            slope = jax.grad(square)(place, level, poisson)
+            bend = jax.hessian(square)(place, level, poisson)
+            return slope, bend, bend[0, 0] * bend[1, 1] - bend[0, 1] ** 2
+
         def newton(_: int, state: tuple[Array, Array]) -> tuple[Array, Array]:
             place, level = state
-            step = jnp.linalg.solve(bend(place, level, poisson), slope(place, level, poisson))
-            return place - step, level
+            slope, bend, determinant = shape(place, level)
+            across = bend[1, 1] * slope[0] - bend[0, 1] * slope[1]
+            down = bend[0, 0] * slope[1] - bend[0, 1] * slope[0]
+            return place - jnp.stack([across, down]) / determinant, level
 
         def follow(count: Array, place: Array) -> Array:
             level = friction * count / _FRICTION_STEPS
             return jax.lax.fori_loop(0, _NEWTON_STEPS, newton, (place, level))[0]
 
-        place = jax.lax.fori_loop(0, _FRICTION_STEPS, follow, jnp.asarray(start))
+        place = jax.lax.fori_loop(0, _FRICTION_STEPS, follow, start)
         place, _ = jax.lax.fori_loop(0, _LAST_STEPS, newton, (place, friction))
-        flat = jnp.max(jnp.abs(slope(place, friction, poisson))) < _RESIDUAL
-        highest = jnp.max(jnp.linalg.eigvalsh(bend(place, friction, poisson))) < 0.0
+        slope, bend, determinant = shape(place, friction)
+        highest = (determinant > 0.0) & (bend[0, 0] < 0.0)
         return StressPeak(
             stress=jnp.sqrt(square(place, friction, poisson)),
             position=place[0],
             depth=place[1],
-            solved=flat & highest & (place[1] > 0.0),
+            solved=(jnp.max(jnp.abs(slope)) < _RESIDUAL) & highest & (place[1] > 0.0),
         )
 
+    return jax.vmap(one)(frictions, poissons)
+
+
+def _peak(square: Square, friction: Real, poisson: Real, start: tuple[float, float]) -> StressPeak:
     frictions, poissons = jnp.broadcast_arrays(jnp.asarray(friction, float), jnp.asarray(poisson, float))
-    found = jax.jit(jax.vmap(one))(frictions.ravel(), poissons.ravel())
+    found = _peaks(square, frictions.ravel(), poissons.ravel(), jnp.asarray(start))
     return jax.tree.map(lambda leaf: leaf.reshape(frictions.shape), found)
+
+
+def _shear_square(place: Array, friction: Array, _: Array) -> Array:
+    return full_slip_stress(position=place[0], depth=place[1], friction_coefficient=friction).shear ** 2
+
+
+def _mises_square(place: Array, friction: Array, poisson: Array) -> Array:
+    stress = full_slip_stress(position=place[0], depth=place[1], friction_coefficient=friction)
+    in_plane = 0.25 * (stress.longitudinal - stress.normal) ** 2 + stress.shear**2
+    out_of_plane = (1.0 - 2.0 * poisson) * 0.5 * (stress.longitudinal + stress.normal)
+    return in_plane + out_of_plane**2 / 3.0
 
 
 def shear_peak(*, friction_coefficient: Real) -> StressPeak:
@@ -138,12 +163,7 @@ def shear_peak(*, friction_coefficient: Real) -> StressPeak:
     ----------
     A maximum of equation (B5) of :doc:`/equations`.
     """
-
-    def square(place: Array, friction: Array, _: Array) -> Array:
-        stress = full_slip_stress(position=place[0], depth=place[1], friction_coefficient=friction)
-        return stress.shear**2
-
-    return _peak(square, friction_coefficient, 0.0, (0.866, 0.5))
+    return _peak(_shear_square, friction_coefficient, 0.0, (0.866, 0.5))
 
 
 def mises_peak(*, friction_coefficient: Real, poisson_ratio: Real) -> StressPeak:
@@ -165,14 +185,7 @@ def mises_peak(*, friction_coefficient: Real, poisson_ratio: Real) -> StressPeak
     ----------
     A maximum of equation (B5) of :doc:`/equations`.
     """
-
-    def square(place: Array, friction: Array, poisson: Array) -> Array:
-        stress = full_slip_stress(position=place[0], depth=place[1], friction_coefficient=friction)
-        radius = 0.25 * (stress.longitudinal - stress.normal) ** 2 + stress.shear**2
-        out_of_plane = (1.0 - 2.0 * poisson) * 0.5 * (stress.longitudinal + stress.normal)
-        return radius + out_of_plane**2 / 3.0
-
-    return _peak(square, friction_coefficient, poisson_ratio, (0.0, 0.7))
+    return _peak(_mises_square, friction_coefficient, poisson_ratio, (0.0, 0.7))
 
 
 def fitted_coefficients() -> tuple[np.ndarray, np.ndarray]:
