@@ -19,7 +19,7 @@ import asperity.materials
 ROOT = Path(__file__).parents[1]
 DOCS = ROOT / "docs"
 FORMULA_ROOMS = (asperity.contact, asperity.drive)
-PAPER_NUMBERS = {str(n) for n in range(1, 31)} | {f"A{n}" for n in range(1, 10)}
+NUMBERS = {str(n) for n in range(1, 31)} | {f"A{n}" for n in range(1, 10)} | {f"B{n}" for n in range(1, 10)}
 
 
 def _formula_modules():
@@ -91,7 +91,7 @@ def _rows(page):
 
 def _numbers(cell):
     """Equation numbers in a cell; (1)–(5) is a range."""
-    found = set(re.findall(r"\((A?\d+)\)", cell))
+    found = set(re.findall(r"\(([AB]?\d+)\)", cell))
     for first, last in re.findall(r"\((\d+)\)–\((\d+)\)", cell):
         found |= {str(n) for n in range(int(first), int(last) + 1)}
     return found
@@ -102,7 +102,7 @@ def _equation_rows():
 
 
 def test_every_equation_has_a_row():
-    assert set().union(*(_numbers(row[0]) for row in _equation_rows())) == PAPER_NUMBERS
+    assert set().union(*(_numbers(row[0]) for row in _equation_rows())) == NUMBERS
 
 
 @pytest.mark.parametrize("row", _equation_rows(), ids=lambda row: row[0].replace(" ", ""))
