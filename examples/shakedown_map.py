@@ -23,8 +23,8 @@ def limits(friction: np.ndarray) -> dict[str, np.ndarray]:
     arguments = {"friction_coefficient": friction, "poisson_ratio": POISSON_RATIO}
     return {
         "shakedown": np.asarray(shakedown_limit(friction_coefficient=friction)),
-        "first yield, Tresca": np.asarray(tresca_elastic_limit(**arguments)),
-        "first yield, Mises": np.asarray(mises_elastic_limit(**arguments)),
+        r"first yield, Tresca ($k = \sigma_Y/2$)": np.asarray(tresca_elastic_limit(**arguments)),
+        r"first yield, Mises ($k = \sigma_Y/\sqrt{3}$)": np.asarray(mises_elastic_limit(**arguments)),
     }
 
 
@@ -44,7 +44,7 @@ def draw(friction: np.ndarray, curves: dict[str, np.ndarray]) -> Figure:
             textcoords="offset points",
             color=MARK,
         )
-        axes.text(0.05, 3.42, "shakes down", color=MARK)
+        axes.text(0.01, 3.45, "shakes down", color=MARK)
         axes.text(0.05, 2.5, "elastic from the first turn", color=MUTED)
         axes.text(0.2, 3.7, "yields in every turn", color=MARK)
         axes.set_title(r"Line contact in full slip, $\nu$ = 0.3")
@@ -62,7 +62,7 @@ def main(picture: Path = PICTURE) -> dict[str, np.ndarray]:
     curves = limits(friction)
     draw(friction, curves).savefig(picture, dpi=150)
     for name, values in curves.items():
-        print(f"{name:22s}{values[0]:7.3f} at mu = 0,{values[300]:7.3f} at 0.3")
+        print(f"{name:46s}{values[0]:7.3f} at mu = 0,{values[300]:7.3f} at 0.3")
     return curves
 
 

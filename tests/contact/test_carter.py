@@ -1,5 +1,7 @@
 """Carter's rolling line contact against CONTACT, against the elastic strain of its own traction, and at its limits."""
 
+from itertools import pairwise
+
 import jax
 import jax.numpy as jnp
 import numpy as np
@@ -47,7 +49,9 @@ def test_deck_carter2d_of_contact():
     Its 50 cells give 0.6480, its deck names 0.64 and a stick zone of half-width 0.6 mm. Tractions in MPa.
     """
     modulus = 82e9 / (1 - 0.28)
-    width = half_width(normal_force=178.9e3, contact_length=1.0, effective_radius=0.5, contact_modulus=modulus)
+    width = half_width(
+        normal_force=178.9e3, contact_length=1.0, effective_radius=0.5, contact_modulus=modulus
+    )
     limit = gross_slip_creepage(friction_coefficient=0.3, half_width=width, effective_radius=0.5)
     share = slip_ratio_at_creepage(creepage=2.4e-4, gross_slip_creepage=limit)
     assert float(share) == pytest.approx(0.639995, abs=1e-6)
@@ -80,20 +84,22 @@ def traction(x, share):
 def test_traction_integrates_to_the_force(share):
     kink = WIDTH - 2 * WIDTH * np.sqrt(1 - abs(share))
     parts = [-WIDTH, kink, WIDTH]
-    total = sum(quad(traction, a, b, args=(share,), epsrel=1e-8)[0] for a, b in zip(parts, parts[1:], strict=False))
+    total = sum(quad(traction, a, b, args=(share,), epsrel=1e-8)[0] for a, b in pairwise(parts))
     assert total * B == pytest.approx(share * 0.1 * N, rel=1e-6)
 
 
 @pytest.mark.parametrize("share", [0.3, 0.8])
 def test_stick_zone_strains_uniformly_by_the_creepage(share):
-    """Steady rolling: in the stick zone 2/(pi E*) PV int q(s)/(s - x) ds is the creepage, in the slip zone less is left."""
+    """Steady rolling: in the stick zone 2/(pi E*) PV int q(s)/(s - x) ds is the creepage."""
     xi = float(creepage(slip_ratio=share, gross_slip_creepage=LIMIT))
     stick = WIDTH * np.sqrt(1 - share)
     kink = WIDTH - 2 * stick
 
     def strain(x):
         inner = (max(kink, -WIDTH) + x) / 2 if x > kink else -WIDTH
-        total = quad(traction, inner, WIDTH, args=(share,), weight="cauchy", wvar=x, epsrel=1e-6, limit=400)[0]
+        total = quad(traction, inner, WIDTH, args=(share,), weight="cauchy", wvar=x, epsrel=1e-6, limit=400)[
+            0
+        ]
         for a, b in ((-WIDTH, kink), (kink, inner)):
             if b > a and inner > -WIDTH:
                 total += quad(lambda s: traction(s, share) / (s - x), a, b, epsrel=1e-8, limit=200)[0]
@@ -114,7 +120,9 @@ def test_stick_zone_begins_at_the_leading_edge():
 def test_both_directions_are_inverse_and_odd():
     share = jnp.concatenate([jnp.linspace(-1.0, 1.0, 201), jnp.array([1e-14, -1e-14])])
     xi = creepage(slip_ratio=share, gross_slip_creepage=LIMIT)
-    np.testing.assert_allclose(slip_ratio_at_creepage(creepage=xi, gross_slip_creepage=LIMIT), share, rtol=1e-13)
+    np.testing.assert_allclose(
+        slip_ratio_at_creepage(creepage=xi, gross_slip_creepage=LIMIT), share, rtol=1e-13
+    )
     np.testing.assert_allclose(xi, -creepage(slip_ratio=-share, gross_slip_creepage=LIMIT), rtol=0)
 
 

@@ -55,7 +55,7 @@ def test_inlet_power_of_two_steel_rollers():
 
 
 def test_light_load_is_reynolds_equation_between_rigid_rollers():
-    """Parabolic gap h0 H, H = 1 + X^2, eta constant, p = p' = 0 at the outlet: force, load and dissipation by quadrature.
+    """Gap h0 (1 + X^2), eta constant, p = p' = 0 at the outlet: force, load and dissipation by quadrature.
 
     Dowson's 1.46 and the fit's 1.42 are for the 1.47 found here; the dissipation is twice the force times the speed.
     """
@@ -76,7 +76,7 @@ def test_light_load_is_reynolds_equation_between_rigid_rollers():
     thickness = 24 * viscosity * speed * RADIUS * load / line_load
     exact = 12 * viscosity * speed * math.sqrt(2 * RADIUS / thickness) * force
     assert oil(line_load=line_load) == pytest.approx(exact, rel=0.04)
-    # both per the same units: dissipation (12 eta u)^2/(12 eta) ... = 12 eta u^2 sqrt(2R/h0) int H^3 s^2 dX
+    # int h^3 p'^2/(12 eta) dx
     dissipated = 12 * 12 * viscosity * speed**2 * math.sqrt(2 * RADIUS / thickness) * heat
     power = inlet_rolling_power(rolling_force=exact, contact_length=1.0, entrainment_speed=speed)
     assert float(power) == pytest.approx(dissipated, rel=1e-6)
@@ -100,8 +100,8 @@ def test_flash_temperature_of_two_steel_rollers():
 def test_bloks_constant_is_a_moving_elliptic_source():
     """Heat q0 sqrt(1-s^2) moved fast over a half-space: T = q0/sqrt(pi k rho c u) int sqrt(a) f(s)/sqrt(x-s) ds.
 
-    Both surfaces rise alike where each takes heat in proportion to sqrt(u): the rise is C mu P' |sqrt u1 - sqrt u2| over
-    sqrt(k rho c) sqrt(2a) with C = (2 sqrt 2/pi^1.5) max integral.
+    Both surfaces rise alike where each takes heat in proportion to sqrt(u): the rise is C mu P' |sqrt u1 - sqrt u2|
+    over sqrt(k rho c) sqrt(2a) with C = (2 sqrt 2/pi^1.5) max integral.
     """
 
     def integral(x):

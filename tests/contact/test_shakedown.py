@@ -58,7 +58,9 @@ def test_the_surface_takes_over_at_the_published_friction():
     assert first == pytest.approx(0.367, abs=5e-4)
 
 
-@pytest.mark.parametrize(("friction", "poisson", "criterion"), [(0.1, 0.3, "mises"), (0.3, 0.3, "mises"), (0.36, 0.3, "tresca")])
+@pytest.mark.parametrize(
+    ("friction", "poisson", "criterion"), [(0.1, 0.3, "mises"), (0.3, 0.3, "mises"), (0.36, 0.3, "tresca")]
+)
 def test_melans_theorem_at_the_limit(friction, poisson, criterion):
     """Residual stresses rho_x(z), rho_y(z) exist that keep every place below yield at the limit, and none above it."""
     limit = float(shakedown_limit(friction_coefficient=friction))
@@ -83,7 +85,8 @@ def test_melans_theorem_at_the_limit(friction, poisson, criterion):
         i = np.argmax(np.abs(t))
         starts = ([0.0, 0.2], [sz[i] - sx[i], sz[i] - poisson * (sx[i] + sz[i])])
         best = min(
-            minimize(worst_square, s, method="Nelder-Mead", options={"xatol": 1e-7, "fatol": 1e-11}).fun for s in starts
+            minimize(worst_square, s, method="Nelder-Mead", options={"xatol": 1e-7, "fatol": 1e-11}).fun
+            for s in starts
         )
         worst = max(worst, np.sqrt(best))
     assert limit * worst == pytest.approx(1.0, abs=1e-3)

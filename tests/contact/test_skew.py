@@ -71,7 +71,9 @@ def test_traction_points_along_the_scaled_creepage_and_ends_at_friction():
     scaled = xi / np.array([3.24e-3, 4.63e-3])
     length = np.hypot(*scaled.T)
     total = np.where(length < 1, 1 - (1 - length) ** 2, 1.0)
-    np.testing.assert_allclose(np.stack([along, across], 1), total[:, None] * scaled / length[:, None], rtol=1e-13)
+    np.testing.assert_allclose(
+        np.stack([along, across], 1), total[:, None] * scaled / length[:, None], rtol=1e-13
+    )
 
 
 def independent_share(force, lateral):
@@ -115,7 +117,9 @@ def test_forces_come_back_everywhere():
 
 
 def test_no_creepage_carries_all_friction_lengthwise_with_skew():
-    found = skewed_contact(longitudinal_slip_ratio=jnp.array([1.0, 1.3, -1.3]), lateral_creepage=1e-3, **LIMITS)
+    found = skewed_contact(
+        longitudinal_slip_ratio=jnp.array([1.0, 1.3, -1.3]), lateral_creepage=1e-3, **LIMITS
+    )
     assert not bool(jnp.any(found.solved))
     np.testing.assert_array_equal(found.longitudinal_creepage, [np.inf, np.inf, -np.inf])
 
@@ -135,7 +139,8 @@ def test_skew_takes_longitudinal_capacity():
 
 
 @pytest.mark.parametrize(
-    ("force", "skew"), [(0.0, 0.0), (0.0, 1e-3), (0.5, 0.0), (0.5, 1e-3), (-0.5, 1e-3), (0.98, 3e-3), (0.2, 5e-3)]
+    ("force", "skew"),
+    [(0.0, 0.0), (0.0, 1e-3), (0.5, 0.0), (0.5, 1e-3), (-0.5, 1e-3), (0.98, 3e-3), (0.2, 5e-3)],
 )
 def test_derivatives_against_finite_differences(force, skew):
     def along(q, g):

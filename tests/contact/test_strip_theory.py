@@ -117,7 +117,9 @@ def test_ellipse_of_hertz(axes, error):
     crown = RADIUS * (axes**2 * second - first) / (first - second)
     width = 1e-5
     b = axes * width
-    peak = MODULUS * b * axes * parameter / (2 * crown * (first - second))  # 1/(2 R_c) = p0 a (K - E)/(E* e^2 b^2)
+    peak = (
+        MODULUS * b * axes * parameter / (2 * crown * (first - second))
+    )  # 1/(2 R_c) = p0 a (K - E)/(E* e^2 b^2)
     force = 2 / 3 * math.pi * peak * width * b
     place = (np.arange(401) - 200) / 200 * 1.3 * b
     found = strip_loads(

@@ -62,7 +62,9 @@ def test_pressure_and_full_slip_are_flamant_summed(across, down):
     pressed = pressure_stress(position=x, depth=z, half_width=A, peak_pressure=P0)
     pulled = traction_stress(position=x, depth=z, centre=0.0, half_width=A, peak_traction=MU * P0)
     np.testing.assert_allclose(components(pressed), flamant(x, z, ellipse, nothing, A), atol=10.0)
-    np.testing.assert_allclose(components(pulled), flamant(x, z, nothing, lambda s: MU * ellipse(s), A), atol=10.0)
+    np.testing.assert_allclose(
+        components(pulled), flamant(x, z, nothing, lambda s: MU * ellipse(s), A), atol=10.0
+    )
 
 
 @pytest.mark.parametrize("share", [0.6, -0.3, 1.0, 0.0])
@@ -83,7 +85,12 @@ def test_surface_carries_pressure_and_traction():
     """At z = 0: sigma_z = -p, tau_xz = -q; inside sigma_x = -p - 2 mu p0 x/a; outside no pressure and no traction."""
     across = jnp.array([-1.5, -1.0, -0.9, 0.0, 0.4, 1.0, 3.0])
     found = rolling_stress(
-        position=across * A, depth=0.0, half_width=A, peak_pressure=P0, friction_coefficient=MU, slip_ratio=1.0
+        position=across * A,
+        depth=0.0,
+        half_width=A,
+        peak_pressure=P0,
+        friction_coefficient=MU,
+        slip_ratio=1.0,
     )
     s = np.array(across)
     pressure = P0 * np.sqrt(np.maximum(1 - s**2, 0.0))
@@ -138,11 +145,15 @@ def test_equivalent_stresses_of_the_principal_stresses():
     tensors[:, 0, 2] = tensors[:, 2, 0] = t
     deviator = tensors - np.trace(tensors, axis1=1, axis2=2)[:, None, None] / 3 * np.eye(3)
     np.testing.assert_allclose(
-        mises_stress(stress=stress, poisson_ratio=nu), np.sqrt(1.5 * np.sum(deviator**2, axis=(1, 2))), rtol=1e-12
+        mises_stress(stress=stress, poisson_ratio=nu),
+        np.sqrt(1.5 * np.sum(deviator**2, axis=(1, 2))),
+        rtol=1e-12,
     )
     principal = np.linalg.eigvalsh(tensors)
     np.testing.assert_allclose(
-        largest_shear_stress(stress=stress, poisson_ratio=nu), (principal[:, 2] - principal[:, 0]) / 2, rtol=1e-10
+        largest_shear_stress(stress=stress, poisson_ratio=nu),
+        (principal[:, 2] - principal[:, 0]) / 2,
+        rtol=1e-10,
     )
 
 

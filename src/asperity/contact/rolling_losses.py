@@ -46,7 +46,7 @@ def hysteresis_power(
     Parameters
     ----------
     loss_factor : Real
-        Hysteresis loss factor alpha, share of the elastic work that is lost [-]; about 0.005 to 0.05 for hardened steel.
+        Hysteresis loss factor alpha, share of the elastic work that is lost [-]; 0.005 to 0.05 for hardened steel.
     normal_force : Real
         N [N].
     half_width : Real
@@ -184,7 +184,7 @@ def flash_temperature(
     Notes
     -----
     Like bodies, heat where the pressure is, heat carried by motion rather than conduction along the surface:
-    :math:`u a \rho c/k` above about 10 for both. In pure creep below gross slip the heat of the slip zone alone is less.
+    :math:`u a \rho c/k` above about 10 for both. Below gross slip only the slip zone makes heat.
 
     References
     ----------
@@ -192,4 +192,6 @@ def flash_temperature(
     """
     slide = jnp.abs(jnp.sqrt(surface_speed_1) - jnp.sqrt(surface_speed_2))
     effusivity = jnp.sqrt(conductivity * density * heat_capacity)
-    return FLASH_CONSTANT * friction_coefficient * line_load * slide / (effusivity * jnp.sqrt(2.0 * half_width))
+    return (
+        FLASH_CONSTANT * friction_coefficient * line_load * slide / (effusivity * jnp.sqrt(2.0 * half_width))
+    )

@@ -1,4 +1,4 @@
-"""Shakedown and first yield of a line contact that rolls under traction, for batches: interpolated and differentiable."""
+"""Shakedown and first yield of a line contact that rolls under traction: interpolated, differentiable, for batches."""
 
 from __future__ import annotations
 
@@ -67,9 +67,9 @@ def shakedown_limit(*, friction_coefficient: Real) -> Array:
 
     Notes
     -----
-    Elastic, perfectly plastic material, half-plane, steady rolling in one direction. Full slip is on the safe side: with
-    Q < mu N the limit lies between this one and 4. Exact for Tresca's criterion with shear yield strength k, and for
-    Mises' with nu = 0.3 up to mu = 0.31; above it, Mises' limit at the surface is up to 9 % lower.
+    Elastic, perfectly plastic material, half-plane, steady rolling in one direction. Full slip is on the safe side:
+    with Q < mu N the limit lies between this one and 4. Exact for Tresca's criterion with shear yield strength k, and
+    for Mises' with nu = 0.3 up to mu = 0.31; above it, Mises' limit at the surface is up to 9 % lower.
     The interpolation is within 1e-10 of the field.
 
     References
@@ -162,5 +162,7 @@ def tresca_elastic_limit(*, friction_coefficient: Real, poisson_ratio: Real) -> 
         jnp.asarray(friction_coefficient, dtype=float), jnp.asarray(poisson_ratio, dtype=float)
     )
     axial = 0.5 * (friction + (1.0 - 2.0 * poisson) * jnp.sqrt(1.0 + friction**2))
-    in_plane = _peak_limit(friction, jnp.full_like(friction, 0.5))  # without the axial stress J_2 is tau_1 squared
+    in_plane = _peak_limit(
+        friction, jnp.full_like(friction, 0.5)
+    )  # without the axial stress J_2 is tau_1 squared
     return jnp.minimum(in_plane, _reciprocal(jnp.maximum(friction, axial)))  # (B6)

@@ -23,7 +23,7 @@ class SkewedContact(eqx.Module):
     longitudinal_slip_ratio, lateral_slip_ratio : Array
         Q_x/(mu N) and Q_y/(mu N) [-].
     solved : Array
-        True where the longitudinal creepage carries the longitudinal force; false also where no creepage can.
+        True where the longitudinal creepage carries the longitudinal force; false also where no creepage can [-].
     """
 
     longitudinal_creepage: Array

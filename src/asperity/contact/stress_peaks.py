@@ -38,7 +38,7 @@ class StressPeak(eqx.Module):
     position, depth : Array
         x/a, positive in the direction of the traction on the body, and z/a [-].
     solved : Array
-        True where it is a maximum below the surface.
+        True where it is a maximum below the surface [-].
     """
 
     stress: Array
@@ -191,6 +191,9 @@ def mises_peak(*, friction_coefficient: Real, poisson_ratio: Real) -> StressPeak
 def fitted_coefficients() -> tuple[np.ndarray, np.ndarray]:
     r"""Chebyshev coefficients of the limits that the peaks set, as :mod:`asperity.contact.shakedown_table` holds them.
 
+    Parameters
+    ----------
+
     Returns
     -------
     tuple of ndarray
@@ -215,12 +218,12 @@ def fitted_coefficients() -> tuple[np.ndarray, np.ndarray]:
         terms = np.cos(np.pi * np.outer(np.arange(count), np.arange(count) + 0.5) / count)
         return (2.0 - (np.arange(count) == 0))[:, None] / count * (terms @ values.reshape(count, -1))
 
-    shear = shear_peak(friction_coefficient=SHEAR_FRICTION * 0.5 * (nodes(_SHEAR_TERMS) + 1.0))
+    shear = shear_peak(friction_coefficient=jnp.asarray(SHEAR_FRICTION * 0.5 * (nodes(_SHEAR_TERMS) + 1.0)))
     low, high = POISSON_RANGE
-    poisson = low + (high - low) * 0.5 * (nodes(_MISES_TERMS[1]) + 1.0)
-    share = np.sqrt(0.5 * (nodes(_MISES_TERMS[0]) + 1.0))
+    poisson = jnp.asarray(low + (high - low) * 0.5 * (nodes(_MISES_TERMS[1]) + 1.0))
+    share = jnp.asarray(np.sqrt(0.5 * (nodes(_MISES_TERMS[0]) + 1.0)))
     mises = mises_peak(friction_coefficient=share[:, None] * mises_friction(poisson), poisson_ratio=poisson)
     if not (bool(jnp.all(shear.solved)) and bool(jnp.all(mises.solved))):
-        raise ArithmeticError("a largest stress was not found")
+        raise ArithmeticError("a largest stress was not found: the ranges of the table reach too far")
     first = transform(1.0 / np.asarray(shear.stress))[:, 0]
     return first, transform(transform(1.0 / np.asarray(mises.stress)).T).T

@@ -30,7 +30,7 @@ class StripLoads(eqx.Module):
     approach : Array
         Local compression at the place of zero profile, without the slices' axis [m]; the far field is not in it.
     solved : Array
-        True where the slices carry the normal force, without the slices' axis.
+        True where the slices carry the normal force, without the slices' axis [-].
     """
 
     line_load: Array
@@ -93,7 +93,7 @@ def compression_length(*, contact_length: Real) -> Real:
 
 def slice_line_load(
     *, compression: Real, effective_radius: Real, contact_modulus: Real, compression_length: Real
-) -> Real:
+) -> Array:
     r"""Normal force per length of a slice from its compression.
 
     .. math:: \delta = \frac{P'}{\pi E^*}\left(2\ln\frac{D}{b} - 1\right), \qquad b^2 = \frac{4 P' R}{\pi E^*}
@@ -312,7 +312,9 @@ def strip_creepage(*, slip_ratio: Real, capacity: Real, gross_slip_creepage: Rea
     slope = jnp.sum(jnp.where(sticks, share / safe, 0.0), axis=0)
     bend = jnp.sum(jnp.where(sticks, share / safe**2, 0.0), axis=0)
     slipped = jnp.sum(jnp.where(sticks, 0.0, share), axis=0)
-    missing = jnp.where(carried, slip_ratio, 0.0) - jnp.sign(slip_ratio) * slipped  # = 2 slope xi - bend |xi| xi
+    missing = (
+        jnp.where(carried, slip_ratio, 0.0) - jnp.sign(slip_ratio) * slipped
+    )  # = 2 slope xi - bend |xi| xi
     root = slope**2 - bend * jnp.abs(missing)
     some = root > 0.0
     steady = missing / (slope + jnp.where(some, jnp.sqrt(jnp.where(some, root, 1.0)), 0.0))
