@@ -13,6 +13,7 @@ from asperity.contact.shakedown import (
     tresca_elastic_limit,
 )
 from asperity.contact.stress_peaks import mises_friction, mises_peak, shear_peak
+from asperity.contact.subsurface_stress import rolling_stress
 
 
 def flamant_field(friction, x, z):
@@ -112,6 +113,26 @@ def test_mises_limit_at_the_surface_is_lower_beyond_031():
 
     assert exceeds(0.31) < 1.0
     assert 1.08 < exceeds(0.366) < 1.09
+
+
+@pytest.mark.parametrize("friction", [0.05, 0.2, 0.4])
+def test_partial_slip_bears_more_than_full_slip_and_less_than_none(friction):
+    x, z = np.meshgrid(np.linspace(-1.5, 1.5, 301), np.linspace(0.0, 1.0, 101), indexing="ij")
+    full = float(shakedown_limit(friction_coefficient=friction))
+    limits = []
+    for share in (0.1, 0.5, 0.9, 0.99):
+        stress = rolling_stress(
+            position=x,
+            depth=z,
+            half_width=1.0,
+            peak_pressure=1.0,
+            friction_coefficient=friction,
+            slip_ratio=share,
+        )
+        limits.append(1 / float(jnp.max(jnp.abs(stress.shear))))
+    assert np.all(np.diff(limits) <= 0)
+    assert full <= limits[-1] * (1 + 1e-12)
+    assert limits[0] <= 4.001
 
 
 @pytest.mark.parametrize("friction", [0.0, 0.1, 0.2, 0.24, 0.3, 0.5])

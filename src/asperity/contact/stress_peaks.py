@@ -25,7 +25,6 @@ _FRICTION_STEPS, _NEWTON_STEPS, _LAST_STEPS, _RESIDUAL = 24, 3, 10, 1e-10
 SHEAR_FRICTION = 0.37
 #: Poisson's ratios of the table of the Mises peak; below 0.194 first yield is at the surface for all friction.
 POISSON_RANGE = (0.19, 0.5)
-_SHEAR_TERMS, _MISES_TERMS = 11, (11, 9)
 
 
 class StressPeak(eqx.Module):
@@ -188,11 +187,15 @@ def mises_peak(*, friction_coefficient: Real, poisson_ratio: Real) -> StressPeak
     return _peak(_mises_square, friction_coefficient, poisson_ratio, (0.0, 0.7))
 
 
-def fitted_coefficients() -> tuple[np.ndarray, np.ndarray]:
+def fitted_coefficients(*, shear_terms: int, mises_terms: tuple[int, int]) -> tuple[np.ndarray, np.ndarray]:
     r"""Chebyshev coefficients of the limits that the peaks set, as :mod:`asperity.contact.shakedown_table` holds them.
 
     Parameters
     ----------
+    shear_terms : int
+        Number of coefficients of the first.
+    mises_terms : tuple of int
+        Rows and columns of the second.
 
     Returns
     -------
@@ -218,10 +221,10 @@ def fitted_coefficients() -> tuple[np.ndarray, np.ndarray]:
         terms = np.cos(np.pi * np.outer(np.arange(count), np.arange(count) + 0.5) / count)
         return (2.0 - (np.arange(count) == 0))[:, None] / count * (terms @ values.reshape(count, -1))
 
-    shear = shear_peak(friction_coefficient=jnp.asarray(SHEAR_FRICTION * 0.5 * (nodes(_SHEAR_TERMS) + 1.0)))
+    shear = shear_peak(friction_coefficient=jnp.asarray(SHEAR_FRICTION * 0.5 * (nodes(shear_terms) + 1.0)))
     low, high = POISSON_RANGE
-    poisson = jnp.asarray(low + (high - low) * 0.5 * (nodes(_MISES_TERMS[1]) + 1.0))
-    share = jnp.asarray(np.sqrt(0.5 * (nodes(_MISES_TERMS[0]) + 1.0)))
+    poisson = jnp.asarray(low + (high - low) * 0.5 * (nodes(mises_terms[1]) + 1.0))
+    share = jnp.asarray(np.sqrt(0.5 * (nodes(mises_terms[0]) + 1.0)))
     mises = mises_peak(friction_coefficient=share[:, None] * mises_friction(poisson), poisson_ratio=poisson)
     if not (bool(jnp.all(shear.solved)) and bool(jnp.all(mises.solved))):
         raise ArithmeticError("a largest stress was not found: the ranges of the table reach too far")
