@@ -7,7 +7,7 @@ import pytest
 from asperity.bem import ElasticPair, FreeHalfSpace, PeriodicHalfSpace
 from asperity.errors import InputError
 
-PAIR = ElasticPair(contact_modulus=2.0, antiplane_modulus=0.7)
+PAIR = ElasticPair(contact_modulus=2.0, antiplane_modulus=0.7, dundurs_constant=0.0)
 
 
 def test_far_from_one_pixel_the_surface_moves_as_under_boussinesqs_and_cerrutis_point_loads():
