@@ -175,7 +175,7 @@ class FreeHalfSpace(HalfSpace):
 
         .. math:: u(x) = -\frac{\beta}{E}\int \operatorname{sgn}(x - s)\, p(s)\, \mathrm ds
         """
-        n = self.shape[0]
+        n = traction.shape[0]
         x = jnp.arange(1 - n, n).astype(jnp.float64) * self.pixel_size[0]
         kernel = coupling_integral(x, pixel_size=self.pixel_size[0])
         scale = 2.0 * self.pair.dundurs_constant / self.pair.contact_modulus
