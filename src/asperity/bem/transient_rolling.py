@@ -172,7 +172,7 @@ def transient_rolling(
         max_iterations=max_iterations,
         what="rolling",
     )
-    moved = jnp.asarray(steps) * half_space.pixel_size[0]
+    moved = jnp.asarray(steps.astype(np.float64)) * half_space.pixel_size[0]
     growth = jnp.diff(shear.displacement, prepend=0.0)
     rolls = moved != 0.0
     creepage = jnp.where(rolls, growth / jnp.where(rolls, moved, 1.0), jnp.nan)

@@ -235,8 +235,8 @@ def pressure_layer_creepage_factor(*, layer_ratio: Real, slip_ratio: Real) -> Re
     Notes
     -----
     Interpolation within 0.2 % for chi from 0.005 to 20 and q from 0.02 to 0.98. Beyond, g is held, as in
-    :func:`uniform_layer_creepage_factor`; above q = 0.98 it is too small by 14 % at chi = 0.1 and 30 % at chi = 1 for q = 0.99;
-    the creepage grows like :math:`(1 - q)^{-2/3}`.
+    :func:`uniform_layer_creepage_factor`; above q = 0.98 it is too small, by 14 % at chi = 0.1 and
+    30 % at chi = 1 for q = 0.99. The creepage grows like :math:`(1 - q)^{-2/3}`.
 
     References
     ----------

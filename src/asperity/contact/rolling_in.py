@@ -95,12 +95,15 @@ def rolling_in_lag(*, half_width: Real, slip_ratio: Real) -> Real:
 
 def _share(x: Real) -> Real:
     """Cubic through the table with a continuous slope; 1 beyond it."""
-    i = jnp.clip(jnp.floor(x / _STEP), 0, _SHARE.size - 2).astype(int)
-    t = jnp.clip(x / _STEP - i, 0.0, 1.0)
+    within = x < _STEP * (_SHARE.size - 1)
+    at = jnp.where(within, x, 0.0) / _STEP
+    t = at - jnp.floor(at)
+    i = jnp.floor(at).astype(int)
     left, right = jnp.asarray(_SHARE)[i], jnp.asarray(_SHARE)[i + 1]
     rise, fall = jnp.asarray(_SLOPE)[i] * _STEP, jnp.asarray(_SLOPE)[i + 1] * _STEP
     step = t**2 * (3.0 - 2.0 * t)
-    return left + (right - left) * step + t * (1.0 - t) * (rise * (1.0 - t) - fall * t)
+    cubic = left + (right - left) * step + t * (1.0 - t) * (rise * (1.0 - t) - fall * t)
+    return jnp.where(within, cubic, 1.0)
 
 
 def rolling_in_shift(*, rolled_distance: Real, half_width: Real, slip_ratio: Real, creepage: Real) -> Real:
@@ -127,8 +130,8 @@ def rolling_in_shift(*, rolled_distance: Real, half_width: Real, slip_ratio: Rea
     Notes
     -----
     Rolling starts at half the steady creepage, whatever the force. The force is applied to the standing contact
-    (Cattaneo and Mindlin) and then held. Within :math:`0.03\,\xi_C a` of boundary elements for q up to 0.9. Not for
-    |q| >= 1, where the contact slips, nor with an elastic layer.
+    (Cattaneo and Mindlin) and then held. Within :math:`0.022\,\xi_C a` of boundary elements for q from 0.02 to
+    0.95. Not for |q| >= 1, where the contact slips, nor with an elastic layer.
 
     References
     ----------
