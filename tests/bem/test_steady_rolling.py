@@ -175,7 +175,9 @@ def test_without_lateral_contraction_friction_knows_no_direction():
     np.testing.assert_allclose(
         found.tangential_force, float(alone.tangential_force[0]) * direction, rtol=1e-8
     )
-    forced = solved(contact, longitudinal_force=found.tangential_force[0], lateral_creepage=0.4 * direction[1])
+    forced = solved(
+        contact, longitudinal_force=found.tangential_force[0], lateral_creepage=0.4 * direction[1]
+    )
     assert float(forced.creepage[0]) == pytest.approx(0.4 * direction[0], rel=1e-8)
 
 
@@ -246,3 +248,20 @@ def test_pressure_that_pulls_and_a_grid_of_two_axes_are_refused(contact):
 def test_what_does_not_converge_is_an_error(contact):
     with pytest.raises(NoSolutionError, match="steady rolling: not converged"):
         solved(contact, longitudinal_force=0.8, max_iterations=0)
+
+
+def test_alternations_that_do_not_settle_are_an_error():
+    pair = ElasticPair(contact_modulus=2.0, antiplane_modulus=0.7, dundurs_constant=0.2)
+    strip = FreeHalfSpace(pair, shape=(64,), pixel_size=(0.04,), reference_distance=10.0)
+    x = (np.arange(64) - 31.5) * 0.04
+    with pytest.raises(NoSolutionError, match="after 1 alternations"):
+        coupled_steady_rolling(
+            strip,
+            -0.5 * x**2,
+            normal_force=1.0,
+            friction_coefficient=0.3,
+            layer_compliance=0.0,
+            longitudinal_force=0.1,
+            lateral_creepage=0.0,
+            max_alternations=1,
+        )
