@@ -61,7 +61,7 @@ class _Misfit(NamedTuple):
 
     moving: Array
     gradient: Array
-    count: Array
+    points: Array
     shift: Array
     residual: Array
 
@@ -211,7 +211,7 @@ def bounded_solution(
 
     def step(state: _State) -> _State:
         t, u = state.traction, state.displacement
-        moving, g, count = state.misfit.moving, state.misfit.gradient, state.misfit.count
+        moving, g, count = state.misfit.moving, state.misfit.gradient, state.misfit.points
         if total is not None:
             g = jnp.where(moving, g - jnp.sum(g) / count, 0.0)
         z = jnp.where(moving, estimate(g), 0.0)

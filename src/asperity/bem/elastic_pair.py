@@ -31,7 +31,7 @@ class ElasticPair(eqx.Module):
     Both compliances are sums over the bodies, so unlike materials are combined exactly. The displacement along
     the surface under *normal* pressure, and the converse, are proportional to :math:`\beta`. It vanishes for
     like materials and for two incompressible ones. The rolling solvers use it
-    (:mod:`asperity.bem.steady_rolling`); the other solvers neglect it and solve the normal and the tangential
+    (:mod:`asperity.bem.coupled_rolling`); the other solvers neglect it and solve the normal and the tangential
     problem one after the other.
 
     References

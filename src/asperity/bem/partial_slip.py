@@ -11,6 +11,7 @@ from jax.typing import ArrayLike
 
 from asperity.bem.bounded_problem import BoundedSolution, bounded_solution
 from asperity.bem.checks import field_on_grid, positive
+from asperity.bem.free_half_space import FreeHalfSpace
 from asperity.bem.half_space import HalfSpace
 from asperity.bem.normal_contact import pressure_weighted_displacement, refuse_unconverged
 from asperity.errors import InputError, NoSolutionError
@@ -106,7 +107,7 @@ def shear_history(
         return elastic if layer_compliance is None else elastic + layer_compliance * traction
 
     def estimate(displacement: Array) -> Array:
-        if layer_compliance is None:
+        if layer_compliance is None or not isinstance(half_space, FreeHalfSpace):
             return half_space.traction_estimate(displacement)
         return half_space.layered_traction_estimate(displacement, layer_compliance)
 

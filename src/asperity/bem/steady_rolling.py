@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 import equinox as eqx
 import jax
 import jax.numpy as jnp
@@ -12,7 +14,6 @@ from jax.typing import ArrayLike
 from asperity.bem.checks import field_on_grid, positive
 from asperity.bem.free_half_space import FreeHalfSpace
 from asperity.bem.influence import strip_integral
-from asperity.bem.normal_contact import NormalContact, normal_contact
 from asperity.bem.transient_rolling import layer_on_grid
 from asperity.errors import InputError, NoSolutionError
 
@@ -51,24 +52,6 @@ class SteadyRolling(eqx.Module):
     stick_fraction: Array
     iterations: Array
     residual: Array
-
-
-class CoupledSteadyRolling(eqx.Module):
-    """Steady rolling with the pressure that goes with it.
-
-    Parameters
-    ----------
-    rolling : SteadyRolling
-        Tangential state.
-    contact : NormalContact
-        Normal state under that traction.
-    alternations : int
-        How often the two problems were solved in turn.
-    """
-
-    rolling: SteadyRolling
-    contact: NormalContact
-    alternations: int = eqx.field(static=True)
 
 
 def _transport(half_space: FreeHalfSpace, layer: Array, axes: tuple[int, ...]) -> Array:
@@ -175,7 +158,7 @@ def _newton(
 
 def _prescribed(what: str, creepage: float | None, force: float | None) -> tuple[float, bool]:
     value = creepage if force is None else force
-    if (creepage is None) == (force is None) or not np.isfinite(value):
+    if value is None or (creepage is None) == (force is None) or not np.isfinite(value):
         raise InputError(
             f"{what}_creepage = {creepage} and {what}_force = {force}: give one of them, a finite number"
         )
@@ -236,7 +219,7 @@ def steady_rolling(
     The state that :func:`~asperity.bem.transient_rolling.transient_rolling` reaches in steps of one pixel.
     The error of the creepage is of first order in the pixel: extrapolation from two grids removes it. Under
     unlike bodies' pressure the surfaces move along each other, which is taken into account; that the traction
-    changes the pressure is not (see :func:`coupled_steady_rolling`).
+    changes the pressure is not (see :func:`~asperity.bem.coupled_rolling.coupled_steady_rolling`).
 
     References
     ----------
@@ -257,7 +240,7 @@ def steady_rolling(
         _prescribed("lateral", lateral_creepage, lateral_force),
     )
     sliding_force = mu * float(p.sum()) * float(half_space.pixel_area)
-    force = float(np.hypot(*(value if forced else 0.0 for value, forced in components)))
+    force = math.hypot(*(value if forced else 0.0 for value, forced in components))
     if force >= sliding_force:
         raise InputError(
             f"tangential force of {force:g} N/m: from {sliding_force:g} N/m on (friction coefficient times load) "
@@ -302,94 +285,4 @@ def steady_rolling(
         stick_fraction=jnp.sum(contact & ~slides, dtype=jnp.float64) / jnp.sum(contact, dtype=jnp.float64),
         iterations=k,
         residual=residual,
-    )
-
-
-def coupled_steady_rolling(
-    half_space: FreeHalfSpace,
-    heights: ArrayLike,
-    *,
-    normal_force: float,
-    friction_coefficient: float,
-    layer_compliance: ArrayLike,
-    longitudinal_creepage: float | None = None,
-    longitudinal_force: float | None = None,
-    lateral_creepage: float | None = None,
-    lateral_force: float | None = None,
-    tolerance: float = 1e-8,
-    max_alternations: int = 50,
-) -> CoupledSteadyRolling:
-    r"""Steady rolling of unlike bodies: pressure and traction change each other.
-
-    .. math::
-        u_z = \frac2E\left[K * p\right] + \frac{\beta}{E} \int \operatorname{sgn}(x - s)\,\tau_x\,\mathrm ds,
-        \qquad
-        u_x = \frac2E\left[K * \tau_x\right] - \frac{\beta}{E} \int \operatorname{sgn}(x - s)\,p\,\mathrm ds
-
-    The normal and the tangential problem are solved in turn until the pressure stays (Panagiotopoulos).
-
-    Parameters
-    ----------
-    half_space : FreeHalfSpace
-        Elastic bodies and grid of one axis.
-    heights : array, shape (points,)
-        Height of one body towards the other, summits positive [m].
-    normal_force : float
-        Load [N/m], positive.
-    friction_coefficient : float
-        Coulomb's coefficient mu [-], positive.
-    layer_compliance : array, scalar or shape (points,)
-        Tangential displacement per traction of a thin layer between the bodies [m/Pa]; 0 for none.
-    longitudinal_creepage, longitudinal_force, lateral_creepage, lateral_force : float, optional
-        As for :func:`steady_rolling`.
-    tolerance : float
-        Bound on the change of the pressure from one turn to the next, relative to its peak [-].
-    max_alternations : int
-        Where to give up.
-
-    Returns
-    -------
-    CoupledSteadyRolling
-        Tangential and normal state.
-
-    Raises
-    ------
-    InputError
-        As for :func:`steady_rolling` and :func:`~asperity.bem.normal_contact.normal_contact`.
-    NoSolutionError
-        If one of the problems or their alternation does not converge.
-
-    Notes
-    -----
-    With the first body below its common surface, ``dundurs_constant`` positive and rolling towards the end of
-    the grid, free rolling has a positive creepage.
-
-    References
-    ----------
-    R. H. Bentall and K. L. Johnson, Int. J. Mech. Sci. 9 (1967) 389. P. D. Panagiotopoulos, Ing.-Arch. 44
-    (1975) 421. K. L. Johnson, Contact Mechanics, 1985, sections 2.8 and 8.2.
-    """
-    h = jnp.asarray(field_on_grid("heights", heights, half_space.shape))
-    positive("tolerance", tolerance, "(relative)")
-    contact = normal_contact(half_space, h, normal_force=normal_force)
-    for turn in range(1, max_alternations + 1):
-        rolling = steady_rolling(
-            half_space,
-            contact.pressure,
-            friction_coefficient=friction_coefficient,
-            layer_compliance=layer_compliance,
-            longitudinal_creepage=longitudinal_creepage,
-            longitudinal_force=longitudinal_force,
-            lateral_creepage=lateral_creepage,
-            lateral_force=lateral_force,
-        )
-        lifted = h + half_space.coupled_displacement(rolling.traction[0])
-        after = normal_contact(half_space, lifted, normal_force=normal_force, start=contact)
-        change = float(jnp.max(jnp.abs(after.pressure - contact.pressure)) / jnp.max(after.pressure))
-        contact = after
-        if change <= tolerance:
-            return CoupledSteadyRolling(rolling=rolling, contact=contact, alternations=turn)
-    raise NoSolutionError(
-        f"coupled rolling: the pressure still changes by {change:.3g} of its peak after {max_alternations} "
-        f"alternations, against the tolerance {tolerance:g}; raise max_alternations"
     )

@@ -129,7 +129,7 @@ def transient_rolling(
     The step is implicit and of first order: the steady creepage is low by a quarter of a per cent at 200
     pixels across the contact and steps of one pixel, and the error falls as the pixel. Traction stays
     parallel to the axis. The pressure is not changed by the traction: exact for like bodies and Goodman's
-    approximation for unlike ones (:func:`~asperity.bem.steady_rolling.coupled_steady_rolling` couples both).
+    approximation for unlike ones (:func:`~asperity.bem.coupled_rolling.coupled_steady_rolling` couples both).
     On a strip the rigid displacement under a changing force depends on the reference distance; under a
     constant force it does not.
 
