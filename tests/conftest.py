@@ -24,6 +24,7 @@ jax.config.update("jax_numpy_dtype_promotion", "strict")
 jax.config.update("jax_disable_most_optimizations", True)
 use_compilation_cache()
 
+FILE = Path(__file__).parents[1] / "examples" / "zou2025.toml"
 SHARED = Path(os.environ.get("ASPERITY_SHARED_DATA", Path(__file__).parents[2] / "shared"))
 
 
@@ -43,10 +44,10 @@ def paper_joint():
     Names of changes are those of the formulas' arguments; numbers may be arrays of one shape.
     """
     from asperity.contact.fractal import Surface
-    from asperity.drive.assembly import RIGID_SUPPORTS
+    from asperity.drive.assembly import IDEAL_STRUCTURE
     from asperity.drive.geometry import DriveGeometry
     from asperity.drive.mechanism import Bearings
-    from asperity.joint import Bodies, Joint
+    from asperity.joint.evaluation import Bodies, Joint
     from asperity.materials import Material
 
     standard = {
@@ -75,7 +76,7 @@ def paper_joint():
         "preload": 1000.0,
         "output_torque": 5.0,
         "sun_speed": 6000 * np.pi / 30,
-        "supports": RIGID_SUPPORTS,
+        "structure": IDEAL_STRUCTURE,
         "closure": "elastic",
         "closure_springs": "bulk",
         "contact_factor_model": "printed",
@@ -121,7 +122,7 @@ def paper_joint():
             preload=x["preload"],
             output_torque=x["output_torque"],
             sun_speed=x["sun_speed"],
-            supports=x["supports"],
+            structure=x["structure"],
             closure=x["closure"],
             closure_springs=x["closure_springs"],
             contact_factor_model=x["contact_factor_model"],
@@ -145,3 +146,39 @@ def load_example():
         return module
 
     return load
+
+
+@pytest.fixture(scope="session")
+def zou_file() -> Path:
+    return FILE
+
+
+@pytest.fixture(scope="session")
+def joint_text():
+    return FILE.read_text()
+
+
+@pytest.fixture(scope="session")
+def case(joint_text):
+    from asperity.joint_file.reader import parse_case
+
+    return parse_case(joint_text, source="zou2025.toml")
+
+
+@pytest.fixture(scope="session")
+def evaluated_directly(case):
+    """What the chain says on a grid of axes, in one call without the machinery of studies."""
+
+    def evaluated(axes):
+        from asperity.compilation import compile_fast
+        from asperity.joint.evaluation import evaluate
+        from asperity.joint_file.build import with_values
+
+        grid = np.meshgrid(*(axis.values for axis in axes), indexing="ij")
+        joint = with_values(case, {axis.path: v.ravel() for axis, v in zip(axes, grid, strict=True)})
+        numbers = jax.tree.map(lambda leaf: np.asarray(leaf, dtype=float), joint)
+        result = compile_fast(evaluate, numbers)(numbers)
+        assert np.all(result.solved)
+        return result
+
+    return evaluated

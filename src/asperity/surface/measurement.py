@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import math
 from pathlib import Path
 from typing import Any
@@ -14,6 +13,7 @@ from jaxtyping import Array, Float
 from scipy.stats import norm
 
 from asperity.errors import InputError
+from asperity.reading import read_json
 from asperity.surface.conventions import validated_fractal
 from asperity.surface.fractal_fit import FractalFit
 
@@ -130,7 +130,7 @@ def measurement_from_document(*, document: Any) -> SurfaceMeasurement:
         words = str(document["estimator"]), int(document["profiles"]), str(document.get("source", ""))
     except KeyError as error:
         raise InputError(f"the measurement has no key {error}") from None
-    except (TypeError, ValueError) as error:
+    except (TypeError, ValueError, OverflowError) as error:
         raise InputError(f"the measurement holds a value that is not a number ({error})") from None
     validated_fractal(fractal_dimension=D, fractal_roughness=G)
     if (
@@ -164,13 +164,11 @@ def read_measurement(*, path: str | Path) -> SurfaceMeasurement:
     InputError
         If the file cannot be read or is not such a document.
     """
-    path = Path(path)
     try:
-        document = json.loads(path.read_text(encoding="utf-8"))
-    except OSError as error:
-        raise InputError(f"the measurement {path} cannot be read: {error.strerror}") from None
-    except ValueError:
-        raise InputError(
-            f"{path} is not JSON; write it with 'asperity surface measure FILE --json'"
-        ) from None
-    return measurement_from_document(document=document)
+        document = read_json(path)
+    except InputError as error:
+        raise InputError(f"{error}; write it with 'asperity surface measure FILE --json'") from None
+    try:
+        return measurement_from_document(document=document)
+    except InputError as error:
+        raise InputError(f"{path}: {error}") from None

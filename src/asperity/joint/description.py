@@ -1,0 +1,129 @@
+"""What a joint is: the input of the chain, as frozen modules. SI units."""
+
+from __future__ import annotations
+
+from typing import Any, Literal
+
+import equinox as eqx
+import jax
+import jax.numpy as jnp
+
+from asperity.contact.fractal import Surface
+from asperity.contact.population import ContactFactorModel
+from asperity.drive.assembly import StructureSprings
+from asperity.drive.geometry import DriveGeometry
+from asperity.drive.mechanism import Bearings, Closure
+from asperity.materials import Material
+from asperity.types import Real
+
+ClosureSprings = Literal["bulk", "bulk_and_asperities"]
+
+
+class Bodies(eqx.Module):
+    """Materials of the four bodies of the drive.
+
+    Parameters
+    ----------
+    sun, planet, loading_roller, ring : Material
+        One material each.
+    """
+
+    sun: Material
+    planet: Material
+    loading_roller: Material
+    ring: Material
+
+
+class Joint(eqx.Module):
+    """A planetary traction drive under load: everything that decides its stiffness. SI units.
+
+    Numbers may be arrays: every number broadcasts over trailing batch axes, so one joint can stand for a
+    million. What differs between contacts is a tuple of one entry (for all) or five, in the order of
+    :data:`asperity.drive.geometry.CONTACT_NAMES`.
+
+    Parameters
+    ----------
+    geometry : DriveGeometry
+        Radii and arrangement.
+    bodies : Bodies
+        Materials.
+    surfaces : tuple of Surface
+        Fractal roughness, for all contacts or for each.
+    contact_lengths : tuple of Real
+        Contact line lengths B [m], for all contacts or for each.
+    friction_coefficients : tuple of Real
+        Friction coefficients mu [-], for all contacts or for each.
+    planet_length, loading_roller_length : Real
+        Lengths of the solid rollers [m]; they make the masses.
+    ring_wall_thickness : Real
+        Wall of the outer ring [m]; it enters the bulk compliance of the ring contacts.
+    bearings : Bearings
+        Friction of the bearings.
+    preload : Real
+        Normal force N_0 between sun and planet at rest [N].
+    output_torque : Real
+        Torque at the carrier [N·m], >= 0.
+    sun_speed : Real
+        Angular velocity of the sun [rad/s].
+    structure : StructureSprings
+        Springs of pins, shafts, planet supports and ring; :data:`asperity.drive.assembly.IDEAL_STRUCTURE` for none.
+    closure : {"elastic", "constant_pin_force"}
+        Closure of the force balance, :func:`asperity.drive.force_balance.force_balance`.
+    closure_springs : {"bulk", "bulk_and_asperities"}
+        Normal springs of the elastic closure: the bodies alone, or with the asperities' normal stiffness at rest in
+        series. The assembly always has both.
+    contact_factor_model : {"printed", "hertz_area", "unity"}
+        Model of lambda, :func:`asperity.contact.population.contact_factor`.
+    """
+
+    geometry: DriveGeometry
+    bodies: Bodies
+    surfaces: tuple[Surface, ...]
+    contact_lengths: tuple[Real, ...]
+    friction_coefficients: tuple[Real, ...]
+    planet_length: Real
+    loading_roller_length: Real
+    ring_wall_thickness: Real
+    bearings: Bearings
+    preload: Real
+    output_torque: Real
+    sun_speed: Real
+    structure: StructureSprings
+    closure: Closure = eqx.field(static=True)
+    closure_springs: ClosureSprings = eqx.field(static=True)
+    contact_factor_model: ContactFactorModel = eqx.field(static=True)
+
+
+def per_contact(values: tuple[Any, ...]) -> Any:
+    """Stack a tuple of one or five like things along a first contact axis of length 1 or 5.
+
+    Parameters
+    ----------
+    values : tuple
+        Numbers or modules of numbers, one for all contacts or one for each.
+
+    Returns
+    -------
+    The same kind of thing with leaves of shape (1, ...) or (5, ...).
+    """
+    return jax.tree.map(lambda *leaves: jnp.stack(jnp.broadcast_arrays(*map(jnp.asarray, leaves))), *values)
+
+
+def with_one_rank(joint: Joint) -> Joint:
+    """Give every number the rank of the batch, so that contact and batch axes never meet in broadcasting.
+
+    Parameters
+    ----------
+    joint : Joint
+        Numbers of any ranks that broadcast.
+
+    Returns
+    -------
+    Joint
+        The same joint; every leaf has the rank of the batch.
+    """
+    leaves = [jnp.asarray(leaf) for leaf in jax.tree.leaves(joint)]
+    rank = max(leaf.ndim for leaf in leaves)
+    return jax.tree.unflatten(
+        jax.tree.structure(joint), [leaf.reshape((1,) * (rank - leaf.ndim) + leaf.shape) for leaf in leaves]
+    )
