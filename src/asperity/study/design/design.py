@@ -9,8 +9,9 @@ from pathlib import Path
 import numpy as np
 
 from asperity.errors import InputError, NoSolutionError
+from asperity.joint_file.edited_text import joint_file_text
 from asperity.joint_file.reader import parse_case
-from asperity.joint_file.values import si_values
+from asperity.joint_file.si_tables import si_values
 from asperity.precision import require_double_precision
 from asperity.study.design.design_problem import DesignProblem
 from asperity.study.design.design_search import (
@@ -24,7 +25,6 @@ from asperity.study.design.design_search import (
     optimality_gap,
     starting_places,
 )
-from asperity.joint_file.edited_text import joint_file_text
 from asperity.study.design.judgement import Judge, Judged
 from asperity.study.quantities import QUANTITIES, at_level, quantities_and_slopes
 
