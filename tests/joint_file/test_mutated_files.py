@@ -14,15 +14,108 @@ EXAMPLE = (Path(__file__).parents[2] / "examples" / "zou2025.toml").read_text(en
 LONGEST_MESSAGE, LONGEST_SECONDS = 6000, 60.0
 
 NUMBERS = "0 -0 1 -1 5 1e-300 1e300 1e400 -1e9 nan inf -inf 1_000 0x10 true 1e-8 2.0 1.9999 0.5 100 9999999999999999999"
-UNITS = ["mm", "m", "N", "MPa", "GPa", "rpm", "N*m", "Nm", "nm", "Nmm", "deg", "kg/m^3", "N/mm", "mm^99", "", "%"]
-UNITS += ["N*m/rad", "µm", "mm +- 1 mm", "mm +- 5 um, uniform", "N +- 1 N, normal 2 sigma", "/", "*", "(", "mm mm"]
-TEXTS = ["", "steel", "52100", "elastic", "bulk_and_asperities", "unity", "hertz_area", "constant_pin_force", "\\u001b[31m"]
+UNITS = [
+    "mm",
+    "m",
+    "N",
+    "MPa",
+    "GPa",
+    "rpm",
+    "N*m",
+    "Nm",
+    "nm",
+    "Nmm",
+    "deg",
+    "kg/m^3",
+    "N/mm",
+    "mm^99",
+    "",
+    "%",
+]
+UNITS += [
+    "N*m/rad",
+    "µm",
+    "mm +- 1 mm",
+    "mm +- 5 um, uniform",
+    "N +- 1 N, normal 2 sigma",
+    "/",
+    "*",
+    "(",
+    "mm mm",
+]
+TEXTS = [
+    "",
+    "steel",
+    "52100",
+    "elastic",
+    "bulk_and_asperities",
+    "unity",
+    "hertz_area",
+    "constant_pin_force",
+    "\\u001b[31m",
+]
 TEXTS += ["\\u202e", "\\u009b2J", "\\ud800", "x" * 500, "\\n", "circular_spot", "sp", "../../x"]
-TABLES = ["[]", "{}", "[[]]", "{ sp = 1 }", "{ library = '52100' }", "{ library = 'x', file = '/dev/zero' }", "[" * 40 + "]" * 40]
-TABLES += ["2025-06-17", "{ a.b.c.d = 1 }", "[1, 'a', {}]", "{ library = 3 }", "{ library = '440C', density = '8 g/cm^3' }"]
-LETTERS = ["\x00", "\x1b", "\x7f", "\u0085", "\u202e", "\ufeff", "\r", "\t", '"', "'", "[", "]", "{", "}", "=", "#", ".", "\\"]
-NAMES = ["sp", "pwr", "drive", "load", "surface.sp", "materials.steel", "bearings", "compliance", "a.b", "play", '"\\u001b"']
-KEYS = ["planets", "pin_stiffness", "hardness", "library", "sun_torque", "preload", "planet_length", '""', "a b", "bodies"]
+TABLES = [
+    "[]",
+    "{}",
+    "[[]]",
+    "{ sp = 1 }",
+    "{ library = '52100' }",
+    "{ library = 'x', file = '/dev/zero' }",
+    "[" * 40 + "]" * 40,
+]
+TABLES += [
+    "2025-06-17",
+    "{ a.b.c.d = 1 }",
+    "[1, 'a', {}]",
+    "{ library = 3 }",
+    "{ library = '440C', density = '8 g/cm^3' }",
+]
+LETTERS = [
+    "\x00",
+    "\x1b",
+    "\x7f",
+    "\u0085",
+    "\u202e",
+    "\ufeff",
+    "\r",
+    "\t",
+    '"',
+    "'",
+    "[",
+    "]",
+    "{",
+    "}",
+    "=",
+    "#",
+    ".",
+    "\\",
+]
+NAMES = [
+    "sp",
+    "pwr",
+    "drive",
+    "load",
+    "surface.sp",
+    "materials.steel",
+    "bearings",
+    "compliance",
+    "a.b",
+    "play",
+    '"\\u001b"',
+]
+KEYS = [
+    "planets",
+    "pin_stiffness",
+    "hardness",
+    "library",
+    "sun_torque",
+    "preload",
+    "planet_length",
+    '""',
+    "a b",
+    "bodies",
+]
 
 
 def some_value(rng: random.Random) -> str:
@@ -137,7 +230,9 @@ def test_any_mistake_is_answered(tmp_path, monkeypatch):
     # reading alone: the numbers of a joint have tests of their own
     monkeypatch.setattr("asperity.joint.examination.examine", lambda joint: joint)
     monkeypatch.setattr("asperity.joint.document.joint_document", lambda **_: {})
-    monkeypatch.setattr("asperity.cli.joint_table.show_joint", lambda target, *_, **__: target.print("N·m/rad"))
+    monkeypatch.setattr(
+        "asperity.cli.joint_table.show_joint", lambda target, *_, **__: target.print("N·m/rad")
+    )
     codes, wrong = failures(400, 1, tmp_path)
     assert wrong == []
     assert codes[2] > 200

@@ -9,7 +9,7 @@ from typing import Any
 import jax.numpy as jnp
 
 from asperity.contact.fractal import Surface
-from asperity.drive.assembly import RIGID_SUPPORTS, Supports
+from asperity.drive.assembly import IDEAL_STRUCTURE, StructureSprings
 from asperity.drive.geometry import DriveGeometry
 from asperity.drive.mechanism import Bearings
 from asperity.joint.description import Bodies, Joint
@@ -68,7 +68,7 @@ def joint_from_values(values: Values) -> Joint:
     values : dict
         Tables as :func:`asperity.joint_file.si_tables.si_values` makes them; leaves may be arrays. Without ``bearings``
         there is no bearing friction, without ``compliance`` the structure is
-        :data:`asperity.drive.assembly.RIGID_SUPPORTS`; rollers without a length are as long as the longest contact
+        :data:`asperity.drive.assembly.IDEAL_STRUCTURE`; rollers without a length are as long as the longest contact
         line on them.
 
     Returns
@@ -109,8 +109,8 @@ def joint_from_values(values: Values) -> Joint:
         preload=load["preload"],
         output_torque=load["output_torque"],
         sun_speed=load["sun_speed"],
-        supports=Supports(
-            **{name: compliance.get(name, ideal) for name, ideal in vars(RIGID_SUPPORTS).items()}
+        structure=StructureSprings(
+            **{name: compliance.get(name, ideal) for name, ideal in vars(IDEAL_STRUCTURE).items()}
         ),
         closure=model["closure"],
         closure_springs=model["closure_springs"],

@@ -11,15 +11,22 @@ from typing import Any, NamedTuple, TextIO
 
 import jax.numpy as jnp
 import numpy as np
+from jax import Array
 
 from asperity.compilation import compile_fast
 from asperity.contact.asperity import AsperityBase
-from asperity.contact.fractal import Surface
-from asperity.contact.roller_pairs import CONTACT_FACTOR_MODELS, RollerPairs, roller_pair_contacts
+from asperity.contact.fractal import FractalContact, Surface
+from asperity.contact.roller_pairs import (
+    CONTACT_FACTOR_MODELS,
+    numbered_contact_factors,
+    roller_pairs,
+    rough_contacts,
+)
 from asperity.errors import InputError, quoted
 from asperity.joint_file import limits
 from asperity.joint_file.messages import nearest
 from asperity.joint_file.quantity_key import Key
+from asperity.materials import ContactPair, contact_modulus, tangential_contact_modulus
 from asperity.reading import open_text
 from asperity.unit_table import Dimension
 from asperity.units import from_si
@@ -288,24 +295,38 @@ def _evaluated(
         name: jnp.asarray(np.resize(columns[name] / from_si(1.0, key.unit), size))
         for name, key in INPUT_COLUMNS.items()
     }
-    pairs = RollerPairs(
-        surface=Surface(si["D"], si["G_mm"], jnp.full(size, frequency_ratio), asperity_base),
-        normal_force=si["F_N"],
-        tangential_force=si["T_N"],
-        friction_coefficient=si["mu"],
-        radius_1=si["R1_mm"],
-        radius_2=si["R2_mm"],
-        sign=si["sign"],
-        contact_length=si["B_mm"],
-        youngs_modulus_1=si["E1_MPa"],
-        youngs_modulus_2=si["E2_MPa"],
-        poisson_ratio_1=si["nu1"],
-        poisson_ratio_2=si["nu2"],
-        hardness=si["H_MPa"],
-        contact_factor_model=jnp.asarray(np.resize(columns[MODEL_COLUMN], size)),
-    )
-    contacts = compile_fast(roller_pair_contacts, pairs)(pairs)
+    surface = Surface(si["D"], si["G_mm"], jnp.full(size, frequency_ratio), asperity_base)
+    model_number = jnp.asarray(np.resize(columns[MODEL_COLUMN], size))
+    contacts = compile_fast(_contacts, si, surface, model_number)(si, surface, model_number)
     return {
         name: np.asarray(getattr(contacts, field))[:count] * from_si(1.0, unit)
         for name, (field, unit) in OUTPUT_COLUMNS.items()
     }
+
+
+def _contacts(si: dict[str, Array], surface: Surface, model_number: Array) -> FractalContact:
+    """The contacts of some rows, each with its own model of the contact factor."""
+    elastic = {
+        "youngs_modulus_1": si["E1_MPa"],
+        "youngs_modulus_2": si["E2_MPa"],
+        "poisson_ratio_1": si["nu1"],
+        "poisson_ratio_2": si["nu2"],
+    }
+    pairs = roller_pairs(
+        radius_1=si["R1_mm"],
+        radius_2=si["R2_mm"],
+        sign=si["sign"],
+        contact_length=si["B_mm"],
+        friction_coefficient=si["mu"],
+        moduli=ContactPair(
+            contact_modulus=contact_modulus(**elastic),
+            tangential_contact_modulus=tangential_contact_modulus(**elastic),
+            hardness=si["H_MPa"],
+            yield_strength=jnp.nan,  # has no part in the contact law
+        ),
+        surface=surface,
+    )
+    factor = numbered_contact_factors(pairs=pairs, model_number=model_number, normal_force=si["F_N"])
+    return rough_contacts(
+        pairs=pairs, contact_factor=factor, normal_force=si["F_N"], tangential_force=si["T_N"]
+    )
