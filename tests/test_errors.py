@@ -37,9 +37,7 @@ def test_no_message_carries_a_character_that_a_terminal_obeys():
     for kind in (AsperityError, InputError, NoSolutionError, PrecisionError, MissingExtraError):
         message = str(kind(f"joint.toml: {HOSTILE}"))
         assert message.isprintable()
-        assert message == (
-            r"joint.toml: a\x1b[31m\x07\x9b2J\u202e\u2066\u200b\ud800\u2028\r\nb\tc\x7f"
-        )
+        assert message == (r"joint.toml: a\x1b[31m\x07\x9b2J\u202e\u2066\u200b\ud800\u2028\r\nb\tc\x7f")
 
 
 def test_lists_of_errors_keep_their_lines_and_text_its_letters():

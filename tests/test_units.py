@@ -88,8 +88,21 @@ def test_angles_from_their_definition():
 
 @pytest.mark.parametrize(
     "text",
-    ["5 Nm", "5Nm", "5e3 Nmm", "5e3 mNm", "0.005 kNm", "5e-6 MNm", "500 Ncm", "5e6 µNm", "5e6 uNm", "5 kNmm"]
-    + ["5 N*m", "5 N·m", "5 N m", "5N⋅m", "5 N × m", "5e3 N mm", "5\u00a0N\u202fm", "5 m N"]
+    [
+        *(
+            "5 Nm",
+            "5Nm",
+            "5e3 Nmm",
+            "5e3 mNm",
+            "0.005 kNm",
+            "5e-6 MNm",
+            "500 Ncm",
+            "5e6 µNm",
+            "5e6 uNm",
+            "5 kNmm",
+        ),
+        *("5 N*m", "5 N·m", "5 N m", "5N⋅m", "5 N × m", "5e3 N mm", "5\u00a0N\u202fm", "5 m N"),
+    ],
 )
 def test_signs_of_multiplication(text):
     assert parse_quantity(text, Dimension.TORQUE) == 5.0
@@ -162,7 +175,11 @@ def test_bare_numbers_are_dimensionless(value, expected):
         ("5 NM", Dimension.TORQUE, "unknown unit 'NM'; did you mean the torque 'Nm'"),
         ("20 nmm", Dimension.TORQUE, "unknown unit 'nmm'; did you mean the torque 'Nmm'"),
         ("5 nm", Dimension.TORQUE, "expected a torque .* got a length 'nm'"),
-        ("5 Nm^2", Dimension.TORQUE, r"power of 'Nm' in 'Nm\^2' could be that of the torque or of the length"),
+        (
+            "5 Nm^2",
+            Dimension.TORQUE,
+            r"power of 'Nm' in 'Nm\^2' could be that of the torque or of the length",
+        ),
         ("5 1/Nmm²", Dimension.TORQUE, "power of 'Nmm'"),
         ("5 qqqqqq", Dimension.LENGTH, "unknown unit 'qqqqqq'; known are"),
         ("", Dimension.LENGTH, "empty"),

@@ -159,8 +159,8 @@ def parse_quantity(text: object, dimension: Dimension, *, example: str | None = 
     Raises
     ------
     InputError
-        If the text is no quantity, its unit is unknown or missing, it measures something else, or the value
-        is not a finite double.
+        If the text is not a quantity, its unit is unknown, missing or of another dimension, or the value is not a
+        finite double.
 
     Examples
     --------

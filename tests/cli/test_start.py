@@ -91,7 +91,9 @@ def test_what_does_not_fit_into_memory_is_said(monkeypatch, capsys):
     with pytest.raises(SystemExit) as ended:
         cli.main()
     assert ended.value.code == 2
-    assert "there is not enough memory (Unable to allocate 3.64 TiB); ask for fewer" in capsys.readouterr().err
+    assert (
+        "there is not enough memory (Unable to allocate 3.64 TiB); ask for fewer" in capsys.readouterr().err
+    )
 
 
 START = f"{sys.executable} -c 'from asperity.cli import main; main()'"
@@ -169,7 +171,9 @@ def test_names_in_a_users_library_are_listed_without_control_sequences(call, tmp
     assert outcome.out.count(r"\x1b[31m\x9b\u202e") == 4
 
 
-@pytest.mark.parametrize(("number", "code", "word"), [("TERM", 143, "terminated"), ("INT", 130, "interrupted")])
+@pytest.mark.parametrize(
+    ("number", "code", "word"), [("TERM", 143, "terminated"), ("INT", 130, "interrupted")]
+)
 def test_signals_end_the_command_with_one_word(number, code, word):
     script = (
         "import os, signal, sys\nfrom asperity import cli\nfrom asperity.cli import schema\n"

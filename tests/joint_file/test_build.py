@@ -6,7 +6,7 @@ import pytest
 from asperity.errors import InputError
 from asperity.joint_file.build import joint_from_case, joint_from_values, with_values
 from asperity.joint_file.reader import parse_case
-from asperity.joint_file.values import replace_values, si_values
+from asperity.joint_file.si_tables import replace_values, si_values
 
 
 def test_the_example_is_the_joint_of_the_paper(example_case, paper_joint):

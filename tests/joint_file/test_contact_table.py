@@ -149,7 +149,7 @@ def test_files_that_cannot_be(tmp_path):
     source = write(tmp_path / "in.csv", reference_rows()[:1])
     with pytest.raises(InputError, match=r"absent\.csv: there is no such file"):
         convert(tmp_path / "absent.csv", tmp_path / "out.csv")
-    with pytest.raises(InputError, match="is no file; give the name of a file"):
+    with pytest.raises(InputError, match="is not a regular file; give another name"):
         convert(source, tmp_path)
     with pytest.raises(InputError, match="there is no folder"):
         convert(source, tmp_path / "nowhere" / "out.csv")

@@ -2,9 +2,9 @@
 
 import pytest
 
-from asperity.joint_file.reader import parse_case, read_case
-from asperity.joint_file.values import numeric_keys, si_values
 from asperity.joint_file.edited_text import joint_file_text
+from asperity.joint_file.reader import parse_case, read_case
+from asperity.joint_file.si_tables import numeric_keys, si_values
 
 
 def test_unchanged_file_says_the_same(zou_file):
@@ -67,7 +67,9 @@ def test_distributions_stay(zou_file):
 
 
 def content(text, folder=None):
-    return {path: key.value for path, key in numeric_keys(parse_case(text, source="again", folder=folder)).items()}
+    return {
+        path: key.value for path, key in numeric_keys(parse_case(text, source="again", folder=folder)).items()
+    }
 
 
 def test_entries_for_all_contacts_are_split_and_others_set_for_all(zou_file):
@@ -85,7 +87,9 @@ def test_entries_for_all_contacts_are_split_and_others_set_for_all(zou_file):
     assert found["drive.contact_length.sp"] == 0.005
     assert "# " in again
     twice = joint_file_text(parse_case(again, source="x"), {"surface.fractal_dimension": 1.3}, comment="")
-    assert {content(twice)[f"surface.{name}.fractal_dimension"] for name in ("sp", "pwr", "pwl", "wro", "wlo")} == {1.3}
+    assert {
+        content(twice)[f"surface.{name}.fractal_dimension"] for name in ("sp", "pwr", "pwl", "wro", "wlo")
+    } == {1.3}
 
 
 def test_sections_and_keys_that_the_file_leaves_out(zou_file):
@@ -119,7 +123,10 @@ def test_materials_of_libraries(zou_file, tmp_path):
         zou_file.read_text()
         .replace('sun = "steel"', 'sun = "52100" # bought')
         .replace('ring = "steel"', 'ring = "soft"')
-        .replace("[bodies]", '[materials.soft]\nlibrary = "bronze"\nfile = "own.toml"\nyield_strength = "250 MPa"\n\n[bodies]')
+        .replace(
+            "[bodies]",
+            '[materials.soft]\nlibrary = "bronze"\nfile = "own.toml"\nyield_strength = "250 MPa"\n\n[bodies]',
+        )
     )
     case = parse_case(text, source="test", folder=tmp_path)
     changes = {"materials.52100.youngs_modulus": 2.1e11, "materials.soft.density": 9000.0}
@@ -136,7 +143,8 @@ def test_materials_of_libraries(zou_file, tmp_path):
     [
         "[surface.sp]\n{0}\n[surface.pwr]\n{0}\n{1}\n[surface.pwl]\n{0}\n[surface.wro]\n{0}\n[surface.wlo]\n{0}\n",
         "surface = {{ {2} }}\n{1}",
-        "surface.fractal_dimension = 1.5 # own\nsurface.fractal_roughness = '1e-8 mm'\nsurface.frequency_ratio = 1.5\n{1}",
+        "surface.fractal_dimension = 1.5 # own\nsurface.fractal_roughness = '1e-8 mm'\n"
+        "surface.frequency_ratio = 1.5\n{1}",
     ],
 )
 def test_layouts_that_nobody_expects(zou_file, text):
@@ -156,3 +164,25 @@ def test_a_case_without_a_text_is_written_from_its_tables(zou_file):
     again = joint_file_text(case, {"drive.contact_length.sp": 0.006}, comment="")
     assert content(again)["drive.contact_length.sp"] == pytest.approx(0.006)
     assert si_values(parse_case(again, source="x"))["bodies"] == si_values(case)["bodies"]
+
+
+def test_a_measured_surface_is_written_instead_of_the_files(zou_file):
+    import jax.numpy as jnp
+
+    from asperity.joint_file.measured_surface import with_measured_surface
+    from asperity.surface.measurement import SurfaceMeasurement
+
+    numbers = {"fractal_dimension": 1.25, "fractal_roughness": 3e-13, "frequency_ratio": 1.5}
+    measured = SurfaceMeasurement(
+        **{name: jnp.asarray(value) for name, value in numbers.items()},
+        covariance=jnp.eye(2) * 1e-4,
+        shortest_wavelength=jnp.asarray(1e-6),
+        longest_wavelength=jnp.asarray(1e-3),
+        estimator="test",
+        profiles=1,
+        source="test",
+    )
+    case = with_measured_surface(read_case(zou_file), measured)
+    found = content(joint_file_text(case, {"load.preload": 900.0}, comment=""))
+    assert {name: found[f"surface.{name}"] for name in numbers} == pytest.approx(numbers, rel=1e-14)
+    assert found["load.preload"] == 900.0

@@ -74,7 +74,11 @@ def test_the_example_is_read(example_case):
         ("[drive]", "[drvie]", "drvie: unknown section; did you mean 'drive'?"),
         ("fractal_dimension = 1.4", "", "this key is missing: a dimensionless number, e.g. '1.4'"),
         ("planets = 3", "", "drive.planets: this key is missing: a dimensionless number, e.g. '3'"),
-        ('closure = "elastic"', "", "model.closure: this key is missing: one of 'elastic', 'constant_pin_force'"),
+        (
+            'closure = "elastic"',
+            "",
+            "model.closure: this key is missing: one of 'elastic', 'constant_pin_force'",
+        ),
         ('sun = "steel"', "", "bodies.sun: this key is missing: the name of a material, e.g. 'steel'"),
         ('sun = "steel"', "sun = 3", "bodies.sun: expected the name of a material, e.g. 'steel', got 3"),
         ('"1e-8 mm"', '"5 N"', "surface.fractal_roughness: expected a length (e.g. '1e-8 mm'), got a force"),
@@ -194,7 +198,10 @@ def test_mistakes_of_every_kind_are_listed_together(example_text):
     text = (
         example_text.replace('"4 mm"', "4")
         .replace('ring = "steel"', 'ring = "stel"')
-        .replace("[bodies]", '[materials.own]\nlibrary = "x9"\n[materials.far]\nlibrary = "a"\nfile = "b"\n[bodies]')
+        .replace(
+            "[bodies]",
+            '[materials.own]\nlibrary = "x9"\n[materials.far]\nlibrary = "a"\nfile = "b"\n[bodies]',
+        )
     )
     message = refusal(text)
     assert "4 errors" in message
@@ -222,7 +229,11 @@ def test_values_cannot_control_the_terminal_or_fill_it(example_text):
     [
         ("absent.toml", None, "there is no such file; 'asperity init' writes an example"),
         ("latin.toml", "µ".encode("latin-1"), "not a text file in UTF-8"),
-        ("large.toml", b"#" * (LARGEST_FILE + 1), "this file has 1000001 bytes; at most 1000000 bytes are read"),
+        (
+            "large.toml",
+            b"#" * (LARGEST_FILE + 1),
+            "this file has 1000001 bytes; at most 1000000 bytes are read",
+        ),
         ("zero.toml", b"\0", "not valid TOML"),
     ],
 )

@@ -5,7 +5,7 @@ import jax.numpy as jnp
 import pytest
 
 from asperity.joint.results import RESULTS
-from asperity.joint_file.values import si_values
+from asperity.joint_file.si_tables import si_values
 from asperity.study.points import numbers, point_kernel
 
 

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from asperity.joint_file.reader import read_case
-from asperity.joint_file.values import si_values
+from asperity.joint_file.si_tables import si_values
 from asperity.study.quantities import quantities_and_slopes, quantities_at
 
 PATHS = ("surface.fractal_dimension", "load.preload", "drive.planet_radius")

@@ -101,7 +101,7 @@ def test_folder_absent_and_huge_files(tmp_path):
 def test_without_the_extra_the_message_says_what_to_install(tmp_path, monkeypatch):
     monkeypatch.setitem(sys.modules, "SurfaceTopography", None)
     (tmp_path / "a.sdf").write_bytes(b"\0\1\2\3" * 50)
-    with pytest.raises(MissingExtraError, match=r"pip install 'asperity\[surface\]'"):
+    with pytest.raises(MissingExtraError, match=r"pip install '(asperity|\.)\[surface\]'"):
         read_surface(path=tmp_path / "a.sdf")
 
 

@@ -25,7 +25,7 @@ COMMANDS: dict[str, tuple[str, str, str]] = {
     "sensitivity": (
         "asperity.cli.sensitivity",
         "sensitivity",
-        "Which numbers of a joint file matter: exact derivatives, ranked.",
+        "Influence of every number of a joint file, by exact derivatives.",
     ),
     "uncertainty": (
         "asperity.cli.uncertainty",
@@ -47,7 +47,7 @@ COMMANDS: dict[str, tuple[str, str, str]] = {
     "reproduce": (
         "asperity.cli.reproduce",
         "reproduce",
-        "Recompute the paper's figures and judge its claims.",
+        "Recompute the paper's figures and check its claims.",
     ),
     "surface": (
         "asperity.cli.surface",
@@ -57,7 +57,7 @@ COMMANDS: dict[str, tuple[str, str, str]] = {
     "verify-contact": (
         "asperity.cli.verify_contact",
         "verify_contact",
-        "Hold the fractal law against boundary elements.",
+        "Compare the fractal contact law with boundary elements.",
     ),
 }
 

@@ -129,7 +129,7 @@ def _show_front(problem: DesignProblem, front: Any, names: list[str]) -> None:
     import numpy as np
 
     from asperity.cli.terminal import console, table
-    from asperity.joint_file.values import key_at
+    from asperity.joint_file.si_tables import key_at
     from asperity.study.quantities import QUANTITIES
     from asperity.units import from_si
 
@@ -179,7 +179,7 @@ def _number(value: Any) -> Any:
 
 def _show(result: DesignResult) -> None:
     from asperity.cli.terminal import console, table
-    from asperity.joint_file.values import key_at, numeric_keys
+    from asperity.joint_file.si_tables import key_at, numeric_keys
     from asperity.study.quantities import QUANTITIES
     from asperity.units import format_quantity
 

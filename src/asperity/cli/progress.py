@@ -22,7 +22,7 @@ def progress_bar(what: str) -> Iterator[Callable[[int, int], Any]]:
     Yields
     ------
     callable
-        To be called with the number done and the number in all.
+        Takes the number done and the total.
     """
     if not sys.stderr.isatty():
         yield lambda done, total: None

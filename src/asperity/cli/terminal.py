@@ -113,7 +113,9 @@ class CheckedStream:
             raise InputError(f"{self._name} is closed; redirect it to a file or to /dev/null")
         safe = text
         if self._escape and not text.isprintable():
-            lines = [[printable(cell.replace("\n", "")) for cell in line.split("\t")] for line in text.split("\n")]
+            lines = [
+                [printable(cell.replace("\n", "")) for cell in line.split("\t")] for line in text.split("\n")
+            ]
             safe = "\n".join("\t".join(cells) for cells in lines)
         with self._refusals():
             self.stream.write(safe)
@@ -169,8 +171,8 @@ def checked_output() -> Iterator[None]:
         sys.stderr = open(os.devnull, "w")  # noqa: SIM115 (it stays open until the process ends)
     prepare_output()
     out, error = sys.stdout, sys.stderr
-    sys.stdout = CheckedStream(out, "standard output", escape=True, required=True)  # type: ignore[assignment]
-    sys.stderr = CheckedStream(error, "standard error", escape=True, required=False)  # type: ignore[assignment]
+    sys.stdout = CheckedStream(out, "standard output", escape=True, required=True)
+    sys.stderr = CheckedStream(error, "standard error", escape=True, required=False)
     try:
         yield
     finally:
@@ -192,7 +194,7 @@ def rich_console(*, stderr: bool = False) -> Console:
     """
     stream = sys.stderr if stderr else sys.stdout
     if isinstance(stream, CheckedStream):
-        stream = stream.unescaped()  # type: ignore[assignment]
+        stream = stream.unescaped()
     made: Console = _console_class()(file=stream, highlight=False, soft_wrap=False)
     return made
 
@@ -276,7 +278,7 @@ def say_written(path: str | Path) -> None:
 
 @contextmanager
 def rows_progress(unit: str) -> Iterator[Callable[[int], None]]:
-    """A count on standard error while something of unknown length is done; nothing if that is no terminal.
+    """A counter on standard error for work of unknown length; nothing is shown if that is not a terminal.
 
     Parameters
     ----------
@@ -286,7 +288,7 @@ def rows_progress(unit: str) -> Iterator[Callable[[int], None]]:
     Yields
     ------
     callable
-        To be called with the number done so far.
+        Takes the number done so far.
     """
     target = rich_console(stderr=True)
     if not target.is_terminal:

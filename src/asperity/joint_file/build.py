@@ -14,7 +14,7 @@ from asperity.drive.geometry import DriveGeometry
 from asperity.drive.mechanism import Bearings
 from asperity.joint.description import Bodies, Joint
 from asperity.joint_file.model import Case, EachContact
-from asperity.joint_file.values import Values, check_values, replace_values, si_values
+from asperity.joint_file.si_tables import Values, check_values, replace_values, si_values
 from asperity.materials import Material, hardness
 from asperity.types import Real
 
@@ -43,7 +43,7 @@ def with_values(case: Case, changes: Mapping[str, Any]) -> Joint:
     case : Case
         The joint file.
     changes : mapping
-        Dotted path → SI number or array, see :func:`asperity.joint_file.values.replace_values`. Arrays broadcast
+        Dotted path → SI number or array, see :func:`asperity.joint_file.si_tables.replace_values`. Arrays broadcast
         against each other and become the batch axes of the joint.
 
     Returns
@@ -66,7 +66,7 @@ def joint_from_values(values: Values) -> Joint:
     Parameters
     ----------
     values : dict
-        Tables as :func:`asperity.joint_file.values.si_values` makes them; leaves may be arrays. Without ``bearings``
+        Tables as :func:`asperity.joint_file.si_tables.si_values` makes them; leaves may be arrays. Without ``bearings``
         there is no bearing friction, without ``compliance`` the structure is
         :data:`asperity.drive.assembly.IDEAL_STRUCTURE`; rollers without a length are as long as the longest contact
         line on them.

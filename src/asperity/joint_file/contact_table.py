@@ -24,8 +24,8 @@ from asperity.contact.roller_pairs import (
 )
 from asperity.errors import InputError, quoted
 from asperity.joint_file import limits
-from asperity.joint_file.key import Key
 from asperity.joint_file.messages import nearest
+from asperity.joint_file.quantity_key import Key
 from asperity.materials import ContactPair, contact_modulus, tangential_contact_modulus
 from asperity.reading import open_text
 from asperity.unit_table import Dimension
@@ -186,7 +186,9 @@ class _Lines:
             raise StopIteration
         self.characters += len(line)
         if self.characters > LONGEST_ROW:
-            raise InputError(f"{self._source}: a row has more than {LONGEST_ROW} characters; this is not a table")
+            raise InputError(
+                f"{self._source}: a row has more than {LONGEST_ROW} characters; this is not a table"
+            )
         return line
 
 

@@ -9,11 +9,10 @@ from typing import Any
 import tomlkit
 from pydantic import BaseModel
 
-from asperity.joint_file.key import Key, Quantity
 from asperity.joint_file.model import Case, EachContact
+from asperity.joint_file.quantity_key import Key, Quantity
 from asperity.joint_file.reader import parse_case
-from asperity.joint_file.structure import numbers, table_structure
-from asperity.joint_file.values import (
+from asperity.joint_file.si_tables import (
     NumericKey,
     change_targets,
     counterpart,
@@ -22,6 +21,7 @@ from asperity.joint_file.values import (
     replace_values,
     si_values,
 )
+from asperity.joint_file.table_numbers import numbers, table_structure
 from asperity.unit_table import Dimension
 from asperity.units import from_si
 
@@ -143,7 +143,9 @@ def _set(document: Any, steps: tuple[str, ...], value: float | str) -> None:
     for index, step in enumerate(steps[:-1]):
         if step not in table:
             new = tomlkit.table()
-            if steps[index - 1] == "materials":  # a body names a material of the library, which the file now changes
+            if (
+                steps[index - 1] == "materials"
+            ):  # a body names a material of the library, which the file now changes
                 new["library"] = step
             table[step] = new
         table = table[step]

@@ -6,7 +6,7 @@ a wrong prefix, and are wider than any machine needs. All bounds are part of the
 
 from __future__ import annotations
 
-from asperity.joint_file.key import Key
+from asperity.joint_file.quantity_key import Key
 from asperity.unit_table import Dimension
 
 PLANETS = Key(Dimension.DIMENSIONLESS, 2, 100, whole=True, example="3")

@@ -10,8 +10,8 @@ from pydantic import BaseModel, ValidationError
 from pydantic_core import ErrorDetails
 
 from asperity.errors import quoted
-from asperity.joint_file.key import Key
 from asperity.joint_file.model import ONE_FOR_ALL, ONE_FOR_EACH, Case
+from asperity.joint_file.quantity_key import Key
 
 MOST_ERRORS = 12
 
@@ -191,7 +191,9 @@ def _missing_sections(sections: list[Parts]) -> str:
     names = ", ".join(f"[{'.'.join(each)}]" for each in sections)
     if sections[0][0] == "surface" and len(sections[0]) > 1:
         verb = "is" if len(sections) == 1 else "are"
-        return f"{names} {verb} missing; write one [surface] for all contacts, or a section for each of the five"
+        return (
+            f"{names} {verb} missing; write one [surface] for all contacts, or a section for each of the five"
+        )
     if len(sections) == 1:
         content = ", ".join(_known_names(sections[0])) or "a section for each material"
         return f"the section {names} is missing; it contains {content}"

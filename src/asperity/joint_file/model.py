@@ -17,7 +17,7 @@ from pydantic import (
 
 from asperity.errors import InputError
 from asperity.joint_file import limits
-from asperity.joint_file.key import Quantity
+from asperity.joint_file.quantity_key import Quantity
 
 Entry = TypeVar("Entry")
 

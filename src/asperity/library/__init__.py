@@ -25,7 +25,7 @@ __all__ = [
     "fractal_roughness_from_ra",
     "read_finishes",
     "read_materials",
-    ]
+]
 
 #: Root mean square over Ra of normally distributed heights.
 RMS_OVER_RA = math.sqrt(math.pi / 2.0)
@@ -302,7 +302,7 @@ def fill_in_materials(tables: Mapping[str, Any], *, folder: Path) -> tuple[dict[
     ----------
     tables : mapping
         The joint file as TOML reads it. ``materials.NAME = {library = "52100"}`` takes an entry, other keys beside
-        it replace single numbers, ``file = "my.toml"`` names a library file of one's own. A body whose material the
+        it replace single numbers, ``file = "my.toml"`` names a library file of the user. A body whose material the
         file does not define is looked up in the library.
     folder : Path
         Where the path of a library file starts.
@@ -310,7 +310,7 @@ def fill_in_materials(tables: Mapping[str, Any], *, folder: Path) -> tuple[dict[
     Returns
     -------
     tables : dict
-        New tables without such references; anything else is left for the reader of joint files to judge.
+        New tables without such references; everything else is checked by the reader of joint files.
     refused : dict
         Dotted path of a material → why its entry was not found. Its table is left as it is.
     """

@@ -20,8 +20,8 @@ from asperity.joint.evaluation import evaluate
 from asperity.joint.size import joint_size
 from asperity.joint.windup import StiffnessLevel
 from asperity.joint_file.build import joint_from_values
-from asperity.joint_file.structure import numbers, table_structure, with_numbers
-from asperity.joint_file.values import Values, replace_values
+from asperity.joint_file.si_tables import Values, replace_values
+from asperity.joint_file.table_numbers import numbers, table_structure, with_numbers
 from asperity.unit_table import Dimension
 
 #: Which rows a quantity has: one number, one for each contact, or one for each clearance of the rollers.

@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 
 from asperity.errors import InputError, MissingExtraError
+from asperity.extras import install_command
 from asperity.surface.length_units import metres_per_unit
 from asperity.surface.read_text import looks_like_text, numpy_topography, text_topography
 from asperity.surface.topography import Topography
@@ -117,7 +118,7 @@ def _instrument_topography(path: Path, height_unit: str | None, remark: str) -> 
     except ImportError:
         raise MissingExtraError(
             f"{path.name} is not plain text or .npy, so it needs a package of instrument readers that is not "
-            f"installed; type: pip install 'asperity[surface]'{remark and '.' + remark.rstrip('.')}"
+            f"installed; run: {install_command('surface')}{remark and '.' + remark.rstrip('.')}"
         ) from None
     logging.getLogger("SurfaceTopography").setLevel(logging.ERROR)
     with warnings.catch_warnings():

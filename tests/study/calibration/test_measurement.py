@@ -72,7 +72,10 @@ def test_missing_file(tmp_path):
     ("text", "reason"),
     [
         ('torque [N*m],angle [rad]\n"1,2\n3,4\n', "line 2: not a row of a CSV table: unexpected end of data"),
-        ("torque [N*m],angle [rad]\n1," + "2" * 200_000 + "\n", "line 2: not a row of a CSV table: field larger"),
+        (
+            "torque [N*m],angle [rad]\n1," + "2" * 200_000 + "\n",
+            "line 2: not a row of a CSV table: field larger",
+        ),
         ('torque [N*m],angle [rad]\n1,"2"3\n', "line 2: not a row of a CSV table: ',' expected after"),
         ("\x1b[31m" * 1000 + "\n1\n", "data.csv: .*x1b"),
     ],
@@ -84,7 +87,11 @@ def test_rows_that_are_no_rows(tmp_path, text, reason):
 
 
 def test_only_regular_files_of_a_bounded_size(tmp_path, monkeypatch):
-    for path, reason in (("/dev/zero", "pipe or a device"), (tmp_path, "directory"), (tmp_path / "x", "no such")):
+    for path, reason in (
+        ("/dev/zero", "pipe or a device"),
+        (tmp_path, "directory"),
+        (tmp_path / "x", "no such"),
+    ):
         with pytest.raises(InputError, match=reason):
             read_measurement(path)
     monkeypatch.setattr("asperity.study.calibration.measurement.LARGEST_FILE", 10)

@@ -152,7 +152,9 @@ def test_local_workers_start_with_their_settings_and_leave_ours_alone():
     assert {name: os.environ.get(name) for name in names} == before
 
 
-@pytest.mark.parametrize(("number", "code", "word"), [("TERM", 143, "terminated"), ("INT", 130, "interrupted")])
+@pytest.mark.parametrize(
+    ("number", "code", "word"), [("TERM", 143, "terminated"), ("INT", 130, "interrupted")]
+)
 def test_a_signal_ends_a_sweep_on_local_processes_without_noise(tmp_path, number, code, word):
     script = (
         "import signal\nfrom asperity.cli import main\n"

@@ -5,7 +5,6 @@ import pytest
 
 from asperity.errors import InputError
 from asperity.study.parameters import parse_axis
-from asperity.study.sweep.plan import make_plan
 from asperity.study.sweep.store import (
     damaged_blocks,
     open_store,
@@ -15,6 +14,7 @@ from asperity.study.sweep.store import (
     unfinished_blocks,
     write_block,
 )
+from asperity.study.sweep.sweep_plan import make_plan
 
 pytest.importorskip("zarr")
 AXES = [parse_axis("load.preload=800 N:1200 N:3"), parse_axis("load.output_torque=0 N*m:5 N*m:4")]
@@ -87,7 +87,9 @@ def chunk(path, name, block):
 
 @pytest.mark.parametrize("name", ["status", "published_stiffness_output", "gross_slip"])
 @pytest.mark.parametrize("block", [0, 1, 2])
-@pytest.mark.parametrize("accident", ["deleted", "emptied", "shortened", "first bit", "last bit", "swept over"])
+@pytest.mark.parametrize(
+    "accident", ["deleted", "emptied", "shortened", "first bit", "last bit", "swept over"]
+)
 def test_damage_is_found_and_repaired(filled, name, block, accident):
     path, plan = filled
     file = chunk(path, name, block)
@@ -181,7 +183,9 @@ def test_two_first_runs_into_one_store(case, tmp_path, monkeypatch):
         prepare_store(tmp_path / "s.zarr", plan)
 
     monkeypatch.setattr(store, "_build", overtaken)
-    with pytest.raises(InputError, match=r"s\.zarr: another run has just created this store; let it finish, or"):
+    with pytest.raises(
+        InputError, match=r"s\.zarr: another run has just created this store; let it finish, or"
+    ):
         prepare_store(tmp_path / "s.zarr", plan)
     assert [path.name for path in tmp_path.iterdir()] == ["s.zarr"]
     assert prepare_store(tmp_path / "s.zarr", plan) == [0]

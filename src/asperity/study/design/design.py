@@ -11,7 +11,7 @@ import numpy as np
 from asperity.errors import InputError, NoSolutionError
 from asperity.joint_file.edited_text import joint_file_text
 from asperity.joint_file.reader import parse_case
-from asperity.joint_file.values import si_values
+from asperity.joint_file.si_tables import si_values
 from asperity.precision import require_double_precision
 from asperity.study.design.design_problem import DesignProblem
 from asperity.study.design.design_search import (

@@ -11,7 +11,7 @@ from asperity.joint.windup import StiffnessLevel
 from asperity.joint_file.messages import nearest
 from asperity.joint_file.model import Case
 from asperity.joint_file.reader import read_case
-from asperity.joint_file.values import key_at, numeric_keys
+from asperity.joint_file.si_tables import key_at, numeric_keys
 from asperity.library import read_finishes
 from asperity.reading import read_toml
 from asperity.study.design.design_problem import Constraint, DesignProblem, Objective, Variable, WorstCase

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from asperity.joint_file.values import key_at
+from asperity.joint_file.si_tables import key_at
 from asperity.study.design.design import DesignResult
 from asperity.study.design.judgement import Judge
 from asperity.study.quantities import QUANTITIES

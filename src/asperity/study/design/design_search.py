@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from asperity.joint_file.values import si_values
+from asperity.joint_file.si_tables import si_values
 from asperity.study.design.judgement import Judge, Judged
 
 #: Margin below zero (logarithm of the ratio to the limit) that still counts as met: what the search leaves behind.

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from asperity.joint_file.values import Values, numeric_keys, si_values
+from asperity.joint_file.si_tables import Values, numeric_keys, si_values
 from asperity.study.design.design_problem import Constraint, DesignProblem
 from asperity.study.design.scenarios import Scenarios, scenarios
 from asperity.study.quantities import QUANTITIES, at_level, quantities_and_slopes, quantities_at

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from asperity.errors import InputError, MissingExtraError, NoSolutionError
+from asperity.extras import install_command
 from asperity.precision import require_double_precision
 from asperity.study.design.design_problem import DesignProblem
 from asperity.study.design.judgement import Judge
@@ -29,7 +30,7 @@ def require_pymoo() -> None:
     for name in ("pymoo", "xarray"):
         if importlib.util.find_spec(name) is None:
             raise MissingExtraError(
-                f"a Pareto front needs {name}; install it with: pip install 'asperity[study]'"
+                f"a Pareto front needs the package '{name}', which is not installed; run: {install_command('study')}"
             )
 
 
@@ -132,7 +133,7 @@ def pareto_front(
         unit = kind.dimension.si_unit if kind.dimension is not None else kind.unit
         data[goal.name] = ("design", values[order, index], {"units": unit, "long_name": kind.label})
     for index, variable in enumerate(problem.variables):
-        from asperity.joint_file.values import key_at
+        from asperity.joint_file.si_tables import key_at
 
         unit = key_at(variable.path).dimension.si_unit
         taken = variable.from_unit(places[order, index])

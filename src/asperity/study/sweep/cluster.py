@@ -18,8 +18,8 @@ from asperity.errors import InputError
 from asperity.precision import use_double_precision
 from asperity.study.datasets import require
 from asperity.study.points import QUICK_POINTS
-from asperity.study.sweep.plan import Plan, block_results
 from asperity.study.sweep.store import unfinished_blocks, write_block
+from asperity.study.sweep.sweep_plan import Plan, block_results
 
 #: Blocks handed out ahead of each worker, so that none waits.
 _AHEAD = 2

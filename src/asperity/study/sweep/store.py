@@ -1,9 +1,9 @@
 """A sweep on disk: a Zarr store that is filled block by block and remembers which blocks are complete.
 
-Every block is one chunk of every array, and every chunk ends with its CRC-32C checksum, which Zarr verifies whenever it
-reads the chunk. When the data of a block are written, a mark of its own follows: an interrupted sweep continues with the
-blocks that have no mark, and a half-written block is written again. A chunk that a later accident deletes or changes is
-found by :func:`damaged_blocks`.
+Every block is one chunk of every array, and every chunk ends with its CRC-32C checksum, which Zarr verifies whenever
+it reads the chunk. When the data of a block are written, a mark follows: an interrupted sweep continues with the
+blocks that have no mark, and a half-written block is written again. A chunk that is deleted or changed later is found
+by :func:`damaged_blocks`.
 """
 
 from __future__ import annotations
@@ -32,14 +32,14 @@ from asperity.study.datasets import (
     result_attributes,
 )
 from asperity.study.parameters import Axis
-from asperity.study.sweep.plan import Plan
+from asperity.study.sweep.sweep_plan import Plan
 from asperity.writing import cannot_write, check_folder
 
 if TYPE_CHECKING:
     import xarray
 
 _PLAN, _MARKS = "asperity_sweep", "progress/finished"
-#: Counts the ways in which stores have been laid out; 2: with checksums, and with chunks of nothing but nan.
+#: Version of the layout of a store; 2: chunks have checksums and are written even if all values are nan.
 _FORMAT = 2
 
 
@@ -49,7 +49,7 @@ def prepare_store(path: str | Path, plan: Plan) -> list[int]:
     Parameters
     ----------
     path : str or Path
-        Where it is or shall be.
+        Folder of the store.
     plan : Plan
         The sweep.
 
@@ -61,7 +61,7 @@ def prepare_store(path: str | Path, plan: Plan) -> list[int]:
     Raises
     ------
     InputError
-        If something else is there already, or nothing can be written there.
+        If something else exists there already, or nothing can be written there.
     """
     folder = Path(path)
     if folder.exists():
@@ -126,7 +126,7 @@ def write_block(
 def _arrays(path: str, _made: tuple[int, int]) -> dict[str, Any]:
     """The arrays of a store, opened once in a process: to open them for each block costs as much as to write it."""
     group = _group(path, "r+")
-    # a chunk of nothing but nan is written like any other, so that a missing chunk is always an accident
+    # a chunk that is all nan is written like any other, so that a missing chunk always means damage
     with require("zarr").config.set({"array.write_empty_chunks": True}):
         return {name: group[name] for name in ("status", _MARKS, *json.loads(group.attrs[_PLAN])["results"])}
 
@@ -185,7 +185,8 @@ def damaged_blocks(path: str | Path, plan: Plan) -> list[int]:
     return [
         index
         for index in range(plan.block_count)
-        if index not in unfinished and not all(_intact(path, name, a, plan, index) for name, a in arrays.items())
+        if index not in unfinished
+        and not all(_intact(path, name, a, plan, index) for name, a in arrays.items())
     ]
 
 
@@ -282,7 +283,9 @@ def open_store(path: str | Path, *, verify: bool = True) -> xarray.Dataset:
         axes = tuple(Axis(**axis) for axis in stored["axes"])
         plan = Plan(stored["joint"], axes, tuple(stored["results"]), tuple(stored["block_shape"]))
         damaged = damaged_blocks(path, plan)
-        if damaged or not all(_same_values(_group(path, "r"), n, values) for n, _, values, _ in _coordinates(plan)):
+        if damaged or not all(
+            _same_values(_group(path, "r"), n, values) for n, _, values, _ in _coordinates(plan)
+        ):
             raise InputError(
                 f"{path}: {len(damaged)} of {plan.block_count} blocks are damaged or missing; the same sweep into this "
                 "store computes them again"
@@ -293,7 +296,7 @@ def open_store(path: str | Path, *, verify: bool = True) -> xarray.Dataset:
 
 
 def remove_store(path: str | Path) -> None:
-    """Delete a store that a sweep has made, and nothing else.
+    """Delete the store of a sweep, and nothing else.
 
     Parameters
     ----------
@@ -303,7 +306,7 @@ def remove_store(path: str | Path) -> None:
     Raises
     ------
     InputError
-        If it is no store of a sweep.
+        If it is not the store of a sweep.
     """
     if _plan_of(Path(path)) is None:
         raise InputError(f"{path}: this is not a sweep's store, so it is not deleted; choose another --out")
@@ -315,7 +318,7 @@ def _group(path: str | Path, mode: str) -> Any:
 
 
 def _plan_of(folder: Path) -> dict[str, Any] | None:
-    """What a store says about its sweep; None if it is no such store."""
+    """The description of its sweep in a store; None if it is not such a store."""
     if not (folder / "zarr.json").is_file():
         return None
     try:

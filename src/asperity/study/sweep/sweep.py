@@ -17,7 +17,6 @@ from asperity.study.datasets import common_attributes, coordinate, dataset
 from asperity.study.parameters import Axis
 from asperity.study.points import QUICK_POINTS
 from asperity.study.sweep.cluster import run_on_cluster
-from asperity.study.sweep.plan import Plan, block_results, make_plan
 from asperity.study.sweep.store import (
     open_store,
     prepare_store,
@@ -26,6 +25,7 @@ from asperity.study.sweep.store import (
     unfinished_blocks,
     write_block,
 )
+from asperity.study.sweep.sweep_plan import Plan, block_results, make_plan
 
 if TYPE_CHECKING:
     import xarray
@@ -34,7 +34,7 @@ if TYPE_CHECKING:
 IN_MEMORY_POINTS = 1_000_000
 #: The same limit on the size of its results [byte].
 IN_MEMORY_BYTES = 1_000_000_000
-#: Up to so many points the sweep stays in this process: local processes would take longer to start.
+#: Up to this number of points a sweep runs in this process: local processes would take longer to start.
 ONE_PROCESS_POINTS = 500_000
 
 #: Called with the points done so far and the points of the whole sweep.
@@ -61,10 +61,10 @@ def sweep(
     case : Case
         The joint file.
     axes : sequence of Axis
-        What is varied, one dimension each; :func:`asperity.study.parameters.parse_axis` reads them from text.
+        What is varied, a dimension for each; :func:`asperity.study.parameters.parse_axis` reads them from text.
     results : sequence of str
-        Results or groups of them, e.g. ``("stiffness", "gross_slip")``; ``("all",)`` for every one. What is not
-        asked for is not computed.
+        Results or groups of them, e.g. ``("stiffness", "gross_slip")``; ``("all",)`` for every one. Only
+        these are computed.
     store : str or Path, optional
         A Zarr store to stream to. An interrupted sweep with the same store continues where it stopped; what is already
         in it is verified, and computed again if it is damaged.
@@ -84,13 +84,13 @@ def sweep(
     Returns
     -------
     xarray.Dataset
-        One dimension an axis, named by its key; results in SI units; ``status`` 0 where a point is solved, a reason
+        A dimension for each axis, named by its key; results in SI units; ``status`` 0 where a point is solved, a reason
         elsewhere. Lazy if there is a store.
 
     Raises
     ------
     InputError
-        If the axes, the results or the store make no sense, or the sweep is too large for memory.
+        If the axes, the results or the store are not usable, or the sweep is too large for memory.
     PrecisionError
         If JAX is in single precision.
 

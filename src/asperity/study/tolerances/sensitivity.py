@@ -25,8 +25,8 @@ from asperity.joint.results import RESULTS, Solved
 from asperity.joint.status import STATUS_MEANINGS, UNBALANCED, joint_status
 from asperity.joint_file.build import joint_from_case, joint_from_values
 from asperity.joint_file.model import Case
-from asperity.joint_file.structure import table_structure
-from asperity.joint_file.values import NumericKey, numeric_keys, replace_values, si_values
+from asperity.joint_file.si_tables import NumericKey, numeric_keys, replace_values, si_values
+from asperity.joint_file.table_numbers import table_structure
 from asperity.precision import require_double_precision
 from asperity.study.datasets import common_attributes, require
 from asperity.study.parameters import long_name

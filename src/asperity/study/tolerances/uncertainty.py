@@ -17,7 +17,7 @@ from asperity.joint.results import RESULTS, chosen_results
 from asperity.joint.status import STATUS_NAMES
 from asperity.joint_file.distribution import FORMS, Distribution
 from asperity.joint_file.model import Case
-from asperity.joint_file.values import NumericKey, numeric_keys, si_values
+from asperity.joint_file.si_tables import NumericKey, numeric_keys, si_values
 from asperity.study.datasets import common_attributes, require
 from asperity.study.parameters import long_name
 from asperity.study.points import evaluate_points

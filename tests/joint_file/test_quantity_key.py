@@ -3,7 +3,7 @@ import math
 import pytest
 
 from asperity.errors import InputError
-from asperity.joint_file.key import Key
+from asperity.joint_file.quantity_key import Key
 from asperity.unit_table import Dimension
 
 RADIUS = Key(Dimension.LENGTH, 1e-3, 1e5, "mm")

@@ -9,7 +9,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from asperity.study.parameters import parse_axis
-from asperity.study.sweep.plan import Plan, block_shape, make_plan
+from asperity.study.sweep.sweep_plan import Plan, block_shape, make_plan
 
 
 @given(st.lists(st.integers(1, 12), min_size=1, max_size=4), st.integers(1, 200))

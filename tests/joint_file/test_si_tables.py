@@ -3,7 +3,7 @@ import pytest
 
 from asperity.errors import InputError
 from asperity.joint_file.reader import parse_case
-from asperity.joint_file.values import check_values, key_at, numeric_keys, replace_values, si_values
+from asperity.joint_file.si_tables import check_values, key_at, numeric_keys, replace_values, si_values
 
 
 def test_the_tables_of_the_file_in_si(example_case):

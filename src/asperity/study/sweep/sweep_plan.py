@@ -1,4 +1,4 @@
-"""What a sweep is: a joint file, axes, results; and how its grid is cut into blocks."""
+"""The plan of a sweep: joint file, axes and results, and the division of its grid into blocks."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ import numpy as np
 
 from asperity.joint.results import RESULTS, chosen_results
 from asperity.joint_file.model import Case
-from asperity.joint_file.values import Values, si_values
+from asperity.joint_file.si_tables import Values, si_values
 from asperity.study.parameters import Axis, check_axes
 from asperity.study.points import evaluate_points
 
@@ -24,14 +24,14 @@ _BLOCK_NUMBERS = 8_000_000
 
 @dataclass(frozen=True)
 class Plan:
-    """A sweep as plain data; pickles, and is written beside its results.
+    """A sweep as plain data; it can be pickled and is stored with the results.
 
     Parameters
     ----------
     values : dict
         Tables of the joint file in SI units.
     axes : tuple of Axis
-        What is varied; one dimension each.
+        What is varied; a dimension for each.
     results : tuple of str
         Names of :data:`asperity.joint.results.RESULTS`.
     block_shape : tuple of int
@@ -101,7 +101,7 @@ class Plan:
         return self.points * (1 + 8 * sum(5 if RESULTS[name].per_contact else 1 for name in self.results))
 
     def as_dict(self) -> dict[str, Any]:
-        """Everything that decides the numbers, as plain data."""
+        """Everything that the results depend on, as plain data."""
         return json.loads(
             json.dumps(
                 {
@@ -117,7 +117,7 @@ class Plan:
 def make_plan(
     case: Case, axes: Sequence[Axis], results: Sequence[str], *, block_points: int | None = None
 ) -> Plan:
-    """Check what is asked for, and cut the grid into blocks.
+    """Check a sweep and divide its grid into blocks.
 
     Parameters
     ----------
@@ -138,7 +138,7 @@ def make_plan(
     Raises
     ------
     InputError
-        If the axes or the results make no sense.
+        If the axes or the results are not usable.
     """
     check_axes(case, axes)
     names = chosen_results(results)

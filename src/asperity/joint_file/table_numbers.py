@@ -7,7 +7,7 @@ import json
 from collections.abc import Iterable, Iterator
 from typing import Any
 
-from asperity.joint_file.values import Values
+from asperity.joint_file.si_tables import Values
 
 Numbers = tuple[Any, ...]
 

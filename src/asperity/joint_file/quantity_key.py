@@ -53,7 +53,7 @@ class Key:
     open_lower, open_upper : bool
         Whether the bound itself is outside.
     whole : bool
-        Whether only whole numbers make sense.
+        Whether only whole numbers are allowed.
     example : str
         What to quote in messages; the example of the dimension if empty.
     """
@@ -120,7 +120,7 @@ class Key:
         Parameters
         ----------
         written : object
-            What the file says: text with a unit, with or without a tolerance; a number if dimensionless.
+            The value in the file: text with a unit, with or without a tolerance; a number if dimensionless.
 
         Returns
         -------
@@ -130,7 +130,7 @@ class Key:
         Raises
         ------
         InputError
-            If it is no such quantity, or outside the allowed range.
+            If it is not such a quantity, or outside the allowed range.
         """
         if isinstance(written, str) and any(sign in written for sign in ("±", "+-", "+/-", "+ -", "+ /")):
             text, distribution = split_distribution(written)
