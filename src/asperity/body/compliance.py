@@ -162,9 +162,7 @@ class _Modes(NamedTuple):
     sine: Array
 
 
-def _added_part(
-    wall: Wall, angle: Array, normal: Array, shear: Array, copies: int, mode_count: int
-) -> _Sums:
+def _added_part(wall: Wall, angle: Array, normal: Array, shear: Array, copies: int, mode_count: int) -> _Sums:
     """What the other rim adds, over modes n >= 2 that are multiples of the number of copies, one after the other."""
     first, step = float(max(copies, 2)), float(copies)
     rate = wall.ratio**wall.side

@@ -115,4 +115,6 @@ class Annulus(eqx.Module):
     def __check_init__(self) -> None:
         """Refuse a rim that is neither of the two."""
         if self.loaded_rim not in get_args(LoadedRim):
-            raise InputError(f"loaded rim {self.loaded_rim!r} is not known; choose from {get_args(LoadedRim)}")
+            raise InputError(
+                f"loaded rim {self.loaded_rim!r} is not known; choose from {get_args(LoadedRim)}"
+            )
