@@ -12,14 +12,15 @@ from pathlib import Path
 
 import pytest
 
+import asperity.body
 import asperity.contact
 import asperity.drive
 import asperity.materials
 
 ROOT = Path(__file__).parents[1]
 DOCS = ROOT / "docs"
-FORMULA_ROOMS = (asperity.contact, asperity.drive)
-PAPER_NUMBERS = {str(n) for n in range(1, 31)} | {f"A{n}" for n in range(1, 10)}
+FORMULA_ROOMS = (asperity.body, asperity.contact, asperity.drive)
+PAPER_NUMBERS = {str(n) for n in range(1, 31)} | {f"A{n}" for n in range(1, 10)} | {f"E{n}" for n in range(1, 5)}
 
 
 def _formula_modules():
@@ -91,7 +92,7 @@ def _rows(page):
 
 def _numbers(cell):
     """Equation numbers in a cell; (1)–(5) is a range."""
-    found = set(re.findall(r"\((A?\d+)\)", cell))
+    found = set(re.findall(r"\(([AE]?\d+)\)", cell))
     for first, last in re.findall(r"\((\d+)\)–\((\d+)\)", cell):
         found |= {str(n) for n in range(int(first), int(last) + 1)}
     return found

@@ -98,7 +98,8 @@ def test_uniform_pressure_on_a_disc():
 # --- rings
 
 
-WALLS = [  # wall, all six free, all six held [m/N], by sums of 40 000 modes, 2.0e-12 short; Weber and Banaschek's spring
+# wall; all six loads, free and held, by sums of 40 000 modes, which are 2.0e-12 short; Weber and Banaschek [m/N]
+WALLS = [
     (4e-3, 2.21915e-7, 2.20987e-9, 2.1147e-9),
     (10e-3, 2.43827e-8, 2.71043e-9, 2.6301e-9),
     (60e-3, 4.93787e-9, 3.81412e-9, 3.6379e-9),

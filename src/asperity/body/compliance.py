@@ -8,8 +8,9 @@ A contact of half-width :math:`a_i` loads the rim, and feels its displacement, w
     C^{rr}_{ij} = \frac{1}{\pi R L}\left[\tfrac12 H^{rr}_0 + \sum_{n\ge1} J_0\!\left(\frac{n a_i}R\right)
     J_0\!\left(\frac{n a_j}R\right) H^{rr}_n \cos n\Delta\right],
 
-:math:`C^{tt}` likewise, and :math:`C^{tr}_{ij} = C^{rt}_{ji}` with :math:`H^{tr}_n \sin n\Delta`. The part of :math:`H_n` that falls like
-:math:`1/n` is summed in closed form (:mod:`asperity.body.rim_kernel`), the rest mode by mode.
+:math:`C^{tt}` likewise, and :math:`C^{tr}_{ij} = C^{rt}_{ji}` with :math:`H^{tr}_n \sin n\Delta`. The part of
+:math:`H_n` that falls like :math:`1/n` is summed in closed form (:mod:`asperity.body.rim_kernel`), the rest mode by
+mode.
 """
 
 from __future__ import annotations
@@ -27,10 +28,9 @@ from asperity.body.annulus_modes import (
     Wall,
     added_compliance,
     support_weights,
-    translation_compliance,
-    uniform_compliance,
 )
 from asperity.body.punch import LARGEST_PUNCH_ARGUMENT, distance_moments, punch_factor
+from asperity.body.rigid_modes import translation_compliance, uniform_compliance
 from asperity.body.rim_kernel import RimSums, own_sums, separated_sums
 from asperity.body.shapes import Annulus, Disc, kolosov_constant
 from asperity.materials import shear_modulus

@@ -1,8 +1,8 @@
 r"""Springs of a machine whose bodies are elastic: one compliance matrix over all its contacts.
 
 A contact presses with :math:`N` on both bodies and drags them with :math:`T` in opposite directions. On every body the
-components outward and counter-clockwise of these forces have one common sign, so that the matrices of the bodies simply add up
-where two contacts share a body:
+outward and counter-clockwise components of these forces have one common sign, so that the matrices of the bodies simply
+add up where contacts share a body:
 
 .. math:: C_{ij} = \sum_{\text{bodies } b \ni i, j} C^{(b)}_{ij}
 
@@ -94,8 +94,51 @@ def coupled_compliance(
             copies=member.copies,
             mode_count=mode_count,
         )
-        place = np.zeros((2 * half_widths.shape[0], 2 * pick.size))
-        place[np.concatenate([pick, pick + half_widths.shape[0]]), np.arange(2 * pick.size)] = 1.0
-        spread = jnp.einsum("ai,ij...,bj->ab...", place, own, place)
-        total = total + spread
+        places = _places(pick, half_widths.shape[0])
+        total = total + jnp.einsum("ai,ij...,bj->ab...", places, own, places)
     return total
+
+
+def motion_matrix(*, member: BodyInMachine, contact_count: int) -> Array:
+    r"""Elongations of the springs under a rigid motion of one body: its columns of B in :math:`B q - C f = 0`.
+
+    .. math:: e_i = \pm(x\cos\varphi_i + y\sin\varphi_i), \qquad s_i = \pm(y\cos\varphi_i - x\sin\varphi_i + R\psi)
+
+    with plus where the contact lies on the body's outer, minus where it lies on its inner rim.
+
+    Parameters
+    ----------
+    member : BodyInMachine
+        The body.
+    contact_count : int
+        Number m of the contacts of the sector.
+
+    Returns
+    -------
+    Array
+        Elongations per translation x, translation y and arc R psi, shape (2m, 3, ...) [-]. For a body with copies only
+        the last column keeps the sectors alike.
+
+    References
+    ----------
+    Equation (E3) of :doc:`/equations`.
+    """
+    angle = jnp.asarray(member.contact_angles)
+    inner = isinstance(member.body, Annulus) and member.body.loaded_rim == "inner"
+    sign = -1.0 if inner else 1.0
+    cos, sin = sign * jnp.cos(angle), sign * jnp.sin(angle)
+    own = jnp.concatenate(
+        [
+            jnp.stack([cos, sin, jnp.zeros_like(cos)], axis=1),
+            jnp.stack([-sin, cos, jnp.full_like(cos, sign)], axis=1),
+        ]
+    )
+    pick = np.array(member.contacts)
+    return jnp.einsum("ai,ij...->aj...", _places(pick, contact_count), own)
+
+
+def _places(pick: np.ndarray, contact_count: int) -> np.ndarray:
+    """Matrix with a one for every component of a body's contacts in the list of the sector."""
+    places = np.zeros((2 * contact_count, 2 * pick.size))
+    places[np.concatenate([pick, pick + contact_count]), np.arange(2 * pick.size)] = 1.0
+    return places

@@ -1,4 +1,4 @@
-r"""The singular part of every rim in closed form: sums of :math:`\cos n\theta/(n\pm1)` and :math:`\sin n\theta/(n\pm1)`.
+r"""The singular part of every rim in closed form: sums of :math:`e^{in\theta}/(n\pm1)`.
 
 With :math:`z = e^{i\theta}` and :math:`L = -\ln(1-z)`,
 

@@ -1,9 +1,9 @@
 r"""Hoop stress of an annulus at both rims, away from the contacts: membrane, bending and everything between.
 
-The stress at a rim follows from the same fields as the displacement (:mod:`asperity.body.annulus_modes`), since on every
-circle :math:`\sigma_r + \sigma_\theta` is twice the stress :math:`\sigma_+` of the set that decays from the loaded rim plus
-twice :math:`\sigma_-` of the other. On the loaded rim a radial point load leaves no hoop stress of its own beside it, a
-tangential one :math:`2F/(\pi L d)` at the distance d; these parts are summed in closed form.
+The stress at a rim follows from the same fields as the displacement (:mod:`asperity.body.annulus_modes`), since on
+every circle :math:`\sigma_r + \sigma_\theta` is twice the stress :math:`\sigma_+` of the set that decays from the
+loaded rim plus twice :math:`\sigma_-` of the other. On the loaded rim a radial point load leaves no hoop stress of its own
+beside it, a tangential one :math:`2F/(\pi L d)` at the distance d; these parts are summed in closed form.
 """
 
 from __future__ import annotations
@@ -14,8 +14,9 @@ from typing import NamedTuple
 import jax.numpy as jnp
 from jax import Array
 
-from asperity.body.annulus_modes import ModeField, Wall, mode_field, translation_field, uniform_field
+from asperity.body.annulus_modes import ModeField, Wall, mode_field
 from asperity.body.compliance import loaded_radius, wall_of
+from asperity.body.rigid_modes import translation_field, uniform_field
 from asperity.body.shapes import Annulus
 from asperity.types import Real
 
@@ -47,7 +48,7 @@ def _mode_stress(wall: Wall, field: ModeField, plus: Real, minus: Real) -> HoopS
     back_p = d2_p * (field.answer.pp * x_p + field.answer.pm * x_m)
     back_m = d2_m * (field.answer.mp * x_p + field.answer.mm * x_m)
     other = (2.0 * (far_p + back_m) - 0.5 * (far_p + far_m + back_p + back_m)) / wall.ratio
-    return HoopStress(loaded, other)
+    return HoopStress(jnp.asarray(loaded), jnp.asarray(other))
 
 
 def _translation_stress(wall: Wall, plus: float, minus: float) -> HoopStress:
