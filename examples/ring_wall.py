@@ -16,7 +16,7 @@ from matplotlib import rc_context
 from matplotlib.figure import Figure
 
 from asperity.body.compliance import modes_needed
-from asperity.body.coupling import BodyInMachine, coupled_compliance, motion_matrix
+from asperity.body.coupling import BodyInMachine, coupled_compliance
 from asperity.body.shapes import Annulus, Disc
 from asperity.contact.hertz_line import (
     effective_radius,
@@ -25,7 +25,8 @@ from asperity.contact.hertz_line import (
     ring_secant_compliance,
     roller_secant_compliance,
 )
-from asperity.drive.geometry import DriveGeometry, angles, speed_ratio
+from asperity.drive.assembly import IDEAL_STRUCTURE, assembly_stiffness
+from asperity.drive.geometry import DriveGeometry, angles, triangle
 from asperity.materials import contact_modulus
 from asperity.precision import use_compilation_cache, use_double_precision
 from asperity.zou2025.style import ACCENT, MARK, MUTED, STYLE
@@ -39,11 +40,17 @@ HOUSING = 5e11
 PRINTED = np.array([4.0, 6.0, 10.0, 15.0, 20.0, 30.0, 60.0])
 
 
+def directions() -> tuple[float, float, float]:
+    """Polar angle of a loading roller, direction from the planet to it, and their difference [rad]."""
+    found = angles(triangle(GEOMETRY))
+    return float(found.polar), float(found.direction), float(found.wedge)
+
+
 def rest_forces(preload: float) -> np.ndarray:
     """Normal forces of sp, pwr, pwl, wro, wlo at rest [N]."""
-    polar, direction = float(angles(GEOMETRY).polar), float(angles(GEOMETRY).direction)
+    _, direction, wedge = directions()
     planet = preload / (2.0 * math.cos(direction))
-    ring = planet * math.cos(direction - polar)
+    ring = planet * math.cos(wedge)
     return np.array([preload, planet, planet, ring, ring])
 
 
@@ -71,7 +78,7 @@ def half_widths(forces: np.ndarray) -> np.ndarray:
 
 def bodies(wall: np.ndarray | None, support: float = 0.0, state: str = "plane_strain") -> list[BodyInMachine]:
     """Sun, planet, right and left roller, and the ring unless its wall is None; planet above the sun, y upwards."""
-    polar, direction = float(angles(GEOMETRY).polar), float(angles(GEOMETRY).direction)
+    polar, direction, _ = directions()
     up = 0.5 * math.pi
 
     def disc(radius: float) -> Disc:
@@ -122,26 +129,19 @@ def springs(widths: np.ndarray, wall: float) -> np.ndarray:
     return np.array([found[0], found[1], found[1], outside, outside])
 
 
-def assembled_stiffness(matrix: np.ndarray) -> float:
-    """Stiffness at the output: B q - C f = 0, B^T f = g; pins rigid along the push, free across it [N·m/rad]."""
-    polar = float(angles(GEOMETRY).polar)
-    motions = np.concatenate(
-        [np.asarray(motion_matrix(member=member, contact_count=5))[..., 0] for member in bodies(None)], axis=1
-    )[:, 2:]  # the sun only turns
-    pins = np.zeros((2, 10))
-    pins[0, 4:6] = (
-        -math.cos(polar),
-        math.sin(polar),
-    )  # of the right roller, towards the left one along the rim
-    pins[1, 7:9] = math.cos(polar), math.sin(polar)
-    system = np.zeros((22, 22))
-    system[:10, :10], system[:10, 12:] = -matrix, motions
-    system[10:12, 12:] = pins
-    system[12:, :10], system[12:, 10:12] = motions.T, pins.T
-    load = np.zeros(22)
-    load[12] = 1.0
-    arc = np.linalg.solve(system, load)[12]
-    return PLANETS * GEOMETRY.sun_radius**2 / arc * float(speed_ratio(GEOMETRY)) ** 2
+def assembled_stiffness(matrices: np.ndarray) -> np.ndarray:
+    """Stiffness at the output of joints with these matrices, shape (10, 10, ...) [N·m/rad]."""
+    diagonal = np.einsum("iik->ik", matrices)
+    coupling = matrices - np.eye(10)[..., None] * diagonal
+    assembly = assembly_stiffness(
+        geometry=GEOMETRY,
+        sides=triangle(GEOMETRY),
+        normal_stiffness=1.0 / jnp.asarray(diagonal[:5]),
+        tangential_stiffness=1.0 / jnp.asarray(diagonal[5:]),
+        structure=IDEAL_STRUCTURE,
+        coupling=jnp.asarray(coupling),
+    )
+    return np.asarray(assembly.stiffness.output)
 
 
 def draw(walls: np.ndarray, curves: dict[str, np.ndarray]) -> Figure:
@@ -165,8 +165,8 @@ def draw(walls: np.ndarray, curves: dict[str, np.ndarray]) -> Figure:
 
 def stiffness_over_wall(walls: np.ndarray, support: float) -> np.ndarray:
     """Stiffness at the output for every wall [N·m/rad]."""
-    matrices = compliance(bodies(walls, support), half_widths(rest_forces(1000.0)), float(walls.min()))
-    return np.array([assembled_stiffness(matrix) for matrix in np.moveaxis(matrices, -1, 0)])
+    widths = half_widths(rest_forces(1000.0))
+    return assembled_stiffness(compliance(bodies(walls, support), widths, float(walls.min())))
 
 
 def main(picture: Path = PICTURE) -> dict[str, np.ndarray]:
@@ -174,9 +174,9 @@ def main(picture: Path = PICTURE) -> dict[str, np.ndarray]:
     use_compilation_cache()
     walls = 1e-3 * np.unique(np.concatenate([np.geomspace(4.0, 60.0, 40), PRINTED]))
     widths = half_widths(rest_forces(1000.0))
-    diagonal = [np.diag(np.tile(springs(widths, wall), 2)) for wall in walls]
+    diagonal = np.stack([np.diag(np.tile(springs(widths, wall), 2)) for wall in walls], axis=-1)
     curves = {
-        "springs (Johnson, Weber–Banaschek)": np.array([assembled_stiffness(matrix) for matrix in diagonal]),
+        "springs (Johnson, Weber–Banaschek)": assembled_stiffness(diagonal),
         "ring held without displacement": stiffness_over_wall(walls, math.inf),
         "ring on a housing of 5·10¹¹ N/m³": stiffness_over_wall(walls, HOUSING),
         "ring with a free rim": stiffness_over_wall(walls, 0.0),

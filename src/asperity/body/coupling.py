@@ -6,7 +6,8 @@ add up where contacts share a body:
 
 .. math:: C_{ij} = \sum_{\text{bodies } b \ni i, j} C^{(b)}_{ij}
 
-for normal and tangential components. With it the assembly is :math:`B q - C f = 0`, :math:`B^\mathsf{T} f = g`.
+for normal and tangential components. With it the assembly is :math:`B q - C f = 0`, :math:`B^\mathsf{T} f = g`;
+:func:`asperity.drive.assembly.assembly_stiffness` takes its diagonal as springs and the rest as their coupling.
 """
 
 from __future__ import annotations
@@ -97,44 +98,6 @@ def coupled_compliance(
         places = _places(pick, half_widths.shape[0])
         total = total + jnp.einsum("ai,ij...,bj->ab...", places, own, places)
     return total
-
-
-def motion_matrix(*, member: BodyInMachine, contact_count: int) -> Array:
-    r"""Elongations of the springs under a rigid motion of one body: its columns of B in :math:`B q - C f = 0`.
-
-    .. math:: e_i = \pm(x\cos\varphi_i + y\sin\varphi_i), \qquad s_i = \pm(y\cos\varphi_i - x\sin\varphi_i + R\psi)
-
-    with plus where the contact lies on the body's outer, minus where it lies on its inner rim.
-
-    Parameters
-    ----------
-    member : BodyInMachine
-        The body.
-    contact_count : int
-        Number m of the contacts of the sector.
-
-    Returns
-    -------
-    Array
-        Elongations per translation x, translation y and arc R psi, shape (2m, 3, ...) [-]. For a body with copies only
-        the last column keeps the sectors alike.
-
-    References
-    ----------
-    Equation (E3) of :doc:`/equations`.
-    """
-    angle = jnp.asarray(member.contact_angles)
-    inner = isinstance(member.body, Annulus) and member.body.loaded_rim == "inner"
-    sign = -1.0 if inner else 1.0
-    cos, sin = sign * jnp.cos(angle), sign * jnp.sin(angle)
-    own = jnp.concatenate(
-        [
-            jnp.stack([cos, sin, jnp.zeros_like(cos)], axis=1),
-            jnp.stack([-sin, cos, jnp.full_like(cos, sign)], axis=1),
-        ]
-    )
-    pick = np.array(member.contacts)
-    return jnp.einsum("ai,ij...->aj...", _places(pick, contact_count), own)
 
 
 def _places(pick: np.ndarray, contact_count: int) -> np.ndarray:

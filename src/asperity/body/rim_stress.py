@@ -2,8 +2,8 @@ r"""Hoop stress of an annulus at both rims, away from the contacts: membrane, be
 
 The stress at a rim follows from the same fields as the displacement (:mod:`asperity.body.annulus_modes`), since on
 every circle :math:`\sigma_r + \sigma_\theta` is twice the stress :math:`\sigma_+` of the set that decays from the
-loaded rim plus twice :math:`\sigma_-` of the other. On the loaded rim a radial point load leaves no hoop stress of its own
-beside it, a tangential one :math:`2F/(\pi L d)` at the distance d; these parts are summed in closed form.
+loaded rim plus twice :math:`\sigma_-` of the other. On the loaded rim a radial point load leaves no hoop stress of its
+own beside it, a tangential one :math:`2F/(\pi L d)` at the distance d; these parts are summed in closed form.
 """
 
 from __future__ import annotations
