@@ -12,14 +12,17 @@ from pathlib import Path
 
 import pytest
 
+import asperity.body
 import asperity.contact
 import asperity.drive
 import asperity.materials
 
 ROOT = Path(__file__).parents[1]
 DOCS = ROOT / "docs"
-FORMULA_ROOMS = (asperity.contact, asperity.drive)
-NUMBERS = {str(n) for n in range(1, 31)} | {f"A{n}" for n in range(1, 10)} | {f"B{n}" for n in range(1, 10)}
+FORMULA_ROOMS = (asperity.body, asperity.contact, asperity.drive)
+#: Equations of the paper, and our own: how many of each letter.
+OURS = {"A": 9, "B": 9, "E": 4, "M": 3}
+NUMBERS = {str(n) for n in range(1, 31)} | {f"{x}{n}" for x, count in OURS.items() for n in range(1, count + 1)}
 
 
 def _formula_modules():
@@ -91,7 +94,7 @@ def _rows(page):
 
 def _numbers(cell):
     """Equation numbers in a cell; (1)–(5) is a range."""
-    found = set(re.findall(r"\(([AB]?\d+)\)", cell))
+    found = set(re.findall(r"\(([ABEM]?\d+)\)", cell))
     for first, last in re.findall(r"\((\d+)\)–\((\d+)\)", cell):
         found |= {str(n) for n in range(int(first), int(last) + 1)}
     return found
