@@ -216,6 +216,25 @@ def test_no_power_law_is_refused(kind):
         fit(1e-6 * z[None])
 
 
+@pytest.mark.parametrize(
+    ("limits", "says"),
+    [
+        ({"shortest_wavelength": 0.0}, "positive length"),
+        ({"longest_wavelength": -1e-6}, "positive length"),
+        ({"shortest_wavelength": np.inf}, "positive length"),
+        ({"shortest_wavelength": 2e-6, "longest_wavelength": 1e-6}, "must be below the longest"),
+    ],
+)
+def test_limits_of_the_band_are_checked(limits, says):
+    with pytest.raises(InputError, match=says):
+        fit(noise(1.5, np.random.default_rng(0), count=1, points=256), **limits)
+
+
+def test_heights_beyond_measure_are_refused():
+    with pytest.raises(InputError, match="too large"):
+        fit(1e300 * np.random.default_rng(0).standard_normal((1, 256)))
+
+
 def test_arguments_are_checked():
     with pytest.raises(InputError, match="estimator"):
         fit(np.zeros((1, 100)), "guess")

@@ -72,12 +72,12 @@ def test_figure_of_a_fit_and_of_a_refusal(tmp_path):
         figure.savefig(tmp_path / f"{name}.png")
 
 
-def test_lines_are_told_from_noise():
+def test_lines_and_noise_are_distinguished():
     x = np.arange(8192) / 8192
     comb = sum(1.5 ** (-0.5 * n) * np.cos(2 * np.pi * 1.5**n * x + n) for n in range(20))
     assert line_concentration(profile=comb, frequency_ratio=1.5) > 0.95
     assert line_concentration(profile=profile(5).heights, frequency_ratio=1.5) < 0.6
-    with pytest.raises(NoSolutionError, match="not a comb"):
+    with pytest.raises(NoSolutionError, match="not a series of lines"):
         fractal_fit(
             profiles=profile(5).heights[None],
             spacing=1e-7,

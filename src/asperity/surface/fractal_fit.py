@@ -21,10 +21,10 @@ from asperity.surface.structure_line import structure_line
 #: ``automatic`` takes ``lines`` where the spectrum is a Weierstrass-Mandelbrot comb, else ``likelihood``.
 ESTIMATORS = ("automatic", "likelihood", "lines", "structure_function", "power_spectrum")
 _BINS_PER_DECADE = 20
+#: Largest span of heights whose spectrum can be formed in double precision [m].
+LARGEST_SPAN = 1e50
 #: Standard errors by which D must lie inside 1 .. 2.
 CERTAIN = 1.96
-#: Standard errors by which a roll-off must differ from none to be reported.
-SIGNIFICANT = 3.0
 
 
 @dataclass(frozen=True)
@@ -147,12 +147,23 @@ def fractal_fit(
         raise InputError(f"there is no estimator '{estimator}'; known: {', '.join(ESTIMATORS)}")
     if not (frequency_ratio > 1.0 and math.isfinite(frequency_ratio)):
         raise InputError(f"the frequency ratio gamma is {frequency_ratio}; it must be above 1")
+    limits = (shortest_wavelength, longest_wavelength)
+    if any(limit is not None and not (limit > 0.0 and math.isfinite(limit)) for limit in limits):
+        raise InputError(f"the limits of the band are {limits} m; a wavelength must be a positive length")
+    if None not in limits and not shortest_wavelength < longest_wavelength:  # type: ignore[operator]
+        raise InputError(
+            f"the shortest wavelength, {shortest_wavelength} m, must be below the longest, "
+            f"{longest_wavelength} m"
+        )
     if profiles.ndim != 2 or profiles.shape[1] < 64:
         raise NoSolutionError(
-            f"profiles of {profiles.shape[-1]} points are too short for a fractal dimension; 64 or "
-            f"more are needed"
+            f"profiles of {profiles.shape[-1]} points are too short for a fractal dimension; 64 or more are "
+            "needed"
         )
-    if np.ptp(profiles) == 0.0:
+    span = float(np.ptp(profiles))
+    if span > LARGEST_SPAN:
+        raise InputError(f"the heights span {span:.3g} m, which is too large; check their unit")
+    if span < 1.0 / LARGEST_SPAN:
         raise NoSolutionError("all heights are equal: there is no roughness to measure")
     if estimator in ("automatic", "lines"):
         lines = _from_lines(profiles, spacing, frequency_ratio)
@@ -160,9 +171,8 @@ def fractal_fit(
             return lines
         if estimator == "lines":
             raise NoSolutionError(
-                f"the spectrum is not a comb of lines at f0 * {frequency_ratio:g}^n with amplitudes "
-                f"of a power law; "
-                "use the estimator 'likelihood' for a continuous spectrum"
+                f"the spectrum is not a series of lines at f0 * {frequency_ratio:g}^n with amplitudes of a "
+                "power law; use the estimator 'likelihood' for a continuous spectrum"
             )
     step = known_height_step if known_height_step is not None else height_step(profiles=profiles)
     noise = quantisation_noise_density(step=step, spacing=spacing) if step is not None else 0.0
@@ -183,13 +193,12 @@ def fractal_fit(
         else resolved_frequency(profiles=profiles, step=step, spacing=spacing),
     )
     fit = _accepted(search, step)
-    m, c = fit.roll_off_exponent, fit.roll_off
     common = {
         "frequency_ratio": frequency_ratio,
         "profiles": profiles.shape[0],
         "points": profiles.shape[1],
         "noise_density": max(fit.floor if fit.floor > CERTAIN * fit.floor_error else 0.0, noise),
-        "roll_off_wavelength": c ** (-1.0 / m) if c > SIGNIFICANT * fit.roll_off_error else None,
+        "roll_off_wavelength": fit.roll_off_wavelength,
         "height_step": step,
         "misfit": fit.misfit,
         "reduced_chi_square": fit.chi_square / fit.degrees,

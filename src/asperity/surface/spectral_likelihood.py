@@ -119,6 +119,14 @@ class SpectralFit:
         return low, high
 
     @property
+    def roll_off_wavelength(self) -> float | None:
+        """Wavelength of the roll-off [m], if the band contains it and its standard error is below a quarter."""
+        m, c = self.roll_off_exponent, self.roll_off
+        if c <= 0.0 or self.roll_off_error > 0.25 * m * c or self.bend(np.asarray(self.low)) > 0.5:
+            return None
+        return float(c ** (-1.0 / m))
+
+    @property
     def decades(self) -> float:
         """Width of the usable band [decades]."""
         low, high = self.usable_band
@@ -188,7 +196,7 @@ def fit_spectrum(
         if misfit_square == 0.0 or misfit_square > HOPELESS_MISFIT**2:
             break
         theta, converged = _maximise(model, theta, data, 1.0 / (1.0 / nu + misfit_square))
-    residual, jacobian = model.residual(theta, data)
+    _, jacobian = model.residual(theta, data)
     covariance = max(
         (
             _inverse(jacobian, 1.0 / (1.0 / nu + misfit_square)),
