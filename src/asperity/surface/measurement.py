@@ -1,4 +1,4 @@
-"""The measurement document: D, G and their uncertainty as JSON in SI units, written and read back."""
+"""The measurement document: D, G and their uncertainty as JSON in SI units, written and read."""
 
 from __future__ import annotations
 
@@ -73,7 +73,7 @@ class SurfaceMeasurement(eqx.Module):
 
 
 def surface_measurement(*, fit: FractalFit, source: str) -> SurfaceMeasurement:
-    """The measurement that a fit amounts to."""
+    """The measurement that corresponds to a fit."""
     return SurfaceMeasurement(
         fractal_dimension=jnp.asarray(fit.fractal_dimension, dtype=jnp.float64),
         fractal_roughness=jnp.asarray(fit.fractal_roughness, dtype=jnp.float64),
@@ -88,7 +88,7 @@ def surface_measurement(*, fit: FractalFit, source: str) -> SurfaceMeasurement:
 
 
 def measurement_document(*, measurement: SurfaceMeasurement) -> dict[str, Any]:
-    """The measurement as plain numbers and words, units in the names, ready for JSON."""
+    """The measurement as plain numbers and text for JSON, units in the names."""
     interval = measurement.interval(confidence=CONFIDENCE)
     return {
         "schema": SCHEMA,

@@ -166,7 +166,7 @@ def _data_block(lines: list[str], decimal: str, path: Path) -> tuple[int, str | 
         if sample and all(re.fullmatch(r"[-+]?\d+,\d+", line) for line in sample):
             raise InputError(
                 f"{path.name}: '{sample[-1]}' may be one number with a decimal comma or two whole numbers; "
-                "say which (--decimal comma or --decimal point)"
+                "choose (--decimal comma or --decimal point)"
             )
     for start in range(min(len(lines), _HEADER_LINES)):
         block = [line for line in lines[start : start + 8] if line.strip()][:4]
@@ -197,7 +197,7 @@ def _table(
 
 
 def _table_with_gaps(body: list[str], separator: str | None, first: int, path: Path) -> NDArray[np.float64]:
-    """The slow way: empty fields and the usual words for a missing value become NaN, all else is an error."""
+    """Line by line: empty fields and the usual marks of a missing value become NaN, all else is an error."""
     missing = re.compile(_MISSING + r"|\s*")
     width = len(body[0].split(separator))
     rows = np.full((len(body), width), np.nan)

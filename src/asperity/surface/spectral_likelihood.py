@@ -38,7 +38,7 @@ LEAST_FOLDING_EXPONENT = 1.02
 #: The power law is usable where the departures change the density by less than this factor [-].
 LARGEST_DEPARTURE = 2.0
 #: Misfit of ln P beyond which no further care is taken of the weights [-].
-HOPELESS_MISFIT = 1.0
+HOPELESS_MISFIT = 0.4
 #: Parameters: D, ln level, roll-off c, white part n.
 PARAMETERS = 4
 #: Iterations, trials of damping in each, and the change of the log-likelihood that ends them.
