@@ -26,7 +26,7 @@ from asperity.contact.fractal import Surface
 from asperity.drive.assembly import RIGID_SUPPORTS
 from asperity.drive.geometry import DriveGeometry
 from asperity.drive.mechanism import Bearings
-from asperity.joint import Bodies, Joint, evaluate
+from asperity.joint.evaluation import Bodies, Joint, evaluate
 from asperity.materials import Material
 from asperity.precision import use_double_precision
 

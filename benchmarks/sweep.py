@@ -25,9 +25,9 @@ RESULTS = {
 
 
 def plan_of(points, names):
-    from asperity.case.reader import read_case
+    from asperity.joint_file.reader import read_case
     from asperity.study.parameters import parse_axis
-    from asperity.study.plan import make_plan
+    from asperity.study.sweep.plan import make_plan
 
     n = max(round(points**0.25), 2)
     axes = [
@@ -44,7 +44,7 @@ def bare(plan, indices):
     import os
 
     os.environ["JAX_ENABLE_X64"] = "1"
-    from asperity.study.plan import block_results
+    from asperity.study.sweep.plan import block_results
 
     block_results(plan, plan.block(0), quick=False)
     start = time.perf_counter()
@@ -56,7 +56,7 @@ def bare(plan, indices):
 def timed_bare(plan, workers):
     import os
 
-    from asperity.study.cluster import worker_environment
+    from asperity.study.sweep.cluster import worker_environment
 
     os.environ.update(worker_environment())  # the pool's children inherit it
     shares = [list(range(plan.block_count))[k::workers] for k in range(workers)]
@@ -66,8 +66,8 @@ def timed_bare(plan, workers):
 
 def timed_sweep(plan, workers, folder):
     """Seconds from the first finished block to the last, scaled to all blocks, and from start to end."""
-    from asperity.study.cluster import run_on_cluster
-    from asperity.study.store import open_store, prepare_store
+    from asperity.study.sweep.cluster import run_on_cluster
+    from asperity.study.sweep.store import open_store, prepare_store
 
     store = Path(folder) / f"{time.time_ns()}.zarr"
     blocks = prepare_store(store, plan)

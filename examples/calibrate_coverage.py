@@ -11,13 +11,13 @@ from pathlib import Path
 
 import numpy as np
 
-from asperity.case.reader import read_case
 from asperity.errors import NoSolutionError
+from asperity.joint_file.reader import read_case
 from asperity.precision import use_compilation_cache, use_double_precision
-from asperity.study.calibrate import Calibration, calibrate
-from asperity.study.curve_model import CurveModel
-from asperity.study.measurement import Measurement
-from asperity.study.unknowns import read_unknowns
+from asperity.study.calibration.calibrate import Calibration, calibrate
+from asperity.study.calibration.curve_model import CurveModel
+from asperity.study.calibration.measurement import Measurement
+from asperity.study.calibration.unknowns import read_unknowns
 
 TRUTH = {
     "load.preload=300 N:3000 N": 900.0,
@@ -78,7 +78,7 @@ def coverage(count: int, draws: int) -> tuple[int, Coverage, Coverage]:
 
 def posterior_ends(found: Calibration, draws: int, seed: int) -> np.ndarray:
     """Ends of the middle 95 % of the posterior, shape (unknowns, 2) [SI]."""
-    from asperity.study.posterior import posterior
+    from asperity.study.calibration.posterior import posterior
 
     places = np.quantile(posterior(found, draws=draws, seed=seed).places, (0.025, 0.975), axis=0)
     return np.array([u.from_unit(places[:, i]) for i, u in enumerate(found.model.unknowns)])

@@ -10,11 +10,11 @@ from pathlib import Path
 
 import numpy as np
 
-from asperity.case.reader import read_case
+from asperity.joint_file.reader import read_case
 from asperity.precision import use_compilation_cache, use_double_precision
-from asperity.study.curve_model import CurveModel
-from asperity.study.measurement import Measurement
-from asperity.study.unknowns import read_unknowns
+from asperity.study.calibration.curve_model import CurveModel
+from asperity.study.calibration.measurement import Measurement
+from asperity.study.calibration.unknowns import read_unknowns
 
 ARCMIN = math.pi / 180.0 / 60.0
 TRUTH = {

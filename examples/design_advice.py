@@ -10,8 +10,8 @@ import tomllib
 from pathlib import Path
 
 from asperity.precision import use_compilation_cache, use_double_precision
-from asperity.study.design import DesignResult, design
-from asperity.study.design_file import design_from_tables
+from asperity.study.design.design import DesignResult, design
+from asperity.study.design.design_file import design_from_tables
 
 HERE = Path(__file__).parent
 LEVELS = ("published", "assembly")

@@ -6,10 +6,10 @@ Run: ``python examples/sensitivity_tornado.py [picture.png]``.
 import sys
 from pathlib import Path
 
-from asperity.case.reader import read_case
+from asperity.joint_file.reader import read_case
 from asperity.precision import use_compilation_cache, use_double_precision
-from asperity.study.influence_plot import tornado_figure
-from asperity.study.sensitivity import ranking, sensitivity
+from asperity.study.tolerances.influence_plot import tornado_figure
+from asperity.study.tolerances.sensitivity import ranking, sensitivity
 
 FILE = Path(__file__).with_name("zou2025.toml")
 

@@ -8,8 +8,8 @@ import dataclasses
 import numpy as np
 
 from asperity.drive.geometry import CONTACT_NAMES
-from asperity.examination import examine
-from asperity.joint import JointResult
+from asperity.joint.evaluation import JointResult
+from asperity.joint.examination import examine
 from asperity.precision import use_compilation_cache, use_double_precision
 from asperity.zou2025.preset import operating_grid, table_2_joint
 

@@ -11,7 +11,7 @@ from matplotlib import rc_context
 from matplotlib.figure import Figure
 
 from asperity.compilation import compile_fast
-from asperity.joint import evaluate
+from asperity.joint.evaluation import evaluate
 from asperity.precision import use_compilation_cache, use_double_precision
 from asperity.zou2025.overview import draw_drive
 from asperity.zou2025.preset import DIMENSION_RANGE, operating_grid, table_2_joint

@@ -6,11 +6,11 @@ Run: ``python examples/sweep_preload.py [picture.png]``.
 import sys
 from pathlib import Path
 
-from asperity.case.reader import read_case
+from asperity.joint_file.reader import read_case
 from asperity.precision import use_compilation_cache, use_double_precision
 from asperity.study.parameters import parse_axis
-from asperity.study.sweep import sweep
-from asperity.study.sweep_plot import sweep_figure
+from asperity.study.sweep.sweep import sweep
+from asperity.study.sweep.sweep_plot import sweep_figure
 
 FILE = Path(__file__).with_name("zou2025.toml")
 

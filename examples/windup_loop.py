@@ -7,9 +7,9 @@ import sys
 
 import numpy as np
 
+from asperity.joint.windup import Windup, windup
 from asperity.precision import use_compilation_cache, use_double_precision
-from asperity.windup import Windup, windup
-from asperity.windup_figure import windup_figure
+from asperity.show.windup_figure import windup_figure
 from asperity.zou2025.preset import operating_grid, table_2_joint
 
 ARCMINUTES = 10800.0 / np.pi

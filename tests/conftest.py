@@ -24,6 +24,7 @@ jax.config.update("jax_numpy_dtype_promotion", "strict")
 jax.config.update("jax_disable_most_optimizations", True)
 use_compilation_cache()
 
+FILE = Path(__file__).parents[1] / "examples" / "zou2025.toml"
 SHARED = Path(os.environ.get("ASPERITY_SHARED_DATA", Path(__file__).parents[2] / "shared"))
 
 
@@ -46,7 +47,7 @@ def paper_joint():
     from asperity.drive.assembly import RIGID_SUPPORTS
     from asperity.drive.geometry import DriveGeometry
     from asperity.drive.mechanism import Bearings
-    from asperity.joint import Bodies, Joint
+    from asperity.joint.evaluation import Bodies, Joint
     from asperity.materials import Material
 
     standard = {
@@ -145,3 +146,39 @@ def load_example():
         return module
 
     return load
+
+
+@pytest.fixture(scope="session")
+def zou_file() -> Path:
+    return FILE
+
+
+@pytest.fixture(scope="session")
+def joint_text():
+    return FILE.read_text()
+
+
+@pytest.fixture(scope="session")
+def case(joint_text):
+    from asperity.joint_file.reader import parse_case
+
+    return parse_case(joint_text, source="zou2025.toml")
+
+
+@pytest.fixture(scope="session")
+def evaluated_directly(case):
+    """What the chain says on a grid of axes, in one call without the machinery of studies."""
+
+    def evaluated(axes):
+        from asperity.compilation import compile_fast
+        from asperity.joint.evaluation import evaluate
+        from asperity.joint_file.build import with_values
+
+        grid = np.meshgrid(*(axis.values for axis in axes), indexing="ij")
+        joint = with_values(case, {axis.path: v.ravel() for axis, v in zip(axes, grid, strict=True)})
+        numbers = jax.tree.map(lambda leaf: np.asarray(leaf, dtype=float), joint)
+        result = compile_fast(evaluate, numbers)(numbers)
+        assert np.all(result.solved)
+        return result
+
+    return evaluated

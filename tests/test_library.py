@@ -122,10 +122,10 @@ def test_filled_tables_are_a_valid_joint_file(tmp_path):
     from importlib.resources import files
     from tomllib import loads
 
-    tables = loads(files("asperity.case").joinpath("zou2025.toml").read_text())
+    tables = loads(files("asperity.joint_file").joinpath("zou2025.toml").read_text())
     tables["bodies"]["planet"] = "Si3N4"
     filled = with_library_materials(tables, folder=tmp_path)
-    from asperity.case.reader import case_from_tables
+    from asperity.joint_file.reader import case_from_tables
 
     case = case_from_tables(filled, source="test")
     assert case.materials["Si3N4"].youngs_modulus.value == pytest.approx(307e9)

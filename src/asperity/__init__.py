@@ -1,7 +1,7 @@
 """asperity: from a measured rough surface to the torsional stiffness of a traction-drive robot joint.
 
 The package computes in SI units and double precision. ``import asperity`` itself loads nothing heavy;
-import the room that you need (``asperity.contact``, ``asperity.drive``, ``asperity.joint`` ...), and call
+import the room that you need (``asperity.contact``, ``asperity.drive``, ``asperity.joint.evaluation`` ...), and call
 :func:`asperity.precision.use_double_precision` once before the first computation.
 """
 

@@ -7,20 +7,20 @@ import numpy as np
 import pytest
 from click.testing import CliRunner
 
-from asperity.case.reader import read_case
 from asperity.cli import asperity
 from asperity.cli.calibrate import interval_digits
 from asperity.errors import InputError
-from asperity.study.curve_model import CurveModel
-from asperity.study.measurement import Measurement
-from asperity.study.unknowns import read_unknowns
+from asperity.joint_file.reader import read_case
+from asperity.study.calibration.curve_model import CurveModel
+from asperity.study.calibration.measurement import Measurement
+from asperity.study.calibration.unknowns import read_unknowns
 from asperity.units import format_quantity
 
 
 @pytest.fixture
 def folder(tmp_path):
     joint = tmp_path / "joint.toml"
-    joint.write_text(files("asperity.case").joinpath("zou2025.toml").read_text())
+    joint.write_text(files("asperity.joint_file").joinpath("zou2025.toml").read_text())
     torque = np.concatenate(
         [np.linspace(0.0, 8.0, 9), np.linspace(7.0, -8.0, 16), np.linspace(-7.0, 8.0, 16)]
     )

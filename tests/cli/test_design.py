@@ -26,7 +26,7 @@ starts = 1
 
 @pytest.fixture
 def folder(tmp_path):
-    (tmp_path / "zou2025.toml").write_text(files("asperity.case").joinpath("zou2025.toml").read_text())
+    (tmp_path / "zou2025.toml").write_text(files("asperity.joint_file").joinpath("zou2025.toml").read_text())
     (tmp_path / "design.toml").write_text(DESIGN)
     return tmp_path
 

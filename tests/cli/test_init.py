@@ -7,7 +7,9 @@ EXAMPLE = Path(__file__).parents[2] / "examples" / "zou2025.toml"
 
 
 def test_the_packaged_example_is_the_one_in_the_repository():
-    assert files("asperity.case").joinpath("zou2025.toml").read_text("utf-8") == EXAMPLE.read_text("utf-8")
+    assert files("asperity.joint_file").joinpath("zou2025.toml").read_text("utf-8") == EXAMPLE.read_text(
+        "utf-8"
+    )
 
 
 def test_it_is_written_once_and_only_overwritten_when_asked(call, tmp_path):

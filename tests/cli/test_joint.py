@@ -158,7 +158,7 @@ def test_a_file_that_is_not_there(call):
 
 
 def test_no_solution_is_exit_code_3(call, joint_file, monkeypatch):
-    from asperity import examination
+    from asperity.joint import examination
 
     real = examination.compile_fast
 

@@ -9,7 +9,7 @@ from asperity.cli.study_output import (
     show_status,
     status_counts,
 )
-from asperity.study.status import STATUS_NAMES
+from asperity.joint.status import STATUS_NAMES
 
 xarray = pytest.importorskip("xarray")
 SLIPS = STATUS_NAMES.index("beyond_torque_capacity")

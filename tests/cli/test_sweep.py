@@ -62,7 +62,7 @@ def test_small_sweep_is_printed_drawn_and_written(tmp_path):
 )
 def test_refusals_come_first(arguments, told, monkeypatch):
     monkeypatch.setattr(
-        "asperity.study.sweep.block_results", lambda *_, **__: pytest.fail("computed before checking")
+        "asperity.study.sweep.sweep.block_results", lambda *_, **__: pytest.fail("computed before checking")
     )
     with pytest.raises(InputError, match=told):
         run("sweep", FILE, *arguments)
@@ -108,8 +108,8 @@ def test_uncertainty_needs_tolerances_and_distributions(tmp_path):
 
 
 def test_sensitivity_document_and_table(tmp_path, monkeypatch):
-    from asperity.case.reader import read_case
-    from asperity.study import sensitivity as module
+    from asperity.joint_file.reader import read_case
+    from asperity.study.tolerances import sensitivity as module
 
     found = module.sensitivity(read_case(FILE))
     monkeypatch.setattr(module, "sensitivity", lambda case: found)  # compiled once for three commands

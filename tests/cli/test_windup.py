@@ -7,7 +7,7 @@ import jax.numpy as jnp
 import numpy as np
 import pytest
 
-from asperity import windup as module
+from asperity.joint import windup as module
 
 STIFFNESS = 1e5  # N·m/rad
 ARCMINUTE = np.pi / 180.0 / 60.0

@@ -5,7 +5,7 @@ import numpy as np
 import pytest
 
 from asperity.drive.force_balance import force_balance
-from asperity.joint import mechanism
+from asperity.joint.evaluation import mechanism
 
 SIZE = 256
 

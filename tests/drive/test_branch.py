@@ -11,7 +11,7 @@ from asperity.drive.branch import Branch, branch_forces, carrier_residual, conta
 from asperity.drive.equilibrium import balance_equations
 from asperity.drive.geometry import triangle
 from asperity.drive.mechanism import rest_state
-from asperity.joint import mechanism
+from asperity.joint.evaluation import mechanism
 
 LOSSES = {
     "pin_friction_coefficient": 3e-3,

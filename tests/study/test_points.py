@@ -4,9 +4,9 @@ import jax
 import jax.numpy as jnp
 import pytest
 
-from asperity.case.values import si_values
+from asperity.joint.results import RESULTS
+from asperity.joint_file.values import si_values
 from asperity.study.points import numbers, point_kernel
-from asperity.study.results import RESULTS
 
 
 @pytest.mark.parametrize(

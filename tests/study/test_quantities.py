@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
-from asperity.case.reader import read_case
-from asperity.case.values import si_values
+from asperity.joint_file.reader import read_case
+from asperity.joint_file.values import si_values
 from asperity.study.quantities import quantities_and_slopes, quantities_at
 
 PATHS = ("surface.fractal_dimension", "load.preload", "drive.planet_radius")

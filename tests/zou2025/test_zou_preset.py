@@ -7,9 +7,9 @@ import jax
 import numpy as np
 import pytest
 
-from asperity.case.build import joint_from_case
-from asperity.case.reader import read_case
 from asperity.drive.geometry import angles
+from asperity.joint_file.build import joint_from_case
+from asperity.joint_file.reader import read_case
 from asperity.zou2025 import preset
 from asperity.zou2025.curves import Curves
 

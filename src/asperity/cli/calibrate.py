@@ -10,8 +10,8 @@ from asperity.cli.terminal import say_written
 from asperity.writing import check_file, check_image, write_image, write_text
 
 if TYPE_CHECKING:
-    from asperity.study.calibrate import Calibration
-    from asperity.study.posterior import Posterior
+    from asperity.study.calibration.calibrate import Calibration
+    from asperity.study.calibration.posterior import Posterior
 
 
 @click.command()
@@ -55,9 +55,9 @@ def calibrate(
     DATA is a CSV file with columns torque and angle, or torque and stiffness, if wanted time and repetition; units in
     the header, e.g. 'torque [N*m]', 'angle [arcmin]'. Rows in the order of time: the hysteresis follows the history.
     """
-    from asperity.case.reader import read_case
     from asperity.cli.progress import progress_bar
     from asperity.errors import InputError
+    from asperity.joint_file.reader import read_case
     from asperity.precision import use_compilation_cache, use_double_precision
 
     check_image(plot)
@@ -68,10 +68,10 @@ def calibrate(
     case = read_case(file)
     use_double_precision()
     use_compilation_cache()
-    from asperity.study.calibrate import calibrate as fit
-    from asperity.study.measurement import read_measurement
-    from asperity.study.posterior import posterior, require_numpyro
-    from asperity.study.unknowns import read_unknowns
+    from asperity.study.calibration.calibrate import calibrate as fit
+    from asperity.study.calibration.measurement import read_measurement
+    from asperity.study.calibration.posterior import posterior, require_numpyro
+    from asperity.study.calibration.unknowns import read_unknowns
 
     if draws is not None:
         require_numpyro()
@@ -92,7 +92,7 @@ def calibrate(
         with progress_bar("steps of the posterior") as report:
             drawn = posterior(found, draws=draws, seed=seed, progress=report)
     if out is not None:  # files first: whoever reads the tables may close the pipe
-        from asperity.study.joint_text import joint_file_text
+        from asperity.study.design.joint_text import joint_file_text
 
         paths = set(found.model.paths)
         changes = {each.path: each.value for each in found.estimates if each.path in paths}
@@ -101,7 +101,7 @@ def calibrate(
         )
         write_text(text, out)
         say_written(out)
-    from asperity.study.calibration_plot import calibration_figure, posterior_figure
+    from asperity.study.calibration.calibration_plot import calibration_figure, posterior_figure
 
     if plot is not None:
         write_image(calibration_figure(found), plot)
@@ -121,7 +121,7 @@ def _document(found: Calibration, drawn: Posterior | None) -> dict[str, Any]:
     import math
     from dataclasses import asdict
 
-    from asperity.study.unknowns import si_unit_of
+    from asperity.study.calibration.unknowns import si_unit_of
 
     unit = "rad" if found.model.measurement.angle is not None else "N*m/rad"
     document: dict[str, Any] = {
@@ -193,8 +193,8 @@ def interval_digits(lower: float, upper: float) -> int:
 
 def _show(found: Calibration, drawn: Posterior | None) -> None:
     from asperity.cli.terminal import console, table
-    from asperity.study.calibrate import CORRELATED
-    from asperity.study.calibration_plot import unit_of
+    from asperity.study.calibration.calibrate import CORRELATED
+    from asperity.study.calibration.calibration_plot import unit_of
     from asperity.units import format_quantity
 
     target, data = console(), found.model.measurement

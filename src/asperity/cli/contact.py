@@ -24,8 +24,8 @@ def contact(table: str, out: str, gamma: float, asperity_base: str) -> None:
     a_c_mm2, a_l_mm2, A_r_mm2, Fe_N, Fp_N, Kt_N_per_mm, Kn_N_per_mm. A bad row is reported with its line and
     column, and nothing is written.
     """
-    from asperity.case.limits import FREQUENCY_RATIO
     from asperity.errors import InputError
+    from asperity.joint_file.limits import FREQUENCY_RATIO
     from asperity.precision import use_compilation_cache, use_double_precision
 
     try:
@@ -34,8 +34,8 @@ def contact(table: str, out: str, gamma: float, asperity_base: str) -> None:
         raise InputError(f"--gamma: {error}") from None
     use_double_precision()
     use_compilation_cache()
-    from asperity.case.contact_table import convert_contact_table
     from asperity.cli.terminal import rows_progress
+    from asperity.joint_file.contact_table import convert_contact_table
 
     with rows_progress("rows") as progress:
         summary = convert_contact_table(

@@ -11,8 +11,8 @@ from asperity.errors import InputError
 from asperity.writing import check_file, check_image, write_image, write_text
 
 if TYPE_CHECKING:
-    from asperity.study.design import DesignResult
-    from asperity.study.design_problem import DesignProblem
+    from asperity.study.design.design import DesignResult
+    from asperity.study.design.design_problem import DesignProblem
 
 
 @click.command()
@@ -54,7 +54,7 @@ def design(
 
     check_image(plot)
     check_file(out, file)
-    from asperity.study.design_file import read_design
+    from asperity.study.design.design_file import read_design
 
     problem = read_design(file)
     check_file(out, problem.joint_file)
@@ -63,8 +63,8 @@ def design(
     if len(problem.objectives) > 1:
         _front(problem, out, plot, as_json, population, generations)
         return
-    from asperity.study.design import conflict
-    from asperity.study.design import design as search
+    from asperity.study.design.design import conflict
+    from asperity.study.design.design import design as search
 
     with progress_bar("starts") as report:
         result = search(problem, progress=report)
@@ -72,7 +72,7 @@ def design(
         write_text(result.joint_text, out)
         say_written(out)
     if plot is not None:
-        from asperity.study.design_plot import design_figure
+        from asperity.study.design.design_plot import design_figure
 
         write_image(design_figure(result), plot)
         say_written(plot)
@@ -97,7 +97,7 @@ def _front(
     generations: int,
 ) -> None:
     from asperity.cli.progress import progress_bar
-    from asperity.study.pareto import pareto_front, require_pymoo
+    from asperity.study.design.pareto import pareto_front, require_pymoo
 
     require_pymoo()
     if out is not None and not out.endswith(".csv"):
@@ -111,7 +111,7 @@ def _front(
         write_text("\n".join([head, *(",".join(repr(float(v)) for v in row) for row in rows)]) + "\n", out)
         say_written(out)
     if plot is not None:
-        from asperity.study.design_plot import pareto_figure
+        from asperity.study.design.design_plot import pareto_figure
 
         write_image(pareto_figure(front, tuple(goal.name for goal in problem.objectives)), plot)
         say_written(plot)
@@ -128,8 +128,8 @@ def _front(
 def _show_front(problem: DesignProblem, front: Any, names: list[str]) -> None:
     import numpy as np
 
-    from asperity.case.values import key_at
     from asperity.cli.terminal import console, table
+    from asperity.joint_file.values import key_at
     from asperity.study.quantities import QUANTITIES
     from asperity.units import from_si
 
@@ -178,8 +178,8 @@ def _number(value: Any) -> Any:
 
 
 def _show(result: DesignResult) -> None:
-    from asperity.case.values import key_at, numeric_keys
     from asperity.cli.terminal import console, table
+    from asperity.joint_file.values import key_at, numeric_keys
     from asperity.study.quantities import QUANTITIES
     from asperity.units import format_quantity
 

@@ -15,7 +15,7 @@ def init(file: str, force: bool) -> None:
     from asperity.cli.terminal import prepare_output
     from asperity.errors import InputError
 
-    text = files("asperity.case").joinpath("zou2025.toml").read_text(encoding="utf-8")
+    text = files("asperity.joint_file").joinpath("zou2025.toml").read_text(encoding="utf-8")
     if file == "-":
         prepare_output()
         click.echo(text, nl=False)

@@ -24,26 +24,31 @@ def joint(file: str, as_json: bool, surfaces: tuple[str, ...]) -> None:
     FILE is a TOML file; 'asperity init' writes one with comments. With --surface the measured D and G take the
     place of the file's, and their uncertainty comes out as an interval of the stiffness.
     """
-    from asperity.case.reader import read_case
+    from asperity.joint_file.reader import read_case
 
     case = read_case(file)
     from asperity.precision import use_compilation_cache, use_double_precision
 
     use_double_precision()
     use_compilation_cache()
-    from asperity.case.build import joint_from_case
-    from asperity.examination import examine
-    from asperity.joint_document import joint_document
+    from asperity.joint.document import joint_document
+    from asperity.joint.examination import examine
+    from asperity.joint_file.assumptions import assumptions
+    from asperity.joint_file.build import joint_from_case
+    from asperity.joint_file.values import si_values
 
     measured = None
     if surfaces:
-        from asperity.measured_joint import measured_surface, stiffness_interval, with_measured_surface
+        from asperity.joint.measured_surface import measured_surface, stiffness_interval
+        from asperity.joint_file.measured_surface import with_measured_surface
         from asperity.surface.measurement import measurement_document
 
         measured = measured_surface(surfaces)
         case = with_measured_surface(case, measured)
     described = joint_from_case(case)
-    document = joint_document(case=case, examination=examine(described))
+    document = joint_document(
+        joint=described, examination=examine(described), inputs=si_values(case), assumptions=assumptions(case)
+    )
     if measured is not None:
         document["measured_surface"] = measurement_document(measurement=measured)
         document["stiffness_interval"] = stiffness_interval(described, measured)

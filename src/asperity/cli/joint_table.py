@@ -46,7 +46,7 @@ def show_joint(target: Console, document: Document, *, source: str) -> None:
     target : Console
         Where to print.
     document : dict
-        As :func:`asperity.joint_document.joint_document` makes it.
+        As :func:`asperity.joint.document.joint_document` makes it.
     source : str
         Name of the joint file.
     """

@@ -25,8 +25,8 @@ def materials(name: str | None, file: str | None, finishes_file: str | None, as_
     """
     from dataclasses import asdict
 
-    from asperity.case.messages import nearest
     from asperity.errors import InputError
+    from asperity.joint_file.messages import nearest
     from asperity.library import Finish, read_finishes, read_materials
 
     found, finishes = read_materials(file), read_finishes(finishes_file)
@@ -81,8 +81,8 @@ def materials(name: str | None, file: str | None, finishes_file: str | None, as_
 
 def _check_numbers(file: str, found: dict[str, LibraryMaterial]) -> None:
     """Hold the numbers of a library to the ranges of a joint file's materials, which is where they go."""
-    from asperity.case.values import check_values, key_at
     from asperity.errors import InputError
+    from asperity.joint_file.values import check_values, key_at
     from asperity.units import parse_quantity
 
     for name, entry in found.items():

@@ -13,6 +13,6 @@ def schema() -> None:
     """
     import json
 
-    from asperity.case.schema import joint_schema
+    from asperity.joint_file.schema import joint_schema
 
     click.echo(json.dumps(joint_schema(), indent=2))

@@ -38,7 +38,7 @@ def sensitivity(file: str, result: str, as_json: bool, plot: str | None) -> None
 
     An elasticity of 2 says that one per cent more of the number makes about two per cent more of the result.
     """
-    from asperity.case.reader import read_case
+    from asperity.joint_file.reader import read_case
 
     case = read_case(file)
     from asperity.precision import use_compilation_cache, use_double_precision
@@ -46,8 +46,8 @@ def sensitivity(file: str, result: str, as_json: bool, plot: str | None) -> None
     use_double_precision()
     use_compilation_cache()
     from asperity.errors import InputError
-    from asperity.study.sensitivity import judged_results, ranking
-    from asperity.study.sensitivity import sensitivity as differentiate
+    from asperity.study.tolerances.sensitivity import judged_results, ranking
+    from asperity.study.tolerances.sensitivity import sensitivity as differentiate
 
     if result not in judged_results():
         raise InputError(f"there is no result '{result}'; choose among {', '.join(judged_results())}")
@@ -60,7 +60,7 @@ def sensitivity(file: str, result: str, as_json: bool, plot: str | None) -> None
     else:
         _show(ranking(found, result))
     if plot is not None:
-        from asperity.study.influence_plot import tornado_figure
+        from asperity.study.tolerances.influence_plot import tornado_figure
 
         write_image(tornado_figure(found, result=result), plot)
         say_written(plot)
@@ -72,7 +72,7 @@ def sensitivity_document(found: xarray.Dataset) -> dict[str, Any]:
     Parameters
     ----------
     found : xarray.Dataset
-        What :func:`asperity.study.sensitivity.sensitivity` returns.
+        What :func:`asperity.study.tolerances.sensitivity.sensitivity` returns.
 
     Returns
     -------
@@ -110,8 +110,8 @@ def sensitivity_document(found: xarray.Dataset) -> dict[str, Any]:
 
 
 def _show(ranked: xarray.Dataset) -> None:
-    from asperity.case.values import key_at
     from asperity.cli.terminal import console, table
+    from asperity.joint_file.values import key_at
     from asperity.units import format_quantity
 
     unit = str(ranked["result_unit"].item())

@@ -45,7 +45,7 @@ def show_status(found: xarray.Dataset) -> None:
     found : xarray.Dataset
         Evaluated points.
     """
-    from asperity.study.status import STATUS_MEANINGS
+    from asperity.joint.status import STATUS_MEANINGS
 
     counts = status_counts(found)
     total = sum(counts.values())
@@ -89,11 +89,11 @@ def show_points(found: xarray.Dataset) -> None:
     found : xarray.Dataset
         Evaluated points.
     """
-    from asperity.case.values import key_at
     from asperity.cli.terminal import console, table
+    from asperity.joint.results import RESULTS
+    from asperity.joint.status import STATUS_NAMES
+    from asperity.joint_file.values import key_at
     from asperity.study.parameters import long_name
-    from asperity.study.results import RESULTS
-    from asperity.study.status import STATUS_NAMES
     from asperity.units import from_si
 
     axes = [str(name) for name in found["status"].dims]

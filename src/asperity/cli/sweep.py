@@ -78,7 +78,7 @@ def sweep(
     asperity sweep joint.toml --over "surface.fractal_roughness=1e-10 mm:1e-8 mm:50:log" \\
         --over "load.preload=500 N:2000 N:40" --results stiffness,gross_slip --out sweep.nc
     """  # noqa: D301 (click's mark for lines that are not wrapped is the character itself)
-    from asperity.case.reader import read_case
+    from asperity.joint_file.reader import read_case
 
     case = read_case(file)
     from asperity.precision import use_compilation_cache, use_double_precision
@@ -87,8 +87,8 @@ def sweep(
     use_compilation_cache()
     from asperity.cli.progress import progress_bar
     from asperity.study.parameters import parse_axis
-    from asperity.study.sweep import sweep as evaluate_sweep
-    from asperity.study.tables import check_table_path, write_table
+    from asperity.study.sweep.sweep import sweep as evaluate_sweep
+    from asperity.study.sweep.tables import check_table_path, write_table
 
     grid = [parse_axis(axis) for axis in axes]
     names = [name.strip() for name in results.split(",") if name.strip()]
@@ -121,7 +121,7 @@ def sweep(
     if out is not None and not streamed:
         write_table(found, out)
     if plot is not None:
-        from asperity.study.sweep_plot import sweep_figure
+        from asperity.study.sweep.sweep_plot import sweep_figure
 
         write_image(sweep_figure(found, result=plot_result), plot)
         say_written(plot)
@@ -130,7 +130,7 @@ def sweep(
 
 def _check_plot_result(name: str, asked: list[str], *, drawn: bool) -> None:
     """Refuse a result that cannot be drawn before anything is computed."""
-    from asperity.study.results import chosen_results
+    from asperity.joint.results import chosen_results
 
     if not drawn:
         raise InputError(f"--plot-result needs --plot, the picture to draw '{name}' in")

@@ -52,8 +52,8 @@ def uncertainty(
     Tolerances are written in the file, with a distribution behind a comma: planet_radius = "13.5 mm +- 5 um, uniform",
     preload = "1000 N +- 50 N, normal 2 sigma".
     """
-    from asperity.case.distribution import parse_distribution
-    from asperity.case.reader import read_case
+    from asperity.joint_file.distribution import parse_distribution
+    from asperity.joint_file.reader import read_case
 
     case = read_case(file)
     otherwise = None if distribution is None else parse_distribution(distribution)
@@ -62,8 +62,8 @@ def uncertainty(
     use_double_precision()
     use_compilation_cache()
     from asperity.cli.progress import progress_bar
-    from asperity.study.uncertainty import DEFAULT_RESULTS
-    from asperity.study.uncertainty import uncertainty as propagate
+    from asperity.study.tolerances.uncertainty import DEFAULT_RESULTS
+    from asperity.study.tolerances.uncertainty import uncertainty as propagate
 
     check_image(plot)
     names = DEFAULT_RESULTS if results is None else [n.strip() for n in results.split(",") if n.strip()]
@@ -78,7 +78,7 @@ def uncertainty(
     else:
         _show(found)
     if plot is not None:
-        from asperity.study.influence_plot import uncertainty_figure
+        from asperity.study.tolerances.influence_plot import uncertainty_figure
 
         write_image(uncertainty_figure(found, result=found["result"].values[0]), plot)
         say_written(plot)
@@ -90,7 +90,7 @@ def uncertainty_document(found: xarray.Dataset) -> dict[str, Any]:
     Parameters
     ----------
     found : xarray.Dataset
-        What :func:`asperity.study.uncertainty.uncertainty` returns.
+        What :func:`asperity.study.tolerances.uncertainty.uncertainty` returns.
 
     Returns
     -------

@@ -12,7 +12,7 @@ from asperity.writing import check_file, check_image, replacing, write_image
 
 if TYPE_CHECKING:
     from asperity.drive.capacity import TorqueCapacity
-    from asperity.windup import Windup
+    from asperity.joint.windup import Windup
 
 LEVELS = ("assembly", "series_with_bulk", "published")
 
@@ -59,7 +59,7 @@ def windup(
 
     The output turns against the locked sun. The loop runs between plus and minus the largest torque.
     """
-    from asperity.case.reader import read_case
+    from asperity.joint_file.reader import read_case
 
     check_file(csv_file, file)
     check_image(plot_file)
@@ -70,9 +70,9 @@ def windup(
     asked = None if torque is None else parse_quantity(torque, Dimension.TORQUE)
     use_double_precision()
     use_compilation_cache()
-    from asperity.case.build import joint_from_case
-    from asperity.examination import examine
-    from asperity.windup import windup as wind_up
+    from asperity.joint.examination import examine
+    from asperity.joint.windup import windup as wind_up
+    from asperity.joint_file.build import joint_from_case
 
     joint = joint_from_case(case)
     largest = float(joint.output_torque) if asked is None else asked
@@ -84,7 +84,7 @@ def windup(
         _write_csv(curve, csv_file)
         say_written(csv_file)
     if plot_file:
-        from asperity.windup_figure import windup_figure
+        from asperity.show.windup_figure import windup_figure
 
         write_image(windup_figure(curve, title=f"Wind-up of {file}, {level} stiffness"), plot_file)
         say_written(plot_file)

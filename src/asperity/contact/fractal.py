@@ -28,6 +28,9 @@ from asperity.contact.asperity import AsperityBase, base_factor, slip_factor
 from asperity.contact.population import log_critical_area, log_domain_extension_factor
 from asperity.types import Real
 
+#: Range of fractal dimensions in which the contact law is verified to rounding, narrower than what it accepts.
+VERIFIED_FRACTAL_DIMENSIONS = (1.02, 1.99)
+
 _HOUSEHOLDER_STEPS = 2
 _SERIES_LIMIT = 0.25
 _SERIES_TERMS = 11

@@ -1,6 +1,5 @@
-"""What a designer does all day: vary, compare, weigh, optimise, calibrate; with reasons instead of holes, in SI units.
+"""Studies of a joint: its numbers varied, toleranced, optimised, or fitted to a measurement.
 
-:mod:`~asperity.study.sweep` evaluates a joint on a grid, in memory or streamed to disk;
-:mod:`~asperity.study.sensitivity` differentiates it; :mod:`~asperity.study.uncertainty` carries tolerances through it;
-:mod:`~asperity.study.design` chooses a joint under constraints, :mod:`~asperity.study.calibrate` fits one to a curve.
+Four rooms share one batch evaluator: :mod:`~asperity.study.sweep`, :mod:`~asperity.study.tolerances`,
+:mod:`~asperity.study.design` and :mod:`~asperity.study.calibration`.
 """

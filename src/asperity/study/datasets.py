@@ -8,12 +8,12 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from asperity import __version__
-from asperity.case.values import key_at
 from asperity.drive.geometry import CONTACT_NAMES
 from asperity.errors import MissingExtraError
+from asperity.joint.results import RESULTS
+from asperity.joint.status import flag_attributes
+from asperity.joint_file.values import key_at
 from asperity.study.parameters import Axis, long_name
-from asperity.study.results import RESULTS
-from asperity.study.status import flag_attributes
 
 if TYPE_CHECKING:
     import xarray
@@ -85,7 +85,7 @@ def result_attributes(name: str) -> dict[str, str]:
     Parameters
     ----------
     name : str
-        A name of :data:`asperity.study.results.RESULTS`.
+        A name of :data:`asperity.joint.results.RESULTS`.
 
     Returns
     -------

@@ -8,10 +8,10 @@ from typing import Any, Literal
 
 import numpy as np
 
-from asperity.case.model import Case
-from asperity.case.values import check_values, key_at, replace_values, si_values
 from asperity.drive.geometry import CONTACT_NAMES
 from asperity.errors import InputError
+from asperity.joint_file.model import Case
+from asperity.joint_file.values import check_values, key_at, replace_values, si_values
 from asperity.units import format_quantity, parse_quantity
 
 Scale = Literal["linear", "log"]

@@ -12,16 +12,16 @@ import jax.numpy as jnp
 import numpy as np
 from jax import Array
 
-from asperity.case.build import joint_from_values
-from asperity.case.key import Key
-from asperity.case.structure import Numbers, numbers, table_structure, with_numbers
-from asperity.case.values import Values, key_at, replace_values
 from asperity.compilation import compile_fast
-from asperity.joint import evaluate
-from asperity.joint_description import with_one_rank
+from asperity.joint.description import with_one_rank
+from asperity.joint.evaluation import evaluate
+from asperity.joint.results import GROUPS, RESULTS, result_values
+from asperity.joint.status import LOCKED, OUT_OF_RANGE, SLIPS, joint_status
+from asperity.joint_file.build import joint_from_values
+from asperity.joint_file.key import Key
+from asperity.joint_file.structure import Numbers, numbers, table_structure, with_numbers
+from asperity.joint_file.values import Values, key_at, replace_values
 from asperity.precision import require_double_precision
-from asperity.study.results import GROUPS, RESULTS, result_values
-from asperity.study.status import LOCKED, OUT_OF_RANGE, SLIPS, joint_status
 
 Kernel = Callable[..., tuple[Array, dict[str, Array]]]
 
@@ -43,7 +43,7 @@ def point_kernel(values: Values, paths: tuple[str, ...], results: tuple[str, ...
     paths : tuple of str
         Dotted paths of the varied numbers.
     results : tuple of str
-        Names of :data:`asperity.study.results.RESULTS`.
+        Names of :data:`asperity.joint.results.RESULTS`.
 
     Returns
     -------
@@ -123,11 +123,11 @@ def evaluate_points(
     Parameters
     ----------
     values : dict
-        Tables of the joint file in SI units, :func:`asperity.case.values.si_values`.
+        Tables of the joint file in SI units, :func:`asperity.joint_file.values.si_values`.
     points : mapping
         Dotted path → values in SI units, all of shape (n,).
     results : tuple of str
-        Names of :data:`asperity.study.results.RESULTS`.
+        Names of :data:`asperity.joint.results.RESULTS`.
     quick : bool, optional
         Whether to compile fast and run slowly; by default up to :data:`QUICK_POINTS` points.
     batch : int, optional
@@ -138,7 +138,7 @@ def evaluate_points(
     Returns
     -------
     status : ndarray
-        Codes of :data:`asperity.study.status.STATUS_MEANINGS`, shape (n,).
+        Codes of :data:`asperity.joint.status.STATUS_MEANINGS`, shape (n,).
     found : dict of ndarray
         Name → values, shape (n,) or (5, n); nan where they mean nothing.
 

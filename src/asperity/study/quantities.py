@@ -14,15 +14,15 @@ import jax.numpy as jnp
 import numpy as np
 from jax import Array
 
-from asperity.case.build import joint_from_values
-from asperity.case.structure import numbers, table_structure, with_numbers
-from asperity.case.values import Values, replace_values
 from asperity.compilation import compile_fast
 from asperity.drive.geometry import CONTACT_NAMES, clearances
-from asperity.joint import evaluate
-from asperity.study.size import joint_size
+from asperity.joint.evaluation import evaluate
+from asperity.joint.size import joint_size
+from asperity.joint.windup import StiffnessLevel
+from asperity.joint_file.build import joint_from_values
+from asperity.joint_file.structure import numbers, table_structure, with_numbers
+from asperity.joint_file.values import Values, replace_values
 from asperity.unit_table import Dimension
-from asperity.windup import StiffnessLevel
 
 #: Which rows a quantity has: one number, one for each contact, or one for each clearance of the rollers.
 Rows = Literal["one", "contacts", "clearances"]

@@ -11,7 +11,7 @@ import numpy as np
 from jax import Array
 
 from asperity.errors import NoSolutionError
-from asperity.joint import Joint, evaluate
+from asperity.joint.evaluation import Joint, evaluate
 from asperity.precision import require_double_precision
 from asperity.types import Real
 from asperity.zou2025 import preset
@@ -90,6 +90,8 @@ class Curves:
         Over a fine grid of output torques, at the D of Table 1 (Fig. 5).
     dimension, roughness, length, friction, radius : JointCurves
         Over the quantity named, for :data:`OUTPUT_TORQUES` (Figs. 6–8; ``radius`` is in no figure).
+    high_friction : JointCurves
+        At the end of the range of friction, at twice and at four times as much (in no figure).
     """
 
     pairs: dict[str, PairCurve]
@@ -99,6 +101,7 @@ class Curves:
     length: JointCurves
     friction: JointCurves
     radius: JointCurves
+    high_friction: JointCurves
 
 
 def _dimensions() -> np.ndarray:
@@ -187,6 +190,11 @@ def joint_curves() -> dict[str, JointCurves]:
         "roughness": (OUTPUT_TORQUES, "fractal_roughness", np.geomspace(*preset.ROUGHNESS_RANGE, 101)),
         "length": (OUTPUT_TORQUES, "contact_length", np.linspace(*preset.CONTACT_LENGTH_RANGE, 51)),
         "friction": (OUTPUT_TORQUES, "friction_coefficient", np.linspace(*_FRICTION_RANGE, 261)),
+        "high_friction": (
+            OUTPUT_TORQUES,
+            "friction_coefficient",
+            _FRICTION_RANGE[1] * np.array([1.0, 2.0, 4.0]),
+        ),
         "radius": (OUTPUT_TORQUES, "radius_scale", np.linspace(1.0, _LARGEST_RADIUS_SCALE, 21)),
     }
     grids = [preset.operating_grid(output_torque=t, **{name: v}) for t, name, v in axes.values()]

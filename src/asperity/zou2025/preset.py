@@ -18,7 +18,7 @@ from asperity.contact.fractal import Surface
 from asperity.drive.assembly import RIGID_SUPPORTS
 from asperity.drive.geometry import DriveGeometry
 from asperity.drive.mechanism import Bearings
-from asperity.joint import Bodies, Joint
+from asperity.joint.evaluation import Bodies, Joint
 from asperity.materials import Material, hardness
 from asperity.types import Real
 from asperity.zou2025.roller_pair import RollerPair
@@ -262,7 +262,7 @@ def table_2_joint(point: OperatingPoint) -> Joint:
     Returns
     -------
     Joint
-        Input of :func:`asperity.joint.solve`; numbers have the shape of the point's fields.
+        Input of :func:`asperity.joint.evaluation.solve`; numbers have the shape of the point's fields.
     """
     scale = np.asarray(point.radius_scale)  # NumPy: a single product is not worth compiling
     return Joint(

@@ -1,0 +1,1 @@
+"""The whole chain: from a joint's description to forces, contacts, stiffness, wind-up and diagnostics."""

@@ -1,0 +1,257 @@
+"""The whole chain in one readable function: a joint in, its forces, contacts and torsional stiffness out."""
+
+from __future__ import annotations
+
+import math
+
+import equinox as eqx
+import jax
+import jax.numpy as jnp
+from jax import Array
+
+from asperity.contact.fractal import FractalContact
+from asperity.contact.interface import Interface
+from asperity.drive.assembly import Assembly, assembly_stiffness
+from asperity.drive.force_balance import BALANCE_TOLERANCE, DriveForces, force_balance
+from asperity.drive.geometry import CONTACT_NAMES, DriveAngles, angles, carrier_speed, speed_ratio
+from asperity.drive.mechanism import Mechanism, rest_state
+from asperity.drive.torsional_stiffness import (
+    TorsionalStiffness,
+    contact_torsional_stiffness,
+    driven_radii,
+    series_torsional_stiffness,
+)
+from asperity.errors import NoSolutionError
+from asperity.joint.contacts import closure_springs, rough_contacts, rough_interfaces
+from asperity.joint.description import Bodies, Joint, contact_pairs, per_contact, with_one_rank
+from asperity.joint.diagnostics import Diagnostics, diagnose
+from asperity.precision import require_double_precision
+from asperity.types import Real
+
+__all__ = ["Bodies", "Joint", "JointResult", "evaluate", "mechanism", "solve"]
+
+
+class JointResult(eqx.Module):
+    """Everything the chain says about a joint. SI units; contact arrays have the contact axis first.
+
+    Parameters
+    ----------
+    angles : DriveAngles
+        alpha, theta and the wedge angle [rad].
+    speed_ratio : Real
+        Sun over carrier speed [-].
+    carrier_speed : Real
+        Angular velocity of the carrier [rad/s].
+    planet_mass, loading_roller_mass : Real
+        Masses of one planet and of one loading roller [kg].
+    forces : DriveForces
+        Contact and pin forces, torques and the residuals of the balance.
+    contacts : FractalContact
+        Spots and stiffnesses of the five contacts, shape (5, ...).
+    contact_torsional_stiffness : Array
+        Each contact's own K_T at its driven roller, shape (5, ...) [N·m/rad].
+    interfaces : Interface
+        Stiffness of asperities and of bulk at the five contacts, shape (5, ...) [N/m].
+    published : TorsionalStiffness
+        Torsional stiffness as published: the asperities' tangential springs alone, an upper bound.
+    series_with_bulk : TorsionalStiffness
+        The same series (25) with asperities and bulk in every contact.
+    assembly : Assembly
+        The fullest model: asperities and bulk, floating planet, pins, ring and shafts, with its compliance budget.
+    diagnostics : Diagnostics
+        Limits of the model and how close this joint is to each.
+    solved : Array
+        True where the balance closed to :data:`BALANCE_TOLERANCE`.
+    """
+
+    angles: DriveAngles
+    speed_ratio: Real
+    carrier_speed: Real
+    planet_mass: Real
+    loading_roller_mass: Real
+    forces: DriveForces
+    contacts: FractalContact
+    contact_torsional_stiffness: Real
+    interfaces: Interface
+    published: TorsionalStiffness
+    series_with_bulk: TorsionalStiffness
+    assembly: Assembly
+    diagnostics: Diagnostics
+    solved: Array
+
+    def contact(self, name: str) -> dict[str, Array]:
+        """All quantities of one contact by name, for reading by eye.
+
+        Parameters
+        ----------
+        name : {"sp", "pwr", "pwl", "wro", "wlo"}
+            Which contact.
+
+        Returns
+        -------
+        dict
+            Name of the quantity → its value, SI.
+        """
+        index = CONTACT_NAMES.index(name)
+        values = {key: value[index] for key, value in vars(self.contacts).items()}
+        return {
+            "normal_force": self.forces.normal[index],
+            "tangential_force": self.forces.tangential[index],
+            **values,
+            "torsional_stiffness": jnp.asarray(self.contact_torsional_stiffness)[index],
+        }
+
+
+def roller_mass(*, density: Real, radius: Real, length: Real) -> Real:
+    r"""Mass of a solid roller, :math:`m = \rho \pi R^2 L`.
+
+    Parameters
+    ----------
+    density : Real
+        Density [kg/m^3].
+    radius, length : Real
+        Radius R and length L [m].
+
+    Returns
+    -------
+    Real
+        Mass [kg].
+    """
+    return density * math.pi * radius**2 * length
+
+
+def mechanism(joint: Joint) -> Mechanism:
+    """The joint's drive with its masses, springs and speed, ready for the force balance.
+
+    Parameters
+    ----------
+    joint : Joint
+        The joint.
+
+    Returns
+    -------
+    Mechanism
+        Input of :func:`asperity.drive.force_balance.force_balance`.
+    """
+    geometry = joint.geometry
+    rest = rest_state(geometry=geometry, preload=joint.preload)
+    return Mechanism(
+        geometry=geometry,
+        bearings=joint.bearings,
+        springs=closure_springs(joint=joint, rest_force=rest.normal_force),
+        preload=joint.preload,
+        carrier_speed=carrier_speed(geometry=geometry, sun_speed=joint.sun_speed),
+        planet_mass=roller_mass(
+            density=joint.bodies.planet.density, radius=geometry.planet_radius, length=joint.planet_length
+        ),
+        loading_roller_mass=roller_mass(
+            density=joint.bodies.loading_roller.density,
+            radius=geometry.loading_roller_radius,
+            length=joint.loading_roller_length,
+        ),
+        closure=joint.closure,
+    )
+
+
+def evaluate(joint: Joint) -> JointResult:
+    """The chain itself: pure, for ``jit``, ``vmap`` and ``grad``; never raises.
+
+    Points without a solution carry ``solved = False`` and must be looked at by the caller;
+    :func:`solve` does that.
+
+    Parameters
+    ----------
+    joint : Joint
+        One joint, or many along trailing batch axes.
+
+    Returns
+    -------
+    JointResult
+        Everything, in the broadcast shape.
+    """
+    joint = with_one_rank(joint)
+    geometry = joint.geometry
+    drive = mechanism(joint)
+    rest = rest_state(geometry=geometry, preload=joint.preload)
+    forces = force_balance(mechanism=drive, output_torque=joint.output_torque)
+
+    contacts = rough_contacts(joint=joint, normal_force=forces.normal, tangential_force=forces.tangential)
+    interfaces = rough_interfaces(joint=joint, forces=forces, contacts=contacts)
+    stiffness = contacts.tangential_stiffness
+    return JointResult(
+        angles=angles(geometry),
+        speed_ratio=speed_ratio(geometry),
+        carrier_speed=drive.carrier_speed,
+        planet_mass=drive.planet_mass,
+        loading_roller_mass=drive.loading_roller_mass,
+        forces=forces,
+        contacts=contacts,
+        contact_torsional_stiffness=contact_torsional_stiffness(
+            tangential_stiffness=stiffness, radius=driven_radii(geometry)
+        ),
+        interfaces=interfaces,
+        published=series_torsional_stiffness(geometry=geometry, tangential_stiffness=stiffness),
+        series_with_bulk=series_torsional_stiffness(
+            geometry=geometry, tangential_stiffness=jnp.asarray(interfaces.tangential)
+        ),
+        assembly=assembly_stiffness(
+            geometry=geometry,
+            normal_stiffness=jnp.asarray(interfaces.normal),
+            tangential_stiffness=jnp.asarray(interfaces.tangential),
+            supports=joint.supports,
+        ),
+        diagnostics=diagnose(
+            geometry=geometry,
+            forces=forces,
+            contacts=contacts,
+            interfaces=interfaces,
+            pairs=contact_pairs(joint.bodies),
+            contact_length=per_contact(joint.contact_lengths),
+            friction_coefficient=per_contact(joint.friction_coefficients),
+            rest_force=rest.normal_force,
+        ),
+        solved=(forces.balance_residual < BALANCE_TOLERANCE) & (forces.closure_residual < BALANCE_TOLERANCE),
+    )
+
+
+_evaluate_compiled = eqx.filter_jit(evaluate)
+
+
+def solve(joint: Joint) -> JointResult:
+    """Solve a joint, or a batch of joints, and refuse to return an unbalanced state.
+
+    Parameters
+    ----------
+    joint : Joint
+        One joint, or many along trailing batch axes.
+
+    Returns
+    -------
+    JointResult
+        Forces, contacts, stiffness and diagnostics. Gross slip and lift-off are results, reported by the
+        diagnostics; look at them before using the stiffness.
+
+    Raises
+    ------
+    NoSolutionError
+        Where the force balance did not close to :data:`BALANCE_TOLERANCE`, for instance because the rollers do
+        not close a triangle. Inside ``jit`` or ``vmap`` the error is raised when the program runs.
+    PrecisionError
+        If JAX is in single precision.
+    """
+    require_double_precision()
+    result = _evaluate_compiled(jax.tree.map(jnp.asarray, joint))  # arrays: a new number is no new program
+    unsolved = ~result.solved
+    if isinstance(unsolved, jax.core.Tracer):
+        checked: JointResult = eqx.error_if(
+            result, unsolved, "the force balance of a joint did not close; evaluate() shows where"
+        )
+        return checked
+    if bool(jnp.any(unsolved)):
+        balance, closure = result.forces.balance_residual, result.forces.closure_residual
+        raise NoSolutionError(
+            f"the force balance did not close for {int(jnp.sum(unsolved))} of {unsolved.size} joints: largest relative "
+            f"residual {float(jnp.max(balance)):.3g} (balance) and {float(jnp.max(closure)):.3g} (closure), allowed "
+            f"{BALANCE_TOLERANCE:g}; check radii, preload and torque"
+        )
+    return result

@@ -1,0 +1,110 @@
+"""A joint with measured surfaces: the measured D and G go in, an interval of the stiffness comes out."""
+
+from __future__ import annotations
+
+import dataclasses
+from pathlib import Path
+from typing import Any
+
+import jax.numpy as jnp
+import numpy as np
+
+from asperity.compilation import compile_fast
+from asperity.contact.fractal import Surface
+from asperity.errors import InputError
+from asperity.joint.description import Joint
+from asperity.joint.evaluation import evaluate
+from asperity.surface.equivalent import equivalent_surface
+from asperity.surface.measurement import CONFIDENCE, SurfaceMeasurement, read_measurement
+
+#: Draws of (D, ln G); the ends of a 95 % interval then scatter by about 3 % of its width.
+DRAWS = 2000
+_SEED = 20250617
+
+
+def measured_surface(paths: tuple[str | Path, ...]) -> SurfaceMeasurement:
+    """The surface of the contacts from one measurement of it, or from measurements of both bodies.
+
+    Parameters
+    ----------
+    paths : tuple of path
+        One document of ``asperity surface measure --json`` for the equivalent surface, or two for the two bodies,
+        whose structure functions add.
+
+    Returns
+    -------
+    SurfaceMeasurement
+        D and G with their covariance.
+
+    Raises
+    ------
+    InputError
+        If there are more than two files, or one is no measurement.
+    NoSolutionError
+        If two surfaces cannot be combined into one power law.
+    """
+    if len(paths) > 2:
+        raise InputError(
+            f"{len(paths)} measured surfaces were given; allowed are one, or one for each of two bodies"
+        )
+    measured = [read_measurement(path=path) for path in paths]
+    return measured[0] if len(measured) == 1 else equivalent_surface(first=measured[0], second=measured[1])
+
+
+def stiffness_interval(joint: Joint, measurement: SurfaceMeasurement) -> dict[str, Any]:
+    r"""Intervals of the output stiffness from the uncertainty of the measured D and G.
+
+    Parameters
+    ----------
+    joint : Joint
+        One joint.
+    measurement : SurfaceMeasurement
+        Measured surface; its (D, ln G) are drawn together from their normal law.
+
+    Returns
+    -------
+    dict
+        Level of the model → ``low_Nm_per_rad`` and ``high_Nm_per_rad`` at the output, the 2.5 % and 97.5 % points;
+        besides ``draws``, ``outside`` (draws with D outside 1…2, left out), ``unsolved`` and ``confidence``.
+
+    Raises
+    ------
+    InputError
+        If more than one draw in twenty has a D outside (1, 2): the measurement is too uncertain for an interval.
+    """
+    generator = np.random.default_rng(_SEED)
+    centre = [float(measurement.fractal_dimension), np.log(float(measurement.fractal_roughness))]
+    dimension, log_roughness = generator.multivariate_normal(
+        centre, np.asarray(measurement.covariance), size=DRAWS, method="eigh"
+    ).T
+    inside = (dimension > 1.0) & (dimension < 2.0)
+    if np.count_nonzero(~inside) > DRAWS / 20:
+        raise InputError(
+            f"{np.count_nonzero(~inside)} of {DRAWS} draws of the measured D = {centre[0]:.3f} lie outside 1 to 2: the "
+            "measurement is too uncertain; measure more profiles"
+        )
+    surface = Surface(
+        fractal_dimension=jnp.asarray(dimension[inside]),
+        fractal_roughness=jnp.asarray(np.exp(log_roughness[inside])),
+        frequency_ratio=jnp.full(np.count_nonzero(inside), float(measurement.frequency_ratio)),
+        asperity_base=joint.surfaces[0].asperity_base,
+    )
+    batch = dataclasses.replace(joint, surfaces=(surface,))
+    result = compile_fast(evaluate, batch)(batch)
+    solved = np.broadcast_to(result.solved, np.shape(surface.fractal_dimension))
+    tail = 50.0 * (1.0 - CONFIDENCE)
+    document: dict[str, Any] = {
+        "confidence": CONFIDENCE,
+        "draws": DRAWS,
+        "outside": int(np.count_nonzero(~inside)),
+        "unsolved": int(np.count_nonzero(~solved)),
+    }
+    levels = {
+        "published": result.published,
+        "series_with_bulk": result.series_with_bulk,
+        "assembly": result.assembly.stiffness,
+    }
+    for name, level in levels.items():
+        low, high = np.percentile(np.asarray(level.output)[solved], [tail, 100.0 - tail])
+        document[name] = {"low_Nm_per_rad": float(low), "high_Nm_per_rad": float(high)}
+    return document

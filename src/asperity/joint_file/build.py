@@ -1,0 +1,143 @@
+"""From the tables of a joint file in SI units to a :class:`asperity.joint.description.Joint`."""
+
+from __future__ import annotations
+
+import functools
+from collections.abc import Mapping
+from typing import Any
+
+import jax.numpy as jnp
+
+from asperity.contact.fractal import Surface
+from asperity.drive.assembly import RIGID_SUPPORTS, Supports
+from asperity.drive.geometry import DriveGeometry
+from asperity.drive.mechanism import Bearings
+from asperity.joint.description import Bodies, Joint
+from asperity.joint_file.model import Case, EachContact
+from asperity.joint_file.values import Values, check_values, replace_values, si_values
+from asperity.materials import Material, hardness
+from asperity.types import Real
+
+
+def joint_from_case(case: Case) -> Joint:
+    """The joint that a file describes.
+
+    Parameters
+    ----------
+    case : Case
+        The joint file.
+
+    Returns
+    -------
+    Joint
+        In SI units.
+    """
+    return joint_from_values(si_values(case))
+
+
+def with_values(case: Case, changes: Mapping[str, Any]) -> Joint:
+    """The joint that a file describes, with some of its numbers replaced by others or by arrays of them.
+
+    Parameters
+    ----------
+    case : Case
+        The joint file.
+    changes : mapping
+        Dotted path → SI number or array, see :func:`asperity.joint_file.values.replace_values`. Arrays broadcast
+        against each other and become the batch axes of the joint.
+
+    Returns
+    -------
+    Joint
+        One joint, or many along trailing batch axes.
+
+    Raises
+    ------
+    InputError
+        If there is no such number, or a value is outside its range.
+    """
+    check_values(changes)
+    return joint_from_values(replace_values(si_values(case), changes))
+
+
+def joint_from_values(values: Values) -> Joint:
+    """The joint of nested tables of SI numbers; a function of its leaves that can be differentiated.
+
+    Parameters
+    ----------
+    values : dict
+        Tables as :func:`asperity.joint_file.values.si_values` makes them; leaves may be arrays. Without ``bearings``
+        there is no bearing friction, without ``compliance`` the structure is
+        :data:`asperity.drive.assembly.RIGID_SUPPORTS`; rollers without a length are as long as the longest contact
+        line on them.
+
+    Returns
+    -------
+    Joint
+        In SI units.
+    """
+    drive, load, model = values["drive"], values["load"], values["model"]
+    bearings, compliance = values.get("bearings", {}), values.get("compliance", {})
+    materials = {name: _material(entry) for name, entry in values["materials"].items()}
+    lengths = _entries(drive["contact_length"])
+    return Joint(
+        geometry=DriveGeometry(
+            sun_radius=drive["sun_radius"],
+            planet_radius=drive["planet_radius"],
+            loading_roller_radius=drive["loading_roller_radius"],
+            ring_radius=drive["ring_radius"],
+            planet_count=drive["planets"],
+            left_push_angle=drive["left_push_angle"],
+            right_push_angle=drive["right_push_angle"],
+        ),
+        bodies=Bodies(**{body: materials[name] for body, name in values["bodies"].items()}),
+        surfaces=tuple(
+            Surface(**entry, asperity_base=model["asperity_base"]) for entry in _entries(values["surface"])
+        ),
+        contact_lengths=lengths,
+        friction_coefficients=_entries(load["friction_coefficient"]),
+        planet_length=drive.get("planet_length", _longest(lengths[:3])),
+        loading_roller_length=drive.get("loading_roller_length", _longest(lengths[1:] or lengths)),
+        ring_wall_thickness=drive["ring_wall_thickness"],
+        bearings=Bearings(
+            sun_torque=bearings.get("sun_torque", 0.0),
+            loading_roller_torque=bearings.get("loading_roller_torque", 0.0),
+            carrier_torque=bearings.get("carrier_torque", 0.0),
+            pin_friction_coefficient=bearings.get("pin_friction_coefficient", 0.0),
+            pin_diameter=bearings.get("pin_diameter", 0.0),
+        ),
+        preload=load["preload"],
+        output_torque=load["output_torque"],
+        sun_speed=load["sun_speed"],
+        supports=Supports(
+            **{name: compliance.get(name, ideal) for name, ideal in vars(RIGID_SUPPORTS).items()}
+        ),
+        closure=model["closure"],
+        closure_springs=model["closure_springs"],
+        contact_factor_model=model["contact_factor"],
+    )
+
+
+def _entries(entry: Any) -> tuple[Any, ...]:
+    """One entry for all contacts, or five in the order of the contact axis."""
+    if isinstance(entry, dict) and "sp" in entry:
+        return tuple(entry[name] for name in EachContact.model_fields)
+    return (entry,)
+
+
+def _longest(lengths: tuple[Real, ...]) -> Real:
+    if all(isinstance(length, float) for length in lengths):
+        return max(lengths)
+    return functools.reduce(jnp.maximum, lengths)
+
+
+def _material(entry: Values) -> Material:
+    elastic = {name: entry[name] for name in ("youngs_modulus", "poisson_ratio", "density", "yield_strength")}
+    return Material(**elastic, hardness=_hardness(entry))
+
+
+def _hardness(entry: Values) -> Real:
+    if "hardness" in entry:
+        stated: Real = entry["hardness"]
+        return stated
+    return hardness(hardness_factor=entry["hardness_factor"], yield_strength=entry["yield_strength"])

@@ -1,0 +1,277 @@
+"""Tables of roller pairs: CSV with the unit in every column's name, any number of rows, in bounded memory."""
+
+from __future__ import annotations
+
+import csv
+import math
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import Any, NamedTuple, TextIO
+
+import jax.numpy as jnp
+import numpy as np
+
+from asperity.compilation import compile_fast
+from asperity.contact.asperity import AsperityBase
+from asperity.contact.fractal import Surface
+from asperity.contact.roller_pairs import CONTACT_FACTOR_MODELS, RollerPairs, roller_pair_contacts
+from asperity.errors import InputError
+from asperity.joint_file import limits
+from asperity.joint_file.key import Key
+from asperity.joint_file.messages import nearest
+from asperity.unit_table import Dimension
+from asperity.units import from_si
+from asperity.writing import check_file, replacing
+
+ROWS_AT_ONCE = 65536
+MOST_ERRORS = 12
+
+_FORCE = Key(Dimension.FORCE, 0.0, 1e9, "N", open_lower=True)
+_TANGENTIAL_FORCE = Key(Dimension.FORCE, 0.0, 1e9, "N")
+
+#: Numeric input columns: name → what it measures and its range; the unit of the range is that of the column.
+INPUT_COLUMNS: dict[str, Key] = {
+    "D": limits.FRACTAL_DIMENSION,
+    "G_mm": limits.FRACTAL_ROUGHNESS,
+    "F_N": _FORCE,
+    "T_N": _TANGENTIAL_FORCE,
+    "mu": limits.FRICTION_COEFFICIENT,
+    "R1_mm": limits.ROLLER_RADIUS,
+    "R2_mm": limits.ROLLER_RADIUS,
+    "sign": Key(Dimension.DIMENSIONLESS, -1, 1, whole=True),
+    "B_mm": limits.CONTACT_LENGTH,
+    "E1_MPa": Key(Dimension.PRESSURE, 0.1, 1e7, "MPa"),
+    "E2_MPa": Key(Dimension.PRESSURE, 0.1, 1e7, "MPa"),
+    "nu1": limits.POISSON_RATIO,
+    "nu2": limits.POISSON_RATIO,
+    "H_MPa": limits.HARDNESS,
+}
+#: The one column of names: which model of the contact factor lambda the row uses.
+MODEL_COLUMN = "lambda"
+
+#: Result columns, in this order behind the input: name → field of
+#: :class:`asperity.contact.fractal.FractalContact`, unit.
+OUTPUT_COLUMNS: dict[str, tuple[str, str]] = {
+    "psi": ("domain_extension_factor", "1"),
+    "lam": ("contact_factor", "1"),
+    "a_c_mm2": ("critical_area", "mm^2"),
+    "a_l_mm2": ("largest_area", "mm^2"),
+    "A_r_mm2": ("real_contact_area", "mm^2"),
+    "Fe_N": ("elastic_load", "N"),
+    "Fp_N": ("plastic_load", "N"),
+    "Kt_N_per_mm": ("tangential_stiffness", "N/mm"),
+    "Kn_N_per_mm": ("normal_stiffness", "N/mm"),
+}
+
+
+class Summary(NamedTuple):
+    """What was done with a table: how many rows, and which of its columns were replaced by results."""
+
+    rows: int
+    replaced_columns: tuple[str, ...]
+
+
+def convert_contact_table(
+    source: str | Path,
+    target: str | Path,
+    *,
+    frequency_ratio: float,
+    asperity_base: AsperityBase,
+    progress: Callable[[int], None] = lambda rows: None,
+) -> Summary:
+    """Read a table of roller pairs and write it again with the results behind each row.
+
+    Parameters
+    ----------
+    source, target : str or Path
+        CSV files, comma separated, with a header. Columns that are neither input nor result are carried along;
+        result columns that are already there are replaced.
+    frequency_ratio : float
+        Frequency ratio gamma of all rows [-].
+    asperity_base : {"majumdar_bhushan_1991", "circular_spot"}
+        Variant of all rows.
+    progress : callable
+        Called with the number of rows done.
+
+    Returns
+    -------
+    Summary
+        Number of rows, and which columns were replaced.
+
+    Raises
+    ------
+    InputError
+        If a file cannot be read or written, a column is missing, or a row is bad; then nothing is written.
+    """
+    check_file(target)
+    try:
+        with open(source, encoding="utf-8-sig", newline="") as stream:
+            return _convert(stream, str(source), Path(target), frequency_ratio, asperity_base, progress)
+    except UnicodeDecodeError:
+        raise InputError(f"{source}: this is not a text file in UTF-8") from None
+    except csv.Error as error:
+        raise InputError(f"{source}: not a CSV table: {error}") from None
+    except OSError as error:
+        raise InputError(f"{error.filename or source}: {error.strerror}") from None
+
+
+def _convert(
+    stream: TextIO,
+    source: str,
+    target: Path,
+    frequency_ratio: float,
+    asperity_base: AsperityBase,
+    progress: Callable[[int], None],
+) -> Summary:
+    reader = csv.reader(stream, strict=True)
+    header = [name.strip() for name in next(reader, [])]
+    _check_header(header, source)
+    kept = [index for index, name in enumerate(header) if name not in OUTPUT_COLUMNS]
+    rows = 0
+    with replacing(target) as part, part.open("x", encoding="utf-8", newline="") as made:
+        writer = csv.writer(made, lineterminator="\n")
+        writer.writerow([*(header[index] for index in kept), *OUTPUT_COLUMNS])
+        for lines, cells in _chunks(reader, header, source):
+            columns = _columns(cells, lines, header, source)
+            results = _evaluated(columns, frequency_ratio, asperity_base)
+            told = [[repr(number) for number in results[name].tolist()] for name in OUTPUT_COLUMNS]
+            writer.writerows(
+                [*(row[index] for index in kept), *numbers]
+                for row, numbers in zip(cells, zip(*told, strict=True), strict=True)
+            )
+            rows += len(cells)
+            progress(rows)
+    return Summary(rows, tuple(name for name in header if name in OUTPUT_COLUMNS))
+
+
+def _check_header(header: list[str], source: str) -> None:
+    needed = [*INPUT_COLUMNS, MODEL_COLUMN]
+    if not header:
+        raise InputError(f"{source}: empty; the first line must name the columns {', '.join(needed)}")
+    twice = sorted({name for name in header if header.count(name) > 1})
+    if twice:
+        raise InputError(f"{source}: line 1: the column {twice[0]!r} is there more than once")
+    missing = [name for name in needed if name not in header]
+    if missing:
+        others = [name for name in header if name not in needed]
+        hints = [f"{name}{nearest(name, others)}" for name in missing]
+        raise InputError(f"{source}: line 1: missing columns: {', '.join(hints)}")
+
+
+def _chunks(reader: Any, header: list[str], source: str) -> Iterator[tuple[list[int], list[list[str]]]]:
+    """Rows with their line numbers, a bounded number at a time; empty lines are skipped."""
+    lines: list[int] = []
+    cells: list[list[str]] = []
+    for row in reader:
+        if not row:
+            continue
+        if len(row) != len(header):
+            raise InputError(
+                f"{source}: line {reader.line_num}: {len(row)} cells, but the header has {len(header)} columns"
+            )
+        lines.append(reader.line_num)
+        cells.append(row)
+        if len(cells) == ROWS_AT_ONCE:
+            yield lines, cells
+            lines, cells = [], []
+    if cells:
+        yield lines, cells
+
+
+def _columns(cells: list[list[str]], lines: list[int], header: list[str], source: str) -> dict[str, Any]:
+    """Numbers of the input columns as they are written, checked; the model as its index."""
+    by_name = {name: index for index, name in enumerate(header)}
+    errors: list[tuple[int, str]] = []
+    columns: dict[str, Any] = {}
+    for name, key in INPUT_COLUMNS.items():
+        written = [row[by_name[name]] for row in cells]
+        columns[name] = _numbers(written, name, key, lines, errors)
+    known: dict[str, int] = {model: index for index, model in enumerate(CONTACT_FACTOR_MODELS)}
+    chosen = [row[by_name[MODEL_COLUMN]].strip() for row in cells]
+    errors += [
+        (line, f"column {MODEL_COLUMN}: {model!r} is not one of {', '.join(CONTACT_FACTOR_MODELS)}")
+        for line, model in zip(lines, chosen, strict=True)
+        if model not in known
+    ]
+    inner = (columns["sign"] < 0.0) & (columns["R1_mm"] == columns["R2_mm"])
+    errors += [
+        (lines[row], "column R2_mm: an inner contact (sign -1) needs two different radii")
+        for row in np.flatnonzero(inner)
+    ]
+    neutral = np.flatnonzero(columns["sign"] == 0.0)
+    errors += [(lines[row], "column sign: 0 is not allowed; it must be 1 or -1") for row in neutral]
+    if errors:
+        raise InputError(_told(errors, source))
+    columns[MODEL_COLUMN] = np.array([known[model] for model in chosen])
+    return columns
+
+
+def _told(errors: list[tuple[int, str]], source: str) -> str:
+    """Bad cells in the order of the lines, the first dozen of them."""
+    told = [f"line {line}, {sentence}" for line, sentence in sorted(errors)[:MOST_ERRORS]]
+    if len(errors) == 1:
+        return f"{source}: {told[0]}; nothing was written"
+    if len(errors) > MOST_ERRORS:
+        told.append(f"and {len(errors) - MOST_ERRORS} more")
+    return "\n  ".join([f"{source}: {len(errors)} bad cells, nothing was written", *told])
+
+
+def _numbers(
+    written: list[str], name: str, key: Key, lines: list[int], errors: list[tuple[int, str]]
+) -> np.ndarray:
+    try:
+        numbers = np.array(written, dtype=float)
+    except ValueError:
+        numbers = np.array([_number(text) for text in written])
+    low, high = key.lower, key.upper
+    good = (numbers > low if key.open_lower else numbers >= low) & (
+        numbers < high if key.open_upper else numbers <= high
+    )
+    if key.whole:
+        good &= numbers == np.round(numbers)
+    for row in np.flatnonzero(~good):
+        shown = written[row].strip()
+        unit = "" if key.unit == "1" else f" {key.unit}"
+        told = f"{shown!r} is not a number" if math.isnan(_number(shown)) else f"{shown}{unit} is not allowed"
+        errors.append((lines[row], f"column {name}: {told}; it must be {key.allowed}"))
+    return numbers
+
+
+def _number(text: str) -> float:
+    try:
+        return float(text)
+    except ValueError:
+        return math.nan
+
+
+def _evaluated(
+    columns: dict[str, np.ndarray], frequency_ratio: float, asperity_base: AsperityBase
+) -> dict[str, np.ndarray]:
+    """Results of some rows in the units of their columns; computed in one of a few sizes, compiled once each."""
+    count = columns["D"].size
+    size = 1 << max(count - 1, 63).bit_length()
+    si = {
+        name: jnp.asarray(np.resize(columns[name] / from_si(1.0, key.unit), size))
+        for name, key in INPUT_COLUMNS.items()
+    }
+    pairs = RollerPairs(
+        surface=Surface(si["D"], si["G_mm"], jnp.full(size, frequency_ratio), asperity_base),
+        normal_force=si["F_N"],
+        tangential_force=si["T_N"],
+        friction_coefficient=si["mu"],
+        radius_1=si["R1_mm"],
+        radius_2=si["R2_mm"],
+        sign=si["sign"],
+        contact_length=si["B_mm"],
+        youngs_modulus_1=si["E1_MPa"],
+        youngs_modulus_2=si["E2_MPa"],
+        poisson_ratio_1=si["nu1"],
+        poisson_ratio_2=si["nu2"],
+        hardness=si["H_MPa"],
+        contact_factor_model=jnp.asarray(np.resize(columns[MODEL_COLUMN], size)),
+    )
+    contacts = compile_fast(roller_pair_contacts, pairs)(pairs)
+    return {
+        name: np.asarray(getattr(contacts, field))[:count] * from_si(1.0, unit)
+        for name, (field, unit) in OUTPUT_COLUMNS.items()
+    }

@@ -1,0 +1,240 @@
+"""What a joint file says: one class a section, one field a key."""
+
+from __future__ import annotations
+
+from typing import Annotated, Any, Generic, Literal, TypeVar
+
+from pydantic import BaseModel, ConfigDict, Discriminator, Field, StringConstraints, Tag, model_validator
+
+from asperity.errors import InputError
+from asperity.joint_file import limits
+from asperity.joint_file.key import Quantity
+
+Entry = TypeVar("Entry")
+
+#: Marks in pydantic's error locations that are no keys of the file.
+ONE_FOR_ALL, ONE_FOR_EACH = "<one for all>", "<one for each>"
+
+
+class Section(BaseModel):
+    """A table of the file: frozen, and without room for unknown keys."""
+
+    model_config = ConfigDict(extra="forbid", frozen=True, use_attribute_docstrings=True)
+
+
+class EachContact(Section, Generic[Entry]):
+    """One entry for each contact of a branch."""
+
+    sp: Entry
+    """Sun–planet."""
+    pwr: Entry
+    """Planet–right loading roller."""
+    pwl: Entry
+    """Planet–left loading roller."""
+    wro: Entry
+    """Right loading roller–ring."""
+    wlo: Entry
+    """Left loading roller–ring."""
+
+    def entries(self) -> tuple[Entry, ...]:
+        """The five entries in the order of the contact axis."""
+        return (self.sp, self.pwr, self.pwl, self.wro, self.wlo)
+
+
+def _number_or_table(written: Any) -> str:
+    return ONE_FOR_EACH if isinstance(written, dict | EachContact) else ONE_FOR_ALL
+
+
+def _table_or_tables(written: Any) -> str:
+    tables = isinstance(written, dict) and any(isinstance(value, dict) for value in written.values())
+    return ONE_FOR_EACH if tables or isinstance(written, EachContact) else ONE_FOR_ALL
+
+
+Length = Annotated[Quantity, limits.ROLLER_RADIUS]
+ContactLength = Annotated[Quantity, limits.CONTACT_LENGTH]
+BodyLength = Annotated[Quantity, limits.BODY_LENGTH]
+PushAngle = Annotated[Quantity, limits.PUSH_ANGLE]
+Friction = Annotated[Quantity, limits.FRICTION_COEFFICIENT]
+BearingTorque = Annotated[Quantity, limits.BEARING_TORQUE]
+ContactLengths = Annotated[
+    Annotated[ContactLength, Tag(ONE_FOR_ALL)] | Annotated[EachContact[ContactLength], Tag(ONE_FOR_EACH)],
+    Discriminator(_number_or_table),
+]
+FrictionCoefficients = Annotated[
+    Annotated[Friction, Tag(ONE_FOR_ALL)] | Annotated[EachContact[Friction], Tag(ONE_FOR_EACH)],
+    Discriminator(_number_or_table),
+]
+MaterialName = Annotated[str, StringConstraints(pattern=r"^[A-Za-z0-9_-]{1,60}$")]
+
+
+class Drive(Section):
+    """Radii and arrangement of the drive."""
+
+    planets: Annotated[Quantity, limits.PLANETS]
+    """Number of planets, equally spaced."""
+    sun_radius: Length
+    """Radius R_s of the sun roller."""
+    planet_radius: Length
+    """Radius R_p of the planets."""
+    loading_roller_radius: Length
+    """Radius R_w of the loading rollers, two to a planet."""
+    ring_radius: Length
+    """Inner radius R_o of the fixed outer ring."""
+    ring_wall_thickness: Annotated[Quantity, limits.WALL_THICKNESS]
+    """Wall of the outer ring; enters its compression."""
+    contact_length: ContactLengths
+    """Length B of the contact lines: one for all, or a table with sp, pwr, pwl, wro, wlo."""
+    left_push_angle: PushAngle
+    """Direction gamma_l of the carrier's push on the left loading roller, from the tangent."""
+    right_push_angle: PushAngle
+    """Direction gamma_r of the carrier's push on the right loading roller, from the tangent."""
+    planet_length: BodyLength | None = None
+    """Length of a planet, for its mass; if absent, the longest contact line on it."""
+    loading_roller_length: BodyLength | None = None
+    """Length of a loading roller, for its mass; if absent, the longest contact line on it."""
+
+
+class Load(Section):
+    """What acts on the drive."""
+
+    preload: Annotated[Quantity, limits.PRELOAD]
+    """Normal force N_0 between sun and planet at rest."""
+    output_torque: Annotated[Quantity, limits.OUTPUT_TORQUE]
+    """Torque at the carrier; the other direction is the mirror image."""
+    sun_speed: Annotated[Quantity, limits.SUN_SPEED]
+    """Speed of the sun; makes the centrifugal forces."""
+    friction_coefficient: FrictionCoefficients
+    """Friction coefficient mu of the contacts: one for all, or a table with sp, pwr, pwl, wro, wlo."""
+
+
+class BearingFriction(Section):
+    """Friction of the bearings; a joint file without this section has none."""
+
+    sun_torque: BearingTorque
+    """Friction torque of one of the two sun bearings."""
+    loading_roller_torque: BearingTorque
+    """Constant friction torque of one of the two bearings of a loading roller."""
+    carrier_torque: BearingTorque
+    """Friction torque of one of the two carrier bearings."""
+    pin_friction_coefficient: Annotated[Quantity, limits.PIN_FRICTION_COEFFICIENT]
+    """Friction coefficient mu_b of the loading rollers' pins."""
+    pin_diameter: Annotated[Quantity, limits.PIN_DIAMETER]
+    """Diameter d of the loading rollers' pins."""
+
+
+class Compliance(Section):
+    """Springs of the structure around the rollers; an absent key is the ideal its description names."""
+
+    pin_stiffness: Annotated[Quantity, limits.SPRING] | None = None
+    """Stiffness of one carrier pin along its push; rigid if absent."""
+    pin_transverse_stiffness: Annotated[Quantity, limits.SPRING] | None = None
+    """Stiffness of one carrier pin across its push; free if absent."""
+    planet_support_stiffness: Annotated[Quantity, limits.SPRING] | None = None
+    """Stiffness of a planet's bearing on the carrier; the planet floats if absent."""
+    ring_bending_stiffness: Annotated[Quantity, limits.SPRING] | None = None
+    """Stiffness of the ring as a whole under one loading roller; rigid if absent."""
+    input_shaft_stiffness: Annotated[Quantity, limits.TORSION_SPRING] | None = None
+    """Torsional stiffness of the shaft to the sun; rigid if absent."""
+    output_shaft_stiffness: Annotated[Quantity, limits.TORSION_SPRING] | None = None
+    """Torsional stiffness of the shaft from the carrier; rigid if absent."""
+
+
+class ModelChoice(Section):
+    """Which variants of the model to use."""
+
+    closure: Literal["elastic", "constant_pin_force"]
+    """How the forces of the statically indeterminate branch are found."""
+    closure_springs: Literal["bulk", "bulk_and_asperities"]
+    """Normal springs of the elastic closure: the bodies alone, or with their asperities."""
+    contact_factor: Literal["printed", "hertz_area", "unity"]
+    """Model of the contact factor lambda."""
+    asperity_base: Literal["majumdar_bhushan_1991", "circular_spot"]
+    """Base length of an asperity."""
+
+
+class MaterialEntry(Section):
+    """An elastic–plastic material; exactly one of hardness and hardness_factor."""
+
+    youngs_modulus: Annotated[Quantity, limits.YOUNGS_MODULUS]
+    """Young's modulus E."""
+    poisson_ratio: Annotated[Quantity, limits.POISSON_RATIO]
+    """Poisson's ratio."""
+    density: Annotated[Quantity, limits.DENSITY]
+    """Mass density."""
+    yield_strength: Annotated[Quantity, limits.YIELD_STRENGTH]
+    """Yield strength."""
+    hardness_factor: Annotated[Quantity, limits.HARDNESS_FACTOR] | None = None
+    """Hardness over yield strength, k_H; 2.8 for a blunt indenter in a ductile metal."""
+    hardness: Annotated[Quantity, limits.HARDNESS] | None = None
+    """Indentation hardness as a pressure."""
+
+    @model_validator(mode="after")
+    def _one_hardness(self) -> MaterialEntry:
+        if (self.hardness is None) == (self.hardness_factor is None):
+            found = "neither" if self.hardness is None else "both"
+            raise InputError(f"exactly one of 'hardness' and 'hardness_factor' is needed, got {found}")
+        return self
+
+
+class BodyMaterials(Section):
+    """Which material each body is made of."""
+
+    sun: MaterialName
+    """Material of the sun roller."""
+    planet: MaterialName
+    """Material of the planets."""
+    loading_roller: MaterialName
+    """Material of the loading rollers."""
+    ring: MaterialName
+    """Material of the outer ring."""
+
+
+class SurfaceEntry(Section):
+    """Fractal roughness of a contact: the equivalent roughness of both bodies."""
+
+    fractal_dimension: Annotated[Quantity, limits.FRACTAL_DIMENSION]
+    """Fractal dimension D of a profile."""
+    fractal_roughness: Annotated[Quantity, limits.FRACTAL_ROUGHNESS]
+    """Fractal roughness G."""
+    frequency_ratio: Annotated[Quantity, limits.FREQUENCY_RATIO]
+    """Ratio gamma of successive frequencies of the Weierstrass–Mandelbrot profile; usually 1.5."""
+
+
+Surfaces = Annotated[
+    Annotated[SurfaceEntry, Tag(ONE_FOR_ALL)] | Annotated[EachContact[SurfaceEntry], Tag(ONE_FOR_EACH)],
+    Discriminator(_table_or_tables),
+]
+
+
+class Case(Section):
+    """A joint file: a planetary traction drive under load."""
+
+    drive: Drive
+    """Radii and arrangement."""
+    load: Load
+    """Preload, torque, speed, friction."""
+    bearings: BearingFriction | None = None
+    """Friction of the bearings; none if the section is absent."""
+    compliance: Compliance | None = None
+    """Springs of pins, planet supports, ring and shafts; ideal if the section is absent."""
+    model: ModelChoice
+    """Variants of the model."""
+    materials: Annotated[dict[MaterialName, MaterialEntry], Field(min_length=1)]
+    """Materials by name."""
+    bodies: BodyMaterials
+    """Which material each body is made of."""
+    surface: Surfaces
+    """Roughness: one table for all contacts, or tables surface.sp, .pwr, .pwl, .wro, .wlo."""
+
+    @model_validator(mode="after")
+    def _known_materials(self) -> Case:
+        for body, name in self.bodies:
+            if name not in self.materials:
+                from asperity.joint_file.messages import nearest
+
+                known = list(self.materials)
+                hint = nearest(name, known)
+                raise InputError(
+                    f"bodies.{body}: there is no material {name!r}{hint}; the file defines {', '.join(known)}"
+                )
+        return self

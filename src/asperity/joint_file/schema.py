@@ -1,0 +1,77 @@
+"""The JSON schema of joint files."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from asperity.joint_file.model import BodyMaterials, Case, MaterialEntry
+from asperity.library import read_materials
+
+Schema = dict[str, Any]
+
+
+def joint_schema() -> Schema:
+    """Schema of a joint file after TOML is read, for editors such as those with Taplo.
+
+    Returns
+    -------
+    dict
+        JSON Schema, draft 2020-12. Bounds of quantities with units cannot be said in it, nor that a body's material
+        is one that the file or the library has; the reader checks them.
+    """
+    schema = Case.model_json_schema(mode="validation")
+    _offer_library(schema)
+    return {
+        "$schema": "https://json-schema.org/draft/2020-12/schema",
+        **schema,
+        "title": "Joint file of asperity",
+    }
+
+
+def _offer_library(schema: Schema) -> None:
+    """Add what :func:`asperity.library.with_library_materials` fills in before the model sees the file.
+
+    The names of the library are offered wherever one may stand; others stay allowed where a file may define them.
+    """
+    names = {"enum": list(read_materials()), "description": "A material of the library: asperity materials."}
+    schema["required"].remove("materials")  # bodies may name the library's
+    materials = schema["properties"]["materials"]
+    del materials["minProperties"]
+    materials["additionalProperties"] = False
+
+    bodies = schema["$defs"][BodyMaterials.__name__]["properties"]
+    for body in bodies.values():
+        own = {
+            "type": body.pop("type"),
+            "pattern": body.pop("pattern"),
+            "description": "A name of [materials].",
+        }
+        body["anyOf"] = [names, own]
+
+    entry = schema["$defs"][MaterialEntry.__name__]
+    numbers_needed = {
+        "required": entry.pop("required"),
+        "oneOf": [{"required": ["hardness"]}, {"required": ["hardness_factor"]}],
+    }
+    entry["description"] += " With 'library', its numbers are filled in, and keys beside it replace them."
+    entry["properties"] = {
+        "library": {
+            "title": "Library",
+            "description": "Name in the library, or in the library file that 'file' names.",
+            "anyOf": [names, {"type": "string"}],
+        },
+        "file": {
+            "title": "File",
+            "description": "A library file of your own, relative to the joint file.",
+            "type": "string",
+        },
+        **entry["properties"],
+    }
+    entry["dependentRequired"] = {"file": ["library"]}
+    entry["if"] = {"required": ["library"]}
+    entry["then"] = {
+        "if": {"not": {"required": ["file"]}},
+        "then": {"properties": {"library": names}},
+        "not": {"required": ["hardness", "hardness_factor"]},
+    }
+    entry["else"] = numbers_needed

@@ -1,0 +1,1 @@
+"""Drawing and figures of a joint, shared by commands, report and page."""

@@ -1,0 +1,1 @@
+"""Unknowns of a joint from a measured torque-angle curve."""

@@ -1,0 +1,159 @@
+"""What a calibration looks for: numbers of the joint file, and properties of the measured curve."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+import numpy as np
+
+from asperity.errors import InputError
+from asperity.joint_file.model import Case
+from asperity.joint_file.values import key_at, numeric_keys
+from asperity.study.calibration.measurement import Measurement
+from asperity.study.design.design_problem import Variable
+from asperity.unit_table import Dimension
+from asperity.units import parse_quantity
+
+#: Properties of a measured curve that no joint file has, and what they measure.
+CURVE_UNKNOWNS = {
+    "play": Dimension.ANGLE,
+    "play_torque": Dimension.TORQUE,
+    "offset": Dimension.ANGLE,
+    "drift": Dimension.ANGULAR_VELOCITY,
+}
+
+#: Without stated bounds a number of the file may change by this factor either way.
+DEFAULT_FACTOR = 5.0
+
+_LINEAR_KINDS = ("fractal_dimension", "poisson_ratio", "push_angle")
+
+
+def read_unknowns(texts: Iterable[str], *, case: Case, measurement: Measurement) -> tuple[Variable, ...]:
+    """Read the unknowns of a calibration.
+
+    Parameters
+    ----------
+    texts : iterable of str
+        ``KEY`` or ``KEY=LOWER:UPPER`` with units, for example ``load.preload=500 N:2000 N``; a key is a number of
+        the joint file, or ``play``, ``play_torque``, ``offset``, ``drift``.
+    case : Case
+        The joint file. Its value is the first guess; without bounds, five times it and a fifth of it are the bounds
+        (1.05 to 1.95 for a fractal dimension).
+    measurement : Measurement
+        The data; without bounds play, offset and drift may be as large as the whole range of angles. With several
+        repetitions each has its own offset.
+
+    Returns
+    -------
+    tuple of Variable
+        Bounds and scale. ``offset`` of several repetitions becomes ``offset 1``, ``offset 2``, …
+
+    Raises
+    ------
+    InputError
+        If a text cannot be read, or an unknown makes no sense for these data.
+    """
+    found: list[Variable] = []
+    for text in texts:
+        name, _, bounds = text.partition("=")
+        name = name.strip()
+        sides = bounds.split(":") if bounds.strip() else []
+        if sides and len(sides) != 2:
+            raise InputError(f"unknown '{text}': expected KEY=LOWER:UPPER, e.g. load.preload=500 N:2000 N")
+        if name in CURVE_UNKNOWNS:
+            found.extend(_of_curve(name, sides, measurement))
+        else:
+            found.append(_of_joint(name, sides, case))
+    names = [unknown.path for unknown in found]
+    if not found:
+        raise InputError("nothing to calibrate: name at least one unknown, e.g. --unknown load.preload")
+    for name in names:
+        if names.count(name) > 1:
+            raise InputError(f"the unknown '{name}' is named twice")
+    if "play_torque" in names and "play" not in names:
+        raise InputError("play_torque is the torque that takes up the play; it needs the unknown 'play'")
+    return tuple(found)
+
+
+def _bounds(name: str, sides: list[str], dimension: Dimension) -> tuple[float, float]:
+    try:
+        lower, upper = (parse_quantity(side.strip(), dimension) for side in sides)
+    except InputError as error:
+        raise InputError(f"unknown '{name}': {error}") from None
+    if not lower < upper:
+        raise InputError(f"unknown '{name}': the lower bound {sides[0]} must be below the upper {sides[1]}")
+    return lower, upper
+
+
+def _of_curve(name: str, sides: list[str], measurement: Measurement) -> list[Variable]:
+    if measurement.angle is None:
+        raise InputError(f"'{name}' belongs to angles; the data are stiffnesses")
+    span = float(np.ptp(measurement.angle))
+    if name == "drift" and (measurement.time is None or np.ptp(measurement.time) == 0.0):
+        raise InputError("drift needs a column 'time', e.g. 'time [s]'")
+    duration = float(np.ptp(measurement.time)) if measurement.time is not None else 1.0
+    middle = float(np.mean(measurement.angle))
+    default = {
+        "play": (0.0, span),
+        "play_torque": (
+            1e-3 * float(np.max(np.abs(measurement.torque))),
+            float(np.max(np.abs(measurement.torque))),
+        ),
+        "offset": (middle - span, middle + span),
+        "drift": (-span / duration, span / duration),
+    }[name]
+    lower, upper = _bounds(name, sides, CURVE_UNKNOWNS[name]) if sides else default
+    if name in ("play", "play_torque") and (lower < 0.0 or (name == "play_torque" and lower == 0.0)):
+        raise InputError(
+            f"unknown '{name}': it cannot be negative{' or zero' if name == 'play_torque' else ''}"
+        )
+    if name == "offset":
+        labels = np.unique(measurement.repetition)
+        if labels.size > 1:
+            return [Variable(f"offset {label:g}", lower, upper, False) for label in labels]
+    return [Variable(name, lower, upper, name == "play_torque")]
+
+
+def _of_joint(path: str, sides: list[str], case: Case) -> Variable:
+    key = key_at(path)
+    if path == "load.output_torque":
+        raise InputError("load.output_torque is measured here, it cannot be unknown")
+    if key.whole:
+        raise InputError(f"'{path}' is a whole number and cannot be calibrated")
+    stated = numeric_keys(case).get(path)
+    linear = path.rsplit(".", 1)[-1].endswith(_LINEAR_KINDS)
+    if sides:
+        lower, upper = _bounds(path, sides, key.dimension)
+        for bound in (lower, upper):
+            try:
+                key.check(bound)
+            except InputError as error:
+                raise InputError(f"unknown '{path}': {error}") from None
+    elif path.endswith("fractal_dimension"):
+        lower, upper = 1.05, 1.95
+    elif stated is None or stated.value <= 0.0 or linear:
+        raise InputError(
+            f"unknown '{path}': the joint file gives no value to start from; state bounds, {path}=LOWER:UPPER"
+        )
+    else:
+        lower, upper = stated.value / DEFAULT_FACTOR, stated.value * DEFAULT_FACTOR
+        if not (key.admits(lower) and key.admits(upper)):
+            raise InputError(f"unknown '{path}': state bounds, {path}=LOWER:UPPER; allowed is {key.allowed}")
+    return Variable(path, lower, upper, not linear and lower > 0.0)
+
+
+def si_unit_of(path: str) -> str:
+    """SI unit of an unknown.
+
+    Parameters
+    ----------
+    path : str
+        Its name.
+
+    Returns
+    -------
+    str
+        A unit of :mod:`asperity.units`.
+    """
+    kind = path.partition(" ")[0]
+    return (CURVE_UNKNOWNS[kind] if kind in CURVE_UNKNOWNS else key_at(path).dimension).si_unit

@@ -1,0 +1,1 @@
+"""The best joint within limits, and Pareto fronts."""

@@ -1,0 +1,140 @@
+"""Plots of designs: what each limit leaves, how the objective changes around the design, and Pareto fronts."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from asperity.joint_file.values import key_at
+from asperity.study.design.design import DesignResult
+from asperity.study.design.judgement import Judge
+from asperity.study.quantities import QUANTITIES
+from asperity.units import from_si
+
+if TYPE_CHECKING:
+    import xarray
+    from matplotlib.figure import Figure
+
+_POINTS = 31
+
+
+def design_figure(result: DesignResult) -> Figure:
+    """The objective along each variable through the design, with the stretch that meets all limits.
+
+    Parameters
+    ----------
+    result : DesignResult
+        What :func:`asperity.study.design.design.design` returns.
+
+    Returns
+    -------
+    Figure
+        One panel a variable.
+    """
+    from matplotlib.figure import Figure
+    from matplotlib.ticker import NullFormatter
+
+    problem = result.problem
+    judge = Judge(problem)
+    goal, count = problem.objectives[0], len(problem.variables)
+    kind = QUANTITIES[goal.name]
+    columns = min(4, count)
+    lines = -(-count // columns)
+    figure = Figure(figsize=(3.4 * columns + 1.0, 4.6 * lines + 0.5), layout="constrained")
+    grid = figure.add_gridspec(2 * lines, columns, height_ratios=[3.0, 1.6] * lines)
+    centre = judge.places(result.point)
+    for index, variable in enumerate(problem.variables):
+        line, column = divmod(index, columns)
+        axes = figure.add_subplot(grid[2 * line, column])
+        below = figure.add_subplot(grid[2 * line + 1, column], sharex=axes)
+        places = np.tile(centre, (_POINTS, 1))
+        places[:, index] = np.sort(np.append(np.linspace(0.0, 1.0, _POINTS - 1), centre[index]))
+        objectives, margins = judge.judge_many(places)
+        key = key_at(variable.path)
+        x = np.array([from_si(float(v), key.unit) for v in variable.from_unit(places[:, index])])
+        raw = goal.sign * objectives[:, 0]
+        exists = np.abs(raw) < 1e200
+        y = np.full(_POINTS, np.nan)
+        y[exists] = [from_si(float(v), kind.unit) for v in raw[exists]]
+        least = margins.min(axis=1)
+        fine = least >= -1e-6
+        here = from_si(result.point[variable.path], key.unit)
+        axes.plot(x, y, color="0.65", lw=1.5, label="a limit is broken")
+        axes.plot(x, np.where(fine, y, np.nan), color="C0", lw=2.5, label="all limits met")
+        axes.plot(here, from_si(result.objective_after, kind.unit), "o", color="C3", label="design")
+        below.plot(x, 100.0 * least, color="0.65", lw=1.5)
+        below.plot(x, np.where(fine, 100.0 * least, np.nan), color="C0", lw=2.5)
+        below.axhline(0.0, color="k", lw=0.7)
+        below.axvline(here, color="C3", lw=0.8)
+        below.set_ylim(max(-60.0, 100.0 * least.min() - 5.0), max(10.0, 100.0 * least.max() + 5.0))
+        if variable.logarithmic:
+            axes.set_xscale("log")
+            if variable.upper > 8.0 * variable.lower:
+                axes.xaxis.set_minor_formatter(NullFormatter())
+        axes.tick_params(labelbottom=False)
+        below.set_xlabel(f"{variable.path} [{_shown(key.unit)}]", fontsize="small")
+        if column == 0:
+            axes.set_ylabel(f"{kind.label}\n[{_shown(kind.unit)}]", fontsize="small")
+            below.set_ylabel("smallest margin\nof the limits [%]", fontsize="small")
+        for panel in (axes, below):
+            panel.grid(alpha=0.3)
+        if index == 0:
+            axes.legend(fontsize="small")
+    figure.suptitle(f"{goal.text}, {problem.level} stiffness, at its worst scenario", fontsize="medium")
+    return figure
+
+
+def pareto_figure(front: xarray.Dataset, objectives: tuple[str, ...]) -> Figure:
+    """A Pareto front: the second objective over the first, the third as colour.
+
+    Parameters
+    ----------
+    front : xarray.Dataset
+        What :func:`asperity.study.design.pareto.pareto_front` returns.
+    objectives : tuple of str
+        Names of its two or three objectives.
+
+    Returns
+    -------
+    Figure
+        The front, and below it the variables along it.
+    """
+    from matplotlib.figure import Figure
+
+    shown = {name: _in_unit(front[name].values, QUANTITIES[name].unit) for name in objectives}
+    labels = {name: f"{QUANTITIES[name].label} [{_shown(QUANTITIES[name].unit)}]" for name in objectives}
+    variables = [str(name) for name in front.data_vars if name not in (*objectives, "margin")]
+    figure = Figure(figsize=(9.0, 4.2 + 1.3 * len(variables)), layout="constrained")
+    grid = figure.add_gridspec(1 + len(variables), 1, height_ratios=[3.0] + [1.0] * len(variables))
+    axes = figure.add_subplot(grid[0])
+    colour = shown[objectives[2]] if len(objectives) == 3 else None
+    points = axes.scatter(shown[objectives[0]], shown[objectives[1]], c=colour, s=18)
+    if colour is not None:
+        figure.colorbar(points, ax=axes, label=labels[objectives[2]])
+    axes.set_ylabel(labels[objectives[1]])
+    axes.grid(alpha=0.3)
+    axes.set_title(
+        f"Pareto front of {front.sizes['design']} designs, {front.attrs['level']} stiffness",
+        fontsize="medium",
+    )
+    for index, path in enumerate(variables):
+        below = figure.add_subplot(grid[index + 1], sharex=axes)
+        unit = key_at(path).unit
+        below.plot(shown[objectives[0]], _in_unit(front[path].values, unit), ".", ms=4)
+        below.set_ylabel(
+            f"{path.rsplit('.', 1)[-1].replace('_', chr(10))}\n[{_shown(unit)}]", fontsize="small"
+        )
+        if path.endswith(("fractal_roughness", "stiffness")):
+            below.set_yscale("log")
+        below.grid(alpha=0.3)
+    figure.axes[-1].set_xlabel(labels[objectives[0]])
+    return figure
+
+
+def _in_unit(values: np.ndarray, unit: str) -> np.ndarray:
+    return np.array([from_si(float(value), unit) for value in values])
+
+
+def _shown(unit: str) -> str:
+    return "–" if unit == "1" else unit.replace("*", "·").replace("^3", "³")

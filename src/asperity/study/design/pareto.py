@@ -1,0 +1,152 @@
+"""Pareto fronts of two or three objectives by NSGA-II (pymoo), all designs of a generation in one call."""
+
+from __future__ import annotations
+
+import importlib.util
+from collections.abc import Callable
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from asperity.errors import InputError, MissingExtraError, NoSolutionError
+from asperity.precision import require_double_precision
+from asperity.study.design.design_problem import DesignProblem
+from asperity.study.design.judgement import Judge
+from asperity.study.quantities import QUANTITIES
+
+if TYPE_CHECKING:
+    import xarray
+
+
+def require_pymoo() -> None:
+    """Raise unless pymoo and xarray are installed.
+
+    Raises
+    ------
+    MissingExtraError
+        Saying what to install.
+    """
+    for name in ("pymoo", "xarray"):
+        if importlib.util.find_spec(name) is None:
+            raise MissingExtraError(
+                f"a Pareto front needs {name}; install it with: pip install 'asperity[study]'"
+            )
+
+
+def pareto_front(
+    problem: DesignProblem,
+    *,
+    population: int,
+    generations: int,
+    progress: Callable[[int, int], None] | None = None,
+) -> xarray.Dataset:
+    """Designs of which none is better than another in every objective.
+
+    Parameters
+    ----------
+    problem : DesignProblem
+        The problem, with two or three objectives.
+    population, generations : int
+        Designs of a generation, and number of generations.
+    progress : callable, optional
+        Called with the number of finished generations and of all.
+
+    Returns
+    -------
+    xarray.Dataset
+        Dimension ``design``, sorted by the first objective; the objectives at their worst scenario and the variables,
+        in SI units (attributes ``units`` and ``long_name``), and ``margin``, the smallest margin of the limits.
+
+    Raises
+    ------
+    InputError
+        If there are not two or three objectives.
+    MissingExtraError
+        If pymoo or xarray is not installed.
+    NoSolutionError
+        If no design meets all limits.
+
+    Notes
+    -----
+    An evolutionary method: the front is approached, not proven. Its ends can be compared with designs for one
+    objective, which are.
+
+    References
+    ----------
+    K. Deb, A. Pratap, S. Agarwal and T. Meyarivan, IEEE Trans. Evol. Comput. 6 (2002) 182; J. Blank and K. Deb,
+    IEEE Access 8 (2020) 89497.
+    """
+    require_pymoo()
+    require_double_precision()
+    if not 2 <= len(problem.objectives) <= 3:
+        raise InputError(f"a Pareto front has two or three objectives, got {len(problem.objectives)}")
+    import xarray
+    from pymoo.algorithms.moo.nsga2 import NSGA2
+    from pymoo.core.callback import Callback
+    from pymoo.core.problem import Problem
+    from pymoo.optimize import minimize
+
+    judge = Judge(problem)
+    scales = _scales(judge)
+
+    class Vectorised(Problem):
+        def __init__(self) -> None:
+            limits = sum(len(constraint.rows) for constraint in problem.constraints)
+            super().__init__(
+                n_var=len(problem.variables),
+                n_obj=len(problem.objectives),
+                n_ieq_constr=limits,
+                xl=0.0,
+                xu=1.0,
+            )
+
+        def _evaluate(self, x: np.ndarray, out: dict, *args: object, **kwargs: object) -> None:
+            objectives, margins = judge.judge_many(x)
+            out["F"] = objectives / scales
+            out["G"] = -margins
+
+    class Report(Callback):
+        def notify(self, algorithm: object) -> None:
+            if progress is not None:
+                progress(int(algorithm.n_gen), generations)  # type: ignore[attr-defined]
+
+    found = minimize(
+        Vectorised(),
+        NSGA2(pop_size=population),
+        ("n_gen", generations),
+        seed=problem.seed,
+        callback=Report(),
+        verbose=False,
+    )
+    if found.X is None:
+        raise NoSolutionError(
+            "no design meets all limits; ask for one objective alone: the report then says which limits conflict"
+        )
+    places = np.atleast_2d(found.X)
+    objectives, margins = judge.judge_many(places)
+    values = objectives * np.array([goal.sign for goal in problem.objectives])
+    order = np.argsort(values[:, 0])
+    data = {}
+    for index, goal in enumerate(problem.objectives):
+        kind = QUANTITIES[goal.name]
+        unit = kind.dimension.si_unit if kind.dimension is not None else kind.unit
+        data[goal.name] = ("design", values[order, index], {"units": unit, "long_name": kind.label})
+    for index, variable in enumerate(problem.variables):
+        from asperity.joint_file.values import key_at
+
+        unit = key_at(variable.path).dimension.si_unit
+        taken = variable.from_unit(places[order, index])
+        data[variable.path] = ("design", taken, {"units": unit, "long_name": variable.path})
+    data["margin"] = (
+        "design",
+        margins.min(axis=1)[order],
+        {"units": "1", "long_name": "smallest margin of the limits"},
+    )
+    return xarray.Dataset(data, attrs={"level": problem.level, "joint_file": problem.joint_file})
+
+
+def _scales(judge: Judge) -> np.ndarray:
+    """Sizes of the objectives at the joint of the file, so that crowding distances compare like with like."""
+    middle = np.full((1, len(judge.variables)), 0.5)
+    sizes = np.abs(judge.judge_many(middle)[0][0])
+    return np.where((sizes > 0.0) & (sizes < 1e200), sizes, 1.0)

@@ -1,0 +1,181 @@
+"""Blocks of a sweep on many processes, by Dask: a running cluster or local processes.
+
+A block is computed and written where it runs; only its number comes back, so that memory stays bounded and the
+loss of a worker costs the blocks it was busy with, which others repeat.
+"""
+
+from __future__ import annotations
+
+import os
+import signal
+import threading
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Any
+
+from asperity.errors import InputError
+from asperity.precision import use_double_precision
+from asperity.study.datasets import require
+from asperity.study.points import QUICK_POINTS
+from asperity.study.sweep.plan import Plan, block_results
+from asperity.study.sweep.store import unfinished_blocks, write_block
+
+#: Blocks handed out ahead of each worker, so that none waits.
+_AHEAD = 2
+#: Freed memory that a worker keeps, and the size of an array from which it would ask the system anew [bytes]. Dask's
+#: own setting hands all memory back after every block, and fetching it again is a quarter of the work.
+_ALLOCATOR = {"MALLOC_TRIM_THRESHOLD_": str(1 << 28), "MALLOC_MMAP_THRESHOLD_": str(1 << 25)}
+#: One thread a worker: there is a worker for each core.
+_ONE_THREAD = "--xla_cpu_multi_thread_eigen=false intra_op_parallelism_threads=1"
+_PRE_SPAWN = "distributed.nanny.pre-spawn-environ"
+_CONNECT_SECONDS = "10s"
+
+
+def compute_block(path: str, plan: Plan, index: int) -> int:
+    """Compute one block and write it; what a worker runs.
+
+    Parameters
+    ----------
+    path : str
+        The store.
+    plan : Plan
+        The sweep.
+    index : int
+        Number of the block.
+
+    Returns
+    -------
+    int
+        The same number.
+    """
+    use_double_precision()  # the flag does not travel to workers
+    status, found = block_results(plan, plan.block(index), quick=plan.points <= QUICK_POINTS)
+    write_block(path, plan, index, status, found)
+    return index
+
+
+def run_on_cluster(
+    plan: Plan,
+    store: str | Path,
+    blocks: list[int],
+    *,
+    scheduler: str | None,
+    workers: int | None,
+    finished: Callable[[int], Any],
+) -> None:
+    """Compute blocks of a sweep on a cluster.
+
+    Parameters
+    ----------
+    plan : Plan
+        The sweep.
+    store : str or Path
+        Where the results go; all workers must see it.
+    blocks : list of int
+        Numbers of the blocks to compute.
+    scheduler : str or None
+        Address of a running scheduler; None for local processes.
+    workers : int or None
+        Local processes; None for as many as there are cores.
+    finished : callable
+        Called with the number of each block that is on disk.
+
+    Raises
+    ------
+    InputError
+        If the scheduler does not answer, or its workers write elsewhere.
+    """
+    if not blocks:
+        return
+    path = str(Path(store).absolute())
+    with _client(scheduler, workers) as client:
+        distributed = require("distributed")
+        waiting = iter(blocks)
+        threads = max(sum(client.nthreads().values()), 1)
+
+        def submit(index: int) -> Any:
+            return client.submit(compute_block, path, plan, index, pure=False, key=f"{path}-{index}")
+
+        ahead = [submit(index) for _, index in zip(range(_AHEAD * threads), waiting, strict=False)]
+        running = distributed.as_completed(ahead)
+        first = True
+        for future in running:
+            index = future.result()
+            if first and index in unfinished_blocks(path):
+                raise InputError(
+                    f"the workers of {scheduler} do not write to this machine's folder {path}; "
+                    "choose an --out on a file system that they share"
+                )
+            first = False
+            finished(index)
+            following = next(waiting, None)
+            if following is not None:
+                running.add(submit(following))
+
+
+@contextmanager
+def _client(scheduler: str | None, workers: int | None) -> Iterator[Any]:
+    """A client of a running scheduler, or of local processes that end with it."""
+    distributed, dask = require("distributed"), require("dask")
+    if scheduler is not None:
+        try:
+            client = distributed.Client(scheduler, timeout=_CONNECT_SECONDS)
+        except (OSError, ValueError, TypeError) as error:
+            raise InputError(f"no Dask scheduler answers at {scheduler}: {error}") from None
+        with client:
+            yield client
+        return
+    count = workers or os.cpu_count() or 1
+    # an allocator looks at its environment only as a process starts; Dask sets this one in our own process too
+    before_start = {**dask.config.get(_PRE_SPAWN), **_ALLOCATOR}
+    with (
+        dask.config.set({"distributed.worker.multiprocessing-method": "spawn", _PRE_SPAWN: before_start}),
+        _local_cluster(distributed, count) as cluster,
+        distributed.Client(cluster) as client,
+    ):
+        yield client
+
+
+def _local_cluster(distributed: Any, count: int) -> Any:
+    """Spawned workers; an interrupt from the keyboard ends this process, which then ends them."""
+    main = threading.current_thread() is threading.main_thread()
+    before = signal.signal(signal.SIGINT, signal.SIG_IGN) if main else None  # what they inherit
+    try:
+        return distributed.LocalCluster(
+            n_workers=count,
+            threads_per_worker=1,
+            processes=True,
+            dashboard_address=None,
+            env=worker_environment(),
+            silence_logs="CRITICAL",  # a worker that ends may miss a heartbeat; failures of blocks come as exceptions
+            memory_limit=0,
+        )
+    finally:
+        if main:
+            signal.signal(signal.SIGINT, before)
+
+
+def worker_environment() -> dict[str, str]:
+    """Environment of a local worker: double precision, one thread, this process's compilation cache.
+
+    Returns
+    -------
+    dict
+        Variables to set before the worker starts.
+    """
+    import jax
+
+    found = {
+        "JAX_ENABLE_X64": "1",
+        "OMP_NUM_THREADS": "1",
+        **_ALLOCATOR,
+        "DASK_DISTRIBUTED__WORKER__PROFILE__ENABLED": "False",  # it looks at every thread a hundred times a second
+        "XLA_FLAGS": " ".join(filter(None, (os.environ.get("XLA_FLAGS"), _ONE_THREAD))),
+    }
+    cache = getattr(jax.config, "jax_compilation_cache_dir", None)
+    if cache:
+        found["JAX_COMPILATION_CACHE_DIR"] = str(cache)
+        found["JAX_PERSISTENT_CACHE_MIN_COMPILE_TIME_SECS"] = "0"
+        found["JAX_PERSISTENT_CACHE_MIN_ENTRY_SIZE_BYTES"] = "-1"
+    return found

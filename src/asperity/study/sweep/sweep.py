@@ -1,0 +1,165 @@
+"""Sweeps: a joint evaluated on a grid of any of its numbers, in memory or streamed to disk."""
+
+from __future__ import annotations
+
+import dataclasses
+import json
+from collections.abc import Callable, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from asperity.errors import InputError
+from asperity.joint_file.model import Case
+from asperity.precision import require_double_precision
+from asperity.study.datasets import common_attributes, coordinate, dataset
+from asperity.study.parameters import Axis
+from asperity.study.points import QUICK_POINTS
+from asperity.study.sweep.cluster import run_on_cluster
+from asperity.study.sweep.plan import Plan, block_results, make_plan
+from asperity.study.sweep.store import open_store, prepare_store, remove_store, unfinished_blocks, write_block
+
+if TYPE_CHECKING:
+    import xarray
+
+#: A larger sweep is streamed to a store instead of being held in memory.
+IN_MEMORY_POINTS = 1_000_000
+#: The same limit on the size of its results [byte].
+IN_MEMORY_BYTES = 1_000_000_000
+#: Up to so many points the sweep stays in this process: local processes would take longer to start.
+ONE_PROCESS_POINTS = 500_000
+
+#: Called with the points done so far and the points of the whole sweep.
+Report = Callable[[int, int], Any]
+
+
+def sweep(
+    case: Case,
+    axes: Sequence[Axis],
+    *,
+    results: Sequence[str],
+    store: str | Path | None = None,
+    overwrite: bool = False,
+    scheduler: str | None = None,
+    workers: int | None = None,
+    block_points: int | None = None,
+    report: Report | None = None,
+) -> xarray.Dataset:
+    """Evaluate a joint on a grid.
+
+    Parameters
+    ----------
+    case : Case
+        The joint file.
+    axes : sequence of Axis
+        What is varied, one dimension each; :func:`asperity.study.parameters.parse_axis` reads them from text.
+    results : sequence of str
+        Results or groups of them, e.g. ``("stiffness", "gross_slip")``; ``("all",)`` for every one. What is not
+        asked for is not computed.
+    store : str or Path, optional
+        A Zarr store to stream to. An interrupted sweep with the same store goes on where it stopped.
+    overwrite : bool, optional
+        Whether another sweep's store may be deleted.
+    scheduler : str, optional
+        Address of a running Dask scheduler, ``tcp://…``; its workers must see the store's folder.
+    workers : int, optional
+        Local processes; 0 for none, by default as many as there are cores where the sweep is large.
+    block_points : int, optional
+        Points of a block at most.
+    report : callable, optional
+        Called with the points done and the points of the whole.
+
+    Returns
+    -------
+    xarray.Dataset
+        One dimension an axis, named by its key; results in SI units; ``status`` 0 where a point is solved, a reason
+        elsewhere. Lazy if there is a store.
+
+    Raises
+    ------
+    InputError
+        If the axes, the results or the store make no sense, or the sweep is too large for memory.
+    PrecisionError
+        If JAX is in single precision.
+
+    Notes
+    -----
+    A script that uses several processes needs ``if __name__ == "__main__":`` around what it does: the processes
+    are spawned, and read the script again.
+    """
+    require_double_precision()
+    plan = make_plan(case, axes, results, block_points=block_points)
+    if store is None:
+        return _in_memory(plan, scheduler, workers, report)
+    if overwrite and Path(store).exists():
+        remove_store(store)
+    new = not Path(store).exists()
+    blocks = prepare_store(store, plan)
+    todo = _Progress(plan, blocks, report)
+    if scheduler is None and (workers == 0 or (workers is None and todo.left <= ONE_PROCESS_POINTS)):
+        for index in blocks:
+            status, found = block_results(plan, plan.block(index), quick=plan.points <= QUICK_POINTS)
+            write_block(store, plan, index, status, found)
+            todo.finished(index)
+    else:
+        try:
+            run_on_cluster(plan, store, blocks, scheduler=scheduler, workers=workers, finished=todo.finished)
+        except InputError:
+            if new and len(unfinished_blocks(store)) == plan.block_count:
+                remove_store(store)
+            raise
+    return open_store(store)
+
+
+class _Progress:
+    """Counts points as blocks are finished."""
+
+    def __init__(self, plan: Plan, blocks: list[int], report: Report | None) -> None:
+        self._sizes = {index: _size(plan.block(index)) for index in blocks}
+        self.left = sum(self._sizes.values())
+        self._points = plan.points
+        self._report = report
+        self._tell(0)
+
+    def _tell(self, more: int) -> None:
+        self.left -= more
+        if self._report is not None:
+            self._report(self._points - self.left, self._points)
+
+    def finished(self, index: int) -> None:
+        """Note that a block is on disk."""
+        self._tell(self._sizes[index])
+
+
+def _size(block: tuple[slice, ...]) -> int:
+    return int(np.prod([part.stop - part.start for part in block]))
+
+
+def _in_memory(
+    plan: Plan, scheduler: str | None, workers: int | None, report: Report | None
+) -> xarray.Dataset:
+    if scheduler is not None or workers:
+        raise InputError("a cluster writes to a store, which is missing: give one, e.g. --out sweep.zarr")
+    if plan.points > IN_MEMORY_POINTS or plan.bytes > IN_MEMORY_BYTES:
+        raise InputError(
+            f"{plan.points} points with {len(plan.results)} results take {plan.bytes / 1e9:.3g} GB of memory; stream "
+            "them to a store, e.g. --out sweep.zarr, or ask for fewer results"
+        )
+    done = 0
+
+    def count(points: int) -> None:
+        nonlocal done
+        done += points
+        if report is not None:
+            report(done, plan.points)
+
+    one = dataclasses.replace(plan, block_shape=plan.shape)
+    status, found = block_results(one, one.block(0), report=count)
+    return dataset(
+        dimensions=tuple(axis.path for axis in plan.axes),
+        coordinates={axis.path: coordinate(axis) for axis in plan.axes},
+        status=status,
+        found=found,
+        attributes={**common_attributes("sweep of a joint"), "asperity_sweep": json.dumps(plan.as_dict())},
+    )

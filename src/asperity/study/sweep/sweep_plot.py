@@ -1,0 +1,220 @@
+"""Plots of sweeps: curves for one axis, a map for two, small multiples for more."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from asperity.errors import InputError
+from asperity.joint.results import RESULTS
+from asperity.joint_file.values import key_at
+from asperity.study.parameters import long_name
+from asperity.units import from_si
+
+if TYPE_CHECKING:
+    import xarray
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+#: What is drawn if it is there, in this order; otherwise the first result.
+_PREFERRED = (
+    "assembly_stiffness_output",
+    "series_with_bulk_stiffness_output",
+    "published_stiffness_output",
+    "torque_capacity",
+    "gross_slip",
+)
+_CURVES = 6
+_PANELS = 6
+_LOG_RATIO = 30.0
+_FINEST = 400  # values along an axis of a plot; more cannot be seen
+
+
+def sweep_figure(dataset: xarray.Dataset, *, result: str | None = None) -> Figure:
+    """Draw a sweep.
+
+    Parameters
+    ----------
+    dataset : xarray.Dataset
+        What :func:`asperity.study.sweep.sweep.sweep` returns.
+    result : str, optional
+        Which result; by default the fullest model's stiffness at the output among those there.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
+        Curves over one axis, with all three levels of stiffness; a map over two; curves in panels over three and
+        more, at values that the titles and the legend state. Failed points are left white and counted.
+
+    Raises
+    ------
+    InputError
+        If the dataset has no such result.
+    """
+    from matplotlib.figure import Figure
+
+    name = result or next((n for n in _PREFERRED if n in dataset), _first(dataset))
+    if name not in dataset or name not in RESULTS:
+        raise InputError(f"the sweep has no result '{name}'; it has {', '.join(map(str, dataset.data_vars))}")
+    axes = [str(dim) for dim in dataset["status"].dims]
+    thin = {dim: _spread(dataset.sizes[dim], _FINEST) for dim in axes[:2]}
+    data = dataset.isel(thin)
+    figure = Figure(figsize=(8.0, 5.0), layout="constrained")
+    if len(axes) == 1:
+        _curves(figure.subplots(), data, axes[0], name)
+    elif (
+        len(axes) == 2 and min(data.sizes[dim] for dim in axes) > _CURVES and "contact" not in data[name].dims
+    ):
+        _map(figure, data, axes, name)
+    else:
+        _panels(figure, data, axes, name)
+    failed, count = int((dataset["status"] != 0).sum()), dataset["status"].size
+    told = f"{count} points" + (f", {failed} without a result" if failed else "")
+    heading = told if len(axes) == 1 and name in _PREFERRED[:3] else f"{_words(name)}\n{told}"
+    figure.suptitle(heading, fontsize=10)
+    return figure
+
+
+def _first(dataset: xarray.Dataset) -> str:
+    return next((str(name) for name in dataset.data_vars if name != "status"), "status")
+
+
+def _spread(count: int, most: int) -> np.ndarray:
+    """Up to so many indices, evenly spread, first and last among them."""
+    return np.unique(np.linspace(0, count - 1, min(count, most)).round().astype(int))
+
+
+def _words(name: str) -> str:
+    return f"{RESULTS[name].description} [{_shown(RESULTS[name].unit)}]"
+
+
+def _shown(unit: str) -> str:
+    return "-" if unit == "1" else unit.replace("*", "·")
+
+
+def _in_unit(path: str, values: np.ndarray) -> np.ndarray:
+    unit = key_at(path).unit
+    return np.array([from_si(float(value), unit) for value in values])
+
+
+def _label(path: str) -> str:
+    return f"{long_name(path)} [{_shown(key_at(path).unit)}]"
+
+
+def _is_log(values: np.ndarray) -> bool:
+    """Whether an axis is evenly spaced in its logarithm rather than in its value."""
+    return bool(
+        values.size > 2 and values.min() > 0.0 and np.ptp(np.diff(np.log(values))) < 1e-9 * values.size
+    )
+
+
+def _scale(axes: Axes, path: str, values: np.ndarray, *, vertical: bool = False) -> None:
+    if vertical:
+        axes.set_ylabel(_label(path))
+        axes.set_yscale("log" if _is_log(values) else "linear")
+    else:
+        axes.set_xlabel(_label(path))
+        axes.set_xscale("log" if _is_log(values) else "linear")
+
+
+def _curves(axes: Axes, data: xarray.Dataset, path: str, name: str) -> None:
+    x = _in_unit(path, data[path].values)
+    levels = [n for n in _PREFERRED[:3] if n in data] if name in _PREFERRED[:3] else [name]
+    drawn = []
+    for level in levels:
+        if "contact" in data[level].dims:
+            for contact in data["contact"].values:
+                drawn.append(data[level].sel(contact=contact).values)
+                axes.plot(x, drawn[-1], marker=".", label=str(contact))
+        else:
+            drawn.append(data[level].values)
+            label = level.replace("_stiffness_output", "").replace("_", " ")
+            axes.plot(x, drawn[-1], marker=".", label=label)
+    _scale(axes, path, x)
+    axes.set_ylabel(_label_of_result(name))
+    axes.set_xlim(*_with_margin(x, log=_is_log(x)))
+    failed = data["status"].values != 0
+    for place in np.flatnonzero(failed):
+        middles = 0.5 * (x[1:] + x[:-1])
+        edges = np.concatenate([x[:1], middles, x[-1:]])
+        axes.axvspan(edges[place], edges[place + 1], color="0.9", linewidth=0.0, zorder=0)
+    if failed.any():
+        axes.fill_between([], [], color="0.9", label="no result")
+    _log_if_wide(axes, np.concatenate(drawn))
+    axes.grid(alpha=0.3)
+    if len(drawn) > 1 or failed.any():
+        axes.legend()
+
+
+def _label_of_result(name: str) -> str:
+    what = "torsional stiffness at the output" if name in _PREFERRED[:3] else name.replace("_", " ")
+    return f"{what} [{_shown(RESULTS[name].unit)}]"
+
+
+def _with_margin(x: np.ndarray, *, log: bool) -> tuple[float, float]:
+    low, high = float(x.min()), float(x.max())
+    if low == high:
+        return low - 0.5 * abs(low) - 1e-300, high + 0.5 * abs(high) + 1e-300
+    if log:
+        return low * (low / high) ** 0.02, high * (high / low) ** 0.02
+    return low - 0.02 * (high - low), high + 0.02 * (high - low)
+
+
+def _log_if_wide(axes: Axes, values: np.ndarray) -> None:
+    known = values[np.isfinite(values)]
+    if known.size and known.min() > 0.0 and known.max() > _LOG_RATIO * known.min():
+        axes.set_yscale("log")
+
+
+def _map(figure: Figure, data: xarray.Dataset, axes: list[str], name: str) -> None:
+    from matplotlib.colors import LogNorm, Normalize
+
+    panel = figure.subplots()
+    x, y = (_in_unit(path, data[path].values) for path in axes)
+    z = data[name].transpose(axes[1], axes[0]).values
+    known = z[np.isfinite(z)]
+    wide = known.size and known.min() > 0.0 and known.max() > _LOG_RATIO * known.min()
+    norm = LogNorm() if wide else Normalize()
+    drawn = panel.pcolormesh(x, y, np.ma.masked_invalid(z), shading="nearest", norm=norm, rasterized=True)
+    panel.set_facecolor("white")
+    _scale(panel, axes[0], x)
+    _scale(panel, axes[1], y, vertical=True)
+    figure.colorbar(drawn, ax=panel, label=_label_of_result(name))
+
+
+def _panels(figure: Figure, data: xarray.Dataset, axes: list[str], name: str) -> None:
+    """Curves over the first axis, one for each value of the second, panels for values of the third."""
+    others = {dim: data.sizes[dim] // 2 for dim in axes[3:]}
+    data = data.isel(others)
+    thirds = _spread(data.sizes[axes[2]], _PANELS) if len(axes) > 2 else np.array([0])
+    columns = min(len(thirds), 3)
+    grid: Any = figure.subplots(-(-len(thirds) // columns), columns, squeeze=False, sharex=True, sharey=True)
+    figure.set_size_inches(max(8.0, 4.0 * columns), 1.0 + 3.5 * grid.shape[0])
+    x = _in_unit(axes[0], data[axes[0]].values)
+    seconds = _spread(data.sizes[axes[1]], _CURVES)
+    values = data[name].isel({axes[1]: seconds})
+    for panel, third in zip(grid.flat, thirds, strict=False):
+        chosen = data.isel({axes[2]: third}) if len(axes) > 2 else data
+        for second in seconds:
+            curve = chosen[name].isel({axes[1]: second})
+            told = f"{_in_unit(axes[1], chosen[axes[1]].values[[second]])[0]:.4g}"
+            if "contact" in curve.dims:
+                curve = curve.max("contact")
+                told += " (largest of the contacts)"
+            panel.plot(x, curve.values, marker=".", label=told)
+        if len(axes) > 2:
+            value = _in_unit(axes[2], data[axes[2]].values[[third]])[0]
+            panel.set_title(f"{_label(axes[2])}: {value:.4g}", fontsize=9)
+        panel.grid(alpha=0.3)
+    for panel in grid[-1]:
+        _scale(panel, axes[0], x)
+    for panel in grid[:, 0]:
+        panel.set_ylabel(_label_of_result(name))
+        _log_if_wide(panel, np.asarray(values).ravel())
+    for panel in list(grid.flat)[len(thirds) :]:
+        panel.set_axis_off()
+    fixed = "; ".join(f"{_label(d)} = {_in_unit(d, np.array([data[d].item()]))[0]:.4g}" for d in others)
+    grid.flat[0].legend(title=_label(axes[1]), fontsize=8, title_fontsize=8)
+    if fixed:
+        figure.supxlabel(f"at {fixed}", fontsize=8)

@@ -1,0 +1,116 @@
+"""Datasets of studies as files: netCDF, Parquet, CSV."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from asperity.errors import InputError
+from asperity.joint.status import STATUS_NAMES
+from asperity.study.datasets import require
+from asperity.writing import check_folder, replacing
+
+if TYPE_CHECKING:
+    import pandas
+    import xarray
+
+#: Suffixes of files that hold a whole dataset, with what writes them.
+SUFFIXES = (".nc", ".parquet", ".csv")
+
+
+def check_table_path(path: str | Path, *, overwrite: bool) -> None:
+    """Raise unless a table can be written here, before anything is computed.
+
+    Parameters
+    ----------
+    path : str or Path
+        A file name with one of :data:`SUFFIXES`.
+    overwrite : bool
+        Whether an existing file may be replaced.
+
+    Raises
+    ------
+    InputError
+        If the suffix is unknown, the file exists, or the folder cannot be written to.
+    MissingExtraError
+        If the package that writes the format is not installed.
+    """
+    file = Path(path)
+    if file.suffix not in SUFFIXES:
+        raise InputError(f"{path}: the ending must be one of .zarr, {', '.join(SUFFIXES)}")
+    if file.exists() and (file.is_dir() or not overwrite):
+        raise InputError(f"{path}: this exists already; choose another name, or --overwrite it")
+    check_folder(file)
+    for module in {".nc": ("h5netcdf", "h5py"), ".parquet": ("pyarrow",), ".csv": ()}[file.suffix]:
+        require(module)
+
+
+def frame(dataset: xarray.Dataset) -> pandas.DataFrame:
+    """A dataset as a flat table: one row a point, units in the column names.
+
+    Parameters
+    ----------
+    dataset : xarray.Dataset
+        Evaluated points.
+
+    Returns
+    -------
+    pandas.DataFrame
+        Coordinates, status as code and as word, results; per-contact results have a column for each contact.
+    """
+    pd = require("pandas")
+    dims = tuple(name for name in dataset.dims if name != "contact")
+    shape = tuple(dataset.sizes[name] for name in dims)
+    columns: dict[str, Any] = {}
+    for name in dims:
+        if name in dataset.coords:
+            column = dataset.coords[name]
+            places = (1,) * dims.index(name) + (-1,) + (1,) * (len(dims) - dims.index(name) - 1)
+            columns[_header(str(name), column)] = np.broadcast_to(
+                column.values.reshape(places), shape
+            ).ravel()
+    codes = dataset["status"].transpose(*dims).values.ravel()
+    columns["status"] = codes
+    columns["status_meaning"] = np.array([*STATUS_NAMES, "not_computed"], dtype=object)[codes]
+    for name, variable in dataset.data_vars.items():
+        if name == "status":
+            continue
+        if "contact" not in variable.dims:
+            columns[_header(str(name), variable)] = variable.transpose(*dims).values.ravel()
+            continue
+        for contact in dataset["contact"].values:
+            one = variable.sel(contact=contact).transpose(*dims)
+            columns[_header(f"{name}_{contact}", variable)] = one.values.ravel()
+    made: pandas.DataFrame = pd.DataFrame(columns)
+    return made
+
+
+def _header(name: str, variable: xarray.DataArray) -> str:
+    return f"{name} [{variable.attrs.get('units', '1')}]"
+
+
+def write_table(dataset: xarray.Dataset, path: str | Path) -> None:
+    """Write a dataset to one file, whole or not at all.
+
+    Parameters
+    ----------
+    dataset : xarray.Dataset
+        Evaluated points.
+    path : str or Path
+        File with one of :data:`SUFFIXES`; an existing one is replaced.
+
+    Raises
+    ------
+    InputError
+        If it cannot be written.
+    """
+    file = Path(path)
+    with replacing(file) as part:
+        if file.suffix == ".nc":
+            dataset.to_netcdf(part, engine="h5netcdf")
+        elif file.suffix == ".parquet":
+            frame(dataset).to_parquet(part, engine="pyarrow", index=False)
+        else:
+            frame(dataset).to_csv(part, index=False)

@@ -1,0 +1,1 @@
+"""Sensitivities and the effect of tolerances."""

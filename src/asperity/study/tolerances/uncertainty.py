@@ -1,0 +1,269 @@
+"""From the tolerances of a joint file to intervals of its results, and to the tolerances that make them.
+
+Monte-Carlo sampling for the intervals; Sobol indices, with a sample of their own, for the shares of the variance.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from asperity.drive.geometry import CONTACT_NAMES
+from asperity.errors import InputError
+from asperity.joint.results import RESULTS, chosen_results
+from asperity.joint.status import STATUS_NAMES
+from asperity.joint_file.distribution import FORMS, Distribution
+from asperity.joint_file.model import Case
+from asperity.joint_file.values import NumericKey, numeric_keys, si_values
+from asperity.study.datasets import common_attributes, require
+from asperity.study.parameters import long_name
+from asperity.study.points import evaluate_points
+from asperity.study.tolerances.sensitivity import refuse_failed
+
+if TYPE_CHECKING:
+    import xarray
+
+#: Results that are followed unless others are asked for.
+DEFAULT_RESULTS = (
+    "assembly_stiffness_output",
+    "series_with_bulk_stiffness_output",
+    "published_stiffness_output",
+    "gross_slip",
+    "self_locking",
+)
+#: Share of the samples within the stated intervals.
+COVERAGE = 0.95
+_RESAMPLES = 100
+_FEWEST = 100
+#: Numbers of inputs and results together that are held in memory.
+_MOST_NUMBERS = 200_000_000
+
+
+def toleranced_inputs(
+    case: Case, *, otherwise: Distribution | None
+) -> dict[str, tuple[NumericKey, Distribution]]:
+    """The numbers of a joint file that have a tolerance, with their distributions.
+
+    Parameters
+    ----------
+    case : Case
+        The joint file.
+    otherwise : Distribution or None
+        Distribution of those whose distribution the file does not state.
+
+    Returns
+    -------
+    dict
+        Dotted path → (the number, its distribution).
+
+    Raises
+    ------
+    InputError
+        If there is none, or the distribution of one is stated nowhere.
+    """
+    found = {path: entry for path, entry in numeric_keys(case).items() if entry.tolerance > 0.0}
+    if not found:
+        raise InputError(
+            'the joint file states no tolerances; write them as in sun_radius = "4 mm +- 5 um, uniform"'
+        )
+    unstated = [path for path, entry in found.items() if entry.distribution is None]
+    if unstated and otherwise is None:
+        raise InputError(
+            f"{', '.join(unstated)}: the file states a tolerance but not its distribution; write it behind a comma, "
+            f'as in "4 mm +- 5 um, uniform", or give one for all of them (--distribution): {FORMS}'
+        )
+    return {path: (entry, entry.distribution or otherwise) for path, entry in found.items()}  # type: ignore[misc]
+
+
+def quantiles(entry: NumericKey, distribution: Distribution, shares: np.ndarray) -> np.ndarray:
+    """Values of a toleranced number below which given shares of it lie.
+
+    Parameters
+    ----------
+    entry : NumericKey
+        The number with its tolerance.
+    distribution : Distribution
+        How it scatters.
+    shares : ndarray
+        Shares between 0 and 1 [-].
+
+    Returns
+    -------
+    ndarray
+        Values in SI units.
+    """
+    from scipy import stats
+
+    v, t = entry.value, entry.tolerance
+    frozen = {
+        "uniform": lambda: stats.uniform(v - t, 2.0 * t),
+        "triangular": lambda: stats.triang(0.5, v - t, 2.0 * t),
+        "normal": lambda: stats.norm(v, distribution.standard_deviation(t)),
+    }[distribution.kind]()
+    return np.asarray(frozen.ppf(shares))
+
+
+def uncertainty(
+    case: Case,
+    *,
+    results: Sequence[str] = DEFAULT_RESULTS,
+    distribution: Distribution | None = None,
+    samples: int = 100_000,
+    seed: int = 0,
+    report: Callable[[int, int], Any] | None = None,
+) -> xarray.Dataset:
+    """Intervals of a joint's results under its tolerances, and each tolerance's share in their variance.
+
+    Parameters
+    ----------
+    case : Case
+        The joint file, with tolerances.
+    results : sequence of str, optional
+        Results or groups of them; stiffness on three levels, slip, self-locking and pressure by default.
+    distribution : Distribution, optional
+        For the tolerances whose distribution the file does not state.
+    samples : int, optional
+        Monte-Carlo samples; about as many again serve the Sobol indices.
+    seed : int, optional
+        Of the random numbers: the same seed, the same sample.
+    report : callable, optional
+        Called with the points done and the points in all.
+
+    Returns
+    -------
+    xarray.Dataset
+        Along ``result``: ``nominal``, ``mean``, ``standard_deviation``, ``quantiles`` (at 2.5, 50 and 97.5 %),
+        ``first_order`` and ``total_order`` Sobol indices along ``input`` with 95 % confidence half-widths. Along
+        ``sample``: the samples themselves and their ``status``. Statistics are those of the solved samples; Sobol
+        indices are nan where any of their samples has no result.
+
+    Raises
+    ------
+    InputError
+        If the file has no tolerances, a distribution is missing, or the joint itself has no result.
+
+    Notes
+    -----
+    The inputs scatter independently of each other; a number that stands for several parts, such as one friction
+    coefficient for all contacts, scatters as one. Normal distributions are not cut off: samples outside the range
+    of a key have no result and are counted.
+
+    References
+    ----------
+    A. Saltelli et al., Comput. Phys. Commun. 181 (2010) 259; T. Iwanaga, W. Usher and J. Herman,
+    Socio-Environ. Syst. Model. 4 (2022) 18155 (SALib).
+    """
+    xr, sampler, analyser = (require(m) for m in ("xarray", "SALib.sample.sobol", "SALib.analyze.sobol"))
+    names, inputs = chosen_results(results), toleranced_inputs(case, otherwise=distribution)
+    if samples < _FEWEST:
+        raise InputError(f"{samples} samples are too few for 95 % intervals; at least {_FEWEST} are needed")
+    tables = si_values(case)
+    rows = [row for name in names for row in _rows(name)]
+    most = _MOST_NUMBERS // (2 * (len(rows) + len(inputs)))
+    if samples > most:
+        raise InputError(
+            f"{samples} samples of {len(rows)} results are too many for the memory; at most {most} are allowed; "
+            "choose fewer samples, or fewer results"
+        )
+    base = 1 << max(math.floor(math.log2(samples / (len(inputs) + 2))), 3)
+    problem = {"num_vars": len(inputs), "names": list(inputs), "bounds": [[0.0, 1.0]] * len(inputs)}
+    design = sampler.sample(problem, base, calc_second_order=False, seed=seed)
+    random = np.random.default_rng(seed).uniform(size=(samples, len(inputs)))
+    cube = np.clip(np.concatenate([np.full((1, len(inputs)), 0.5), random, design]), _OPEN, 1.0 - _OPEN)
+    done = 0
+
+    def count(points: int) -> None:
+        nonlocal done
+        done += points
+        if report is not None:
+            report(done, cube.shape[0])
+
+    points = {
+        path: quantiles(entry, spread, cube[:, k]) for k, (path, (entry, spread)) in enumerate(inputs.items())
+    }
+    codes, found = evaluate_points(tables, points, names, report=count)
+    table = np.concatenate([np.atleast_2d(found[name]) for name in names])
+    refuse_failed(case, int(codes[0]))
+    mine = slice(1, 1 + samples)
+    nominal, sampled, status = table[:, 0], table[:, mine], codes[mine]
+    indices = np.stack([_sobol(analyser, problem, row, seed) for row in table[:, 1 + samples :]])
+
+    shares = np.array([0.5 * (1.0 - COVERAGE), 0.5, 0.5 * (1.0 + COVERAGE)])
+    solved = sampled[:, status == 0]
+    if solved.shape[1] < _FEWEST:
+        raise InputError(
+            f"only {solved.shape[1]} of {samples} samples have a result: the tolerances are too wide"
+        )
+    with_unit = {"units": "unit"}
+    pair = ("result", "input")
+    made: xarray.Dataset = xr.Dataset(
+        {
+            "nominal": (("result",), nominal, {"long_name": "result at the stated values", **with_unit}),
+            "mean": (("result",), solved.mean(axis=1), {"long_name": "mean", **with_unit}),
+            "standard_deviation": (
+                ("result",),
+                solved.std(axis=1, ddof=1),
+                {"long_name": "standard deviation", **with_unit},
+            ),
+            "quantiles": (
+                ("result", "share"),
+                np.quantile(solved, shares, axis=1).T,
+                {"long_name": "value that this share of the results is below", **with_unit},
+            ),
+            "first_order": (pair, indices[:, 0], {"long_name": "Sobol index of first order", "units": "1"}),
+            "first_order_half_width": (pair, indices[:, 1], {"long_name": "95 % half-width", "units": "1"}),
+            "total_order": (pair, indices[:, 2], {"long_name": "Sobol index of total order", "units": "1"}),
+            "total_order_half_width": (pair, indices[:, 3], {"long_name": "95 % half-width", "units": "1"}),
+            "status": (
+                ("sample",),
+                status,
+                {"long_name": "status", "units": "1", "flag_meanings": " ".join(STATUS_NAMES)},
+            ),
+            "samples": (("result", "sample"), sampled, {"long_name": "sampled results", **with_unit}),
+            "points": (
+                ("input", "sample"),
+                np.stack([column[mine] for column in points.values()]),
+                {"long_name": "sampled inputs", "units": "input_unit"},
+            ),
+        },
+        coords={
+            "result": [name for name, _, _ in rows],
+            "unit": ("result", [unit for _, unit, _ in rows]),
+            "result_name": ("result", [words for _, _, words in rows]),
+            "share": shares,
+            "input": list(inputs),
+            "input_unit": ("input", [entry.key.dimension.si_unit for entry, _ in inputs.values()]),
+            "input_name": ("input", [long_name(path) for path in inputs]),
+            "distribution": ("input", [str(spread) for _, spread in inputs.values()]),
+            "tolerance": ("input", [entry.tolerance for entry, _ in inputs.values()]),
+        },
+        attrs={**common_attributes("uncertainty of a joint"), "seed": seed, "sobol_samples": design.shape[0]},
+    )
+    return made
+
+
+_OPEN = 1e-12  # the ends of the unit interval are at infinity for a normal distribution
+
+
+def _rows(name: str) -> list[tuple[str, str, str]]:
+    """Name, unit and description of the rows that a result makes."""
+    result = RESULTS[name]
+    if not result.per_contact:
+        return [(name, result.unit, result.description)]
+    return [
+        (f"{name}_{contact}", result.unit, f"{result.description}, {contact}") for contact in CONTACT_NAMES
+    ]
+
+
+def _sobol(analyser: Any, problem: dict[str, Any], row: np.ndarray, seed: int) -> np.ndarray:
+    """First and total indices with their half-widths, shape (4, inputs); nan for a result that does not vary."""
+    spread = np.ptp(row)
+    if not np.isfinite(spread) or spread <= 1e-12 * np.max(np.abs(row)):
+        return np.full((4, problem["num_vars"]), np.nan)
+    found = analyser.analyze(
+        problem, row, calc_second_order=False, num_resamples=_RESAMPLES, conf_level=COVERAGE, seed=seed
+    )
+    return np.stack([found[name] for name in ("S1", "S1_conf", "ST", "ST_conf")])

@@ -1,0 +1,83 @@
+"""Diagnostics of the paper's joint: each against plain arithmetic from the forces, in order and out of it."""
+
+import math
+
+import numpy as np
+import pytest
+
+from asperity.joint.evaluation import solve
+
+MODULUS = 206e9 / (2 * 0.91)
+RADII = [(4e-3, 13.5e-3, 1), (13.5e-3, 5e-3, 1), (13.5e-3, 5e-3, 1), (5e-3, 40e-3, -1), (5e-3, 40e-3, -1)]
+
+
+@pytest.fixture(scope="module")
+def paper(paper_joint):
+    return solve(paper_joint())
+
+
+@pytest.fixture(scope="module")
+def lifted(paper_joint):
+    return solve(paper_joint(output_torque=80.0))
+
+
+def half_widths(normal):
+    """Johnson 1985, (4.43)."""
+    radii = np.array([a * b / abs(a + sign * b) for a, b, sign in RADII])
+    return np.sqrt(4 * normal * radii / (math.pi * 5e-3 * MODULUS))
+
+
+def test_hertz_strip_and_first_yield(paper):
+    normal, found = np.asarray(paper.forces.normal), paper.diagnostics
+    width = half_widths(normal)
+    pressure = 2 * normal / (math.pi * width * 5e-3)
+    np.testing.assert_allclose(found.hertz_half_width, width, rtol=1e-12)
+    np.testing.assert_allclose(found.hertz_peak_pressure, pressure, rtol=1e-12)
+    np.testing.assert_allclose(found.pressure_over_first_yield, pressure / (1.67 * 450e6), rtol=3e-3)
+    assert float(found.hertz_peak_pressure[0]) == pytest.approx(1.53e9, rel=5e-3)  # the model's own figure
+    assert float(found.pressure_over_first_yield[0]) == pytest.approx(2.0, rel=0.03)
+
+
+def test_real_area_and_largest_spot_exceed_the_strip(paper):
+    """Sun contact at 1000 N by benchmarks/baseline_scipy.py: a_l = 37.788, A_r = 7.3748 mm^2; the strip: 0.83 mm^2."""
+    assert float(paper.contacts.largest_area[0]) == pytest.approx(37.788e-6, rel=5e-3)
+    assert float(paper.contacts.real_contact_area[0]) == pytest.approx(7.3748e-6, rel=5e-3)
+    strip = 2 * half_widths(np.asarray(paper.forces.normal)) * 5e-3
+    assert strip[0] == pytest.approx(0.833e-6, rel=5e-3)
+    found = paper.diagnostics
+    np.testing.assert_allclose(
+        found.real_area_over_hertz_area, paper.contacts.real_contact_area / strip, rtol=1e-12
+    )
+    np.testing.assert_allclose(
+        found.largest_spot_over_hertz_area, paper.contacts.largest_area / strip, rtol=1e-12
+    )
+
+
+def test_slip_and_self_locking(paper):
+    forces, found = paper.forces, paper.diagnostics
+    np.testing.assert_allclose(
+        found.gross_slip, np.abs(forces.tangential) / (0.12 * forces.normal), rtol=1e-12
+    )
+    assert float(found.self_locking) == pytest.approx(0.1153 / 0.12, rel=1e-3)
+
+
+def test_plastic_share_and_distance_from_lift_off(paper):
+    critical = 1e-22 * (2 * MODULUS / 1260e6) ** 5  # (19) at D = 1.4
+    found = paper.diagnostics
+    np.testing.assert_allclose(
+        found.critical_over_largest_spot, critical / paper.contacts.largest_area, rtol=1e-9
+    )
+    side = 1000.0 / (2 * math.cos(math.radians(27.0831)))
+    rest = np.array(
+        [1000.0, side, side, side * math.cos(math.radians(13.1582)), side * math.cos(math.radians(13.1582))]
+    )
+    np.testing.assert_allclose(found.normal_over_rest, paper.forces.normal / rest, rtol=1e-5)
+
+
+def test_a_lifted_contact_is_reported_not_hidden(lifted):
+    found = lifted.diagnostics
+    assert float(lifted.forces.normal[2]) == 0.0
+    assert float(found.normal_over_rest[2]) == 0.0
+    assert float(found.critical_over_largest_spot[2]) == math.inf
+    assert float(found.hertz_half_width[2]) == float(found.hertz_peak_pressure[2]) == 0.0
+    assert float(found.gross_slip[1]) > 1.0

@@ -1,0 +1,111 @@
+"""A joint with measured surfaces: the interval against linear propagation, two bodies, refusals."""
+
+import dataclasses
+import json
+
+import jax.numpy as jnp
+import numpy as np
+import pytest
+from click.testing import CliRunner
+
+from asperity.cli import asperity as command
+from asperity.compilation import compile_fast
+from asperity.errors import InputError
+from asperity.joint.evaluation import evaluate
+from asperity.joint.measured_surface import measured_surface, stiffness_interval
+from asperity.joint_file.build import joint_from_case
+from asperity.joint_file.measured_surface import with_measured_surface
+from asperity.joint_file.reader import parse_case, read_case
+from asperity.surface.measurement import SurfaceMeasurement, measurement_document
+
+
+def measurement(dimension=1.4, roughness=1e-11, deviation=1e-3, log_deviation=0.03, correlation=-0.9):
+    mixed = correlation * deviation * log_deviation
+    return SurfaceMeasurement(
+        fractal_dimension=jnp.asarray(dimension),
+        fractal_roughness=jnp.asarray(roughness),
+        frequency_ratio=jnp.asarray(1.5),
+        covariance=jnp.array([[deviation**2, mixed], [mixed, log_deviation**2]]),
+        shortest_wavelength=jnp.asarray(1e-6),
+        longest_wavelength=jnp.asarray(1e-4),
+        estimator="made up",
+        profiles=10,
+        source="a test",
+    )
+
+
+@pytest.fixture(scope="module")
+def zou_file(tmp_path_factory):
+    path = tmp_path_factory.mktemp("joint") / "joint.toml"
+    CliRunner().invoke(command, ["init", str(path)], catch_exceptions=False)
+    return path
+
+
+@pytest.fixture
+def write(tmp_path):
+    def to(name, content):
+        path = tmp_path / name
+        path.write_text(json.dumps(measurement_document(measurement=content)))
+        return path
+
+    return to
+
+
+def test_a_narrow_interval_is_the_linear_propagation_of_the_covariance(zou_file):
+    measured = measurement()
+    joint = joint_from_case(with_measured_surface(read_case(zou_file), measured))
+    interval = stiffness_interval(joint, measured)
+
+    steps = np.array([[0.0, 0.0], [1e-5, 0.0], [-1e-5, 0.0], [0.0, 1e-4], [0.0, -1e-4]])
+    surface = dataclasses.replace(
+        joint.surfaces[0],
+        fractal_dimension=1.4 + steps[:, 0],
+        fractal_roughness=1e-11 * np.exp(steps[:, 1]),
+        frequency_ratio=np.full(5, 1.5),
+    )
+    batch = dataclasses.replace(joint, surfaces=(surface,))
+    at = np.asarray(compile_fast(evaluate, batch)(batch).published.output)
+    slope = np.array([(at[1] - at[2]) / 2e-5, (at[3] - at[4]) / 2e-4])
+    deviation = np.sqrt(slope @ np.asarray(measured.covariance) @ slope)
+    found = interval["published"]
+    # 2000 draws: the ends of the interval scatter by about 3 % of the standard deviation each
+    assert found["low_Nm_per_rad"] == pytest.approx(at[0] - 1.96 * deviation, abs=0.2 * deviation)
+    assert found["high_Nm_per_rad"] == pytest.approx(at[0] + 1.96 * deviation, abs=0.2 * deviation)
+    assert interval["outside"] == interval["unsolved"] == 0
+
+
+def test_two_bodies_of_equal_dimension_add_their_structure_functions(write):
+    one = write("a.json", measurement(roughness=1e-11))
+    other = write("b.json", measurement(roughness=3e-11))
+    both = measured_surface((one, other))
+    # S ~ G^(2(D-1)) at equal D
+    expected = (1e-11**0.8 + 3e-11**0.8) ** (1.0 / 0.8)
+    assert float(both.fractal_roughness) == pytest.approx(expected, rel=1e-6)
+    assert float(both.fractal_dimension) == pytest.approx(1.4, abs=1e-9)
+
+
+def test_the_command_runs_a_joint_from_two_measured_files(zou_file, write):
+    files = [str(write(name, measurement())) for name in ("a.json", "b.json")]
+    shown = CliRunner().invoke(
+        command,
+        ["joint", str(zou_file), "--json", "--surface", files[0], "--surface", files[1]],
+        catch_exceptions=False,
+    )
+    document = json.loads(shown.output)
+    assert document["input"]["surface"]["fractal_dimension"] == pytest.approx(1.4, abs=1e-9)
+    interval = document["stiffness_interval"]["assembly"]
+    nominal = document["torsional_stiffness"]["assembly"]["output_Nm_per_rad"]
+    assert interval["low_Nm_per_rad"] < nominal < interval["high_Nm_per_rad"]
+
+
+def test_more_than_two_bodies_are_refused(write):
+    path = write("a.json", measurement())
+    with pytest.raises(InputError, match="3 measured surfaces were given; allowed are one"):
+        measured_surface((path, path, path))
+
+
+def test_a_measurement_that_hardly_knows_d_is_refused(zou_file):
+    vague = measurement(dimension=1.9, deviation=0.2)
+    joint = joint_from_case(with_measured_surface(parse_case(zou_file.read_text(), source="x"), vague))
+    with pytest.raises(InputError, match="too uncertain"):
+        stiffness_interval(joint, vague)

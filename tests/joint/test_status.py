@@ -1,0 +1,83 @@
+"""Every reason for a failed point is the reason for which the joint alone is refused."""
+
+import numpy as np
+import pytest
+
+from asperity.errors import AsperityError
+from asperity.joint.examination import examine
+from asperity.joint.status import STATUS_MEANINGS, STATUS_NAMES, flag_attributes
+from asperity.joint_file.build import with_values
+from asperity.joint_file.values import si_values
+from asperity.study.points import evaluate_points
+
+# changes of the paper's joint in SI units, the status they should have, and what the joint alone is refused for
+FAILURES = [
+    ({}, "solved", None),
+    ({"drive.loading_roller_radius": 0.0041}, "roller_does_not_reach_ring", "reach"),
+    ({"drive.planet_radius": 0.0185}, "planet_touches_ring", "planet must not touch the ring"),
+    ({"drive.planets": 7.0}, "planets_overlap", "neighbouring planets"),
+    (
+        {"drive.loading_roller_radius": 0.0049, "drive.ring_radius": 0.0407},
+        "rollers_of_planet_overlap",
+        "one planet",
+    ),
+    (
+        {"drive.planets": 5.0, "drive.planet_radius": 0.0125, "drive.loading_roller_radius": 0.0059},
+        None,
+        "not ",
+    ),
+    ({"bearings.pin_diameter": 0.0101}, "pin_too_thick_or_locked", "pin diameter"),
+    (
+        {"bearings.pin_diameter": 0.004, "bearings.pin_friction_coefficient": 2.0},
+        "pin_too_thick_or_locked",
+        "lock",
+    ),
+    ({"load.output_torque": 20.0}, "beyond_torque_capacity", "beyond the torque capacity"),
+    ({"load.preload": 1e8, "load.friction_coefficient": 0.3}, "contact_too_wide", "wide"),
+]
+PATHS = sorted({path for changes, _, _ in FAILURES for path in changes})
+
+
+@pytest.fixture(scope="module")
+def codes(case):
+    base = {"bearings.pin_diameter": 0.0, "bearings.pin_friction_coefficient": 0.0}
+    for path in PATHS:
+        node = si_values(case)
+        for step in path.split("."):
+            node = node.get(step, {}) if isinstance(node, dict) else node
+        base.setdefault(path, node)
+    points = {path: np.array([changes.get(path, base[path]) for changes, _, _ in FAILURES]) for path in PATHS}
+    status, found = evaluate_points(
+        si_values(case), points, ("published_stiffness_output", "wedge_angle", "gross_slip")
+    )
+    return status, found
+
+
+@pytest.mark.parametrize("index", range(len(FAILURES)))
+def test_failed_points_are_those_that_the_joint_command_refuses(case, codes, index):
+    changes, name, told = FAILURES[index]
+    status, found = codes
+    assert name is None or STATUS_NAMES[status[index]] == name
+    assert (
+        (told is None)
+        == (status[index] == 0)
+        == bool(np.isfinite(found["published_stiffness_output"][index]))
+    )
+    if told is not None and index in (1, 8):  # each examination compiles anew: two stand for all
+        with pytest.raises(AsperityError, match=told):
+            examine(with_values(case, changes))
+
+
+def test_what_has_a_meaning_is_kept(codes):
+    status, found = codes
+    slips = status == STATUS_NAMES.index("beyond_torque_capacity")
+    assert np.all(found["gross_slip"][:, slips].max(axis=0) >= 1.0)
+    assert np.all(np.isfinite(found["wedge_angle"][slips]))
+    assert np.all(np.isnan(found["wedge_angle"][(status > 0) & (status < 9)]))
+
+
+def test_names_and_meanings_belong_together():
+    assert len(STATUS_NAMES) == len(STATUS_MEANINGS)
+    assert "neighbouring planets" in STATUS_MEANINGS[STATUS_NAMES.index("planets_overlap")]
+    assert "outside the planet's centre" in STATUS_MEANINGS[STATUS_NAMES.index("rollers_inside_planet_orbit")]
+    assert len(flag_attributes()["flag_meanings"].split()) == len(flag_attributes()["flag_values"])

@@ -1,0 +1,87 @@
+import jax
+import jax.numpy as jnp
+import numpy as np
+import pytest
+
+from asperity.errors import InputError
+from asperity.joint_file.build import joint_from_case, joint_from_values, with_values
+from asperity.joint_file.reader import parse_case
+from asperity.joint_file.values import replace_values, si_values
+
+
+def test_the_example_is_the_joint_of_the_paper(example_case, paper_joint):
+    ours, papers = joint_from_case(example_case), paper_joint(ring_wall_thickness=60e-3)
+    assert jax.tree.structure(ours) == jax.tree.structure(papers)
+    np.testing.assert_allclose(jax.tree.leaves(ours), jax.tree.leaves(papers), rtol=1e-15)
+
+
+def test_hardness_is_the_factor_times_the_yield_strength_unless_stated(example_case, example_text):
+    assert joint_from_case(example_case).bodies.sun.hardness == 2.8 * 450e6
+    stated = parse_case(example_text.replace("hardness_factor = 2.8", 'hardness = "7 GPa"'), source="x")
+    assert joint_from_case(stated).bodies.ring.hardness == 7e9
+
+
+def test_rollers_without_a_length_are_as_long_as_their_longest_contact_line(example_case):
+    joint = with_values(example_case, {"drive.contact_length.sp": 0.009, "drive.contact_length.wlo": 0.007})
+    assert (joint.planet_length, joint.loading_roller_length) == (0.009, 0.007)
+    stated = with_values(example_case, {"drive.planet_length": 0.02})
+    assert stated.planet_length == 0.02
+    swept = with_values(example_case, {"drive.contact_length.pwr": np.array([0.004, 0.008])})
+    np.testing.assert_array_equal(swept.planet_length, [0.005, 0.008])
+
+
+def test_sections_of_bearings_and_compliance(example_text):
+    extra = """
+[bearings]
+sun_torque = "1 N*mm"
+loading_roller_torque = "2 N*mm"
+carrier_torque = "3 N*mm"
+pin_friction_coefficient = 0.002
+pin_diameter = "4 mm"
+[compliance]
+pin_stiffness = "100 N/um"
+input_shaft_stiffness = "500 N*m/rad"
+"""
+    joint = joint_from_case(parse_case(example_text + extra, source="x"))
+    assert joint.bearings.carrier_torque == 0.003
+    assert joint.bearings.pin_diameter == 0.004
+    assert joint.supports.pin_stiffness == 1e8
+    assert joint.supports.input_shaft_stiffness == 500.0
+    assert joint.supports.output_shaft_stiffness == np.inf  # rigid
+    assert joint.supports.planet_support_stiffness == 0.0  # floating
+
+
+def test_each_contact_can_have_its_own_entry(example_text):
+    tables = "".join(
+        f'[surface.{name}]\nfractal_dimension = {1.3 + 0.1 * i}\nfractal_roughness = "1e-8 mm"\nfrequency_ratio = 1.5\n'
+        for i, name in enumerate(("sp", "pwr", "pwl", "wro", "wlo"))
+    )
+    joint = joint_from_case(parse_case(example_text[: example_text.index("[surface]")] + tables, source="x"))
+    assert [surface.fractal_dimension for surface in joint.surfaces] == pytest.approx(
+        [1.3, 1.4, 1.5, 1.6, 1.7]
+    )
+
+
+def test_arrays_become_batch_axes(example_case):
+    torque = np.linspace(0.0, 5.0, 4)
+    joint = with_values(
+        example_case, {"load.output_torque": torque, "surface.fractal_dimension": torque[:, None] / 10 + 1.3}
+    )
+    np.testing.assert_array_equal(joint.output_torque, torque)
+    assert joint.surfaces[0].fractal_dimension.shape == (4, 1)
+
+
+def test_values_out_of_range_are_refused(example_case):
+    with pytest.raises(InputError, match=r"load\.output_torque: -1 N·m is not allowed"):
+        with_values(example_case, {"load.output_torque": np.array([1.0, -1.0])})
+
+
+def test_the_last_step_can_be_differentiated(example_case):
+    values = si_values(example_case)
+
+    def mean_hardness(yield_strength):
+        joint = joint_from_values(replace_values(values, {"materials.steel.yield_strength": yield_strength}))
+        return jnp.asarray(joint.bodies.sun.hardness)
+
+    assert jax.grad(mean_hardness)(450e6) == pytest.approx(2.8)
+    assert jax.jit(lambda force: with_values(example_case, {"load.preload": force}).preload)(7.0) == 7.0

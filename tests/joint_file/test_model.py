@@ -1,0 +1,70 @@
+"""What the sections of a joint file let through, and how they refuse."""
+
+import tomllib
+
+import pytest
+from pydantic import ValidationError
+
+from asperity.errors import InputError
+from asperity.joint_file.model import Case, EachContact, MaterialEntry, SurfaceEntry
+
+STEEL = {
+    "youngs_modulus": "206 GPa",
+    "poisson_ratio": 0.3,
+    "density": "7850 kg/m^3",
+    "yield_strength": "450 MPa",
+}
+SURFACE = {"fractal_dimension": 1.4, "fractal_roughness": "1e-8 mm", "frequency_ratio": 1.5}
+CONTACTS = ("sp", "pwr", "pwl", "wro", "wlo")
+
+
+@pytest.fixture
+def tables(example_text):
+    return tomllib.loads(example_text)
+
+
+def test_units_are_converted_once_and_here(tables):
+    case = Case.model_validate(tables)
+    assert case.drive.sun_radius.value == pytest.approx(4e-3, rel=1e-15)
+    assert case.load.sun_speed.value == pytest.approx(6000.0 * 3.141592653589793 / 30.0, rel=1e-12)
+    assert case.load.preload.text == "1000 N"
+
+
+def test_a_section_is_frozen_and_has_no_room_for_unknown_keys(tables):
+    case = Case.model_validate(tables)
+    with pytest.raises(ValidationError, match="frozen"):
+        case.drive.planets = case.drive.sun_radius
+    with pytest.raises(ValidationError, match="Extra inputs are not permitted"):
+        MaterialEntry.model_validate({**STEEL, "hardness": "1 GPa", "colour": "blue"})
+
+
+@pytest.mark.parametrize(
+    ("hardnesses", "found"),
+    [({}, "neither"), ({"hardness": "1 GPa", "hardness_factor": 2.8}, "both")],
+)
+def test_a_material_has_one_hardness(hardnesses, found):
+    with pytest.raises(
+        ValidationError, match=f"exactly one of 'hardness' and 'hardness_factor'.*got {found}"
+    ):
+        MaterialEntry.model_validate({**STEEL, **hardnesses})
+
+
+def test_one_surface_for_all_contacts_or_one_for_each(tables):
+    one = Case.model_validate({**tables, "surface": SURFACE}).surface
+    assert isinstance(one, SurfaceEntry)
+    five = {name: {**SURFACE, "fractal_dimension": 1.3 + 0.1 * index} for index, name in enumerate(CONTACTS)}
+    each = Case.model_validate({**tables, "surface": five}).surface
+    assert isinstance(each, EachContact)
+    assert [entry.fractal_dimension.value for entry in each.entries()] == pytest.approx(
+        [1.3, 1.4, 1.5, 1.6, 1.7]
+    )
+    with pytest.raises(ValidationError, match="wlo"):
+        Case.model_validate({**tables, "surface": dict.fromkeys(CONTACTS[:4], SURFACE)})
+
+
+def test_a_body_of_an_unknown_material_is_told_the_nearest(tables):
+    tables["bodies"]["sun"] = "stel"
+    with pytest.raises(
+        (InputError, ValidationError), match=r"bodies\.sun: there is no material 'stel'.*steel"
+    ):
+        Case.model_validate(tables)

@@ -1,0 +1,189 @@
+"""Calibration recovers known values from synthetic curves, and says what the data cannot tell."""
+
+import numpy as np
+import pytest
+
+from asperity.errors import InputError, NoSolutionError
+from asperity.joint_file.reader import read_case
+from asperity.study.calibration.calibrate import calibrate
+from asperity.study.calibration.curve_model import CurveModel
+from asperity.study.calibration.measurement import Measurement
+from asperity.study.calibration.unknowns import read_unknowns
+
+PLAY, DRIFT, OFFSETS = 2e-5, 3e-9, (1e-5, -2e-5)
+
+
+@pytest.fixture(scope="module")
+def case(zou_file):
+    return read_case(zou_file)
+
+
+def history():
+    up, loop = np.linspace(0.2, 10.0, 15), np.linspace(10.0, -10.0, 31)[1:]
+    return np.concatenate([up, loop, -loop])
+
+
+def blank(torque, repetition=None):
+    return Measurement(
+        torque=torque,
+        angle=np.zeros(torque.size),
+        stiffness=None,
+        time=10.0 * np.arange(torque.size),
+        repetition=np.zeros(torque.size) if repetition is None else repetition,
+        source="synthetic",
+    )
+
+
+def predicted(case, data, texts, values):
+    """The curve of known values of the unknowns."""
+    unknowns = read_unknowns([f"{text}" for text in texts], case=case, measurement=data)
+    model = CurveModel(case=case, measurement=data, unknowns=unknowns, level="assembly", history="virgin")
+    return model(np.array([u.to_unit(v) for u, v in zip(unknowns, values, strict=True)]))[0]
+
+
+@pytest.fixture(scope="module")
+def curve(case):
+    """Joint of 900 N and mu = 0.14 with play, drift and two repetitions of different zero."""
+    torque = np.concatenate([history(), history()])
+    repetition = np.repeat([1.0, 2.0], torque.size // 2)
+    data = blank(torque, repetition)
+    joint = predicted(case, data, ["load.preload", "load.friction_coefficient"], [900.0, 0.14])
+    extras = 0.5 * PLAY * np.sign(torque) + DRIFT * data.time + np.where(repetition == 1.0, *OFFSETS)
+    return data, joint + extras
+
+
+UNKNOWNS = ("load.preload", "load.friction_coefficient", "play=0 arcmin:0.5 arcmin", "drift=-1e-7 rad/s:1e-7 rad/s",
+            "offset=-1 arcmin:1 arcmin")  # fmt: skip
+TRUTH = (900.0, 0.14, PLAY, DRIFT, *OFFSETS)
+
+
+def fitted(case, data, angle, texts=UNKNOWNS, starts=1):
+    data = Measurement(**{**vars(data), "angle": angle})
+    return calibrate(
+        case=case,
+        measurement=data,
+        unknowns=read_unknowns(texts, case=case, measurement=data),
+        level="assembly",
+        history="virgin",
+        starts=starts,
+        seed=0,
+    )
+
+
+def test_exact_data_give_exact_values(case, curve):
+    found = fitted(case, *curve)
+    assert [each.path for each in found.estimates][-2:] == ["offset 1", "offset 2"]
+    for each, true in zip(found.estimates, TRUTH, strict=True):
+        assert each.value == pytest.approx(true, rel=1e-5), each.path
+        assert each.determined
+
+
+def test_noisy_data_give_values_within_their_intervals(case, curve):
+    data, angle = curve
+    scatter = 5e-7
+    noise = scatter * np.random.default_rng(3).standard_normal(angle.size)
+    found = fitted(case, data, angle + noise)
+    assert found.standard_deviation == pytest.approx(scatter, rel=0.2)
+    assert found.durbin_watson == pytest.approx(2.0, abs=0.4)
+    inside = [each.lower < true < each.upper for each, true in zip(found.estimates, TRUTH, strict=True)]
+    assert sum(inside) >= 5  # six intervals of 95 %
+    for each, true in zip(found.estimates[:2], TRUTH, strict=False):
+        assert each.upper - each.lower < 0.2 * true
+        assert abs(each.value - true) < each.upper - each.lower
+
+
+def test_misfit_shows_in_the_residuals(case, curve):
+    found = fitted(case, *curve, texts=("load.preload", "offset=-1 arcmin:1 arcmin"))
+    assert found.durbin_watson < 1.0
+
+
+def test_what_cannot_be_told_apart_is_named(case, curve):
+    # smooth surfaces are a thousand times stiffer than the bodies below them, so their roughness leaves no trace
+    data, _ = curve
+    roughness = "surface.fractal_roughness=1e-10 mm:1e-9 mm"
+    angle = predicted(case, data, ["load.preload", roughness], [900.0, 3e-13])
+    noise = 2e-5 * np.random.default_rng(3).standard_normal(angle.size)
+    found = fitted(
+        case,
+        data,
+        angle + noise,
+        texts=("load.preload", roughness),
+    )
+    by_name = {each.path: each for each in found.estimates}
+    assert by_name["load.preload"].determined
+    assert not by_name["surface.fractal_roughness"].determined
+    assert np.isnan(by_name["surface.fractal_roughness"].upper)
+    assert "surface.fractal_roughness" in found.directions[0].words
+    assert "NOT told apart" in found.directions[0].words
+
+
+@pytest.mark.filterwarnings("error")
+def test_no_play_says_nothing_about_its_torque(case):
+    # the estimate of the play is exactly 0, so that the slope by play_torque is too
+    torque = np.array([0.2, 0.6, 1.0, 2.0, 3.0, 2.0, 1.0, 0.5, 0.0, -0.5, -1.0, -2.0, -3.0, -1.0, 0.5, 2.0])
+    texts = ("play=0 arcmin:1 arcmin", "play_torque=0.1 N*m:5 N*m")
+    found = fitted(case, blank(torque), np.linspace(1e-5, 2e-5, torque.size), texts)
+    assert found.estimates[0].at_bound == "lower"
+    assert not found.estimates[1].determined
+    assert np.all(np.isfinite(found.covariance))
+
+
+def test_slopes_of_the_model(case, curve):
+    data, _ = curve
+    unknowns = read_unknowns((*UNKNOWNS, "play_torque=0.1 N*m:2 N*m"), case=case, measurement=data)
+    model = CurveModel(case=case, measurement=data, unknowns=unknowns, level="assembly", history="cycled")
+    places = np.array([0.45, 0.6, 0.3, 0.5, 0.5, 0.4, 0.5])
+    _, slopes = model(places)
+    for index in range(places.size):
+        step = np.zeros(places.size)
+        step[index] = 1e-5
+        difference = (model(places + step)[0] - model(places - step)[0]) / 2e-5
+        assert slopes[:, index] == pytest.approx(difference, rel=1e-4, abs=1e-7 * np.abs(difference).max())
+
+
+def test_stiffness_data(case):
+    torque = np.linspace(0.0, 9.0, 12)
+    data = Measurement(torque, None, np.ones(torque.size), None, np.zeros(torque.size), "synthetic")
+    true = predicted(case, data, ["load.preload"], [1300.0])
+    data = Measurement(torque, None, true, None, np.zeros(torque.size), "synthetic")
+    found = calibrate(
+        case=case,
+        measurement=data,
+        unknowns=read_unknowns(["load.preload"], case=case, measurement=data),
+        level="assembly",
+        history="virgin",
+        starts=1,
+        seed=0,
+    )
+    assert found.estimates[0].value == pytest.approx(1300.0, rel=1e-6)
+
+
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        ("load.prelode", "did you mean 'load.preload'"),
+        ("load.preload=500 N", "KEY=LOWER:UPPER"),
+        ("load.preload=500 N:100 N", "must be below"),
+        ("load.preload=500:900", "bare number"),
+        ("load.output_torque", "is measured here"),
+        ("drive.planets", "whole number"),
+        ("compliance.pin_stiffness", "state bounds"),
+        ("play_torque", "needs the unknown 'play'"),
+    ],
+)
+def test_bad_unknowns(case, curve, text, message):
+    with pytest.raises(InputError, match=message):
+        read_unknowns([text], case=case, measurement=curve[0])
+
+
+def test_a_curve_past_slip_is_refused(case):
+    # 20 N·m is beyond the capacity of 13.2 N·m: the fit would end where the preload just carries it, with an interval
+    # of no width since the slope is infinite there
+    torque, angle = np.array([1.0, 20.0, 3.0]), np.array([3e-5, 6e-4, 1.2e-3])
+    with pytest.raises(NoSolutionError, match="slips at the largest measured torque, 20 N"):
+        fitted(case, blank(torque), angle, texts=("load.preload",))
+
+
+def test_more_unknowns_than_data(case):
+    with pytest.raises(InputError, match="more rows than unknowns"):
+        fitted(case, blank(np.array([1.0, 2.0])), np.array([1e-5, 2e-5]), texts=("load.preload", "offset"))

@@ -1,0 +1,72 @@
+"""The curve of a joint with given unknowns: slopes, many sets at once, and nothing held where no joint exists."""
+
+import numpy as np
+import pytest
+
+from asperity.joint_file.reader import read_case
+from asperity.study.calibration.curve_model import CurveModel
+from asperity.study.calibration.measurement import Measurement
+from asperity.study.calibration.unknowns import read_unknowns
+
+TORQUE = np.array([0.5, 3.0, 6.0, 2.0, -4.0, 1.0])
+TIME = 10.0 * np.arange(TORQUE.size)
+TEXTS = (
+    "load.preload=800 N:1600 N",
+    "play=0 arcmin:1 arcmin",
+    "play_torque=0.1 N*m:2 N*m",
+    "drift",
+    "offset",
+)
+
+
+@pytest.fixture(scope="module")
+def model(zou_file):
+    data = Measurement(
+        TORQUE, np.linspace(-1e-4, 1e-4, TORQUE.size), None, TIME, np.zeros(TORQUE.size), "synthetic"
+    )
+    case = read_case(zou_file)
+    unknowns = read_unknowns(TEXTS, case=case, measurement=data)
+    return CurveModel(case=case, measurement=data, unknowns=unknowns, level="assembly", history="virgin")
+
+
+PLACE = np.array([0.4, 0.3, 0.6, 0.7, 0.45])
+
+
+def test_slopes_are_those_of_the_prediction(model):
+    _, slopes = model(PLACE)
+    for index in range(PLACE.size):
+        step = np.zeros(PLACE.size)
+        step[index] = 1e-5
+        difference = (model(PLACE + step)[0] - model(PLACE - step)[0]) / 2e-5
+        np.testing.assert_allclose(slopes[:, index], difference, rtol=1e-5, atol=1e-12)
+
+
+def test_the_unknowns_of_the_curve_add_what_they_say(model):
+    """Play taken up as play/2 tanh(T/T_p), a drift since the first row, an offset."""
+    nothing = model.unknowns[3].to_unit(0.0), model.unknowns[4].to_unit(0.0)
+    bare = model(np.array([0.4, 0.0, 0.6, *nothing]))[0]
+    point = model.point(PLACE)
+    added = (
+        0.5 * point["play"] * np.tanh(TORQUE / point["play_torque"]) + point["drift"] * TIME + point["offset"]
+    )
+    np.testing.assert_allclose(model(PLACE)[0], bare + added, rtol=1e-10, atol=1e-16)
+
+
+def test_many_sets_are_as_one_by_one(model):
+    places = np.array([PLACE, PLACE[::-1] * 0.5, np.full(5, 0.2)])
+    np.testing.assert_allclose(model.predictions(places), [model(place)[0] for place in places], rtol=1e-10)
+
+
+def test_a_joint_that_slips_below_the_largest_torque_has_no_prediction(zou_file):
+    torque = np.array([1.0, 8.0])
+    data = Measurement(torque, np.array([0.0, 1e-4]), None, None, np.zeros(2), "synthetic")
+    case = read_case(zou_file)
+    unknowns = read_unknowns(("load.preload=100 N:2000 N",), case=case, measurement=data)
+    curve = CurveModel(case=case, measurement=data, unknowns=unknowns, level="assembly", history="virgin")
+    weak, strong = (curve.unknowns[0].to_unit(preload) for preload in (300.0, 1500.0))
+    found = curve.predictions(np.array([[weak], [strong]]))
+    assert np.isnan(found[0]).all()  # 13 N·m at 1000 N are 4 at 300
+    assert np.isfinite(found[1]).all()
+    assert np.isfinite(
+        curve(np.array([weak]))[0]
+    ).all()  # the search is led back, by a stiffness that is held

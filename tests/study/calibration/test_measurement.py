@@ -1,0 +1,68 @@
+"""Measured curves read from CSV files."""
+
+import math
+
+import pytest
+
+from asperity.errors import InputError
+from asperity.study.calibration.measurement import read_measurement
+
+
+def read(tmp_path, text):
+    path = tmp_path / "data.csv"
+    path.write_text(text)
+    return read_measurement(path)
+
+
+def test_units_in_brackets(tmp_path):
+    found = read(tmp_path, "# a comment\ntorque [N*mm],angle [arcmin],time [min]\n1000,60,0\n-2000,-120,2\n")
+    assert found.torque == pytest.approx([1.0, -2.0])
+    assert found.angle == pytest.approx([math.pi / 180, -math.pi / 90])
+    assert found.time == pytest.approx([0.0, 120.0])
+    assert found.repetition == pytest.approx([0.0, 0.0])
+
+
+def test_units_behind_an_underscore(tmp_path):
+    found = read(tmp_path, "torque_Nm;stiffness_Nm_per_arcmin;repetition\n1;2;1\n2;3;2\n")
+    assert found.stiffness == pytest.approx([2 * 180 * 60 / math.pi, 3 * 180 * 60 / math.pi])
+    assert found.angle is None
+
+
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        ("", "empty"),
+        ("torque,angle [rad]\n1,2\n", "states no unit"),
+        ("torque [N],angle [rad]\n1,2\n", "expected a torque"),
+        ("torqe [N*m],angle [rad]\n1,2\n", "did you mean 'torque'"),
+        ("torque [N*m]\n1\n", "either 'angle' or 'stiffness'"),
+        ("torque [N*m],angle [rad]\n1,2\n1,x\n", "line 3, column 'angle': 'x' is not a number"),
+        ("torque [N*m],angle [rad]\n1,nan\n", "not finite"),
+        (
+            "torque [N*m],angle [rad]\n1,2\n1,-1e4\n",
+            "line 3, column 'angle': -1e4 is not allowed; .* -1000 and 1000",
+        ),
+        ("torque [kN*m],angle [rad]\n1e300,2\n", "1e300 is not allowed; it must be between -1e.06 and 1e.06"),
+        ("torque [N*m],angle [rad]\n1\n", "line 2: 1 values for 2 columns"),
+        ("torque [N*m],angle [rad],time [s]\n1,2,1\n2,3,0\n", "line 3: time runs backwards"),
+        ("torque [N*m],stiffness [N*m/rad]\n1,2\n1,0\n", "line 3: the stiffness 0 must be positive"),
+        ("torque [N*m],angle [rad],angle [deg]\n1,2,3\n", "2 columns 'angle'"),
+        ("torque [N*m],angle [rad]\n", "needs at least 2 rows of numbers, got 0"),
+        ("torque [N*m],angle [rad]\n1,2\n", "needs at least 2 rows of numbers, got 1"),
+        ("torque [N*m],angle [arcmin]\n0,0\n1,0\n", "all 2 rows have the angle 0"),
+        ("torque [N*m],angle [arcmin]\n1,0\n1,2\n", "all 2 rows have the torque 1 N"),
+    ],
+)
+def test_bad_files(tmp_path, text, message):
+    with pytest.raises(InputError, match=message.replace("(", r"\(")):
+        read(tmp_path, text)
+
+
+def test_stiffnesses_may_all_belong_to_one_torque(tmp_path):
+    found = read(tmp_path, "torque [N*m],stiffness [N*m/rad]\n2,5\n2,4\n")
+    assert found.torque.tolist() == [2.0, 2.0]
+
+
+def test_missing_file(tmp_path):
+    with pytest.raises(InputError, match="there is no such file"):
+        read_measurement(tmp_path / "none.csv")

@@ -1,0 +1,204 @@
+"""The posterior against a linear model whose posterior is known, and against sums over a grid for the real joint."""
+
+import json
+from dataclasses import replace
+
+import jax.numpy as jnp
+import numpy as np
+import pytest
+from scipy.special import logsumexp
+from scipy.stats import chi2
+
+from asperity.cli.calibrate import _document, _show
+from asperity.errors import InputError, NoSolutionError
+from asperity.joint_file.reader import read_case
+from asperity.study.calibration.calibrate import calibrate
+from asperity.study.calibration.calibration_plot import posterior_figure
+from asperity.study.calibration.curve_model import CurveModel
+from asperity.study.calibration.measurement import Measurement
+from asperity.study.calibration.posterior import CUT_SHARE, Posterior, posterior, sample
+from asperity.study.calibration.unknowns import read_unknowns
+
+pytestmark = pytest.mark.filterwarnings("ignore::DeprecationWarning")
+SHARES = (0.025, 0.16, 0.5, 0.84, 0.975)
+#: By so much the sums over the grid move a share.
+GRID_ERROR = 0.01
+
+DESIGN = np.stack([np.ones(60), np.linspace(-1.0, 1.0, 60)], axis=1)
+DATA = DESIGN @ np.array([0.5, 0.4]) + 0.05 * np.random.default_rng(0).standard_normal(60)
+FIT, *_ = np.linalg.lstsq(DESIGN, DATA, rcond=None)
+DEVIATION = float(np.sqrt(np.sum((DATA - DESIGN @ FIT) ** 2) / 58))
+COVARIANCE = DEVIATION**2 * np.linalg.inv(DESIGN.T @ DESIGN)
+
+
+def sampled(shift, draws):
+    """Draws for the linear model with a surrogate that is shifted."""
+    pytest.importorskip("numpyro")
+    return sample(
+        predict=lambda places: places @ DESIGN.T,
+        surrogate=lambda fitted, places: jnp.asarray(DESIGN) @ (places + fitted),
+        fit=lambda centre, covariance: jnp.asarray(shift),
+        data=DATA,
+        first=FIT,
+        covariance=COVARIANCE,
+        first_deviation=DEVIATION,
+        draws=draws,
+        warmup=200,
+        chains=4,
+        seed=0,
+    )
+
+
+def test_linear_model():
+    found = sampled(np.zeros(2), draws=300)
+    expected = np.sqrt(np.diag(COVARIANCE))  # t with 58 degrees of freedom, nearly
+    assert found.places.shape == (1200, 2)
+    effective = found.effective_draws[:2]
+    standard_error = expected / np.sqrt(effective)
+    assert np.all(np.abs(found.places.mean(axis=0) - FIT) < 4.0 * standard_error)
+    # a standard deviation of n independent normal draws has the relative error 1/sqrt(2 n); squares mix more slowly
+    assert np.all(np.abs(found.places.std(axis=0) / expected - 1.0) < 4.0 * np.sqrt(1.0 / effective))
+    # with a prior uniform in ln s, (n − 2) s0²/s² has the chi-square law of n − 2 degrees of freedom
+    exact = DEVIATION * np.sqrt(58 / chi2(58).median())
+    for share, place in ((0.5, exact), (0.16, DEVIATION * np.sqrt(58 / chi2(58).ppf(0.84)))):
+        below = found.standard_deviation < place
+        assert np.mean(below) == pytest.approx(share, abs=4.0 * found.share_error(below))
+    assert np.all(found.r_hat < 1.05)
+    assert found.divergences == 0
+    assert found.acceptance == 1.0
+
+
+def test_hopeless_surrogate_is_refused():
+    with pytest.raises(NoSolutionError, match="have not converged"):
+        sampled(np.array([0.2, 0.0]), draws=50)
+
+
+def quantiles(values, log_density, shares=SHARES):
+    """Quantiles of a density on an even grid."""
+    weight = np.exp(log_density - log_density.max())
+    cumulative = np.concatenate([[0.0], np.cumsum(0.5 * (weight[1:] + weight[:-1]))])
+    return np.interp(shares, cumulative / cumulative[-1], values)
+
+
+def log_posterior(squares, rows, deviation):
+    """Logarithm of the posterior after the size of the errors, uniform in its logarithm, is summed over."""
+    log_s = np.log(deviation) + np.linspace(-np.log(10.0), np.log(10.0), 81)
+    return logsumexp(-rows * log_s - 0.5 * squares[..., None] * np.exp(-2.0 * log_s), axis=-1)
+
+
+def calibrated(zou_file, torque, angle, texts):
+    data = Measurement(torque, angle, None, None, np.zeros(torque.size), "synthetic")
+    case = read_case(zou_file)
+    unknowns = read_unknowns(texts, case=case, measurement=data)
+    return calibrate(
+        case=case, measurement=data, unknowns=unknowns, level="assembly", history="virgin", starts=1, seed=0
+    )
+
+
+@pytest.fixture(scope="module")
+def cut_joint(zou_file):
+    """Preload just above its lower bound, with play over a torque that few rows resolve."""
+    torque = np.array([0.3, 1.0, 2.0, 4.0, 6.0, 8.0, 9.0, 5.0, 1.0, 0.5, -0.5, -3.0, -7.0, -9.0, -2.0, 0.4])
+    texts = ("load.preload=940 N:3000 N", "play=0 arcmin:1 arcmin", "play_torque=0.1 N*m:5 N*m")
+    angle = np.linspace(1e-5, 2e-5, torque.size)
+    model: CurveModel = calibrated(zou_file, torque, angle, texts).model
+    angle = model(np.array([model.unknowns[0].to_unit(945.0), 0.1, 0.3]))[0]
+    angle = angle + 3e-6 * np.random.default_rng(4).standard_normal(torque.size)
+    return calibrated(zou_file, torque, angle, texts)
+
+
+@pytest.fixture(scope="module")
+def drawn(cut_joint):
+    pytest.importorskip("numpyro")
+    seen = []
+    found = posterior(cut_joint, draws=300, seed=1, progress=lambda done, total: seen.append((done, total)))
+    assert seen[-1][0] == seen[-1][1] == len(seen)
+    return found
+
+
+def assert_cut_as_the_density_says(drawn, index, grid, logarithm):
+    """The note on a bound follows from the exact share of the posterior beside it, unless that is near the limit."""
+    values = quantiles(grid, logarithm, np.linspace(0.0005, 0.9995, 1000))
+    spread, note = float(np.std(values)), drawn.note(index)
+    for side, near in (("lower", values < 0.1 * spread), ("upper", values > 1.0 - 0.1 * spread)):
+        share = float(np.mean(near))
+        error = np.sqrt(max(share, CUT_SHARE) / drawn.effective_draws[index])
+        if share > CUT_SHARE + 8.0 * error:
+            assert f"cut by {side}" in note
+            assert "possibly" not in note
+        elif share < CUT_SHARE - 8.0 * error:
+            assert side not in note
+
+
+def test_note_on_a_bound_is_certain_only_with_enough_draws():
+    places = np.full((4000, 1), 0.5)
+    places[:, 0] += 0.2 * np.sin(np.arange(4000))
+    few, many = places.copy(), places.copy()
+    few[::80], many[::10] = 1e-4, 1e-4  # 1.25 and 10 % of the draws at the lower bound; the limit is 1 %
+    made = {
+        "standard_deviation": np.ones(4000),
+        "r_hat": np.ones(2),
+        "effective_draws": np.full(2, 4000.0),
+        "divergences": 0,
+        "acceptance": 1.0,
+        "chains": 4,
+    }
+    assert Posterior(places=places, **made).note(0) == ""
+    assert Posterior(places=few, **made).note(0) == "possibly cut by lower bound: take more draws"
+    assert Posterior(places=many, **made).note(0) == "cut by lower bound"
+
+
+def test_joint_cut_by_bounds(cut_joint, drawn):
+    model, data = cut_joint.model, cut_joint.model.measurement
+    preload, play, width = np.linspace(0.0, 0.4, 41), np.linspace(0.0, 0.3, 76), np.linspace(0.0, 1.0, 51)
+    side = np.tanh(data.torque / (0.1 * 50.0 ** width[:, None]))
+    added = 0.5 * np.pi / 180.0 / 60.0 * play[:, None, None] * side
+    density = np.empty((preload.size, play.size, width.size))
+    for index, place in enumerate(preload):
+        squares = np.sum((model(np.array([place, 0.0, 0.5]))[0] + added - data.angle) ** 2, axis=-1)
+        density[index] = log_posterior(squares, data.torque.size, cut_joint.standard_deviation)
+    for index, grid in enumerate((preload, play, width)):
+        others = tuple(axis for axis in range(3) if axis != index)
+        logarithm = logsumexp(density, axis=others)
+        # the share of draws below the true quantile is known but for its standard error, whatever CPU or seed
+        for share, place in zip(SHARES, quantiles(grid, logarithm), strict=True):
+            below = drawn.places[:, index] < place
+            assert np.mean(below) == pytest.approx(share, abs=4.0 * drawn.share_error(below) + GRID_ERROR)
+        assert_cut_as_the_density_says(drawn, index, grid, logarithm)
+    assert drawn.acceptance > 0.95
+
+
+def test_figure(cut_joint, drawn):
+    figure = posterior_figure(cut_joint, drawn)
+    panels = figure.axes
+    assert len(panels) == 9
+    assert panels[6].get_xlabel() == "load,\npreload [N]"
+    assert panels[7].get_xlabel() == "play [arcmin]"
+
+
+def test_document_and_tables(cut_joint, drawn, capsys):
+    # 940 N and 0.1 N·m are the lower bounds
+    document = json.loads(json.dumps(_document(cut_joint, drawn), allow_nan=False))
+    preload, width = document["posterior"]["load.preload"], document["posterior"]["play_torque"]
+    assert (preload["unit"], width["unit"]) == ("N", "N*m")
+    assert 940.0 < preload["quantiles"]["0.025"] < preload["quantiles"]["0.975"] < 1500.0
+    assert 0.1 < width["quantiles"]["0.025"] < 0.2
+    assert document["estimates"][1]["unit"] == "rad"
+    errors = document["posterior_standard_deviation_of_errors"]
+    assert errors["unit"] == "rad"
+    assert errors["quantiles"]["0.025"] < 3e-6 < errors["quantiles"]["0.975"]
+    _show(cut_joint, drawn)
+    assert "load.preload: cut by lower bound" in capsys.readouterr().out
+
+
+def test_exact_data_have_no_posterior(cut_joint):
+    with pytest.raises(InputError, match="say nothing about errors"):
+        posterior(replace(cut_joint, standard_deviation=0.0), draws=50, seed=0)
+
+
+def test_unknown_that_the_data_do_not_tell_fills_its_bounds():
+    rng = np.random.default_rng(0)
+    places = np.stack([rng.random(4000), 0.5 + 0.01 * rng.standard_normal(4000)], axis=1)
+    found = Posterior(places, np.ones(4000), np.ones(3), np.full(3, 4000.0), 0, 1.0, 4)
+    assert found.note(0) == "fills its bounds"
+    assert found.note(1) == ""

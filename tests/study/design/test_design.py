@@ -1,0 +1,140 @@
+"""Designs against exhaustive search, bisection and closed forms; infeasible ones with their conflict."""
+
+import tomllib
+
+import numpy as np
+import pytest
+from scipy.optimize import brentq
+
+from asperity.drive.geometry import clearances
+from asperity.errors import NoSolutionError
+from asperity.joint_file.build import joint_from_values
+from asperity.joint_file.reader import parse_case
+from asperity.joint_file.values import si_values
+from asperity.study.design.design import conflict, design, nominal_quantities
+from asperity.study.design.design_file import design_from_tables
+from asperity.study.quantities import quantities_at
+
+
+def run(zou_file, text):
+    return design(
+        design_from_tables(tomllib.loads('joint = "zou2025.toml"\n' + text), folder=zou_file.parent)
+    )
+
+
+@pytest.fixture(scope="module")
+def values(zou_file):
+    return si_values(parse_case(zou_file.read_text(), source="test"))
+
+
+def test_best_dimension_against_exhaustive_search(zou_file, values):
+    found = run(
+        zou_file,
+        'level = "published"\n[variables]\nsurface.fractal_dimension = { lower = 1.2, upper = 1.95 }\n'
+        '[objective]\nmaximise = "stiffness"\n[search]\nstarts = 2',
+    )
+    grid = np.linspace(1.84, 1.86, 201)  # the paper's peak
+    stiffness = quantities_at(values, {"surface.fractal_dimension": grid})["stiffness.published"][0]
+    assert 0 < np.argmax(stiffness) < grid.size - 1
+    assert found.point["surface.fractal_dimension"] == pytest.approx(grid[np.argmax(stiffness)], abs=2e-4)
+    assert found.objective_after >= stiffness.max() * (1.0 - 1e-9)
+    assert found.feasible
+    assert found.optimality < 1e-3
+
+
+def test_smallest_preload_against_bisection(zou_file, values):
+    found = run(
+        zou_file,
+        '[variables]\nload.preload = { lower = "100 N", upper = "5000 N" }\n[objective]\nminimise = "preload"\n'
+        "[constraints]\nslip_ratio = { at_most = 0.8 }\n[search]\nstarts = 2",
+    )
+
+    def excess(preload):
+        return quantities_at(values, {"load.preload": np.array([preload])})["slip_ratio"].max() - 0.8
+
+    assert found.point["load.preload"] == pytest.approx(brentq(excess, 300.0, 1000.0, xtol=1e-9), rel=1e-6)
+    # without the normal forces' small rise: T_sp/(0.8 mu), T_sp = T_out/(9 * 3 R_s)
+    assert found.point["load.preload"] == pytest.approx(5.0 / (9 * 3 * 0.004) / (0.8 * 0.12), rel=0.02)
+    slip = next(limit for limit in found.limits if limit.name == "slip_ratio")
+    assert (slip.row, slip.active) == ("sp", True)
+    assert slip.value == pytest.approx(0.8, rel=1e-7)
+    # relaxing the limit by 1 % lowers the preload by nearly 1 %
+    assert slip.multiplier == pytest.approx(1.0, rel=0.1)
+
+
+def test_written_file_says_what_the_search_saw(zou_file):
+    found = run(
+        zou_file,
+        "[variables]\nsurface.fractal_dimension = { lower = 1.3, upper = 1.9 }\n"
+        'load.preload = { lower = "300 N", upper = "3000 N" }\n[objective]\nmaximise = "stiffness"\n'
+        "[constraints]\npressure_over_first_yield = { at_most = 1.6 }\n[search]\nstarts = 1",
+    )
+    again = nominal_quantities(found.joint_text)
+    assert again["stiffness.assembly"][0] == pytest.approx(found.objective_after, rel=1e-12)
+    assert again["pressure_over_first_yield"].max() == pytest.approx(1.6, rel=1e-7)
+
+
+def test_worst_case_over_torques_and_tolerances(tmp_path, zou_file):
+    (tmp_path / "zou2025.toml").write_text(zou_file.read_text().replace('"1000 N"', '"1000 N +- 50 N"'))
+    text = (
+        '[variables]\nload.preload = { lower = "100 N", upper = "5000 N" }\n[objective]\nminimise = "preload"\n'
+        "[constraints]\nslip_ratio = { at_most = 0.8 }\n[search]\nstarts = 1\n"
+        '[worst_case]\ntolerances = "corners"\ntorque = { lower = "0 N*m", upper = "5 N*m", points = 3 }'
+    )
+    plain = run(zou_file, text.split("[worst_case]")[0])
+    robust = run(tmp_path / "zou2025.toml", text)
+    # 50 N less must still do; the objective itself is the larger corner
+    assert robust.point["load.preload"] == pytest.approx(plain.point["load.preload"] + 50.0, rel=1e-7)
+    assert robust.objective_after == pytest.approx(plain.point["load.preload"] + 100.0, rel=1e-7)
+
+
+def test_conflict_is_named_with_its_size(zou_file, values):
+    grid = np.linspace(300.0, 400.0, 3)
+    best = quantities_at(values, {"load.preload": grid})["stiffness.assembly"][0].max()
+    found = run(
+        zou_file,
+        '[variables]\nload.preload = { lower = "100 N", upper = "3000 N" }\n[objective]\nminimise = "preload"\n'
+        "[constraints]\n"
+        'stiffness = { at_least = "100000 N*m/rad" }\nslip_ratio = { at_most = 0.8 }\n'
+        'preload = { at_most = "600 N" }\n[search]\nstarts = 2',
+    )
+    assert best < 1e5
+    assert not found.feasible
+    missed = {limit.name: limit for limit in found.limits if limit.active}
+    assert set(missed) == {"stiffness", "preload"}
+    # the least violation shares the burden: both limits are missed by the same factor
+    factor = np.exp(found.violation)
+    assert missed["stiffness"].value == pytest.approx(1e5 / factor, rel=1e-6)
+    assert missed["preload"].value == pytest.approx(600.0 * factor, rel=1e-6)
+    assert "against" in conflict(found)
+    assert sum(limit.multiplier for limit in found.limits) == pytest.approx(1.0, rel=1e-6)
+
+
+IMPOSSIBLE = """[variables]
+load.preload = { lower = "300 N", upper = "5000 N" }
+drive.loading_roller_radius = { lower = "4.5 mm", upper = "7 mm" }
+[objective]
+minimise = "envelope_volume"
+[constraints]
+"""
+
+
+def test_the_least_violation_is_a_joint_that_exists(zou_file):
+    # a large wedge, which a small loading roller makes, lowers nothing here so much as rollers that overlap would
+    found = run(
+        zou_file,
+        IMPOSSIBLE + "pressure_over_first_yield = { at_most = 0.3 }\nslip_ratio = { at_most = 0.2 }\n"
+        'self_locking_ratio = { at_most = 0.1 }\nclearance = { at_least = "0.3 mm" }\n[search]\nstarts = 2',
+    )
+    assert not found.feasible
+    joint = joint_from_values(si_values(parse_case(found.joint_text, source="designed")))
+    assert min(float(gap.gap) for gap in clearances(joint.geometry)) > 0.0
+
+
+def test_without_any_joint_that_exists_there_is_no_design(zou_file):
+    with pytest.raises(NoSolutionError, match=r"no joint was found that exists .* slip ratio .* at 80 N"):
+        run(
+            zou_file,
+            IMPOSSIBLE + 'stiffness = { at_least = "10000 N*m/rad" }\n'
+            '[worst_case]\ntorque = { lower = "0 N*m", upper = "80 N*m", points = 2 }\n[search]\nstarts = 2',
+        )

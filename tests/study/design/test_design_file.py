@@ -1,0 +1,133 @@
+"""Design files: what is read, and what is refused with which words."""
+
+import tomllib
+
+import pytest
+
+from asperity.errors import InputError
+from asperity.study.design.design_file import design_from_tables, read_design
+from asperity.study.design.scenarios import scenarios
+
+GOOD = """
+joint = "zou2025.toml"
+[variables]
+surface.fractal_dimension = { lower = 1.3, upper = 1.9 }
+"surface.fractal_roughness" = { lower = "1e-9 mm", upper = "1e-7 mm" }
+[objective]
+maximise = "stiffness"
+[constraints]
+slip_ratio = { at_most = 0.8, contacts = ["sp"] }
+envelope_diameter = { at_most = "210 mm" }
+[worst_case]
+torque = { lower = "0 N*m", upper = "6 N*m", points = 4 }
+"""
+
+
+def problem(text, folder):
+    return design_from_tables(tomllib.loads(text), folder=folder)
+
+
+def test_good_file(zou_file):
+    found = problem(GOOD, zou_file.parent)
+    dimension, roughness = found.variables
+    assert (dimension.path, dimension.logarithmic) == ("surface.fractal_dimension", False)
+    assert roughness.logarithmic
+    assert roughness.from_unit(0.5) == pytest.approx(1e-11)
+    assert roughness.to_unit(1e-11) == pytest.approx(0.5)
+    assert found.level == "assembly"
+    assert {(c.name, c.limit, c.implied) for c in found.constraints} == {
+        ("slip_ratio", 0.8, False),
+        ("envelope_diameter", 0.21, False),
+        ("slip_ratio", 1.0, True),
+        ("clearance", 0.0, True),
+        ("normal_over_rest", 0.0, True),
+    }
+    states = scenarios(found)
+    assert states.torques == pytest.approx([5.0, 0.0, 2.0, 4.0, 6.0])  # the file's own torque first, unjudged
+    assert states.judged.tolist() == [False, True, True, True, True]
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "message"),
+    [
+        ("[objective]", "[objectives]", "unknown key; did you mean 'objective'"),
+        ('maximise = "stiffness"', 'maximise = "stifness"', "did you mean 'stiffness'"),
+        ('maximise = "stiffness"', "", "one objective, or two or three"),
+        ('maximise = "stiffness"', 'maximise = "slip_ratio"', "can only be minimised"),
+        ("upper = 1.9", "upper = 2.5", "2.5 is not allowed"),
+        ("upper = 1.9", "upper = 1.2", "must be below the upper"),
+        ("upper = 1.9", 'upper = 1.9, scale = "cubic"', "not one of log, linear"),
+        (
+            "surface.fractal_dimension = ",
+            "surface.fractal_dimensions = ",
+            "did you mean 'surface.fractal_dimension'",
+        ),
+        ('"1e-9 mm"', "1e-9", "bare number"),
+        (
+            "surface.fractal_dimension = { lower = 1.3, upper = 1.9 }",
+            "drive.planets = { lower = 3, upper = 5 }",
+            "whole numbers",
+        ),
+        ('{ at_most = "210 mm" }', '{ at_most = "210 N" }', "expected a length"),
+        ('{ at_most = "210 mm" }', "{ }", "say 'at_most' or 'at_least'"),
+        ('contacts = ["sp"]', 'contacts = ["xx"]', "not one of sp, pwr"),
+        ("at_most = 0.8", "at_most = 1.2", "up to 1"),
+        (
+            "[worst_case]",
+            'clearance = { at_least = "-1 mm" }\n[worst_case]',
+            "must be at least 0, since rollers",
+        ),
+        ("points = 4", "points = 1", "whole number from 2 to 50"),
+        ('lower = "0 N*m"', 'lower = "7 N*m"', "0 <= lower < upper"),
+        ("[worst_case]", '[worst_case]\ntolerances = "corners"', "states no tolerance"),
+        ('joint = "zou2025.toml"', 'level = "best"\njoint = "zou2025.toml"', "not one of published"),
+        ('joint = "zou2025.toml"', 'joint = "none.toml"', "there is no such file"),
+    ],
+)
+def test_bad_files(zou_file, old, new, message):
+    assert old in GOOD
+    with pytest.raises(InputError, match=message.replace("(", r"\(")):
+        problem(GOOD.replace(old, new, 1), zou_file.parent)
+
+
+def test_finish_gives_the_bounds(zou_file):
+    text = GOOD.replace('{ lower = "1e-9 mm", upper = "1e-7 mm" }', '{ finish = "superfinished" }')
+    lower, upper = (getattr(problem(text, zou_file.parent).variables[1], side) for side in ("lower", "upper"))
+    assert 1e-12 < lower < upper < 1e-9
+    with pytest.raises(InputError, match="there is no finish"):
+        problem(text.replace("superfinished", "superfinish3d"), zou_file.parent)
+
+
+def test_unreadable(tmp_path):
+    with pytest.raises(InputError, match="there is no such file"):
+        read_design(tmp_path / "none.toml")
+    (tmp_path / "bad.toml").write_text("joint = ")
+    with pytest.raises(InputError, match="not valid TOML"):
+        read_design(tmp_path / "bad.toml")
+
+
+def test_corners_and_samples_of_tolerances(tmp_path, zou_file):
+    text = (
+        zou_file.read_text()
+        .replace('"13.5 mm"', '"13.5 mm +- 5 um"')
+        .replace('"1000 N"', '"1000 N +- 100 N"')
+    )
+    (tmp_path / "zou2025.toml").write_text(text)
+    corners = problem(GOOD.replace("[worst_case]", '[worst_case]\ntolerances = "corners"'), tmp_path)
+    states = scenarios(corners)
+    assert states.torques.size == 1 + 4 * 5
+    assert {tuple(row) for row in np_rows(states.deviations)} == {
+        (0.0, 0.0), (-5e-6, -100.0), (-5e-6, 100.0), (5e-6, -100.0), (5e-6, 100.0),
+    }  # fmt: skip
+    changes = states.changes({"load.preload": 500.0})
+    assert set(changes["load.preload"].round(6)) == {400.0, 500.0, 600.0}
+    sampled = problem(
+        GOOD.replace("[worst_case]", '[worst_case]\ntolerances = "samples"\nsamples = 7'), tmp_path
+    )
+    assert scenarios(sampled).torques.size == 1 + 4 * 8
+
+
+def np_rows(deviations):
+    import numpy as np
+
+    return np.stack([deviations["drive.planet_radius"], deviations["load.preload"]], axis=1).round(12)

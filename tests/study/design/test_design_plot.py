@@ -1,0 +1,103 @@
+"""What the pictures of designs show is what the results say."""
+
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+
+from asperity.study.design import judgement
+from asperity.study.design.design_plot import design_figure, pareto_figure
+from asperity.study.design.design_problem import Constraint, DesignProblem, Objective, Variable, WorstCase
+
+xarray = pytest.importorskip("xarray")
+ARCMINUTE = np.pi / 180.0 / 60.0
+
+
+@pytest.fixture(scope="module")
+def preload_figure(case):
+    """Smallest preload between 100 and 1600 N that is at least 400 N: a case that is known without a search."""
+    problem = DesignProblem(
+        case=case,
+        joint_file="zou2025.toml",
+        level="published",
+        variables=(Variable("load.preload", 100.0, 1600.0, True),),
+        objectives=(Objective("preload", 1.0),),
+        constraints=(Constraint("preload", False, 400.0, (0,)),),
+        worst_case=WorstCase((), "none", 0, 0),
+        starts=1,
+        seed=0,
+    )
+    result = SimpleNamespace(problem=problem, point={"load.preload": 400.0}, objective_after=400.0)
+    with (
+        pytest.MonkeyPatch.context() as patch
+    ):  # the chain has nothing to say here, and takes seconds to compile
+        patch.setattr(
+            judgement, "quantities_at", lambda values, changes: {"preload": changes["load.preload"][None]}
+        )
+        return design_figure(result)
+
+
+def test_one_panel_a_variable_with_the_margin_below_it(preload_figure):
+    above, below = preload_figure.axes
+    assert below.get_xlabel() == "load.preload [N]"
+    assert above.get_ylabel().endswith("[N]")
+    assert below.get_ylabel() == "smallest margin\nof the limits [%]"
+    assert above.get_xscale() == "log"
+    assert [text.get_text() for text in above.get_legend().get_texts()] == [
+        "a limit is broken",
+        "all limits met",
+        "design",
+    ]
+    assert "published stiffness" in preload_figure.get_suptitle()
+
+
+def test_the_objective_is_drawn_where_it_is_and_bold_where_the_limits_hold(preload_figure):
+    above, below = preload_figure.axes
+    everywhere, allowed, design = above.get_lines()
+    x, y = everywhere.get_data()
+    np.testing.assert_allclose(y, x, rtol=1e-12)  # the preload over the preload
+    assert (x.min(), x.max()) == pytest.approx((100.0, 1600.0), rel=1e-12)
+    np.testing.assert_array_equal(np.isfinite(allowed.get_ydata()), x >= 400.0 * (1.0 - 1e-9))
+    assert design.get_xydata().tolist() == [[400.0, 400.0]]
+    margin = below.get_lines()[0].get_ydata()
+    np.testing.assert_allclose(
+        margin, 100.0 * np.log(x / 400.0), atol=1e-9
+    )  # margins are logarithms of ratios
+
+
+@pytest.fixture
+def front():
+    data = {
+        "stiffness": [2e4, 3e4, 4e4],
+        "preload": [500.0, 900.0, 1500.0],
+        "envelope_diameter": [0.10, 0.11, 0.12],
+        "load.preload": [500.0, 900.0, 1500.0],
+        "drive.planet_radius": [0.0134, 0.0135, 0.0136],
+        "margin": [0.1, 0.2, 0.0],
+    }
+    return xarray.Dataset(
+        {name: ("design", np.array(values)) for name, values in data.items()}, attrs={"level": "assembly"}
+    )
+
+
+def test_a_front_of_two_objectives(front):
+    figure = pareto_figure(front.drop_vars("envelope_diameter"), ("stiffness", "preload"))
+    axes, preload, radius = figure.axes
+    assert "3 designs, assembly stiffness" in axes.get_title()
+    assert axes.get_ylabel().endswith("[N]")
+    (points,) = axes.collections
+    shown = np.asarray(points.get_offsets())
+    per_unit = {"N·m/rad": 1.0, "N·m/arcmin": ARCMINUTE}
+    unit = radius.get_xlabel().rsplit("[", 1)[1].rstrip("]")
+    np.testing.assert_allclose(shown[:, 0], np.array([2e4, 3e4, 4e4]) * per_unit[unit], rtol=1e-12)
+    np.testing.assert_array_equal(shown[:, 1], [500.0, 900.0, 1500.0])
+    np.testing.assert_allclose(radius.get_lines()[0].get_ydata(), [13.4, 13.5, 13.6], rtol=1e-12)
+    assert radius.get_ylabel() == "planet\nradius\n[mm]"
+    assert preload.get_ylabel() == "preload\n[N]"
+
+
+def test_the_third_objective_is_the_colour(front):
+    figure = pareto_figure(front, ("stiffness", "preload", "envelope_diameter"))
+    (points,) = figure.axes[0].collections
+    np.testing.assert_allclose(points.get_array(), [100.0, 110.0, 120.0], rtol=1e-12)
+    assert "outer diameter of the ring [mm]" in [axes.get_ylabel() for axes in figure.axes]

@@ -1,0 +1,147 @@
+"""A real cluster of separate processes: one worker is killed in the middle and nothing is lost."""
+
+import json
+import os
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from asperity.errors import InputError
+from asperity.study.parameters import parse_axis
+from asperity.study.sweep.cluster import _client, worker_environment
+from asperity.study.sweep.store import unfinished_blocks
+from asperity.study.sweep.sweep import sweep
+
+# distributed leaves sockets and a loop to the garbage collector when a scheduler or worker vanishes
+pytestmark = pytest.mark.filterwarnings(
+    "ignore:unclosed:ResourceWarning", "ignore::pytest.PytestUnraisableExceptionWarning"
+)
+AXES = tuple(
+    parse_axis(text)
+    for text in ("load.output_torque=0 N*m:12 N*m:20", "surface.fractal_dimension=1.3:1.8:30")
+)
+SOURCES = Path(__file__).parents[2] / "src"
+
+
+class Cluster:
+    """A scheduler and two workers on this machine."""
+
+    def __init__(self, folder, cache):
+        self.file = folder / "scheduler.json"
+        self.folder = folder
+        self.environment = {
+            **os.environ,
+            **worker_environment(),
+            "PYTHONPATH": str(SOURCES),
+            "JAX_COMPILATION_CACHE_DIR": str(cache),
+            "JAX_PERSISTENT_CACHE_MIN_COMPILE_TIME_SECS": "0",
+        }
+        where = ["--scheduler-file", str(self.file), "--no-dashboard"]
+        self.scheduler = self._start("dask_scheduler", "--host", "127.0.0.1", "--port", "0", *where)
+        self.workers = [
+            self._start("dask_worker", *where, "--nthreads", "1", "--no-nanny", "--memory-limit", "0")
+            for _ in "12"
+        ]
+
+    def _start(self, module, *arguments):
+        command = [sys.executable, "-m", f"distributed.cli.{module}", *arguments]
+        log = (self.folder / "log.txt").open("a")
+        with log:
+            return subprocess.Popen(command, env=self.environment, stdout=log, stderr=log, cwd=self.folder)
+
+    def address(self):
+        for _ in range(600):
+            if self.file.exists() and self.file.stat().st_size:
+                return json.loads(self.file.read_text())["address"]
+            time.sleep(0.1)
+        raise AssertionError((self.folder / "log.txt").read_text())
+
+    def close(self):
+        for process in (*self.workers, self.scheduler):
+            process.kill()
+            process.wait()
+
+
+@pytest.fixture
+def cluster(tmp_path):
+    made = Cluster(tmp_path, tmp_path / "cache")
+    yield made
+    made.close()
+
+
+def test_a_killed_worker_loses_nothing(case, cluster, tmp_path, evaluated_directly):
+    from distributed import Client
+
+    store = tmp_path / "s.zarr"
+    killed = []
+    with Client(cluster.address(), timeout="60s") as client:
+        client.wait_for_workers(2, timeout=120)
+
+        def kill_one(done, total):
+            if done and not killed:
+                killed.append((done, total))
+                cluster.workers[0].kill()
+                cluster.workers[0].wait()
+
+        found = sweep(
+            case,
+            AXES,
+            results=("published_stiffness_output",),
+            store=store,
+            scheduler=client.scheduler.address,
+            block_points=30,
+            report=kill_one,
+        )
+    assert killed
+    assert killed[0][0] < killed[0][1] == 600
+    assert cluster.workers[0].poll() is not None
+    assert cluster.workers[1].poll() is None
+    assert unfinished_blocks(store) == []
+
+    direct = np.asarray(evaluated_directly(AXES).published.output).reshape(20, 30)
+    np.testing.assert_array_equal(found["status"].values, 0)
+    np.testing.assert_allclose(found["published_stiffness_output"].values, direct, rtol=1e-10)
+
+
+def test_no_scheduler_there(case, tmp_path, monkeypatch):
+    monkeypatch.setattr("asperity.study.sweep.cluster._CONNECT_SECONDS", "1s")
+    with pytest.raises(InputError, match="no Dask scheduler answers"):
+        sweep(
+            case,
+            AXES,
+            results=("published_stiffness_output",),
+            store=tmp_path / "s.zarr",
+            scheduler="tcp://127.0.0.1:9",
+        )
+    assert not (tmp_path / "s.zarr").exists()
+    with pytest.raises(InputError, match="no Dask scheduler answers at nonsense"):
+        sweep(
+            case,
+            AXES,
+            results=("published_stiffness_output",),
+            store=tmp_path / "t.zarr",
+            scheduler="nonsense://x y",
+        )
+
+
+@pytest.mark.skipif(
+    not Path("/proc/self/environ").exists(), reason="the system does not show a process's start"
+)
+def test_local_workers_start_with_their_settings_and_leave_ours_alone():
+    """What the allocator sees is the environment that the process started with."""
+    names = ("XLA_FLAGS", "JAX_ENABLE_X64")
+    before = {name: os.environ.get(name) for name in names}
+
+    def seen():
+        start = Path("/proc/self/environ").read_text().split("\0")
+        return [each for each in start if each.startswith("MALLOC_TRIM")], os.environ["XLA_FLAGS"]
+
+    with _client(None, 1) as client:
+        ((allocator, flags),) = client.run(seen).values()
+    assert allocator == ["MALLOC_TRIM_THRESHOLD_=268435456"]
+    assert "multi_thread_eigen=false" in flags
+    assert {name: os.environ.get(name) for name in names} == before

@@ -1,0 +1,107 @@
+"""Sensitivities against what dimensions demand, against differences, and against closed forms."""
+
+import numpy as np
+import pytest
+
+from asperity.errors import InputError
+from asperity.joint_file.reader import parse_case
+from asperity.joint_file.values import numeric_keys, si_values
+from asperity.study.points import evaluate_points
+from asperity.study.tolerances.sensitivity import judged_results, ranking, sensitivity
+from asperity.unit_table import Dimension
+
+OUTPUT = {
+    "assembly_stiffness_output",
+    "series_with_bulk_stiffness_output",
+    "published_stiffness_output",
+    "torque_capacity",
+}
+
+
+@pytest.fixture(scope="module")
+def homogeneous(joint_text):
+    """The paper's joint with the one contact factor whose units cancel: those of (11) do not."""
+    return parse_case(
+        joint_text.replace('contact_factor = "printed"', 'contact_factor = "unity"'), source="x"
+    )
+
+
+@pytest.fixture(scope="module")
+def found(homogeneous):
+    return sensitivity(homogeneous)
+
+
+@pytest.mark.parametrize("base", range(3), ids=["length", "mass", "time"])
+def test_elasticities_obey_the_dimensions(homogeneous, found, base):
+    # Euler's theorem: in units of another size every result changes by the power of its dimension
+    exponents = np.array(
+        [entry.key.dimension.exponents[base] for entry in numeric_keys(homogeneous).values()]
+    )
+    for name, (unit, _) in judged_results().items():
+        if name in OUTPUT:
+            dimension = Dimension.TORQUE if unit == "N*m" else Dimension.TORSIONAL_STIFFNESS
+            total = float(found["elasticity"].sel(result=name).values @ exponents)
+            assert total == pytest.approx(dimension.exponents[base], abs=1e-9), name
+
+
+def test_margins_are_pure_numbers(homogeneous, found):
+    for base in range(3):
+        weights = [e.key.dimension.exponents[base] * e.value for e in numeric_keys(homogeneous).values()]
+        change = found["derivative"].values @ np.array(weights)
+        margins = [name not in OUTPUT for name in found["result"].values]
+        np.testing.assert_allclose(change[margins], 0.0, atol=1e-9)
+
+
+def test_derivatives_are_limits_of_differences(homogeneous, found):
+    inputs, tables = numeric_keys(homogeneous), si_values(homogeneous)
+    chosen = [path for path, entry in inputs.items() if not entry.key.whole]
+    steps = {path: 1e-5 * (abs(inputs[path].value) or 1.0) for path in chosen}
+    count = 2 * len(chosen)
+    points = {path: np.full(count, inputs[path].value) for path in chosen}
+    for k, path in enumerate(chosen):
+        points[path][2 * k] += steps[path]
+        points[path][2 * k + 1] -= steps[path]
+    names = ("assembly_stiffness_output", "published_stiffness_output", "gross_slip")
+    status, values = evaluate_points(tables, points, names)
+    assert not status.any()
+    for result, value in (
+        ("assembly_stiffness_output", values["assembly_stiffness_output"]),
+        ("published_stiffness_output", values["published_stiffness_output"]),
+        ("slip_margin_wlo", 1.0 - values["gross_slip"][4]),
+    ):
+        for k, path in enumerate(chosen):
+            slope = (value[2 * k] - value[2 * k + 1]) / (2.0 * steps[path])
+            one = found.sel(result=result, input=path)
+            scale = abs(float(one["result_value"]) / steps[path])
+            assert float(one["derivative"]) == pytest.approx(slope, rel=2e-5, abs=2e-11 * scale), path
+
+
+def test_closed_forms(found):
+    # self-locking: 1 − tan(beta/2)/mu, so d/d(mu) = tan(beta/2)/mu^2, with beta = 13.1582 deg and mu = 0.12
+    slope = float(found["derivative"].sel(result="self_locking_margin", input="load.friction_coefficient"))
+    assert slope == pytest.approx(np.tan(np.radians(13.1582) / 2.0) / 0.12**2, rel=1e-5)
+    # every branch carries its share: capacity is proportional to the number of planets
+    assert float(found["elasticity"].sel(result="torque_capacity", input="drive.planets")) == pytest.approx(
+        1.0, abs=1e-9
+    )
+    # Hertz: p0 ~ sqrt(N E/(R B)); yield strength enters the first yield pressure alone
+    pressure = found.sel(result="pressure_margin_sp")
+    ratio = 1.0 - float(pressure["result_value"])
+    derivative = float(pressure["derivative"].sel(input="materials.steel.yield_strength"))
+    assert derivative * 450e6 == pytest.approx(ratio, rel=1e-9)
+
+
+def test_ranking_is_by_influence(found):
+    ranked = ranking(found, "torque_capacity")
+    size = np.abs(ranked["elasticity"].values)
+    assert np.all(np.diff(size) <= 0.0)
+    assert "surface.fractal_dimension" not in ranked["input"].values[:10]
+    with pytest.raises(InputError, match="no result"):
+        ranking(found, "weight")
+
+
+def test_a_joint_that_slips_has_no_sensitivities(joint_text):
+    with pytest.raises(InputError, match="beyond the torque capacity"):
+        sensitivity(
+            parse_case(joint_text.replace('"5 N*m"', '"50 N*m"').replace('"printed"', '"unity"'), source="x")
+        )
