@@ -138,6 +138,40 @@ def test_implausible_sizes_are_refused_unless_confirmed(tmp_path, unit_x, unit_z
     assert read_surface(path=file, any_size=True).heights.shape == (40,)
 
 
+@pytest.mark.parametrize("value", [1e300, 1e60])
+def test_heights_that_overflow_are_refused_even_if_any_size_is_accepted(tmp_path, value):
+    np.save(tmp_path / "a.npy", np.array([0.0, value, 1.0, -value]))
+    with pytest.raises(InputError, match=r"cannot be evaluated|infinite heights"):
+        read_surface(path=tmp_path / "a.npy", height_unit="m", spacing=1e-6, any_size=True)
+
+
+def test_signalling_numbers_in_an_array_are_missing_points(tmp_path):
+    z = np.zeros(64)
+    z.view(np.uint64)[3] = 0x7FF0000000000001
+    z[4] = 1e-7
+    np.save(tmp_path / "a.npy", z)
+    assert read_surface(path=tmp_path / "a.npy", height_unit="m", spacing=1e-6).missing_points == 1
+
+
+def test_a_reader_that_gives_no_size_is_refused(tmp_path, monkeypatch):
+    class Nothing:
+        def channels(self): ...
+
+        def format(self):
+            return "none"
+
+    class Sizeless:
+        physical_sizes, unit, dim = None, "m", 2
+
+    reader = Nothing()
+    reader.channels = [1]
+    opened = (reader, Sizeless(), np.zeros((3, 3)))
+    monkeypatch.setattr(read_instrument, "_opened", lambda *_: opened)
+    (tmp_path / "a.dat").write_bytes(b"\0\1\2")
+    with pytest.raises(InputError, match="its size is not given"):
+        read_surface(path=tmp_path / "a.dat")
+
+
 def nanofocus(path, step_mm):
     """A NanoFocus file as the reader package understands it: z range, grid, spacing, 16-bit heights."""
     head = bytearray(3468)

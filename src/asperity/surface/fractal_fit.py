@@ -12,6 +12,7 @@ from scipy.stats import norm
 
 from asperity.errors import InputError, NoSolutionError
 from asperity.surface.line_spectrum import fit_lines
+from asperity.surface.input_file import LARGEST_SPAN
 from asperity.surface.quantisation import height_step, quantisation_noise_density, resolved_frequency
 from asperity.surface.self_affine_band import NARROWEST_DECADES, BandSearch, widest_power_law
 from asperity.surface.spectral_likelihood import SpectralFit
@@ -21,8 +22,6 @@ from asperity.surface.structure_line import structure_line
 #: ``automatic`` takes ``lines`` where the spectrum is a Weierstrass-Mandelbrot comb, else ``likelihood``.
 ESTIMATORS = ("automatic", "likelihood", "lines", "structure_function", "power_spectrum")
 _BINS_PER_DECADE = 20
-#: Largest span of heights whose spectrum can be formed in double precision [m].
-LARGEST_SPAN = 1e50
 #: Standard errors by which D must lie inside 1 .. 2.
 CERTAIN = 1.96
 
@@ -160,7 +159,8 @@ def fractal_fit(
             f"profiles of {profiles.shape[-1]} points are too short for a fractal dimension; 64 or more are "
             "needed"
         )
-    span = float(np.ptp(profiles))
+    with np.errstate(over="ignore"):
+        span = float(np.ptp(profiles))
     if span > LARGEST_SPAN:
         raise InputError(f"the heights span {span:.3g} m, which is too large; check their unit")
     if span < 1.0 / LARGEST_SPAN:

@@ -9,6 +9,8 @@ from asperity.units import Dimension, parse_quantity
 
 #: Bytes of a mebibyte.
 MEBIBYTE = 1024**2
+#: Larger heights overflow in powers [m].
+LARGEST_SPAN = 1e50
 
 
 def checked_file(*, path: str | Path, largest: int) -> Path:

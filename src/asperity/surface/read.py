@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 
 from asperity.errors import InputError
-from asperity.surface.input_file import MEBIBYTE, checked_file, file_bytes
+from asperity.surface.input_file import LARGEST_SPAN, MEBIBYTE, checked_file, file_bytes
 from asperity.surface.read_instrument import instrument_topography, text_format
 from asperity.surface.read_text import looks_like_text, numpy_topography, text_topography
 from asperity.surface.topography import Topography
@@ -79,16 +79,20 @@ def read_surface(
         )
     if topography.heights.shape[-1] < 2:
         raise InputError(f"{path.name} holds {topography.heights.size} point(s); a profile needs more")
-    if not any_size:
-        _check_plausibility(topography)
+    _check_plausibility(topography, any_size)
     return topography
 
 
-def _check_plausibility(topography: Topography) -> None:
+def _check_plausibility(topography: Topography, any_size: bool) -> None:
     """Refuse sizes that a wrong unit explains better than a measured surface."""
     smallest, largest = EXPECTED_SIZES
     known = topography.heights[~np.isnan(topography.heights)]
-    height = float(known.max() - known.min())
+    with np.errstate(over="ignore"):
+        height = float(known.max() - known.min())
+    if not height < LARGEST_SPAN:
+        raise InputError(f"{topography.source}: its heights span {height:.3g} m, which cannot be evaluated")
+    if any_size:
+        return
     sizes = " x ".join(f"{size:.4g} m" for size in topography.size)
     if not all(smallest <= size <= largest for size in topography.size):
         fault = f"its size is {sizes}; expected are {smallest:g} m to {largest:g} m"

@@ -157,9 +157,10 @@ def _in_metres(
     scale = metres_per_unit(unit)
     channels = len(reader.channels)
     notes = (f"the file has {channels} channels; the default one was read",) if channels > 1 else ()
-    if not all(np.isfinite(size) and size > 0.0 for size in measured.physical_sizes):
-        raise InputError(f"{source}: its size is {measured.physical_sizes} {unit}; it must be positive")
-    with np.errstate(over="ignore"):
+    sizes = measured.physical_sizes
+    if sizes is None or not all(np.isfinite(size) and size > 0.0 for size in sizes):
+        raise InputError(f"{source}: its size is {sizes or 'not given'}; it must be positive")
+    with np.errstate(over="ignore", invalid="ignore"):
         heights = heights * scale
     if measured.dim == 2:
         (length_x, length_y), (columns, rows) = measured.physical_sizes, measured.nb_grid_pts

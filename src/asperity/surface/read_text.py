@@ -115,7 +115,7 @@ def numpy_topography(*, path: Path, height_unit: str | None, spacing: float | No
             f"{path.name} holds bare numbers: give the unit of its heights and the distance of its points "
             "(--height-unit um --spacing '0.5 um')"
         )
-    with np.errstate(over="ignore"):
+    with np.errstate(over="ignore", invalid="ignore"):
         heights = np.array(array, dtype=np.float64) * metres_per_unit(height_unit)
     return Topography(heights, spacing, spacing if heights.ndim == 2 else None, source=path.name)
 

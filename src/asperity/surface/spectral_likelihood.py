@@ -319,6 +319,7 @@ def _maximise(
 def _inverse(jacobian: NDArray[np.float64], weight: NDArray[np.float64]) -> NDArray[np.float64]:
     """Covariance of all parameters for given weights."""
     scale = np.sqrt(np.einsum("b,bi->i", weight, jacobian**2))
+    scale = np.where(scale > 0.0, scale, 1.0)  # of a fit that did not converge
     scaled = jacobian / scale
     inverse = np.linalg.pinv(scaled.T @ (weight[:, None] * scaled), rcond=1e-14, hermitian=True)
     return np.asarray(inverse / np.outer(scale, scale))

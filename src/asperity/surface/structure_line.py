@@ -91,10 +91,10 @@ def structure_line(*, profiles: NDArray[np.float64], spacing: float, fit: Spectr
     power = conventions.structure_function(
         lag=tau, fractal_dimension=D, fractal_roughness=math.exp(_log_roughness(fit))
     )
-    trend = _trend_share(tau / (profiles.shape[1] * spacing), 2.0 - D)
+    trend = trend_share(tau / (profiles.shape[1] * spacing), 2.0 - D)
     shifts = []
     for tail in TAILS:  # what lies above the sampling limit matters here more than to the spectrum
-        ratio = 1.0 - trend + _departure(replace(fit, tail=tail), tau) / power
+        ratio = 1.0 - trend + structure_departure(replace(fit, tail=tail), tau) / power
         if not (ratio > 0.0).all():
             raise NoSolutionError("roll-off and noise dominate the structure function: no straight line")
         shifts.append(_line(tau, power * ratio) - np.array([D, _log_roughness(fit)]))
@@ -131,7 +131,7 @@ def _line(tau: NDArray[np.float64], S: NDArray[np.float64]) -> NDArray[np.float6
     return np.array([D, math.log(G)])
 
 
-def _departure(fit: SpectralFit, tau: NDArray[np.float64]) -> NDArray[np.float64]:
+def structure_departure(fit: SpectralFit, tau: NDArray[np.float64]) -> NDArray[np.float64]:
     r"""What roll-off, white part and sampling limit add to the structure function [m^2].
 
     .. math::
@@ -152,7 +152,7 @@ def _departure(fit: SpectralFit, tau: NDArray[np.float64]) -> NDArray[np.float64
     return np.asarray((2.0 * (1.0 - wave)) @ (change * width))
 
 
-def _trend_share(share: NDArray[np.float64], hurst: float) -> NDArray[np.float64]:
+def trend_share(share: NDArray[np.float64], hurst: float) -> NDArray[np.float64]:
     r"""Part of :math:`S(\tau)` that goes with the least-squares line, for lags as shares of the record.
 
     Of self-affine heights the slope of the line and the differences are correlated; the covariances follow
