@@ -111,9 +111,8 @@ def test_less_than_a_decade_of_lags_is_refused():
 
 
 def test_a_line_outside_the_range_is_refused_in_words():
-    """Differences of white heights (D above 2) and a parabola (D = 1)."""
+    """Differences of white heights (D above 2) and no heights at all."""
     white = np.diff(np.random.default_rng(0).standard_normal((12, 4097)), axis=1)
-    x = np.linspace(-1, 1, 4096)
-    for heights in (white, np.tile(x**2, (12, 1))):
+    for heights in (white, np.zeros((12, 4096))):
         with pytest.raises(NoSolutionError, match="structure function"):
             structure_line(profiles=heights, spacing=SPACING, fit=spectral_fit())
