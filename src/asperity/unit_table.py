@@ -68,6 +68,7 @@ def unit_table() -> dict[str, Unit]:
         ("thou", (254, 10**7, 0, length)),
         ("foot feet ft", (3048, 10**4, 0, length)),
         ("micron microns", (1, 10**6, 0, length)),
+        ("angstrom angstroms Å \u212b", (1, 10**10, 0, length)),
         ("kg kilogram kilograms", (1, 1, 0, mass)),
         ("pound pounds lb", (45359237, 10**8, 0, mass)),
         ("minute minutes min", (60, 1, 0, time)),
