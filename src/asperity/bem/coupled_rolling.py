@@ -81,7 +81,8 @@ def coupled_steady_rolling(
     Raises
     ------
     InputError
-        As for :func:`~asperity.bem.steady_rolling.steady_rolling` and :func:`~asperity.bem.normal_contact.normal_contact`.
+        As for :func:`~asperity.bem.steady_rolling.steady_rolling` and
+        :func:`~asperity.bem.normal_contact.normal_contact`.
     NoSolutionError
         If one of the problems or their alternation does not converge.
 
