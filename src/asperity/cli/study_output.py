@@ -102,7 +102,7 @@ def show_points(found: xarray.Dataset) -> None:
     units = {path: key_at(path).unit for path in axes}
     target = console()
     headers = [f"{long_name(path)}{_unit(units[path])}" for path in axes]
-    headers += [f"{name.replace('_', ' ')}{_unit(RESULTS[name].unit)}" for name in results]
+    headers += [f"{name.replace('_', ' ')}{_unit(RESULTS[name].si_unit)}" for name in results]
     shown = table(target, "", *headers, "status")
     for column in shown.columns:
         column.no_wrap, column.justify = False, "right"

@@ -40,11 +40,13 @@ def test_good_file(zou_file):
         ("envelope_diameter", 0.21, False),
         ("slip_ratio", 1.0, True),
         ("clearance", 0.0, True),
-        ("normal_over_rest", 0.0, True),
+        ("normal_force_over_preload", 0.0, True),
     }
     states = scenarios(found)
-    assert states.torques == pytest.approx([5.0, 0.0, 2.0, 4.0, 6.0])  # the file's own torque first, unjudged
-    assert states.judged.tolist() == [False, True, True, True, True]
+    assert states.torques == pytest.approx(
+        [5.0, 0.0, 2.0, 4.0, 6.0]
+    )  # the file's torque first: it does not count
+    assert states.counted.tolist() == [False, True, True, True, True]
 
 
 @pytest.mark.parametrize(
@@ -71,16 +73,16 @@ def test_good_file(zou_file):
         ('{ at_most = "210 mm" }', '{ at_most = "210 N" }', "expected a length"),
         ('{ at_most = "210 mm" }', "{ }", "say 'at_most' or 'at_least'"),
         ('contacts = ["sp"]', 'contacts = ["xx"]', "not one of sp, pwr"),
-        ("at_most = 0.8", "at_most = 1.2", "up to 1"),
+        ("at_most = 0.8", "at_most = 1.2", "at most 1"),
         (
             "[worst_case]",
             'clearance = { at_least = "-1 mm" }\n[worst_case]',
-            "must be at least 0, since rollers",
+            "must be at least 0 mm",
         ),
         ("points = 4", "points = 1", "whole number from 2 to 50"),
         ('lower = "0 N*m"', 'lower = "7 N*m"', "0 <= lower < upper"),
         ("[worst_case]", '[worst_case]\ntolerances = "corners"', "states no tolerance"),
-        ('joint = "zou2025.toml"', 'level = "best"\njoint = "zou2025.toml"', "not one of published"),
+        ('joint = "zou2025.toml"', 'level = "best"\njoint = "zou2025.toml"', "not one of assembly"),
         ('joint = "zou2025.toml"', 'joint = "none.toml"', "there is no such file"),
     ],
 )

@@ -13,9 +13,9 @@ import numpy as np
 from asperity.errors import InputError
 from asperity.joint_file.model import Case
 from asperity.precision import require_double_precision
+from asperity.study.batch import QUICK_POINTS
 from asperity.study.datasets import common_attributes, coordinate, dataset
 from asperity.study.parameters import Axis
-from asperity.study.points import QUICK_POINTS
 from asperity.study.sweep.cluster import run_on_cluster
 from asperity.study.sweep.plan import Plan, block_results, make_plan
 from asperity.study.sweep.store import open_store, prepare_store, remove_store, unfinished_blocks, write_block
@@ -55,7 +55,7 @@ def sweep(
     axes : sequence of Axis
         What is varied, one dimension each; :func:`asperity.study.parameters.parse_axis` reads them from text.
     results : sequence of str
-        Results or groups of them, e.g. ``("stiffness", "gross_slip")``; ``("all",)`` for every one. What is not
+        Results or groups of them, e.g. ``("stiffness", "slip_ratio")``; ``("all",)`` for every one. What is not
         asked for is not computed.
     store : str or Path, optional
         A Zarr store to stream to. An interrupted sweep with the same store goes on where it stopped.

@@ -11,29 +11,22 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from asperity.drive.geometry import CONTACT_NAMES
 from asperity.errors import InputError
-from asperity.joint.results import RESULTS, chosen_results
+from asperity.joint.results import LEVELS, chosen_results
 from asperity.joint.status import STATUS_NAMES
 from asperity.joint_file.distribution import FORMS, Distribution
 from asperity.joint_file.model import Case
 from asperity.joint_file.values import NumericKey, numeric_keys, si_values
-from asperity.study.datasets import common_attributes, require
+from asperity.study.batch import evaluate_points
+from asperity.study.datasets import common_attributes, require, result_rows
 from asperity.study.parameters import long_name
-from asperity.study.points import evaluate_points
 from asperity.study.tolerances.sensitivity import refuse_failed
 
 if TYPE_CHECKING:
     import xarray
 
 #: Results that are followed unless others are asked for.
-DEFAULT_RESULTS = (
-    "assembly_stiffness_output",
-    "series_with_bulk_stiffness_output",
-    "published_stiffness_output",
-    "gross_slip",
-    "self_locking",
-)
+DEFAULT_RESULTS = (*(f"{level}_stiffness_output" for level in LEVELS), "slip_ratio", "self_locking_ratio")
 #: Share of the samples within the stated intervals.
 COVERAGE = 0.95
 _RESAMPLES = 100
@@ -161,7 +154,7 @@ def uncertainty(
     if samples < _FEWEST:
         raise InputError(f"{samples} samples are too few for 95 % intervals; at least {_FEWEST} are needed")
     tables = si_values(case)
-    rows = [row for name in names for row in _rows(name)]
+    rows = result_rows(names)
     most = _MOST_NUMBERS // (2 * (len(rows) + len(inputs)))
     if samples > most:
         raise InputError(
@@ -246,16 +239,6 @@ def uncertainty(
 
 
 _OPEN = 1e-12  # the ends of the unit interval are at infinity for a normal distribution
-
-
-def _rows(name: str) -> list[tuple[str, str, str]]:
-    """Name, unit and description of the rows that a result makes."""
-    result = RESULTS[name]
-    if not result.per_contact:
-        return [(name, result.unit, result.description)]
-    return [
-        (f"{name}_{contact}", result.unit, f"{result.description}, {contact}") for contact in CONTACT_NAMES
-    ]
 
 
 def _sobol(analyser: Any, problem: dict[str, Any], row: np.ndarray, seed: int) -> np.ndarray:
