@@ -131,12 +131,13 @@ def test_nomenclature_names_exist_in_the_code():
     assert flat <= words, sorted(flat - words)
 
 
-def test_page_of_the_commands_is_current():
-    spec = importlib.util.spec_from_file_location("generate_cli", DOCS / "generate_cli.py")
+@pytest.mark.parametrize("name", ["generate_cli", "generate_results"])
+def test_generated_page_is_current(name):
+    spec = importlib.util.spec_from_file_location(name, DOCS / f"{name}.py")
     generator = importlib.util.module_from_spec(spec)
     spec.loader.exec_module(generator)
     current = generator.PAGE.read_text(encoding="utf-8") == generator.page()
-    assert current, "run `python docs/generate_cli.py`"
+    assert current, f"run `python docs/{name}.py`"
 
 
 def test_every_dependency_is_explained():

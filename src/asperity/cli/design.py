@@ -221,16 +221,25 @@ def _show_variables(target: Console, result: DesignResult) -> None:
     from asperity.units import format_quantity
 
     stated = numeric_keys(result.problem.case)
-    variables = table(target, "Variables", "number", "before", "design", "from", "to", "step", "at bound")
+    rows = []
     for each in result.problem.variables:
         unit = key_at(each.path).unit
-        variables.add_row(
-            each.path,
-            format_quantity(stated[each.path].value, unit) if each.path in stated else "-",
-            *(format_quantity(value, unit, 5) for value in (result.point[each.path], each.lower, each.upper)),
-            "" if each.step is None else format_quantity(each.step, unit),
-            result.at_bound.get(each.path, ""),
+        numbers = (result.point[each.path], each.lower, each.upper)
+        rows.append(
+            {
+                "number": each.path,
+                "before": format_quantity(stated[each.path].value, unit) if each.path in stated else "-",
+                **dict(
+                    zip(("design", "from", "to"), (format_quantity(v, unit, 5) for v in numbers), strict=True)
+                ),
+                "step": "" if each.step is None else format_quantity(each.step, unit),
+                "at bound": result.at_bound.get(each.path, ""),
+            }
         )
+    columns = [name for name in rows[0] if any(row[name] for row in rows)]
+    variables = table(target, "Variables", *columns)
+    for row in rows:
+        variables.add_row(*(row[name] for name in columns))
     target.print(variables)
 
 
@@ -268,7 +277,7 @@ def _show_limits(target: Console, result: DesignResult) -> None:
         shown = RESULTS[limit.name]
         state = f"{100.0 * limit.missed_by:.3g} % off" if limit.missed_by > 0.0 else "active" * limit.active
         limits.add_row(
-            f"{shown.label} {limit.row.replace('_', ' ')}".strip(),
+            ", ".join(filter(None, (shown.label, limit.row.replace("_", " ")))),
             format_quantity(limit.value, shown.display_unit),
             f"{'<=' if limit.at_most else '>='} {format_quantity(limit.limit, shown.display_unit)}",
             format_quantity(limit.output_torque, "N*m"),

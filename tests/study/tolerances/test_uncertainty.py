@@ -74,7 +74,7 @@ def test_quantiles_hold_their_share(spread):
 
 
 def test_samples_follow_their_distributions(spread):
-    points = spread["points"]
+    points = spread["sampled_inputs"]
     radius = points.sel(input="drive.planet_radius").values
     assert np.all(np.abs(radius - 13.5e-3) <= 0.1e-3)
     assert np.std(radius) == pytest.approx(0.1e-3 / math.sqrt(3.0), rel=0.02)

@@ -14,6 +14,7 @@ _FORCE, _TORQUE, _STIFFNESS = Dimension.FORCE, Dimension.TORQUE, Dimension.STIFF
 _AREA, _NUMBER = Dimension.AREA, Dimension.DIMENSIONLESS
 
 ROWS = (
+    _force("preload", "preload between sun and planet", _FORCE, "N", "joint.preload", needs="geometry"),
     _force(
         "normal_force", "normal force of the contact", _FORCE, "N", "result.forces.normal", axis="contact"
     ),
@@ -89,24 +90,26 @@ ROWS = (
     ),
     _contact(
         "contact_torsional_stiffness",
-        "torsional stiffness of the contact's asperities at its driven roller",
+        "torsional stiffness of the contact's asperities",
         Dimension.TORSIONAL_STIFFNESS,
         "N*m/rad",
         "result.contact_torsional_stiffness",
+        note="at the contact's driven roller",
     ),
     _contact(
         "hertz_half_width",
-        "half-width of the smooth contact",
+        "half-width of the Hertzian contact",
         Dimension.LENGTH,
         "mm",
         "result.diagnostics.hertz_half_width",
     ),
     _contact(
         "hertz_pressure",
-        "Hertzian peak pressure",
+        "Hertz pressure",
         Dimension.PRESSURE,
         "MPa",
         "result.diagnostics.hertz_pressure",
+        note="peak pressure of the smooth line contact",
     ),
     _contact("largest_area", "largest contact spot", _AREA, "mm^2", "result.contacts.largest_area"),
     _contact("critical_area", "critical contact spot", _AREA, "mm^2", "result.contacts.critical_area"),

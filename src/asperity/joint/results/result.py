@@ -120,7 +120,7 @@ class Result:
     name : str
         Its name in files, options and datasets.
     label : str
-        What it is, in words.
+        What it is, in a few words.
     dimension : Dimension
         What it measures.
     display_unit : str
@@ -144,6 +144,10 @@ class Result:
         Range of the limits that a design may set [SI].
     limit : Limit or None
         The limit of the model by which it is judged, if there is one.
+    categories : tuple of str
+        What its values number, from 0, where it is no quantity: such a result has no mean.
+    note : str
+        What else has to be said about it.
     """
 
     name: str
@@ -160,6 +164,8 @@ class Result:
     lowest_limit: float = -math.inf
     highest_limit: float = math.inf
     limit: Limit | None = None
+    categories: tuple[str, ...] = ()
+    note: str = ""
 
     @property
     def si_unit(self) -> str:

@@ -12,22 +12,41 @@ from asperity.unit_table import Dimension
 if TYPE_CHECKING:
     from asperity.joint.windup import StiffnessLevel
 
-#: Levels of the model: where the stiffness is in a result, and in words.
-_LEVELS: tuple[tuple[StiffnessLevel, str, str], ...] = (
-    ("assembly", "assembly.stiffness", "assembly with floating planets"),
-    ("series_with_bulk", "series_with_bulk", "asperities and bodies in series"),
-    ("published", "published", "as published (asperities alone, an upper bound)"),
+#: Levels of the model: where the stiffness is in a result, in words, and what it counts.
+_LEVELS: tuple[tuple[StiffnessLevel, str, str, str], ...] = (
+    (
+        "assembly",
+        "assembly.stiffness",
+        "assembly",
+        "the fullest model: asperities, bodies, floating planets and structure",
+    ),
+    (
+        "series_with_bulk",
+        "series_with_bulk",
+        "bodies in series",
+        "asperities and bodies in series, roller centres held",
+    ),
+    ("published", "published", "as published", "asperities alone, equation (25): an upper bound"),
 )
 _GROUPS = {"assembly": "assembly", "series_with_bulk": "series", "published": "published"}
 
 
-def _rows(level: StiffnessLevel, path: str, words: str) -> tuple[Result, ...]:
+def _rows(level: StiffnessLevel, path: str, words: str, note: str) -> tuple[Result, ...]:
     def stiffness(solved: SolvedJoint) -> Any:
         return operator.attrgetter(path)(solved.result).output
 
     def row(name: str, label: str, dimension: Dimension, value: str | Callable[[SolvedJoint], Any]) -> Result:
         said, unit = f"{label}, {words}", dimension.si_unit
-        return Result(f"{level}_{name}", said, dimension, unit, value, group=_GROUPS[level], level=level)
+        return Result(
+            f"{level}_{name}",
+            said,
+            dimension,
+            unit,
+            value,
+            group=_GROUPS[level],
+            level=level,
+            note=note,
+        )
 
     torsional = Dimension.TORSIONAL_STIFFNESS
     per_mass, per_volume = Dimension.TORSIONAL_STIFFNESS_PER_MASS, Dimension.TORSIONAL_STIFFNESS_PER_VOLUME
@@ -49,7 +68,7 @@ def _rows(level: StiffnessLevel, path: str, words: str) -> tuple[Result, ...]:
 def _share(name: str, words: str) -> Result:
     return Result(
         f"{name}_share",
-        f"share of {words} in the compliance of the assembly",
+        f"share of {words} in the compliance",
         Dimension.DIMENSIONLESS,
         "1",
         f"result.assembly.{name}_share",

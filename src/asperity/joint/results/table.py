@@ -46,6 +46,9 @@ RENAMED = {
     "self_locking_margin": "self_locking_ratio",
 }
 
+_MOST_LISTED = 20
+_WHERE_LISTED = "the page 'Results' of the documentation lists all of them"
+
 #: What an engineer may call a result whose name is another.
 _ALSO_CALLED = {"ratio": "speed_ratio", "pressure": "hertz_pressure", "torque": "torque_capacity"}
 
@@ -73,9 +76,12 @@ def known_result(name: object, *, among: Sequence[str] = (), what: str = "result
         If there is no such result: with its new name where it was renamed, or the nearest one.
     """
     known = among or tuple(RESULTS)
-    if isinstance(name, str) and name in known:
+    if not isinstance(name, str):
+        raise InputError(f"expected the name of a {what} as text, got {name!r}")
+    if name in known:
         return name
-    hint = _hint(str(name), known) or f"; known are {', '.join(known)}"
+    listed = f"known are {', '.join(known)}" if len(known) <= _MOST_LISTED else _WHERE_LISTED
+    hint = _hint(name, known) or f"; {listed}"
     raise InputError(f"there is no {what} '{name}'{hint}")
 
 

@@ -20,6 +20,7 @@ from asperity.study.design.design_result import DesignResult, LimitReport, Start
 from asperity.study.design.design_search import (
     ACTIVE,
     FEASIBLE,
+    SearchProgress,
     local_optimum,
     optimality,
     smallest_violation,
@@ -41,7 +42,8 @@ def design(problem: DesignProblem, *, progress: Callable[[int, int], None] | Non
     problem : DesignProblem
         The problem, with one objective.
     progress : callable, optional
-        Called with the number of finished searches and of all; where limits conflict, more searches follow the starts.
+        Called with the number of finished searches and of all. More follow the starts where limits conflict, or where
+        variables are rounded.
 
     Returns
     -------
@@ -71,35 +73,36 @@ def design(problem: DesignProblem, *, progress: Callable[[int, int], None] | Non
         raise InputError(
             f"a design has one objective, got {len(problem.objectives)}; several make a Pareto front"
         )
-    tell = progress or (lambda done, total: None)
-    evaluator = DesignEvaluator(problem)
+    evaluator, count = DesignEvaluator(problem), SearchProgress(progress)
     starts = starting_points(evaluator)
+    count.expect(len(starts))
     ended: _Ended = []
-    for index, start in enumerate(starts):
+    for start in starts:
         end, converged = local_optimum(evaluator, start)
         ended.append((end, evaluator(end), converged))
-        tell(index + 1, len(starts))
+        count.step()
     feasible = [each for each in ended if each[1].violation <= FEASIBLE]
     if feasible:
         best = min(feasible, key=lambda each: float(each[1].objective.max()))[0]
     else:
-        best = _nearest(evaluator, ended, tell)
+        best = _nearest(evaluator, ended, count)
     fixed, unrounded = np.zeros(best.size, dtype=bool), None
     if any(variable.step is not None for variable in problem.variables):
         unrounded = _worst_objective(evaluator, evaluator(best))
-        best, fixed = rounded_design(evaluator, best)
+        best, fixed = rounded_design(evaluator, best, count)
         _refuse_what_cannot_exist(evaluator, evaluator(best))
     return _result(evaluator, best, fixed, unrounded, ended)
 
 
-def _nearest(evaluator: DesignEvaluator, ended: _Ended, tell: Callable[[int, int], None]) -> np.ndarray:
+def _nearest(evaluator: DesignEvaluator, ended: _Ended, count: SearchProgress) -> np.ndarray:
     """The design of the smallest violation; a better one where the way to the limits is found only now."""
     ends = sorted((each[0] for each in ended), key=lambda end: violation_rank(evaluator, end))
     ends = ends[: max(3, len(ends) // 2)]
+    count.expect(len(ends))
     tries = []
-    for index, end in enumerate(ends):
+    for end in ends:
         tries.append(smallest_violation(evaluator, end))
-        tell(len(ended) + index + 1, len(ended) + len(ends))
+        count.step()
     best = min(tries, key=lambda each: violation_rank(evaluator, each))
     _refuse_what_cannot_exist(evaluator, evaluator(best))
     if evaluator(best).violation <= FEASIBLE:

@@ -210,7 +210,11 @@ def _check_count(variables: Sequence[object]) -> None:
 
 
 def _variable(path: str, entry: dict[str, Any]) -> Variable:
-    where, key = f"variables.{path}", key_at(path)
+    where = f"variables.{path}"
+    try:
+        key = key_at(path)
+    except InputError as error:
+        raise InputError(f"{where}: {error}") from None
     _only(entry, ("lower", "upper", "scale", "finish", "step"), where)
     if key.whole:
         raise InputError(f"{where}: whole numbers cannot be free variables; try each in a design of its own")
@@ -327,7 +331,8 @@ def _check_limit(result: Result, limit: float, written: str) -> None:
     if not low <= limit <= high:
         words = [f"at least {format_quantity(low, result.display_unit)}"] * math.isfinite(low)
         words += [f"at most {format_quantity(high, result.display_unit)}"] * math.isfinite(high)
-        raise InputError(f"{written} is not allowed; it must be {' and '.join(words)} ({result.label})")
+        note = f" ({result.note})" if result.note else ""
+        raise InputError(f"{written} is not allowed; it must be {' and '.join(words)}{note}")
 
 
 def _implied(stated: Sequence[Constraint]) -> Iterator[Constraint]:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 import numpy as np
 
 from asperity.joint_file.values import si_values
@@ -15,6 +17,30 @@ ACTIVE = 1e-5
 
 #: Largest optimality residual of a local optimum.
 OPTIMAL = 1e-3
+
+
+class SearchProgress:
+    """Counts the searches of a design: those done, and those known to come.
+
+    Parameters
+    ----------
+    report : callable or None
+        Called with both numbers whenever one of them changes.
+    """
+
+    def __init__(self, report: Callable[[int, int], None] | None) -> None:
+        self._report = report or (lambda done, total: None)
+        self._done = self._total = 0
+
+    def expect(self, searches: int) -> None:
+        """More searches are to come."""
+        self._total += searches
+        self._report(self._done, self._total)
+
+    def step(self) -> None:
+        """One search is done."""
+        self._done += 1
+        self._report(self._done, self._total)
 
 
 def starting_points(evaluator: DesignEvaluator) -> list[np.ndarray]:

@@ -9,7 +9,7 @@ import numpy as np
 
 from asperity.study.design.design_evaluation import DesignEvaluator
 from asperity.study.design.design_problem import Variable
-from asperity.study.design.design_search import FEASIBLE, local_optimum, violation_rank
+from asperity.study.design.design_search import FEASIBLE, SearchProgress, local_optimum, violation_rank
 
 #: Variables that may have a step: each doubles the number of combinations.
 MOST_STEPPED = 6
@@ -52,7 +52,9 @@ def neighbours(variable: Variable, value: float) -> tuple[float, ...]:
     )
 
 
-def rounded_design(evaluator: DesignEvaluator, scaled: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+def rounded_design(
+    evaluator: DesignEvaluator, scaled: np.ndarray, count: SearchProgress
+) -> tuple[np.ndarray, np.ndarray]:
     """The best design next to a given one whose stepped variables are multiples of their steps.
 
     Parameters
@@ -61,6 +63,8 @@ def rounded_design(evaluator: DesignEvaluator, scaled: np.ndarray) -> tuple[np.n
         The problem.
     scaled : ndarray
         Scaled variables of the best design without steps, shape (n,).
+    count : SearchProgress
+        Counts the searches.
 
     Returns
     -------
@@ -88,7 +92,11 @@ def rounded_design(evaluator: DesignEvaluator, scaled: np.ndarray) -> tuple[np.n
     order = np.lexsort((objectives[:, 0], np.maximum(-margins.min(axis=1), FEASIBLE)))
     tried = [combinations[k] for k in order]
     if not fixed.all():
-        tried += [local_optimum(evaluator, each, fixed=fixed)[0] for each in tried[:_REFINED]]
+        promising = tried[:_REFINED]
+        count.expect(len(promising))
+        for each in promising:
+            tried.append(local_optimum(evaluator, each, fixed=fixed)[0])
+            count.step()
 
     def rank(each: np.ndarray) -> tuple[float, float, float]:
         lack, violation = violation_rank(evaluator, each)
