@@ -74,9 +74,9 @@ def _bounds(limit: Limit, unit: str) -> str:
 def _limits() -> Iterator[str]:
     yield "## Limits of the joint and of its model\n"
     yield (
-        "`asperity joint` warns where one of these is crossed, the most serious first: *function* (the joint does not\n"
-        "work), *damage*, *accuracy* (the numbers cannot be trusted), *model* (the published contact law is outside its\n"
-        "range, as for most joints).\n"
+        "`asperity joint` warns where one of these is crossed, the most serious first: *function* (the joint does\n"
+        "not work), *damage*, *accuracy* (the numbers cannot be trusted), *model* (the published contact law is\n"
+        "outside its range, as for most joints).\n"
     )
     yield "| result | allowed | severity | where it is crossed | what to do |\n|---|---|---|---|---|"
     for name, result in RESULTS.items():

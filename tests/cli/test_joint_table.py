@@ -118,6 +118,46 @@ def test_warnings_are_gathered_by_limit(document, shown):
     assert "No warnings: every limit of the model is kept" in shown(document)
 
 
+def limit(name, value, severity, contact=None):
+    words = {
+        "label": name.replace("_", " "),
+        "meaning": f"{name} is crossed",
+        "remedy": f"mend the {severity}",
+    }
+    return {
+        "name": name,
+        "contact": contact,
+        "value": value,
+        "limit": 1.0,
+        "ok": False,
+        "severity": severity,
+        **words,
+    }
+
+
+def test_limits_of_the_model_alone_make_one_warning(document, shown):
+    document["diagnostics"] = [
+        *(limit("yield", 2.0, "damage", contact) for contact in CONTACTS),
+        limit("area", 8.0, "model", "sp"),
+        limit("area", 3.0, "model", "pwr"),
+        limit("spot", 40.0, "model", "sp"),
+    ]
+    lines = shown(document)
+    place = lines.index("Warnings, the most serious first")
+    assert lines[place + 1 : place + 6] == [
+        "  Yield 2 at every contact (limit 1)",
+        "    yield is crossed",
+        "    What to do: mend the damage",
+        "  Contact law outside its range: area up to 8, spot up to 40",
+        "    What to do: mend the model",
+    ]
+
+
+def test_one_planet_is_no_plural(document, shown):
+    document["input"]["drive"]["planets"] = 1.0
+    assert shown(document)[1].startswith("1 planet, sun at")
+
+
 def test_the_interval_of_a_measured_surface(document, shown):
     bounds = {"low_Nm_per_rad": 7000.0, "high_Nm_per_rad": 9000.0}
     document["measured_surface"] = {"fractal_dimension": 1.4, "fractal_roughness_m": 1e-11}

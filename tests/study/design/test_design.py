@@ -67,6 +67,58 @@ def test_smallest_preload_against_bisection(zou_file, values):
     assert slip.multiplier == pytest.approx(1.0, rel=0.1)
 
 
+def test_a_safety_factor_is_the_reciprocal_limit(zou_file):
+    text = '[variables]\nload.preload = {{ lower = "100 N", upper = "5000 N" }}\n[objective]\nminimise = "preload"\n'
+    text += "[constraints]\n{limit}\n[search]\nstarts = 1"
+    ratio = run(zou_file, text.format(limit="slip_ratio = { at_most = 0.8 }"))
+    safety = run(zou_file, text.format(limit="slip_safety = { at_least = 1.25 }"))
+    assert safety.point["load.preload"] == pytest.approx(ratio.point["load.preload"], rel=1e-7)
+
+
+def test_limits_of_speed_ratio_and_pressure_against_closed_forms(zou_file):
+    found = run(
+        zou_file,
+        '[variables]\ndrive.sun_radius = { lower = "3 mm", upper = "4.5 mm" }\n'
+        'load.preload = { lower = "300 N", upper = "5000 N" }\n[objective]\nmaximise = "preload"\n[constraints]\n'
+        'speed_ratio = { at_most = -9.5 }\nhertz_pressure = { at_most = "1500 MPa", contacts = ["sp"] }\n'
+        "[search]\nstarts = 2",
+    )
+    assert found.feasible
+    # omega_s/omega_c = -(R_o - R_s)/R_s: the largest sun, which lowers the pressure, has R_s = 40 mm/10.5
+    sun = 40e-3 / 10.5
+    assert found.point["drive.sun_radius"] == pytest.approx(sun, rel=1e-6)
+    # Hertz: p0^2 = N E*/(pi B R), with the normal force that the design itself has
+    radius = sun * 13.5e-3 / (sun + 13.5e-3)
+    force = 1500e6**2 * np.pi * 5e-3 * radius / (206e9 / (2.0 * (1.0 - 0.3**2)))
+    assert found.nominal["normal_force"][0] == pytest.approx(force, rel=1e-6)
+    assert found.summary_after["speed_ratio"] == pytest.approx(-9.5, rel=1e-6)
+    assert found.summary_before["speed_ratio"] == pytest.approx(-9.0, rel=1e-12)
+    assert found.summary_before["hertz_pressure"] == pytest.approx(1.53e9, rel=5e-3)  # the model's own figure
+
+
+def test_rounded_designs_against_every_combination_of_the_steps(zou_file, values):
+    found = run(
+        zou_file,
+        '[variables]\ndrive.contact_length = { lower = "3 mm", upper = "15 mm", step = "0.75 mm" }\n'
+        'load.preload = { lower = "300 N", upper = "3000 N", step = "150 N" }\n[objective]\nmaximise = "stiffness"\n'
+        '[constraints]\nmass = { at_most = "1.5 kg" }\npressure_over_first_yield = { at_most = 1.5 }\n'
+        "[search]\nstarts = 2",
+    )
+    length, preload = np.meshgrid(0.75e-3 * np.arange(4, 21), 150.0 * np.arange(2, 21), indexing="ij")
+    changes = {"drive.contact_length": length.ravel(), "load.preload": preload.ravel()}
+    names = ("assembly_stiffness_output", "mass", "pressure_over_first_yield", "slip_ratio")
+    status, grid, _ = derivatives_at(values, changes, names)
+    met = (grid["mass"][0] <= 1.5) & (grid["pressure_over_first_yield"].max(axis=0) <= 1.5) & (status == 0)
+    best = np.argmax(np.where(met, grid["assembly_stiffness_output"][0], 0.0))
+    assert found.point["drive.contact_length"] == pytest.approx(
+        changes["drive.contact_length"][best], rel=1e-9
+    )
+    assert found.point["load.preload"] == pytest.approx(changes["load.preload"][best], rel=1e-9)
+    assert found.feasible
+    assert found.objective_after == pytest.approx(grid["assembly_stiffness_output"][0, best], rel=1e-9)
+    assert found.objective_unrounded > found.objective_after
+
+
 def test_written_file_says_what_the_search_saw(zou_file):
     found = run(
         zou_file,

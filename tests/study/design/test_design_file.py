@@ -92,6 +92,47 @@ def test_bad_files(zou_file, old, new, message):
         problem(GOOD.replace(old, new, 1), zou_file.parent)
 
 
+def test_all_errors_of_a_file_are_said_at_once(zou_file):
+    text = GOOD
+    for old, new in (
+        (
+            "surface.fractal_dimension = { lower = 1.3, upper = 1.9 }",
+            "load.prelod = { lower = 1, upper = 2 }",
+        ),
+        ('maximise = "stiffness"', "maximise = 0"),
+        ("slip_ratio = { at_most = 0.8", "gross_slip = { at_most = 0.8"),
+        ('envelope_diameter = { at_most = "210 mm" }', "speed_ratio = { at_least = 9 }"),
+        ("points = 4", "points = 1"),
+    ):
+        assert old in text
+        text = text.replace(old, new)
+    with pytest.raises(InputError) as caught:
+        problem(text, zou_file.parent)
+    first, *errors = str(caught.value).splitlines()
+    assert first == "5 errors"
+    for error, said in zip(
+        errors,
+        (
+            "variables.load.prelod: a joint file has no number 'load.prelod'; did you mean 'load.preload'?",
+            "objective.maximise: expected the name of a result as text, got 0",
+            "constraints.gross_slip: there is no result 'gross_slip'; it was renamed to 'slip_ratio'",
+            "constraints.speed_ratio.at_least: 9 is not allowed; it must be at most 0 (negative: carrier and sun",
+            "worst_case.torque.points: expected a whole number from 2 to 50, got 1",
+        ),
+        strict=True,
+    ):
+        assert error.strip().startswith(said)
+
+
+def test_steps_are_read_and_checked(zou_file):
+    stepped = GOOD.replace("upper = 1.9 }", "upper = 1.9, step = 0.05 }")
+    assert [variable.step for variable in problem(stepped, zou_file.parent).variables] == [0.05, None]
+    with pytest.raises(InputError, match="a multiple of it must lie between the bounds"):
+        problem(GOOD.replace("upper = 1.9 }", "upper = 1.9, step = 7 }"), zou_file.parent)
+    with pytest.raises(InputError, match=r"fractal_roughness\.step: .*bare number"):
+        problem(GOOD.replace('upper = "1e-7 mm" }', 'upper = "1e-7 mm", step = 1 }'), zou_file.parent)
+
+
 def test_finish_gives_the_bounds(zou_file):
     text = GOOD.replace('{ lower = "1e-9 mm", upper = "1e-7 mm" }', '{ finish = "superfinished" }')
     lower, upper = (getattr(problem(text, zou_file.parent).variables[1], side) for side in ("lower", "upper"))
