@@ -9,7 +9,7 @@ from asperity.joint.examination import examine
 from asperity.joint_file.assumptions import assumptions
 from asperity.joint_file.build import joint_from_case
 from asperity.joint_file.reader import parse_case
-from asperity.joint_file.values import si_values
+from asperity.joint_file.si_tables import si_values
 
 
 @pytest.fixture(scope="module")

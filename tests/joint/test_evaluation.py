@@ -13,7 +13,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from asperity.drive.force_balance import DriveForces
-from asperity.drive.geometry import angles
+from asperity.drive.geometry import angles, triangle
 from asperity.drive.torsional_stiffness import TorsionalStiffness
 from asperity.errors import NoSolutionError, PrecisionError
 from asperity.joint.evaluation import evaluate, roller_mass, solve
@@ -169,12 +169,12 @@ def test_gradients_with_respect_to_everything_are_finite_and_right(paper_joint):
         carrier_torque=1e-2,
         left_push_angle=0.05,
     )
-    rigid = joint.supports
-    joint = eqx.tree_at(lambda j: j.supports, joint, None)
+    rigid = joint.structure
+    joint = eqx.tree_at(lambda j: j.structure, joint, None)
 
     def stiffness(joint):
         return evaluate(
-            eqx.tree_at(lambda j: j.supports, joint, rigid, is_leaf=lambda x: x is None)
+            eqx.tree_at(lambda j: j.structure, joint, rigid, is_leaf=lambda x: x is None)
         ).published.sun
 
     @jax.jit
@@ -238,7 +238,7 @@ def test_no_solution_is_an_error_inside_jit_too(paper_joint, monkeypatch):
         solved: jax.Array
 
     def only_triangle(joint):
-        wedge = angles(joint.geometry).wedge
+        wedge = angles(triangle(joint.geometry)).wedge
         return Triangle(wedge, wedge > 0.0)
 
     monkeypatch.setattr("asperity.joint.evaluation._evaluate_compiled", only_triangle)
@@ -269,7 +269,7 @@ def test_carrier_turns_the_other_way_with_the_published_ratio(paper_joint):
         lambda j: j.surfaces[0].fractal_dimension,
         lambda j: j.bodies.ring.youngs_modulus,
         lambda j: j.bearings.pin_diameter,
-        lambda j: j.supports.output_shaft_stiffness,
+        lambda j: j.structure.output_shaft_stiffness,
     ],
 )
 def test_a_single_number_may_be_the_batch(paper_joint, place):

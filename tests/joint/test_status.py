@@ -7,7 +7,7 @@ from asperity.errors import AsperityError
 from asperity.joint.examination import examine
 from asperity.joint.status import STATUS_MEANINGS, STATUS_NAMES, flag_attributes
 from asperity.joint_file.build import with_values
-from asperity.joint_file.values import si_values
+from asperity.joint_file.si_tables import si_values
 from asperity.study.batch import evaluate_points
 
 # changes of the paper's joint in SI units, the status they should have, and what the joint alone is refused for

@@ -132,7 +132,7 @@ def _show_front(problem: DesignProblem, front: Any, names: list[str]) -> None:
 
     from asperity.cli.terminal import console, table
     from asperity.joint.results import RESULTS
-    from asperity.joint_file.values import key_at
+    from asperity.joint_file.si_tables import key_at
     from asperity.units import from_si
 
     target, size = console(), front.sizes["design"]
@@ -217,7 +217,7 @@ def _show(result: DesignResult) -> None:
 
 def _show_variables(target: Console, result: DesignResult) -> None:
     from asperity.cli.terminal import table
-    from asperity.joint_file.values import key_at, numeric_keys
+    from asperity.joint_file.si_tables import key_at, numeric_keys
     from asperity.units import format_quantity
 
     stated = numeric_keys(result.problem.case)

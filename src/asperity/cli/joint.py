@@ -35,7 +35,7 @@ def joint(file: str, as_json: bool, surfaces: tuple[str, ...]) -> None:
     from asperity.joint.examination import examine
     from asperity.joint_file.assumptions import assumptions
     from asperity.joint_file.build import joint_from_case
-    from asperity.joint_file.values import si_values
+    from asperity.joint_file.si_tables import si_values
 
     measured = None
     if surfaces:

@@ -110,7 +110,7 @@ def sensitivity_document(found: xarray.Dataset) -> dict[str, Any]:
 
 def _show(ranked: xarray.Dataset) -> None:
     from asperity.cli.terminal import console, table
-    from asperity.joint_file.values import key_at
+    from asperity.joint_file.si_tables import key_at
     from asperity.units import format_quantity
 
     unit = str(ranked["result_unit"].item())

@@ -94,7 +94,7 @@ def show_points(found: xarray.Dataset) -> None:
     from asperity.cli.terminal import console, table
     from asperity.joint.results import RESULTS, row_name
     from asperity.joint.status import STATUS_NAMES
-    from asperity.joint_file.values import key_at
+    from asperity.joint_file.si_tables import key_at
     from asperity.study.datasets import rows_of
     from asperity.study.parameters import long_name
     from asperity.units import from_si

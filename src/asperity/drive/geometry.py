@@ -12,8 +12,16 @@ import jax.numpy as jnp
 
 from asperity.types import Real
 
-#: Names of the five contacts of a branch, in the order of the contact axis.
-CONTACT_NAMES = ("sp", "pwr", "pwl", "wro", "wlo")
+#: The contacts of a branch in the order of the contact axis: name, driving and driven body.
+CONTACT_BODIES: dict[str, tuple[str, str]] = {
+    "sp": ("sun", "planet"),
+    "pwr": ("planet", "loading_roller"),
+    "pwl": ("planet", "loading_roller"),
+    "wro": ("loading_roller", "ring"),
+    "wlo": ("loading_roller", "ring"),
+}
+#: Names of the contacts of a branch, in the order of the contact axis.
+CONTACT_NAMES = tuple(CONTACT_BODIES)
 
 
 class DriveGeometry(eqx.Module):
@@ -124,13 +132,13 @@ class DriveAngles(eqx.Module):
     wedge: Real
 
 
-def angles(geometry: DriveGeometry) -> DriveAngles:
+def angles(sides: Triangle) -> DriveAngles:
     """The angles alpha, theta and beta of (A1).
 
     Parameters
     ----------
-    geometry : DriveGeometry
-        The radii [m].
+    sides : Triangle
+        The triangle of centres.
 
     Returns
     -------
@@ -141,7 +149,6 @@ def angles(geometry: DriveGeometry) -> DriveAngles:
     ----------
     Equation (A1) of :doc:`/equations`.
     """
-    sides = triangle(geometry)
     polar = jnp.arctan2(sides.sin_polar, sides.cos_polar)
     direction = jnp.arctan2(sides.sin_direction, sides.cos_direction)
     return DriveAngles(polar=polar, direction=direction, wedge=direction - polar)
@@ -206,15 +213,13 @@ def contact_radii(geometry: DriveGeometry) -> tuple[Real, Real, Real]:
     ----------
     Zou et al. 2025, Table 2 and the two signs of equation (11).
     """
-    sun, planet, roller, ring = jnp.broadcast_arrays(
-        geometry.sun_radius, geometry.planet_radius, geometry.loading_roller_radius, geometry.ring_radius
-    )
-    sign = jnp.array([1.0, 1.0, 1.0, -1.0, -1.0]).reshape((5,) + (1,) * sun.ndim)
-    return (
-        jnp.stack([sun, planet, planet, roller, roller]),
-        jnp.stack([planet, roller, roller, ring, ring]),
-        sign,
-    )
+    names = ("sun", "planet", "loading_roller", "ring")
+    values = jnp.broadcast_arrays(*(getattr(geometry, f"{name}_radius") for name in names))
+    radius = dict(zip(names, values, strict=True))
+    driving, driven = (jnp.stack([radius[body[side]] for body in CONTACT_BODIES.values()]) for side in (0, 1))
+    inside = jnp.array([body[1] == "ring" for body in CONTACT_BODIES.values()])
+    sign = jnp.where(inside, -1.0, 1.0).reshape((len(CONTACT_BODIES),) + (1,) * values[0].ndim)
+    return driving, driven, sign
 
 
 #: Every free distance that must be positive for the rollers to fit: its name, and the condition in words.

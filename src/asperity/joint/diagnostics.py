@@ -5,13 +5,12 @@ from __future__ import annotations
 import equinox as eqx
 import jax.numpy as jnp
 
-from asperity.contact.fractal import FractalContact
-from asperity.contact.hertz_line import effective_radius, first_yield_pressure, half_width, peak_pressure
-from asperity.contact.interface import Interface
+from asperity.contact.hertz_line import first_yield_pressure, peak_pressure
+from asperity.contact.roller_pairs import RollerPairs
 from asperity.drive.capacity import slip_ratio as traction_used
 from asperity.drive.force_balance import DriveForces
-from asperity.drive.geometry import DriveGeometry, contact_radii, triangle
-from asperity.materials import ContactPair
+from asperity.drive.geometry import Triangle
+from asperity.joint.contacts import LoadedContacts
 from asperity.types import Real
 
 
@@ -55,31 +54,24 @@ class Diagnostics(eqx.Module):
 
 def diagnose(
     *,
-    geometry: DriveGeometry,
+    sides: Triangle,
+    pairs: RollerPairs,
     forces: DriveForces,
-    contacts: FractalContact,
-    interfaces: Interface,
-    pairs: ContactPair,
-    contact_length: Real,
-    friction_coefficient: Real,
+    loaded: LoadedContacts,
     rest_force: Real,
 ) -> Diagnostics:
     """Compare a solved joint with the limits of the model.
 
     Parameters
     ----------
-    geometry : DriveGeometry
-        The drive.
+    sides : Triangle
+        The drive's triangle of centres.
+    pairs : RollerPairs
+        Its contacts.
     forces : DriveForces
         Its forces.
-    contacts : FractalContact
-        Its contacts, shape (5, ...).
-    interfaces : Interface
-        Stiffness of asperities and bulk, shape (5, ...).
-    pairs : ContactPair
-        Moduli and limits of the contacts, shape (5, ...).
-    contact_length, friction_coefficient : Real
-        B [m] and mu [-], shape (1 or 5, ...).
+    loaded : LoadedContacts
+        Its contacts under these forces, shape (5, ...).
     rest_force : Real
         Normal forces at rest, shape (5, ...) [N].
 
@@ -92,21 +84,15 @@ def diagnose(
     ----------
     K. L. Johnson, Contact Mechanics, 1985, sections 4.2 and 6.2; :doc:`/assumptions`.
     """
-    driving, driven, sign = contact_radii(geometry)
-    radius = effective_radius(radius_1=driving, radius_2=driven, sign=sign)
+    contacts, interfaces = loaded.rough, loaded.interfaces
     touching = forces.normal > 0.0
-    width = half_width(
-        normal_force=jnp.where(touching, forces.normal, 1.0),
-        contact_length=contact_length,
-        effective_radius=radius,
-        contact_modulus=pairs.contact_modulus,
-    )
+    width = jnp.where(touching, loaded.half_width, 1.0)  # an open contact has no load either
+    length, friction_coefficient = pairs.contact_length, pairs.friction_coefficient
     pressure = peak_pressure(
-        normal_force=jnp.where(touching, forces.normal, 0.0), contact_length=contact_length, half_width=width
+        normal_force=jnp.where(touching, forces.normal, 0.0), contact_length=length, half_width=width
     )
     sticks = interfaces.bulk_tangential > 0.0
-    strip = 2.0 * width * contact_length
-    sides = triangle(geometry)
+    strip = 2.0 * width * length
     friction = jnp.broadcast_to(
         friction_coefficient, jnp.broadcast_shapes(jnp.shape(friction_coefficient), forces.normal.shape)
     )
@@ -121,13 +107,13 @@ def diagnose(
         real_area_over_hertz_area=contacts.real_contact_area / strip,
         largest_spot_over_hertz_area=contacts.largest_area / strip,
         critical_over_largest_spot=jnp.where(touching, contacts.critical_area / largest, jnp.inf),
-        pressure_over_first_yield=pressure / first_yield_pressure(yield_strength=pairs.yield_strength),
+        pressure_over_first_yield=pressure / first_yield_pressure(yield_strength=pairs.moduli.yield_strength),
         asperity_over_bulk_stiffness=jnp.where(
             sticks,
             interfaces.asperity_tangential / jnp.where(sticks, interfaces.bulk_tangential, 1.0),
             jnp.nan,
         ),
         normal_force_over_preload=forces.normal / rest_force,
-        hertz_half_width=jnp.where(touching, width, 0.0),
+        hertz_half_width=loaded.half_width,
         hertz_pressure=pressure,
     )

@@ -25,9 +25,9 @@ from asperity.joint.evaluation import evaluate
 from asperity.joint.results import GROUPS, RESULTS, result_values
 from asperity.joint.status import LOCKED, OUT_OF_RANGE, SLIPS, joint_status
 from asperity.joint_file.build import joint_from_values
-from asperity.joint_file.key import Key
-from asperity.joint_file.structure import Numbers, numbers, table_structure, with_numbers
-from asperity.joint_file.values import Values, key_at, replace_values
+from asperity.joint_file.quantity_key import Key
+from asperity.joint_file.si_tables import Values, key_at, replace_values
+from asperity.joint_file.table_numbers import Numbers, numbers, table_structure, with_numbers
 from asperity.precision import require_double_precision
 
 Found = tuple[Array, dict[str, Array]]
@@ -143,7 +143,7 @@ def evaluate_points(
     Parameters
     ----------
     values : dict
-        Tables of the joint file in SI units, :func:`asperity.joint_file.values.si_values`.
+        Tables of the joint file in SI units, :func:`asperity.joint_file.si_tables.si_values`.
     points : mapping
         Dotted path → values in SI units, all of shape (n,).
     results : tuple of str

@@ -9,9 +9,10 @@ import numpy as np
 
 from asperity import __version__
 from asperity.errors import MissingExtraError
+from asperity.extras import install_command
 from asperity.joint.results import RESULTS, ROW_NAMES, row_name
 from asperity.joint.status import flag_attributes
-from asperity.joint_file.values import key_at
+from asperity.joint_file.si_tables import key_at
 from asperity.study.parameters import Axis, long_name
 
 if TYPE_CHECKING:
@@ -42,7 +43,8 @@ def require(module: str) -> Any:
         return importlib.import_module(module)
     except ImportError as error:
         raise MissingExtraError(
-            f"studies need the package '{error.name or module}', which is not installed: pip install 'asperity[study]'"
+            f"studies need the package '{error.name or module}', which is not installed; run: "
+            + install_command("study")
         ) from None
 
 

@@ -10,7 +10,7 @@ from asperity.drive.geometry import clearances
 from asperity.errors import NoSolutionError
 from asperity.joint_file.build import joint_from_values
 from asperity.joint_file.reader import parse_case
-from asperity.joint_file.values import si_values
+from asperity.joint_file.si_tables import si_values
 from asperity.study.batch import derivatives_at
 from asperity.study.design.design import design, nominal_results
 from asperity.study.design.design_file import design_from_tables

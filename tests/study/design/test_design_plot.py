@@ -50,7 +50,7 @@ def test_one_panel_a_variable_with_the_margin_below_it(preload_figure):
         "all limits met",
         "design",
     ]
-    assert preload_figure.get_suptitle() == "smallest preload, at its worst scenario"
+    assert preload_figure.get_suptitle() == "smallest preload between sun and planet, at its worst scenario"
 
 
 def test_the_objective_is_drawn_where_it_is_and_bold_where_the_limits_hold(preload_figure):

@@ -5,7 +5,7 @@ import tomllib
 import numpy as np
 import pytest
 
-from asperity.joint_file.values import si_values
+from asperity.joint_file.si_tables import si_values
 from asperity.study.batch import derivatives_at
 from asperity.study.design.design_file import design_from_tables
 from asperity.study.design.pareto import pareto_front

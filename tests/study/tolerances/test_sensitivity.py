@@ -5,7 +5,7 @@ import pytest
 
 from asperity.errors import InputError
 from asperity.joint_file.reader import parse_case
-from asperity.joint_file.values import numeric_keys, si_values
+from asperity.joint_file.si_tables import numeric_keys, si_values
 from asperity.study.batch import evaluate_points
 from asperity.study.tolerances.sensitivity import DEFAULT_RESULTS, ranking, sensitivity
 from asperity.unit_table import Dimension

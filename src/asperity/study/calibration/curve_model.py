@@ -10,7 +10,7 @@ import numpy as np
 from asperity.joint.results import name_at_level
 from asperity.joint.windup import StiffnessLevel
 from asperity.joint_file.model import Case
-from asperity.joint_file.values import numeric_keys, si_values
+from asperity.joint_file.si_tables import numeric_keys, si_values
 from asperity.study.batch import derivatives_at
 from asperity.study.calibration.measurement import Measurement
 from asperity.study.calibration.torque_history import History, curve_operator

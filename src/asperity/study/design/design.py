@@ -10,8 +10,9 @@ import numpy as np
 from asperity.errors import InputError, NoSolutionError
 from asperity.joint.results import RESULTS
 from asperity.joint.status import UNBALANCED
+from asperity.joint_file.edited_text import joint_file_text
 from asperity.joint_file.reader import parse_case
-from asperity.joint_file.values import si_values
+from asperity.joint_file.si_tables import si_values
 from asperity.precision import require_double_precision
 from asperity.study.batch import derivatives_at
 from asperity.study.design.design_evaluation import DesignEvaluator, EvaluatedDesign
@@ -27,7 +28,6 @@ from asperity.study.design.design_search import (
     starting_points,
     violation_rank,
 )
-from asperity.study.design.joint_text import joint_file_text
 from asperity.study.design.rounding import rounded_design
 from asperity.units import format_quantity
 

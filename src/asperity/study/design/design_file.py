@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-import tomllib
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from pathlib import Path
@@ -14,8 +13,9 @@ from asperity.joint.results import LEVELS, RESULTS, Result, known_result, name_a
 from asperity.joint.windup import StiffnessLevel
 from asperity.joint_file.messages import nearest
 from asperity.joint_file.reader import read_case
-from asperity.joint_file.values import key_at, numeric_keys
+from asperity.joint_file.si_tables import key_at, numeric_keys
 from asperity.library import read_finishes
+from asperity.reading import read_toml
 from asperity.study.design.design_problem import (
     EXISTENCE,
     Constraint,
@@ -55,14 +55,7 @@ def read_design(path: str | Path) -> DesignProblem:
         If it cannot be read or says something that is not allowed.
     """
     file = Path(path)
-    try:
-        tables = tomllib.loads(file.read_text(encoding="utf-8-sig"))
-    except FileNotFoundError:
-        raise InputError(f"{path}: there is no such file") from None
-    except tomllib.TOMLDecodeError as error:
-        raise InputError(f"{path}: not valid TOML: {error}") from None
-    except (OSError, UnicodeDecodeError) as error:
-        raise InputError(f"{path}: cannot be read: {getattr(error, 'strerror', None) or error}") from None
+    tables = read_toml(file)
     try:
         return design_from_tables(tables, folder=file.parent)
     except InputError as error:
@@ -97,7 +90,7 @@ def design_from_tables(tables: Mapping[str, Any], *, folder: Path) -> DesignProb
     Parameters
     ----------
     tables : mapping
-        The design file as :func:`tomllib.loads` returns it.
+        The design file as :func:`asperity.reading.parse_toml` returns it.
     folder : Path
         Where the path of the joint file starts.
 

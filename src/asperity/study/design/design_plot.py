@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from asperity.joint.results import RESULTS
-from asperity.joint_file.values import key_at
+from asperity.joint_file.si_tables import key_at
 from asperity.study.design.design_evaluation import DesignEvaluator, exists
 from asperity.study.design.design_result import DesignResult
 from asperity.units import from_si

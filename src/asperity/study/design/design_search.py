@@ -6,7 +6,7 @@ from collections.abc import Callable
 
 import numpy as np
 
-from asperity.joint_file.values import si_values
+from asperity.joint_file.si_tables import si_values
 from asperity.study.design.design_evaluation import DesignEvaluator
 
 #: Margin below zero (logarithm of the ratio to the limit) that still counts as met: what the search leaves behind.

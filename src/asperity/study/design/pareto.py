@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from asperity.errors import InputError, MissingExtraError, NoSolutionError
+from asperity.extras import install_command
 from asperity.precision import require_double_precision
 from asperity.study.datasets import key_attributes, result_attributes
 from asperity.study.design.design_evaluation import DesignEvaluator, exists
@@ -29,7 +30,7 @@ def require_pymoo() -> None:
     for name in ("pymoo", "xarray"):
         if importlib.util.find_spec(name) is None:
             raise MissingExtraError(
-                f"a Pareto front needs {name}; install it with: pip install 'asperity[study]'"
+                f"a Pareto front needs the package '{name}', which is not installed; run: {install_command('study')}"
             )
 
 

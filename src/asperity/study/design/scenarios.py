@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from asperity.errors import InputError
-from asperity.joint_file.values import numeric_keys
+from asperity.joint_file.si_tables import numeric_keys
 from asperity.study.design.design_problem import DesignProblem
 
 #: More toleranced numbers have too many corners; they are sampled instead.

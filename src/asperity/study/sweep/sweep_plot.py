@@ -8,7 +8,7 @@ import numpy as np
 
 from asperity.errors import InputError
 from asperity.joint.results import RESULTS
-from asperity.joint_file.values import key_at
+from asperity.joint_file.si_tables import key_at
 from asperity.study.datasets import rows_of
 from asperity.study.parameters import long_name
 from asperity.units import from_si

@@ -19,7 +19,7 @@ from asperity.joint.results import LEVELS, RESULTS, known_result, row_name
 from asperity.joint.status import STATUS_MEANINGS, UNBALANCED
 from asperity.joint_file.build import joint_from_case
 from asperity.joint_file.model import Case
-from asperity.joint_file.values import numeric_keys, si_values
+from asperity.joint_file.si_tables import numeric_keys, si_values
 from asperity.precision import require_double_precision
 from asperity.study.batch import derivatives_at
 from asperity.study.datasets import common_attributes, require, result_rows

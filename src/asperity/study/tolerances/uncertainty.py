@@ -16,7 +16,7 @@ from asperity.joint.results import LEVELS, RESULTS, chosen_results
 from asperity.joint.status import STATUS_NAMES
 from asperity.joint_file.distribution import FORMS, Distribution
 from asperity.joint_file.model import Case
-from asperity.joint_file.values import NumericKey, numeric_keys, si_values
+from asperity.joint_file.si_tables import NumericKey, numeric_keys, si_values
 from asperity.study.batch import evaluate_points
 from asperity.study.datasets import common_attributes, require, result_rows
 from asperity.study.parameters import long_name
