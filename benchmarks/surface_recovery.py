@@ -54,6 +54,7 @@ def profiles(
         return np.array([rolled_off(kind, D, G, spacing, points, random) for _ in range(count)])
     if kind == "row quarters":  # the amplitude of the differences changes from quarter to quarter
         share = np.repeat([0.5, 1.0, 1.5, 2.0], points // 4 + 1)[: points - 1]
+        share /= np.sqrt(np.mean(share**2))  # the mean power, and with it G, stay
         z = np.array([synthesis.self_affine_profile(**common) for _ in range(count)])
         return np.concatenate([np.zeros((count, 1)), np.cumsum(share * np.diff(z), axis=1)], axis=1)
     if kind == "self-affine":

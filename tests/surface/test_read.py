@@ -153,22 +153,36 @@ def test_signalling_numbers_in_an_array_are_missing_points(tmp_path):
     assert read_surface(path=tmp_path / "a.npy", height_unit="m", spacing=1e-6).missing_points == 1
 
 
-def test_a_reader_that_gives_no_size_is_refused(tmp_path, monkeypatch):
-    class Nothing:
-        def channels(self): ...
+class Sizeless:
+    """A reader that opens a file and has no size for it, or cannot say one."""
 
-        def format(self):
-            return "none"
+    channels = (1,)
 
-    class Sizeless:
-        physical_sizes, unit, dim = None, "m", 2
+    def __init__(self, sizes):
+        self.sizes = sizes
 
-    reader = Nothing()
-    reader.channels = [1]
-    opened = (reader, Sizeless(), np.zeros((3, 3)))
-    monkeypatch.setattr(read_instrument, "_opened", lambda *_: opened)
+    def topography(self):
+        return self
+
+    def heights(self):
+        return np.zeros((3, 3))
+
+    @property
+    def physical_sizes(self):
+        if self.sizes == "raises":
+            raise TypeError("'NoneType' object is not iterable")
+        return self.sizes
+
+
+@pytest.mark.parametrize(
+    ("sizes", "says"),
+    [(None, "not given"), ((np.nan, 1.0), "must be positive"), ("raises", "not understood")],
+)
+def test_a_reader_that_gives_no_size_is_refused(tmp_path, monkeypatch, sizes, says):
+    package = pytest.importorskip("SurfaceTopography")
+    monkeypatch.setattr(package, "open_topography", lambda _: Sizeless(sizes))
     (tmp_path / "a.dat").write_bytes(b"\0\1\2")
-    with pytest.raises(InputError, match="its size is not given"):
+    with pytest.raises(InputError, match=says):
         read_surface(path=tmp_path / "a.dat")
 
 

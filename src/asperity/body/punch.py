@@ -12,6 +12,7 @@ import math
 
 import jax.numpy as jnp
 from jax import Array
+from numpy.polynomial.chebyshev import cheb2poly
 
 from asperity.types import Real
 
@@ -26,14 +27,14 @@ def _bessel_at_4(order: int) -> float:
     return math.fsum(math.cos(4.0 * math.sin(angle) - order * angle) for angle in angles) / steps
 
 
-#: Chebyshev coefficients of J0 on [0, 8] in x^2/32 - 1: by Neumann's addition theorem with both radii 4.
-_CHEBYSHEV = [(1.0 if k == 0 else 2.0) * (-1.0) ** k * _bessel_at_4(k) ** 2 for k in range(16)]
+#: Coefficients of J0 on [0, 8] by powers of x^2/32 - 1, from Neumann's addition theorem with both radii 4.
+_POWERS = cheb2poly([(1.0 if k == 0 else 2.0) * (-1.0) ** k * _bessel_at_4(k) ** 2 for k in range(16)])
 
 
 def punch_factor(argument: Real) -> Array:
     r"""Fourier coefficient of a punch pressure on a rim, :math:`J_0(x)` with :math:`x = n a/R`.
 
-    .. math:: J_0(8\cos(u/2)) = J_4^{(0)} + 2\sum_{k\ge1} (-1)^k J_k(4)^2 \cos ku, \qquad J_4^{(0)} = J_0(4)^2
+    .. math:: J_0(8\cos\tfrac u2) = J_0(4)^2 + 2\sum_{k\ge1} (-1)^k J_k(4)^2 \cos ku
 
     Parameters
     ----------
@@ -50,10 +51,10 @@ def punch_factor(argument: Real) -> Array:
     G. N. Watson, A Treatise on the Theory of Bessel Functions, 1944, section 11.2 (Neumann's addition theorem).
     """
     t = jnp.asarray(argument) ** 2 / (0.5 * LARGEST_PUNCH_ARGUMENT**2) - 1.0
-    later, latest = jnp.zeros_like(t), jnp.zeros_like(t)
-    for coefficient in reversed(_CHEBYSHEV[1:]):  # Clenshaw
-        later, latest = coefficient + 2.0 * t * later - latest, later
-    return _CHEBYSHEV[0] + t * later - latest
+    total = jnp.zeros_like(t)
+    for coefficient in reversed(_POWERS.tolist()):
+        total = total * t + coefficient
+    return total
 
 
 def mean_power(exponent: int) -> float:

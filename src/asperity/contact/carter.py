@@ -61,12 +61,12 @@ def creepage(*, slip_ratio: Real, gross_slip_creepage: Real) -> Real:
     Returns
     -------
     Real
-        Creepage [-], odd in q; infinite where |q| > 1, because no steady creepage carries that force.
+        Creepage [-], odd in q; infinite where :math:`|q| > 1`, because no steady creepage carries that force.
 
     Notes
     -----
     Steady rolling: reached after about one contact width. The slope is finite through q = 0 and grows without
-    bound towards |q| = 1.
+    bound towards :math:`|q| = 1`.
 
     References
     ----------

@@ -178,7 +178,7 @@ def skewed_contact(
     -------
     SkewedContact
         Creepages and forces; the creepage is infinite and not solved where no creepage carries the force, which is
-        for |q_x| >= 1 (without skew for |q_x| > 1).
+        for :math:`|q_x| \ge 1` (without skew :math:`|q_x| > 1`).
 
     Notes
     -----

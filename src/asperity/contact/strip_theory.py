@@ -287,7 +287,7 @@ def strip_creepage(*, slip_ratio: Real, capacity: Real, gross_slip_creepage: Rea
     Returns
     -------
     Real
-        Creepage [-]; infinite where |q| > 1.
+        Creepage [-]; infinite where :math:`|q| > 1`.
 
     Notes
     -----

@@ -126,6 +126,7 @@ def _opened(path: Path, source: str | io.BytesIO, name: str) -> tuple[Any, Any, 
             reader = SurfaceTopography.open_topography(source)
             measured = reader.topography()
             heights = np.ma.filled(np.ma.asarray(measured.heights(), dtype=np.float64), np.nan)
+            sizes = measured.physical_sizes
         except Exception as error:  # the readers raise whatever their parsers meet
             if "CannotDetect" in type(error).__name__:
                 why = "its format is not known, or this variant of it is not"
@@ -134,6 +135,8 @@ def _opened(path: Path, source: str | io.BytesIO, name: str) -> tuple[Any, Any, 
             raise InputError(
                 f"{path.name} ({name}) cannot be read: {why}; export it as X3P with binary data, or as text"
             ) from None
+    if sizes is None or not all(np.isfinite(size) and size > 0.0 for size in sizes):
+        raise InputError(f"{path.name} ({name}): its size is {sizes or 'not given'}; it must be positive")
     return reader, measured, heights
 
 
@@ -158,9 +161,6 @@ def _in_metres(
     scale = metres_per_unit(unit)
     channels = len(reader.channels)
     notes = (f"the file has {channels} channels; the default one was read",) if channels > 1 else ()
-    sizes = measured.physical_sizes
-    if sizes is None or not all(np.isfinite(size) and size > 0.0 for size in sizes):
-        raise InputError(f"{source}: its size is {sizes or 'not given'}; it must be positive")
     with np.errstate(over="ignore", invalid="ignore"):
         heights = heights * scale
     if measured.dim == 2:
