@@ -75,7 +75,7 @@ def examine(joint: Joint) -> Examination:
     _refuse_locked_pins(numbers)
     _refuse_wide_contacts(numbers, result)
     capacity = _capacity(numbers, program)
-    if some_contact_slips(slip_ratio=result.diagnostics.gross_slip):
+    if some_contact_slips(slip_ratio=result.diagnostics.slip_ratio):
         _refuse_torque(numbers, result, capacity)
     _refuse_unsolved(result)
     return Examination(result=result, clearances=gaps, capacity=capacity)
@@ -86,7 +86,7 @@ def _capacity(numbers: Joint, program: Callable[..., Any]) -> TorqueCapacity:
 
     def slip_ratios(torque: float) -> np.ndarray:
         result, _ = program(dataclasses.replace(numbers, output_torque=np.float64(torque)))
-        return np.where(result.solved, result.diagnostics.gross_slip, np.nan)
+        return np.where(result.solved, result.diagnostics.slip_ratio, np.nan)
 
     orbit = numbers.geometry.ring_radius - numbers.geometry.loading_roller_radius
     friction = min(float(each) for each in numbers.friction_coefficients)
@@ -113,7 +113,8 @@ def _refuse_overlap(joint: Joint, gaps: tuple[Clearance, ...]) -> None:
         if math.isnan(gap):
             found = "the triangle sun, planet, loading roller does not close"
         raise InputError(
-            f"the rollers do not fit: {clearance.name}; {found} ({radii}, {float(geometry.planet_count):g} planets)"
+            f"the rollers do not fit: {clearance.condition}; {found} "
+            f"({radii}, {float(geometry.planet_count):g} planets)"
         )
 
 
