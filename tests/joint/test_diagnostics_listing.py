@@ -3,12 +3,12 @@ import math
 import pytest
 
 from asperity.joint.diagnostics import Diagnostics, listing
-from asperity.joint.examination import examine
+from asperity.joint.solve import solve
 
 
 @pytest.fixture(scope="module")
 def paper_listing(paper_joint):
-    return listing(examine(paper_joint()).result)
+    return listing(solve(paper_joint()).result)
 
 
 def by_name(entries, name):
@@ -45,7 +45,7 @@ def test_the_facts_about_the_paper_s_joint(paper_listing):
 def test_an_undefined_value_is_not_ok(paper_joint):
     """Spinning so fast that the planets leave the sun: no contact there, hence no stiffness to compare."""
     entries = listing(
-        examine(paper_joint(output_torque=0.0, sun_speed=2e5, closure="constant_pin_force")).result
+        solve(paper_joint(output_torque=0.0, sun_speed=2e5, closure="constant_pin_force")).result
     )
     lifted = by_name(entries, "normal_over_rest")["sp"]
     assert (lifted.value, lifted.ok) == (0.0, False)

@@ -5,7 +5,7 @@ import numpy as np
 import pytest
 
 from asperity.joint.document import joint_document
-from asperity.joint.examination import examine
+from asperity.joint.solve import solve
 from asperity.joint_file.assumptions import assumptions
 from asperity.joint_file.build import joint_from_case
 from asperity.joint_file.reader import parse_case
@@ -18,15 +18,15 @@ def text(request):
 
 
 @pytest.fixture(scope="module")
-def examination(text):
-    return examine(joint_from_case(parse_case(text, source="x")))
+def solution(text):
+    return solve(joint_from_case(parse_case(text, source="x")))
 
 
-def document_of(text, examination):
+def document_of(text, solution):
     case = parse_case(text, source="x")
     return joint_document(
         joint=joint_from_case(case),
-        examination=examination,
+        solution=solution,
         inputs=si_values(case),
         assumptions=assumptions(case),
     )
@@ -36,26 +36,24 @@ def dimensions(document):
     return {e["contact"]: e for e in document["diagnostics"] if e["name"] == "fractal_dimension"}
 
 
-def test_the_range_in_which_the_law_is_verified_is_a_diagnostic(text, examination):
-    inside = document_of(text, examination)
+def test_the_range_in_which_the_law_is_verified_is_a_diagnostic(text, solution):
+    inside = document_of(text, solution)
     assert dimensions(inside)[None]["ok"]
     low = text.replace("fractal_dimension = 1.4", "fractal_dimension = 1.01")
-    entry = dimensions(document_of(low, examination))[None]
+    entry = dimensions(document_of(low, solution))[None]
     assert (entry["value"], entry["limit"], entry["ok"]) == (1.01, 1.02, False)
     five = text[: text.index("[surface]")] + "".join(
         f'[surface.{c}]\nfractal_dimension = {d}\nfractal_roughness = "1e-8 mm"\nfrequency_ratio = 1.5\n'
         for c, d in zip(("sp", "pwr", "pwl", "wro", "wlo"), (1.4, 1.995, 1.5, 1.6, 1.7), strict=True)
     )
-    told = dimensions(document_of(five, examination))
+    told = dimensions(document_of(five, solution))
     assert [entry["ok"] for entry in told.values()] == [True, False, True, True, True]
     assert told["pwr"]["limit"] == 1.99
 
 
-def test_what_json_cannot_say_is_null(text, examination):
-    contacts = dataclasses.replace(examination.result.contacts, critical_area=np.full(5, np.inf))
-    broken = dataclasses.replace(
-        examination, result=dataclasses.replace(examination.result, contacts=contacts)
-    )
+def test_what_json_cannot_say_is_null(text, solution):
+    contacts = dataclasses.replace(solution.result.contacts, critical_area=np.full(5, np.inf))
+    broken = dataclasses.replace(solution, result=dataclasses.replace(solution.result, contacts=contacts))
     document = document_of(text, broken)
     assert document["contacts"]["sp"]["critical_area_m2"] is None
     json.dumps(document, allow_nan=False)
@@ -76,10 +74,10 @@ def test_what_the_file_leaves_out_is_told(text):
         (np.nan, None, None, "unknown: the force balance does not close at every torque on the way"),
     ],
 )
-def test_the_capacity_in_numbers_and_words(text, examination, limit, contact, number, said):
+def test_the_capacity_in_numbers_and_words(text, solution, limit, contact, number, said):
     capacity = dataclasses.replace(
-        examination.capacity, output_torque=np.asarray(limit), limiting_contact=np.asarray(2)
+        solution.capacity, output_torque=np.asarray(limit), limiting_contact=np.asarray(2)
     )
-    shown = dataclasses.replace(examination, capacity=capacity)
+    shown = dataclasses.replace(solution, capacity=capacity)
     told = document_of(text, shown)["torque_capacity"]
     assert told == {"output_torque_Nm": number, "limiting_contact": contact, "meaning": said}

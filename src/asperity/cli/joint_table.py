@@ -80,6 +80,8 @@ def _show_stiffness(target: Console, document: Document) -> None:
             _number(entry["output_Nm_per_arcmin"]),
         )
     target.print(shown)
+    if document["stiffness_unknown_because"]:
+        _print_wrapped(target, f"no value: {document['stiffness_unknown_because']}", indent=2)
     interval = document.get("stiffness_interval")
     if interval is None:
         return
@@ -97,10 +99,13 @@ def _show_stiffness(target: Console, document: Document) -> None:
             meaning, _number(interval[name]["low_Nm_per_rad"]), _number(interval[name]["high_Nm_per_rad"])
         )
     target.print(spread)
-    if interval["outside"] or interval["unsolved"]:
-        target.print(
-            f"of {interval['draws']} draws of D and G, {interval['outside']} had a D outside 1 to 2 and "
-            f"{interval['unsolved']} no solution; they are left out"
+    if interval["outside"] or interval["unsolved"] or interval["all_plastic"]:
+        _print_wrapped(
+            target,
+            f"of {interval['draws']} draws of D and G, {interval['outside']} had a D outside 1 to 2, "
+            f"{interval['unsolved']} no solution and {interval['all_plastic']} plastic spots only, where the "
+            "contact law has no stiffness; they are left out, and from one draw in twenty on there is no interval",
+            indent=2,
         )
 
 

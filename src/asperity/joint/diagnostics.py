@@ -174,7 +174,9 @@ _RULES = (
         "self_locking",
         1.0,
         "the wedge holds itself by friction",
-        "the friction coefficient is below tan(beta/2): the wedge does not hold itself by friction",
+        "the friction coefficient is below tan(beta/2): the wedge does not hold itself by friction, and the carrier "
+        "pins have to keep the loading rollers in it. Make sure that they can (see the pin forces), or raise the "
+        "friction coefficient above tan(beta/2), or choose radii with a smaller wedge angle",
     ),
     _Rule(
         "real_area_over_hertz_area",
@@ -192,7 +194,7 @@ _RULES = (
         "critical_over_largest_spot",
         1.0,
         "some spots are elastic",
-        "every spot is plastic: the contact law has no stiffness",
+        "every spot is plastic, where the contact law has no stiffness and fails: real surfaces keep one",
     ),
     _Rule(
         "pressure_over_first_yield",

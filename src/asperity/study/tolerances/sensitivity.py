@@ -20,8 +20,8 @@ from asperity.compilation import compile_fast
 from asperity.drive.geometry import CONTACT_NAMES
 from asperity.errors import InputError, NoSolutionError
 from asperity.joint.evaluation import Joint, evaluate
-from asperity.joint.examination import examine
 from asperity.joint.results import RESULTS, Solved
+from asperity.joint.solve import solve
 from asperity.joint.status import STATUS_MEANINGS, UNBALANCED, joint_status
 from asperity.joint_file.build import joint_from_case, joint_from_values
 from asperity.joint_file.model import Case
@@ -181,7 +181,7 @@ def refuse_failed(case: Case, status: int) -> None:
     """
     if status == 0:
         return
-    examine(joint_from_case(case))  # says it with the numbers
+    solve(joint_from_case(case))  # says it with the numbers
     reason = STATUS_MEANINGS[status]
     if status == UNBALANCED:
         raise NoSolutionError(reason)

@@ -1,0 +1,158 @@
+"""Notes on a solved joint that can exist, but whose numbers lie outside what the model or the practice knows."""
+
+from __future__ import annotations
+
+import dataclasses
+import math
+
+import jax
+import numpy as np
+
+from asperity.compilation import compile_fast
+from asperity.drive.geometry import CONTACT_NAMES, triangle
+from asperity.drive.ring_bending import thin_ring_compliance
+from asperity.joint.contacts import joint_contacts
+from asperity.joint.description import Joint
+from asperity.joint.diagnostics import Diagnostic
+from asperity.joint.evaluation import JointResult, evaluate
+from asperity.units import format_quantity
+
+#: Loss of assembled stiffness from which the bending of a ring is worth a warning [-].
+RING_BENDING_LIMIT = 0.05
+#: Friction coefficients above are those of dry or tacky surfaces; traction fluids end near 0.12 [-].
+FRICTION_LIMIT = 0.3
+#: Contact length over the smaller roller's diameter above which a roller skews rather than bears evenly [-].
+SLENDERNESS_LIMIT = 3.0
+#: The paper's pairs of rollers, Tables 1 and 2: effective radius and contact length [m].
+PAPER_EFFECTIVE_RADII = (3.0e-3, 8.4e-3)
+PAPER_CONTACT_LENGTHS = (5e-3, 30e-3)
+
+
+def plausibility(joint: Joint, result: JointResult) -> tuple[Diagnostic, ...]:
+    """Notes on the ring's wall, the friction, the lengths, and the sizes for which lambda was made.
+
+    Parameters
+    ----------
+    joint : Joint
+        One joint.
+    result : JointResult
+        Its result.
+
+    Returns
+    -------
+    tuple of Diagnostic
+        One for the drive or for each contact; those that are not ok are warnings.
+    """
+    contacts = joint_contacts(joint)
+    pairs = contacts.pairs
+    lengths, friction, radius_1, radius_2, effective = (
+        np.broadcast_to(np.asarray(values, dtype=float), (len(CONTACT_NAMES),))
+        for values in (
+            pairs.contact_length,
+            pairs.friction_coefficient,
+            pairs.radius_1,
+            pairs.radius_2,
+            pairs.effective_radius,
+        )
+    )
+    notes = list(_ring_bending(joint, result, float(max(lengths[3:]))))
+    for index, name in enumerate(CONTACT_NAMES):
+        mu = float(friction[index])
+        notes.append(
+            _note(
+                "friction_coefficient",
+                name,
+                mu,
+                FRICTION_LIMIT,
+                "a usual friction coefficient",
+                "traction fluids reach 0.12, clean dry steel 0.3: measure a coefficient this high before relying on it",
+            )
+        )
+        notes.append(
+            _note(
+                "contact_length_over_diameter",
+                name,
+                float(lengths[index] / (2.0 * min(radius_1[index], radius_2[index]))),
+                SLENDERNESS_LIMIT,
+                "a usual length of a contact line",
+                "the contact line is long for its roller: a slight skew or bending loads one end, and the even line "
+                "load of the model is lost; shorten it, or crown the rollers",
+            )
+        )
+        if joint.contact_factor_model != "unity":
+            notes.append(
+                _size(joint.contact_factor_model, name, float(effective[index]), float(lengths[index]))
+            )
+    return tuple(notes)
+
+
+def _note(name: str, contact: str | None, value: float, limit: float, good: str, bad: str) -> Diagnostic:
+    ok = value <= limit
+    return Diagnostic(name, contact, value, limit, ok, good if ok else bad)
+
+
+def _size(model: str, contact: str, radius: float, length: float) -> Diagnostic:
+    """Whether a pair of rollers is of the paper's sizes; told by whichever of radius and length is farther outside."""
+    ranges = ((radius, PAPER_EFFECTIVE_RADII), (length, PAPER_CONTACT_LENGTHS))
+    value, (low, high) = max(ranges, key=lambda entry: max(entry[1][0] / entry[0], entry[0] / entry[1][1]))
+    ok = low <= value <= high
+    inside = "the sizes are those for which the paper uses lambda"
+    mm = [format_quantity(bound, "mm", 2) for bound in (*PAPER_EFFECTIVE_RADII, *PAPER_CONTACT_LENGTHS)]
+    outside = (
+        f'contact_factor = "{model}" contains a length in mm, so that it depends on the size of the drive: the paper '
+        f"uses it for effective radii of {mm[0]} to {mm[1]} and contact lengths of {mm[2]} to {mm[3]}. By this alone "
+        'the published stiffness of the paper\'s joint would gain 28 % at ten times its size ("printed"), and lose '
+        '93 % at a tenth; contact_factor = "unity" has no such scale'
+    )
+    return Diagnostic(
+        "contact_factor_size", contact, value, low if value < low else high, ok, inside if ok else outside
+    )
+
+
+def _ring_bending(joint: Joint, result: JointResult, length: float) -> tuple[Diagnostic, ...]:
+    """What a ring that carries itself would lose, where the joint gives no spring for its bending."""
+    if (
+        not math.isinf(float(joint.structure.ring_bending_stiffness))
+        or float(joint.geometry.planet_count) < 2.0
+    ):
+        return ()
+    held = float(result.assembly.stiffness.output)
+    if not held > 0.0:
+        return ()
+    compliance = thin_ring_compliance(
+        geometry=joint.geometry,
+        sides=triangle(joint.geometry),
+        wall_thickness=joint.ring_wall_thickness,
+        length=length,
+        youngs_modulus=joint.bodies.ring.youngs_modulus,
+    )
+    spring = 1.0 / compliance.opposed
+    bent_joint = dataclasses.replace(
+        joint, structure=dataclasses.replace(joint.structure, ring_bending_stiffness=spring)
+    )
+    bent = float(_output(bent_joint))
+    loss = 1.0 - bent / held
+    stiffness, bent_to, held_at = (
+        format_quantity(value, unit, 3)
+        for value, unit in ((float(spring), "N/um"), (bent, "N*m/rad"), (held, "N*m/rad"))
+    )
+    told = (
+        "ring_wall_thickness enters the local compression only, as if a rigid housing held the ring. A ring that "
+        f"carries itself has, by thin-ring theory, a ring_bending_stiffness of about {stiffness} under each loading "
+        f"roller, and the assembled stiffness would be {bent_to} instead of {held_at}"
+    )
+    remedy = "; give ring_bending_stiffness, or hold the ring"
+    ok = loss <= RING_BENDING_LIMIT
+    return (
+        Diagnostic("ring_bending_loss", None, loss, RING_BENDING_LIMIT, ok, told if ok else told + remedy),
+    )
+
+
+def _output(joint: Joint) -> np.ndarray:
+    numbers: Joint = jax.tree.map(lambda leaf: np.asarray(leaf, dtype=float), joint)
+    found: np.ndarray = np.asarray(compile_fast(_assembled, numbers)(numbers))
+    return found
+
+
+def _assembled(joint: Joint) -> object:
+    return evaluate(joint).assembly.stiffness.output
