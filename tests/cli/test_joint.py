@@ -160,7 +160,7 @@ def test_a_file_that_is_not_there(call):
 def test_no_solution_is_exit_code_3(call, joint_file, monkeypatch):
     from asperity.joint import solve as solving
 
-    real = solution.compile_fast
+    real = solving.compile_fast
 
     def unsolved(function, joint):
         result, gaps = real(function, joint)(joint)
@@ -171,4 +171,4 @@ def test_no_solution_is_exit_code_3(call, joint_file, monkeypatch):
     outcome = call("joint", joint_file())
     assert outcome.code == 3
     assert outcome.out == ""
-    assert "the force balance did not close: relative residual" in outcome.err
+    assert "the force balance has no solution with these numbers" in outcome.err

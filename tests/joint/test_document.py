@@ -60,9 +60,24 @@ def test_what_json_cannot_say_is_null(text, solution):
 
 
 def test_what_the_file_leaves_out_is_told(text):
-    assert len(assumptions(parse_case(text, source="x"))) == 4
+    assert len(assumptions(parse_case(text, source="x"))) == 5
     partly = parse_case(text + '[compliance]\npin_stiffness = "100 N/um"\n', source="x")
     assert any("input_shaft_stiffness" in sentence for sentence in assumptions(partly))
+    assert any("a rigid housing holds the ring" in sentence for sentence in assumptions(partly))
+    bent = parse_case(text + '[compliance]\nring_bending_stiffness = "63 N/um"\n', source="x")
+    assert not any("rigid housing" in sentence for sentence in assumptions(bent))
+
+
+def test_the_document_says_why_there_is_no_stiffness_and_what_a_ring_would_lose(text):
+    plastic = text.replace("fractal_dimension = 1.4", "fractal_dimension = 1.2")
+    thin = text.replace('ring_wall_thickness = "60 mm"', 'ring_wall_thickness = "10 mm"')
+    documents = [document_of(t, solve(joint_from_case(parse_case(t, source="x")))) for t in (plastic, thin)]
+    assert "every spot of sp, pwr, pwl, wro, wlo is plastic" in documents[0]["stiffness_unknown_because"]
+    assert documents[0]["torsional_stiffness"]["published"]["output_Nm_per_rad"] is None
+    assert documents[1]["stiffness_unknown_because"] is None
+    (ring,) = (entry for entry in documents[1]["diagnostics"] if entry["name"] == "ring_bending_loss")
+    assert ring["value"] == pytest.approx(0.55, abs=0.02)
+    assert not ring["ok"]
 
 
 @pytest.mark.parametrize(
