@@ -84,6 +84,8 @@ def _show_stiffness(target: Console, document: Document) -> None:
             _number(entry["output_Nm_per_arcmin"]),
         )
     target.print(shown)
+    if document["stiffness_unknown_because"]:
+        _print_wrapped(target, f"no value: {document['stiffness_unknown_because']}", indent=2)
     interval = document.get("stiffness_interval")
     if interval is None:
         return
@@ -101,10 +103,13 @@ def _show_stiffness(target: Console, document: Document) -> None:
             meaning, _number(interval[name]["low_Nm_per_rad"]), _number(interval[name]["high_Nm_per_rad"])
         )
     target.print(spread)
-    if interval["outside"] or interval["unsolved"]:
-        target.print(
-            f"of {_count(interval['draws'], 'draw')} of D and G, {interval['outside']} had a D outside 1 to 2 and "
-            f"{interval['unsolved']} had no solution; these are left out"
+    if interval["outside"] or interval["unsolved"] or interval["all_plastic"]:
+        _print_wrapped(
+            target,
+            f"of {_count(interval['draws'], 'draw')} of D and G, {interval['outside']} had a D outside 1 to 2, "
+            f"{interval['unsolved']} had no solution and {interval['all_plastic']} had plastic spots only, where the "
+            "contact law has no stiffness; these are left out, and from one draw in twenty on there is no interval",
+            indent=2,
         )
 
 

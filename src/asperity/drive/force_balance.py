@@ -220,7 +220,7 @@ def force_balance(*, mechanism: Mechanism, output_torque: Real) -> DriveForces:
     Notes
     -----
     Newton's method from the preload state, usually two or three steps. The residuals are part of the result; whoever
-    uses the forces must look at them (:func:`asperity.joint.evaluation.solve` does). Derivatives are those of the
+    uses the forces must look at them (:func:`asperity.joint.solve.solve` does). Derivatives are those of the
     equations at their root.
 
     References
