@@ -91,7 +91,7 @@ def solve(joint: Joint) -> Solution:
     refuse_pulled_rollers(numbers, result)
     refuse_wide_contacts(numbers, result)
     capacity = _capacity(numbers, program)
-    if some_contact_slips(slip_ratio=result.diagnostics.gross_slip):
+    if some_contact_slips(slip_ratio=result.diagnostics.slip_ratio):
         _refuse_torque(numbers, result, capacity)
     refuse_unsolved(numbers, result)
     return Solution(result=result, clearances=gaps, capacity=capacity)
@@ -102,7 +102,7 @@ def _capacity(numbers: Joint, program: Callable[..., Any]) -> TorqueCapacity:
 
     def slip_ratios(torque: float) -> np.ndarray:
         result, _ = program(dataclasses.replace(numbers, output_torque=np.float64(torque)))
-        return np.where(result.solved, result.diagnostics.gross_slip, np.nan)
+        return np.where(result.solved, result.diagnostics.slip_ratio, np.nan)
 
     orbit = numbers.geometry.ring_radius - numbers.geometry.loading_roller_radius
     friction = min(float(each) for each in numbers.friction_coefficients)
