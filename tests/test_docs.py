@@ -22,7 +22,9 @@ DOCS = ROOT / "docs"
 FORMULA_ROOMS = (asperity.body, asperity.contact, asperity.drive)
 #: Equations of the paper, and our own: how many of each letter.
 OURS = {"A": 9, "B": 9, "E": 4, "M": 3}
-NUMBERS = {str(n) for n in range(1, 31)} | {f"{x}{n}" for x, count in OURS.items() for n in range(1, count + 1)}
+NUMBERS = {str(n) for n in range(1, 31)} | {
+    f"{x}{n}" for x, count in OURS.items() for n in range(1, count + 1)
+}
 
 
 def _formula_modules():
@@ -134,12 +136,13 @@ def test_nomenclature_names_exist_in_the_code():
     assert flat <= words, sorted(flat - words)
 
 
-def test_page_of_the_commands_is_current():
-    spec = importlib.util.spec_from_file_location("generate_cli", DOCS / "generate_cli.py")
+@pytest.mark.parametrize("name", ["generate_cli", "generate_results"])
+def test_generated_page_is_current(name):
+    spec = importlib.util.spec_from_file_location(name, DOCS / f"{name}.py")
     generator = importlib.util.module_from_spec(spec)
     spec.loader.exec_module(generator)
     current = generator.PAGE.read_text(encoding="utf-8") == generator.page()
-    assert current, "run `python docs/generate_cli.py`"
+    assert current, f"run `python docs/{name}.py`"
 
 
 def test_every_dependency_is_explained():

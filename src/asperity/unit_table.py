@@ -46,6 +46,18 @@ class Dimension(Enum):
     POWER = ("a power", "W", "100 W", (2, 1, -3, 0))
     STIFFNESS = ("a stiffness", "N/m", "4e6 N/mm", (0, 1, -2, 0))
     TORSIONAL_STIFFNESS = ("a torsional stiffness", "N*m/rad", "8.6 N*m/arcmin", (2, 1, -2, -1))
+    TORSIONAL_STIFFNESS_PER_MASS = (
+        "a torsional stiffness per mass",
+        "N*m/rad/kg",
+        "4e4 N*m/rad/kg",
+        (2, 0, -2, -1),
+    )
+    TORSIONAL_STIFFNESS_PER_VOLUME = (
+        "a torsional stiffness per volume",
+        "N*m/rad/m^3",
+        "1e9 N*m/rad/m^3",
+        (-1, 1, -2, -1),
+    )
     STIFFNESS_PER_AREA = ("a stiffness per area", "Pa/m", "2e4 MPa/mm", (-2, 1, -2, 0))
 
     def __init__(self, label: str, si_unit: str, example: str, exponents: Exponents) -> None:

@@ -98,7 +98,7 @@ def test_the_papers_rollers_fit():
 )
 def test_each_overlap_is_named(changes, word):
     """Each case drawn by hand so that the named condition fails."""
-    named = [float(c.gap) for c in clearances(drive(**changes)) if c.name.startswith(word)]
+    named = [float(c.gap) for c in clearances(drive(**changes)) if c.condition.startswith(word)]
     assert len(named) == 1
     assert not named[0] > 0
 
@@ -121,5 +121,5 @@ def test_clearances_are_the_distances_between_the_circles():
         "the planet must not touch": 40e-3 - 17.5e-3 - 13.5e-3,
     }
     for word, gap in expected.items():
-        (clearance,) = (c for c in clearances(PAPER) if c.name.startswith(word))
+        (clearance,) = (c for c in clearances(PAPER) if c.condition.startswith(word))
         assert float(clearance.gap) == pytest.approx(gap, rel=1e-9), word

@@ -80,7 +80,7 @@ def sweep(
     \b
     asperity sweep joint.toml --over "load.output_torque=0 N*m:5 N*m:11" --plot
     asperity sweep joint.toml --over "surface.fractal_roughness=1e-10 mm:1e-8 mm:50:log" \\
-        --over "load.preload=500 N:2000 N:40" --results stiffness,gross_slip --out sweep.nc
+        --over "load.preload=500 N:2000 N:40" --results stiffness,slip_ratio --out sweep.nc
     """  # noqa: D301 (click's mark for lines that are not wrapped is the character itself)
     from asperity.joint_file.reader import read_case
 

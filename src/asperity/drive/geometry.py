@@ -222,19 +222,38 @@ def contact_radii(geometry: DriveGeometry) -> tuple[Real, Real, Real]:
     return driving, driven, sign
 
 
+#: Every free distance that must be positive for the rollers to fit: its name, and the condition in words.
+CLEARANCE_CONDITIONS: dict[str, str] = {
+    "roller_in_ring": "the loading roller must be smaller than the ring",
+    "roller_reach": "the loading roller must reach from the planet to the ring (R_s + 2 R_p + 2 R_w > R_o)",
+    "planet_to_ring": "the planet must not touch the ring (R_s + 2 R_p < R_o)",
+    "planet_to_planet": "neighbouring planets must not overlap",
+    "rollers_of_planet": "the two loading rollers of one planet must not overlap",
+    "rollers_of_neighbours": "loading rollers of neighbouring planets must not overlap",
+    "roller_to_next_planet": "a loading roller must not touch the next planet",
+    "roller_outside_planets": "the loading rollers must lie outside the planet's centre circle, or they cannot press "
+    "it to the sun",
+}
+
+
 class Clearance(eqx.Module):
     """One condition that an arrangement of rollers must meet to exist.
 
     Parameters
     ----------
     name : str
-        What must not happen.
+        Its name in :data:`CLEARANCE_CONDITIONS`.
     gap : Real
         Free distance [m]; the rollers fit where it is positive.
     """
 
     name: str = eqx.field(static=True)
     gap: Real
+
+    @property
+    def condition(self) -> str:
+        """What must hold, in words."""
+        return CLEARANCE_CONDITIONS[self.name]
 
 
 def clearances(geometry: DriveGeometry) -> tuple[Clearance, ...]:
@@ -263,34 +282,14 @@ def clearances(geometry: DriveGeometry) -> tuple[Clearance, ...]:
         + sides.roller_orbit**2
         - 2.0 * orbit * sides.roller_orbit * jnp.cos(2.0 * half_pitch - polar)
     )
-    return (
-        Clearance("the loading roller must be smaller than the ring", sides.roller_orbit),
-        Clearance(
-            "the loading roller must reach from the planet to the ring (R_s + 2 R_p + 2 R_w > R_o)",
-            orbit + sides.roller_distance - sides.roller_orbit,
-        ),
-        Clearance(
-            "the planet must not touch the ring (R_s + 2 R_p < R_o)",
-            geometry.ring_radius - orbit - geometry.planet_radius,
-        ),
-        Clearance(
-            "neighbouring planets must not overlap",
-            2.0 * (orbit * jnp.sin(half_pitch) - geometry.planet_radius),
-        ),
-        Clearance(
-            "the two loading rollers of one planet must not overlap",
-            2.0 * (sides.roller_orbit * sides.sin_polar - roller),
-        ),
-        Clearance(
-            "loading rollers of neighbouring planets must not overlap",
-            2.0 * (sides.roller_orbit * jnp.sin(half_pitch - polar) - roller),
-        ),
-        Clearance(
-            "a loading roller must not touch the next planet",
-            to_next_planet - geometry.planet_radius - roller,
-        ),
-        Clearance(
-            "the loading rollers must lie outside the planet's centre circle, or they cannot press it to the sun",
-            sides.roller_distance * sides.cos_direction,
-        ),
+    gaps = (
+        sides.roller_orbit,
+        orbit + sides.roller_distance - sides.roller_orbit,
+        geometry.ring_radius - orbit - geometry.planet_radius,
+        2.0 * (orbit * jnp.sin(half_pitch) - geometry.planet_radius),
+        2.0 * (sides.roller_orbit * sides.sin_polar - roller),
+        2.0 * (sides.roller_orbit * jnp.sin(half_pitch - polar) - roller),
+        to_next_planet - geometry.planet_radius - roller,
+        sides.roller_distance * sides.cos_direction,
     )
+    return tuple(Clearance(name, gap) for name, gap in zip(CLEARANCE_CONDITIONS, gaps, strict=True))

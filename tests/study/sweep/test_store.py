@@ -22,19 +22,19 @@ AXES = [parse_axis("load.preload=800 N:1200 N:3"), parse_axis("load.output_torqu
 
 def written(path, plan, index, value):
     shape = tuple(part.stop - part.start for part in plan.block(index))
-    found = {name: np.full(((5,) if name == "gross_slip" else ()) + shape, value) for name in plan.results}
+    found = {name: np.full(((5,) if name == "slip_ratio" else ()) + shape, value) for name in plan.results}
     write_block(path, plan, index, np.zeros(shape, dtype=np.int8), found)
 
 
 def test_blocks_are_found_where_they_were_written(case, tmp_path):
-    plan = make_plan(case, AXES, ("published_stiffness_output", "gross_slip"), block_points=4)
+    plan = make_plan(case, AXES, ("published_stiffness_output", "slip_ratio"), block_points=4)
     assert prepare_store(tmp_path / "s.zarr", plan) == [0, 1, 2]
     written(tmp_path / "s.zarr", plan, 1, 7.0)
     assert unfinished_blocks(tmp_path / "s.zarr") == prepare_store(tmp_path / "s.zarr", plan) == [0, 2]
     found = open_store(tmp_path / "s.zarr")
     assert list(found.data_vars) == ["status", *plan.results]
     np.testing.assert_array_equal(found["published_stiffness_output"][1], 7.0)
-    np.testing.assert_array_equal(found["gross_slip"][:, 1], 7.0)
+    np.testing.assert_array_equal(found["slip_ratio"][:, 1], 7.0)
     assert np.isnan(found["published_stiffness_output"][::2]).all()
     np.testing.assert_array_equal(found["status"], [[-1] * 4, [0] * 4, [-1] * 4])
     np.testing.assert_allclose(found["load.preload"], [800.0, 1000.0, 1200.0])
@@ -42,7 +42,7 @@ def test_blocks_are_found_where_they_were_written(case, tmp_path):
 
 def test_a_store_made_anew_in_the_same_place_is_not_the_old_one(case, tmp_path):
     path = tmp_path / "s.zarr"
-    for results, value in ((("published_stiffness_output",), 1.0), (("gross_slip",), 2.0)):
+    for results, value in ((("published_stiffness_output",), 1.0), (("slip_ratio",), 2.0)):
         plan = make_plan(case, AXES, results)
         prepare_store(path, plan)
         written(path, plan, 0, value)
@@ -52,7 +52,7 @@ def test_a_store_made_anew_in_the_same_place_is_not_the_old_one(case, tmp_path):
 
 
 def test_what_is_no_store_or_another_sweeps_is_left_alone(case, tmp_path):
-    plan = make_plan(case, AXES, ("gross_slip",))
+    plan = make_plan(case, AXES, ("slip_ratio",))
     (tmp_path / "mine").mkdir()
     for refused in (lambda: prepare_store(tmp_path / "mine", plan), lambda: remove_store(tmp_path / "mine")):
         with pytest.raises(InputError, match=r"is not (the store of a sweep|a sweep's store)"):
@@ -68,7 +68,7 @@ def test_what_is_no_store_or_another_sweeps_is_left_alone(case, tmp_path):
 @pytest.fixture
 def filled(case, tmp_path):
     """A store of three finished blocks, the second of them without any result."""
-    plan = make_plan(case, AXES, ("published_stiffness_output", "gross_slip"), block_points=4)
+    plan = make_plan(case, AXES, ("published_stiffness_output", "slip_ratio"), block_points=4)
     prepare_store(tmp_path / "s.zarr", plan)
     for index, value in enumerate((7.0, np.nan, 9.0)):
         written(tmp_path / "s.zarr", plan, index, value)
@@ -78,14 +78,14 @@ def filled(case, tmp_path):
 def test_an_intact_store_has_no_damage_even_where_there_is_no_result(filled):
     path, plan = filled
     assert damaged_blocks(path, plan) == []
-    assert np.isnan(open_store(path)["gross_slip"][:, 1]).all()
+    assert np.isnan(open_store(path)["slip_ratio"][:, 1]).all()
 
 
 def chunk(path, name, block):
-    return path / name / "c" / ("0" if name == "gross_slip" else ".") / str(block) / "0"
+    return path / name / "c" / ("0" if name == "slip_ratio" else ".") / str(block) / "0"
 
 
-@pytest.mark.parametrize("name", ["status", "published_stiffness_output", "gross_slip"])
+@pytest.mark.parametrize("name", ["status", "published_stiffness_output", "slip_ratio"])
 @pytest.mark.parametrize("block", [0, 1, 2])
 @pytest.mark.parametrize(
     "accident", ["deleted", "emptied", "shortened", "first bit", "last bit", "swept over"]
@@ -157,7 +157,7 @@ def test_damaged_marks_and_coordinates(filled):
 def test_a_damaged_description_is_said(filled, content):
     path, plan = filled
     for name, reason in (
-        ("gross_slip", "the description of the array 'gross_slip' is damaged; --overwrite the store"),
+        ("slip_ratio", "the description of the array 'slip_ratio' is damaged; --overwrite the store"),
         (".", "is not the store of a sweep"),
     ):
         file = path / name / "zarr.json"
@@ -174,7 +174,7 @@ def test_a_damaged_description_is_said(filled, content):
 def test_two_first_runs_into_one_store(case, tmp_path, monkeypatch):
     from asperity.study.sweep import store
 
-    plan = make_plan(case, AXES, ("gross_slip",))
+    plan = make_plan(case, AXES, ("slip_ratio",))
     build = store._build
 
     def overtaken(folder, plan):
@@ -192,7 +192,7 @@ def test_two_first_runs_into_one_store(case, tmp_path, monkeypatch):
 
 
 def test_a_store_of_an_older_format_is_refused(case, tmp_path, monkeypatch):
-    plan = make_plan(case, AXES, ("gross_slip",))
+    plan = make_plan(case, AXES, ("slip_ratio",))
     monkeypatch.setattr("asperity.study.sweep.store._FORMAT", 1)
     prepare_store(tmp_path / "s.zarr", plan)
     monkeypatch.undo()

@@ -16,8 +16,8 @@ from typing import Any
 
 from asperity.errors import InputError
 from asperity.precision import use_double_precision
+from asperity.study.batch import QUICK_POINTS
 from asperity.study.datasets import require
-from asperity.study.points import QUICK_POINTS
 from asperity.study.sweep.store import unfinished_blocks, write_block
 from asperity.study.sweep.sweep_plan import Plan, block_results
 

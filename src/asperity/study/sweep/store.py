@@ -22,14 +22,15 @@ import numpy as np
 
 from asperity import __version__
 from asperity.errors import InputError
-from asperity.joint.results import RESULTS
+from asperity.joint.results import RESULTS, ROW_NAMES
 from asperity.joint.status import flag_attributes
 from asperity.study.datasets import (
     common_attributes,
-    contact_coordinate,
     coordinate,
     require,
     result_attributes,
+    row_coordinates,
+    row_dimensions,
 )
 from asperity.study.parameters import Axis
 from asperity.study.sweep.sweep_plan import Plan
@@ -116,7 +117,7 @@ def write_block(
     try:
         arrays["status"][region] = status
         for name, value in found.items():
-            arrays[name][(slice(None), *region) if RESULTS[name].per_contact else region] = value
+            arrays[name][(*(slice(None),) * len(RESULTS[name].row_shape), *region)] = value
         arrays[_MARKS][index] = 1
     except OSError as error:
         raise cannot_write(path, error) from None
@@ -392,23 +393,24 @@ def _build(folder: Path, plan: Plan) -> None:
         made[...] = values
         made.attrs.update(attrs)
 
-    def add_empty(name: str, contact: bool, dtype: str, fill: float, attrs: dict[str, Any]) -> None:
+    def add_empty(name: str, rows: tuple[str, ...], dtype: str, fill: float, attrs: dict[str, Any]) -> None:
+        row_shape = tuple(len(ROW_NAMES[row]) for row in rows)
         made = group.create_array(
             name,
-            shape=((5,) if contact else ()) + plan.shape,
-            chunks=((5,) if contact else ()) + plan.block_shape,
+            shape=row_shape + plan.shape,
+            chunks=row_shape + plan.block_shape,
             dtype=dtype,
             fill_value=fill,
-            dimension_names=(("contact",) if contact else ()) + dims,
+            dimension_names=rows + dims,
             compressors=(zarr.codecs.BloscCodec(cname="lz4", clevel=1, shuffle="shuffle"), checksum),
         )
         made.attrs.update(attrs)
 
     for name, dimensions, values, attributes in _coordinates(plan):
         add(name, dimensions, values, attributes)
-    add_empty("status", False, "int8", -1, flag_attributes())
+    add_empty("status", (), "int8", -1, flag_attributes())
     for name in plan.results:
-        add_empty(name, RESULTS[name].per_contact, "float64", np.nan, result_attributes(name))
+        add_empty(name, row_dimensions(name), "float64", np.nan, result_attributes(name))
     count = plan.block_count
     group.create_array(_MARKS, shape=(count,), chunks=(1,), dtype="uint8", fill_value=0, compressors=None)
     group.attrs.update({**common_attributes("sweep of a joint"), _PLAN: json.dumps(_identity(plan))})
@@ -418,6 +420,5 @@ def _coordinates(plan: Plan) -> Iterator[tuple[str, tuple[str, ...], np.ndarray,
     """Name, dimensions, values and attributes of the coordinates."""
     for axis in plan.axes:
         yield axis.path, *coordinate(axis)
-    if any(RESULTS[name].per_contact for name in plan.results):
-        dimensions, names, attrs = contact_coordinate()
-        yield "contact", dimensions, names.astype(np.dtypes.StringDType()), attrs
+    for row, (dimensions, names, attrs) in row_coordinates(plan.results).items():
+        yield row, dimensions, names.astype(np.dtypes.StringDType()), attrs

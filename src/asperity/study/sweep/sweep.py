@@ -13,9 +13,9 @@ import numpy as np
 from asperity.errors import InputError
 from asperity.joint_file.model import Case
 from asperity.precision import require_double_precision
+from asperity.study.batch import QUICK_POINTS
 from asperity.study.datasets import common_attributes, coordinate, dataset
 from asperity.study.parameters import Axis
-from asperity.study.points import QUICK_POINTS
 from asperity.study.sweep.cluster import run_on_cluster
 from asperity.study.sweep.store import (
     open_store,
@@ -63,8 +63,8 @@ def sweep(
     axes : sequence of Axis
         What is varied, a dimension for each; :func:`asperity.study.parameters.parse_axis` reads them from text.
     results : sequence of str
-        Results or groups of them, e.g. ``("stiffness", "gross_slip")``; ``("all",)`` for every one. Only
-        these are computed.
+        Results or groups of them, e.g. ``("stiffness", "slip_ratio")``; ``("all",)`` for every one. What is not
+        asked for is not computed.
     store : str or Path, optional
         A Zarr store to stream to. An interrupted sweep with the same store continues where it stopped; what is already
         in it is verified, and computed again if it is damaged.

@@ -13,8 +13,8 @@ import numpy as np
 from asperity.joint.results import RESULTS, chosen_results
 from asperity.joint_file.model import Case
 from asperity.joint_file.si_tables import Values, si_values
+from asperity.study.batch import evaluate_points
 from asperity.study.parameters import Axis, check_axes
-from asperity.study.points import evaluate_points
 
 #: Points of one block; a block is computed, written and, after an interruption, repeated as a whole.
 BLOCK_POINTS = 250_000
@@ -98,7 +98,7 @@ class Plan:
     @property
     def bytes(self) -> int:
         """Size of all results in memory, and about their size on disk."""
-        return self.points * (1 + 8 * sum(5 if RESULTS[name].per_contact else 1 for name in self.results))
+        return self.points * (1 + 8 * sum(len(RESULTS[name].row_names) for name in self.results))
 
     def as_dict(self) -> dict[str, Any]:
         """Everything that the results depend on, as plain data."""
@@ -142,7 +142,7 @@ def make_plan(
     """
     check_axes(case, axes)
     names = chosen_results(results)
-    numbers = sum(5 if RESULTS[name].per_contact else 1 for name in names)
+    numbers = sum(len(RESULTS[name].row_names) for name in names)
     most = block_points or max(min(BLOCK_POINTS, _BLOCK_NUMBERS // numbers), 1)
     return Plan(si_values(case), tuple(axes), names, block_shape(tuple(axis.count for axis in axes), most))
 
@@ -191,7 +191,7 @@ def block_results(
     block : tuple of slice
         Where the block lies.
     **options
-        For :func:`asperity.study.points.evaluate_points`.
+        For :func:`asperity.study.batch.evaluate_points`.
 
     Returns
     -------
