@@ -60,7 +60,8 @@ def test_what_json_cannot_say_is_null(text, solution):
 
 
 def test_what_the_file_leaves_out_is_told(text):
-    assert len(assumptions(parse_case(text, source="x"))) == 5
+    # five of the joint that stands, six of the joint that turns
+    assert len(assumptions(parse_case(text, source="x"))) == 11
     partly = parse_case(text + '[compliance]\npin_stiffness = "100 N/um"\n', source="x")
     assert any("input_shaft_stiffness" in sentence for sentence in assumptions(partly))
     assert any("a rigid housing holds the ring" in sentence for sentence in assumptions(partly))
@@ -96,3 +97,22 @@ def test_the_capacity_in_numbers_and_words(text, solution, limit, contact, numbe
     shown = dataclasses.replace(solution, capacity=capacity)
     told = document_of(text, shown)["torque_capacity"]
     assert told == {"output_torque_Nm": number, "limiting_contact": contact, "meaning": said}
+
+
+def test_rolling_is_in_the_document(paper_joint):
+    from asperity.joint.rolling_document import rolling_document
+    from asperity.joint.solve import solve
+
+    joint = paper_joint()
+    found = joint_document(joint=joint, solution=solve(joint), inputs={}, assumptions=())
+    rolling = found["rolling"]
+    assert found["drift_rad_per_output_turn"] == rolling["drift_rad_per_output_turn"] > 0.0103
+    assert found["contacts"]["sp"]["creepage"] == rolling["contacts"]["sp"]["creepage"]
+    assert found["contacts"]["sp"]["life_hours"] > found["life_hours"] > 0.0
+    causes = ("creep", "skew", "bearings")
+    assert found["losses_W"]["total"] == pytest.approx(sum(found["losses_W"][cause] for cause in causes))
+    assert found["losses_W"]["oil"] is None
+    assert rolling["unknown_because"] == []
+    standing = paper_joint(sun_speed=0.0)
+    still = rolling_document(standing, solve(standing).result)
+    assert ["the sun stands" in reason for reason in still["unknown_because"]] == [True]

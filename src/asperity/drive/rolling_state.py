@@ -30,7 +30,7 @@ from asperity.types import Real
 ROLLING_TOLERANCE = 1e-9
 
 _NEWTON_STEPS = 8
-_STEP_TOLERANCE = 1e-8  # relative; the step after it is its square
+_STEP_TOLERANCE = 1e-6  # relative; the step after it is its square
 _NEAR_SLIP = 0.999  # beyond this share of friction Carter's curve goes on as a line, which only iterates see
 
 

@@ -223,7 +223,14 @@ def contact_creep(
         skew_factor = jnp.where(skewed.solved, skewed.longitudinal_creepage / alone, jnp.nan)
     scale = jnp.broadcast_to(smooth / jnp.sqrt(normal) * layer * skew_factor, forces.normal.shape)
     return ContactCreep(
-        CreepLaw(friction, scale), chi, layer, skew_factor, ratio, skew, joint.rolling.skew is None
+        # without the barrier XLA evaluates the layer's polynomial anew for every use of the law
+        CreepLaw(friction, jax.lax.optimization_barrier(scale)),
+        chi,
+        layer,
+        skew_factor,
+        ratio,
+        skew,
+        joint.rolling.skew is None,
     )
 
 
@@ -260,6 +267,8 @@ def rolling_result(
     Equations (B1)–(B9) of :doc:`/equations`.
     """
     pairs, geometry = contacts.pairs, mechanism.geometry
+    # computed once: XLA would repeat the balance and the contact law for their uses here
+    forces, asperity_normal_stiffness = jax.lax.optimization_barrier((forces, asperity_normal_stiffness))
     creep = contact_creep(
         joint=joint, contacts=contacts, forces=forces, asperity_normal_stiffness=asperity_normal_stiffness
     )
@@ -309,7 +318,7 @@ def rolling_result(
         layer_ratio=creep.layer_ratio,
         layer_creepage_factor=creep.layer_factor,
         skew_creepage_factor=creep.skew_factor,
-        capacity_loss=lateral[1],
+        capacity_loss=jnp.asarray(lateral[1]),
         axial_force=axial,
         axial_thrust=_thrust(axial, geometry.planet_count),
         speed_loss=state.speed_loss,
