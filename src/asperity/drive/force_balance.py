@@ -189,6 +189,10 @@ def loaded_branch(*, mechanism: Mechanism, output_torque: Real) -> Branch:
     -------
     Branch
         Triangle, state at rest and centrifugal forces.
+
+    References
+    ----------
+    Zou et al. 2025, the terms of equations (2)–(5) that do not depend on the contact forces.
     """
     sides = mechanism.sides
     speed_squared = mechanism.carrier_speed**2
