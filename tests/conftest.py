@@ -44,7 +44,7 @@ def paper_joint():
     Names of changes are those of the formulas' arguments; numbers may be arrays of one shape.
     """
     from asperity.contact.fractal import Surface
-    from asperity.drive.assembly import RIGID_SUPPORTS
+    from asperity.drive.assembly import IDEAL_STRUCTURE
     from asperity.drive.geometry import DriveGeometry
     from asperity.drive.mechanism import Bearings
     from asperity.joint.evaluation import Bodies, Joint
@@ -76,7 +76,7 @@ def paper_joint():
         "preload": 1000.0,
         "output_torque": 5.0,
         "sun_speed": 6000 * np.pi / 30,
-        "supports": RIGID_SUPPORTS,
+        "structure": IDEAL_STRUCTURE,
         "closure": "elastic",
         "closure_springs": "bulk",
         "contact_factor_model": "printed",
@@ -122,7 +122,7 @@ def paper_joint():
             preload=x["preload"],
             output_torque=x["output_torque"],
             sun_speed=x["sun_speed"],
-            supports=x["supports"],
+            structure=x["structure"],
             closure=x["closure"],
             closure_springs=x["closure_springs"],
             contact_factor_model=x["contact_factor_model"],

@@ -9,19 +9,28 @@ import pytest
 
 from asperity.drive.capacity import capacity_by_search, slip_ratio, torque_capacity
 from asperity.drive.force_balance import force_balance
-from asperity.drive.geometry import CONTACT_NAMES, DriveGeometry
-from asperity.drive.mechanism import Bearings, Mechanism, NormalSprings
+from asperity.drive.geometry import CONTACT_NAMES, DriveGeometry, triangle
+from asperity.drive.mechanism import Bearings, Mechanism, NormalSprings, rest_state
 
 PAPER = DriveGeometry(4e-3, 13.5e-3, 5e-3, 40e-3, 3.0, 0.0, 0.0)
+SIDES = triangle(PAPER)
+
+
+def at_rest(preload):
+    return {
+        "geometry": PAPER,
+        "sides": SIDES,
+        "rest": rest_state(geometry=PAPER, sides=SIDES, preload=preload),
+        "preload": preload,
+    }
 
 
 def drive(preload=1000.0, closure="elastic", roller_torque=0.0, sun_torque=0.0):
     compliance = jnp.full(5, 7e-9)
     return Mechanism(
-        geometry=PAPER,
+        **at_rest(preload),
         bearings=Bearings(sun_torque, roller_torque, 0.0, 0.0, 0.0),
         springs=NormalSprings(compliance, 0.9 * compliance),
-        preload=preload,
         carrier_speed=0.0,
         planet_mass=0.02,
         loading_roller_mass=0.003,
@@ -76,8 +85,8 @@ def test_capacity_is_proportional_to_the_preload_of_a_linear_drive():
     """Linear springs and no speed: all forces scale with the load."""
     compliance = jnp.full(5, 7e-9)
     linear = lambda n: Mechanism(  # noqa: E731
-        geometry=PAPER, bearings=Bearings(0.0, 0.0, 0.0, 0.0, 0.0), springs=NormalSprings(compliance, compliance),
-        preload=n, carrier_speed=0.0, planet_mass=0.0, loading_roller_mass=0.0, closure="elastic",
+        **at_rest(n), bearings=Bearings(0.0, 0.0, 0.0, 0.0, 0.0), springs=NormalSprings(compliance, compliance),
+        carrier_speed=0.0, planet_mass=0.0, loading_roller_mass=0.0, closure="elastic",
     )  # fmt: skip
     friction = jnp.array([0.12])
     one, two = (float(capacity(linear(n), friction).output_torque) for n in (500.0, 1000.0))

@@ -82,19 +82,19 @@ def test_missing_key_and_wrong_files(tmp_path):
     with pytest.raises(InputError, match="fractal_roughness_m"):
         measurement_from_document(document=document)
     (tmp_path / "x.json").write_text("no json")
-    with pytest.raises(InputError, match="not JSON"):
+    with pytest.raises(InputError, match=r"not valid JSON.*; write it with"):
         read_measurement(path=tmp_path / "x.json")
-    with pytest.raises(InputError, match="no file"):
+    with pytest.raises(InputError, match=r"there is no such file|directory|cannot be read"):
         read_measurement(path=tmp_path / "none.json")
 
 
 def test_nested_and_large_documents_get_one_message(tmp_path):
     file = tmp_path / "deep.json"
     file.write_text("[" * 100_000 + "]" * 100_000)
-    with pytest.raises(InputError, match=r"not JSON|not a surface measurement"):
+    with pytest.raises(InputError, match="nested too deeply"):
         read_measurement(path=file)
     file.write_text(json.dumps({"schema": "a" * 2_000_000}))
-    with pytest.raises(InputError, match="MiB"):
+    with pytest.raises(InputError, match="at most 1000000 bytes"):
         read_measurement(path=file)
     deep = 1.5
     for _ in range(2000):

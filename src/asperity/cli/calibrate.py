@@ -92,7 +92,7 @@ def calibrate(
         with progress_bar("steps of the posterior") as report:
             drawn = posterior(found, draws=draws, seed=seed, progress=report)
     if out is not None:  # files first: whoever reads the tables may close the pipe
-        from asperity.study.design.joint_text import joint_file_text
+        from asperity.joint_file.edited_text import joint_file_text
 
         paths = set(found.model.paths)
         changes = {each.path: each.value for each in found.estimates if each.path in paths}

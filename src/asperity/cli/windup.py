@@ -70,16 +70,16 @@ def windup(
     asked = None if torque is None else parse_quantity(torque, Dimension.TORQUE)
     use_double_precision()
     use_compilation_cache()
-    from asperity.joint.examination import examine
+    from asperity.joint.solve import solve
     from asperity.joint.windup import windup as wind_up
     from asperity.joint_file.build import joint_from_case
 
     joint = joint_from_case(case)
     largest = float(joint.output_torque) if asked is None else asked
     joint = dataclasses.replace(joint, output_torque=largest)
-    examination = examine(joint)  # refuses rollers that do not fit and a torque beyond the capacity
+    solution = solve(joint)  # refuses rollers that do not fit and a torque beyond the capacity
     curve = wind_up(joint, largest_torque=largest, level=level, stage_shares=stages)  # type: ignore[arg-type]
-    document = _document(curve, examination.capacity, level)
+    document = _document(curve, solution.capacity, level)
     if csv_file:
         _write_csv(curve, csv_file)
         say_written(csv_file)

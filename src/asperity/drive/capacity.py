@@ -12,7 +12,6 @@ import numpy as np
 from jax import Array
 
 from asperity.drive.force_balance import force_balance
-from asperity.drive.geometry import triangle
 from asperity.drive.mechanism import Mechanism
 from asperity.types import Real
 
@@ -104,7 +103,7 @@ def torque_capacity(*, mechanism: Mechanism, friction_coefficient: Real) -> Torq
     def excess(torque: Array) -> Array:
         return jnp.max(ratios(torque), axis=0) - 1.0
 
-    sides = triangle(mechanism.geometry)
+    sides = mechanism.sides
     unit = jnp.min(jnp.asarray(friction_coefficient), axis=0) * mechanism.preload * sides.roller_orbit
     unit = unit * mechanism.geometry.planet_count
     start = jnp.broadcast_to(unit, jnp.shape(mechanism.preload + 0.0 * unit + sides.roller_orbit))

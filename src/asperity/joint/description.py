@@ -10,10 +10,10 @@ import jax.numpy as jnp
 
 from asperity.contact.fractal import Surface
 from asperity.contact.population import ContactFactorModel
-from asperity.drive.assembly import Supports
+from asperity.drive.assembly import StructureSprings
 from asperity.drive.geometry import DriveGeometry
 from asperity.drive.mechanism import Bearings, Closure
-from asperity.materials import ContactPair, Material, pair
+from asperity.materials import Material
 from asperity.types import Real
 
 ClosureSprings = Literal["bulk", "bulk_and_asperities"]
@@ -65,8 +65,8 @@ class Joint(eqx.Module):
         Torque at the carrier [N·m], >= 0.
     sun_speed : Real
         Angular velocity of the sun [rad/s].
-    supports : Supports
-        Springs of pins, shafts, planet supports and ring; :data:`asperity.drive.assembly.RIGID_SUPPORTS` for none.
+    structure : StructureSprings
+        Springs of pins, shafts, planet supports and ring; :data:`asperity.drive.assembly.IDEAL_STRUCTURE` for none.
     closure : {"elastic", "constant_pin_force"}
         Closure of the force balance, :func:`asperity.drive.force_balance.force_balance`.
     closure_springs : {"bulk", "bulk_and_asperities"}
@@ -88,7 +88,7 @@ class Joint(eqx.Module):
     preload: Real
     output_torque: Real
     sun_speed: Real
-    supports: Supports
+    structure: StructureSprings
     closure: Closure = eqx.field(static=True)
     closure_springs: ClosureSprings = eqx.field(static=True)
     contact_factor_model: ContactFactorModel = eqx.field(static=True)
@@ -107,41 +107,6 @@ def per_contact(values: tuple[Any, ...]) -> Any:
     The same kind of thing with leaves of shape (1, ...) or (5, ...).
     """
     return jax.tree.map(lambda *leaves: jnp.stack(jnp.broadcast_arrays(*map(jnp.asarray, leaves))), *values)
-
-
-def contact_bodies(bodies: Bodies) -> tuple[Material, Material]:
-    """The driving and the driven body of the five contacts.
-
-    Parameters
-    ----------
-    bodies : Bodies
-        Materials.
-
-    Returns
-    -------
-    driving, driven : Material
-        Leaves of shape (5, ...).
-    """
-    sun, planet, roller, ring = bodies.sun, bodies.planet, bodies.loading_roller, bodies.ring
-    return per_contact((sun, planet, planet, roller, roller)), per_contact(
-        (planet, roller, roller, ring, ring)
-    )
-
-
-def contact_pairs(bodies: Bodies) -> ContactPair:
-    """Moduli and limits of the five contacts.
-
-    Parameters
-    ----------
-    bodies : Bodies
-        Materials.
-
-    Returns
-    -------
-    ContactPair
-        Leaves of shape (5, ...).
-    """
-    return pair(*contact_bodies(bodies))
 
 
 def with_one_rank(joint: Joint) -> Joint:

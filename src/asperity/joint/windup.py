@@ -215,7 +215,7 @@ def windup(
                 f"the force balance does not close everywhere up to {float(largest_torque):g} N·m; "
                 "check radii and preload"
             )
-        slips = np.any(np.asarray(result.diagnostics.gross_slip) >= 1.0, axis=0)
+        slips = np.any(np.asarray(result.diagnostics.slip_ratio) >= 1.0, axis=0)
         if np.any(slips):
             raise InputError(
                 f"largest torque {float(largest_torque):g} N·m is past the capacity: a contact slips at "

@@ -5,6 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 from asperity.errors import InputError
+from asperity.reading import check_regular
 from asperity.units import Dimension, parse_quantity
 
 #: Bytes of a mebibyte.
@@ -19,21 +20,9 @@ def checked_file(*, path: str | Path, largest: int) -> Path:
     Raises
     ------
     InputError
-        If there is no such file, it is a folder, a pipe or a device, it is empty or too large.
+        As :func:`asperity.reading.check_regular`, or if the file is empty or too large.
     """
-    file = Path(path)
-    try:
-        if file.is_dir():
-            raise InputError(f"{path} is a folder; give the name of a file")
-        if not file.exists():
-            raise InputError(f"there is no file {path}")
-        if not file.is_file():
-            raise InputError(f"{path} is a pipe or a device; give the name of a regular file")
-        size = file.stat().st_size
-    except (OSError, ValueError) as error:
-        if isinstance(error, InputError):
-            raise
-        raise InputError(f"{path} cannot be read: {getattr(error, 'strerror', None) or error}") from None
+    size = check_regular(path)
     if size == 0:
         raise InputError(f"{path} is empty")
     if size > largest:
@@ -41,7 +30,7 @@ def checked_file(*, path: str | Path, largest: int) -> Path:
             f"{path} has {size / MEBIBYTE:.4g} MiB; the largest file of this kind that is read has "
             f"{largest / MEBIBYTE:.4g} MiB"
         )
-    return file
+    return Path(path)
 
 
 def file_bytes(*, path: str | Path, largest: int, first: int = -1) -> bytes:
@@ -57,7 +46,7 @@ def file_bytes(*, path: str | Path, largest: int, first: int = -1) -> bytes:
         with file.open("rb") as stream:
             return stream.read(first)
     except OSError as error:
-        raise InputError(f"{path} cannot be read: {error.strerror or error}") from None
+        raise InputError(f"{path}: cannot be read: {error.strerror or error}") from None
 
 
 def metres_per_unit(unit: str) -> float:

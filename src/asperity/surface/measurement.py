@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import math
 import sys
 from pathlib import Path
@@ -16,15 +15,13 @@ from numpy.typing import NDArray
 from scipy.stats import norm
 
 from asperity.errors import InputError
+from asperity.reading import read_json
 from asperity.surface.conventions import validated_fractal
 from asperity.surface.fractal_fit import FractalFit
-from asperity.surface.input_file import MEBIBYTE, file_bytes
 
 #: Name and version of the document; a reader refuses others.
 SCHEMA = "asperity-surface-measurement"
 SCHEMA_VERSION = 1
-#: A document is a page; anything larger is some other file [bytes].
-LARGEST_DOCUMENT = MEBIBYTE
 #: Confidence of the intervals in the document.
 CONFIDENCE = 0.95
 
@@ -207,11 +204,11 @@ def read_measurement(*, path: str | Path) -> SurfaceMeasurement:
     InputError
         If the file cannot be read or is not such a document.
     """
-    content = file_bytes(path=path, largest=LARGEST_DOCUMENT)
     try:
-        document = json.loads(content)
-    except (ValueError, RecursionError):
-        raise InputError(
-            f"{path} is not JSON; write it with 'asperity surface measure FILE --json'"
-        ) from None
-    return measurement_from_document(document=document)
+        document = read_json(path)
+    except InputError as error:
+        raise InputError(f"{error}; write it with 'asperity surface measure FILE --json'") from None
+    try:
+        return measurement_from_document(document=document)
+    except InputError as error:
+        raise InputError(f"{path}: {error}") from None

@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from asperity.errors import InputError, MissingExtraError
+from asperity.extras import install_command
 from asperity.surface.input_file import metres_per_unit
 from asperity.surface.read_x3p import is_x3p, x3p_container
 from asperity.surface.topography import Topography
@@ -116,7 +117,7 @@ def _opened(path: Path, source: str | io.BytesIO, name: str) -> tuple[Any, Any, 
     except ImportError:
         raise MissingExtraError(
             f"{path.name} ({name}) is neither a table of numbers nor .npy, so it needs a package of "
-            "instrument readers that is not installed; type: pip install 'asperity[surface]'"
+            f"instrument readers that is not installed; run: {install_command('surface')}"
         ) from None
     logging.getLogger("SurfaceTopography").setLevel(logging.ERROR)
     with warnings.catch_warnings(), np.errstate(all="ignore"):

@@ -143,7 +143,7 @@ def pair_curves() -> dict[str, PairCurve]:
         for key, column in columns.items():
             column.append(values if key == name else np.full(values.size, fixed[key]))
     varied = {key: jnp.asarray(np.concatenate(column)) for key, column in columns.items()}
-    contact = eqx.filter_jit(pair_contact)(preset.table_1_pair(**varied))
+    contact = eqx.filter_jit(pair_contact)(**varied)
     stiffness = np.asarray(contact.tangential_stiffness)
     ends = np.cumsum([values.size for _, values, _ in axes.values()])[:-1]
     return {

@@ -7,14 +7,15 @@ from typing import Any
 
 import numpy as np
 
+from asperity.joint.results import name_at_level
 from asperity.joint.windup import StiffnessLevel
 from asperity.joint_file.model import Case
-from asperity.joint_file.values import numeric_keys, si_values
+from asperity.joint_file.si_tables import numeric_keys, si_values
+from asperity.study.batch import derivatives_at
 from asperity.study.calibration.measurement import Measurement
 from asperity.study.calibration.torque_history import History, curve_operator
 from asperity.study.calibration.unknowns import CURVE_UNKNOWNS
 from asperity.study.design.design_problem import Variable
-from asperity.study.quantities import quantities_and_slopes, quantities_at
 
 #: Below this share of its median a stiffness is held, so that a search that strays past the torque capacity finds
 #: back. A curve that ends there is refused.
@@ -87,10 +88,10 @@ class CurveModel:
         """Stiffness at the model's torques, its slopes by the joint's unknowns, largest slip ratio [SI]."""
         point = self.point(places)
         changes = {path: np.full(self.torque.size, point[path]) for path in self.paths}
-        found, slopes = quantities_and_slopes(
-            self.values, {**changes, "load.output_torque": self.torque}, self.paths
+        name = name_at_level("stiffness", self.level)
+        _, found, slopes = derivatives_at(
+            self.values, {**changes, "load.output_torque": self.torque}, (name, "slip_ratio"), self.paths
         )
-        name = f"stiffness.{self.level}"
         return found[name][0], slopes[name][0], found["slip_ratio"].max(axis=0)
 
     def held(self, stiffness: np.ndarray) -> np.ndarray:
@@ -171,12 +172,12 @@ class CurveModel:
             )
             for index in self.in_joint
         }
-        quantities = quantities_at(
-            self.values, {**changes, "load.output_torque": np.tile(torque, len(places))}
-        )
+        name = name_at_level("stiffness", self.level)
+        points = {**changes, "load.output_torque": np.tile(torque, len(places))}
+        status, found, _ = derivatives_at(self.values, points, (name, "slip_ratio"))
         shape = (len(places), torque.size)
-        stiffness = quantities[f"stiffness.{self.level}"][0].reshape(shape)
-        holds = np.isfinite(stiffness) & (stiffness > 0.0) & (quantities["solved"][0].reshape(shape) > 0.0)
+        stiffness = found[name][0].reshape(shape)
+        holds = np.isfinite(stiffness) & (stiffness > 0.0) & (status.reshape(shape) == 0)
         exists = np.all(holds, axis=1)[:, None]
         return np.where(exists, 1.0 / np.where(exists, stiffness, 1.0), np.nan)
 
