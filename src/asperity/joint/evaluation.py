@@ -14,7 +14,7 @@ from asperity.contact.interface import Interface
 from asperity.drive.assembly import Assembly, assembly_stiffness
 from asperity.drive.force_balance import BALANCE_TOLERANCE, DriveForces, force_balance
 from asperity.drive.geometry import CONTACT_NAMES, DriveAngles, angles, carrier_speed, speed_ratio
-from asperity.drive.mechanism import Mechanism, rest_state
+from asperity.drive.mechanism import Mechanism, opposed, rest_state
 from asperity.drive.torsional_stiffness import (
     TorsionalStiffness,
     contact_torsional_stiffness,
@@ -23,7 +23,14 @@ from asperity.drive.torsional_stiffness import (
 )
 from asperity.errors import NoSolutionError
 from asperity.joint.contacts import closure_springs, rough_contacts, rough_interfaces
-from asperity.joint.description import Bodies, Joint, contact_pairs, per_contact, with_one_rank
+from asperity.joint.description import (
+    Bodies,
+    Joint,
+    contact_pairs,
+    per_contact,
+    sense_of_rotation,
+    with_one_rank,
+)
 from asperity.joint.diagnostics import Diagnostics, diagnose
 from asperity.precision import require_double_precision
 from asperity.types import Real
@@ -137,7 +144,7 @@ def mechanism(joint: Joint) -> Mechanism:
     rest = rest_state(geometry=geometry, preload=joint.preload)
     return Mechanism(
         geometry=geometry,
-        bearings=joint.bearings,
+        bearings=opposed(bearings=joint.bearings, sense_of_rotation=sense_of_rotation(joint)),
         springs=closure_springs(joint=joint, rest_force=rest.normal_force),
         preload=joint.preload,
         carrier_speed=carrier_speed(geometry=geometry, sun_speed=joint.sun_speed),

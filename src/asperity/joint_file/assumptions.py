@@ -27,6 +27,8 @@ def assumptions(case: Case) -> tuple[str, ...]:
         absent = [name for name, value in case.compliance if value is None]
         if absent:
             told.append(f"[compliance] without {', '.join(absent)}: ideal, as their descriptions say")
+    if case.play is None:
+        told.append("no section [play]: the output has no play")
     for roller in ("planet", "loading_roller"):
         if getattr(case.drive, f"{roller}_length") is None:
             told.append(f"no drive.{roller}_length: as long as the longest contact line on it")

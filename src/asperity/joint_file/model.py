@@ -100,9 +100,9 @@ class Load(Section):
     preload: Annotated[Quantity, limits.PRELOAD]
     """Normal force N_0 between sun and planet at rest."""
     output_torque: Annotated[Quantity, limits.OUTPUT_TORQUE]
-    """Torque at the carrier; the other direction is the mirror image."""
+    """Torque at the carrier; negative in the other direction, where it brakes a drive that turns."""
     sun_speed: Annotated[Quantity, limits.SUN_SPEED]
-    """Speed of the sun; makes the centrifugal forces."""
+    """Speed of the sun; makes the centrifugal forces and decides which way bearing friction acts."""
     friction_coefficient: FrictionCoefficients
     """Friction coefficient mu of the contacts: one for all, or a table with sp, pwr, pwl, wro, wlo."""
 
@@ -137,6 +137,15 @@ class Compliance(Section):
     """Torsional stiffness of the shaft to the sun; rigid if absent."""
     output_shaft_stiffness: Annotated[Quantity, limits.TORSION_SPRING] | None = None
     """Torsional stiffness of the shaft from the carrier; rigid if absent."""
+
+
+class PlayEntry(Section):
+    """Play at the output; a joint file without this section has none."""
+
+    angle: Annotated[Quantity, limits.PLAY_ANGLE]
+    """Angle that the output turns freely on passing zero torque, from one side to the other."""
+    take_up_torque: Annotated[Quantity, limits.TAKE_UP_TORQUE]
+    """Torque T_p over which the play is taken up, angle/2 tanh(T/T_p); 0 for all at once."""
 
 
 class ModelChoice(Section):
@@ -217,6 +226,8 @@ class Case(Section):
     """Friction of the bearings; none if the section is absent."""
     compliance: Compliance | None = None
     """Springs of pins, planet supports, ring and shafts; ideal if the section is absent."""
+    play: PlayEntry | None = None
+    """Play at the output; none if the section is absent."""
     model: ModelChoice
     """Variants of the model."""
     materials: Annotated[dict[MaterialName, MaterialEntry], Field(min_length=1)]

@@ -19,6 +19,7 @@ from asperity.drive.assembly import RIGID_SUPPORTS
 from asperity.drive.geometry import DriveGeometry
 from asperity.drive.mechanism import Bearings
 from asperity.joint.evaluation import Bodies, Joint
+from asperity.joint.play import NO_PLAY
 from asperity.materials import Material, hardness
 from asperity.types import Real
 from asperity.zou2025.roller_pair import RollerPair
@@ -297,6 +298,7 @@ def table_2_joint(point: OperatingPoint) -> Joint:
         output_torque=point.output_torque,
         sun_speed=SUN_SPEED,
         supports=RIGID_SUPPORTS,
+        play=NO_PLAY,
         closure="elastic",
         closure_springs="bulk",
         contact_factor_model="printed",
