@@ -22,7 +22,7 @@ from asperity.study.calibration.unknowns import read_unknowns
 TRUTH = {
     "load.preload=300 N:3000 N": 900.0,
     "load.friction_coefficient=0.09:0.4": 0.14,
-    "play=0 arcmin:1 arcmin": 3e-5,
+    "play.angle=0 arcmin:1 arcmin": 3e-5,
     "offset=-1 arcmin:1 arcmin": 1e-5,
     "drift=-1e-6 rad/s:1e-6 rad/s": 2e-8,
 }

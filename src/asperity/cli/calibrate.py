@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 @click.argument("file", type=click.Path())
 @click.argument("data", type=click.Path())
 @click.option("-u", "--unknown", "unknowns", multiple=True, required=True, metavar="KEY[=LOWER:UPPER]",
-              help="A number of FILE, or play, play_torque, offset, drift; repeat for several.")  # fmt: skip
+              help="A number of FILE, for example play.angle, or offset, drift; repeat for several.")  # fmt: skip
 @click.option("--level", default="assembly", show_default=True,
               type=click.Choice(["published", "series_with_bulk", "assembly"]),
               help="Stiffness that is fitted.")  # fmt: skip
@@ -92,10 +92,12 @@ def calibrate(
         with progress_bar("steps of the posterior") as report:
             drawn = posterior(found, draws=draws, seed=seed, progress=report)
     if out is not None:  # files first: whoever reads the tables may close the pipe
+        from asperity.study.calibration.unknowns import of_joint_file
         from asperity.study.design.joint_text import joint_file_text
 
-        paths = set(found.model.paths)
-        changes = {each.path: each.value for each in found.estimates if each.path in paths}
+        changes = {each.path: each.value for each in found.estimates if of_joint_file(each.path)}
+        if "play.angle" in changes and case.play is None:  # a section [play] has both keys
+            changes.setdefault("play.take_up_torque", 0.0)
         text = joint_file_text(
             case, changes, comment=f"Calibrated by asperity: {file} from {data}, {level} stiffness."
         )

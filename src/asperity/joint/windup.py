@@ -257,6 +257,32 @@ def at_standstill(joint: Joint, output_torque: Array) -> Joint:
     )
 
 
+def is_symmetric(joint: Joint) -> bool:
+    """Whether a joint behaves alike in both directions of torque.
+
+    Parameters
+    ----------
+    joint : Joint
+        One joint.
+
+    Returns
+    -------
+    bool
+        True where the closure treats both sides alike, and the right and the left contacts have the same push angle,
+        length, friction and surface.
+    """
+    if joint.closure == "constant_pin_force":
+        return False
+    if float(joint.geometry.left_push_angle) != float(joint.geometry.right_push_angle):
+        return False
+    for entries in (joint.surfaces, joint.contact_lengths, joint.friction_coefficients):
+        for right, left in ((1, 2), (3, 4)) if len(entries) == len(CONTACT_NAMES) else ():
+            pairs = zip(jax.tree.leaves(entries[right]), jax.tree.leaves(entries[left]), strict=True)
+            if any(float(one) != float(other) for one, other in pairs):
+                return False
+    return True
+
+
 def windup(
     joint: Joint,
     *,

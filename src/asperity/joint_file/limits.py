@@ -21,7 +21,7 @@ OUTPUT_TORQUE = Key(Dimension.TORQUE, -1e9, 1e9, "N*m")
 SUN_SPEED = Key(Dimension.ANGULAR_VELOCITY, 0.0, 1e6, "rpm")
 FRICTION_COEFFICIENT = Key(Dimension.DIMENSIONLESS, 0.0, 10.0, open_lower=True)
 
-PLAY_ANGLE = Key(Dimension.ANGLE, 0.0, 360.0, "deg")
+PLAY_ANGLE = Key(Dimension.ANGLE, 0.0, 21600.0, "arcmin")
 TAKE_UP_TORQUE = Key(Dimension.TORQUE, 0.0, 1e9, "N*m")
 
 BEARING_TORQUE = Key(Dimension.TORQUE, 0.0, 1e6, "N*m")

@@ -52,7 +52,8 @@ def curve(case):
     return data, joint + extras
 
 
-UNKNOWNS = ("load.preload", "load.friction_coefficient", "play=0 arcmin:0.5 arcmin", "drift=-1e-7 rad/s:1e-7 rad/s",
+UNKNOWNS = ("load.preload", "load.friction_coefficient", "play.angle=0 arcmin:0.5 arcmin",
+            "drift=-1e-7 rad/s:1e-7 rad/s",
             "offset=-1 arcmin:1 arcmin")  # fmt: skip
 TRUTH = (900.0, 0.14, PLAY, DRIFT, *OFFSETS)
 
@@ -121,7 +122,7 @@ def test_what_cannot_be_told_apart_is_named(case, curve):
 def test_no_play_says_nothing_about_its_torque(case):
     # the estimate of the play is exactly 0, so that the slope by play_torque is too
     torque = np.array([0.2, 0.6, 1.0, 2.0, 3.0, 2.0, 1.0, 0.5, 0.0, -0.5, -1.0, -2.0, -3.0, -1.0, 0.5, 2.0])
-    texts = ("play=0 arcmin:1 arcmin", "play_torque=0.1 N*m:5 N*m")
+    texts = ("play.angle=0 arcmin:1 arcmin", "play.take_up_torque=0.1 N*m:5 N*m")
     found = fitted(case, blank(torque), np.linspace(1e-5, 2e-5, torque.size), texts)
     assert found.estimates[0].at_bound == "lower"
     assert not found.estimates[1].determined
@@ -130,7 +131,7 @@ def test_no_play_says_nothing_about_its_torque(case):
 
 def test_slopes_of_the_model(case, curve):
     data, _ = curve
-    unknowns = read_unknowns((*UNKNOWNS, "play_torque=0.1 N*m:2 N*m"), case=case, measurement=data)
+    unknowns = read_unknowns((*UNKNOWNS, "play.take_up_torque=0.1 N*m:2 N*m"), case=case, measurement=data)
     model = CurveModel(case=case, measurement=data, unknowns=unknowns, level="assembly", history="cycled")
     places = np.array([0.45, 0.6, 0.3, 0.5, 0.5, 0.4, 0.5])
     _, slopes = model(places)
@@ -168,7 +169,7 @@ def test_stiffness_data(case):
         ("load.output_torque", "is measured here"),
         ("drive.planets", "whole number"),
         ("compliance.pin_stiffness", "state bounds"),
-        ("play_torque", "needs the unknown 'play'"),
+        ("play.take_up_torque", "needs the unknown 'play.angle'"),
     ],
 )
 def test_bad_unknowns(case, curve, text, message):

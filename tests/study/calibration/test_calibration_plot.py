@@ -23,7 +23,7 @@ def fitted(*, angle=None, stiffness=None, time=None, repetition=None):
             measurement=Measurement(TORQUE, angle, stiffness, time, repetition, "synthetic"),
             unknowns=(
                 Variable("load.preload", 500.0, 2000.0, True),
-                Variable("play", 0.0, ARCMINUTE, False),
+                Variable("play.angle", 0.0, ARCMINUTE, False),
             ),
         ),
         prediction=measured - residual,
@@ -100,7 +100,7 @@ def test_draws_of_a_posterior_in_the_units_of_the_unknowns():
     [
         ("offset 2", "arcmin"),
         ("drift", "arcmin/min"),
-        ("play_torque", "N*m"),
+        ("play.take_up_torque", "N*m"),
         ("drive.sun_radius", "mm"),
     ],
 )

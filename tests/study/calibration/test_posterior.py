@@ -99,7 +99,7 @@ def calibrated(zou_file, torque, angle, texts):
 def cut_joint(zou_file):
     """Preload just above its lower bound, with play over a torque that few rows resolve."""
     torque = np.array([0.3, 1.0, 2.0, 4.0, 6.0, 8.0, 9.0, 5.0, 1.0, 0.5, -0.5, -3.0, -7.0, -9.0, -2.0, 0.4])
-    texts = ("load.preload=940 N:3000 N", "play=0 arcmin:1 arcmin", "play_torque=0.1 N*m:5 N*m")
+    texts = ("load.preload=940 N:3000 N", "play.angle=0 arcmin:1 arcmin", "play.take_up_torque=0.1 N*m:5 N*m")
     angle = np.linspace(1e-5, 2e-5, torque.size)
     model: CurveModel = calibrated(zou_file, torque, angle, texts).model
     angle = model(np.array([model.unknowns[0].to_unit(945.0), 0.1, 0.3]))[0]
@@ -117,7 +117,7 @@ def drawn(cut_joint):
 
 
 def assert_cut_as_the_density_says(drawn, index, grid, logarithm):
-    """The note on a bound follows from the exact share of the posterior next to it, where that is far from the limit."""
+    """The note on a bound follows from the exact share of the posterior next to it, if that is far from the limit."""
     values = quantiles(grid, logarithm, np.linspace(0.0005, 0.9995, 1000))
     spread, note = float(np.std(values)), drawn.note(index)
     for side, near in (("lower", values < 0.1 * spread), ("upper", values > 1.0 - 0.1 * spread)):
@@ -179,7 +179,7 @@ def test_figure(cut_joint, drawn):
 def test_document_and_tables(cut_joint, drawn, capsys):
     # 940 N and 0.1 N·m are the lower bounds
     document = json.loads(json.dumps(_document(cut_joint, drawn), allow_nan=False))
-    preload, width = document["posterior"]["load.preload"], document["posterior"]["play_torque"]
+    preload, width = document["posterior"]["load.preload"], document["posterior"]["play.take_up_torque"]
     assert (preload["unit"], width["unit"]) == ("N", "N*m")
     assert 940.0 < preload["quantiles"]["0.025"] < preload["quantiles"]["0.975"] < 1500.0
     assert 0.1 < width["quantiles"]["0.025"] < 0.2

@@ -207,7 +207,7 @@ def unit_of(path: str) -> str:
     from asperity.joint_file.values import key_at
 
     kind = path.partition(" ")[0]
-    shown = {"play": "arcmin", "offset": "arcmin", "drift": "arcmin/min", "play_torque": "N*m"}
+    shown = {"offset": "arcmin", "drift": "arcmin/min"}
     return shown[kind] if kind in CURVE_UNKNOWNS else key_at(path).unit
 
 

@@ -7,12 +7,14 @@ from typing import Any
 
 import numpy as np
 
-from asperity.joint.windup import StiffnessLevel
+from asperity.joint.play import play_compliance
+from asperity.joint.windup import NO_SLIP_FRICTION, StiffnessLevel, is_symmetric
+from asperity.joint_file.build import joint_from_values
 from asperity.joint_file.model import Case
-from asperity.joint_file.values import numeric_keys, si_values
+from asperity.joint_file.values import numeric_keys, replace_values, si_values
 from asperity.study.calibration.measurement import Measurement
 from asperity.study.calibration.torque_history import History, curve_operator
-from asperity.study.calibration.unknowns import CURVE_UNKNOWNS
+from asperity.study.calibration.unknowns import CURVE_UNKNOWNS, added_to_curve
 from asperity.study.design.design_problem import Variable
 from asperity.study.quantities import quantities_and_slopes, quantities_at
 
@@ -52,29 +54,57 @@ class CurveModel:
     ) -> None:
         self.unknowns, self.level, self.measurement = unknowns, level, measurement
         self.values = si_values(case)
-        self.in_joint = [
-            index for index, each in enumerate(unknowns) if _kind(each.path) not in CURVE_UNKNOWNS
-        ]
+        self.in_joint = [index for index, each in enumerate(unknowns) if not added_to_curve(each.path)]
         self.in_curve = [index for index in range(len(unknowns)) if index not in self.in_joint]
         self.paths = tuple(unknowns[index].path for index in self.in_joint)
-        if measurement.angle is not None:
-            operator = curve_operator(measurement.torque, history)
-            self.torque = operator.torque
-            self.weights: np.ndarray | None = operator.weights
-        else:
-            self.torque, self.weights = np.abs(measurement.torque), None
         stated = numeric_keys(case)
         self.first = np.array([self._first(each, stated) for each in unknowns])
+        symmetric = self._symmetric()
+        if measurement.angle is not None:
+            operator = curve_operator(measurement.torque, history, symmetric=symmetric)
+            self.torque, self.slips = operator.torque, operator.slips
+            self.weights: np.ndarray | None = operator.weights
+        else:
+            self.torque = np.abs(measurement.torque) if symmetric else measurement.torque
+            self.slips, self.weights = np.ones(self.torque.size, bool), None
+
+    def _symmetric(self) -> bool:
+        """Whether the joint behaves alike in both directions, whatever its unknowns are."""
+        between = {
+            self.unknowns[index].path: float(
+                self.unknowns[index].from_unit(0.3 + 0.4 * order / len(self.unknowns))
+            )
+            for order, index in enumerate(self.in_joint)
+        }
+        return is_symmetric(joint_from_values(replace_values(self.values, between)))
+
+    def _changes(
+        self, changes: dict[str, np.ndarray], torque: np.ndarray, slips: np.ndarray
+    ) -> dict[str, Any]:
+        """Changes of the joint file for given torques, with the friction and the rotation that belong to each.
+
+        The bearings' friction acts against the motion that the torque drives, so the sun's speed has its sign.
+        """
+        load = replace_values(self.values, changes)["load"]
+        sense = np.where(torque < 0.0, -1.0, 1.0)
+        found = {**changes, "load.output_torque": torque, "load.sun_speed": sense * load["sun_speed"]}
+        friction = load["friction_coefficient"]
+        paths = (
+            {f"load.friction_coefficient.{name}": value for name, value in friction.items()}
+            if isinstance(friction, dict)
+            else {"load.friction_coefficient": friction}
+        )
+        return found | {path: np.where(slips, value, NO_SLIP_FRICTION) for path, value in paths.items()}
 
     def _first(self, unknown: Variable, stated: dict) -> float:
         """Place of the first guess: the file's value, no play, no drift."""
         kind = _kind(unknown.path)
         if kind in CURVE_UNKNOWNS:
-            guess = {"offset": 0.5 * (unknown.lower + unknown.upper), "drift": 0.0, "play": 0.0}.get(
-                kind, (unknown.lower * unknown.upper) ** 0.5
-            )
+            guess = 0.0 if kind == "drift" else 0.5 * (unknown.lower + unknown.upper)
         elif unknown.path in stated:
             guess = stated[unknown.path].value
+        elif unknown.path == "play.angle":
+            guess = 0.0
         else:
             guess = float(unknown.from_unit(0.5))
         return float(np.clip(unknown.to_unit(min(max(guess, unknown.lower), unknown.upper)), 0.01, 0.99))
@@ -88,10 +118,14 @@ class CurveModel:
         point = self.point(places)
         changes = {path: np.full(self.torque.size, point[path]) for path in self.paths}
         found, slopes = quantities_and_slopes(
-            self.values, {**changes, "load.output_torque": self.torque}, self.paths
+            self.values, self._changes(changes, self.torque, self.slips), self.paths
         )
         name = f"stiffness.{self.level}"
-        return found[name][0], slopes[name][0], found["slip_ratio"].max(axis=0)
+        by_joint = slopes[name][0]
+        for index, path in enumerate(self.paths):
+            if path == "load.sun_speed":
+                by_joint[:, index] *= np.where(self.torque < 0.0, -1.0, 1.0)
+        return found[name][0], by_joint, found["slip_ratio"].max(axis=0)
 
     def held(self, stiffness: np.ndarray) -> np.ndarray:
         """At which of the model's torques the prediction uses :data:`STIFFNESS_FLOOR` instead of the joint's stiffness.
@@ -133,16 +167,13 @@ class CurveModel:
         slopes = np.zeros((self.measurement.torque.size, len(self.unknowns)))
         by_joint = np.where(held[:, None] | ~np.isfinite(by_joint), 0.0, by_joint)
         if self.weights is None:
-            slopes[:, self.in_joint] = by_joint
-            return safe, slopes * steps
-        prediction = self.weights @ (1.0 / safe)
+            factor = 1.0 / (1.0 + safe * self._play_compliance())
+            slopes[:, self.in_joint] = by_joint * factor[:, None] ** 2
+            return safe * factor, slopes * steps
         slopes[:, self.in_joint] = self.weights @ (-by_joint / safe[:, None] ** 2)
         for index in self.in_curve:
-            unknown = self.unknowns[index]
-            value, slope = self.curve_part(unknown.path, point)
-            prediction = prediction + value
-            slopes[:, index] = slope
-        return prediction, slopes * steps
+            slopes[:, index] = self.curve_slope(self.unknowns[index].path, point)
+        return self.weights @ (1.0 / safe) + self.curve_part(point), slopes * steps
 
     def compliances(self, places: np.ndarray) -> np.ndarray:
         """Compliance at the model's torques, with nothing held.
@@ -158,13 +189,19 @@ class CurveModel:
             Shape (sets, torques) [rad/(N·m)]; nan for the whole set where the joint has no solution or no stiffness
             at one of the torques, the largest measured one included.
         """
-        largest = float(np.max(np.abs(self.measurement.torque)))
-        torque = self.torque if self.weights is None else np.append(self.torque, largest)
+        torque, slips = self.torque, self.slips
+        if self.weights is not None:  # the ends of the measured range, which the quadrature does not touch
+            largest = float(np.max(np.abs(self.measurement.torque)))
+            ends = [sign * largest for sign in (1.0, -1.0) if np.any(sign * torque > 0.0)]
+            torque, slips = np.append(torque, ends), np.append(slips, [True] * len(ends))
         rows = max(1, _POINTS // torque.size)
-        found = [self._compliances(part, torque) for part in np.split(places, range(rows, len(places), rows))]
+        found = [
+            self._compliances(part, torque, slips)
+            for part in np.split(places, range(rows, len(places), rows))
+        ]
         return np.concatenate(found)[:, : self.torque.size]
 
-    def _compliances(self, places: np.ndarray, torque: np.ndarray) -> np.ndarray:
+    def _compliances(self, places: np.ndarray, torque: np.ndarray, slips: np.ndarray) -> np.ndarray:
         changes = {
             self.unknowns[index].path: np.repeat(
                 self.unknowns[index].from_unit(places[:, index]), torque.size
@@ -172,7 +209,8 @@ class CurveModel:
             for index in self.in_joint
         }
         quantities = quantities_at(
-            self.values, {**changes, "load.output_torque": np.tile(torque, len(places))}
+            self.values,
+            self._changes(changes, np.tile(torque, len(places)), np.tile(slips, len(places))),
         )
         shape = (len(places), torque.size)
         stiffness = quantities[f"stiffness.{self.level}"][0].reshape(shape)
@@ -195,34 +233,79 @@ class CurveModel:
         """
         compliance = self.compliances(places)
         if self.weights is None:
-            return 1.0 / compliance
-        found = compliance @ self.weights.T
-        for row, place in zip(found, places, strict=True):
-            point = self.point(place)
-            for index in self.in_curve:
-                row += self.curve_part(self.unknowns[index].path, point)[0]
-        return found
+            return 1.0 / (compliance + self._play_compliance())
+        added = [self.curve_part(self.point(place)) for place in places]
+        return compliance @ self.weights.T + np.array(added).reshape(len(places), -1)
 
-    def curve_part(
-        self, path: str, point: dict[str, Any], tanh: Callable[[Any], Any] = np.tanh
-    ) -> tuple[Any, Any]:
-        """What an unknown of the curve adds to the angles, and the derivative by it (``tanh``: NumPy's or JAX's)."""
-        data, kind = self.measurement, _kind(path)
-        none = np.zeros(data.torque.size)
-        if kind == "offset":
-            label = path.partition(" ")[2]
-            where = np.ones(none.size) if not label else (data.repetition == float(label)).astype(float)
-            return point[path] * where, where
-        if kind == "drift":
+    def _play_compliance(self) -> np.ndarray:
+        """Of the play that the joint file states, at the measured torques [rad/(N·m)]."""
+        play = joint_from_values(self.values).play
+        return np.asarray(play_compliance(play=play, output_torque=self.measurement.torque))
+
+    def _play(self, point: dict[str, Any]) -> tuple[Any, Any]:
+        """Play angle and take-up torque: unknowns, or as the joint file has them; nothing where it has none."""
+        stated = self.values.get("play", {})
+        return tuple(point.get(f"play.{name}", stated.get(name, 0.0)) for name in ("angle", "take_up_torque"))  # type: ignore[return-value]
+
+    def _taken_up(self, width: Any, tanh: Callable[[Any], Any]) -> Any:
+        """Share of the play that is taken up on its side, −1 to 1."""
+        if isinstance(width, float | int) and width == 0.0:
+            return np.sign(self.measurement.torque)
+        return tanh(self.measurement.torque / width)
+
+    def curve_part(self, point: dict[str, Any], tanh: Callable[[Any], Any] = np.tanh) -> Any:
+        """What play, offset and drift add to the angles.
+
+        Parameters
+        ----------
+        point : dict
+            Values of the unknowns [SI].
+        tanh : callable
+            NumPy's or JAX's.
+
+        Returns
+        -------
+        array
+            Shape (points,) [rad].
+        """
+        angle, width = self._play(point)
+        total = 0.5 * angle * self._taken_up(width, tanh)
+        for path, value in point.items():
+            if _kind(path) in ("offset", "drift"):
+                total = total + value * self._share(path)
+        return total
+
+    def curve_slope(self, path: str, point: dict[str, float]) -> np.ndarray:
+        """Derivative of :meth:`curve_part` by one of the unknowns.
+
+        Parameters
+        ----------
+        path : str
+            The unknown.
+        point : dict
+            Values of the unknowns [SI].
+
+        Returns
+        -------
+        ndarray
+            Shape (points,) [rad per SI unit of the unknown].
+        """
+        angle, width = self._play(point)
+        if path == "play.angle":
+            return np.asarray(0.5 * self._taken_up(width, np.tanh))
+        if path == "play.take_up_torque":
+            torque = self.measurement.torque
+            return np.asarray(-0.5 * angle * (1.0 - np.tanh(torque / width) ** 2) * torque / width**2)
+        return self._share(path)
+
+    def _share(self, path: str) -> np.ndarray:
+        """What one unit of an offset or a drift adds to each angle."""
+        data = self.measurement
+        if _kind(path) == "drift":
             assert data.time is not None
-            elapsed = data.time - data.time[0]
-            return point[path] * elapsed, elapsed
-        width = point.get("play_torque")
-        side = np.sign(data.torque) if width is None else tanh(data.torque / width)
-        if kind == "play":
-            return 0.5 * point["play"] * side, 0.5 * side
-        assert width is not None
-        return none, -0.5 * point["play"] * (1.0 - side**2) * data.torque / width**2
+            return data.time - data.time[0]
+        label = path.partition(" ")[2]
+        return np.ones(data.torque.size) if not label else (data.repetition == float(label)).astype(float)
 
 
 def _kind(path: str) -> str:
