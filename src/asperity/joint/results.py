@@ -12,11 +12,10 @@ from typing import Any, Literal
 import jax.numpy as jnp
 from jax import Array
 
-from asperity.drive.capacity import TorqueCapacity, torque_capacity
 from asperity.drive.geometry import CONTACT_NAMES
 from asperity.errors import InputError
-from asperity.joint.description import per_contact
-from asperity.joint.evaluation import Joint, JointResult, mechanism
+from asperity.joint.capacity import LIMIT_KINDS, TorqueCapacity, torque_capacity
+from asperity.joint.evaluation import Joint, JointResult
 
 Needs = Literal["geometry", "balance", "operation"]
 
@@ -37,11 +36,13 @@ class Solved:
 
     @functools.cached_property
     def capacity(self) -> TorqueCapacity:
-        """Torque capacity and limiting contact."""
-        joint = self.joint
-        return torque_capacity(
-            mechanism=mechanism(joint), friction_coefficient=per_contact(joint.friction_coefficients)
-        )
+        """Torque capacity of positive torques, and what limits it."""
+        return torque_capacity(self.joint, direction=1.0)
+
+    @functools.cached_property
+    def reverse_capacity(self) -> TorqueCapacity:
+        """Torque capacity of negative torques, and what limits it."""
+        return torque_capacity(self.joint, direction=-1.0)
 
 
 @dataclass(frozen=True)
@@ -203,21 +204,33 @@ def _table() -> dict[str, Result]:
         closure_residual | forces.closure_residual | 1 | relative residual of the closure
         """
     add("residuals", residuals, needs="geometry")
-    for name, path, unit, description in (
-        (
-            "torque_capacity",
-            "capacity.output_torque",
-            "N*m",
-            "torque capacity at the output: the largest torque without gross slip",
-        ),
-        (
-            "limiting_contact",
-            "capacity.limiting_contact",
-            "1",
-            f"index of the contact that slips first, in the order {', '.join(CONTACT_NAMES)}",
-        ),
-    ):
-        found[name] = Result(name, "capacity", unit, description, False, "geometry", path)
+    limits = ", ".join(f"{code} {kind}" for code, kind in enumerate(LIMIT_KINDS))
+    contacts = ", ".join(CONTACT_NAMES)
+    for prefix, words in (("", "positive"), ("reverse_", "negative")):
+        for name, path, unit, description in (
+            (
+                "torque_capacity",
+                "output_torque",
+                "N*m",
+                f"largest {words} output torque before the first limit",
+            ),
+            ("capacity_limit", "limit", "1", f"first limit of {words} output torques: {limits}"),
+            (
+                "limiting_contact",
+                "limiting_contact",
+                "1",
+                f"contact that limits {words} output torques, in the order {contacts}; -1 for none",
+            ),
+        ):
+            found[f"{prefix}{name}"] = Result(
+                f"{prefix}{name}",
+                "capacity",
+                unit,
+                description,
+                False,
+                "geometry",
+                f"{prefix}capacity.{path}",
+            )
     return found
 
 
