@@ -49,6 +49,7 @@ def test_the_paper_s_joint(paper_joint):
             {"pin_diameter": 20e-3},
             "the pin diameter 20 mm must be below the diameter of the loading roller, 10 mm",
         ),
+        ({"output_torque": -30.0}, "the output torque -30 N·m is beyond the torque capacity -13.17 N·m"),
         ({"output_torque": 30.0}, "the output torque 30 N·m is beyond the torque capacity"),
         ({"output_torque": 0.0, "loading_roller_torque": 100.0}, "which is 0 N·m"),
     ],
@@ -65,18 +66,6 @@ def test_the_message_on_the_torque_tells_capacity_and_contact(paper_joint):
     assert capacity / 9.0 / 0.012 == pytest.approx(0.12 * 1000.0, rel=0.03)  # N_sp stays near the preload
     examine(paper_joint(output_torque=capacity * 0.999))
     refusal(paper_joint(output_torque=capacity * 1.001))
-
-
-def test_a_capacity_that_cannot_be_found_is_no_number(paper_joint, monkeypatch):
-    from asperity.drive.capacity import TorqueCapacity
-    from asperity.joint import examination
-
-    def unknown(**_):
-        return TorqueCapacity(np.asarray(math.nan), np.asarray(0))
-
-    monkeypatch.setattr(examination, "capacity_by_search", unknown)
-    assert "beyond the torque capacity, which is unknown" in refusal(paper_joint(output_torque=30.0))
-    assert math.isnan(float(examine(paper_joint()).capacity.output_torque))
 
 
 def test_the_capacity_is_that_of_the_drive_whatever_torque_it_carries(paper_joint):

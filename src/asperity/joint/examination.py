@@ -76,7 +76,7 @@ def examine(joint: Joint) -> Examination:
     in_direction = reverse if float(numbers.output_torque) < 0.0 else capacity
     _refuse_overlap(numbers, gaps)
     _refuse_locked_pins(numbers)
-    if LIMIT_KINDS[int(in_direction.limit)] == "contact_too_wide":
+    if LIMIT_KINDS[int(in_direction.limit)] == "contact_too_wide" and in_direction.output_torque > 0.0:
         _refuse_torque(numbers, in_direction)
     _refuse_wide_contacts(numbers, result)
     if some_contact_slips(slip_ratio=result.diagnostics.gross_slip):

@@ -13,8 +13,9 @@ from asperity.study.calibration.curve_surrogate import exponents, fit_surrogate,
 from asperity.study.calibration.measurement import Measurement
 from asperity.study.calibration.unknowns import read_unknowns
 
-UNKNOWNS = ("load.preload=300 N:3000 N", "load.friction_coefficient=0.09:0.4", 
-            "play.angle=0 arcmin:1 arcmin",             "play.take_up_torque=0.1 N*m:2 N*m", "offset=-1 arcmin:1 arcmin", "drift=-1e-6 rad/s:1e-6 rad/s")  # fmt: skip
+UNKNOWNS = ("load.preload=300 N:3000 N", "load.friction_coefficient=0.09:0.4",
+            "play.angle=0 arcmin:1 arcmin", "play.take_up_torque=0.1 N*m:2 N*m", "offset=-1 arcmin:1 arcmin",
+            "drift=-1e-6 rad/s:1e-6 rad/s")  # fmt: skip
 
 
 @pytest.fixture(scope="module")
