@@ -80,8 +80,10 @@ def posterior_ends(found: Calibration, draws: int, seed: int) -> np.ndarray:
     """Ends of the middle 95 % of the posterior, shape (unknowns, 2) [SI]."""
     from asperity.study.calibration.posterior import posterior
 
-    places = np.quantile(posterior(found, draws=draws, seed=seed).places, (0.025, 0.975), axis=0)
-    return np.array([u.from_unit(places[:, i]) for i, u in enumerate(found.model.unknowns)])
+    scaled_values = np.quantile(
+        posterior(found, draws=draws, seed=seed).scaled_values, (0.025, 0.975), axis=0
+    )
+    return np.array([u.from_unit(scaled_values[:, i]) for i, u in enumerate(found.model.unknowns)])
 
 
 def main() -> None:

@@ -89,7 +89,7 @@ def test_the_capacity_is_told_with_the_contact_that_limits_it(call, joint_file, 
 def test_a_wedge_that_tightens_is_limited_by_lift_off(call, joint_file):
     """With mu = 0.3 no contact slips before the left roller lifts off.
 
-    There t = tan(theta/2) = 0.2408 at the planet and t/(cos beta - t sin beta) = 0.262 at the ring, theta = 27.0831 deg.
+    There t = tan(theta/2) = 0.2408 at the planet and t/(cos beta - t sin beta) = 0.262 at the ring; theta = 27.083 deg.
     """
     steep = joint_file(("friction_coefficient = 0.12", "friction_coefficient = 0.3"))
     capacity = json.loads(call("joint", steep, "--json").out)["torque_capacity"]

@@ -1,4 +1,4 @@
-"""Calibration recovers known values from synthetic curves, and says what the data cannot tell."""
+"""Calibration recovers known values from synthetic curves, and says what is not identifiable."""
 
 import numpy as np
 import pytest
@@ -115,7 +115,7 @@ def test_what_cannot_be_told_apart_is_named(case, curve):
     assert not by_name["surface.fractal_roughness"].determined
     assert np.isnan(by_name["surface.fractal_roughness"].upper)
     assert "surface.fractal_roughness" in found.directions[0].words
-    assert "NOT told apart" in found.directions[0].words
+    assert "NOT identifiable" in found.directions[0].words
 
 
 @pytest.mark.filterwarnings("error")
@@ -133,12 +133,12 @@ def test_slopes_of_the_model(case, curve):
     data, _ = curve
     unknowns = read_unknowns((*UNKNOWNS, "play.take_up_torque=0.1 N*m:2 N*m"), case=case, measurement=data)
     model = CurveModel(case=case, measurement=data, unknowns=unknowns, level="assembly", history="cycled")
-    places = np.array([0.45, 0.6, 0.3, 0.5, 0.5, 0.4, 0.5])
-    _, slopes = model(places)
-    for index in range(places.size):
-        step = np.zeros(places.size)
+    scaled_values = np.array([0.45, 0.6, 0.3, 0.5, 0.5, 0.4, 0.5])
+    _, slopes = model(scaled_values)
+    for index in range(scaled_values.size):
+        step = np.zeros(scaled_values.size)
         step[index] = 1e-5
-        difference = (model(places + step)[0] - model(places - step)[0]) / 2e-5
+        difference = (model(scaled_values + step)[0] - model(scaled_values - step)[0]) / 2e-5
         assert slopes[:, index] == pytest.approx(difference, rel=1e-4, abs=1e-7 * np.abs(difference).max())
 
 

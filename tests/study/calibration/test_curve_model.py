@@ -1,4 +1,4 @@
-"""The curve of a joint with given unknowns: slopes, many sets at once, and nothing held where no joint exists."""
+"""The curve of a joint with given unknowns: slopes, many sets at once, and no prediction where no joint exists."""
 
 from pathlib import Path
 
@@ -59,8 +59,12 @@ def test_the_unknowns_of_the_curve_add_what_they_say(model):
 
 
 def test_many_sets_are_as_one_by_one(model):
-    places = np.array([PLACE, PLACE[::-1] * 0.5, np.full(5, 0.2)])
-    np.testing.assert_allclose(model.predictions(places), [model(place)[0] for place in places], rtol=1e-10)
+    scaled_values = np.array([PLACE, PLACE[::-1] * 0.5, np.full(5, 0.2)])
+    np.testing.assert_allclose(
+        model.predictions(scaled_values),
+        [model(scaled_value)[0] for scaled_value in scaled_values],
+        rtol=1e-10,
+    )
 
 
 def test_a_joint_that_slips_below_the_largest_torque_has_no_prediction(zou_file):
@@ -73,9 +77,7 @@ def test_a_joint_that_slips_below_the_largest_torque_has_no_prediction(zou_file)
     found = curve.predictions(np.array([[weak], [strong]]))
     assert np.isnan(found[0]).all()  # 13 N·m at 1000 N are 4 at 300
     assert np.isfinite(found[1]).all()
-    assert np.isfinite(
-        curve(np.array([weak]))[0]
-    ).all()  # the search is led back, by a stiffness that is held
+    assert np.isfinite(curve(np.array([weak]))[0]).all()  # the search is led back, by the least stiffness
 
 
 @pytest.mark.parametrize(

@@ -35,9 +35,9 @@ def test_prediction(model):
     predict = surrogate_prediction(model)
     rng = np.random.default_rng(1)
     for _ in range(3):
-        places = centre + 0.02 * rng.uniform(-1.0, 1.0, 6)
-        expected, _ = model(places)
-        assert np.asarray(predict(fitted, jnp.asarray(places))) == pytest.approx(expected, rel=1e-4)
+        scaled_values = centre + 0.02 * rng.uniform(-1.0, 1.0, 6)
+        expected, _ = model(scaled_values)
+        assert np.asarray(predict(fitted, jnp.asarray(scaled_values))) == pytest.approx(expected, rel=1e-4)
     # beyond the box it goes on without turning: a lower preload never makes the joint stiffer
     lower = [
         np.asarray(predict(fitted, jnp.asarray(centre - [s, 0, 0, 0, 0, 0])))[5]

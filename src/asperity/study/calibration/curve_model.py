@@ -18,8 +18,8 @@ from asperity.study.calibration.unknowns import CURVE_UNKNOWNS, added_to_curve
 from asperity.study.design.design_problem import Variable
 from asperity.study.quantities import quantities_and_slopes, quantities_at
 
-#: Below this share of its median a stiffness is held, so that a search that strays past the torque capacity finds
-#: back. A curve that ends there is refused.
+#: Below this share of its median a stiffness is replaced by this value, so that a search that strays past the
+#: torque capacity finds back. A fit that ends there is refused.
 STIFFNESS_FLOOR = 0.01
 
 #: Points of one call for many sets of unknowns: up to here the program that the fit uses serves.
@@ -27,7 +27,7 @@ _POINTS = 4096
 
 
 class CurveModel:
-    """Predicts a measurement from places of the unknowns between their bounds.
+    """Predicts a measurement from scaled values of the unknowns (0 at the lower bound, 1 at the upper).
 
     Parameters
     ----------
@@ -97,7 +97,7 @@ class CurveModel:
         return found | {path: np.where(slips, value, NO_SLIP_FRICTION) for path, value in paths.items()}
 
     def _first(self, unknown: Variable, stated: dict) -> float:
-        """Place of the first guess: the file's value, no play, no drift."""
+        """Scaled value of the first guess: the file's value, no play, no drift."""
         kind = _kind(unknown.path)
         if kind in CURVE_UNKNOWNS:
             guess = 0.0 if kind == "drift" else 0.5 * (unknown.lower + unknown.upper)
@@ -109,13 +109,13 @@ class CurveModel:
             guess = float(unknown.from_unit(0.5))
         return float(np.clip(unknown.to_unit(min(max(guess, unknown.lower), unknown.upper)), 0.01, 0.99))
 
-    def point(self, places: np.ndarray) -> dict[str, float]:
+    def point(self, scaled_values: np.ndarray) -> dict[str, float]:
         """Values [SI] of the unknowns."""
-        return {u.path: float(u.from_unit(p)) for u, p in zip(self.unknowns, places, strict=True)}
+        return {u.path: float(u.from_unit(p)) for u, p in zip(self.unknowns, scaled_values, strict=True)}
 
-    def stiffness(self, places: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    def stiffness(self, scaled_values: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         """Stiffness at the model's torques, its slopes by the joint's unknowns, largest slip ratio [SI]."""
-        point = self.point(places)
+        point = self.point(scaled_values)
         changes = {path: np.full(self.torque.size, point[path]) for path in self.paths}
         found, slopes = quantities_and_slopes(
             self.values, self._changes(changes, self.torque, self.slips), self.paths
@@ -127,7 +127,7 @@ class CurveModel:
                 by_joint[:, index] *= np.where(self.torque < 0.0, -1.0, 1.0)
         return found[name][0], by_joint, found["slip_ratio"].max(axis=0)
 
-    def held(self, stiffness: np.ndarray) -> np.ndarray:
+    def floored(self, stiffness: np.ndarray) -> np.ndarray:
         """At which of the model's torques the prediction uses :data:`STIFFNESS_FLOOR` instead of the joint's stiffness.
 
         Parameters
@@ -146,12 +146,12 @@ class CurveModel:
         usable = np.isfinite(stiffness) & (stiffness > 0.0)
         return STIFFNESS_FLOOR * float(np.median(stiffness[usable])) if usable.any() else 1.0
 
-    def __call__(self, places: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """Predicted angles [rad] or stiffnesses [N·m/rad], and their derivatives by the places.
+    def __call__(self, scaled_values: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """Predicted angles [rad] or stiffnesses [N·m/rad], and their derivatives by the scaled values.
 
         Parameters
         ----------
-        places : ndarray
+        scaled_values : ndarray
             Shape (unknowns,), 0 to 1.
 
         Returns
@@ -159,13 +159,13 @@ class CurveModel:
         prediction, slopes : ndarray
             Shape (points,) and (points, unknowns).
         """
-        point = self.point(places)
+        point = self.point(scaled_values)
         steps = np.array([u.slope(point[u.path]) for u in self.unknowns])
-        stiffness, by_joint, _ = self.stiffness(places)
-        held = self.held(stiffness)
-        safe = np.where(held, self._floor(stiffness), stiffness)
+        stiffness, by_joint, _ = self.stiffness(scaled_values)
+        floored = self.floored(stiffness)
+        safe = np.where(floored, self._floor(stiffness), stiffness)
         slopes = np.zeros((self.measurement.torque.size, len(self.unknowns)))
-        by_joint = np.where(held[:, None] | ~np.isfinite(by_joint), 0.0, by_joint)
+        by_joint = np.where(floored[:, None] | ~np.isfinite(by_joint), 0.0, by_joint)
         if self.weights is None:
             factor = 1.0 / (1.0 + safe * self._play_compliance())
             slopes[:, self.in_joint] = by_joint * factor[:, None] ** 2
@@ -175,12 +175,12 @@ class CurveModel:
             slopes[:, index] = self.curve_slope(self.unknowns[index].path, point)
         return self.weights @ (1.0 / safe) + self.curve_part(point), slopes * steps
 
-    def compliances(self, places: np.ndarray) -> np.ndarray:
-        """Compliance at the model's torques, with nothing held.
+    def compliances(self, scaled_values: np.ndarray) -> np.ndarray:
+        """Compliance at the model's torques, without :data:`STIFFNESS_FLOOR`.
 
         Parameters
         ----------
-        places : ndarray
+        scaled_values : ndarray
             Shape (sets, unknowns).
 
         Returns
@@ -197,33 +197,33 @@ class CurveModel:
         rows = max(1, _POINTS // torque.size)
         found = [
             self._compliances(part, torque, slips)
-            for part in np.split(places, range(rows, len(places), rows))
+            for part in np.split(scaled_values, range(rows, len(scaled_values), rows))
         ]
         return np.concatenate(found)[:, : self.torque.size]
 
-    def _compliances(self, places: np.ndarray, torque: np.ndarray, slips: np.ndarray) -> np.ndarray:
+    def _compliances(self, scaled_values: np.ndarray, torque: np.ndarray, slips: np.ndarray) -> np.ndarray:
         changes = {
             self.unknowns[index].path: np.repeat(
-                self.unknowns[index].from_unit(places[:, index]), torque.size
+                self.unknowns[index].from_unit(scaled_values[:, index]), torque.size
             )
             for index in self.in_joint
         }
         quantities = quantities_at(
             self.values,
-            self._changes(changes, np.tile(torque, len(places)), np.tile(slips, len(places))),
+            self._changes(changes, np.tile(torque, len(scaled_values)), np.tile(slips, len(scaled_values))),
         )
-        shape = (len(places), torque.size)
+        shape = (len(scaled_values), torque.size)
         stiffness = quantities[f"stiffness.{self.level}"][0].reshape(shape)
         holds = np.isfinite(stiffness) & (stiffness > 0.0) & (quantities["solved"][0].reshape(shape) > 0.0)
         exists = np.all(holds, axis=1)[:, None]
         return np.where(exists, 1.0 / np.where(exists, stiffness, 1.0), np.nan)
 
-    def predictions(self, places: np.ndarray) -> np.ndarray:
-        """Predictions of many sets of unknowns, with nothing held.
+    def predictions(self, scaled_values: np.ndarray) -> np.ndarray:
+        """Predictions of many sets of unknowns, without :data:`STIFFNESS_FLOOR`.
 
         Parameters
         ----------
-        places : ndarray
+        scaled_values : ndarray
             Shape (sets, unknowns).
 
         Returns
@@ -231,11 +231,11 @@ class CurveModel:
         ndarray
             Shape (sets, points) [rad] or [N·m/rad]; nan for a set whose joint does not exist, see :meth:`compliances`.
         """
-        compliance = self.compliances(places)
+        compliance = self.compliances(scaled_values)
         if self.weights is None:
             return 1.0 / (compliance + self._play_compliance())
-        added = [self.curve_part(self.point(place)) for place in places]
-        return compliance @ self.weights.T + np.array(added).reshape(len(places), -1)
+        added = [self.curve_part(self.point(scaled_value)) for scaled_value in scaled_values]
+        return compliance @ self.weights.T + np.array(added).reshape(len(scaled_values), -1)
 
     def _play_compliance(self) -> np.ndarray:
         """Of the play that the joint file states, at the measured torques [rad/(N·m)]."""
