@@ -19,7 +19,7 @@ def cubic(limit):
 def test_the_first_limit_is_found_from_any_guess(guess):
     found = first_limit(excesses=cubic(7.0), first_guess=guess)
     assert float(found.value) == pytest.approx(7.0, rel=1e-12)
-    assert int(found.index) == 0
+    assert int(found.which) == 0
 
 
 def test_a_batch_finds_each_its_own():
@@ -31,8 +31,8 @@ def test_a_batch_finds_each_its_own():
 def test_no_limit_and_a_limit_at_once():
     never = first_limit(excesses=lambda x: jnp.stack([-1.0 / (1.0 + x)]), first_guess=1.0)
     at_once = first_limit(excesses=lambda x: jnp.stack([x - 5.0, 1.0 + x]), first_guess=1.0)
-    assert (float(never.value), int(never.index)) == (math.inf, -1)
-    assert (float(at_once.value), int(at_once.index)) == (0.0, 1)
+    assert (float(never.value), int(never.which)) == (math.inf, -1)
+    assert (float(at_once.value), int(at_once.which)) == (0.0, 1)
 
 
 def test_the_derivative_is_implicit():
@@ -45,7 +45,7 @@ def test_a_nan_is_no_limit_of_its_own():
         return jnp.stack([jnp.where(x > 3.0, jnp.nan, x - 7.0), jnp.where(x > 3.0, 1.0, -1.0)])
 
     found = first_limit(excesses=with_hole, first_guess=1.0)
-    assert (float(found.value), int(found.index)) == (pytest.approx(3.0, rel=1e-12), 1)
+    assert (float(found.value), int(found.which)) == (pytest.approx(3.0, rel=1e-12), 1)
 
 
 def test_slip_ratio_of_an_open_contact():

@@ -26,12 +26,12 @@ class FirstLimit(NamedTuple):
     ----------
     value : Array
         Largest value that keeps all limits; infinite where none is reached, 0 where one is reached at once.
-    index : Array
+    which : Array
         Which limit it is; −1 where none is reached.
     """
 
     value: Array
-    index: Array
+    which: Array
 
 
 def slip_ratio(*, normal_force: Real, tangential_force: Real, friction_coefficient: Real) -> Array:
@@ -70,7 +70,7 @@ def first_limit(*, excesses: Callable[[Array], Array], first_guess: Real) -> Fir
         Values, shape (...), to the functions g, shape (limits, ...); negative before a limit, and not negative at it
         and beyond. A nan counts as not reached.
     first_guess : Real
-        Value of the right order, shape (...), where the search begins.
+        Value of the right order, shape (...), where the search begins; in the unit of the values [any].
 
     Returns
     -------
@@ -118,4 +118,4 @@ def first_limit(*, excesses: Callable[[Array], Array], first_guess: Real) -> Fir
     # the root is known; custom_root gives it the implicit derivative
     root = jax.lax.custom_root(excess, lower, lambda _, found: found, divide)
     value = jnp.where(bracketed, jnp.where(at_once, 0.0, root), jnp.inf)
-    return FirstLimit(value=value, index=jnp.where(bracketed, index, -1))
+    return FirstLimit(value=value, which=jnp.where(bracketed, index, -1))

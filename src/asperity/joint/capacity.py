@@ -123,8 +123,8 @@ def torque_capacity(joint: Joint, *, direction: Real) -> TorqueCapacity:
     contacts = [_NO_CONTACT, _NO_CONTACT, *list(range(each)) * len(_PER_CONTACT), _NO_CONTACT]
     return TorqueCapacity(
         output_torque=found.value,
-        limit=jnp.asarray(kinds)[1 + found.index],
-        limiting_contact=jnp.asarray(contacts)[1 + found.index],
+        limit=jnp.asarray(kinds)[1 + found.which],
+        limiting_contact=jnp.asarray(contacts)[1 + found.which],
     )
 
 
@@ -153,14 +153,15 @@ def limit_words(capacity: TorqueCapacity) -> str:
         For example "contact sp slips".
     """
     contact = CONTACT_NAMES[int(capacity.limiting_contact)]
-    return {
+    texts = {
         "none": "no limit is reached at any torque",
         "gross_slip": f"contact {contact} slips",
         "lift_off": f"contact {contact} lifts off",
         "contact_too_wide": f"contact {contact} becomes too wide for line-contact theory",
         "pins_lock": "the pins of the loading rollers lock",
         "no_solution": "the force balance has no solution",
-    }[LIMIT_KINDS[int(capacity.limit)]]
+    }
+    return texts[LIMIT_KINDS[int(capacity.limit)]]
 
 
 def capacity_document(capacity: TorqueCapacity) -> dict[str, Any]:

@@ -46,7 +46,7 @@ def windup_figure(curve: Windup, *, title: str) -> Figure:
     stiffness.plot(curve.torque, curve.stiffness / _ARCMINUTES, color="black", label="incremental")
     for values, bounds, label in (
         (curve.stage_stiffness, curve.stage_torque, "K1, K2, K3 (secant)"),
-        (curve.reverse_stage_stiffness[::-1], -curve.stage_torque[::-1], None),
+        (curve.reverse_stage_stiffness[::-1], -curve.stage_torque[::-1], "_nolegend_"),
     ):
         stiffness.stairs(values / _ARCMINUTES, bounds, color="tab:red", baseline=None, label=label)
     stiffness.set(xlabel="torque at the output [N·m]", ylabel="stiffness at the output [N·m/arcmin]")
