@@ -1,5 +1,7 @@
 """Wind-up: closed forms for a Mindlin spring, an independent quadrature for the joint, and refusals."""
 
+import dataclasses
+
 import jax.numpy as jnp
 import numpy as np
 import pytest
@@ -7,7 +9,7 @@ import pytest
 from asperity.errors import InputError
 from asperity.joint.evaluation import solve
 from asperity.joint.play import NO_PLAY, Play
-from asperity.joint.windup import windup, windup_of
+from asperity.joint.windup import is_symmetric, windup, windup_of
 from asperity.show.windup_figure import windup_figure
 from asperity.zou2025.preset import operating_grid, table_2_joint
 
@@ -220,3 +222,16 @@ def test_figure_names_its_axes_with_units(mindlin):
     assert "arcmin" in loop.get_xlabel()
     assert "N·m" in loop.get_ylabel()
     assert "N·m/arcmin" in stiffness.get_ylabel()
+
+
+def test_which_joints_are_symmetric(paper_joint):
+    joint = paper_joint()
+    assert is_symmetric(joint)
+    assert not is_symmetric(paper_joint(closure="constant_pin_force"))
+    assert not is_symmetric(paper_joint(left_push_angle=0.1))
+    for values, expected in (((0.1, 0.2, 0.2, 0.3, 0.3), True), ((0.1, 0.2, 0.2, 0.3, 0.4), False)):
+        assert is_symmetric(dataclasses.replace(joint, friction_coefficients=values)) is expected
+    (surface,) = joint.surfaces
+    other = dataclasses.replace(surface, fractal_dimension=np.asarray(1.5))
+    assert is_symmetric(dataclasses.replace(joint, surfaces=(other, surface, surface, surface, surface)))
+    assert not is_symmetric(dataclasses.replace(joint, surfaces=(surface, other, surface, surface, surface)))

@@ -173,7 +173,7 @@ def test_figure(cut_joint, drawn):
     panels = figure.axes
     assert len(panels) == 9
     assert panels[6].get_xlabel() == "load,\npreload [N]"
-    assert panels[7].get_xlabel() == "play [arcmin]"
+    assert panels[7].get_xlabel() == "play,\nangle [arcmin]"
 
 
 def test_document_and_tables(cut_joint, drawn, capsys):

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
+import jax.numpy as jnp
 import numpy as np
 
 from asperity.joint.play import play_compliance
@@ -240,12 +241,14 @@ class CurveModel:
     def _play_compliance(self) -> np.ndarray:
         """Of the play that the joint file states, at the measured torques [rad/(N·m)]."""
         play = joint_from_values(self.values).play
-        return np.asarray(play_compliance(play=play, output_torque=self.measurement.torque))
+        return np.asarray(play_compliance(play=play, output_torque=jnp.asarray(self.measurement.torque)))
 
     def _play(self, point: dict[str, Any]) -> tuple[Any, Any]:
         """Play angle and take-up torque: unknowns, or as the joint file has them; nothing where it has none."""
         stated = self.values.get("play", {})
-        return tuple(point.get(f"play.{name}", stated.get(name, 0.0)) for name in ("angle", "take_up_torque"))  # type: ignore[return-value]
+        names = ("angle", "take_up_torque")
+        angle, width = (point.get(f"play.{name}", stated.get(name, 0.0)) for name in names)
+        return angle, width
 
     def _taken_up(self, width: Any, tanh: Callable[[Any], Any]) -> Any:
         """Share of the play that is taken up on its side, −1 to 1."""
