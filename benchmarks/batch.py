@@ -23,7 +23,7 @@ import jax.numpy as jnp
 import numpy as np
 
 from asperity.contact.fractal import Surface
-from asperity.drive.assembly import RIGID_SUPPORTS
+from asperity.drive.assembly import IDEAL_STRUCTURE
 from asperity.drive.geometry import DriveGeometry
 from asperity.drive.mechanism import Bearings
 from asperity.joint.evaluation import Bodies, Joint, evaluate
@@ -67,7 +67,7 @@ def joint_of(points: jax.Array) -> Joint:
         preload=preload,
         output_torque=torque,
         sun_speed=6000 * np.pi / 30,
-        supports=RIGID_SUPPORTS,
+        structure=IDEAL_STRUCTURE,
         play=NO_PLAY,
         closure="elastic",
         closure_springs="bulk",

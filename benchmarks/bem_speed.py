@@ -61,7 +61,9 @@ def measure_asperity(heights, repeats, folder):
     from asperity.bem import ElasticPair, PeriodicHalfSpace, normal_contact, tangential_stiffness
 
     n = heights.shape[0]
-    pair = ElasticPair(contact_modulus=1.0, antiplane_modulus=0.5 * (1.0 - POISSON_RATIO))
+    pair = ElasticPair(
+        contact_modulus=1.0, antiplane_modulus=0.5 * (1.0 - POISSON_RATIO), dundurs_constant=0.0
+    )
     half_space = PeriodicHalfSpace(pair, shape=(n, n), pixel_size=(1.0 / n, 1.0 / n))
 
     def solve(tolerance=TOLERANCE):

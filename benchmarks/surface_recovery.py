@@ -1,7 +1,7 @@
-"""How well D and G of known surfaces are recovered: the two tables of docs/surface_recovery.md.
+"""How well D and G of known surfaces are recovered: the three tables of docs/surface_recovery.md.
 
-Run ``python benchmarks/surface_recovery.py --repeats 100`` for the figures of the docs (half an hour on
-two cores), fewer repeats for a quick look. Surfaces are made by generators that share no code with the
+Run ``python benchmarks/surface_recovery.py --repeats 40`` for the figures of the docs, fewer repeats for a
+quick look, ``--table`` for one of the tables. Surfaces are made by generators that share no code with the
 estimators but the conversion constants, which tests check against direct sums.
 """
 
@@ -19,20 +19,48 @@ DIMENSIONS = (1.1, 1.3, 1.5, 1.7, 1.9)
 ROUGHNESSES = (1e-12, 1e-10, 1e-8)  # m, in turn
 SPACINGS = (0.05e-6, 0.1e-6, 0.5e-6)  # m, in turn
 CONFIDENCE = 0.95
+ROLL_OFF = 40e-6  # m
+BEND_POINTS = 4096
+BEND_SPACING = 0.1e-6  # m
+
+
+def rolled_off(
+    kind: str, D: float, G: float, spacing: float, points: int, random: np.random.Generator
+) -> np.ndarray:
+    """Gaussian profile with K-correlation or a flat spectrum above ROLL_OFF, cut from a longer period."""
+    n = 8 * points
+    f = np.fft.rfftfreq(n, spacing)[1:]
+    square = f**2 + ROLL_OFF**-2 if kind == "K-correlation" else np.maximum(f, 1.0 / ROLL_OFF) ** 2
+    density = np.concatenate([[0.0], 0.5 * G ** (2.0 * (D - 1.0)) * square ** (D - 2.5)])
+    white = np.fft.rfft(random.standard_normal(n))
+    return np.fft.irfft(white * np.sqrt(density / (2.0 * spacing)), n=n)[:points]
 
 
 def profiles(
-    kind: str, D: float, G: float, spacing: float, points: int, random: np.random.Generator
+    kind: str,
+    D: float,
+    G: float,
+    spacing: float,
+    points: int,
+    random: np.random.Generator,
+    count: int = PROFILES,
 ) -> np.ndarray:
-    """Ten profiles of one kind."""
+    """Profiles of one kind."""
     from asperity.surface import synthesis
 
     common = {"points": points, "spacing": spacing, "random": random}
     common |= {"fractal_dimension": D, "fractal_roughness": G}
+    if kind in ("K-correlation", "flat"):
+        return np.array([rolled_off(kind, D, G, spacing, points, random) for _ in range(count)])
+    if kind == "row quarters":  # the amplitude of the differences changes from quarter to quarter
+        share = np.repeat([0.5, 1.0, 1.5, 2.0], points // 4 + 1)[: points - 1]
+        share /= np.sqrt(np.mean(share**2))  # the mean power, and with it G, stay
+        z = np.array([synthesis.self_affine_profile(**common) for _ in range(count)])
+        return np.concatenate([np.zeros((count, 1)), np.cumsum(share * np.diff(z), axis=1)], axis=1)
     if kind == "self-affine":
-        return np.array([synthesis.self_affine_profile(**common) for _ in range(PROFILES)])
+        return np.array([synthesis.self_affine_profile(**common) for _ in range(count)])
     if kind == "band-limited":
-        return np.array([synthesis.spectral_profile(**common, periodic=False) for _ in range(PROFILES)])
+        return np.array([synthesis.spectral_profile(**common, periodic=False) for _ in range(count)])
     from asperity.surface.weierstrass import weierstrass_mandelbrot_profile
 
     terms = int(np.log(points / 2) / np.log(1.5)) + 1
@@ -49,7 +77,7 @@ def profiles(
                     lowest_index=0,
                 )
             )
-            for _ in range(PROFILES)
+            for _ in range(count)
         ]
     )
     if kind == "W-M + 1 % noise":
@@ -58,8 +86,7 @@ def profiles(
 
 
 def instrument(effect: str, heights: np.ndarray, spacing: float, random: np.random.Generator) -> np.ndarray:
-    """The same profiles through an imperfect instrument; its sizes are shares of the rms height or "
-    "of the record."""
+    """The same profiles through an imperfect instrument; sizes are shares of the rms height, or a radius in um."""
     import scipy.ndimage
 
     rms = float(heights.std(axis=1).mean())
@@ -77,19 +104,19 @@ def instrument(effect: str, heights: np.ndarray, spacing: float, random: np.rand
 
 
 def one(task: tuple) -> tuple | None:
-    """One average over ten profiles: errors of D and log10 G, and whether the intervals cover the truth."""
+    """One estimate: errors of D and log10 G, and whether the intervals cover the truth."""
     import jax
 
     jax.config.update("jax_enable_x64", True)
     from asperity.errors import NoSolutionError
     from asperity.surface.fractal_fit import fractal_fit
 
-    kind, estimator, D, points, effect, repeat = task
-    random = np.random.default_rng([repeat, int(100 * D), points, len(kind)])
+    kind, estimator, D, points, count, effect, repeat = task
+    random = np.random.default_rng([repeat, int(100 * D), points, len(kind), count])
     G, spacing = ROUGHNESSES[repeat % 3], SPACINGS[(repeat // 3) % 3]
     if effect:
-        G, spacing = 1e-10, 0.1e-6
-    heights = profiles(kind, D, G, spacing, points, random)
+        G, spacing = 1e-10, BEND_SPACING
+    heights = profiles(kind, D, G, spacing, points, random, count)
     if effect:
         heights = instrument(effect, heights, spacing, random)
     try:
@@ -126,8 +153,7 @@ def row(label: str, outcomes: list) -> str:
 
 HEADER = (
     "| surface, estimator, points | D | bias of D | scatter of D | D covered | bias of lg G | "
-    "scatter of lg G "
-    "| G covered | band [decades] | refused |\n|---|---|---|---|---|---|---|---|---|---|"
+    "scatter of lg G | G covered | band [decades] | refused |\n|---|---|---|---|---|---|---|---|---|---|"
 )
 
 
@@ -135,7 +161,7 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--repeats", type=int, default=100)
     parser.add_argument("--processes", type=int, default=2)
-    parser.add_argument("--table", choices=["recovery", "instrument", "both"], default="both")
+    parser.add_argument("--table", choices=["recovery", "bends", "instrument"])
     arguments = parser.parse_args()
     os.environ.setdefault("OMP_NUM_THREADS", "1")
     recovery = [
@@ -150,19 +176,31 @@ def main() -> None:
     sizes = {"none": (0,), "noise": (0.001, 0.01, 0.1), "quantised": (0.01, 0.1), "tip": (2, 10)}
     effects = [f"{kind} {size}" for kind, all_sizes in sizes.items() for size in all_sizes]
     with multiprocessing.get_context("spawn").Pool(arguments.processes) as pool:
-        if arguments.table != "instrument":
+        if arguments.table in (None, "recovery"):
             print(HEADER)
             for kind, estimator, points in recovery:
                 for D in DIMENSIONS:
-                    tasks = [(kind, estimator, D, points, "", r) for r in range(arguments.repeats)]
+                    tasks = [(kind, estimator, D, points, PROFILES, "", r) for r in range(arguments.repeats)]
                     label = f"{kind}, {estimator}, {PROFILES} x {points} | {D}"
                     print(row(label, pool.map(one, tasks, chunksize=5)), flush=True)
-        if arguments.table != "recovery":
+        if arguments.table in (None, "bends"):
+            print("\n" + HEADER.replace("estimator, points", "noise, profiles"))
+            for kind in ("K-correlation", "flat", "row quarters"):
+                for count in (1, PROFILES):
+                    for noise in (0.0, 0.02):
+                        for D in (1.3, 1.5, 1.7):
+                            tasks = [
+                                (kind, "likelihood", D, BEND_POINTS, count, f"noise {noise}", r)
+                                for r in range(arguments.repeats)
+                            ]
+                            label = f"{kind}, noise {noise:g}, {count} | {D}"
+                            print(row(label, pool.map(one, tasks, chunksize=5)), flush=True)
+        if arguments.table in (None, "instrument"):
             print("\n" + HEADER.replace("surface, estimator, points", "instrument effect"))
             for effect in effects:
                 for D in (1.2, 1.5, 1.8):
                     tasks = [
-                        ("self-affine", "automatic", D, POINTS, effect, r)
+                        ("self-affine", "automatic", D, POINTS, PROFILES, effect, r)
                         for r in range(max(5, arguments.repeats // 4))
                     ]
                     print(row(f"{effect} | {D}", pool.map(one, tasks, chunksize=5)), flush=True)

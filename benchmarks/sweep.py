@@ -27,7 +27,7 @@ RESULTS = {
 def plan_of(points, names):
     from asperity.joint_file.reader import read_case
     from asperity.study.parameters import parse_axis
-    from asperity.study.sweep.plan import make_plan
+    from asperity.study.sweep.sweep_plan import make_plan
 
     n = max(round(points**0.25), 2)
     axes = [
@@ -44,7 +44,7 @@ def bare(plan, indices):
     import os
 
     os.environ["JAX_ENABLE_X64"] = "1"
-    from asperity.study.sweep.plan import block_results
+    from asperity.study.sweep.sweep_plan import block_results
 
     block_results(plan, plan.block(0), quick=False)
     start = time.perf_counter()

@@ -115,7 +115,7 @@ def main() -> None:
         preload = found.point["load.preload"]
         print(f"  {torque:4g} N·m: {preload:.5g} N, {preload / torque:.4g} N per N·m")
     for level in LEVELS:
-        reference = smallest_preload(level, 5.0, None).nominal[f"stiffness.{level}"][0]
+        reference = smallest_preload(level, 5.0, None).nominal[f"{level}_stiffness_output"][0]
         found = smallest_preload(level, 10.0, float(reference))
         print(
             f"  {level:10s} the stiffness at 5 N·m and its smallest preload, kept up to 10 N·m: {found.point}"
@@ -129,7 +129,7 @@ def main() -> None:
             state = (
                 f"{length:.4g} mm"
                 if found.feasible
-                else f"not up to 100 mm (misses by {found.violation:.3g})"
+                else f"not up to 100 mm (misses the limit by {100.0 * found.violation:.3g} %)"
             )
             print(f"  {level:10s} {gain:g} times: {state}")
 

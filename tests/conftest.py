@@ -44,7 +44,7 @@ def paper_joint():
     Names of changes are those of the formulas' arguments; numbers may be arrays of one shape.
     """
     from asperity.contact.fractal import Surface
-    from asperity.drive.assembly import RIGID_SUPPORTS
+    from asperity.drive.assembly import IDEAL_STRUCTURE
     from asperity.drive.geometry import DriveGeometry
     from asperity.drive.mechanism import Bearings
     from asperity.joint.evaluation import Bodies, Joint
@@ -77,7 +77,7 @@ def paper_joint():
         "preload": 1000.0,
         "output_torque": 5.0,
         "sun_speed": 6000 * np.pi / 30,
-        "supports": RIGID_SUPPORTS,
+        "structure": IDEAL_STRUCTURE,
         "play": NO_PLAY,
         "closure": "elastic",
         "closure_springs": "bulk",
@@ -124,7 +124,7 @@ def paper_joint():
             preload=x["preload"],
             output_torque=x["output_torque"],
             sun_speed=x["sun_speed"],
-            supports=x["supports"],
+            structure=x["structure"],
             play=x["play"],
             closure=x["closure"],
             closure_springs=x["closure_springs"],

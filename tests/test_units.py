@@ -87,10 +87,53 @@ def test_angles_from_their_definition():
 
 
 @pytest.mark.parametrize(
-    "text", ["5 N*m", "5 N·m", "5 N m", "5N⋅m", "5 N × m", "5e3 N mm", "5\u00a0N\u202fm", "5 m N"]
+    "text",
+    [
+        *(
+            "5 Nm",
+            "5Nm",
+            "5e3 Nmm",
+            "5e3 mNm",
+            "0.005 kNm",
+            "5e-6 MNm",
+            "500 Ncm",
+            "5e6 µNm",
+            "5e6 uNm",
+            "5 kNmm",
+        ),
+        *("5 N*m", "5 N·m", "5 N m", "5N⋅m", "5 N × m", "5e3 N mm", "5\u00a0N\u202fm", "5 m N"),
+    ],
 )
 def test_signs_of_multiplication(text):
     assert parse_quantity(text, Dimension.TORQUE) == 5.0
+
+
+@pytest.mark.parametrize(
+    ("text", "newton_metres_per_radian"),
+    [
+        ("3 Nm/rad", 3.0),
+        ("3 Nmm/rad", 3e-3),
+        ("3 Nm/arcmin", 3.0 * 60.0 * 180.0 / math.pi),
+        ("3 Nm/'", None),
+        ("3 Nm/°", 3.0 * 180.0 / math.pi),
+        ("3 kNm rad^-1", 3e3),
+    ],
+)
+def test_torques_in_one_word_are_divided_like_products(text, newton_metres_per_radian):
+    if newton_metres_per_radian is None:
+        with pytest.raises(InputError, match="cannot read the unit"):
+            parse_quantity(text, Dimension.TORSIONAL_STIFFNESS)
+        return
+    assert parse_quantity(text, Dimension.TORSIONAL_STIFFNESS) == pytest.approx(
+        newton_metres_per_radian, rel=1e-15
+    )
+
+
+def test_the_example_of_a_key_is_quoted():
+    with pytest.raises(InputError, match=r"\(e\.g\. '1e-8 mm'\), got a force"):
+        parse_quantity("5 N", Dimension.LENGTH, example="1e-8 mm")
+    with pytest.raises(InputError, match=r"\(e\.g\. '3 \+- 3'\)"):
+        parse_tolerance("5", Dimension.DIMENSIONLESS, example="3")
 
 
 @pytest.mark.parametrize(
@@ -129,7 +172,15 @@ def test_bare_numbers_are_dimensionless(value, expected):
         ("5 mpa", Dimension.PRESSURE, "unknown unit 'mpa'; did you mean 'MPa'"),
         ("5 RPM", Dimension.ANGULAR_VELOCITY, "unknown unit 'RPM'; did you mean 'rpm'"),
         ("5 milimeter", Dimension.LENGTH, "unknown unit 'milimeter'; did you mean 'millimeter'"),
-        ("5 Nm", Dimension.TORQUE, r"unknown unit 'Nm'; write a torque as 'N\*m'"),
+        ("5 NM", Dimension.TORQUE, "unknown unit 'NM'; did you mean the torque 'Nm'"),
+        ("20 nmm", Dimension.TORQUE, "unknown unit 'nmm'; did you mean the torque 'Nmm'"),
+        ("5 nm", Dimension.TORQUE, "expected a torque .* got a length 'nm'"),
+        (
+            "5 Nm^2",
+            Dimension.TORQUE,
+            r"power of 'Nm' in 'Nm\^2' could be that of the torque or of the length",
+        ),
+        ("5 1/Nmm²", Dimension.TORQUE, "power of 'Nmm'"),
         ("5 qqqqqq", Dimension.LENGTH, "unknown unit 'qqqqqq'; known are"),
         ("", Dimension.LENGTH, "empty"),
         ("  ", Dimension.LENGTH, "empty"),

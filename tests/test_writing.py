@@ -29,18 +29,18 @@ def test_names_that_will_do(tmp_path):
 
 
 def test_names_that_will_not(tmp_path):
-    with pytest.raises(InputError, match=r"a\.jpg: an image ends in \.png, \.svg or \.pdf"):
+    with pytest.raises(InputError, match=r"a\.jpg: the name of an image must end in \.png, \.svg or \.pdf"):
         check_image("a.jpg")
     for check in (check_folder, check_file, check_image):
         with pytest.raises(InputError, match=r"there is no folder '.*nowhere' to write to; create it first"):
             check(str(tmp_path / "nowhere" / "a.png"))
     (tmp_path / "folder.png").mkdir()
     for path in (tmp_path / "folder.png", Path(os.devnull).with_suffix("")):
-        with pytest.raises(InputError, match="is no file; give the name of a file"):
+        with pytest.raises(InputError, match="is not a regular file; give another name"):
             check_file(path)
-        with pytest.raises(InputError, match="is no file"), replacing(path):
+        with pytest.raises(InputError, match="is not a regular file"), replacing(path):
             pass
-    with pytest.raises(InputError, match="is no file"):
+    with pytest.raises(InputError, match="is not a regular file"):
         check_image(tmp_path / "folder.png")
 
 

@@ -4,11 +4,69 @@ Each carries one complete sentence for the user: the offending value, the allowe
 command line prints that sentence and exits with :attr:`AsperityError.exit_code`; nothing else is printed.
 """
 
+LONGEST_QUOTE = 80
+
+
+def printable(text: str) -> str:
+    r"""Text in which every character that a terminal could obey is written as its escape sequence.
+
+    Control characters (also those of C1), marks that change the direction of writing, invisible characters and lone
+    surrogates become ``\x1b``, ``\u202e`` and the like. A line break stays where two spaces follow it, which is how
+    messages list several errors.
+
+    Parameters
+    ----------
+    text : str
+        Any text, for instance a value of a user's file.
+
+    Returns
+    -------
+    str
+        Text that is safe to print.
+
+    Examples
+    --------
+    >>> print(printable("red \x1b[31m\n  second line"))
+    red \x1b[31m
+      second line
+    """
+    if text.isprintable():
+        return text
+    lines = text.split("\n  ")
+    return "\n  ".join("".join(map(_escaped, line)) for line in lines)
+
+
+def _escaped(letter: str) -> str:
+    return letter if letter.isprintable() else letter.encode("unicode_escape").decode("ascii")
+
+
+def quoted(value: object) -> str:
+    """A value of a file as it may stand in a message: in quotes if it is text, and shortened if it is long.
+
+    Parameters
+    ----------
+    value : object
+        What the file contains.
+
+    Returns
+    -------
+    str
+        At most :data:`LONGEST_QUOTE` characters and an ellipsis.
+    """
+    try:
+        text = repr(value)
+    except RecursionError:
+        return "a deeply nested value"
+    return text if len(text) <= LONGEST_QUOTE else f"{text[:LONGEST_QUOTE]}…"
+
 
 class AsperityError(Exception):
-    """Base of every error that asperity raises on purpose."""
+    """Base of every error that asperity raises on purpose; its message is :func:`printable`."""
 
     exit_code = 1
+
+    def __init__(self, message: str = "") -> None:
+        super().__init__(printable(message))
 
 
 class InputError(AsperityError, ValueError):

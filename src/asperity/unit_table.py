@@ -7,10 +7,22 @@ N·m/rad are different things.
 import functools
 from enum import Enum
 
-__all__ = ["Dimension", "Exponents", "Unit", "unit_table"]
+__all__ = ["TORQUE_UNITS", "Dimension", "Exponents", "Unit", "unit_table"]
 
 Exponents = tuple[int, int, int, int]  # of metre, kilogram, second, radian
 Unit = tuple[int, int, int, Exponents]  # numerator, denominator and power of pi of the SI factor; exponents
+
+#: Products of newton and metre written in one word: name → SI factor as a ratio. "Nm" is N*m, "nm" a nanometre.
+TORQUE_UNITS: dict[str, tuple[int, int]] = {
+    "Nm": (1, 1),
+    "MNm": (10**6, 1),
+    "kNm": (10**3, 1),
+    "mNm": (1, 10**3),
+    "µNm": (1, 10**6),
+    "Ncm": (1, 10**2),
+    "Nmm": (1, 10**3),
+    "kNmm": (1, 1),
+}
 
 
 class Dimension(Enum):
@@ -34,6 +46,18 @@ class Dimension(Enum):
     POWER = ("a power", "W", "100 W", (2, 1, -3, 0))
     STIFFNESS = ("a stiffness", "N/m", "4e6 N/mm", (0, 1, -2, 0))
     TORSIONAL_STIFFNESS = ("a torsional stiffness", "N*m/rad", "8.6 N*m/arcmin", (2, 1, -2, -1))
+    TORSIONAL_STIFFNESS_PER_MASS = (
+        "a torsional stiffness per mass",
+        "N*m/rad/kg",
+        "4e4 N*m/rad/kg",
+        (2, 0, -2, -1),
+    )
+    TORSIONAL_STIFFNESS_PER_VOLUME = (
+        "a torsional stiffness per volume",
+        "N*m/rad/m^3",
+        "1e9 N*m/rad/m^3",
+        (-1, 1, -2, -1),
+    )
     STIFFNESS_PER_AREA = ("a stiffness per area", "Pa/m", "2e4 MPa/mm", (-2, 1, -2, 0))
 
     def __init__(self, label: str, si_unit: str, example: str, exponents: Exponents) -> None:
@@ -56,6 +80,7 @@ def unit_table() -> dict[str, Unit]:
         ("thou", (254, 10**7, 0, length)),
         ("foot feet ft", (3048, 10**4, 0, length)),
         ("micron microns", (1, 10**6, 0, length)),
+        ("angstrom angstroms Å \u212b", (1, 10**10, 0, length)),
         ("kg kilogram kilograms", (1, 1, 0, mass)),
         ("pound pounds lb", (45359237, 10**8, 0, mass)),
         ("minute minutes min", (60, 1, 0, time)),
@@ -97,4 +122,5 @@ def unit_table() -> dict[str, Unit]:
             table[short + symbol] = scaled
             table.update({long + name: scaled for name in names.split()})
     # "min" is a minute and "ft" a foot: what stands alone wins
-    return table | {name: unit for names, unit in alone for name in names.split()}
+    table.update({name: unit for names, unit in alone for name in names.split()})
+    return table | {name: (*ratio, 0, (2, 1, -2, 0)) for name, ratio in TORQUE_UNITS.items()}

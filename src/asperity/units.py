@@ -1,6 +1,6 @@
 """Quantities as text: ``"13.5 mm"`` to SI and back, in a fraction of a millisecond and without dependencies.
 
-A quantity is a decimal number and a product of units: ``5 N*m``, ``5 N·m``, ``5 N m``, ``7850 kg/m^3``,
+A quantity is a decimal number and a product of units: ``5 N*m``, ``5 N·m``, ``5 N m``, ``5 Nm``, ``7850 kg/m^3``,
 ``3e4 N*m/rad``. Products and quotients are read from left to right (``N/mm/rad`` is N/(mm·rad)); there are no
 parentheses. Powers are whole numbers after ``^`` or ``**``, or superscripts. The arithmetic is exact but for
 one rounding, so that ``"13.5 mm"`` gives the same float as writing ``0.0135``.
@@ -9,8 +9,8 @@ one rounding, so that ``"13.5 mm"`` gives the same float as writing ``0.0135``.
 import math
 import re
 
-from asperity.errors import InputError
-from asperity.unit_table import Dimension, Exponents, Unit, unit_table
+from asperity.errors import InputError, quoted
+from asperity.unit_table import TORQUE_UNITS, Dimension, Exponents, Unit, unit_table
 
 __all__ = ["Dimension", "format_quantity", "from_si", "parse_quantity", "parse_tolerance"]
 
@@ -30,8 +30,9 @@ def _nearest(name: str) -> str:
     """Say which known unit an unknown one resembles most."""
     import difflib
 
-    if name.lower() in ("nm", "nmm"):
-        return "; write a torque as 'N*m'"
+    torque_units = {known.lower(): known for known in TORQUE_UNITS if known[0] == "N"}
+    if name.lower() in torque_units:
+        return f"; did you mean the torque '{torque_units[name.lower()]}'?"
     by_lower_case: dict[str, str] = {}
     for known in [
         "mm",
@@ -69,6 +70,11 @@ def _parse_unit(text: str) -> Unit:
         if name not in units:
             raise InputError(f"unknown unit '{name}'{_nearest(name)}")
         power = int(power_text[:5]) if power_text else 1
+        if name in TORQUE_UNITS and power_text:
+            raise InputError(
+                f"the power of '{name}' in '{written}' could be that of the torque or of the length; write the product "
+                "with '*', e.g. 'N*m^2'"
+            )
         if abs(power) > LARGEST_POWER:
             raise InputError(f"the power {power_text} in '{written}' is beyond ±{LARGEST_POWER}")
         top, bottom, unit_pi, exponents = units[name]
@@ -91,10 +97,9 @@ def _dimension_of(exponents: Exponents) -> str:
     return f"a quantity of unit {'*'.join(parts)}"
 
 
-def _split(text: str, dimension: Dimension) -> tuple[str, str]:
+def _split(text: str, dimension: Dimension, example: str) -> tuple[str, str]:
     """Number and unit of a quantity, both as text."""
     plain = text.translate(_SAME).strip()
-    example = f"e.g. '{dimension.example}'"
     if not plain:
         raise InputError(f"expected {dimension.label} ({example}), got an empty text")
     if len(plain) > LONGEST_TEXT:
@@ -132,7 +137,7 @@ def _exact(number: str) -> tuple[int, int]:
     return mantissa * 10 ** max(power, 0), 10 ** max(-power, 0)
 
 
-def parse_quantity(text: object, dimension: Dimension) -> float:
+def parse_quantity(text: object, dimension: Dimension, *, example: str | None = None) -> float:
     """Value of a quantity in SI units (radians for angles).
 
     Parameters
@@ -142,6 +147,8 @@ def parse_quantity(text: object, dimension: Dimension) -> float:
         for :attr:`Dimension.DIMENSIONLESS` only.
     dimension : Dimension
         What the quantity has to measure.
+    example : str, optional
+        What to quote in messages; the example of the dimension by default.
 
     Returns
     -------
@@ -152,8 +159,8 @@ def parse_quantity(text: object, dimension: Dimension) -> float:
     Raises
     ------
     InputError
-        If the text is no quantity, its unit is unknown or missing, it measures something else, or the value
-        is not a finite double.
+        If the text is not a quantity, its unit is unknown, missing or of another dimension, or the value is not a
+        finite double.
 
     Examples
     --------
@@ -162,13 +169,13 @@ def parse_quantity(text: object, dimension: Dimension) -> float:
     >>> parse_quantity("8.6 N·m/arcmin", Dimension.TORSIONAL_STIFFNESS).__round__(3)
     29564.622
     """
-    example = f"e.g. '{dimension.example}'"
+    example = f"e.g. '{example or dimension.example}'"
     if isinstance(text, bool) or not isinstance(text, str | int | float):
-        raise InputError(f"expected {dimension.label} as text ({example}), got {text!r}")
+        raise InputError(f"expected {dimension.label} as text ({example}), got {quoted(text)}")
     if not isinstance(text, str):
         if dimension is not Dimension.DIMENSIONLESS:
             raise InputError(
-                f"expected {dimension.label} with its unit as text ({example}), got the bare number {text!r}"
+                f"expected {dimension.label} with its unit as text ({example}), got the bare number {quoted(text)}"
             )
         try:
             value = float(text)
@@ -179,7 +186,7 @@ def parse_quantity(text: object, dimension: Dimension) -> float:
                 f"expected {dimension.label} ({example}), got a number that is not finite: {value}"
             )
         return value
-    number, unit_text = _split(text, dimension)
+    number, unit_text = _split(text, dimension, example)
     if not unit_text and dimension is not Dimension.DIMENSIONLESS:
         raise InputError(
             f"expected {dimension.label} with its unit ({example}), got the bare number '{text}'"
@@ -198,7 +205,7 @@ def parse_quantity(text: object, dimension: Dimension) -> float:
     return value
 
 
-def parse_tolerance(text: object, dimension: Dimension) -> tuple[float, float]:
+def parse_tolerance(text: object, dimension: Dimension, *, example: str | None = None) -> tuple[float, float]:
     """Value and tolerance of a text such as ``"13.5 mm +- 5 µm"``, in SI units.
 
     Both parts carry their own unit. ``±``, ``+-`` and ``+/-`` are read alike.
@@ -209,6 +216,8 @@ def parse_tolerance(text: object, dimension: Dimension) -> tuple[float, float]:
         The value, the sign, the tolerance.
     dimension : Dimension
         What both have to measure.
+    example : str, optional
+        What to quote in messages; the example of the dimension by default.
 
     Returns
     -------
@@ -225,13 +234,14 @@ def parse_tolerance(text: object, dimension: Dimension) -> tuple[float, float]:
     >>> parse_tolerance("13.5 mm ± 5 µm", Dimension.LENGTH)
     (0.0135, 5e-06)
     """
-    wanted = f"{dimension.label} with its tolerance (e.g. '{dimension.example} +- {dimension.example}')"
+    value_example = example or dimension.example
+    wanted = f"{dimension.label} with its tolerance (e.g. '{value_example} +- {value_example}')"
     if not isinstance(text, str):
-        raise InputError(f"expected {wanted}, got {text!r}")
+        raise InputError(f"expected {wanted}, got {quoted(text)}")
     parts = re.split(_PLUS_MINUS, text.translate(_SAME)) if len(text) <= 2 * LONGEST_TEXT else []
     if len(parts) != 2:
         raise InputError(f"expected {wanted}, got '{text[:LONGEST_TEXT]}', which has not exactly one '+-'")
-    value, tolerance = (parse_quantity(part, dimension) for part in parts)
+    value, tolerance = (parse_quantity(part, dimension, example=example) for part in parts)
     if tolerance < 0.0:
         raise InputError(f"expected {wanted}, got the negative tolerance '{parts[1].strip()}'")
     return value, tolerance

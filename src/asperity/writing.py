@@ -1,4 +1,4 @@
-"""Files that are written: whether they can be, before anything is computed, and whole or not at all."""
+"""Files that are written: checked before anything is computed, and written completely or not at all."""
 
 from __future__ import annotations
 
@@ -14,36 +14,36 @@ from asperity.errors import InputError
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-#: Endings of pictures.
+#: Endings of images.
 IMAGE_SUFFIXES = (".png", ".svg", ".pdf")
 _DOTS_PER_INCH = 150
 
 
 def cannot_write(path: str | Path, error: OSError) -> InputError:
-    """The error that says that and why something cannot be written.
+    """The error about something that cannot be written, with the reason.
 
     Parameters
     ----------
     path : str or Path
-        What was to be written.
+        File or folder.
     error : OSError
-        Why not.
+        The reason.
 
     Returns
     -------
     InputError
-        To be raised.
+        Ready to be raised.
     """
     return InputError(f"{path}: cannot be written: {error.strerror or error}")
 
 
 def check_folder(path: str | Path | None) -> None:
-    """Raise unless a new file or folder can be made here, before hours are spent on its content.
+    """Raise unless a new file or folder can be created here.
 
     Parameters
     ----------
     path : str, Path or None
-        What is to be written; None for nothing.
+        Name of the new file or folder; None if nothing is to be written.
 
     Raises
     ------
@@ -68,30 +68,30 @@ def check_file(path: str | Path | None, *inputs: str | Path) -> None:
     Parameters
     ----------
     path : str, Path or None
-        Its name; None for nothing.
+        Name of the file; None if nothing is to be written.
     *inputs : str or Path
-        Files that are read and must not be written over.
+        Files that are read and must not be overwritten.
 
     Raises
     ------
     InputError
-        If it is an input, something else than a file has this name, or as :func:`check_folder`.
+        If it is an input or not a regular file, or as :func:`check_folder`.
     """
     if path is not None and Path(path).exists():
         if not Path(path).is_file():
-            raise InputError(f"{path}: this is there and is no file; give the name of a file")
+            raise InputError(f"{path}: this exists and is not a regular file; give another name")
         if any(Path(each).exists() and Path(path).samefile(each) for each in inputs):
             raise InputError(f"{path}: this is the file that is read; give another name")
     check_folder(path)
 
 
 def check_image(path: str | Path | None) -> None:
-    """Raise unless a picture can be written here.
+    """Raise unless an image can be written here.
 
     Parameters
     ----------
     path : str, Path or None
-        Its name; None for nothing.
+        Name of the file; None if nothing is to be written.
 
     Raises
     ------
@@ -99,13 +99,13 @@ def check_image(path: str | Path | None) -> None:
         If the ending is unknown, or as :func:`check_file`.
     """
     if path is not None and Path(path).suffix.lower() not in IMAGE_SUFFIXES:
-        raise InputError(f"{path}: an image ends in .png, .svg or .pdf")
+        raise InputError(f"{path}: the name of an image must end in .png, .svg or .pdf")
     check_file(path)
 
 
 @contextmanager
 def replacing(path: str | Path) -> Iterator[Path]:
-    """A name beside a file that takes its place in one step when all is written, and vanishes otherwise.
+    """A temporary file that replaces a file in one step when it is complete, and is deleted otherwise.
 
     Parameters
     ----------
@@ -135,12 +135,12 @@ def replacing(path: str | Path) -> Iterator[Path]:
 
 
 def write_text(text: str, path: str | Path) -> None:
-    """Write a text file in UTF-8, lines ending as they stand.
+    """Write a text file in UTF-8; line ends are not changed.
 
     Parameters
     ----------
     text : str
-        What to write.
+        The content.
     path : str or Path
         File name.
 
@@ -154,12 +154,12 @@ def write_text(text: str, path: str | Path) -> None:
 
 
 def write_image(figure: Figure, path: str | Path) -> None:
-    """Write a picture.
+    """Write an image.
 
     Parameters
     ----------
     figure : matplotlib.figure.Figure
-        What to draw.
+        The figure.
     path : str or Path
         File name with one of :data:`IMAGE_SUFFIXES`.
 

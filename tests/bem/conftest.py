@@ -26,7 +26,7 @@ def rough_surface(n=64, seed=0):
 @pytest.fixture(scope="session")
 def rough_half_space():
     """Unit square, contact modulus 1, Poisson's ratio 0.3."""
-    pair = ElasticPair(contact_modulus=1.0, antiplane_modulus=0.35)
+    pair = ElasticPair(contact_modulus=1.0, antiplane_modulus=0.35, dundurs_constant=0.0)
     return PeriodicHalfSpace(pair, shape=(64, 64), pixel_size=(1 / 64, 1 / 64))
 
 

@@ -36,6 +36,21 @@ def test_a_rigid_partner_leaves_the_other_body_alone():
     assert pair.antiplane_modulus == pytest.approx(2e9 / 2.5, rel=1e-12)
 
 
+def test_dundurs_second_constant():
+    """CONTACT prints 0.1002 for these rollers: Kalker's K, which is beta times G/E; zero for like bodies."""
+    pair = elastic_pair(
+        youngs_modulus_1=2.0 * 23e9 * 1.31,
+        youngs_modulus_2=2.0 * 82e9 * 1.28,
+        poisson_ratio_1=0.31,
+        poisson_ratio_2=0.28,
+    )
+    mean_shear_modulus = 2.0 / (1.0 / 23e9 + 1.0 / 82e9)
+    kalker = pair.dundurs_constant * mean_shear_modulus / pair.contact_modulus
+    assert kalker == pytest.approx(0.1002, abs=5e-5)
+    like = elastic_pair(youngs_modulus_1=2e9, youngs_modulus_2=2e9, poisson_ratio_1=0.3, poisson_ratio_2=0.3)
+    assert like.dundurs_constant == 0.0
+
+
 @pytest.mark.parametrize(
     ("change", "named"),
     [

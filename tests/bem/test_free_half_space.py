@@ -7,7 +7,7 @@ import pytest
 from asperity.bem import ElasticPair, FreeHalfSpace, PeriodicHalfSpace
 from asperity.errors import InputError
 
-PAIR = ElasticPair(contact_modulus=2.0, antiplane_modulus=0.7)
+PAIR = ElasticPair(contact_modulus=2.0, antiplane_modulus=0.7, dundurs_constant=0.0)
 
 
 def test_far_from_one_pixel_the_surface_moves_as_under_boussinesqs_and_cerrutis_point_loads():
@@ -62,3 +62,25 @@ def test_the_reference_distance_of_a_strip_only_shifts_the_displacement():
     shift = far.normal_displacement(load) - near.normal_displacement(load)
     expected = 2.0 / (np.pi * 2.0) * float(load.sum()) * 0.1 * np.log(10.0)
     np.testing.assert_allclose(shift, expected, rtol=1e-12)
+
+
+def test_pressure_moves_the_surfaces_of_unlike_bodies_along_each_other():
+    """Its gradient is -2 beta p/E (Johnson 1985, (2.25)); far away half the load to either side."""
+    pair = ElasticPair(contact_modulus=2.0, antiplane_modulus=0.7, dundurs_constant=0.3)
+    strip = FreeHalfSpace(pair, shape=(64,), pixel_size=(0.1,), reference_distance=1.0)
+    x = (np.arange(64) - 31.5) * 0.1
+    pressure = np.exp(-(x**2))
+    found = np.asarray(strip.coupled_displacement(jnp.array(pressure)))
+    middle = 0.5 * (pressure[1:] + pressure[:-1])
+    np.testing.assert_allclose(np.diff(found) / 0.1, -2.0 * 0.3 * middle / 2.0, atol=1e-14)
+    np.testing.assert_allclose(found, -found[::-1], atol=1e-15)
+    assert found[0] == pytest.approx(0.3 / 2.0 * np.sqrt(np.pi), rel=1e-3)
+
+
+def test_the_rough_inverse_with_a_layer_is_exact_without_edges():
+    """On a full period the free inverse symbol E q/2 in series with the layer."""
+    strip = FreeHalfSpace(PAIR, shape=(64,), pixel_size=(0.1,), reference_distance=1.0)
+    q = 2.0 * np.pi * 5.0 / 6.4
+    wave = np.cos(q * 0.1 * np.arange(64))
+    found = strip.layered_traction_estimate(jnp.array(wave), jnp.full(64, 0.7))
+    np.testing.assert_allclose(found, wave / (2.0 / (2.0 * q) + 0.7), atol=1e-12)

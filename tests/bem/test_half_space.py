@@ -8,7 +8,7 @@ from asperity.bem import ElasticPair, PeriodicHalfSpace
 from asperity.bem.half_space import nearest_neighbour_weights, weighted_neighbours
 from asperity.errors import InputError
 
-PAIR = ElasticPair(contact_modulus=3.0, antiplane_modulus=1.1)
+PAIR = ElasticPair(contact_modulus=3.0, antiplane_modulus=1.1, dundurs_constant=0.0)
 SHAPE, PIXEL = (16, 12), (0.5, 0.7)
 HALF_SPACE = PeriodicHalfSpace(PAIR, shape=SHAPE, pixel_size=PIXEL)
 X, Y = np.meshgrid(np.arange(16) * 0.5, np.arange(12) * 0.7, indexing="ij")

@@ -5,7 +5,7 @@ import numpy as np
 import pytest
 from scipy.integrate import dblquad, quad
 
-from asperity.bem.influence import patch_integrals, strip_integral
+from asperity.bem.influence import coupling_integral, patch_integrals, strip_integral
 
 DX, DY = 0.8, 1.3
 
@@ -44,3 +44,9 @@ def test_strip_integral_matches_quadrature(steps):
     )
     found = strip_integral(jnp.array(x), pixel_size=jnp.array(width), reference_distance=jnp.array(far))
     assert float(found) == pytest.approx(expected, rel=1e-10)
+
+
+@pytest.mark.parametrize(("steps", "expected"), [(0, 0.0), (1, -0.15), (4, -0.15), (-2, 0.15)])
+def test_coupling_integral_is_half_the_pixel_on_either_side(steps, expected):
+    found = coupling_integral(jnp.array(steps * 0.3), pixel_size=jnp.array(0.3))
+    assert float(found) == pytest.approx(expected, abs=1e-15)

@@ -105,7 +105,7 @@ def test_westergaards_wavy_surface(share):
 def test_waves_pressed_flat_carry_their_own_pressure_wave():
     """Above p* the contact is complete and linear: p = p_mean + p* cos, whatever the load."""
     n = 256
-    strip = PeriodicHalfSpace(ElasticPair(1.0, 0.5), shape=(n,), pixel_size=(1.0 / n,))
+    strip = PeriodicHalfSpace(ElasticPair(1.0, 0.5, 0.0), shape=(n,), pixel_size=(1.0 / n,))
     wave = np.cos(2.0 * np.pi * np.arange(n) / n)
     found = normal_contact(strip, 1e-3 * wave, normal_force=0.01)
     np.testing.assert_allclose(found.pressure, 0.01 + np.pi * 1e-3 * wave, atol=1e-9)

@@ -81,7 +81,7 @@ def test_normal_stiffness_is_the_slope_of_load_over_gap(rough_half_space, rough_
 
 def test_sheared_without_coupling_both_directions_are_the_normal_problem_scaled():
     """nu = 0, that is 1/G = 2/E: the shear kernel is isotropic and equal to the normal one, so k_t = k_n."""
-    half_space = PeriodicHalfSpace(ElasticPair(1.0, 0.5), shape=(64, 64), pixel_size=(1 / 64, 1 / 64))
+    half_space = PeriodicHalfSpace(ElasticPair(1.0, 0.5, 0.0), shape=(64, 64), pixel_size=(1 / 64, 1 / 64))
     mask = jnp.asarray(np.random.default_rng(2).random((64, 64)) < 0.2)
     normal = float(normal_stiffness(half_space, mask, tolerance=1e-12).stiffness)
     for axis in (0, 1):

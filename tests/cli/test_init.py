@@ -35,4 +35,4 @@ def test_a_dash_prints_it(call):
 def test_a_place_that_cannot_be_written(call, tmp_path):
     outcome = call("init", tmp_path / "nowhere" / "joint.toml")
     assert outcome.code == 2
-    assert "cannot be written" in outcome.err
+    assert "there is no folder" in outcome.err

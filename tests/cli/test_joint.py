@@ -33,15 +33,17 @@ def test_the_document_has_every_key_in_si(document):
             "critical_area_m2",
             "real_contact_area_m2",
             "contact_factor",
-            "tangential_stiffness_N_per_m",
-            "normal_stiffness_N_per_m",
-            "torsional_stiffness_Nm_per_rad",
+            "asperity_tangential_stiffness_N_per_m",
+            "asperity_normal_stiffness_N_per_m",
+            "contact_torsional_stiffness_Nm_per_rad",
         }
     for level in ("published", "series_with_bulk", "assembly"):
         stiffness = document["torsional_stiffness"][level]
         assert set(stiffness) == {"sun_Nm_per_rad", "output_Nm_per_rad", "output_Nm_per_arcmin"}
     for entry in document["diagnostics"]:
-        assert set(entry) == {"name", "contact", "value", "limit", "ok", "meaning"}
+        words = {"label", "severity", "meaning", "remedy"}
+        assert set(entry) == {"name", "contact", "value", "limit", "ok"} | words
+        assert (entry["remedy"] is None) == entry["ok"]
     assert document["input"]["load"]["preload"] == 1000.0
     assert any("[bearings]" in sentence for sentence in document["assumptions"])
 
@@ -108,7 +110,8 @@ def test_the_tables_name_their_units_and_warn(call, joint_file):
         "an upper bound",
         "alpha 13.9248 deg, theta 27.0831 deg, wedge beta 13.1582 deg",
         "ratio -9",
-        "real area over hertz area (limit 1): sp",
+        "Hertz pressure over first yield 2.035 at sp",
+        "Contact law outside its range: real area over Hertz area up to",
         "no section [bearings]: the bearings have no friction",
     ):
         assert text in outcome.out, text
@@ -161,17 +164,17 @@ def test_a_file_that_is_not_there(call):
 
 
 def test_no_solution_is_exit_code_3(call, joint_file, monkeypatch):
-    from asperity.joint import examination
+    from asperity.joint import solve as solving
 
-    real = examination.compile_fast
+    real = solving.compile_fast
 
     def unsolved(function, joint):
         result, *others = real(function, joint)(joint)
         result = dataclasses.replace(result, solved=np.asarray(False))
         return lambda _: (result, *others)
 
-    monkeypatch.setattr(examination, "compile_fast", unsolved)
+    monkeypatch.setattr(solving, "compile_fast", unsolved)
     outcome = call("joint", joint_file())
     assert outcome.code == 3
     assert outcome.out == ""
-    assert "the force balance did not close: relative residual" in outcome.err
+    assert "the force balance has no solution with these numbers" in outcome.err

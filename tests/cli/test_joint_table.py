@@ -20,17 +20,27 @@ def document():
     """A joint by hand in SI units; the left roller has lifted off the ring."""
     contact = {
         "hertz_half_width_m": 25e-6,
-        "hertz_peak_pressure_Pa": 750e6,
+        "hertz_pressure_Pa": 750e6,
         "real_contact_area_m2": 0.2e-6,
-        "tangential_stiffness_N_per_m": 123e6,
+        "asperity_tangential_stiffness_N_per_m": 123e6,
         "bulk_tangential_stiffness_N_per_m": 456e6,
-        "normal_stiffness_N_per_m": 789e6,
+        "asperity_normal_stiffness_N_per_m": 789e6,
         "bulk_normal_stiffness_N_per_m": 321e6,
-        "torsional_stiffness_Nm_per_rad": 6543.0,
+        "contact_torsional_stiffness_Nm_per_rad": 6543.0,
     }
     stiffness = {"sun_Nm_per_rad": 100.0, "output_Nm_per_rad": 8100.0, "output_Nm_per_arcmin": 2.356}
     slips = [
-        {"name": "gross_slip", "contact": name, "value": value, "limit": 1.0, "ok": ok, "meaning": "it slips"}
+        {
+            "name": "slip_ratio",
+            "label": "slip ratio",
+            "contact": name,
+            "value": value,
+            "limit": 1.0,
+            "ok": ok,
+            "severity": "function",
+            "meaning": "it slips",
+            "remedy": "press harder",
+        }
         for name, value, ok in zip(
             CONTACTS, (0.4, 1.25, 0.5, 1.5, None), (True, False, True, False, False), strict=True
         )
@@ -64,6 +74,7 @@ def document():
             "reverse": {"output_torque_Nm": None, "meaning": "no limit is reached at any torque"},
         },
         "contacts": {name: dict(contact) for name in CONTACTS},
+        "stiffness_unknown_because": None,
         "torsional_stiffness": dict.fromkeys(("assembly", "series_with_bulk", "published"), stiffness),
         "stiffness_budget": {"pins_share": 0.25, "contacts_share": each(0.5, 0.25, 0.0, 0.0, 0.0)},
         "diagnostics": slips,
@@ -96,7 +107,7 @@ def test_numbers_are_converted_to_the_units_of_the_heads(document, shown):
         "  capacity   12.5 N·m: contact sp slips; reverse no limit is reached at any torque",
         "  pin force  left 111 N, right 222 N",
         "  mass       planet 22.47 g, loading roller 3.083 g",
-        "  least gap  0.5 mm: near",
+        "  clearance  at least 0.5 mm: near",
         "  contacts 75.0 %, pins 25.0 %",
         "  no section [bearings]: the bearings have no friction",
     ):
@@ -105,11 +116,53 @@ def test_numbers_are_converted_to_the_units_of_the_heads(document, shown):
 
 def test_warnings_are_gathered_by_limit(document, shown):
     lines = shown(document)
-    place = lines.index("  gross slip (limit 1): pwr 1.25, wro 1.5, wlo -")
-    assert lines[place + 1] == "    it slips"
+    place = lines.index("  Slip ratio 1.25 at pwr, 1.5 at wro, - at wlo (limit 1)")
+    assert lines[place + 1 : place + 3] == ["    it slips", "    What to do: press harder"]
     for entry in document["diagnostics"]:
         entry["ok"] = True
     assert "No warnings: every limit of the model is kept" in shown(document)
+
+
+def limit(name, value, severity, contact=None):
+    words = {
+        "label": name.replace("_", " "),
+        "meaning": f"{name} is crossed",
+        "remedy": f"mend the {severity}",
+    }
+    return {
+        "name": name,
+        "contact": contact,
+        "value": value,
+        "limit": 1.0,
+        "ok": False,
+        "severity": severity,
+        **words,
+    }
+
+
+def test_limits_of_the_model_alone_make_one_warning(document, shown):
+    kept = [{**entry, "ok": True} for entry in document["diagnostics"]]
+    document["diagnostics"] = [
+        *kept,
+        *(limit("yield", 2.0, "damage", contact) for contact in CONTACTS),
+        limit("area", 8.0, "model", "sp"),
+        limit("area", 3.0, "model", "pwr"),
+        limit("spot", 40.0, "model", "sp"),
+    ]
+    lines = shown(document)
+    place = lines.index("Warnings, the most serious first")
+    assert lines[place + 1 : place + 6] == [
+        "  Yield 2 at every contact (limit 1)",
+        "    yield is crossed",
+        "    What to do: mend the damage",
+        "  Contact law outside its range: area up to 8, spot up to 40",
+        "    What to do: mend the model",
+    ]
+
+
+def test_one_planet_is_no_plural(document, shown):
+    document["input"]["drive"]["planets"] = 1.0
+    assert shown(document)[1].startswith("1 planet, sun at")
 
 
 def test_the_interval_of_a_measured_surface(document, shown):
@@ -120,9 +173,10 @@ def test_the_interval_of_a_measured_surface(document, shown):
         "draws": 100,
         "outside": 2,
         "unsolved": 0,
+        "all_plastic": 0,
         **dict.fromkeys(("assembly", "series_with_bulk", "published"), bounds),
     }
     text = " ".join(" ".join(shown(document)).split())  # titles and sentences are wrapped
     assert "95% interval from the measured surface (D = 1.400, G = 1e-8 mm)" in text
     assert text.count("7000") == text.count("9000") == 3
-    assert "of 100 draws of D and G, 2 had a D outside 1 to 2 and 0 no solution" in text
+    assert "2 had a D outside 1 to 2, 0 had no solution and 0 had plastic spots only" in text

@@ -52,7 +52,7 @@ def test_a_library_file_of_one_s_own(call, tmp_path):
     [
         (("441C",), "the library has no entry '441C'; did you mean '440C'?"),
         (("wood",), "known are 52100"),
-        (("--file", "nowhere.toml"), "nowhere.toml: there is no such library file"),
+        (("--file", "nowhere.toml"), "nowhere.toml: there is no such file"),
     ],
 )
 def test_refusals(call, arguments, said):

@@ -68,3 +68,21 @@ def test_points_are_shown_in_the_unit_of_the_key(found, capsys):
 def test_numbers_for_json():
     assert number_or_null(np.float64(1.5)) == 1.5
     assert [number_or_null(value) for value in (np.nan, np.inf, -np.inf)] == [None] * 3
+
+
+def test_results_of_contacts_have_a_column_each_and_contacts_their_names(capsys):
+    dims = ("load.preload",)
+    contacts = ["sp", "pwr", "pwl", "wro", "wlo"]
+    pressure = np.arange(1.0, 11.0).reshape(5, 2) * 1e8
+    made = xarray.Dataset(
+        {
+            "status": (dims, np.zeros(2, dtype=np.int8)),
+            "hertz_pressure": (("contact", *dims), pressure),
+            "limiting_contact": (dims, np.array([0.0, 4.0])),
+        },
+        coords={"load.preload": [800.0, 1000.0], "contact": contacts},
+    )
+    show_points(made)
+    rows = [line.split() for line in capsys.readouterr().out.splitlines()]
+    assert ["800", "100", "300", "500", "700", "900", "sp"] in rows  # MPa
+    assert ["1000", "200", "400", "600", "800", "1000", "wlo"] in rows

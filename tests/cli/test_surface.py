@@ -2,6 +2,8 @@
 
 import json
 
+import matplotlib.image
+import numpy as np
 import pytest
 from click.testing import CliRunner
 
@@ -30,7 +32,14 @@ def test_from_synthetic_files_to_one_equivalent_surface(tmp_path):
         low, high = measured.interval(confidence=0.999)["fractal_dimension"]
         assert low < 1.5 < high
         documents.append(document)
-    assert (tmp_path / "1.png").stat().st_size > 20_000
+    pixels = matplotlib.image.imread(tmp_path / "1.png")
+    red = (pixels[..., 0] > 0.7) & (pixels[..., 1] < 0.4)  # the fitted law
+    blue = (pixels[..., 2] > 0.6) & (pixels[..., 0] < 0.3)  # the profile
+    grey = np.abs(pixels[..., :3] - 0.35).max(axis=-1) < 0.05  # the measured points
+    half = pixels.shape[0] // 2
+    assert red[half:].sum() > 1000
+    assert blue[:half].sum() > 1000
+    assert grey[half:].sum() > 1000
     both = run("combine", *documents, "--json")
     assert both.exit_code == 0, both.output
     assert json.loads(both.stdout)["fractal_dimension"] == pytest.approx(1.5, abs=0.06)
@@ -73,6 +82,68 @@ def test_a_measured_power_law_is_not_refused(shared_data):
     )
     assert got.exit_code == 0, got.output
     assert 1.6 < json.loads(got.stdout)["fractal_dimension"] < 1.85  # by eye: P falls 2.2 decades in 1.47
+
+
+def test_tilt_is_removed_by_default_and_refused_otherwise(tmp_path):
+    """A slope of 0.1 over 0.5 mm: Ra of the bare profile would be 12.5 um."""
+    from asperity.surface.synthesis import self_affine_profile
+
+    z = self_affine_profile(
+        points=5000,
+        spacing=1e-7,
+        fractal_dimension=1.4,
+        fractal_roughness=1e-9,
+        random=np.random.default_rng(3),
+    )
+    x = np.arange(5000) * 1e-7
+    file = tmp_path / "tilted.npy"
+    np.save(file, z + 0.1 * x)
+    common = ("measure", file, "--height-unit", "m", "--spacing", "0.1 um")
+    got = run(*common, "--json")
+    assert got.exit_code == 0, got.output
+    document = json.loads(got.stdout)
+    low, high = document["fractal_dimension_interval_95"]
+    assert low < 1.4 < high
+    levelled = z - np.polyval(np.polyfit(x, z, 1), x)
+    assert document["files"][0]["Ra_m"] == pytest.approx(np.mean(np.abs(levelled)), rel=1e-6)
+    assert document["files"][0]["notes"] == ["form removed: line"]
+    for form in ("mean", "none"):
+        refused = run(*common, "--form", form)
+        assert isinstance(refused.exception, InputError)
+        assert "--form line" in str(refused.exception)
+
+
+def test_output_states_misfit_and_roll_off(tmp_path):
+    file = tmp_path / "p.npy"
+    n, points = 65536, 8192
+    f = np.fft.rfftfreq(n, 1e-7)[1:]
+    P = np.concatenate([[0.0], 0.5e-10 * (f**2 + 25e-6**-2) ** -1.0])
+    white = np.fft.rfft(np.random.default_rng(0).standard_normal(n))
+    np.save(file, np.fft.irfft(white * np.sqrt(P / 2e-7), n=n)[:points])
+    got = run("measure", file, "--height-unit", "m", "--spacing", "0.1 um")
+    assert got.exit_code == 0, got.output
+    assert "chi-square per degree of freedom" in got.output
+    assert "misfit beyond sampling scatter" in got.output
+    document = json.loads(run("measure", file, "--height-unit", "m", "--spacing", "0.1 um", "--json").stdout)
+    assert document["roll_off_wavelength_m"] == pytest.approx(25e-6, rel=0.4)
+    assert 0.3 < document["reduced_chi_square"] < 2.0
+    assert f"roll-off at {1e6 * document['roll_off_wavelength_m']:.3g} um" in got.output
+
+
+@pytest.mark.parametrize("length", ["0 um", "-1 um", "5", "1 kg", "1 NM"])
+def test_wrong_lengths_are_one_message(tmp_path, length):
+    file = tmp_path / "p.npy"
+    np.save(file, np.random.default_rng(0).standard_normal(200).cumsum())
+    got = run("measure", file, "--height-unit", "nm", "--spacing", "1 um", "--shortest", length)
+    assert isinstance(got.exception, InputError)
+
+
+def test_size_must_be_plausible_unless_confirmed(tmp_path):
+    file = tmp_path / "p.npy"
+    np.save(file, np.random.default_rng(0).standard_normal(2000).cumsum())
+    common = ("measure", file, "--height-unit", "um", "--spacing", "1 mm")
+    assert "--any-size" in str(run(*common).exception)
+    assert run(*common, "--any-size").exit_code == 0
 
 
 def test_wrong_input(tmp_path):

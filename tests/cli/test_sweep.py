@@ -54,10 +54,10 @@ def test_small_sweep_is_printed_drawn_and_written(tmp_path):
         ([*TORQUE, "--results", "everything"], "no result 'everything'"),
         ([*TORQUE, "--plot", "--plot-result", "nope"], "no result 'nope'"),
         (
-            [*TORQUE, "--plot", "--results", "published", "--plot-result", "gross_slip"],
-            "'gross_slip' is not among",
+            [*TORQUE, "--plot", "--results", "published", "--plot-result", "slip_ratio"],
+            "'slip_ratio' is not among",
         ),
-        ([*TORQUE, "--plot-result", "gross_slip"], "--plot-result needs --plot"),
+        ([*TORQUE, "--plot-result", "slip_ratio"], "--plot-result needs --plot"),
     ],
 )
 def test_refusals_come_first(arguments, told, monkeypatch):
@@ -112,7 +112,9 @@ def test_sensitivity_document_and_table(tmp_path, monkeypatch):
     from asperity.study.tolerances import sensitivity as module
 
     found = module.sensitivity(read_case(FILE))
-    monkeypatch.setattr(module, "sensitivity", lambda case: found)  # compiled once for three commands
+    monkeypatch.setattr(
+        module, "sensitivity", lambda case, results: found
+    )  # compiled once for three commands
     document = json.loads(run("sensitivity", FILE, "--json", "--plot").stdout)
     elasticity = document["results"]["torque_capacity"]["elasticity"]
     assert elasticity["drive.planets"] == pytest.approx(1.0, abs=1e-9)
@@ -122,5 +124,5 @@ def test_sensitivity_document_and_table(tmp_path, monkeypatch):
     ranks = [line.split()[0] for line in table if line.startswith((" drive.", " load.", "drive.", "load."))]
     assert ranks[0] == "drive.ring_radius"
     assert set(ranks[1:4]) == {"load.friction_coefficient", "load.preload", "drive.planets"}
-    with pytest.raises(InputError, match="choose among"):
+    with pytest.raises(InputError, match="there is no result 'weight'; the page 'Results'"):
         run("sensitivity", FILE, "--result", "weight")

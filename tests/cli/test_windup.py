@@ -78,7 +78,7 @@ def test_table_curves_and_picture(call, joint_file, asked, tmp_path):
         (("--stages", "0.5", "0.2"), "--stages 0.5 0.2: allowed are two shares with 0 < first < second < 1"),
         (("--csv", "joint.toml"), "joint.toml: this is the file that is read; give another name"),
         (("--csv", "nowhere/w.csv"), "nowhere/w.csv: there is no folder 'nowhere'"),
-        (("--plot", "w.xyz"), "w.xyz: an image ends in .png, .svg or .pdf"),
+        (("--plot", "w.xyz"), "w.xyz: the name of an image must end in .png, .svg or .pdf"),
     ],
 )
 def test_refusals(call, joint_file, asked, arguments, said, monkeypatch):

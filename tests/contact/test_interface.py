@@ -4,15 +4,24 @@ import math
 
 import jax
 import jax.numpy as jnp
+import numpy as np
 import pytest
 
+from asperity.bem import (
+    FreeHalfSpace,
+    elastic_pair,
+    normal_contact,
+    normal_stiffness,
+    partial_slip,
+    tangential_stiffness,
+)
+from asperity.contact.hertz_line import logarithmic_compliance
 from asperity.contact.interface import (
     Interface,
     bulk_tangential_stiffness,
     compliance_share,
     series_stiffness,
 )
-from asperity.materials import contact_modulus, tangential_contact_modulus
 
 
 def test_two_springs_in_series_add_their_compliances():
@@ -37,28 +46,71 @@ def test_gradient_is_finite_where_a_spring_is_gone():
     assert bool(jnp.all(jnp.isfinite(slope)))
 
 
-@pytest.mark.parametrize("nu", [0.0, 0.3, 0.5])
-def test_like_bodies_have_the_ratio_of_mindlin(nu):
-    elastic = {
-        "youngs_modulus_1": 2e11,
-        "youngs_modulus_2": 2e11,
-        "poisson_ratio_1": nu,
-        "poisson_ratio_2": nu,
-    }
-    ours = bulk_tangential_stiffness(
-        bulk_normal_stiffness=1e8,
-        contact_modulus=contact_modulus(**elastic),
-        tangential_contact_modulus=tangential_contact_modulus(**elastic),
-        normal_force=100.0,
-        tangential_force=0.0,
-        friction_coefficient=0.1,
+LOAD, MU, FAR = 2e5, 0.12, 1e-2  # N/m, -, m
+
+
+@pytest.fixture(scope="module")
+def strip():
+    """A line contact of steel cylinders by boundary elements: plane strain, loads per metre of length."""
+    pair = elastic_pair(
+        youngs_modulus_1=206e9, youngs_modulus_2=206e9, poisson_ratio_1=0.3, poisson_ratio_2=0.3
     )
-    assert float(ours) == pytest.approx(1e8 * 2.0 * (1.0 - nu) / (2.0 - nu), rel=1e-14)  # Mindlin 1949
+    radius = 6e-3
+    width = np.sqrt(4.0 * LOAD * radius / (np.pi * pair.contact_modulus))
+    x = (np.arange(257) - 128) * width / 120
+    half_space = FreeHalfSpace(pair, shape=(257,), pixel_size=(width / 120,), reference_distance=FAR)
+    return normal_contact(half_space, -(x**2) / (2.0 * radius), normal_force=LOAD)
 
 
-def test_partial_slip_softens_the_bodies_too():
-    half = bulk_tangential_stiffness(
-        bulk_normal_stiffness=1e8, contact_modulus=1e11, tangential_contact_modulus=2e10,
-        normal_force=100.0, tangential_force=8.75, friction_coefficient=0.1,
-    )  # fmt: skip
-    assert float(half) == pytest.approx(0.8e8 * 0.5, rel=1e-12)  # (1 - 7/8)^(1/3) = 1/2
+def bodies(strip, tangential_force):
+    """Tangential stiffness as the package gives it, from the normal stiffness of the boundary elements."""
+    normal = normal_stiffness(strip.half_space, strip.pressure > 0.0).stiffness
+    logarithm = logarithmic_compliance(contact_length=1.0, youngs_modulus=206e9, poisson_ratio=0.3)
+    return bulk_tangential_stiffness(
+        normal_compliance=1.0 / normal,
+        logarithmic_compliance=2.0 * logarithm,
+        normal_force=LOAD,
+        tangential_force=tangential_force,
+        friction_coefficient=MU,
+    )
+
+
+def test_a_sticking_line_contact_is_as_stiff_in_shear_as_in_compression_by_boundary_elements(strip):
+    found = tangential_stiffness(strip.half_space, strip.pressure > 0.0, axis=0).stiffness
+    assert float(bodies(strip, 0.0)) == pytest.approx(float(found), rel=1e-6)
+
+
+def test_partial_slip_softens_the_bodies_as_by_boundary_elements(strip):
+    """Slope of the first loading: the incremental stiffness; the secant one would be 1 to 10 % off here."""
+    shares = np.array([0.25, 0.57, 0.85])
+    step = 0.01
+    path = MU * LOAD * np.sort(np.concatenate([shares - step, shares + step]))
+    found = partial_slip(
+        strip.half_space, strip.pressure, friction_coefficient=MU, axis=0, tangential_force=path
+    )
+    shift = np.asarray(found.displacement)
+    expected = np.diff(path)[::2] / np.diff(shift)[::2]
+    ours = bodies(strip, MU * LOAD * shares)
+    np.testing.assert_allclose(ours, expected, rtol=2e-3)
+
+
+def test_from_gross_slip_on_the_bodies_carry_nothing_and_slopes_stay_finite(strip):
+    forces = jnp.array([0.999, 1.0, 1.5]) * MU * LOAD
+    assert float(bodies(strip, forces)[0]) > 0.0
+    np.testing.assert_array_equal(bodies(strip, forces)[1:], 0.0)
+    slope = jax.grad(lambda force: jnp.sum(bodies(strip, force)))(forces)
+    assert bool(jnp.all(jnp.isfinite(slope)))
+
+
+def test_a_contact_that_carries_nothing_has_no_stiffness_and_finite_slopes():
+    def stiffness(normal, compliance):
+        return bulk_tangential_stiffness(
+            normal_compliance=compliance,
+            logarithmic_compliance=1e-9,
+            normal_force=normal,
+            tangential_force=jnp.zeros(()),
+            friction_coefficient=MU,
+        )
+
+    assert float(stiffness(jnp.zeros(()), jnp.asarray(jnp.inf))) == 0.0
+    assert all(map(jnp.isfinite, jax.grad(stiffness, argnums=(0, 1))(jnp.zeros(()), jnp.asarray(jnp.inf))))

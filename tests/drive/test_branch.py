@@ -9,8 +9,6 @@ import pytest
 
 from asperity.drive.branch import Branch, branch_forces, carrier_residual, contact_floors, held_load_sum
 from asperity.drive.equilibrium import balance_equations
-from asperity.drive.geometry import triangle
-from asperity.drive.mechanism import rest_state
 from asperity.joint.evaluation import mechanism
 
 LOSSES = {
@@ -29,8 +27,8 @@ def branch(paper_joint):
     drive = mechanism(paper_joint(**LOSSES))
     return Branch(
         mechanism=drive,
-        sides=triangle(drive.geometry),
-        rest=rest_state(geometry=drive.geometry, preload=drive.preload),
+        sides=drive.sides,
+        rest=drive.rest,
         output_torque=jnp.asarray(5.0),
         planet_centrifugal=40.0,
         roller_centrifugal=7.0,
@@ -41,6 +39,7 @@ def test_all_equations_but_the_carriers_hold_for_any_unknowns(branch):
     force = branch_forces(branch, S, T)
     residuals = balance_equations(
         geometry=branch.mechanism.geometry,
+        sides=branch.sides,
         bearings=branch.mechanism.bearings,
         input_torque=jnp.asarray(3.0 * branch.mechanism.geometry.sun_radius) * T,
         output_torque=branch.output_torque,

@@ -24,7 +24,7 @@ def drive(**changes):
 
 
 def test_angles_of_the_paper():
-    found = angles(PAPER)
+    found = angles(triangle(PAPER))
     degrees = [math.degrees(float(x)) for x in (found.polar, found.direction, found.wedge)]
     assert degrees == pytest.approx([13.9248, 27.0831, 13.1582], abs=6e-5)
     assert math.tan(float(found.wedge) / 2) == pytest.approx(0.1153, abs=6e-5)
@@ -38,7 +38,7 @@ def test_triangle_reaches_the_roller_on_both_ways():
         planet_radius=rng.uniform(13.4e-3, 13.8e-3, 50),
         loading_roller_radius=rng.uniform(5e-3, 5.4e-3, 50),
     )
-    found = angles(geometry)
+    found = angles(triangle(geometry))
     planet = np.stack([np.zeros(50), geometry.sun_radius + geometry.planet_radius])
     reach = geometry.planet_radius + geometry.loading_roller_radius
     roller = planet + reach * np.stack([np.sin(found.direction), np.cos(found.direction)])
@@ -52,7 +52,7 @@ def test_triangle_reaches_the_roller_on_both_ways():
 
 
 def test_open_triangle_is_nan_not_a_number_made_up():
-    assert all(math.isnan(float(x)) for x in vars(angles(drive(ring_radius=60e-3))).values())
+    assert all(math.isnan(float(x)) for x in vars(angles(triangle(drive(ring_radius=60e-3)))).values())
 
 
 def test_kinematics_of_the_paper():
@@ -98,14 +98,14 @@ def test_the_papers_rollers_fit():
 )
 def test_each_overlap_is_named(changes, word):
     """Each case drawn by hand so that the named condition fails."""
-    named = [float(c.gap) for c in clearances(drive(**changes)) if c.name.startswith(word)]
+    named = [float(c.gap) for c in clearances(drive(**changes)) if c.condition.startswith(word)]
     assert len(named) == 1
     assert not named[0] > 0
 
 
 def test_clearances_are_the_distances_between_the_circles():
     """Every gap again from coordinates of all circles of a three-planet drive."""
-    found = angles(PAPER)
+    found = angles(triangle(PAPER))
     alpha, pitch = float(found.polar), 2 * math.pi / 3
 
     def at(radius, angle):
@@ -121,5 +121,5 @@ def test_clearances_are_the_distances_between_the_circles():
         "the planet must not touch": 40e-3 - 17.5e-3 - 13.5e-3,
     }
     for word, gap in expected.items():
-        (clearance,) = (c for c in clearances(PAPER) if c.name.startswith(word))
+        (clearance,) = (c for c in clearances(PAPER) if c.condition.startswith(word))
         assert float(clearance.gap) == pytest.approx(gap, rel=1e-9), word

@@ -7,7 +7,7 @@ import jax.numpy as jnp
 import numpy as np
 import pytest
 
-from asperity.drive.geometry import DriveGeometry, angles
+from asperity.drive.geometry import DriveGeometry, angles, triangle
 from asperity.drive.mechanism import NormalSprings, compression, rest_state, steepest_compliance
 
 RADII = (4e-3, 13.5e-3, 5e-3, 40e-3)
@@ -16,8 +16,8 @@ RADII = (4e-3, 13.5e-3, 5e-3, 40e-3)
 @pytest.mark.parametrize(("left", "right"), [(0.0, 0.0), (0.2, -0.1)])
 def test_rest_state_balances_with_inclined_pins(left, right):
     geometry = DriveGeometry(*RADII, 3.0, left, right)
-    rest = rest_state(geometry=geometry, preload=1000.0)
-    found = angles(geometry)
+    rest = rest_state(geometry=geometry, sides=triangle(geometry), preload=1000.0)
+    found = angles(triangle(geometry))
     theta, beta = float(found.direction), float(found.wedge)
     sp, pwr, pwl, wro, wlo = np.asarray(rest.normal_force)
     assert sp == pytest.approx((pwr + pwl) * math.cos(theta), rel=1e-12)

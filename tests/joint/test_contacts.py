@@ -6,8 +6,15 @@ import equinox as eqx
 import numpy as np
 import pytest
 
-from asperity.drive.force_balance import DriveForces
-from asperity.joint.contacts import bulk_springs, closure_springs, rough_contacts, rough_interfaces
+from asperity.joint.contacts import (
+    bulk_springs,
+    closure_springs,
+    joint_contacts,
+    loaded_contacts,
+    rough_joint_contacts,
+)
+from asperity.joint.description import Bodies
+from asperity.materials import Material
 
 LENGTH, WALL, NU = 5e-3, 10e-3, 0.3
 RADII = {"sun": 4e-3, "planet": 13.5e-3, "loading_roller": 5e-3, "ring": 40e-3}
@@ -56,23 +63,55 @@ def found(joint):
     """Everything the module says about the joint, one compiled program."""
 
     @eqx.filter_jit
-    def said(joint, normal, forces):
-        contacts = rough_contacts(joint=joint, normal_force=forces.normal, tangential_force=forces.tangential)
-        both = dataclasses.replace(joint, closure_springs="bulk_and_asperities")
-        pressed = rough_contacts(joint=joint, normal_force=normal, tangential_force=0.0 * normal)
+    def said(joint, normal, lifted):
+        contacts = joint_contacts(joint)
+        loaded = loaded_contacts(
+            contacts=contacts,
+            normal_force=lifted,
+            tangential_force=0.05 * lifted * np.array([1.0, 1.0, 1.0, -1.0, 1.0]),
+        )
         return {
-            "bulk": bulk_springs(joint=joint, normal_force=normal),
-            "closure": closure_springs(joint=joint, rest_force=normal),
-            "closure with asperities": closure_springs(joint=both, rest_force=normal),
-            "pressed": pressed,
-            "interfaces": rough_interfaces(joint=joint, forces=forces, contacts=contacts),
-            "contacts": contacts,
+            "bulk": bulk_springs(contacts=contacts, half_width=contacts.pairs.half_width(normal)),
+            "closure": closure_springs(contacts=contacts, rest_force=normal, model="bulk"),
+            "closure with asperities": closure_springs(
+                contacts=contacts, rest_force=normal, model="bulk_and_asperities"
+            ),
+            "pressed": rough_joint_contacts(
+                contacts=contacts, normal_force=normal, tangential_force=0.0 * normal
+            ),
+            "half_width": loaded.half_width,
+            "interfaces": loaded.interfaces,
+            "contacts": loaded.rough,
         }
 
-    lifted = NORMAL * [1.0, 1.0, 0.0, 1.0, 0.0]
-    zero = np.zeros(())
-    forces = DriveForces(lifted, 0.05 * lifted * [1, 1, 1, -1, 1], *[zero] * 8)
-    return said(joint, NORMAL, forces)
+    return said(joint, NORMAL, NORMAL * [1.0, 1.0, 0.0, 1.0, 0.0])
+
+
+def test_pairs_of_materials_by_hand(paper_joint):
+    """1/E = sum (1 - nu^2)/E_i and 1/G* = sum (2 - nu)/G_i, model.md section 3; hardness of the softer body."""
+    sun, planet, roller, ring = bodies = [
+        Material(modulus, ratio, 7800.0, strength, 3.0 * strength)
+        for modulus, ratio, strength in (
+            (200e9, 0.30, 4e8),
+            (210e9, 0.28, 5e8),
+            (300e9, 0.26, 9e8),
+            (100e9, 0.34, 2e8),
+        )
+    ]
+    contacts = joint_contacts(dataclasses.replace(paper_joint(), bodies=Bodies(*bodies)))
+    assert contacts.driving.youngs_modulus.tolist() == [200e9, 210e9, 210e9, 300e9, 300e9]
+    assert contacts.driven.youngs_modulus.tolist() == [210e9, 300e9, 300e9, 100e9, 100e9]
+    moduli = contacts.pairs.moduli
+    for index, (one, two) in enumerate(((sun, planet), *2 * ((planet, roller),), *2 * ((roller, ring),))):
+        flexibility = sum((1.0 - body.poisson_ratio**2) / body.youngs_modulus for body in (one, two))
+        shear = sum(
+            (2.0 - body.poisson_ratio) * 2.0 * (1.0 + body.poisson_ratio) / body.youngs_modulus
+            for body in (one, two)
+        )
+        assert float(moduli.contact_modulus[index]) == pytest.approx(1.0 / flexibility, rel=1e-14)
+        assert float(moduli.tangential_contact_modulus[index]) == pytest.approx(1.0 / shear, rel=1e-14)
+        assert float(moduli.hardness[index]) == min(one.hardness, two.hardness)
+        assert float(moduli.yield_strength[index]) == min(one.yield_strength, two.yield_strength)
 
 
 def test_bulk_springs_are_those_of_the_bodies_that_meet(found):
@@ -99,6 +138,16 @@ def test_a_lifted_contact_has_no_stiffness_and_the_others_those_of_their_springs
     stiffness = 1.0 / np.asarray(found["bulk"].incremental_compliance)
     np.testing.assert_allclose(np.asarray(interfaces.bulk_normal)[touching], stiffness[touching], rtol=1e-12)
     np.testing.assert_array_equal(interfaces.asperity_tangential, found["contacts"].tangential_stiffness)
+    assert (np.asarray(found["half_width"]) > 0.0).tolist() == touching.tolist()
+
+
+def test_bodies_in_partial_slip_have_the_logarithm_of_plane_strain(found):
+    """T/(mu N) = 0.05/0.12: sum (1 - nu^2)/(pi E B) ln[1/(1 - T/mu N)] beside the normal compliance."""
+    logarithm = np.log(1.0 / (1.0 - 0.05 / 0.12))
+    for index in (0, 1, 3):
+        scale = sum((1.0 - NU**2) / (np.pi * MODULI[body] * LENGTH) for body in PAIRS[index])
+        expected = 1.0 / (np.asarray(found["bulk"].incremental_compliance)[index] + scale * logarithm)
+        assert float(found["interfaces"].bulk_tangential[index]) == pytest.approx(expected, rel=1e-12)
 
 
 def test_the_sense_of_a_tangential_force_does_not_matter(found):

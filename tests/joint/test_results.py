@@ -1,4 +1,6 @@
-"""Every number of a joint's result is a named result with a unit."""
+"""Every number of a joint's result is a row of the one table, with unit, needs and, where it is judged, its words."""
+
+import math
 
 import equinox as eqx
 import jax
@@ -7,11 +9,12 @@ import pytest
 
 from asperity.errors import InputError
 from asperity.joint.evaluation import evaluate
-from asperity.joint.results import GROUPS, RESULTS, chosen_results
+from asperity.joint.results import GROUPS, RESULTS, chosen_results, known_result, name_at_level, row_name
+from asperity.joint.results.table import RENAMED
 from asperity.joint_file.build import joint_from_case
 
 # parts of the result that are not results: the state beside its check, and the same number under another name
-_NOT_OFFERED = {"forces.output_torque", "solved"}
+_NOT_OFFERED = {"forces.output_torque", "solved", "contact_law_holds"}
 _SAME = {
     "contacts.tangential_stiffness": "interfaces.asperity_tangential",
     "contacts.normal_stiffness": "interfaces.asperity_normal",
@@ -23,23 +26,42 @@ def test_every_leaf_of_the_result_is_offered(case):
     leaves = {
         ".".join(str(key.name) for key in path) for path, _ in jax.tree_util.tree_leaves_with_path(shapes)
     }
-    offered = {result.path.removeprefix("result.") for result in RESULTS.values()}
+    offered = {
+        result.value.removeprefix("result.") for result in RESULTS.values() if isinstance(result.value, str)
+    }
     assert {_SAME.get(leaf, leaf) for leaf in leaves} - _NOT_OFFERED <= offered
 
 
 def test_groups_and_names_are_chosen_once():
-    chosen = chosen_results(["published", "published_stiffness_sun", "gross_slip"])
-    assert chosen == ("published_stiffness_output", "published_stiffness_sun", "gross_slip")
+    chosen = chosen_results(["published", "published_stiffness_sun", "slip_ratio"])
+    assert chosen[:2] == ("published_stiffness_output", "published_stiffness_sun")
+    assert chosen[-1] == "slip_ratio"
+    assert len(set(chosen)) == len(chosen)
     assert set(GROUPS["all"]) == set(RESULTS)
     assert len(GROUPS["stiffness"]) == 6
 
 
 @pytest.mark.parametrize(
-    ("name", "told"), [("published_stifness_sun", "did you mean"), ("xyzzy", "groups: all")]
+    ("name", "said"),
+    [
+        ("published_stifness_sun", "did you mean 'published_stiffness_sun'"),
+        ("xyzzy", "groups: all"),
+        ("gross_slip", "it was renamed to 'slip_ratio'"),
+        ("normal_over_rest", "it was renamed to 'normal_force_over_preload'"),
+        ("slip_margin_sp", "it was renamed to 'slip_ratio_sp'"),
+        ("ratio", "did you mean 'speed_ratio'"),
+    ],
 )
-def test_unknown_results_are_refused(name, told):
-    with pytest.raises(InputError, match=told):
+def test_unknown_results_are_refused(name, said):
+    with pytest.raises(InputError, match=said):
         chosen_results([name])
+    with pytest.raises(InputError, match=f"there is no result '{name}'"):
+        known_result(name)
+
+
+def test_former_names_lead_to_results():
+    assert set(RENAMED.values()) <= set(RESULTS)
+    assert not set(RENAMED) & set(RESULTS)
 
 
 def test_nothing_is_refused():
@@ -47,8 +69,45 @@ def test_nothing_is_refused():
         chosen_results([])
 
 
-def test_units_are_known():
-    from asperity.units import from_si
+def test_units_measure_the_dimension():
+    from asperity.units import from_si, parse_quantity
 
     for result in RESULTS.values():
-        assert np.isfinite(from_si(1.0, result.unit))
+        written = parse_quantity(f"1 {result.display_unit}", result.dimension)
+        assert from_si(written, result.display_unit) == pytest.approx(1.0, rel=1e-12), result.name
+        assert np.isfinite(from_si(1.0, result.si_unit))
+
+
+def test_limits_say_what_they_mean_and_what_to_do():
+    judged = [result for result in RESULTS.values() if result.limit is not None]
+    assert len(judged) >= 11
+    for result in judged:
+        limit = result.limit
+        assert limit.kept != limit.crossed
+        assert limit.remedy
+        assert math.isfinite(limit.lowest) or math.isfinite(limit.highest)
+        assert not limit.is_kept(math.nan)
+
+
+def test_both_sides_of_a_limit():
+    slip, dimension = RESULTS["slip_ratio"].limit, RESULTS["fractal_dimension"].limit
+    lifted = RESULTS["normal_force_over_preload"].limit
+    assert [slip.is_kept(value) for value in (0.5, 1.0, math.inf)] == [True, False, False]
+    assert [lifted.is_kept(value) for value in (0.5, 0.0)] == [True, False]
+    assert [dimension.is_kept(value) for value in (1.01, 1.02, 1.5, 1.99, 1.995)] == [
+        False,
+        True,
+        True,
+        True,
+        False,
+    ]
+    assert (slip.nearer_bound(9.0), lifted.nearer_bound(9.0)) == (1.0, 0.0)
+    assert [dimension.nearer_bound(value) for value in (1.01, 1.995)] == [1.02, 1.99]
+
+
+def test_names_of_rows_and_levels():
+    assert row_name("slip_ratio", RESULTS["slip_ratio"].row_names[0]) == "slip_ratio_sp"
+    assert row_name("mass", "") == "mass"
+    assert name_at_level("stiffness", "published") == "published_stiffness_output"
+    assert name_at_level("stiffness_per_mass", "assembly") == "assembly_stiffness_per_mass"
+    assert name_at_level("hertz_pressure", "assembly") == "hertz_pressure"

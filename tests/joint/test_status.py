@@ -4,21 +4,21 @@ import numpy as np
 import pytest
 
 from asperity.errors import AsperityError
-from asperity.joint.examination import examine
+from asperity.joint.solve import solve
 from asperity.joint.status import STATUS_MEANINGS, STATUS_NAMES, flag_attributes
 from asperity.joint_file.build import with_values
-from asperity.joint_file.values import si_values
-from asperity.study.points import evaluate_points
+from asperity.joint_file.si_tables import si_values
+from asperity.study.batch import evaluate_points
 
 # changes of the paper's joint in SI units, the status they should have, and what the joint alone is refused for
 FAILURES = [
     ({}, "solved", None),
-    ({"drive.loading_roller_radius": 0.0041}, "roller_does_not_reach_ring", "reach"),
-    ({"drive.planet_radius": 0.0185}, "planet_touches_ring", "planet must not touch the ring"),
-    ({"drive.planets": 7.0}, "planets_overlap", "neighbouring planets"),
+    ({"drive.loading_roller_radius": 0.0041}, "no_roller_reach_clearance", "reach"),
+    ({"drive.planet_radius": 0.0185}, "no_planet_to_ring_clearance", "planet must not touch the ring"),
+    ({"drive.planets": 7.0}, "no_planet_to_planet_clearance", "neighbouring planets"),
     (
         {"drive.loading_roller_radius": 0.0049, "drive.ring_radius": 0.0407},
-        "rollers_of_planet_overlap",
+        "no_rollers_of_planet_clearance",
         "one planet",
     ),
     (
@@ -48,7 +48,7 @@ def codes(case):
         base.setdefault(path, node)
     points = {path: np.array([changes.get(path, base[path]) for changes, _, _ in FAILURES]) for path in PATHS}
     status, found = evaluate_points(
-        si_values(case), points, ("published_stiffness_output", "wedge_angle", "gross_slip")
+        si_values(case), points, ("published_stiffness_output", "wedge_angle", "slip_ratio")
     )
     return status, found
 
@@ -63,21 +63,24 @@ def test_failed_points_are_those_that_the_joint_command_refuses(case, codes, ind
         == (status[index] == 0)
         == bool(np.isfinite(found["published_stiffness_output"][index]))
     )
-    if told is not None and index in (1, 8):  # each examination compiles anew: two stand for all
+    if told is not None and index in (1, 8):  # each solution compiles anew: two stand for all
         with pytest.raises(AsperityError, match=told):
-            examine(with_values(case, changes))
+            solve(with_values(case, changes))
 
 
 def test_what_has_a_meaning_is_kept(codes):
     status, found = codes
     slips = status == STATUS_NAMES.index("beyond_torque_capacity")
-    assert np.all(found["gross_slip"][:, slips].max(axis=0) >= 1.0)
+    assert np.all(found["slip_ratio"][:, slips].max(axis=0) >= 1.0)
     assert np.all(np.isfinite(found["wedge_angle"][slips]))
     assert np.all(np.isnan(found["wedge_angle"][(status > 0) & (status < 9)]))
 
 
 def test_names_and_meanings_belong_together():
     assert len(STATUS_NAMES) == len(STATUS_MEANINGS)
-    assert "neighbouring planets" in STATUS_MEANINGS[STATUS_NAMES.index("planets_overlap")]
-    assert "outside the planet's centre" in STATUS_MEANINGS[STATUS_NAMES.index("rollers_inside_planet_orbit")]
+    assert "neighbouring planets" in STATUS_MEANINGS[STATUS_NAMES.index("no_planet_to_planet_clearance")]
+    assert (
+        "outside the planet's centre"
+        in STATUS_MEANINGS[STATUS_NAMES.index("no_roller_outside_planets_clearance")]
+    )
     assert len(flag_attributes()["flag_meanings"].split()) == len(flag_attributes()["flag_values"])

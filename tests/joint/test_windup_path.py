@@ -16,7 +16,9 @@ import pytest
 
 from asperity.compilation import compile_fast
 from asperity.drive.assembly import assembly_stiffness
-from asperity.joint.contacts import rough_contacts, rough_interfaces
+from asperity.drive.geometry import triangle
+from asperity.joint.contacts import joint_contacts, loaded_contacts
+from asperity.joint.description import with_one_rank
 from asperity.joint.evaluation import evaluate
 from asperity.joint.windup import at_standstill, windup, without_slip
 from asperity.zou2025.preset import operating_grid, table_2_joint
@@ -55,16 +57,15 @@ class Layer:
 def shapes(joint, result):
     """Compliance over its initial value by traction, of both layers of every contact at rest."""
     table = np.linspace(0.0, 0.999, 400)
-    normal = np.asarray(result.forces.normal)[:, STEPS]
-    batch = jax.tree.map(lambda leaf: np.broadcast_to(np.asarray(leaf, float), table.shape), joint)
-    forces = jax.tree.map(lambda leaf: np.asarray(leaf)[..., STEPS, None], result.forces)
-    forces = dataclasses.replace(
-        forces,
-        normal=np.repeat(normal[:, None], table.size, 1),
-        tangential=MU * normal[:, None] * table,
+    normal = np.repeat(np.asarray(result.forces.normal)[:, STEPS, None], table.size, 1)
+    batch = with_one_rank(
+        jax.tree.map(lambda leaf: np.broadcast_to(np.asarray(leaf, float), table.shape), joint)
     )
-    contacts = rough_contacts(joint=batch, normal_force=forces.normal, tangential_force=forces.tangential)
-    found = rough_interfaces(joint=batch, forces=forces, contacts=contacts)
+    found = loaded_contacts(
+        contacts=joint_contacts(batch),
+        normal_force=jnp.asarray(normal),
+        tangential_force=jnp.asarray(MU * normal * table),
+    ).interfaces
     layers = np.asarray(found.asperity_tangential), np.asarray(found.bulk_tangential)
     return [[(table, each[i, 0] / each[i]) for each in layers] for i in range(5)]
 
@@ -80,9 +81,10 @@ def path_following(joint, largest):
     def compliance(tangential_compliance):
         found = assembly_stiffness(
             geometry=joint.geometry,
+            sides=triangle(joint.geometry),
             normal_stiffness=jnp.asarray(normal),
             tangential_stiffness=1.0 / tangential_compliance,
-            supports=joint.supports,
+            structure=joint.structure,
         )
         return 1.0 / found.stiffness.output
 
@@ -121,18 +123,20 @@ def path_following(joint, largest):
 @pytest.mark.parametrize(
     ("closure", "largest", "width_error", "energy_error"),
     [
-        ("elastic", 5.0, -0.013, -0.013),
-        ("elastic", 10.0, -0.076, -0.082),
-        ("elastic", 12.0, -0.143, -0.157),
-        ("constant_pin_force", 5.0, 0.104, 0.120),
-        ("constant_pin_force", 10.0, 0.483, 0.558),
+        ("elastic", 5.0, -0.012, -0.012),
+        ("elastic", 10.0, -0.080, -0.086),
+        ("elastic", 12.0, -0.151, -0.167),
+        ("constant_pin_force", 5.0, 0.117, 0.142),
+        ("constant_pin_force", 10.0, 0.468, 0.560),
     ],
 )
 def test_the_estimate_is_off_by_what_the_documentation_states(closure, largest, width_error, energy_error):
     joint = dataclasses.replace(table_2_joint(operating_grid()), closure=closure)
     torque, up, down = path_following(joint, largest)
     curve = windup(joint, largest_torque=largest, level="assembly", stage_shares=(1 / 3, 2 / 3))
-    drift = 0.1 if closure == "constant_pin_force" else 2e-3  # unequal directions ratchet a little each cycle
+    drift = (
+        0.15 if closure == "constant_pin_force" else 2e-3
+    )  # unequal directions ratchet a little each cycle
     assert up[0] == pytest.approx(down[0], abs=drift * (down - up)[STEPS])
     assert float(curve.hysteresis) / (down - up)[STEPS] - 1.0 == pytest.approx(width_error, abs=0.01)
     area = np.trapezoid(down - up, torque)

@@ -6,7 +6,7 @@ import pytest
 from asperity.errors import InputError
 from asperity.joint_file.build import joint_from_case, joint_from_values, with_values
 from asperity.joint_file.reader import parse_case
-from asperity.joint_file.values import replace_values, si_values
+from asperity.joint_file.si_tables import replace_values, si_values
 
 
 def test_the_example_is_the_joint_of_the_paper(example_case, paper_joint):
@@ -45,10 +45,10 @@ input_shaft_stiffness = "500 N*m/rad"
     joint = joint_from_case(parse_case(example_text + extra, source="x"))
     assert joint.bearings.carrier_torque == 0.003
     assert joint.bearings.pin_diameter == 0.004
-    assert joint.supports.pin_stiffness == 1e8
-    assert joint.supports.input_shaft_stiffness == 500.0
-    assert joint.supports.output_shaft_stiffness == np.inf  # rigid
-    assert joint.supports.planet_support_stiffness == 0.0  # floating
+    assert joint.structure.pin_stiffness == 1e8
+    assert joint.structure.input_shaft_stiffness == 500.0
+    assert joint.structure.output_shaft_stiffness == np.inf  # rigid
+    assert joint.structure.planet_support_stiffness == 0.0  # floating
 
 
 def test_each_contact_can_have_its_own_entry(example_text):

@@ -70,8 +70,8 @@ def test_chunks_give_the_same_rows_in_the_same_order(tmp_path, monkeypatch):
 def test_result_columns_are_replaced_and_others_carried_along(tmp_path):
     rows = [{**row, "label": f"pair {i}", "psi": "0"} for i, row in enumerate(reference_rows()[:3])]
     columns = ["label", *INPUT, "psi"]
-    summary = convert(write(tmp_path / "t.csv", rows, columns), tmp_path / "t.csv")  # onto itself
-    made = read(tmp_path / "t.csv")
+    summary = convert(write(tmp_path / "t.csv", rows, columns), tmp_path / "out.csv")
+    made = read(tmp_path / "out.csv")
     assert summary.replaced_columns == ("psi",)
     assert list(made[0]) == ["label", *INPUT, *OUTPUT_COLUMNS]
     assert made[2]["label"] == "pair 2"
@@ -133,7 +133,7 @@ def test_several_bad_cells_are_listed_by_line(tmp_path):
         ("", "empty"),
         ("D,G_mm\n", "missing columns: F_N"),
         (",".join(INPUT).replace("F_N", "FN") + "\n", "missing columns: F_N; did you mean 'FN'?"),
-        (",".join([*INPUT, "D"]) + "\n", "the column 'D' is there more than once"),
+        (",".join([*INPUT, "D"]) + "\n", "there is more than one column 'D'"),
         (",".join(INPUT) + "\n1.4,2\n", "line 2: 2 cells, but the header has 15 columns"),
         (",".join(INPUT) + '\n"1.4\n', "not a CSV table"),
     ],
@@ -147,12 +147,60 @@ def test_tables_of_another_form(tmp_path, text, said):
 
 def test_files_that_cannot_be(tmp_path):
     source = write(tmp_path / "in.csv", reference_rows()[:1])
-    with pytest.raises(InputError, match=r"absent\.csv: No such file"):
+    with pytest.raises(InputError, match=r"absent\.csv: there is no such file"):
         convert(tmp_path / "absent.csv", tmp_path / "out.csv")
-    with pytest.raises(InputError, match="is no file; give the name of a file"):
+    with pytest.raises(InputError, match="is not a regular file; give another name"):
         convert(source, tmp_path)
     with pytest.raises(InputError, match="there is no folder"):
         convert(source, tmp_path / "nowhere" / "out.csv")
     (tmp_path / "bytes.csv").write_bytes(b"D,\xff\n")
     with pytest.raises(InputError, match="not a text file in UTF-8"):
         convert(tmp_path / "bytes.csv", tmp_path / "out.csv")
+
+
+def test_the_table_that_is_read_is_not_written_over(tmp_path):
+    table = write(tmp_path / "t.csv", reference_rows()[:1])
+    before = table.read_bytes()
+    (tmp_path / "link.csv").symlink_to(table)
+    for target in (table, tmp_path / "link.csv"):
+        with pytest.raises(InputError, match="this is the file that is read; give another name"):
+            convert(table, target)
+    assert table.read_bytes() == before
+
+
+@pytest.mark.parametrize(
+    ("content", "reason"),
+    [
+        ("a" * 2_000_000, "a row has more than 1000000 characters; this is not a table"),
+        ('"a\n' + "b\n" * 600_000, "field larger than field limit"),
+        ('"\n",' * 400_000, "a row has more than 1000000 characters"),
+        (",".join(f"c{i}" for i in range(100_000)), "line 1: missing columns: D, G_mm"),
+        (",".join(["D"] * 100_000), "line 1: there is more than one column 'D'"),
+        ("\x1b[2J,\x1b[2J", r"line 1: there is more than one column '\\x1b\[2J'"),
+    ],
+)
+def test_tables_without_end_are_refused_soon(tmp_path, content, reason):
+    import time
+
+    (tmp_path / "in.csv").write_text(content)
+    start = time.perf_counter()
+    with pytest.raises(InputError, match=reason) as refused:
+        convert(tmp_path / "in.csv", tmp_path / "out.csv")
+    assert time.perf_counter() - start < 5.0
+    assert str(refused.value).isprintable()
+    assert not (tmp_path / "out.csv").exists()
+
+
+def test_rows_are_handed_on_before_they_fill_the_memory(tmp_path, monkeypatch):
+    monkeypatch.setattr(contact_table, "CHARACTERS_AT_ONCE", 300)
+    done = []
+    convert_contact_table(
+        write(tmp_path / "in.csv", reference_rows()[:6]),
+        tmp_path / "out.csv",
+        frequency_ratio=1.5,
+        asperity_base="majumdar_bhushan_1991",
+        progress=done.append,
+    )
+    assert done[-1] == 6
+    assert len(done) > 1
+    assert_agrees(read(tmp_path / "out.csv"), reference_rows()[:6])

@@ -6,7 +6,7 @@ import pytest
 
 from asperity.contact.fractal import VERIFIED_FRACTAL_DIMENSIONS
 from asperity.joint_file import limits
-from asperity.joint_file.key import Key
+from asperity.joint_file.quantity_key import Key
 
 KEYS = {name: value for name, value in vars(limits).items() if isinstance(value, Key)}
 

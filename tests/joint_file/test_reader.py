@@ -9,7 +9,8 @@ from hypothesis import strategies as st
 
 from asperity.errors import InputError
 from asperity.joint_file.model import Case
-from asperity.joint_file.reader import LARGEST_FILE, case_from_tables, parse_case, read_case
+from asperity.joint_file.reader import case_from_tables, parse_case, read_case
+from asperity.reading import LARGEST_FILE
 
 
 def refusal(text: str) -> str:
@@ -69,8 +70,18 @@ def test_the_example_is_read(example_case):
         ),
         ("planets = 3", "planets = 2.5", "drive.planets: 2.5 is not allowed; it must be a whole number"),
         ("sun_radius =", "sun_radus =", "drive.sun_radus: unknown key; did you mean 'sun_radius'?"),
-        ("sun_radius =", "sun_radus =", "drive.sun_radius: this key is missing: a length, e.g. '13.5 mm'"),
-        ("[drive]", "[drvie]", "drvie: unknown key; did you mean 'drive'?"),
+        ('sun_radius = "4 mm"', "", "drive.sun_radius: this key is missing: a length, e.g. '13.5 mm'"),
+        ("[drive]", "[drvie]", "drvie: unknown section; did you mean 'drive'?"),
+        ("fractal_dimension = 1.4", "", "this key is missing: a dimensionless number, e.g. '1.4'"),
+        ("planets = 3", "", "drive.planets: this key is missing: a dimensionless number, e.g. '3'"),
+        (
+            'closure = "elastic"',
+            "",
+            "model.closure: this key is missing: one of 'elastic', 'constant_pin_force'",
+        ),
+        ('sun = "steel"', "", "bodies.sun: this key is missing: the name of a material, e.g. 'steel'"),
+        ('sun = "steel"', "sun = 3", "bodies.sun: expected the name of a material, e.g. 'steel', got 3"),
+        ('"1e-8 mm"', '"5 N"', "surface.fractal_roughness: expected a length (e.g. '1e-8 mm'), got a force"),
         ("frequency_ratio", "gamma_of_all", "surface.gamma_of_all: unknown key"),
         (
             '"elastic"',
@@ -85,7 +96,7 @@ def test_the_example_is_read(example_case):
         (
             "[materials.steel]",
             '[materials."my steel"]',
-            "materials.my steel: a material's name is made of letters",
+            "materials.my steel: the name of a material consists of letters",
         ),
         (
             "hardness_factor = 2.8",
@@ -100,18 +111,18 @@ def test_the_example_is_read(example_case):
         (
             'contact_length = "5 mm"',
             'contact_length = { sp = "5 mm" }',
-            "drive.contact_length.pwr: this key is missing",
+            "drive.contact_length.pwr: this key is missing: a length, e.g. '5 mm'",
         ),
         (
             'contact_length = "5 mm"',
             'contact_length = { sp = "5 mm", pwr = "5 mm", pwl = "5 mm", wro = "5 mm", wol = "5 mm" }',
             "drive.contact_length.wol: unknown key; did you mean 'wlo'?",
         ),
-        ("[surface]", "[surface.sp]", "surface.pwr: this key is missing"),
+        ("[surface]", "[surface.sp]", "[surface.pwr], [surface.pwl], [surface.wro], [surface.wlo] are"),
         ("[load]", "[[load]]", "load: expected a table with preload, output_torque"),
         ("[drive]", "[drive", "not valid TOML"),
-        ("[drive]", "x = " + "9" * 5000 + "\n[drive]", "not a joint file"),
-        ("[drive]", "x = " + "[" * 5000 + "\n[drive]", "not a joint file: nested too deeply"),
+        ("[drive]", "x = " + "9" * 5000 + "\n[drive]", "not valid TOML: a number has too many digits"),
+        ("[drive]", "x = " + "[" * 5000 + "\n[drive]", "nested too deeply; at most 32 levels are read"),
         ('"6000 rpm"', "2025-06-17", "load.sun_speed: expected an angular velocity as text"),
     ],
 )
@@ -130,9 +141,87 @@ def test_all_errors_of_a_file_are_told_at_once(example_text):
 
 
 def test_an_empty_file_names_every_missing_section():
-    message = refusal("")
-    for section in ("drive", "load", "model", "materials", "bodies", "surface"):
-        assert f"{section}: this key is missing" in message
+    assert refusal("") == (
+        "joint.toml: the sections [drive], [load], [model], [materials], [bodies], [surface] are missing; "
+        "'asperity init' writes a complete example"
+    )
+    assert refusal("# a comment").count("\n") == 0
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "message"),
+    [
+        ("sun_radius =", "sun_radus =", "drive.sun_radus: unknown key; did you mean 'sun_radius'?"),
+        ("[drive]", "[drvie]", "drvie: unknown section; did you mean 'drive'?"),
+        (
+            "[materials.steel]",
+            "[materials.stele]",
+            "bodies.sun, bodies.planet, bodies.loading_roller, bodies.ring: there is no material 'steel'; did you mean "
+            "'stele'?",
+        ),
+        (
+            "[materials.steel]",
+            "[materials.xyz]",
+            "bodies.sun, bodies.planet, bodies.loading_roller, bodies.ring: there is no material 'steel'; the file "
+            "defines xyz; 'asperity materials' lists the library",
+        ),
+        ('preload = "1000 N"', "", "load.preload: this key is missing: a force, e.g. '1000 N'"),
+        ("[bodies]\n", "", None),
+        (
+            "[materials.steel]",
+            '[materials.steel]\nlibrary = "steeel"',
+            "materials.steel.library: there is no material 'steeel'; known are ",
+        ),
+    ],
+)
+def test_one_mistake_is_one_message(example_text, old, new, message):
+    assert old in example_text
+    if message is None:  # the keys of a section without its head belong to the section above
+        text = re.sub(r"(?ms)^\[bodies\].*?(?=^\[)", "", example_text)
+        assert refusal(text) == (
+            "joint.toml: the section [bodies] is missing; it contains sun, planet, loading_roller, ring"
+        )
+        return
+    found = refusal(example_text.replace(old, new, 1))
+    assert "\n" not in found
+    assert found.startswith(f"joint.toml: {message}")
+
+
+def test_a_key_in_the_wrong_section_is_sent_to_its_own(example_text):
+    text = example_text.replace('preload = "1000 N"', "").replace("[drive]", '[drive]\npreload = "1000 N"')
+    assert refusal(text) == "joint.toml: drive.preload: unknown key; it belongs in [load]"
+    text = example_text.replace("[drive]", '[drive]\npin_diameter = "4 mm"')
+    assert refusal(text) == "joint.toml: drive.pin_diameter: unknown key; it belongs in [bearings]"
+
+
+def test_mistakes_of_every_kind_are_listed_together(example_text):
+    text = (
+        example_text.replace('"4 mm"', "4")
+        .replace('ring = "steel"', 'ring = "stel"')
+        .replace(
+            "[bodies]",
+            '[materials.own]\nlibrary = "x9"\n[materials.far]\nlibrary = "a"\nfile = "b"\n[bodies]',
+        )
+    )
+    message = refusal(text)
+    assert "4 errors" in message
+    for part in (
+        "drive.sun_radius: expected a length",
+        "materials.own.library: there is no material 'x9'",
+        "materials.far.file: b: there is no such file",
+        "bodies.ring: there is no material 'stel'; did you mean 'steel'?",
+    ):
+        assert f"\n  {part}" in message
+
+
+def test_values_cannot_control_the_terminal_or_fill_it(example_text):
+    text = example_text.replace('"4 mm"', '"\\u001b[2J\\u202e\\n' + "x" * 100 + '"')
+    message = refusal(text.replace("planets =", '"\\u001b[31m" ='))
+    assert message.replace("\n  ", "").isprintable()
+    assert r"\x1b[2J\u202e\n" in message
+    assert r"drive.\x1b[31m: unknown key" in message
+    for value in ("[" * 30 + "]" * 30, "{" + ", ".join(f"a{i} = 1" for i in range(500)) + "}"):
+        assert len(refusal(example_text.replace('"4 mm"', value))) < 250
 
 
 @pytest.mark.parametrize(
@@ -140,7 +229,11 @@ def test_an_empty_file_names_every_missing_section():
     [
         ("absent.toml", None, "there is no such file; 'asperity init' writes an example"),
         ("latin.toml", "µ".encode("latin-1"), "not a text file in UTF-8"),
-        ("large.toml", b"#" * (LARGEST_FILE + 1), "at most 1000000 bytes"),
+        (
+            "large.toml",
+            b"#" * (LARGEST_FILE + 1),
+            "this file has 1000001 bytes; at most 1000000 bytes are read",
+        ),
         ("zero.toml", b"\0", "not valid TOML"),
     ],
 )

@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from scipy.stats import binom
 
 from asperity.errors import InputError, NoSolutionError
 from asperity.surface import synthesis
@@ -54,6 +55,88 @@ def test_self_affine_noise(D):
     assert abs(got.fractal_dimension - D) < 0.015
     assert abs(got.fractal_dimension - D) < 4 * np.sqrt(got.covariance[0, 0])
     assert abs(got.log_roughness - np.log(G)) < 4 * np.sqrt(got.covariance[1, 1])
+
+
+def rolled_off(D, kind, random, points, wavelength=40e-6):
+    """Gaussian profile with K-correlation or a flat spectrum above a wavelength, cut from a longer period."""
+    n = 8 * points
+    f = np.fft.rfftfreq(n, SPACING)[1:]
+    long = f**2 + wavelength**-2 if kind == "K-correlation" else np.maximum(f, 1 / wavelength) ** 2
+    P = np.concatenate([[0.0], 0.5 * G ** (2 * (D - 1)) * long ** (D - 2.5)])
+    white = np.fft.rfft(random.standard_normal(n))
+    return np.fft.irfft(white * np.sqrt(P / (2 * SPACING)), n=n)[:points]
+
+
+def fewest_covered(count, share=0.9):
+    """So few of ``count`` intervals of at least this coverage hold the truth once in a thousand runs."""
+    return int(binom.ppf(1e-3, count, share))
+
+
+@pytest.mark.parametrize(
+    ("kind", "estimator", "repeats"),
+    [
+        ("K-correlation", "likelihood", 24),
+        ("flat", "likelihood", 24),
+        ("exact", "likelihood", 24),
+        ("row quarters", "likelihood", 24),
+        ("K-correlation", "structure_function", 12),
+        ("exact", "structure_function", 12),
+        ("K-correlation", "power_spectrum", 12),
+        ("exact", "power_spectrum", 12),
+    ],
+)
+def test_intervals_hold_the_truth_or_there_are_none(kind, estimator, repeats):
+    """Gradual and sharp roll-offs at 40 um, with noise and averaged; unequal quarters of the record."""
+    covered = []
+    for seed in range(repeats):
+        random, D, count = np.random.default_rng(seed), (1.3, 1.5, 1.7)[seed % 3], (1, 10)[seed % 2]
+        if kind in ("exact", "row quarters"):
+            z = noise(D, random, count, 4096)
+        else:
+            z = np.array([rolled_off(D, kind, random, 4096) for _ in range(count)])
+        if kind == "row quarters":
+            share = np.repeat([0.5, 1.0, 1.5, 2.0], 1024)[1:]
+            z = np.concatenate([np.zeros((count, 1)), np.cumsum(share * np.diff(z), axis=1)], axis=1)
+        z = z + (0.0, 0.02)[seed // 2 % 2] * z.std() * random.standard_normal(z.shape)
+        try:
+            low, high = fit(z, estimator).dimension_interval(confidence=0.95)
+        except NoSolutionError:
+            continue
+        covered.append(low <= D <= high)
+    assert sum(covered) >= fewest_covered(len(covered))
+    if estimator == "likelihood":
+        assert len(covered) >= 20
+
+
+def test_roll_off_wavelength_is_reported():
+    random = np.random.default_rng(0)
+    z = np.array([rolled_off(1.5, "K-correlation", random, 4096) for _ in range(10)])
+    assert fit(z).roll_off_wavelength == pytest.approx(40e-6, rel=0.25)
+    assert fit(noise(1.5, random)).roll_off_wavelength is None
+
+
+def test_all_estimators_refuse_the_same_band():
+    """Fifths of a decade alternately at half and at twice the power law."""
+    random = np.random.default_rng(3)
+    n = 8 * 4096
+    f = np.fft.rfftfreq(n, SPACING)[1:]
+    P = 0.5 * G * f**-2.0 * np.where(np.floor(5 * np.log10(f)) % 2 == 0, 0.5, 2.0)
+    white = np.fft.rfft(random.standard_normal((10, n)), axis=1)
+    z = np.fft.irfft(white * np.sqrt(np.concatenate([[0.0], P]) / (2 * SPACING)), n=n, axis=1)[:, :4096]
+    reasons = set()
+    for estimator in ("likelihood", "structure_function", "power_spectrum"):
+        with pytest.raises(NoSolutionError, match="departs from a power law by") as refusal:
+            fit(z, estimator, shortest_wavelength=5e-7, longest_wavelength=1e-4)
+        reasons.add(str(refusal.value))
+    assert len(reasons) == 1
+
+
+@pytest.mark.parametrize("estimator", ["likelihood", "structure_function", "power_spectrum"])
+def test_tilt_changes_nothing(estimator):
+    z = noise(1.4, np.random.default_rng(12), count=2, points=4096)
+    level, tilted = fit(z, estimator), fit(z + 0.1 * SPACING * np.arange(4096), estimator)
+    assert tilted.fractal_dimension == pytest.approx(level.fractal_dimension, abs=1e-6)
+    assert tilted.covariance[0, 0] == pytest.approx(level.covariance[0, 0], rel=1e-3)
 
 
 @pytest.mark.parametrize("D", [1.1, 1.5, 1.9])
@@ -131,6 +214,25 @@ def test_no_power_law_is_refused(kind):
     }[kind]
     with pytest.raises(NoSolutionError):
         fit(1e-6 * z[None])
+
+
+@pytest.mark.parametrize(
+    ("limits", "says"),
+    [
+        ({"shortest_wavelength": 0.0}, "positive length"),
+        ({"longest_wavelength": -1e-6}, "positive length"),
+        ({"shortest_wavelength": np.inf}, "positive length"),
+        ({"shortest_wavelength": 2e-6, "longest_wavelength": 1e-6}, "must be below the longest"),
+    ],
+)
+def test_limits_of_the_band_are_checked(limits, says):
+    with pytest.raises(InputError, match=says):
+        fit(noise(1.5, np.random.default_rng(0), count=1, points=256), **limits)
+
+
+def test_heights_beyond_measure_are_refused():
+    with pytest.raises(InputError, match="too large"):
+        fit(1e300 * np.random.default_rng(0).standard_normal((1, 256)))
 
 
 def test_arguments_are_checked():

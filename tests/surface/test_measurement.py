@@ -52,10 +52,23 @@ def test_intervals_are_those_of_the_normal_law():
         ({"schema_version": 9}, "version 9"),
         ({"refused": "no power law"}, "was refused: no power law"),
         ({"fractal_dimension": 2.4}, "between 1 and 2"),
-        ({"fractal_roughness_m": "big"}, "not a number"),
+        ({"fractal_roughness_m": "big"}, "finite number"),
         ({"covariance_of_dimension_and_log_roughness": [[1, 2], [2, 1]]}, "covariance"),
         ({"frequency_ratio": 0.5}, "gamma"),
-        ({"estimator": None, "profiles": None}, "not a number"),
+        ({"profiles": None}, "finite number"),
+        ({"estimator": None}, "no text"),
+        ({"estimator": ["likelihood"]}, "no text"),
+        ({"fractal_dimension": True}, "finite number"),
+        ({"fractal_dimension": [1.5]}, "not a list"),
+        ({"profiles": 1e400}, "finite number"),
+        ({"profiles": 2.5}, "whole number"),
+        ({"profiles": 10**400}, "finite number"),
+        ({"frequency_ratio": float("nan")}, "finite number"),
+        ({"longest_wavelength_m": 1e-9}, "below the longest"),
+        ({"covariance_of_dimension_and_log_roughness": [[1, {}], [0, 1]]}, "covariance"),
+        ({"covariance_of_dimension_and_log_roughness": [[1, 0.5], [0.2, 1]]}, "covariance"),
+        ({"covariance_of_dimension_and_log_roughness": "wide"}, "covariance"),
+        ({"covariance_of_dimension_and_log_roughness": [[float("nan"), 0], [0, 1]]}, "covariance"),
     ],
 )
 def test_wrong_documents(change, says):
@@ -69,7 +82,24 @@ def test_missing_key_and_wrong_files(tmp_path):
     with pytest.raises(InputError, match="fractal_roughness_m"):
         measurement_from_document(document=document)
     (tmp_path / "x.json").write_text("no json")
-    with pytest.raises(InputError, match="not JSON"):
+    with pytest.raises(InputError, match=r"not valid JSON.*; write it with"):
         read_measurement(path=tmp_path / "x.json")
-    with pytest.raises(InputError, match="cannot be read"):
+    with pytest.raises(InputError, match=r"there is no such file|directory|cannot be read"):
         read_measurement(path=tmp_path / "none.json")
+
+
+def test_nested_and_large_documents_get_one_message(tmp_path):
+    file = tmp_path / "deep.json"
+    file.write_text("[" * 100_000 + "]" * 100_000)
+    with pytest.raises(InputError, match="nested too deeply"):
+        read_measurement(path=file)
+    file.write_text(json.dumps({"schema": "a" * 2_000_000}))
+    with pytest.raises(InputError, match="at most 1000000 bytes"):
+        read_measurement(path=file)
+    deep = 1.5
+    for _ in range(2000):
+        deep = [deep]
+    document = measurement_document(measurement=measurement())
+    for key in ("fractal_dimension", "covariance_of_dimension_and_log_roughness", "source", "schema_version"):
+        with pytest.raises(InputError):
+            measurement_from_document(document=document | {key: deep})

@@ -1,11 +1,14 @@
 """Text dialects, bare arrays, wrong files; instrument files with the numbers known about them."""
 
+import struct
 import sys
+import zipfile
 
 import numpy as np
 import pytest
 
 from asperity.errors import InputError, MissingExtraError
+from asperity.surface import read_instrument
 from asperity.surface.height_parameters import height_parameters
 from asperity.surface.levelling import levelled
 from asperity.surface.read import read_surface
@@ -75,14 +78,16 @@ def test_columns_of_heights_xyz_grids_and_npy(tmp_path):
         (b"", "is empty"),
         (b"0 1\n1 2\n2 3\n3 4\n4 x5\n", "not a number"),
         (b"1,5\n2,5\n3,5\n", "decimal comma"),
-        (b"0 1\n1 2\n2 3\n", "which unit"),
+        (b"0 1\n1 2\n2 3\n", "name the unit"),
+        (b"1 0.1\n1 0.2\n1 0.3\n1 0.2\n", "all positions are 1"),
+        (b"<?xml version='1.0'?>\n<p>0 1</p>\n", "is XML"),
         (b"0 nan\n1 nan\n2 nan\n", "no valid height"),
     ],
 )
 def test_wrong_files_get_one_clear_message(tmp_path, content, says):
     file = tmp_path / "w.txt"
     file.write_bytes(content)
-    units = {} if says == "which unit" else {"position_unit": "mm", "height_unit": "um"}
+    units = {} if says == "name the unit" else {"position_unit": "mm", "height_unit": "um"}
     with pytest.raises(InputError, match=says):
         read_surface(path=file, **units)
 
@@ -90,19 +95,196 @@ def test_wrong_files_get_one_clear_message(tmp_path, content, says):
 def test_folder_absent_and_huge_files(tmp_path):
     with pytest.raises(InputError, match="folder"):
         read_surface(path=tmp_path)
-    with pytest.raises(InputError, match="no file"):
+    with pytest.raises(InputError, match="there is no such file"):
         read_surface(path=tmp_path / "no.txt")
     with (tmp_path / "huge.dat").open("wb") as file:
         file.truncate(5 * 1024**3)
-    with pytest.raises(InputError, match="GiB"):
+    with pytest.raises(InputError, match="4096 MiB"):
         read_surface(path=tmp_path / "huge.dat")
 
 
 def test_without_the_extra_the_message_says_what_to_install(tmp_path, monkeypatch):
     monkeypatch.setitem(sys.modules, "SurfaceTopography", None)
     (tmp_path / "a.sdf").write_bytes(b"\0\1\2\3" * 50)
-    with pytest.raises(MissingExtraError, match=r"pip install 'asperity\[surface\]'"):
+    with pytest.raises(MissingExtraError, match=r"pip install '(asperity|\.)\[surface\]'"):
         read_surface(path=tmp_path / "a.sdf")
+
+
+def profile_text(path, unit_x="mm", unit_z="um", rows=40, step=0.001):
+    x = np.arange(rows) * step
+    path.write_text(f"X [{unit_x}];Z [{unit_z}]\n" + "".join(f"{a:.6f};{np.sin(a):.6f}\n" for a in x))
+    return path
+
+
+def test_a_unit_that_contradicts_the_heading_is_refused(tmp_path):
+    file = profile_text(tmp_path / "p.csv")
+    assert read_surface(path=file, height_unit="micron").spacing == pytest.approx(1e-6)
+    with pytest.raises(InputError, match="unit of its heights as um, not nm"):
+        read_surface(path=file, height_unit="nm")
+
+
+@pytest.mark.parametrize(
+    ("unit_x", "unit_z", "step", "says"),
+    [
+        ("m", "um", 0.1, "its size is 4 m"),
+        ("nm", "pm", 0.001, "its size is 4e-11 m"),
+        ("um", "mm", 0.1, "heights span"),
+    ],
+)
+def test_implausible_sizes_are_refused_unless_confirmed(tmp_path, unit_x, unit_z, step, says):
+    file = profile_text(tmp_path / "p.csv", unit_x, unit_z, step=step)
+    with pytest.raises(InputError, match=says):
+        read_surface(path=file)
+    assert read_surface(path=file, any_size=True).heights.shape == (40,)
+
+
+@pytest.mark.parametrize("value", [1e300, 1e60])
+def test_heights_that_overflow_are_refused_even_if_any_size_is_accepted(tmp_path, value):
+    np.save(tmp_path / "a.npy", np.array([0.0, value, 1.0, -value]))
+    with pytest.raises(InputError, match=r"cannot be evaluated|infinite heights"):
+        read_surface(path=tmp_path / "a.npy", height_unit="m", spacing=1e-6, any_size=True)
+
+
+def test_signalling_numbers_in_an_array_are_missing_points(tmp_path):
+    z = np.zeros(64)
+    z.view(np.uint64)[3] = 0x7FF0000000000001
+    z[4] = 1e-7
+    np.save(tmp_path / "a.npy", z)
+    assert read_surface(path=tmp_path / "a.npy", height_unit="m", spacing=1e-6).missing_points == 1
+
+
+class Sizeless:
+    """A reader that opens a file and has no size for it, or cannot say one."""
+
+    channels = (1,)
+
+    def __init__(self, sizes):
+        self.sizes = sizes
+
+    def topography(self):
+        return self
+
+    def heights(self):
+        return np.zeros((3, 3))
+
+    @property
+    def physical_sizes(self):
+        if self.sizes == "raises":
+            raise TypeError("'NoneType' object is not iterable")
+        return self.sizes
+
+
+@pytest.mark.parametrize(
+    ("sizes", "says"),
+    [(None, "not given"), ((np.nan, 1.0), "must be positive"), ("raises", "not understood")],
+)
+def test_a_reader_that_gives_no_size_is_refused(tmp_path, monkeypatch, sizes, says):
+    package = pytest.importorskip("SurfaceTopography")
+    monkeypatch.setattr(package, "open_topography", lambda _: Sizeless(sizes))
+    (tmp_path / "a.dat").write_bytes(b"\0\1\2")
+    with pytest.raises(InputError, match=says):
+        read_surface(path=tmp_path / "a.dat")
+
+
+def nanofocus(path, step_mm):
+    """A NanoFocus file as the reader package understands it: z range, grid, spacing, 16-bit heights."""
+    head = bytearray(3468)
+    struct.pack_into("<dd", head, 16, 0.0, 2.0)
+    struct.pack_into("<IIdd", head, 1368, 20, 16, step_mm, step_mm)
+    data = np.arange(320, dtype="<u2") * 100
+    path.write_bytes(bytes(head) + data.tobytes())
+    return path
+
+
+def test_a_reader_that_mistakes_the_unit_is_found_out(tmp_path):
+    """Spacing in nm where the reader takes mm: 20 points of 500 nm would be 10 m."""
+    pytest.importorskip("SurfaceTopography")
+    with pytest.raises(InputError, match=r"its size is 10 m x 8 m.*--any-size"):
+        read_surface(path=nanofocus(tmp_path / "a.nms", 500.0))
+    assert read_surface(path=nanofocus(tmp_path / "b.nms", 5e-4)).size == pytest.approx((1e-5, 8e-6))
+
+
+def text_sdf(path, zscale="1e-6", xscale="2e-6"):
+    """ISO 25178-71, text variant: heights in units of Zscale [m]."""
+    z = np.arange(48)
+    path.write_text(
+        "aISO-1.0\nManufacID = test\nCreateDate = 010120240000\nModDate = 010120240000\nNumPoints = 8\n"
+        f"NumProfiles = 6\nXscale = {xscale}\nYscale = 3e-6\nZscale = {zscale}\nZresolution = -1\n"
+        "Compression = 0\nDataType = 6\nCheckType = 0\n*\n" + "\n".join(map(str, z)) + "\n*\n"
+    )
+    return path
+
+
+def test_text_sdf_is_read_by_its_signature_with_its_own_scales(tmp_path):
+    pytest.importorskip("SurfaceTopography")
+    got = read_surface(path=text_sdf(tmp_path / "a.sdf", zscale="1e-7"))
+    assert got.heights.shape == (6, 8)
+    assert got.size == pytest.approx((16e-6, 18e-6))
+    np.testing.assert_allclose(got.heights.ravel(), 1e-7 * np.arange(48), rtol=1e-9, atol=1e-20)
+    with pytest.raises(InputError, match="not nm"):
+        read_surface(path=text_sdf(tmp_path / "a.sdf", zscale="1e-7"), height_unit="nm")
+
+
+def x3p(path, kind="SUR", count="8", increment="1e-6", extra="", main=None, links=True):
+    link = "<DataLink><PointDataLink>bindata/data.bin</PointDataLink></DataLink>" if links else ""
+    axes = "".join(
+        f"<C{a}><AxisType>{t}</AxisType><DataType>D</DataType><Increment>{i}</Increment></C{a}>"
+        for a, t, i in (("X", "I", increment), ("Y", "I", "2e-6"), ("Z", "A", "1"))
+    )
+    text = main or (
+        "<p:ISO5436_2 xmlns:p='http://www.opengps.eu/2008/ISO5436_2'><Record1><Revision>ISO5436 - 2000"
+        f"</Revision><FeatureType>{kind}</FeatureType><Axes>{axes}</Axes></Record1><Record3>"
+        f"<MatrixDimension><SizeX>{count}</SizeX><SizeY>6</SizeY><SizeZ>1</SizeZ></MatrixDimension>{link}"
+        f"{extra}</Record3></p:ISO5436_2>"
+    )
+    with zipfile.ZipFile(path, "w") as archive:
+        archive.writestr("main.xml", text)
+        archive.writestr("bindata/data.bin", (1e-7 * np.arange(48.0)).tobytes())
+    return path
+
+
+def test_x3p_variants_are_named(tmp_path):
+    pytest.importorskip("SurfaceTopography")
+    got = read_surface(path=x3p(tmp_path / "a.x3p"))
+    assert got.size == pytest.approx((8e-6, 12e-6))
+    assert got.heights[1, 0] == pytest.approx(8e-7)
+    for arguments, says in (
+        ({"links": False, "extra": "<DataList><Datum>1</Datum></DataList>"}, "text inside main.xml"),
+        ({"kind": "PRF"}, "feature type 'PRF'"),
+        ({"count": "0"}, "0 points"),
+        ({"increment": "-1e-6"}, "increment of -1e-6 m"),
+        ({"increment": "1e300"}, "its size is 8e\\+300 m"),
+        ({"increment": "wide"}, "increment of wide"),
+        ({"main": "<open>"}, "not valid XML"),
+        ({"count": "9"}, "cannot be read"),
+    ):
+        with pytest.raises(InputError, match=says):
+            read_surface(path=x3p(tmp_path / "a.x3p", **arguments))
+
+
+def test_a_size_that_is_not_that_of_the_header_is_refused(tmp_path, monkeypatch):
+    pytest.importorskip("SurfaceTopography")
+    file = x3p(tmp_path / "a.x3p")
+    monkeypatch.setattr(read_instrument, "x3p_container", lambda path: (str(path), (8e-3, 12e-6)))
+    with pytest.raises(InputError, match=r"8e-06 m where the header of the file says 0\.008 m"):
+        read_surface(path=file)
+
+
+@pytest.mark.parametrize(
+    ("name", "content", "says"),
+    [
+        ("a.gwy", b"GWYP\1\2\3" * 20, "Gwyddion GWY"),
+        ("a.nms", b"\0\1\2" * 2000, "NMS"),
+        ("a.npy", b"\x93NUMPY\1\0v\0{'descr': '<f8', 'fortran_order': False, (" + b" " * 70 + b"\n", "NumPy"),
+        ("b.npy", b"\x93NUMPY\1\0v\0{'descr': '<f8', 'fortran_order': False, 'shape': (99999999999, 9), }"
+         + b" " * 40 + b"\n", "NumPy"),
+    ],
+)  # fmt: skip
+def test_damaged_files_get_one_message_that_names_the_format(tmp_path, name, content, says):
+    pytest.importorskip("SurfaceTopography")
+    (tmp_path / name).write_bytes(content)
+    with pytest.raises(InputError, match=says):
+        read_surface(path=tmp_path / name, height_unit="um", spacing=1e-6)
 
 
 # Numbers of the SOURCE.txt files: asserted in SurfaceTopography's own tests, or printed by the instrument.
@@ -186,7 +368,7 @@ def test_undefined_points_and_valid_flags(shared_data):
 
 def test_format_without_a_unit_is_not_guessed(shared_data):
     pytest.importorskip("SurfaceTopography")
-    with pytest.raises(InputError, match="which unit"):
+    with pytest.raises(InputError, match="name the unit"):
         read_surface(path=shared_data / EXAMPLES / "tmd-1.tmd")
     got = read_surface(path=shared_data / EXAMPLES / "tmd-1.tmd", height_unit="um")
     assert got.size == pytest.approx((18.9566e-6, 18.9566e-6), rel=1e-5)

@@ -25,31 +25,78 @@ def exact(density, points=20000, independent=50.0):
 
 def test_exact_power_law_and_its_covariance():
     spectrum = exact(lambda f: 1e-8 * f**-1.8)
-    fit = fit_spectrum(spectrum=spectrum, low=1e2, high=1e6, tail="band_limited", with_floor=False)
+    fit = fit_spectrum(spectrum=spectrum, low=1e2, high=1e6, tail="band_limited", roll_off_exponent=2.0)
     assert fit.fractal_dimension == pytest.approx(1.6, abs=1e-8)
     assert fit.density(np.array([1e4]))[0] == pytest.approx(1e-8 * 1e4**-1.8, rel=1e-7)
-    # straight-line regression: var(slope) = 1 / (nu sum u^2), D = (5 + slope) / 2
-    u = np.log(spectrum.frequency / np.exp(np.mean(np.log(spectrum.frequency))))
-    assert fit.covariance[0, 0] == pytest.approx(0.25 / (50.0 * np.sum(u**2)), rel=1e-6)
+    # linear regression of ln P on D, the level, the first term of a roll-off f^-2 and of a white part f^beta
+    u = spectrum.frequency / fit.reference_frequency
+    design = np.stack([2 * np.log(u), np.ones(80), -0.9 * u**-2.0, u**1.8], axis=1)
+    expected = np.linalg.inv(50.0 * design.T @ design)
+    np.testing.assert_allclose(fit.covariance, expected[:2, :2], rtol=1e-4)
+    assert fit.misfit == 0.0
+    assert abs(fit.roll_off) < 1e-6 * 1e2**2
+    assert fit.floor_error == pytest.approx(
+        fit.density(np.array([fit.reference_frequency]))[0] * np.sqrt(expected[3, 3]), rel=1e-4
+    )
+
+
+def test_roll_off_is_part_of_the_model():
+    """K-correlation at 1e4 1/m, and a sharp corner: the same D as without."""
+    for density, m in (
+        (lambda f: 1e-8 * (f**2 + 1e8) ** -0.9, 2.0),
+        (lambda f: 1e-8 * (f**8 + 1e32) ** -0.225, 8.0),
+    ):
+        fit = fit_spectrum(
+            spectrum=exact(density), low=1e2, high=1e6, tail="band_limited", roll_off_exponent=m
+        )
+        assert fit.fractal_dimension == pytest.approx(1.6, abs=1e-5)
+        assert fit.roll_off ** (-1 / m) == pytest.approx(1e-4, rel=1e-4)
+        f = np.geomspace(1e2, 1e6, 7)
+        np.testing.assert_allclose(fit.expected(f), density(f), rtol=1e-4)
+        low, high = fit.usable_band
+        # (1 + x^m)^(1.8 / m) = 2 where the roll-off takes half
+        assert low == pytest.approx(1e4 / (2 ** (m / 1.8) - 1) ** (1 / m), rel=0.03)
+        assert high == pytest.approx(1e6)
+
+
+def test_misfit_is_an_estimate_not_a_threshold():
+    """Residuals of 4 % about a power law that sampling makes uncertain by 2 %: what is beyond is 3.5 %."""
+    wobble = 1.0 + 0.04 * np.sqrt(2.0) * np.cos(np.pi * np.arange(80) / 2 + 0.7)
+    spectrum = exact(lambda f: 1e-8 * f**-1.8 * wobble, independent=2500.0)
+    fit = fit_spectrum(spectrum=spectrum, low=1e2, high=1e6, tail="band_limited", roll_off_exponent=2.0)
+    assert fit.chi_square / fit.degrees == pytest.approx(0.04**2 * 2500 * 80 / 76, rel=0.03)
+    assert fit.misfit == pytest.approx(np.sqrt(0.04**2 * 80 / 76 - 0.02**2), rel=0.03)
+    quiet = fit_spectrum(
+        spectrum=exact(lambda f: 1e-8 * f**-1.8 * wobble, independent=50.0),
+        low=1e2, high=1e6, tail="band_limited", roll_off_exponent=2.0,
+    )  # fmt: skip
+    assert quiet.misfit == 0.0  # 14 % of sampling scatter hide it
+    exact_covariance = fit_spectrum(
+        spectrum=exact(lambda f: 1e-8 * f**-1.8, independent=2500.0),
+        low=1e2, high=1e6, tail="band_limited", roll_off_exponent=2.0,
+    ).covariance  # fmt: skip
+    assert fit.covariance[0, 0] == pytest.approx(
+        exact_covariance[0, 0] * fit.chi_square / fit.degrees, rel=0.05
+    )
 
 
 def test_floor_is_found_and_limits_the_band():
     spectrum = exact(lambda f: 1e-8 * f**-2.0 + 1e-18)
-    fit = fit_spectrum(spectrum=spectrum, low=1e2, high=1e6, tail="band_limited", with_floor=True)
+    fit = fit_spectrum(spectrum=spectrum, low=1e2, high=1e6, tail="band_limited", roll_off_exponent=2.0)
     assert fit.fractal_dimension == pytest.approx(1.5, abs=1e-5)
     assert fit.floor == pytest.approx(1e-18, rel=1e-4)
-    assert fit.usable_high == pytest.approx(1e5, rel=0.06)
+    assert fit.usable_band[1] == pytest.approx(1e5, rel=0.06)
 
 
 def test_folded_power_is_the_sum_over_images():
     spectrum = exact(lambda f: 1e-8 * f**-1.6)
-    fit = fit_spectrum(spectrum=spectrum, low=1e2, high=1e5, tail="band_limited", with_floor=False)
-    folded = fit_spectrum(spectrum=spectrum, low=1e2, high=1e6, tail="folded", with_floor=False)
+    fit = fit_spectrum(spectrum=spectrum, low=1e2, high=1e5, tail="band_limited", roll_off_exponent=2.0)
+    folded = fit_spectrum(spectrum=spectrum, low=1e2, high=1e6, tail="folded", roll_off_exponent=2.0)
     f, fs = np.array([3e5]), 2e6
     k = np.arange(1, 200_000)
     images = folded.density(k * fs + f).sum() + folded.density(k * fs - f).sum()
     assert folded.expected(f)[0] == pytest.approx(float(folded.density(f)[0]) + images, rel=2e-3)
-    assert fit.expected(f)[0] == fit.density(f)[0]
+    assert fit.expected(f)[0] == pytest.approx(fit.density(f)[0], rel=1e-6)
 
 
 def test_band_stops_where_the_power_law_stops():
@@ -72,7 +119,7 @@ def test_band_stops_where_the_power_law_stops():
     ("density", "says"),
     [
         (lambda f: 1e-8 * f**-3.6, "falls as"),
-        (lambda f: 1e-8 * f**-2.0 * (1 + 0.7 * np.sin(5 * np.log(f))), "%"),
+        (lambda f: 1e-8 * f**-2.0 * (1 + 0.7 * np.sin(5 * np.log(f))), "departs from a power law by"),
     ],
 )
 def test_refusals_say_why(density, says):

@@ -1,5 +1,7 @@
 """C9–C13 and the design window on made-up curves, both ways."""
 
+from collections.abc import Callable
+
 import numpy as np
 
 from asperity.zou2025 import claims_joint
@@ -70,19 +72,28 @@ def test_c12() -> None:
 
 def test_c13() -> None:
     friction = np.linspace(0.04, 0.3, 131)
+    high = 0.3 * np.array([1.0, 2.0, 4.0])
 
-    def claim(curve: np.ndarray) -> Claim:
+    def claim(curve: Callable[[np.ndarray], np.ndarray]) -> Claim:
         return claims_joint.friction_claim(
-            output_torque=np.array([5.0]), friction=friction, stiffness=curve[None]
+            output_torque=np.array([5.0]),
+            friction=friction,
+            stiffness=curve(friction)[None],
+            high_friction=high,
+            high_stiffness=curve(high)[None],
         )
 
-    saturating = np.cbrt(np.clip(1.0 - 0.045 / friction, 0.0, None))
+    def saturating(mu: np.ndarray) -> np.ndarray:
+        return np.cbrt(np.clip(1.0 - 0.045 / mu, 0.0, None))
+
     assert verdicts(claim(saturating)) == [True, True, False]
     assert abs(claim(saturating).statements[0].numbers["friction_from_which_all_stick"] - 0.046) < 1e-9
-    assert verdicts(claim(1.0 + friction)) == [True, False, False]
-    humped = 1.0 - (friction - 0.2) ** 2
-    assert verdicts(claim(humped))[0] is False
-    assert verdicts(claim(humped))[2] is True
+    assert verdicts(claim(lambda mu: 1.0 + mu)) == [True, False, False]
+    # a steep start alone is no saturation: these keep growing
+    assert verdicts(claim(lambda mu: np.cbrt(mu - 0.0399))) == [True, False, False]
+    assert verdicts(claim(lambda mu: np.log(mu / 0.0399))) == [True, False, False]
+    humped = verdicts(claim(lambda mu: 1.0 - (mu - 0.2) ** 2))
+    assert (humped[0], humped[2]) == (False, True)
 
 
 def test_design_window() -> None:

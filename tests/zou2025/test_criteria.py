@@ -22,9 +22,16 @@ def test_relative_change() -> None:
     )
 
 
-def test_chord_of_a_line_and_of_a_parabola() -> None:
-    assert criteria.departure_from_chord(X, 3.0 - 2.0 * X) == pytest.approx(0.0, abs=1e-12)
-    assert criteria.departure_from_chord(X, X**2) == pytest.approx(0.25)  # x - x^2 at x = 1/2 of the range
+def test_slope_change_of_a_line_and_of_a_parabola() -> None:
+    assert criteria.slope_change(X, 3.0 - 2.0 * X) == pytest.approx(0.0, abs=1e-12)
+    assert criteria.slope_change(X, X**2) == pytest.approx(18.0 / 19.0)  # mean slopes 1 and 19
+    assert criteria.slope_change(X, -(X**2)) == pytest.approx(18.0 / 19.0)
+
+
+def test_nearly_straight_curves_are_not_called_nonlinear() -> None:
+    share = X / X[-1]
+    assert criteria.slope_change(X, share + 0.04 * share**2) < criteria.NONLINEAR.limit  # 1 % off its chord
+    assert criteria.slope_change(X, share**0.8) > criteria.NONLINEAR.limit
 
 
 def test_peak_between_samples() -> None:
@@ -45,9 +52,12 @@ def test_rising_share() -> None:
     assert criteria.rising_share(np.array([0.0, 1.0, 2.0, 3.0, 1.0])) == pytest.approx(0.75)
 
 
-def test_slope_ratio() -> None:
-    assert criteria.slope_ratio(X, 2.0 * X) == pytest.approx(1.0)
-    assert criteria.slope_ratio(X, 1.0 - np.exp(-X)) == pytest.approx(np.exp(-9.0), rel=1e-6)
+def test_only_what_approaches_a_limit_saturates() -> None:
+    x = 0.3 * np.array([1.0, 2.0, 4.0])
+    growing = (np.log(x), x**0.1, np.cbrt(x), np.cbrt(x - 0.075))
+    saturating = (1.0 - 0.05 / x, np.cbrt(1.0 - 0.05 / x), 1.0 - np.exp(-3.0 * x), x / (x + 0.1))
+    assert all(criteria.growth_per_doubling(f) > criteria.SATURATED.limit for f in growing)
+    assert all(criteria.growth_per_doubling(f) < criteria.SATURATED.limit for f in saturating)
 
 
 def test_interval_above() -> None:

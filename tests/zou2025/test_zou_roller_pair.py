@@ -6,7 +6,6 @@ import numpy as np
 import pytest
 
 from asperity.contact.fractal import FractalContact
-from asperity.zou2025.preset import table_1_pair
 from asperity.zou2025.roller_pair import pair_contact
 
 # K_t in N/mm: R1/R2 = 10/20 mm, B = 5 mm, F_n = 1000 N, T = 0, G = 1e-8 mm, printed contact factor
@@ -39,8 +38,9 @@ NO_LOAD, SLIPPING, FREE = (len(REFERENCE) + i for i in range(3))
 @pytest.fixture(scope="module")
 def contact() -> FractalContact:
     dimension, normal, tangential = jnp.array(POINTS).T
-    rollers = table_1_pair(fractal_dimension=dimension, normal_force=normal, tangential_force=tangential)
-    solved: FractalContact = eqx.filter_jit(pair_contact)(rollers)
+    solved: FractalContact = eqx.filter_jit(pair_contact)(
+        fractal_dimension=dimension, normal_force=normal, tangential_force=tangential
+    )
     return solved
 
 

@@ -56,14 +56,23 @@ class BoundedSolution(eqx.Module):
     residual: Array
 
 
+class _Misfit(NamedTuple):
+    """Which points may move, their misfit without its common shift, how many they are, the shift, the residual."""
+
+    moving: Array
+    gradient: Array
+    points: Array
+    shift: Array
+    residual: Array
+
+
 class _State(NamedTuple):
     traction: Array
     displacement: Array
     direction: Array
     gradient: Array
     slope: Array
-    shift: Array
-    residual: Array
+    misfit: _Misfit
     iterations: Array
 
 
@@ -187,8 +196,7 @@ def bounded_solution(
         below = t < upper if g is None else (t < upper) | (g > 0.0)
         return free & below & (lower < upper)
 
-    def misfit(t: Array, u: Array) -> tuple[Array, Array, Array, Array]:
-        """Which pixels may move, their misfit without its common shift, how many they are, and the shift."""
+    def misfit(t: Array, u: Array) -> _Misfit:
         g = u - target
         if total is None:
             shift = jnp.zeros(())
@@ -197,12 +205,13 @@ def bounded_solution(
             shift = _masked_sum(inside, g) / jnp.sum(inside, dtype=g.dtype)
         g = g - shift
         moving = off_bounds(t, g)
-        return moving, jnp.where(moving, g, 0.0), jnp.maximum(jnp.sum(moving, dtype=g.dtype), 1.0), shift
+        g = jnp.where(moving, g, 0.0)
+        count = jnp.maximum(jnp.sum(moving, dtype=g.dtype), 1.0)
+        return _Misfit(moving, g, count, shift, jnp.sqrt(jnp.sum(g * g) / count))
 
     def step(state: _State) -> _State:
         t, u = state.traction, state.displacement
-        moving, g, count, shift = misfit(t, u)
-        residual = jnp.sqrt(jnp.sum(g * g) / count)
+        moving, g, count = state.misfit.moving, state.misfit.gradient, state.misfit.points
         if total is not None:
             g = jnp.where(moving, g - jnp.sum(g) / count, 0.0)
         z = jnp.where(moving, estimate(g), 0.0)
@@ -222,11 +231,11 @@ def bounded_solution(
 
         beyond = t_new < lower if upper is None else (t_new < lower) | (t_new > upper)
         t_new, u_new = jax.lax.cond(jnp.any(beyond), cut, lambda _: (t_new, u_new), None)
-        return _State(t_new, u_new, d, g, slope, shift, residual, state.iterations + 1)
+        return _State(t_new, u_new, d, g, slope, misfit(t_new, u_new), state.iterations + 1)
 
     def unfinished(state: _State) -> Array:
         limit = tolerance * scale(state.traction, state.displacement)
-        return (state.residual > limit) & (state.iterations < max_iterations)
+        return (state.misfit.residual > limit) & (state.iterations < max_iterations)
 
     zero = jnp.zeros_like(target)
     if total is None:
@@ -236,18 +245,15 @@ def bounded_solution(
         t0 = shifted_within_bounds(
             start, jnp.broadcast_to(lower < ceiling, start.shape), lower, ceiling, total
         )
-    infinite = jnp.asarray(jnp.inf)
-    first = _State(
-        t0, response(t0), zero, zero, infinite, jnp.zeros(()), infinite, jnp.zeros((), dtype=jnp.int64)
-    )
+    u0 = response(t0)
+    first = _State(t0, u0, zero, zero, jnp.asarray(jnp.inf), misfit(t0, u0), jnp.zeros((), dtype=jnp.int64))
     last = jax.lax.while_loop(unfinished, step, first)
-    _, g, count, shift = misfit(last.traction, last.displacement)
     reference = scale(last.traction, last.displacement)
-    residual = jnp.sqrt(jnp.sum(g * g) / count)
+    residual = last.misfit.residual
     return BoundedSolution(
         traction=last.traction,
         displacement=last.displacement,
-        shift=shift,
+        shift=last.misfit.shift,
         iterations=last.iterations,
         residual=jnp.where(residual > 0.0, residual / jnp.where(reference > 0.0, reference, residual), 0.0),
     )

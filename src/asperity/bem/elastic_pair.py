@@ -1,4 +1,4 @@
-"""The two moduli through which a pair of half-spaces enters the boundary elements."""
+"""The constants through which a pair of half-spaces enters the boundary elements."""
 
 from __future__ import annotations
 
@@ -22,13 +22,17 @@ class ElasticPair(eqx.Module):
         Contact modulus, :math:`1/E = (1-\nu_1^2)/E_1 + (1-\nu_2^2)/E_2` [Pa].
     antiplane_modulus : Real
         Two shear moduli in series, :math:`1/G = 1/G_1 + 1/G_2` [Pa].
+    dundurs_constant : Real
+        Dundurs' second constant, :math:`\beta = \frac E4\left[\frac{1-2\nu_1}{G_1} -
+        \frac{1-2\nu_2}{G_2}\right]` [-]; zero for like bodies.
 
     Notes
     -----
-    Both compliances are sums over the bodies, so unlike materials are combined exactly, except for one thing:
-    the displacement along the surface under *normal* pressure, which is proportional to Dundurs' second
-    constant :math:`\beta`. It vanishes for like materials (and for two incompressible ones) and is neglected
-    otherwise: the normal and the tangential problem are solved one after the other.
+    Both compliances are sums over the bodies, so unlike materials are combined exactly. The displacement along
+    the surface under *normal* pressure, and the converse, are proportional to :math:`\beta`. It vanishes for
+    like materials and for two incompressible ones. The rolling solvers use it
+    (:mod:`asperity.bem.coupled_rolling`); the other solvers neglect it and solve the normal and the tangential
+    problem one after the other.
 
     References
     ----------
@@ -37,6 +41,7 @@ class ElasticPair(eqx.Module):
 
     contact_modulus: Array | float
     antiplane_modulus: Array | float
+    dundurs_constant: Array | float
 
     @property
     def poisson_ratio(self) -> Real:
@@ -64,7 +69,7 @@ def elastic_pair(
     Returns
     -------
     ElasticPair
-        Their common moduli.
+        Their common constants.
 
     Raises
     ------
@@ -87,4 +92,8 @@ def elastic_pair(
     E = contact_modulus(youngs_modulus_1=E1, youngs_modulus_2=E2, poisson_ratio_1=nu1, poisson_ratio_2=nu2)
     G1 = shear_modulus(youngs_modulus=E1, poisson_ratio=nu1)
     G2 = shear_modulus(youngs_modulus=E2, poisson_ratio=nu2)
-    return ElasticPair(contact_modulus=E, antiplane_modulus=1.0 / (1.0 / G1 + 1.0 / G2))
+    return ElasticPair(
+        contact_modulus=E,
+        antiplane_modulus=1.0 / (1.0 / G1 + 1.0 / G2),
+        dundurs_constant=0.25 * E * ((1.0 - 2.0 * nu1) / G1 - (1.0 - 2.0 * nu2) / G2),
+    )

@@ -12,7 +12,13 @@ from jax import Array
 from asperity.bem.checks import grid, positive
 from asperity.bem.elastic_pair import ElasticPair
 from asperity.bem.half_space import HalfSpace, filtered, mixed, wavenumber_magnitude
-from asperity.bem.influence import normal_patch, patch_integrals, shear_patch, strip_integral
+from asperity.bem.influence import (
+    coupling_integral,
+    normal_patch,
+    patch_integrals,
+    shear_patch,
+    strip_integral,
+)
 from asperity.errors import InputError
 from asperity.precision import require_double_precision
 
@@ -150,3 +156,27 @@ class FreeHalfSpace(HalfSpace):
     def traction_estimate(self, displacement: Array) -> Array:
         """See :class:`~asperity.bem.half_space.HalfSpace`."""
         return filtered(displacement, self._inverse)
+
+    def layered_traction_estimate(self, displacement: Array, layer_compliance: Array) -> Array:
+        """Traction [Pa] that gives roughly this displacement [m] with a layer [m/Pa] on the surface."""
+        softest = jnp.max(layer_compliance)
+        typical = jnp.min(jnp.where(layer_compliance > 0.0, layer_compliance, softest))
+        weight = jnp.sqrt(
+            jnp.where(
+                layer_compliance > 0.0,
+                typical / jnp.where(layer_compliance > 0.0, layer_compliance, 1.0),
+                1.0,
+            )
+        )
+        return weight * filtered(weight * displacement, self._inverse / (1.0 + typical * self._inverse))
+
+    def coupled_displacement(self, traction: Array) -> Array:
+        r"""Displacement [m] across a strip under pressure [Pa]; minus the normal one under shear across it.
+
+        .. math:: u(x) = -\frac{\beta}{E}\int \operatorname{sgn}(x - s)\, p(s)\, \mathrm ds
+        """
+        n = traction.shape[0]
+        x = jnp.arange(1 - n, n).astype(jnp.float64) * self.pixel_size[0]
+        kernel = coupling_integral(x, pixel_size=self.pixel_size[0])
+        scale = 2.0 * self.pair.dundurs_constant / self.pair.contact_modulus
+        return scale * jnp.convolve(traction, kernel)[n - 1 : 2 * n - 1]

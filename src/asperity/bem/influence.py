@@ -132,3 +132,30 @@ def strip_integral(x: Array, *, pixel_size: Array, reference_distance: Array) ->
         return s * (1.0 - jnp.log(jnp.abs(s) / reference_distance))
 
     return (primitive(x + pixel_size / 2.0) - primitive(x - pixel_size / 2.0)) / math.pi
+
+
+def coupling_integral(x: Array, *, pixel_size: Array) -> Array:
+    r"""Integral of :math:`-\tfrac12\operatorname{sgn}(x - s)` over the pixel centred at s = 0.
+
+    Parameters
+    ----------
+    x : array
+        Distances between pixel centres [m].
+    pixel_size : array, scalar
+        Width of the pixel [m].
+
+    Returns
+    -------
+    array
+        The integral [m]; times :math:`2\beta/E` it is the displacement across the strip per pressure, and
+        with the opposite sign the normal displacement per traction across the strip.
+
+    References
+    ----------
+    K. L. Johnson, Contact Mechanics, 1985, equations (2.25), taken over both bodies.
+    """
+
+    def primitive(s: Array) -> Array:
+        return -0.5 * jnp.abs(s)
+
+    return primitive(x + pixel_size / 2.0) - primitive(x - pixel_size / 2.0)

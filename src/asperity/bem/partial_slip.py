@@ -11,6 +11,7 @@ from jax.typing import ArrayLike
 
 from asperity.bem.bounded_problem import BoundedSolution, bounded_solution
 from asperity.bem.checks import field_on_grid, positive
+from asperity.bem.free_half_space import FreeHalfSpace
 from asperity.bem.half_space import HalfSpace
 from asperity.bem.normal_contact import pressure_weighted_displacement, refuse_unconverged
 from asperity.errors import InputError, NoSolutionError
@@ -58,39 +59,84 @@ class PartialSlip(eqx.Module):
 
 
 @eqx.filter_jit
-def _history(
+def shear_history(
     half_space: HalfSpace,
     cap: Array,
     path: Array,
+    rolled_pixels: Array | None,
+    layer_compliance: Array | None,
+    coupled_displacement: Array | None,
     force_driven: bool,
     axis: int,
     tolerance: Array,
     max_iterations: Array,
 ) -> tuple[BoundedSolution, Array, Array, Array]:
+    r"""Step by step through a history of shear, of a contact that stands or rolls along the first axis.
+
+    .. math:: u(\tau) + u_p = \delta + s, \qquad s_k(x) = s_{k-1}(x + d_k) + \Delta s
+
+    Parameters
+    ----------
+    half_space : HalfSpace
+        Elastic bodies and grid.
+    cap : array, shape (\*grid)
+        Largest traction [Pa].
+    path : array, shape (steps,)
+        Forces [N; N/m on a strip] or displacements [m].
+    rolled_pixels : array of int, shape (steps,), or None
+        Pixels by which the contact moves in each step; None if it stands.
+    layer_compliance : array, shape (\*grid), or None
+        Compliance of a thin layer between the bodies [m/Pa].
+    coupled_displacement : array, shape (\*grid), or None
+        Tangential displacement under the pressure [m].
+    force_driven : bool
+        Whether the path is of forces.
+    axis : int
+        Direction of the shear.
+    tolerance, max_iterations : array, scalar
+        As for :func:`partial_slip`.
+
+    Returns
+    -------
+    tuple
+        Solutions (their displacement is the slip s), stick fraction, friction work, force; one per step.
+    """
+
     def response(traction: Array) -> Array:
-        return half_space.aligned_shear_displacement(traction, axis)
+        elastic = half_space.aligned_shear_displacement(traction, axis)
+        return elastic if layer_compliance is None else elastic + layer_compliance * traction
+
+    def estimate(displacement: Array) -> Array:
+        if layer_compliance is None or not isinstance(half_space, FreeHalfSpace):
+            return half_space.traction_estimate(displacement)
+        return half_space.layered_traction_estimate(displacement, layer_compliance)
 
     sliding_displacement = pressure_weighted_displacement(cap, response(cap))
     sliding_force = jnp.sum(cap) * half_space.pixel_area
     contact = cap > 0.0
+    by_pressure = jnp.zeros_like(cap) if coupled_displacement is None else coupled_displacement
 
-    def step(carry: tuple[Array, Array, Array], value: Array) -> tuple[tuple[Array, Array, Array], tuple]:
+    def step(carry: tuple[Array, Array, Array], given: tuple[Array, Array | None]) -> tuple[tuple, tuple]:
         traction, slip, work = carry
+        value, pixels = given
+        if pixels is not None:
+            slip = jnp.roll(slip, -pixels, axis=0)
+        target = slip - by_pressure
         found = bounded_solution(
             response=response,
-            estimate=half_space.traction_estimate,
-            target=slip if force_driven else slip + value,
+            estimate=estimate,
+            target=target if force_driven else target + value,
             lower=-cap,
             upper=cap,
             total=value / half_space.pixel_area if force_driven else None,
-            start=cap * (value / sliding_force) if force_driven else traction,
+            start=cap * (value / sliding_force) if force_driven and pixels is None else traction,
             scale=lambda t, u: sliding_displacement,
             tolerance=tolerance,
             max_iterations=max_iterations,
         )
         rigid = found.shift if force_driven else value
-        sticks = jnp.abs(found.traction) < cap
-        new_slip = jnp.where(contact & ~sticks, found.displacement - rigid, slip)
+        sticks = contact & (jnp.abs(found.traction) < cap)
+        new_slip = jnp.where(sticks, slip, found.displacement + by_pressure - rigid)
         work = work - jnp.sum(found.traction * (new_slip - slip)) * half_space.pixel_area
         stick = jnp.sum(sticks, dtype=cap.dtype) / jnp.sum(contact, dtype=cap.dtype)
         small = BoundedSolution(found.traction, new_slip, rigid, found.iterations, found.residual)
@@ -101,9 +147,102 @@ def _history(
             jnp.sum(found.traction) * half_space.pixel_area,
         )
 
-    zero = jnp.zeros_like(cap)
-    _, out = jax.lax.scan(step, (zero, zero, jnp.zeros(())), path)
+    start = (jnp.zeros_like(cap), by_pressure, jnp.zeros(()))
+    _, out = jax.lax.scan(step, start, (path, rolled_pixels))
     return out
+
+
+def solved_shear(
+    half_space: HalfSpace,
+    pressure: ArrayLike,
+    *,
+    friction_coefficient: float,
+    axis: int,
+    tangential_force: ArrayLike | None,
+    displacement: ArrayLike | None,
+    rolled_pixels: Array | None,
+    layer_compliance: Array | None,
+    coupled_displacement: Array | None,
+    tolerance: float,
+    max_iterations: int,
+    what: str,
+) -> PartialSlip:
+    """Check the input of a history of shear, solve it, and refuse what did not converge.
+
+    Parameters
+    ----------
+    half_space, pressure, friction_coefficient, axis, tangential_force, displacement, tolerance, max_iterations
+        As for :func:`partial_slip`.
+    rolled_pixels, layer_compliance, coupled_displacement
+        As for :func:`shear_history`.
+    what : str
+        Name of the problem, for messages.
+
+    Returns
+    -------
+    PartialSlip
+        The history.
+
+    Raises
+    ------
+    InputError, NoSolutionError
+        As for :func:`partial_slip`.
+    """
+    if axis not in (0, 1):
+        raise InputError(f"axis = {axis}: the tangential directions are 0 and 1")
+    mu = positive("friction_coefficient", friction_coefficient, "")
+    positive("tolerance", tolerance, "(relative)")
+    p = field_on_grid("pressure", pressure, half_space.shape)
+    if p.min() < 0.0 or p.max() <= 0.0:
+        raise InputError(
+            f"pressure lies between {p.min():g} and {p.max():g} Pa: it must nowhere pull and somewhere press"
+        )
+    if (tangential_force is None) == (displacement is None):
+        raise InputError("give either tangential_force or displacement, one value per step")
+    force_driven = tangential_force is not None
+    given = tangential_force if force_driven else displacement
+    path = np.atleast_1d(np.asarray(given, dtype=np.float64))
+    if path.ndim != 1 or not np.all(np.isfinite(path)):
+        raise InputError(
+            f"the history of shear must be a list of finite numbers, not an array of shape {path.shape}"
+        )
+    sliding_force = mu * float(p.sum()) * float(half_space.pixel_area)
+    if force_driven and np.abs(path).max() >= sliding_force:
+        unit = half_space.force_unit
+        raise InputError(
+            f"tangential_force reaches {np.abs(path).max():g} {unit}: from {sliding_force:g} {unit} on "
+            "(friction coefficient times load) the bodies slide; prescribe the displacement instead"
+        )
+    found, stick, work, force = shear_history(
+        half_space,
+        jnp.asarray(mu * p),
+        jnp.asarray(path),
+        rolled_pixels,
+        layer_compliance,
+        coupled_displacement,
+        force_driven,
+        axis,
+        jnp.asarray(tolerance),
+        jnp.asarray(max_iterations),
+    )
+    refuse_unconverged(what, found, tolerance)
+    balance = jnp.abs(force - jnp.asarray(path)) / sliding_force if force_driven else jnp.zeros_like(force)
+    if not float(jnp.max(balance)) <= _FORCE_TOLERANCE:
+        raise NoSolutionError(
+            f"{what}: the traction misses the prescribed force by {float(jnp.max(balance)):.3g} of the "
+            "sliding force; the state is not in balance and is not returned"
+        )
+    return PartialSlip(
+        tangential_force=force,
+        displacement=found.shift,
+        stick_fraction=stick,
+        friction_work=work,
+        traction=found.traction,
+        slip=jnp.where(jnp.asarray(p > 0.0), found.displacement, 0.0),
+        iterations=found.iterations,
+        residual=found.residual,
+        load_balance_error=balance,
+    )
 
 
 def partial_slip(
@@ -172,55 +311,17 @@ def partial_slip(
     J. J. Kalker, Three-Dimensional Elastic Bodies in Rolling Contact, 1990, section 4.2 (the minimum
     principle).
     """
-    if axis not in (0, 1):
-        raise InputError(f"axis = {axis}: the tangential directions are 0 and 1")
-    mu = positive("friction_coefficient", friction_coefficient, "")
-    positive("tolerance", tolerance, "(relative)")
-    p = field_on_grid("pressure", pressure, half_space.shape)
-    if p.min() < 0.0 or p.max() <= 0.0:
-        raise InputError(
-            f"pressure lies between {p.min():g} and {p.max():g} Pa: it must nowhere pull and somewhere press"
-        )
-    if (tangential_force is None) == (displacement is None):
-        raise InputError("give either tangential_force or displacement, one value per step")
-    force_driven = tangential_force is not None
-    given = tangential_force if force_driven else displacement
-    path = np.atleast_1d(np.asarray(given, dtype=np.float64))
-    if path.ndim != 1 or not np.all(np.isfinite(path)):
-        raise InputError(
-            f"the history of shear must be a list of finite numbers, not an array of shape {path.shape}"
-        )
-    sliding_force = mu * float(p.sum()) * float(half_space.pixel_area)
-    if force_driven and np.abs(path).max() >= sliding_force:
-        unit = half_space.force_unit
-        raise InputError(
-            f"tangential_force reaches {np.abs(path).max():g} {unit}: from {sliding_force:g} {unit} on "
-            "(friction coefficient times load) the bodies slide; prescribe the displacement instead"
-        )
-    found, stick, work, force = _history(
+    return solved_shear(
         half_space,
-        jnp.asarray(mu * p),
-        jnp.asarray(path),
-        force_driven,
-        axis,
-        jnp.asarray(tolerance),
-        jnp.asarray(max_iterations),
-    )
-    refuse_unconverged("partial slip", found, tolerance)
-    balance = jnp.abs(force - jnp.asarray(path)) / sliding_force if force_driven else jnp.zeros_like(force)
-    if not float(jnp.max(balance)) <= _FORCE_TOLERANCE:
-        raise NoSolutionError(
-            f"partial slip: the traction misses the prescribed force by {float(jnp.max(balance)):.3g} of the "
-            "sliding force; the state is not in balance and is not returned"
-        )
-    return PartialSlip(
-        tangential_force=force,
-        displacement=found.shift,
-        stick_fraction=stick,
-        friction_work=work,
-        traction=found.traction,
-        slip=found.displacement,
-        iterations=found.iterations,
-        residual=found.residual,
-        load_balance_error=balance,
+        pressure,
+        friction_coefficient=friction_coefficient,
+        axis=axis,
+        tangential_force=tangential_force,
+        displacement=displacement,
+        rolled_pixels=None,
+        layer_compliance=None,
+        coupled_displacement=None,
+        tolerance=tolerance,
+        max_iterations=max_iterations,
+        what="partial slip",
     )

@@ -8,13 +8,14 @@ exit code: 0 fine, 2 bad input, 3 no solution.
 from __future__ import annotations
 
 import importlib
-import os
+import signal
 import sys
+import threading
 from typing import Any
 
 import click
 
-from asperity.cli.terminal import prepare_output
+from asperity.cli.terminal import checked_output, silence
 from asperity.errors import AsperityError
 
 #: Command name -> (module that defines it, function name, one-line help shown without importing the module).
@@ -24,7 +25,7 @@ COMMANDS: dict[str, tuple[str, str, str]] = {
     "sensitivity": (
         "asperity.cli.sensitivity",
         "sensitivity",
-        "Which numbers of a joint file matter: exact derivatives, ranked.",
+        "Influence of every number of a joint file, by exact derivatives.",
     ),
     "uncertainty": (
         "asperity.cli.uncertainty",
@@ -46,7 +47,7 @@ COMMANDS: dict[str, tuple[str, str, str]] = {
     "reproduce": (
         "asperity.cli.reproduce",
         "reproduce",
-        "Recompute the paper's figures and judge its claims.",
+        "Recompute the paper's figures and check its claims.",
     ),
     "surface": (
         "asperity.cli.surface",
@@ -56,7 +57,7 @@ COMMANDS: dict[str, tuple[str, str, str]] = {
     "verify-contact": (
         "asperity.cli.verify_contact",
         "verify_contact",
-        "Hold the fractal law against boundary elements.",
+        "Compare the fractal contact law with boundary elements.",
     ),
 }
 
@@ -129,29 +130,48 @@ def asperity() -> None:
     """From a measured rough surface to the torsional stiffness of a traction-drive robot joint."""
 
 
+class Terminated(KeyboardInterrupt):
+    """The system asks the process to end (SIGTERM)."""
+
+
+def _terminate(number: int, frame: Any) -> None:
+    raise Terminated
+
+
 def main() -> None:
     """Entry point of the ``asperity`` command."""
-    prepare_output()
+    if threading.current_thread() is threading.main_thread():
+        signal.signal(signal.SIGTERM, _terminate)
+    with checked_output():
+        code = _run()
+    sys.exit(code)
+
+
+def _run() -> int:
+    """Run the command; an exit code, after one message if it failed."""
     try:
         code = asperity.main(prog_name="asperity", standalone_mode=False)
         sys.stdout.flush()
     except AsperityError as error:
         click.echo(f"asperity: error: {error}", err=True)
-        sys.exit(error.exit_code)
+        return error.exit_code
     except click.ClickException as error:
         error.show()
-        sys.exit(error.exit_code)
+        return error.exit_code
     except MemoryError as error:
-        told = f" ({error})" if str(error) else ""
+        reason = f" ({error})" if str(error) else ""
         click.echo(
-            f"asperity: error: the memory does not suffice{told}; ask for fewer points, samples or results",
+            f"asperity: error: there is not enough memory{reason}; ask for fewer points, samples or results",
             err=True,
         )
-        sys.exit(2)
-    except (click.Abort, KeyboardInterrupt):
+        return 2
+    except (click.Abort, KeyboardInterrupt) as error:
+        if isinstance(error, Terminated) or isinstance(error.__cause__, Terminated):
+            click.echo("asperity: terminated", err=True)
+            return 143
         click.echo("asperity: interrupted", err=True)
-        sys.exit(130)
-    except BrokenPipeError:  # whoever read the output has seen enough; nothing is left to be flushed at exit
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
-        sys.exit(1)
-    sys.exit(code if isinstance(code, int) else 0)
+        return 130
+    except BrokenPipeError:  # the reader of the output has seen enough; nothing is left to be flushed at exit
+        silence(sys.stdout)
+        return 1
+    return code if isinstance(code, int) else 0

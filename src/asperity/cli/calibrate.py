@@ -92,8 +92,8 @@ def calibrate(
         with progress_bar("steps of the posterior") as report:
             drawn = posterior(found, draws=draws, seed=seed, progress=report)
     if out is not None:  # files first: whoever reads the tables may close the pipe
+        from asperity.joint_file.edited_text import joint_file_text
         from asperity.study.calibration.unknowns import of_joint_file
-        from asperity.study.design.joint_text import joint_file_text
 
         changes = {each.path: each.value for each in found.estimates if of_joint_file(each.path)}
         if "play.angle" in changes and case.play is None:  # a section [play] has both keys

@@ -20,9 +20,9 @@ def contact(table: str, out: str, gamma: float, asperity_base: str) -> None:
     """Spots, loads and stiffness of every roller pair in a CSV table.
 
     Columns of the table: D, G_mm, F_N, T_N, mu, R1_mm, R2_mm, sign (1 outer, -1 inner contact), B_mm, E1_MPa,
-    E2_MPa, nu1, nu2, H_MPa (the hardness), lambda (printed, hertz_area or unity). Behind them come psi, lam,
-    a_c_mm2, a_l_mm2, A_r_mm2, Fe_N, Fp_N, Kt_N_per_mm, Kn_N_per_mm. A bad row is reported with its line and
-    column, and nothing is written.
+    E2_MPa, nu1, nu2, H_MPa (the hardness), lambda (printed, hertz_area or unity). The results follow: psi, lam,
+    a_c_mm2, a_l_mm2, A_r_mm2, Fe_N, Fp_N, Kt_N_per_mm, Kn_N_per_mm. If a row is wrong, the message gives its
+    line and column, and nothing is written.
     """
     from asperity.errors import InputError
     from asperity.joint_file.limits import FREQUENCY_RATIO
@@ -34,7 +34,7 @@ def contact(table: str, out: str, gamma: float, asperity_base: str) -> None:
         raise InputError(f"--gamma: {error}") from None
     use_double_precision()
     use_compilation_cache()
-    from asperity.cli.terminal import rows_progress
+    from asperity.cli.terminal import rows_progress, say
     from asperity.joint_file.contact_table import convert_contact_table
 
     with rows_progress("rows") as progress:
@@ -46,5 +46,5 @@ def contact(table: str, out: str, gamma: float, asperity_base: str) -> None:
             progress=progress,
         )
     if summary.replaced_columns:
-        click.echo(f"replaced the columns {', '.join(summary.replaced_columns)} of {table}", err=True)
-    click.echo(f"wrote {out}: {summary.rows} roller pairs", err=True)
+        say(f"replaced the columns {', '.join(summary.replaced_columns)} of {table}")
+    say(f"wrote {out}: {summary.rows} roller pairs")

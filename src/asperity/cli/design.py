@@ -11,8 +11,10 @@ from asperity.errors import InputError
 from asperity.writing import check_file, check_image, write_image, write_text
 
 if TYPE_CHECKING:
-    from asperity.study.design.design import DesignResult
+    from rich.console import Console
+
     from asperity.study.design.design_problem import DesignProblem
+    from asperity.study.design.design_result import DesignResult
 
 
 @click.command()
@@ -63,10 +65,10 @@ def design(
     if len(problem.objectives) > 1:
         _front(problem, out, plot, as_json, population, generations)
         return
-    from asperity.study.design.design import conflict
     from asperity.study.design.design import design as search
+    from asperity.study.design.design_result import conflict
 
-    with progress_bar("starts") as report:
+    with progress_bar("searches") as report:
         result = search(problem, progress=report)
     if out is not None:  # files first: whoever reads the tables may close the pipe
         write_text(result.joint_text, out)
@@ -129,113 +131,168 @@ def _show_front(problem: DesignProblem, front: Any, names: list[str]) -> None:
     import numpy as np
 
     from asperity.cli.terminal import console, table
-    from asperity.joint_file.values import key_at
-    from asperity.study.quantities import QUANTITIES
+    from asperity.joint.results import RESULTS
+    from asperity.joint_file.si_tables import key_at
     from asperity.units import from_si
 
-    target = console()
-    units = [QUANTITIES[n].unit if n in QUANTITIES else key_at(n).unit for n in names]
-    shown = table(
+    target, size = console(), front.sizes["design"]
+    units = [RESULTS[n].display_unit if n in RESULTS else key_at(n).unit for n in names]
+    shown = np.unique(np.linspace(0, size - 1, 11).round().astype(int))
+    some = f", {len(shown)} of them, evenly spread" if len(shown) < size else ""
+    rows = table(
         target,
-        f"Pareto front: {front.sizes['design']} designs, {problem.level} stiffness (eleven of them, evenly spread)",
+        f"Pareto front of {size} design{'s' * (size != 1)}{some}",
         *(f"{name.rsplit('.', 1)[-1]}\n[{unit}]" for name, unit in zip(names, units, strict=True)),
     )
-    for index in np.unique(np.linspace(0, front.sizes["design"] - 1, 11).round().astype(int)):
-        shown.add_row(
+    for index in shown:
+        rows.add_row(
             *(f"{from_si(float(front[n].values[index]), u):.5g}" for n, u in zip(names, units, strict=True))
         )
-    target.print(shown)
+    target.print(rows)
 
 
 def _document(result: DesignResult) -> dict[str, Any]:
     from dataclasses import asdict
 
+    from asperity.cli.study_output import number_or_null
+
+    def plain(node: Any) -> Any:
+        if isinstance(node, dict):
+            return {key: plain(value) for key, value in node.items()}
+        if isinstance(node, list | tuple):
+            return [plain(each) for each in node]
+        return number_or_null(node) if isinstance(node, float) else node
+
     goal = result.problem.objectives[0]
-    return {
-        "objective": {
-            "quantity": goal.name,
-            "sense": "minimise" if goal.sign > 0 else "maximise",
-            "level": result.problem.level,
-            "before": _number(result.objective_before),
-            "after": _number(result.objective_after),
-        },
-        "feasible": result.feasible,
-        "violation": result.violation,
-        "optimality": result.optimality,
-        "variables": result.point,
-        "at_bound": result.at_bound,
-        "limits": [{key: _number(value) for key, value in asdict(limit).items()} for limit in result.limits],
-        "starts": [{**asdict(start), "objective": _number(start.objective)} for start in result.starts],
-        "nominal": {name: [_number(v) for v in value.tolist()] for name, value in result.nominal.items()},
-        "evaluations": result.evaluations,
-    }
-
-
-def _number(value: Any) -> Any:
-    import math
-
-    return None if isinstance(value, float) and not math.isfinite(value) else value
+    document: dict[str, Any] = plain(
+        {
+            "objective": {
+                "result": goal.name,
+                "sense": "minimise" if goal.sign > 0 else "maximise",
+                "before": result.objective_before,
+                "after": result.objective_after,
+                "unrounded": result.objective_unrounded,
+            },
+            "feasible": result.feasible,
+            "violation": result.violation,
+            "optimality_residual": result.optimality_residual,
+            "variables": result.point,
+            "at_bound": result.at_bound,
+            "before": result.summary_before,
+            "after": result.summary_after,
+            "limits": [asdict(limit) for limit in result.limits],
+            "starts": [asdict(start) for start in result.starts],
+            "nominal": {name: value.tolist() for name, value in result.nominal.items()},
+            "evaluations": result.evaluations,
+        }
+    )
+    return document
 
 
 def _show(result: DesignResult) -> None:
-    from asperity.cli.terminal import console, table
-    from asperity.joint_file.values import key_at, numeric_keys
-    from asperity.study.quantities import QUANTITIES
+    from asperity.cli.terminal import console
+    from asperity.joint.results import RESULTS
     from asperity.units import format_quantity
 
     target, problem = console(), result.problem
-    goal = problem.objectives[0]
-    unit = QUANTITIES[goal.name].unit
-    met = "(all limits met)" if result.feasible else "(limits missed)"
-    worst = f" at its worst over {int(len(problem.worst_case.torques) or 1)} torques"
+    goal, torques = problem.objectives[0], len(problem.worst_case.torques) or 1
+    unit = RESULTS[goal.name].display_unit
+    worst = f", worst of {torques} torque{'s' * (torques != 1)}"
     if problem.worst_case.tolerances != "none":
         worst += f" and the {problem.worst_case.tolerances} of the tolerances"
-    target.print(f"{goal.text} ({problem.level}){worst}:")
+    before, after = (format_quantity(v, unit) for v in (result.objective_before, result.objective_after))
+    target.print(f"{goal.text}{worst}:")
     target.print(
-        f"  {format_quantity(result.objective_before, unit)} in {problem.joint_file} -> "
-        f"{format_quantity(result.objective_after, unit)} {met}"
+        f"  {before} in {problem.joint_file} -> {after} ({'all limits met' if result.feasible else 'limits missed'})"
     )
-    stated = numeric_keys(problem.case)
-    variables = table(target, "Variables", "number", "before", "design", "from", "to", "")
-    for each in problem.variables:
-        shown = key_at(each.path).unit
-        before = format_quantity(stated[each.path].value, shown) if each.path in stated else "-"
-        numbers = (result.point[each.path], each.lower, each.upper)
-        variables.add_row(
-            each.path,
-            before,
-            *(format_quantity(v, shown, 5) for v in numbers),
-            result.at_bound.get(each.path, ""),
+    if result.objective_unrounded is not None:
+        target.print(
+            f"  {format_quantity(result.objective_unrounded, unit)} before rounding to the stated steps"
         )
+    _show_variables(target, result)
+    _show_summary(target, result)
+    _show_limits(target, result)
+    _show_search(target, result)
+
+
+def _show_variables(target: Console, result: DesignResult) -> None:
+    from asperity.cli.terminal import table
+    from asperity.joint_file.si_tables import key_at, numeric_keys
+    from asperity.units import format_quantity
+
+    stated = numeric_keys(result.problem.case)
+    rows = []
+    for each in result.problem.variables:
+        unit = key_at(each.path).unit
+        numbers = (result.point[each.path], each.lower, each.upper)
+        rows.append(
+            {
+                "number": each.path,
+                "before": format_quantity(stated[each.path].value, unit) if each.path in stated else "-",
+                **dict(
+                    zip(("design", "from", "to"), (format_quantity(v, unit, 5) for v in numbers), strict=True)
+                ),
+                "step": "" if each.step is None else format_quantity(each.step, unit),
+                "at bound": result.at_bound.get(each.path, ""),
+            }
+        )
+    columns = [name for name in rows[0] if any(row[name] for row in rows)]
+    variables = table(target, "Variables", *columns)
+    for row in rows:
+        variables.add_row(*(row[name] for name in columns))
     target.print(variables)
+
+
+def _show_summary(target: Console, result: DesignResult) -> None:
+    from asperity.cli.terminal import table
+    from asperity.joint.results import RESULTS
+    from asperity.study.design.design_problem import SUMMARY
+    from asperity.units import format_quantity
+
+    rows = table(target, "Before and design", "result", "before", "design")
+    for name, which in SUMMARY.items():
+        shown = RESULTS[name]
+        values = (result.summary_before[name], result.summary_after[name])
+        label = shown.label if which == "nominal" else f"{shown.label}, {which}"
+        rows.add_row(label, *("-" if v != v else format_quantity(v, shown.display_unit) for v in values))
+    target.print(rows)
+
+
+def _show_limits(target: Console, result: DesignResult) -> None:
+    from asperity.cli.terminal import table
+    from asperity.joint.results import RESULTS
+    from asperity.units import format_quantity
+
     limits = table(
         target,
         "Limits, each where it is closest",
-        "quantity",
+        "result",
         "value",
         "limit",
         "at torque",
-        "active",
-        "price",
+        "",
+        "shadow price",
     )
     for limit in result.limits:
-        kind = QUANTITIES[limit.name]
-        sign = "<=" if limit.at_most else ">="
+        shown = RESULTS[limit.name]
+        state = f"{100.0 * limit.missed_by:.3g} % off" if limit.missed_by > 0.0 else "active" * limit.active
         limits.add_row(
-            f"{kind.label} {limit.row}".strip(),
-            format_quantity(limit.value, kind.unit),
-            f"{sign} {format_quantity(limit.limit, kind.unit)}",
+            ", ".join(filter(None, (shown.label, limit.row.replace("_", " ")))),
+            format_quantity(limit.value, shown.display_unit),
+            f"{'<=' if limit.at_most else '>='} {format_quantity(limit.limit, shown.display_unit)}",
             format_quantity(limit.output_torque, "N*m"),
-            "yes" if limit.active else "",
+            state,
             f"{limit.multiplier:.3g}" if limit.multiplier > 1e-9 else "",
         )
     target.print(limits)
-    ends = sorted(
-        {f"{start.objective:.4g}" for start in result.starts if start.converged and start.violation < 1e-6}
-    )
+
+
+def _show_search(target: Console, result: DesignResult) -> None:
+    ends = {f"{each.objective:.4g}" for each in result.starts if each.converged and each.violation < 1e-6}
     converged = sum(start.converged for start in result.starts)
+    values = f"{len(ends)} different value{'s' * (len(ends) != 1)}"
     target.print(
-        f"{converged} of {len(result.starts)} starts converged, to {len(ends)} different value{'s' * (len(ends) != 1)} "
-        f"(4 digits); gradient left unexplained by the limits: {result.optimality:.2g}. "
-        "Price: relative gain per relative relaxation of the limit."
+        f"{converged} of {len(result.starts)} starts converged, to {values} (4 digits). Optimality residual "
+        f"{result.optimality_residual:.2g} (0 at a local optimum). Shadow price: relative gain of the objective per "
+        "relative relaxation of the limit."
     )

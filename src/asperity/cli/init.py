@@ -11,22 +11,18 @@ import click
 def init(file: str, force: bool) -> None:
     """Write a commented joint file, the joint of Zou et al. 2025, to FILE (joint.toml; '-' prints it)."""
     from importlib.resources import files
+    from pathlib import Path
 
-    from asperity.cli.terminal import prepare_output
+    from asperity.cli.terminal import prepare_output, say
     from asperity.errors import InputError
+    from asperity.writing import write_text
 
     text = files("asperity.joint_file").joinpath("zou2025.toml").read_text(encoding="utf-8")
     if file == "-":
         prepare_output()
         click.echo(text, nl=False)
         return
-    try:
-        with open(file, "w" if force else "x", encoding="utf-8", newline="\n") as target:
-            target.write(text)
-    except FileExistsError:
-        raise InputError(
-            f"{file} exists already; choose another name, or overwrite it with --force"
-        ) from None
-    except OSError as error:
-        raise InputError(f"{file} cannot be written: {error.strerror}") from None
-    click.echo(f"wrote {file}; next: asperity joint {file}", err=True)
+    if Path(file).exists() and not force:
+        raise InputError(f"{file} exists already; choose another name, or overwrite it with --force")
+    write_text(text, file)
+    say(f"wrote {file}; next: asperity joint {file}")

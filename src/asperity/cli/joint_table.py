@@ -33,6 +33,10 @@ def _in(value: float | None, unit: str, digits: int = 4) -> str:
     return "-" if value is None else format_quantity(value, unit, digits)
 
 
+def _count(number: float, word: str) -> str:
+    return f"{_number(number)} {word}{'' if number == 1 else 's'}"
+
+
 def _print_wrapped(target: Console, text: str, *, indent: int) -> None:
     target.print(
         textwrap.fill(text, target.width, subsequent_indent=" " * indent), markup=False, soft_wrap=True
@@ -53,7 +57,7 @@ def show_joint(target: Console, document: Document, *, source: str) -> None:
     """
     drive, load = document["input"]["drive"], document["input"]["load"]
     target.print(
-        f"{source}\n{_number(drive['planets'])} planets, sun at {_in(load['sun_speed'], 'rpm')}, preload "
+        f"{source}\n{_count(drive['planets'], 'planet')}, sun at {_in(load['sun_speed'], 'rpm')}, preload "
         f"{_in(load['preload'], 'N')}, output torque {_in(load['output_torque'], 'N*m')}\n",
         style="bold",
         markup=False,
@@ -81,6 +85,8 @@ def _show_stiffness(target: Console, document: Document) -> None:
             _number(entry["output_Nm_per_arcmin"]),
         )
     target.print(shown)
+    if document["stiffness_unknown_because"]:
+        _print_wrapped(target, f"no value: {document['stiffness_unknown_because']}", indent=2)
     interval = document.get("stiffness_interval")
     if interval is None:
         return
@@ -98,17 +104,20 @@ def _show_stiffness(target: Console, document: Document) -> None:
             meaning, _number(interval[name]["low_Nm_per_rad"]), _number(interval[name]["high_Nm_per_rad"])
         )
     target.print(spread)
-    if interval["outside"] or interval["unsolved"]:
-        target.print(
-            f"of {interval['draws']} draws of D and G, {interval['outside']} had a D outside 1 to 2 and "
-            f"{interval['unsolved']} no solution; they are left out"
+    if interval["outside"] or interval["unsolved"] or interval["all_plastic"]:
+        _print_wrapped(
+            target,
+            f"of {_count(interval['draws'], 'draw')} of D and G, {interval['outside']} had a D outside 1 to 2, "
+            f"{interval['unsolved']} had no solution and {interval['all_plastic']} had plastic spots only, where the "
+            "contact law has no stiffness; these are left out, and from one draw in twenty on there is no interval",
+            indent=2,
         )
 
 
 def _show_contacts(target: Console, document: Document) -> None:
     contacts, forces = document["contacts"], document["forces"]
     slip = {
-        entry["contact"]: entry["value"] for entry in document["diagnostics"] if entry["name"] == "gross_slip"
+        entry["contact"]: entry["value"] for entry in document["diagnostics"] if entry["name"] == "slip_ratio"
     }
     shown = table(
         target,
@@ -128,7 +137,7 @@ def _show_contacts(target: Console, document: Document) -> None:
             _number(forces["tangential_N"][name]),
             _number(slip[name], 3),
             _scaled(contact["hertz_half_width_m"], 2e3),
-            _scaled(contact["hertz_peak_pressure_Pa"], 1e-6),
+            _scaled(contact["hertz_pressure_Pa"], 1e-6),
             _scaled(contact["real_contact_area_m2"], 1e6),
         )
     target.print(shown)
@@ -147,9 +156,9 @@ def _show_contacts(target: Console, document: Document) -> None:
             name,
             *(
                 _scaled(contact[f"{kind}_stiffness_N_per_m"], 1e-6)
-                for kind in ("tangential", "bulk_tangential", "normal", "bulk_normal")
+                for kind in ("asperity_tangential", "bulk_tangential", "asperity_normal", "bulk_normal")
             ),
-            _number(contact["torsional_stiffness_Nm_per_rad"]),
+            _number(contact["contact_torsional_stiffness_Nm_per_rad"]),
         )
     target.print(shown)
 
@@ -185,7 +194,7 @@ def _show_drive(target: Console, document: Document) -> None:
             "mass",
             f"planet {_in(forces['planet_mass_kg'], 'g')}, loading roller {_in(forces['loading_roller_mass_kg'], 'g')}",
         ),
-        ("least gap", f"{_in(gap['gap_m'], 'mm')}: {gap['condition']}"),
+        ("clearance", f"at least {_in(gap['gap_m'], 'mm')}: {gap['condition']}"),
     ):
         _print_wrapped(target, f"  {label:<10} {text}", indent=13)
 
@@ -222,21 +231,57 @@ def _show_budget(target: Console, document: Document) -> None:
         total = sum(share.values()) if isinstance(share, dict) and None not in share.values() else share
         if isinstance(total, float) and total > 0.0:
             shares.append((total, name.removesuffix("_share").replace("_", " ")))
-    told = ", ".join(f"{name} {100.0 * total:.1f} %" for total, name in sorted(shares, reverse=True))
+    listed = ", ".join(f"{name} {100.0 * total:.1f} %" for total, name in sorted(shares, reverse=True))
     target.print("\nCompliance of the assembly, by spring", style="bold")
-    _print_wrapped(target, f"  {told or 'none: the joint passes no torque'}", indent=2)
+    _print_wrapped(target, f"  {listed or 'none: the joint passes no torque'}", indent=2)
 
 
 def _show_warnings(target: Console, document: Document) -> None:
-    crossed: dict[tuple[str, str, float], list[str]] = {}
+    """Every crossed limit, the most serious first, with what to do; limits of the model alone make one line."""
+    crossed: dict[str, list[Document]] = {}
     for entry in document["diagnostics"]:
         if not entry["ok"]:
-            where = f"{entry['contact']} " if entry["contact"] else ""
-            key = (entry["name"], entry["meaning"], entry["limit"])
-            crossed.setdefault(key, []).append(f"{where}{_number(entry['value'], 3)}")
-    target.print("\nWarnings" if crossed else "\nNo warnings: every limit of the model is kept", style="bold")
-    for (name, meaning, limit), values in crossed.items():
-        target.print(
-            f"  {name.replace('_', ' ')} (limit {_number(limit)}): {', '.join(values)}", style="yellow"
-        )
-        _print_wrapped(target, f"    {meaning}", indent=4)
+            crossed.setdefault(entry["name"], []).append(entry)
+    if not crossed:
+        target.print("\nNo warnings: every limit of the model is kept", style="bold")
+        return
+    target.print("\nWarnings, the most serious first", style="bold")
+    model = [entries for entries in crossed.values() if entries[0]["severity"] == "model"]
+    for entries in crossed.values():
+        if entries[0]["severity"] != "model":
+            first = entries[0]
+            _print_warning(
+                target, f"{first['label']} {_values(entries)} (limit {_number(first['limit'])})", entries
+            )
+    if model:
+        parts = [f"{entries[0]['label']} up to {_largest(entries)}" for entries in model]
+        _print_warning(target, f"contact law outside its range: {', '.join(parts)}", model[0], meaning=False)
+
+
+def _print_warning(target: Console, heading: str, entries: list[Document], *, meaning: bool = True) -> None:
+    target.print(
+        textwrap.fill(f"  {heading[0].upper()}{heading[1:]}", target.width, subsequent_indent="  "),
+        style="yellow",
+        markup=False,
+        soft_wrap=True,
+    )
+    if meaning:
+        for text in dict.fromkeys(entry["meaning"] for entry in entries):
+            _print_wrapped(target, f"    {text}", indent=4)
+    _print_wrapped(target, f"    What to do: {entries[0]['remedy']}", indent=4)
+
+
+def _values(entries: list[Document]) -> str:
+    """Values by contact, or one value where all contacts have the same."""
+    values = [_number(entry["value"]) for entry in entries]
+    if len(entries) == 5 and len(set(values)) == 1:
+        return f"{values[0]} at every contact"
+    return ", ".join(
+        f"{value} at {e['contact']}" if e["contact"] else value
+        for value, e in zip(values, entries, strict=True)
+    )
+
+
+def _largest(entries: list[Document]) -> str:
+    values = [entry["value"] for entry in entries if entry["value"] is not None]
+    return _number(max(values), 3) if values else "-"

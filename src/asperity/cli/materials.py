@@ -80,9 +80,9 @@ def materials(name: str | None, file: str | None, finishes_file: str | None, as_
 
 
 def _check_numbers(file: str, found: dict[str, LibraryMaterial]) -> None:
-    """Hold the numbers of a library to the ranges of a joint file's materials, which is where they go."""
+    """Check the numbers of a library against the ranges that a joint file allows for materials."""
     from asperity.errors import InputError
-    from asperity.joint_file.values import check_values, key_at
+    from asperity.joint_file.si_tables import check_values, key_at
     from asperity.units import parse_quantity
 
     for name, entry in found.items():

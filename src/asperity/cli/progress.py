@@ -7,10 +7,12 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from typing import Any
 
+from asperity.cli.terminal import rich_console
+
 
 @contextmanager
 def progress_bar(what: str) -> Iterator[Callable[[int, int], Any]]:
-    """A bar that is told how far the work is.
+    """A bar that shows how much of the work is done.
 
     Parameters
     ----------
@@ -20,16 +22,15 @@ def progress_bar(what: str) -> Iterator[Callable[[int, int], Any]]:
     Yields
     ------
     callable
-        To be called with the number done and the number in all.
+        Takes the number done and the total.
     """
     if not sys.stderr.isatty():
         yield lambda done, total: None
         return
-    from rich.console import Console
     from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
 
     columns = (TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn(), TimeRemainingColumn())
-    with Progress(*columns, console=Console(stderr=True), transient=True) as progress:
+    with Progress(*columns, console=rich_console(stderr=True), transient=True) as progress:
         task = progress.add_task(f"compiling, then {what}", total=None)
 
         def report(done: int, total: int) -> None:

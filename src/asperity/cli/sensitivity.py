@@ -21,8 +21,7 @@ if TYPE_CHECKING:
     default="assembly_stiffness_output",
     show_default=True,
     metavar="NAME",
-    help="The result to rank by: assembly_, series_with_bulk_ or published_stiffness_output, torque_capacity, "
-    "slip_margin_sp (or another contact), pressure_margin_sp, self_locking_margin.",
+    help="The result to rank by, e.g. torque_capacity, slip_ratio_sp (of one contact) or self_locking_ratio.",
 )
 @click.option("--json", "as_json", is_flag=True, help="Print all results as one JSON document in SI units.")
 @click.option(
@@ -45,14 +44,14 @@ def sensitivity(file: str, result: str, as_json: bool, plot: str | None) -> None
 
     use_double_precision()
     use_compilation_cache()
-    from asperity.errors import InputError
-    from asperity.study.tolerances.sensitivity import judged_results, ranking
+    from asperity.joint.results import known_result
+    from asperity.study.tolerances.sensitivity import DEFAULT_RESULTS, differentiable_rows, ranking
     from asperity.study.tolerances.sensitivity import sensitivity as differentiate
 
-    if result not in judged_results():
-        raise InputError(f"there is no result '{result}'; choose among {', '.join(judged_results())}")
+    rows = differentiable_rows()
+    asked = rows[known_result(result, among=tuple(rows))]
     check_image(plot)
-    found = differentiate(case)
+    found = differentiate(case, tuple(dict.fromkeys((*DEFAULT_RESULTS, asked))))
     if as_json:
         import json
 
@@ -111,7 +110,7 @@ def sensitivity_document(found: xarray.Dataset) -> dict[str, Any]:
 
 def _show(ranked: xarray.Dataset) -> None:
     from asperity.cli.terminal import console, table
-    from asperity.joint_file.values import key_at
+    from asperity.joint_file.si_tables import key_at
     from asperity.units import format_quantity
 
     unit = str(ranked["result_unit"].item())

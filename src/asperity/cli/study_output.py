@@ -10,6 +10,8 @@ import numpy as np
 if TYPE_CHECKING:
     import xarray
 
+    from asperity.joint.results import Result
+
 _MOST_ROWS = 60
 _SHOWN = (
     "assembly_stiffness_output",
@@ -17,7 +19,7 @@ _SHOWN = (
     "published_stiffness_output",
     "torque_capacity",
 )
-_MOST_COLUMNS = 4
+_MOST_COLUMNS = 10
 
 
 def number_or_null(value: Any) -> float | None:
@@ -49,7 +51,7 @@ def show_status(found: xarray.Dataset) -> None:
 
     counts = status_counts(found)
     total = sum(counts.values())
-    click.echo(f"{total} points, {counts.get(0, 0)} solved")
+    click.echo(f"{total} point{'s' * (total != 1)}, {counts.get(0, 0)} solved")
     for code, count in sorted(counts.items()):
         if code != 0:
             click.echo(f"  {count} without a result: {STATUS_MEANINGS[code] if code > 0 else 'not computed'}")
@@ -82,7 +84,7 @@ def status_counts(found: xarray.Dataset) -> dict[int, int]:
 
 
 def show_points(found: xarray.Dataset) -> None:
-    """Print the points of a small sweep: coordinates, main results, status.
+    """Print the points of a small sweep: coordinates, results (main ones, if there are many), status.
 
     Parameters
     ----------
@@ -90,19 +92,25 @@ def show_points(found: xarray.Dataset) -> None:
         Evaluated points.
     """
     from asperity.cli.terminal import console, table
-    from asperity.joint.results import RESULTS
+    from asperity.joint.results import RESULTS, row_name
     from asperity.joint.status import STATUS_NAMES
-    from asperity.joint_file.values import key_at
+    from asperity.joint_file.si_tables import key_at
+    from asperity.study.datasets import rows_of
     from asperity.study.parameters import long_name
     from asperity.units import from_si
 
     axes = [str(name) for name in found["status"].dims]
-    scalars = [str(name) for name, value in found.data_vars.items() if "contact" not in value.dims]
-    results = [name for name in _SHOWN if name in found] or scalars[1 : 1 + _MOST_COLUMNS]
+    asked = [str(name) for name in found.data_vars if name != "status"]
+    chosen = asked if len(asked) <= _MOST_COLUMNS else [name for name in _SHOWN if name in found] or asked[:1]
+    columns = [
+        (row_name(name, row), RESULTS[name], values)
+        for name in chosen
+        for row, values in rows_of(found, name).items()
+    ][:_MOST_COLUMNS]
     units = {path: key_at(path).unit for path in axes}
     target = console()
     headers = [f"{long_name(path)}{_unit(units[path])}" for path in axes]
-    headers += [f"{name.replace('_', ' ')}{_unit(RESULTS[name].unit)}" for name in results]
+    headers += [f"{name.replace('_', ' ')}{_unit(result.display_unit)}" for name, result, _ in columns]
     shown = table(target, "", *headers, "status")
     for column in shown.columns:
         column.no_wrap, column.justify = False, "right"
@@ -111,19 +119,26 @@ def show_points(found: xarray.Dataset) -> None:
         at = dict(zip(axes, place, strict=True))
         coordinates = [f"{from_si(float(found[path][at[path]]), units[path]):.6g}" for path in axes]
         code = int(found["status"][place])
-        values = [_number(float(found[name].isel(at))) for name in results]
+        values = [_cell(float(values.isel(at)), result) for _, result, values in columns]
         shown.add_row(*coordinates, *values, STATUS_NAMES[code].replace("_", " ") if code else "")
     target.print(shown)
     more = found["status"].size - _MOST_ROWS
     if more > 0:
-        click.echo(f"and {more} more points; --out writes them all")
-    elif len(found.data_vars) > len(results) + 1:
-        click.echo(f"{len(found.data_vars) - 1} results at each point; --out writes them all")
+        click.echo(f"and {more} more point{'s' * (more != 1)}; --out writes them all")
+    elif len(columns) < sum(len(rows_of(found, name)) for name in asked):
+        click.echo(f"{len(asked)} results at each point; --out writes them all, --results chooses some")
 
 
 def _unit(unit: str) -> str:
     return "" if unit == "1" else f" [{unit.replace('*', '·')}]"
 
 
-def _number(value: float) -> str:
-    return "-" if np.isnan(value) else f"{value:.5g}"
+def _cell(value: float, result: Result) -> str:
+    """A value in the unit of the column; a category by its name."""
+    from asperity.units import from_si
+
+    if np.isnan(value):
+        return "-"
+    if result.categories:
+        return result.categories[int(value)]
+    return f"{from_si(value, result.display_unit):.5g}"

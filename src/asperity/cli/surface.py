@@ -27,9 +27,9 @@ def surface() -> None:
 def _length(context: click.Context, parameter: click.Parameter, value: str | None) -> float | None:
     if value is None:
         return None
-    from asperity.surface.length_units import length_in_metres
+    from asperity.units import Dimension, parse_quantity
 
-    return length_in_metres(value)
+    return parse_quantity(value, Dimension.LENGTH)
 
 
 @surface.command("measure")
@@ -40,71 +40,84 @@ def _length(context: click.Context, parameter: click.Parameter, value: str | Non
 @click.option(
     "--plot", type=click.Path(path_type=Path, dir_okay=False), help="Write a figure (PNG, PDF or SVG)."
 )
-@click.option("--position-unit", help="Unit of the positions of a text file that does not name it.")
-@click.option("--height-unit", help="Unit of the heights of a file that does not name it.")
+@click.option("--position-unit", help="Unit of the positions, if a text file does not name it.")
+@click.option("--height-unit", help="Unit of the heights, if the file does not name it.")
 @click.option(
     "--spacing", callback=_length, help="Distance of the points, such as '0.5 um', if the file has none."
 )
-@click.option("--decimal", type=click.Choice(["auto", "point", "comma"]), default="auto", show_default=True)
+@click.option(
+    "--decimal",
+    type=click.Choice(["auto", "point", "comma"]),
+    default="auto",
+    show_default=True,
+    help="Decimal sign of text files.",
+)
+@click.option(
+    "--any-size",
+    is_flag=True,
+    help="Accept surfaces shorter than 1 um or longer than 1 m, and heights larger than the surface.",
+)
 @click.option(
     "--missing",
     type=click.Choice(["refuse", "longest", "interpolate"]),
     default="refuse",
     show_default=True,
-    help="Missing points: refuse, keep the longest complete piece, or fill gaps along x.",
+    help="Missing points: refuse, keep the longest complete piece, or interpolate gaps along x.",
 )
 @click.option(
-    "--form", type=click.Choice(_FORMS), default="mean", show_default=True, help="Form taken off first."
+    "--form",
+    type=click.Choice(_FORMS),
+    help="Form removed before the evaluation.  [default: line; plane for maps]",
 )
-@click.option("--degree", type=int, help="Degree of a polynomial form.")
+@click.option("--degree", type=int, help="Degree of a polynomial form, 0 to 12.")
 @click.option(
-    "--outliers", type=float, help="Mark points beyond so many robust standard deviations as missing."
-)
-@click.option("--from", "start", callback=_length, help="Start of the part of a profile, such as '468 um'.")
-@click.option("--to", "stop", callback=_length, help="End of the part of a profile.")
-@click.option(
-    "--lambda-s", callback=_length, help="Short cutoff of the Gaussian filter, for height parameters."
+    "--outliers",
+    type=float,
+    help="Treat points farther than so many robust standard deviations from the local median as missing.",
 )
 @click.option(
-    "--lambda-c", callback=_length, help="Long cutoff of the Gaussian filter, for height parameters."
+    "--from", "start", callback=_length, help="Start of the section of a profile, such as '468 um'."
+)
+@click.option("--to", "stop", callback=_length, help="End of the section of a profile.")
+@click.option(
+    "--lambda-s", callback=_length, help="Short cutoff of the Gaussian filter, for height parameters only."
+)
+@click.option(
+    "--lambda-c", callback=_length, help="Long cutoff of the Gaussian filter, for height parameters only."
 )
 @click.option(
     "--direction",
     type=click.Choice(["x", "y"]),
     default="x",
     show_default=True,
-    help="Direction of a map whose D and G are the result.",
-)
-@click.option("--estimator", type=click.Choice(_ESTIMATORS), default="automatic", show_default=True)
-@click.option(
-    "--shortest", callback=_length, help="Shortest wavelength of the band; found automatically if absent."
+    help="Direction in a map in which D and G are evaluated as the result.",
 )
 @click.option(
-    "--longest", callback=_length, help="Longest wavelength of the band; found automatically if absent."
+    "--estimator",
+    type=click.Choice(_ESTIMATORS),
+    default="automatic",
+    show_default=True,
+    help="How D and G are estimated; automatic is lines if that applies, otherwise likelihood.",
 )
+@click.option("--shortest", callback=_length, help="Shortest wavelength of the band.  [default: automatic]")
+@click.option("--longest", callback=_length, help="Longest wavelength of the band.  [default: automatic]")
 @click.option(
     "--gamma", type=float, default=1.5, show_default=True, help="Frequency ratio of the model, above 1."
 )
 def measure(files: tuple[Path, ...], as_json: bool, plot: Path | None, **options: Any) -> int:
     """Fractal dimension D and roughness G of profile or map files, with 95 % intervals.
 
-    Several profile files of one surface are averaged. Exit code 3: there is no power law over a decade.
+    Spectra of several profile files of one surface are averaged. Exit code 3: no power law over at least one
+    decade of wavelength.
     """
     from asperity.errors import InputError
     from asperity.precision import use_double_precision
+    from asperity.surface.levelling import default_form
     from asperity.surface.measure import Conditioning, conditioned, directional_fits
     from asperity.surface.read import read_surface
 
     check_image(plot)
     use_double_precision()
-    conditioning = Conditioning(
-        form=options["form"],
-        degree=options["degree"],
-        missing=options["missing"],
-        outlier_threshold=options["outliers"],
-        short_cutoff=options["lambda_s"],
-        long_cutoff=options["lambda_c"],
-    )
     surfaces = []
     for file in files:
         topography = read_surface(
@@ -113,11 +126,20 @@ def measure(files: tuple[Path, ...], as_json: bool, plot: Path | None, **options
             height_unit=options["height_unit"],
             spacing=options["spacing"],
             decimal=options["decimal"],
+            any_size=options["any_size"],
         )
         if options["start"] is not None or options["stop"] is not None:
             start = options["start"] if options["start"] is not None else 0.0
             stop = options["stop"] if options["stop"] is not None else topography.size[0]
             topography = topography.cut(start=start, stop=stop)
+        conditioning = Conditioning(
+            form=options["form"] or default_form(topography),
+            degree=options["degree"],
+            missing=options["missing"],
+            outlier_threshold=options["outliers"],
+            short_cutoff=options["lambda_s"],
+            long_cutoff=options["lambda_c"],
+        )
         surfaces.append(conditioned(topography=topography, conditioning=conditioning))
     if options["direction"] == "y" and not surfaces[0].topography.is_map:
         raise InputError("a profile has no direction y; leave --direction out")
@@ -169,6 +191,8 @@ def _document(
         document["noise_density_m3"] = chosen.noise_density
         document["height_step_m"] = chosen.height_step
         document["misfit"] = chosen.misfit
+        document["reduced_chi_square"] = chosen.reduced_chi_square
+        document["roll_off_wavelength_m"] = chosen.roll_off_wavelength
     document["direction"] = direction
     document["anisotropy_ratio"] = fits.anisotropy_ratio
     document["files"] = [
@@ -227,9 +251,20 @@ def _print(surfaces: list[MeasuredSurface], fits: DirectionalFits, direction: st
         )
         click.echo(
             f"  band {1e6 * fit.shortest_wavelength:.4g} .. {1e6 * fit.longest_wavelength:.4g} um, "
-            f"estimator {fit.estimator}, {fit.profiles} profile(s), scatter beyond chance "
-            f"{100 * fit.misfit:.1f} %"
+            f"estimator {fit.estimator}, {fit.profiles} profile(s)"
+            + (
+                ""
+                if fit.roll_off_wavelength is None
+                else f", roll-off at {1e6 * fit.roll_off_wavelength:.3g} um"
+            )
         )
+        if fit.reduced_chi_square is None:
+            click.echo(f"  scatter of the amplitudes about the model {100 * fit.misfit:.1f} %")
+        else:
+            click.echo(
+                f"  chi-square per degree of freedom {fit.reduced_chi_square:.2f}, misfit beyond sampling "
+                f"scatter {100 * fit.misfit:.1f} % rms"
+            )
     if fits.anisotropy_ratio is not None:
         click.echo(f"amplitude along x over along y: {fits.anisotropy_ratio:.3f}")
 

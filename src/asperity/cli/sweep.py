@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 import click
 
-from asperity.cli.terminal import say_written
+from asperity.cli.terminal import say, say_written
 from asperity.errors import InputError
 from asperity.writing import check_image, write_image
 
@@ -32,12 +32,13 @@ if TYPE_CHECKING:
     show_default=True,
     metavar="NAMES",
     help="Results or groups of them, separated by commas: stiffness, assembly, series, published, forces, contacts, "
-    "diagnostics, geometry, residuals, capacity, all. What is not asked for is not computed.",
+    "diagnostics, geometry, residuals, capacity, all. Only these are computed.",
 )
 @click.option(
     "--out",
     type=click.Path(),
-    help="Where to write: a folder .zarr (any size; interrupted sweeps go on) or a file .nc, .parquet or .csv.",
+    help="Where to write: a folder .zarr (any size, can be continued after an interruption) or a file .nc, "
+    ".parquet or .csv.",
 )
 @click.option("--overwrite", is_flag=True, help="Replace what an earlier run has written to --out.")
 @click.option(
@@ -50,12 +51,15 @@ if TYPE_CHECKING:
 )
 @click.option("--plot-result", metavar="NAME", help="Which result to draw instead of the stiffness.")
 @click.option(
-    "--scheduler", metavar="tcp://HOST:PORT", help="A running Dask scheduler; needs --out of type .zarr."
+    "--scheduler",
+    metavar="tcp://HOST:PORT",
+    help="Address of a running Dask scheduler; needs an --out of type .zarr.",
 )
 @click.option(
     "--workers",
     type=click.IntRange(0),
-    help="Local processes for an --out of type .zarr; by default one a core if the sweep is large, none otherwise.",
+    help="Number of local processes for an --out of type .zarr; by default one for each core if the sweep is large, "
+    "otherwise none.",
 )
 def sweep(
     file: str,
@@ -70,13 +74,13 @@ def sweep(
 ) -> None:
     """Evaluate the joint in FILE on a grid of any of its numbers.
 
-    Without --out a small sweep is printed. Points without a result (rollers that do not fit, a torque beyond the
-    capacity) are kept, with the reason in their status.
+    Without --out a small sweep is printed. Points without a result (rollers that do not fit, a torque above the
+    capacity) stay in the output; their status gives the reason.
 
     \b
     asperity sweep joint.toml --over "load.output_torque=0 N*m:5 N*m:11" --plot
     asperity sweep joint.toml --over "surface.fractal_roughness=1e-10 mm:1e-8 mm:50:log" \\
-        --over "load.preload=500 N:2000 N:40" --results stiffness,gross_slip --out sweep.nc
+        --over "load.preload=500 N:2000 N:40" --results stiffness,slip_ratio --out sweep.nc
     """  # noqa: D301 (click's mark for lines that are not wrapped is the character itself)
     from asperity.joint_file.reader import read_case
 
@@ -113,10 +117,11 @@ def sweep(
                 scheduler=scheduler,
                 workers=workers,
                 report=report,
+                notice=say,
             )
     except KeyboardInterrupt:
         if streamed:
-            click.echo(f"finished blocks are kept in {out}; the same command goes on from there", err=True)
+            say(f"the finished blocks are kept in {out}; the same command continues from there")
         raise
     if out is not None and not streamed:
         write_table(found, out)

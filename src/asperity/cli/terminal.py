@@ -1,15 +1,23 @@
-"""Where commands print: plain text when piped, at most 100 columns, legible in terminals without Unicode."""
+"""Where commands print: plain text when piped, at most 100 columns, legible in terminals without Unicode.
+
+What users wrote in files and on the command line appears in output. :func:`checked_output` lets none of it reach a
+terminal as a control sequence, and turns a full disk behind standard output into one sentence.
+"""
 
 from __future__ import annotations
 
 import codecs
+import functools
+import os
 import sys
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import click
+
+from asperity.errors import InputError, printable
 
 if TYPE_CHECKING:
     from rich.console import Console
@@ -47,6 +55,163 @@ def prepare_output() -> None:
             reconfigure(errors="asperity_spell_out")
 
 
+class CheckedStream:
+    """A text stream whose failures are errors of ours, and which may write control characters as text.
+
+    Parameters
+    ----------
+    stream : file or None
+        Where to write; None for an output that is closed.
+    name : str
+        What to call it in messages.
+    escape : bool
+        Whether to write control characters as :func:`asperity.errors.printable` does; line ends and tabs stay.
+    required : bool
+        Whether it is an error that it cannot be written.
+    """
+
+    def __init__(self, stream: Any, name: str, *, escape: bool, required: bool) -> None:
+        self.stream, self._name, self._escape, self._required = stream, name, escape, required
+
+    def __getattr__(self, attribute: str) -> Any:
+        """Anything else is the stream's."""
+        return getattr(self.stream, attribute)
+
+    def unescaped(self) -> CheckedStream:
+        """The same stream for text whose control characters are our own.
+
+        Returns
+        -------
+        CheckedStream
+            Without escapes.
+        """
+        return CheckedStream(self.stream, self._name, escape=False, required=self._required)
+
+    def write(self, text: str) -> int:
+        """Write text.
+
+        Parameters
+        ----------
+        text : str
+            What to write.
+
+        Returns
+        -------
+        int
+            Number of characters.
+
+        Raises
+        ------
+        InputError
+            If the output is closed or cannot take more.
+        """
+        if not isinstance(text, str):
+            raise TypeError("only text can be written here")
+        if not text:
+            return 0
+        if self.stream is None:
+            raise InputError(f"{self._name} is closed; redirect it to a file or to /dev/null")
+        safe = text
+        if self._escape and not text.isprintable():
+            lines = [
+                [printable(cell.replace("\n", "")) for cell in line.split("\t")] for line in text.split("\n")
+            ]
+            safe = "\n".join("\t".join(cells) for cells in lines)
+        with self._refusals():
+            self.stream.write(safe)
+        return len(text)
+
+    def flush(self) -> None:
+        """Hand everything written to the system.
+
+        Raises
+        ------
+        InputError
+            If the system does not take it.
+        """
+        if self.stream is not None:
+            with self._refusals():
+                self.stream.flush()
+
+    @contextmanager
+    def _refusals(self) -> Iterator[None]:
+        try:
+            yield
+        except BrokenPipeError:  # the reader has seen enough
+            raise
+        except OSError as error:
+            silence(self.stream)
+            if self._required:
+                raise InputError(f"{self._name} cannot be written: {error.strerror or error}") from None
+
+
+def silence(stream: Any) -> None:
+    """Send what is still waiting in a stream nowhere, so that Python does not try to write it at its end.
+
+    Parameters
+    ----------
+    stream : file
+        Standard output or error.
+    """
+    with suppress(OSError, ValueError):
+        nowhere = os.open(os.devnull, os.O_WRONLY)
+        os.dup2(nowhere, stream.fileno())
+        os.close(nowhere)
+
+
+@contextmanager
+def checked_output() -> Iterator[None]:
+    """Standard output and error as :class:`CheckedStream` for the time of a command."""
+    for number in (0, 1, 2):  # the number of a closed stream would go to the next file that is opened
+        try:
+            os.fstat(number)
+        except OSError:
+            os.open(os.devnull, os.O_RDWR)
+    if sys.stderr is None:
+        sys.stderr = open(os.devnull, "w")  # noqa: SIM115 (it stays open until the process ends)
+    prepare_output()
+    out, error = sys.stdout, sys.stderr
+    sys.stdout = CheckedStream(out, "standard output", escape=True, required=True)
+    sys.stderr = CheckedStream(error, "standard error", escape=True, required=False)
+    try:
+        yield
+    finally:
+        sys.stdout, sys.stderr = out, error
+
+
+def rich_console(*, stderr: bool = False) -> Console:
+    """A console of rich whose styles reach the terminal and whose texts cannot style it themselves.
+
+    Parameters
+    ----------
+    stderr : bool, optional
+        Whether it writes to standard error.
+
+    Returns
+    -------
+    Console
+        On the present standard output or error.
+    """
+    stream = sys.stderr if stderr else sys.stdout
+    if isinstance(stream, CheckedStream):
+        stream = stream.unescaped()
+    made: Console = _console_class()(file=stream, highlight=False, soft_wrap=False)
+    return made
+
+
+@functools.cache
+def _console_class() -> Any:
+    from rich.console import Console
+
+    class PlainTextConsole(Console):
+        """Texts are printed with their control characters written out."""
+
+        def render_str(self, text: str, **options: Any) -> Any:
+            return super().render_str("\n".join(map(printable, text.split("\n"))), **options)
+
+    return PlainTextConsole
+
+
 def console() -> Console:
     """A console on standard output.
 
@@ -55,10 +220,8 @@ def console() -> Console:
     Console
         With colours on a terminal only, and no wider than :data:`WIDEST`.
     """
-    from rich.console import Console
-
     prepare_output()
-    made = Console(highlight=False, soft_wrap=False)
+    made = rich_console()
     made.width = min(made.width, WIDEST) if made.is_terminal else WIDEST
     return made
 
@@ -91,20 +254,31 @@ def table(target: Console, title: str, *columns: str) -> Table:
     return made
 
 
+def say(sentence: str) -> None:
+    """Write a message to standard error.
+
+    Parameters
+    ----------
+    sentence : str
+        The message.
+    """
+    click.echo(sentence, err=True)
+
+
 def say_written(path: str | Path) -> None:
-    """Say on standard error that a file has been written.
+    """Report on standard error that a file has been written.
 
     Parameters
     ----------
     path : str or Path
         Its name.
     """
-    click.echo(f"wrote {path}", err=True)
+    say(f"wrote {path}")
 
 
 @contextmanager
 def rows_progress(unit: str) -> Iterator[Callable[[int], None]]:
-    """A count on standard error while something of unknown length is done; nothing if that is no terminal.
+    """A counter on standard error for work of unknown length; nothing is shown if that is not a terminal.
 
     Parameters
     ----------
@@ -114,11 +288,9 @@ def rows_progress(unit: str) -> Iterator[Callable[[int], None]]:
     Yields
     ------
     callable
-        To be called with the number done so far.
+        Takes the number done so far.
     """
-    from rich.console import Console
-
-    target = Console(stderr=True)
+    target = rich_console(stderr=True)
     if not target.is_terminal:
         yield lambda done: None
         return

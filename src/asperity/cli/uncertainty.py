@@ -138,20 +138,29 @@ def uncertainty_document(found: xarray.Dataset) -> dict[str, Any]:
 def _show(found: xarray.Dataset) -> None:
     from asperity.cli.study_output import show_status
     from asperity.cli.terminal import console, table
+    from asperity.joint.results import RESULTS
 
     show_status(found)
-    target = console()
+    target, named = console(), []
     rows = table(
         target, "95 % of the results", "result", "unit", "nominal", "mean", "std. dev.", "2.5 %", "97.5 %"
     )
     for name in found["result"].values.tolist():
         one = found.sel(result=name)
+        if name in RESULTS and RESULTS[name].categories:
+            named.append(f"{RESULTS[name].label}: {_shares(found, name)}")
+            continue
         low, _, high = one["quantiles"].values
         numbers = (one["nominal"], one["mean"], one["standard_deviation"], low, high)
         unit = str(one["unit"].item()).replace("*", "·")
         rows.add_row(name.replace("_", " "), unit, *(f"{float(number):.5g}" for number in numbers))
-    target.print(rows)
+    if rows.rows:
+        target.print(rows)
+    for line in named:
+        click.echo(line)
     first = found.isel(result=0)
+    if np.all(np.isnan(first["total_order"].values)):
+        return
     title = f"What makes the variance of the {str(first['result'].item()).replace('_', ' ')} (Sobol indices, ± 95 %)"
     shares = table(target, title, "tolerance", "distribution", "first order", "total")
     for k in np.argsort(-np.nan_to_num(first["total_order"].values)):
@@ -163,3 +172,15 @@ def _show(found: xarray.Dataset) -> None:
             f"{float(one['total_order']):.3f} ± {float(one['total_order_half_width']):.3f}",
         )
     target.print(shares)
+
+
+def _shares(found: xarray.Dataset, name: str) -> str:
+    """How often each category of a result that is no quantity came out."""
+    from asperity.joint.results import RESULTS
+
+    solved = found["samples"].sel(result=name).values[found["status"].values == 0]
+    codes, counts = np.unique(solved.astype(int), return_counts=True)
+    pairs = sorted(zip(counts.tolist(), codes.tolist(), strict=True), reverse=True)
+    return ", ".join(
+        f"{RESULTS[name].categories[code]} in {count / solved.size:.2%}" for count, code in pairs
+    )

@@ -11,7 +11,7 @@ from asperity.cli.terminal import say_written
 from asperity.writing import check_file, check_image, replacing, write_image
 
 if TYPE_CHECKING:
-    from asperity.joint.examination import Examination
+    from asperity.joint.solve import Solution
     from asperity.joint.windup import Windup
 
 LEVELS = ("assembly", "series_with_bulk", "published")
@@ -80,7 +80,7 @@ def windup(
         raise InputError(f"--stages {first:g} {second:g}: allowed are two shares with 0 < first < second < 1")
     use_double_precision()
     use_compilation_cache()
-    from asperity.joint.examination import examine
+    from asperity.joint.solve import solve
     from asperity.joint.windup import windup as wind_up
     from asperity.joint_file.build import joint_from_case
 
@@ -91,8 +91,8 @@ def windup(
         hint = "; state another one with --torque" if asked is None else ""
         raise InputError(f"{source}: a wind-up needs a torque that is not zero{hint}")
     try:
-        examinations = [  # refuse rollers that do not fit and a torque beyond the capacity of its direction
-            examine(
+        solutions = [  # refuse rollers that do not fit and a torque beyond the capacity of its direction
+            solve(
                 dataclasses.replace(
                     joint, output_torque=sense * largest, sun_speed=sense * float(joint.sun_speed)
                 )
@@ -102,7 +102,7 @@ def windup(
         curve = wind_up(joint, largest_torque=largest, level=level, stage_shares=stages)  # type: ignore[arg-type]
     except InputError as error:
         raise InputError(f"{source}: {error}" if "torque" in str(error) else str(error)) from None
-    document = _document(curve, examinations, level)
+    document = _document(curve, solutions, level)
     if csv_file:
         _write_csv(curve, csv_file)
         say_written(csv_file)
@@ -119,11 +119,11 @@ def windup(
     _show(document, file)
 
 
-def _document(curve: Windup, examinations: list[Examination], level: str) -> dict[str, Any]:
-    """Everything the command says, in SI units; the examinations are those of both directions."""
+def _document(curve: Windup, solutions: list[Solution], level: str) -> dict[str, Any]:
+    """Everything the command says, in SI units; the solutions are those of both directions."""
     from asperity.joint.capacity import capacity_document
 
-    forward, reverse = examinations
+    forward, reverse = solutions
     return {
         "level": level,
         "torque_capacity": {

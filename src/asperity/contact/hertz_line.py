@@ -320,31 +320,3 @@ def ring_secant_compliance(
     return scale * (
         2.0 * (jnp.log(2.0 * wall_thickness) - jnp.log(half_width)) - poisson_ratio / (1.0 - poisson_ratio)
     )
-
-
-def mindlin_ratio(*, contact_modulus: Real, tangential_contact_modulus: Real) -> Real:
-    r"""Tangential over normal stiffness of a smooth contact that sticks.
-
-    .. math:: \frac{k_t}{k_n} = \frac{4 G^*}{E} \;\left(= \frac{2(1-\nu)}{2-\nu} \text{ for like bodies}\right)
-
-    Parameters
-    ----------
-    contact_modulus, tangential_contact_modulus : Real
-        E and G* of the pair [Pa], :mod:`asperity.materials`.
-
-    Returns
-    -------
-    Real
-        Ratio [-]; 0.824 for nu = 0.3.
-
-    Notes
-    -----
-    The ratio 8G*a/(2Ea) of a circular contact, used here for the line contact as well. In plane strain the
-    normal and the tangential surface compliance of a half-plane are equal, so that a very long contact tends to 1:
-    the ratio is on the soft side by up to 18 %.
-
-    References
-    ----------
-    R. D. Mindlin, J. Appl. Mech. 16 (1949) 259; K. L. Johnson, Contact Mechanics, 1985, section 7.2.
-    """
-    return 4.0 * tangential_contact_modulus / contact_modulus

@@ -5,8 +5,7 @@ from __future__ import annotations
 import equinox as eqx
 import jax.numpy as jnp
 
-from asperity.contact.asperity import slip_factor
-from asperity.contact.hertz_line import mindlin_ratio
+from asperity.contact.cattaneo_mindlin import partial_slip_compliance
 from asperity.types import Real
 
 
@@ -91,23 +90,22 @@ def compliance_share(stiffness_1: Real, stiffness_2: Real) -> Real:
 
 def bulk_tangential_stiffness(
     *,
-    bulk_normal_stiffness: Real,
-    contact_modulus: Real,
-    tangential_contact_modulus: Real,
+    normal_compliance: Real,
+    logarithmic_compliance: Real,
     normal_force: Real,
     tangential_force: Real,
     friction_coefficient: Real,
 ) -> Real:
-    r"""Tangential stiffness of the smooth bodies.
+    r"""Tangential stiffness of the smooth bodies of a line contact.
 
-    .. math:: K_t = K_n \frac{4G^*}{E} \left(1 - \frac{T}{\mu N}\right)^{1/3}
+    .. math:: \frac1{K_t} = \frac1{K_n} + \sum_{i=1,2} \frac{1-\nu_i^2}{\pi E_i B} \, \ln\frac{1}{1 - T/(\mu N)}
 
     Parameters
     ----------
-    bulk_normal_stiffness : Real
-        Incremental normal stiffness of the bodies [N/m].
-    contact_modulus, tangential_contact_modulus : Real
-        E and G* [Pa].
+    normal_compliance : Real
+        Incremental normal compliance 1/K_n of the bodies [m/N].
+    logarithmic_compliance : Real
+        Sum of :func:`asperity.contact.hertz_line.logarithmic_compliance` over both bodies [m/N].
     normal_force, tangential_force : Real
         N and T >= 0 [N].
     friction_coefficient : Real
@@ -116,22 +114,25 @@ def bulk_tangential_stiffness(
     Returns
     -------
     Real
-        Stiffness [N/m].
+        Incremental (tangent) stiffness on first loading [N/m]; 0 from gross slip on and where N is not positive.
 
     Notes
     -----
-    Ratio and slip factor are those of point contacts, see :func:`asperity.contact.hertz_line.mindlin_ratio`.
+    In plane strain a half-plane yields to shear by the same logarithm of the distance as to compression, so that a
+    contact that sticks is as stiff in one as in the other. Far from the contact a roller differs from a half-plane;
+    the ratio of the two stiffnesses is then about 1, not exactly.
 
     References
     ----------
-    R. D. Mindlin, J. Appl. Mech. 16 (1949) 259.
+    K. L. Johnson, Contact Mechanics, 1985, section 2.8;
+    :func:`asperity.contact.cattaneo_mindlin.partial_slip_compliance`.
     """
-    ratio = mindlin_ratio(
-        contact_modulus=contact_modulus, tangential_contact_modulus=tangential_contact_modulus
-    )
-    slip = slip_factor(
-        tangential_force=tangential_force,
+    added = partial_slip_compliance(
+        logarithmic_compliance=logarithmic_compliance,
         normal_force=normal_force,
+        tangential_force=tangential_force,
         friction_coefficient=friction_coefficient,
     )
-    return bulk_normal_stiffness * ratio * slip
+    holds = jnp.isfinite(added) & jnp.isfinite(normal_compliance)
+    compliance = jnp.where(holds, normal_compliance, 0.5) + jnp.where(holds, added, 0.5)
+    return jnp.where(holds, 1.0 / compliance, 0.0)

@@ -1,4 +1,4 @@
-"""Rough contacts of many independent roller pairs at once, each with its own model of the contact factor."""
+"""Pairs of rollers that touch along a line: what the contact formulas need to know of them, and the rough contact."""
 
 from __future__ import annotations
 
@@ -8,64 +8,182 @@ import equinox as eqx
 import jax.numpy as jnp
 from jax import Array
 
+from asperity.contact import hertz_line
 from asperity.contact.fractal import FractalContact, Surface, fractal_contact
 from asperity.contact.population import ContactFactorModel, contact_factor
-from asperity.materials import contact_modulus, tangential_contact_modulus
+from asperity.materials import ContactPair
+from asperity.types import Real
 
-#: Models of the contact factor; :attr:`RollerPairs.contact_factor_model` is an index into them.
+#: Models of the contact factor, in the order of the numbers of :func:`numbered_contact_factors`.
 CONTACT_FACTOR_MODELS: tuple[ContactFactorModel, ...] = get_args(ContactFactorModel)
 
 
 class RollerPairs(eqx.Module):
-    """Roller pairs under load, arrays of one shape. SI units.
+    """Roller pairs without their load, one or many; numbers and arrays that broadcast. SI units.
 
     Parameters
     ----------
+    radius_1, radius_2 : Real
+        Radii of the two cylinders [m].
+    sign : Real
+        +1 for an external contact, −1 where the first lies inside the second [-].
+    effective_radius : Real
+        :func:`asperity.contact.hertz_line.effective_radius` [m].
+    contact_length : Real
+        Contact line length B [m].
+    friction_coefficient : Real
+        Friction coefficient mu [-].
+    moduli : ContactPair
+        Moduli and limits of the two materials.
     surface : Surface
-        Fractal roughness.
-    normal_force, tangential_force : Array
-        F_n > 0 and T >= 0 [N].
-    friction_coefficient : Array
-        mu [-].
-    radius_1, radius_2 : Array
-        Radii [m].
-    sign : Array
-        +1 for an outer, −1 for an inner contact [-].
-    contact_length : Array
-        B [m].
-    youngs_modulus_1, youngs_modulus_2 : Array
-        Young's moduli [Pa].
-    poisson_ratio_1, poisson_ratio_2 : Array
-        Poisson's ratios [-].
-    hardness : Array
-        Hardness of the softer body [Pa].
-    contact_factor_model : Array
-        Index in :data:`CONTACT_FACTOR_MODELS`, whole numbers [-].
+        Fractal roughness of the equivalent surface.
     """
 
+    radius_1: Real
+    radius_2: Real
+    sign: Real
+    effective_radius: Real
+    contact_length: Real
+    friction_coefficient: Real
+    moduli: ContactPair
     surface: Surface
-    normal_force: Array
-    tangential_force: Array
-    friction_coefficient: Array
-    radius_1: Array
-    radius_2: Array
-    sign: Array
-    contact_length: Array
-    youngs_modulus_1: Array
-    youngs_modulus_2: Array
-    poisson_ratio_1: Array
-    poisson_ratio_2: Array
-    hardness: Array
-    contact_factor_model: Array
+
+    def half_width(self, normal_force: Real) -> Real:
+        """Half-width of the Hertzian strips [m], of one newton where the contact is open.
+
+        Parameters
+        ----------
+        normal_force : Real
+            Normal forces [N].
+
+        Returns
+        -------
+        Real
+            :func:`asperity.contact.hertz_line.half_width` [m].
+        """
+        return hertz_line.half_width(
+            normal_force=_pressed(normal_force),
+            contact_length=self.contact_length,
+            effective_radius=self.effective_radius,
+            contact_modulus=self.moduli.contact_modulus,
+        )
 
 
-def roller_pair_contacts(pairs: RollerPairs) -> FractalContact:
-    """Spots, load shares and stiffnesses of roller pairs.
+def roller_pairs(
+    *,
+    radius_1: Real,
+    radius_2: Real,
+    sign: Real,
+    contact_length: Real,
+    friction_coefficient: Real,
+    moduli: ContactPair,
+    surface: Surface,
+) -> RollerPairs:
+    """Roller pairs from what describes them.
+
+    Parameters
+    ----------
+    radius_1, radius_2 : Real
+        Radii [m].
+    sign : Real
+        +1 for an external, −1 for an internal contact [-].
+    contact_length : Real
+        Contact line length B [m].
+    friction_coefficient : Real
+        mu [-].
+    moduli : ContactPair
+        Moduli and limits of the materials.
+    surface : Surface
+        Fractal roughness.
+
+    Returns
+    -------
+    RollerPairs
+        With their effective radius, :func:`asperity.contact.hertz_line.effective_radius`.
+    """
+    return RollerPairs(
+        radius_1=radius_1,
+        radius_2=radius_2,
+        sign=sign,
+        effective_radius=hertz_line.effective_radius(radius_1=radius_1, radius_2=radius_2, sign=sign),
+        contact_length=contact_length,
+        friction_coefficient=friction_coefficient,
+        moduli=moduli,
+        surface=surface,
+    )
+
+
+def _pressed(normal_force: Real) -> Array:
+    """The normal force, and one newton for an open contact, which every formula can take."""
+    return jnp.where(jnp.asarray(normal_force) > 0.0, normal_force, 1.0)
+
+
+def contact_factors(*, pairs: RollerPairs, model: ContactFactorModel, normal_force: Real) -> Real:
+    """Contact factor lambda of roller pairs, all by one model.
 
     Parameters
     ----------
     pairs : RollerPairs
         The pairs.
+    model : {"printed", "hertz_area", "unity"}
+        Model, :func:`asperity.contact.population.contact_factor`.
+    normal_force : Real
+        Normal forces [N].
+
+    Returns
+    -------
+    Real
+        Contact factors [-].
+    """
+    return contact_factor(
+        model=model,
+        radius_1=pairs.radius_1,
+        radius_2=pairs.radius_2,
+        sign=pairs.sign,
+        contact_length=pairs.contact_length,
+        contact_modulus=pairs.moduli.contact_modulus,
+        normal_force=_pressed(normal_force),
+    )
+
+
+def numbered_contact_factors(*, pairs: RollerPairs, model_number: Array, normal_force: Array) -> Array:
+    """Contact factor lambda of roller pairs, each by its own model.
+
+    Parameters
+    ----------
+    pairs : RollerPairs
+        The pairs, shape (...).
+    model_number : Array
+        Places in :data:`CONTACT_FACTOR_MODELS`, shape (...) [-].
+    normal_force : Array
+        Normal forces, shape (...) [N].
+
+    Returns
+    -------
+    Array
+        :func:`contact_factors` [-]; nan for a number without a model.
+    """
+    factors = [
+        contact_factors(pairs=pairs, model=model, normal_force=normal_force)
+        for model in CONTACT_FACTOR_MODELS
+    ]
+    chosen = [model_number == number for number in range(len(factors))]
+    return jnp.select(chosen, jnp.broadcast_arrays(*factors), jnp.nan)
+
+
+def rough_contacts(
+    *, pairs: RollerPairs, contact_factor: Real, normal_force: Real, tangential_force: Real
+) -> FractalContact:
+    """Spots, load shares and stiffnesses of roller pairs under load.
+
+    Parameters
+    ----------
+    pairs : RollerPairs
+        The pairs.
+    contact_factor : Real
+        Contact factor lambda [-], :func:`contact_factors`.
+    normal_force, tangential_force : Real
+        F_n and T of either sense [N].
 
     Returns
     -------
@@ -76,33 +194,13 @@ def roller_pair_contacts(pairs: RollerPairs) -> FractalContact:
     ----------
     Zou et al. 2025, equations (10)–(12), (20), (22)–(24).
     """
-    elastic = {
-        "youngs_modulus_1": pairs.youngs_modulus_1,
-        "youngs_modulus_2": pairs.youngs_modulus_2,
-        "poisson_ratio_1": pairs.poisson_ratio_1,
-        "poisson_ratio_2": pairs.poisson_ratio_2,
-    }
-    modulus = contact_modulus(**elastic)
-    factors = [
-        contact_factor(
-            model=model,
-            radius_1=pairs.radius_1,
-            radius_2=pairs.radius_2,
-            sign=pairs.sign,
-            contact_length=pairs.contact_length,
-            contact_modulus=modulus,
-            normal_force=pairs.normal_force,
-        )
-        for model in CONTACT_FACTOR_MODELS
-    ]
-    chosen = [pairs.contact_factor_model == index for index in range(len(factors))]
     return fractal_contact(
         surface=pairs.surface,
-        normal_force=pairs.normal_force,
-        tangential_force=pairs.tangential_force,
+        normal_force=normal_force,
+        tangential_force=jnp.abs(tangential_force),
         friction_coefficient=pairs.friction_coefficient,
-        contact_factor=jnp.select(chosen, jnp.broadcast_arrays(*factors), jnp.nan),
-        contact_modulus=modulus,
-        tangential_contact_modulus=tangential_contact_modulus(**elastic),
-        hardness=pairs.hardness,
+        contact_factor=contact_factor,
+        contact_modulus=pairs.moduli.contact_modulus,
+        tangential_contact_modulus=pairs.moduli.tangential_contact_modulus,
+        hardness=pairs.moduli.hardness,
     )

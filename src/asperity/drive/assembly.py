@@ -3,37 +3,27 @@ r"""Torsional stiffness with floating bodies (A8): planet and loading rollers fr
 The published series (25) moves every roller about a fixed centre. In the machine only the sun's centre is held
 (by symmetry); a tangential force on the planet pushes it sideways against the *normal* springs of its wedge.
 
-One branch has the coordinates (arc lengths for rotations, so that all are lengths)
-:math:`q = (R_s\psi_s;\; x_p, y_p, R_p\psi_p;\; x_r, y_r, R_w\psi_r;\; x_l, y_l, R_w\psi_l)`. Each spring
-has an elongation :math:`e_j(q)` whose gradient is taken by automatic differentiation, and a compliance
-:math:`c_j`; a rigid spring has :math:`c_j = 0` exactly. Forces and motions follow from
-
-.. math::
-    B q - C f = 0, \qquad B^\mathsf{T} f = g, \qquad B_{jk} = \partial e_j/\partial q_k
-
-under a unit torque on the sun, and the shares :math:`c_j f_j^2` of the springs add up to the compliance.
+One branch is a :class:`asperity.drive.planar_assembly.PlanarAssembly` of sun, planet and two loading rollers under a
+unit torque on the sun. The shares :math:`c_j f_j^2` of its springs add up to the compliance.
 """
 
 from __future__ import annotations
 
 import math
-from typing import NamedTuple
+from collections.abc import Sequence
 
 import equinox as eqx
-import jax
 import jax.numpy as jnp
+import numpy as np
 from jax import Array
 
-from asperity.drive.geometry import CONTACT_NAMES, DriveGeometry, Triangle, speed_ratio, triangle
+from asperity.drive.geometry import DriveGeometry, Triangle, speed_ratio
+from asperity.drive.planar_assembly import GROUND, PlanarAssembly, spring_forces
 from asperity.drive.torsional_stiffness import TorsionalStiffness
 from asperity.types import Real
 
-#: Relative to the stiffest spring: stiffness that holds a lifted roller, compliance that shares the load among
-#: redundant rigid springs. Without it such systems are singular; with it they are wrong in the thirteenth digit.
-_REGULARISATION = 1e-13
 
-
-class Supports(eqx.Module):
+class StructureSprings(eqx.Module):
     """Springs of the structure around the rollers; ``math.inf`` is rigid, 0 is absent. SI units.
 
     Parameters
@@ -64,7 +54,7 @@ class Supports(eqx.Module):
 
 
 #: Rigid pins along the push, free across it, floating planet, stiff ring and shafts.
-RIGID_SUPPORTS = Supports(math.inf, 0.0, 0.0, math.inf, math.inf, math.inf)
+IDEAL_STRUCTURE = StructureSprings(math.inf, 0.0, 0.0, math.inf, math.inf, math.inf)
 
 
 class Assembly(eqx.Module):
@@ -92,49 +82,68 @@ class Assembly(eqx.Module):
     output_shaft_share: Array
 
 
-class _Body(NamedTuple):
-    x: Array
-    y: Array
-    turn: Array  # rotation times radius: arc length
+#: The bodies of a branch. By symmetry the sun's centre stays, so that it only turns.
+_BODIES = ("sun", "planet", "right", "left")
+_FREE = ((False, False, True), *3 * ((True, True, True),))
+#: First body, second body, and whether they touch from outside; in the order of the contacts.
+_MEETINGS = (
+    ("sun", "planet", 1),
+    ("planet", "right", 1),
+    ("planet", "left", 1),
+    ("right", "ring", -1),
+    ("left", "ring", -1),
+)
+_SUPPORTED = ("right", "right", "left", "left", "planet", "planet")
+_RING_CONTACTS = np.array([second == "ring" for _, second, _ in _MEETINGS]).nonzero()[0]
+_UNIT_TORQUE = np.eye(10)[0]  # force 1 along the sun's arc
 
 
-def _elongations(coordinates: Array, side: Triangle, geometry: DriveGeometry) -> Array:
-    """Elongations of the 18 springs: 5 normal, 5 tangential, 4 pin, 2 planet support, 2 ring; compression positive."""
-    sun = _Body(jnp.zeros_like(coordinates[0]), jnp.zeros_like(coordinates[0]), coordinates[0])
-    planet, right, left = (_Body(*coordinates[k : k + 3]) for k in (1, 4, 7))
-    ring = _Body(*jnp.zeros_like(coordinates[:3]))
+def branch_assembly(*, geometry: DriveGeometry, sides: Triangle) -> PlanarAssembly:
+    """Sun, planet and loading rollers of one branch, with their contacts, pins and planet support.
 
-    def contact(
-        first: _Body, second: _Body, along_x: Real, along_y: Real, outer: float
-    ) -> tuple[Array, Array]:
-        """Approach and slip of two bodies; (along_x, along_y) points from the first centre to the contact."""
-        approach = (first.x - second.x) * along_x + (first.y - second.y) * along_y
-        slip = (
-            (first.y - second.y) * along_x - (first.x - second.x) * along_y + first.turn + outer * second.turn
-        )
-        return approach, slip
+    Parameters
+    ----------
+    geometry : DriveGeometry
+        The drive.
+    sides : Triangle
+        Its triangle of centres.
 
-    sin_a, cos_a = side.sin_polar, side.cos_polar
-    sin_t, cos_t = side.sin_direction, side.cos_direction
-    springs = (
-        contact(sun, planet, 0.0, 1.0, 1.0),
-        contact(planet, right, sin_t, cos_t, 1.0),
-        contact(planet, left, -sin_t, cos_t, 1.0),
-        contact(right, ring, sin_a, cos_a, -1.0),
-        contact(left, ring, -sin_a, cos_a, -1.0),
-    )
+    Returns
+    -------
+    PlanarAssembly
+        The planet lies on the y axis above the sun; pins along and across the carrier's push.
+
+    References
+    ----------
+    Equation (A8) of :doc:`/equations`.
+    """
+    sin_a, cos_a = sides.sin_polar, sides.cos_polar
+    sin_t, cos_t = sides.sin_direction, sides.cos_direction
     pins = []
-    for body, hand, push in ((right, 1.0, geometry.right_push_angle), (left, -1.0, geometry.left_push_angle)):
-        tangent = body.x * cos_a - hand * body.y * sin_a
-        radial = hand * body.x * sin_a + body.y * cos_a
-        inward = -hand * tangent  # the carrier pushes the rollers of a branch towards each other's mate
-        pins += [
-            inward * jnp.cos(push) + radial * jnp.sin(push),
-            radial * jnp.cos(push) - inward * jnp.sin(push),
-        ]
-    normal = [spring[0] for spring in springs]
-    tangential = [spring[1] for spring in springs]
-    return jnp.stack(jnp.broadcast_arrays(*normal, *tangential, *pins, planet.x, planet.y))
+    for hand, push in ((1.0, geometry.right_push_angle), (-1.0, geometry.left_push_angle)):
+        inward, radial = (
+            (-hand * cos_a, sin_a),
+            (hand * sin_a, cos_a),
+        )  # the push draws a branch's rollers together
+        cos_g, sin_g = jnp.cos(push), jnp.sin(push)
+        pins.append([inward[k] * cos_g + radial[k] * sin_g for k in (0, 1)])
+        pins.append([radial[k] * cos_g - inward[k] * sin_g for k in (0, 1)])
+    index = {name: number for number, name in enumerate(_BODIES)} | {"ring": GROUND}
+    return PlanarAssembly(
+        free=_FREE,
+        contacts=tuple((index[first], index[second], sense) for first, second, sense in _MEETINGS),
+        supports=tuple(index[name] for name in _SUPPORTED),
+        contact_direction=_stacked(
+            (0.0, 1.0), (sin_t, cos_t), (-sin_t, cos_t), (sin_a, cos_a), (-sin_a, cos_a)
+        ),
+        support_direction=_stacked(*pins, (1.0, 0.0), (0.0, 1.0)),
+    )
+
+
+def _stacked(*vectors: Sequence[Real]) -> Array:
+    """Vectors of two components as one array of shape (vectors, 2, ...)."""
+    numbers = jnp.broadcast_arrays(*(jnp.asarray(number) for vector in vectors for number in vector))
+    return jnp.stack(numbers).reshape((len(vectors), 2, *numbers[0].shape))
 
 
 def _compliance(stiffness: Real) -> Array:
@@ -144,26 +153,19 @@ def _compliance(stiffness: Real) -> Array:
     return jnp.where(finite, 1.0 / jnp.where(finite, value, 1.0), jnp.where(value > 0.0, 0.0, jnp.inf))
 
 
-def _spring_forces(matrix: Array, compliance: Array) -> Array:
-    """Spring forces under a unit force along the sun's arc, solved in units of one reference stiffness."""
-    springs, coordinates = matrix.shape
-    absent = jnp.isinf(compliance)
-    finite = jnp.where(absent, 0.0, compliance)
-    positive = jnp.where(finite > 0.0, finite, jnp.inf)
-    reference = jnp.where(jnp.any(finite > 0.0), jnp.min(positive), 1.0)
-    rows = jnp.where(absent[:, None], 0.0, matrix)
-    diagonal = jnp.where(absent, 1.0, jnp.maximum(finite / reference, _REGULARISATION))
-    system = jnp.block([[rows, -jnp.diag(diagonal)], [_REGULARISATION * jnp.eye(coordinates), matrix.T]])
-    load = jnp.zeros(springs + coordinates).at[springs].set(1.0)
-    return jnp.linalg.solve(system, load)[coordinates:]
+def _finite(compliance: Array) -> Array:
+    """What a spring's force is multiplied with: an absent spring has none."""
+    return jnp.where(jnp.isinf(compliance), 0.0, compliance)
 
 
 def assembly_stiffness(
     *,
     geometry: DriveGeometry,
+    sides: Triangle,
     normal_stiffness: Array,
     tangential_stiffness: Array,
-    supports: Supports,
+    structure: StructureSprings,
+    coupling: Array | None = None,
 ) -> Assembly:
     """Torsional stiffness of the drive with floating planet and rollers, and the budget of its compliance.
 
@@ -171,10 +173,15 @@ def assembly_stiffness(
     ----------
     geometry : DriveGeometry
         The drive.
+    sides : Triangle
+        Its triangle of centres.
     normal_stiffness, tangential_stiffness : Array
-        Incremental stiffnesses of the contacts at the operating point, shape (5, ...) [N/m]; ``inf`` is rigid.
-    supports : Supports
+        Incremental stiffnesses of the contacts at the operating point, shape (5, ...) [N/m]; ``inf`` is rigid, 0 open.
+    structure : StructureSprings
         Springs of the structure.
+    coupling : Array, optional
+        Compliances between the contacts, normal springs first, shape (10, 10, ...) [m/N]: symmetric, 0 on the diagonal
+        and where a contact is open. Bodies that deform as a whole have it.
 
     Returns
     -------
@@ -191,37 +198,30 @@ def assembly_stiffness(
     ----------
     Equation (A8) of :doc:`/equations`.
     """
-    side = triangle(geometry)
+    contacts = [*_compliance(normal_stiffness), *_compliance(tangential_stiffness)]
+    pins = [structure.pin_stiffness, structure.pin_transverse_stiffness] * 2
+    held = [_compliance(stiffness) for stiffness in (*pins, *2 * (structure.planet_support_stiffness,))]
+    *springs, ring = jnp.broadcast_arrays(*contacts, *held, _compliance(structure.ring_bending_stiffness))
+    compliance = jnp.stack(springs)
+    if coupling is not None:
+        coupling = jnp.pad(coupling, [(0, len(held))] * 2 + [(0, 0)] * (coupling.ndim - 2))
+    force, carried = spring_forces(
+        assembly=branch_assembly(geometry=geometry, sides=sides),
+        compliance=compliance.at[_RING_CONTACTS].add(ring),
+        coupling=coupling,
+        load=_UNIT_TORQUE,
+    )
+    # work per unit force on the sun's arc
+    energy = _finite(compliance) * force**2
+    if coupling is not None:
+        energy = energy + force * jnp.einsum("jk...,k...->j...", coupling, force)
+    ring_energy = jnp.sum(_finite(ring) * force[_RING_CONTACTS] ** 2, axis=0)
     sp, pwr, pwl, wro, wlo = tangential_stiffness
-    passes = (sp > 0.0) & (((pwr > 0.0) & (wro > 0.0)) | ((pwl > 0.0) & (wlo > 0.0)))
-    ring = _compliance(supports.ring_bending_stiffness)
-    parts = [
-        *(_compliance(k) for k in normal_stiffness),
-        *(_compliance(k) for k in jnp.where(passes, tangential_stiffness, 1.0)),
-        *(_compliance(k) for k in 2 * (supports.pin_stiffness, supports.pin_transverse_stiffness)),
-        *(_compliance(k) for k in 2 * (supports.planet_support_stiffness,)),
-    ]
-    shape = jnp.broadcast_shapes(*(jnp.shape(leaf) for leaf in (*parts, ring, *jax.tree.leaves(geometry))))
-    compliance = jnp.stack([jnp.broadcast_to(part, shape) for part in parts])
-    with_ring = compliance.at[3:5].add(jnp.broadcast_to(ring, shape))
-
-    def branch(compliances: Array, local_side: Triangle, local_geometry: DriveGeometry) -> Array:
-        matrix = jax.jacfwd(lambda q: _elongations(q, local_side, local_geometry))(jnp.zeros(10))
-        return _spring_forces(matrix, compliances)
-
-    solve = branch
-    for _ in shape:
-        solve = jax.vmap(solve, in_axes=(1, 0, 0), out_axes=1)
-    full = jax.tree.map(lambda leaf: jnp.broadcast_to(leaf, shape), (side, geometry))
-    force = solve(with_ring, *full)
-
-    energy = (
-        jnp.where(jnp.isinf(compliance), 0.0, compliance) * force**2
-    )  # c_j f_j^2 per unit force on the sun's arc
-    ring_energy = jnp.sum(jnp.broadcast_to(ring, shape) * force[3:5] ** 2, axis=0)
+    passes = carried & (sp > 0.0) & (((pwr > 0.0) & (wro > 0.0)) | ((pwl > 0.0) & (wlo > 0.0)))
     lever = geometry.planet_count * geometry.sun_radius**2
-    input_shaft = _compliance(supports.input_shaft_stiffness) * lever
-    output_shaft = _compliance(supports.output_shaft_stiffness) * lever * speed_ratio(geometry) ** 2
+    ratio_squared = speed_ratio(geometry) ** 2
+    input_shaft = _compliance(structure.input_shaft_stiffness) * lever
+    output_shaft = _compliance(structure.output_shaft_stiffness) * lever * ratio_squared
     total = jnp.sum(energy, axis=0) + ring_energy + input_shaft + output_shaft
     at_sun = jnp.where(passes, lever / jnp.where(passes, total, 1.0), 0.0)
 
@@ -229,7 +229,7 @@ def assembly_stiffness(
         return jnp.where(passes, part / jnp.where(passes, total, 1.0), jnp.nan)
 
     return Assembly(
-        stiffness=TorsionalStiffness(sun=at_sun, output=at_sun * speed_ratio(geometry) ** 2),
+        stiffness=TorsionalStiffness(sun=at_sun, output=at_sun * ratio_squared),
         tangential_share=share(energy[5:10]),
         normal_share=share(energy[0:5]),
         ring_bending_share=share(ring_energy),
@@ -238,16 +238,3 @@ def assembly_stiffness(
         input_shaft_share=share(input_shaft),
         output_shaft_share=share(output_shaft),
     )
-
-
-#: Names of the springs of a branch, in the order in which the elongations are listed.
-SPRING_NAMES = (
-    *(f"{name} normal" for name in CONTACT_NAMES),
-    *(f"{name} tangential" for name in CONTACT_NAMES),
-    "right pin along push",
-    "right pin across push",
-    "left pin along push",
-    "left pin across push",
-    "planet support x",
-    "planet support y",
-)

@@ -1,8 +1,9 @@
-r"""The forces of one branch of the drive from two unknowns: statics alone, equations (1)–(5).
+r"""The forces of one branch of the drive from two or three unknowns: statics alone, equations (1)–(5).
 
-The thirteen unknown forces of a branch reduce to two, exactly: the sun–planet tangential force
-:math:`T_{sp}` and the sum :math:`S = N_{pwr} + N_{pwl}` of the planet's loads. Equal creep makes
-:math:`c = T_{sp}/S` the traction coefficient of both planet–roller contacts, and (2) then gives
+The thirteen unknown forces of a branch reduce to three, exactly: the sun–planet tangential force
+:math:`T_{sp}`, the sum :math:`S = N_{pwr} + N_{pwl}` of the planet's loads, and the right one's share of
+:math:`T_{sp}`. A drive at rest is taken to run both planet–roller contacts at one traction coefficient
+:math:`c = T_{sp}/S`; in a rolling one the creepages decide. Either way (2) gives
 :math:`N_{pwr} - N_{pwl} = T_{sp} \cot(\theta/2)`; every other force follows from one line of (1)–(5) each.
 """
 
@@ -77,8 +78,10 @@ def _reciprocal_jvp(primals: tuple[Array], tangents: tuple[Array]) -> tuple[Arra
     return value, -value * value * tangents[0]
 
 
-def branch_forces(branch: Branch, load_sum: Array, sun_force: Array) -> BranchForces:
-    """Every force of a branch from S and T_sp, one published equation a line.
+def branch_forces(
+    branch: Branch, load_sum: Array, sun_force: Array, right_force: Array | None = None
+) -> BranchForces:
+    """Every force of a branch from S, T_sp and the split of T_sp, one published equation a line.
 
     Parameters
     ----------
@@ -86,11 +89,13 @@ def branch_forces(branch: Branch, load_sum: Array, sun_force: Array) -> BranchFo
         The branch.
     load_sum, sun_force : Array
         S = N_pwr + N_pwl and T_sp [N].
+    right_force : Array, optional
+        T_pwr [N]; by default both planet–roller contacts run at the same traction coefficient (A3).
 
     Returns
     -------
     BranchForces
-        Forces that satisfy (1)–(4) and equal creep (A3); not yet the carrier's moment (5) and the closure.
+        Forces that satisfy (1)–(4) and the split; not yet the carrier's moment (5) and the closure.
 
     Notes
     -----
@@ -106,9 +111,12 @@ def branch_forces(branch: Branch, load_sum: Array, sun_force: Array) -> BranchFo
     cos_l, sin_l = jnp.cos(geometry.left_push_angle), jnp.sin(geometry.left_push_angle)
     cos_r, sin_r = jnp.cos(geometry.right_push_angle), jnp.sin(geometry.right_push_angle)
     difference = sun_force * ((1.0 + side.cos_direction) / side.sin_direction)  # (2) x and moment
-    traction = sun_force * _reciprocal(load_sum)  # (A3) equal creep
     n_pwr, n_pwl = 0.5 * (load_sum + difference), 0.5 * (load_sum - difference)
-    t_pwr, t_pwl = traction * n_pwr, traction * n_pwl
+    if right_force is None:
+        traction = sun_force * _reciprocal(load_sum)  # (A3) equal traction coefficients
+        t_pwr, t_pwl = traction * n_pwr, traction * n_pwl
+    else:
+        t_pwr, t_pwl = right_force, sun_force - right_force  # (2) moment
     n_sp = (
         (t_pwr - t_pwl) * side.sin_direction + load_sum * side.cos_direction - branch.planet_centrifugal
     )  # (2) y

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 import jax.numpy as jnp
 from jax import Array
 
-from asperity.drive.geometry import DriveGeometry, triangle
+from asperity.drive.geometry import DriveGeometry, Triangle
 from asperity.drive.mechanism import Bearings
 from asperity.types import Real
 
@@ -15,6 +15,7 @@ from asperity.types import Real
 def balance_equations(
     *,
     geometry: DriveGeometry,
+    sides: Triangle,
     bearings: Bearings,
     normal: Sequence[Array] | Array,
     tangential: Sequence[Array] | Array,
@@ -33,6 +34,8 @@ def balance_equations(
     ----------
     geometry : DriveGeometry
         The drive.
+    sides : Triangle
+        Its triangle of centres.
     bearings : Bearings
         Friction of its bearings.
     normal, tangential : sequence of Array
@@ -55,7 +58,7 @@ def balance_equations(
     ----------
     Zou et al. 2025, equations (1)–(5); the signs of (2) and (4) as in :doc:`/assumptions`.
     """
-    side = triangle(geometry)
+    side = sides
     n_sp, n_pwr, n_pwl, n_wro, n_wlo = normal
     t_sp, t_pwr, t_pwl, t_wro, t_wlo = tangential
     cos_th, sin_th, cos_b, sin_b = side.cos_direction, side.sin_direction, side.cos_wedge, side.sin_wedge

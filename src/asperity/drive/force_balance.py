@@ -24,8 +24,7 @@ from asperity.drive.branch import (
     held_load_sum,
 )
 from asperity.drive.equilibrium import balance_equations
-from asperity.drive.geometry import triangle
-from asperity.drive.mechanism import Mechanism, NormalSprings, compression, rest_state, steepest_compliance
+from asperity.drive.mechanism import Mechanism, NormalSprings, compression, steepest_compliance
 from asperity.types import Real
 
 #: Largest relative residual of the force balance and of its closure that counts as solved.
@@ -84,8 +83,25 @@ def _misfit(branch: Branch, approaches: Sequence[Real]) -> Real:
     return misfit * (1.0 / branch.mechanism.springs.incremental_compliance[1])
 
 
-def _closure_residual(branch: Branch, force: BranchForces) -> Real:
-    """Equation (A3), as a force [N]: zero where the closure holds, growing with S."""
+def closure_misfit(branch: Branch, force: BranchForces) -> Real:
+    """Equation (A3), as a force: zero where the closure holds, growing with S.
+
+    Parameters
+    ----------
+    branch : Branch
+        The branch.
+    force : BranchForces
+        Its forces.
+
+    Returns
+    -------
+    Real
+        Residual [N].
+
+    References
+    ----------
+    Equation (A3) of :doc:`/equations`.
+    """
     if branch.mechanism.closure == "constant_pin_force":
         return force.pin_right - branch.rest.pin_force_right
     # contact by contact: XLA does not vectorise logarithms of a stacked array inside a fused loop
@@ -116,7 +132,7 @@ def _residuals(branch: Branch, unknowns: tuple[Array, Array]) -> tuple[Real, Rea
     held = held_load_sum(branch, load_sum, sun_force)
     force = branch_forces(branch, held, sun_force)
     lifted = _closure_steepness(branch) * (load_sum - held)
-    return _closure_residual(branch, force) + lifted, carrier_residual(branch, force)
+    return closure_misfit(branch, force) + lifted, carrier_residual(branch, force)
 
 
 def _solve_two_by_two(linear, right_side: tuple[Array, Array]) -> tuple[Array, Array]:  # type: ignore[no-untyped-def]
@@ -159,6 +175,39 @@ def _largest(values: tuple[Array, ...]) -> Array:
     return functools.reduce(jnp.maximum, (jnp.abs(value) for value in values))
 
 
+def loaded_branch(*, mechanism: Mechanism, output_torque: Real) -> Branch:
+    r"""A branch under an output torque: everything that stays fixed while its forces are sought.
+
+    .. math:: F_p = m_p \omega_c^2 (R_s + R_p), \qquad F_w = m_w \omega_c^2 (R_o - R_w)
+
+    Parameters
+    ----------
+    mechanism : Mechanism
+        The preloaded drive.
+    output_torque : Real
+        Torque T_out at the carrier [N·m].
+
+    Returns
+    -------
+    Branch
+        Triangle, state at rest and centrifugal forces.
+
+    References
+    ----------
+    Zou et al. 2025, the centrifugal terms of equations (2)–(4).
+    """
+    sides = mechanism.sides
+    speed_squared = mechanism.carrier_speed**2
+    return Branch(
+        mechanism=mechanism,
+        sides=sides,
+        rest=mechanism.rest,
+        output_torque=jnp.asarray(output_torque),
+        planet_centrifugal=mechanism.planet_mass * speed_squared * sides.planet_orbit,
+        roller_centrifugal=mechanism.loading_roller_mass * speed_squared * sides.roller_orbit,
+    )
+
+
 def force_balance(*, mechanism: Mechanism, output_torque: Real) -> DriveForces:
     r"""Solve the static force balance of one branch under a given output torque.
 
@@ -179,7 +228,7 @@ def force_balance(*, mechanism: Mechanism, output_torque: Real) -> DriveForces:
     Notes
     -----
     Newton's method from the preload state, usually two or three steps. The residuals are part of the result; whoever
-    uses the forces must look at them (:func:`asperity.joint.evaluation.solve` does). Derivatives are those of the
+    uses the forces must look at them (:func:`asperity.joint.solve.solve` does). Derivatives are those of the
     equations at their root.
 
     References
@@ -187,22 +236,14 @@ def force_balance(*, mechanism: Mechanism, output_torque: Real) -> DriveForces:
     Zou et al. 2025, equations (1)–(5), with the signs of Newton's third law; (A3) of :doc:`/equations`.
     """
     geometry, bearings = mechanism.geometry, mechanism.bearings
-    sides = triangle(geometry)
-    rest = rest_state(geometry=geometry, preload=mechanism.preload)
-    speed_squared = mechanism.carrier_speed**2
-    branch = Branch(
-        mechanism=mechanism,
-        sides=sides,
-        rest=rest,
-        output_torque=jnp.asarray(output_torque),
-        planet_centrifugal=mechanism.planet_mass * speed_squared * sides.planet_orbit,
-        roller_centrifugal=mechanism.loading_roller_mass * speed_squared * sides.roller_orbit,
-    )
+    branch = loaded_branch(mechanism=mechanism, output_torque=output_torque)
+    sides, rest = branch.sides, branch.rest
     leverage = (
         1.0 + sides.cos_wedge - sides.sin_wedge * (1.0 + sides.cos_direction) / sides.sin_direction
     )  # (5) with (3), (4) and no losses
     loss_free = output_torque / (geometry.planet_count * sides.roller_orbit * leverage)
-    batch = dataclasses.replace(mechanism, springs=jax.tree.map(lambda leaf: leaf[0], mechanism.springs))
+    springs, first_rest = jax.tree.map(lambda leaf: leaf[0], (mechanism.springs, rest.normal_force))
+    batch = dataclasses.replace(mechanism, springs=springs, rest=rest._replace(normal_force=first_rest))
     shape = jnp.broadcast_shapes(*(jnp.shape(leaf) for leaf in jax.tree.leaves((batch, output_torque))))
     start = jnp.broadcast_to(2.0 * rest.normal_force[1], shape), jnp.broadcast_to(loss_free, shape)
 
@@ -214,7 +255,7 @@ def force_balance(*, mechanism: Mechanism, output_torque: Real) -> DriveForces:
     force = branch_forces(branch, held, sun_force)
     force = jax.lax.optimization_barrier(force)  # keeps XLA from computing them again for every use
     lifted = load_sum < held
-    closure_error = jnp.where(lifted, 0.0, jnp.abs(_closure_residual(branch, force)))
+    closure_error = jnp.where(lifted, 0.0, jnp.abs(closure_misfit(branch, force)))
     # a lifted contact's rounding is cut off; the balance below is taken with what remains
     roller_floor, planet_floor = contact_floors(branch, sun_force)
     sun_contact, *others = (jnp.maximum(value, 0.0) for value in force.normal)
@@ -225,6 +266,7 @@ def force_balance(*, mechanism: Mechanism, output_torque: Real) -> DriveForces:
     scale = _largest((*normals, *force.tangential))
     equations = balance_equations(
         geometry=geometry,
+        sides=sides,
         bearings=bearings,
         normal=normals,
         tangential=force.tangential,

@@ -12,8 +12,16 @@ import jax.numpy as jnp
 
 from asperity.types import Real
 
-#: Names of the five contacts of a branch, in the order of the contact axis.
-CONTACT_NAMES = ("sp", "pwr", "pwl", "wro", "wlo")
+#: The contacts of a branch in the order of the contact axis: name, driving and driven body.
+CONTACT_BODIES: dict[str, tuple[str, str]] = {
+    "sp": ("sun", "planet"),
+    "pwr": ("planet", "loading_roller"),
+    "pwl": ("planet", "loading_roller"),
+    "wro": ("loading_roller", "ring"),
+    "wlo": ("loading_roller", "ring"),
+}
+#: Names of the contacts of a branch, in the order of the contact axis.
+CONTACT_NAMES = tuple(CONTACT_BODIES)
 
 
 class DriveGeometry(eqx.Module):
@@ -124,13 +132,13 @@ class DriveAngles(eqx.Module):
     wedge: Real
 
 
-def angles(geometry: DriveGeometry) -> DriveAngles:
+def angles(sides: Triangle) -> DriveAngles:
     """The angles alpha, theta and beta of (A1).
 
     Parameters
     ----------
-    geometry : DriveGeometry
-        The radii [m].
+    sides : Triangle
+        The triangle of centres.
 
     Returns
     -------
@@ -141,7 +149,6 @@ def angles(geometry: DriveGeometry) -> DriveAngles:
     ----------
     Equation (A1) of :doc:`/equations`.
     """
-    sides = triangle(geometry)
     polar = jnp.arctan2(sides.sin_polar, sides.cos_polar)
     direction = jnp.arctan2(sides.sin_direction, sides.cos_direction)
     return DriveAngles(polar=polar, direction=direction, wedge=direction - polar)
@@ -206,15 +213,27 @@ def contact_radii(geometry: DriveGeometry) -> tuple[Real, Real, Real]:
     ----------
     Zou et al. 2025, Table 2 and the two signs of equation (11).
     """
-    sun, planet, roller, ring = jnp.broadcast_arrays(
-        geometry.sun_radius, geometry.planet_radius, geometry.loading_roller_radius, geometry.ring_radius
-    )
-    sign = jnp.array([1.0, 1.0, 1.0, -1.0, -1.0]).reshape((5,) + (1,) * sun.ndim)
-    return (
-        jnp.stack([sun, planet, planet, roller, roller]),
-        jnp.stack([planet, roller, roller, ring, ring]),
-        sign,
-    )
+    names = ("sun", "planet", "loading_roller", "ring")
+    values = jnp.broadcast_arrays(*(getattr(geometry, f"{name}_radius") for name in names))
+    radius = dict(zip(names, values, strict=True))
+    driving, driven = (jnp.stack([radius[body[side]] for body in CONTACT_BODIES.values()]) for side in (0, 1))
+    inside = jnp.array([body[1] == "ring" for body in CONTACT_BODIES.values()])
+    sign = jnp.where(inside, -1.0, 1.0).reshape((len(CONTACT_BODIES),) + (1,) * values[0].ndim)
+    return driving, driven, sign
+
+
+#: Every free distance that must be positive for the rollers to fit: its name, and the condition in words.
+CLEARANCE_CONDITIONS: dict[str, str] = {
+    "roller_in_ring": "the loading roller must be smaller than the ring",
+    "roller_reach": "the loading roller must reach from the planet to the ring (R_s + 2 R_p + 2 R_w > R_o)",
+    "planet_to_ring": "the planet must not touch the ring (R_s + 2 R_p < R_o)",
+    "planet_to_planet": "neighbouring planets must not overlap",
+    "rollers_of_planet": "the two loading rollers of one planet must not overlap",
+    "rollers_of_neighbours": "loading rollers of neighbouring planets must not overlap",
+    "roller_to_next_planet": "a loading roller must not touch the next planet",
+    "roller_outside_planets": "the loading rollers must lie outside the planet's centre circle, or they cannot press "
+    "it to the sun",
+}
 
 
 class Clearance(eqx.Module):
@@ -223,13 +242,18 @@ class Clearance(eqx.Module):
     Parameters
     ----------
     name : str
-        What must not happen.
+        Its name in :data:`CLEARANCE_CONDITIONS`.
     gap : Real
         Free distance [m]; the rollers fit where it is positive.
     """
 
     name: str = eqx.field(static=True)
     gap: Real
+
+    @property
+    def condition(self) -> str:
+        """What must hold, in words."""
+        return CLEARANCE_CONDITIONS[self.name]
 
 
 def clearances(geometry: DriveGeometry) -> tuple[Clearance, ...]:
@@ -258,34 +282,14 @@ def clearances(geometry: DriveGeometry) -> tuple[Clearance, ...]:
         + sides.roller_orbit**2
         - 2.0 * orbit * sides.roller_orbit * jnp.cos(2.0 * half_pitch - polar)
     )
-    return (
-        Clearance("the loading roller must be smaller than the ring", sides.roller_orbit),
-        Clearance(
-            "the loading roller must reach from the planet to the ring (R_s + 2 R_p + 2 R_w > R_o)",
-            orbit + sides.roller_distance - sides.roller_orbit,
-        ),
-        Clearance(
-            "the planet must not touch the ring (R_s + 2 R_p < R_o)",
-            geometry.ring_radius - orbit - geometry.planet_radius,
-        ),
-        Clearance(
-            "neighbouring planets must not overlap",
-            2.0 * (orbit * jnp.sin(half_pitch) - geometry.planet_radius),
-        ),
-        Clearance(
-            "the two loading rollers of one planet must not overlap",
-            2.0 * (sides.roller_orbit * sides.sin_polar - roller),
-        ),
-        Clearance(
-            "loading rollers of neighbouring planets must not overlap",
-            2.0 * (sides.roller_orbit * jnp.sin(half_pitch - polar) - roller),
-        ),
-        Clearance(
-            "a loading roller must not touch the next planet",
-            to_next_planet - geometry.planet_radius - roller,
-        ),
-        Clearance(
-            "the loading rollers must lie outside the planet's centre circle, or they cannot press it to the sun",
-            sides.roller_distance * sides.cos_direction,
-        ),
+    gaps = (
+        sides.roller_orbit,
+        orbit + sides.roller_distance - sides.roller_orbit,
+        geometry.ring_radius - orbit - geometry.planet_radius,
+        2.0 * (orbit * jnp.sin(half_pitch) - geometry.planet_radius),
+        2.0 * (sides.roller_orbit * sides.sin_polar - roller),
+        2.0 * (sides.roller_orbit * jnp.sin(half_pitch - polar) - roller),
+        to_next_planet - geometry.planet_radius - roller,
+        sides.roller_distance * sides.cos_direction,
     )
+    return tuple(Clearance(name, gap) for name, gap in zip(CLEARANCE_CONDITIONS, gaps, strict=True))

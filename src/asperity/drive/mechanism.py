@@ -10,7 +10,7 @@ import jax
 import jax.numpy as jnp
 from jax import Array
 
-from asperity.drive.geometry import DriveGeometry, triangle
+from asperity.drive.geometry import DriveGeometry, Triangle
 from asperity.types import Real
 
 Closure = Literal["elastic", "constant_pin_force"]
@@ -141,6 +141,14 @@ def _times_own_logarithm_jvp(primals: tuple[Array], tangents: tuple[Array]) -> t
     return _times_own_logarithm(x), (1.0 + jnp.log(x)) * x_dot
 
 
+class RestState(NamedTuple):
+    """Forces at rest and without torque: the assembled preload."""
+
+    normal_force: Array
+    pin_force_left: Array
+    pin_force_right: Array
+
+
 class Mechanism(eqx.Module):
     """A drive ready to be loaded: everything about its force balance but the torque. SI units.
 
@@ -148,6 +156,10 @@ class Mechanism(eqx.Module):
     ----------
     geometry : DriveGeometry
         Radii and arrangement.
+    sides : Triangle
+        Its triangle of centres.
+    rest : RestState
+        Its forces at rest.
     bearings : Bearings
         Friction of its bearings.
     springs : NormalSprings
@@ -164,6 +176,8 @@ class Mechanism(eqx.Module):
     """
 
     geometry: DriveGeometry
+    sides: Triangle
+    rest: RestState
     bearings: Bearings
     springs: NormalSprings
     preload: Real
@@ -173,21 +187,15 @@ class Mechanism(eqx.Module):
     closure: Closure = eqx.field(static=True)
 
 
-class RestState(NamedTuple):
-    """Forces at rest and without torque: the assembled preload."""
-
-    normal_force: Array
-    pin_force_left: Array
-    pin_force_right: Array
-
-
-def rest_state(*, geometry: DriveGeometry, preload: Real) -> RestState:
+def rest_state(*, geometry: DriveGeometry, sides: Triangle, preload: Real) -> RestState:
     """Preload at rest: N_sp = N_0, both sides equal; equations (2)–(4) without tangential forces.
 
     Parameters
     ----------
     geometry : DriveGeometry
         The drive.
+    sides : Triangle
+        Its triangle of centres.
     preload : Real
         Normal force N_0 between sun and planet at rest [N].
 
@@ -200,7 +208,6 @@ def rest_state(*, geometry: DriveGeometry, preload: Real) -> RestState:
     ----------
     Equation (A3) of :doc:`/equations`.
     """
-    sides = triangle(geometry)
     planet_roller = preload / (2.0 * sides.cos_direction)
     pin_left = planet_roller * sides.sin_wedge / jnp.cos(geometry.left_push_angle)
     pin_right = planet_roller * sides.sin_wedge / jnp.cos(geometry.right_push_angle)

@@ -11,14 +11,12 @@ import jax
 import jax.numpy as jnp
 from jax import Array
 
-from asperity.contact.hertz_line import effective_radius, half_width
 from asperity.drive.capacity import first_limit, slip_ratio
 from asperity.drive.existence import pin_lock, smaller_body
 from asperity.drive.force_balance import BALANCE_TOLERANCE, force_balance
-from asperity.drive.geometry import CONTACT_NAMES, contact_radii, triangle
-from asperity.drive.mechanism import rest_state
-from asperity.joint.contacts import bulk_springs
-from asperity.joint.description import Joint, contact_pairs, per_contact, with_one_rank
+from asperity.drive.geometry import CONTACT_NAMES
+from asperity.joint.contacts import bulk_springs, joint_contacts
+from asperity.joint.description import Joint, with_one_rank
 from asperity.joint.evaluation import mechanism
 from asperity.types import Real
 
@@ -26,7 +24,10 @@ from asperity.types import Real
 LIMIT_KINDS = ("none", "pins_lock", "gross_slip", "lift_off", "contact_too_wide", "no_solution")
 
 _PER_CONTACT = LIMIT_KINDS[2:5]  # these have a limit for each contact
-_NO_CONTACT = -1
+
+#: What :attr:`TorqueCapacity.limiting_contact` numbers.
+LIMITING_CONTACTS = (*CONTACT_NAMES, "none")
+_NO_CONTACT = len(CONTACT_NAMES)
 
 
 class TorqueCapacity(eqx.Module):
@@ -40,8 +41,8 @@ class TorqueCapacity(eqx.Module):
     limit : Array
         Code of the first limit in :data:`LIMIT_KINDS`.
     limiting_contact : Array
-        Index of the contact that reaches it, in the order of :data:`asperity.drive.geometry.CONTACT_NAMES`; −1 for a
-        limit that is not a contact's.
+        Place of the contact that reaches it in :data:`LIMITING_CONTACTS`; the last one for a limit that is not a
+        contact's.
     """
 
     output_torque: Array
@@ -82,10 +83,14 @@ def torque_capacity(joint: Joint, *, direction: Real) -> TorqueCapacity:
     """
     joint = with_one_rank(joint)
     drive = mechanism(dataclasses.replace(joint, output_torque=jnp.asarray(direction)))
-    rest = rest_state(geometry=joint.geometry, preload=joint.preload).normal_force
-    friction = per_contact(joint.friction_coefficients)
+    contacts = joint_contacts(joint)
+    rest, friction = drive.rest.normal_force, contacts.pairs.friction_coefficient
     bodies = smaller_body(geometry=joint.geometry, ring_wall_thickness=joint.ring_wall_thickness)
-    compliance_at_rest = bulk_springs(joint=joint, normal_force=rest).incremental_compliance
+
+    def compliance(half_width: Real) -> Array:
+        return jnp.asarray(bulk_springs(contacts=contacts, half_width=half_width).incremental_compliance)
+
+    at_rest = compliance(contacts.pairs.half_width(rest))
     pins = pin_lock(geometry=joint.geometry, bearings=joint.bearings)
 
     def excesses(torque: Array) -> Array:
@@ -97,11 +102,8 @@ def torque_capacity(joint: Joint, *, direction: Real) -> TorqueCapacity:
             tangential_force=forces.tangential,
             friction_coefficient=friction,
         )
-        width = _half_width(joint, normal) / bodies
-        stiffening = (
-            bulk_springs(joint=joint, normal_force=normal).incremental_compliance / compliance_at_rest
-        )
-        too_wide = jnp.where(touching, jnp.maximum(width - 1.0, -stiffening), -1.0)
+        width = contacts.pairs.half_width(normal)
+        too_wide = jnp.where(touching, jnp.maximum(width / bodies - 1.0, -compliance(width) / at_rest), -1.0)
         solved = (forces.balance_residual < BALANCE_TOLERANCE) & (forces.closure_residual < BALANCE_TOLERANCE)
         locked = jnp.where(pins.locks | pins.too_thick, 1.0, -1.0)
         shape = forces.normal.shape[1:]
@@ -114,28 +116,16 @@ def torque_capacity(joint: Joint, *, direction: Real) -> TorqueCapacity:
         )
         return jnp.concatenate([jnp.broadcast_to(each, (count, *shape)) for count, each in rows])
 
-    orbit = triangle(joint.geometry).roller_orbit
-    guess = jnp.min(friction, axis=0) * joint.preload * orbit * joint.geometry.planet_count
+    guess = jnp.min(friction, axis=0) * joint.preload * drive.sides.roller_orbit * joint.geometry.planet_count
     shape = jnp.broadcast_shapes(*(jnp.shape(leaf) for leaf in (*jax.tree.leaves(joint), direction)))
     found = first_limit(excesses=excesses, first_guess=jnp.broadcast_to(guess, shape))
     each = len(CONTACT_NAMES)
     kinds = [0, 1, *(2 + i // each for i in range(each * len(_PER_CONTACT))), len(LIMIT_KINDS) - 1]
-    contacts = [_NO_CONTACT, _NO_CONTACT, *list(range(each)) * len(_PER_CONTACT), _NO_CONTACT]
+    places = [_NO_CONTACT, _NO_CONTACT, *list(range(each)) * len(_PER_CONTACT), _NO_CONTACT]
     return TorqueCapacity(
         output_torque=found.value,
         limit=jnp.asarray(kinds)[1 + found.which],
-        limiting_contact=jnp.asarray(contacts)[1 + found.which],
-    )
-
-
-def _half_width(joint: Joint, normal_force: Array) -> Array:
-    """Hertzian half-widths of the contacts, shape (5, ...) [m]."""
-    driving, driven, sign = contact_radii(joint.geometry)
-    return half_width(
-        normal_force=normal_force,
-        contact_length=per_contact(joint.contact_lengths),
-        effective_radius=effective_radius(radius_1=driving, radius_2=driven, sign=sign),
-        contact_modulus=contact_pairs(joint.bodies).contact_modulus,
+        limiting_contact=jnp.asarray(places)[1 + found.which],
     )
 
 
@@ -152,7 +142,7 @@ def limit_words(capacity: TorqueCapacity) -> str:
     str
         For example "contact sp slips".
     """
-    contact = CONTACT_NAMES[int(capacity.limiting_contact)]
+    contact = LIMITING_CONTACTS[int(capacity.limiting_contact)]
     texts = {
         "none": "no limit is reached at any torque",
         "gross_slip": f"contact {contact} slips",
@@ -181,6 +171,6 @@ def capacity_document(capacity: TorqueCapacity) -> dict[str, Any]:
     return {
         "output_torque_Nm": torque if math.isfinite(torque) else None,
         "limit": LIMIT_KINDS[int(capacity.limit)],
-        "limiting_contact": CONTACT_NAMES[contact] if contact >= 0 else None,
+        "limiting_contact": LIMITING_CONTACTS[contact] if contact < _NO_CONTACT else None,
         "meaning": limit_words(capacity),
     }

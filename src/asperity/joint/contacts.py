@@ -1,85 +1,164 @@
-"""The five contacts of a joint: which materials, radii and surfaces meet where, handed to the contact formulas."""
+"""The contacts of a joint: one array of each number over all of them, and what they do under load."""
 
 from __future__ import annotations
 
-import jax.numpy as jnp
+from typing import NamedTuple
 
-from asperity.contact.fractal import FractalContact, fractal_contact
+import equinox as eqx
+import jax.numpy as jnp
+from jax import Array
+
+from asperity.contact.fractal import FractalContact
 from asperity.contact.hertz_line import (
-    effective_radius,
-    half_width,
     logarithmic_compliance,
     ring_secant_compliance,
     roller_secant_compliance,
 )
 from asperity.contact.interface import Interface, bulk_tangential_stiffness
-from asperity.contact.population import contact_factor
-from asperity.drive.force_balance import DriveForces
-from asperity.drive.geometry import contact_radii
+from asperity.contact.population import ContactFactorModel
+from asperity.contact.roller_pairs import RollerPairs, contact_factors, roller_pairs, rough_contacts
+from asperity.drive.geometry import CONTACT_BODIES, contact_radii
 from asperity.drive.mechanism import NormalSprings
-from asperity.joint.description import Joint, contact_bodies, contact_pairs, per_contact
+from asperity.joint.description import ClosureSprings, Joint, per_contact
+from asperity.materials import Material, pair
 from asperity.types import Real
 
 
-def bulk_springs(*, joint: Joint, normal_force: Real) -> NormalSprings:
-    """Secant and incremental normal compliance of the bodies of the five contacts under load.
+class JointContacts(eqx.Module):
+    """Everything about the contacts of a joint that no load changes; the contact axis comes first.
+
+    Parameters
+    ----------
+    pairs : RollerPairs
+        Radii, lengths, friction, moduli and surfaces.
+    driving, driven : Material
+        Materials of the two bodies.
+    ring_wall_thickness : Real
+        Wall of the ring, the driven body of the internal contacts [m].
+    contact_factor_model : {"printed", "hertz_area", "unity"}
+        Model of lambda.
+    """
+
+    pairs: RollerPairs
+    driving: Material
+    driven: Material
+    ring_wall_thickness: Real
+    contact_factor_model: ContactFactorModel = eqx.field(static=True)
+
+
+class LoadedContacts(NamedTuple):
+    """The contacts of a joint under their forces, shape (contacts, ...).
+
+    Parameters
+    ----------
+    half_width : Array
+        Half-width of the Hertzian strips [m]; 0 where a contact is open.
+    rough : FractalContact
+        Spots and stiffnesses of the rough surfaces.
+    interfaces : Interface
+        Stiffnesses of asperities and of bulk [N/m]; all 0 where a contact is open.
+    """
+
+    half_width: Array
+    rough: FractalContact
+    interfaces: Interface
+
+
+def joint_contacts(joint: Joint) -> JointContacts:
+    """The contacts of a joint, in the order of :data:`asperity.drive.geometry.CONTACT_NAMES`.
 
     Parameters
     ----------
     joint : Joint
         The joint.
-    normal_force : Real
-        Normal forces > 0, shape (5, ...) [N].
+
+    Returns
+    -------
+    JointContacts
+        Numbers of shape (contacts, ...), or (1, ...) where all contacts share one.
+    """
+    driving, driven = (
+        per_contact(tuple(getattr(joint.bodies, bodies[side]) for bodies in CONTACT_BODIES.values()))
+        for side in (0, 1)
+    )
+    radius_1, radius_2, sign = contact_radii(joint.geometry)
+    return JointContacts(
+        pairs=roller_pairs(
+            radius_1=radius_1,
+            radius_2=radius_2,
+            sign=sign,
+            contact_length=per_contact(joint.contact_lengths),
+            friction_coefficient=per_contact(joint.friction_coefficients),
+            moduli=pair(driving, driven),
+            surface=per_contact(joint.surfaces),
+        ),
+        driving=driving,
+        driven=driven,
+        ring_wall_thickness=joint.ring_wall_thickness,
+        contact_factor_model=joint.contact_factor_model,
+    )
+
+
+def bulk_springs(*, contacts: JointContacts, half_width: Real) -> NormalSprings:
+    """Secant and incremental normal compliance of the bodies of the contacts.
+
+    Parameters
+    ----------
+    contacts : JointContacts
+        The contacts.
+    half_width : Real
+        Half-widths of their strips, shape (contacts, ...) [m].
 
     Returns
     -------
     NormalSprings
-        Compliances, shape (5, ...) [m/N]: two solid rollers in series, or a roller and the ring's wall.
+        Compliances, shape (contacts, ...) [m/N]: two solid rollers in series, or a roller and the ring's wall.
     """
-    driving, driven, sign = contact_radii(joint.geometry)
-    length = per_contact(joint.contact_lengths)
-    width = half_width(
-        normal_force=normal_force,
-        contact_length=length,
-        effective_radius=effective_radius(radius_1=driving, radius_2=driven, sign=sign),
-        contact_modulus=contact_pairs(joint.bodies).contact_modulus,
-    )
+    pairs = contacts.pairs
     body_1, body_2 = (
-        {"contact_length": length, "youngs_modulus": body.youngs_modulus, "poisson_ratio": body.poisson_ratio}
-        for body in contact_bodies(joint.bodies)
+        {
+            "contact_length": pairs.contact_length,
+            "youngs_modulus": body.youngs_modulus,
+            "poisson_ratio": body.poisson_ratio,
+        }
+        for body in (contacts.driving, contacts.driven)
     )
-    as_roller = roller_secant_compliance(radius=driven, half_width=width, **body_2)
-    as_ring = ring_secant_compliance(wall_thickness=joint.ring_wall_thickness, half_width=width, **body_2)
-    secant = roller_secant_compliance(radius=driving, half_width=width, **body_1) + jnp.where(
-        sign > 0.0, as_roller, as_ring
+    as_roller = roller_secant_compliance(radius=pairs.radius_2, half_width=half_width, **body_2)
+    as_ring = ring_secant_compliance(
+        wall_thickness=contacts.ring_wall_thickness, half_width=half_width, **body_2
+    )
+    secant = roller_secant_compliance(radius=pairs.radius_1, half_width=half_width, **body_1) + jnp.where(
+        pairs.sign > 0.0, as_roller, as_ring
     )
     bend = logarithmic_compliance(**body_1) + logarithmic_compliance(**body_2)
     return NormalSprings(secant_compliance=secant, incremental_compliance=secant - bend)
 
 
-def closure_springs(*, joint: Joint, rest_force: Real) -> NormalSprings:
-    """Normal springs of the elastic closure around the state at rest, as the joint asks for them.
+def closure_springs(*, contacts: JointContacts, rest_force: Array, model: ClosureSprings) -> NormalSprings:
+    """Normal springs of the elastic closure around the state at rest.
 
     Parameters
     ----------
-    joint : Joint
-        The joint; its ``closure_springs`` decides whether the asperities' normal compliance is added.
-    rest_force : Real
-        Normal forces at rest, shape (5, ...) [N].
+    contacts : JointContacts
+        The contacts.
+    rest_force : Array
+        Normal forces at rest, shape (contacts, ...) [N].
+    model : {"bulk", "bulk_and_asperities"}
+        Whether the asperities' normal compliance is added.
 
     Returns
     -------
     NormalSprings
-        Compliances, shape (5, ...) [m/N]; infinite, and the balance without solution, where the asperities are asked
-        for and every spot is plastic at rest.
+        Compliances, shape (contacts, ...) [m/N]; infinite, and the balance without solution, where the asperities are
+        asked for and every spot is plastic at rest.
     """
-    bulk = bulk_springs(joint=joint, normal_force=rest_force)
-    if joint.closure_springs == "bulk":
+    bulk = bulk_springs(contacts=contacts, half_width=contacts.pairs.half_width(rest_force))
+    if model == "bulk":
         return bulk
     asperities = (
         1.0
-        / rough_contacts(
-            joint=joint, normal_force=rest_force, tangential_force=jnp.zeros_like(rest_force)
+        / rough_joint_contacts(
+            contacts=contacts, normal_force=rest_force, tangential_force=jnp.zeros_like(rest_force)
         ).normal_stiffness
     )
     return NormalSprings(
@@ -88,74 +167,70 @@ def closure_springs(*, joint: Joint, rest_force: Real) -> NormalSprings:
     )
 
 
-def rough_contacts(*, joint: Joint, normal_force: Real, tangential_force: Real) -> FractalContact:
-    """The fractal contact law at the five contacts under given forces.
+def rough_joint_contacts(
+    *, contacts: JointContacts, normal_force: Array, tangential_force: Array
+) -> FractalContact:
+    """The fractal contact law at the contacts of a joint.
 
     Parameters
     ----------
-    joint : Joint
-        The joint.
-    normal_force, tangential_force : Real
-        Forces, shape (5, ...) [N].
+    contacts : JointContacts
+        The contacts.
+    normal_force, tangential_force : Array
+        Forces, shape (contacts, ...) [N].
 
     Returns
     -------
     FractalContact
-        Spots and stiffnesses, shape (5, ...).
+        Spots and stiffnesses, shape (contacts, ...).
     """
-    pairs = contact_pairs(joint.bodies)
-    driving, driven, sign = contact_radii(joint.geometry)
-    return fractal_contact(
-        surface=per_contact(joint.surfaces),
+    factor = contact_factors(
+        pairs=contacts.pairs, model=contacts.contact_factor_model, normal_force=normal_force
+    )
+    return rough_contacts(
+        pairs=contacts.pairs,
+        contact_factor=factor,
         normal_force=normal_force,
-        tangential_force=jnp.abs(tangential_force),
-        friction_coefficient=per_contact(joint.friction_coefficients),
-        contact_factor=contact_factor(
-            model=joint.contact_factor_model,
-            radius_1=driving,
-            radius_2=driven,
-            sign=sign,
-            contact_length=per_contact(joint.contact_lengths),
-            contact_modulus=pairs.contact_modulus,
-            normal_force=jnp.where(normal_force > 0.0, normal_force, 1.0),
-        ),
-        contact_modulus=pairs.contact_modulus,
-        tangential_contact_modulus=pairs.tangential_contact_modulus,
-        hardness=pairs.hardness,
+        tangential_force=tangential_force,
     )
 
 
-def rough_interfaces(*, joint: Joint, forces: DriveForces, contacts: FractalContact) -> Interface:
-    """Asperities and bulk of the five contacts side by side, at the operating point.
+def loaded_contacts(
+    *, contacts: JointContacts, normal_force: Array, tangential_force: Array
+) -> LoadedContacts:
+    """Strips, spots and stiffnesses of the contacts of a joint under their forces.
 
     Parameters
     ----------
-    joint : Joint
-        The joint.
-    forces : DriveForces
-        Its forces.
-    contacts : FractalContact
-        Its rough contacts.
+    contacts : JointContacts
+        The contacts.
+    normal_force, tangential_force : Array
+        Forces, shape (contacts, ...) [N].
 
     Returns
     -------
-    Interface
-        Stiffnesses, shape (5, ...) [N/m]; all 0 at a lifted contact.
+    LoadedContacts
+        Incremental stiffnesses at these forces.
     """
-    touching = forces.normal > 0.0
-    springs = bulk_springs(joint=joint, normal_force=jnp.where(touching, forces.normal, 1.0))
-    bulk_normal = jnp.where(touching, 1.0 / springs.incremental_compliance, 0.0)
-    pairs = contact_pairs(joint.bodies)
-    return Interface(
-        asperity_normal=contacts.normal_stiffness,
-        asperity_tangential=contacts.tangential_stiffness,
-        bulk_normal=bulk_normal,
-        bulk_tangential=bulk_tangential_stiffness(
-            bulk_normal_stiffness=bulk_normal,
-            contact_modulus=pairs.contact_modulus,
-            tangential_contact_modulus=pairs.tangential_contact_modulus,
-            normal_force=forces.normal,
-            tangential_force=jnp.abs(forces.tangential),
-            friction_coefficient=per_contact(joint.friction_coefficients),
+    touching = normal_force > 0.0
+    width = contacts.pairs.half_width(normal_force)
+    springs = bulk_springs(contacts=contacts, half_width=width)
+    rough = rough_joint_contacts(
+        contacts=contacts, normal_force=normal_force, tangential_force=tangential_force
+    )
+    return LoadedContacts(
+        half_width=jnp.where(touching, width, 0.0),
+        rough=rough,
+        interfaces=Interface(
+            asperity_normal=rough.normal_stiffness,
+            asperity_tangential=rough.tangential_stiffness,
+            bulk_normal=jnp.where(touching, 1.0 / springs.incremental_compliance, 0.0),
+            bulk_tangential=bulk_tangential_stiffness(
+                normal_compliance=springs.incremental_compliance,
+                logarithmic_compliance=springs.secant_compliance - springs.incremental_compliance,
+                normal_force=normal_force,
+                tangential_force=jnp.abs(tangential_force),
+                friction_coefficient=contacts.pairs.friction_coefficient,
+            ),
         ),
     )

@@ -10,11 +10,11 @@ import jax.numpy as jnp
 
 from asperity.contact.fractal import Surface
 from asperity.contact.population import ContactFactorModel
-from asperity.drive.assembly import Supports
+from asperity.drive.assembly import StructureSprings
 from asperity.drive.geometry import DriveGeometry
 from asperity.drive.mechanism import Bearings, Closure
 from asperity.joint.play import Play
-from asperity.materials import ContactPair, Material, pair
+from asperity.materials import Material
 from asperity.types import Real
 
 ClosureSprings = Literal["bulk", "bulk_and_asperities"]
@@ -66,8 +66,8 @@ class Joint(eqx.Module):
         Torque at the carrier, of either sign [N·m]; positive where it resists a positive rotation.
     sun_speed : Real
         Angular velocity of the sun, of either sign [rad/s]; see :func:`sense_of_rotation`.
-    supports : Supports
-        Springs of pins, shafts, planet supports and ring; :data:`asperity.drive.assembly.RIGID_SUPPORTS` for none.
+    structure : StructureSprings
+        Springs of pins, shafts, planet supports and ring; :data:`asperity.drive.assembly.IDEAL_STRUCTURE` for none.
     play : Play
         Play at the output, :data:`asperity.joint.play.NO_PLAY` for none; part of every torque–angle curve, but not of
         the stiffness at the operating point.
@@ -92,7 +92,7 @@ class Joint(eqx.Module):
     preload: Real
     output_torque: Real
     sun_speed: Real
-    supports: Supports
+    structure: StructureSprings
     play: Play
     closure: Closure = eqx.field(static=True)
     closure_springs: ClosureSprings = eqx.field(static=True)
@@ -131,41 +131,6 @@ def per_contact(values: tuple[Any, ...]) -> Any:
     The same kind of thing with leaves of shape (1, ...) or (5, ...).
     """
     return jax.tree.map(lambda *leaves: jnp.stack(jnp.broadcast_arrays(*map(jnp.asarray, leaves))), *values)
-
-
-def contact_bodies(bodies: Bodies) -> tuple[Material, Material]:
-    """The driving and the driven body of the five contacts.
-
-    Parameters
-    ----------
-    bodies : Bodies
-        Materials.
-
-    Returns
-    -------
-    driving, driven : Material
-        Leaves of shape (5, ...).
-    """
-    sun, planet, roller, ring = bodies.sun, bodies.planet, bodies.loading_roller, bodies.ring
-    return per_contact((sun, planet, planet, roller, roller)), per_contact(
-        (planet, roller, roller, ring, ring)
-    )
-
-
-def contact_pairs(bodies: Bodies) -> ContactPair:
-    """Moduli and limits of the five contacts.
-
-    Parameters
-    ----------
-    bodies : Bodies
-        Materials.
-
-    Returns
-    -------
-    ContactPair
-        Leaves of shape (5, ...).
-    """
-    return pair(*contact_bodies(bodies))
 
 
 def with_one_rank(joint: Joint) -> Joint:

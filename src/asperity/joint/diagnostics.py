@@ -1,26 +1,17 @@
-"""Limits of the model as data: each with its value, the limit, and what crossing it means."""
+"""How close a solved joint is to the limits of its model; :mod:`asperity.joint.results` says what crossing means."""
 
 from __future__ import annotations
 
-import math
-from dataclasses import dataclass
-from typing import TYPE_CHECKING, NamedTuple
-
 import equinox as eqx
 import jax.numpy as jnp
-import numpy as np
 
-from asperity.contact.fractal import FractalContact
-from asperity.contact.hertz_line import effective_radius, first_yield_pressure, half_width, peak_pressure
-from asperity.contact.interface import Interface
-from asperity.drive.capacity import slip_ratio
-from asperity.drive.force_balance import BALANCE_TOLERANCE, DriveForces
-from asperity.drive.geometry import CONTACT_NAMES, DriveGeometry, contact_radii, triangle
-from asperity.materials import ContactPair
+from asperity.contact.hertz_line import first_yield_pressure, peak_pressure
+from asperity.contact.roller_pairs import RollerPairs
+from asperity.drive.capacity import slip_ratio as traction_used
+from asperity.drive.force_balance import DriveForces
+from asperity.drive.geometry import Triangle
+from asperity.joint.contacts import LoadedContacts
 from asperity.types import Real
-
-if TYPE_CHECKING:
-    from asperity.joint.evaluation import JointResult
 
 
 class Diagnostics(eqx.Module):
@@ -28,9 +19,9 @@ class Diagnostics(eqx.Module):
 
     Parameters
     ----------
-    gross_slip : Real
+    slip_ratio : Real
         T/(mu N) of each contact, shape (5, ...) [-]; infinite where a lifted contact should carry a force.
-    self_locking : Real
+    self_locking_ratio : Real
         tan(beta/2)/mu of the planet's wedge contacts, the larger of both sides, shape (...) [-].
     real_area_over_hertz_area : Real
         Real area of contact over the Hertzian strip 2bB, shape (5, ...) [-].
@@ -43,51 +34,44 @@ class Diagnostics(eqx.Module):
     asperity_over_bulk_stiffness : Real
         Tangential stiffness of the asperities over that of the bodies, shape (5, ...) [-]. The published model counts
         the asperities alone, which is fair where this is far below 1.
-    normal_over_rest : Real
+    normal_force_over_preload : Real
         Normal force over its value at rest, shape (5, ...) [-]; 0 means lifted off, fine above 0.
-    hertz_half_width, hertz_peak_pressure : Real
+    hertz_half_width, hertz_pressure : Real
         Half-width b [m] and peak pressure p_0 [Pa] of the smooth contact, shape (5, ...).
     """
 
-    gross_slip: Real
-    self_locking: Real
+    slip_ratio: Real
+    self_locking_ratio: Real
     real_area_over_hertz_area: Real
     largest_spot_over_hertz_area: Real
     critical_over_largest_spot: Real
     pressure_over_first_yield: Real
     asperity_over_bulk_stiffness: Real
-    normal_over_rest: Real
+    normal_force_over_preload: Real
     hertz_half_width: Real
-    hertz_peak_pressure: Real
+    hertz_pressure: Real
 
 
 def diagnose(
     *,
-    geometry: DriveGeometry,
+    sides: Triangle,
+    pairs: RollerPairs,
     forces: DriveForces,
-    contacts: FractalContact,
-    interfaces: Interface,
-    pairs: ContactPair,
-    contact_length: Real,
-    friction_coefficient: Real,
+    loaded: LoadedContacts,
     rest_force: Real,
 ) -> Diagnostics:
     """Compare a solved joint with the limits of the model.
 
     Parameters
     ----------
-    geometry : DriveGeometry
-        The drive.
+    sides : Triangle
+        The drive's triangle of centres.
+    pairs : RollerPairs
+        Its contacts.
     forces : DriveForces
         Its forces.
-    contacts : FractalContact
-        Its contacts, shape (5, ...).
-    interfaces : Interface
-        Stiffness of asperities and bulk, shape (5, ...).
-    pairs : ContactPair
-        Moduli and limits of the contacts, shape (5, ...).
-    contact_length, friction_coefficient : Real
-        B [m] and mu [-], shape (1 or 5, ...).
+    loaded : LoadedContacts
+        Its contacts under these forces, shape (5, ...).
     rest_force : Real
         Normal forces at rest, shape (5, ...) [N].
 
@@ -100,174 +84,36 @@ def diagnose(
     ----------
     K. L. Johnson, Contact Mechanics, 1985, sections 4.2 and 6.2; :doc:`/assumptions`.
     """
-    driving, driven, sign = contact_radii(geometry)
-    radius = effective_radius(radius_1=driving, radius_2=driven, sign=sign)
+    contacts, interfaces = loaded.rough, loaded.interfaces
     touching = forces.normal > 0.0
-    width = half_width(
-        normal_force=jnp.where(touching, forces.normal, 1.0),
-        contact_length=contact_length,
-        effective_radius=radius,
-        contact_modulus=pairs.contact_modulus,
-    )
+    width = jnp.where(touching, loaded.half_width, 1.0)  # an open contact has no load either
+    length, friction_coefficient = pairs.contact_length, pairs.friction_coefficient
     pressure = peak_pressure(
-        normal_force=jnp.where(touching, forces.normal, 0.0), contact_length=contact_length, half_width=width
+        normal_force=jnp.where(touching, forces.normal, 0.0), contact_length=length, half_width=width
     )
     sticks = interfaces.bulk_tangential > 0.0
-    strip = 2.0 * width * contact_length
-    sides = triangle(geometry)
+    strip = 2.0 * width * length
     friction = jnp.broadcast_to(
         friction_coefficient, jnp.broadcast_shapes(jnp.shape(friction_coefficient), forces.normal.shape)
     )
     largest = jnp.where(touching, contacts.largest_area, 1.0)
     return Diagnostics(
-        gross_slip=slip_ratio(
+        slip_ratio=traction_used(
             normal_force=forces.normal,
             tangential_force=forces.tangential,
             friction_coefficient=friction_coefficient,
         ),
-        self_locking=sides.sin_wedge / (1.0 + sides.cos_wedge) / jnp.minimum(friction[1], friction[2]),
+        self_locking_ratio=sides.sin_wedge / (1.0 + sides.cos_wedge) / jnp.minimum(friction[1], friction[2]),
         real_area_over_hertz_area=contacts.real_contact_area / strip,
         largest_spot_over_hertz_area=contacts.largest_area / strip,
         critical_over_largest_spot=jnp.where(touching, contacts.critical_area / largest, jnp.inf),
-        pressure_over_first_yield=pressure / first_yield_pressure(yield_strength=pairs.yield_strength),
+        pressure_over_first_yield=pressure / first_yield_pressure(yield_strength=pairs.moduli.yield_strength),
         asperity_over_bulk_stiffness=jnp.where(
             sticks,
             interfaces.asperity_tangential / jnp.where(sticks, interfaces.bulk_tangential, 1.0),
             jnp.nan,
         ),
-        normal_over_rest=forces.normal / rest_force,
-        hertz_half_width=jnp.where(touching, width, 0.0),
-        hertz_peak_pressure=pressure,
+        normal_force_over_preload=forces.normal / rest_force,
+        hertz_half_width=loaded.half_width,
+        hertz_pressure=pressure,
     )
-
-
-@dataclass(frozen=True, slots=True)
-class Diagnostic:
-    """One limit of the model, told for one contact or for the whole drive.
-
-    Parameters
-    ----------
-    name : str
-        What is compared; the name of a field of :class:`Diagnostics` where it comes from there.
-    contact : str or None
-        Which contact; None for the whole drive.
-    value, limit : float
-        The value and the limit it is compared with.
-    ok : bool
-        Whether the value is on the good side of its limit; never where it is nan.
-    meaning : str
-        What it means that the limit is kept or crossed.
-    """
-
-    name: str
-    contact: str | None
-    value: float
-    limit: float
-    ok: bool
-    meaning: str
-
-
-class _Rule(NamedTuple):
-    """How a field of :class:`Diagnostics` is judged, and what it means to be on either side of the limit."""
-
-    name: str
-    limit: float
-    good: str
-    bad: str
-    fine_above: bool = False
-
-
-_RULES = (
-    _Rule(
-        "gross_slip",
-        1.0,
-        "the tangential force is below what friction holds",
-        "the contact slips grossly: it has no tangential stiffness",
-    ),
-    _Rule(
-        "self_locking",
-        1.0,
-        "the wedge holds itself by friction",
-        "the friction coefficient is below tan(beta/2): the wedge does not hold itself by friction",
-    ),
-    _Rule(
-        "real_area_over_hertz_area",
-        1.0,
-        "the real area of contact is part of the Hertzian strip",
-        "the real area of contact exceeds the whole Hertzian strip: the contact law is used beyond its validity",
-    ),
-    _Rule(
-        "largest_spot_over_hertz_area",
-        1.0,
-        "the largest spot is part of the Hertzian strip",
-        "one spot exceeds the whole Hertzian strip: the contact law is used beyond its validity",
-    ),
-    _Rule(
-        "critical_over_largest_spot",
-        1.0,
-        "some spots are elastic",
-        "every spot is plastic: the contact law has no stiffness",
-    ),
-    _Rule(
-        "pressure_over_first_yield",
-        1.0,
-        "the bodies stay elastic under the contact",
-        "the Hertzian pressure exceeds first yield, 1.67 times the yield strength: the bodies deform plastically",
-    ),
-    _Rule(
-        "asperity_over_bulk_stiffness",
-        0.1,
-        "the asperities are at least ten times softer than the bodies under them",
-        "the bodies are not much stiffer than the asperities: the published stiffness, which leaves the bodies out, is "
-        "only an upper bound",
-    ),
-    _Rule("normal_over_rest", 0.0, "the contact is loaded", "the contact has lifted off", fine_above=True),
-)
-
-
-def listing(result: JointResult) -> tuple[Diagnostic, ...]:
-    """Every diagnostic of one solved joint, contact by contact, with its meaning in words.
-
-    Parameters
-    ----------
-    result : JointResult
-        Result of one joint, without batch axes.
-
-    Returns
-    -------
-    tuple of Diagnostic
-        Those of :class:`Diagnostics` that have a limit, then the residuals of the force balance.
-    """
-    entries = [
-        entry
-        for rule in _RULES
-        for contact, value in _by_contact(getattr(result.diagnostics, rule.name))
-        for entry in [_judged(rule, contact, value)]
-    ]
-    residuals = (
-        ("balance_residual", "equations (1) to (5)", result.forces.balance_residual),
-        ("closure_residual", "the closure (A3)", result.forces.closure_residual),
-    )
-    for name, equations, residual in residuals:
-        value = float(residual)
-        ok = value < BALANCE_TOLERANCE
-        meaning = (
-            f"residual of {equations}, relative to the largest force: {'solved' if ok else 'not solved'}"
-        )
-        entries.append(Diagnostic(name, None, value, BALANCE_TOLERANCE, ok, meaning))
-    return tuple(entries)
-
-
-def _by_contact(values: Real) -> list[tuple[str | None, float]]:
-    numbers = np.asarray(values)
-    if numbers.ndim == 0:
-        return [(None, float(numbers))]
-    return [(name, float(number)) for name, number in zip(CONTACT_NAMES, numbers, strict=True)]
-
-
-def _judged(rule: _Rule, contact: str | None, value: float) -> Diagnostic:
-    if math.isnan(value):
-        told = "undefined here: the contact slips or has lifted off"
-        return Diagnostic(rule.name, contact, value, rule.limit, False, told)
-    ok = value > rule.limit if rule.fine_above else value < rule.limit
-    return Diagnostic(rule.name, contact, value, rule.limit, ok, rule.good if ok else rule.bad)

@@ -2,26 +2,28 @@
 
 from __future__ import annotations
 
+import dataclasses
 import math
 from typing import Any
 
 import numpy as np
 
 import asperity
-from asperity.contact.fractal import VERIFIED_FRACTAL_DIMENSIONS
 from asperity.drive.geometry import CONTACT_NAMES
 from asperity.drive.torsional_stiffness import TorsionalStiffness
 from asperity.joint.capacity import capacity_document
 from asperity.joint.description import Joint
-from asperity.joint.diagnostics import Diagnostic, listing
 from asperity.joint.evaluation import JointResult
-from asperity.joint.examination import Examination
+from asperity.joint.limit_check import LimitCheck, checked_limits
+from asperity.joint.plausibility import plausibility
+from asperity.joint.results import GROUPS, RESULTS, SolvedJoint
+from asperity.joint.solve import Solution
 
 Document = dict[str, Any]
 
 
 def joint_document(
-    *, joint: Joint, examination: Examination, inputs: Document, assumptions: tuple[str, ...]
+    *, joint: Joint, solution: Solution, inputs: Document, assumptions: tuple[str, ...]
 ) -> Document:
     """Everything that is known about a joint, ready for :func:`json.dumps`.
 
@@ -29,7 +31,7 @@ def joint_document(
     ----------
     joint : Joint
         The joint that was solved.
-    examination : Examination
+    solution : Solution
         What came out.
     inputs : dict
         Tables of the joint file in SI units.
@@ -41,57 +43,51 @@ def joint_document(
     dict
         Nested tables of numbers and text. Numbers that are not finite are None; the diagnostics say why.
     """
-    result = examination.result
+    result = solution.result
     document = {
         "asperity_version": asperity.__version__,
         "input": inputs,
         "assumptions": list(assumptions),
-        "geometry": _geometry(examination),
+        "geometry": _geometry(solution),
         "forces": _forces(result),
-        "torque_capacity": _capacity(examination),
-        "contacts": {name: _contact(result, index) for index, name in enumerate(CONTACT_NAMES)},
+        "torque_capacity": _capacity(solution),
+        "contacts": _contacts(SolvedJoint(joint, result)),
         "torsional_stiffness": _torsional_stiffness(result),
+        "stiffness_unknown_because": _unknown_because(result),
         "stiffness_budget": _stiffness_budget(result),
         "diagnostics": [
-            {
-                "name": entry.name,
-                "contact": entry.contact,
-                "value": entry.value,
-                "limit": entry.limit,
-                "ok": entry.ok,
-                "meaning": entry.meaning,
-            }
-            for entry in (*listing(result), *_verified_range(joint))
+            *(_limit_check(entry) for entry in checked_limits(joint, result)),
+            *(dataclasses.asdict(note) for note in plausibility(joint, result)),
         ],
     }
     cleaned: Document = _plain(document)
     return cleaned
 
 
-def _verified_range(joint: Joint) -> tuple[Diagnostic, ...]:
-    """Whether each D lies where the contact law is verified to rounding; the limit shown is the nearer bound."""
-    low, high = VERIFIED_FRACTAL_DIMENSIONS
-    names: tuple[str | None, ...] = (None,) if len(joint.surfaces) == 1 else CONTACT_NAMES
-    entries = []
-    for contact, surface in zip(names, joint.surfaces, strict=True):
-        value = float(surface.fractal_dimension)
-        ok = low <= value <= high
-        meaning = (
-            f"D is {'inside' if ok else 'outside'} the verified range of the contact law, {low} to {high}"
-        )
-        limit = low if value < 0.5 * (low + high) else high
-        entries.append(Diagnostic("fractal_dimension", contact, value, limit, ok, meaning))
-    return tuple(entries)
+def _limit_check(entry: LimitCheck) -> Document:
+    return {
+        "name": entry.result.name,
+        "label": entry.result.label,
+        "contact": entry.contact,
+        "value": entry.value,
+        "limit": entry.limit,
+        "ok": entry.ok,
+        "severity": entry.rule.severity,
+        "meaning": entry.meaning,
+        "remedy": None if entry.ok else entry.rule.remedy,
+    }
 
 
-def _geometry(examination: Examination) -> Document:
-    angles = examination.result.angles
+def _geometry(solution: Solution) -> Document:
+    angles = solution.result.angles
     return {
         "alpha_rad": angles.polar,
         "theta_rad": angles.direction,
         "wedge_angle_rad": angles.wedge,
-        "speed_ratio": examination.result.speed_ratio,
-        "clearances": [{"condition": gap.name, "gap_m": gap.gap} for gap in examination.clearances],
+        "speed_ratio": solution.result.speed_ratio,
+        "clearances": [
+            {"name": gap.name, "condition": gap.condition, "gap_m": gap.gap} for gap in solution.clearances
+        ],
     }
 
 
@@ -112,32 +108,29 @@ def _forces(result: JointResult) -> Document:
     }
 
 
-def _capacity(examination: Examination) -> Document:
+def _capacity(solution: Solution) -> Document:
     return {
-        **capacity_document(examination.capacity),
-        "reverse": capacity_document(examination.reverse_capacity),
+        **capacity_document(solution.capacity),
+        "reverse": capacity_document(solution.reverse_capacity),
     }
 
 
-def _contact(result: JointResult, index: int) -> Document:
-    contacts, interfaces, diagnostics = result.contacts, result.interfaces, result.diagnostics
+def _contacts(solved: SolvedJoint) -> Document:
+    """Every result of the contacts but their forces, with its unit behind its name."""
     columns = {
-        "largest_area_m2": contacts.largest_area,
-        "critical_area_m2": contacts.critical_area,
-        "real_contact_area_m2": contacts.real_contact_area,
-        "contact_factor": contacts.contact_factor,
-        "domain_extension_factor": contacts.domain_extension_factor,
-        "elastic_load_N": contacts.elastic_load,
-        "plastic_load_N": contacts.plastic_load,
-        "tangential_stiffness_N_per_m": contacts.tangential_stiffness,
-        "normal_stiffness_N_per_m": contacts.normal_stiffness,
-        "torsional_stiffness_Nm_per_rad": result.contact_torsional_stiffness,
-        "bulk_tangential_stiffness_N_per_m": interfaces.bulk_tangential,
-        "bulk_normal_stiffness_N_per_m": interfaces.bulk_normal,
-        "hertz_half_width_m": diagnostics.hertz_half_width,
-        "hertz_peak_pressure_Pa": diagnostics.hertz_peak_pressure,
+        f"{name}{_suffix(RESULTS[name].si_unit)}": RESULTS[name].of(solved) for name in GROUPS["contacts"]
     }
-    return {name: np.broadcast_to(values, (len(CONTACT_NAMES),))[index] for name, values in columns.items()}
+    return {
+        contact: {
+            name: np.broadcast_to(values, (len(CONTACT_NAMES),))[index] for name, values in columns.items()
+        }
+        for index, contact in enumerate(CONTACT_NAMES)
+    }
+
+
+def _suffix(unit: str) -> str:
+    """A unit as the end of a key: N*m/rad is _Nm_per_rad."""
+    return "" if unit == "1" else "_" + unit.replace("*", "").replace("^", "").replace("/", "_per_")
 
 
 def _torsional_stiffness(result: JointResult) -> Document:
@@ -146,6 +139,21 @@ def _torsional_stiffness(result: JointResult) -> Document:
         "series_with_bulk": _stiffness(result.series_with_bulk),
         "assembly": _stiffness(result.assembly.stiffness),
     }
+
+
+def _unknown_because(result: JointResult) -> str | None:
+    """Why no stiffness is given, if none is."""
+    if bool(result.contact_law_holds):
+        return None
+    normal, elastic = np.asarray(result.forces.normal), np.asarray(result.contacts.normal_stiffness)
+    plastic = [
+        name for name, force, k in zip(CONTACT_NAMES, normal, elastic, strict=True) if force > 0.0 >= k
+    ]
+    return (
+        f"every spot of {', '.join(plastic)} is plastic, where the contact law has no stiffness; real surfaces keep "
+        "one, so that no level of the model has a value: raise fractal_dimension or hardness, or lower "
+        "fractal_roughness, or use boundary elements"
+    )
 
 
 def _stiffness(stiffness: TorsionalStiffness) -> Document:

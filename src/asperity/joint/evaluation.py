@@ -13,7 +13,7 @@ from asperity.contact.fractal import FractalContact
 from asperity.contact.interface import Interface
 from asperity.drive.assembly import Assembly, assembly_stiffness
 from asperity.drive.force_balance import BALANCE_TOLERANCE, DriveForces, force_balance
-from asperity.drive.geometry import CONTACT_NAMES, DriveAngles, angles, carrier_speed, speed_ratio
+from asperity.drive.geometry import CONTACT_NAMES, DriveAngles, angles, carrier_speed, speed_ratio, triangle
 from asperity.drive.mechanism import Mechanism, opposed, rest_state
 from asperity.drive.torsional_stiffness import (
     TorsionalStiffness,
@@ -21,21 +21,12 @@ from asperity.drive.torsional_stiffness import (
     driven_radii,
     series_torsional_stiffness,
 )
-from asperity.errors import NoSolutionError
-from asperity.joint.contacts import closure_springs, rough_contacts, rough_interfaces
-from asperity.joint.description import (
-    Bodies,
-    Joint,
-    contact_pairs,
-    per_contact,
-    sense_of_rotation,
-    with_one_rank,
-)
+from asperity.joint.contacts import JointContacts, closure_springs, joint_contacts, loaded_contacts
+from asperity.joint.description import Bodies, Joint, sense_of_rotation, with_one_rank
 from asperity.joint.diagnostics import Diagnostics, diagnose
-from asperity.precision import require_double_precision
 from asperity.types import Real
 
-__all__ = ["Bodies", "Joint", "JointResult", "evaluate", "mechanism", "solve"]
+__all__ = ["Bodies", "Joint", "JointResult", "evaluate", "mechanism"]
 
 
 class JointResult(eqx.Module):
@@ -67,6 +58,9 @@ class JointResult(eqx.Module):
         The fullest model: asperities and bulk, floating planet, pins, ring and shafts, with its compliance budget.
     diagnostics : Diagnostics
         Limits of the model and how close this joint is to each.
+    contact_law_holds : Array
+        Whether every loaded contact has an elastic spot. Where all are plastic the contact law has no stiffness, which
+        is wrong: the three levels are then nan.
     solved : Array
         True where the balance closed to :data:`BALANCE_TOLERANCE`.
     """
@@ -84,6 +78,7 @@ class JointResult(eqx.Module):
     series_with_bulk: TorsionalStiffness
     assembly: Assembly
     diagnostics: Diagnostics
+    contact_law_holds: Array
     solved: Array
 
     def contact(self, name: str) -> dict[str, Array]:
@@ -140,12 +135,19 @@ def mechanism(joint: Joint) -> Mechanism:
     Mechanism
         Input of :func:`asperity.drive.force_balance.force_balance`.
     """
+    return _mechanism(joint, joint_contacts(joint))
+
+
+def _mechanism(joint: Joint, contacts: JointContacts) -> Mechanism:
     geometry = joint.geometry
-    rest = rest_state(geometry=geometry, preload=joint.preload)
+    sides = triangle(geometry)
+    rest = rest_state(geometry=geometry, sides=sides, preload=joint.preload)
     return Mechanism(
         geometry=geometry,
+        sides=sides,
+        rest=rest,
         bearings=opposed(bearings=joint.bearings, sense_of_rotation=sense_of_rotation(joint)),
-        springs=closure_springs(joint=joint, rest_force=rest.normal_force),
+        springs=closure_springs(contacts=contacts, rest_force=rest.normal_force, model=joint.closure_springs),
         preload=joint.preload,
         carrier_speed=carrier_speed(geometry=geometry, sun_speed=joint.sun_speed),
         planet_mass=roller_mass(
@@ -163,8 +165,8 @@ def mechanism(joint: Joint) -> Mechanism:
 def evaluate(joint: Joint) -> JointResult:
     """The chain itself: pure, for ``jit``, ``vmap`` and ``grad``; never raises.
 
-    Points without a solution carry ``solved = False`` and must be looked at by the caller;
-    :func:`solve` does that.
+    Geometry and contacts first, then forces, springs, stiffness and diagnostics, each derived once. Points without a
+    solution carry ``solved = False`` and must be looked at by the caller; :func:`asperity.joint.solve.solve` does that.
 
     Parameters
     ----------
@@ -178,87 +180,48 @@ def evaluate(joint: Joint) -> JointResult:
     """
     joint = with_one_rank(joint)
     geometry = joint.geometry
-    drive = mechanism(joint)
-    rest = rest_state(geometry=geometry, preload=joint.preload)
+    contacts = joint_contacts(joint)
+    drive = _mechanism(joint, contacts)
     forces = force_balance(mechanism=drive, output_torque=joint.output_torque)
-
-    contacts = rough_contacts(joint=joint, normal_force=forces.normal, tangential_force=forces.tangential)
-    interfaces = rough_interfaces(joint=joint, forces=forces, contacts=contacts)
-    stiffness = contacts.tangential_stiffness
+    loaded = loaded_contacts(
+        contacts=contacts, normal_force=forces.normal, tangential_force=forces.tangential
+    )
+    rough, whole = loaded.rough.tangential_stiffness, jnp.asarray(loaded.interfaces.tangential)
+    published = series_torsional_stiffness(geometry=geometry, tangential_stiffness=rough)
+    series = series_torsional_stiffness(geometry=geometry, tangential_stiffness=whole)
+    assembly = assembly_stiffness(
+        geometry=geometry,
+        sides=drive.sides,
+        normal_stiffness=jnp.asarray(loaded.interfaces.normal),
+        tangential_stiffness=whole,
+        structure=joint.structure,
+    )
+    law_holds = jnp.all((loaded.rough.normal_stiffness > 0.0) | (forces.normal <= 0.0), axis=0)
+    published, series, assembly = jax.tree.map(
+        lambda value: jnp.where(law_holds, value, jnp.nan), (published, series, assembly)
+    )
     return JointResult(
-        angles=angles(geometry),
+        angles=angles(drive.sides),
         speed_ratio=speed_ratio(geometry),
         carrier_speed=drive.carrier_speed,
         planet_mass=drive.planet_mass,
         loading_roller_mass=drive.loading_roller_mass,
         forces=forces,
-        contacts=contacts,
+        contacts=loaded.rough,
         contact_torsional_stiffness=contact_torsional_stiffness(
-            tangential_stiffness=stiffness, radius=driven_radii(geometry)
+            tangential_stiffness=rough, radius=driven_radii(geometry)
         ),
-        interfaces=interfaces,
-        published=series_torsional_stiffness(geometry=geometry, tangential_stiffness=stiffness),
-        series_with_bulk=series_torsional_stiffness(
-            geometry=geometry, tangential_stiffness=jnp.asarray(interfaces.tangential)
-        ),
-        assembly=assembly_stiffness(
-            geometry=geometry,
-            normal_stiffness=jnp.asarray(interfaces.normal),
-            tangential_stiffness=jnp.asarray(interfaces.tangential),
-            supports=joint.supports,
-        ),
+        interfaces=loaded.interfaces,
+        published=published,
+        series_with_bulk=series,
+        assembly=assembly,
         diagnostics=diagnose(
-            geometry=geometry,
+            sides=drive.sides,
+            pairs=contacts.pairs,
             forces=forces,
-            contacts=contacts,
-            interfaces=interfaces,
-            pairs=contact_pairs(joint.bodies),
-            contact_length=per_contact(joint.contact_lengths),
-            friction_coefficient=per_contact(joint.friction_coefficients),
-            rest_force=rest.normal_force,
+            loaded=loaded,
+            rest_force=drive.rest.normal_force,
         ),
+        contact_law_holds=law_holds,
         solved=(forces.balance_residual < BALANCE_TOLERANCE) & (forces.closure_residual < BALANCE_TOLERANCE),
     )
-
-
-_evaluate_compiled = eqx.filter_jit(evaluate)
-
-
-def solve(joint: Joint) -> JointResult:
-    """Solve a joint, or a batch of joints, and refuse to return an unbalanced state.
-
-    Parameters
-    ----------
-    joint : Joint
-        One joint, or many along trailing batch axes.
-
-    Returns
-    -------
-    JointResult
-        Forces, contacts, stiffness and diagnostics. Gross slip and lift-off are results, reported by the
-        diagnostics; look at them before using the stiffness.
-
-    Raises
-    ------
-    NoSolutionError
-        Where the force balance did not close to :data:`BALANCE_TOLERANCE`, for instance because the rollers do
-        not close a triangle. Inside ``jit`` or ``vmap`` the error is raised when the program runs.
-    PrecisionError
-        If JAX is in single precision.
-    """
-    require_double_precision()
-    result = _evaluate_compiled(jax.tree.map(jnp.asarray, joint))  # arrays: a new number is no new program
-    unsolved = ~result.solved
-    if isinstance(unsolved, jax.core.Tracer):
-        checked: JointResult = eqx.error_if(
-            result, unsolved, "the force balance of a joint did not close; evaluate() shows where"
-        )
-        return checked
-    if bool(jnp.any(unsolved)):
-        balance, closure = result.forces.balance_residual, result.forces.closure_residual
-        raise NoSolutionError(
-            f"the force balance did not close for {int(jnp.sum(unsolved))} of {unsolved.size} joints: largest relative "
-            f"residual {float(jnp.max(balance)):.3g} (balance) and {float(jnp.max(closure)):.3g} (closure), allowed "
-            f"{BALANCE_TOLERANCE:g}; check radii, preload and torque"
-        )
-    return result

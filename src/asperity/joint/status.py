@@ -2,49 +2,33 @@
 
 from __future__ import annotations
 
-import jax
 import jax.numpy as jnp
 import numpy as np
 from jax import Array
 
 from asperity.drive.existence import overlaps, pin_lock, smaller_body, some_contact_slips, too_wide
-from asperity.drive.geometry import DriveGeometry, clearances
+from asperity.drive.geometry import CLEARANCE_CONDITIONS, clearances
 from asperity.joint.evaluation import Joint, JointResult
 
-#: What must hold for the rollers to fit; the names are known without computing anything.
-_FIT = tuple(gap.name for gap in jax.eval_shape(clearances, DriveGeometry(*([1.0] * 7))))
+#: Each status: its short name in tables and netCDF flags, and its meaning. 0 is a result, all others are failed points.
+STATUSES: dict[str, str] = {
+    "solved": "solved",
+    **{
+        f"no_{name}_clearance": f"the rollers do not fit: {said}"
+        for name, said in CLEARANCE_CONDITIONS.items()
+    },
+    "pin_too_thick_or_locked": "a loading roller's pin is as thick as the roller, or locks by friction",
+    "contact_too_wide": "a contact strip is too wide for line-contact theory",
+    "beyond_torque_capacity": "the output torque is beyond the torque capacity: a contact slips",
+    "unbalanced": "the force balance did not close",
+    "out_of_range": "a number is outside its allowed range",
+}
 
-#: Meaning of each status code; 0 is a result, everything else is a failed point.
-STATUS_MEANINGS: tuple[str, ...] = (
-    "solved",
-    *(f"the rollers do not fit: {name}" for name in _FIT),
-    "a loading roller's pin is as thick as the roller, or locks by friction",
-    "a contact strip is too wide for line-contact theory",
-    "the output torque is beyond the torque capacity: a contact slips",
-    "the force balance did not close",
-    "a number is outside its allowed range",
-)
+#: Short names and meanings in the order of the codes.
+STATUS_NAMES, STATUS_MEANINGS = tuple(STATUSES), tuple(STATUSES.values())
 
-LOCKED = 1 + len(_FIT)
+LOCKED = STATUS_NAMES.index("pin_too_thick_or_locked")
 TOO_WIDE, SLIPS, UNBALANCED, OUT_OF_RANGE = range(LOCKED + 1, LOCKED + 5)
-
-#: Short names for tables and netCDF flags, in the order of the codes.
-STATUS_NAMES: tuple[str, ...] = (
-    "solved",
-    "roller_larger_than_ring",
-    "roller_does_not_reach_ring",
-    "planet_touches_ring",
-    "planets_overlap",
-    "rollers_of_planet_overlap",
-    "rollers_of_neighbours_overlap",
-    "roller_touches_next_planet",
-    "rollers_inside_planet_orbit",
-    "pin_too_thick_or_locked",
-    "contact_too_wide",
-    "beyond_torque_capacity",
-    "unbalanced",
-    "out_of_range",
-)
 
 
 def joint_status(joint: Joint, result: JointResult) -> Array:
@@ -60,7 +44,7 @@ def joint_status(joint: Joint, result: JointResult) -> Array:
     Returns
     -------
     Array
-        Codes of :data:`STATUS_MEANINGS`, shape (...), 8-bit; the first reason that applies, except that an
+        Codes, places in :data:`STATUSES`, shape (...), 8-bit; the first reason that applies, except that an
         unbalanced joint is not said to slip.
     """
     geometry, bearings = joint.geometry, joint.bearings
@@ -84,7 +68,7 @@ def joint_status(joint: Joint, result: JointResult) -> Array:
         bulk_normal_stiffness=result.interfaces.bulk_normal,
     )
     code = mark(code, jnp.any(wide, axis=0), TOO_WIDE)
-    return mark(code, some_contact_slips(slip_ratio=result.diagnostics.gross_slip), SLIPS)
+    return mark(code, some_contact_slips(slip_ratio=result.diagnostics.slip_ratio), SLIPS)
 
 
 def flag_attributes() -> dict[str, object]:

@@ -364,7 +364,7 @@ def _refuse(result: JointResult, torques: Array, largest: float) -> None:
             f"the force balance has no solution at {format_quantity(failed[np.abs(failed).argmin()], 'N*m')}, which "
             f"is within the largest torque of {shown}; check radii and preload"
         )
-    ratio = np.asarray(result.diagnostics.gross_slip)
+    ratio = np.asarray(result.diagnostics.slip_ratio)
     slips = np.any(ratio >= 1.0, axis=0)
     if np.any(slips):
         first = np.abs(np.where(slips, values, np.inf)).argmin()

@@ -9,13 +9,13 @@ from typing import Any
 import jax.numpy as jnp
 
 from asperity.contact.fractal import Surface
-from asperity.drive.assembly import RIGID_SUPPORTS, Supports
+from asperity.drive.assembly import IDEAL_STRUCTURE, StructureSprings
 from asperity.drive.geometry import DriveGeometry
 from asperity.drive.mechanism import Bearings
 from asperity.joint.description import Bodies, Joint
 from asperity.joint.play import NO_PLAY, Play
 from asperity.joint_file.model import Case, EachContact
-from asperity.joint_file.values import Values, check_values, replace_values, si_values
+from asperity.joint_file.si_tables import Values, check_values, replace_values, si_values
 from asperity.materials import Material, hardness
 from asperity.types import Real
 
@@ -44,7 +44,7 @@ def with_values(case: Case, changes: Mapping[str, Any]) -> Joint:
     case : Case
         The joint file.
     changes : mapping
-        Dotted path → SI number or array, see :func:`asperity.joint_file.values.replace_values`. Arrays broadcast
+        Dotted path → SI number or array, see :func:`asperity.joint_file.si_tables.replace_values`. Arrays broadcast
         against each other and become the batch axes of the joint.
 
     Returns
@@ -67,9 +67,9 @@ def joint_from_values(values: Values) -> Joint:
     Parameters
     ----------
     values : dict
-        Tables as :func:`asperity.joint_file.values.si_values` makes them; leaves may be arrays. Without ``bearings``
+        Tables as :func:`asperity.joint_file.si_tables.si_values` makes them; leaves may be arrays. Without ``bearings``
         there is no bearing friction, without ``play`` no play, without ``compliance`` the structure is
-        :data:`asperity.drive.assembly.RIGID_SUPPORTS`; rollers without a length are as long as the longest contact
+        :data:`asperity.drive.assembly.IDEAL_STRUCTURE`; rollers without a length are as long as the longest contact
         line on them.
 
     Returns
@@ -111,8 +111,8 @@ def joint_from_values(values: Values) -> Joint:
         preload=load["preload"],
         output_torque=load["output_torque"],
         sun_speed=load["sun_speed"],
-        supports=Supports(
-            **{name: compliance.get(name, ideal) for name, ideal in vars(RIGID_SUPPORTS).items()}
+        structure=StructureSprings(
+            **{name: compliance.get(name, ideal) for name, ideal in vars(IDEAL_STRUCTURE).items()}
         ),
         play=Play(**{name: play.get(name, none) for name, none in vars(NO_PLAY).items()}),
         closure=model["closure"],

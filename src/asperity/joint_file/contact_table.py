@@ -4,27 +4,39 @@ from __future__ import annotations
 
 import csv
 import math
+from collections import Counter
 from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any, NamedTuple, TextIO
 
 import jax.numpy as jnp
 import numpy as np
+from jax import Array
 
 from asperity.compilation import compile_fast
 from asperity.contact.asperity import AsperityBase
-from asperity.contact.fractal import Surface
-from asperity.contact.roller_pairs import CONTACT_FACTOR_MODELS, RollerPairs, roller_pair_contacts
-from asperity.errors import InputError
+from asperity.contact.fractal import FractalContact, Surface
+from asperity.contact.roller_pairs import (
+    CONTACT_FACTOR_MODELS,
+    numbered_contact_factors,
+    roller_pairs,
+    rough_contacts,
+)
+from asperity.errors import InputError, quoted
 from asperity.joint_file import limits
-from asperity.joint_file.key import Key
 from asperity.joint_file.messages import nearest
+from asperity.joint_file.quantity_key import Key
+from asperity.materials import ContactPair, contact_modulus, tangential_contact_modulus
+from asperity.reading import open_text
 from asperity.unit_table import Dimension
 from asperity.units import from_si
 from asperity.writing import check_file, replacing
 
-ROWS_AT_ONCE = 65536
+#: What is held in memory at a time.
+ROWS_AT_ONCE, CHARACTERS_AT_ONCE = 65536, 100_000_000
+LONGEST_ROW = 1_000_000
 MOST_ERRORS = 12
+_MOST_SUGGESTIONS = 200
 
 _FORCE = Key(Dimension.FORCE, 0.0, 1e9, "N", open_lower=True)
 _TANGENTIAL_FORCE = Key(Dimension.FORCE, 0.0, 1e9, "N")
@@ -84,7 +96,7 @@ def convert_contact_table(
     Parameters
     ----------
     source, target : str or Path
-        CSV files, comma separated, with a header. Columns that are neither input nor result are carried along;
+        Two CSV files, comma separated, with a header. Columns that are neither input nor result are carried along;
         result columns that are already there are replaced.
     frequency_ratio : float
         Frequency ratio gamma of all rows [-].
@@ -101,18 +113,17 @@ def convert_contact_table(
     Raises
     ------
     InputError
-        If a file cannot be read or written, a column is missing, or a row is bad; then nothing is written.
+        If a file cannot be read or written, both are the same, a column is missing, or a row is bad; then nothing is
+        written.
     """
-    check_file(target)
-    try:
-        with open(source, encoding="utf-8-sig", newline="") as stream:
+    check_file(target, source)
+    with open_text(source) as stream:
+        try:
             return _convert(stream, str(source), Path(target), frequency_ratio, asperity_base, progress)
-    except UnicodeDecodeError:
-        raise InputError(f"{source}: this is not a text file in UTF-8") from None
-    except csv.Error as error:
-        raise InputError(f"{source}: not a CSV table: {error}") from None
-    except OSError as error:
-        raise InputError(f"{error.filename or source}: {error.strerror}") from None
+        except csv.Error as error:
+            raise InputError(f"{source}: not a CSV table: {error}") from None
+        except OSError as error:
+            raise InputError(f"{source}: cannot be read: {error.strerror or error}") from None
 
 
 def _convert(
@@ -123,7 +134,8 @@ def _convert(
     asperity_base: AsperityBase,
     progress: Callable[[int], None],
 ) -> Summary:
-    reader = csv.reader(stream, strict=True)
+    lines_read = _Lines(stream, source)
+    reader = csv.reader(lines_read, strict=True)
     header = [name.strip() for name in next(reader, [])]
     _check_header(header, source)
     kept = [index for index, name in enumerate(header) if name not in OUTPUT_COLUMNS]
@@ -131,13 +143,13 @@ def _convert(
     with replacing(target) as part, part.open("x", encoding="utf-8", newline="") as made:
         writer = csv.writer(made, lineterminator="\n")
         writer.writerow([*(header[index] for index in kept), *OUTPUT_COLUMNS])
-        for lines, cells in _chunks(reader, header, source):
+        for lines, cells in _chunks(reader, lines_read, header, source):
             columns = _columns(cells, lines, header, source)
             results = _evaluated(columns, frequency_ratio, asperity_base)
-            told = [[repr(number) for number in results[name].tolist()] for name in OUTPUT_COLUMNS]
+            written = [[repr(number) for number in results[name].tolist()] for name in OUTPUT_COLUMNS]
             writer.writerows(
                 [*(row[index] for index in kept), *numbers]
-                for row, numbers in zip(cells, zip(*told, strict=True), strict=True)
+                for row, numbers in zip(cells, zip(*written, strict=True), strict=True)
             )
             rows += len(cells)
             progress(rows)
@@ -148,21 +160,49 @@ def _check_header(header: list[str], source: str) -> None:
     needed = [*INPUT_COLUMNS, MODEL_COLUMN]
     if not header:
         raise InputError(f"{source}: empty; the first line must name the columns {', '.join(needed)}")
-    twice = sorted({name for name in header if header.count(name) > 1})
+    twice = sorted(name for name, count in Counter(header).items() if count > 1)
     if twice:
-        raise InputError(f"{source}: line 1: the column {twice[0]!r} is there more than once")
+        raise InputError(f"{source}: line 1: there is more than one column {quoted(twice[0])}")
     missing = [name for name in needed if name not in header]
     if missing:
-        others = [name for name in header if name not in needed]
+        others = [name for name in header[:_MOST_SUGGESTIONS] if name not in needed]
         hints = [f"{name}{nearest(name, others)}" for name in missing]
         raise InputError(f"{source}: line 1: missing columns: {', '.join(hints)}")
 
 
-def _chunks(reader: Any, header: list[str], source: str) -> Iterator[tuple[list[int], list[list[str]]]]:
-    """Rows with their line numbers, a bounded number at a time; empty lines are skipped."""
+class _Lines:
+    """The lines of a table; a row of unbounded length is an error instead of a full memory."""
+
+    def __init__(self, stream: TextIO, source: str) -> None:
+        self._stream, self._source = stream, source
+        self.characters = 0
+
+    def __iter__(self) -> _Lines:
+        return self
+
+    def __next__(self) -> str:
+        line = self._stream.readline(LONGEST_ROW + 1)
+        if not line:
+            raise StopIteration
+        self.characters += len(line)
+        if self.characters > LONGEST_ROW:
+            raise InputError(
+                f"{self._source}: a row has more than {LONGEST_ROW} characters; this is not a table"
+            )
+        return line
+
+
+def _chunks(
+    reader: Any, lines_read: _Lines, header: list[str], source: str
+) -> Iterator[tuple[list[int], list[list[str]]]]:
+    """Rows with their line numbers, a bounded amount at a time; empty lines are skipped."""
     lines: list[int] = []
     cells: list[list[str]] = []
+    characters = 0
+    lines_read.characters = 0
     for row in reader:
+        characters += lines_read.characters
+        lines_read.characters = 0
         if not row:
             continue
         if len(row) != len(header):
@@ -171,9 +211,9 @@ def _chunks(reader: Any, header: list[str], source: str) -> Iterator[tuple[list[
             )
         lines.append(reader.line_num)
         cells.append(row)
-        if len(cells) == ROWS_AT_ONCE:
+        if len(cells) == ROWS_AT_ONCE or characters > CHARACTERS_AT_ONCE:
             yield lines, cells
-            lines, cells = [], []
+            lines, cells, characters = [], [], 0
     if cells:
         yield lines, cells
 
@@ -189,7 +229,7 @@ def _columns(cells: list[list[str]], lines: list[int], header: list[str], source
     known: dict[str, int] = {model: index for index, model in enumerate(CONTACT_FACTOR_MODELS)}
     chosen = [row[by_name[MODEL_COLUMN]].strip() for row in cells]
     errors += [
-        (line, f"column {MODEL_COLUMN}: {model!r} is not one of {', '.join(CONTACT_FACTOR_MODELS)}")
+        (line, f"column {MODEL_COLUMN}: {quoted(model)} is not one of {', '.join(CONTACT_FACTOR_MODELS)}")
         for line, model in zip(lines, chosen, strict=True)
         if model not in known
     ]
@@ -201,19 +241,19 @@ def _columns(cells: list[list[str]], lines: list[int], header: list[str], source
     neutral = np.flatnonzero(columns["sign"] == 0.0)
     errors += [(lines[row], "column sign: 0 is not allowed; it must be 1 or -1") for row in neutral]
     if errors:
-        raise InputError(_told(errors, source))
+        raise InputError(_listed(errors, source))
     columns[MODEL_COLUMN] = np.array([known[model] for model in chosen])
     return columns
 
 
-def _told(errors: list[tuple[int, str]], source: str) -> str:
+def _listed(errors: list[tuple[int, str]], source: str) -> str:
     """Bad cells in the order of the lines, the first dozen of them."""
-    told = [f"line {line}, {sentence}" for line, sentence in sorted(errors)[:MOST_ERRORS]]
+    sentences = [f"line {line}, {sentence}" for line, sentence in sorted(errors)[:MOST_ERRORS]]
     if len(errors) == 1:
-        return f"{source}: {told[0]}; nothing was written"
+        return f"{source}: {sentences[0]}; nothing was written"
     if len(errors) > MOST_ERRORS:
-        told.append(f"and {len(errors) - MOST_ERRORS} more")
-    return "\n  ".join([f"{source}: {len(errors)} bad cells, nothing was written", *told])
+        sentences.append(f"and {len(errors) - MOST_ERRORS} more")
+    return "\n  ".join([f"{source}: {len(errors)} bad cells, nothing was written", *sentences])
 
 
 def _numbers(
@@ -232,8 +272,9 @@ def _numbers(
     for row in np.flatnonzero(~good):
         shown = written[row].strip()
         unit = "" if key.unit == "1" else f" {key.unit}"
-        told = f"{shown!r} is not a number" if math.isnan(_number(shown)) else f"{shown}{unit} is not allowed"
-        errors.append((lines[row], f"column {name}: {told}; it must be {key.allowed}"))
+        is_number = not math.isnan(_number(shown))
+        problem = f"{shown[:80]}{unit} is not allowed" if is_number else f"{quoted(shown)} is not a number"
+        errors.append((lines[row], f"column {name}: {problem}; it must be {key.allowed}"))
     return numbers
 
 
@@ -254,24 +295,38 @@ def _evaluated(
         name: jnp.asarray(np.resize(columns[name] / from_si(1.0, key.unit), size))
         for name, key in INPUT_COLUMNS.items()
     }
-    pairs = RollerPairs(
-        surface=Surface(si["D"], si["G_mm"], jnp.full(size, frequency_ratio), asperity_base),
-        normal_force=si["F_N"],
-        tangential_force=si["T_N"],
-        friction_coefficient=si["mu"],
-        radius_1=si["R1_mm"],
-        radius_2=si["R2_mm"],
-        sign=si["sign"],
-        contact_length=si["B_mm"],
-        youngs_modulus_1=si["E1_MPa"],
-        youngs_modulus_2=si["E2_MPa"],
-        poisson_ratio_1=si["nu1"],
-        poisson_ratio_2=si["nu2"],
-        hardness=si["H_MPa"],
-        contact_factor_model=jnp.asarray(np.resize(columns[MODEL_COLUMN], size)),
-    )
-    contacts = compile_fast(roller_pair_contacts, pairs)(pairs)
+    surface = Surface(si["D"], si["G_mm"], jnp.full(size, frequency_ratio), asperity_base)
+    model_number = jnp.asarray(np.resize(columns[MODEL_COLUMN], size))
+    contacts = compile_fast(_contacts, si, surface, model_number)(si, surface, model_number)
     return {
         name: np.asarray(getattr(contacts, field))[:count] * from_si(1.0, unit)
         for name, (field, unit) in OUTPUT_COLUMNS.items()
     }
+
+
+def _contacts(si: dict[str, Array], surface: Surface, model_number: Array) -> FractalContact:
+    """The contacts of some rows, each with its own model of the contact factor."""
+    elastic = {
+        "youngs_modulus_1": si["E1_MPa"],
+        "youngs_modulus_2": si["E2_MPa"],
+        "poisson_ratio_1": si["nu1"],
+        "poisson_ratio_2": si["nu2"],
+    }
+    pairs = roller_pairs(
+        radius_1=si["R1_mm"],
+        radius_2=si["R2_mm"],
+        sign=si["sign"],
+        contact_length=si["B_mm"],
+        friction_coefficient=si["mu"],
+        moduli=ContactPair(
+            contact_modulus=contact_modulus(**elastic),
+            tangential_contact_modulus=tangential_contact_modulus(**elastic),
+            hardness=si["H_MPa"],
+            yield_strength=jnp.nan,  # has no part in the contact law
+        ),
+        surface=surface,
+    )
+    factor = numbered_contact_factors(pairs=pairs, model_number=model_number, normal_force=si["F_N"])
+    return rough_contacts(
+        pairs=pairs, contact_factor=factor, normal_force=si["F_N"], tangential_force=si["T_N"]
+    )

@@ -48,12 +48,12 @@ def parse_distribution(text: str) -> Distribution:
     Returns
     -------
     Distribution
-        What it says.
+        The distribution.
 
     Raises
     ------
     InputError
-        If it says something else.
+        If the text has another form.
 
     Examples
     --------

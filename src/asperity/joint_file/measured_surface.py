@@ -31,4 +31,4 @@ def with_measured_surface(case: Case, measurement: SurfaceMeasurement) -> Case:
         "fractal_roughness": f"{float(measurement.fractal_roughness)!r} m",
         "frequency_ratio": float(measurement.frequency_ratio),
     }
-    return case.model_copy(update={"surface": SurfaceEntry.model_validate(entry)})
+    return case.model_copy(update={"surface": SurfaceEntry.model_validate(entry)}).with_text("")

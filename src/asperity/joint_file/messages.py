@@ -1,19 +1,44 @@
-"""Errors of a joint file in the user's words: the key, the value, what is allowed."""
+"""Messages about errors of a joint file: the key, the value, what is allowed, and one message for each mistake."""
 
 from __future__ import annotations
 
 import types
-from collections.abc import Iterable, Iterator
-from typing import Annotated, Any, Union, get_args, get_origin
+from collections.abc import Iterable, Iterator, Mapping
+from typing import Annotated, Any, Literal, Union, get_args, get_origin
 
 from pydantic import BaseModel, ValidationError
 from pydantic_core import ErrorDetails
 
-from asperity.joint_file.key import Key
+from asperity.errors import quoted
 from asperity.joint_file.model import ONE_FOR_ALL, ONE_FOR_EACH, Case
+from asperity.joint_file.quantity_key import Key
 
 MOST_ERRORS = 12
-LONGEST_VALUE = 60
+
+#: Keys of the file from its root to what is meant.
+Parts = tuple[str, ...]
+
+
+def closest(name: str, known: Iterable[str]) -> str | None:
+    """The known name most like the given one, if any is alike.
+
+    Parameters
+    ----------
+    name : str
+        What was written.
+    known : iterable of str
+        What could have been meant.
+
+    Returns
+    -------
+    str or None
+        One of the known names.
+    """
+    import difflib
+
+    close = difflib.get_close_matches(name[:200], list(known), n=3, cutoff=0.5)
+    # letters in the wrong order are the likeliest typing error
+    return min(close, key=lambda other: sorted(other) != sorted(name), default=None)
 
 
 def nearest(name: str, known: Iterable[str]) -> str:
@@ -31,13 +56,8 @@ def nearest(name: str, known: Iterable[str]) -> str:
     str
         The hint.
     """
-    import difflib
-
-    close = difflib.get_close_matches(name, list(known), n=3, cutoff=0.5)
-    close.sort(
-        key=lambda other: sorted(other) != sorted(name)
-    )  # letters in the wrong order are the likeliest slip
-    return f"; did you mean '{close[0]}'?" if close else ""
+    other = closest(name, known)
+    return f"; did you mean '{other}'?" if other else ""
 
 
 def _variants(annotation: Any) -> Iterator[Any]:
@@ -108,57 +128,166 @@ def _names_below(models: list[type[BaseModel]]) -> list[str]:
     return list(dict.fromkeys(name for model in models for name in model.model_fields))
 
 
-def _shown(value: Any) -> str:
-    text = repr(value)
-    return text if len(text) <= LONGEST_VALUE else f"{text[:LONGEST_VALUE]}…"
+def _parts(error: ErrorDetails) -> Parts:
+    return tuple(str(part) for part in error["loc"] if part not in (ONE_FOR_ALL, ONE_FOR_EACH, "[key]"))
 
 
-def _sentence(error: ErrorDetails) -> str:
+def _sentence(parts: Parts, error: ErrorDetails) -> str:
     """One error of pydantic as 'key: what is wrong'."""
-    parts = tuple(str(part) for part in error["loc"] if part not in (ONE_FOR_ALL, ONE_FOR_EACH, "[key]"))
     path = ".".join(parts)
     kind, value, context = error["type"], error["input"], error.get("ctx", {})
-    if kind == "extra_forbidden":
-        known = _known_names(parts[:-1])
-        hint = nearest(parts[-1], known)
-        return f"{path}: unknown key{hint or '; known here are ' + ', '.join(known)}"
     if kind == "missing":
         return f"{path}: this key is missing{_wanted(parts)}"
     if kind in ("model_type", "model_attributes_type", "dict_type"):
-        return f"{path}: expected a table with {', '.join(_known_names(parts)) or 'entries'}, got {_shown(value)}"
+        return f"{path}: expected a table with {', '.join(_known_names(parts)) or 'entries'}, got {quoted(value)}"
     if kind == "literal_error":
-        allowed = context["expected"]
-        return f"{path}: {_shown(value)} is not one of {allowed}"
+        return f"{path}: {quoted(value)} is not one of {context['expected']}"
     if kind == "string_pattern_mismatch":
-        return f"{path}: a material's name is made of letters, digits, '-' and '_', got {_shown(value)}"
+        return f"{path}: the name of a material consists of letters, digits, '-' and '_', got {quoted(value)}"
+    if kind == "string_type":
+        return f"{path}: expected the name of a material, e.g. 'steel', got {quoted(value)}"
+    if kind == "too_short":
+        return f"{path}: the section is empty"
     if kind == "value_error":
-        told = str(context["error"])
-        return f"{path}: {told}" if path else told
-    return f"{path}: {error['msg']}, got {_shown(value)}"
+        reason = str(context["error"])
+        return f"{path}: {reason}" if path else reason
+    return f"{path}: {error['msg']}, got {quoted(value)}"
 
 
-def _wanted(parts: tuple[str, ...]) -> str:
+def _wanted(parts: Parts) -> str:
+    """What a missing key has to be, with an example."""
     generic = ".".join("*" if i == 1 and parts[0] == "materials" else part for i, part in enumerate(parts))
     key = keys_by_path().get(generic)
-    return f": {key.dimension.label}, e.g. '{key.dimension.example}'" if key else ""
+    if key:
+        return f": {key.dimension.label}, e.g. '{key.typical}'"
+    if parts[0] == "bodies":
+        return ": the name of a material, e.g. 'steel'"
+    section = Case.model_fields.get(parts[0])
+    for model in _models(section.annotation) if section else []:
+        choice = model.model_fields[parts[-1]].annotation if parts[-1] in model.model_fields else None
+        if get_origin(choice) is Literal:
+            return ": one of " + ", ".join(f"'{name}'" for name in get_args(choice))
+    return ""
 
 
-def explain(error: ValidationError) -> str:
-    """All errors of a file, the first dozen of them in full.
+def _unknown_key(parts: Parts, value: Any, absent: set[Parts]) -> tuple[str, Parts | None]:
+    """What to say of an unknown key or section, and which missing one it was meant to be."""
+    path, name, table = ".".join(parts), parts[-1], parts[:-1]
+    what = "section" if isinstance(value, dict) else "key"
+    other = closest(name, (each[-1] for each in absent if each[:-1] == table))
+    if other:
+        return f"{path}: unknown {what}; did you mean '{other}'?", (*table, other)
+    for each in absent:
+        if each[-1] == name:
+            return f"{path}: unknown {what}; it belongs in [{'.'.join(each[:-1])}]", each
+    known = _known_names(table)
+    sections = sorted({each.split(".")[0] for each in keys_by_path() if each.split(".")[-1] == name})
+    if sections and name not in known:
+        return f"{path}: unknown {what}; it belongs in [{sections[0]}]", None
+    return f"{path}: unknown {what}{nearest(name, known) or '; known here are ' + ', '.join(known)}", None
+
+
+def _missing_sections(sections: list[Parts]) -> str:
+    names = ", ".join(f"[{'.'.join(each)}]" for each in sections)
+    if sections[0][0] == "surface" and len(sections[0]) > 1:
+        verb = "is" if len(sections) == 1 else "are"
+        return (
+            f"{names} {verb} missing; write one [surface] for all contacts, or a section for each of the five"
+        )
+    if len(sections) == 1:
+        content = ", ".join(_known_names(sections[0])) or "a section for each material"
+        return f"the section {names} is missing; it contains {content}"
+    return f"the sections {names} are missing; 'asperity init' writes a complete example"
+
+
+def _is_section(parts: Parts) -> bool:
+    return parts == ("materials",) or bool(_known_names(parts))
+
+
+def unknown_materials(bodies: Any, known: Iterable[str]) -> list[str]:
+    """Messages about bodies whose material is not defined, one for each such material.
+
+    Parameters
+    ----------
+    bodies : object
+        The section of the file: body → name of a material. Anything else is left to the check of the section.
+    known : iterable of str
+        Names of materials that the file defines or takes from the library.
+
+    Returns
+    -------
+    list of str
+        Sentences.
+    """
+    defined = list(known)
+    if not isinstance(bodies, Mapping):
+        return []
+    users: dict[str, list[str]] = {}
+    for body, name in bodies.items():
+        if isinstance(name, str) and name not in defined and body in _known_names(("bodies",)):
+            users.setdefault(name, []).append(f"bodies.{body}")
+    choice = f"; the file defines {', '.join(defined)}; 'asperity materials' lists the library"
+    return [
+        f"{', '.join(paths)}: there is no material {quoted(name)}{nearest(name, defined) or choice}"
+        for name, paths in users.items()
+    ]
+
+
+def explained(error: ValidationError, tables: Mapping[str, Any], refused: Mapping[str, str]) -> list[str]:
+    """Messages about all errors of a file, one for each mistake.
 
     Parameters
     ----------
     error : ValidationError
         What pydantic found.
+    tables : mapping
+        The tables that it looked at.
+    refused : mapping
+        Dotted path of a material whose entry in the library could not be found → the message about it.
+
+    Returns
+    -------
+    list of str
+        Sentences.
+    """
+    found = [(_parts(each), each) for each in error.errors(include_url=False)]
+    found = [(parts, each) for parts, each in found if ".".join(parts[:2]) not in refused]
+    absent = {parts for parts, each in found if each["type"] == "missing"}
+    sentences = list(refused.values())
+    for parts, each in found:
+        if each["type"] == "extra_forbidden":
+            sentence, meant = _unknown_key(parts, each["input"], absent)
+            sentences.append(sentence)
+            absent.discard(meant or parts)
+    sections = [parts for parts, each in found if parts in absent and _is_section(parts)]
+    if sections:
+        sentences.append(_missing_sections(sections))
+    for parts, each in found:
+        known = each["type"] == "extra_forbidden" or (each["type"] == "missing" and parts not in absent)
+        if not known and parts not in sections:
+            sentences += _sentence(parts, each).split("\n  ")
+    if () not in [parts for parts, _ in found] and isinstance(tables.get("materials"), dict):
+        sentences += unknown_materials(tables.get("bodies"), tables["materials"])
+    return sentences
+
+
+def listed(sentences: list[str], source: str) -> str:
+    """Messages about one file as one text.
+
+    Parameters
+    ----------
+    sentences : list of str
+        At least one.
+    source : str
+        Name of the file.
 
     Returns
     -------
     str
-        One sentence, or a list of them.
+        One sentence, or the first dozen of them on a line each.
     """
-    sentences = [_sentence(each) for each in error.errors(include_url=False)]
     if len(sentences) == 1:
-        return sentences[0]
+        return f"{source}: {sentences[0]}"
     more = len(sentences) - MOST_ERRORS
-    listed = "".join(f"\n  {sentence}" for sentence in sentences[:MOST_ERRORS])
-    return f"{len(sentences)} errors{listed}" + (f"\n  and {more} more" if more > 0 else "")
+    lines = "".join(f"\n  {sentence}" for sentence in sentences[:MOST_ERRORS])
+    return f"{source}: {len(sentences)} errors{lines}" + (f"\n  and {more} more" if more > 0 else "")

@@ -1,14 +1,23 @@
-"""What a joint file says: one class a section, one field a key."""
+"""The content of a joint file: a class for each section, a field for each key."""
 
 from __future__ import annotations
 
 from typing import Annotated, Any, Generic, Literal, TypeVar
 
-from pydantic import BaseModel, ConfigDict, Discriminator, Field, StringConstraints, Tag, model_validator
+from pydantic import (
+    BaseModel,
+    ConfigDict,
+    Discriminator,
+    Field,
+    PrivateAttr,
+    StringConstraints,
+    Tag,
+    model_validator,
+)
 
 from asperity.errors import InputError
 from asperity.joint_file import limits
-from asperity.joint_file.key import Quantity
+from asperity.joint_file.quantity_key import Quantity
 
 Entry = TypeVar("Entry")
 
@@ -237,15 +246,39 @@ class Case(Section):
     surface: Surfaces
     """Roughness: one table for all contacts, or tables surface.sp, .pwr, .pwl, .wro, .wlo."""
 
+    _text: str = PrivateAttr(default="")
+
+    @property
+    def text(self) -> str:
+        """The text of the file with its comments; empty for a case that was not read from one."""
+        return self._text
+
+    def with_text(self, text: str) -> Case:
+        """The same case, which remembers the text that it was read from.
+
+        Parameters
+        ----------
+        text : str
+            TOML; empty to forget it.
+
+        Returns
+        -------
+        Case
+            A copy.
+        """
+        copy = self.model_copy()
+        copy._text = text
+        return copy
+
+    def __eq__(self, other: object) -> bool:
+        """Whether both say the same, in whatever words."""
+        return isinstance(other, Case) and dict(self) == dict(other)
+
     @model_validator(mode="after")
     def _known_materials(self) -> Case:
-        for body, name in self.bodies:
-            if name not in self.materials:
-                from asperity.joint_file.messages import nearest
+        from asperity.joint_file.messages import unknown_materials
 
-                known = list(self.materials)
-                hint = nearest(name, known)
-                raise InputError(
-                    f"bodies.{body}: there is no material {name!r}{hint}; the file defines {', '.join(known)}"
-                )
+        unknown = unknown_materials(dict(self.bodies), list(self.materials))
+        if unknown:
+            raise InputError("\n  ".join(unknown))
         return self

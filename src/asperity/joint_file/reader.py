@@ -2,19 +2,16 @@
 
 from __future__ import annotations
 
-import tomllib
 from pathlib import Path
 from typing import Any
 
 from pydantic import ValidationError
 
 from asperity.errors import InputError
-from asperity.joint_file.messages import explain
+from asperity.joint_file.messages import explained, listed
 from asperity.joint_file.model import Case
-from asperity.library import with_library_materials
-
-#: A joint file is a page; anything larger is some other file.
-LARGEST_FILE = 1_000_000
+from asperity.library import fill_in_materials
+from asperity.reading import parse_toml, read_text
 
 
 def read_case(path: str | Path) -> Case:
@@ -28,28 +25,15 @@ def read_case(path: str | Path) -> Case:
     Returns
     -------
     Case
-        What it says, checked.
+        Its content, checked.
 
     Raises
     ------
     InputError
-        If the file cannot be read, is no TOML, or says something that is not allowed.
+        If the file cannot be read, is not valid TOML, or contains something that is not allowed.
     """
     file = Path(path)
-    try:
-        if file.is_file() and file.stat().st_size > LARGEST_FILE:
-            raise InputError(
-                f"{path}: a joint file has at most {LARGEST_FILE} bytes, this one {file.stat().st_size}"
-            )
-        text = file.read_bytes().decode("utf-8-sig")
-    except FileNotFoundError:
-        raise InputError(f"{path}: there is no such file; 'asperity init' writes an example") from None
-    except IsADirectoryError:
-        raise InputError(f"{path}: this is a directory, not a joint file") from None
-    except UnicodeDecodeError as error:
-        raise InputError(f"{path}: this is not a text file in UTF-8 (byte {error.start})") from None
-    except (OSError, ValueError) as error:
-        raise InputError(f"{path}: cannot be read: {getattr(error, 'strerror', None) or error}") from None
+    text = read_text(file, hint="'asperity init' writes an example")
     return parse_case(text, source=str(path), folder=file.parent)
 
 
@@ -61,29 +45,21 @@ def parse_case(text: str, *, source: str, folder: Path | None = None) -> Case:
     text : str
         TOML.
     source : str
-        What to call it in error messages.
+        Name of the file, for messages.
     folder : Path, optional
         Where paths of material libraries in the file start.
 
     Returns
     -------
     Case
-        What it says, checked.
+        Its content, checked.
 
     Raises
     ------
     InputError
-        If it is no TOML, or says something that is not allowed.
+        If it is not valid TOML, or contains something that is not allowed.
     """
-    try:
-        tables = tomllib.loads(text.replace("\r\n", "\n"))
-    except tomllib.TOMLDecodeError as error:
-        raise InputError(f"{source}: not valid TOML: {error}") from None
-    except RecursionError:
-        raise InputError(f"{source}: not a joint file: nested too deeply") from None
-    except ValueError as error:  # numbers of thousands of digits
-        raise InputError(f"{source}: not a joint file: {error}") from None
-    return case_from_tables(tables, source=source, folder=folder)
+    return case_from_tables(parse_toml(text, source=source), source=source, folder=folder).with_text(text)
 
 
 def case_from_tables(tables: dict[str, Any], *, source: str, folder: Path | None = None) -> Case:
@@ -92,25 +68,29 @@ def case_from_tables(tables: dict[str, Any], *, source: str, folder: Path | None
     Parameters
     ----------
     tables : dict
-        The sections of the file, as :func:`tomllib.loads` returns them.
+        The sections of the file, as :func:`asperity.reading.parse_toml` returns them.
     source : str
-        What to call them in error messages.
+        Name of the file, for messages.
     folder : Path, optional
         Where paths of material libraries in them start.
 
     Returns
     -------
     Case
-        What they say, checked.
+        Their content, checked.
 
     Raises
     ------
     InputError
-        If they say something that is not allowed.
+        If they contain something that is not allowed; all errors are listed.
     """
+    filled, refused = fill_in_materials(tables, folder=folder or Path())
     try:
-        return Case.model_validate(with_library_materials(tables, folder=folder or Path()))
-    except InputError as error:
-        raise InputError(f"{source}: {error}") from None
+        case = Case.model_validate(filled)
     except ValidationError as error:
-        raise InputError(f"{source}: {explain(error)}") from None
+        sentences = explained(error, filled, refused)
+    else:
+        if not refused:
+            return case
+        sentences = list(refused.values())
+    raise InputError(listed(sentences, source))

@@ -29,7 +29,7 @@ def joint_schema() -> Schema:
 
 
 def _offer_library(schema: Schema) -> None:
-    """Add what :func:`asperity.library.with_library_materials` fills in before the model sees the file.
+    """Add what :func:`asperity.library.fill_in_materials` fills in before the model sees the file.
 
     The names of the library are offered wherever one may stand; others stay allowed where a file may define them.
     """

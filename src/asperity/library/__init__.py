@@ -13,17 +13,18 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from asperity.errors import InputError
+from asperity.errors import InputError, quoted
+from asperity.reading import read_toml
 from asperity.unit_table import Dimension
 from asperity.units import parse_quantity
 
 __all__ = [
     "Finish",
     "LibraryMaterial",
+    "fill_in_materials",
     "fractal_roughness_from_ra",
     "read_finishes",
     "read_materials",
-    "with_library_materials",
 ]
 
 #: Root mean square over Ra of normally distributed heights.
@@ -148,19 +149,10 @@ def _tables(name: str, extension: str | Path | None) -> dict[str, dict[str, Any]
 
     tables = tomllib.loads(files("asperity.library").joinpath(name).read_text(encoding="utf-8"))
     if extension is not None:
-        try:
-            added = tomllib.loads(Path(extension).read_text(encoding="utf-8-sig"))
-        except FileNotFoundError:
-            raise InputError(f"{extension}: there is no such library file") from None
-        except tomllib.TOMLDecodeError as error:
-            raise InputError(f"{extension}: not valid TOML: {error}") from None
-        except (OSError, UnicodeDecodeError) as error:
-            raise InputError(
-                f"{extension}: cannot be read: {getattr(error, 'strerror', None) or error}"
-            ) from None
+        added = read_toml(extension)
         for entry, value in added.items():
             if not isinstance(value, dict):
-                raise InputError(f"{extension}: {entry}: expected a table, got {value!r}")
+                raise InputError(f"{extension}: {entry}: expected a table, got {quoted(value)}")
         tables.update(added)
     return tables
 
@@ -178,7 +170,7 @@ def _words(name: str, entry: Mapping[str, Any]) -> dict[str, str]:
     for word in ("description", "reference"):
         if not isinstance(entry.get(word), str) or not entry[word].strip():
             raise InputError(
-                f"library entry {name}: '{word}' must be there, as text: an entry without a source is no use"
+                f"library entry {name}: '{word}' is missing or is not text; every entry states its source"
             )
     return {word: str(entry.get(word, "")) for word in _WORDS}
 
@@ -232,14 +224,14 @@ def _range(name: str, key: str, value: Any, dimension: Dimension) -> tuple[float
     pair = value if isinstance(value, list) else [value, value]
     if len(pair) != 2:
         raise InputError(
-            f"library entry {name}: {key}: expected one value or [lowest, highest], got {value!r}"
+            f"library entry {name}: {key}: expected one value or [lowest, highest], got {quoted(value)}"
         )
     try:
         low, high = (parse_quantity(each, dimension) for each in pair)
     except InputError as error:
         raise InputError(f"library entry {name}: {key}: {error}") from None
     if not 0.0 < low <= high:
-        raise InputError(f"library entry {name}: {key}: needs 0 < lowest <= highest, got {value!r}")
+        raise InputError(f"library entry {name}: {key}: needs 0 < lowest <= highest, got {quoted(value)}")
     return low, high
 
 
@@ -303,51 +295,59 @@ def read_finishes(extension: str | Path | None = None) -> dict[str, Finish]:
     return found
 
 
-def with_library_materials(tables: Mapping[str, Any], *, folder: Path) -> dict[str, Any]:
-    """The tables of a joint file with names of library materials filled in.
+def fill_in_materials(tables: Mapping[str, Any], *, folder: Path) -> tuple[dict[str, Any], dict[str, str]]:
+    """The tables of a joint file with names of library materials replaced by their numbers.
 
     Parameters
     ----------
     tables : mapping
         The joint file as TOML reads it. ``materials.NAME = {library = "52100"}`` takes an entry, other keys beside
-        it replace single numbers, ``file = "my.toml"`` names a library file of one's own. A body whose material the
+        it replace single numbers, ``file = "my.toml"`` names a library file of the user. A body whose material the
         file does not define is looked up in the library.
     folder : Path
         Where the path of a library file starts.
 
     Returns
     -------
-    dict
-        New tables without such references; anything else is left for the reader of joint files to judge.
-
-    Raises
-    ------
-    InputError
-        If a library or an entry does not exist, or its name is no text.
+    tables : dict
+        New tables without such references; everything else is checked by the reader of joint files.
+    refused : dict
+        Dotted path of a material → why its entry was not found. Its table is left as it is.
     """
+    refused: dict[str, str] = {}
     materials = tables.get("materials", {})
     bodies = tables.get("bodies", {})
     if not isinstance(materials, dict) or not isinstance(bodies, dict):
-        return dict(tables)
+        return dict(tables), refused
     filled = dict(materials)
     for name, entry in materials.items():
         if isinstance(entry, dict) and "library" in entry:
-            own = {key: value for key, value in entry.items() if key not in ("library", "file")}
-            for key in ("library", "file"):
-                if not isinstance(entry.get(key, ""), str):
-                    raise InputError(f"materials.{name}.{key}: expected a name as text, got {entry[key]!r}")
-            library = read_materials(folder / entry["file"] if "file" in entry else None)
-            if entry["library"] not in library:
-                raise InputError(
-                    f"materials.{name}.library: there is no {entry['library']!r}; known are {', '.join(library)}"
-                )
-            numbers = dict(library[entry["library"]].numbers)
-            if "hardness" in own or "hardness_factor" in own:
-                numbers.pop("hardness", None)
-                numbers.pop("hardness_factor", None)
-            filled[name] = {**numbers, **own}
+            try:
+                filled[name] = _from_library(entry, folder)
+            except InputError as error:
+                refused[f"materials.{name}"] = f"materials.{name}.{error}"
     wanted = [name for name in bodies.values() if isinstance(name, str) and name not in filled]
     if wanted:
         library = read_materials()
         filled.update({name: dict(library[name].numbers) for name in wanted if name in library})
-    return {**tables, "materials": filled} if filled else dict(tables)
+    return ({**tables, "materials": filled} if filled else dict(tables)), refused
+
+
+def _from_library(entry: dict[str, Any], folder: Path) -> dict[str, Any]:
+    own = {key: value for key, value in entry.items() if key not in ("library", "file")}
+    for key in ("library", "file"):
+        if not isinstance(entry.get(key, ""), str):
+            raise InputError(f"{key}: expected a name as text, got {quoted(entry[key])}")
+    try:
+        library = read_materials(folder / entry["file"] if "file" in entry else None)
+    except InputError as error:
+        raise InputError(f"file: {error}") from None
+    if entry["library"] not in library:
+        raise InputError(
+            f"library: there is no material {quoted(entry['library'])}; known are {', '.join(library)}"
+        )
+    numbers = dict(library[entry["library"]].numbers)
+    if "hardness" in own or "hardness_factor" in own:
+        numbers.pop("hardness", None)
+        numbers.pop("hardness_factor", None)
+    return {**numbers, **own}

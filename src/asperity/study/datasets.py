@@ -2,17 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from asperity import __version__
-from asperity.drive.geometry import CONTACT_NAMES
 from asperity.errors import MissingExtraError
-from asperity.joint.results import RESULTS
+from asperity.extras import install_command
+from asperity.joint.results import RESULTS, ROW_NAMES, row_name
 from asperity.joint.status import flag_attributes
-from asperity.joint_file.values import key_at
+from asperity.joint_file.si_tables import key_at
 from asperity.study.parameters import Axis, long_name
 
 if TYPE_CHECKING:
@@ -43,7 +43,8 @@ def require(module: str) -> Any:
         return importlib.import_module(module)
     except ImportError as error:
         raise MissingExtraError(
-            f"studies need the package '{error.name or module}', which is not installed: pip install 'asperity[study]'"
+            f"studies need the package '{error.name or module}', which is not installed; run: "
+            + install_command("study")
         ) from None
 
 
@@ -92,19 +93,91 @@ def result_attributes(name: str) -> dict[str, str]:
     dict
         ``units`` and ``long_name``.
     """
-    return {"units": RESULTS[name].unit, "long_name": RESULTS[name].description}
+    return {"units": RESULTS[name].si_unit, "long_name": RESULTS[name].label}
 
 
-def contact_coordinate() -> tuple[tuple[str], np.ndarray, dict[str, str]]:
-    """The contact axis as a coordinate.
+def result_rows(names: Iterable[str]) -> list[tuple[str, str, str]]:
+    """Every number that some results have: one, or one for each contact or clearance.
+
+    Parameters
+    ----------
+    names : iterable of str
+        Names of :data:`asperity.joint.results.RESULTS`.
 
     Returns
     -------
-    tuple
-        Dimensions, values, attributes.
+    list of tuple
+        Name such as ``slip_ratio_sp``, SI unit and label of each number.
     """
-    names = np.array(CONTACT_NAMES, dtype="U3")
-    return ("contact",), names, {"long_name": "contact of a branch: sun-planet, planet-rollers, rollers-ring"}
+    return [
+        (row_name(name, row), RESULTS[name].si_unit, f"{RESULTS[name].label}, {row}".removesuffix(", "))
+        for name in names
+        for row in RESULTS[name].row_names
+    ]
+
+
+_ROW_COORDINATES = {
+    "contact": "contact of a branch: sun-planet, planet-rollers, rollers-ring",
+    "clearance": "clearance between two rollers",
+}
+
+
+def row_dimensions(name: str) -> tuple[str, ...]:
+    """Dimensions in front of those of the points: none, the contacts or the clearances.
+
+    Parameters
+    ----------
+    name : str
+        A name of :data:`asperity.joint.results.RESULTS`.
+
+    Returns
+    -------
+    tuple of str
+        At most one name.
+    """
+    return () if RESULTS[name].axis == "one" else (RESULTS[name].axis,)
+
+
+def row_coordinates(names: Iterable[str]) -> dict[str, tuple[tuple[str], np.ndarray, dict[str, str]]]:
+    """Coordinates of the contacts and clearances, where results have one number for each.
+
+    Parameters
+    ----------
+    names : iterable of str
+        Names of :data:`asperity.joint.results.RESULTS`.
+
+    Returns
+    -------
+    dict
+        Dimension → dimensions, values, attributes.
+    """
+    needed = dict.fromkeys(dimension for name in names for dimension in row_dimensions(name))
+    return {
+        each: ((each,), np.array(ROW_NAMES[each], dtype="U"), {"long_name": _ROW_COORDINATES[each]})
+        for each in needed
+    }
+
+
+def rows_of(data: xarray.Dataset, name: str) -> dict[str, xarray.DataArray]:
+    """A variable cut into its rows: one for each contact or clearance, or the variable itself.
+
+    Parameters
+    ----------
+    data : xarray.Dataset
+        Evaluated points.
+    name : str
+        One of its variables.
+
+    Returns
+    -------
+    dict
+        Name of the row, empty for a single number → values at the points.
+    """
+    variable = data[name]
+    (dimension,) = (set(variable.dims) - set(data["status"].dims)) or {None}
+    if dimension is None:
+        return {"": variable}
+    return {str(row): variable.sel({dimension: row}) for row in data[dimension].values}
 
 
 def dataset(
@@ -126,7 +199,7 @@ def dataset(
     status : ndarray
         Codes of the points.
     found : mapping
-        Name of a result → values, with the contact axis first if there is one.
+        Name of a result → values, with the axis of its rows first if there is one.
     attributes : mapping
         Attributes of the whole.
 
@@ -138,11 +211,8 @@ def dataset(
     xr = require("xarray")
     variables: dict[str, Any] = {"status": (dimensions, status, flag_attributes())}
     for name, value in found.items():
-        dims = ("contact", *dimensions) if RESULTS[name].per_contact else dimensions
-        variables[name] = (dims, value, result_attributes(name))
-    coords = dict(coordinates)
-    if any(RESULTS[name].per_contact for name in found):
-        coords["contact"] = contact_coordinate()
+        variables[name] = ((*row_dimensions(name), *dimensions), value, result_attributes(name))
+    coords = {**coordinates, **row_coordinates(found)}
     made: xarray.Dataset = xr.Dataset(variables, coords=coords, attrs=dict(attributes))
     return made
 

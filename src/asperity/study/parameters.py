@@ -11,7 +11,7 @@ import numpy as np
 from asperity.drive.geometry import CONTACT_NAMES
 from asperity.errors import InputError
 from asperity.joint_file.model import Case
-from asperity.joint_file.values import check_values, key_at, replace_values, si_values
+from asperity.joint_file.si_tables import check_values, key_at, replace_values, si_values
 from asperity.units import format_quantity, parse_quantity
 
 Scale = Literal["linear", "log"]

@@ -1,4 +1,4 @@
-r"""What D and G mean here, exactly, and how they translate into the other conventions in use.
+r"""Definition of D and G, and their conversion to other conventions.
 
 The reference is equation (6): term n of the Weierstrass-Mandelbrot profile has the frequency
 :math:`f_n = \gamma^n / L` and the amplitude :math:`(\ln\gamma)^{1/2} G^{D-1} f_n^{-(2-D)}`. Random phases
@@ -35,8 +35,8 @@ def validated_fractal(*, fractal_dimension: float, fractal_roughness: float) -> 
     if not 1.0 < fractal_dimension < 2.0:
         raise InputError(
             f"the fractal dimension is {fractal_dimension}; that of a profile lies between 1 and 2 "
-            f"(take 1 off the "
-            "dimension of a surface)"
+            f"(that of a "
+            "surface minus 1)"
         )
     if not (fractal_roughness > 0.0 and math.isfinite(fractal_roughness)):
         raise InputError(f"the fractal roughness G is {fractal_roughness} m; it must be a positive length")

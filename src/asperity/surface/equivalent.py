@@ -1,4 +1,4 @@
-"""The equivalent rough surface of two bodies: the sum surface, whose structure functions add."""
+"""The equivalent rough surface of two bodies: the sum surface, of which the structure functions add."""
 
 from __future__ import annotations
 

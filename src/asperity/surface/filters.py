@@ -34,7 +34,7 @@ def gaussian_lowpass(*, heights: NDArray[np.float64], spacing: float, cutoff: fl
     Returns
     -------
     array, shape of ``heights``
-        The weights are renormalised where they hang over an end or a gap, so a constant stays a constant;
+        The weights are renormalised where they extend beyond an end or over a gap, so a constant stays a constant;
         within half a cutoff of the ends the result is that of the truncated weights.
 
     Raises
@@ -72,7 +72,7 @@ def gaussian_lowpass(*, heights: NDArray[np.float64], spacing: float, cutoff: fl
 
 
 def filtered(*, topography: Topography, short_cutoff: float | None, long_cutoff: float | None) -> Topography:
-    r"""Roughness between two cutoffs: waves shorter than lambda_s and longer than lambda_c taken off.
+    r"""Roughness between two cutoffs: waves shorter than lambda_s and longer than lambda_c removed.
 
     Parameters
     ----------

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from asperity.errors import InputError
 from asperity.surface.topography import Topography
 
-#: Peaks and valleys lower than this share of the total height do not bound a profile element (ISO 21920-2).
+#: Peaks and valleys below this share of the total height do not delimit a profile element (ISO 21920-2).
 HEIGHT_DISCRIMINATION = 0.1
 
 
@@ -95,7 +95,7 @@ def height_parameters(*, topography: Topography) -> HeightParameters:
 
 
 def _element_width(topography: Topography) -> float | None:
-    """RSm: mean width of a peak with the valley beside it, small ones passed over."""
+    """RSm: mean width of a peak with the adjacent valley, small ones ignored."""
     z = topography.heights
     if np.isnan(z).any():
         return None

@@ -1,4 +1,4 @@
-"""Taking off form: straight line, plane, polynomial, cylinder; and marking outliers as missing."""
+"""Removal of form (straight line, plane, polynomial, cylinder), and marking of outliers as missing."""
 
 from __future__ import annotations
 
@@ -9,13 +9,20 @@ from numpy.typing import NDArray
 from asperity.errors import InputError
 from asperity.surface.topography import Topography
 
-#: Forms that can be taken off.
+#: Forms that can be removed.
 FORMS = ("none", "mean", "line", "plane", "polynomial", "cylinder_x", "cylinder_y")
 _HIGHEST_DEGREE = 12
+#: Largest share of the variance of the heights that a tilt may have where it is not removed [-].
+LARGEST_TILT_SHARE = 0.9
+
+
+def default_form(topography: Topography) -> str:
+    """The form that removes a tilt: ``line`` of a profile, ``plane`` of a map."""
+    return "plane" if topography.is_map else "line"
 
 
 def levelled(*, topography: Topography, form: str, degree: int | None = None) -> Topography:
-    """The surface less its least-squares form; missing points neither count nor change.
+    """The surface minus its least-squares form; missing points neither count nor change.
 
     Parameters
     ----------
@@ -34,10 +41,13 @@ def levelled(*, topography: Topography, form: str, degree: int | None = None) ->
     Raises
     ------
     InputError
-        If the form is unknown, does not suit, or there are too few points for it.
+        If the form is unknown, does not suit, or there are too few points for it; if the form leaves a tilt
+        that makes up more than :data:`LARGEST_TILT_SHARE` of the variance of the heights.
     """
     if form not in FORMS:
         raise InputError(f"there is no form '{form}'; known: {', '.join(FORMS)}")
+    if form in ("none", "mean"):
+        _refuse_tilt(topography, form)
     if form == "none":
         return topography
     powers = _powers(topography, form, degree)
@@ -54,8 +64,23 @@ def levelled(*, topography: Topography, form: str, degree: int | None = None) ->
     across = np.asarray(np.polynomial.legendre.legvander(y, highest), dtype=np.float64)
     surfaces = _fitted(np.atleast_2d(z), np.atleast_2d(present), along, across, powers)
     return topography.with_heights(
-        z - surfaces.reshape(z.shape), f"took off: {form}{'' if degree is None else degree}"
+        z - surfaces.reshape(z.shape),
+        f"form removed: {form}{'' if degree is None else f' of degree {degree}'}",
     )
+
+
+def _refuse_tilt(topography: Topography, form: str) -> None:
+    """Refuse a surface whose heights are mostly a tilt that the form leaves in."""
+    z = topography.heights
+    tilt = default_form(topography)
+    if int((~np.isnan(z)).sum()) <= 3 or not np.nanvar(z) > 0.0:
+        return
+    share = 1.0 - float(np.nanvar(levelled(topography=topography, form=tilt).heights) / np.nanvar(z))
+    if share > LARGEST_TILT_SHARE:
+        raise InputError(
+            f"{topography.source or 'the surface'}: the tilt makes up {100 * share:.1f} % of the variance of "
+            f"the heights, and the form '{form}' does not remove it; use --form {tilt}"
+        )
 
 
 def _powers(topography: Topography, form: str, degree: int | None) -> list[tuple[int, int]]:

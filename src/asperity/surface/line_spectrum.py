@@ -1,12 +1,12 @@
-r"""The estimator that knows the Weierstrass-Mandelbrot function: its lines :math:`f_0 \gamma^n`, one by one.
+r"""D and G from the lines :math:`f_0 \gamma^n` of a Weierstrass-Mandelbrot function.
 
-Ordinary estimators take a spectrum of a few lines for a continuous one and are off by up to 0.3 in D. Here
-the comb is found, the amplitude of every line is fitted by least squares, and
+Estimators for continuous spectra err by up to 0.3 in D on a spectrum of a few lines. Here the series of
+lines is found, the amplitude of every line is fitted by least squares, and
 
 .. math::
     \ln a_n = \tfrac12 \ln\ln\gamma + (D - 1) \ln G - (2 - D) \ln f_n
 
-is solved for D and G. On the bare function that is exact to rounding.
+is solved for D and G. Without noise this is exact to rounding.
 """
 
 from __future__ import annotations
@@ -21,14 +21,14 @@ from numpy.typing import NDArray
 from scipy.stats import norm
 from scipy.stats import t as student
 
-#: A band one gamma wide with fewer ordinates than this says nothing about lines.
+#: A band one gamma wide with fewer ordinates than this cannot show lines.
 _FEWEST_ORDINATES = 128
 _LINE_ORDINATES = 16
 _CONCENTRATION = 0.9
 _LONGEST = 16384
 _MOST_PROFILES = 32
 _SIGNIFICANCE = 5.0
-#: From so many profiles on their own spread counts, if it is the larger.
+#: From this number of profiles on, the spread between them is used if it is larger.
 _FEWEST_TO_SPREAD = 5
 #: Highest line that is fitted, as a share of the sampling limit.
 _HIGHEST_LINE = 0.9999
@@ -227,7 +227,7 @@ class _Comb:
 def _fit_comb(z: NDArray[np.float64], spacing: float, gamma: float, log_start: float) -> _Comb:
     """Least squares for all amplitudes below the sampling limit and, by Gauss-Newton, the place of the comb.
 
-    Lines longer than the record stand for whatever slow form there is; lines above the sampling limit count
+    Lines longer than the record represent remaining form; lines above the sampling limit count
     as noise.
     """
     n = z.size
@@ -302,6 +302,6 @@ def _comb_offset(profile: NDArray[np.float64], spacing: float, gamma: float) -> 
         low = (place / np.sqrt(gamma)).astype(np.int64)
         high = np.minimum((place * np.sqrt(gamma)).astype(np.int64) + 1, power.size)
         share = power[np.round(place).astype(np.int64)] / np.maximum(total[high] - total[low], 1e-300)
-        score += np.log(share + 1e-4)  # logarithms: a band without a line cannot outvote the lines
+        score += np.log(share + 1e-4)  # logarithms: a band without a line does not outweigh the lines
     best = int(np.argmax(score))
     return float(start[best] / (padded * spacing))

@@ -1,4 +1,4 @@
-"""The whole way from surfaces in memory to one measurement: conditioning, profiles, fit, directions."""
+"""From surfaces in memory to a measurement: conditioning, profiles, fit, directions."""
 
 from __future__ import annotations
 
@@ -19,12 +19,12 @@ from asperity.surface.topography import Topography, without_missing
 
 @dataclass(frozen=True)
 class Conditioning:
-    """What is done to a surface before it is judged; every step is a choice of the user.
+    """Treatment of a surface before its evaluation; every step is a choice of the user.
 
     Attributes
     ----------
     form : str
-        Form taken off, see :func:`asperity.surface.levelling.levelled`.
+        Form to remove, see :func:`asperity.surface.levelling.levelled`.
     degree : int or None
         Degree of a polynomial form.
     missing : str
@@ -54,7 +54,7 @@ class MeasuredSurface:
 
 
 def conditioned(*, topography: Topography, conditioning: Conditioning) -> MeasuredSurface:
-    """Outliers, missing points, form; then height parameters of what the filter leaves.
+    """Outliers, missing points and form removed; then height parameters of the filtered heights.
 
     Raises
     ------
@@ -100,7 +100,7 @@ def pooled_profiles(*, surfaces: list[Topography], direction: str) -> tuple[NDAr
 
 @dataclass(frozen=True)
 class DirectionalFits:
-    """Fits along x and, of a map, along y; a refusal stands as its reason."""
+    """Fits along x and, of a map, along y; where there is none, the reason as text."""
 
     along_x: FractalFit | str
     along_y: FractalFit | str | None
@@ -134,7 +134,7 @@ def directional_fits(
     Raises
     ------
     InputError
-        If the surfaces do not go together; a missing power law is returned as its reason instead.
+        If the surfaces cannot be averaged; a missing power law is returned as its reason instead.
     """
     steps = [surface.height_step for surface in surfaces if surface.height_step is not None]
 

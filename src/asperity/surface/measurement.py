@@ -1,9 +1,9 @@
-"""The measurement document: D, G and their uncertainty as JSON in SI units, written and read back."""
+"""The measurement document: D, G and their uncertainty as JSON in SI units, written and read."""
 
 from __future__ import annotations
 
-import json
 import math
+import sys
 from pathlib import Path
 from typing import Any
 
@@ -11,9 +11,11 @@ import equinox as eqx
 import jax.numpy as jnp
 import numpy as np
 from jaxtyping import Array, Float
+from numpy.typing import NDArray
 from scipy.stats import norm
 
 from asperity.errors import InputError
+from asperity.reading import read_json
 from asperity.surface.conventions import validated_fractal
 from asperity.surface.fractal_fit import FractalFit
 
@@ -68,7 +70,7 @@ class SurfaceMeasurement(eqx.Module):
 
 
 def surface_measurement(*, fit: FractalFit, source: str) -> SurfaceMeasurement:
-    """The measurement that a fit amounts to."""
+    """The measurement that corresponds to a fit."""
     return SurfaceMeasurement(
         fractal_dimension=jnp.asarray(fit.fractal_dimension, dtype=jnp.float64),
         fractal_roughness=jnp.asarray(fit.fractal_roughness, dtype=jnp.float64),
@@ -83,7 +85,7 @@ def surface_measurement(*, fit: FractalFit, source: str) -> SurfaceMeasurement:
 
 
 def measurement_document(*, measurement: SurfaceMeasurement) -> dict[str, Any]:
-    """The measurement as plain numbers and words, units in the names, ready for JSON."""
+    """The measurement as plain numbers and text for JSON, units in the names."""
     interval = measurement.interval(confidence=CONFIDENCE)
     return {
         "schema": SCHEMA,
@@ -114,34 +116,30 @@ def measurement_from_document(*, document: Any) -> SurfaceMeasurement:
         raise InputError(f"this is not a surface measurement: its key 'schema' must be '{SCHEMA}'")
     if document.get("schema_version") != SCHEMA_VERSION:
         raise InputError(
-            f"the measurement has schema version {document.get('schema_version')}; this release "
-            f"reads version "
-            f"{SCHEMA_VERSION}: measure again"
+            f"the measurement has schema version {_brief(document.get('schema_version'))}; this release reads "
+            f"version {SCHEMA_VERSION}: measure again"
         )
     if "refused" in document:
         raise InputError(
             f"the measurement of {document.get('source', 'this surface')} was refused: {document['refused']}"
         )
-    try:
-        D, G = float(document["fractal_dimension"]), float(document["fractal_roughness_m"])
-        covariance = np.asarray(document["covariance_of_dimension_and_log_roughness"], dtype=np.float64)
-        gamma = float(document["frequency_ratio"])
-        short, long = float(document["shortest_wavelength_m"]), float(document["longest_wavelength_m"])
-        words = str(document["estimator"]), int(document["profiles"]), str(document.get("source", ""))
-    except KeyError as error:
-        raise InputError(f"the measurement has no key {error}") from None
-    except (TypeError, ValueError) as error:
-        raise InputError(f"the measurement holds a value that is not a number ({error})") from None
+    D, G = _number(document, "fractal_dimension"), _number(document, "fractal_roughness_m")
+    gamma = _number(document, "frequency_ratio")
+    short, long = _number(document, "shortest_wavelength_m"), _number(document, "longest_wavelength_m")
+    profiles = _number(document, "profiles")
+    covariance = _covariance(document)
+    words = []
+    for key in ("estimator", "source"):
+        if not isinstance(document.get(key, ""), str) or (key == "estimator" and key not in document):
+            raise InputError(f"the measurement has no text for the key '{key}'")
+        words.append(document.get(key, ""))
+    if not (profiles >= 1.0 and profiles == int(profiles)):
+        raise InputError(f"the measurement has {profiles:g} profiles; a whole number of at least 1 is needed")
     validated_fractal(fractal_dimension=D, fractal_roughness=G)
-    if (
-        covariance.shape != (2, 2)
-        or not np.isfinite(covariance).all()
-        or np.linalg.eigvalsh(covariance).min() < (-1e-9 * np.trace(covariance))
-    ):
-        raise InputError("the covariance of (D, ln G) must be two by two and not negative")
-    if not gamma > 1.0 or not 0.0 < short < long:
+    if not (gamma > 1.0 and 0.0 < short < long):
         raise InputError(
-            f"the measurement has gamma = {gamma} and the band {short} .. {long} m; neither may be so"
+            f"the measurement has gamma = {gamma:g} and the band {short:g} m to {long:g} m; gamma must be above "
+            "1, and the shortest wavelength positive and below the longest"
         )
     return SurfaceMeasurement(
         fractal_dimension=jnp.asarray(D, dtype=jnp.float64),
@@ -151,9 +149,51 @@ def measurement_from_document(*, document: Any) -> SurfaceMeasurement:
         shortest_wavelength=jnp.asarray(short, dtype=jnp.float64),
         longest_wavelength=jnp.asarray(long, dtype=jnp.float64),
         estimator=words[0],
-        profiles=words[1],
-        source=words[2],
+        profiles=int(profiles),
+        source=words[1],
     )
+
+
+def _number(document: dict[str, Any], key: str) -> float:
+    """A finite number of a document."""
+    if key not in document:
+        raise InputError(f"the measurement has no key '{key}'")
+    value = document[key]
+    if isinstance(value, bool) or not isinstance(value, int | float) or abs(value) > sys.float_info.max:
+        raise InputError(f"the key '{key}' of the measurement must be a finite number, not {_brief(value)}")
+    if not math.isfinite(value):
+        raise InputError(f"the key '{key}' of the measurement must be a finite number, not {value}")
+    return float(value)
+
+
+def _covariance(document: dict[str, Any]) -> NDArray[np.float64]:
+    """The covariance of a document, two by two, symmetric and not negative."""
+    key = "covariance_of_dimension_and_log_roughness"
+    if key not in document:
+        raise InputError(f"the measurement has no key '{key}'")
+    rows = document[key]
+    flat = [x for row in rows for x in row] if _two(rows) and all(_two(row) for row in rows) else []
+    numbers = [x for x in flat if isinstance(x, int | float) and not isinstance(x, bool)]
+    if len(numbers) == 4 and all(abs(x) < 1e100 for x in numbers):
+        (a, b), (c, d) = rows
+        if a >= 0.0 and d >= 0.0 and abs(b - c) <= 1e-6 * abs(b) and b * c <= a * d * (1.0 + 1e-9):
+            return np.array([[a, b], [c, d]], dtype=np.float64)
+    raise InputError(
+        f"the covariance of (D, ln G) of the measurement must be two by two, symmetric and not negative, "
+        f"not {_brief(rows)}"
+    )
+
+
+def _two(value: Any) -> bool:
+    return isinstance(value, list) and len(value) == 2
+
+
+def _brief(value: Any) -> str:
+    """A value of a document for a message: short, whatever it is."""
+    if isinstance(value, list | dict):
+        return "a list" if isinstance(value, list) else "a table"
+    text = repr(value)
+    return text if len(text) <= 40 else text[:37] + "..."
 
 
 def read_measurement(*, path: str | Path) -> SurfaceMeasurement:
@@ -164,13 +204,11 @@ def read_measurement(*, path: str | Path) -> SurfaceMeasurement:
     InputError
         If the file cannot be read or is not such a document.
     """
-    path = Path(path)
     try:
-        document = json.loads(path.read_text(encoding="utf-8"))
-    except OSError as error:
-        raise InputError(f"the measurement {path} cannot be read: {error.strerror}") from None
-    except ValueError:
-        raise InputError(
-            f"{path} is not JSON; write it with 'asperity surface measure FILE --json'"
-        ) from None
-    return measurement_from_document(document=document)
+        document = read_json(path)
+    except InputError as error:
+        raise InputError(f"{error}; write it with 'asperity surface measure FILE --json'") from None
+    try:
+        return measurement_from_document(document=document)
+    except InputError as error:
+        raise InputError(f"{path}: {error}") from None

@@ -55,7 +55,7 @@ def measurement_figure(*, surfaces: list[Topography], fit: FractalFit | str, dir
     axes["structure"].set(xlabel="lag τ [m]", ylabel="structure function S [m²]")
     axes["structure"].set_title("Structure function")
     if isinstance(fit, str):
-        figure.suptitle("no D and G: see the reason below", fontsize=10, color="tab:red")
+        figure.suptitle("no D and G; reason below", fontsize=10, color="tab:red")
         import textwrap
 
         figure.supxlabel(textwrap.fill(fit, 120), fontsize=8, color="tab:red")
@@ -107,7 +107,7 @@ def _power_laws(axes: Any, fit: FractalFit, spacing: float) -> None:
         axes["spectrum"].axhline(fit.noise_density, color="tab:blue", linestyle=":", label="white noise")
     tau = np.geomspace(max(0.5 * fit.shortest_wavelength, spacing), 0.5 * fit.longest_wavelength, 50)
     S = conventions.structure_function(lag=tau, fractal_dimension=D, fractal_roughness=G)
-    axes["structure"].loglog(tau, S, color="tab:red", linewidth=1.5, label="the same D and G")
+    axes["structure"].loglog(tau, S, color="tab:red", linewidth=1.5, label="power law of this D and G")
     axes["structure"].axvspan(
         tau[0], tau[-1], color="tab:red", alpha=0.07, label="half wavelengths of the band"
     )

@@ -1,4 +1,4 @@
-"""Detecting heights that an instrument has rounded to whole steps, and the noise that this adds."""
+"""Detection of heights that an instrument has rounded to whole steps, and the noise that this adds."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ def height_step(*, profiles: NDArray[np.float64]) -> float | None:
 
     The differences d of neighbouring heights are multiples of the step q if
     :math:`\langle \cos(2\pi d/q) \rangle` is near 1, over all and over those above q/2. A
-    tilt is taken off with the median difference.
+    tilt is removed with the median difference.
 
     Parameters
     ----------

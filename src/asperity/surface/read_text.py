@@ -9,8 +9,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from asperity.errors import InputError
-from asperity.surface.length_units import metres_per_unit, unit_in_words
+from asperity.surface.input_file import MEBIBYTE, file_bytes, metres_per_unit
 from asperity.surface.topography import Topography
+from asperity.unit_table import Dimension, unit_table
+
+#: Largest text file that is read [bytes].
+LARGEST_TEXT = 512 * MEBIBYTE
 
 _NUMBER = r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?"
 _NUMBER_COMMA = r"[-+]?(?:\d+,?\d*|,\d+)(?:[eE][-+]?\d+)?"
@@ -31,7 +35,7 @@ def text_topography(
     path : Path
         The file.
     position_unit, height_unit : str or None
-        Units of the columns; None where the heading of the file names them.
+        Units of the columns, where the heading of the file does not name them.
     spacing : float or None
         Distance of the points [m], where the file has no column of positions.
     decimal : {"auto", "point", "comma"}
@@ -45,7 +49,8 @@ def text_topography(
     Raises
     ------
     InputError
-        If the numbers or their units cannot be read, or positions are not equally spaced.
+        If the numbers or their units cannot be read, a given unit contradicts the heading, or positions are
+        not equally spaced.
     """
     text = _decoded(path)
     lines = re.split(r"\r\n|\n|\r", text)
@@ -53,7 +58,7 @@ def text_topography(
     header = [line for line in lines[:first] if line.strip()]
     table = _table(lines, first, separator, comma, path)
     names = _column_words(header, table.shape[1], separator)
-    units = [unit_in_words(name) for name in names]
+    units = [_unit_in_words(name) for name in names]
     columns = table.shape[1]
     flagged = columns == 3 and any("valid" in line.lower() for line in header[-2:])
     source = path.name
@@ -96,20 +101,28 @@ def numpy_topography(*, path: Path, height_unit: str | None, spacing: float | No
         If the array is not a line or grid of real numbers, or its unit or spacing is not given.
     """
     try:
-        array = np.load(path, allow_pickle=False)
-    except (OSError, ValueError) as error:
-        raise InputError(f"{path.name} is not a readable NumPy file ({error})") from None
+        # a memory map: a header that promises more than the file holds reserves no memory
+        array = np.load(path, allow_pickle=False, mmap_mode="r")
+    except Exception as error:  # the parser of the header raises whatever it meets
+        raise InputError(f"{path.name} is not a readable NumPy file ({_one_line(error)})") from None
     if array.ndim not in (1, 2) or array.dtype.kind not in "fiu" or min(array.shape) == 0:
         raise InputError(
-            f"{path.name} holds an array {array.shape} of {array.dtype}; a line or grid of reals is needed"
+            f"{path.name} holds an array {array.shape} of {array.dtype}; a line or grid of real numbers is "
+            "needed"
         )
     if height_unit is None or spacing is None:
         raise InputError(
-            f"{path.name} is a bare array: give the unit of its heights and the distance of its points "
+            f"{path.name} holds bare numbers: give the unit of its heights and the distance of its points "
             "(--height-unit um --spacing '0.5 um')"
         )
-    heights = array.astype(np.float64) * metres_per_unit(height_unit)
+    with np.errstate(over="ignore", invalid="ignore"):
+        heights = np.array(array, dtype=np.float64) * metres_per_unit(height_unit)
     return Topography(heights, spacing, spacing if heights.ndim == 2 else None, source=path.name)
+
+
+def _one_line(error: Exception) -> str:
+    text = " ".join(str(error).split()) or type(error).__name__
+    return text if len(text) <= 120 else text[:117] + "..."
 
 
 def looks_like_text(beginning: bytes) -> bool:
@@ -121,13 +134,11 @@ def looks_like_text(beginning: bytes) -> bool:
 
 
 def _decoded(path: Path) -> str:
-    data = path.read_bytes()
-    for encoding in ("utf-8-sig", "latin-1"):
-        try:
-            return data.decode(encoding)
-        except UnicodeDecodeError:
-            continue
-    raise InputError(f"{path.name} is not text")  # latin-1 decodes every byte
+    data = file_bytes(path=path, largest=LARGEST_TEXT)
+    try:
+        return data.decode("utf-8-sig")
+    except UnicodeDecodeError:
+        return data.decode("latin-1")  # decodes every byte
 
 
 def _patterns(decimal: str) -> list[tuple[str | None, bool, re.Pattern[str]]]:
@@ -155,7 +166,7 @@ def _data_block(lines: list[str], decimal: str, path: Path) -> tuple[int, str | 
         if sample and all(re.fullmatch(r"[-+]?\d+,\d+", line) for line in sample):
             raise InputError(
                 f"{path.name}: '{sample[-1]}' may be one number with a decimal comma or two whole numbers; "
-                "say which (--decimal comma or --decimal point)"
+                "choose (--decimal comma or --decimal point)"
             )
     for start in range(min(len(lines), _HEADER_LINES)):
         block = [line for line in lines[start : start + 8] if line.strip()][:4]
@@ -186,7 +197,7 @@ def _table(
 
 
 def _table_with_gaps(body: list[str], separator: str | None, first: int, path: Path) -> NDArray[np.float64]:
-    """The slow way: empty fields and the usual words for a missing value become NaN, all else is an error."""
+    """Line by line: empty fields and the usual marks of a missing value become NaN, all else is an error."""
     missing = re.compile(_MISSING + r"|\s*")
     width = len(body[0].split(separator))
     rows = np.full((len(body), width), np.nan)
@@ -221,24 +232,45 @@ def _column_words(header: list[str], columns: int, separator: str | None) -> lis
     return words
 
 
+def _unit_in_words(text: str) -> str | None:
+    """The unit of length in a column heading such as ``"[mm]"`` or ``"Lateral um"``, or None."""
+    units = unit_table()
+    for word in re.findall(r"[^\W\d_]+", text.replace("°", " ").replace("μ", "µ")):
+        name = word.lower() if len(word) > 3 else word  # symbols mean what their case says, names any case
+        known = "µ" + name[1:] if name[0] == "u" and "µ" + name[1:] in units else name
+        if known != "in" and known in units and units[known][3] == Dimension.LENGTH.exponents:
+            return name
+    return None
+
+
 def _scale(given: str | None, found: str | None, what: str, source: str) -> float:
-    if given is not None:
-        return metres_per_unit(given)
-    if found is not None:
-        return metres_per_unit(found)
-    raise InputError(
-        f"{source} does not say in which unit its {what}s are; say it (--{what}-unit mm, um, nm or m)"
-    )
+    if given is None and found is None:
+        raise InputError(
+            f"{source} does not name the unit of its {what}s; give it (--{what}-unit mm, um, nm or m)"
+        )
+    scale = metres_per_unit(given if given is not None else str(found))
+    if found is not None and scale != metres_per_unit(found):
+        raise InputError(
+            f"the heading of {source} gives the unit of its {what}s as {found}, not {given}; leave "
+            f"--{what}-unit out or correct the file"
+        )
+    return scale
 
 
 def _equal_spacing(position: NDArray[np.float64], source: str) -> tuple[float, str]:
     """Spacing from all of a column of positions that may be rounded; refuse unequal spacing."""
     if position.size < 2 or not np.isfinite(position).all():
         raise InputError(f"{source}: the column of positions has missing values or fewer than two rows")
-    index = np.arange(position.size)
-    step, start = np.polynomial.polynomial.Polynomial.fit(index, position, 1).convert().coef[::-1]
+    if np.ptp(position) == 0.0 or not np.isfinite(np.ptp(position)):
+        raise InputError(
+            f"{source}: all positions are {position[0]:g}; the first column must hold the positions of the "
+            "points"
+        )
+    index = np.arange(position.size) - 0.5 * (position.size - 1)
+    start = float(position[0] + np.mean(position - position[0]))
+    step = float(index @ (position - start) / (index @ index))
     if step == 0.0:
-        raise InputError(f"{source}: the column of positions does not advance")
+        raise InputError(f"{source}: the positions do not advance; order the rows by position")
     deviation = float(np.abs(position - (start + step * index)).max())
     quantum = _quantum(position)
     if deviation > 0.51 * quantum + 0.05 * abs(step):

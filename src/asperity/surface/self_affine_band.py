@@ -1,25 +1,27 @@
-"""Where a spectrum is a power law: the widest band that one straight line fits, or a refusal."""
+"""Where a spectrum is a power law: the widest band that the model fits, or a refusal."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
-from asperity.surface.spectral_likelihood import TAILS, SpectralFit, fit_spectrum
+from asperity.surface.spectral_likelihood import ROLL_OFFS, TAILS, SpectralFit, fit_spectrum
 from asperity.surface.spectrum import BinnedSpectrum
 
 #: Narrowest band that is called a power law [decades].
 NARROWEST_DECADES = 1.0
-#: Largest scatter of ln P about the line, beyond chance, that is still called straight [-].
+#: Largest misfit of ln P, beyond its sampling scatter, that is still called a power law [-].
 LARGEST_MISFIT = 0.15
-#: Largest change of the local D from one end of the band to the other, beyond chance [-].
+#: Largest change of the local D from one end of the band to the other, beyond its error [-].
 LARGEST_DRIFT = 0.2
 #: Lowest ordinates left out: what levelling and the finite record distort.
 LOWEST_ORDINATE = 3
 #: Folding is considered only for bands that reach up to this share of the sampling limit [-].
 FOLDING_REACH = 0.75
-_EDGES_PER_DECADE = 5
+_EDGES_PER_DECADE = 4
+#: Misfit, in units of the largest accepted, that no other roll-off mends.
+_HOPELESS = 2.0
 
 
 @dataclass(frozen=True)
@@ -114,26 +116,30 @@ def _edges(lowest: float, highest: float) -> list[float]:
 
 
 def _best_model(spectrum: BinnedSpectrum, low: float, high: float) -> SpectralFit | None:
-    """Of four models (folded or not, with a floor or not) the one of least Bayesian information criterion.
+    """The likeliest of the models (folded or not, roll-off gradual or sharp).
 
-    A floor is tried only where the fit without one leaves something unexplained.
+    What the others say differently enters the covariance with their likelihood as weight.
     """
-    fits: list[SpectralFit] = []
     tails = TAILS if high >= FOLDING_REACH * spectrum.nyquist else TAILS[:1]
-    for tail in tails:
-        fit = fit_spectrum(spectrum=spectrum, low=low, high=high, tail=tail, with_floor=False)
-        if fit is not None:
-            fits.append(fit)
-    if not fits or min(fit.chi_square / fit.degrees for fit in fits) > 1.0:
+    fits: list[SpectralFit] = []
+    for m in ROLL_OFFS:
         for tail in tails:
-            fit = fit_spectrum(spectrum=spectrum, low=low, high=high, tail=tail, with_floor=True)
-            if fit is not None:
+            fit = fit_spectrum(spectrum=spectrum, low=low, high=high, tail=tail, roll_off_exponent=m)
+            if fit is not None and fit.converged:
                 fits.append(fit)
-    return min((fit for fit in fits if fit.converged), key=_information_criterion, default=None)
-
-
-def _information_criterion(fit: SpectralFit) -> float:
-    return -2.0 * fit.log_likelihood + fit.parameters * float(np.log(fit.degrees + fit.parameters))
+        if all(fit.misfit > _HOPELESS * LARGEST_MISFIT for fit in fits):
+            break  # the sharp roll-off does not help either
+    if not fits:
+        return None
+    best = max(fits, key=lambda fit: fit.log_likelihood)
+    dispersion = max(1.0, best.chi_square / best.degrees)
+    total, spread = 0.0, np.zeros((2, 2))
+    for fit in fits:
+        weight = float(np.exp((fit.log_likelihood - best.log_likelihood) / dispersion))
+        off = np.array([fit.fractal_dimension - best.fractal_dimension, fit.log_level - best.log_level])
+        total += weight
+        spread += weight * np.outer(off, off)
+    return replace(best, covariance=best.covariance + spread / total)
 
 
 def _fault(fit: SpectralFit, spectrum: BinnedSpectrum) -> tuple[str, float]:
@@ -149,45 +155,36 @@ def _fault(fit: SpectralFit, spectrum: BinnedSpectrum) -> tuple[str, float]:
         )
     if fit.decades < NARROWEST_DECADES * (1.0 - 1e-9):
         return (
-            f"{where} only {max(fit.decades, 0.0):.2f} decades of a power law rise above white noise "
-            f"({_noise_name(fit)}); at least one is needed",
-            1.5 + NARROWEST_DECADES - fit.decades,
+            f"{where} only {max(fit.decades, 0.0):.2f} decades follow a power law, between the roll-off at "
+            "long waves and the noise or smoothing at short waves; at least one is needed",
+            4.0 + NARROWEST_DECADES - fit.decades,
         )
     if fit.misfit > LARGEST_MISFIT:
         return (
-            f"{where} the spectrum scatters about a power law by {100 * fit.misfit:.0f} % beyond chance "
-            f"({100 * LARGEST_MISFIT:.0f} % is the limit)",
+            f"{where} the spectrum departs from a power law by {100 * fit.misfit:.0f} % rms, sampling scatter "
+            f"not counted ({100 * LARGEST_MISFIT:.0f} % is the limit)",
             fit.misfit / LARGEST_MISFIT,
         )
     drift, error = _drift(fit, spectrum)
     if abs(drift) > LARGEST_DRIFT and abs(drift) > 2.0 * error:
         return (
             f"{where} the spectrum bends: the local D changes by {drift:+.2f} from the long to the "
-            f"short waves "
-            f"({LARGEST_DRIFT} is the limit)",
+            f"short waves ({LARGEST_DRIFT} is the limit)",
             abs(drift) / LARGEST_DRIFT,
         )
     return "", 0.0
 
 
-def _noise_name(fit: SpectralFit) -> str:
-    return "power folded at the sampling limit" if fit.floor == 0.0 else f"{fit.floor:.3g} m^3"
-
-
 def _drift(fit: SpectralFit, spectrum: BinnedSpectrum) -> tuple[float, float]:
     """Change of the local D across the band and its standard error, from a parabola in ln f."""
-    inside = (spectrum.frequency >= fit.low * (1 - 1e-9)) & (
-        spectrum.frequency <= fit.usable_high * (1 + 1e-9)
-    )
+    inside = fit.inside(spectrum)
     f = spectrum.frequency[inside]
     if f.size < 6:
         return 0.0, np.inf
-    explained = fit.expected(f)
-    nu = spectrum.independent[inside]
-    weight = np.sqrt(1.0 / (1.0 / nu + fit.misfit**2))
+    weight = np.sqrt(1.0 / (1.0 / spectrum.independent[inside] + fit.misfit**2))
     u = np.log(f / np.sqrt(f[0] * f[-1]))
     design = np.stack([np.ones_like(u), u, u**2], axis=1) * weight[:, None]
-    residual = (spectrum.density[inside] / explained - 1.0) * weight
+    residual = (spectrum.density[inside] / fit.expected(f) - 1.0) * weight
     covariance = np.linalg.pinv(design.T @ design)
     curvature = float((covariance @ (design.T @ residual))[2])
     width = float(u[-1] - u[0])

@@ -12,6 +12,11 @@ from numpy.typing import NDArray
 from asperity.errors import InputError
 
 _CHUNK_POINTS = 4_000_000
+#: Lags over which neighbouring ordinates are compared, and the fewest ordinates of a bin that takes part.
+_CORRELATED_LAGS = 10
+_FEWEST_ORDINATES = 16
+_RANGE = 8
+_FEWEST_IN_RANGE = 128
 
 
 @dataclass(frozen=True)
@@ -27,8 +32,9 @@ class BinnedSpectrum:
     ordinates : array, shape (bins,)
         Number of Fourier frequencies in the bin.
     independent : array, shape (bins,)
-        Number of independent ordinates behind the average: ordinates times profiles, less for a taper and for
-        neighbouring rows of a map, which resemble each other.
+        Number of independent ordinates behind the average: ordinates times profiles, less for a taper, for
+        roughness that changes along a profile or from profile to profile, and for neighbouring rows of a
+        map, which resemble each other.
     density : array, shape (bins,)
         One-sided power spectral density, averaged over the bin and all profiles [m^3].
     profiles : int
@@ -83,7 +89,7 @@ def power_spectral_densities(
     _check(profiles, spacing)
     points = profiles.shape[1]
     w = scipy.signal.get_window(window, points)
-    levelled = _without_line(profiles)
+    levelled = without_line(profiles)
     spectrum = scipy.fft.rfft(levelled * w, axis=1)[:, 1:]
     density = (2.0 * spacing / np.sum(w**2)) * (spectrum.real**2 + spectrum.imag**2)
     if points % 2 == 0:
@@ -135,6 +141,7 @@ def binned_spectrum(
     total = np.zeros(last - 1)
     kept = np.empty((rows, last - 1), dtype=np.complex64) if rows_of_a_map and rows > 1 else None
     scale = float(np.std(profiles[0])) or 1.0
+    powers = np.empty((rows, counts.size))
     step = max(1, _CHUNK_POINTS // points)
     for start in range(0, rows, step):
         block = profiles[start : start + step]
@@ -142,30 +149,72 @@ def binned_spectrum(
             values = np.diff(block, axis=1)
             values -= values.mean(axis=1, keepdims=True)
         else:
-            values = _without_line(block)
+            values = without_line(block)
         values *= taper
         spectrum = scipy.fft.rfft(values, axis=1, workers=2)[:, 1:last]
-        total += np.einsum("ij,ij->j", spectrum.real, spectrum.real)
-        total += np.einsum("ij,ij->j", spectrum.imag, spectrum.imag)
+        power = spectrum.real**2 + spectrum.imag**2
+        total += power.sum(axis=0)
+        powers[start : start + step] = np.add.reduceat(power / transfer, edges[:-1] - 1, axis=1)
         if kept is not None:
             kept[start : start + step] = spectrum / (scale * np.sqrt(transfer))
     density = np.add.reduceat(total / transfer, edges[:-1] - 1) * norm / (counts * rows)
     loss = used * np.sum(taper**4) / np.sum(taper**2) ** 2
-    independent = counts * rows / loss if kept is None else _independent_ordinates(kept, edges) / loss
     log = np.log(frequency[1:last])
     mean = np.add.reduceat(log, edges[:-1] - 1) / counts
     spread = np.add.reduceat((log - np.repeat(mean, counts)) ** 2, edges[:-1] - 1) / counts
+    loss = np.maximum(loss, _correlation(total / transfer, edges, log, mean)) * _inequality(powers, counts)
+    independent = counts * rows if kept is None else _independent_ordinates(kept, edges)
     return BinnedSpectrum(
         frequency=np.exp(mean),
         spread=spread,
         ordinates=counts,
-        independent=np.asarray(independent, dtype=np.float64),
+        independent=np.asarray(independent, dtype=np.float64) / loss,
         density=density,
         profiles=rows,
         points=points,
         spacing=spacing,
         differenced=differenced,
     )
+
+
+def _correlation(
+    power: NDArray[np.float64],
+    edges: NDArray[np.int64],
+    log_frequency: NDArray[np.float64],
+    log_centre: NDArray[np.float64],
+) -> NDArray[np.float64]:
+    """Factor per bin by which ordinates that vary together enlarge the variance of the bin's average.
+
+    A taper, and roughness that changes along the profile, spread every wave over several ordinates: one plus
+    twice the sum of the correlations at the next lags, of ordinates divided by their local mean. Each range
+    of a factor of eight in frequency has its own; below the lowest with enough ordinates its value is kept.
+    """
+    counts = np.diff(edges)
+    factor = np.ones(counts.size)
+    first = int(np.searchsorted(counts, _FEWEST_ORDINATES))
+    means = np.add.reduceat(power, edges[:-1] - 1)[first:] / counts[first:]
+    if counts.size - first < 3 or not (means > 0.0).all():
+        return factor
+    start = int(edges[first]) - 1
+    x = power[start:] / np.exp(np.interp(log_frequency[start:], log_centre[first:], np.log(means)))
+    top, value = power.size, 1.0
+    while top > start:
+        bottom = max(top // _RANGE, start)
+        if top - bottom >= _FEWEST_IN_RANGE:
+            part = x[bottom - start : top - start] - x[bottom - start : top - start].mean()
+            variance = float(part @ part)
+            pairs = sum(float(part[lag:] @ part[:-lag]) for lag in range(1, _CORRELATED_LAGS + 1))
+            value = 1.0 + 2.0 * pairs / variance if variance > 0.0 else 1.0
+        factor[edges[:-1] - 1 < top] = value
+        top = bottom
+    return factor
+
+
+def _inequality(powers: NDArray[np.float64], counts: NDArray[np.int64]) -> float:
+    """Factor by which unequal profiles enlarge the variance of their average: 1 where all are alike."""
+    mean = powers.mean(axis=0)
+    share = np.where(mean > 0.0, powers / np.where(mean > 0.0, mean, 1.0), 1.0) @ counts / counts.sum()
+    return float(np.mean(share**2) / np.mean(share) ** 2)
 
 
 def _independent_ordinates(spectra: NDArray[np.complex64], edges: NDArray[np.int64]) -> NDArray[np.float64]:
@@ -189,7 +238,7 @@ def _bin_edges(last: int, per_decade: int) -> NDArray[np.int64]:
     return np.asarray(edges, dtype=np.int64)
 
 
-def _without_line(profiles: NDArray[np.float64]) -> NDArray[np.float64]:
+def without_line(profiles: NDArray[np.float64]) -> NDArray[np.float64]:
     """Each profile less its least-squares straight line."""
     points = profiles.shape[1]
     u = np.arange(points) - 0.5 * (points - 1)

@@ -25,7 +25,7 @@ class Topography:
     source : str
         Where the heights come from (a file name, a generator).
     notes : tuple of str
-        What the reader or a later step found or did, in words.
+        What the reader or a later step found or changed.
     """
 
     heights: NDArray[np.float64]
@@ -84,7 +84,7 @@ class Topography:
         Raises
         ------
         InputError
-            If the direction is unknown, or ``"y"`` is asked of a single profile.
+            If the direction is unknown, or ``"y"`` is requested of a single profile.
         """
         if direction == "x":
             return np.atleast_2d(self.heights), self.spacing
@@ -110,7 +110,7 @@ class Topography:
         return self.with_heights(self.heights[inside], f"cut to {start:.6g} .. {stop:.6g} m")
 
 
-#: What may be done with missing points; none of these happens unless asked for.
+#: Treatments of missing points; none is applied unless chosen.
 MISSING_CHOICES = ("refuse", "longest", "interpolate")
 _RECTANGLE_CELLS = 400_000
 
@@ -146,10 +146,8 @@ def without_missing(topography: Topography, *, choice: str) -> Topography:
     total = topography.heights.size
     if choice == "refuse":
         raise InputError(
-            f"{count} of {total} points of {topography.source} are missing; say what to do with "
-            f"them: keep the "
-            "longest complete piece (--missing longest) or fill gaps by straight lines (--missing "
-            "interpolate)"
+            f"{count} of {total} points of {topography.source} are missing; keep the longest complete piece "
+            "(--missing longest) or fill gaps by straight lines (--missing interpolate)"
         )
     rows = np.atleast_2d(topography.heights)
     filled = 0

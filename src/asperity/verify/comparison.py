@@ -57,7 +57,9 @@ class Sample(eqx.Module):
         """The two like bodies."""
         E, nu = self.youngs_modulus, self.poisson_ratio
         return ElasticPair(
-            contact_modulus=E / (2.0 * (1.0 - nu**2)), antiplane_modulus=E / (4.0 * (1.0 + nu))
+            contact_modulus=E / (2.0 * (1.0 - nu**2)),
+            antiplane_modulus=E / (4.0 * (1.0 + nu)),
+            dundurs_constant=0.0,
         )
 
 

@@ -109,6 +109,8 @@ def joint_claims(curves: Curves) -> tuple[Claim, ...]:
             output_torque=friction.output_torque[loaded],
             friction=friction.values,
             stiffness=friction.output_stiffness[loaded],
+            high_friction=curves.high_friction.values,
+            high_stiffness=curves.high_friction.output_stiffness[loaded],
         ),
         claims_joint.window_claim(
             output_torque=torques,

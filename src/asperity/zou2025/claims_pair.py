@@ -11,23 +11,23 @@ from asperity.zou2025.criteria import (
     NONLINEAR,
     PEAK_NEAR,
     SLIGHT,
-    departure_from_chord,
     falls,
     peak,
     relative_change,
     rises,
+    slope_change,
 )
 from asperity.zou2025.verdict import Claim, Statement
 
 
 def _nonlinear(says: str, abscissa: np.ndarray, stiffness: np.ndarray) -> Statement:
-    departure = departure_from_chord(abscissa, stiffness)
+    change = slope_change(abscissa, stiffness)
     return Statement(
         says=says,
-        met=departure >= NONLINEAR.limit,
-        evidence=f"the curve leaves its chord by {departure:.1%} of its total change "
+        met=change >= NONLINEAR.limit,
+        evidence=f"the slopes at both ends of the range differ by {change:.0%} of the steeper one "
         f"(nonlinear from {NONLINEAR.limit:.0%} on)",
-        numbers={"departure_from_chord": departure},
+        numbers={"slope_change": change},
     )
 
 

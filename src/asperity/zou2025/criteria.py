@@ -34,7 +34,10 @@ class Criterion:
 
 
 NONLINEAR = Criterion(
-    "nonlinear", 0.01, "-", "the curve leaves the chord of its end points by at least 1 % of its total change"
+    "nonlinear",
+    0.20,
+    "-",
+    "the mean slopes over the first and the last tenth of the range differ by at least 20 % of the steeper one",
 )
 SLIGHT = Criterion(
     "slightly, weakly, limited",
@@ -51,7 +54,11 @@ PEAK_NEAR = Criterion(
 )
 TENDENCY = Criterion("tends to", 0.80, "-", "it does so over at least 80 % of the range")
 SATURATED = Criterion(
-    "saturates", 0.10, "-", "the slope at the end is at most 10 % of the slope at the start of the range"
+    "saturates",
+    0.75,
+    "-",
+    "well beyond the range, each doubling of the abscissa adds at most 75 % of what the doubling before it added "
+    "(logarithmic growth: 100 %, any power law: more, an approach to a limit as 1/x: 50 %)",
 )
 OPTIMAL = Criterion("optimal", 0.90, "-", "everywhere at least 90 % of the maximum")
 
@@ -106,8 +113,8 @@ def relative_change(values: np.ndarray) -> np.ndarray:
     return np.asarray((last - first) / first)
 
 
-def departure_from_chord(abscissa: np.ndarray, values: np.ndarray) -> float:
-    """Largest distance of a curve from the chord of its end points, relative to its total change.
+def slope_change(abscissa: np.ndarray, values: np.ndarray) -> float:
+    """Difference between the mean slopes over the first and the last tenth of a range, relative to the steeper one.
 
     Parameters
     ----------
@@ -117,15 +124,18 @@ def departure_from_chord(abscissa: np.ndarray, values: np.ndarray) -> float:
     Returns
     -------
     float
-        0 for a straight line [-].
+        0 for a straight line, 1 where one end is flat, above 1 where the slope changes sign [-].
 
     Examples
     --------
-    >>> departure_from_chord(np.array([0.0, 1.0, 2.0]), np.array([0.0, 1.0, 4.0]))
-    0.25
+    >>> x = np.linspace(0.0, 1.0, 11)
+    >>> round(slope_change(x, x**2), 4)  # slopes 0.1 and 1.9
+    0.9474
     """
-    chord = np.interp(abscissa, abscissa[[0, -1]], values[[0, -1]])
-    return float(np.max(np.abs(values - chord)) / abs(values[-1] - values[0]))
+    tenth = 0.1 * (abscissa[-1] - abscissa[0])
+    start, stop = np.interp([abscissa[0] + tenth, abscissa[-1] - tenth], abscissa, values)
+    first, last = start - values[0], values[-1] - stop
+    return float(abs(last - first) / max(abs(first), abs(last)))
 
 
 def peak(abscissa: np.ndarray, values: np.ndarray) -> float:
@@ -186,22 +196,26 @@ def rising_share(values: np.ndarray) -> np.ndarray:
     return np.asarray(np.mean(np.diff(values, axis=-1) > 0.0, axis=-1))
 
 
-def slope_ratio(abscissa: np.ndarray, values: np.ndarray) -> float:
-    """Slope at the end of a curve over the slope at its start, each over a tenth of the range.
+def growth_per_doubling(values: np.ndarray) -> np.ndarray:
+    """Growth over the second of two successive doublings of the abscissa, relative to the growth over the first.
 
     Parameters
     ----------
-    abscissa, values : ndarray
-        The curve, shape (n,).
+    values : ndarray
+        Values at x, 2x and 4x, shape (..., 3).
 
     Returns
     -------
-    float
-        Below 1 where the curve levels off [-].
+    ndarray
+        Shape (...) [-]: 0.5 for an approach to a limit as 1/x, 1 for a logarithm, :math:`2^p` for a power p.
+
+    Examples
+    --------
+    >>> [round(float(growth_per_doubling(f)), 6) for f in (1 - 1 / np.array([1, 2, 4]), np.log([1, 2, 4]))]
+    [0.5, 1.0]
     """
-    tenth = 0.1 * (abscissa[-1] - abscissa[0])
-    start, stop = np.interp([abscissa[0] + tenth, abscissa[-1] - tenth], abscissa, values)
-    return float((values[-1] - stop) / (start - values[0]))
+    first, second = values[..., 1] - values[..., 0], values[..., 2] - values[..., 1]
+    return np.asarray(second / first)
 
 
 def interval_above(abscissa: np.ndarray, values: np.ndarray, share: float) -> tuple[float, float]:

@@ -90,6 +90,8 @@ class Curves:
         Over a fine grid of output torques, at the D of Table 1 (Fig. 5).
     dimension, roughness, length, friction, radius : JointCurves
         Over the quantity named, for :data:`OUTPUT_TORQUES` (Figs. 6–8; ``radius`` is in no figure).
+    high_friction : JointCurves
+        At the end of the range of friction, at twice and at four times as much (in no figure).
     """
 
     pairs: dict[str, PairCurve]
@@ -99,6 +101,7 @@ class Curves:
     length: JointCurves
     friction: JointCurves
     radius: JointCurves
+    high_friction: JointCurves
 
 
 def _dimensions() -> np.ndarray:
@@ -140,7 +143,7 @@ def pair_curves() -> dict[str, PairCurve]:
         for key, column in columns.items():
             column.append(values if key == name else np.full(values.size, fixed[key]))
     varied = {key: jnp.asarray(np.concatenate(column)) for key, column in columns.items()}
-    contact = eqx.filter_jit(pair_contact)(preset.table_1_pair(**varied))
+    contact = eqx.filter_jit(pair_contact)(**varied)
     stiffness = np.asarray(contact.tangential_stiffness)
     ends = np.cumsum([values.size for _, values, _ in axes.values()])[:-1]
     return {
@@ -187,6 +190,11 @@ def joint_curves() -> dict[str, JointCurves]:
         "roughness": (OUTPUT_TORQUES, "fractal_roughness", np.geomspace(*preset.ROUGHNESS_RANGE, 101)),
         "length": (OUTPUT_TORQUES, "contact_length", np.linspace(*preset.CONTACT_LENGTH_RANGE, 51)),
         "friction": (OUTPUT_TORQUES, "friction_coefficient", np.linspace(*_FRICTION_RANGE, 261)),
+        "high_friction": (
+            OUTPUT_TORQUES,
+            "friction_coefficient",
+            _FRICTION_RANGE[1] * np.array([1.0, 2.0, 4.0]),
+        ),
         "radius": (OUTPUT_TORQUES, "radius_scale", np.linspace(1.0, _LARGEST_RADIUS_SCALE, 21)),
     }
     grids = [preset.operating_grid(output_torque=t, **{name: v}) for t, name, v in axes.values()]

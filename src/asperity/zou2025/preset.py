@@ -15,14 +15,14 @@ import numpy as np
 from jax.typing import ArrayLike
 
 from asperity.contact.fractal import Surface
-from asperity.drive.assembly import RIGID_SUPPORTS
+from asperity.contact.roller_pairs import RollerPairs, roller_pairs
+from asperity.drive.assembly import IDEAL_STRUCTURE
 from asperity.drive.geometry import DriveGeometry
 from asperity.drive.mechanism import Bearings
 from asperity.joint.evaluation import Bodies, Joint
 from asperity.joint.play import NO_PLAY
-from asperity.materials import Material, hardness
+from asperity.materials import Material, hardness, pair
 from asperity.types import Real
-from asperity.zou2025.roller_pair import RollerPair
 
 YIELD_STRENGTH = 450e6  # Pa, Tables 1 and 2
 FRACTAL_DIMENSION = 1.4  # Table 1
@@ -219,8 +219,8 @@ def rough_surface(*, fractal_dimension: Real, fractal_roughness: Real) -> Surfac
     )
 
 
-def table_1_pair(**varied: Real) -> RollerPair:
-    """The single roller pair of Table 1.
+def table_1_pair(**varied: Real) -> RollerPairs:
+    """The single roller pair of Table 1, without its load.
 
     Parameters
     ----------
@@ -230,25 +230,23 @@ def table_1_pair(**varied: Real) -> RollerPair:
 
     Returns
     -------
-    RollerPair
+    RollerPairs
         The pair, the other numbers as in Table 1.
     """
     unknown = set(varied) - set(TABLE_1)
     if unknown:
         raise TypeError(f"Table 1 has no column {sorted(unknown)}; it has {sorted(TABLE_1)}")
     values: dict[str, Real] = {**TABLE_1, **varied}
-    return RollerPair(
-        bodies=(steel(), steel()),
-        surface=rough_surface(
-            fractal_dimension=values["fractal_dimension"], fractal_roughness=values["fractal_roughness"]
-        ),
-        radii=(PAIR_RADII[0], values["second_radius"]),
+    return roller_pairs(
+        radius_1=PAIR_RADII[0],
+        radius_2=values["second_radius"],
         sign=1.0,
         contact_length=values["contact_length"],
         friction_coefficient=FRICTION_COEFFICIENT,
-        normal_force=values["normal_force"],
-        tangential_force=values["tangential_force"],
-        contact_factor_model="printed",
+        moduli=pair(steel(), steel()),
+        surface=rough_surface(
+            fractal_dimension=values["fractal_dimension"], fractal_roughness=values["fractal_roughness"]
+        ),
     )
 
 
@@ -263,7 +261,7 @@ def table_2_joint(point: OperatingPoint) -> Joint:
     Returns
     -------
     Joint
-        Input of :func:`asperity.joint.evaluation.solve`; numbers have the shape of the point's fields.
+        Input of :func:`asperity.joint.evaluation.evaluate`; numbers have the shape of the point's fields.
     """
     scale = np.asarray(point.radius_scale)  # NumPy: a single product is not worth compiling
     return Joint(
@@ -297,7 +295,7 @@ def table_2_joint(point: OperatingPoint) -> Joint:
         preload=PRELOAD,
         output_torque=point.output_torque,
         sun_speed=SUN_SPEED,
-        supports=RIGID_SUPPORTS,
+        structure=IDEAL_STRUCTURE,
         play=NO_PLAY,
         closure="elastic",
         closure_springs="bulk",

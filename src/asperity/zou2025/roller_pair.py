@@ -2,84 +2,34 @@
 
 from __future__ import annotations
 
-import equinox as eqx
-import jax.numpy as jnp
-
-from asperity.contact.fractal import FractalContact, Surface, fractal_contact
-from asperity.contact.population import ContactFactorModel, contact_factor
-from asperity.materials import Material, pair
+from asperity.contact.fractal import FractalContact
+from asperity.contact.roller_pairs import contact_factors, rough_contacts
 from asperity.types import Real
+from asperity.zou2025.preset import TABLE_1, table_1_pair
 
 
-class RollerPair(eqx.Module):
-    """Two cylinders pressed together. Every number may be an array; all broadcast. SI units.
-
-    Parameters
-    ----------
-    bodies : tuple of Material
-        Materials of the two rollers.
-    surface : Surface
-        Fractal roughness of the equivalent surface.
-    radii : tuple of Real
-        Radii R_1, R_2 [m].
-    sign : Real
-        +1 for an external contact, −1 for an internal one [-].
-    contact_length : Real
-        Contact line length B [m].
-    friction_coefficient : Real
-        Friction coefficient mu [-].
-    normal_force, tangential_force : Real
-        F_n and T [N].
-    contact_factor_model : {"printed", "hertz_area", "unity"}
-        Model of lambda, :func:`asperity.contact.population.contact_factor`.
-    """
-
-    bodies: tuple[Material, Material]
-    surface: Surface
-    radii: tuple[Real, Real]
-    sign: Real
-    contact_length: Real
-    friction_coefficient: Real
-    normal_force: Real
-    tangential_force: Real
-    contact_factor_model: ContactFactorModel = eqx.field(static=True)
-
-
-def pair_contact(rollers: RollerPair) -> FractalContact:
-    """Spots and stiffnesses of a single roller pair.
+def pair_contact(**varied: Real) -> FractalContact:
+    """Spots and stiffnesses of the roller pair of Table 1.
 
     Parameters
     ----------
-    rollers : RollerPair
-        The pair and its load.
+    **varied : Real
+        What a case varies, as for :func:`asperity.zou2025.preset.table_1_pair`. SI units.
 
     Returns
     -------
     FractalContact
-        In the broadcast shape of the pair's numbers.
+        In the broadcast shape of the numbers.
 
     References
     ----------
     Zou et al. 2025, equations (10)–(24).
     """
-    moduli = pair(*rollers.bodies)
-    radius_1, radius_2 = rollers.radii
-    factor = contact_factor(
-        model=rollers.contact_factor_model,
-        radius_1=radius_1,
-        radius_2=radius_2,
-        sign=rollers.sign,
-        contact_length=rollers.contact_length,
-        contact_modulus=moduli.contact_modulus,
-        normal_force=jnp.where(jnp.asarray(rollers.normal_force) > 0.0, rollers.normal_force, 1.0),
-    )
-    return fractal_contact(
-        surface=rollers.surface,
-        normal_force=rollers.normal_force,
-        tangential_force=rollers.tangential_force,
-        friction_coefficient=rollers.friction_coefficient,
-        contact_factor=factor,
-        contact_modulus=moduli.contact_modulus,
-        tangential_contact_modulus=moduli.tangential_contact_modulus,
-        hardness=moduli.hardness,
+    pairs = table_1_pair(**varied)
+    values: dict[str, Real] = {**TABLE_1, **varied}
+    return rough_contacts(
+        pairs=pairs,
+        contact_factor=contact_factors(pairs=pairs, model="printed", normal_force=values["normal_force"]),
+        normal_force=values["normal_force"],
+        tangential_force=values["tangential_force"],
     )

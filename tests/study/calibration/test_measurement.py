@@ -66,3 +66,34 @@ def test_stiffnesses_may_all_belong_to_one_torque(tmp_path):
 def test_missing_file(tmp_path):
     with pytest.raises(InputError, match="there is no such file"):
         read_measurement(tmp_path / "none.csv")
+
+
+@pytest.mark.parametrize(
+    ("text", "reason"),
+    [
+        ('torque [N*m],angle [rad]\n"1,2\n3,4\n', "line 2: not a row of a CSV table: unexpected end of data"),
+        (
+            "torque [N*m],angle [rad]\n1," + "2" * 200_000 + "\n",
+            "line 2: not a row of a CSV table: field larger",
+        ),
+        ('torque [N*m],angle [rad]\n1,"2"3\n', "line 2: not a row of a CSV table: ',' expected after"),
+        ("\x1b[31m" * 1000 + "\n1\n", "data.csv: .*x1b"),
+    ],
+)
+def test_rows_that_are_no_rows(tmp_path, text, reason):
+    with pytest.raises(InputError, match=reason) as refused:
+        read(tmp_path, text)
+    assert str(refused.value).isprintable()
+
+
+def test_only_regular_files_of_a_bounded_size(tmp_path, monkeypatch):
+    for path, reason in (
+        ("/dev/zero", "pipe or a device"),
+        (tmp_path, "directory"),
+        (tmp_path / "x", "no such"),
+    ):
+        with pytest.raises(InputError, match=reason):
+            read_measurement(path)
+    monkeypatch.setattr("asperity.study.calibration.measurement.LARGEST_FILE", 10)
+    with pytest.raises(InputError, match="at most 10 bytes are read here"):
+        read(tmp_path, "torque [N*m],angle [rad]\n1,2\n3,4\n")

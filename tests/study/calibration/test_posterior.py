@@ -117,7 +117,7 @@ def drawn(cut_joint):
 
 
 def assert_cut_as_the_density_says(drawn, index, grid, logarithm):
-    """The note on a bound follows from the exact share of the posterior next to it, if that is far from the limit."""
+    """The note on a bound follows from the exact share of the posterior beside it, unless that is near the limit."""
     values = quantiles(grid, logarithm, np.linspace(0.0005, 0.9995, 1000))
     spread, note = float(np.std(values)), drawn.note(index)
     for side, near in (("lower", values < 0.1 * spread), ("upper", values > 1.0 - 0.1 * spread)):

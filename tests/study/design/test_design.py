@@ -10,16 +10,21 @@ from asperity.drive.geometry import clearances
 from asperity.errors import NoSolutionError
 from asperity.joint_file.build import joint_from_values
 from asperity.joint_file.reader import parse_case
-from asperity.joint_file.values import si_values
-from asperity.study.design.design import conflict, design, nominal_quantities
+from asperity.joint_file.si_tables import si_values
+from asperity.study.batch import derivatives_at
+from asperity.study.design.design import design, nominal_results
 from asperity.study.design.design_file import design_from_tables
-from asperity.study.quantities import quantities_at
+from asperity.study.design.design_result import conflict
 
 
 def run(zou_file, text):
     return design(
         design_from_tables(tomllib.loads('joint = "zou2025.toml"\n' + text), folder=zou_file.parent)
     )
+
+
+def result_at(values, name, changes):
+    return derivatives_at(values, changes, (name,))[1][name]
 
 
 @pytest.fixture(scope="module")
@@ -34,12 +39,12 @@ def test_best_dimension_against_exhaustive_search(zou_file, values):
         '[objective]\nmaximise = "stiffness"\n[search]\nstarts = 2',
     )
     grid = np.linspace(1.84, 1.86, 201)  # the paper's peak
-    stiffness = quantities_at(values, {"surface.fractal_dimension": grid})["stiffness.published"][0]
+    stiffness = result_at(values, "published_stiffness_output", {"surface.fractal_dimension": grid})[0]
     assert 0 < np.argmax(stiffness) < grid.size - 1
     assert found.point["surface.fractal_dimension"] == pytest.approx(grid[np.argmax(stiffness)], abs=2e-4)
     assert found.objective_after >= stiffness.max() * (1.0 - 1e-9)
     assert found.feasible
-    assert found.optimality < 1e-3
+    assert found.optimality_residual < 1e-3
 
 
 def test_smallest_preload_against_bisection(zou_file, values):
@@ -50,7 +55,7 @@ def test_smallest_preload_against_bisection(zou_file, values):
     )
 
     def excess(preload):
-        return quantities_at(values, {"load.preload": np.array([preload])})["slip_ratio"].max() - 0.8
+        return result_at(values, "slip_ratio", {"load.preload": np.array([preload])}).max() - 0.8
 
     assert found.point["load.preload"] == pytest.approx(brentq(excess, 300.0, 1000.0, xtol=1e-9), rel=1e-6)
     # without the normal forces' small rise: T_sp/(0.8 mu), T_sp = T_out/(9 * 3 R_s)
@@ -62,6 +67,58 @@ def test_smallest_preload_against_bisection(zou_file, values):
     assert slip.multiplier == pytest.approx(1.0, rel=0.1)
 
 
+def test_a_safety_factor_is_the_reciprocal_limit(zou_file):
+    text = '[variables]\nload.preload = {{ lower = "100 N", upper = "5000 N" }}\n[objective]\nminimise = "preload"\n'
+    text += "[constraints]\n{limit}\n[search]\nstarts = 1"
+    ratio = run(zou_file, text.format(limit="slip_ratio = { at_most = 0.8 }"))
+    safety = run(zou_file, text.format(limit="slip_safety = { at_least = 1.25 }"))
+    assert safety.point["load.preload"] == pytest.approx(ratio.point["load.preload"], rel=1e-7)
+
+
+def test_limits_of_speed_ratio_and_pressure_against_closed_forms(zou_file):
+    found = run(
+        zou_file,
+        '[variables]\ndrive.sun_radius = { lower = "3 mm", upper = "4.5 mm" }\n'
+        'load.preload = { lower = "300 N", upper = "5000 N" }\n[objective]\nmaximise = "preload"\n[constraints]\n'
+        'speed_ratio = { at_most = -9.5 }\nhertz_pressure = { at_most = "1500 MPa", contacts = ["sp"] }\n'
+        "[search]\nstarts = 2",
+    )
+    assert found.feasible
+    # omega_s/omega_c = -(R_o - R_s)/R_s: the largest sun, which lowers the pressure, has R_s = 40 mm/10.5
+    sun = 40e-3 / 10.5
+    assert found.point["drive.sun_radius"] == pytest.approx(sun, rel=1e-6)
+    # Hertz: p0^2 = N E*/(pi B R), with the normal force that the design itself has
+    radius = sun * 13.5e-3 / (sun + 13.5e-3)
+    force = 1500e6**2 * np.pi * 5e-3 * radius / (206e9 / (2.0 * (1.0 - 0.3**2)))
+    assert found.nominal["normal_force"][0] == pytest.approx(force, rel=1e-6)
+    assert found.summary_after["speed_ratio"] == pytest.approx(-9.5, rel=1e-6)
+    assert found.summary_before["speed_ratio"] == pytest.approx(-9.0, rel=1e-12)
+    assert found.summary_before["hertz_pressure"] == pytest.approx(1.53e9, rel=5e-3)  # the model's own figure
+
+
+def test_rounded_designs_against_every_combination_of_the_steps(zou_file, values):
+    found = run(
+        zou_file,
+        '[variables]\ndrive.contact_length = { lower = "3 mm", upper = "15 mm", step = "0.75 mm" }\n'
+        'load.preload = { lower = "300 N", upper = "3000 N", step = "150 N" }\n[objective]\nmaximise = "stiffness"\n'
+        '[constraints]\nmass = { at_most = "1.5 kg" }\npressure_over_first_yield = { at_most = 1.5 }\n'
+        "[search]\nstarts = 2",
+    )
+    length, preload = np.meshgrid(0.75e-3 * np.arange(4, 21), 150.0 * np.arange(2, 21), indexing="ij")
+    changes = {"drive.contact_length": length.ravel(), "load.preload": preload.ravel()}
+    names = ("assembly_stiffness_output", "mass", "pressure_over_first_yield", "slip_ratio")
+    status, grid, _ = derivatives_at(values, changes, names)
+    met = (grid["mass"][0] <= 1.5) & (grid["pressure_over_first_yield"].max(axis=0) <= 1.5) & (status == 0)
+    best = np.argmax(np.where(met, grid["assembly_stiffness_output"][0], 0.0))
+    assert found.point["drive.contact_length"] == pytest.approx(
+        changes["drive.contact_length"][best], rel=1e-9
+    )
+    assert found.point["load.preload"] == pytest.approx(changes["load.preload"][best], rel=1e-9)
+    assert found.feasible
+    assert found.objective_after == pytest.approx(grid["assembly_stiffness_output"][0, best], rel=1e-9)
+    assert found.objective_unrounded > found.objective_after
+
+
 def test_written_file_says_what_the_search_saw(zou_file):
     found = run(
         zou_file,
@@ -69,8 +126,9 @@ def test_written_file_says_what_the_search_saw(zou_file):
         'load.preload = { lower = "300 N", upper = "3000 N" }\n[objective]\nmaximise = "stiffness"\n'
         "[constraints]\npressure_over_first_yield = { at_most = 1.6 }\n[search]\nstarts = 1",
     )
-    again = nominal_quantities(found.joint_text)
-    assert again["stiffness.assembly"][0] == pytest.approx(found.objective_after, rel=1e-12)
+    names = ("assembly_stiffness_output", "pressure_over_first_yield")
+    again = nominal_results(found.joint_text, names)
+    assert again["assembly_stiffness_output"][0] == pytest.approx(found.objective_after, rel=1e-12)
     assert again["pressure_over_first_yield"].max() == pytest.approx(1.6, rel=1e-7)
 
 
@@ -90,7 +148,7 @@ def test_worst_case_over_torques_and_tolerances(tmp_path, zou_file):
 
 def test_conflict_is_named_with_its_size(zou_file, values):
     grid = np.linspace(300.0, 400.0, 3)
-    best = quantities_at(values, {"load.preload": grid})["stiffness.assembly"][0].max()
+    best = result_at(values, "assembly_stiffness_output", {"load.preload": grid})[0].max()
     found = run(
         zou_file,
         '[variables]\nload.preload = { lower = "100 N", upper = "3000 N" }\n[objective]\nminimise = "preload"\n'
@@ -101,12 +159,16 @@ def test_conflict_is_named_with_its_size(zou_file, values):
     assert best < 1e5
     assert not found.feasible
     missed = {limit.name: limit for limit in found.limits if limit.active}
-    assert set(missed) == {"stiffness", "preload"}
+    assert set(missed) == {"assembly_stiffness_output", "preload"}
     # the least violation shares the burden: both limits are missed by the same factor
-    factor = np.exp(found.violation)
-    assert missed["stiffness"].value == pytest.approx(1e5 / factor, rel=1e-6)
-    assert missed["preload"].value == pytest.approx(600.0 * factor, rel=1e-6)
-    assert "against" in conflict(found)
+    factor = missed["preload"].value / 600.0
+    assert missed["assembly_stiffness_output"].value == pytest.approx(1e5 / factor, rel=1e-6)
+    # each limit is missed by a share of itself, and the largest share is told
+    assert missed["preload"].missed_by == pytest.approx(factor - 1.0, rel=1e-9)
+    assert missed["assembly_stiffness_output"].missed_by == pytest.approx(1.0 - 1.0 / factor, rel=1e-6)
+    assert found.violation == missed["preload"].missed_by
+    assert f"misses a limit by {100.0 * (factor - 1.0):.3g} %" in conflict(found)
+    assert "these limits conflict: torsional stiffness at the output" in conflict(found)
     assert sum(limit.multiplier for limit in found.limits) == pytest.approx(1.0, rel=1e-6)
 
 

@@ -40,11 +40,13 @@ def test_good_file(zou_file):
         ("envelope_diameter", 0.21, False),
         ("slip_ratio", 1.0, True),
         ("clearance", 0.0, True),
-        ("normal_over_rest", 0.0, True),
+        ("normal_force_over_preload", 0.0, True),
     }
     states = scenarios(found)
-    assert states.torques == pytest.approx([5.0, 0.0, 2.0, 4.0, 6.0])  # the file's own torque first, unjudged
-    assert states.judged.tolist() == [False, True, True, True, True]
+    assert states.torques == pytest.approx(
+        [5.0, 0.0, 2.0, 4.0, 6.0]
+    )  # the file's torque first: it does not count
+    assert states.counted.tolist() == [False, True, True, True, True]
 
 
 @pytest.mark.parametrize(
@@ -71,16 +73,16 @@ def test_good_file(zou_file):
         ('{ at_most = "210 mm" }', '{ at_most = "210 N" }', "expected a length"),
         ('{ at_most = "210 mm" }', "{ }", "say 'at_most' or 'at_least'"),
         ('contacts = ["sp"]', 'contacts = ["xx"]', "not one of sp, pwr"),
-        ("at_most = 0.8", "at_most = 1.2", "up to 1"),
+        ("at_most = 0.8", "at_most = 1.2", "at most 1"),
         (
             "[worst_case]",
             'clearance = { at_least = "-1 mm" }\n[worst_case]',
-            "must be at least 0, since rollers",
+            "must be at least 0 mm",
         ),
         ("points = 4", "points = 1", "whole number from 2 to 50"),
         ('lower = "0 N*m"', 'lower = "7 N*m"', "0 <= lower < upper"),
         ("[worst_case]", '[worst_case]\ntolerances = "corners"', "states no tolerance"),
-        ('joint = "zou2025.toml"', 'level = "best"\njoint = "zou2025.toml"', "not one of published"),
+        ('joint = "zou2025.toml"', 'level = "best"\njoint = "zou2025.toml"', "not one of assembly"),
         ('joint = "zou2025.toml"', 'joint = "none.toml"', "there is no such file"),
     ],
 )
@@ -88,6 +90,47 @@ def test_bad_files(zou_file, old, new, message):
     assert old in GOOD
     with pytest.raises(InputError, match=message.replace("(", r"\(")):
         problem(GOOD.replace(old, new, 1), zou_file.parent)
+
+
+def test_all_errors_of_a_file_are_said_at_once(zou_file):
+    text = GOOD
+    for old, new in (
+        (
+            "surface.fractal_dimension = { lower = 1.3, upper = 1.9 }",
+            "load.prelod = { lower = 1, upper = 2 }",
+        ),
+        ('maximise = "stiffness"', "maximise = 0"),
+        ("slip_ratio = { at_most = 0.8", "gross_slip = { at_most = 0.8"),
+        ('envelope_diameter = { at_most = "210 mm" }', "speed_ratio = { at_least = 9 }"),
+        ("points = 4", "points = 1"),
+    ):
+        assert old in text
+        text = text.replace(old, new)
+    with pytest.raises(InputError) as caught:
+        problem(text, zou_file.parent)
+    first, *errors = str(caught.value).splitlines()
+    assert first == "5 errors"
+    for error, said in zip(
+        errors,
+        (
+            "variables.load.prelod: a joint file has no number 'load.prelod'; did you mean 'load.preload'?",
+            "objective.maximise: expected the name of a result as text, got 0",
+            "constraints.gross_slip: there is no result 'gross_slip'; it was renamed to 'slip_ratio'",
+            "constraints.speed_ratio.at_least: 9 is not allowed; it must be at most 0 (negative: carrier and sun",
+            "worst_case.torque.points: expected a whole number from 2 to 50, got 1",
+        ),
+        strict=True,
+    ):
+        assert error.strip().startswith(said)
+
+
+def test_steps_are_read_and_checked(zou_file):
+    stepped = GOOD.replace("upper = 1.9 }", "upper = 1.9, step = 0.05 }")
+    assert [variable.step for variable in problem(stepped, zou_file.parent).variables] == [0.05, None]
+    with pytest.raises(InputError, match="a multiple of it must lie between the bounds"):
+        problem(GOOD.replace("upper = 1.9 }", "upper = 1.9, step = 7 }"), zou_file.parent)
+    with pytest.raises(InputError, match=r"fractal_roughness\.step: .*bare number"):
+        problem(GOOD.replace('upper = "1e-7 mm" }', 'upper = "1e-7 mm", step = 1 }'), zou_file.parent)
 
 
 def test_finish_gives_the_bounds(zou_file):

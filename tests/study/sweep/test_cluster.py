@@ -2,6 +2,7 @@
 
 import json
 import os
+import signal
 import subprocess
 import sys
 import time
@@ -24,7 +25,8 @@ AXES = tuple(
     parse_axis(text)
     for text in ("load.output_torque=0 N*m:12 N*m:20", "surface.fractal_dimension=1.3:1.8:30")
 )
-SOURCES = Path(__file__).parents[2] / "src"
+SOURCES = Path(__file__).parents[3] / "src"
+EXAMPLE = SOURCES.parent / "examples" / "zou2025.toml"
 
 
 class Cluster:
@@ -142,6 +144,45 @@ def test_local_workers_start_with_their_settings_and_leave_ours_alone():
 
     with _client(None, 1) as client:
         ((allocator, flags),) = client.run(seen).values()
+        server = client.cluster.scheduler.http_server  # Dask's own choice is port 8787
+        assert server.address == "127.0.0.1"
+        assert server.port != 8787
     assert allocator == ["MALLOC_TRIM_THRESHOLD_=268435456"]
     assert "multi_thread_eigen=false" in flags
     assert {name: os.environ.get(name) for name in names} == before
+
+
+@pytest.mark.parametrize(
+    ("number", "code", "word"), [("TERM", 143, "terminated"), ("INT", 130, "interrupted")]
+)
+def test_a_signal_ends_a_sweep_on_local_processes_without_noise(tmp_path, number, code, word):
+    script = (
+        "import signal\nfrom asperity.cli import main\n"
+        "if __name__ == '__main__':\n"
+        "    signal.signal(signal.SIGINT, signal.default_int_handler)\n    main()\n"
+    )
+    (tmp_path / "run.py").write_text(script)
+    command = [sys.executable, "run.py", "sweep", str(EXAMPLE), "--results", "published_stiffness_output"]
+    command += ["--over", "load.preload=500 N:2000 N:3000", "--over", "load.output_torque=0 N*m:5 N*m:1000"]
+    process = subprocess.Popen(
+        [*command, "--out", "s.zarr", "--workers", "1"],
+        cwd=tmp_path,
+        env={**os.environ, "PYTHONPATH": str(SOURCES)},
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+    )
+    finished = tmp_path / "s.zarr" / "progress" / "finished" / "c"
+    for _ in range(1200):
+        if (finished.is_dir() and any(finished.iterdir())) or process.poll() is not None:
+            break
+        time.sleep(0.1)
+    process.send_signal(getattr(signal, f"SIG{number}"))
+    out, err = process.communicate(timeout=120)
+    assert process.returncode == code, err
+    assert out == ""
+    assert [line for line in err.splitlines() if line] == [
+        "the finished blocks are kept in s.zarr; the same command continues from there",
+        f"asperity: {word}",
+    ]
+    assert unfinished_blocks(tmp_path / "s.zarr")

@@ -22,7 +22,7 @@ AXES = tuple(
         "load.preload=800 N:1200 N:2",
     )
 )
-RESULTS = ("published_stiffness_output", "normal_force", "gross_slip")
+RESULTS = ("published_stiffness_output", "normal_force", "slip_ratio")
 
 
 @pytest.fixture(scope="module")
@@ -39,7 +39,7 @@ def filled(case, tmp_path_factory):
 
 def test_equals_the_joint_solved_directly(in_memory, evaluated_directly):
     direct = evaluated_directly(AXES)
-    slips = np.any(np.asarray(direct.diagnostics.gross_slip) >= 1.0, axis=0).reshape(5, 3, 2)
+    slips = np.any(np.asarray(direct.diagnostics.slip_ratio) >= 1.0, axis=0).reshape(5, 3, 2)
     assert 0 < slips.sum() < slips.size
     np.testing.assert_array_equal(in_memory["status"].values != 0, slips)
     stiffness = np.asarray(direct.published.output).reshape(5, 3, 2)
@@ -100,6 +100,23 @@ def test_only_unfinished_blocks_are_computed_again(case, filled, tmp_path, monke
     assert unfinished_blocks(path) == []
 
 
+def test_damaged_blocks_are_computed_again_and_said(case, in_memory, filled, tmp_path):
+    path = tmp_path / "s.zarr"
+    shutil.copytree(filled, path)
+    (path / "published_stiffness_output" / "c" / "0" / "0" / "0").unlink()
+    changed = path / "normal_force" / "c" / "0" / "1" / "0" / "0"
+    content = bytearray(changed.read_bytes())
+    content[40] ^= 4
+    changed.write_bytes(content)
+    said = []
+    again = sweep(case, AXES, results=RESULTS, store=path, block_points=7, notice=said.append)
+    assert said == [f"2 blocks of {path} are damaged or missing and are computed again"]
+    for name in RESULTS:
+        np.testing.assert_allclose(again[name].values, in_memory[name].values, rtol=1e-10)
+    assert sweep(case, AXES, results=RESULTS, store=path, block_points=7, notice=said.append) is not None
+    assert len(said) == 1
+
+
 def test_interruption_keeps_what_is_done(case, in_memory, tmp_path):
     path = tmp_path / "s.zarr"
 
@@ -118,7 +135,7 @@ def test_interruption_keeps_what_is_done(case, in_memory, tmp_path):
 
 def test_another_sweep_is_not_written_over(case, joint_text, filled):
     before = json.dumps(sorted(str(p) for p in filled.rglob("*")))
-    with pytest.raises(InputError, match="holds another sweep \\(different: the axes, the results"):
+    with pytest.raises(InputError, match="contains another sweep \\(different: the axes, the results"):
         sweep(case, AXES[:1], results=("forces",), store=filled)
     assert json.dumps(sorted(str(p) for p in filled.rglob("*"))) == before
 

@@ -5,17 +5,10 @@ import pytest
 
 from asperity.errors import InputError
 from asperity.joint_file.reader import parse_case
-from asperity.joint_file.values import numeric_keys, si_values
-from asperity.study.points import evaluate_points
-from asperity.study.tolerances.sensitivity import judged_results, ranking, sensitivity
+from asperity.joint_file.si_tables import numeric_keys, si_values
+from asperity.study.batch import evaluate_points
+from asperity.study.tolerances.sensitivity import DEFAULT_RESULTS, ranking, sensitivity
 from asperity.unit_table import Dimension
-
-OUTPUT = {
-    "assembly_stiffness_output",
-    "series_with_bulk_stiffness_output",
-    "published_stiffness_output",
-    "torque_capacity",
-}
 
 
 @pytest.fixture(scope="module")
@@ -37,19 +30,19 @@ def test_elasticities_obey_the_dimensions(homogeneous, found, base):
     exponents = np.array(
         [entry.key.dimension.exponents[base] for entry in numeric_keys(homogeneous).values()]
     )
-    for name, (unit, _) in judged_results().items():
-        if name in OUTPUT:
-            dimension = Dimension.TORQUE if unit == "N*m" else Dimension.TORSIONAL_STIFFNESS
-            total = float(found["elasticity"].sel(result=name).values @ exponents)
-            assert total == pytest.approx(dimension.exponents[base], abs=1e-9), name
+    for name in DEFAULT_RESULTS[:4]:
+        dimension = Dimension.TORQUE if name == "torque_capacity" else Dimension.TORSIONAL_STIFFNESS
+        total = float(found["elasticity"].sel(result=name).values @ exponents)
+        assert total == pytest.approx(dimension.exponents[base], abs=1e-9), name
 
 
-def test_margins_are_pure_numbers(homogeneous, found):
+def test_ratios_are_pure_numbers(homogeneous, found):
     for base in range(3):
         weights = [e.key.dimension.exponents[base] * e.value for e in numeric_keys(homogeneous).values()]
         change = found["derivative"].values @ np.array(weights)
-        margins = [name not in OUTPUT for name in found["result"].values]
-        np.testing.assert_allclose(change[margins], 0.0, atol=1e-9)
+        ratios = [name not in DEFAULT_RESULTS[:4] for name in found["result"].values]
+        assert sum(ratios) == 11
+        np.testing.assert_allclose(change[ratios], 0.0, atol=1e-9)
 
 
 def test_derivatives_are_limits_of_differences(homogeneous, found):
@@ -61,13 +54,13 @@ def test_derivatives_are_limits_of_differences(homogeneous, found):
     for k, path in enumerate(chosen):
         points[path][2 * k] += steps[path]
         points[path][2 * k + 1] -= steps[path]
-    names = ("assembly_stiffness_output", "published_stiffness_output", "gross_slip")
+    names = ("assembly_stiffness_output", "published_stiffness_output", "slip_ratio")
     status, values = evaluate_points(tables, points, names)
     assert not status.any()
     for result, value in (
         ("assembly_stiffness_output", values["assembly_stiffness_output"]),
         ("published_stiffness_output", values["published_stiffness_output"]),
-        ("slip_margin_wlo", 1.0 - values["gross_slip"][4]),
+        ("slip_ratio_wlo", values["slip_ratio"][4]),
     ):
         for k, path in enumerate(chosen):
             slope = (value[2 * k] - value[2 * k + 1]) / (2.0 * steps[path])
@@ -77,18 +70,18 @@ def test_derivatives_are_limits_of_differences(homogeneous, found):
 
 
 def test_closed_forms(found):
-    # self-locking: 1 − tan(beta/2)/mu, so d/d(mu) = tan(beta/2)/mu^2, with beta = 13.1582 deg and mu = 0.12
-    slope = float(found["derivative"].sel(result="self_locking_margin", input="load.friction_coefficient"))
-    assert slope == pytest.approx(np.tan(np.radians(13.1582) / 2.0) / 0.12**2, rel=1e-5)
+    # self-locking: tan(beta/2)/mu, so d/d(mu) = -tan(beta/2)/mu^2, with beta = 13.1582 deg and mu = 0.12
+    slope = float(found["derivative"].sel(result="self_locking_ratio", input="load.friction_coefficient"))
+    assert slope == pytest.approx(-np.tan(np.radians(13.1582) / 2.0) / 0.12**2, rel=1e-5)
     # every branch carries its share: capacity is proportional to the number of planets
     assert float(found["elasticity"].sel(result="torque_capacity", input="drive.planets")) == pytest.approx(
         1.0, abs=1e-9
     )
     # Hertz: p0 ~ sqrt(N E/(R B)); yield strength enters the first yield pressure alone
-    pressure = found.sel(result="pressure_margin_sp")
-    ratio = 1.0 - float(pressure["result_value"])
+    pressure = found.sel(result="pressure_over_first_yield_sp")
+    ratio = float(pressure["result_value"])
     derivative = float(pressure["derivative"].sel(input="materials.steel.yield_strength"))
-    assert derivative * 450e6 == pytest.approx(ratio, rel=1e-9)
+    assert derivative * 450e6 == pytest.approx(-ratio, rel=1e-9)
 
 
 def test_ranking_is_by_influence(found):
@@ -105,3 +98,12 @@ def test_a_joint_that_slips_has_no_sensitivities(joint_text):
         sensitivity(
             parse_case(joint_text.replace('"5 N*m"', '"50 N*m"').replace('"printed"', '"unity"'), source="x")
         )
+
+
+def test_any_result_with_derivatives_can_be_asked_for(homogeneous):
+    # a reduction of R_o/R_s - 1 = 9: d ratio/d R_o = -1/R_s
+    found = sensitivity(homogeneous, ("speed_ratio",))
+    slope = float(found["derivative"].sel(result="speed_ratio", input="drive.ring_radius"))
+    assert slope == pytest.approx(-1.0 / 4e-3, rel=1e-12)
+    with pytest.raises(InputError, match="no differentiable result 'limiting_contact'"):
+        sensitivity(homogeneous, ("limiting_contact",))

@@ -204,7 +204,7 @@ def unit_of(path: str) -> str:
     str
         A unit of :mod:`asperity.units`.
     """
-    from asperity.joint_file.values import key_at
+    from asperity.joint_file.si_tables import key_at
 
     kind = path.partition(" ")[0]
     shown = {"offset": "arcmin", "drift": "arcmin/min"}

@@ -9,15 +9,16 @@ import jax.numpy as jnp
 import numpy as np
 
 from asperity.joint.play import play_compliance
+from asperity.joint.results import name_at_level
 from asperity.joint.windup import NO_SLIP_FRICTION, StiffnessLevel, is_symmetric
 from asperity.joint_file.build import joint_from_values
 from asperity.joint_file.model import Case
-from asperity.joint_file.values import numeric_keys, replace_values, si_values
+from asperity.joint_file.si_tables import numeric_keys, replace_values, si_values
+from asperity.study.batch import derivatives_at
 from asperity.study.calibration.measurement import Measurement
 from asperity.study.calibration.torque_history import History, curve_operator
 from asperity.study.calibration.unknowns import CURVE_UNKNOWNS, added_to_curve
 from asperity.study.design.design_problem import Variable
-from asperity.study.quantities import quantities_and_slopes, quantities_at
 
 #: Below this share of its median a stiffness is replaced by this value, so that a search that strays past the
 #: torque capacity finds back. A fit that ends there is refused.
@@ -118,10 +119,13 @@ class CurveModel:
         """Stiffness at the model's torques, its slopes by the joint's unknowns, largest slip ratio [SI]."""
         point = self.point(scaled_values)
         changes = {path: np.full(self.torque.size, point[path]) for path in self.paths}
-        found, slopes = quantities_and_slopes(
-            self.values, self._changes(changes, self.torque, self.slips), self.paths
+        name = name_at_level("stiffness", self.level)
+        _, found, slopes = derivatives_at(
+            self.values,
+            self._changes(changes, self.torque, self.slips),
+            (name, "slip_ratio"),
+            self.paths,
         )
-        name = f"stiffness.{self.level}"
         by_joint = slopes[name][0]
         for index, path in enumerate(self.paths):
             if path == "load.sun_speed":
@@ -209,13 +213,13 @@ class CurveModel:
             )
             for index in self.in_joint
         }
-        quantities = quantities_at(
-            self.values,
-            self._changes(changes, np.tile(torque, len(scaled_values)), np.tile(slips, len(scaled_values))),
-        )
-        shape = (len(scaled_values), torque.size)
-        stiffness = quantities[f"stiffness.{self.level}"][0].reshape(shape)
-        holds = np.isfinite(stiffness) & (stiffness > 0.0) & (quantities["solved"][0].reshape(shape) > 0.0)
+        name = name_at_level("stiffness", self.level)
+        count = len(scaled_values)
+        points = self._changes(changes, np.tile(torque, count), np.tile(slips, count))
+        status, found, _ = derivatives_at(self.values, points, (name, "slip_ratio"))
+        shape = (count, torque.size)
+        stiffness = found[name][0].reshape(shape)
+        holds = np.isfinite(stiffness) & (stiffness > 0.0) & (status.reshape(shape) == 0)
         exists = np.all(holds, axis=1)[:, None]
         return np.where(exists, 1.0 / np.where(exists, stiffness, 1.0), np.nan)
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import csv
+import io
 import re
 from dataclasses import dataclass
 from pathlib import Path
@@ -11,6 +12,7 @@ import numpy as np
 
 from asperity.errors import InputError
 from asperity.joint_file.messages import nearest
+from asperity.reading import read_text
 from asperity.unit_table import Dimension
 from asperity.units import format_quantity, parse_quantity
 
@@ -25,6 +27,8 @@ COLUMNS = {
 #: Largest size that a number of a column may have, in SI units: beyond it a unit or a column is wrong.
 LARGEST = {"torque": 1e9, "angle": 1e3, "stiffness": 1e15, "time": 1e12, "repetition": 1e9}
 
+#: Largest file [byte].
+LARGEST_FILE = 50_000_000
 #: Rows of numbers a file must and may have.
 FEWEST_ROWS, MOST_ROWS = 2, 200_000
 
@@ -96,6 +100,13 @@ def _refuse_constant(path: str | Path, columns: dict[str, np.ndarray]) -> None:
             )
 
 
+def _cells(path: str | Path, number: int, line: str, delimiter: str) -> list[str]:
+    try:
+        return next(csv.reader([line], delimiter=delimiter, strict=True))
+    except csv.Error as error:
+        raise InputError(f"{path}, line {number}: not a row of a CSV table: {error}") from None
+
+
 def read_measurement(path: str | Path) -> Measurement:
     """Read a measured curve.
 
@@ -116,20 +127,15 @@ def read_measurement(path: str | Path) -> Measurement:
     InputError
         With line and column, if something cannot be read.
     """
-    try:
-        with Path(path).open(newline="", encoding="utf-8-sig") as stream:
-            lines = [(number, line) for number, line in enumerate(stream, 1)]
-    except FileNotFoundError:
-        raise InputError(f"{path}: there is no such file") from None
-    except (OSError, UnicodeDecodeError) as error:
-        raise InputError(f"{path}: cannot be read: {getattr(error, 'strerror', None) or error}") from None
+    text = read_text(path, largest=LARGEST_FILE)
+    lines = list(enumerate(io.StringIO(text, newline=""), 1))
     lines = [(number, line) for number, line in lines if line.strip() and not line.startswith("#")]
     if not lines:
         raise InputError(f"{path}: the file is empty")
     if len(lines) > MOST_ROWS + 1:
         raise InputError(f"{path}: {len(lines) - 1} rows; at most {MOST_ROWS}, so thin the data out")
     delimiter = ";" if ";" in lines[0][1] else ","
-    rows = list(csv.reader((line for _, line in lines), delimiter=delimiter))
+    rows = [_cells(path, number, line, delimiter) for number, line in lines]
     try:
         columns = [_column(header) for header in rows[0]]
     except InputError as error:

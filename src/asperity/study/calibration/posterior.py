@@ -12,6 +12,7 @@ import numpy as np
 from jax import Array
 
 from asperity.errors import InputError, MissingExtraError, NoSolutionError
+from asperity.extras import install_command
 from asperity.precision import require_double_precision
 from asperity.study.calibration.calibrate import UNINFORMED, Calibration
 from asperity.study.calibration.curve_surrogate import fit_surrogate, surrogate_prediction
@@ -141,7 +142,9 @@ def require_numpyro() -> None:
         Saying what to install.
     """
     if importlib.util.find_spec("numpyro") is None:
-        raise MissingExtraError("a posterior needs NumPyro; install it with: pip install 'asperity[bayes]'")
+        raise MissingExtraError(
+            f"a posterior needs the package 'numpyro', which is not installed; run: {install_command('bayes')}"
+        )
 
 
 def sample(

@@ -8,7 +8,7 @@ import numpy as np
 
 from asperity.errors import InputError
 from asperity.joint_file.model import Case
-from asperity.joint_file.values import key_at, numeric_keys
+from asperity.joint_file.si_tables import key_at, numeric_keys
 from asperity.study.calibration.measurement import Measurement
 from asperity.study.design.design_problem import Variable
 from asperity.unit_table import Dimension

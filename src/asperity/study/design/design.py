@@ -3,142 +3,52 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, field
 from pathlib import Path
 
 import numpy as np
 
 from asperity.errors import InputError, NoSolutionError
+from asperity.joint.results import RESULTS
+from asperity.joint.status import UNBALANCED
+from asperity.joint_file.edited_text import joint_file_text
 from asperity.joint_file.reader import parse_case
-from asperity.joint_file.values import si_values
+from asperity.joint_file.si_tables import si_values
 from asperity.precision import require_double_precision
-from asperity.study.design.design_problem import DesignProblem
+from asperity.study.batch import derivatives_at
+from asperity.study.design.design_evaluation import DesignEvaluator, EvaluatedDesign
+from asperity.study.design.design_problem import SUMMARY, DesignProblem
+from asperity.study.design.design_result import DesignResult, LimitReport, StartReport
 from asperity.study.design.design_search import (
     ACTIVE,
     FEASIBLE,
-    badness,
-    largest_violation,
-    least_violation,
+    SearchProgress,
     local_optimum,
-    nonexistence,
-    optimality_gap,
-    starting_places,
+    optimality,
+    smallest_violation,
+    starting_points,
+    violation_rank,
 )
-from asperity.study.design.joint_text import joint_file_text
-from asperity.study.design.judgement import Judge, Judged
-from asperity.study.quantities import QUANTITIES, at_level, quantities_and_slopes
+from asperity.study.design.rounding import rounded_design
+from asperity.units import format_quantity
 
-
-@dataclass(frozen=True)
-class LimitReport:
-    """How a design stands to one limit, at its worst scenario and contact.
-
-    Parameters
-    ----------
-    name, row : str
-        The quantity and, if it has several rows, which one is closest to the limit.
-    at_most : bool
-        Whether the limit is an upper one.
-    limit, value : float
-        The limit and the value closest to it [SI].
-    margin : float
-        From 0 on fine; see :mod:`asperity.study.design.judgement`.
-    active : bool
-        Whether it holds the design back.
-    multiplier : float
-        Relative gain of the objective (or of the least violation) per relative relaxation of the limit [-].
-    implied : bool
-        Whether it holds for every design, without being stated.
-    output_torque : float
-        Torque of the worst scenario [N·m].
-    """
-
-    name: str
-    row: str
-    at_most: bool
-    limit: float
-    value: float
-    margin: float
-    active: bool
-    multiplier: float
-    implied: bool
-    output_torque: float
-
-
-@dataclass(frozen=True)
-class StartReport:
-    """One start of the search: where it ended and whether all limits are met there."""
-
-    point: dict[str, float]
-    objective: float
-    violation: float
-    converged: bool
-
-
-@dataclass(frozen=True)
-class DesignResult:
-    """The outcome of a design.
-
-    Parameters
-    ----------
-    problem : DesignProblem
-        What was asked.
-    feasible : bool
-        Whether all limits are met. If not, the point is the one of least violation.
-    point : dict
-        Dotted path → value of the variables [SI].
-    at_bound : dict
-        Dotted path → "lower" or "upper" for the variables that lie on a bound.
-    before, after : dict
-        Name → worst value over the judged scenarios of the joint file and of the design [SI]; ``nan`` where the
-        file's joint does not exist.
-    objective_before, objective_after : float
-        The objective at its worst scenario [SI].
-    limits : tuple of LimitReport
-        All limits.
-    violation : float
-        Largest violation: logarithm of the ratio to the limit; 0 for a feasible design.
-    optimality : float
-        Gradient that the active limits do not explain, relative to that of the objective [-].
-    starts : tuple of StartReport
-        All starts.
-    evaluations : int
-        Evaluations of all scenarios, with derivatives.
-    joint_text : str
-        The designed joint as a joint file.
-    nominal : dict
-        Quantities of that file at its own torque [SI], shape (rows,).
-    """
-
-    problem: DesignProblem
-    feasible: bool
-    point: dict[str, float]
-    at_bound: dict[str, str]
-    objective_before: float
-    objective_after: float
-    limits: tuple[LimitReport, ...]
-    violation: float
-    optimality: float
-    starts: tuple[StartReport, ...]
-    evaluations: int
-    joint_text: str
-    nominal: dict[str, np.ndarray] = field(repr=False)
+_Ended = list[tuple[np.ndarray, EvaluatedDesign, bool]]
 
 
 def design(problem: DesignProblem, *, progress: Callable[[int, int], None] | None = None) -> DesignResult:
-    """Find the best design that meets all limits in all scenarios; or the least violation if none does.
+    """Find the best design that meets all limits in all scenarios; or the smallest violation if none does.
 
     Parameters
     ----------
     problem : DesignProblem
         The problem, with one objective.
     progress : callable, optional
-        Called with the number of finished starts and of all starts.
+        Called with the number of finished searches and of all. More follow the starts where limits conflict, or where
+        variables are rounded.
 
     Returns
     -------
     DesignResult
-        The best of all starts. ``feasible`` says whether the limits are met.
+        The best of all starts, rounded where variables have steps. ``feasible`` says whether the limits are met.
 
     Raises
     ------
@@ -150,8 +60,8 @@ def design(problem: DesignProblem, *, progress: Callable[[int, int], None] | Non
     Notes
     -----
     The objective at its worst scenario is an extra variable that bounds the objective of every scenario; so the
-    problem stays smooth. A local method from several starts proves a local optimum (its optimality conditions are
-    part of the result), and makes a better one elsewhere unlikely, not impossible.
+    problem stays smooth. A local method from several starts finds a local optimum (the optimality residual is part of
+    the result), and makes a better one elsewhere unlikely, not impossible.
 
     References
     ----------
@@ -163,51 +73,62 @@ def design(problem: DesignProblem, *, progress: Callable[[int, int], None] | Non
         raise InputError(
             f"a design has one objective, got {len(problem.objectives)}; several make a Pareto front"
         )
-    judge = Judge(problem)
-    starts = starting_places(judge)
-    ended: list[tuple[np.ndarray, Judged, bool]] = []
-    for index, start in enumerate(starts):
-        end, converged = local_optimum(judge, start)
-        ended.append((end, judge(end), converged))
-        if progress is not None:
-            progress(index + 1, len(starts))
-    feasible = [each for each in ended if largest_violation(each[1]) <= FEASIBLE]
+    evaluator, count = DesignEvaluator(problem), SearchProgress(progress)
+    starts = starting_points(evaluator)
+    count.expect(len(starts))
+    ended: _Ended = []
+    for start in starts:
+        end, converged = local_optimum(evaluator, start)
+        ended.append((end, evaluator(end), converged))
+        count.step()
+    feasible = [each for each in ended if each[1].violation <= FEASIBLE]
     if feasible:
-        places, judged, _ = min(feasible, key=lambda each: float(each[1].objective.max()))
+        best = min(feasible, key=lambda each: float(each[1].objective.max()))[0]
     else:
-        nearest = sorted(ended, key=lambda each: badness(judge, each[0]))
-        tries = [least_violation(judge, each[0]) for each in nearest[: max(3, len(nearest) // 2)]]
-        places = min(tries, key=lambda each: badness(judge, each))
-        judged = judge(places)
-        _refuse_what_cannot_exist(judge, judged)
-        if (
-            largest_violation(judged) <= FEASIBLE
-        ):  # the way to the limits was found only now: go on from there
-            again, converged = local_optimum(judge, places)
-            if largest_violation(judge(again)) <= FEASIBLE:
-                places = again
-            judged = judge(places)
-    return _result(judge, places, judged, ended)
+        best = _nearest(evaluator, ended, count)
+    fixed, unrounded = np.zeros(best.size, dtype=bool), None
+    if any(variable.step is not None for variable in problem.variables):
+        unrounded = _worst_objective(evaluator, evaluator(best))
+        best, fixed = rounded_design(evaluator, best, count)
+        _refuse_what_cannot_exist(evaluator, evaluator(best))
+    return _result(evaluator, best, fixed, unrounded, ended)
 
 
-def _refuse_what_cannot_exist(judge: Judge, judged: Judged) -> None:
+def _nearest(evaluator: DesignEvaluator, ended: _Ended, count: SearchProgress) -> np.ndarray:
+    """The design of the smallest violation; a better one where the way to the limits is found only now."""
+    ends = sorted((each[0] for each in ended), key=lambda end: violation_rank(evaluator, end))
+    ends = ends[: max(3, len(ends) // 2)]
+    count.expect(len(ends))
+    tries = []
+    for end in ends:
+        tries.append(smallest_violation(evaluator, end))
+        count.step()
+    best = min(tries, key=lambda each: violation_rank(evaluator, each))
+    _refuse_what_cannot_exist(evaluator, evaluator(best))
+    if evaluator(best).violation <= FEASIBLE:
+        again, _ = local_optimum(evaluator, best)
+        if evaluator(again).violation <= FEASIBLE:
+            return again
+    return best
+
+
+def _refuse_what_cannot_exist(evaluator: DesignEvaluator, found: EvaluatedDesign) -> None:
     """Raise if the nearest that was found is no joint: then nothing can be said about the stated limits."""
-    from asperity.units import format_quantity
-
-    if nonexistence(judge, judged) <= FEASIBLE:
+    if evaluator.nonexistence(found) <= FEASIBLE:
         return
-    lack = judged.margins + judge.room
+    lack = found.margins + evaluator.existence_slack
     worst: dict[str, int] = {}
     for index in np.argsort(lack):
         if lack[index] < 0.9 * lack.min():
-            worst.setdefault(judge.rows[index].constraint.name, int(index))
+            worst.setdefault(evaluator.rows[index].constraint.name, int(index))
     parts = []
     for name, index in worst.items():
-        row, kind = judge.rows[index], QUANTITIES[name]
-        value = format_quantity(float(judged.values[name][row.row, row.scenario]), kind.unit)
-        torque = format_quantity(float(judge.states.torques[row.scenario]), "N*m")
+        row, result = evaluator.rows[index], RESULTS[name]
+        value = format_quantity(float(found.values[name][row.row, row.scenario]), result.display_unit)
+        torque = format_quantity(float(evaluator.scenarios.torques[row.scenario]), "N*m")
         allowed = "at most 1" if row.constraint.at_most else "at least 0"
-        parts.append(f"{kind.label} at {kind.row_names[row.row]} {value} at {torque}, allowed is {allowed}")
+        where = result.row_names[row.row].replace("_", " ")
+        parts.append(f"{result.label} at {where} {value} at {torque}, allowed is {allowed}")
     raise NoSolutionError(
         f"within the bounds no joint was found that exists in every scenario; the nearest has {'; '.join(parts)}; "
         "widen the bounds, or lower the torque"
@@ -215,76 +136,89 @@ def _refuse_what_cannot_exist(judge: Judge, judged: Judged) -> None:
 
 
 def _result(
-    judge: Judge, places: np.ndarray, judged: Judged, ended: list[tuple[np.ndarray, Judged, bool]]
+    evaluator: DesignEvaluator,
+    best: np.ndarray,
+    fixed: np.ndarray,
+    unrounded: float | None,
+    ended: _Ended,
 ) -> DesignResult:
-    problem, goal = judge.problem, judge.problem.objectives[0]
-    optimality, multipliers = optimality_gap(judge, places)
-    point = judge.point(places)
-    violation = largest_violation(judged)
-    feasible = violation <= FEASIBLE
+    problem, goal, found = evaluator.problem, evaluator.problem.objectives[0], evaluator(best)
+    residual, multipliers = optimality(evaluator, best, fixed=fixed)
+    point = evaluator.point(best)
+    feasible = found.violation <= FEASIBLE
     text = joint_file_text(
         problem.case,
         point,
         comment=(
-            f"Designed by asperity from {Path(problem.joint_file).name}: {goal.text}, {problem.level} stiffness.\n"
-            + ("All limits are met." if feasible else "NOT all limits are met: this is the least violation.")
+            f"Designed by asperity from {Path(problem.joint_file).name}: {goal.text}.\n"
+            + (
+                "All limits are met."
+                if feasible
+                else "NOT all limits are met: this is the smallest violation."
+            )
         ),
     )
-    nominal = nominal_quantities(text)
-    if not np.all(judged.values["solved"]):
+    if np.any(found.status[evaluator.counted] == UNBALANCED):
         raise NoSolutionError(
             "the force balance of the design found did not close in every scenario; narrow the bounds"
         )
-    before = _objective_of_file(judge)
+    status, before, _ = derivatives_at(evaluator.values, evaluator.scenarios.changes({}), evaluator.results)
+    worst_before = goal.sign * before[goal.name][:, evaluator.counted]
     return DesignResult(
         problem=problem,
         feasible=feasible,
         point=point,
         at_bound={
             variable.path: "lower" if place < 0.5 else "upper"
-            for variable, place in zip(judge.variables, places, strict=True)
+            for variable, place in zip(evaluator.variables, best, strict=True)
             if not 1e-7 < place < 1.0 - 1e-7
         },
-        objective_before=before,
-        objective_after=_as_value(goal.sign, goal.name, judged.objective[0]),
-        limits=tuple(_limits(judge, judged, multipliers, violation)),
-        violation=0.0 if feasible else violation,
-        optimality=optimality,
+        objective_before=float(goal.sign * worst_before.max()),
+        objective_after=_worst_objective(evaluator, found),
+        objective_unrounded=unrounded,
+        summary_before=_summary(evaluator, status, before),
+        summary_after=_summary(evaluator, found.status, found.values),
+        limits=tuple(_limits(evaluator, found, multipliers)),
+        optimality_residual=residual,
         starts=tuple(
-            StartReport(
-                point=judge.point(end),
-                objective=_as_value(goal.sign, goal.name, found.objective[0]),
-                violation=largest_violation(found),
-                converged=converged,
-            )
-            for end, found, converged in ended
+            StartReport(evaluator.point(end), _worst_objective(evaluator, each), each.violation, converged)
+            for end, each, converged in ended
         ),
-        evaluations=judge.evaluations,
+        evaluations=evaluator.evaluations,
         joint_text=text,
-        nominal=nominal,
+        nominal=nominal_results(text, evaluator.results),
     )
 
 
-def _as_value(sign: float, name: str, objective: np.ndarray) -> float:
-    worst = sign * float(objective.max())
-    return float(np.exp(worst)) if QUANTITIES[name].ratio else worst
+def _worst_objective(evaluator: DesignEvaluator, found: EvaluatedDesign) -> float:
+    """The objective at its worst scenario [SI]."""
+    goal = evaluator.problem.objectives[0]
+    worst = goal.sign * float(found.objective[0].max())
+    return float(np.exp(worst)) if RESULTS[goal.name].positive else worst
 
 
-def _objective_of_file(judge: Judge) -> float:
-    goal = judge.problem.objectives[0]
-    name = at_level(goal.name, judge.problem.level)
-    found, _ = quantities_and_slopes(judge.values, judge.states.changes({}), ())
-    value = goal.sign * found[name][:, judge.judged]
-    return float(goal.sign * value.max())
+def _summary(
+    evaluator: DesignEvaluator, status: np.ndarray, values: dict[str, np.ndarray]
+) -> dict[str, float]:
+    summary = {}
+    for name, which in SUMMARY.items():
+        table = np.where((status == 0) | (RESULTS[name].needs == "geometry"), values[name], np.nan)
+        counted = table[:, evaluator.counted]
+        summary[name] = float(
+            {"nominal": table[0, 0], "largest": counted.max(), "smallest": counted.min()}[which]
+        )
+    return summary
 
 
-def nominal_quantities(joint_text: str) -> dict[str, np.ndarray]:
-    """Quantities of a joint file as it stands.
+def nominal_results(joint_text: str, results: tuple[str, ...]) -> dict[str, np.ndarray]:
+    """Results of a joint file as it stands.
 
     Parameters
     ----------
     joint_text : str
         TOML.
+    results : tuple of str
+        Names of :data:`asperity.joint.results.RESULTS`.
 
     Returns
     -------
@@ -293,69 +227,32 @@ def nominal_quantities(joint_text: str) -> dict[str, np.ndarray]:
     """
     values = si_values(parse_case(joint_text, source="the designed joint"))
     torque = np.array([values["load"]["output_torque"]])
-    found, _ = quantities_and_slopes(values, {"load.output_torque": torque}, ())
+    _, found, _ = derivatives_at(values, {"load.output_torque": torque}, results)
     return {name: value[:, 0] for name, value in found.items()}
 
 
-def _limits(judge: Judge, judged: Judged, multipliers: np.ndarray, violation: float) -> list[LimitReport]:
+def _limits(evaluator: DesignEvaluator, found: EvaluatedDesign, multipliers: np.ndarray) -> list[LimitReport]:
     reports = []
-    for constraint in judge.problem.constraints:
-        kind = QUANTITIES[constraint.name]
-        mine = [index for index, row in enumerate(judge.rows) if row.constraint is constraint]
-        worst = min(mine, key=lambda index: judged.margins[index])
-        row = judge.rows[worst]
+    tight = found.margins < ACTIVE - (found.violation if found.violation > FEASIBLE else 0.0)
+    tight |= found.margins + evaluator.existence_slack < ACTIVE
+    for constraint in evaluator.problem.constraints:
+        mine = [index for index, row in enumerate(evaluator.rows) if row.constraint is constraint]
+        worst = min(mine, key=lambda index: found.margins[index])
+        row = evaluator.rows[worst]
+        value = float(found.values[constraint.name][row.row, row.scenario])
+        missed = abs(value - constraint.limit) if found.margins[worst] < -FEASIBLE else 0.0
         reports.append(
             LimitReport(
                 name=constraint.name,
-                row=kind.row_names[row.row],
+                row=RESULTS[constraint.name].row_names[row.row],
                 at_most=constraint.at_most,
                 limit=constraint.limit,
-                value=float(
-                    judged.values[at_level(constraint.name, judge.problem.level)][row.row, row.scenario]
-                ),
-                margin=float(judged.margins[worst]),
-                active=bool(
-                    judged.margins[worst] < ACTIVE - (violation if violation > FEASIBLE else 0.0)
-                    or np.any((judged.margins + judge.room)[mine] < ACTIVE)
-                ),
+                value=value,
+                missed_by=missed / (abs(constraint.limit) or 1.0),
+                active=bool(np.any(tight[mine])),
                 multiplier=float(sum(multipliers[index] for index in mine)),
                 implied=constraint.implied,
-                output_torque=float(judge.states.torques[row.scenario]),
+                output_torque=float(evaluator.scenarios.torques[row.scenario]),
             )
         )
     return reports
-
-
-def conflict(result: DesignResult) -> str:
-    """Why a design is infeasible, in a sentence.
-
-    Parameters
-    ----------
-    result : DesignResult
-        An infeasible result.
-
-    Returns
-    -------
-    str
-        Which limits stand against each other, what is reached of each, and which bounds hold.
-    """
-    from asperity.units import format_quantity
-
-    parts = []
-    for limit in result.limits:
-        if limit.active:
-            kind = QUANTITIES[limit.name]
-            where = f" at {limit.row}" if limit.row else ""
-            sense = "at most" if limit.at_most else "at least"
-            parts.append(
-                f"{kind.label}{where} {sense} {format_quantity(limit.limit, kind.unit)} "
-                f"(reached {format_quantity(limit.value, kind.unit)} at {format_quantity(limit.output_torque, 'N*m')})"
-            )
-    bounds = [f"{path} at its {side} bound" for path, side in result.at_bound.items()]
-    held = f"; {', '.join(bounds)}" if bounds else ""
-    against = " against " if len(parts) > 1 else ""
-    listed = against.join([parts[0], ", ".join(parts[1:])]) if len(parts) > 1 else "".join(parts)
-    return (
-        f"no design meets all limits; at best they are missed by {100.0 * np.expm1(result.violation):.3g} %: "
-        f"{listed}{held}; relax one of these, or widen the bounds"
-    )

@@ -2,22 +2,31 @@
 
 from __future__ import annotations
 
-import tomllib
-from collections.abc import Iterator, Mapping
+import math
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from pathlib import Path
-from typing import Any, get_args
+from typing import Any
 
 from asperity.errors import InputError
+from asperity.joint.results import LEVELS, RESULTS, Result, known_result, name_at_level
 from asperity.joint.windup import StiffnessLevel
 from asperity.joint_file.messages import nearest
-from asperity.joint_file.model import Case
 from asperity.joint_file.reader import read_case
-from asperity.joint_file.values import key_at, numeric_keys
+from asperity.joint_file.si_tables import key_at, numeric_keys
 from asperity.library import read_finishes
-from asperity.study.design.design_problem import Constraint, DesignProblem, Objective, Variable, WorstCase
-from asperity.study.quantities import QUANTITIES
+from asperity.reading import read_toml
+from asperity.study.design.design_problem import (
+    EXISTENCE,
+    Constraint,
+    DesignProblem,
+    Objective,
+    Variable,
+    WorstCase,
+)
+from asperity.study.design.rounding import MOST_STEPPED
 from asperity.unit_table import Dimension
-from asperity.units import parse_quantity
+from asperity.units import format_quantity, parse_quantity
 
 #: Numbers of a joint file that span decades; designs search and report them by their logarithm.
 _LOGARITHMIC = ("fractal_roughness", "preload", "stiffness")
@@ -46,18 +55,33 @@ def read_design(path: str | Path) -> DesignProblem:
         If it cannot be read or says something that is not allowed.
     """
     file = Path(path)
-    try:
-        tables = tomllib.loads(file.read_text(encoding="utf-8-sig"))
-    except FileNotFoundError:
-        raise InputError(f"{path}: there is no such file") from None
-    except tomllib.TOMLDecodeError as error:
-        raise InputError(f"{path}: not valid TOML: {error}") from None
-    except (OSError, UnicodeDecodeError) as error:
-        raise InputError(f"{path}: cannot be read: {getattr(error, 'strerror', None) or error}") from None
+    tables = read_toml(file)
     try:
         return design_from_tables(tables, folder=file.parent)
     except InputError as error:
         raise InputError(f"{path}: {error}") from None
+
+
+class _Errors:
+    """Errors of a file, gathered so that all of them can be said at once."""
+
+    def __init__(self) -> None:
+        self.found: list[str] = []
+
+    @contextmanager
+    def gathered(self) -> Iterator[None]:
+        """Keep an :class:`InputError` of the block for later."""
+        try:
+            yield
+        except InputError as error:
+            self.found.append(str(error))
+
+    def refuse(self) -> None:
+        """Raise if there were any."""
+        if len(self.found) == 1:
+            raise InputError(self.found[0])
+        if self.found:
+            raise InputError(f"{len(self.found)} errors" + "".join(f"\n  {each}" for each in self.found))
 
 
 def design_from_tables(tables: Mapping[str, Any], *, folder: Path) -> DesignProblem:
@@ -66,7 +90,7 @@ def design_from_tables(tables: Mapping[str, Any], *, folder: Path) -> DesignProb
     Parameters
     ----------
     tables : mapping
-        The design file as :func:`tomllib.loads` returns it.
+        The design file as :func:`asperity.reading.parse_toml` returns it.
     folder : Path
         Where the path of the joint file starts.
 
@@ -78,31 +102,56 @@ def design_from_tables(tables: Mapping[str, Any], *, folder: Path) -> DesignProb
     Raises
     ------
     InputError
-        If they say something that is not allowed.
+        If they say something that is not allowed; with all errors of the file.
     """
-    _only(tables, _SECTIONS, "")
+    errors = _Errors()
+    with errors.gathered():
+        _only(tables, _SECTIONS, "")
     for name in ("joint", "variables", "objective"):
         if name not in tables:
-            raise InputError(f"{name}: this key is missing")
-    if not isinstance(tables["joint"], str):
-        raise InputError(f"joint: expected the path of a joint file as text, got {tables['joint']!r}")
-    case = read_case(folder / tables["joint"])
-    levels = get_args(StiffnessLevel)
+            errors.found.append(f"{name}: this key is missing")
+    errors.refuse()
+    with errors.gathered():
+        if not isinstance(tables["joint"], str):
+            raise InputError(f"joint: expected the path of a joint file as text, got {tables['joint']!r}")
+        case = read_case(folder / tables["joint"])
     level = tables.get("level", "assembly")
-    if level not in levels:
-        raise InputError(f"level: {level!r} is not one of {', '.join(levels)}")
-    search = _table(tables.get("search", {}), "search")
-    _only(search, ("starts", "seed"), "search")
+    if level not in LEVELS:
+        errors.found.append(f"level: {level!r} is not one of {', '.join(LEVELS)}")
+        level = "assembly"
+    variables: list[Variable] = []
+    with errors.gathered():
+        for path, entry in _flat(_table(tables["variables"], "variables"), ""):
+            with errors.gathered():
+                variables.append(_variable(path, entry))
+        _check_count(variables if not errors.found else [None])
+    objectives: tuple[Objective, ...] = ()
+    with errors.gathered():
+        objectives = _objectives(_table(tables["objective"], "objective"), level)
+    constraints: list[Constraint] = []
+    with errors.gathered():
+        for name, entry in _table(tables.get("constraints", {}), "constraints").items():
+            with errors.gathered():
+                constraints.extend(_constraint(name, entry, level))
+    worst_case, starts, seed = WorstCase((), "none", 1, 0), 1, 0
+    with errors.gathered():
+        worst_case = _worst_case(_table(tables.get("worst_case", {}), "worst_case"))
+    with errors.gathered():
+        search = _table(tables.get("search", {}), "search")
+        _only(search, ("starts", "seed"), "search")
+        starts = _count(search.get("starts", 8), "search.starts", 1, 1000)
+        seed = _count(search.get("seed", 1), "search.seed", 0, 2**31)
+    errors.refuse()
     problem = DesignProblem(
         case=case,
         joint_file=str(folder / tables["joint"]),
         level=level,
-        variables=tuple(_variables(_table(tables["variables"], "variables"), case)),
-        objectives=_objectives(_table(tables["objective"], "objective")),
-        constraints=tuple(_constraints(_table(tables.get("constraints", {}), "constraints"))),
-        worst_case=_worst_case(_table(tables.get("worst_case", {}), "worst_case")),
-        starts=_count(search.get("starts", 8), "search.starts", 1, 1000),
-        seed=_count(search.get("seed", 1), "search.seed", 0, 2**31),
+        variables=tuple(variables),
+        objectives=objectives,
+        constraints=(*constraints, *_implied(constraints)),
+        worst_case=worst_case,
+        starts=starts,
+        seed=seed,
     )
     if problem.worst_case.tolerances != "none" and not any(k.tolerance for k in numeric_keys(case).values()):
         raise InputError(
@@ -143,128 +192,148 @@ def _flat(table: Mapping[str, Any], path: str) -> Iterator[tuple[str, dict[str, 
             yield below, entry
 
 
-def _variables(table: dict[str, Any], case: Case) -> Iterator[Variable]:
-    found = dict(_flat(table, ""))
-    if not found:
+def _check_count(variables: Sequence[object]) -> None:
+    if not variables:
         raise InputError("variables: at least one free variable is needed, e.g. load.preload")
-    if len(found) > 30:
-        raise InputError(f"variables: at most 30 free variables, got {len(found)}")
-    finishes = read_finishes() if any("finish" in entry for entry in found.values()) else {}
-    for path, entry in found.items():
-        where = f"variables.{path}"
+    if len(variables) > 30:
+        raise InputError(f"variables: at most 30 free variables, got {len(variables)}")
+    stepped = sum(isinstance(each, Variable) and each.step is not None for each in variables)
+    if stepped > MOST_STEPPED:
+        raise InputError(f"variables: at most {MOST_STEPPED} variables may have a step, got {stepped}")
+
+
+def _variable(path: str, entry: dict[str, Any]) -> Variable:
+    where = f"variables.{path}"
+    try:
         key = key_at(path)
-        _only(entry, ("lower", "upper", "scale", "finish"), where)
-        if key.whole:
+    except InputError as error:
+        raise InputError(f"{where}: {error}") from None
+    _only(entry, ("lower", "upper", "scale", "finish", "step"), where)
+    if key.whole:
+        raise InputError(f"{where}: whole numbers cannot be free variables; try each in a design of its own")
+    if "finish" in entry:
+        lower, upper = _finish_bounds(entry["finish"], path)
+    else:
+        for side in ("lower", "upper"):
+            if side not in entry:
+                raise InputError(f"{where}.{side}: this bound is missing, e.g. '{key.dimension.example}'")
+        try:
+            lower, upper = (key.read(entry[side]).value for side in ("lower", "upper"))
+        except InputError as error:
+            raise InputError(f"{where}: {error}") from None
+    scale = entry.get("scale", "log" if path.rsplit(".", 1)[-1].endswith(_LOGARITHMIC) else "linear")
+    if scale not in ("log", "linear"):
+        raise InputError(f"{where}.scale: {scale!r} is not one of log, linear")
+    if not lower < upper:
+        raise InputError(
+            f"{where}: the lower bound {entry.get('lower')} must be below the upper {entry.get('upper')}"
+        )
+    if scale == "log" and lower <= 0.0:
+        raise InputError(f"{where}: a logarithmic scale needs a positive lower bound, got {entry['lower']}")
+    step = None
+    if "step" in entry:
+        try:
+            step = parse_quantity(entry["step"], key.dimension)
+        except InputError as error:
+            raise InputError(f"{where}.step: {error}") from None
+        if not step > 0.0 or math.ceil(lower / step - 1e-9) > math.floor(upper / step + 1e-9):
             raise InputError(
-                f"{where}: whole numbers cannot be free variables; try each in a design of its own"
+                f"{where}.step: {entry['step']} is not allowed; a multiple of it must lie between the bounds"
             )
-        if "finish" in entry:
-            name = entry["finish"]
-            if name not in finishes:
-                raise InputError(f"{where}: there is no finish {name!r}{nearest(str(name), finishes)}")
-            ranges = finishes[name].ranges
-            kind = path.rsplit(".", 1)[-1]
-            if kind not in ranges:
-                raise InputError(
-                    f"{where}: the finish {name!r} has no range for it; it has {', '.join(ranges)}"
-                )
-            lower, upper = ranges[kind]
-            if lower == upper:
-                raise InputError(
-                    f"{where}: the finish {name!r} has one value for it, {lower:g}; write that into the joint file"
-                )
-        else:
-            for side in ("lower", "upper"):
-                if side not in entry:
-                    raise InputError(f"{where}.{side}: this bound is missing, e.g. '{key.dimension.example}'")
-            try:
-                lower, upper = (key.read(entry[side]).value for side in ("lower", "upper"))
-            except InputError as error:
-                raise InputError(f"{where}: {error}") from None
-        scale = entry.get("scale", "log" if path.rsplit(".", 1)[-1].endswith(_LOGARITHMIC) else "linear")
-        if scale not in ("log", "linear"):
-            raise InputError(f"{where}.scale: {scale!r} is not one of log, linear")
-        if not lower < upper:
-            raise InputError(
-                f"{where}: the lower bound {entry.get('lower')} must be below the upper {entry.get('upper')}"
-            )
-        if scale == "log" and lower <= 0.0:
-            raise InputError(
-                f"{where}: a logarithmic scale needs a positive lower bound, got {entry['lower']}"
-            )
-        yield Variable(path, lower, upper, scale == "log")
+    return Variable(path, lower, upper, scale == "log", step)
 
 
-def _objectives(table: dict[str, Any]) -> tuple[Objective, ...]:
+def _finish_bounds(name: Any, path: str) -> tuple[float, float]:
+    """Bounds of a surface parameter that a finish of the library has."""
+    where, finishes = f"variables.{path}", read_finishes()
+    if name not in finishes:
+        raise InputError(f"{where}: there is no finish {name!r}{nearest(str(name), finishes)}")
+    ranges, kind = finishes[name].ranges, path.rsplit(".", 1)[-1]
+    if kind not in ranges:
+        raise InputError(f"{where}: the finish {name!r} has no range for it; it has {', '.join(ranges)}")
+    lower, upper = ranges[kind]
+    if lower == upper:
+        raise InputError(
+            f"{where}: the finish {name!r} has one value for it, {lower:g}; write that into the joint file"
+        )
+    return lower, upper
+
+
+def _objectives(table: dict[str, Any], level: StiffnessLevel) -> tuple[Objective, ...]:
     _only(table, ("maximise", "minimise"), "objective")
     found = []
     for word, sign in (("maximise", -1.0), ("minimise", 1.0)):
-        names = table.get(word, [])
-        for name in [names] if isinstance(names, str) else names:
-            _known_quantity(name, f"objective.{word}")
-            if QUANTITIES[name].rows == "contacts" and sign < 0.0 and name != "normal_over_rest":
-                raise InputError(
-                    f"objective.maximise: {name} can only be minimised (its largest contact counts)"
-                )
-            found.append(Objective(name, sign))
+        listed = table.get(word, [])
+        for name in listed if isinstance(listed, list) else [listed]:
+            full = _result(name, level, f"objective.{word}")
+            limit = RESULTS[full].limit
+            if limit is not None and math.isinf(limit.lowest if sign < 0.0 else limit.highest):
+                other = "minimised (its largest value counts)" if sign < 0.0 else "maximised"
+                raise InputError(f"objective.{word}: {name} can only be {other}")
+            found.append(Objective(full, sign))
     if not 1 <= len(found) <= 3:
         raise InputError(f"objective: one objective, or two or three for a Pareto front, got {len(found)}")
     if len({each.name for each in found}) < len(found):
-        raise InputError("objective: the same quantity is named twice")
+        raise InputError("objective: the same result is named twice")
     return tuple(found)
 
 
-def _known_quantity(name: Any, where: str) -> None:
-    if name not in QUANTITIES:
-        hint = nearest(str(name), QUANTITIES) or "; known are " + ", ".join(QUANTITIES)
-        raise InputError(f"{where}: there is no quantity {name!r}{hint}")
+def _result(name: Any, level: StiffnessLevel, where: str) -> str:
+    """The full name of a result in a design file."""
+    short = tuple(
+        each.removeprefix(f"{level}_") for each in RESULTS if each.startswith(f"{level}_stiffness_per")
+    )
+    known = ("stiffness", *short, *(each for each, row in RESULTS.items() if row.differentiable))
+    try:
+        return name_at_level(known_result(name, among=known), level)
+    except InputError as error:
+        raise InputError(f"{where}: {error}") from None
 
 
-def _constraints(table: dict[str, Any]) -> Iterator[Constraint]:
-    for name, value in table.items():
-        where = f"constraints.{name}"
-        _known_quantity(name, where)
-        kind, entry = QUANTITIES[name], _table(value, where)
-        _only(entry, ("at_most", "at_least", "contacts"), where)
-        if "at_most" not in entry and "at_least" not in entry:
-            raise InputError(f"{where}: say 'at_most' or 'at_least'")
-        if kind.dimension is None:
-            raise InputError(f"{where}: this quotient can be an objective but no constraint")
-        rows = tuple(range(len(kind.row_names)))
-        if "contacts" in entry:
-            listed = entry["contacts"]
-            if kind.rows != "contacts" or not isinstance(listed, list):
-                raise InputError(f"{where}.contacts: expected a list of contacts of a quantity that has them")
-            for each in listed:
-                if each not in kind.row_names:
-                    raise InputError(f"{where}.contacts: {each!r} is not one of {', '.join(kind.row_names)}")
-            rows = tuple(kind.row_names.index(each) for each in listed)
-        for side in ("at_most", "at_least"):
-            if side in entry:
-                try:
-                    limit = parse_quantity(entry[side], kind.dimension)
-                except InputError as error:
-                    raise InputError(f"{where}.{side}: {error}") from None
-                if kind.ratio and limit <= 0.0:
-                    raise InputError(f"{where}.{side}: {entry[side]} is not allowed; it must be above 0")
-                if name == "slip_ratio" and (side == "at_least" or limit > 1.0):
-                    raise InputError(
-                        f"{where}: allowed is at_most, up to 1 (gross slip); got {side} {entry[side]}"
-                    )
-                if name in ("clearance", "normal_over_rest") and side == "at_least" and limit < 0.0:
-                    raise InputError(
-                        f"{where}.{side}: {entry[side]} is not allowed; it must be at least 0, since rollers that "
-                        "overlap or lift off make no joint"
-                    )
-                yield Constraint(name, side == "at_most", limit, rows)
-    stated = {(name, side) for name, value in table.items() for side in value}
-    every_contact, every_gap = tuple(range(5)), tuple(range(8))
-    if ("slip_ratio", "at_most") not in stated or "contacts" in table.get("slip_ratio", {}):
-        yield Constraint("slip_ratio", True, 1.0, every_contact, implied=True)
-    if ("clearance", "at_least") not in stated:
-        yield Constraint("clearance", False, 0.0, every_gap, implied=True)
-    if ("normal_over_rest", "at_least") not in stated or "contacts" in table.get("normal_over_rest", {}):
-        yield Constraint("normal_over_rest", False, 0.0, every_contact, implied=True)
+def _constraint(name: str, table: Any, level: StiffnessLevel) -> Iterator[Constraint]:
+    where = f"constraints.{name}"
+    full = _result(name, level, where)
+    result, entry = RESULTS[full], _table(table, where)
+    _only(entry, ("at_most", "at_least", "contacts"), where)
+    if "at_most" not in entry and "at_least" not in entry:
+        raise InputError(f"{where}: say 'at_most' or 'at_least'")
+    rows = tuple(range(len(result.row_names)))
+    if "contacts" in entry:
+        listed = entry["contacts"]
+        if result.axis != "contact" or not isinstance(listed, list):
+            raise InputError(f"{where}.contacts: expected a list of contacts of a result that has them")
+        for each in listed:
+            if each not in result.row_names:
+                raise InputError(f"{where}.contacts: {each!r} is not one of {', '.join(result.row_names)}")
+        rows = tuple(result.row_names.index(each) for each in listed)
+    for side in ("at_most", "at_least"):
+        if side in entry:
+            try:
+                limit = parse_quantity(entry[side], result.dimension)
+            except InputError as error:
+                raise InputError(f"{where}.{side}: {error}") from None
+            _check_limit(result, limit, f"{where}.{side}: {entry[side]}")
+            yield Constraint(full, side == "at_most", limit, rows)
+
+
+def _check_limit(result: Result, limit: float, written: str) -> None:
+    """Refuse a limit that no joint can meet, or that every joint meets."""
+    if result.positive and limit <= 0.0:
+        raise InputError(f"{written} is not allowed; it must be above 0")
+    low, high = result.lowest_limit, result.highest_limit
+    if not low <= limit <= high:
+        words = [f"at least {format_quantity(low, result.display_unit)}"] * math.isfinite(low)
+        words += [f"at most {format_quantity(high, result.display_unit)}"] * math.isfinite(high)
+        note = f" ({result.note})" if result.note else ""
+        raise InputError(f"{written} is not allowed; it must be {' and '.join(words)}{note}")
+
+
+def _implied(stated: Sequence[Constraint]) -> Iterator[Constraint]:
+    """What holds for every joint that exists, unless the same limit is stated for all contacts."""
+    for (name, at_most), bound in EXISTENCE.items():
+        rows = tuple(range(len(RESULTS[name].row_names)))
+        if not any(each.name == name and each.at_most == at_most and each.rows == rows for each in stated):
+            yield Constraint(name, at_most, bound, rows, implied=True)
 
 
 def _worst_case(table: dict[str, Any]) -> WorstCase:

@@ -1,4 +1,4 @@
-"""Plots of designs: what each limit leaves, how the objective changes around the design, and Pareto fronts."""
+"""Plots of designs: how objective and margins change around the design, and Pareto fronts."""
 
 from __future__ import annotations
 
@@ -6,10 +6,10 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from asperity.joint_file.values import key_at
-from asperity.study.design.design import DesignResult
-from asperity.study.design.judgement import Judge
-from asperity.study.quantities import QUANTITIES
+from asperity.joint.results import RESULTS
+from asperity.joint_file.si_tables import key_at
+from asperity.study.design.design_evaluation import DesignEvaluator, exists
+from asperity.study.design.design_result import DesignResult
 from asperity.units import from_si
 
 if TYPE_CHECKING:
@@ -20,7 +20,7 @@ _POINTS = 31
 
 
 def design_figure(result: DesignResult) -> Figure:
-    """The objective along each variable through the design, with the stretch that meets all limits.
+    """The objective along each variable through the design, with the range that meets all limits.
 
     Parameters
     ----------
@@ -36,33 +36,35 @@ def design_figure(result: DesignResult) -> Figure:
     from matplotlib.ticker import NullFormatter
 
     problem = result.problem
-    judge = Judge(problem)
+    evaluator = DesignEvaluator(problem)
     goal, count = problem.objectives[0], len(problem.variables)
-    kind = QUANTITIES[goal.name]
+    objective = RESULTS[goal.name]
     columns = min(4, count)
     lines = -(-count // columns)
     figure = Figure(figsize=(3.4 * columns + 1.0, 4.6 * lines + 0.5), layout="constrained")
     grid = figure.add_gridspec(2 * lines, columns, height_ratios=[3.0, 1.6] * lines)
-    centre = judge.places(result.point)
+    centre = evaluator.scaled(result.point)
     for index, variable in enumerate(problem.variables):
         line, column = divmod(index, columns)
         axes = figure.add_subplot(grid[2 * line, column])
         below = figure.add_subplot(grid[2 * line + 1, column], sharex=axes)
-        places = np.tile(centre, (_POINTS, 1))
-        places[:, index] = np.sort(np.append(np.linspace(0.0, 1.0, _POINTS - 1), centre[index]))
-        objectives, margins = judge.judge_many(places)
+        scaled = np.tile(centre, (_POINTS, 1))
+        scaled[:, index] = np.sort(np.append(np.linspace(0.0, 1.0, _POINTS - 1), centre[index]))
+        objectives, margins = evaluator.many(scaled)
         key = key_at(variable.path)
-        x = np.array([from_si(float(v), key.unit) for v in variable.from_unit(places[:, index])])
+        x = np.array([from_si(float(v), key.unit) for v in variable.from_unit(scaled[:, index])])
         raw = goal.sign * objectives[:, 0]
-        exists = np.abs(raw) < 1e200
+        found = exists(objectives[:, 0])
         y = np.full(_POINTS, np.nan)
-        y[exists] = [from_si(float(v), kind.unit) for v in raw[exists]]
+        y[found] = [from_si(float(v), objective.display_unit) for v in raw[found]]
         least = margins.min(axis=1)
         fine = least >= -1e-6
         here = from_si(result.point[variable.path], key.unit)
-        axes.plot(x, y, color="0.65", lw=1.5, label="a limit is broken")
+        axes.plot(x, y, color="0.65", lw=1.5, label="a limit is violated")
         axes.plot(x, np.where(fine, y, np.nan), color="C0", lw=2.5, label="all limits met")
-        axes.plot(here, from_si(result.objective_after, kind.unit), "o", color="C3", label="design")
+        axes.plot(
+            here, from_si(result.objective_after, objective.display_unit), "o", color="C3", label="design"
+        )
         below.plot(x, 100.0 * least, color="0.65", lw=1.5)
         below.plot(x, np.where(fine, 100.0 * least, np.nan), color="C0", lw=2.5)
         below.axhline(0.0, color="k", lw=0.7)
@@ -75,13 +77,13 @@ def design_figure(result: DesignResult) -> Figure:
         axes.tick_params(labelbottom=False)
         below.set_xlabel(f"{variable.path} [{_shown(key.unit)}]", fontsize="small")
         if column == 0:
-            axes.set_ylabel(f"{kind.label}\n[{_shown(kind.unit)}]", fontsize="small")
+            axes.set_ylabel(f"{objective.label}\n[{_shown(objective.display_unit)}]", fontsize="small")
             below.set_ylabel("smallest margin\nof the limits [%]", fontsize="small")
         for panel in (axes, below):
             panel.grid(alpha=0.3)
         if index == 0:
             axes.legend(fontsize="small")
-    figure.suptitle(f"{goal.text}, {problem.level} stiffness, at its worst scenario", fontsize="medium")
+    figure.suptitle(f"{goal.text}, at its worst scenario", fontsize="medium")
     return figure
 
 
@@ -102,8 +104,8 @@ def pareto_figure(front: xarray.Dataset, objectives: tuple[str, ...]) -> Figure:
     """
     from matplotlib.figure import Figure
 
-    shown = {name: _in_unit(front[name].values, QUANTITIES[name].unit) for name in objectives}
-    labels = {name: f"{QUANTITIES[name].label} [{_shown(QUANTITIES[name].unit)}]" for name in objectives}
+    shown = {name: _in_unit(front[name].values, RESULTS[name].display_unit) for name in objectives}
+    labels = {name: f"{RESULTS[name].label} [{_shown(RESULTS[name].display_unit)}]" for name in objectives}
     variables = [str(name) for name in front.data_vars if name not in (*objectives, "margin")]
     figure = Figure(figsize=(9.0, 4.2 + 1.3 * len(variables)), layout="constrained")
     grid = figure.add_gridspec(1 + len(variables), 1, height_ratios=[3.0] + [1.0] * len(variables))
@@ -115,7 +117,7 @@ def pareto_figure(front: xarray.Dataset, objectives: tuple[str, ...]) -> Figure:
     axes.set_ylabel(labels[objectives[1]])
     axes.grid(alpha=0.3)
     axes.set_title(
-        f"Pareto front of {front.sizes['design']} designs, {front.attrs['level']} stiffness",
+        f"Pareto front of {front.sizes['design']} designs",
         fontsize="medium",
     )
     for index, path in enumerate(variables):

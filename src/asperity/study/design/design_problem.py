@@ -1,14 +1,14 @@
-"""What a design task is: free numbers, objectives, limits, and the states in which they count."""
+"""What a design task is: free numbers, objectives, limits, and the scenarios in which they count."""
 
 from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, Literal
 
+from asperity.joint.results import RESULTS
 from asperity.joint.windup import StiffnessLevel
 from asperity.joint_file.model import Case
-from asperity.study.quantities import QUANTITIES
 
 
 @dataclass(frozen=True)
@@ -23,35 +23,46 @@ class Variable:
         Bounds [SI].
     logarithmic : bool
         Whether it is searched by its logarithm.
+    step : float or None
+        Standard sizes: the design is rounded to a multiple of it [SI].
     """
 
     path: str
     lower: float
     upper: float
     logarithmic: bool
+    step: float | None = None
 
     def to_unit(self, value: float) -> float:
-        """Place of a value between the bounds, 0 to 1."""
+        """A value scaled to 0 at the lower and 1 at the upper bound."""
         if self.logarithmic:
             return math.log(value / self.lower) / math.log(self.upper / self.lower)
         return (value - self.lower) / (self.upper - self.lower)
 
     def from_unit(self, place: Any) -> Any:
-        """Value [SI] at a place, 0 to 1; arrays are welcome."""
+        """Value [SI] of a scaled variable, or of an array of them."""
         if self.logarithmic:
             return self.lower * (self.upper / self.lower) ** place
         return self.lower + (self.upper - self.lower) * place
 
     def slope(self, value: Any) -> Any:
-        """Derivative of the value [SI] by the place."""
+        """Derivative of the value [SI] by the scaled variable."""
         if self.logarithmic:
             return value * math.log(self.upper / self.lower)
         return self.upper - self.lower
 
 
+#: What holds for every joint that exists, stated or not: a result and whether its limit is an upper one → the limit.
+EXISTENCE: dict[tuple[str, bool], float] = {
+    ("slip_ratio", True): 1.0,
+    ("clearance", False): 0.0,
+    ("normal_force_over_preload", False): 0.0,
+}
+
+
 @dataclass(frozen=True)
 class Objective:
-    """What a design makes as large or as small as possible: a quantity, and +1 to minimise or −1 to maximise it."""
+    """What a design makes as large or as small as possible: a result, and +1 to minimise or −1 to maximise it."""
 
     name: str
     sign: float
@@ -59,23 +70,23 @@ class Objective:
     @property
     def text(self) -> str:
         """In words."""
-        return f"{'smallest' if self.sign > 0 else 'largest'} {QUANTITIES[self.name].label}"
+        return f"{'smallest' if self.sign > 0 else 'largest'} {RESULTS[self.name].label}"
 
 
 @dataclass(frozen=True)
 class Constraint:
-    """A limit of a quantity.
+    """A limit of a result.
 
     Parameters
     ----------
     name : str
-        The quantity.
+        The result, a name of :data:`asperity.joint.results.RESULTS`.
     at_most : bool
         Whether the limit is an upper one.
     limit : float
         The limit [SI].
     rows : tuple of int
-        Which rows of the quantity (contacts, clearances) it holds for.
+        Which rows of the result (contacts, clearances) it holds for.
     implied : bool
         True for the limits every design has, stated or not.
     """
@@ -120,3 +131,41 @@ class DesignProblem:
     worst_case: WorstCase
     starts: int
     seed: int
+
+
+#: What a report shows of every design beside objective and limits: at the joint's own torque, or at its largest or
+#: smallest over all scenarios and contacts.
+SUMMARY: dict[str, Literal["nominal", "largest", "smallest"]] = {
+    "speed_ratio": "nominal",
+    "envelope_diameter": "nominal",
+    "envelope_length": "nominal",
+    "mass": "nominal",
+    "preload": "nominal",
+    "hertz_pressure": "largest",
+    "slip_ratio": "largest",
+    "assembly_stiffness_output": "smallest",
+}
+#: Results that take a hundred force balances each: computed where they are asked for.
+_COSTLY = ("torque_capacity", "torque_safety")
+
+
+def design_results(problem: DesignProblem) -> tuple[str, ...]:
+    """The results that the search computes: always the same ones, so that all designs share one compiled program.
+
+    Parameters
+    ----------
+    problem : DesignProblem
+        The problem.
+
+    Returns
+    -------
+    tuple of str
+        Names of :data:`asperity.joint.results.RESULTS`: all that have derivatives, the costly ones only if they are
+        asked for.
+    """
+    asked = {goal.name for goal in problem.objectives} | {limit.name for limit in problem.constraints}
+    return tuple(
+        name
+        for name, result in RESULTS.items()
+        if result.differentiable and (name in asked or name not in _COSTLY)
+    )

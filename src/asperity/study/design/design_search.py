@@ -1,38 +1,64 @@
-"""The search for a design: starts, SLSQP with exact gradients, the least violation, and the proof of an optimum."""
+"""The search for a design: starts, SLSQP with exact gradients, the smallest violation, the optimality conditions."""
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 import numpy as np
 
-from asperity.joint_file.values import si_values
-from asperity.study.design.judgement import Judge, Judged
+from asperity.joint_file.si_tables import si_values
+from asperity.study.design.design_evaluation import DesignEvaluator
 
 #: Margin below zero (logarithm of the ratio to the limit) that still counts as met: what the search leaves behind.
 FEASIBLE = 1e-7
 
-#: A limit with a smaller margin than this is one that holds the design back.
+#: A limit with a smaller margin than this is active.
 ACTIVE = 1e-5
 
-#: Largest gradient that the active limits leave unexplained, relative to that of the objective, in a proven optimum.
+#: Largest optimality residual of a local optimum.
 OPTIMAL = 1e-3
 
 
-def starting_places(judge: Judge) -> list[np.ndarray]:
+class SearchProgress:
+    """Counts the searches of a design: those done, and those known to come.
+
+    Parameters
+    ----------
+    report : callable or None
+        Called with both numbers whenever one of them changes.
+    """
+
+    def __init__(self, report: Callable[[int, int], None] | None) -> None:
+        self._report = report or (lambda done, total: None)
+        self._done = self._total = 0
+
+    def expect(self, searches: int) -> None:
+        """More searches are to come."""
+        self._total += searches
+        self._report(self._done, self._total)
+
+    def step(self) -> None:
+        """One search is done."""
+        self._done += 1
+        self._report(self._done, self._total)
+
+
+def starting_points(evaluator: DesignEvaluator) -> list[np.ndarray]:
     """Where the search begins: the joint of the file, where it lies within the bounds, then a Latin hypercube.
 
     Parameters
     ----------
-    judge : Judge
+    evaluator : DesignEvaluator
         The problem.
 
     Returns
     -------
     list of ndarray
-        Places of the variables, each of shape (n,).
+        Scaled variables, each of shape (n,).
     """
     from scipy.stats import qmc
 
-    problem = judge.problem
+    problem = evaluator.problem
     values = si_values(problem.case)
     first = []
     for variable in problem.variables:
@@ -48,55 +74,45 @@ def starting_places(judge: Judge) -> list[np.ndarray]:
     return found[: problem.starts]
 
 
-def largest_violation(judged: Judged) -> float:
-    """Largest violation of a limit, 0 if all are met.
+def local_optimum(
+    evaluator: DesignEvaluator, start: np.ndarray, *, fixed: np.ndarray | None = None
+) -> tuple[np.ndarray, bool]:
+    """SLSQP from one start, with trust-constr where it fails. The last variable bounds the objective from above.
 
     Parameters
     ----------
-    judged : Judged
-        A design.
-
-    Returns
-    -------
-    float
-        Logarithm of the ratio to the limit [-].
-    """
-    return max(0.0, -float(judged.margins.min()))
-
-
-def local_optimum(judge: Judge, start: np.ndarray) -> tuple[np.ndarray, bool]:
-    """SLSQP from one start; trust-constr where it gives up. The last variable bounds the objective from above.
-
-    Parameters
-    ----------
-    judge : Judge
+    evaluator : DesignEvaluator
         The problem.
     start : ndarray
-        Places of the variables, shape (n,).
+        Scaled variables, shape (n,).
+    fixed : ndarray of bool, optional
+        Which of them keep their value, shape (n,).
 
     Returns
     -------
-    places : ndarray
-        Where it ended.
+    end : ndarray
+        Where it ended, scaled, shape (n,).
     converged : bool
         Whether that is a local optimum.
     """
     from scipy.optimize import Bounds, NonlinearConstraint, minimize
 
     size = start.size
-    bounds = Bounds(np.append(np.zeros(size), -np.inf), np.append(np.ones(size), np.inf))
+    fixed = np.zeros(size, dtype=bool) if fixed is None else fixed
+    lower, upper = np.where(fixed, start, 0.0), np.where(fixed, start, 1.0)
+    bounds = Bounds(np.append(lower, -np.inf), np.append(upper, np.inf))
     upward = np.append(np.zeros(size), 1.0)
 
     def inequalities(x: np.ndarray) -> np.ndarray:
-        judged = judge(np.clip(x[:-1], 0.0, 1.0))
-        return np.concatenate([x[-1] - judged.objective[0], judged.margins])
+        design = evaluator(np.clip(x[:-1], lower, upper))
+        return np.concatenate([x[-1] - design.objective[0], design.margins])
 
     def slopes(x: np.ndarray) -> np.ndarray:
-        judged = judge(np.clip(x[:-1], 0.0, 1.0))
-        top = np.hstack([-judged.objective_slopes[0], np.ones((judged.objective.shape[1], 1))])
-        return np.vstack([top, np.hstack([judged.margin_slopes, np.zeros((judged.margins.size, 1))])])
+        design = evaluator(np.clip(x[:-1], lower, upper))
+        top = np.hstack([-design.objective_slopes[0], np.ones((design.objective.shape[1], 1))])
+        return np.vstack([top, np.hstack([design.margin_slopes, np.zeros((design.margins.size, 1))])])
 
-    begin = np.append(start, judge(start).objective.max())
+    begin = np.append(start, evaluator(start).objective.max())
     found = minimize(
         lambda x: x[-1],
         begin,
@@ -106,24 +122,25 @@ def local_optimum(judge: Judge, start: np.ndarray) -> tuple[np.ndarray, bool]:
         method="SLSQP",
         options={"maxiter": 200, "ftol": 1e-12},
     )
-    end = np.clip(found.x[:-1], 0.0, 1.0) if np.all(np.isfinite(found.x)) else start
+    end = np.clip(found.x[:-1], lower, upper) if np.all(np.isfinite(found.x)) else start
     if found.success or (
-        largest_violation(judge(end)) <= FEASIBLE and optimality_gap(judge, end)[0] < OPTIMAL
+        evaluator(end).violation <= FEASIBLE and optimality(evaluator, end, fixed=fixed)[0] < OPTIMAL
     ):
         return end, True
-    if largest_violation(judge(end)) > FEASIBLE:
-        end = least_violation(judge, end)
-        if largest_violation(judge(end)) > FEASIBLE:
+    if evaluator(end).violation > FEASIBLE and fixed.any():
+        return end, False
+    if evaluator(end).violation > FEASIBLE:
+        end = smallest_violation(evaluator, end)
+        if evaluator(end).violation > FEASIBLE:
             return end, False  # nothing to go on from: the limits conflict, at least around here
     import warnings
 
     with warnings.catch_warnings():
-        warnings.simplefilter(
-            "ignore"
-        )  # delta_grad == 0 warnings of the quasi-Newton update of a linear objective
+        # delta_grad == 0 warnings of the quasi-Newton update of a linear objective
+        warnings.simplefilter("ignore")
         second = minimize(
             lambda x: x[-1],
-            np.append(end, judge(end).objective.max()),
+            np.append(end, evaluator(end).objective.max()),
             jac=lambda x: upward,
             hess=lambda x: np.zeros((size + 1, size + 1)),
             bounds=bounds,
@@ -131,91 +148,77 @@ def local_optimum(judge: Judge, start: np.ndarray) -> tuple[np.ndarray, bool]:
             method="trust-constr",
             options={"maxiter": 300, "gtol": 1e-9, "xtol": 1e-10},
         )
-    other = np.clip(second.x[:-1], 0.0, 1.0)
-    better = (largest_violation(judge(other)), float(judge(other).objective.max())) < (
-        largest_violation(judge(end)),
-        float(judge(end).objective.max()),
+    other = np.clip(second.x[:-1], lower, upper)
+    better = (evaluator(other).violation, float(evaluator(other).objective.max())) < (
+        evaluator(end).violation,
+        float(evaluator(end).objective.max()),
     )
     end = other if better else end
-    return end, largest_violation(judge(end)) <= FEASIBLE and optimality_gap(judge, end)[0] < OPTIMAL
+    return end, evaluator(end).violation <= FEASIBLE and optimality(evaluator, end, fixed=fixed)[0] < OPTIMAL
 
 
-def nonexistence(judge: Judge, judged: Judged) -> float:
-    """How far a design is from a joint that can exist: whose rollers fit, roll without gross slip and stay in contact.
-
-    Parameters
-    ----------
-    judge : Judge
-        The problem.
-    judged : Judged
-        A design.
-
-    Returns
-    -------
-    float
-        Largest violation, in the measure of the margins [-]; 0 where it exists in every scenario.
-    """
-    return max(0.0, -float((judged.margins + judge.room).min()))
-
-
-def badness(judge: Judge, places: np.ndarray) -> tuple[float, float]:
-    """What is made small where limits are missed: first the lack of existence, then the largest violation.
+def violation_rank(evaluator: DesignEvaluator, scaled: np.ndarray) -> tuple[float, float]:
+    """How badly limits are missed: first the lack of existence, then the largest violation.
 
     Parameters
     ----------
-    judge : Judge
+    evaluator : DesignEvaluator
         The problem.
-    places : ndarray
-        Shape (n,).
+    scaled : ndarray
+        Scaled variables, shape (n,).
 
     Returns
     -------
     tuple of float
         To be compared; the first is 0 for every joint that exists.
     """
-    judged = judge(places)
-    lack = nonexistence(judge, judged)
-    return (lack if lack > FEASIBLE else 0.0), largest_violation(judged)
+    design = evaluator(scaled)
+    lack = evaluator.nonexistence(design)
+    return (lack if lack > FEASIBLE else 0.0), design.violation
 
 
-def least_violation(judge: Judge, start: np.ndarray) -> np.ndarray:
-    """Places at which the largest violation of a limit is smallest, among joints that exist.
+def smallest_violation(evaluator: DesignEvaluator, start: np.ndarray) -> np.ndarray:
+    """The design whose largest violation of a limit is smallest, among joints that exist.
 
     Parameters
     ----------
-    judge : Judge
+    evaluator : DesignEvaluator
         The problem.
     start : ndarray
-        Places of the variables, shape (n,).
+        Scaled variables, shape (n,).
 
     Returns
     -------
     ndarray
-        Places, shape (n,); where no joint that exists was found, those nearest to one.
+        Scaled variables, shape (n,); where no joint that exists was found, those nearest to one.
     """
-    end = _least(judge, start, wishes=True)
-    if badness(judge, end)[0] > 0.0:
-        end = _least(judge, start, wishes=False)
-        if badness(judge, end)[0] == 0.0:
-            end = min(end, _least(judge, end, wishes=True), key=lambda each: badness(judge, each))
-    return min(end, start, key=lambda each: badness(judge, each))
+    end = _smallest_violation_from(evaluator, start, stated=True)
+    if violation_rank(evaluator, end)[0] > 0.0:
+        end = _smallest_violation_from(evaluator, start, stated=False)
+        if violation_rank(evaluator, end)[0] == 0.0:
+            end = min(
+                end,
+                _smallest_violation_from(evaluator, end, stated=True),
+                key=lambda each: violation_rank(evaluator, each),
+            )
+    return min(end, start, key=lambda each: violation_rank(evaluator, each))
 
 
-def _least(judge: Judge, start: np.ndarray, *, wishes: bool) -> np.ndarray:
+def _smallest_violation_from(evaluator: DesignEvaluator, start: np.ndarray, *, stated: bool) -> np.ndarray:
     """SLSQP on the largest violation: of the stated limits among joints that exist, or of existence itself."""
     from scipy.optimize import Bounds, minimize
 
-    size, must = start.size, np.isfinite(judge.room)
+    size, must = start.size, np.isfinite(evaluator.existence_slack)
     upward = np.append(np.zeros(size), 1.0)
 
     def inequalities(x: np.ndarray) -> np.ndarray:
-        margins = judge(np.clip(x[:-1], 0.0, 1.0)).margins
-        exists = (margins + judge.room)[must]
-        return np.concatenate([margins + x[-1], exists]) if wishes else exists + x[-1]
+        margins = evaluator(np.clip(x[:-1], 0.0, 1.0)).margins
+        exists = (margins + evaluator.existence_slack)[must]
+        return np.concatenate([margins + x[-1], exists]) if stated else exists + x[-1]
 
     def slopes(x: np.ndarray) -> np.ndarray:
-        steep = judge(np.clip(x[:-1], 0.0, 1.0)).margin_slopes
-        rows = np.vstack([steep, steep[must]]) if wishes else steep[must]
+        steep = evaluator(np.clip(x[:-1], 0.0, 1.0)).margin_slopes
+        rows = np.vstack([steep, steep[must]]) if stated else steep[must]
         moved = np.ones(len(rows))
         moved[len(steep) :] = 0.0
         return np.hstack([rows, moved[:, None]])
@@ -233,52 +236,57 @@ def _least(judge: Judge, start: np.ndarray, *, wishes: bool) -> np.ndarray:
     return np.clip(found.x[:-1], 0.0, 1.0) if np.all(np.isfinite(found.x)) else start
 
 
-def optimality_gap(judge: Judge, places: np.ndarray) -> tuple[float, np.ndarray]:
-    """Unexplained part of the objective's gradient and multipliers of all margins, by non-negative least squares.
+def optimality(
+    evaluator: DesignEvaluator, scaled: np.ndarray, *, fixed: np.ndarray | None = None
+) -> tuple[float, np.ndarray]:
+    """Optimality residual and multipliers (shadow prices) of the limits, by non-negative least squares.
 
     Parameters
     ----------
-    judge : Judge
+    evaluator : DesignEvaluator
         The problem.
-    places : ndarray
-        Shape (n,).
+    scaled : ndarray
+        Scaled variables, shape (n,).
+    fixed : ndarray of bool, optional
+        Which of them could not be chosen, shape (n,).
 
     Returns
     -------
-    gap : float
-        What the active limits and bounds leave of the gradient, relative to it, or to one logarithmic unit over the
-        range of a variable where the objective is flatter than that [-].
+    residual : float
+        What is left of the objective's gradient after the gradients of the active limits and bounds, relative to it,
+        or to one logarithmic unit over the range of a variable where the objective is flatter than that [-]. It is 0
+        at a local optimum.
     multipliers : ndarray
         Of all margins, shape (rows,); where limits are missed, of the largest violation, adding up to one.
+
+    References
+    ----------
+    W. Karush (1939), H. W. Kuhn and A. W. Tucker (1951): the first-order conditions of a constrained optimum.
     """
     from scipy.optimize import nnls
 
-    judged = judge(places)
-    violation = largest_violation(judged)
-    size = places.size
-    if violation <= FEASIBLE:
-        worst = judged.objective[0]
-        top = judged.objective_slopes[0][worst >= worst.max() - ACTIVE]
-        near = judged.margins < ACTIVE
+    design, size = evaluator(scaled), scaled.size
+    if design.violation <= FEASIBLE:
+        worst = design.objective[0]
+        objective = design.objective_slopes[0][worst >= worst.max() - ACTIVE]
+        active = design.margins < ACTIVE
     else:
-        top, near = np.zeros((0, size)), judged.margins < -violation + ACTIVE
-    # where limits are missed, existence holds the design back too, but is no part of the violation
-    exists = (judged.margins + judge.room < ACTIVE) & ~near
-    bounds = np.vstack([np.eye(size)[places < 1e-7], -np.eye(size)[places > 1.0 - 1e-7]])
-    pull = np.vstack([-top, judged.margin_slopes[near], judged.margin_slopes[exists], bounds])
+        objective, active = np.zeros((0, size)), design.margins < -design.violation + ACTIVE
+    # where limits are missed, existence restricts the design too, but is no part of the violation
+    existence = (design.margins + evaluator.existence_slack < ACTIVE) & ~active
+    bounds = np.vstack([np.eye(size)[scaled < 1e-7], -np.eye(size)[scaled > 1.0 - 1e-7]])
+    gradients = np.vstack([-objective, design.margin_slopes[active], design.margin_slopes[existence], bounds])
+    if fixed is not None:
+        gradients = gradients[:, ~fixed]
     # weights of the worst scenarios (or of the violated limits) add up to one
-    ones = np.concatenate(
-        [
-            np.ones(len(top)),
-            np.full(int(near.sum()), 0.0 if len(top) else 1.0),
-            np.zeros(int(exists.sum()) + len(bounds)),
-        ]
-    )
-    scale = max(1e-12, float(np.abs(pull).max()) if pull.size else 1.0)
-    system = np.vstack([pull.T / scale, ones[None, :]])
-    weights, _ = nnls(system, np.append(np.zeros(size), 1.0))
-    gradient = np.linalg.norm(pull[: len(top)].T @ weights[: len(top)]) if len(top) else 1.0
-    rest = float(np.linalg.norm(pull.T @ weights) / max(float(gradient), 1.0))
-    multipliers = np.zeros(judged.margins.size)
-    multipliers[near] = weights[len(top) : len(top) + int(near.sum())]
-    return rest, multipliers
+    adds_up = np.zeros(len(gradients))
+    adds_up[slice(0, len(objective) or int(active.sum()))] = 1.0
+    scale = max(1e-12, float(np.abs(gradients).max(initial=0.0)) or 1.0)
+    system = np.vstack([gradients.T / scale, adds_up[None, :]])
+    weights, _ = nnls(system, np.append(np.zeros(len(system) - 1), 1.0))
+    count = len(objective)
+    steepness = float(np.linalg.norm(gradients[:count].T @ weights[:count])) if count else 1.0
+    residual = float(np.linalg.norm(gradients.T @ weights)) / max(steepness, 1.0)
+    multipliers = np.zeros(design.margins.size)
+    multipliers[active] = weights[count : count + int(active.sum())]
+    return residual, multipliers

@@ -9,10 +9,11 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from asperity.errors import InputError, MissingExtraError, NoSolutionError
+from asperity.extras import install_command
 from asperity.precision import require_double_precision
+from asperity.study.datasets import key_attributes, result_attributes
+from asperity.study.design.design_evaluation import DesignEvaluator, exists
 from asperity.study.design.design_problem import DesignProblem
-from asperity.study.design.judgement import Judge
-from asperity.study.quantities import QUANTITIES
 
 if TYPE_CHECKING:
     import xarray
@@ -29,7 +30,7 @@ def require_pymoo() -> None:
     for name in ("pymoo", "xarray"):
         if importlib.util.find_spec(name) is None:
             raise MissingExtraError(
-                f"a Pareto front needs {name}; install it with: pip install 'asperity[study]'"
+                f"a Pareto front needs the package '{name}', which is not installed; run: {install_command('study')}"
             )
 
 
@@ -86,8 +87,8 @@ def pareto_front(
     from pymoo.core.problem import Problem
     from pymoo.optimize import minimize
 
-    judge = Judge(problem)
-    scales = _scales(judge)
+    evaluator = DesignEvaluator(problem)
+    scales = _scales(evaluator)
 
     class Vectorised(Problem):
         def __init__(self) -> None:
@@ -101,7 +102,7 @@ def pareto_front(
             )
 
         def _evaluate(self, x: np.ndarray, out: dict, *args: object, **kwargs: object) -> None:
-            objectives, margins = judge.judge_many(x)
+            objectives, margins = evaluator.many(x)
             out["F"] = objectives / scales
             out["G"] = -margins
 
@@ -122,21 +123,16 @@ def pareto_front(
         raise NoSolutionError(
             "no design meets all limits; ask for one objective alone: the report then says which limits conflict"
         )
-    places = np.atleast_2d(found.X)
-    objectives, margins = judge.judge_many(places)
+    scaled = np.atleast_2d(found.X)
+    objectives, margins = evaluator.many(scaled)
     values = objectives * np.array([goal.sign for goal in problem.objectives])
     order = np.argsort(values[:, 0])
     data = {}
     for index, goal in enumerate(problem.objectives):
-        kind = QUANTITIES[goal.name]
-        unit = kind.dimension.si_unit if kind.dimension is not None else kind.unit
-        data[goal.name] = ("design", values[order, index], {"units": unit, "long_name": kind.label})
+        data[goal.name] = ("design", values[order, index], result_attributes(goal.name))
     for index, variable in enumerate(problem.variables):
-        from asperity.joint_file.values import key_at
-
-        unit = key_at(variable.path).dimension.si_unit
-        taken = variable.from_unit(places[order, index])
-        data[variable.path] = ("design", taken, {"units": unit, "long_name": variable.path})
+        taken = variable.from_unit(scaled[order, index])
+        data[variable.path] = ("design", taken, key_attributes(variable.path))
     data["margin"] = (
         "design",
         margins.min(axis=1)[order],
@@ -145,8 +141,8 @@ def pareto_front(
     return xarray.Dataset(data, attrs={"level": problem.level, "joint_file": problem.joint_file})
 
 
-def _scales(judge: Judge) -> np.ndarray:
+def _scales(evaluator: DesignEvaluator) -> np.ndarray:
     """Sizes of the objectives at the joint of the file, so that crowding distances compare like with like."""
-    middle = np.full((1, len(judge.variables)), 0.5)
-    sizes = np.abs(judge.judge_many(middle)[0][0])
-    return np.where((sizes > 0.0) & (sizes < 1e200), sizes, 1.0)
+    middle = np.full((1, len(evaluator.variables)), 0.5)
+    sizes = np.abs(evaluator.many(middle)[0][0])
+    return np.where((sizes > 0.0) & exists(sizes), sizes, 1.0)

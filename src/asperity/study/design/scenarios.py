@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from asperity.errors import InputError
-from asperity.joint_file.values import numeric_keys
+from asperity.joint_file.si_tables import numeric_keys
 from asperity.study.design.design_problem import DesignProblem
 
 #: More toleranced numbers have too many corners; they are sampled instead.
@@ -28,15 +28,15 @@ class Scenarios:
         Dotted path → what is added to the number, shape (scenarios,) [SI].
     torques : ndarray
         Output torques without their deviation, shape (scenarios,) [N·m].
-    judged : ndarray
-        Which of them limits and objectives look at; the nominal state may be a mere bystander.
+    counted : ndarray
+        Which of them count for limits and objectives; the nominal state need not.
     base : dict
         Dotted path of toleranced numbers → nominal value [SI].
     """
 
     deviations: dict[str, np.ndarray]
     torques: np.ndarray
-    judged: np.ndarray
+    counted: np.ndarray
     base: dict[str, float]
 
     def changes(self, point: dict[str, Any]) -> dict[str, np.ndarray]:
@@ -106,13 +106,13 @@ def scenarios(problem: DesignProblem) -> Scenarios:
             _refuse_overlap(path, paths)
     torques = np.array(worst.torques or (nominal,))
     grid = [(torque, step) for torque in torques for step in steps]
-    judged = np.ones(len(grid), dtype=bool)
+    counted = np.ones(len(grid), dtype=bool)
     is_nominal = [bool(torque == nominal and not step.any()) for torque, step in grid]
     if any(is_nominal):
         grid.insert(0, grid.pop(is_nominal.index(True)))
     else:
         grid.insert(0, (nominal, np.zeros(len(toleranced))))
-        judged = np.concatenate([[False], judged])
+        counted = np.concatenate([[False], counted])
     table = np.array([step for _, step in grid])
     return Scenarios(
         deviations=(
@@ -121,7 +121,7 @@ def scenarios(problem: DesignProblem) -> Scenarios:
             else {}
         ),
         torques=np.array([torque for torque, _ in grid]),
-        judged=judged,
+        counted=counted,
         base={path: key.value for path, key in toleranced.items()},
     )
 

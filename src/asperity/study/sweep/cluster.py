@@ -16,10 +16,10 @@ from typing import Any
 
 from asperity.errors import InputError
 from asperity.precision import use_double_precision
+from asperity.study.batch import QUICK_POINTS
 from asperity.study.datasets import require
-from asperity.study.points import QUICK_POINTS
-from asperity.study.sweep.plan import Plan, block_results
 from asperity.study.sweep.store import unfinished_blocks, write_block
+from asperity.study.sweep.sweep_plan import Plan, block_results
 
 #: Blocks handed out ahead of each worker, so that none waits.
 _AHEAD = 2
@@ -147,6 +147,8 @@ def _local_cluster(distributed: Any, count: int) -> Any:
             threads_per_worker=1,
             processes=True,
             dashboard_address=None,
+            # without an address of its own the scheduler's web server would take port 8787
+            scheduler_kwargs={"dashboard_address": "127.0.0.1:0", "dashboard": False},
             env=worker_environment(),
             silence_logs="CRITICAL",  # a worker that ends may miss a heartbeat; failures of blocks come as exceptions
             memory_limit=0,

@@ -13,12 +13,19 @@ import numpy as np
 from asperity.errors import InputError
 from asperity.joint_file.model import Case
 from asperity.precision import require_double_precision
+from asperity.study.batch import QUICK_POINTS
 from asperity.study.datasets import common_attributes, coordinate, dataset
 from asperity.study.parameters import Axis
-from asperity.study.points import QUICK_POINTS
 from asperity.study.sweep.cluster import run_on_cluster
-from asperity.study.sweep.plan import Plan, block_results, make_plan
-from asperity.study.sweep.store import open_store, prepare_store, remove_store, unfinished_blocks, write_block
+from asperity.study.sweep.store import (
+    open_store,
+    prepare_store,
+    remove_store,
+    repair_store,
+    unfinished_blocks,
+    write_block,
+)
+from asperity.study.sweep.sweep_plan import Plan, block_results, make_plan
 
 if TYPE_CHECKING:
     import xarray
@@ -27,7 +34,7 @@ if TYPE_CHECKING:
 IN_MEMORY_POINTS = 1_000_000
 #: The same limit on the size of its results [byte].
 IN_MEMORY_BYTES = 1_000_000_000
-#: Up to so many points the sweep stays in this process: local processes would take longer to start.
+#: Up to this number of points a sweep runs in this process: local processes would take longer to start.
 ONE_PROCESS_POINTS = 500_000
 
 #: Called with the points done so far and the points of the whole sweep.
@@ -45,6 +52,7 @@ def sweep(
     workers: int | None = None,
     block_points: int | None = None,
     report: Report | None = None,
+    notice: Callable[[str], Any] | None = None,
 ) -> xarray.Dataset:
     """Evaluate a joint on a grid.
 
@@ -53,12 +61,13 @@ def sweep(
     case : Case
         The joint file.
     axes : sequence of Axis
-        What is varied, one dimension each; :func:`asperity.study.parameters.parse_axis` reads them from text.
+        What is varied, a dimension for each; :func:`asperity.study.parameters.parse_axis` reads them from text.
     results : sequence of str
-        Results or groups of them, e.g. ``("stiffness", "gross_slip")``; ``("all",)`` for every one. What is not
+        Results or groups of them, e.g. ``("stiffness", "slip_ratio")``; ``("all",)`` for every one. What is not
         asked for is not computed.
     store : str or Path, optional
-        A Zarr store to stream to. An interrupted sweep with the same store goes on where it stopped.
+        A Zarr store to stream to. An interrupted sweep with the same store continues where it stopped; what is already
+        in it is verified, and computed again if it is damaged.
     overwrite : bool, optional
         Whether another sweep's store may be deleted.
     scheduler : str, optional
@@ -69,17 +78,19 @@ def sweep(
         Points of a block at most.
     report : callable, optional
         Called with the points done and the points of the whole.
+    notice : callable, optional
+        Called with a sentence about a damaged store that is repaired.
 
     Returns
     -------
     xarray.Dataset
-        One dimension an axis, named by its key; results in SI units; ``status`` 0 where a point is solved, a reason
+        A dimension for each axis, named by its key; results in SI units; ``status`` 0 where a point is solved, a reason
         elsewhere. Lazy if there is a store.
 
     Raises
     ------
     InputError
-        If the axes, the results or the store make no sense, or the sweep is too large for memory.
+        If the axes, the results or the store are not usable, or the sweep is too large for memory.
     PrecisionError
         If JAX is in single precision.
 
@@ -96,6 +107,11 @@ def sweep(
         remove_store(store)
     new = not Path(store).exists()
     blocks = prepare_store(store, plan)
+    if not new:
+        damaged = repair_store(store, plan)
+        if damaged and notice is not None:
+            notice(f"{len(damaged)} blocks of {store} are damaged or missing and are computed again")
+        blocks = sorted({*blocks, *damaged})
     todo = _Progress(plan, blocks, report)
     if scheduler is None and (workers == 0 or (workers is None and todo.left <= ONE_PROCESS_POINTS)):
         for index in blocks:
@@ -109,7 +125,7 @@ def sweep(
             if new and len(unfinished_blocks(store)) == plan.block_count:
                 remove_store(store)
             raise
-    return open_store(store)
+    return open_store(store, verify=False)
 
 
 class _Progress:
@@ -128,7 +144,7 @@ class _Progress:
             self._report(self._points - self.left, self._points)
 
     def finished(self, index: int) -> None:
-        """Note that a block is on disk."""
+        """Count a block that has been written."""
         self._tell(self._sizes[index])
 
 

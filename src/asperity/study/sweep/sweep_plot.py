@@ -8,7 +8,8 @@ import numpy as np
 
 from asperity.errors import InputError
 from asperity.joint.results import RESULTS
-from asperity.joint_file.values import key_at
+from asperity.joint_file.si_tables import key_at
+from asperity.study.datasets import rows_of
 from asperity.study.parameters import long_name
 from asperity.units import from_si
 
@@ -23,7 +24,7 @@ _PREFERRED = (
     "series_with_bulk_stiffness_output",
     "published_stiffness_output",
     "torque_capacity",
-    "gross_slip",
+    "slip_ratio",
 )
 _CURVES = 6
 _PANELS = 6
@@ -63,9 +64,7 @@ def sweep_figure(dataset: xarray.Dataset, *, result: str | None = None) -> Figur
     figure = Figure(figsize=(8.0, 5.0), layout="constrained")
     if len(axes) == 1:
         _curves(figure.subplots(), data, axes[0], name)
-    elif (
-        len(axes) == 2 and min(data.sizes[dim] for dim in axes) > _CURVES and "contact" not in data[name].dims
-    ):
+    elif len(axes) == 2 and min(data.sizes[dim] for dim in axes) > _CURVES and len(rows_of(data, name)) == 1:
         _map(figure, data, axes, name)
     else:
         _panels(figure, data, axes, name)
@@ -86,7 +85,7 @@ def _spread(count: int, most: int) -> np.ndarray:
 
 
 def _words(name: str) -> str:
-    return f"{RESULTS[name].description} [{_shown(RESULTS[name].unit)}]"
+    return f"{RESULTS[name].label} [{_shown(RESULTS[name].si_unit)}]"
 
 
 def _shown(unit: str) -> str:
@@ -123,14 +122,10 @@ def _curves(axes: Axes, data: xarray.Dataset, path: str, name: str) -> None:
     levels = [n for n in _PREFERRED[:3] if n in data] if name in _PREFERRED[:3] else [name]
     drawn = []
     for level in levels:
-        if "contact" in data[level].dims:
-            for contact in data["contact"].values:
-                drawn.append(data[level].sel(contact=contact).values)
-                axes.plot(x, drawn[-1], marker=".", label=str(contact))
-        else:
-            drawn.append(data[level].values)
-            label = level.replace("_stiffness_output", "").replace("_", " ")
-            axes.plot(x, drawn[-1], marker=".", label=label)
+        for row, curve in rows_of(data, level).items():
+            drawn.append(curve.values)
+            label = row or level.replace("_stiffness_output", "")
+            axes.plot(x, drawn[-1], marker=".", label=label.replace("_", " "))
     _scale(axes, path, x)
     axes.set_ylabel(_label_of_result(name))
     axes.set_xlim(*_with_margin(x, log=_is_log(x)))
@@ -149,7 +144,7 @@ def _curves(axes: Axes, data: xarray.Dataset, path: str, name: str) -> None:
 
 def _label_of_result(name: str) -> str:
     what = "torsional stiffness at the output" if name in _PREFERRED[:3] else name.replace("_", " ")
-    return f"{what} [{_shown(RESULTS[name].unit)}]"
+    return f"{what} [{_shown(RESULTS[name].si_unit)}]"
 
 
 def _with_margin(x: np.ndarray, *, log: bool) -> tuple[float, float]:
@@ -199,9 +194,9 @@ def _panels(figure: Figure, data: xarray.Dataset, axes: list[str], name: str) ->
         for second in seconds:
             curve = chosen[name].isel({axes[1]: second})
             told = f"{_in_unit(axes[1], chosen[axes[1]].values[[second]])[0]:.4g}"
-            if "contact" in curve.dims:
-                curve = curve.max("contact")
-                told += " (largest of the contacts)"
+            if RESULTS[name].axis != "one":
+                curve = curve.max(RESULTS[name].axis)
+                told += f" (largest of the {RESULTS[name].axis}s)"
             panel.plot(x, curve.values, marker=".", label=told)
         if len(axes) > 2:
             value = _in_unit(axes[2], data[axes[2]].values[[third]])[0]

@@ -8,8 +8,9 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from asperity.errors import InputError
+from asperity.joint.results import row_name
 from asperity.joint.status import STATUS_NAMES
-from asperity.study.datasets import require
+from asperity.study.datasets import require, rows_of
 from asperity.writing import check_folder, replacing
 
 if TYPE_CHECKING:
@@ -58,10 +59,10 @@ def frame(dataset: xarray.Dataset) -> pandas.DataFrame:
     Returns
     -------
     pandas.DataFrame
-        Coordinates, status as code and as word, results; per-contact results have a column for each contact.
+        Coordinates, status as code and as word, results; results of contacts or clearances have a column for each.
     """
     pd = require("pandas")
-    dims = tuple(name for name in dataset.dims if name != "contact")
+    dims = tuple(dataset["status"].dims)
     shape = tuple(dataset.sizes[name] for name in dims)
     columns: dict[str, Any] = {}
     for name in dims:
@@ -74,15 +75,11 @@ def frame(dataset: xarray.Dataset) -> pandas.DataFrame:
     codes = dataset["status"].transpose(*dims).values.ravel()
     columns["status"] = codes
     columns["status_meaning"] = np.array([*STATUS_NAMES, "not_computed"], dtype=object)[codes]
-    for name, variable in dataset.data_vars.items():
+    for name in dataset.data_vars:
         if name == "status":
             continue
-        if "contact" not in variable.dims:
-            columns[_header(str(name), variable)] = variable.transpose(*dims).values.ravel()
-            continue
-        for contact in dataset["contact"].values:
-            one = variable.sel(contact=contact).transpose(*dims)
-            columns[_header(f"{name}_{contact}", variable)] = one.values.ravel()
+        for row, values in rows_of(dataset, str(name)).items():
+            columns[_header(row_name(str(name), row), values)] = values.transpose(*dims).values.ravel()
     made: pandas.DataFrame = pd.DataFrame(columns)
     return made
 

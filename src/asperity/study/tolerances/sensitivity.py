@@ -8,77 +8,62 @@ An elasticity of 2 says that one per cent more of x makes about two per cent mor
 
 from __future__ import annotations
 
-import json
+from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
-import jax
-import jax.numpy as jnp
 import numpy as np
-from jax import Array
 
-from asperity.compilation import compile_fast
-from asperity.drive.geometry import CONTACT_NAMES
 from asperity.errors import InputError, NoSolutionError
-from asperity.joint.evaluation import Joint, evaluate
-from asperity.joint.examination import examine
-from asperity.joint.results import RESULTS, Solved
-from asperity.joint.status import STATUS_MEANINGS, UNBALANCED, joint_status
-from asperity.joint_file.build import joint_from_case, joint_from_values
+from asperity.joint.results import LEVELS, RESULTS, known_result, row_name
+from asperity.joint.solve import solve
+from asperity.joint.status import STATUS_MEANINGS, UNBALANCED
+from asperity.joint_file.build import joint_from_case
 from asperity.joint_file.model import Case
-from asperity.joint_file.structure import table_structure
-from asperity.joint_file.values import NumericKey, numeric_keys, replace_values, si_values
+from asperity.joint_file.si_tables import numeric_keys, si_values
 from asperity.precision import require_double_precision
-from asperity.study.datasets import common_attributes, require
+from asperity.study.batch import derivatives_at
+from asperity.study.datasets import common_attributes, require, result_rows
 from asperity.study.parameters import long_name
 
 if TYPE_CHECKING:
     import xarray
 
-_LEVELS = ("assembly_stiffness_output", "series_with_bulk_stiffness_output", "published_stiffness_output")
-_MARGINS: dict[str, tuple[str, str]] = {
-    "slip_margin": ("gross_slip", "slip margin 1 - T/(mu N)"),
-    "pressure_margin": ("pressure_over_first_yield", "pressure margin 1 - p0/(first yield)"),
-    "self_locking_margin": ("self_locking", "self-locking margin 1 - tan(beta/2)/mu"),
-}
+#: Results that are differentiated unless others are asked for.
+DEFAULT_RESULTS = (
+    *(f"{level}_stiffness_output" for level in LEVELS),
+    "torque_capacity",
+    "slip_ratio",
+    "pressure_over_first_yield",
+    "self_locking_ratio",
+)
 
 
-def judged_results() -> dict[str, tuple[str, str]]:
-    """Results whose sensitivities are taken.
+def differentiable_rows() -> dict[str, str]:
+    """Everything that can be differentiated.
 
     Returns
     -------
     dict
-        Name → (unit, description): stiffness at the output on three levels, torque capacity, margins, which are
-        positive where all is well.
+        Name of one number, such as ``slip_ratio_sp`` → the result it belongs to.
     """
-    found = {name: (RESULTS[name].unit, RESULTS[name].description) for name in (*_LEVELS, "torque_capacity")}
-    for margin, (ratio, words) in _MARGINS.items():
-        if RESULTS[ratio].per_contact:
-            found.update({f"{margin}_{contact}": ("1", f"{words}, {contact}") for contact in CONTACT_NAMES})
-        else:
-            found[margin] = ("1", words)
-    return found
+    return {
+        row_name(name, row): name
+        for name, result in RESULTS.items()
+        if result.differentiable
+        for row in result.row_names
+    }
 
 
-def _judged(joint: Joint) -> tuple[Array, Array]:
-    """Values of :func:`judged_results` of a batch, in their order, shape (results, batch), and the status."""
-    result = evaluate(joint)
-    solved = Solved(joint, result)
-    rows = [RESULTS[name].value(solved) for name in (*_LEVELS, "torque_capacity")]
-    for ratio, _ in _MARGINS.values():
-        margin = 1.0 - RESULTS[ratio].value(solved)
-        rows.extend(margin if RESULTS[ratio].per_contact else [margin])
-    shape = result.solved.shape
-    return jnp.stack([jnp.broadcast_to(row, shape) for row in rows]), joint_status(joint, result)
-
-
-def sensitivity(case: Case) -> xarray.Dataset:
-    """Derivatives and elasticities of stiffness, capacity and margins with respect to every number of a joint file.
+def sensitivity(case: Case, results: Sequence[str] = DEFAULT_RESULTS) -> xarray.Dataset:
+    """Derivatives and elasticities of results with respect to every number of a joint file.
 
     Parameters
     ----------
     case : Case
         The joint file.
+    results : sequence of str, optional
+        Names of :data:`asperity.joint.results.RESULTS`; by default the stiffness at the output on three levels, the
+        torque capacity, slip, pressure and self-locking.
 
     Returns
     -------
@@ -91,7 +76,7 @@ def sensitivity(case: Case) -> xarray.Dataset:
     Raises
     ------
     InputError
-        If the rollers do not fit or the torque is beyond the capacity.
+        If a result has no derivatives, the rollers do not fit or the torque is beyond the capacity.
     NoSolutionError
         If the force balance does not close.
     PrecisionError
@@ -105,13 +90,18 @@ def sensitivity(case: Case) -> xarray.Dataset:
     """
     require_double_precision()
     xr = require("xarray")
+    allowed = [name for name, result in RESULTS.items() if result.differentiable]
+    names = tuple(known_result(name, among=allowed, what="differentiable result") for name in results)
     inputs = numeric_keys(case)
-    point = jnp.asarray([entry.value for entry in inputs.values()])
-    values, jacobian = _differentiated(case, inputs, point)
-    names = judged_results()
-    x, y = np.asarray(point), np.asarray(values)
+    x = np.array([entry.value for entry in inputs.values()])
+    point = {path: np.array([entry.value]) for path, entry in inputs.items()}
+    status, values, slopes = derivatives_at(si_values(case), point, names, tuple(inputs))
+    refuse_failed(case, int(status[0]))
+    y = np.concatenate([values[name][:, 0] for name in names])
+    jacobian = np.concatenate([slopes[name][:, 0] for name in names])
+    rows = result_rows(names)
     finite = np.isfinite(y)[:, None]
-    derivative = np.where(finite, np.asarray(jacobian), np.nan)
+    derivative = np.where(finite, jacobian, np.nan)
     nonzero = np.where(y == 0.0, np.nan, y)[:, None]
     elasticity = np.where(finite, derivative * x / nonzero, np.nan)
     pair = ("result", "input")
@@ -127,39 +117,16 @@ def sensitivity(case: Case) -> xarray.Dataset:
             "result_value": (("result",), y, {"long_name": "value of the result", "units": "result_unit"}),
         },
         coords={
-            "result": list(names),
+            "result": [name for name, _, _ in rows],
             "input": list(inputs),
-            "result_unit": ("result", [unit for unit, _ in names.values()]),
+            "result_unit": ("result", [unit for _, unit, _ in rows]),
             "input_unit": ("input", [entry.key.dimension.si_unit for entry in inputs.values()]),
-            "result_name": ("result", [words for _, words in names.values()]),
+            "result_name": ("result", [label for _, _, label in rows]),
             "input_name": ("input", [long_name(path) for path in inputs]),
         },
         attrs=common_attributes("sensitivities of a joint"),
     )
     return made
-
-
-def _differentiated(case: Case, inputs: dict[str, NumericKey], point: Array) -> tuple[Array, Array]:
-    form = (table_structure(si_values(case)), tuple(inputs))
-    values, status, jacobian = compile_fast(_jacobian, point, options=form)(point)
-    refuse_failed(case, int(status))
-    return values, jacobian
-
-
-def _jacobian(structure: str, paths: tuple[str, ...], point: Array) -> tuple[Array, Array, Array]:
-    """Values, status and Jacobian at all numbers of a file of this structure.
-
-    The joint is repeated along the batch axis, once for each number, and each copy is moved along its own: JAX follows
-    that in a fraction of the time of a vectorising transformation.
-    """
-    tables = json.loads(structure)
-
-    def judged(table: Array) -> tuple[Array, Array]:
-        return _judged(joint_from_values(replace_values(tables, dict(zip(paths, table, strict=True)))))
-
-    copies = jnp.repeat(point[:, None], point.size, axis=1)
-    values, jacobian, status = jax.jvp(judged, (copies,), (jnp.eye(point.size),), has_aux=True)
-    return values[:, 0], status[0], jacobian
 
 
 def refuse_failed(case: Case, status: int) -> None:
@@ -170,7 +137,7 @@ def refuse_failed(case: Case, status: int) -> None:
     case : Case
         The joint file.
     status : int
-        Its code, :data:`asperity.joint.status.STATUS_MEANINGS`.
+        Its code, a place in :data:`asperity.joint.status.STATUSES`.
 
     Raises
     ------
@@ -181,7 +148,7 @@ def refuse_failed(case: Case, status: int) -> None:
     """
     if status == 0:
         return
-    examine(joint_from_case(case))  # says it with the numbers
+    solve(joint_from_case(case))  # says it with the numbers
     reason = STATUS_MEANINGS[status]
     if status == UNBALANCED:
         raise NoSolutionError(reason)
@@ -208,9 +175,7 @@ def ranking(sensitivities: xarray.Dataset, result: str) -> xarray.Dataset:
     InputError
         If there is no such result.
     """
-    known = sensitivities["result"].values.tolist()
-    if result not in known:
-        raise InputError(f"there is no result '{result}' among {', '.join(known)}")
+    known_result(result, among=sensitivities["result"].values.tolist())
     one = sensitivities.sel(result=result)
     order = np.argsort(-np.abs(np.nan_to_num(one["elasticity"].values, nan=0.0)), kind="stable")
     ranked: xarray.Dataset = one.isel(input=order)

@@ -11,29 +11,22 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from asperity.drive.geometry import CONTACT_NAMES
 from asperity.errors import InputError
-from asperity.joint.results import RESULTS, chosen_results
+from asperity.joint.results import LEVELS, RESULTS, chosen_results
 from asperity.joint.status import STATUS_NAMES
 from asperity.joint_file.distribution import FORMS, Distribution
 from asperity.joint_file.model import Case
-from asperity.joint_file.values import NumericKey, numeric_keys, si_values
-from asperity.study.datasets import common_attributes, require
+from asperity.joint_file.si_tables import NumericKey, numeric_keys, si_values
+from asperity.study.batch import evaluate_points
+from asperity.study.datasets import common_attributes, require, result_rows
 from asperity.study.parameters import long_name
-from asperity.study.points import evaluate_points
 from asperity.study.tolerances.sensitivity import refuse_failed
 
 if TYPE_CHECKING:
     import xarray
 
 #: Results that are followed unless others are asked for.
-DEFAULT_RESULTS = (
-    "assembly_stiffness_output",
-    "series_with_bulk_stiffness_output",
-    "published_stiffness_output",
-    "gross_slip",
-    "self_locking",
-)
+DEFAULT_RESULTS = (*(f"{level}_stiffness_output" for level in LEVELS), "slip_ratio", "self_locking_ratio")
 #: Share of the samples within the stated intervals.
 COVERAGE = 0.95
 _RESAMPLES = 100
@@ -72,8 +65,9 @@ def toleranced_inputs(
     unstated = [path for path, entry in found.items() if entry.distribution is None]
     if unstated and otherwise is None:
         raise InputError(
-            f"{', '.join(unstated)}: the file states a tolerance but not its distribution; write it behind a comma, "
-            f'as in "4 mm +- 5 um, uniform", or give one for all of them (--distribution): {FORMS}'
+            f"{', '.join(unstated)}: the file states a tolerance but not its distribution; add --distribution uniform "
+            f"to take one for all of them, or write it into the file behind a comma, as in "
+            f'"4 mm +- 5 um, uniform"; distributions are {FORMS}'
         )
     return {path: (entry, entry.distribution or otherwise) for path, entry in found.items()}  # type: ignore[misc]
 
@@ -122,7 +116,7 @@ def uncertainty(
     case : Case
         The joint file, with tolerances.
     results : sequence of str, optional
-        Results or groups of them; stiffness on three levels, slip, self-locking and pressure by default.
+        Results or groups of them; stiffness on three levels, slip and self-locking by default.
     distribution : Distribution, optional
         For the tolerances whose distribution the file does not state.
     samples : int, optional
@@ -138,7 +132,8 @@ def uncertainty(
         Along ``result``: ``nominal``, ``mean``, ``standard_deviation``, ``quantiles`` (at 2.5, 50 and 97.5 %),
         ``first_order`` and ``total_order`` Sobol indices along ``input`` with 95 % confidence half-widths. Along
         ``sample``: the samples themselves and their ``status``. Statistics are those of the solved samples; Sobol
-        indices are nan where any of their samples has no result.
+        indices are nan where any of their samples has no result. A result that is no quantity, such as the contact that
+        slips first, has samples only.
 
     Raises
     ------
@@ -161,7 +156,7 @@ def uncertainty(
     if samples < _FEWEST:
         raise InputError(f"{samples} samples are too few for 95 % intervals; at least {_FEWEST} are needed")
     tables = si_values(case)
-    rows = [row for name in names for row in _rows(name)]
+    rows = result_rows(names)
     most = _MOST_NUMBERS // (2 * (len(rows) + len(inputs)))
     if samples > most:
         raise InputError(
@@ -197,20 +192,24 @@ def uncertainty(
         raise InputError(
             f"only {solved.shape[1]} of {samples} samples have a result: the tolerances are too wide"
         )
+    # what is no quantity, such as the number of a contact, has samples, but no mean, no quantiles and no variance
+    numbered = np.array([not RESULTS[name].categories for name in names for _ in RESULTS[name].row_names])
+    quantity = np.where(numbered[:, None], solved, np.nan)
+    indices[~numbered], nominal = np.nan, np.where(numbered, nominal, np.nan)
     with_unit = {"units": "unit"}
     pair = ("result", "input")
     made: xarray.Dataset = xr.Dataset(
         {
             "nominal": (("result",), nominal, {"long_name": "result at the stated values", **with_unit}),
-            "mean": (("result",), solved.mean(axis=1), {"long_name": "mean", **with_unit}),
+            "mean": (("result",), quantity.mean(axis=1), {"long_name": "mean", **with_unit}),
             "standard_deviation": (
                 ("result",),
-                solved.std(axis=1, ddof=1),
+                quantity.std(axis=1, ddof=1),
                 {"long_name": "standard deviation", **with_unit},
             ),
             "quantiles": (
                 ("result", "share"),
-                np.quantile(solved, shares, axis=1).T,
+                np.quantile(quantity, shares, axis=1).T,
                 {"long_name": "value that this share of the results is below", **with_unit},
             ),
             "first_order": (pair, indices[:, 0], {"long_name": "Sobol index of first order", "units": "1"}),
@@ -223,7 +222,7 @@ def uncertainty(
                 {"long_name": "status", "units": "1", "flag_meanings": " ".join(STATUS_NAMES)},
             ),
             "samples": (("result", "sample"), sampled, {"long_name": "sampled results", **with_unit}),
-            "points": (
+            "sampled_inputs": (
                 ("input", "sample"),
                 np.stack([column[mine] for column in points.values()]),
                 {"long_name": "sampled inputs", "units": "input_unit"},
@@ -246,16 +245,6 @@ def uncertainty(
 
 
 _OPEN = 1e-12  # the ends of the unit interval are at infinity for a normal distribution
-
-
-def _rows(name: str) -> list[tuple[str, str, str]]:
-    """Name, unit and description of the rows that a result makes."""
-    result = RESULTS[name]
-    if not result.per_contact:
-        return [(name, result.unit, result.description)]
-    return [
-        (f"{name}_{contact}", result.unit, f"{result.description}, {contact}") for contact in CONTACT_NAMES
-    ]
 
 
 def _sobol(analyser: Any, problem: dict[str, Any], row: np.ndarray, seed: int) -> np.ndarray:

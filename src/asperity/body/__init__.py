@@ -1,0 +1,1 @@
+"""Discs and annuli as exact plane elasticity: compliance between contacts, stresses at the rims."""

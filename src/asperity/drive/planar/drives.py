@@ -1,0 +1,228 @@
+"""Planar roller drives that users have, each from the radii of its rollers."""
+
+from __future__ import annotations
+
+import math
+
+import jax.numpy as jnp
+
+from asperity.drive.geometry import DriveGeometry, triangle
+from asperity.drive.planar.layout import CARRIER, Body, Contact, PlanarDrive
+from asperity.types import Real
+
+
+def wedge_drive(geometry: DriveGeometry, *, planet_count: int) -> PlanarDrive:
+    """The planetary drive of Zou et al. 2025: two loading rollers in the wedges between each planet and the ring.
+
+    Parameters
+    ----------
+    geometry : DriveGeometry
+        Radii and push angles.
+    planet_count : int
+        Number of planets.
+
+    Returns
+    -------
+    PlanarDrive
+        Contacts ``sp, pwr, pwl, wro, wlo``; sun in, carrier out, ring grounded.
+
+    References
+    ----------
+    Equation (A1) of :doc:`/equations`.
+    """
+    sides = triangle(geometry)
+    x, y = sides.roller_orbit * sides.sin_polar, sides.roller_orbit * sides.cos_polar
+    zero = jnp.zeros_like(x)
+    sun, planet, roller, ring = (
+        jnp.asarray(radius)
+        for radius in (
+            geometry.sun_radius,
+            geometry.planet_radius,
+            geometry.loading_roller_radius,
+            geometry.ring_radius,
+        )
+    )
+    return PlanarDrive(
+        bodies=(
+            Body("sun", "axis"),
+            Body("planet", "free"),
+            Body("right", "pin"),
+            Body("left", "pin"),
+            Body("ring", "axis"),
+        ),
+        contacts=(
+            Contact("sp", "sun", "planet"),
+            Contact("pwr", "planet", "right"),
+            Contact("pwl", "planet", "left"),
+            Contact("wro", "right", "ring", internal=True),
+            Contact("wlo", "left", "ring", internal=True),
+        ),
+        centres=jnp.stack(
+            [
+                jnp.stack([zero, zero]),
+                jnp.stack([zero, zero + sides.planet_orbit]),
+                jnp.stack([x, y]),
+                jnp.stack([-x, y]),
+                jnp.stack([zero, zero]),
+            ]
+        ),
+        first_radius=jnp.stack([sun, planet, planet, roller, roller]),
+        second_radius=jnp.stack([planet, roller, roller, ring, ring]),
+        push_angles=jnp.stack(
+            [jnp.asarray(geometry.right_push_angle), jnp.asarray(geometry.left_push_angle)]
+        ),
+        sectors=planet_count,
+        input="sun",
+        output=CARRIER,
+        grounded="ring",
+        sense=-1,  # as the paper has it; so that a positive torque loads the right roller
+    )
+
+
+def planetary_drive(*, sun_radius: Real, planet_radius: Real, planet_count: int) -> PlanarDrive:
+    """The plain planetary drive: planets between a sun and a ring that presses them.
+
+    Parameters
+    ----------
+    sun_radius, planet_radius : Real
+        Radii [m]; the ring's is the sun's and twice the planets'.
+    planet_count : int
+        Number of planets.
+
+    Returns
+    -------
+    PlanarDrive
+        Contacts ``sp, pr``; sun in, carrier out, ring grounded; ratio 1 + R_r/R_s.
+
+    References
+    ----------
+    Willis' equation with the ring held.
+    """
+    sun, planet = jnp.asarray(sun_radius, dtype=float), jnp.asarray(planet_radius, dtype=float)
+    origin = jnp.zeros(2)
+    return PlanarDrive(
+        bodies=(Body("sun", "axis"), Body("planet", "pin"), Body("ring", "axis")),
+        contacts=(Contact("sp", "sun", "planet"), Contact("pr", "planet", "ring", internal=True)),
+        centres=jnp.stack([origin, jnp.stack([0.0 * sun, sun + planet]), origin]),
+        first_radius=jnp.stack([sun, planet]),
+        second_radius=jnp.stack([planet, sun + 2.0 * planet]),
+        push_angles=jnp.zeros(1),
+        sectors=planet_count,
+        input="sun",
+        output=CARRIER,
+        grounded="ring",
+    )
+
+
+def two_row_multiroller(
+    *,
+    sun_radius: Real,
+    first_row_radii: tuple[Real, Real],
+    second_row_radii: tuple[Real, Real],
+    roller_count: int,
+) -> PlanarDrive:
+    """The multiroller drive with two rows of stepped rollers between sun and ring.
+
+    Parameters
+    ----------
+    sun_radius : Real
+        Radius s [m].
+    first_row_radii, second_row_radii : tuple of Real
+        Large and small radius x and y of each row's rollers [m]: the sun drives x of the first row, whose y drives x
+        of the second, whose y drives the ring.
+    roller_count : int
+        Rollers in each row; each second-row roller lies between two of the first row.
+
+    Returns
+    -------
+    PlanarDrive
+        Contacts ``s1, 12, 21, 2r``; sun in, ring out, the carrier of the second row grounded; ratio
+        :math:`(x_1/s)(x_2/y_1)(R/y_2)`.
+
+    References
+    ----------
+    A. L. Nasvytis's multiroller drive as described in NASA's reports on it; the ratio follows from rolling without
+    slip.
+    """
+    sun = jnp.asarray(sun_radius, dtype=float)
+    (x_1, y_1), (x_2, y_2) = (
+        tuple(jnp.asarray(radius, dtype=float) for radius in row)
+        for row in (first_row_radii, second_row_radii)
+    )
+    orbit = sun + x_1
+    half = math.pi / roller_count
+    far = orbit * math.cos(half) + jnp.sqrt((y_1 + x_2) ** 2 - (orbit * math.sin(half)) ** 2)
+    origin = jnp.zeros(2)
+    second_centre = far * jnp.array([-math.sin(half), math.cos(half)])
+    return PlanarDrive(
+        bodies=(
+            Body("sun", "axis"),
+            Body("first row", "free"),
+            Body("second row", "pin"),
+            Body("ring", "axis"),
+        ),
+        contacts=(
+            Contact("s1", "sun", "first row"),
+            Contact("12", "first row", "second row"),
+            Contact("21", "first row", "second row", sector=-1),
+            Contact("2r", "second row", "ring", internal=True),
+        ),
+        centres=jnp.stack([origin, jnp.stack([0.0 * orbit, orbit]), second_centre, origin]),
+        first_radius=jnp.stack([sun, y_1, y_1, y_2]),
+        second_radius=jnp.stack([x_1, x_2, x_2, far + y_2]),
+        push_angles=jnp.zeros(1),
+        sectors=roller_count,
+        input="sun",
+        output="ring",
+        grounded=CARRIER,
+    )
+
+
+def stepped_planet_drive(
+    *, sun_radius: Real, planet_radii: tuple[Real, Real], planet_count: int
+) -> PlanarDrive:
+    """A drive of high ratio: stepped planets roll in a held and in a driven ring of slightly different radii.
+
+    Parameters
+    ----------
+    sun_radius : Real
+        Radius s [m].
+    planet_radii : tuple of Real
+        Radii p_1 of the track in the held ring, which also touches the sun, and p_2 of that in the driven one [m].
+    planet_count : int
+        Number of planets.
+
+    Returns
+    -------
+    PlanarDrive
+        Contacts ``sp, pr1, pr2``; sun in, second ring out, first ring grounded, the carrier a free cage; ratio
+        :math:`(1 + R_1/s)/(1 - R_1 p_2/(R_2 p_1))`.
+
+    References
+    ----------
+    Willis' equation applied to both rings.
+    """
+    sun = jnp.asarray(sun_radius, dtype=float)
+    one, two = (jnp.asarray(radius, dtype=float) for radius in planet_radii)
+    origin = jnp.zeros(2)
+    return PlanarDrive(
+        bodies=(
+            Body("sun", "axis"),
+            Body("planet", "pin"),
+            Body("held ring", "axis"),
+            Body("driven ring", "axis"),
+        ),
+        contacts=(
+            Contact("sp", "sun", "planet"),
+            Contact("pr1", "planet", "held ring", internal=True),
+            Contact("pr2", "planet", "driven ring", internal=True),
+        ),
+        centres=jnp.stack([origin, jnp.stack([0.0 * sun, sun + one]), origin, origin]),
+        first_radius=jnp.stack([sun, one, two]),
+        second_radius=jnp.stack([one, sun + 2.0 * one, sun + one + two]),
+        push_angles=jnp.zeros(1),
+        sectors=planet_count,
+        input="sun",
+        output="driven ring",
+        grounded="held ring",
+    )

@@ -1,0 +1,356 @@
+r"""A planar roller drive as data: discs and rings, their contacts, and what holds their centres.
+
+One sector of an n-fold symmetric drive is described. Bodies on the axis (sun, ring) touch n copies of the others; a
+contact between neighbouring sectors names the sector of its second body. Everything else follows from the centres:
+the directions of the contacts, the approaches and slips that displacements and rotations make, and by virtual work
+the balance of forces.
+"""
+
+from __future__ import annotations
+
+import itertools
+import math
+from dataclasses import dataclass
+from typing import Literal
+
+import equinox as eqx
+import jax.numpy as jnp
+import numpy as np
+from jax import Array
+
+from asperity.errors import InputError
+from asperity.types import Real
+
+#: The member that carries the pins; it has no contacts of its own.
+CARRIER = "carrier"
+
+#: A contact whose bodies are this far, relative to their radii, from touching is an error of the layout.
+TOUCH_TOLERANCE = 1e-9
+
+
+@dataclass(frozen=True)
+class Body:
+    """One disc or ring.
+
+    Parameters
+    ----------
+    name : str
+        Its name.
+    place : {"axis", "free", "pin"}
+        ``axis``: its centre is the drive's axis; ``free``: held by its contacts alone; ``pin``: a pin of the carrier
+        holds its centre along the push direction, and leaves it free across.
+    """
+
+    name: str
+    place: Literal["axis", "free", "pin"]
+
+
+@dataclass(frozen=True)
+class Contact:
+    """Where two bodies touch.
+
+    Parameters
+    ----------
+    name : str
+        Its name.
+    first, second : str
+        Names of the bodies; of an internal contact the first lies inside the second.
+    internal : bool
+        Whether the first body lies inside the second.
+    sector : int
+        Sector of the second body, counted counter-clockwise from that of the first.
+    """
+
+    name: str
+    first: str
+    second: str
+    internal: bool = False
+    sector: int = 0
+
+
+class PlanarDrive(eqx.Module):
+    """A drive of discs and rings in one plane. SI units; arrays have the body or contact axis first.
+
+    Parameters
+    ----------
+    bodies : tuple of Body
+        Bodies of one sector.
+    contacts : tuple of Contact
+        Contacts of one sector.
+    centres : Array
+        Centres of the bodies, shape (bodies, 2) [m].
+    first_radius, second_radius : Array
+        Radii of the two tracks of each contact, shape (contacts,) [m]; a stepped roller has one for each track.
+    push_angles : Array
+        Direction of each pin's push from the clockwise tangent, outward, one for each body on a pin, shape (pins,)
+        [rad].
+    sectors : int
+        How many sectors make the drive.
+    input, output, grounded : str
+        Names of members: bodies on the axis, or :data:`CARRIER`.
+    sense : int
+        Sense of rotation of the input, +1 counter-clockwise, −1 clockwise.
+    """
+
+    bodies: tuple[Body, ...] = eqx.field(static=True)
+    contacts: tuple[Contact, ...] = eqx.field(static=True)
+    centres: Array
+    first_radius: Array
+    second_radius: Array
+    push_angles: Array
+    sectors: int = eqx.field(static=True)
+    input: str = eqx.field(static=True)
+    output: str = eqx.field(static=True)
+    grounded: str = eqx.field(static=True)
+    sense: int = eqx.field(static=True, default=1)
+
+    @property
+    def members(self) -> tuple[str, ...]:
+        """Everything that turns: the bodies, then the carrier."""
+        return (*(body.name for body in self.bodies), CARRIER)
+
+    @property
+    def floating(self) -> tuple[int, ...]:
+        """Indices of the bodies whose centres can move."""
+        return tuple(i for i, body in enumerate(self.bodies) if body.place != "axis")
+
+    @property
+    def pinned(self) -> tuple[int, ...]:
+        """Indices of the bodies on pins."""
+        return tuple(i for i, body in enumerate(self.bodies) if body.place == "pin")
+
+
+class Incidence(eqx.Module):
+    r"""How displacements and rotations move the contacts; its transpose balances the forces.
+
+    Approach :math:`e = A u`, slip at rest :math:`s = S u + W \psi`, elongation of the pins :math:`P u`, where u holds
+    the displacements of the floating centres and psi the rotations of the members, the carrier's included.
+
+    Parameters
+    ----------
+    approach, sliding : Array
+        A and S, shape (contacts, 2 floating) [-].
+    turning : Array
+        W, surface speed of the first body minus that of the second, seen from the carrier, per angular velocity of
+        each member, shape (contacts, members) [m].
+    pins : Array
+        P, shape (pins, 2 floating) [-].
+    levers : Array
+        Lever of each pin's push about the axis, counter-clockwise positive, shape (pins,) [m].
+    """
+
+    approach: Array
+    sliding: Array
+    turning: Array
+    pins: Array
+    levers: Array
+
+
+def _rotation(angle: float) -> np.ndarray:
+    return np.array([[math.cos(angle), -math.sin(angle)], [math.sin(angle), math.cos(angle)]])
+
+
+def incidence(drive: PlanarDrive) -> Incidence:
+    """Directions, levers and surface speeds of a drive.
+
+    Parameters
+    ----------
+    drive : PlanarDrive
+        The drive.
+
+    Returns
+    -------
+    Incidence
+        Its matrices.
+
+    References
+    ----------
+    Plane kinematics of rigid bodies; equation (M1) of :doc:`/equations`.
+    """
+    index = {name: i for i, name in enumerate(drive.members)}
+    column = {i: 2 * k for k, i in enumerate(drive.floating)}
+    width, carrier = 2 * len(drive.floating), index[CARRIER]
+    approach, sliding, turning = [], [], []
+    for k, contact in enumerate(drive.contacts):
+        one, two = index[contact.first], index[contact.second]
+        copy = jnp.asarray(_rotation(2.0 * math.pi * contact.sector / drive.sectors))
+        outward = -1.0 if contact.internal else 1.0
+        between = outward * (copy @ drive.centres[two] - drive.centres[one])
+        normal = between / jnp.sqrt(jnp.sum(between**2))
+        tangent = jnp.stack([-normal[1], normal[0]])
+        rows = [jnp.zeros(width), jnp.zeros(width)]
+        for body, share in ((one, jnp.eye(2)), (two, -copy)):
+            if body in column:
+                at = slice(column[body], column[body] + 2)
+                rows = [
+                    row.at[at].add(direction @ share)
+                    for row, direction in zip(rows, (normal, tangent), strict=True)
+                ]
+        approach.append(rows[0])
+        sliding.append(rows[1])
+        first, second = drive.first_radius[k], outward * drive.second_radius[k]
+        turning.append(
+            jnp.zeros(len(index)).at[one].add(first).at[two].add(second).at[carrier].add(-first - second)
+        )
+    pins, levers = [], []
+    for angle, body in zip(drive.push_angles, drive.pinned, strict=True):
+        centre = drive.centres[body]
+        radial = centre / jnp.sqrt(jnp.sum(centre**2))
+        clockwise = jnp.stack([radial[1], -radial[0]])
+        push = jnp.cos(angle) * clockwise + jnp.sin(angle) * radial
+        pins.append(jnp.zeros(width).at[column[body] : column[body] + 2].set(push))
+        levers.append(centre[0] * push[1] - centre[1] * push[0])
+    return Incidence(
+        approach=jnp.stack(approach),
+        sliding=jnp.stack(sliding),
+        turning=jnp.stack(turning),
+        pins=jnp.stack(pins) if pins else jnp.zeros((0, width)),
+        levers=jnp.stack(levers) if levers else jnp.zeros(0),
+    )
+
+
+def gaps(drive: PlanarDrive) -> Array:
+    """Free distance between the two bodies of each contact; 0 where they just touch, negative where they overlap.
+
+    Parameters
+    ----------
+    drive : PlanarDrive
+        The drive.
+
+    Returns
+    -------
+    Array
+        Distances, shape (contacts,) [m].
+    """
+    index = {body.name: i for i, body in enumerate(drive.bodies)}
+    found = []
+    for k, contact in enumerate(drive.contacts):
+        copy = jnp.asarray(_rotation(2.0 * math.pi * contact.sector / drive.sectors))
+        between = copy @ drive.centres[index[contact.second]] - drive.centres[index[contact.first]]
+        distance = jnp.sqrt(jnp.sum(between**2))
+        one, two = drive.first_radius[k], drive.second_radius[k]
+        found.append(two - one - distance if contact.internal else distance - one - two)
+    return jnp.stack(found)
+
+
+def refuse_impossible(drive: PlanarDrive) -> None:
+    """Raise unless the bodies of every contact touch, no others overlap, and one input speed fixes all others.
+
+    Parameters
+    ----------
+    drive : PlanarDrive
+        The drive, with numbers, not traced.
+
+    Raises
+    ------
+    InputError
+        With the members and the gap, or with the number of degrees of freedom.
+    """
+    for contact, gap, size in zip(
+        drive.contacts, np.asarray(gaps(drive)), np.asarray(drive.second_radius), strict=True
+    ):
+        if not abs(gap) <= TOUCH_TOLERANCE * size:
+            state = "apart" if gap > 0.0 else "into each other"
+            raise InputError(
+                f"contact {contact.name}: {contact.first} and {contact.second} are {abs(gap) * 1e3:.6g} mm {state}; "
+                "change a radius or a centre so that they touch"
+            )
+    _refuse_overlap(drive)
+    for name in (drive.input, drive.output, drive.grounded):
+        if name not in drive.members:
+            raise InputError(
+                f"there is no member '{name}'; the drive has {', '.join(drive.members)}, one of which each is input, "
+                "output and grounded"
+            )
+    freedom = len(drive.members) - 1 - int(np.linalg.matrix_rank(_driven(drive), tol=1e-9))
+    if freedom != 1:
+        raise InputError(
+            f"with {drive.grounded} grounded the drive has {freedom} degrees of freedom, it must have 1: "
+            + ("ground another member" if freedom > 1 else "the contacts block each other")
+        )
+
+
+def _driven(drive: PlanarDrive) -> np.ndarray:
+    """Surface speeds per angular velocity of every member that can turn, relative to the largest radius."""
+    turning = np.asarray(incidence(drive).turning)
+    grounded = drive.members.index(drive.grounded)
+    free: np.ndarray = np.delete(turning, grounded, axis=1) / np.max(np.abs(turning))
+    if drive.pinned or drive.grounded == CARRIER:
+        return free
+    return np.vstack(
+        [free, np.eye(free.shape[1])[-1]]
+    )  # nothing is on the carrier: it may as well stand still
+
+
+def _refuse_overlap(drive: PlanarDrive) -> None:
+    """Discs that are no contact of each other must not overlap, each taken with its smallest track."""
+    smallest: dict[str, float] = {}
+    for k, contact in enumerate(drive.contacts):
+        for name, radius in (
+            (contact.first, drive.first_radius[k]),
+            (contact.second, drive.second_radius[k]),
+        ):
+            smallest[name] = min(smallest.get(name, math.inf), float(radius))
+    inside = {contact.second for contact in drive.contacts if contact.internal}
+    touching = {frozenset((contact.first, contact.second)) for contact in drive.contacts}
+    discs = [(i, b) for i, b in enumerate(drive.bodies) if b.name in smallest and b.name not in inside]
+    for (i, one), (j, two), sector in itertools.product(discs, discs, range(drive.sectors)):
+        same = i == j and (sector == 0 or one.place == "axis")
+        if same or frozenset((one.name, two.name)) in touching:
+            continue
+        copy = _rotation(2.0 * math.pi * sector / drive.sectors)
+        between = copy @ np.asarray(drive.centres[j]) - np.asarray(drive.centres[i])
+        gap = float(np.hypot(*between)) - smallest[one.name] - smallest[two.name]
+        if gap < 0.0:
+            raise InputError(
+                f"{one.name} and {two.name} overlap by {-gap * 1e3:.6g} mm; make them smaller, or take fewer sectors"
+            )
+
+
+def speeds(drive: PlanarDrive) -> Array:
+    r"""Angular velocities of all members without slip, per angular velocity of the input.
+
+    .. math:: W \omega = 0, \qquad \omega_{in} = \pm 1, \quad \omega_{grounded} = 0
+
+    Parameters
+    ----------
+    drive : PlanarDrive
+        The drive.
+
+    Returns
+    -------
+    Array
+        Speeds, shape (members,) [-].
+
+    References
+    ----------
+    Rolling without slip at every contact, seen from the carrier; equation (M2) of :doc:`/equations`.
+    """
+    turning = incidence(drive).turning
+    members = drive.members
+    known = [members.index(drive.input), members.index(drive.grounded)]
+    free = [i for i in range(len(members)) if i not in known]
+    matrix, right = turning[:, jnp.array(free)], -drive.sense * turning[:, known[0]]
+    scale = jnp.max(jnp.abs(turning))
+    found, *_ = jnp.linalg.lstsq(matrix / scale, right / scale)
+    return jnp.zeros(len(members)).at[known[0]].set(float(drive.sense)).at[jnp.array(free)].set(found)
+
+
+def speed_ratio(drive: PlanarDrive) -> Real:
+    """Speed of the input over that of the output.
+
+    Parameters
+    ----------
+    drive : PlanarDrive
+        The drive.
+
+    Returns
+    -------
+    Real
+        Ratio [-]; negative where they turn against each other.
+
+    References
+    ----------
+    Equation (M2) of :doc:`/equations`.
+    """
+    return drive.sense / speeds(drive)[drive.members.index(drive.output)]

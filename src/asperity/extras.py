@@ -1,0 +1,38 @@
+"""Optional packages: how to install them where this package came from."""
+
+from __future__ import annotations
+
+import json
+from importlib.metadata import PackageNotFoundError, distribution
+from pathlib import Path
+from urllib.parse import urlparse
+from urllib.request import url2pathname
+
+
+def install_command(extra: str) -> str:
+    """The command that adds an optional group of packages to this installation.
+
+    Parameters
+    ----------
+    extra : str
+        Name of the group in ``pyproject.toml``, e.g. ``study``.
+
+    Returns
+    -------
+    str
+        For a package index, or for the folder of the source that this installation was made from.
+    """
+    source = _source_folder()
+    if source is None:
+        return f"pip install 'asperity[{extra}]'"
+    return f"pip install '.[{extra}]' in the folder {source}"
+
+
+def _source_folder() -> Path | None:
+    """Folder that the package was installed from; None for a package index."""
+    try:
+        origin = distribution("asperity").read_text("direct_url.json")
+    except PackageNotFoundError:  # used from its source without an installation
+        return Path(__file__).parents[2]
+    url = json.loads(origin)["url"] if origin else ""
+    return Path(url2pathname(urlparse(url).path)) if url.startswith("file:") else None

@@ -1,0 +1,79 @@
+"""Every limit of one solved joint: kept or crossed, what that means, and what to do."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+
+from asperity.joint.description import Joint
+from asperity.joint.evaluation import JointResult
+from asperity.joint.results import RESULTS, SEVERITIES, Limit, Result, SolvedJoint
+
+
+@dataclass(frozen=True, slots=True)
+class LimitCheck:
+    """One limit of the model at one contact, or of the whole drive.
+
+    Parameters
+    ----------
+    result : Result
+        What is judged: a row of the table of results, with its label and its limit.
+    contact : str or None
+        Which contact; None for the whole drive.
+    value : float
+        Its value.
+    """
+
+    result: Result
+    contact: str | None
+    value: float
+
+    @property
+    def rule(self) -> Limit:
+        """The limit with its words."""
+        assert self.result.limit is not None
+        return self.result.limit
+
+    @property
+    def limit(self) -> float:
+        """The bound that the value is nearer to."""
+        return self.rule.nearer_bound(self.value)
+
+    @property
+    def ok(self) -> bool:
+        """Whether the limit is kept; never where the value is nan."""
+        return self.rule.is_kept(self.value)
+
+    @property
+    def meaning(self) -> str:
+        """What it means that the limit is kept or crossed."""
+        if math.isnan(self.value):
+            return "undefined here: the contact slips or has lifted off"
+        return self.rule.kept if self.ok else self.rule.crossed
+
+
+def checked_limits(joint: Joint, result: JointResult) -> tuple[LimitCheck, ...]:
+    """Every limit of one solved joint, contact by contact, the most serious first.
+
+    Parameters
+    ----------
+    joint : Joint
+        One joint, without batch axes.
+    result : JointResult
+        What came out.
+
+    Returns
+    -------
+    tuple of LimitCheck
+        One for each judged result of :data:`asperity.joint.results.RESULTS` and each of its rows.
+    """
+    solved = SolvedJoint(joint, result)
+    judged = [row for row in RESULTS.values() if row.limit is not None]
+    judged.sort(key=lambda row: SEVERITIES.index(row.limit.severity))  # type: ignore[union-attr]
+    return tuple(
+        LimitCheck(row, name or None, float(value))
+        for row in judged
+        for name, value in zip(row.row_names, np.atleast_1d(np.asarray(row.of(solved))), strict=True)
+    )

@@ -1,0 +1,127 @@
+"""Rows of the table of results: forces, and what they do to each contact."""
+
+from __future__ import annotations
+
+import functools
+
+from asperity.joint.results.result import Result
+from asperity.unit_table import Dimension
+
+_force = functools.partial(Result, group="forces")
+_contact = functools.partial(Result, group="contacts", axis="contact")
+
+_FORCE, _TORQUE, _STIFFNESS = Dimension.FORCE, Dimension.TORQUE, Dimension.STIFFNESS
+_AREA, _NUMBER = Dimension.AREA, Dimension.DIMENSIONLESS
+
+ROWS = (
+    _force("preload", "preload between sun and planet", _FORCE, "N", "joint.preload", needs="geometry"),
+    _force(
+        "normal_force", "normal force of the contact", _FORCE, "N", "result.forces.normal", axis="contact"
+    ),
+    _force(
+        "tangential_force",
+        "tangential force of the contact",
+        _FORCE,
+        "N",
+        "result.forces.tangential",
+        axis="contact",
+        positive=False,
+    ),
+    _force(
+        "left_pin_force",
+        "force of the carrier pin on the left loading roller",
+        _FORCE,
+        "N",
+        "result.forces.pin_left",
+        positive=False,
+    ),
+    _force(
+        "right_pin_force",
+        "force of the carrier pin on the right loading roller",
+        _FORCE,
+        "N",
+        "result.forces.pin_right",
+        positive=False,
+    ),
+    _force("input_torque", "torque at the sun", _TORQUE, "N*m", "result.forces.input_torque", positive=False),
+    _force(
+        "left_bearing_torque",
+        "friction torque of one bearing of the left loading roller",
+        _TORQUE,
+        "N*m",
+        "result.forces.left_bearing_torque",
+        positive=False,
+    ),
+    _force(
+        "right_bearing_torque",
+        "friction torque of one bearing of the right loading roller",
+        _TORQUE,
+        "N*m",
+        "result.forces.right_bearing_torque",
+        positive=False,
+    ),
+    _contact(
+        "asperity_tangential_stiffness",
+        "tangential stiffness of the contact's asperities",
+        _STIFFNESS,
+        "N/um",
+        "result.interfaces.asperity_tangential",
+    ),
+    _contact(
+        "asperity_normal_stiffness",
+        "normal stiffness of the contact's asperities",
+        _STIFFNESS,
+        "N/um",
+        "result.interfaces.asperity_normal",
+    ),
+    _contact(
+        "bulk_tangential_stiffness",
+        "tangential stiffness of the contact's bodies",
+        _STIFFNESS,
+        "N/um",
+        "result.interfaces.bulk_tangential",
+    ),
+    _contact(
+        "bulk_normal_stiffness",
+        "normal stiffness of the contact's bodies",
+        _STIFFNESS,
+        "N/um",
+        "result.interfaces.bulk_normal",
+    ),
+    _contact(
+        "contact_torsional_stiffness",
+        "torsional stiffness of the contact's asperities",
+        Dimension.TORSIONAL_STIFFNESS,
+        "N*m/rad",
+        "result.contact_torsional_stiffness",
+        note="at the contact's driven roller",
+    ),
+    _contact(
+        "hertz_half_width",
+        "half-width of the Hertzian contact",
+        Dimension.LENGTH,
+        "mm",
+        "result.diagnostics.hertz_half_width",
+    ),
+    _contact(
+        "hertz_pressure",
+        "Hertz pressure",
+        Dimension.PRESSURE,
+        "MPa",
+        "result.diagnostics.hertz_pressure",
+        note="peak pressure of the smooth line contact",
+    ),
+    _contact("largest_area", "largest contact spot", _AREA, "mm^2", "result.contacts.largest_area"),
+    _contact("critical_area", "critical contact spot", _AREA, "mm^2", "result.contacts.critical_area"),
+    _contact("real_contact_area", "real area of contact", _AREA, "mm^2", "result.contacts.real_contact_area"),
+    _contact("elastic_load", "load carried by elastic spots", _FORCE, "N", "result.contacts.elastic_load"),
+    _contact("plastic_load", "load carried by plastic spots", _FORCE, "N", "result.contacts.plastic_load"),
+    _contact(
+        "domain_extension_factor",
+        "domain extension factor psi",
+        _NUMBER,
+        "1",
+        "result.contacts.domain_extension_factor",
+    ),
+    _contact("contact_factor", "contact factor lambda", _NUMBER, "1", "result.contacts.contact_factor"),
+)

@@ -1,0 +1,99 @@
+"""Rows of the table of results: geometry, size and mass of the drive, and the torque it can pass."""
+
+from __future__ import annotations
+
+import functools
+
+from asperity.joint.capacity import LIMIT_KINDS, LIMITING_CONTACTS
+from asperity.joint.results.result import Result
+from asperity.unit_table import Dimension
+
+_geometry = functools.partial(Result, group="geometry", needs="geometry")
+_size = functools.partial(Result, group="size", needs="geometry")
+_capacity = functools.partial(Result, group="capacity", needs="geometry")
+_ANGLE, _LENGTH, _MASS = Dimension.ANGLE, Dimension.LENGTH, Dimension.MASS
+
+ROWS = (
+    _geometry(
+        "polar_angle", "angle alpha between planet and loading roller", _ANGLE, "deg", "result.angles.polar"
+    ),
+    _geometry(
+        "direction_angle",
+        "direction theta from planet to loading roller",
+        _ANGLE,
+        "deg",
+        "result.angles.direction",
+    ),
+    _geometry("wedge_angle", "wedge angle beta", _ANGLE, "deg", "result.angles.wedge"),
+    _geometry(
+        "speed_ratio",
+        "speed ratio, sun over carrier",
+        Dimension.DIMENSIONLESS,
+        "1",
+        "result.speed_ratio",
+        positive=False,
+        highest_limit=0.0,
+        note="negative: carrier and sun turn in opposite directions",
+    ),
+    _geometry(
+        "carrier_speed",
+        "angular velocity of the carrier",
+        Dimension.ANGULAR_VELOCITY,
+        "rpm",
+        "result.carrier_speed",
+        positive=False,
+    ),
+    _geometry(
+        "clearance",
+        "clearance",
+        _LENGTH,
+        "mm",
+        "clearances",
+        axis="clearance",
+        positive=False,
+        lowest_limit=0.0,
+        note="free distance between two rollers; the joint exists where all are positive",
+    ),
+    _size("envelope_diameter", "outer diameter of the ring", _LENGTH, "mm", "size.envelope_diameter"),
+    _size("envelope_length", "length of the rolling parts", _LENGTH, "mm", "size.envelope_length"),
+    _size("envelope_volume", "volume of the envelope", Dimension.VOLUME, "cm^3", "size.envelope_volume"),
+    _size("mass", "mass of the rolling parts", _MASS, "kg", "size.mass"),
+    _size("planet_mass", "mass of one planet", _MASS, "g", "result.planet_mass"),
+    _size("loading_roller_mass", "mass of one loading roller", _MASS, "g", "result.loading_roller_mass"),
+    *(
+        row
+        for prefix, words in (("", "positive"), ("reverse_", "negative"))
+        for row in (
+            _capacity(
+                f"{prefix}torque_capacity",
+                f"{prefix.replace('_', ' ')}torque capacity",
+                Dimension.TORQUE,
+                "N*m",
+                f"{prefix}capacity.output_torque",
+                note=f"the largest {words} output torque before the first limit",
+            ),
+            _capacity(
+                f"{prefix}capacity_limit",
+                f"limit of the {prefix.replace('_', ' ')}torque capacity",
+                Dimension.DIMENSIONLESS,
+                "1",
+                f"{prefix}capacity.limit",
+                differentiable=False,
+                positive=False,
+                categories=LIMIT_KINDS,
+                note=f"its number in the order {', '.join(LIMIT_KINDS)}, from 0",
+            ),
+            _capacity(
+                f"{prefix}limiting_contact",
+                f"contact that limits the {prefix.replace('_', ' ')}torque capacity",
+                Dimension.DIMENSIONLESS,
+                "1",
+                f"{prefix}capacity.limiting_contact",
+                differentiable=False,
+                positive=False,
+                categories=LIMITING_CONTACTS,
+                note=f"its number in the order {', '.join(LIMITING_CONTACTS)}, from 0",
+            ),
+        )
+    ),
+)

@@ -1,0 +1,197 @@
+"""What a result is: a named number of a solved joint, its unit, and the limit by which it is judged."""
+
+from __future__ import annotations
+
+import functools
+import math
+import operator
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any, Literal
+
+import jax.numpy as jnp
+
+from asperity.drive.geometry import CLEARANCE_CONDITIONS, CONTACT_NAMES, clearances
+from asperity.joint.capacity import TorqueCapacity, torque_capacity
+from asperity.joint.description import Joint
+from asperity.joint.evaluation import JointResult
+from asperity.joint.size import JointSize, joint_size
+from asperity.unit_table import Dimension
+
+if TYPE_CHECKING:
+    from asperity.joint.windup import StiffnessLevel
+
+#: What must hold for a result to mean anything: the rollers fit; in addition the forces balance; in addition no
+#: contact slips.
+Needs = Literal["geometry", "balance", "operation"]
+
+#: How serious it is that a limit is crossed: the joint does not work; it is damaged; the numbers cannot be trusted; the
+#: published model is used outside its range, which is so for most joints.
+Severity = Literal["function", "damage", "accuracy", "model"]
+
+#: Severities, the most serious first.
+SEVERITIES: tuple[Severity, ...] = ("function", "damage", "accuracy", "model")
+
+#: What the rows of a result stand for, with their names: a single number, the contacts or the clearances.
+ROW_NAMES: dict[str, tuple[str, ...]] = {
+    "one": ("",),
+    "contact": CONTACT_NAMES,
+    "clearance": tuple(CLEARANCE_CONDITIONS),
+}
+
+
+class SolvedJoint:
+    """A solved joint, with what is worth computing only when it is asked for.
+
+    Parameters
+    ----------
+    joint : Joint
+        One joint, or many along trailing batch axes.
+    result : JointResult
+        What :func:`asperity.joint.evaluation.evaluate` says about it.
+    """
+
+    def __init__(self, joint: Joint, result: JointResult) -> None:
+        self.joint, self.result = joint, result
+
+    @functools.cached_property
+    def capacity(self) -> TorqueCapacity:
+        """Torque capacity of positive torques, and what limits it."""
+        return torque_capacity(self.joint, direction=1.0)
+
+    @functools.cached_property
+    def reverse_capacity(self) -> TorqueCapacity:
+        """Torque capacity of negative torques, and what limits it."""
+        return torque_capacity(self.joint, direction=-1.0)
+
+    @functools.cached_property
+    def capacity_of_direction(self) -> TorqueCapacity:
+        """Torque capacity in the direction of the output torque."""
+        sign = jnp.where(jnp.asarray(self.joint.output_torque) < 0.0, -1.0, 1.0)
+        return torque_capacity(self.joint, direction=sign)
+
+    @functools.cached_property
+    def size(self) -> JointSize:
+        """Size and mass of the rolling parts."""
+        return joint_size(self.joint)
+
+    @functools.cached_property
+    def clearances(self) -> list[Any]:
+        """Clearances of the rollers [m]."""
+        return [clearance.gap for clearance in clearances(self.joint.geometry)]
+
+
+@dataclass(frozen=True)
+class Limit:
+    """The limit by which a result is judged, and what to do where it is crossed.
+
+    Parameters
+    ----------
+    severity : {"function", "damage", "accuracy", "model"}
+        How serious it is.
+    kept, crossed : str
+        What it means that the limit is kept or crossed.
+    remedy : str
+        What to do where it is crossed.
+    lowest, highest : float
+        The result must lie between these [SI].
+    inclusive : bool
+        Whether the bounds themselves are allowed.
+    """
+
+    severity: Severity
+    kept: str
+    crossed: str
+    remedy: str
+    lowest: float = -math.inf
+    highest: float = math.inf
+    inclusive: bool = False
+
+    def is_kept(self, value: float) -> bool:
+        """Whether a value keeps the limit; nan never does."""
+        if self.inclusive:
+            return self.lowest <= value <= self.highest
+        return self.lowest < value < self.highest
+
+    def nearer_bound(self, value: float) -> float:
+        """The bound that a value is nearer to, or has crossed."""
+        low = math.isinf(self.highest) or (
+            not math.isinf(self.lowest) and value < 0.5 * (self.lowest + self.highest)
+        )
+        return self.lowest if low else self.highest
+
+
+@dataclass(frozen=True)
+class Result:
+    """One result of a joint.
+
+    Parameters
+    ----------
+    name : str
+        Its name in files, options and datasets.
+    label : str
+        What it is, in a few words.
+    dimension : Dimension
+        What it measures.
+    display_unit : str
+        Unit in tables and figures; datasets and JSON documents are in SI units.
+    value : str or callable
+        Where it is in a :class:`SolvedJoint`: a dotted path, or a function of the solved joint. Results with rows may
+        be sequences of arrays.
+    axis : {"one", "contact", "clearance"}
+        Whether it is one number, or one for each contact or clearance: :data:`ROW_NAMES`.
+    needs : {"geometry", "balance", "operation"}
+        What must hold for it to mean anything; elsewhere it is nan in datasets.
+    group : str
+        The group by which it can be asked for.
+    level : {"published", "series_with_bulk", "assembly"} or None
+        Which model of the stiffness it belongs to.
+    differentiable : bool
+        Whether its derivatives by the numbers of a joint file mean anything.
+    positive : bool
+        Whether it is always positive: designs then compare it with a limit by its ratio, otherwise by its difference.
+    lowest_limit, highest_limit : float
+        Range of the limits that a design may set [SI].
+    limit : Limit or None
+        The limit of the model by which it is judged, if there is one.
+    categories : tuple of str
+        What its values number, from 0, where it is no quantity: such a result has no mean.
+    note : str
+        What else has to be said about it.
+    """
+
+    name: str
+    label: str
+    dimension: Dimension
+    display_unit: str
+    value: str | Callable[[SolvedJoint], Any]
+    axis: Literal["one", "contact", "clearance"] = "one"
+    needs: Needs = "operation"
+    group: str = ""
+    level: StiffnessLevel | None = None
+    differentiable: bool = True
+    positive: bool = True
+    lowest_limit: float = -math.inf
+    highest_limit: float = math.inf
+    limit: Limit | None = None
+    categories: tuple[str, ...] = ()
+    note: str = ""
+
+    @property
+    def si_unit(self) -> str:
+        """SI unit; ``"1"`` for a ratio."""
+        return self.dimension.si_unit
+
+    @property
+    def row_names(self) -> tuple[str, ...]:
+        """Names of its rows; one empty text for a single number."""
+        return ROW_NAMES[self.axis]
+
+    @property
+    def row_shape(self) -> tuple[int, ...]:
+        """Shape of its rows: nothing for a single number."""
+        return () if self.axis == "one" else (len(self.row_names),)
+
+    def of(self, solved: SolvedJoint) -> Any:
+        """Its value [SI]: an array, with the axis of its rows first, or a sequence of its rows."""
+        return operator.attrgetter(self.value)(solved) if isinstance(self.value, str) else self.value(solved)

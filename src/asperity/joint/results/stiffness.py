@@ -1,0 +1,90 @@
+"""Rows of the table of results: torsional stiffness on three levels, and where the compliance comes from."""
+
+from __future__ import annotations
+
+import operator
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any
+
+from asperity.joint.results.result import Result, SolvedJoint
+from asperity.unit_table import Dimension
+
+if TYPE_CHECKING:
+    from asperity.joint.windup import StiffnessLevel
+
+#: Levels of the model: where the stiffness is in a result, in words, and what it counts.
+_LEVELS: tuple[tuple[StiffnessLevel, str, str, str], ...] = (
+    (
+        "assembly",
+        "assembly.stiffness",
+        "assembly",
+        "the fullest model: asperities, bodies, floating planets and structure",
+    ),
+    (
+        "series_with_bulk",
+        "series_with_bulk",
+        "bodies in series",
+        "asperities and bodies in series, roller centres held",
+    ),
+    ("published", "published", "as published", "asperities alone, equation (25): an upper bound"),
+)
+_GROUPS = {"assembly": "assembly", "series_with_bulk": "series", "published": "published"}
+
+
+def _rows(level: StiffnessLevel, path: str, words: str, note: str) -> tuple[Result, ...]:
+    def stiffness(solved: SolvedJoint) -> Any:
+        return operator.attrgetter(path)(solved.result).output
+
+    def row(name: str, label: str, dimension: Dimension, value: str | Callable[[SolvedJoint], Any]) -> Result:
+        said, unit = f"{label}, {words}", dimension.si_unit
+        return Result(
+            f"{level}_{name}",
+            said,
+            dimension,
+            unit,
+            value,
+            group=_GROUPS[level],
+            level=level,
+            note=note,
+        )
+
+    torsional = Dimension.TORSIONAL_STIFFNESS
+    per_mass, per_volume = Dimension.TORSIONAL_STIFFNESS_PER_MASS, Dimension.TORSIONAL_STIFFNESS_PER_VOLUME
+    return (
+        row("stiffness_output", "torsional stiffness at the output", torsional, f"result.{path}.output"),
+        row("stiffness_sun", "torsional stiffness at the sun", torsional, f"result.{path}.sun"),
+        row(
+            "stiffness_per_mass", "output stiffness per mass", per_mass, lambda s: stiffness(s) / s.size.mass
+        ),
+        row(
+            "stiffness_per_volume",
+            "output stiffness per volume",
+            per_volume,
+            lambda s: stiffness(s) / s.size.envelope_volume,
+        ),
+    )
+
+
+def _share(name: str, words: str) -> Result:
+    return Result(
+        f"{name}_share",
+        f"share of {words} in the compliance",
+        Dimension.DIMENSIONLESS,
+        "1",
+        f"result.assembly.{name}_share",
+        axis="contact" if name in ("tangential", "normal") else "one",
+        group="assembly",
+        positive=False,
+    )
+
+
+ROWS = (
+    *(row for level in _LEVELS for row in _rows(*level)),
+    _share("tangential", "the contact's tangential spring"),
+    _share("normal", "the contact's normal spring (floating planet)"),
+    _share("ring_bending", "the ring's bending"),
+    _share("pin", "the carrier pins"),
+    _share("planet_support", "the planet supports"),
+    _share("input_shaft", "the input shaft"),
+    _share("output_shaft", "the output shaft"),
+)

@@ -1,0 +1,188 @@
+"""All rows of the table of results, by name and by group."""
+
+from __future__ import annotations
+
+import difflib
+from collections.abc import Iterable, Sequence
+from typing import TYPE_CHECKING
+
+import jax.numpy as jnp
+from jax import Array
+
+from asperity.errors import InputError
+from asperity.joint.evaluation import Joint, JointResult
+from asperity.joint.results import contacts, drive, limits, stiffness
+from asperity.joint.results.result import Result, SolvedJoint
+
+if TYPE_CHECKING:
+    from asperity.joint.windup import StiffnessLevel
+
+#: Every result by name.
+RESULTS: dict[str, Result] = {
+    row.name: row for row in (*stiffness.ROWS, *contacts.ROWS, *limits.ROWS, *drive.ROWS)
+}
+
+#: Levels of the stiffness, the fullest model first.
+LEVELS: tuple[StiffnessLevel, ...] = ("assembly", "series_with_bulk", "published")
+
+#: Groups of results that can be asked for by one word.
+GROUPS: dict[str, tuple[str, ...]] = {
+    "all": tuple(RESULTS),
+    "stiffness": tuple(name for name in RESULTS if name.endswith(("_stiffness_output", "_stiffness_sun"))),
+    **{
+        group: tuple(name for name, row in RESULTS.items() if row.group == group)
+        for group in dict.fromkeys(row.group for row in RESULTS.values())
+    },
+}
+
+#: Former names of results, and what they are called now.
+RENAMED = {
+    "gross_slip": "slip_ratio",
+    "self_locking": "self_locking_ratio",
+    "normal_over_rest": "normal_force_over_preload",
+    "hertz_peak_pressure": "hertz_pressure",
+    "slip_margin": "slip_ratio",
+    "pressure_margin": "pressure_over_first_yield",
+    "self_locking_margin": "self_locking_ratio",
+}
+
+_MOST_LISTED = 20
+_WHERE_LISTED = "the page 'Results' of the documentation lists all of them"
+
+#: What an engineer may call a result whose name is another.
+_ALSO_CALLED = {"ratio": "speed_ratio", "pressure": "hertz_pressure", "torque": "torque_capacity"}
+
+
+def known_result(name: object, *, among: Sequence[str] = (), what: str = "result") -> str:
+    """A name of a result, checked.
+
+    Parameters
+    ----------
+    name : str
+        The name.
+    among : sequence of str, optional
+        Names that are allowed; by default all of :data:`RESULTS`.
+    what : str, optional
+        What the name is called in the message.
+
+    Returns
+    -------
+    str
+        The name.
+
+    Raises
+    ------
+    InputError
+        If there is no such result: with its new name where it was renamed, or the nearest one.
+    """
+    known = among or tuple(RESULTS)
+    if not isinstance(name, str):
+        raise InputError(f"expected the name of a {what} as text, got {name!r}")
+    if name in known:
+        return name
+    listed = f"known are {', '.join(known)}" if len(known) <= _MOST_LISTED else _WHERE_LISTED
+    hint = _hint(name, known) or f"; {listed}"
+    raise InputError(f"there is no {what} '{name}'{hint}")
+
+
+def _hint(name: str, known: Sequence[str]) -> str:
+    for old, new in RENAMED.items():
+        if name == old or name.startswith(f"{old}_"):
+            return f"; it was renamed to '{new}{name[len(old) :]}'"
+    other = _ALSO_CALLED.get(name)
+    near = [other] if other in known else difflib.get_close_matches(name, known, n=1, cutoff=0.5)
+    return f"; did you mean '{near[0]}'?" if near else ""
+
+
+def chosen_results(names: Iterable[str]) -> tuple[str, ...]:
+    """Names of single results from names of results and groups.
+
+    Parameters
+    ----------
+    names : iterable of str
+        Results, or the groups of :data:`GROUPS`.
+
+    Returns
+    -------
+    tuple of str
+        Names of :data:`RESULTS`, each once.
+
+    Raises
+    ------
+    InputError
+        If a name is neither, or nothing is asked for.
+    """
+    wanted: dict[str, None] = {}
+    for name in names:
+        if name not in GROUPS and name not in RESULTS:
+            hint = _hint(name, [*GROUPS, *RESULTS])
+            raise InputError(f"there is no result '{name}'{hint} (groups: {', '.join(GROUPS)})")
+        wanted.update(dict.fromkeys(GROUPS.get(name, (name,))))
+    if not wanted:
+        raise InputError(f"no results are asked for; choose among {', '.join(GROUPS)}")
+    return tuple(wanted)
+
+
+def name_at_level(name: str, level: StiffnessLevel) -> str:
+    """The full name of a result.
+
+    Parameters
+    ----------
+    name : str
+        A name of :data:`RESULTS`, or ``stiffness``, ``stiffness_per_mass``, ``stiffness_per_volume``.
+    level : {"published", "series_with_bulk", "assembly"}
+        Which stiffness is meant by these.
+
+    Returns
+    -------
+    str
+        A name of :data:`RESULTS`.
+    """
+    if name == "stiffness":
+        return f"{level}_stiffness_output"
+    return name if name in RESULTS else f"{level}_{name}"
+
+
+def row_name(name: str, row: str) -> str:
+    """Name of one row of a result: ``slip_ratio_sp``.
+
+    Parameters
+    ----------
+    name : str
+        A name of :data:`RESULTS`.
+    row : str
+        One of its row names; empty for a single number.
+
+    Returns
+    -------
+    str
+        The name, with the row behind it if there are several.
+    """
+    return f"{name}_{row}" if row else name
+
+
+def result_values(names: Sequence[str], joint: Joint, result: JointResult) -> dict[str, Array]:
+    """The chosen results of a solved joint; the rest costs nothing, because the compiler drops it.
+
+    Parameters
+    ----------
+    names : sequence of str
+        Names of :data:`RESULTS`.
+    joint : Joint
+        One joint, or many along trailing batch axes.
+    result : JointResult
+        What :func:`asperity.joint.evaluation.evaluate` says about it.
+
+    Returns
+    -------
+    dict
+        Name → float array that broadcasts to the batch shape, with the axis of the rows first where there are several.
+    """
+    solved = SolvedJoint(joint, result)
+    found = {}
+    for name in names:
+        value = RESULTS[name].of(solved)
+        if isinstance(value, list | tuple):
+            value = jnp.stack(jnp.broadcast_arrays(*value))
+        found[name] = jnp.asarray(value, dtype=float)
+    return found

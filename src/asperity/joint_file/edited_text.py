@@ -1,0 +1,179 @@
+"""A joint file written back with some of its numbers replaced: comments, order and layout stay as they are."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from typing import Any
+
+import tomlkit
+from pydantic import BaseModel
+
+from asperity.joint_file.model import Case, EachContact
+from asperity.joint_file.quantity_key import Key, Quantity
+from asperity.joint_file.reader import parse_case
+from asperity.joint_file.si_tables import (
+    NumericKey,
+    change_targets,
+    counterpart,
+    key_at,
+    numeric_keys,
+    replace_values,
+    si_values,
+)
+from asperity.joint_file.table_numbers import numbers, table_structure
+from asperity.unit_table import Dimension
+from asperity.units import from_si
+
+#: Two numbers are the same if they differ by less: conversion to a unit and back costs a few units in the last place.
+_ROUNDING = 1e-12
+
+
+def exact_text(value_si: float, unit: str) -> str:
+    """A quantity as text that reads back as the same number to rounding.
+
+    Parameters
+    ----------
+    value_si : float
+        Value in SI units.
+    unit : str
+        Unit to write.
+
+    Returns
+    -------
+    str
+        Number with all its digits, and unit.
+
+    Examples
+    --------
+    >>> exact_text(0.0135, "mm")
+    '13.5 mm'
+    """
+    number = repr(float(from_si(value_si, unit)))
+    return number if unit == "1" else f"{number} {unit}"
+
+
+def joint_file_text(case: Case, changes: Mapping[str, float], *, comment: str) -> str:
+    """The text of a joint file with some numbers replaced.
+
+    Parameters
+    ----------
+    case : Case
+        The joint file to start from.
+    changes : mapping
+        Dotted path → new value [SI]. A number that has a tolerance keeps it, with its distribution.
+    comment : str
+        Lines for the head of the file, without the comment sign.
+
+    Returns
+    -------
+    str
+        TOML with the comments of the original file. An entry of a library file of the user's is replaced by its
+        numbers, because its path would be wrong in another folder.
+    """
+    stated = numeric_keys(case)
+    written = {path: _written(key_at(path), value, stated.get(path)) for path, value in changes.items()}
+    wanted = replace_values(si_values(case), changes)
+    original = case.text or tomlkit.dumps(_texts(case))
+    text = _edited(original, case, written)
+    if not _says(text, wanted):  # a layout that cannot be edited in place: the same content without comments
+        text = _edited(tomlkit.dumps(_texts(case)), case, written)
+    return _with_head(text, comment)
+
+
+def _with_head(text: str, comment: str) -> str:
+    head = "".join(f"# {line}".rstrip() + "\n" for line in comment.splitlines())
+    if not text.startswith("#:schema"):  # editors look for this in the first line
+        return head + text
+    first, _, rest = text.partition("\n")
+    return f"{first}\n{head}{rest}"
+
+
+def _written(key: Key, value: float, stated: NumericKey | None) -> float | str:
+    """A new value as it stands in the file."""
+    tolerance = stated.tolerance if stated else 0.0
+    if key.dimension is Dimension.DIMENSIONLESS and not tolerance:
+        return int(value) if key.whole else float(value)
+    text = exact_text(value, key.unit)
+    if stated is None or not tolerance:
+        return text
+    distribution = f", {stated.distribution}" if stated.distribution else ""
+    return f"{text} +- {exact_text(tolerance, key.unit)}{distribution}"
+
+
+def _edited(text: str, case: Case, written: Mapping[str, float | str]) -> str:
+    document = tomlkit.parse(text)
+    for name, entry in document.get("materials", {}).items():
+        if "file" in entry:
+            for key in ("library", "file"):
+                entry.remove(key)
+            entry.update(_texts(case.materials[name]))
+    for path, value in written.items():
+        section = path.split(".")[0]
+        if section not in document and section != "materials":
+            document.append(section, _new_section(section))
+        for steps in change_targets(document, path, split=_split):
+            _set(document, steps, value)
+    return tomlkit.dumps(document)
+
+
+def _new_section(section: str) -> Any:
+    """A section that the file left out, in which all keys that it needs are 0."""
+    table = tomlkit.table()
+    annotation = Case.model_fields[section].annotation
+    (model,) = [each for each in annotation.__args__ if issubclass(each, BaseModel)]  # type: ignore[union-attr]
+    for name, field in model.model_fields.items():
+        if field.is_required():
+            table[name] = _written(key_at(f"{section}.{name}"), 0.0, None)
+    return table
+
+
+def _split(entry: Any) -> Any:
+    """An entry for all contacts as a table with an entry for each."""
+    plain = entry.unwrap()
+    inline = not isinstance(plain, dict)
+    table = tomlkit.inline_table() if inline else tomlkit.table(is_super_table=True)
+    for name in EachContact.model_fields:
+        table[name] = tomlkit.item(plain)
+    return table
+
+
+def _set(document: Any, steps: tuple[str, ...], value: float | str) -> None:
+    table = document
+    for index, step in enumerate(steps[:-1]):
+        if step not in table:
+            new = tomlkit.table()
+            if (
+                steps[index - 1] == "materials"
+            ):  # a body names a material of the library, which the file now changes
+                new["library"] = step
+            table[step] = new
+        table = table[step]
+    other = counterpart(steps[-1])
+    if other in table:
+        table.remove(other)
+    table[steps[-1]] = value
+
+
+def _says(text: str, wanted: Any) -> bool:
+    """Whether a file contains these numbers, and nothing else."""
+    found = si_values(parse_case(text, source="the edited joint file"))
+    used = set(wanted["bodies"].values()) & set(wanted["materials"])
+    for tables in (found, wanted):
+        tables["materials"] = {name: entry for name, entry in tables["materials"].items() if name in used}
+    return table_structure(found) == table_structure(wanted) and all(
+        math.isclose(one, other, rel_tol=_ROUNDING)
+        for one, other in zip(numbers(found), numbers(wanted), strict=True)
+    )
+
+
+def _texts(node: Any) -> Any:
+    """The content of a file as nested tables of numbers and texts with units."""
+    if isinstance(node, Quantity):
+        plain = node.text.replace("_", "").replace(".", "").isdigit()
+        return (int(node.text) if node.text.isdigit() else float(node.text)) if plain else node.text
+    if isinstance(node, BaseModel):
+        return {name: _texts(value) for name, value in node if value is not None}
+    if isinstance(node, dict):
+        return {name: _texts(value) for name, value in node.items()}
+    return node

@@ -1,0 +1,164 @@
+"""One numeric key of a joint file: what it measures, the range it may have, and how its text is read."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+from asperity.errors import InputError
+from asperity.joint_file.distribution import Distribution, split_distribution
+from asperity.unit_table import Dimension
+from asperity.units import format_quantity, from_si, parse_quantity, parse_tolerance
+
+if TYPE_CHECKING:
+    from pydantic import GetCoreSchemaHandler, GetJsonSchemaHandler
+    from pydantic_core import CoreSchema
+
+
+@dataclass(frozen=True, slots=True)
+class Quantity:
+    """A number of a joint file.
+
+    Parameters
+    ----------
+    value : float
+        Value in SI units.
+    tolerance : float
+        What stands behind ``+-``, in SI units; 0 where the file states none.
+    text : str
+        As it is written in the file.
+    distribution : Distribution or None
+        How it scatters within its tolerance; None where the file does not say.
+    """
+
+    value: float
+    tolerance: float
+    text: str
+    distribution: Distribution | None = None
+
+
+@dataclass(frozen=True)
+class Key:
+    """What a numeric key measures and the range it may have; used as an annotation of :class:`Quantity` fields.
+
+    Parameters
+    ----------
+    dimension : Dimension
+        What it measures.
+    lower, upper : float
+        Smallest and largest allowed value, in ``unit``.
+    unit : str
+        Unit of the bounds and of displays.
+    open_lower, open_upper : bool
+        Whether the bound itself is outside.
+    whole : bool
+        Whether only whole numbers are allowed.
+    example : str
+        What to quote in messages; the example of the dimension if empty.
+    """
+
+    dimension: Dimension
+    lower: float
+    upper: float
+    unit: str = "1"
+    open_lower: bool = False
+    open_upper: bool = False
+    whole: bool = False
+    example: str = ""
+
+    @property
+    def typical(self) -> str:
+        """A value that the key could have, as text."""
+        return self.example or self.dimension.example
+
+    @property
+    def allowed(self) -> str:
+        """The range in words."""
+        low = format_quantity(self._si(self.lower), self.unit)
+        high = format_quantity(self._si(self.upper), self.unit)
+        kind = "a whole number, " if self.whole else ""
+        above, below = "above" if self.open_lower else "at least", "below" if self.open_upper else "at most"
+        return f"{kind}{above} {low} and {below} {high}"
+
+    def _si(self, value: float) -> float:
+        return value / from_si(1.0, self.unit)
+
+    def admits(self, value_si: float) -> bool:
+        """Whether a value in SI units is inside the range."""
+        value = from_si(value_si, self.unit)
+        # a bound that was converted there and back is still the bound
+        low_side = value > self.lower or (
+            not self.open_lower and math.isclose(value, self.lower, rel_tol=1e-12)
+        )
+        high_side = value < self.upper or (
+            not self.open_upper and math.isclose(value, self.upper, rel_tol=1e-12)
+        )
+        return low_side and high_side and not (self.whole and value_si != round(value_si))
+
+    def check(self, value_si: float) -> None:
+        """Raise unless a value is inside the range.
+
+        Parameters
+        ----------
+        value_si : float
+            The value in SI units.
+
+        Raises
+        ------
+        InputError
+            With the value and the allowed range.
+        """
+        if not self.admits(value_si):
+            raise InputError(
+                f"{format_quantity(value_si, self.unit)} is not allowed; it must be {self.allowed}"
+            )
+
+    def read(self, written: object) -> Quantity:
+        """Read and check one value of a file.
+
+        Parameters
+        ----------
+        written : object
+            The value in the file: text with a unit, with or without a tolerance; a number if dimensionless.
+
+        Returns
+        -------
+        Quantity
+            Its value and tolerance in SI units.
+
+        Raises
+        ------
+        InputError
+            If it is not such a quantity, or outside the allowed range.
+        """
+        if isinstance(written, str) and any(sign in written for sign in ("±", "+-", "+/-", "+ -", "+ /")):
+            text, distribution = split_distribution(written)
+            value, tolerance = parse_tolerance(text, self.dimension, example=self.typical)
+        else:
+            value = parse_quantity(written, self.dimension, example=self.typical)
+            tolerance, distribution = 0.0, None
+        self.check(value)
+        if self.whole and tolerance != 0.0:
+            raise InputError(f"a whole number has no tolerance, got '{written}'")
+        return Quantity(value=value, tolerance=tolerance, text=str(written), distribution=distribution)
+
+    def __get_pydantic_core_schema__(self, source: Any, handler: GetCoreSchemaHandler) -> CoreSchema:
+        """Tell pydantic to read a value with :meth:`read`."""
+        from pydantic_core import core_schema
+
+        return core_schema.no_info_plain_validator_function(self.read)
+
+    def __get_pydantic_json_schema__(
+        self, schema: CoreSchema, handler: GetJsonSchemaHandler
+    ) -> dict[str, Any]:
+        """Describe the key to editors: text with a unit, or a plain number if dimensionless."""
+        text = {"type": "string", "examples": [self.typical]}
+        if self.dimension is not Dimension.DIMENSIONLESS:
+            return text
+        bounds = {
+            "exclusiveMinimum" if self.open_lower else "minimum": self.lower,
+            "exclusiveMaximum" if self.open_upper else "maximum": self.upper,
+        }
+        number = {"type": "integer" if self.whole else "number", **bounds}
+        return number if self.whole else {"anyOf": [number, text]}

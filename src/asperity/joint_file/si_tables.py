@@ -1,0 +1,264 @@
+"""The numbers of a joint file in SI units, addressed by dotted paths such as ``load.output_torque``."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from pydantic import BaseModel
+
+from asperity.errors import InputError
+from asperity.joint_file.distribution import Distribution
+from asperity.joint_file.messages import keys_by_path, nearest
+from asperity.joint_file.model import Case, EachContact
+from asperity.joint_file.quantity_key import Key, Quantity
+
+#: Nested tables like those of the file; leaves are SI numbers (or arrays of them) and names.
+Values = dict[str, Any]
+
+_CONTACTS = tuple(EachContact.model_fields)
+_ONE_OR_FIVE = ("drive.contact_length", "load.friction_coefficient", "surface")
+
+
+@dataclass(frozen=True, slots=True)
+class NumericKey:
+    """One number that a joint file states.
+
+    Parameters
+    ----------
+    path : str
+        Its dotted path, e.g. ``drive.contact_length.sp``.
+    value, tolerance : float
+        Value and tolerance in SI units; the tolerance is 0 where the file states none.
+    key : Key
+        What it measures, its range and its unit for display.
+    distribution : Distribution or None
+        How it scatters within its tolerance; None where the file does not say.
+    """
+
+    path: str
+    value: float
+    tolerance: float
+    key: Key
+    distribution: Distribution | None
+
+
+def si_values(case: Case) -> Values:
+    """The tables of a joint file with every quantity as an SI number.
+
+    Parameters
+    ----------
+    case : Case
+        The joint file.
+
+    Returns
+    -------
+    dict
+        Nested tables. What the file leaves out is absent.
+    """
+    tables: Values = _plain(case)
+    return tables
+
+
+def _plain(node: Any) -> Any:
+    if isinstance(node, Quantity):
+        return node.value
+    if isinstance(node, BaseModel):
+        return {name: _plain(value) for name, value in node if value is not None}
+    if isinstance(node, dict):
+        return {name: _plain(value) for name, value in node.items()}
+    return node
+
+
+def _quantities(node: Any, path: str) -> Iterator[tuple[str, Quantity]]:
+    if isinstance(node, Quantity):
+        yield path, node
+    elif isinstance(node, BaseModel | dict):
+        for name, value in node.items() if isinstance(node, dict) else node:
+            yield from _quantities(value, f"{path}.{name}" if path else name)
+
+
+def key_at(path: str) -> Key:
+    """What a dotted path of a joint file measures, and its range.
+
+    Parameters
+    ----------
+    path : str
+        For example ``materials.steel.youngs_modulus``.
+
+    Returns
+    -------
+    Key
+        Dimension, range, unit for display.
+
+    Raises
+    ------
+    InputError
+        If a joint file has no such number.
+    """
+    parts = path.split(".")
+    known = keys_by_path()
+    generic = ".".join(
+        ["materials", "*", *parts[2:]] if parts[0] == "materials" and len(parts) > 2 else parts
+    )
+    if generic not in known:
+        raise InputError(f"a joint file has no number '{path}'{nearest(generic, known)}")
+    return known[generic]
+
+
+def numeric_keys(case: Case) -> dict[str, NumericKey]:
+    """Every number that a joint file states.
+
+    Parameters
+    ----------
+    case : Case
+        The joint file.
+
+    Returns
+    -------
+    dict
+        Dotted path → the number, in the order of the file's sections.
+    """
+    return {
+        path: NumericKey(path, quantity.value, quantity.tolerance, key_at(path), quantity.distribution)
+        for path, quantity in _quantities(case, "")
+    }
+
+
+def replace_values(values: Values, changes: Mapping[str, Any]) -> Values:
+    """Nested tables with some numbers replaced; the given ones are left alone.
+
+    Parameters
+    ----------
+    values : dict
+        Tables as :func:`si_values` makes them.
+    changes : mapping
+        Dotted path → SI number or array. A path to one contact (``surface.sp.fractal_dimension``) splits an entry
+        that stood for all; a path without a contact (``surface.fractal_dimension``) sets all five.
+
+    Returns
+    -------
+    dict
+        New tables.
+
+    Raises
+    ------
+    InputError
+        If a joint file has no such number, or the material is not in this one.
+    """
+    tables: Values = _copied(values)
+    for path, value in changes.items():
+        key_at(path)
+        for steps in change_targets(tables, path):
+            _set(tables, steps, value)
+    return tables
+
+
+def _copied(node: Any) -> Any:
+    """Copies of the tables; the leaves, perhaps large arrays, are shared."""
+    return {name: _copied(below) for name, below in node.items()} if isinstance(node, dict) else node
+
+
+def _for_each_contact(entry: Any) -> Values:
+    return {name: _copied(entry) for name in _CONTACTS}
+
+
+def change_targets(
+    tables: Any, path: str, *, split: Callable[[Any], Any] = _for_each_contact
+) -> list[tuple[str, ...]]:
+    """Where a change of a number goes in nested tables.
+
+    Parameters
+    ----------
+    tables : mapping
+        Nested tables of a joint file. An entry for all contacts is split if the path names one contact.
+    path : str
+        Dotted path of the number.
+    split : callable, optional
+        Makes an entry for each contact from one for all.
+
+    Returns
+    -------
+    list of tuple of str
+        Names of the tables on the way to each number, and its own.
+    """
+    for place in _ONE_OR_FIVE:
+        if path == place or path.startswith(f"{place}."):
+            break
+    else:
+        return [tuple(path.split("."))]
+    head = tuple(place.split("."))
+    rest = tuple(path.split(".")[len(head) :])
+    parent = tables
+    for step in head[:-1]:
+        parent = parent[step]
+    entry = parent[head[-1]]
+    for_each = isinstance(entry, dict) and "sp" in entry
+    if rest and rest[0] in _CONTACTS:
+        if not for_each:
+            parent[head[-1]] = split(entry)
+        return [head + rest]
+    return [(*head, name, *rest) for name in _CONTACTS] if for_each else [head + rest]
+
+
+def _set(tables: Values, steps: tuple[str, ...], value: Any) -> None:
+    table = tables
+    for step in steps[:-1]:
+        if steps[0] == "materials" and step not in table:
+            raise InputError(f"{'.'.join(steps)}: there is no material '{step}'{nearest(step, table)}")
+        table = table.setdefault(step, {})
+    table.pop(counterpart(steps[-1]), None)
+    table[steps[-1]] = value
+
+
+def counterpart(name: str) -> str:
+    """The key that a key replaces, because exactly one of them describes a material.
+
+    Parameters
+    ----------
+    name : str
+        Name of a key.
+
+    Returns
+    -------
+    str
+        Name of the other key; empty if there is none.
+    """
+    return {"hardness": "hardness_factor", "hardness_factor": "hardness"}.get(name, "")
+
+
+def check_values(changes: Mapping[str, Any]) -> None:
+    """Raise unless every number is inside the range of its key.
+
+    Parameters
+    ----------
+    changes : mapping
+        Dotted path → SI number or array of them. Abstract arrays inside ``jit`` or ``grad`` have no values and are
+        not looked at.
+
+    Raises
+    ------
+    InputError
+        With the key, the offending value and the allowed range.
+    """
+    for path, value in changes.items():
+        key = key_at(path)
+        if _is_abstract(value):
+            continue
+        numbers = np.asarray(value, dtype=float).reshape(-1)
+        if numbers.size == 0:
+            raise InputError(f"{path}: an empty list of values")
+        broken = numbers[numbers != np.round(numbers)][:1] if key.whole else numbers[:0]
+        for number in (numbers.min(), numbers.max(), *broken):  # nan propagates through both
+            try:
+                key.check(float(number))
+            except InputError as error:
+                raise InputError(f"{path}: {error}") from None
+
+
+def _is_abstract(value: Any) -> bool:
+    import jax
+
+    return isinstance(value, jax.core.Tracer)

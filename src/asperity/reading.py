@@ -1,0 +1,272 @@
+"""Files that are read: regular files of a bounded size, in UTF-8, as text, lines, TOML or JSON.
+
+Every reader of the package opens its files here, so that a pipe, a device, a huge file or a deeply nested one is
+refused with one sentence instead of a hang or a traceback.
+"""
+
+from __future__ import annotations
+
+import json
+import re
+import stat
+import tomllib
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Any, TextIO
+
+from asperity.errors import InputError
+
+#: Largest file that is read as a whole by default [byte]; files of joints and materials have a few thousand.
+LARGEST_FILE = 1_000_000
+#: Deepest nesting of tables and lists.
+MOST_LEVELS = 32
+#: Parts of a dotted key; the time that tomllib takes grows with the square of them.
+MOST_KEY_PARTS = 16
+
+_KEY_PART = r"""(?:[A-Za-z0-9_-]+|"(?:[^"\\\n]|\\.)*"|'[^'\n]*')"""
+_LONG_KEY = rf"{_KEY_PART}(?:[ \t]*\.[ \t]*{_KEY_PART}){{{MOST_KEY_PARTS},}}"
+
+
+def _refusal(path: str | Path, error: OSError, hint: str = "") -> InputError:
+    if isinstance(error, FileNotFoundError):
+        return InputError(f"{path}: there is no such file{hint and f'; {hint}'}")
+    return InputError(f"{path}: cannot be read: {error.strerror or error}")
+
+
+def check_regular(path: str | Path, *, hint: str = "") -> int:
+    """Size of a file, if it is one that can be read to its end.
+
+    Parameters
+    ----------
+    path : str or Path
+        File name.
+    hint : str, optional
+        What to do if there is no such file.
+
+    Returns
+    -------
+    int
+        Its size [byte].
+
+    Raises
+    ------
+    InputError
+        If it does not exist, cannot be reached, or is a directory, a pipe, a device or a socket.
+    """
+    try:
+        found = Path(path).stat()
+    except OSError as error:
+        raise _refusal(path, error, hint) from None
+    except ValueError:  # a null character in the name
+        raise InputError(f"{path}: this is not a valid file name") from None
+    if stat.S_ISDIR(found.st_mode):
+        raise InputError(f"{path}: this is a directory; give the name of a file")
+    if not stat.S_ISREG(found.st_mode):
+        raise InputError(
+            f"{path}: this is a pipe or a device, not a regular file; save the data to a file first"
+        )
+    return found.st_size
+
+
+def read_bytes(path: str | Path, *, largest: int = LARGEST_FILE, hint: str = "") -> bytes:
+    """The content of a regular file.
+
+    Parameters
+    ----------
+    path : str or Path
+        File name.
+    largest : int, optional
+        Largest allowed size [byte].
+    hint : str, optional
+        What to do if there is no such file.
+
+    Returns
+    -------
+    bytes
+        All of it.
+
+    Raises
+    ------
+    InputError
+        As :func:`check_regular`, or if the file is larger or cannot be read.
+    """
+    size = check_regular(path, hint=hint)
+    try:
+        with open(path, "rb") as stream:
+            content = stream.read(largest + 1)
+    except OSError as error:
+        raise _refusal(path, error, hint) from None
+    if len(content) > largest:
+        raise InputError(
+            f"{path}: this file has {max(size, len(content))} bytes; at most {largest} bytes are read here"
+        )
+    return content
+
+
+def read_text(path: str | Path, *, largest: int = LARGEST_FILE, hint: str = "") -> str:
+    """The text of a regular file in UTF-8, without a byte order mark.
+
+    Parameters
+    ----------
+    path : str or Path
+        File name.
+    largest : int, optional
+        Largest allowed size [byte].
+    hint : str, optional
+        What to do if there is no such file.
+
+    Returns
+    -------
+    str
+        All of it.
+
+    Raises
+    ------
+    InputError
+        As :func:`read_bytes`, or if it is not text in UTF-8.
+    """
+    try:
+        return read_bytes(path, largest=largest, hint=hint).decode("utf-8-sig")
+    except UnicodeDecodeError as error:
+        raise InputError(f"{path}: this is not a text file in UTF-8 (byte {error.start})") from None
+
+
+@contextmanager
+def open_text(path: str | Path) -> Iterator[TextIO]:
+    """A regular text file of any size, to be read line by line; line ends are left as they are.
+
+    Parameters
+    ----------
+    path : str or Path
+        File name.
+
+    Yields
+    ------
+    TextIO
+        The open file.
+
+    Raises
+    ------
+    InputError
+        As :func:`check_regular`, or if it cannot be read or is not text in UTF-8.
+    """
+    check_regular(path)
+    try:
+        stream = open(path, encoding="utf-8-sig", newline="")  # noqa: SIM115 (an error inside the block is not ours)
+    except OSError as error:
+        raise _refusal(path, error) from None
+    with stream:
+        try:
+            yield stream
+        except UnicodeDecodeError:
+            raise InputError(f"{path}: this is not a text file in UTF-8") from None
+
+
+def parse_toml(text: str, *, source: str) -> dict[str, Any]:
+    """Tables of a TOML text.
+
+    Parameters
+    ----------
+    text : str
+        TOML.
+    source : str
+        Name of the file, for messages.
+
+    Returns
+    -------
+    dict
+        Nested tables.
+
+    Raises
+    ------
+    InputError
+        If it is not valid TOML, a key has more than :data:`MOST_KEY_PARTS` parts, or it is nested deeper than
+        :data:`MOST_LEVELS`.
+    """
+    long_key = re.search(_LONG_KEY, text)
+    if long_key is not None:
+        line = text.count("\n", 0, long_key.start()) + 1
+        raise InputError(f"{source}: line {line}: a key has at most {MOST_KEY_PARTS} parts")
+    try:
+        tables = tomllib.loads(text)
+    except tomllib.TOMLDecodeError as error:
+        raise InputError(f"{source}: not valid TOML: {error}") from None
+    except RecursionError:
+        raise _too_deep(source) from None
+    except ValueError:  # Python refuses to read whole numbers of thousands of digits
+        raise InputError(f"{source}: not valid TOML: a number has too many digits") from None
+    _check_depth(tables, source)
+    return tables
+
+
+def read_toml(path: str | Path, *, largest: int = LARGEST_FILE) -> dict[str, Any]:
+    """Tables of a TOML file.
+
+    Parameters
+    ----------
+    path : str or Path
+        File name.
+    largest : int, optional
+        Largest allowed size [byte].
+
+    Returns
+    -------
+    dict
+        Nested tables.
+
+    Raises
+    ------
+    InputError
+        As :func:`read_text` and :func:`parse_toml`.
+    """
+    return parse_toml(read_text(path, largest=largest), source=str(path))
+
+
+def read_json(path: str | Path, *, largest: int = LARGEST_FILE) -> Any:
+    """Document of a JSON file.
+
+    Parameters
+    ----------
+    path : str or Path
+        File name.
+    largest : int, optional
+        Largest allowed size [byte].
+
+    Returns
+    -------
+    object
+        What it contains.
+
+    Raises
+    ------
+    InputError
+        As :func:`read_text`, if it is not valid JSON, or nested deeper than :data:`MOST_LEVELS`.
+    """
+    text = read_text(path, largest=largest)
+    try:
+        document = json.loads(text)
+    except json.JSONDecodeError as error:
+        raise InputError(f"{path}: not valid JSON: {error}") from None
+    except RecursionError:
+        raise _too_deep(path) from None
+    except ValueError:
+        raise InputError(f"{path}: not valid JSON: a number has too many digits") from None
+    _check_depth(document, path)
+    return document
+
+
+def _too_deep(source: str | Path) -> InputError:
+    return InputError(f"{source}: nested too deeply; at most {MOST_LEVELS} levels are read")
+
+
+def _check_depth(document: Any, source: str | Path) -> None:
+    """Raise if tables and lists are nested too deeply for code that walks through them."""
+    level = [document] if isinstance(document, dict | list) else []
+    for _ in range(MOST_LEVELS):
+        if not level:
+            return
+        nodes = [list(table.values()) if isinstance(table, dict) else table for table in level]
+        level = [node for below in nodes for node in below if isinstance(node, dict | list)]
+    if level:
+        raise _too_deep(source)

@@ -1,0 +1,279 @@
+"""Evaluate a joint at many points: status, chosen results and, where asked, their exact derivatives.
+
+One kernel serves all studies. Sweeps and samples feed it with arrays of the varied numbers and get results that are nan
+where they mean nothing. Searches feed it with all numbers of the joint file, so that one compiled program serves every
+study of joints of one structure, and get the results as they are: the way to a good joint may lead through impossible
+ones.
+"""
+
+from __future__ import annotations
+
+import functools
+import itertools
+import json
+from collections.abc import Callable, Mapping
+from typing import Any
+
+import jax
+import jax.numpy as jnp
+import numpy as np
+from jax import Array
+
+from asperity.compilation import compile_fast
+from asperity.joint.description import with_one_rank
+from asperity.joint.evaluation import evaluate
+from asperity.joint.results import GROUPS, RESULTS, result_values
+from asperity.joint.status import LOCKED, OUT_OF_RANGE, SLIPS, joint_status
+from asperity.joint_file.build import joint_from_values
+from asperity.joint_file.quantity_key import Key
+from asperity.joint_file.si_tables import Values, key_at, replace_values
+from asperity.joint_file.table_numbers import Numbers, numbers, table_structure, with_numbers
+from asperity.precision import require_double_precision
+
+Found = tuple[Array, dict[str, Array]]
+Kernel = Callable[..., Found]
+
+#: Points that pass through the program at once: few enough for its intermediate arrays to stay in the cache.
+BATCH = 32_768
+#: The same where the assembly, whose equations take some kilobytes a point, is among the results.
+ASSEMBLY_BATCH = 4_096
+#: Up to so many points a program that compiles fast and runs at a fraction of the speed is done sooner.
+QUICK_POINTS = 20_000
+#: Points of one call of the program with derivatives; more points are more calls.
+DERIVATIVE_BATCH = 64
+
+
+def _evaluated(tables: Values, points: tuple[int, ...], results: tuple[str, ...]) -> Found:
+    """Status and results of the joints that tables of SI numbers and arrays describe, one for each point."""
+    joint = with_one_rank(joint_from_values(tables))
+    found = evaluate(joint)
+    # surfaces, hardness and the springs of the structure do not reach the force balance: one status for all points
+    status = jnp.broadcast_to(joint_status(joint, found), points)
+    return status, {
+        name: jnp.broadcast_to(value, (*RESULTS[name].row_shape, *points))
+        for name, value in result_values(results, joint, found).items()
+    }
+
+
+def _masked(status: Array, found: dict[str, Array]) -> dict[str, Array]:
+    """Results that are nan where they mean nothing."""
+    meaningful = {
+        "geometry": (status == 0) | (status >= LOCKED),
+        "balance": (status == 0) | (status == SLIPS),
+        "operation": status == 0,
+    }
+    return {name: jnp.where(meaningful[RESULTS[name].needs], value, jnp.nan) for name, value in found.items()}
+
+
+def point_kernel(values: Values, paths: tuple[str, ...], results: tuple[str, ...]) -> Kernel:
+    """The function that evaluates points: numbers of the file and arrays of the varied ones in, results out.
+
+    Parameters
+    ----------
+    values : dict
+        Tables of the joint file, for their structure and names; the numbers in them are not used.
+    paths : tuple of str
+        Dotted paths of the varied numbers.
+    results : tuple of str
+        Names of :data:`asperity.joint.results.RESULTS`.
+
+    Returns
+    -------
+    callable
+        Of the :func:`numbers` of a file and one array for each path, all of one shape, in SI units, to the status
+        codes and the results, which are nan where they mean nothing; pure, for ``jit``. Because the file's numbers
+        are arguments, one compiled program serves all files of the same structure.
+    """
+
+    def kernel(base: Numbers, *arrays: Array) -> Found:
+        tables = replace_values(with_numbers(values, base), dict(zip(paths, arrays, strict=True)))
+        points = jnp.broadcast_shapes(*(jnp.shape(array) for array in arrays))
+        status, found = _evaluated(tables, points, results)
+        return status, _masked(status, found)
+
+    return kernel
+
+
+def batch_size(results: tuple[str, ...]) -> int:
+    """Points that pass through the program at once.
+
+    Parameters
+    ----------
+    results : tuple of str
+        What is computed.
+
+    Returns
+    -------
+    int
+        A power of two.
+    """
+    return ASSEMBLY_BATCH if set(results) & set(GROUPS["assembly"]) else BATCH
+
+
+@functools.lru_cache(maxsize=32)
+def _program(
+    structure: str, paths: tuple[str, ...], results: tuple[str, ...], size: int, quick: bool
+) -> Kernel:
+    tables = json.loads(structure)
+    base = tuple(jax.ShapeDtypeStruct((), jnp.float64) for _ in numbers(tables))
+    arrays = [jax.ShapeDtypeStruct((size,), jnp.float64)] * len(paths)
+    if quick:
+        return compile_fast(_points, base, *arrays, options=(structure, paths, results))
+    return jax.jit(point_kernel(tables, paths, results)).lower(base, *arrays).compile()
+
+
+def _points(
+    structure: str, paths: tuple[str, ...], results: tuple[str, ...], base: Any, *columns: Array
+) -> Found:
+    """The kernel as a function that is known by its name, so that its program is kept."""
+    return point_kernel(json.loads(structure), paths, results)(base, *columns)
+
+
+def evaluate_points(
+    values: Values,
+    points: Mapping[str, np.ndarray],
+    results: tuple[str, ...],
+    *,
+    quick: bool | None = None,
+    batch: int | None = None,
+    report: Callable[[int], Any] | None = None,
+) -> tuple[np.ndarray, dict[str, np.ndarray]]:
+    """Status and results of a joint at many points.
+
+    Parameters
+    ----------
+    values : dict
+        Tables of the joint file in SI units, :func:`asperity.joint_file.si_tables.si_values`.
+    points : mapping
+        Dotted path → values in SI units, all of shape (n,).
+    results : tuple of str
+        Names of :data:`asperity.joint.results.RESULTS`.
+    quick : bool, optional
+        Whether to compile fast and run slowly; by default up to :data:`QUICK_POINTS` points.
+    batch : int, optional
+        Points for which to compile, at most; by default as many as there are. Calls with the same one share a program.
+    report : callable, optional
+        Called with the number of points just done.
+
+    Returns
+    -------
+    status : ndarray
+        Codes, places in :data:`asperity.joint.status.STATUSES`, shape (n,).
+    found : dict of ndarray
+        Name → values, shape (n,) or (rows, n); nan where they mean nothing.
+
+    Raises
+    ------
+    PrecisionError
+        If JAX is in single precision.
+    """
+    require_double_precision()
+    paths = tuple(points)
+    columns = {path: np.asarray(column, dtype=float) for path, column in points.items()}
+    count = next(iter(columns.values())).size
+    quick = count <= QUICK_POINTS if quick is None else quick
+    size = min(batch_size(results), 1 << max((batch or count) - 1, 0).bit_length())
+    program = _program(table_structure(values), paths, results, size, quick)
+    base = tuple(np.float64(number) for number in numbers(values))
+    outside = np.zeros(count, dtype=bool)
+    for path, column in columns.items():
+        outside |= _outside(key_at(path), column)
+
+    status = np.empty(count, dtype=np.int8)
+    found = {name: np.empty((*RESULTS[name].row_shape, count), dtype=float) for name in results}
+    for start in range(0, count, size):
+        part = slice(start, min(start + size, count))
+        missing = size - (part.stop - start)
+        padded = [np.pad(column[part], (0, missing), mode="edge") for column in columns.values()]
+        code, done = program(base, *padded)
+        status[part] = np.asarray(code)[: size - missing]
+        for name, value in done.items():
+            found[name][..., part] = np.asarray(value)[..., : size - missing]
+        if report is not None:
+            report(part.stop - start)
+    status[outside] = OUT_OF_RANGE
+    for name in results:
+        found[name][..., outside] = np.nan
+    return status, found
+
+
+def _outside(key: Key, column: np.ndarray) -> np.ndarray:
+    """Which values are outside the range of their key."""
+    if not key.whole and key.admits(float(column.min())) and key.admits(float(column.max())):
+        return np.zeros(column.size, dtype=bool)
+    distinct, where = np.unique(column, return_inverse=True)
+    return ~np.array([key.admits(float(value)) for value in distinct])[where]
+
+
+def _directional(
+    structure: str, results: tuple[str, ...], table: Array, directions: Array
+) -> tuple[dict[str, Array], dict[str, Array], Array]:
+    """Results, their derivatives along a direction and the status, for columns of numbers of files of one structure."""
+    tables = json.loads(structure)
+
+    def found(rows: Array) -> tuple[dict[str, Array], Array]:
+        status, values = _evaluated(with_numbers(tables, rows), rows.shape[1:], results)
+        return values, status
+
+    values, slopes, status = jax.jvp(found, (table,), (directions,), has_aux=True)
+    return values, slopes, status
+
+
+def derivatives_at(
+    values: Values, changes: Mapping[str, Any], results: tuple[str, ...], variables: tuple[str, ...] = ()
+) -> tuple[np.ndarray, dict[str, np.ndarray], dict[str, np.ndarray]]:
+    """Status, results and their exact derivatives by some of the numbers, at some points.
+
+    Parameters
+    ----------
+    values : dict
+        Tables of SI numbers.
+    changes : mapping
+        Dotted path → numbers [SI], shape (points,); must contain the variables.
+    results : tuple of str
+        Names of :data:`asperity.joint.results.RESULTS`.
+    variables : tuple of str, optional
+        Dotted paths by which to differentiate.
+
+    Returns
+    -------
+    status : ndarray
+        Codes, places in :data:`asperity.joint.status.STATUSES`, shape (points,).
+    found, slopes : dict of ndarray
+        Name → shape (rows, points) and (rows, points, variables) [SI]; a single number has one row. Nothing is
+        replaced by nan: a search may pass through joints that cannot exist.
+
+    Notes
+    -----
+    Forward-mode automatic differentiation; the points are repeated once for each variable along the batch axis.
+    """
+    points = max((np.size(value) for value in changes.values()), default=1)
+    filled = replace_values(values, changes)
+    table = np.stack([np.broadcast_to(np.asarray(each, float), (points,)) for each in numbers(filled)])
+    nothing = with_numbers(filled, itertools.repeat(0.0))
+    count = max(len(variables), 1)
+    directions = np.zeros((len(table), count))
+    for index, path in enumerate(variables):
+        directions[:, index] = numbers(replace_values(nothing, {path: 1.0}))
+    found, slopes, status = _in_blocks(
+        (table_structure(filled), results), np.tile(table, (1, count)), np.repeat(directions, points, axis=1)
+    )
+    first = {name: value.reshape(-1, count, points)[:, 0] for name, value in found.items()}
+    by_variable = {
+        name: np.moveaxis(value.reshape(-1, count, points), 1, 2)[..., : len(variables)]
+        for name, value in slopes.items()
+    }
+    return status[:points], first, by_variable
+
+
+def _in_blocks(options: tuple[Any, ...], *tables: np.ndarray) -> Any:
+    """Call the compiled program block by block; the last block is filled up with copies of its last point."""
+    points = tables[0].shape[1]
+    parts = []
+    for start in range(0, points, DERIVATIVE_BATCH):
+        block = [table[:, start : start + DERIVATIVE_BATCH] for table in tables]
+        missing = DERIVATIVE_BATCH - block[0].shape[1]
+        padded = [np.pad(part, ((0, 0), (0, missing)), mode="edge") for part in block]
+        program = compile_fast(_directional, *padded, options=options)
+        parts.append(jax.tree.map(np.asarray, program(*padded)))
+    return jax.tree.map(lambda *pieces: np.concatenate(pieces, axis=-1)[..., :points], *parts)

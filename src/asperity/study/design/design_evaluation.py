@@ -1,0 +1,274 @@
+"""Objectives and margins of a design as smooth functions of its variables, with exact derivatives.
+
+Variables are scaled to 0 at their lower and 1 at their upper bound. The margin of a limit is positive where the limit
+is kept. For a positive result it is the logarithm of the ratio to the limit, so that factors count alike for a
+stiffness in N·m/rad and a slip ratio; for other results it is the difference over the size of the limit.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from asperity.joint.results import RESULTS
+from asperity.joint_file.si_tables import Values, numeric_keys, si_values
+from asperity.study.batch import derivatives_at
+from asperity.study.design.design_problem import EXISTENCE, Constraint, DesignProblem, design_results
+from asperity.study.design.scenarios import Scenarios, scenarios
+
+#: Largest logarithm of a ratio that the search sees: an absent force or an infinite slip ratio is this far away.
+FARTHEST = 14.0
+
+#: Logarithm of an objective that does not exist.
+_NOWHERE = 30.0
+
+#: A joint exists where every margin of its existence is larger than this: on the edge it does not.
+INSIDE = 1e-6
+
+#: Places of the objectives of designs that do not exist, for methods that only compare.
+_WORST = 1e300
+
+
+@dataclass(frozen=True)
+class MarginRow:
+    """One limit at one contact (or clearance) in one scenario."""
+
+    constraint: Constraint
+    row: int
+    scenario: int
+
+
+@dataclass(frozen=True)
+class EvaluatedDesign:
+    """What the search knows about a design.
+
+    Parameters
+    ----------
+    objective : ndarray
+        Objectives in the scenarios that count, to be made small: of positive results the logarithm; shape
+        (objectives, scenarios).
+    objective_slopes : ndarray
+        Derivatives by the scaled variables, shape (objectives, scenarios, n).
+    margins : ndarray
+        Margins of the limits, shape (rows,).
+    margin_slopes : ndarray
+        Shape (rows, n).
+    status : ndarray
+        Status codes of the scenarios, shape (scenarios,).
+    values : dict
+        Results in the scenarios [SI], shape (rows, scenarios).
+    """
+
+    objective: np.ndarray
+    objective_slopes: np.ndarray
+    margins: np.ndarray
+    margin_slopes: np.ndarray
+    status: np.ndarray
+    values: dict[str, np.ndarray]
+
+    @property
+    def violation(self) -> float:
+        """Largest violation of a limit, in the measure of the margins; 0 if all are met."""
+        return max(0.0, -float(self.margins.min()))
+
+
+class DesignEvaluator:
+    """Evaluates designs of one problem; keeps the last one, which the search asks for several times.
+
+    Parameters
+    ----------
+    problem : DesignProblem
+        The problem.
+    """
+
+    def __init__(self, problem: DesignProblem) -> None:
+        self.problem = problem
+        self.results = design_results(problem)
+        self.scenarios: Scenarios = scenarios(problem)
+        self.values: Values = si_values(problem.case)
+        self.variables = problem.variables
+        self.paths = tuple(variable.path for variable in problem.variables)
+        self.counted = np.flatnonzero(self.scenarios.counted)
+        self._ring_radius = numeric_keys(problem.case)["drive.ring_radius"].value
+        self.rows = tuple(
+            MarginRow(constraint, row, int(scenario))
+            for constraint in problem.constraints
+            for row in constraint.rows
+            for scenario in self.counted
+        )
+        #: How far each margin may fall below 0 before the joint cannot exist, shape (rows,); infinite for limits
+        #: that have nothing to do with it.
+        self.existence_slack = np.array([self._existence_slack(row.constraint) for row in self.rows])
+        self.evaluations = 0
+        self._last: tuple[bytes, EvaluatedDesign] | None = None
+
+    def point(self, scaled: np.ndarray) -> dict[str, float]:
+        """Values [SI] of the scaled variables."""
+        return {v.path: float(v.from_unit(u)) for v, u in zip(self.variables, scaled, strict=True)}
+
+    def scaled(self, point: dict[str, float]) -> np.ndarray:
+        """Scaled variables from values [SI]."""
+        return np.array([v.to_unit(point[v.path]) for v in self.variables])
+
+    def nonexistence(self, design: EvaluatedDesign) -> float:
+        """How far a design is from a joint that can exist: whose rollers fit, do not slip and stay in contact.
+
+        Parameters
+        ----------
+        design : EvaluatedDesign
+            A design.
+
+        Returns
+        -------
+        float
+            Largest violation of existence, in the measure of the margins; 0 where it exists in every scenario.
+        """
+        return max(0.0, -float((design.margins + self.existence_slack).min()))
+
+    def _existence_slack(self, constraint: Constraint) -> float:
+        """Rollers that overlap, slip or lift off make no joint, whatever limit of them is stated."""
+        bound = EXISTENCE.get((constraint.name, constraint.at_most))
+        if bound is None:
+            return float("inf")
+        if RESULTS[constraint.name].positive:
+            return abs(float(np.log(bound / constraint.limit))) - INSIDE
+        return abs(constraint.limit - bound) / self._size(constraint) - INSIDE
+
+    def _size(self, constraint: Constraint) -> float:
+        """What differences from a limit are divided by: the limit itself, or where that is 0 a size of the joint."""
+        if constraint.limit != 0.0:
+            return abs(constraint.limit)
+        return self._ring_radius if RESULTS[constraint.name].axis == "clearance" else 1.0
+
+    def _margins(self, constraint: Constraint, value: np.ndarray) -> np.ndarray:
+        sign = -1.0 if constraint.at_most else 1.0
+        if RESULTS[constraint.name].positive:
+            return sign * _log_ratio(value, constraint.limit)
+        apart = (value - constraint.limit) / self._size(constraint)
+        return np.where(np.isfinite(apart), sign * apart, -1.0)
+
+    def _margin_weights(self, constraint: Constraint, value: np.ndarray) -> np.ndarray:
+        """Derivative of the margin by the value."""
+        sign = -1.0 if constraint.at_most else 1.0
+        if not RESULTS[constraint.name].positive:
+            return np.full_like(value, sign / self._size(constraint))
+        inside = np.isfinite(value) & (np.abs(_log_ratio(value, constraint.limit)) < FARTHEST)
+        return np.where(inside, sign / np.where(inside, value, 1.0), 0.0)
+
+    def __call__(self, scaled: np.ndarray) -> EvaluatedDesign:
+        """Evaluate one design.
+
+        Parameters
+        ----------
+        scaled : ndarray
+            Scaled variables, shape (n,).
+
+        Returns
+        -------
+        EvaluatedDesign
+            Objectives and margins with their derivatives by the scaled variables.
+        """
+        mark = np.asarray(scaled, float).tobytes()
+        if self._last is not None and self._last[0] == mark:
+            return self._last[1]
+        self.evaluations += 1
+        point = self.point(scaled)
+        changes = self.scenarios.changes(dict(point))
+        status, found, slopes = derivatives_at(self.values, changes, self.results, self.paths)
+        steps = np.array([v.slope(point[v.path]) for v in self.variables])
+
+        objective, objective_slopes = [], []
+        for goal in self.problem.objectives:
+            value, slope = found[goal.name][:, self.counted], slopes[goal.name][:, self.counted]
+            row, scenario = (
+                np.argmax(goal.sign * value, axis=0),
+                np.arange(value.shape[1]),
+            )  # the worst contact
+            picked, steep = value[row, scenario], _finite(slope[row, scenario]) * steps
+            positive = RESULTS[goal.name].positive
+            usable = np.isfinite(picked) & ((picked > 0.0) | (not positive))
+            safe = np.where(usable, picked, 1.0)
+            # an objective that does not exist, such as the stiffness of a slipping joint, is worse than any other
+            objective.append(np.where(usable, goal.sign * (np.log(safe) if positive else safe), _NOWHERE))
+            weight = np.where(usable, 1.0 / safe, 0.0) if positive else usable.astype(float)
+            objective_slopes.append(goal.sign * steep * weight[:, None])
+
+        margins, margin_slopes = [], []
+        for constraint in self.problem.constraints:
+            rows = np.ix_(np.array(constraint.rows), self.counted)
+            value, slope = found[constraint.name][rows], _finite(slopes[constraint.name][rows]) * steps
+            margins.append(self._margins(constraint, value).reshape(-1))
+            weight = self._margin_weights(constraint, value)
+            margin_slopes.append((weight[..., None] * slope).reshape(-1, len(self.paths)))
+        design = EvaluatedDesign(
+            objective=np.array(objective),
+            objective_slopes=np.array(objective_slopes),
+            margins=np.concatenate(margins),
+            margin_slopes=np.concatenate(margin_slopes),
+            status=status,
+            values=found,
+        )
+        self._last = (mark, design)
+        return design
+
+    def many(self, scaled: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """Worst objectives and worst margins of many designs at once, without derivatives.
+
+        Parameters
+        ----------
+        scaled : ndarray
+            Scaled variables, shape (designs, n).
+
+        Returns
+        -------
+        objectives, margins : ndarray
+            Shape (designs, objectives), to be made small [SI], and (designs, limits and rows); each at its worst over
+            the scenarios.
+        """
+        designs, count = scaled.shape[0], self.scenarios.torques.size
+        point = {v.path: v.from_unit(scaled[:, [i]]) for i, v in enumerate(self.variables)}
+        changes = {
+            path: np.broadcast_to(value, (designs, count)).reshape(-1)
+            for path, value in self.scenarios.changes(point).items()
+        }
+        _, found, _ = derivatives_at(self.values, changes, self.results)
+        found = {name: each.reshape(-1, designs, count)[..., self.counted] for name, each in found.items()}
+        self.evaluations += designs
+        objectives = []
+        for goal in self.problem.objectives:
+            value = goal.sign * found[goal.name]
+            worst = np.max(np.where(np.isnan(value), np.inf, value), axis=(0, 2))
+            objectives.append(np.where(np.isfinite(worst), worst, _WORST))
+        margins = [
+            self._margins(each, found[each.name][list(each.rows)]) for each in self.problem.constraints
+        ]
+        return np.stack(objectives, axis=1), np.min(np.concatenate(margins), axis=2).T
+
+
+def exists(objectives: np.ndarray) -> np.ndarray:
+    """Which of the objectives that :meth:`DesignEvaluator.many` gives belong to designs that exist.
+
+    Parameters
+    ----------
+    objectives : ndarray
+        Any shape.
+
+    Returns
+    -------
+    ndarray of bool
+        The same shape.
+    """
+    return np.abs(objectives) < _WORST
+
+
+def _log_ratio(value: np.ndarray, limit: float) -> np.ndarray:
+    """ln(value/limit) within ± :data:`FARTHEST`; what is no number counts as infinitely far above."""
+    with np.errstate(divide="ignore", invalid="ignore"):
+        ratio = np.log(np.asarray(value) / limit)
+    return np.clip(np.where(np.isnan(ratio), np.inf, ratio), -FARTHEST, FARTHEST)
+
+
+def _finite(slope: np.ndarray) -> np.ndarray:
+    """Slopes that are no numbers, where a state does not exist, lead nowhere."""
+    return np.where(np.isfinite(slope), slope, 0.0)

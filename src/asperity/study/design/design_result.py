@@ -1,0 +1,150 @@
+"""What comes out of a design: the joint, how it stands to its limits, and how sure it is that it is the best."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from asperity.joint.results import RESULTS
+from asperity.study.design.design_problem import DesignProblem
+from asperity.units import format_quantity
+
+
+@dataclass(frozen=True)
+class LimitReport:
+    """How a design stands to one limit, at its worst scenario and contact.
+
+    Parameters
+    ----------
+    name, row : str
+        The result and, if it has several rows, which one is closest to the limit.
+    at_most : bool
+        Whether the limit is an upper one.
+    limit, value : float
+        The limit and the value closest to it [SI].
+    missed_by : float
+        By how much the value misses the limit, as a share of the limit [-]; 0 where it is kept.
+    active : bool
+        Whether the limit restricts the design.
+    multiplier : float
+        Shadow price: relative gain of the objective (or of the smallest violation) per relative relaxation of the
+        limit [-].
+    implied : bool
+        Whether it holds for every design, without being stated.
+    output_torque : float
+        Torque of the worst scenario [N·m].
+    """
+
+    name: str
+    row: str
+    at_most: bool
+    limit: float
+    value: float
+    missed_by: float
+    active: bool
+    multiplier: float
+    implied: bool
+    output_torque: float
+
+    @property
+    def text(self) -> str:
+        """The limit in words, with what was reached."""
+        result = RESULTS[self.name]
+        where = f" at {self.row.replace('_', ' ')}" if self.row else ""
+        sense = "at most" if self.at_most else "at least"
+        missed = f", {100.0 * self.missed_by:.3g} % off" if self.missed_by > 0.0 else ""
+        return (
+            f"{result.label}{where} {sense} {format_quantity(self.limit, result.display_unit)} "
+            f"(reached {format_quantity(self.value, result.display_unit)}{missed}, "
+            f"at {format_quantity(self.output_torque, 'N*m')})"
+        )
+
+
+@dataclass(frozen=True)
+class StartReport:
+    """One start of the search: where it ended, and the largest violation there in the measure of the margins."""
+
+    point: dict[str, float]
+    objective: float
+    violation: float
+    converged: bool
+
+
+@dataclass(frozen=True)
+class DesignResult:
+    """The outcome of a design.
+
+    Parameters
+    ----------
+    problem : DesignProblem
+        What was asked.
+    feasible : bool
+        Whether all limits are met. If not, the point is the one of the smallest violation.
+    point : dict
+        Dotted path → value of the variables [SI].
+    at_bound : dict
+        Dotted path → "lower" or "upper" for the variables that lie on a bound.
+    objective_before, objective_after : float
+        The objective at its worst scenario, of the joint file and of the design [SI].
+    objective_unrounded : float or None
+        The objective before variables were rounded to their steps [SI]; None where none has a step.
+    summary_before, summary_after : dict
+        Name → value [SI] of :data:`asperity.study.design.design_problem.SUMMARY`; nan where the joint has none.
+    limits : tuple of LimitReport
+        All limits.
+    optimality_residual : float
+        What is left of the objective's gradient after those of the active limits, relative to it [-]: 0 at a local
+        optimum.
+    starts : tuple of StartReport
+        All starts.
+    evaluations : int
+        Evaluations of all scenarios.
+    joint_text : str
+        The designed joint as a joint file.
+    nominal : dict
+        Results of that file at its own torque [SI], shape (rows,).
+    """
+
+    problem: DesignProblem
+    feasible: bool
+    point: dict[str, float]
+    at_bound: dict[str, str]
+    objective_before: float
+    objective_after: float
+    objective_unrounded: float | None
+    summary_before: dict[str, float]
+    summary_after: dict[str, float]
+    limits: tuple[LimitReport, ...]
+    optimality_residual: float
+    starts: tuple[StartReport, ...]
+    evaluations: int
+    joint_text: str
+    nominal: dict[str, np.ndarray] = field(repr=False)
+
+    @property
+    def violation(self) -> float:
+        """Largest share by which a limit is missed [-]; 0 for a feasible design."""
+        return 0.0 if self.feasible else max(limit.missed_by for limit in self.limits)
+
+
+def conflict(result: DesignResult) -> str:
+    """Why a design is infeasible, in a sentence.
+
+    Parameters
+    ----------
+    result : DesignResult
+        An infeasible result.
+
+    Returns
+    -------
+    str
+        Which limits conflict, what is reached of each, and which variables lie on their bounds.
+    """
+    parts = [limit.text for limit in result.limits if limit.active]
+    bounds = [f"{path} is at its {side} bound" for path, side in result.at_bound.items()]
+    conflicting = "these limits conflict: " if len(parts) > 1 else ""
+    return (
+        f"no design meets all limits; the best one misses a limit by {100.0 * result.violation:.3g} %. "
+        f"{conflicting}{'; '.join([*parts, *bounds])}. Relax one of these, or widen the bounds"
+    )

@@ -1,0 +1,105 @@
+"""Designs in standard sizes: the variables that have a step, rounded to it, and the others optimised anew."""
+
+from __future__ import annotations
+
+import itertools
+import math
+
+import numpy as np
+
+from asperity.study.design.design_evaluation import DesignEvaluator
+from asperity.study.design.design_problem import Variable
+from asperity.study.design.design_search import FEASIBLE, SearchProgress, local_optimum, violation_rank
+
+#: Variables that may have a step: each doubles the number of combinations.
+MOST_STEPPED = 6
+
+#: Combinations of rounded values for which the other variables are optimised anew: the most promising ones.
+_REFINED = 8
+
+
+def neighbours(variable: Variable, value: float) -> tuple[float, ...]:
+    """The multiples of a variable's step next to a value, within its bounds.
+
+    Parameters
+    ----------
+    variable : Variable
+        A variable with a step.
+    value : float
+        Where it would be without a step [SI].
+
+    Returns
+    -------
+    tuple of float
+        One or two values [SI].
+
+    Examples
+    --------
+    >>> length = Variable("drive.contact_length", 1.0, 9.5, False, step=2.0)
+    >>> neighbours(length, 5.1), neighbours(length, 9.3), neighbours(length, 4.0)
+    ((4.0, 6.0), (8.0,), (4.0,))
+    """
+    assert variable.step is not None
+    steps = value / variable.step
+    whole = round(steps)
+    near = {whole} if math.isclose(steps, whole, rel_tol=1e-9) else {math.floor(steps), math.ceil(steps)}
+    low, high = (
+        math.ceil(variable.lower / variable.step - 1e-9),
+        math.floor(variable.upper / variable.step + 1e-9),
+    )
+    return tuple(
+        sorted(min(max(each, low), high) * variable.step for each in {min(max(n, low), high) for n in near})
+    )
+
+
+def rounded_design(
+    evaluator: DesignEvaluator, scaled: np.ndarray, count: SearchProgress
+) -> tuple[np.ndarray, np.ndarray]:
+    """The best design next to a given one whose stepped variables are multiples of their steps.
+
+    Parameters
+    ----------
+    evaluator : DesignEvaluator
+        The problem.
+    scaled : ndarray
+        Scaled variables of the best design without steps, shape (n,).
+    count : SearchProgress
+        Counts the searches.
+
+    Returns
+    -------
+    rounded : ndarray
+        Scaled variables, shape (n,). Where no combination of rounded values meets all limits, the one that misses
+        them least.
+    fixed : ndarray of bool
+        Which variables have a step, shape (n,).
+
+    Notes
+    -----
+    Every stepped variable is tried at the multiples of its step below and above; for the best of these combinations
+    the other variables are optimised anew. A better design further away is possible.
+    """
+    fixed = np.array([variable.step is not None for variable in evaluator.variables])
+    point = evaluator.point(scaled)
+    choices = [
+        [variable.to_unit(value) for value in neighbours(variable, point[variable.path])]
+        if variable.step is not None
+        else [place]
+        for variable, place in zip(evaluator.variables, scaled, strict=True)
+    ]
+    combinations = np.clip(np.array(list(itertools.product(*choices))), 0.0, 1.0)
+    objectives, margins = evaluator.many(combinations)
+    order = np.lexsort((objectives[:, 0], np.maximum(-margins.min(axis=1), FEASIBLE)))
+    tried = [combinations[k] for k in order]
+    if not fixed.all():
+        promising = tried[:_REFINED]
+        count.expect(len(promising))
+        for each in promising:
+            tried.append(local_optimum(evaluator, each, fixed=fixed)[0])
+            count.step()
+
+    def rank(each: np.ndarray) -> tuple[float, float, float]:
+        lack, violation = violation_rank(evaluator, each)
+        return lack, max(violation, FEASIBLE), float(evaluator(each).objective[0].max())
+
+    return min(tried, key=rank), fixed

@@ -1,0 +1,212 @@
+"""The plan of a sweep: joint file, axes and results, and the division of its grid into blocks."""
+
+from __future__ import annotations
+
+import json
+import math
+from collections.abc import Sequence
+from dataclasses import asdict, dataclass
+from typing import Any
+
+import numpy as np
+
+from asperity.joint.results import RESULTS, chosen_results
+from asperity.joint_file.model import Case
+from asperity.joint_file.si_tables import Values, si_values
+from asperity.study.batch import evaluate_points
+from asperity.study.parameters import Axis, check_axes
+
+#: Points of one block; a block is computed, written and, after an interruption, repeated as a whole.
+BLOCK_POINTS = 250_000
+#: Numbers of one block: 64 MB of them, so that many results make the blocks smaller.
+_BLOCK_NUMBERS = 8_000_000
+
+
+@dataclass(frozen=True)
+class Plan:
+    """A sweep as plain data; it can be pickled and is stored with the results.
+
+    Parameters
+    ----------
+    values : dict
+        Tables of the joint file in SI units.
+    axes : tuple of Axis
+        What is varied; a dimension for each.
+    results : tuple of str
+        Names of :data:`asperity.joint.results.RESULTS`.
+    block_shape : tuple of int
+        Points of a block along each axis.
+    """
+
+    values: Values
+    axes: tuple[Axis, ...]
+    results: tuple[str, ...]
+    block_shape: tuple[int, ...]
+
+    @property
+    def shape(self) -> tuple[int, ...]:
+        """Points along each axis."""
+        return tuple(axis.count for axis in self.axes)
+
+    @property
+    def points(self) -> int:
+        """Points of the whole grid."""
+        return math.prod(self.shape)
+
+    @property
+    def block_count(self) -> int:
+        """Number of blocks."""
+        return math.prod(self._block_grid)
+
+    @property
+    def _block_grid(self) -> tuple[int, ...]:
+        return tuple(-(-count // step) for count, step in zip(self.shape, self.block_shape, strict=True))
+
+    def block(self, index: int) -> tuple[slice, ...]:
+        """Where a block lies in the grid.
+
+        Parameters
+        ----------
+        index : int
+            Number of the block, the last axis running fastest.
+
+        Returns
+        -------
+        tuple of slice
+            Its part of each axis.
+        """
+        return tuple(
+            slice(place * step, min((place + 1) * step, count))
+            for place, step, count in zip(self.block_place(index), self.block_shape, self.shape, strict=True)
+        )
+
+    def block_place(self, index: int) -> tuple[int, ...]:
+        """Which block it is along each axis.
+
+        Parameters
+        ----------
+        index : int
+            Number of the block, the last axis running fastest.
+
+        Returns
+        -------
+        tuple of int
+            Numbers from 0.
+        """
+        return tuple(int(place) for place in np.unravel_index(index, self._block_grid))
+
+    @property
+    def bytes(self) -> int:
+        """Size of all results in memory, and about their size on disk."""
+        return self.points * (1 + 8 * sum(len(RESULTS[name].row_names) for name in self.results))
+
+    def as_dict(self) -> dict[str, Any]:
+        """Everything that the results depend on, as plain data."""
+        return json.loads(
+            json.dumps(
+                {
+                    "joint": self.values,
+                    "axes": [asdict(axis) for axis in self.axes],
+                    "results": list(self.results),
+                    "block_shape": list(self.block_shape),
+                }
+            )
+        )
+
+
+def make_plan(
+    case: Case, axes: Sequence[Axis], results: Sequence[str], *, block_points: int | None = None
+) -> Plan:
+    """Check a sweep and divide its grid into blocks.
+
+    Parameters
+    ----------
+    case : Case
+        The joint file.
+    axes : sequence of Axis
+        What is varied.
+    results : sequence of str
+        Results or groups of them, :func:`asperity.joint.results.chosen_results`.
+    block_points : int, optional
+        Points of a block; :data:`BLOCK_POINTS`, fewer for many results, by default.
+
+    Returns
+    -------
+    Plan
+        The sweep.
+
+    Raises
+    ------
+    InputError
+        If the axes or the results are not usable.
+    """
+    check_axes(case, axes)
+    names = chosen_results(results)
+    numbers = sum(len(RESULTS[name].row_names) for name in names)
+    most = block_points or max(min(BLOCK_POINTS, _BLOCK_NUMBERS // numbers), 1)
+    return Plan(si_values(case), tuple(axes), names, block_shape(tuple(axis.count for axis in axes), most))
+
+
+def block_shape(shape: tuple[int, ...], most: int) -> tuple[int, ...]:
+    """Points of a block along each axis: whole last axes, even parts of the first one that does not fit.
+
+    Parameters
+    ----------
+    shape : tuple of int
+        Points of the grid.
+    most : int
+        Points of a block at most.
+
+    Returns
+    -------
+    tuple of int
+        Points of a block.
+
+    Examples
+    --------
+    >>> block_shape((100, 100, 100), 30_000), block_shape((7, 11), 1000)
+    ((3, 100, 100), (7, 11))
+    >>> block_shape((1000, 1000), 300_000)
+    (250, 1000)
+    """
+    block = []
+    room = max(most, 1)
+    for count in reversed(shape):
+        parts = math.ceil(count / max(min(count, room), 1))
+        step = math.ceil(count / parts)
+        block.append(step)
+        room = room // step if step == count else 1
+    return tuple(reversed(block))
+
+
+def block_results(
+    plan: Plan, block: tuple[slice, ...], **options: Any
+) -> tuple[np.ndarray, dict[str, np.ndarray]]:
+    """Evaluate one block of a sweep.
+
+    Parameters
+    ----------
+    plan : Plan
+        The sweep.
+    block : tuple of slice
+        Where the block lies.
+    **options
+        For :func:`asperity.study.batch.evaluate_points`.
+
+    Returns
+    -------
+    status : ndarray
+        Codes, in the shape of the block.
+    found : dict of ndarray
+        Name → values, in the shape of the block, with the contact axis first if there is one.
+    """
+    values = [axis.values[part] for axis, part in zip(plan.axes, block, strict=True)]
+    grid = np.meshgrid(*values, indexing="ij")
+    points = {axis.path: column.reshape(-1) for axis, column in zip(plan.axes, grid, strict=True)}
+    status, found = evaluate_points(
+        plan.values, points, plan.results, batch=math.prod(plan.block_shape), **options
+    )
+    shape = grid[0].shape
+    return status.reshape(shape), {
+        name: value.reshape(value.shape[:-1] + shape) for name, value in found.items()
+    }

@@ -1,0 +1,195 @@
+"""Instrument formats through the package SurfaceTopography, checked against the header of the file."""
+
+from __future__ import annotations
+
+import io
+import struct
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from asperity.errors import InputError, MissingExtraError
+from asperity.extras import install_command
+from asperity.surface.input_file import metres_per_unit
+from asperity.surface.read_x3p import is_x3p, x3p_container
+from asperity.surface.topography import Topography
+
+#: Formats that store no unit: releases of the reader package have assumed um and mm for them.
+FORMATS_WITHOUT_UNIT = ("tmd",)
+#: Text that begins like this belongs to an instrument format and is not a bare table of numbers.
+TEXT_FORMATS = {
+    b"aISO-1.0": "SDF (text)",
+    b"fileformat = bcr": "BCR",
+    b"WSxM file copyright": "WSxM",
+    b"[DataSet]": "Nanosurf EZD",
+    b"[p3dlin]": "QEP",
+    b"fileType": "Molecular Imaging",
+    b"\\*File list": "Nanoscope",
+    b"<": "XML",
+    b"\xef\xbb\xbf<": "XML",
+}
+_BINARY_FORMATS = {
+    b"GWYP": "Gwyddion GWY",
+    b"GWYO": "Gwyddion GWY (first version)",
+    b"bISO-1.0": "SDF",
+    b"DIGITAL SURF": "SUR",
+    b"AliconaImaging": "AL3D",
+    b"FRTM_GLIDERV": "FRT",
+    b"Binary TrueMap": "TMD",
+    b"PK\x03\x04": "zip container",
+    b"\x89HDF": "HDF5",
+}
+#: Largest relative difference between sizes of the reader and of the header.
+_SIZE_TOLERANCE = 1e-3
+
+
+def text_format(beginning: bytes) -> str | None:
+    """Name of the instrument format that the first bytes of a text belong to, or None for a bare table."""
+    stripped = beginning.lstrip()
+    return next((name for mark, name in TEXT_FORMATS.items() if stripped.startswith(mark)), None)
+
+
+def instrument_topography(*, path: Path, beginning: bytes, height_unit: str | None) -> Topography:
+    """Heights of an instrument file in metres.
+
+    Parameters
+    ----------
+    path : Path
+        The file.
+    beginning : bytes
+        Its first bytes.
+    height_unit : str or None
+        Unit of lengths and heights, for formats that do not store one.
+
+    Returns
+    -------
+    Topography
+
+    Raises
+    ------
+    InputError
+        If the format or its variant is not known, a unit is missing or contradicts the file, or the reader's
+        sizes are not those of the header.
+    MissingExtraError
+        If SurfaceTopography is not installed.
+    """
+    name = _format_name(path, beginning)
+    if name == "XML":
+        raise InputError(
+            f"{path.name} is XML, not a table of numbers; of an X3P measurement give the .x3p file itself"
+        )
+    header: tuple[float, float] | None = None
+    source: str | io.BytesIO = str(path)
+    if is_x3p(path):
+        name, (source, header) = "X3P", x3p_container(path)
+    elif name.startswith("SDF"):
+        header = _sdf_size(path)
+    reader, measured, heights = _opened(path, source, name)
+    topography = _in_metres(reader, measured, heights, height_unit, path.name)
+    if header is not None:
+        for got, stated in zip(topography.size, header, strict=False):
+            if not abs(got - stated) <= _SIZE_TOLERANCE * abs(stated):
+                raise InputError(
+                    f"{path.name}: the reader of {name} files gives a size of {got:.6g} m where the header "
+                    f"of the file says {stated:.6g} m; the file is not used"
+                )
+    return topography
+
+
+def _format_name(path: Path, beginning: bytes) -> str:
+    known = text_format(beginning) or next(
+        (name for mark, name in _BINARY_FORMATS.items() if beginning.startswith(mark)), None
+    )
+    return known or (path.suffix.lstrip(".").upper() or "unknown")
+
+
+def _opened(path: Path, source: str | io.BytesIO, name: str) -> tuple[Any, Any, NDArray[np.float64]]:
+    """Reader, topography and heights in the unit of the file."""
+    import logging
+    import warnings
+
+    try:
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            import SurfaceTopography
+    except ImportError:
+        raise MissingExtraError(
+            f"{path.name} ({name}) is neither a table of numbers nor .npy, so it needs a package of "
+            f"instrument readers that is not installed; run: {install_command('surface')}"
+        ) from None
+    logging.getLogger("SurfaceTopography").setLevel(logging.ERROR)
+    with warnings.catch_warnings(), np.errstate(all="ignore"):
+        warnings.simplefilter("ignore")
+        try:
+            reader = SurfaceTopography.open_topography(source)
+            measured = reader.topography()
+            heights = np.ma.filled(np.ma.asarray(measured.heights(), dtype=np.float64), np.nan)
+            sizes = measured.physical_sizes
+        except Exception as error:  # the readers raise whatever their parsers meet
+            if "CannotDetect" in type(error).__name__:
+                why = "its format is not known, or this variant of it is not"
+            else:
+                why = f"this variant is not understood ({_reason(error)})"
+            raise InputError(
+                f"{path.name} ({name}) cannot be read: {why}; export it as X3P with binary data, or as text"
+            ) from None
+    if sizes is None or not all(np.isfinite(size) and size > 0.0 for size in sizes):
+        raise InputError(f"{path.name} ({name}): its size is {sizes or 'not given'}; it must be positive")
+    return reader, measured, heights
+
+
+def _reason(error: Exception) -> str:
+    kind, text = type(error).__name__, " ".join(str(error).split()).rstrip(".")
+    return kind if not text or len(text) > 120 else f"{kind}: {text}"
+
+
+def _in_metres(
+    reader: Any, measured: Any, heights: NDArray[np.float64], height_unit: str | None, source: str
+) -> Topography:
+    unit = None if reader.format() in FORMATS_WITHOUT_UNIT else measured.unit
+    if unit is None:
+        if height_unit is None:
+            raise InputError(
+                f"{source} does not name the unit of its lengths and heights; give it "
+                "(--height-unit mm, um, nm or m)"
+            )
+        unit = height_unit
+    elif height_unit is not None and metres_per_unit(height_unit) != metres_per_unit(unit):
+        raise InputError(f"{source} gives its unit as {unit}, not {height_unit}; leave --height-unit out")
+    scale = metres_per_unit(unit)
+    channels = len(reader.channels)
+    notes = (f"the file has {channels} channels; the default one was read",) if channels > 1 else ()
+    with np.errstate(over="ignore", invalid="ignore"):
+        heights = heights * scale
+    if measured.dim == 2:
+        (length_x, length_y), (columns, rows) = measured.physical_sizes, measured.nb_grid_pts
+        return Topography(
+            np.ascontiguousarray(heights.T),
+            float(length_x) * scale / columns,
+            float(length_y) * scale / rows,
+            source=source,
+            notes=notes,
+        )
+    if not measured.is_uniform:
+        raise InputError(f"{source}: positions are not equally spaced; resample the profile first")
+    spacing = float(measured.physical_sizes[0]) * scale / heights.shape[0]
+    return Topography(np.ascontiguousarray(heights), spacing, source=source, notes=notes)
+
+
+def _sdf_size(path: Path) -> tuple[float, float] | None:
+    """Lengths along x and y from the header of an SDF file [m] (ISO 25178-71)."""
+    with path.open("rb") as file:
+        head = file.read(4096)
+    try:
+        if head.startswith(b"b"):
+            columns, rows, step_x, step_y = struct.unpack_from("<HHdd", head, 42)
+        else:
+            lines = (line.split("=", 1) for line in head.decode("latin-1").splitlines() if "=" in line)
+            field = {key.strip().lower(): value.strip() for key, value in lines}
+            columns, rows = int(field["numpoints"]), int(field["numprofiles"])
+            step_x, step_y = float(field["xscale"]), float(field["yscale"])
+    except (struct.error, KeyError, ValueError):
+        return None  # the reader says what is wrong with it
+    return columns * step_x, rows * step_y

@@ -1,0 +1,158 @@
+"""Skewed contacts: the paper's sun contact, Kalker's limits, and the solver against its own forces."""
+
+import jax
+import jax.numpy as jnp
+import numpy as np
+import pytest
+from scipy.optimize import brentq
+
+from asperity.contact.carter import creepage, gross_slip_creepage
+from asperity.contact.hertz_line import half_width
+from asperity.contact.skew import (
+    axial_force,
+    lateral_compliance_ratio,
+    longitudinal_capacity_ratio,
+    skewed_contact,
+    skewed_slip_ratios,
+)
+
+STEEL = {"youngs_modulus_1": 206e9, "youngs_modulus_2": 206e9, "poisson_ratio_1": 0.3, "poisson_ratio_2": 0.3}
+LIMITS = {"gross_slip_creepage": 3.24e-3, "lateral_gross_slip_creepage": 4.63e-3}
+
+
+def test_sun_contact_of_the_paper():
+    """Sun 4 mm on planet 13.5 mm, 5 mm long, 1000 N, mu 0.12, steel: 1 mrad of skew takes 39 % of mu N."""
+    radius = 4e-3 * 13.5e-3 / 17.5e-3
+    width = half_width(
+        normal_force=1000.0, contact_length=5e-3, effective_radius=radius, contact_modulus=206e9 / 1.82
+    )
+    along = gross_slip_creepage(friction_coefficient=0.12, half_width=width, effective_radius=radius)
+    across = along * lateral_compliance_ratio(**STEEL)
+    assert float(along) == pytest.approx(3.24e-3, rel=2e-3)
+    assert float(across) == pytest.approx(4.63e-3, rel=2e-3)
+    _, ratio = skewed_slip_ratios(
+        longitudinal_creepage=0.0,
+        lateral_creepage=1e-3,
+        gross_slip_creepage=along,
+        lateral_gross_slip_creepage=across,
+    )
+    assert float(ratio) == pytest.approx(0.39, abs=0.006)
+    force = axial_force(friction_coefficient=0.12, normal_force=1000.0, lateral_slip_ratio=ratio)
+    assert float(force) == pytest.approx(46.0, abs=0.6)
+
+
+def test_lateral_compliance_is_antiplane_shear():
+    """A long contact in anti-plane shear: 1/G_1 + 1/G_2 for the 2/E* of plane strain; Kalker's C22/C11 = 1 - nu."""
+    kalker = (np.pi**2 / 4) / (np.pi**2 / (4 * (1 - 0.3)))
+    assert float(lateral_compliance_ratio(**STEEL)) == pytest.approx(1 / kalker, rel=1e-12)
+    e1, e2, nu1, nu2 = 206e9, 70e9, 0.3, 0.2
+    shear = 2 * (1 + nu1) / e1 + 2 * (1 + nu2) / e2
+    plane = 2 * ((1 - nu1**2) / e1 + (1 - nu2**2) / e2)
+    found = lateral_compliance_ratio(
+        youngs_modulus_1=e1, youngs_modulus_2=e2, poisson_ratio_1=nu1, poisson_ratio_2=nu2
+    )
+    assert float(found) == pytest.approx(shear / plane, rel=1e-12)
+
+
+def test_one_direction_alone_is_carter():
+    share = jnp.linspace(-1.0, 1.0, 41)
+    xi = creepage(slip_ratio=share, gross_slip_creepage=LIMITS["gross_slip_creepage"])
+    along, across = skewed_slip_ratios(longitudinal_creepage=xi, lateral_creepage=0.0, **LIMITS)
+    np.testing.assert_allclose(along, share, atol=1e-14)
+    np.testing.assert_array_equal(across, 0.0)
+    solved = skewed_contact(longitudinal_slip_ratio=share, lateral_creepage=0.0, **LIMITS)
+    np.testing.assert_allclose(solved.longitudinal_creepage, xi, rtol=1e-12)
+    assert bool(jnp.all(solved.solved))
+
+
+def test_traction_points_along_the_scaled_creepage_and_ends_at_friction():
+    xi = np.array([[1e-3, 2e-3], [-3e-3, 1e-3], [4e-3, -4e-3], [0.0, 9e-3]])
+    along, across = skewed_slip_ratios(longitudinal_creepage=xi[:, 0], lateral_creepage=xi[:, 1], **LIMITS)
+    scaled = xi / np.array([3.24e-3, 4.63e-3])
+    length = np.hypot(*scaled.T)
+    total = np.where(length < 1, 1 - (1 - length) ** 2, 1.0)
+    np.testing.assert_allclose(
+        np.stack([along, across], 1), total[:, None] * scaled / length[:, None], rtol=1e-13
+    )
+
+
+def independent_share(force, lateral):
+    def excess(x):
+        length = np.hypot(x, lateral)
+        return (2 - length if length < 1 else 1 / length) * x - force
+
+    return brentq(excess, 0.0, 1e9, xtol=1e-300, rtol=1e-14)
+
+
+@pytest.mark.parametrize(
+    ("force", "lateral"),
+    [(0.5, 0.2), (0.9, 0.4), (0.05, 0.98), (0.999, 1e-6), (0.3, 1.5), (0.95, 0.6), (1e-9, 0.5), (0.99, 0.05)],
+)
+def test_longitudinal_creepage_against_bisection(force, lateral):
+    """Partial slip and, from |zeta| = 1 on, sliding: the creepage that carries the force."""
+    found = skewed_contact(
+        longitudinal_slip_ratio=jnp.array([force, -force]),
+        lateral_creepage=lateral,
+        gross_slip_creepage=1.0,
+        lateral_gross_slip_creepage=1.0,
+    )
+    expected = independent_share(force, lateral)
+    np.testing.assert_allclose(found.longitudinal_creepage, [expected, -expected], rtol=1e-9)
+    assert bool(jnp.all(found.solved))
+
+
+def test_forces_come_back_everywhere():
+    random = np.random.default_rng(3)
+    lateral = np.concatenate([10 ** random.uniform(-12, 0.5, 3000), random.uniform(-2, 2, 3000)])
+    force = np.concatenate([1 - 10 ** random.uniform(-9, 0, 3000), random.uniform(-1, 1, 3000)])
+    unit = {"gross_slip_creepage": 1.0, "lateral_gross_slip_creepage": 1.0}
+    found = skewed_contact(longitudinal_slip_ratio=force, lateral_creepage=lateral, **unit)
+    along, across = skewed_slip_ratios(
+        longitudinal_creepage=found.longitudinal_creepage, lateral_creepage=lateral, **unit
+    )
+    assert bool(jnp.all(found.solved))
+    np.testing.assert_allclose(along, force, atol=1e-12)
+    np.testing.assert_allclose(across, found.lateral_slip_ratio, atol=1e-9)
+    assert float(jnp.max(found.slip_ratio)) <= 1.0 + 1e-12
+
+
+def test_no_creepage_carries_all_friction_lengthwise_with_skew():
+    found = skewed_contact(
+        longitudinal_slip_ratio=jnp.array([1.0, 1.3, -1.3]), lateral_creepage=1e-3, **LIMITS
+    )
+    assert not bool(jnp.any(found.solved))
+    np.testing.assert_array_equal(found.longitudinal_creepage, [np.inf, np.inf, -np.inf])
+
+
+def test_skew_takes_longitudinal_capacity():
+    share = 0.6
+    capacity = longitudinal_capacity_ratio(
+        lateral_creepage=jnp.array([-share, 0.0, 1.0, 2.0]), lateral_gross_slip_creepage=1.0
+    )
+    np.testing.assert_allclose(capacity, [0.8, 1.0, 0.0, 0.0], rtol=1e-14)
+    unit = {"gross_slip_creepage": 1.0, "lateral_gross_slip_creepage": 1.0}
+    below, beyond = (
+        skewed_contact(longitudinal_slip_ratio=0.8 + d, lateral_creepage=share, **unit) for d in (-1e-9, 1e-9)
+    )
+    assert float(below.slip_ratio) < 1.0 + 1e-15
+    assert float(beyond.slip_ratio) == pytest.approx(1.0, abs=1e-14)
+
+
+@pytest.mark.parametrize(
+    ("force", "skew"),
+    [(0.0, 0.0), (0.0, 1e-3), (0.5, 0.0), (0.5, 1e-3), (-0.5, 1e-3), (0.98, 3e-3), (0.2, 5e-3)],
+)
+def test_derivatives_against_finite_differences(force, skew):
+    def along(q, g):
+        return skewed_contact(longitudinal_slip_ratio=q, lateral_creepage=g, **LIMITS).longitudinal_creepage
+
+    def across(q, g):
+        return skewed_contact(longitudinal_slip_ratio=q, lateral_creepage=g, **LIMITS).lateral_slip_ratio
+
+    for quantity, size in ((along, 1e-3), (across, 1.0)):
+        found = jax.grad(quantity, argnums=(0, 1))(force, skew)
+        step = 1e-6
+        by_force = (quantity(force + step, skew) - quantity(force - step, skew)) / (2 * step)
+        by_skew = (quantity(force, skew + step * 1e-3) - quantity(force, skew - step * 1e-3)) / (2e-3 * step)
+        assert float(found[0]) == pytest.approx(float(by_force), rel=1e-5, abs=1e-6 * size)
+        assert float(found[1]) == pytest.approx(float(by_skew), rel=1e-4, abs=1e-3 * size)

@@ -1,0 +1,65 @@
+"""Kinematics of every drive against Willis' and the multiroller's formulas; layouts that cannot exist."""
+
+import dataclasses
+
+import jax.numpy as jnp
+import numpy as np
+import pytest
+
+from asperity.drive.planar.layout import Body, gaps, incidence, refuse_impossible, speed_ratio, speeds
+from asperity.errors import InputError
+
+
+@pytest.mark.parametrize(
+    ("name", "ratio"),
+    [
+        ("wedge", -(40.0 / 4.0 - 1.0)),
+        ("planetary", 1.0 + 50.0 / 10.0),
+        ("stepped", (1.0 + 50.0 / 10.0) / (1.0 - 50.0 * 18.0 / (48.0 * 20.0))),
+    ],
+)
+def test_ratio_is_that_of_the_formula(drives, name, ratio):
+    assert float(speed_ratio(drives[name])) == pytest.approx(ratio, rel=1e-12)
+
+
+def test_ratio_of_the_multiroller(drives):
+    drive = drives["multiroller"]
+    ring = float(drive.second_radius[-1])
+    assert abs(float(speed_ratio(drive))) == pytest.approx(
+        (22.0 / 10.0) * (25.0 / 9.0) * (ring / 14e-3), rel=1e-12
+    )
+    assert 20.0 < abs(float(speed_ratio(drive))) < 50.0
+
+
+@pytest.mark.parametrize("name", ["wedge", "planetary", "multiroller", "stepped"])
+def test_no_contact_slips_and_all_touch(drives, name):
+    drive = drives[name]
+    np.testing.assert_allclose(incidence(drive).turning @ speeds(drive), 0.0, atol=1e-15)
+    np.testing.assert_allclose(gaps(drive), 0.0, atol=1e-15)
+    refuse_impossible(drive)
+
+
+def test_bodies_that_do_not_touch_are_named(drives):
+    drive = drives["planetary"]
+    larger = dataclasses.replace(drive, second_radius=drive.second_radius.at[1].add(1e-4))
+    with pytest.raises(InputError, match=r"contact pr: planet and ring are 0\.1 mm apart"):
+        refuse_impossible(larger)
+
+
+def test_overlapping_planets_are_named(drives):
+    drive = dataclasses.replace(drives["planetary"], sectors=8)
+    with pytest.raises(InputError, match=r"planet and planet overlap by \d.*fewer sectors"):
+        refuse_impossible(drive)
+
+
+def test_degrees_of_freedom_are_counted(drives):
+    drive = drives["planetary"]
+    loose = dataclasses.replace(
+        drive,
+        bodies=(*drive.bodies, Body("idle", "axis")),
+        centres=jnp.concatenate([drive.centres, jnp.zeros((1, 2))]),
+    )
+    with pytest.raises(InputError, match="2 degrees of freedom, it must have 1: ground another member"):
+        refuse_impossible(loose)
+    with pytest.raises(InputError, match="there is no member 'rim'"):
+        refuse_impossible(dataclasses.replace(drive, grounded="rim"))

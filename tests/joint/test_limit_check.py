@@ -1,0 +1,61 @@
+import math
+
+import pytest
+
+from asperity.joint.diagnostics import Diagnostics
+from asperity.joint.limit_check import checked_limits
+from asperity.joint.results import SEVERITIES
+from asperity.joint.solve import solve
+
+
+@pytest.fixture(scope="module")
+def paper(paper_joint):
+    joint = paper_joint()
+    return checked_limits(joint, solve(joint).result)
+
+
+def by_name(entries, name):
+    return {entry.contact: entry for entry in entries if entry.result.name == name}
+
+
+def test_every_limit_is_listed_for_every_contact(paper):
+    names = {entry.result.name for entry in paper}
+    without_limit = {"hertz_half_width", "hertz_pressure"}
+    others = {"balance_residual", "closure_residual", "fractal_dimension"}
+    assert names == set(Diagnostics.__dataclass_fields__) - without_limit | others
+    assert set(by_name(paper, "slip_ratio")) == {"sp", "pwr", "pwl", "wro", "wlo"}
+    assert set(by_name(paper, "self_locking_ratio")) == {None}
+    assert all(entry.meaning for entry in paper)
+
+
+def test_the_most_serious_limits_come_first(paper):
+    ranks = [SEVERITIES.index(entry.rule.severity) for entry in paper]
+    assert ranks == sorted(ranks)
+    assert len(set(ranks)) == 4
+
+
+def test_the_facts_about_the_paper_s_joint(paper):
+    """tan(beta/2) = 0.1153 with mu = 0.12; twice first yield at the sun; A_r beyond 2bB."""
+    locking = by_name(paper, "self_locking_ratio")[None]
+    assert locking.value == pytest.approx(0.1153 / 0.12, rel=1e-3)
+    assert locking.ok
+    sun = by_name(paper, "pressure_over_first_yield")["sp"]
+    assert sun.value == pytest.approx(1.53e9 / (1.67 * 450e6), rel=2e-3)
+    assert not sun.ok
+    assert (sun.limit, sun.rule.severity) == (1.0, "damage")
+    assert not by_name(paper, "real_area_over_hertz_area")["sp"].ok
+    assert not by_name(paper, "asperity_over_bulk_stiffness")["sp"].ok
+    for name in ("slip_ratio", "normal_force_over_preload", "fractal_dimension", "balance_residual"):
+        assert all(entry.ok for entry in by_name(paper, name).values()), name
+
+
+def test_an_undefined_value_is_not_ok(paper_joint):
+    """Spinning so fast that the planets leave the sun: no contact there, hence no stiffness to compare."""
+    joint = paper_joint(output_torque=0.0, sun_speed=2e5, closure="constant_pin_force")
+    entries = checked_limits(joint, solve(joint).result)
+    lifted = by_name(entries, "normal_force_over_preload")["sp"]
+    assert (lifted.value, lifted.ok) == (0.0, False)
+    undefined = by_name(entries, "asperity_over_bulk_stiffness")["sp"]
+    assert math.isnan(undefined.value)
+    assert not undefined.ok
+    assert "undefined" in undefined.meaning

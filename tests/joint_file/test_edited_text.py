@@ -1,0 +1,188 @@
+"""Joint files written back."""
+
+import pytest
+
+from asperity.joint_file.edited_text import joint_file_text
+from asperity.joint_file.reader import parse_case, read_case
+from asperity.joint_file.si_tables import numeric_keys, si_values
+
+
+def test_unchanged_file_says_the_same(zou_file):
+    case = read_case(zou_file)
+    again = parse_case(joint_file_text(case, {}, comment="two\nlines"), source="test")
+    assert si_values(again) == si_values(case)
+
+
+def test_every_digit_survives(zou_file):
+    case = read_case(zou_file)
+    changes = {
+        "load.preload": 1234.5678901234567,
+        "surface.fractal_roughness": 3.3333333333333333e-12,
+        "surface.fractal_dimension": 1.7182818284590452,
+        "drive.contact_length.sp": 0.0123456789012345678,
+        "materials.steel.youngs_modulus": 2.0612345678901234e11,
+    }
+    again = numeric_keys(parse_case(joint_file_text(case, changes, comment=""), source="test"))
+    for path, value in changes.items():
+        assert again[path].value == pytest.approx(value, rel=3e-16)
+    assert again["drive.contact_length.wlo"].value == 0.005
+
+
+def test_tolerances_stay(zou_file):
+    text = zou_file.read_text().replace('planet_radius = "13.5 mm"', 'planet_radius = "13.5 mm +- 5 um"')
+    case = parse_case(text, source="test")
+    again = numeric_keys(
+        parse_case(joint_file_text(case, {"drive.planet_radius": 0.0134}, comment=""), source="test")
+    )
+    assert again["drive.planet_radius"].value == pytest.approx(0.0134, rel=1e-15)
+    assert again["drive.planet_radius"].tolerance == pytest.approx(5e-6, rel=1e-15)
+
+
+def test_comments_order_and_layout_stay(zou_file):
+    text = zou_file.read_text()
+    case = parse_case(text, source="test")
+    assert joint_file_text(case, {}, comment="") == text
+    again = joint_file_text(case, {"load.preload": 1234.5, "drive.planets": 4.0}, comment="one\n\ntwo")
+    assert again.startswith("# one\n#\n# two\n")
+    before, after = text.splitlines(), again.splitlines()[3:]
+    changed = [(old, new) for old, new in zip(before, after, strict=True) if old != new]
+    assert len(changed) == 2
+    for old, new in changed:
+        assert new.split("=")[0] == old.split("=")[0]
+        assert new.partition("#")[2] == old.partition("#")[2]
+    assert [new.partition("#")[0].split("=")[1].strip() for _, new in changed] == ["4", '"1234.5 N"']
+
+
+def test_the_line_for_editors_stays_first(zou_file):
+    text = "#:schema ./joint.schema.json\n" + zou_file.read_text()
+    again = joint_file_text(parse_case(text, source="test"), {}, comment="new")
+    assert again.startswith("#:schema ./joint.schema.json\n# new\n")
+
+
+def test_distributions_stay(zou_file):
+    text = zou_file.read_text().replace('"13.5 mm"', '"13.5 mm +- 5 um, normal 2 sigma"')
+    case = parse_case(text, source="test")
+    again = joint_file_text(case, {"drive.planet_radius": 0.0134}, comment="")
+    assert 'planet_radius = "13.4 mm +- 0.005 mm, normal 2 sigma"' in again
+
+
+def content(text, folder=None):
+    return {
+        path: key.value for path, key in numeric_keys(parse_case(text, source="again", folder=folder)).items()
+    }
+
+
+def test_entries_for_all_contacts_are_split_and_others_set_for_all(zou_file):
+    case = read_case(zou_file)
+    changes = {
+        "surface.sp.fractal_dimension": 1.6,
+        "drive.contact_length.wlo": 0.007,
+        "load.friction_coefficient.pwr": 0.2,
+    }
+    again = joint_file_text(case, changes, comment="")
+    found = content(again)
+    for path, value in changes.items():
+        assert found[path] == pytest.approx(value, rel=1e-15)
+    assert found["surface.wro.fractal_dimension"] == 1.4
+    assert found["drive.contact_length.sp"] == 0.005
+    assert "# " in again
+    twice = joint_file_text(parse_case(again, source="x"), {"surface.fractal_dimension": 1.3}, comment="")
+    assert {
+        content(twice)[f"surface.{name}.fractal_dimension"] for name in ("sp", "pwr", "pwl", "wro", "wlo")
+    } == {1.3}
+
+
+def test_sections_and_keys_that_the_file_leaves_out(zou_file):
+    case = read_case(zou_file)
+    changes = {"bearings.pin_diameter": 0.004, "compliance.pin_stiffness": 2e8, "drive.planet_length": 0.006}
+    found = content(joint_file_text(case, changes, comment=""))
+    assert {path: found[path] for path in changes} == pytest.approx(changes, rel=1e-15)
+    assert found["bearings.sun_torque"] == found["bearings.pin_friction_coefficient"] == 0.0
+
+
+def test_hardness_replaces_its_factor(zou_file):
+    found = content(joint_file_text(read_case(zou_file), {"materials.steel.hardness": 2e9}, comment=""))
+    assert found["materials.steel.hardness"] == 2e9
+    assert "materials.steel.hardness_factor" not in found
+
+
+OWN = """[bronze]
+description = "a bronze"
+reference = "own tests"
+youngs_modulus = "110 GPa"
+poisson_ratio = 0.34
+density = "8800 kg/m^3"
+yield_strength = "200 MPa"
+hardness_factor = 2.8
+"""
+
+
+def test_materials_of_libraries(zou_file, tmp_path):
+    (tmp_path / "own.toml").write_text(OWN)
+    text = (
+        zou_file.read_text()
+        .replace('sun = "steel"', 'sun = "52100" # bought')
+        .replace('ring = "steel"', 'ring = "soft"')
+        .replace(
+            "[bodies]",
+            '[materials.soft]\nlibrary = "bronze"\nfile = "own.toml"\nyield_strength = "250 MPa"\n\n[bodies]',
+        )
+    )
+    case = parse_case(text, source="test", folder=tmp_path)
+    changes = {"materials.52100.youngs_modulus": 2.1e11, "materials.soft.density": 9000.0}
+    again = joint_file_text(case, changes, comment="")
+    assert 'sun = "52100" # bought' in again
+    assert "own.toml" not in again
+    found = content(again, folder=tmp_path / "elsewhere")
+    expected = {path: key.value for path, key in numeric_keys(case).items()} | changes
+    assert found == pytest.approx(expected, rel=1e-14)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "[surface.sp]\n{0}\n[surface.pwr]\n{0}\n{1}\n[surface.pwl]\n{0}\n[surface.wro]\n{0}\n[surface.wlo]\n{0}\n",
+        "surface = {{ {2} }}\n{1}",
+        "surface.fractal_dimension = 1.5 # own\nsurface.fractal_roughness = '1e-8 mm'\n"
+        "surface.frequency_ratio = 1.5\n{1}",
+    ],
+)
+def test_layouts_that_nobody_expects(zou_file, text):
+    keys = ["fractal_dimension = 1.5", 'fractal_roughness = "1e-8 mm"', "frequency_ratio = 1.5"]
+    rest = zou_file.read_text().partition("[surface]")[0]
+    written = text.format("\n".join(keys), rest, ", ".join(keys))
+    case = parse_case(written, source="test")
+    for path in ("surface.fractal_dimension", "surface.pwl.fractal_dimension"):
+        found = content(joint_file_text(case, {path: 1.25}, comment=""))
+        assert found[path if path in found else "surface.pwl.fractal_dimension"] == 1.25
+        assert sum(value == 1.25 for value in found.values()) in (1, 5)
+
+
+def test_a_case_without_a_text_is_written_from_its_tables(zou_file):
+    case = read_case(zou_file).with_text("")
+    assert case == read_case(zou_file)
+    again = joint_file_text(case, {"drive.contact_length.sp": 0.006}, comment="")
+    assert content(again)["drive.contact_length.sp"] == pytest.approx(0.006)
+    assert si_values(parse_case(again, source="x"))["bodies"] == si_values(case)["bodies"]
+
+
+def test_a_measured_surface_is_written_instead_of_the_files(zou_file):
+    import jax.numpy as jnp
+
+    from asperity.joint_file.measured_surface import with_measured_surface
+    from asperity.surface.measurement import SurfaceMeasurement
+
+    numbers = {"fractal_dimension": 1.25, "fractal_roughness": 3e-13, "frequency_ratio": 1.5}
+    measured = SurfaceMeasurement(
+        **{name: jnp.asarray(value) for name, value in numbers.items()},
+        covariance=jnp.eye(2) * 1e-4,
+        shortest_wavelength=jnp.asarray(1e-6),
+        longest_wavelength=jnp.asarray(1e-3),
+        estimator="test",
+        profiles=1,
+        source="test",
+    )
+    case = with_measured_surface(read_case(zou_file), measured)
+    found = content(joint_file_text(case, {"load.preload": 900.0}, comment=""))
+    assert {name: found[f"surface.{name}"] for name in numbers} == pytest.approx(numbers, rel=1e-14)
+    assert found["load.preload"] == 900.0

@@ -1,0 +1,119 @@
+"""One evaluator for all studies: its points, its derivatives against differences, and the independent baseline."""
+
+import jax
+import jax.numpy as jnp
+import numpy as np
+import pytest
+
+from asperity.joint.results import RESULTS
+from asperity.joint.status import STATUS_NAMES
+from asperity.joint_file.si_tables import si_values
+from asperity.study.batch import derivatives_at, evaluate_points, numbers, point_kernel
+
+PATHS = ("surface.fractal_dimension", "load.preload", "drive.planet_radius")
+POINT = (1.4, 1000.0, 0.0135)
+LEVELS = ("published_stiffness_output", "series_with_bulk_stiffness_output", "assembly_stiffness_output")
+#: One program for all tests: stiffnesses, and one result of every kind of rows.
+NAMES = (
+    *LEVELS,
+    "assembly_stiffness_per_mass",
+    "assembly_stiffness_per_volume",
+    "mass",
+    "slip_ratio",
+    "slip_safety",
+    "yield_safety",
+    "pressure_over_first_yield",
+    "hertz_pressure",
+    "normal_force_over_preload",
+    "clearance",
+    "speed_ratio",
+    "asperity_tangential_stiffness",
+    "bulk_tangential_stiffness",
+)
+
+
+@pytest.fixture(scope="module")
+def values(case):
+    return si_values(case)
+
+
+def changes(point):
+    numbers = {path: np.full(2, value) for path, value in zip(PATHS, point, strict=True)}
+    return {**numbers, "load.output_torque": np.array([1e-6, 5.0]), "load.sun_speed": np.zeros(2)}
+
+
+@pytest.mark.parametrize(
+    "path",
+    [
+        "load.output_torque",
+        "surface.fractal_dimension",
+        "surface.sp.fractal_roughness",
+        "materials.steel.hardness",
+        "compliance.pin_stiffness",
+    ],
+)
+def test_every_number_of_a_joint_file_can_vary_alone(values, path):
+    kernel = point_kernel(values, (path,), tuple(RESULTS))
+    status, found = jax.eval_shape(kernel, numbers(values), jax.ShapeDtypeStruct((7,), jnp.float64))
+    assert status.shape == (7,)
+    assert {name: value.shape for name, value in found.items()} == {
+        name: (*RESULTS[name].row_shape, 7) for name in RESULTS
+    }
+
+
+def test_levels_of_stiffness(values):
+    thick = {**changes(POINT), "drive.ring_wall_thickness": np.full(2, 0.06)}
+    status, found, _ = derivatives_at(values, thick, NAMES)
+    assert status.tolist() == [0, 0]
+    assert {name: value.shape for name, value in found.items()} == {
+        name: (len(RESULTS[name].row_names), 2) for name in NAMES
+    }
+    # asperities alone: the baseline in SciPy of benchmarks/, at a small torque, 5.0413e6 N·m/rad
+    assert found["published_stiffness_output"][0, 0] == pytest.approx(5.0413e6, rel=2e-4)
+    # (25) with the springs of each contact in series, referred to the output by the square of the ratio
+    soft = 1.0 / found["asperity_tangential_stiffness"] + 1.0 / found["bulk_tangential_stiffness"]
+    sp, pwr, pwl, wro, wlo = 1.0 / soft
+    by_hand = 81.0 * 3.0 * 4e-3**2 / (1.0 / sp + 1.0 / (pwr + pwl) + 1.0 / (wro + wlo))
+    np.testing.assert_allclose(found["series_with_bulk_stiffness_output"][0], by_hand, rtol=1e-10)
+    assert np.all(found["assembly_stiffness_output"] < 0.2 * found["series_with_bulk_stiffness_output"])
+
+
+def test_derived_results_are_what_their_names_say(values):
+    _, found, _ = derivatives_at(values, changes(POINT), NAMES)
+    stiffness, mass = found["assembly_stiffness_output"], found["mass"]
+    np.testing.assert_allclose(found["assembly_stiffness_per_mass"], stiffness / mass, rtol=1e-14)
+    # envelope of the paper's joint: outer diameter 2 (40 + 60) mm, length 5 mm
+    volume = np.pi / 4.0 * 0.2**2 * 5e-3
+    np.testing.assert_allclose(found["assembly_stiffness_per_volume"], stiffness / volume, rtol=1e-12)
+    np.testing.assert_allclose(found["slip_safety"], 1.0 / found["slip_ratio"], rtol=1e-14)
+    # first yield at 1.67 times the yield strength of 450 MPa, to the digits of that factor
+    np.testing.assert_allclose(found["yield_safety"], 1.67 * 450e6 / found["hertz_pressure"], rtol=3e-3)
+
+
+def test_slopes_are_the_derivatives(values):
+    _, found, slopes = derivatives_at(values, changes(POINT), NAMES, PATHS)
+    for index, value in enumerate(POINT):
+        step = 1e-6 * value
+        ends = []
+        for sign in (1.0, -1.0):
+            moved = list(POINT)
+            moved[index] += sign * step
+            ends.append(derivatives_at(values, changes(moved), NAMES)[1])
+        for name in NAMES:
+            difference = (ends[0][name] - ends[1][name]) / (2.0 * step)
+            scale = np.abs(found[name]).max() / value
+            assert slopes[name][..., index] == pytest.approx(difference, rel=1e-5, abs=1e-7 * scale), name
+
+
+def test_both_ways_give_the_same_numbers_where_the_joint_exists(values):
+    torque = {"load.output_torque": np.array([0.0, 5.0, 20.0])}
+    names = ("assembly_stiffness_output", "slip_ratio", "clearance")
+    status, found = evaluate_points(values, torque, names)
+    again, raw, _ = derivatives_at(values, torque, NAMES)
+    assert status.tolist() == again.tolist() == [0, 0, STATUS_NAMES.index("beyond_torque_capacity")]
+    assert np.isnan(found["assembly_stiffness_output"][2])
+    assert np.isfinite(found["slip_ratio"]).all()  # still meaningful where a contact slips
+    for name in names:
+        np.testing.assert_allclose(
+            np.atleast_2d(found[name])[:, :2], raw[name][:, :2], rtol=1e-9, err_msg=name
+        )

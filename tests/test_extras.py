@@ -1,0 +1,45 @@
+"""What to type for an optional package depends on where the installation came from."""
+
+import json
+from importlib.metadata import PackageNotFoundError
+from pathlib import Path
+
+import pytest
+
+from asperity import extras
+from asperity.extras import install_command
+
+
+@pytest.mark.parametrize(
+    ("origin", "command"),
+    [
+        (None, "pip install 'asperity[study]'"),
+        ({"url": "https://host/asperity-1.whl", "archive_info": {}}, "pip install 'asperity[study]'"),
+        (
+            {"url": "file:///home/a%20b/asperity", "dir_info": {}},
+            "pip install '.[study]' in the folder /home/a b/asperity",
+        ),
+        (
+            {"url": "file:///home/asperity", "dir_info": {"editable": True}},
+            "pip install '.[study]' in the folder /home/asperity",
+        ),
+    ],
+)
+def test_the_command_fits_the_installation(monkeypatch, origin, command):
+    class Installed:
+        def read_text(self, name):
+            assert name == "direct_url.json"
+            return None if origin is None else json.dumps(origin)
+
+    monkeypatch.setattr(extras, "distribution", lambda name: Installed())
+    assert install_command("study") == command
+
+
+def test_a_source_that_is_not_installed(monkeypatch):
+    def absent(name):
+        raise PackageNotFoundError(name)
+
+    monkeypatch.setattr(extras, "distribution", absent)
+    root = Path(extras.__file__).parents[2]
+    assert install_command("bayes") == f"pip install '.[bayes]' in the folder {root}"
+    assert (root / "pyproject.toml").is_file()
