@@ -8,8 +8,8 @@ import equinox as eqx
 import jax.numpy as jnp
 from jax import Array
 
-from asperity.contact.rolling_fatigue import BEARING_STEEL, WEIBULL_SLOPE, line_contact_life, system_life
 from asperity.contact.roller_pairs import RollerPairs
+from asperity.contact.rolling_fatigue import BEARING_STEEL, WEIBULL_SLOPE, line_contact_life, system_life
 from asperity.drive.rolling_speeds import BODY_NAMES, DRIVEN_BODY, DRIVING_BODY, RollingSpeeds
 from asperity.types import Real
 

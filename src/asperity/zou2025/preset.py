@@ -20,6 +20,7 @@ from asperity.drive.assembly import IDEAL_STRUCTURE
 from asperity.drive.geometry import DriveGeometry
 from asperity.drive.mechanism import Bearings
 from asperity.joint.evaluation import Bodies, Joint
+from asperity.joint.play import NO_PLAY
 from asperity.materials import Material, hardness, pair
 from asperity.types import Real
 
@@ -295,6 +296,7 @@ def table_2_joint(point: OperatingPoint) -> Joint:
         output_torque=point.output_torque,
         sun_speed=SUN_SPEED,
         structure=IDEAL_STRUCTURE,
+        play=NO_PLAY,
         closure="elastic",
         closure_springs="bulk",
         contact_factor_model="printed",
