@@ -53,17 +53,10 @@ def test_axes_have_several_ticks_and_texts_stay_inside_and_apart(drawn, name):
     axes = figure.axes[0]
     ticks = [_tick_labels(axis) for each in (axes, *axes.child_axes) for axis in (each.xaxis, each.yaxis)]
     assert min(len(labels) for labels in ticks) >= 3
-    texts = [
-        axes.xaxis.label,
-        axes.yaxis.label,
-        axes._left_title,
-        *axes.texts,
-        *figure.texts,
-        *sum(ticks, []),
-    ]
-    boxes = {t.get_text(): t.get_window_extent() for t in texts if t.get_text()}
+    texts = [axes.xaxis.label, axes.yaxis.label, axes._left_title, *axes.texts, *figure.texts]
+    texts += itertools.chain.from_iterable(ticks)
+    boxes = [(t.get_text(), t.get_window_extent()) for t in texts if t.get_text()]
     page = figure.bbox
-    outside = [t for t, b in boxes.items() if min(b.x0, b.y0) < 0.0 or b.x1 > page.x1 or b.y1 > page.y1]
+    outside = [t for t, b in boxes if min(b.x0, b.y0) < 0.0 or b.x1 > page.x1 or b.y1 > page.y1]
     assert outside == []
-    overlapping = [(t, u) for (t, a), (u, b) in itertools.combinations(boxes.items(), 2) if a.overlaps(b)]
-    assert overlapping == []
+    assert [(t, u) for (t, a), (u, b) in itertools.combinations(boxes, 2) if a.overlaps(b)] == []
