@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import dataclasses
 from typing import TYPE_CHECKING, Any
 
 import click
@@ -11,7 +10,6 @@ from asperity.cli.terminal import say_written
 from asperity.writing import check_file, check_image, replacing, write_image
 
 if TYPE_CHECKING:
-    from asperity.drive.capacity import TorqueCapacity
     from asperity.joint.windup import Windup
 
 LEVELS = ("assembly", "series_with_bulk", "published")
@@ -70,16 +68,16 @@ def windup(
     asked = None if torque is None else parse_quantity(torque, Dimension.TORQUE)
     use_double_precision()
     use_compilation_cache()
-    from asperity.joint.examination import examine
-    from asperity.joint.windup import windup as wind_up
+    from asperity.joint.windup_document import examined_windup, windup_document
     from asperity.joint_file.build import joint_from_case
 
-    joint = joint_from_case(case)
-    largest = float(joint.output_torque) if asked is None else asked
-    joint = dataclasses.replace(joint, output_torque=largest)
-    examination = examine(joint)  # refuses rollers that do not fit and a torque beyond the capacity
-    curve = wind_up(joint, largest_torque=largest, level=level, stage_shares=stages)  # type: ignore[arg-type]
-    document = _document(curve, examination.capacity, level)
+    curve, capacity = examined_windup(
+        joint_from_case(case),
+        largest_torque=asked,
+        level=level,  # type: ignore[arg-type]
+        stage_shares=stages,
+    )
+    document = windup_document(curve, capacity, level=level)  # type: ignore[arg-type]
     if csv_file:
         _write_csv(curve, csv_file)
         say_written(csv_file)
@@ -96,49 +94,15 @@ def windup(
     _show(document, file)
 
 
-def _document(curve: Windup, capacity: TorqueCapacity, level: str) -> dict[str, Any]:
-    """Everything the command says, in SI units."""
-    import math
-
-    from asperity.drive.geometry import CONTACT_NAMES
-
-    limit = float(capacity.output_torque)
-    finite = math.isfinite(limit)
-    return {
-        "level": level,
-        "torque_capacity_Nm": limit if finite else None,
-        "limiting_contact": CONTACT_NAMES[int(capacity.limiting_contact)] if finite else None,
-        "largest_torque_Nm": float(curve.torque[-1]),
-        "windup_rad": float(curve.angle[-1]),
-        "hysteresis_rad": float(curve.hysteresis),
-        "lost_motion_rad": float(curve.lost_motion),
-        "dissipated_energy_J": float(curve.dissipated_energy),
-        "stages": [
-            {
-                "name": f"K{index + 1}",
-                "from_Nm": float(curve.stage_torque[index]),
-                "to_Nm": float(curve.stage_torque[index + 1]),
-                "stiffness_Nm_per_rad": float(curve.stage_stiffness[index]),
-            }
-            for index in range(3)
-        ],
-    }
-
-
 def _write_csv(curve: Windup, path: str) -> None:
     """The loading curve and both branches of the loop, one row a point, units in the column names."""
     import csv
 
     import numpy as np
 
-    columns = {
-        "loading_torque_Nm": curve.torque,
-        "loading_angle_rad": curve.angle,
-        "incremental_stiffness_Nm_per_rad": curve.stiffness,
-        "loop_torque_Nm": curve.loop_torque,
-        "unloading_angle_rad": curve.unloading_angle,
-        "reloading_angle_rad": curve.reloading_angle,
-    }
+    from asperity.joint.windup_document import windup_columns
+
+    columns = windup_columns(curve)
     rows = np.column_stack([np.asarray(column) for column in columns.values()])
     with replacing(path) as part, part.open("w", newline="") as target:
         writer = csv.writer(target)
