@@ -9,7 +9,7 @@ import numpy as np
 
 from asperity.api.joint import DescribedJoint, require_joint
 from asperity.api.named_quantity import NamedQuantity, si_number
-from asperity.api.shown import Shown, displayed
+from asperity.api.shown import displayed
 from asperity.errors import InputError, quoted
 from asperity.joint_file.si_tables import key_at
 from asperity.study.datasets import require
@@ -77,7 +77,7 @@ def _axis(path: str, values: Any) -> SweepAxis:
     return ListedAxis(path, tuple(si_number(each, key.dimension, name=path) for each in values))
 
 
-def plot(shown: xarray.Dataset | Shown, *, result: str | None = None) -> Figure:
+def plot(shown: Any, *, result: str | None = None) -> Figure:
     """Draw a sweep, a Pareto front, or anything else that this package returns.
 
     Parameters
@@ -109,6 +109,6 @@ def plot(shown: xarray.Dataset | Shown, *, result: str | None = None) -> Figure:
             goals = tuple(str(name) for name in shown.data_vars if name in RESULTS)
             return displayed(pareto_figure(shown, goals))
     if result is None and callable(getattr(shown, "plot", None)):
-        figure: Figure = shown.plot()  # type: ignore[union-attr]
+        figure: Figure = shown.plot()
         return figure
     raise InputError(f"cannot draw {quoted(type(shown).__name__)}; expected a sweep, a solution or a wind-up")

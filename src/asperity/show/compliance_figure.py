@@ -61,14 +61,16 @@ def compliance_figure(solved: SolvedJoint, *, title: str) -> Figure:
     bars = budget.barh(list(shares), [100.0 * share for share in shares.values()], color="tab:blue")
     budget.bar_label(bars, fmt="%.1f %%", padding=3)
     budget.invert_yaxis()
-    budget.margins(x=0.15)
+    budget.margins(x=0.25)
     budget.set(xlabel="share of the compliance at the output [%]")
     rows = [RESULTS[f"{level}_stiffness_output"] for level in LEVELS]
     numbers = [float(np.asarray(row.of(solved))) * _PER_ARCMINUTE for row in rows]
-    bars = levels.barh([row.label.split(", ")[-1] for row in rows], numbers, color="tab:orange", log=True)
-    levels.bar_label(bars, fmt="%.4g", padding=3)
+    words = [row.label.split(", ")[-1] for row in rows]
+    levels.semilogx(numbers, words, "o", color="tab:orange")  # no bars: a logarithmic axis has no zero
+    for number, name in zip(numbers, words, strict=True):
+        levels.annotate(f"{number:.4g}", (number, name), (8, 0), textcoords="offset points", va="center")
     levels.invert_yaxis()
-    levels.margins(x=0.25)
+    levels.margins(x=0.3, y=0.3)
     levels.set(xlabel="torsional stiffness at the output [N·m/arcmin]")
     figure.suptitle(title, fontsize=10)
     return figure
