@@ -99,7 +99,10 @@ def torsional_stiffness_of_assembly(p, normal, tangential, *, pin=RIGID, pin_acr
 
 
 def bulk_springs(p, forces, secant=False):
-    """Normal and tangential springs of smooth elastic rollers at the given loads (Johnson; Mindlin 1949)."""
+    """Normal and tangential springs of smooth elastic rollers at the given loads (Johnson 1985).
+
+    In shear the strip that sticks, sqrt(1 - T/(mu N)) of the whole, takes the place of the whole in the logarithm.
+    """
     nu, mu = p["poisson_ratio"], p["friction_coefficient"]
     if secant:
         normal = {
@@ -107,8 +110,9 @@ def bulk_springs(p, forces, secant=False):
         }
     else:
         normal = {c: normal_stiffness(forces["normal"][c], *pair) for c, pair in pairs(p).items()}
-    slip = {c: (1 - forces["tangential"][c] / (mu * forces["normal"][c])) ** (1 / 3) for c in CONTACTS}
-    return normal, {c: 2 * (1 - nu) / (2 - nu) * k * slip[c] for c, k in normal.items()}
+    scale = 2 * (1 - nu**2) / (math.pi * p["young_modulus"] * p["contact_length"])
+    left = {c: 1 - forces["tangential"][c] / (mu * forces["normal"][c]) for c in CONTACTS}
+    return normal, {c: 1 / (1 / k - scale * math.log(left[c])) for c, k in normal.items()}
 
 
 def in_series(first, second):

@@ -9,7 +9,7 @@ import numpy as np
 
 from asperity.drive.geometry import CONTACT_NAMES
 from asperity.joint.evaluation import JointResult
-from asperity.joint.examination import examine
+from asperity.joint.solve import solve
 from asperity.precision import use_compilation_cache, use_double_precision
 from asperity.zou2025.preset import operating_grid, table_2_joint
 
@@ -18,7 +18,7 @@ def main() -> JointResult:
     use_double_precision()
     use_compilation_cache()
     joint = dataclasses.replace(table_2_joint(operating_grid()), output_torque=1e-6, sun_speed=0.0)
-    result = examine(joint).result
+    result = solve(joint).result
     levels = {
         "published (25): asperities alone": result.published,
         "(25) with the bodies in series": result.series_with_bulk,

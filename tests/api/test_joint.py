@@ -10,7 +10,12 @@ def test_numbers_of_the_file(joint):
     assert "drive.planet_radius" in joint._ipython_key_completions_()
     assert joint["load.sun_speed"].value == pytest.approx(6000.0)
     frame = joint.to_frame()
-    assert frame.loc["load.preload", ["value", "unit", "si", "si_unit"]].tolist() == [1000.0, "N", 1000.0, "N"]
+    assert frame.loc["load.preload", ["value", "unit", "si", "si_unit"]].tolist() == [
+        1000.0,
+        "N",
+        1000.0,
+        "N",
+    ]
 
 
 def test_a_change_makes_a_new_joint(joint):
@@ -18,7 +23,9 @@ def test_a_change_makes_a_new_joint(joint):
     assert changed["load.preload"].si == 1200.0
     assert changed["load.friction_coefficient"].value == 0.13
     assert joint["load.preload"].si == 1000.0
-    again = changed.with_values({"surface.sp.fractal_dimension": 1.5, "load.output_torque": joint["load.output_torque"]})
+    again = changed.with_values(
+        {"surface.sp.fractal_dimension": 1.5, "load.output_torque": joint["load.output_torque"]}
+    )
     assert again["surface.sp.fractal_dimension"].value == 1.5
     assert again["surface.wro.fractal_dimension"].value == 1.4
     assert again["load.preload"].si == 1200.0
@@ -47,7 +54,10 @@ def test_text_names_every_number_with_its_unit(joint):
 @pytest.mark.parametrize(
     ("changes", "says"),
     [
-        ({"load.preload": 1200}, r"^load.preload: expected a force with its unit as text .* bare number 1200"),
+        (
+            {"load.preload": 1200},
+            r"^load.preload: expected a force with its unit as text .* bare number 1200",
+        ),
         ({"load.preload": "12 mm"}, r"^load.preload: expected a force .* got a length"),
         ({"load.preload": "-4 N"}, r"^load.preload: -4 N is not allowed"),
         ({"load.prelod": "1 N"}, r"no number 'load.prelod'; did you mean 'load.preload'"),

@@ -10,12 +10,19 @@ from asperity.unit_table import Dimension
 STIFFNESS = NamedQuantity(
     "stiffness", "torsional stiffness", 3000.0, Dimension.TORSIONAL_STIFFNESS, "N*m/rad", level="assembly"
 )
-FORCE = NamedQuantity("force", "normal force", np.array([1.0, 2500.0]), Dimension.FORCE, "kN", rows=("sp", "pwr"))
+FORCE = NamedQuantity(
+    "force", "normal force", np.array([1.0, 2500.0]), Dimension.FORCE, "kN", rows=("sp", "pwr")
+)
 SLIPS = NamedQuantity("limiting", "slips first", 1.0, Dimension.DIMENSIONLESS, "1", categories=("sp", "pwr"))
 
 
 def test_value_unit_and_conversion():
-    assert (STIFFNESS.value, STIFFNESS.si, STIFFNESS.unit, STIFFNESS.si_unit) == (3000.0, 3000.0, "N*m/rad", "N*m/rad")
+    assert (STIFFNESS.value, STIFFNESS.si, STIFFNESS.unit, STIFFNESS.si_unit) == (
+        3000.0,
+        3000.0,
+        "N*m/rad",
+        "N*m/rad",
+    )
     assert STIFFNESS.to("N*m/arcmin") == pytest.approx(3000.0 * math.pi / 180.0 / 60.0, rel=1e-15)
     assert repr(STIFFNESS) == "torsional stiffness: 3000 N·m/rad"
 
@@ -39,10 +46,16 @@ def test_category_is_a_name():
         (lambda: STIFFNESS.to("1"), r"stiffness is a torsional stiffness; '1' is no unit of it"),
         (lambda: FORCE["xx"], r"force has no row 'xx'; it has sp, pwr"),
         (lambda: STIFFNESS["sp"], r"stiffness has no row 'sp'; it is a single number"),
-        (lambda: si_number(1200, Dimension.FORCE, name="load.preload"), r"^load.preload: .*got the bare number 1200"),
+        (
+            lambda: si_number(1200, Dimension.FORCE, name="load.preload"),
+            r"^load.preload: .*got the bare number 1200",
+        ),
         (lambda: si_number(np.float64(7), Dimension.FORCE, name="F"), r"got the bare number 7\.0"),
         (lambda: si_number("3 mm", Dimension.FORCE, name="F"), r"^F: expected a force .* got a length 'mm'"),
-        (lambda: si_number(STIFFNESS, Dimension.FORCE, name="F"), r"F: expected a force, got a torsional stiffness"),
+        (
+            lambda: si_number(STIFFNESS, Dimension.FORCE, name="F"),
+            r"F: expected a force, got a torsional stiffness",
+        ),
         (lambda: si_number(FORCE, Dimension.FORCE, name="F"), r"F: expected a force, got several numbers"),
     ],
 )

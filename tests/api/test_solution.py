@@ -44,27 +44,28 @@ def test_text_shows_stiffness_with_units_and_warnings(solution):
     assert "<caption>Torsional stiffness</caption>" in solution._repr_html_()
 
 
-def test_drift_is_printed_where_the_table_of_results_knows_it(solution, monkeypatch):
-    from asperity.joint.results import Result
-    from asperity.unit_table import Dimension
-
-    row = Result("drift_per_turn", "drift per turn of the output", Dimension.ANGLE, "arcmin", lambda solved: np.pi / 180)
-    monkeypatch.setitem(RESULTS, "drift_per_turn", row)
+def test_drift_per_turn_is_printed_beside_the_stiffness(solution, printed, zou_file):
+    drift = printed("joint", zou_file)["drift_rad_per_output_turn"]
+    assert solution["drift"].si == drift
     text = repr(solution)
-    assert text.index("as published") < text.index("drift per turn of the output") < text.index("torque capacity")
-    assert "60 arcmin" in text
+    assert text.index("as published") < text.index("drift of the output") < text.index("torque capacity")
+    assert f"{np.degrees(drift) * 60.0:.4g} arcmin" in text
 
 
-def test_a_joint_without_crossed_limits_says_so(solution, monkeypatch):
-    monkeypatch.setattr("asperity.api.solution.checked_limits", lambda joint, result: ())
-    assert "Every limit of the model is kept." in repr(solution)
+def test_a_joint_without_crossed_limits_says_so(solution):
+    kept = [limit | {"ok": True} for limit in solution.limits]
+    other = type(solution)(solution.joint, solution.solution)
+    other.document = solution.document | {"diagnostics": kept}
+    assert "Every limit of the model is kept." in repr(other)
 
 
 def test_frame_and_series_carry_units(solution):
     frame = solution.to_frame()
     assert frame.loc["slip_ratio_sp", "unit"] == "1"
     assert frame.loc["hertz_pressure_sp", ["unit", "si_unit"]].tolist() == ["MPa", "Pa"]
-    assert frame.loc["hertz_pressure_sp", "value"] == pytest.approx(1e-6 * frame.loc["hertz_pressure_sp", "si"])
+    assert frame.loc["hertz_pressure_sp", "value"] == pytest.approx(
+        1e-6 * frame.loc["hertz_pressure_sp", "si"]
+    )
     series = solution.to_series()
     assert series["assembly_stiffness_output", "N*m/rad"] == solution["stiffness"].si
     assert len(series) == len(frame) == sum(max(1, len(r.row_names)) for r in RESULTS.values())

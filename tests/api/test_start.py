@@ -36,7 +36,7 @@ def test_import_and_dir_load_nothing_heavy():
 def test_load_and_solve_in_single_precision_jax_load_no_plotting_and_no_tables():
     script = (
         "import sys, asperity; s = asperity.load('examples/zou2025.toml').solve(); import jax; "
-        "assert jax.config.jax_enable_x64; assert s.examination.result.published.output.dtype == 'float64'; "
+        "assert jax.config.jax_enable_x64; assert s.solution.result.published.output.dtype == 'float64'; "
         "print(*sorted(set(sys.modules) & {'matplotlib', 'pandas', 'xarray', 'scipy.optimize', 'rich', 'click'}))"
     )
     assert python(script, JAX_ENABLE_X64="0").split() == []
@@ -70,7 +70,9 @@ def test_python_example_of_the_readme_runs(tmp_path):
         "import sys; sys.argv = ['asperity', 'joint', 'changed.toml', '--json']; from asperity.cli import main; main()",
         cwd=_with_preload(tmp_path, "1200 N"),
     )
-    (expected,) = re.findall(r'"assembly": {\s*"sun.*?"output_Nm_per_arcmin": ([\d.e+]+)', document, flags=re.DOTALL)
+    (expected,) = re.findall(
+        r'"assembly": {\s*"sun.*?"output_Nm_per_arcmin": ([\d.e+]+)', document, flags=re.DOTALL
+    )
     assert float(number) == pytest.approx(float(expected), rel=1e-12)
 
 

@@ -28,7 +28,11 @@ def test_points_are_those_of_single_joints(joint, grid, solution):
 def test_ways_to_write_an_axis(joint):
     from asperity.api.studies import _axis
 
-    for written in ("0.5 kN:2 kN:4", (np.linspace(500, 2000, 4), "N"), ["500 N", "1000 N", "1.5 kN", "2000 N"]):
+    for written in (
+        "0.5 kN:2 kN:4",
+        (np.linspace(500, 2000, 4), "N"),
+        ["500 N", "1000 N", "1.5 kN", "2000 N"],
+    ):
         np.testing.assert_allclose(_axis("load.preload", written).values, [500, 1000, 1500, 2000], rtol=1e-15)
     assert _axis("load.preload", (joint["load.preload"],)).values.tolist() == [1000.0]
 

@@ -70,6 +70,7 @@ def document():
         },
         "torque_capacity": {"output_torque_Nm": 12.5, "limiting_contact": "sp", "meaning": "sp slips first"},
         "contacts": {name: dict(contact) for name in CONTACTS},
+        "stiffness_unknown_because": None,
         "torsional_stiffness": dict.fromkeys(("assembly", "series_with_bulk", "published"), stiffness),
         "stiffness_budget": {"pins_share": 0.25, "contacts_share": each(0.5, 0.25, 0.0, 0.0, 0.0)},
         "diagnostics": slips,
@@ -168,9 +169,10 @@ def test_the_interval_of_a_measured_surface(document, shown):
         "draws": 100,
         "outside": 2,
         "unsolved": 0,
+        "all_plastic": 0,
         **dict.fromkeys(("assembly", "series_with_bulk", "published"), bounds),
     }
     text = " ".join(" ".join(shown(document)).split())  # titles and sentences are wrapped
     assert "95% interval from the measured surface (D = 1.400, G = 1e-8 mm)" in text
     assert text.count("7000") == text.count("9000") == 3
-    assert "of 100 draws of D and G, 2 had a D outside 1 to 2 and 0 had no solution" in text
+    assert "2 had a D outside 1 to 2, 0 had no solution and 0 had plastic spots only" in text

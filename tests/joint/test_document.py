@@ -5,7 +5,7 @@ import numpy as np
 import pytest
 
 from asperity.joint.document import joint_document
-from asperity.joint.examination import examine
+from asperity.joint.solve import solve
 from asperity.joint_file.assumptions import assumptions
 from asperity.joint_file.build import joint_from_case
 from asperity.joint_file.reader import parse_case
@@ -18,15 +18,15 @@ def text(request):
 
 
 @pytest.fixture(scope="module")
-def examination(text):
-    return examine(joint_from_case(parse_case(text, source="x")))
+def solution(text):
+    return solve(joint_from_case(parse_case(text, source="x")))
 
 
-def document_of(text, examination):
+def document_of(text, solution):
     case = parse_case(text, source="x")
     return joint_document(
         joint=joint_from_case(case),
-        examination=examination,
+        solution=solution,
         inputs=si_values(case),
         assumptions=assumptions(case),
     )
@@ -36,35 +36,48 @@ def dimensions(document):
     return {e["contact"]: e for e in document["diagnostics"] if e["name"] == "fractal_dimension"}
 
 
-def test_the_range_in_which_the_law_is_verified_is_a_diagnostic(text, examination):
-    inside = document_of(text, examination)
+def test_the_range_in_which_the_law_is_verified_is_a_diagnostic(text, solution):
+    inside = document_of(text, solution)
     assert all(entry["ok"] for entry in dimensions(inside).values())
     low = text.replace("fractal_dimension = 1.4", "fractal_dimension = 1.01")
-    entry = dimensions(document_of(low, examination))["sp"]
+    entry = dimensions(document_of(low, solution))["sp"]
     assert (entry["value"], entry["limit"], entry["ok"]) == (1.01, 1.02, False)
     five = text[: text.index("[surface]")] + "".join(
         f'[surface.{c}]\nfractal_dimension = {d}\nfractal_roughness = "1e-8 mm"\nfrequency_ratio = 1.5\n'
         for c, d in zip(("sp", "pwr", "pwl", "wro", "wlo"), (1.4, 1.995, 1.5, 1.6, 1.7), strict=True)
     )
-    told = dimensions(document_of(five, examination))
+    told = dimensions(document_of(five, solution))
     assert [entry["ok"] for entry in told.values()] == [True, False, True, True, True]
     assert told["pwr"]["limit"] == 1.99
 
 
-def test_what_json_cannot_say_is_null(text, examination):
-    contacts = dataclasses.replace(examination.result.contacts, critical_area=np.full(5, np.inf))
-    broken = dataclasses.replace(
-        examination, result=dataclasses.replace(examination.result, contacts=contacts)
-    )
+def test_what_json_cannot_say_is_null(text, solution):
+    contacts = dataclasses.replace(solution.result.contacts, critical_area=np.full(5, np.inf))
+    broken = dataclasses.replace(solution, result=dataclasses.replace(solution.result, contacts=contacts))
     document = document_of(text, broken)
     assert document["contacts"]["sp"]["critical_area_m2"] is None
     json.dumps(document, allow_nan=False)
 
 
 def test_what_the_file_leaves_out_is_told(text):
-    assert len(assumptions(parse_case(text, source="x"))) == 4
+    assert len(assumptions(parse_case(text, source="x"))) == 5
     partly = parse_case(text + '[compliance]\npin_stiffness = "100 N/um"\n', source="x")
     assert any("input_shaft_stiffness" in sentence for sentence in assumptions(partly))
+    assert any("a rigid housing holds the ring" in sentence for sentence in assumptions(partly))
+    bent = parse_case(text + '[compliance]\nring_bending_stiffness = "63 N/um"\n', source="x")
+    assert not any("rigid housing" in sentence for sentence in assumptions(bent))
+
+
+def test_the_document_says_why_there_is_no_stiffness_and_what_a_ring_would_lose(text):
+    plastic = text.replace("fractal_dimension = 1.4", "fractal_dimension = 1.2")
+    thin = text.replace('ring_wall_thickness = "60 mm"', 'ring_wall_thickness = "10 mm"')
+    documents = [document_of(t, solve(joint_from_case(parse_case(t, source="x")))) for t in (plastic, thin)]
+    assert "every spot of sp, pwr, pwl, wro, wlo is plastic" in documents[0]["stiffness_unknown_because"]
+    assert documents[0]["torsional_stiffness"]["published"]["output_Nm_per_rad"] is None
+    assert documents[1]["stiffness_unknown_because"] is None
+    (ring,) = (entry for entry in documents[1]["diagnostics"] if entry["name"] == "ring_bending_loss")
+    assert ring["value"] == pytest.approx(0.55, abs=0.02)
+    assert not ring["ok"]
 
 
 @pytest.mark.parametrize(
@@ -76,10 +89,10 @@ def test_what_the_file_leaves_out_is_told(text):
         (np.nan, None, None, "unknown: the force balance does not close at every torque on the way"),
     ],
 )
-def test_the_capacity_in_numbers_and_words(text, examination, limit, contact, number, said):
+def test_the_capacity_in_numbers_and_words(text, solution, limit, contact, number, said):
     capacity = dataclasses.replace(
-        examination.capacity, output_torque=np.asarray(limit), limiting_contact=np.asarray(2)
+        solution.capacity, output_torque=np.asarray(limit), limiting_contact=np.asarray(2)
     )
-    shown = dataclasses.replace(examination, capacity=capacity)
+    shown = dataclasses.replace(solution, capacity=capacity)
     told = document_of(text, shown)["torque_capacity"]
     assert told == {"output_torque_Nm": number, "limiting_contact": contact, "meaning": said}

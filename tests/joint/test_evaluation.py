@@ -13,10 +13,10 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from asperity.drive.force_balance import DriveForces
-from asperity.drive.geometry import angles, triangle
 from asperity.drive.torsional_stiffness import TorsionalStiffness
-from asperity.errors import NoSolutionError, PrecisionError
-from asperity.joint.evaluation import evaluate, roller_mass, solve
+from asperity.errors import PrecisionError
+from asperity.joint.evaluation import evaluate, roller_mass
+from asperity.joint.solve import solve
 
 SIZE = 16
 
@@ -28,6 +28,7 @@ class Summary(eqx.Module):
     tangential_stiffness: jax.Array
     largest_area: jax.Array
     published: TorsionalStiffness
+    contact_law_holds: jax.Array
     solved: jax.Array
 
 
@@ -38,6 +39,7 @@ def summary(joint):
         found.contacts.tangential_stiffness,
         found.contacts.largest_area,
         found.published,
+        found.contact_law_holds,
         found.solved,
     )
 
@@ -133,11 +135,14 @@ def test_every_joint_balances_and_means_something(chain, x):
     assert found.solved.all()
     assert (forces.normal >= 0).all()
     assert forces.balance_residual.max() < 1e-9
-    for leaf in jax.tree.leaves(found):
+    for leaf in jax.tree.leaves((forces, found.tangential_stiffness, found.largest_area)):
         assert np.isfinite(leaf).all()
     slips = (np.abs(forces.tangential) >= x["friction_coefficient"] * forces.normal)[:, 0]
     assert (found.tangential_stiffness[slips, 0] == 0).all()
     assert (found.tangential_stiffness[:, 0] >= 0).all()
+    if not found.contact_law_holds[0]:
+        assert np.isnan(found.published.sun[0])
+        return
     assert (found.published.sun[0] == 0) == any(
         found.tangential_stiffness[list(stage), 0].sum() == 0 for stage in ((0,), (1, 2), (3, 4))
     )
@@ -153,8 +158,10 @@ def test_more_friction_never_softens_and_rougher_never_stiffens(chain, x, more):
     }
     x |= {"fractal_roughness": np.array([rough, rough, rough * more])}
     here, sticky, rougher = chain(**x).published.sun
-    assert sticky >= here
-    assert rougher <= here * (1 + 1e-9)
+    if not np.isnan(here):
+        assert sticky >= here
+    if not np.isnan(rougher):
+        assert rougher <= here * (1 + 1e-9)
 
 
 def test_gradients_with_respect_to_everything_are_finite_and_right(paper_joint):
@@ -183,9 +190,8 @@ def test_gradients_with_respect_to_everything_are_finite_and_right(paper_joint):
         return value, pull(jnp.ones_like(value))[0]
 
     value, slopes = pulled(joint)
-    assert (
-        float(value[1]) == float(value[2]) == float(value[3]) == 0.0
-    )  # slip, lift-off and slip, all plastic
+    assert float(value[1]) == float(value[2]) == 0.0  # slip, lift-off and slip
+    assert np.isnan(np.asarray(value)[[3, 5]]).all()  # all plastic
     assert (np.asarray(value)[[0, 4, 6, 7]] > 0).all()
     for path, leaf in jax.tree_util.tree_leaves_with_path(slopes):
         assert bool(jnp.all(jnp.isfinite(leaf))), path
@@ -213,7 +219,7 @@ def test_batches_broadcast_and_one_joint_is_a_scalar(paper_joint, chain):
     shapes = eqx.filter_eval_shape(evaluate, batch)
     assert shapes.published.sun.shape == (2, 3)
     assert shapes.contacts.tangential_stiffness.shape == (5, 2, 3)
-    alone = solve(paper_joint())
+    alone = solve(paper_joint()).result
     assert alone.published.sun.shape == ()
     row = chain(output_torque=np.array([1.0, 5.0]))
     assert float(alone.published.sun) == pytest.approx(row.published.sun[1], rel=1e-12)
@@ -225,29 +231,6 @@ def test_masses_are_those_of_solid_rollers():
     assert roller_mass(density=7850.0, radius=13.5e-3, length=5e-3) == pytest.approx(0.022472793998832036)
 
 
-def test_no_solution_is_an_error(paper_joint):
-    with pytest.raises(NoSolutionError, match="1 of 1 joints"):
-        solve(paper_joint(ring_radius=60e-3))
-
-
-def test_no_solution_is_an_error_inside_jit_too(paper_joint, monkeypatch):
-    """With the triangle alone in place of the chain, whose compilation this is not about."""
-
-    class Triangle(eqx.Module):
-        wedge: jax.Array
-        solved: jax.Array
-
-    def only_triangle(joint):
-        wedge = angles(triangle(joint.geometry)).wedge
-        return Triangle(wedge, wedge > 0.0)
-
-    monkeypatch.setattr("asperity.joint.evaluation._evaluate_compiled", only_triangle)
-    inside = eqx.filter_jit(lambda joint: solve(joint).wedge)
-    assert math.degrees(float(inside(paper_joint()))) == pytest.approx(13.1582, abs=6e-5)
-    with pytest.raises(Exception, match="did not close"):
-        jax.block_until_ready(inside(paper_joint(ring_radius=60e-3)))
-
-
 def test_single_precision_is_refused(paper_joint):
     joint = paper_joint()
     with jax.enable_x64(False), pytest.raises(PrecisionError, match="use_double_precision"):
@@ -255,7 +238,7 @@ def test_single_precision_is_refused(paper_joint):
 
 
 def test_carrier_turns_the_other_way_with_the_published_ratio(paper_joint):
-    found = solve(paper_joint())
+    found = solve(paper_joint()).result
     assert float(found.carrier_speed) == pytest.approx(-69.81317007977317)
     assert float(found.speed_ratio) == pytest.approx(-9.0)
     assert math.degrees(float(found.angles.direction)) == pytest.approx(27.0831, abs=6e-5)

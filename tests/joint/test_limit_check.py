@@ -3,15 +3,15 @@ import math
 import pytest
 
 from asperity.joint.diagnostics import Diagnostics
-from asperity.joint.examination import examine
 from asperity.joint.limit_check import checked_limits
 from asperity.joint.results import SEVERITIES
+from asperity.joint.solve import solve
 
 
 @pytest.fixture(scope="module")
 def paper(paper_joint):
     joint = paper_joint()
-    return checked_limits(joint, examine(joint).result)
+    return checked_limits(joint, solve(joint).result)
 
 
 def by_name(entries, name):
@@ -52,7 +52,7 @@ def test_the_facts_about_the_paper_s_joint(paper):
 def test_an_undefined_value_is_not_ok(paper_joint):
     """Spinning so fast that the planets leave the sun: no contact there, hence no stiffness to compare."""
     joint = paper_joint(output_torque=0.0, sun_speed=2e5, closure="constant_pin_force")
-    entries = checked_limits(joint, examine(joint).result)
+    entries = checked_limits(joint, solve(joint).result)
     lifted = by_name(entries, "normal_force_over_preload")["sp"]
     assert (lifted.value, lifted.ok) == (0.0, False)
     undefined = by_name(entries, "asperity_over_bulk_stiffness")["sp"]

@@ -109,3 +109,22 @@ def test_a_measurement_that_hardly_knows_d_is_refused(zou_file):
     joint = joint_from_case(with_measured_surface(parse_case(zou_file.read_text(), source="x"), vague))
     with pytest.raises(InputError, match="too uncertain"):
         stiffness_interval(joint, vague)
+
+
+def test_draws_without_a_stiffness_leave_no_interval(zou_file):
+    """At D = 1.2 every spot is plastic: the interval was 0 to 0."""
+    measured = measurement(dimension=1.2)
+    joint = joint_from_case(with_measured_surface(read_case(zou_file), measured))
+    interval = stiffness_interval(joint, measured)
+    assert interval["all_plastic"] == interval["draws"]
+    for level in ("published", "series_with_bulk", "assembly"):
+        assert interval[level] == {"low_Nm_per_rad": None, "high_Nm_per_rad": None}
+
+
+def test_the_command_says_that_the_law_fails_instead_of_a_number(zou_file, write):
+    path = write("a.json", measurement(dimension=1.2))
+    shown = CliRunner().invoke(
+        command, ["joint", str(zou_file), "--surface", str(path)], catch_exceptions=False
+    )
+    assert "no value: every spot of sp, pwr, pwl, wro, wlo is plastic" in " ".join(shown.output.split())
+    assert "from one draw in twenty on there is no interval" in " ".join(shown.output.split())

@@ -14,7 +14,7 @@ from asperity.joint.results.table import RENAMED
 from asperity.joint_file.build import joint_from_case
 
 # parts of the result that are not results: the state beside its check, and the same number under another name
-_NOT_OFFERED = {"forces.output_torque", "solved"}
+_NOT_OFFERED = {"forces.output_torque", "solved", "contact_law_holds"}
 _SAME = {
     "contacts.tangential_stiffness": "interfaces.asperity_tangential",
     "contacts.normal_stiffness": "interfaces.asperity_normal",

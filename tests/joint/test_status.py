@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from asperity.errors import AsperityError
-from asperity.joint.examination import examine
+from asperity.joint.solve import solve
 from asperity.joint.status import STATUS_MEANINGS, STATUS_NAMES, flag_attributes
 from asperity.joint_file.build import with_values
 from asperity.joint_file.si_tables import si_values
@@ -63,9 +63,9 @@ def test_failed_points_are_those_that_the_joint_command_refuses(case, codes, ind
         == (status[index] == 0)
         == bool(np.isfinite(found["published_stiffness_output"][index]))
     )
-    if told is not None and index in (1, 8):  # each examination compiles anew: two stand for all
+    if told is not None and index in (1, 8):  # each solution compiles anew: two stand for all
         with pytest.raises(AsperityError, match=told):
-            examine(with_values(case, changes))
+            solve(with_values(case, changes))
 
 
 def test_what_has_a_meaning_is_kept(codes):

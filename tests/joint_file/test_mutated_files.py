@@ -220,7 +220,7 @@ def failures(count: int, seed: int, folder: Path, *, only_read: bool) -> tuple[d
 
 def test_any_mistake_is_answered(tmp_path, monkeypatch):
     # reading alone: the numbers of a joint have tests of their own
-    monkeypatch.setattr("asperity.joint.examination.examine", lambda joint: joint)
+    monkeypatch.setattr("asperity.joint.solve.solve", lambda joint: joint)
     monkeypatch.setattr("asperity.joint.document.joint_document", lambda **_: {})
     monkeypatch.setattr(
         "asperity.cli.joint_table.show_joint", lambda target, *_, **__: target.print("N·m/rad")

@@ -95,7 +95,7 @@ def test_wrong_files_get_one_clear_message(tmp_path, content, says):
 def test_folder_absent_and_huge_files(tmp_path):
     with pytest.raises(InputError, match="folder"):
         read_surface(path=tmp_path)
-    with pytest.raises(InputError, match="no file"):
+    with pytest.raises(InputError, match="there is no such file"):
         read_surface(path=tmp_path / "no.txt")
     with (tmp_path / "huge.dat").open("wb") as file:
         file.truncate(5 * 1024**3)

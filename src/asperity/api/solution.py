@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
@@ -12,9 +13,8 @@ from asperity.api.named_quantity import NamedQuantity
 from asperity.api.shown import Shown, Table, displayed, frame, pandas
 from asperity.drive.geometry import CONTACT_NAMES
 from asperity.joint.document import joint_document
-from asperity.joint.examination import Examination, examine
-from asperity.joint.limit_check import LimitCheck, checked_limits
 from asperity.joint.results import LEVELS, RESULTS, Result, SolvedJoint, known_result, name_at_level
+from asperity.joint.solve import Solution, solve
 from asperity.joint_file.build import joint_from_case
 from asperity.joint_file.si_tables import si_values
 from asperity.units import format_quantity
@@ -25,7 +25,16 @@ if TYPE_CHECKING:
     from asperity.joint.windup import StiffnessLevel
 
 #: Results of the whole joint that are printed below the stiffness. What the table knows about drift comes first.
-_PRINTED = ("torque_capacity", "limiting_contact", "torque_safety", "speed_ratio", "wedge_angle", "mass")
+_PRINTED = (
+    "efficiency",
+    "life_hours",
+    "torque_capacity",
+    "limiting_contact",
+    "torque_safety",
+    "speed_ratio",
+    "wedge_angle",
+    "mass",
+)
 #: Results of the contacts that are printed.
 _PRINTED_CONTACTS = ("normal_force", "tangential_force", "slip_ratio", "hertz_half_width", "hertz_pressure")
 
@@ -50,7 +59,7 @@ def solution(joint: DescribedJoint) -> JointSolution:
     NoSolutionError
         If the force balance does not close.
     """
-    return JointSolution(joint, examine(joint_from_case(joint.case)))
+    return JointSolution(joint, solve(joint_from_case(joint.case)))
 
 
 class JointSolution(Shown):
@@ -60,13 +69,13 @@ class JointSolution(Shown):
     ----------
     joint : DescribedJoint
         What was solved.
-    examination : Examination
+    solution : Solution
         What came out.
     """
 
-    def __init__(self, joint: DescribedJoint, examination: Examination) -> None:
-        self.joint, self.examination = joint, examination
-        self._solved = SolvedJoint(joint_from_case(joint.case), examination.result, examination.capacity)
+    def __init__(self, joint: DescribedJoint, solution: Solution) -> None:
+        self.joint, self.solution = joint, solution
+        self._solved = SolvedJoint(joint_from_case(joint.case), solution.result, solution.capacity)
 
     def __getitem__(self, asked: str | tuple[str, StiffnessLevel]) -> NamedQuantity:
         """One result.
@@ -118,16 +127,17 @@ class JointSolution(Shown):
         return ["stiffness", *RESULTS]
 
     @property
-    def limits(self) -> tuple[LimitCheck, ...]:
-        """Every limit of the joint and of its model, the most serious first: ``ok``, ``meaning``, ``rule.remedy``."""
-        return checked_limits(self._solved.joint, self.examination.result)
+    def limits(self) -> list[dict[str, Any]]:
+        """Every limit of the joint and of its model in SI units, with ``ok``, ``meaning`` and ``remedy``."""
+        found: list[dict[str, Any]] = self.document["diagnostics"]
+        return found
 
-    @property
+    @functools.cached_property
     def document(self) -> dict[str, Any]:
         """The document that ``asperity joint --json`` prints, in SI units."""
         return joint_document(
             joint=self._solved.joint,
-            examination=self.examination,
+            solution=self.solution,
             inputs=si_values(self.joint.case),
             assumptions=self.joint.assumptions,
         )
@@ -210,25 +220,28 @@ class JointSolution(Shown):
         return Table(head, rows)
 
     def _limit_parts(self) -> list[str | Table]:
-        crossed = [each for each in self.limits if not each.ok]
-        if not crossed:
-            return ["Every limit of the model is kept."]
-        by_limit: dict[str, list[LimitCheck]] = {}
-        for each in crossed:
-            by_limit.setdefault(each.result.name, []).append(each)
+        unknown = [self.document["stiffness_unknown_because"], self.document["rolling"]["unknown_because"]]
+        parts: list[str | Table] = [f"Not known: {reason}" for reason in unknown if reason]
+        by_limit: dict[str, list[dict[str, Any]]] = {}
+        for each in self.limits:
+            if not each["ok"]:
+                by_limit.setdefault(each["name"], []).append(each)
+        if not by_limit:
+            return [*parts, "Every limit of the model is kept."]
         rows = [_warning(checks) for checks in by_limit.values()]
-        meanings = dict.fromkeys(f"{each.result.label}: {each.meaning}." for each in crossed)
+        meanings = {f"{each['label']}: {each['meaning']}.": None for each in self.limits if not each["ok"]}
         head = ("limit crossed", "worst value", "limit", "contacts", "about")
-        return [Table(head, rows, "Warnings, the most serious first"), "\n".join(meanings)]
+        return [*parts, Table(head, rows, "Warnings, the most serious first"), "\n".join(meanings)]
 
 
-def _warning(checks: list[LimitCheck]) -> tuple[str, ...]:
-    """One limit, by the contact that is farthest beyond it."""
-    worst = max(checks, key=lambda each: np.inf if np.isnan(each.value) else abs(each.value - each.limit))
-    unit = worst.result.display_unit
-    contacts = " ".join(each.contact for each in checks if each.contact)
-    value, limit = format_quantity(worst.value, unit), format_quantity(worst.limit, unit)
-    return worst.result.label, value, limit, contacts, worst.rule.severity
+def _warning(checks: list[dict[str, Any]]) -> tuple[str, ...]:
+    """One limit, by the contact that is farthest beyond it; a value that is not known is the farthest."""
+    unknown = [each for each in checks if each["value"] is None]
+    worst = unknown[0] if unknown else max(checks, key=lambda each: abs(each["value"] - each["limit"]))
+    unit = RESULTS[worst["name"]].display_unit if worst["name"] in RESULTS else "1"
+    contacts = " ".join(each["contact"] for each in checks if each["contact"])
+    value, limit = ("-" if v is None else format_quantity(v, unit) for v in (worst["value"], worst["limit"]))
+    return worst["label"], value, limit, contacts, worst["severity"]
 
 
 def _titled(each: NamedQuantity) -> str:

@@ -32,7 +32,7 @@ def joint(file: str, as_json: bool, surfaces: tuple[str, ...]) -> None:
     use_double_precision()
     use_compilation_cache()
     from asperity.joint.document import joint_document
-    from asperity.joint.examination import examine
+    from asperity.joint.solve import solve
     from asperity.joint_file.assumptions import assumptions
     from asperity.joint_file.build import joint_from_case
     from asperity.joint_file.si_tables import si_values
@@ -47,7 +47,7 @@ def joint(file: str, as_json: bool, surfaces: tuple[str, ...]) -> None:
         case = with_measured_surface(case, measured)
     described = joint_from_case(case)
     document = joint_document(
-        joint=described, examination=examine(described), inputs=si_values(case), assumptions=assumptions(case)
+        joint=described, solution=solve(described), inputs=si_values(case), assumptions=assumptions(case)
     )
     if measured is not None:
         document["measured_surface"] = measurement_document(measurement=measured)

@@ -62,6 +62,7 @@ def show_joint(target: Console, document: Document, *, source: str) -> None:
         markup=False,
     )
     _show_stiffness(target, document)
+    _show_drift(target, document)
     _show_contacts(target, document)
     _show_drive(target, document)
     _show_budget(target, document)
@@ -84,6 +85,8 @@ def _show_stiffness(target: Console, document: Document) -> None:
             _number(entry["output_Nm_per_arcmin"]),
         )
     target.print(shown)
+    if document["stiffness_unknown_because"]:
+        _print_wrapped(target, f"no value: {document['stiffness_unknown_because']}", indent=2)
     interval = document.get("stiffness_interval")
     if interval is None:
         return
@@ -101,11 +104,26 @@ def _show_stiffness(target: Console, document: Document) -> None:
             meaning, _number(interval[name]["low_Nm_per_rad"]), _number(interval[name]["high_Nm_per_rad"])
         )
     target.print(spread)
-    if interval["outside"] or interval["unsolved"]:
-        target.print(
-            f"of {_count(interval['draws'], 'draw')} of D and G, {interval['outside']} had a D outside 1 to 2 and "
-            f"{interval['unsolved']} had no solution; these are left out"
+    if interval["outside"] or interval["unsolved"] or interval["all_plastic"]:
+        _print_wrapped(
+            target,
+            f"of {_count(interval['draws'], 'draw')} of D and G, {interval['outside']} had a D outside 1 to 2, "
+            f"{interval['unsolved']} had no solution and {interval['all_plastic']} had plastic spots only, where the "
+            "contact law has no stiffness; these are left out, and from one draw in twenty on there is no interval",
+            indent=2,
         )
+
+
+def _show_drift(target: Console, document: Document) -> None:
+    """The other number of a joint that turns: it falls behind, turn by turn, which no stiffness says."""
+    drift, loss = document["drift_rad_per_output_turn"], document["speed_loss"]
+    if drift is None:
+        text = "; ".join(document["rolling"]["unknown_because"])
+    else:
+        text = f"{_in(drift, 'arcmin')} per output turn ({_scaled(loss, 100.0)} % of the speed): "
+        text += "creep adds up with every turn, the stiffness above is for a joint that stands"
+    target.print("Drift when it turns", style="bold")
+    _print_wrapped(target, f"  {text}\n", indent=2)
 
 
 def _show_contacts(target: Console, document: Document) -> None:

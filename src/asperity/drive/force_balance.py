@@ -176,7 +176,9 @@ def _largest(values: tuple[Array, ...]) -> Array:
 
 
 def loaded_branch(*, mechanism: Mechanism, output_torque: Real) -> Branch:
-    """A branch under an output torque: everything that stays fixed while its forces are sought.
+    r"""A branch under an output torque: everything that stays fixed while its forces are sought.
+
+    .. math:: F_p = m_p \omega_c^2 (R_s + R_p), \qquad F_w = m_w \omega_c^2 (R_o - R_w)
 
     Parameters
     ----------
@@ -189,6 +191,10 @@ def loaded_branch(*, mechanism: Mechanism, output_torque: Real) -> Branch:
     -------
     Branch
         Triangle, state at rest and centrifugal forces.
+
+    References
+    ----------
+    Zou et al. 2025, the centrifugal terms of equations (2)–(4).
     """
     sides = mechanism.sides
     speed_squared = mechanism.carrier_speed**2
@@ -220,7 +226,7 @@ def force_balance(*, mechanism: Mechanism, output_torque: Real) -> DriveForces:
     Notes
     -----
     Newton's method from the preload state, usually two or three steps. The residuals are part of the result; whoever
-    uses the forces must look at them (:func:`asperity.joint.evaluation.solve` does). Derivatives are those of the
+    uses the forces must look at them (:func:`asperity.joint.solve.solve` does). Derivatives are those of the
     equations at their root.
 
     References

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 import math
 from typing import Any
 
@@ -12,15 +13,17 @@ from asperity.drive.geometry import CONTACT_NAMES
 from asperity.drive.torsional_stiffness import TorsionalStiffness
 from asperity.joint.description import Joint
 from asperity.joint.evaluation import JointResult
-from asperity.joint.examination import Examination
 from asperity.joint.limit_check import LimitCheck, checked_limits
+from asperity.joint.plausibility import plausibility
 from asperity.joint.results import GROUPS, RESULTS, SolvedJoint
+from asperity.joint.rolling_document import contact_results, losses, rolling_document
+from asperity.joint.solve import Solution
 
 Document = dict[str, Any]
 
 
 def joint_document(
-    *, joint: Joint, examination: Examination, inputs: Document, assumptions: tuple[str, ...]
+    *, joint: Joint, solution: Solution, inputs: Document, assumptions: tuple[str, ...]
 ) -> Document:
     """Everything that is known about a joint, ready for :func:`json.dumps`.
 
@@ -28,7 +31,7 @@ def joint_document(
     ----------
     joint : Joint
         The joint that was solved.
-    examination : Examination
+    solution : Solution
         What came out.
     inputs : dict
         Tables of the joint file in SI units.
@@ -40,18 +43,28 @@ def joint_document(
     dict
         Nested tables of numbers and text. Numbers that are not finite are None; the diagnostics say why.
     """
-    result = examination.result
+    result = solution.result
     document = {
         "asperity_version": asperity.__version__,
         "input": inputs,
         "assumptions": list(assumptions),
-        "geometry": _geometry(examination),
+        "geometry": _geometry(solution),
         "forces": _forces(result),
-        "torque_capacity": _capacity(examination),
+        "torque_capacity": _capacity(solution),
         "contacts": _contacts(SolvedJoint(joint, result)),
         "torsional_stiffness": _torsional_stiffness(result),
+        "stiffness_unknown_because": _unknown_because(result),
         "stiffness_budget": _stiffness_budget(result),
-        "diagnostics": [_limit_check(entry) for entry in checked_limits(joint, result)],
+        "speed_loss": result.rolling.speed_loss,
+        "drift_rad_per_output_turn": result.rolling.drift_per_output_turn,
+        "efficiency": result.rolling.power.efficiency,
+        "losses_W": losses(result.rolling),
+        "life_hours": result.rolling.life_hours.drive,
+        "rolling": rolling_document(joint, result),
+        "diagnostics": [
+            *(_limit_check(entry) for entry in checked_limits(joint, result)),
+            *(dataclasses.asdict(note) for note in plausibility(joint, result)),
+        ],
     }
     cleaned: Document = _plain(document)
     return cleaned
@@ -71,15 +84,15 @@ def _limit_check(entry: LimitCheck) -> Document:
     }
 
 
-def _geometry(examination: Examination) -> Document:
-    angles = examination.result.angles
+def _geometry(solution: Solution) -> Document:
+    angles = solution.result.angles
     return {
         "alpha_rad": angles.polar,
         "theta_rad": angles.direction,
         "wedge_angle_rad": angles.wedge,
-        "speed_ratio": examination.result.speed_ratio,
+        "speed_ratio": solution.result.speed_ratio,
         "clearances": [
-            {"name": gap.name, "condition": gap.condition, "gap_m": gap.gap} for gap in examination.clearances
+            {"name": gap.name, "condition": gap.condition, "gap_m": gap.gap} for gap in solution.clearances
         ],
     }
 
@@ -101,8 +114,8 @@ def _forces(result: JointResult) -> Document:
     }
 
 
-def _capacity(examination: Examination) -> Document:
-    found = examination.capacity
+def _capacity(solution: Solution) -> Document:
+    found = solution.capacity
     limit, contact = float(found.output_torque), CONTACT_NAMES[int(found.limiting_contact)]
     meaning = f"the contact {contact} slips first"
     if math.isinf(limit):
@@ -119,13 +132,17 @@ def _capacity(examination: Examination) -> Document:
 
 
 def _contacts(solved: SolvedJoint) -> Document:
-    """Every result of the contacts but their forces, with its unit behind its name."""
+    """Every result of the contacts but their forces, with its unit behind its name; and what the rolling adds."""
     columns = {
         f"{name}{_suffix(RESULTS[name].si_unit)}": RESULTS[name].of(solved) for name in GROUPS["contacts"]
     }
     return {
         contact: {
-            name: np.broadcast_to(values, (len(CONTACT_NAMES),))[index] for name, values in columns.items()
+            **{
+                name: np.broadcast_to(values, (len(CONTACT_NAMES),))[index]
+                for name, values in columns.items()
+            },
+            **contact_results(solved.result.rolling, index),
         }
         for index, contact in enumerate(CONTACT_NAMES)
     }
@@ -142,6 +159,21 @@ def _torsional_stiffness(result: JointResult) -> Document:
         "series_with_bulk": _stiffness(result.series_with_bulk),
         "assembly": _stiffness(result.assembly.stiffness),
     }
+
+
+def _unknown_because(result: JointResult) -> str | None:
+    """Why no stiffness is given, if none is."""
+    if bool(result.contact_law_holds):
+        return None
+    normal, elastic = np.asarray(result.forces.normal), np.asarray(result.contacts.normal_stiffness)
+    plastic = [
+        name for name, force, k in zip(CONTACT_NAMES, normal, elastic, strict=True) if force > 0.0 >= k
+    ]
+    return (
+        f"every spot of {', '.join(plastic)} is plastic, where the contact law has no stiffness; real surfaces keep "
+        "one, so that no level of the model has a value: raise fractal_dimension or hardness, or lower "
+        "fractal_roughness, or use boundary elements"
+    )
 
 
 def _stiffness(stiffness: TorsionalStiffness) -> Document:

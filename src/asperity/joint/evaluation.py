@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 import math
 
 import equinox as eqx
@@ -21,14 +22,20 @@ from asperity.drive.torsional_stiffness import (
     driven_radii,
     series_torsional_stiffness,
 )
-from asperity.errors import NoSolutionError
-from asperity.joint.contacts import JointContacts, closure_springs, joint_contacts, loaded_contacts
+from asperity.joint.contacts import (
+    JointContacts,
+    closure_springs,
+    joint_contacts,
+    loaded_contacts,
+    rough_joint_contacts,
+)
 from asperity.joint.description import Bodies, Joint, with_one_rank
 from asperity.joint.diagnostics import Diagnostics, diagnose
-from asperity.precision import require_double_precision
+from asperity.joint.duty import duty_life
+from asperity.joint.rolling import RollingResult, rolling_result
 from asperity.types import Real
 
-__all__ = ["Bodies", "Joint", "JointResult", "evaluate", "mechanism", "solve"]
+__all__ = ["Bodies", "Joint", "JointResult", "evaluate", "mechanism"]
 
 
 class JointResult(eqx.Module):
@@ -60,6 +67,11 @@ class JointResult(eqx.Module):
         The fullest model: asperities and bulk, floating planet, pins, ring and shafts, with its compliance budget.
     diagnostics : Diagnostics
         Limits of the model and how close this joint is to each.
+    rolling : RollingResult
+        The joint that turns: creep, drift, axial forces, losses, life; its forces differ a little from those at rest.
+    contact_law_holds : Array
+        Whether every loaded contact has an elastic spot. Where all are plastic the contact law has no stiffness, which
+        is wrong: the three levels are then nan.
     solved : Array
         True where the balance closed to :data:`BALANCE_TOLERANCE`.
     """
@@ -77,6 +89,8 @@ class JointResult(eqx.Module):
     series_with_bulk: TorsionalStiffness
     assembly: Assembly
     diagnostics: Diagnostics
+    rolling: RollingResult
+    contact_law_holds: Array
     solved: Array
 
     def contact(self, name: str) -> dict[str, Array]:
@@ -185,6 +199,19 @@ def evaluate(joint: Joint) -> JointResult:
         contacts=contacts, normal_force=forces.normal, tangential_force=forces.tangential
     )
     rough, whole = loaded.rough.tangential_stiffness, jnp.asarray(loaded.interfaces.tangential)
+    published = series_torsional_stiffness(geometry=geometry, tangential_stiffness=rough)
+    series = series_torsional_stiffness(geometry=geometry, tangential_stiffness=whole)
+    assembly = assembly_stiffness(
+        geometry=geometry,
+        sides=drive.sides,
+        normal_stiffness=jnp.asarray(loaded.interfaces.normal),
+        tangential_stiffness=whole,
+        structure=joint.structure,
+    )
+    law_holds = jnp.all((loaded.rough.normal_stiffness > 0.0) | (forces.normal <= 0.0), axis=0)
+    published, series, assembly = jax.tree.map(
+        lambda value: jnp.where(law_holds, value, jnp.nan), (published, series, assembly)
+    )
     return JointResult(
         angles=angles(drive.sides),
         speed_ratio=speed_ratio(geometry),
@@ -197,15 +224,9 @@ def evaluate(joint: Joint) -> JointResult:
             tangential_stiffness=rough, radius=driven_radii(geometry)
         ),
         interfaces=loaded.interfaces,
-        published=series_torsional_stiffness(geometry=geometry, tangential_stiffness=rough),
-        series_with_bulk=series_torsional_stiffness(geometry=geometry, tangential_stiffness=whole),
-        assembly=assembly_stiffness(
-            geometry=geometry,
-            sides=drive.sides,
-            normal_stiffness=jnp.asarray(loaded.interfaces.normal),
-            tangential_stiffness=whole,
-            structure=joint.structure,
-        ),
+        published=published,
+        series_with_bulk=series,
+        assembly=assembly,
         diagnostics=diagnose(
             sides=drive.sides,
             pairs=contacts.pairs,
@@ -213,48 +234,40 @@ def evaluate(joint: Joint) -> JointResult:
             loaded=loaded,
             rest_force=drive.rest.normal_force,
         ),
+        rolling=_rolling(joint, contacts, drive, forces, loaded.rough.normal_stiffness),
+        contact_law_holds=law_holds,
         solved=(forces.balance_residual < BALANCE_TOLERANCE) & (forces.closure_residual < BALANCE_TOLERANCE),
     )
 
 
-_evaluate_compiled = eqx.filter_jit(evaluate)
+def _rolling(
+    joint: Joint, contacts: JointContacts, drive: Mechanism, forces: DriveForces, stiffness: Array
+) -> RollingResult:
+    """The joint that turns, with its life under the duty if it has one."""
+    found = rolling_result(
+        joint=joint, contacts=contacts, mechanism=drive, forces=forces, asperity_normal_stiffness=stiffness
+    )
+    if not joint.rolling.duty:
+        return found
 
-
-def solve(joint: Joint) -> JointResult:
-    """Solve a joint, or a batch of joints, and refuse to return an unbalanced state.
-
-    Parameters
-    ----------
-    joint : Joint
-        One joint, or many along trailing batch axes.
-
-    Returns
-    -------
-    JointResult
-        Forces, contacts, stiffness and diagnostics. Gross slip and lift-off are results, reported by the
-        diagnostics; look at them before using the stiffness.
-
-    Raises
-    ------
-    NoSolutionError
-        Where the force balance did not close to :data:`BALANCE_TOLERANCE`, for instance because the rollers do
-        not close a triangle. Inside ``jit`` or ``vmap`` the error is raised when the program runs.
-    PrecisionError
-        If JAX is in single precision.
-    """
-    require_double_precision()
-    result = _evaluate_compiled(jax.tree.map(jnp.asarray, joint))  # arrays: a new number is no new program
-    unsolved = ~result.solved
-    if isinstance(unsolved, jax.core.Tracer):
-        checked: JointResult = eqx.error_if(
-            result, unsolved, "the force balance of a joint did not close; evaluate() shows where"
+    def rolled(torque: Array, speed: Array) -> RollingResult:
+        loaded = dataclasses.replace(joint, output_torque=torque, sun_speed=speed)
+        turning = _mechanism(loaded, contacts)
+        balanced = force_balance(mechanism=turning, output_torque=torque)
+        rough = rough_joint_contacts(
+            contacts=contacts,
+            normal_force=balanced.normal,
+            tangential_force=jnp.zeros_like(balanced.tangential),
         )
-        return checked
-    if bool(jnp.any(unsolved)):
-        balance, closure = result.forces.balance_residual, result.forces.closure_residual
-        raise NoSolutionError(
-            f"the force balance did not close for {int(jnp.sum(unsolved))} of {unsolved.size} joints: largest relative "
-            f"residual {float(jnp.max(balance)):.3g} (balance) and {float(jnp.max(closure)):.3g} (closure), allowed "
-            f"{BALANCE_TOLERANCE:g}; check radii, preload and torque"
+        return rolling_result(
+            joint=loaded,
+            contacts=contacts,
+            mechanism=turning,
+            forces=balanced,
+            asperity_normal_stiffness=rough.normal_stiffness,
         )
-    return result
+
+    hours, turns = duty_life(
+        conditions=joint.rolling, planet_count=joint.geometry.planet_count, rolled=rolled
+    )
+    return dataclasses.replace(found, duty_life_hours=hours, duty_life_turns=turns)

@@ -65,7 +65,9 @@ def stiffness_interval(joint: Joint, measurement: SurfaceMeasurement) -> dict[st
     -------
     dict
         Level of the model → ``low_Nm_per_rad`` and ``high_Nm_per_rad`` at the output, the 2.5 % and 97.5 % points;
-        besides ``draws``, ``outside`` (draws with D outside 1…2, left out), ``unsolved`` and ``confidence``.
+        besides ``draws``, ``outside`` (draws with D outside 1…2), ``unsolved``, ``all_plastic`` (draws in which the
+        contact law has no stiffness) and ``confidence``. Such draws are left out; both ends are None where one draw in
+        twenty has no stiffness.
 
     Raises
     ------
@@ -92,12 +94,16 @@ def stiffness_interval(joint: Joint, measurement: SurfaceMeasurement) -> dict[st
     batch = dataclasses.replace(joint, surfaces=(surface,))
     result = compile_fast(evaluate, batch)(batch)
     solved = np.broadcast_to(result.solved, np.shape(surface.fractal_dimension))
+    plastic = solved & ~np.broadcast_to(result.contact_law_holds, solved.shape)
+    usable = solved & ~plastic
+    known = np.count_nonzero(usable) >= 0.95 * usable.size
     tail = 50.0 * (1.0 - CONFIDENCE)
     document: dict[str, Any] = {
         "confidence": CONFIDENCE,
         "draws": DRAWS,
         "outside": int(np.count_nonzero(~inside)),
         "unsolved": int(np.count_nonzero(~solved)),
+        "all_plastic": int(np.count_nonzero(plastic)),
     }
     levels = {
         "published": result.published,
@@ -105,6 +111,12 @@ def stiffness_interval(joint: Joint, measurement: SurfaceMeasurement) -> dict[st
         "assembly": result.assembly.stiffness,
     }
     for name, level in levels.items():
-        low, high = np.percentile(np.asarray(level.output)[solved], [tail, 100.0 - tail])
-        document[name] = {"low_Nm_per_rad": float(low), "high_Nm_per_rad": float(high)}
+        ends = (
+            np.percentile(np.asarray(level.output)[usable], [tail, 100.0 - tail]) if known else (None, None)
+        )
+        document[name] = dict(zip(("low_Nm_per_rad", "high_Nm_per_rad"), map(_number, ends), strict=True))
     return document
+
+
+def _number(value: float | None) -> float | None:
+    return None if value is None else float(value)

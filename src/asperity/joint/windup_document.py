@@ -9,7 +9,7 @@ from typing import Any
 from asperity.drive.capacity import TorqueCapacity
 from asperity.drive.geometry import CONTACT_NAMES
 from asperity.joint.description import Joint
-from asperity.joint.examination import examine
+from asperity.joint.solve import solve
 from asperity.joint.windup import StiffnessLevel, Windup, windup
 
 
@@ -47,7 +47,7 @@ def examined_windup(
     """
     largest = float(joint.output_torque) if largest_torque is None else largest_torque
     joint = dataclasses.replace(joint, output_torque=largest)
-    capacity = examine(joint).capacity  # refuses rollers that do not fit and a torque beyond the capacity
+    capacity = solve(joint).capacity  # refuses rollers that do not fit and a torque beyond the capacity
     return windup(joint, largest_torque=largest, level=level, stage_shares=stage_shares), capacity
 
 

@@ -260,7 +260,7 @@ def table_2_joint(point: OperatingPoint) -> Joint:
     Returns
     -------
     Joint
-        Input of :func:`asperity.joint.evaluation.solve`; numbers have the shape of the point's fields.
+        Input of :func:`asperity.joint.evaluation.evaluate`; numbers have the shape of the point's fields.
     """
     scale = np.asarray(point.radius_scale)  # NumPy: a single product is not worth compiling
     return Joint(

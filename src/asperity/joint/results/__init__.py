@@ -5,7 +5,7 @@ it is judged, its limit, what crossing it means and what to do. A new result is 
 package, and the function that computes it.
 """
 
-from asperity.joint.results.result import ROW_NAMES, SEVERITIES, Limit, Result, SolvedJoint
+from asperity.joint.results.result import ROW_NAMES, SEVERITIES, Limit, Result, Severity, SolvedJoint
 from asperity.joint.results.table import (
     GROUPS,
     LEVELS,
@@ -25,6 +25,7 @@ __all__ = [
     "SEVERITIES",
     "Limit",
     "Result",
+    "Severity",
     "SolvedJoint",
     "chosen_results",
     "known_result",

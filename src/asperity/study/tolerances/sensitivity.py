@@ -14,8 +14,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from asperity.errors import InputError, NoSolutionError
-from asperity.joint.examination import examine
 from asperity.joint.results import LEVELS, RESULTS, known_result, row_name
+from asperity.joint.solve import solve
 from asperity.joint.status import STATUS_MEANINGS, UNBALANCED
 from asperity.joint_file.build import joint_from_case
 from asperity.joint_file.model import Case
@@ -148,7 +148,7 @@ def refuse_failed(case: Case, status: int) -> None:
     """
     if status == 0:
         return
-    examine(joint_from_case(case))  # says it with the numbers
+    solve(joint_from_case(case))  # says it with the numbers
     reason = STATUS_MEANINGS[status]
     if status == UNBALANCED:
         raise NoSolutionError(reason)
