@@ -52,10 +52,14 @@ class SolvedJoint:
         One joint, or many along trailing batch axes.
     result : JointResult
         What :func:`asperity.joint.evaluation.evaluate` says about it.
+    capacity : TorqueCapacity, optional
+        Its torque capacity, if that is known already.
     """
 
-    def __init__(self, joint: Joint, result: JointResult) -> None:
+    def __init__(self, joint: Joint, result: JointResult, capacity: TorqueCapacity | None = None) -> None:
         self.joint, self.result = joint, result
+        if capacity is not None:
+            self.capacity = capacity
 
     @functools.cached_property
     def capacity(self) -> TorqueCapacity:
