@@ -43,6 +43,8 @@ class Dimension(Enum):
     FORCE = ("a force", "N", "1000 N", (1, 1, -2, 0))
     TORQUE = ("a torque", "N*m", "5 N*m", (2, 1, -2, 0))
     PRESSURE = ("a pressure", "Pa", "450 MPa", (-1, 1, -2, 0))
+    VISCOSITY = ("a viscosity", "Pa*s", "30 mPa*s", (-1, 1, -1, 0))
+    INVERSE_PRESSURE = ("a reciprocal pressure", "1/Pa", "20 1/GPa", (1, -1, 2, 0))
     POWER = ("a power", "W", "100 W", (2, 1, -3, 0))
     STIFFNESS = ("a stiffness", "N/m", "4e6 N/mm", (0, 1, -2, 0))
     TORSIONAL_STIFFNESS = ("a torsional stiffness", "N*m/rad", "8.6 N*m/arcmin", (2, 1, -2, -1))

@@ -62,6 +62,7 @@ def show_joint(target: Console, document: Document, *, source: str) -> None:
         markup=False,
     )
     _show_stiffness(target, document)
+    _show_drift(target, document)
     _show_contacts(target, document)
     _show_drive(target, document)
     _show_budget(target, document)
@@ -111,6 +112,18 @@ def _show_stiffness(target: Console, document: Document) -> None:
             "contact law has no stiffness; these are left out, and from one draw in twenty on there is no interval",
             indent=2,
         )
+
+
+def _show_drift(target: Console, document: Document) -> None:
+    """The other number of a joint that turns: it falls behind, turn by turn, which no stiffness says."""
+    drift, loss = document["drift_rad_per_output_turn"], document["speed_loss"]
+    if drift is None:
+        text = "; ".join(document["rolling"]["unknown_because"])
+    else:
+        text = f"{_in(drift, 'arcmin')} per output turn ({_scaled(loss, 100.0)} % of the speed): "
+        text += "creep adds up with every turn, the stiffness above is for a joint that stands"
+    target.print("Drift when it turns", style="bold")
+    _print_wrapped(target, f"  {text}\n", indent=2)
 
 
 def _show_contacts(target: Console, document: Document) -> None:

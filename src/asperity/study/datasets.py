@@ -119,11 +119,12 @@ def result_rows(names: Iterable[str]) -> list[tuple[str, str, str]]:
 _ROW_COORDINATES = {
     "contact": "contact of a branch: sun-planet, planet-rollers, rollers-ring",
     "clearance": "clearance between two rollers",
+    "body": "body of a branch; sun and ring are shared by all branches",
 }
 
 
 def row_dimensions(name: str) -> tuple[str, ...]:
-    """Dimensions in front of those of the points: none, the contacts or the clearances.
+    """Dimensions in front of those of the points: none, the contacts, the clearances or the bodies.
 
     Parameters
     ----------
