@@ -21,7 +21,6 @@ from asperity.joint.evaluation import JointResult, evaluate
 from asperity.joint.rolling import contact_creep
 
 _CREEP_POINTS, _TORQUES, _SPEEDS = 60, 49, 17
-_BEYOND_CAPACITY = 1.05  # the curves end where a contact slips in rolling, near the capacity at rest
 _OVER_TORQUE, _OVER_SPEED = 2.0, 1.5  # ends of the axes over the joint's own numbers
 
 
@@ -30,6 +29,8 @@ class RollingCurves(eqx.Module):
 
     Parameters
     ----------
+    torque_capacity : Array
+        Torque capacity; not finite if friction does not limit it [N·m].
     contact_traction, contact_creepage : Array
         Creep curve of each contact under its normal force: T/N and creepage, shape (5, n) [-].
     torque : Array
@@ -45,6 +46,7 @@ class RollingCurves(eqx.Module):
         Efficiency over speed and torque, shape (k, m - 1) [-].
     """
 
+    torque_capacity: Array
     contact_traction: Array
     contact_creepage: Array
     torque: Array
@@ -71,14 +73,16 @@ def rolling_curves(*, joint: Joint, result: JointResult, torque_capacity: float)
     Returns
     -------
     RollingCurves
-        From 0 to a little beyond the capacity, or to twice the joint's torque if there is no capacity; speeds up to 1.5
-        times the joint's.
+        From 0 to the capacity, or to twice the joint's torque if there is no capacity; speeds up to 1.5 times the
+        joint's.
     """
     numbers: Joint = jax.tree.map(lambda leaf: np.asarray(leaf, dtype=float), joint)
     numbers = dataclasses.replace(numbers, rolling=dataclasses.replace(numbers.rolling, duty=()))
     own, speed = float(numbers.output_torque), float(numbers.sun_speed)
-    highest = _BEYOND_CAPACITY * torque_capacity if math.isfinite(torque_capacity) else _OVER_TORQUE * own
-    torque = np.linspace(0.0, highest, _TORQUES)
+    limited = math.isfinite(torque_capacity)
+    towards = np.linspace(0.0, 1.0, _TORQUES)
+    # the curves are steep near gross slip
+    torque = torque_capacity * towards * (2.0 - towards) if limited else _OVER_TORQUE * own * towards
     speeds = np.linspace(0.0, _OVER_SPEED * speed, _SPEEDS + 1)[1:] if speed > 0.0 else np.zeros(0)
     grid_speed, grid_torque = np.meshgrid(speeds, torque[1:], indexing="ij")
     points = dataclasses.replace(
@@ -92,6 +96,7 @@ def rolling_curves(*, joint: Joint, result: JointResult, torque_capacity: float)
     drift, turns, hours, efficiency = jax.tree.map(np.asarray, compile_fast(_over_loads, points)(points))
     traction, creepage = jax.tree.map(np.asarray, compile_fast(_creep_curves, *law)(*law))
     return RollingCurves(
+        torque_capacity=np.asarray(torque_capacity),
         contact_traction=traction,
         contact_creepage=creepage,
         torque=torque,
