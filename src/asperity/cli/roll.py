@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 import click
 
 from asperity.cli.terminal import say_written
@@ -26,7 +28,7 @@ def roll(file: str, plot_file: str | None, as_json: bool) -> None:
 
     Rollers that pass torque creep: the output falls behind with every turn, however stiff the joint is. The sections
     [rolling], [lubrication] and [[duty]] of FILE are optional; what they leave out is listed under 'Assumed'. The JSON
-    document is that of 'asperity joint'.
+    document is that of 'asperity joint', with the torque capacity in rolling.
     """
     from asperity.joint_file.reader import read_case
 
@@ -37,7 +39,7 @@ def roll(file: str, plot_file: str | None, as_json: bool) -> None:
     use_double_precision()
     use_compilation_cache()
     from asperity.joint.document import joint_document
-    from asperity.joint.rolling_document import refuse_no_rolling
+    from asperity.joint.rolling_capacity import refuse_no_rolling, rolling_torque_capacity
     from asperity.joint.solve import solve
     from asperity.joint_file.assumptions import assumptions
     from asperity.joint_file.build import joint_from_case
@@ -45,10 +47,12 @@ def roll(file: str, plot_file: str | None, as_json: bool) -> None:
 
     joint = joint_from_case(case)
     solution = solve(joint)  # refuses a torque beyond the capacity
-    refuse_no_rolling(joint, solution.result)
+    capacity = rolling_torque_capacity(joint, solution)
+    refuse_no_rolling(joint, solution, capacity)
     document = joint_document(
         joint=joint, solution=solution, inputs=si_values(case), assumptions=assumptions(case)
     )
+    document["rolling"]["torque_capacity_Nm"] = capacity if math.isfinite(capacity) else None
     if plot_file:
         from asperity.joint.rolling_curves import rolling_curves
         from asperity.show.rolling_figure import rolling_figure
@@ -56,7 +60,7 @@ def roll(file: str, plot_file: str | None, as_json: bool) -> None:
         curves = rolling_curves(
             joint=joint,
             result=solution.result,
-            torque_capacity=float(solution.capacity.output_torque),
+            torque_capacity=capacity,
         )
         write_image(
             rolling_figure(

@@ -69,7 +69,18 @@ def _show_output(target: Console, document: Document) -> None:
         "-" if not spring else in_unit(torque / spring, "arcmin"),
         "comes back without torque; 'asperity windup' integrates it",
     )
+    capacity = rolling["torque_capacity_Nm"]
+    shown.add_row(
+        "torque capacity, rolling",
+        "not limited" if capacity is None else in_unit(capacity, "N*m"),
+        f"beyond, a contact slips; at rest: {_capacity_at_rest(document)}",
+    )
     target.print(shown)
+
+
+def _capacity_at_rest(document: Document) -> str:
+    found = document["torque_capacity"]["output_torque_Nm"]
+    return "not limited by friction" if found is None else in_unit(found, "N*m")
 
 
 def _show_losses(target: Console, document: Document) -> None:
@@ -115,25 +126,29 @@ def _show_contacts(target: Console, document: Document) -> None:
         "share of\ncreepage %",
         "traction\nT/N",
         "limit\nT/N",
-        "stick\n%",
         "pressure\nMPa",
         "over\nfirst yield",
         "over\nshakedown",
     )
+    sliding = []
     for name, contact in document["rolling"]["contacts"].items():
         coefficient = friction[name] if isinstance(friction, dict) else friction
+        limit = coefficient * (1.0 - contact["capacity_loss"])
+        sliding += [name] if abs(contact["traction_coefficient"]) > limit else []
         shown.add_row(
             name,
             scaled(contact["creepage"], 1e3),
             scaled(contact["creepage_share"], 1e2),
             number(contact["traction_coefficient"]),
-            number(coefficient * (1.0 - contact["capacity_loss"])),
-            scaled(contact["stick_fraction"], 1e2),
+            number(limit),
             scaled(document["contacts"][name]["hertz_pressure_Pa"], 1e-6),
             number(yields[name], 3),
             number(contact["shakedown_ratio"], 3),
         )
     target.print(shown)
+    if sliding:
+        text = f"  {', '.join(sliding)}: slips as a whole, because skew takes a part of the friction; the rest of the "
+        print_wrapped(target, text + "traction needs the large creepage above\n", indent=2)
 
 
 def _show_thrust(target: Console, rolling: Document) -> None:

@@ -8,7 +8,6 @@ import numpy as np
 
 from asperity.drive.geometry import CONTACT_NAMES
 from asperity.drive.rolling_speeds import BODY_NAMES
-from asperity.errors import NoSolutionError
 from asperity.joint.description import Joint
 from asperity.joint.evaluation import JointResult
 from asperity.joint.rolling import RollingResult
@@ -163,25 +162,3 @@ def unknown_because(joint: Joint, result: JointResult) -> list[str]:
     if joint.rolling.duty and np.isnan(np.asarray(found.duty_life_hours)):
         reasons.append("no life under the duty: a contact slips or lifts off under one of its loads")
     return reasons
-
-
-def refuse_no_rolling(joint: Joint, result: JointResult) -> None:
-    """Refuse a joint that stands but has no steady rolling.
-
-    Parameters
-    ----------
-    joint : Joint
-        One joint.
-    result : JointResult
-        Its result.
-
-    Raises
-    ------
-    NoSolutionError
-        With the reason.
-    """
-    if not bool(np.isfinite(np.asarray(result.rolling.residual))):
-        reasons = "; ".join(unknown_because(joint, result))
-        raise NoSolutionError(
-            f"{reasons}; lower the torque or the skew, or raise the preload or the friction coefficient"
-        )

@@ -49,7 +49,19 @@ class Solution(eqx.Module):
     capacity: TorqueCapacity
 
 
-def _evaluated(joint: Joint) -> tuple[JointResult, tuple[Clearance, ...]]:
+def solve_program(joint: Joint) -> tuple[JointResult, tuple[Clearance, ...]]:
+    """What is compiled to solve a joint: everything about it, and its clearances.
+
+    Parameters
+    ----------
+    joint : Joint
+        One joint.
+
+    Returns
+    -------
+    tuple
+        Its result and its clearances.
+    """
     return evaluate(joint), clearances(joint.geometry)
 
 
@@ -84,7 +96,7 @@ def solve(joint: Joint) -> Solution:
     refuse_unknown_variants(joint)
     numbers: Joint = jax.tree.map(lambda leaf: np.asarray(leaf, dtype=float), joint)
     refuse_bad_numbers(numbers)
-    program = compile_fast(_evaluated, numbers)
+    program = compile_fast(solve_program, numbers)
     result, gaps = jax.tree.map(np.asarray, program(numbers))
     refuse_overlap(numbers, gaps)
     refuse_locked_pins(numbers)

@@ -146,14 +146,15 @@ def draw_efficiency(axes: Axes, curves: RollingCurves, *, joint: Joint) -> None:
     from matplotlib.ticker import MaxNLocator
 
     speed = _RPM * np.asarray(curves.map_speed)
-    levels = MaxNLocator(nbins=8).tick_values(float(values.min()), float(values.max()))
+    levels = MaxNLocator(nbins=8, steps=(1, 2, 5, 10)).tick_values(float(values.min()), float(values.max()))
+    levels = np.unique(np.minimum(levels, 100.0))
     filled = axes.contourf(np.asarray(curves.map_torque), speed, values, levels=levels, cmap="viridis")
     bar = axes.figure.colorbar(filled, ax=axes, label="efficiency [%]")
     bar.ax.tick_params(labelsize="small")
     axes.plot(
         float(joint.output_torque), _RPM * float(joint.sun_speed), "o", color="white", markeredgecolor="black"
     )
-    axes.set(xlabel=_TORQUE, ylabel="speed of the sun [rpm]", xlim=(0.0, None), ylim=(0.0, speed[-1]))
+    axes.set(xlabel=_TORQUE, ylabel="speed of the sun [rpm]")
     _finish(axes)
 
 
@@ -193,23 +194,25 @@ def draw_life(axes: Axes, curves: RollingCurves, rolling: RollingResult, *, join
         The joint, for its torque.
     """
     hours = bool(np.any(np.isfinite(curves.life_hours)))
-    over = np.asarray(curves.life_hours if hours else curves.life_turns)
-    here = (rolling.life_hours if hours else rolling.life_turns).drive
-    axes.set(title="Fatigue life; dot: this joint", ylabel="life [h]" if hours else "life [output turns]")
-    _over_torque(axes, curves, over, float(here), joint)
+    over = np.asarray(curves.life_hours if hours else 1e-6 * curves.life_turns)
+    here = float(rolling.life_hours.drive) if hours else 1e-6 * float(rolling.life_turns.drive)
+    axes.set(
+        title="Fatigue life; dot: this joint", ylabel="life [h]" if hours else "life [million output turns]"
+    )
+    _over_torque(axes, curves, over, here, joint)
     finite = over[np.isfinite(over)]
     if finite.size and finite.max() > 100.0 * finite.min():
         axes.set_yscale("log")
         axes.set_ylim(10.0 ** np.floor(np.log10(finite.min())), 10.0 ** np.ceil(np.log10(finite.max())))
         _finish(axes, ticks="x")
         return
-    axes.set_ylim(bottom=0.0)
-    axes.ticklabel_format(axis="y", scilimits=(-3, 5), useMathText=True)
+    axes.set_ylim(0.0, 1.2 * (finite.max() if finite.size else 1.0))
+    axes.ticklabel_format(axis="y", style="plain", useOffset=False)
     _finish(axes)
 
 
 def _over_torque(axes: Axes, curves: RollingCurves, values: np.ndarray, here: float, joint: Joint) -> None:
-    """A curve over torque with the joint's own point, and the capacity where there is one."""
+    """A curve over torque with the joint's own point, and where friction ends it."""
     axes.plot(np.asarray(curves.torque), values, color="black")
     axes.plot(float(joint.output_torque), here, "o", color="black")
     capacity = float(curves.torque_capacity)
