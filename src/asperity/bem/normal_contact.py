@@ -152,7 +152,7 @@ def normal_contact(
         Bound on the root mean square gap inside the contact, relative to the pressure-weighted mean
         displacement [-].
     max_iterations : int
-        Where to give up.
+        Maximum number of iterations.
 
     Returns
     -------

@@ -282,7 +282,7 @@ def partial_slip(
         Bound on the root mean square misfit of displacement in the stick zone, relative to the
         pressure-weighted elastic displacement at sliding [-].
     max_iterations : int
-        Where to give up, per step.
+        Maximum number of iterations per step.
 
     Returns
     -------

@@ -200,7 +200,7 @@ def steady_rolling(
     longitudinal_force, lateral_force : float, optional
         Prescribed forces per length [N/m]; give either creepage or force for each direction.
     max_iterations : int
-        Where to give up.
+        Maximum number of Newton steps.
 
     Returns
     -------

@@ -65,7 +65,7 @@ def conjugate_gradients(
     tolerance : array, scalar
         Bound on :math:`r \cdot M r / t \cdot b`, M the rough inverse and r the residual [-].
     max_iterations : array, scalar
-        Where to give up.
+        Maximum number of iterations.
 
     Returns
     -------
@@ -186,7 +186,7 @@ def normal_stiffness(
     tolerance : float
         Bound on the estimated relative error of the stiffness [-].
     max_iterations : int
-        Where to give up.
+        Maximum number of iterations.
 
     Returns
     -------
@@ -246,7 +246,7 @@ def tangential_stiffness(
     tolerance : float
         Bound on the estimated relative error of the stiffness [-].
     max_iterations : int
-        Where to give up.
+        Maximum number of iterations.
 
     Returns
     -------

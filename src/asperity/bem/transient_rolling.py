@@ -109,7 +109,7 @@ def transient_rolling(
         Bound on the root mean square misfit of displacement in the stick zone, relative to the
         pressure-weighted displacement at sliding [-].
     max_iterations : int
-        Where to give up, per step.
+        Maximum number of iterations per step.
 
     Returns
     -------
