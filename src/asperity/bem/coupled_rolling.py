@@ -118,5 +118,5 @@ def coupled_steady_rolling(
             return CoupledSteadyRolling(rolling=rolling, contact=contact, alternations=turn)
     raise NoSolutionError(
         f"coupled rolling: the pressure still changes by {change:.3g} of its peak after {max_alternations} "
-        f"alternations, tolerance {tolerance:g}; raise max_alternations"
+        f"alternations, tolerance {tolerance:g}; increase max_alternations"
     )

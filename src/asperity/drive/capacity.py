@@ -1,4 +1,4 @@
-"""Torque capacity: the largest output torque that every contact can pass without gross slip (A9)."""
+"""Torque capacity: the largest output torque that all contacts transmit without gross slip (A9)."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from asperity.drive.force_balance import force_balance
 from asperity.drive.mechanism import Mechanism
 from asperity.types import Real
 
-#: Doublings of a first guess before a drive counts as not limited by friction.
+#: Doublings of a first guess after which a drive is taken as not limited by friction.
 MOST_DOUBLINGS = 40
 #: Share of the first guess below which a drive has no capacity at all.
 SMALLEST_SHARE = 1e-12
@@ -25,13 +25,13 @@ _STEPS = 100  # doublings and halvings together: sixty halvings reach rounding, 
 
 
 class TorqueCapacity(eqx.Module):
-    """How much torque a preloaded drive can pass.
+    """Torque capacity of a preloaded drive.
 
     Parameters
     ----------
     output_torque : Array
-        Capacity at the carrier [N·m]; infinite where the wedge tightens faster than the traction grows, 0 where a
-        contact slips without any torque.
+        Capacity at the carrier [N·m]; infinite where the normal forces of the wedge grow faster than the traction, 0 where a
+        contact slips without torque.
     limiting_contact : Array
         Index of the contact that slips first, in the order of :data:`asperity.drive.geometry.CONTACT_NAMES` [-].
     """
@@ -138,7 +138,7 @@ def torque_capacity(*, mechanism: Mechanism, friction_coefficient: Real) -> Torq
 
 
 def capacity_by_search(*, slip_ratios: Callable[[float], np.ndarray], first_guess: float) -> TorqueCapacity:
-    r"""The capacity of one drive from any function that says how much of its friction is used under a torque.
+    r"""Capacity of one drive from a function that gives the slip ratios of its contacts under a torque.
 
     .. math:: \max_i \frac{T_i(T_{out})}{\mu_i N_i(T_{out})} = 1
 
@@ -147,17 +147,17 @@ def capacity_by_search(*, slip_ratios: Callable[[float], np.ndarray], first_gues
     slip_ratios : callable
         Output torque [N·m] to T/(mu N) of the contacts, shape (5,) [-]; nan where the force balance does not close.
     first_guess : float
-        Torque of the right order, where the doubling begins [N·m].
+        Torque of the right order of magnitude, from which the doubling starts [N·m].
 
     Returns
     -------
     TorqueCapacity
-        As :func:`torque_capacity` finds it, without derivatives; nan where the balance does not close at torques that
-        decide.
+        As :func:`torque_capacity` finds it, without derivatives; nan where the balance does not close at a torque that
+        determines the capacity.
 
     Notes
     -----
-    Doubling, then halving: some fifty calls of a function that is already there take milliseconds, where compiling
+    Doubling, then bisection: about fifty calls of an already compiled function take milliseconds, whereas compiling
     :func:`torque_capacity` takes seconds.
 
     References
@@ -180,7 +180,7 @@ def capacity_by_search(*, slip_ratios: Callable[[float], np.ndarray], first_gues
         above = excess(upper)
         if above >= 0.0:
             break
-        if above < 0.0:  # a torque without a solution is passed over
+        if above < 0.0:  # a torque without a solution is skipped
             lower = upper
         upper *= 2.0
     else:
@@ -190,7 +190,7 @@ def capacity_by_search(*, slip_ratios: Callable[[float], np.ndarray], first_gues
 
 
 def _root(function: Callable[[float], float], lower: float, upper: float) -> float:
-    """Where a function turns from negative to positive, by halving; nan where it has no value on the way."""
+    """Sign change of a function from negative to positive, by bisection; nan where it has no value on the way."""
     while upper - lower > _ROOT_TOLERANCE * upper:
         middle = 0.5 * (lower + upper)
         value = function(middle)
