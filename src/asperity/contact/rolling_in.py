@@ -131,7 +131,7 @@ def rolling_in_shift(*, rolled_distance: Real, half_width: Real, slip_ratio: Rea
     -----
     Rolling starts at half the steady creepage, whatever the force. The force is applied to the standing contact
     (Cattaneo and Mindlin) and then held. Within :math:`0.022\,\xi_C a` of boundary elements for q from 0.02 to
-    0.95. Not for |q| >= 1, where the contact slips, nor with an elastic layer.
+    0.95. Not for :math:`|q| \ge 1`, where the contact slips, nor with an elastic layer.
 
     References
     ----------
