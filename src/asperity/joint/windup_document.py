@@ -8,9 +8,10 @@ from typing import Any
 
 from asperity.drive.capacity import TorqueCapacity
 from asperity.drive.geometry import CONTACT_NAMES
+from asperity.joint import windup as loading
 from asperity.joint.description import Joint
 from asperity.joint.solve import solve
-from asperity.joint.windup import StiffnessLevel, Windup, windup
+from asperity.joint.windup import StiffnessLevel, Windup
 
 
 def examined_windup(
@@ -48,7 +49,7 @@ def examined_windup(
     largest = float(joint.output_torque) if largest_torque is None else largest_torque
     joint = dataclasses.replace(joint, output_torque=largest)
     capacity = solve(joint).capacity  # refuses rollers that do not fit and a torque beyond the capacity
-    return windup(joint, largest_torque=largest, level=level, stage_shares=stage_shares), capacity
+    return loading.windup(joint, largest_torque=largest, level=level, stage_shares=stage_shares), capacity
 
 
 def windup_document(curve: Windup, capacity: TorqueCapacity, *, level: StiffnessLevel) -> dict[str, Any]:
