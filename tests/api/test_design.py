@@ -49,7 +49,7 @@ def test_text_and_figure(found):
     assert "all limits are met" in text
     assert "load.preload" in text
     assert found.plot().axes
-    with pytest.raises(InputError, match="no free number of the design 'drive.planets'"):
+    with pytest.raises(InputError, match=r"no free number of the design 'drive.planets'"):
         found["drive.planets"]
 
 

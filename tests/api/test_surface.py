@@ -69,5 +69,5 @@ def test_a_surface_without_a_power_law_is_one_message(tmp_path):
     rows = np.stack([position, 1e-6 * np.random.default_rng(0).standard_normal(2000)], axis=1)
     path = tmp_path / "noise.csv"
     np.savetxt(path, rows, delimiter=",", header="x [m],z [m]", comments="", fmt="%.17g")
-    with pytest.raises(NoSolutionError, match="noise.csv: no power law"):
+    with pytest.raises(NoSolutionError, match=r"noise.csv: no power law"):
         asperity.measure_surface(path)
