@@ -11,11 +11,13 @@ import numpy as np
 import asperity
 from asperity.drive.geometry import CONTACT_NAMES
 from asperity.drive.torsional_stiffness import TorsionalStiffness
+from asperity.joint.capacity import capacity_document
 from asperity.joint.description import Joint
 from asperity.joint.evaluation import JointResult
 from asperity.joint.limit_check import LimitCheck, checked_limits
 from asperity.joint.plausibility import plausibility
 from asperity.joint.results import GROUPS, RESULTS, SolvedJoint
+from asperity.joint.rolling_document import contact_results, losses, rolling_document
 from asperity.joint.solve import Solution
 
 Document = dict[str, Any]
@@ -54,6 +56,12 @@ def joint_document(
         "torsional_stiffness": _torsional_stiffness(result),
         "stiffness_unknown_because": _unknown_because(result),
         "stiffness_budget": _stiffness_budget(result),
+        "speed_loss": result.rolling.speed_loss,
+        "drift_rad_per_output_turn": result.rolling.drift_per_output_turn,
+        "efficiency": result.rolling.power.efficiency,
+        "losses_W": losses(result.rolling),
+        "life_hours": result.rolling.life_hours.drive,
+        "rolling": rolling_document(joint, result),
         "diagnostics": [
             *(_limit_check(entry) for entry in checked_limits(joint, result)),
             *(dataclasses.asdict(note) for note in plausibility(joint, result)),
@@ -108,30 +116,24 @@ def _forces(result: JointResult) -> Document:
 
 
 def _capacity(solution: Solution) -> Document:
-    found = solution.capacity
-    limit, contact = float(found.output_torque), CONTACT_NAMES[int(found.limiting_contact)]
-    meaning = f"the contact {contact} slips first"
-    if math.isinf(limit):
-        meaning = "not limited by friction: the wedge tightens with the torque"
-    elif math.isnan(limit):
-        meaning = "unknown: the force balance does not close at every torque on the way"
-    elif limit == 0.0:
-        meaning = f"the contact {contact} slips or has lifted off even without a torque"
     return {
-        "output_torque_Nm": limit,
-        "limiting_contact": contact if math.isfinite(limit) else None,
-        "meaning": meaning,
+        **capacity_document(solution.capacity),
+        "reverse": capacity_document(solution.reverse_capacity),
     }
 
 
 def _contacts(solved: SolvedJoint) -> Document:
-    """Every result of the contacts but their forces, with its unit behind its name."""
+    """Every result of the contacts but their forces, with its unit behind its name; and what the rolling adds."""
     columns = {
         f"{name}{_suffix(RESULTS[name].si_unit)}": RESULTS[name].of(solved) for name in GROUPS["contacts"]
     }
     return {
         contact: {
-            name: np.broadcast_to(values, (len(CONTACT_NAMES),))[index] for name, values in columns.items()
+            **{
+                name: np.broadcast_to(values, (len(CONTACT_NAMES),))[index]
+                for name, values in columns.items()
+            },
+            **contact_results(solved.result.rolling, index),
         }
         for index, contact in enumerate(CONTACT_NAMES)
     }
