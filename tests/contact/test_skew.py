@@ -6,6 +6,9 @@ import numpy as np
 import pytest
 from scipy.optimize import brentq
 
+from asperity.bem.elastic_pair import elastic_pair
+from asperity.bem.free_half_space import FreeHalfSpace
+from asperity.bem.steady_rolling import steady_rolling
 from asperity.contact.carter import creepage, gross_slip_creepage
 from asperity.contact.hertz_line import half_width
 from asperity.contact.skew import (
@@ -65,15 +68,50 @@ def test_one_direction_alone_is_carter():
     assert bool(jnp.all(solved.solved))
 
 
-def test_traction_points_along_the_scaled_creepage_and_ends_at_friction():
+def test_traction_turns_from_the_scaled_creepage_to_the_slip():
     xi = np.array([[1e-3, 2e-3], [-3e-3, 1e-3], [4e-3, -4e-3], [0.0, 9e-3]])
     along, across = skewed_slip_ratios(longitudinal_creepage=xi[:, 0], lateral_creepage=xi[:, 1], **LIMITS)
     scaled = xi / np.array([3.24e-3, 4.63e-3])
     length = np.hypot(*scaled.T)
     total = np.where(length < 1, 1 - (1 - length) ** 2, 1.0)
-    np.testing.assert_allclose(
-        np.stack([along, across], 1), total[:, None] * scaled / length[:, None], rtol=1e-13
+    np.testing.assert_allclose(np.hypot(along, across), total, rtol=1e-13)
+    small, large = (
+        skewed_slip_ratios(longitudinal_creepage=0.7 * size, lateral_creepage=size, **LIMITS)
+        for size in (1e-9, 1.0)
     )
+    assert float(small[0] / small[1]) == pytest.approx(0.7 * 4.63 / 3.24, rel=1e-6)
+    assert float(large[0] / large[1]) == pytest.approx(0.7, rel=1e-5)
+
+
+@pytest.mark.parametrize(
+    ("share", "angle"), [(0.4, 30.0), (0.8, 60.0), (0.95, 45.0), (1.1, 40.0), (1.6, 55.0)]
+)
+def test_forces_against_boundary_elements(share, angle):
+    """Steady rolling of a smooth line contact with both creepages, nu = 0.3; lengths in half-widths."""
+    points = 160
+    pair = elastic_pair(youngs_modulus_1=1.0, youngs_modulus_2=1.0, poisson_ratio_1=0.3, poisson_ratio_2=0.3)
+    strip = FreeHalfSpace(pair, shape=(points,), pixel_size=(2.0 / points,), reference_distance=10.0)
+    x = (np.arange(points) + 0.5) * 2.0 / points - 1.0
+    modulus = 0.5 / (1.0 - 0.3**2)
+    pressure = 0.5e-3 * modulus * np.sqrt(1.0 - x**2)  # p_0 = E* a/(2R) with a/R = 1e-3
+    limits = 1e-3 * np.array([1.0, 1.0 / 0.7])
+    xi = share * np.array([np.cos(np.radians(angle)), np.sin(np.radians(angle))]) * limits
+    rolled = steady_rolling(
+        strip,
+        pressure,
+        friction_coefficient=1.0,
+        layer_compliance=0.0,
+        longitudinal_creepage=xi[0],
+        lateral_creepage=xi[1],
+    )
+    expected = np.abs(rolled.tangential_force) / (pressure.sum() * 2.0 / points)
+    found = skewed_slip_ratios(
+        longitudinal_creepage=xi[0],
+        lateral_creepage=xi[1],
+        gross_slip_creepage=limits[0],
+        lateral_gross_slip_creepage=limits[1],
+    )
+    assert np.hypot(*(np.array(found) - expected)) < 0.006
 
 
 def independent_share(force, lateral):
@@ -127,7 +165,9 @@ def test_no_creepage_carries_all_friction_lengthwise_with_skew():
 def test_skew_takes_longitudinal_capacity():
     share = 0.6
     capacity = longitudinal_capacity_ratio(
-        lateral_creepage=jnp.array([-share, 0.0, 1.0, 2.0]), lateral_gross_slip_creepage=1.0
+        lateral_creepage=jnp.array([-share, 0.0, 1.0, 2.0]),
+        gross_slip_creepage=1.0,
+        lateral_gross_slip_creepage=1.0,
     )
     np.testing.assert_allclose(capacity, [0.8, 1.0, 0.0, 0.0], rtol=1e-14)
     unit = {"gross_slip_creepage": 1.0, "lateral_gross_slip_creepage": 1.0}
@@ -136,6 +176,14 @@ def test_skew_takes_longitudinal_capacity():
     )
     assert float(below.slip_ratio) < 1.0 + 1e-15
     assert float(beyond.slip_ratio) == pytest.approx(1.0, abs=1e-14)
+
+
+def test_capacity_is_the_force_at_gross_slip():
+    lateral = np.array([1e-4, 1e-3, 3e-3, 4.6e-3])
+    along = 3.24e-3 * np.sqrt(1 - (lateral / 4.63e-3) ** 2)
+    expected, _ = skewed_slip_ratios(longitudinal_creepage=along, lateral_creepage=lateral, **LIMITS)
+    found = longitudinal_capacity_ratio(lateral_creepage=lateral, **LIMITS)
+    np.testing.assert_allclose(found, expected, rtol=1e-9)
 
 
 @pytest.mark.parametrize(

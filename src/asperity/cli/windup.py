@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import dataclasses
 from typing import TYPE_CHECKING, Any
 
 import click
@@ -11,7 +10,6 @@ from asperity.cli.terminal import say_written
 from asperity.writing import check_file, check_image, replacing, write_image
 
 if TYPE_CHECKING:
-    from asperity.joint.solve import Solution
     from asperity.joint.windup import Windup
 
 LEVELS = ("assembly", "series_with_bulk", "published")
@@ -80,29 +78,20 @@ def windup(
         raise InputError(f"--stages {first:g} {second:g}: allowed are two shares with 0 < first < second < 1")
     use_double_precision()
     use_compilation_cache()
-    from asperity.joint.solve import solve
-    from asperity.joint.windup import windup as wind_up
+    from asperity.joint.windup_document import examined_windup, windup_document
     from asperity.joint_file.build import joint_from_case
 
-    joint = joint_from_case(case)
     source = "load.output_torque" if asked is None else "--torque"
-    largest = abs(float(joint.output_torque) if asked is None else asked)
-    if largest == 0.0:
-        hint = "; state another one with --torque" if asked is None else ""
-        raise InputError(f"{source}: a wind-up needs a torque that is not zero{hint}")
     try:
-        solutions = [  # refuse rollers that do not fit and a torque beyond the capacity of its direction
-            solve(
-                dataclasses.replace(
-                    joint, output_torque=sense * largest, sun_speed=sense * float(joint.sun_speed)
-                )
-            )
-            for sense in (1.0, -1.0)
-        ]
-        curve = wind_up(joint, largest_torque=largest, level=level, stage_shares=stages)  # type: ignore[arg-type]
+        curve, solutions = examined_windup(
+            joint_from_case(case),
+            largest_torque=asked,
+            level=level,  # type: ignore[arg-type]
+            stage_shares=stages,
+        )
     except InputError as error:
         raise InputError(f"{source}: {error}" if "torque" in str(error) else str(error)) from None
-    document = _document(curve, solutions, level)
+    document = windup_document(curve, solutions, level=level)  # type: ignore[arg-type]
     if csv_file:
         _write_csv(curve, csv_file)
         say_written(csv_file)
@@ -119,49 +108,15 @@ def windup(
     _show(document, file)
 
 
-def _document(curve: Windup, solutions: list[Solution], level: str) -> dict[str, Any]:
-    """Everything the command says, in SI units; the solutions are those of both directions."""
-    from asperity.joint.capacity import capacity_document
-
-    forward, reverse = solutions
-    return {
-        "level": level,
-        "torque_capacity": {
-            **capacity_document(forward.capacity),
-            "reverse": capacity_document(reverse.reverse_capacity),
-        },
-        "largest_torque_Nm": float(curve.torque[-1]),
-        "windup_rad": float(curve.angle[-1]),
-        "reverse_windup_rad": -float(curve.angle[0]),
-        "hysteresis_rad": float(curve.hysteresis),
-        "lost_motion_rad": float(curve.lost_motion),
-        "dissipated_energy_J": float(curve.dissipated_energy),
-        "stages": [
-            {
-                "name": f"K{index + 1}",
-                "from_Nm": float(curve.stage_torque[index]),
-                "to_Nm": float(curve.stage_torque[index + 1]),
-                "stiffness_Nm_per_rad": float(curve.stage_stiffness[index]),
-                "reverse_stiffness_Nm_per_rad": float(curve.reverse_stage_stiffness[index]),
-            }
-            for index in range(3)
-        ],
-    }
-
-
 def _write_csv(curve: Windup, path: str) -> None:
     """The loading curves and both branches of the loop at the same torques; units in the column names."""
     import csv
 
     import numpy as np
 
-    columns = {
-        "torque_Nm": curve.torque,
-        "loading_angle_rad": curve.angle,
-        "incremental_stiffness_Nm_per_rad": curve.stiffness,
-        "unloading_angle_rad": curve.unloading_angle,
-        "reloading_angle_rad": curve.reloading_angle,
-    }
+    from asperity.joint.windup_document import windup_columns
+
+    columns = windup_columns(curve)
     rows = np.column_stack([np.asarray(column) for column in columns.values()])
     with replacing(path) as part, part.open("w", newline="") as target:
         writer = csv.writer(target)

@@ -1,15 +1,16 @@
-"""Skewed rollers: longitudinal and lateral creep of one line contact, and the axial force that comes with it."""
+"""Skewed rollers: longitudinal and lateral creep of one line contact, and the resulting axial force."""
 
 from __future__ import annotations
 
 import equinox as eqx
+import jax
 import jax.numpy as jnp
 from jax import Array, lax
 
 from asperity.types import Real
 
 #: Iterations of the solver for the longitudinal creepage, and the residual of the force that it must reach.
-_STEPS = 4
+_STEPS = 30
 _RESIDUAL = 1e-12
 
 
@@ -83,10 +84,29 @@ def _length(x: Real, y: Real) -> Real:
     return jnp.where(some, jnp.sqrt(jnp.where(some, square, 1.0)), 0.0)
 
 
-def _traction_over_share(share: Real) -> Real:
-    """(1 − (1 − r)^2)/r up to gross slip at r = 1 and 1/r beyond: the traction ratio over the share of creepage."""
+def _force_over_share(share: Real) -> Real:
+    """Traction ratio over the share of creepage r: 2 − r up to gross slip at r = 1, and 1/r beyond."""
     sticks = share < 1.0
     return jnp.where(sticks, 2.0 - share, 1.0 / jnp.where(sticks, 1.0, share))
+
+
+def _turn(share: Real) -> Real:
+    """Exponent w that turns the traction from the scaled creepage towards the creepage itself."""
+    sticks = share < 1.0
+    inside = jnp.where(sticks, share, 0.0)
+    beyond = jnp.where(sticks, 1.0, share)
+    return jnp.where(sticks, inside / (4.0 - 2.0 * inside), 1.0 - 0.5 / beyond**2)
+
+
+def _scaled_forces(along: Real, across: Real, ratio: Real) -> tuple[Real, Real]:
+    """Q_x/(mu N) and Q_y/(mu N) from the scaled creepages; ratio is xi_y,max over xi_x,max."""
+    share = _length(along, across)
+    turned = across * ratio ** _turn(share)
+    length = _length(along, turned)
+    some = length > 0.0
+    stretch = jnp.where(some, share / jnp.where(some, length, 1.0), 1.0)
+    factor = _force_over_share(share) * stretch  # (B3)
+    return factor * along, factor * turned
 
 
 def skewed_slip_ratios(
@@ -99,15 +119,17 @@ def skewed_slip_ratios(
     r"""Tangential forces over friction from the creepages in both directions.
 
     .. math::
-        \frac{\mathbf Q}{\mu N} = \left[1 - (1 - |\zeta|)^2\right]\frac{\zeta}{|\zeta|}, \qquad
-        \zeta = \left(\frac{\xi_x}{\xi_{x,max}}, \frac{\xi_y}{\xi_{y,max}}\right)
+        \frac{\mathbf Q}{\mu N} = \left[1 - (1 - |\zeta|)^2\right]\frac{\mathbf d}{|\mathbf d|}, \qquad
+        \zeta = \left(\frac{\xi_x}{\xi_{x,max}}, \frac{\xi_y}{\xi_{y,max}}\right), \qquad
+        \mathbf d = \left(\zeta_x, \zeta_y \left[\frac{\xi_{y,max}}{\xi_{x,max}}\right]^w\right), \qquad
+        w = \frac{|\zeta|}{4 - 2|\zeta|}
 
-    and :math:`\zeta/|\zeta|` from :math:`|\zeta| = 1` on.
+    and :math:`\mathbf d/|\mathbf d|` with :math:`w = 1 - 1/(2|\zeta|^2)` from :math:`|\zeta| = 1` on.
 
     Parameters
     ----------
     longitudinal_creepage, lateral_creepage : Real
-        xi_x and xi_y, of either sign [-]; a roller that is out of parallel by an angle has that angle as xi_y.
+        xi_x and xi_y, of either sign [-]; the skew angle of a roller is its xi_y.
     gross_slip_creepage, lateral_gross_slip_creepage : Real
         xi_x,max and xi_y,max, positive [-]: :func:`asperity.contact.carter.gross_slip_creepage` and that times
         :func:`lateral_compliance_ratio`.
@@ -119,38 +141,41 @@ def skewed_slip_ratios(
 
     Notes
     -----
-    Exact in one direction alone (Carter) and in gross slip of bodies with nu = 0; the combination of both is an
-    approximation.
+    Exact in one direction alone (Carter), for little creepage, and far beyond gross slip, where the traction is
+    opposite to the slip. Between these it is an approximation: against boundary elements (nu = 0.3) the vector of the
+    force is within 0.006 mu N; with :math:`\mathbf d = \zeta` it would be up to 0.15 mu N off.
 
     References
     ----------
     The rule of P. J. Vermeulen and K. L. Johnson, J. Appl. Mech. 31 (1964) 338, for both creepages together, with
-    Carter's curve. Equation (B3) of :doc:`/equations`.
+    Carter's curve; the direction is fitted to :mod:`asperity.bem.steady_rolling`. Equation (B3) of :doc:`/equations`.
     """
     along = longitudinal_creepage / gross_slip_creepage
     across = lateral_creepage / lateral_gross_slip_creepage
-    factor = _traction_over_share(_length(along, across))  # (B3)
-    return factor * along, factor * across
+    return _scaled_forces(along, across, lateral_gross_slip_creepage / gross_slip_creepage)
 
 
-def _partial_slip_share(slip_ratio: Real, across: Real) -> Real:
-    """Root of (2 − r) x = q, r = |(x, across)|, by steps that fit a parabola; exact at once for across = 0."""
-    magnitude = jnp.abs(slip_ratio)
+def _share_at(magnitude: Real, across: Real, ratio: Real) -> Real:
+    """Scaled longitudinal creepage x >= 0 that carries a force; bracketed Newton's method."""
+    partial = 1.0 - jnp.sqrt(1.0 - magnitude)
+    sliding = across * ratio * magnitude / jnp.sqrt(1.0 - magnitude**2)
 
-    def force(x: Real) -> Real:
-        return (2.0 - _length(x, across)) * x
+    def improve(_: int, state: tuple[Real, Real, Real]) -> tuple[Real, Real, Real]:
+        x, low, high = state
+        (force, _), (slope, _) = jax.jvp(
+            lambda v: _scaled_forces(v, across, ratio), (x,), (jnp.ones_like(x),)
+        )
+        low, high = jnp.where(force < magnitude, x, low), jnp.where(force < magnitude, high, x)
+        newton = x + (magnitude - force) / jnp.where(slope > 0.0, slope, 1.0)
+        inside = (slope > 0.0) & (newton >= low) & (newton <= high)
+        return jnp.where(inside, newton, 0.5 * (low + high)), low, high
 
-    x = 1.0 - jnp.sqrt(1.0 - magnitude)
-    for _ in range(_STEPS):
-        share = _length(x, across)
-        safe = jnp.where(share > 0.0, share, 1.0)
-        missing = magnitude - force(x)
-        slope = 2.0 - share - x**2 / safe
-        bend = -(x / safe) * (3.0 - (x / safe) ** 2)
-        root = slope**2 + 2.0 * bend * missing
-        step_slope = slope + jnp.sqrt(jnp.where(root > 0.0, root, 0.0))
-        x = x + 2.0 * missing / jnp.where(step_slope > 0.0, step_slope, 1.0)
-    return jnp.sign(slip_ratio) * x
+    # the force at this bound is at least the given one: partial slip without skew, or sliding the whole way
+    high = jnp.maximum(1.0, sliding)
+    start = jnp.clip(partial + 0.5 * across * magnitude, 0.0, high)
+    start = jnp.where(magnitude**2 + across**2 < 1.0, start, jnp.maximum(start, sliding))
+    found, _, _ = lax.fori_loop(0, _STEPS, improve, (start, jnp.zeros_like(start), high))
+    return jnp.where(across > 0.0, found, partial)
 
 
 def skewed_contact(
@@ -162,8 +187,8 @@ def skewed_contact(
 ) -> SkewedContact:
     r"""Longitudinal creepage and lateral force of a skewed contact that carries a longitudinal force.
 
-    Solves :func:`skewed_slip_ratios` for :math:`\xi_x`. Once the contact slips as a whole, the direction of slip
-    alone gives the longitudinal force: :math:`\zeta_x = |\zeta_y|\,q_x/\sqrt{1-q_x^2}`.
+    Solves :func:`skewed_slip_ratios` for :math:`\xi_x`. In gross slip the direction of slip
+    alone determines the longitudinal force.
 
     Parameters
     ----------
@@ -199,32 +224,24 @@ def skewed_contact(
             )
         )
     )
-    magnitude = jnp.abs(given)
+    ratio = across_max / along_max
     across = jnp.abs(lateral) / across_max
-    partial = (across < 1.0) & (magnitude**2 + across**2 <= 1.0)
-    slides = ~partial & (magnitude < 1.0) & (across > 0.0)
-
-    safe_q = jnp.where(partial, given, 0.0)
-    safe_across = jnp.where(partial, across, 0.0)
-    root = lax.custom_root(
-        lambda x: (2.0 - _length(x, safe_across)) * x - safe_q,
-        jnp.zeros_like(safe_q),
-        lambda _, __: _partial_slip_share(safe_q, safe_across),
+    magnitude = jnp.abs(given)
+    carried = jnp.where(across > 0.0, magnitude < 1.0, magnitude <= 1.0)
+    safe = jnp.where(carried, given, 0.0)
+    share = lax.custom_root(
+        lambda x: _scaled_forces(x, across, ratio)[0] - safe,
+        jnp.zeros_like(safe),
+        lambda _, __: jnp.sign(safe) * _share_at(jnp.abs(safe), across, ratio),
         lambda linear, y: y / linear(jnp.ones_like(y)),
     )
-    slide_q = jnp.where(slides, given, 0.0)
-    sliding = across * slide_q / jnp.sqrt(1.0 - slide_q**2)
-    share = jnp.where(partial, root, jnp.where(slides, sliding, jnp.sign(given) * jnp.inf))
-
-    finite = partial | slides
-    factor = _traction_over_share(_length(jnp.where(finite, share, 0.0), across))
-    carried = factor * jnp.where(finite, share, 0.0)
+    found, sideways = _scaled_forces(share, lateral / across_max, ratio)
     return SkewedContact(
-        longitudinal_creepage=share * along_max,
+        longitudinal_creepage=jnp.where(carried, share, jnp.sign(given) * jnp.inf) * along_max,
         lateral_creepage=lateral,
         longitudinal_slip_ratio=given,
-        lateral_slip_ratio=jnp.where(finite, factor, 0.0) * lateral / across_max,
-        solved=finite & (jnp.abs(carried - given) <= _RESIDUAL),
+        lateral_slip_ratio=jnp.where(carried, sideways, 0.0),
+        solved=carried & (jnp.abs(found - safe) <= _RESIDUAL),
     )
 
 
@@ -252,27 +269,33 @@ def axial_force(*, friction_coefficient: Real, normal_force: Real, lateral_slip_
     return friction_coefficient * normal_force * lateral_slip_ratio
 
 
-def longitudinal_capacity_ratio(*, lateral_creepage: Real, lateral_gross_slip_creepage: Real) -> Real:
-    r"""Longitudinal force that a skewed contact carries before it slips as a whole, over that without skew.
+def longitudinal_capacity_ratio(
+    *, lateral_creepage: Real, gross_slip_creepage: Real, lateral_gross_slip_creepage: Real
+) -> Real:
+    r"""Longitudinal force of a skewed contact at gross slip, relative to that without skew.
 
-    .. math:: \frac{Q_{x,max}}{\mu N} = \sqrt{1 - \left(\frac{\xi_y}{\xi_{y,max}}\right)^2}
+    .. math::
+        \frac{Q_{x,max}}{\mu N} = \sqrt{\frac{1 - \zeta_y^2}{1 - \zeta_y^2 + \rho\,\zeta_y^2}}, \qquad
+        \zeta_y = \frac{\xi_y}{\xi_{y,max}}, \quad \rho = \frac{\xi_{y,max}}{\xi_{x,max}}
 
     Parameters
     ----------
     lateral_creepage : Real
         xi_y, the skew angle, of either sign [-].
-    lateral_gross_slip_creepage : Real
-        xi_y,max, positive [-].
+    gross_slip_creepage, lateral_gross_slip_creepage : Real
+        xi_x,max and xi_y,max, positive [-].
 
     Returns
     -------
     Real
-        Ratio [-]; 0 where the skew alone makes the contact slip. The loss of capacity is 1 less this.
+        Ratio [-]; 0 where the skew alone causes gross slip. The loss of capacity is 1 minus this ratio.
 
     References
     ----------
     :math:`|\zeta| = 1` in equation (B3) of :doc:`/equations`.
     """
-    remaining = 1.0 - (lateral_creepage / lateral_gross_slip_creepage) ** 2
-    some = remaining > 0.0
-    return jnp.where(some, jnp.sqrt(jnp.where(some, remaining, 1.0)), 0.0)
+    taken = (lateral_creepage / lateral_gross_slip_creepage) ** 2
+    some = taken < 1.0
+    left = jnp.where(some, 1.0 - taken, 1.0)
+    turned = taken * lateral_gross_slip_creepage / gross_slip_creepage  # w = 1/2 at |zeta| = 1
+    return jnp.where(some, jnp.sqrt(left / (left + jnp.where(some, turned, 0.0))), 0.0)

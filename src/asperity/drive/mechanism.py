@@ -1,4 +1,4 @@
-"""A preloaded drive before the torque comes: bearings, normal springs, and the state at rest."""
+"""A preloaded drive without torque: bearings, normal springs, and the state at rest."""
 
 from __future__ import annotations
 
@@ -97,8 +97,8 @@ def compression(*, springs: NormalSprings, normal_force: Real, rest_force: Real)
     Returns
     -------
     Real
-        Approach [m]. Below a millionth of the rest force the tangent there is continued, which only iterates
-        of the solver ever see.
+        Approach [m]. Below a millionth of the rest force the tangent is continued; only intermediate
+        iterates of the solver reach this range.
 
     References
     ----------
@@ -123,7 +123,7 @@ def steepest_compliance(springs: NormalSprings) -> Real:
     Returns
     -------
     Real
-        :math:`t_0 - (s_0 - t_0) \ln 10^{-6}` [m/N], the tangent that :func:`compression` goes on with.
+        :math:`t_0 - (s_0 - t_0) \ln 10^{-6}` [m/N], the tangent with which :func:`compression` is continued.
     """
     bend = springs.secant_compliance - springs.incremental_compliance
     return springs.incremental_compliance - bend * math.log(_SMALL_LOAD)
@@ -131,7 +131,7 @@ def steepest_compliance(springs: NormalSprings) -> Real:
 
 @jax.custom_jvp
 def _times_own_logarithm(x: Array) -> Array:
-    """X ln x; its derivative 1 + ln x needs no division, which would cost the solver a pass over memory."""
+    """X ln x; its derivative 1 + ln x is written without a division, which would cost the solver a pass over memory."""
     return x * jnp.log(x)
 
 
@@ -142,7 +142,7 @@ def _times_own_logarithm_jvp(primals: tuple[Array], tangents: tuple[Array]) -> t
 
 
 class RestState(NamedTuple):
-    """Forces at rest and without torque: the assembled preload."""
+    """Forces at rest without torque, from the preload."""
 
     normal_force: Array
     pin_force_left: Array
@@ -150,7 +150,7 @@ class RestState(NamedTuple):
 
 
 class Mechanism(eqx.Module):
-    """A drive ready to be loaded: everything about its force balance but the torque. SI units.
+    """A preloaded drive: all data of its force balance except the torque. SI units.
 
     Parameters
     ----------

@@ -14,6 +14,7 @@ from asperity.drive.assembly import StructureSprings
 from asperity.drive.geometry import DriveGeometry
 from asperity.drive.mechanism import Bearings, Closure
 from asperity.joint.play import Play
+from asperity.joint.rolling_conditions import PLAIN_ROLLING, RollingConditions
 from asperity.materials import Material
 from asperity.types import Real
 
@@ -78,6 +79,9 @@ class Joint(eqx.Module):
         series. The assembly always has both.
     contact_factor_model : {"printed", "hertz_area", "unity"}
         Model of lambda, :func:`asperity.contact.population.contact_factor`.
+    rolling : RollingConditions, optional
+        Skew, losses, reliability and duty of the joint that turns; by default
+        :data:`asperity.joint.rolling_conditions.PLAIN_ROLLING`.
     """
 
     geometry: DriveGeometry
@@ -97,6 +101,7 @@ class Joint(eqx.Module):
     closure: Closure = eqx.field(static=True)
     closure_springs: ClosureSprings = eqx.field(static=True)
     contact_factor_model: ContactFactorModel = eqx.field(static=True)
+    rolling: RollingConditions = PLAIN_ROLLING
 
 
 def sense_of_rotation(joint: Joint) -> Any:

@@ -17,6 +17,7 @@ from asperity.joint.evaluation import JointResult
 from asperity.joint.limit_check import LimitCheck, checked_limits
 from asperity.joint.plausibility import plausibility
 from asperity.joint.results import GROUPS, RESULTS, SolvedJoint
+from asperity.joint.rolling_document import contact_results, losses, rolling_document
 from asperity.joint.solve import Solution
 
 Document = dict[str, Any]
@@ -55,6 +56,12 @@ def joint_document(
         "torsional_stiffness": _torsional_stiffness(result),
         "stiffness_unknown_because": _unknown_because(result),
         "stiffness_budget": _stiffness_budget(result),
+        "speed_loss": result.rolling.speed_loss,
+        "drift_rad_per_output_turn": result.rolling.drift_per_output_turn,
+        "efficiency": result.rolling.power.efficiency,
+        "losses_W": losses(result.rolling),
+        "life_hours": result.rolling.life_hours.drive,
+        "rolling": rolling_document(joint, result),
         "diagnostics": [
             *(_limit_check(entry) for entry in checked_limits(joint, result)),
             *(dataclasses.asdict(note) for note in plausibility(joint, result)),
@@ -116,13 +123,17 @@ def _capacity(solution: Solution) -> Document:
 
 
 def _contacts(solved: SolvedJoint) -> Document:
-    """Every result of the contacts but their forces, with its unit behind its name."""
+    """Every result of the contacts but their forces, with its unit behind its name; and what the rolling adds."""
     columns = {
         f"{name}{_suffix(RESULTS[name].si_unit)}": RESULTS[name].of(solved) for name in GROUPS["contacts"]
     }
     return {
         contact: {
-            name: np.broadcast_to(values, (len(CONTACT_NAMES),))[index] for name, values in columns.items()
+            **{
+                name: np.broadcast_to(values, (len(CONTACT_NAMES),))[index]
+                for name, values in columns.items()
+            },
+            **contact_results(solved.result.rolling, index),
         }
         for index, contact in enumerate(CONTACT_NAMES)
     }

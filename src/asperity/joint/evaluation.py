@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 import math
 
 import equinox as eqx
@@ -21,9 +22,17 @@ from asperity.drive.torsional_stiffness import (
     driven_radii,
     series_torsional_stiffness,
 )
-from asperity.joint.contacts import JointContacts, closure_springs, joint_contacts, loaded_contacts
+from asperity.joint.contacts import (
+    JointContacts,
+    closure_springs,
+    joint_contacts,
+    loaded_contacts,
+    rough_joint_contacts,
+)
 from asperity.joint.description import Bodies, Joint, sense_of_rotation, with_one_rank
 from asperity.joint.diagnostics import Diagnostics, diagnose
+from asperity.joint.duty import duty_life
+from asperity.joint.rolling import RollingResult, rolling_result
 from asperity.types import Real
 
 __all__ = ["Bodies", "Joint", "JointResult", "evaluate", "mechanism"]
@@ -58,6 +67,8 @@ class JointResult(eqx.Module):
         The fullest model: asperities and bulk, floating planet, pins, ring and shafts, with its compliance budget.
     diagnostics : Diagnostics
         Limits of the model and how close this joint is to each.
+    rolling : RollingResult
+        The joint that turns: creep, drift, axial forces, losses, life; its forces differ a little from those at rest.
     contact_law_holds : Array
         Whether every loaded contact has an elastic spot. Where all are plastic the contact law has no stiffness, which
         is wrong: the three levels are then nan.
@@ -78,6 +89,7 @@ class JointResult(eqx.Module):
     series_with_bulk: TorsionalStiffness
     assembly: Assembly
     diagnostics: Diagnostics
+    rolling: RollingResult
     contact_law_holds: Array
     solved: Array
 
@@ -222,6 +234,40 @@ def evaluate(joint: Joint) -> JointResult:
             loaded=loaded,
             rest_force=drive.rest.normal_force,
         ),
+        rolling=_rolling(joint, contacts, drive, forces, loaded.rough.normal_stiffness),
         contact_law_holds=law_holds,
         solved=(forces.balance_residual < BALANCE_TOLERANCE) & (forces.closure_residual < BALANCE_TOLERANCE),
     )
+
+
+def _rolling(
+    joint: Joint, contacts: JointContacts, drive: Mechanism, forces: DriveForces, stiffness: Array
+) -> RollingResult:
+    """The joint that turns, with its life under the duty if it has one."""
+    found = rolling_result(
+        joint=joint, contacts=contacts, mechanism=drive, forces=forces, asperity_normal_stiffness=stiffness
+    )
+    if not joint.rolling.duty:
+        return found
+
+    def rolled(torque: Array, speed: Array) -> RollingResult:
+        loaded = dataclasses.replace(joint, output_torque=torque, sun_speed=speed)
+        turning = _mechanism(loaded, contacts)
+        balanced = force_balance(mechanism=turning, output_torque=torque)
+        rough = rough_joint_contacts(
+            contacts=contacts,
+            normal_force=balanced.normal,
+            tangential_force=jnp.zeros_like(balanced.tangential),
+        )
+        return rolling_result(
+            joint=loaded,
+            contacts=contacts,
+            mechanism=turning,
+            forces=balanced,
+            asperity_normal_stiffness=rough.normal_stiffness,
+        )
+
+    hours, turns = duty_life(
+        conditions=joint.rolling, planet_count=joint.geometry.planet_count, rolled=rolled
+    )
+    return dataclasses.replace(found, duty_life_hours=hours, duty_life_turns=turns)

@@ -48,7 +48,19 @@ class Solution(eqx.Module):
     reverse_capacity: TorqueCapacity
 
 
-def _evaluated(joint: Joint) -> tuple[JointResult, tuple[Clearance, ...], TorqueCapacity]:
+def solve_program(joint: Joint) -> tuple[JointResult, tuple[Clearance, ...], TorqueCapacity]:
+    """What is compiled to solve a joint: everything about it, its clearances, and its capacities.
+
+    Parameters
+    ----------
+    joint : Joint
+        One joint.
+
+    Returns
+    -------
+    tuple
+        Its result, its clearances, and its torque capacity in both directions along a last axis.
+    """
     in_both = jax.tree.map(lambda leaf: leaf[..., None], with_one_rank(joint))
     capacities = torque_capacity(in_both, direction=jnp.array([1.0, -1.0]))
     return evaluate(joint), clearances(joint.geometry), capacities
@@ -85,7 +97,7 @@ def solve(joint: Joint) -> Solution:
     refuse_unknown_variants(joint)
     numbers: Joint = jax.tree.map(lambda leaf: np.asarray(leaf, dtype=float), joint)
     refuse_bad_numbers(numbers)
-    program = compile_fast(_evaluated, numbers)
+    program = compile_fast(solve_program, numbers)
     result, gaps, capacities = jax.tree.map(np.asarray, program(numbers))
     capacity, reverse = (jax.tree.map(lambda leaf, i=i: leaf[..., i], capacities) for i in range(2))
     in_direction = reverse if float(numbers.output_torque) < 0.0 else capacity

@@ -36,4 +36,23 @@ def assumptions(case: Case) -> tuple[str, ...]:
     for roller in ("planet", "loading_roller"):
         if getattr(case.drive, f"{roller}_length") is None:
             told.append(f"no drive.{roller}_length: as long as the longest contact line on it")
+    told += _rolling(case)
     return tuple(told)
+
+
+def _rolling(case: Case) -> list[str]:
+    """What is taken for the joint that turns."""
+    rolling = case.rolling
+    told = [
+        "rolling: steady, the asperities as an elastic layer of even stiffness; the churning of the oil is not counted",
+        "life: rolling-contact fatigue of through-hardened bearing steel, no factors for film, cleanliness or traction",
+    ]
+    if rolling is None or rolling.skew is None:
+        told.append("no rolling.skew: the axes of the rollers are parallel, there is no axial force")
+    if rolling is None or rolling.hysteresis_factor is None:
+        told.append("no rolling.hysteresis_factor: the bodies lose no work as they roll")
+    if rolling is None or rolling.reliability is None:
+        told.append("no rolling.reliability: nine drives in ten reach the life, 0.9")
+    if case.lubrication is None:
+        told.append("no section [lubrication]: no oil, no loss at the inlet of the contacts")
+    return told

@@ -14,6 +14,7 @@ from asperity.drive.geometry import DriveGeometry
 from asperity.drive.mechanism import Bearings
 from asperity.joint.description import Bodies, Joint
 from asperity.joint.play import NO_PLAY, Play
+from asperity.joint.rolling_conditions import PLAIN_ROLLING, DutyPoint, RollingConditions
 from asperity.joint_file.model import Case, EachContact
 from asperity.joint_file.si_tables import Values, check_values, replace_values, si_values
 from asperity.materials import Material, hardness
@@ -118,6 +119,19 @@ def joint_from_values(values: Values) -> Joint:
         closure=model["closure"],
         closure_springs=model["closure_springs"],
         contact_factor_model=model["contact_factor"],
+        rolling=_conditions(values),
+    )
+
+
+def _conditions(values: Values) -> RollingConditions:
+    rolling, oil, plain = values.get("rolling", {}), values.get("lubrication", {}), PLAIN_ROLLING
+    return RollingConditions(
+        skew=_entries(rolling["skew"]) if "skew" in rolling else plain.skew,
+        hysteresis_loss_factor=rolling.get("hysteresis_factor", plain.hysteresis_loss_factor),
+        viscosity=oil.get("viscosity", plain.viscosity),
+        pressure_viscosity_coefficient=oil.get("pressure_coefficient", plain.pressure_viscosity_coefficient),
+        reliability=rolling.get("reliability", plain.reliability),
+        duty=tuple(DutyPoint(**load) for load in values.get("duty", {}).values()),
     )
 
 

@@ -130,7 +130,7 @@ def _new_section(section: str) -> Any:
 
 def _split(entry: Any) -> Any:
     """An entry for all contacts as a table with an entry for each."""
-    plain = entry.unwrap()
+    plain = entry.unwrap() if hasattr(entry, "unwrap") else "0 mrad"  # only the skew may be absent
     inline = not isinstance(plain, dict)
     table = tomlkit.inline_table() if inline else tomlkit.table(is_super_table=True)
     for name in EachContact.model_fields:
@@ -141,6 +141,9 @@ def _split(entry: Any) -> Any:
 def _set(document: Any, steps: tuple[str, ...], value: float | str) -> None:
     table = document
     for index, step in enumerate(steps[:-1]):
+        if isinstance(table, list):  # the loads of the duty, counted from 1
+            table = table[int(step) - 1]
+            continue
         if step not in table:
             new = tomlkit.table()
             if (
@@ -176,4 +179,6 @@ def _texts(node: Any) -> Any:
         return {name: _texts(value) for name, value in node if value is not None}
     if isinstance(node, dict):
         return {name: _texts(value) for name, value in node.items()}
+    if isinstance(node, tuple):
+        return [_texts(value) for value in node]
     return node

@@ -105,6 +105,8 @@ def _keys_of(path: str, annotation: Any, metadata: tuple[Any, ...]) -> dict[str,
     elif origin in (Union, types.UnionType):
         for member in get_args(annotation):
             found.update(_keys_of(path, member, ()))
+    elif origin is tuple:
+        found.update(_keys_of(f"{path}.*", get_args(annotation)[0], ()))
     elif origin is dict:
         found.update(_keys_of(f"{path}.*", get_args(annotation)[1], ()))
     elif isinstance(annotation, type) and issubclass(annotation, BaseModel):
@@ -118,10 +120,16 @@ def _known_names(path: tuple[str, ...]) -> list[str]:
     for part in path:
         annotations = [model.model_fields[part].annotation for model in models if part in model.model_fields]
         below = [v for annotation in annotations for v in _variants(annotation)]
-        models = [m for v in below for m in _models(get_args(v)[1] if get_origin(v) is dict else v)]
-        if any(get_origin(v) is dict for v in below):
+        models = [m for v in below for m in _models(_entry_of(v))]
+        if any(get_origin(v) in (dict, tuple) for v in below):
             return _names_below(models) if len(path) > 1 else []
     return _names_below(models)
+
+
+def _entry_of(annotation: Any) -> Any:
+    """What one entry of a dictionary or a list is; anything else is itself."""
+    place = {dict: 1, tuple: 0}.get(get_origin(annotation))
+    return annotation if place is None else get_args(annotation)[place]
 
 
 def _names_below(models: list[type[BaseModel]]) -> list[str]:
@@ -129,7 +137,12 @@ def _names_below(models: list[type[BaseModel]]) -> list[str]:
 
 
 def _parts(error: ErrorDetails) -> Parts:
-    return tuple(str(part) for part in error["loc"] if part not in (ONE_FOR_ALL, ONE_FOR_EACH, "[key]"))
+    """Keys on the way to an error; loads of the duty are counted from 1."""
+    return tuple(
+        str(part + 1) if isinstance(part, int) else part
+        for part in error["loc"]
+        if part not in (ONE_FOR_ALL, ONE_FOR_EACH, "[key]")
+    )
 
 
 def _sentence(parts: Parts, error: ErrorDetails) -> str:
@@ -146,6 +159,8 @@ def _sentence(parts: Parts, error: ErrorDetails) -> str:
         return f"{path}: the name of a material consists of letters, digits, '-' and '_', got {quoted(value)}"
     if kind == "string_type":
         return f"{path}: expected the name of a material, e.g. 'steel', got {quoted(value)}"
+    if kind == "tuple_type":
+        return f"{path}: expected sections [[{path}]], one for each load, got {quoted(value)}"
     if kind == "too_short":
         return f"{path}: the section is empty"
     if kind == "value_error":
@@ -156,7 +171,9 @@ def _sentence(parts: Parts, error: ErrorDetails) -> str:
 
 def _wanted(parts: Parts) -> str:
     """What a missing key has to be, with an example."""
-    generic = ".".join("*" if i == 1 and parts[0] == "materials" else part for i, part in enumerate(parts))
+    generic = ".".join(
+        "*" if i == 1 and parts[0] in ("materials", "duty") else part for i, part in enumerate(parts)
+    )
     key = keys_by_path().get(generic)
     if key:
         return f": {key.dimension.label}, e.g. '{key.typical}'"

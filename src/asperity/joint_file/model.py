@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import Annotated, Any, Generic, Literal, TypeVar
 
 from pydantic import (
@@ -71,6 +72,11 @@ ContactLengths = Annotated[
 ]
 FrictionCoefficients = Annotated[
     Annotated[Friction, Tag(ONE_FOR_ALL)] | Annotated[EachContact[Friction], Tag(ONE_FOR_EACH)],
+    Discriminator(_number_or_table),
+]
+Skew = Annotated[Quantity, limits.SKEW]
+Skews = Annotated[
+    Annotated[Skew, Tag(ONE_FOR_ALL)] | Annotated[EachContact[Skew], Tag(ONE_FOR_EACH)],
     Discriminator(_number_or_table),
 ]
 MaterialName = Annotated[str, StringConstraints(pattern=r"^[A-Za-z0-9_-]{1,60}$")]
@@ -146,6 +152,39 @@ class Compliance(Section):
     """Torsional stiffness of the shaft to the sun; rigid if absent."""
     output_shaft_stiffness: Annotated[Quantity, limits.TORSION_SPRING] | None = None
     """Torsional stiffness of the shaft from the carrier; rigid if absent."""
+
+
+class Rolling(Section):
+    """The joint that turns; every key may be absent."""
+
+    skew: Skews | None = None
+    """Angle by which the axes of a contact are out of parallel: one for all, or a table with sp, pwr, pwl, wro, wlo;
+    parallel if absent."""
+    hysteresis_factor: Annotated[Quantity, limits.HYSTERESIS_FACTOR] | None = None
+    """Share of the elastic work that the bodies lose as they roll; 0.005 to 0.05 for hardened steel. Without it this
+    loss is left out."""
+    reliability: Annotated[Quantity, limits.RELIABILITY] | None = None
+    """Share of all drives that reach the stated life; 0.9 if absent."""
+
+
+class Lubrication(Section):
+    """The oil; without it the contacts are dry."""
+
+    viscosity: Annotated[Quantity, limits.VISCOSITY]
+    """Viscosity of the oil at the inlet of the contacts; makes the rolling loss of the oil."""
+    pressure_coefficient: Annotated[Quantity, limits.PRESSURE_COEFFICIENT] | None = None
+    """Pressure coefficient of the viscosity; the rolling loss does not depend on it."""
+
+
+class DutyLoad(Section):
+    """One load of the duty; write [[duty]] above each."""
+
+    output_torque: Annotated[Quantity, limits.DUTY_TORQUE]
+    """Torque at the carrier; negative where it drives the rotation."""
+    sun_speed: Annotated[Quantity, limits.SUN_SPEED]
+    """Speed of the sun."""
+    share: Annotated[float, Field(strict=True, gt=0.0, le=1.0)]
+    """Share of the time; the shares of all loads add up to 1."""
 
 
 class PlayEntry(Section):
@@ -235,6 +274,12 @@ class Case(Section):
     """Friction of the bearings; none if the section is absent."""
     compliance: Compliance | None = None
     """Springs of pins, planet supports, ring and shafts; ideal if the section is absent."""
+    rolling: Rolling | None = None
+    """Skew, hysteresis and reliability of the joint that turns."""
+    lubrication: Lubrication | None = None
+    """The oil; dry if the section is absent."""
+    duty: Annotated[tuple[DutyLoad, ...], Field(min_length=1)] | None = None
+    """Loads and their shares of the time, for the life under a duty: a section [[duty]] for each."""
     play: PlayEntry | None = None
     """Play at the output; none if the section is absent."""
     model: ModelChoice
@@ -273,6 +318,13 @@ class Case(Section):
     def __eq__(self, other: object) -> bool:
         """Whether both say the same, in whatever words."""
         return isinstance(other, Case) and dict(self) == dict(other)
+
+    @model_validator(mode="after")
+    def _whole_duty(self) -> Case:
+        total = math.fsum(load.share for load in self.duty or ())
+        if self.duty is not None and abs(total - 1.0) > 1e-9:
+            raise InputError(f"the shares of [[duty]] must add up to 1, they add up to {total:.10g}")
+        return self
 
     @model_validator(mode="after")
     def _known_materials(self) -> Case:

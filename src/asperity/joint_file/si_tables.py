@@ -19,7 +19,7 @@ from asperity.joint_file.quantity_key import Key, Quantity
 Values = dict[str, Any]
 
 _CONTACTS = tuple(EachContact.model_fields)
-_ONE_OR_FIVE = ("drive.contact_length", "load.friction_coefficient", "surface")
+_ONE_OR_FIVE = ("drive.contact_length", "load.friction_coefficient", "rolling.skew", "surface")
 
 
 @dataclass(frozen=True, slots=True)
@@ -69,12 +69,16 @@ def _plain(node: Any) -> Any:
         return {name: _plain(value) for name, value in node if value is not None}
     if isinstance(node, dict):
         return {name: _plain(value) for name, value in node.items()}
+    if isinstance(node, tuple):
+        return {str(index): _plain(value) for index, value in enumerate(node, start=1)}
     return node
 
 
 def _quantities(node: Any, path: str) -> Iterator[tuple[str, Quantity]]:
     if isinstance(node, Quantity):
         yield path, node
+    elif isinstance(node, tuple):
+        yield from _quantities({str(index): value for index, value in enumerate(node, start=1)}, path)
     elif isinstance(node, BaseModel | dict):
         for name, value in node.items() if isinstance(node, dict) else node:
             yield from _quantities(value, f"{path}.{name}" if path else name)
@@ -101,7 +105,7 @@ def key_at(path: str) -> Key:
     parts = path.split(".")
     known = keys_by_path()
     generic = ".".join(
-        ["materials", "*", *parts[2:]] if parts[0] == "materials" and len(parts) > 2 else parts
+        [parts[0], "*", *parts[2:]] if parts[0] in ("materials", "duty") and len(parts) > 2 else parts
     )
     if generic not in known:
         raise InputError(f"a joint file has no number '{path}'{nearest(generic, known)}")
@@ -193,8 +197,8 @@ def change_targets(
     rest = tuple(path.split(".")[len(head) :])
     parent = tables
     for step in head[:-1]:
-        parent = parent[step]
-    entry = parent[head[-1]]
+        parent = parent.setdefault(step, {})
+    entry = parent.get(head[-1], 0.0)  # only the skew may be absent: parallel
     for_each = isinstance(entry, dict) and "sp" in entry
     if rest and rest[0] in _CONTACTS:
         if not for_each:
@@ -206,6 +210,8 @@ def change_targets(
 def _set(tables: Values, steps: tuple[str, ...], value: Any) -> None:
     table = tables
     for step in steps[:-1]:
+        if steps[0] == "duty" and step not in table:
+            raise InputError(f"{'.'.join(steps)}: the file has no load {step} in [[duty]]")
         if steps[0] == "materials" and step not in table:
             raise InputError(f"{'.'.join(steps)}: there is no material '{step}'{nearest(step, table)}")
         table = table.setdefault(step, {})

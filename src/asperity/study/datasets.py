@@ -13,7 +13,7 @@ from asperity.extras import install_command
 from asperity.joint.results import RESULTS, ROW_NAMES, row_name
 from asperity.joint.status import flag_attributes
 from asperity.joint_file.si_tables import key_at
-from asperity.study.parameters import Axis, long_name
+from asperity.study.parameters import SweepAxis, long_name
 
 if TYPE_CHECKING:
     import xarray
@@ -48,12 +48,12 @@ def require(module: str) -> Any:
         ) from None
 
 
-def coordinate(axis: Axis) -> tuple[tuple[str], np.ndarray, dict[str, str]]:
+def coordinate(axis: SweepAxis) -> tuple[tuple[str], np.ndarray, dict[str, str]]:
     """One axis as a coordinate.
 
     Parameters
     ----------
-    axis : Axis
+    axis : Axis or ListedAxis
         The axis.
 
     Returns
@@ -119,11 +119,12 @@ def result_rows(names: Iterable[str]) -> list[tuple[str, str, str]]:
 _ROW_COORDINATES = {
     "contact": "contact of a branch: sun-planet, planet-rollers, rollers-ring",
     "clearance": "clearance between two rollers",
+    "body": "body of a branch; sun and ring are shared by all branches",
 }
 
 
 def row_dimensions(name: str) -> tuple[str, ...]:
-    """Dimensions in front of those of the points: none, the contacts or the clearances.
+    """Dimensions in front of those of the points: none, the contacts, the clearances or the bodies.
 
     Parameters
     ----------

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any, Literal
 import jax.numpy as jnp
 
 from asperity.drive.geometry import CLEARANCE_CONDITIONS, CONTACT_NAMES, clearances
+from asperity.drive.rolling_speeds import BODY_NAMES
 from asperity.joint.capacity import TorqueCapacity, torque_capacity
 from asperity.joint.description import Joint
 from asperity.joint.evaluation import JointResult
@@ -32,11 +33,13 @@ Severity = Literal["function", "damage", "accuracy", "model"]
 #: Severities, the most serious first.
 SEVERITIES: tuple[Severity, ...] = ("function", "damage", "accuracy", "model")
 
-#: What the rows of a result stand for, with their names: a single number, the contacts or the clearances.
+#: What the rows of a result stand for, with their names: a single number, the contacts, the clearances or
+#: the bodies.
 ROW_NAMES: dict[str, tuple[str, ...]] = {
     "one": ("",),
     "contact": CONTACT_NAMES,
     "clearance": tuple(CLEARANCE_CONDITIONS),
+    "body": BODY_NAMES,
 }
 
 
@@ -49,10 +52,14 @@ class SolvedJoint:
         One joint, or many along trailing batch axes.
     result : JointResult
         What :func:`asperity.joint.evaluation.evaluate` says about it.
+    capacity : TorqueCapacity, optional
+        Its torque capacity, if that is known already.
     """
 
-    def __init__(self, joint: Joint, result: JointResult) -> None:
+    def __init__(self, joint: Joint, result: JointResult, capacity: TorqueCapacity | None = None) -> None:
         self.joint, self.result = joint, result
+        if capacity is not None:
+            self.capacity = capacity
 
     @functools.cached_property
     def capacity(self) -> TorqueCapacity:
@@ -138,8 +145,8 @@ class Result:
     value : str or callable
         Where it is in a :class:`SolvedJoint`: a dotted path, or a function of the solved joint. Results with rows may
         be sequences of arrays.
-    axis : {"one", "contact", "clearance"}
-        Whether it is one number, or one for each contact or clearance: :data:`ROW_NAMES`.
+    axis : {"one", "contact", "clearance", "body"}
+        Whether it is one number, or one for each contact, clearance or body: :data:`ROW_NAMES`.
     needs : {"geometry", "balance", "operation"}
         What must hold for it to mean anything; elsewhere it is nan in datasets.
     group : str
@@ -165,7 +172,7 @@ class Result:
     dimension: Dimension
     display_unit: str
     value: str | Callable[[SolvedJoint], Any]
-    axis: Literal["one", "contact", "clearance"] = "one"
+    axis: Literal["one", "contact", "clearance", "body"] = "one"
     needs: Needs = "operation"
     group: str = ""
     level: StiffnessLevel | None = None

@@ -11,7 +11,7 @@ from jax import Array
 
 from asperity.errors import InputError
 from asperity.joint.evaluation import Joint, JointResult
-from asperity.joint.results import contacts, drive, limits, stiffness
+from asperity.joint.results import contacts, drive, limits, rolling, stiffness
 from asperity.joint.results.result import Result, SolvedJoint
 
 if TYPE_CHECKING:
@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
 #: Every result by name.
 RESULTS: dict[str, Result] = {
-    row.name: row for row in (*stiffness.ROWS, *contacts.ROWS, *limits.ROWS, *drive.ROWS)
+    row.name: row for row in (*stiffness.ROWS, *contacts.ROWS, *limits.ROWS, *rolling.ROWS, *drive.ROWS)
 }
 
 #: Levels of the stiffness, the fullest model first.
@@ -50,7 +50,12 @@ _MOST_LISTED = 20
 _WHERE_LISTED = "the page 'Results' of the documentation lists all of them"
 
 #: What an engineer may call a result whose name is another.
-_ALSO_CALLED = {"ratio": "speed_ratio", "pressure": "hertz_pressure", "torque": "torque_capacity"}
+_ALSO_CALLED = {
+    "ratio": "speed_ratio",
+    "pressure": "hertz_pressure",
+    "torque": "torque_capacity",
+    "life": "life_hours",
+}
 
 
 def known_result(name: object, *, among: Sequence[str] = (), what: str = "result") -> str:

@@ -1,0 +1,209 @@
+"""Rows of the table of results: the joint that turns, its creep, losses and life."""
+
+from __future__ import annotations
+
+import functools
+
+from asperity.joint.results.result import Limit, Result
+from asperity.unit_table import Dimension
+
+_roll = functools.partial(Result, group="rolling")
+_each = functools.partial(_roll, axis="contact")
+_loss = functools.partial(Result, group="losses", dimension=Dimension.POWER, display_unit="W")
+_life = functools.partial(Result, group="life", dimension=Dimension.DIMENSIONLESS, display_unit="1")
+_NUMBER, _TIME = Dimension.DIMENSIONLESS, Dimension.TIME
+_STANDING = "nan where the sun stands"
+
+ROWS = (
+    _each(
+        "creepage",
+        "creepage",
+        _NUMBER,
+        "1",
+        "result.rolling.creepage",
+        positive=False,
+        note="difference of the surface speeds over their mean, in steady rolling",
+    ),
+    _each(
+        "creepage_share",
+        "share of the contact in the creepage from sun to ring",
+        _NUMBER,
+        "1",
+        "result.rolling.creepage_share",
+        positive=False,
+        note="sp, pwr and wro add up to 1, and so do sp, pwl and wlo",
+    ),
+    _each(
+        "traction_coefficient",
+        "traction coefficient T/N in rolling",
+        _NUMBER,
+        "1",
+        "result.rolling.traction_coefficient",
+        positive=False,
+    ),
+    _each(
+        "stick_fraction",
+        "share of the contact width that sticks in rolling",
+        _NUMBER,
+        "1",
+        "result.rolling.stick_fraction",
+    ),
+    _each(
+        "layer_creepage_factor",
+        "creepage with asperities over that of smooth bodies",
+        _NUMBER,
+        "1",
+        "result.rolling.layer_creepage_factor",
+    ),
+    _each(
+        "skew_creepage_factor",
+        "creepage with skew over that without",
+        _NUMBER,
+        "1",
+        "result.rolling.skew_creepage_factor",
+    ),
+    _each(
+        "capacity_loss",
+        "share of the contact's tangential capacity that skew takes",
+        _NUMBER,
+        "1",
+        "result.rolling.capacity_loss",
+        positive=False,
+    ),
+    _each(
+        "axial_force",
+        "axial force of the skewed contact",
+        Dimension.FORCE,
+        "N",
+        "result.rolling.axial_force",
+        positive=False,
+    ),
+    _roll(
+        "axial_thrust",
+        "net axial force on the body",
+        Dimension.FORCE,
+        "N",
+        "result.rolling.axial_thrust",
+        axis="body",
+        positive=False,
+        note="on sun and ring from all branches",
+    ),
+    _roll(
+        "speed_loss",
+        "share of the output speed that creep takes",
+        _NUMBER,
+        "1",
+        "result.rolling.speed_loss",
+        positive=False,
+    ),
+    _roll(
+        "drift",
+        "drift of the output in one turn of its own",
+        Dimension.ANGLE,
+        "arcmin",
+        "result.rolling.drift_per_output_turn",
+        positive=False,
+        note="angle by which creep lets the output fall behind; it adds up turn by turn",
+    ),
+    _roll(
+        "drift_rate",
+        "drift of the output per time",
+        Dimension.ANGULAR_VELOCITY,
+        "deg/h",
+        "result.rolling.drift_rate",
+        positive=False,
+        note=_STANDING,
+    ),
+    _each(
+        "shakedown_ratio",
+        "Hertz pressure over shakedown limit",
+        _NUMBER,
+        "1",
+        "result.rolling.shakedown_ratio",
+        limit=Limit(
+            "damage",
+            "plastic flow stops after the first turns, if there is any",
+            "the Hertz pressure exceeds the shakedown limit: the surface flows a little further at every passage",
+            "choose a material of higher yield strength, longer contact lines, less preload or less traction",
+            highest=1.0,
+        ),
+    ),
+    _roll(
+        "efficiency",
+        "efficiency",
+        _NUMBER,
+        "1",
+        "result.rolling.power.efficiency",
+        highest_limit=1.0,
+        note=f"{_STANDING}; only the losses for which the file has the numbers",
+    ),
+    _loss("total_loss", "power lost", value="result.rolling.power.loss", note=_STANDING),
+    _loss("contact_loss", "power lost in the contact", value="result.rolling.power.contact", axis="contact"),
+    _loss("creep_loss", "power lost by creep", value="result.rolling.power.creep", axis="contact"),
+    _loss("skew_loss", "power lost by skew", value="result.rolling.power.skew", axis="contact"),
+    _loss(
+        "hysteresis_loss",
+        "power lost by elastic hysteresis",
+        value="result.rolling.power.hysteresis",
+        axis="contact",
+        note="nan without rolling.hysteresis_factor",
+    ),
+    _loss(
+        "oil_loss",
+        "power lost by the oil at the inlet",
+        value="result.rolling.power.oil",
+        axis="contact",
+        note="nan without lubrication.viscosity",
+    ),
+    _loss(
+        "bearing_loss",
+        "power lost in bearings and pins",
+        value="result.rolling.power.bearings",
+        positive=False,
+    ),
+    Result(
+        "life_hours",
+        "fatigue life of the drive",
+        _TIME,
+        "h",
+        lambda solved: 3600.0 * solved.result.rolling.life_hours.drive,
+        group="life",
+        note=f"rolling-contact fatigue at the file's load, speed and reliability; {_STANDING}",
+    ),
+    _life(
+        "life_turns",
+        "fatigue life of the drive in turns of the output",
+        value="result.rolling.life_turns.drive",
+    ),
+    Result(
+        "contact_life_hours",
+        "fatigue life of both tracks of the contact, all branches",
+        _TIME,
+        "h",
+        lambda solved: 3600.0 * solved.result.rolling.life_hours.contact,
+        axis="contact",
+        group="life",
+        note=_STANDING,
+    ),
+    _life(
+        "body_life_turns",
+        "fatigue life of one body in turns of the output",
+        value="result.rolling.life_turns.body",
+        axis="body",
+    ),
+    Result(
+        "duty_life_hours",
+        "fatigue life of the drive under its duty",
+        _TIME,
+        "h",
+        lambda solved: 3600.0 * solved.result.rolling.duty_life_hours,
+        group="life",
+        note="nan without a duty",
+    ),
+    _life(
+        "duty_life_turns",
+        "fatigue life of the drive under its duty in turns of the output",
+        value="result.rolling.duty_life_turns",
+        note="nan without a duty",
+    ),
+)

@@ -1,0 +1,362 @@
+"""A joint that turns: creep, drift, axial forces, losses, shakedown and life, from what the chain already derived."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import equinox as eqx
+import jax
+import jax.numpy as jnp
+from jax import Array
+
+from asperity.contact import carter
+from asperity.contact.creep_layer import layer_ratio, uniform_layer_creepage_factor
+from asperity.contact.hertz_line import peak_pressure
+from asperity.contact.rolling_fatigue import life_at_reliability
+from asperity.contact.shakedown import shakedown_limit, shear_yield_strength
+from asperity.contact.skew import (
+    axial_force,
+    lateral_compliance_ratio,
+    longitudinal_capacity_ratio,
+    skewed_contact,
+    skewed_slip_ratios,
+)
+from asperity.drive.force_balance import DriveForces
+from asperity.drive.mechanism import Mechanism
+from asperity.drive.rolling_speeds import rolling_speeds
+from asperity.drive.rolling_state import ROLLING_TOLERANCE, CreepLaw, rolling_state
+from asperity.joint.contacts import JointContacts
+from asperity.joint.description import Joint, per_contact
+from asperity.joint.rolling_life import DriveLives, cycle_rates, drive_lives, track_lives
+from asperity.joint.rolling_power import RollingPower, rolling_power
+
+# slip ratios between which the factors on Carter's creepage are taken
+_LEAST_SLIP, _MOST_SLIP = 1e-6, 0.999
+
+
+class RollingResult(eqx.Module):
+    """What a joint does in steady rolling. SI units; contact axis first. nan where a contact has lifted off or slips.
+
+    Parameters
+    ----------
+    normal, tangential : Array
+        Forces of the contacts, shape (5, ...) [N]; the tangential ones are those of equal creep on both sides.
+    creepage : Array
+        Creepages, shape (5, ...) [-].
+    creepage_share : Array
+        Each creepage over the sum from sun to ring, shape (5, ...) [-]; the right and the left side add up to 1 each
+        with the sun's contact. nan without a torque.
+    traction_coefficient : Array
+        T/N, shape (5, ...) [-].
+    stick_fraction : Array
+        Share of the contact width that sticks, shape (5, ...) [-], Carter's.
+    layer_ratio, layer_creepage_factor : Array
+        Compliance of the asperities over that of the bodies, and by how much it raises the creepage, shape (5, ...)
+        [-].
+    skew_creepage_factor : Array
+        By how much skew raises the creepage, shape (5, ...) [-]; 1 without skew.
+    capacity_loss : Array
+        Share of the friction that skew takes from the tangential force, shape (5, ...) [-].
+    axial_force : Array
+        Axial force of one contact on its driven body, shape (5, ...) [N].
+    axial_thrust : Array
+        Sum of the axial forces on each body of :data:`asperity.drive.rolling_speeds.BODY_NAMES`, on sun and ring those
+        of all branches, shape (5, ...) [N].
+    speed_loss : Array
+        Share of the output speed that creep takes [-].
+    drift_per_output_turn : Array
+        Angle by which the output has fallen behind after one turn of its own [rad].
+    drift_rate : Array
+        The same per time [rad/s]; nan where the sun stands.
+    power : RollingPower
+        Losses and efficiency; nan where the sun stands.
+    shakedown_ratio : Array
+        Peak pressure over the shakedown limit at the contact's traction coefficient, shape (5, ...) [-].
+    carrier_speed : Array
+        Angular velocity of the carrier, creep taken off [rad/s]; without its sign.
+    cycles : Array
+        Life of the tracks of driving and driven bodies at 90 % survival, in stress cycles, shape (2, 5, ...) [-].
+    cycles_per_turn : Array
+        Their stress cycles in one turn of the output, shape (2, 5, ...) [-].
+    life_turns : DriveLives
+        Lives in turns of the output [-].
+    life_hours : DriveLives
+        Lives in hours of rolling at the joint's speed [h]; nan where the sun stands.
+    duty_life_hours, duty_life_turns : Array
+        Life of the drive under its duty, in hours and in turns of the output; nan without a duty.
+    residual : Array
+        Residual of the rolling state, :data:`asperity.drive.rolling_state.ROLLING_TOLERANCE` at most [-].
+    """
+
+    normal: Array
+    tangential: Array
+    creepage: Array
+    creepage_share: Array
+    traction_coefficient: Array
+    stick_fraction: Array
+    layer_ratio: Array
+    layer_creepage_factor: Array
+    skew_creepage_factor: Array
+    capacity_loss: Array
+    axial_force: Array
+    axial_thrust: Array
+    speed_loss: Array
+    drift_per_output_turn: Array
+    drift_rate: Array
+    power: RollingPower
+    shakedown_ratio: Array
+    carrier_speed: Array
+    cycles: Array
+    cycles_per_turn: Array
+    life_turns: DriveLives
+    life_hours: DriveLives
+    duty_life_hours: Array
+    duty_life_turns: Array
+    residual: Array
+
+
+class ContactCreep(NamedTuple):
+    """The creep law of the contacts with what went into it, shape (5, ...) [-].
+
+    Parameters
+    ----------
+    law : CreepLaw
+        For :func:`asperity.drive.rolling_state.rolling_state`.
+    layer_ratio, layer_factor, skew_factor : Array
+        Compliance of the asperities over that of the bodies; factors of the asperities and of skew on Carter's
+        creepage.
+    lateral_ratio : Array
+        Creepage across over creepage along, both at gross slip.
+    skew : Array
+        Creepage across.
+    parallel : bool
+        Whether no skew is given.
+    """
+
+    law: CreepLaw
+    layer_ratio: Array
+    layer_factor: Array
+    skew_factor: Array
+    lateral_ratio: Array
+    skew: Array
+    parallel: bool
+
+
+def contact_creep(
+    *, joint: Joint, contacts: JointContacts, forces: DriveForces, asperity_normal_stiffness: Array
+) -> ContactCreep:
+    r"""Carter's creep of the contacts with their asperities as an elastic layer, and with skew.
+
+    .. math::
+        \kappa = \frac{\mu a}{R\sqrt N}\, f_{layer}(\chi, q)\, f_{skew}(q, \gamma), \qquad
+        \chi = \frac{E^* B}{K_t}
+
+    Parameters
+    ----------
+    joint : Joint
+        The joint, for its skew.
+    contacts : JointContacts
+        Its contacts.
+    forces : DriveForces
+        Its forces at rest.
+    asperity_normal_stiffness : Array
+        Normal stiffness of the asperities under them, shape (5, ...) [N/m].
+
+    Returns
+    -------
+    ContactCreep
+        The law.
+
+    Notes
+    -----
+    Both factors are taken at the slip ratio q of the drive at rest and then held: in rolling q differs by some
+    percent, the factors by less than a thousandth, except within some percent of gross slip. K_t is the tangential
+    stiffness of the asperities without traction, :math:`4G^*/E^*` times their normal stiffness. Across the rolling
+    direction the same layer lies on bodies that are softer in the ratio of the creepages at gross slip.
+
+    References
+    ----------
+    Equations (A6), (B1) and (B3) of :doc:`/equations`; :mod:`asperity.contact.creep_layer`.
+    """
+    pairs = contacts.pairs
+    modulus = pairs.moduli.contact_modulus
+    touching = forces.normal > 0.0
+    normal = jnp.where(touching, forces.normal, 1.0)
+    friction = pairs.friction_coefficient
+    q = jnp.clip(jnp.abs(forces.tangential) / (friction * normal), _LEAST_SLIP, _MOST_SLIP)
+    stiff = asperity_normal_stiffness > 0.0
+    tangential = (
+        4.0
+        * pairs.moduli.tangential_contact_modulus
+        / modulus
+        * jnp.where(stiff, asperity_normal_stiffness, 1.0)
+    )
+    chi = layer_ratio(
+        contact_modulus=modulus, contact_length=pairs.contact_length, tangential_stiffness=tangential
+    )
+    chi = jnp.where(stiff, chi, jnp.nan)
+    layer = uniform_layer_creepage_factor(layer_ratio=chi, slip_ratio=q)
+    smooth = carter.gross_slip_creepage(
+        friction_coefficient=friction,
+        half_width=pairs.half_width(normal),
+        effective_radius=pairs.effective_radius,
+    )
+    skew, ratio, skew_factor = (jnp.zeros_like(layer), jnp.ones_like(layer), jnp.ones_like(layer))
+    if joint.rolling.skew is not None:
+        skew = jnp.broadcast_to(per_contact(joint.rolling.skew), layer.shape)
+        elastic = lateral_compliance_ratio(
+            youngs_modulus_1=contacts.driving.youngs_modulus,
+            youngs_modulus_2=contacts.driven.youngs_modulus,
+            poisson_ratio_1=contacts.driving.poisson_ratio,
+            poisson_ratio_2=contacts.driven.poisson_ratio,
+        )
+        ratio = elastic * uniform_layer_creepage_factor(layer_ratio=chi / elastic, slip_ratio=q) / layer
+        skewed = skewed_contact(
+            longitudinal_slip_ratio=q,
+            lateral_creepage=skew,
+            gross_slip_creepage=smooth * layer,
+            lateral_gross_slip_creepage=smooth * layer * ratio,
+        )
+        alone = carter.creepage(slip_ratio=q, gross_slip_creepage=smooth * layer)
+        skew_factor = jnp.where(skewed.solved, skewed.longitudinal_creepage / alone, jnp.nan)
+    scale = jnp.broadcast_to(smooth / jnp.sqrt(normal) * layer * skew_factor, forces.normal.shape)
+    return ContactCreep(
+        CreepLaw(friction, scale), chi, layer, skew_factor, ratio, skew, joint.rolling.skew is None
+    )
+
+
+def rolling_result(
+    *,
+    joint: Joint,
+    contacts: JointContacts,
+    mechanism: Mechanism,
+    forces: DriveForces,
+    asperity_normal_stiffness: Array,
+) -> RollingResult:
+    """Steady rolling of a solved joint under its output torque, at its speed.
+
+    Parameters
+    ----------
+    joint : Joint
+        The joint, its numbers of one rank.
+    contacts : JointContacts
+        Its contacts.
+    mechanism : Mechanism
+        Its drive.
+    forces : DriveForces
+        Its forces at rest.
+    asperity_normal_stiffness : Array
+        Normal stiffness of the asperities under them, shape (5, ...) [N/m].
+
+    Returns
+    -------
+    RollingResult
+        nan where a contact has lifted off or slips, or the equations are not solved; without a duty.
+
+    References
+    ----------
+    Equations (B1)–(B9) of :doc:`/equations`.
+    """
+    pairs, geometry = contacts.pairs, mechanism.geometry
+    creep = contact_creep(
+        joint=joint, contacts=contacts, forces=forces, asperity_normal_stiffness=asperity_normal_stiffness
+    )
+    state = rolling_state(mechanism=mechanism, standing=forces, law=creep.law)
+    solved = state.residual < ROLLING_TOLERANCE
+    normal = jnp.where(state.normal > 0.0, state.normal, 1.0)
+    friction = pairs.friction_coefficient
+    width = pairs.half_width(normal)
+    pressure = peak_pressure(normal_force=normal, contact_length=pairs.contact_length, half_width=width)
+    traction = state.tangential / normal
+    unit = rolling_speeds(geometry=geometry, creepage=state.creepage, sun_speed=1.0)
+    speeds = jax.tree.map(lambda speed: speed * joint.sun_speed, unit)
+    lateral = _lateral_slip_ratio(creep, friction, width / pairs.effective_radius, state.creepage)
+    axial = axial_force(friction_coefficient=friction, normal_force=normal, lateral_slip_ratio=lateral[0])
+    turns = jnp.asarray(joint.sun_speed) > 0.0
+    drift = 2.0 * jnp.pi * state.speed_loss / (1.0 - state.speed_loss)
+    tracks = track_lives(pairs=pairs, half_width=width, peak_pressure=pressure)
+    per_turn = cycle_rates(speeds=unit, planet_count=geometry.planet_count) * (2.0 * jnp.pi / unit.carrier)
+    lives = drive_lives(
+        tracks=life_at_reliability(life=tracks, reliability=joint.rolling.reliability) / per_turn,
+        planet_count=geometry.planet_count,
+    )
+    turns_an_hour = 3600.0 * speeds.carrier / (2.0 * jnp.pi)
+    power = rolling_power(
+        mechanism=mechanism,
+        pairs=pairs,
+        conditions=joint.rolling,
+        state=state,
+        half_width=width,
+        speeds=speeds,
+        axial_force=axial,
+        lateral_creepage=creep.skew,
+        output_torque=forces.output_torque,
+        sun_speed=joint.sun_speed,
+    )
+    in_series = state.creepage[0] + state.creepage[1] + state.creepage[3]
+    slip = jnp.abs(traction) / friction
+    found = RollingResult(
+        normal=state.normal,
+        tangential=state.tangential,
+        creepage=state.creepage,
+        creepage_share=state.creepage / jnp.where(in_series != 0.0, in_series, jnp.nan),
+        traction_coefficient=traction,
+        stick_fraction=carter.stick_half_width(slip_ratio=slip, half_width=1.0),
+        layer_ratio=creep.layer_ratio,
+        layer_creepage_factor=creep.layer_factor,
+        skew_creepage_factor=creep.skew_factor,
+        capacity_loss=lateral[1],
+        axial_force=axial,
+        axial_thrust=_thrust(axial, geometry.planet_count),
+        speed_loss=state.speed_loss,
+        drift_per_output_turn=drift,
+        drift_rate=_where(turns, drift * speeds.carrier / (2.0 * jnp.pi)),
+        power=_where(turns, power),
+        shakedown_ratio=pressure
+        / (
+            shear_yield_strength(yield_strength=pairs.moduli.yield_strength)
+            * shakedown_limit(friction_coefficient=jnp.abs(traction))
+        ),
+        carrier_speed=speeds.carrier,
+        cycles=tracks,
+        cycles_per_turn=per_turn,
+        life_turns=lives,
+        life_hours=_where(
+            turns, jax.tree.map(lambda life: life / jnp.where(turns, turns_an_hour, 1.0), lives)
+        ),
+        duty_life_hours=jnp.full_like(state.speed_loss, jnp.nan),
+        duty_life_turns=jnp.full_like(state.speed_loss, jnp.nan),
+        residual=state.residual,
+    )
+    shaped: RollingResult = jax.tree.map(lambda value: jnp.where(solved, value, jnp.nan), found)
+    return shaped
+
+
+def _where(condition: Array, values: Array | RollingPower | DriveLives):  # type: ignore[no-untyped-def]
+    return jax.tree.map(lambda value: jnp.where(condition, value, jnp.nan), values)
+
+
+def _lateral_slip_ratio(
+    creep: ContactCreep, friction: Array, width_over_radius: Array, creepage: Array
+) -> tuple[Array, Array]:
+    """Axial force over friction, and the share of the tangential capacity that skew takes; 0 for parallel axes."""
+    if creep.parallel:
+        return jnp.zeros_like(creepage), jnp.zeros_like(creepage)
+    limit = jnp.broadcast_to(friction * width_over_radius * creep.layer_factor, creepage.shape)
+    limits = {"gross_slip_creepage": limit, "lateral_gross_slip_creepage": limit * creep.lateral_ratio}
+    _, lateral = skewed_slip_ratios(longitudinal_creepage=creepage, lateral_creepage=creep.skew, **limits)
+    return lateral, 1.0 - longitudinal_capacity_ratio(lateral_creepage=creep.skew, **limits)
+
+
+def _thrust(axial: Array, count: Array) -> Array:
+    """Axial forces on sun, planet, right and left roller and ring; a contact pushes its two bodies oppositely."""
+    sun, right_planet, left_planet, right_ring, left_ring = axial
+    return jnp.stack(
+        jnp.broadcast_arrays(
+            -count * sun,
+            sun - right_planet - left_planet,
+            right_planet - right_ring,
+            left_planet - left_ring,
+            count * (right_ring + left_ring),
+        )
+    )

@@ -1,0 +1,64 @@
+"""What a joint's rolling needs beyond its stiffness: skew, oil, hysteresis, reliability and the duty."""
+
+from __future__ import annotations
+
+import equinox as eqx
+
+from asperity.types import Real
+
+
+class DutyPoint(eqx.Module):
+    """One load of a duty.
+
+    Parameters
+    ----------
+    output_torque : Real
+        Torque at the carrier, of either sign [N·m].
+    sun_speed : Real
+        Angular velocity of the sun, not negative [rad/s].
+    share : Real
+        Share of the time [-].
+    """
+
+    output_torque: Real
+    sun_speed: Real
+    share: Real
+
+
+class RollingConditions(eqx.Module):
+    """Conditions under which a joint rolls. SI units.
+
+    Parameters
+    ----------
+    skew : tuple of Real or None
+        Angle by which the axes of a contact are out of parallel [rad], for all contacts or for each; None for
+        parallel axes.
+    hysteresis_loss_factor : Real or None
+        Share of the elastic work that is lost [-]; None if this loss is left out.
+    viscosity : Real or None
+        Viscosity of the oil at the inlet of the contacts [Pa·s]; None if its rolling loss is left out.
+    pressure_viscosity_coefficient : Real or None
+        Pressure coefficient of the viscosity [1/Pa]; the loss at the inlet does not depend on it.
+    reliability : Real
+        Survival for which lives are stated [-].
+    duty : tuple of DutyPoint
+        Loads and their shares of the time, which add up to 1; empty for none.
+    """
+
+    skew: tuple[Real, ...] | None
+    hysteresis_loss_factor: Real | None
+    viscosity: Real | None
+    pressure_viscosity_coefficient: Real | None
+    reliability: Real
+    duty: tuple[DutyPoint, ...]
+
+
+#: Parallel axes, no hysteresis, no oil, 90 % survival, no duty: a joint whose description says nothing about rolling.
+PLAIN_ROLLING = RollingConditions(
+    skew=None,
+    hysteresis_loss_factor=None,
+    viscosity=None,
+    pressure_viscosity_coefficient=None,
+    reliability=0.9,
+    duty=(),
+)

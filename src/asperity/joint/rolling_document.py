@@ -1,0 +1,166 @@
+"""The joint that turns as part of the JSON document: SI units, the unit at the end of every key."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from asperity.drive.geometry import CONTACT_NAMES
+from asperity.drive.rolling_speeds import BODY_NAMES
+from asperity.joint.description import Joint
+from asperity.joint.evaluation import JointResult
+from asperity.joint.rolling import RollingResult
+from asperity.joint.rolling_life import DriveLives
+
+Document = dict[str, Any]
+
+
+def rolling_document(joint: Joint, result: JointResult) -> Document:
+    """Creep, drift, axial forces, losses and life of a solved joint.
+
+    Parameters
+    ----------
+    joint : Joint
+        One joint.
+    result : JointResult
+        Its result.
+
+    Returns
+    -------
+    dict
+        Numbers that are not finite mean that there is none; ``unknown_because`` says why.
+    """
+    found = result.rolling
+    return {
+        "unknown_because": unknown_because(joint, result),
+        "speed_loss": found.speed_loss,
+        "drift_rad_per_output_turn": found.drift_per_output_turn,
+        "drift_rad_per_hour": 3600.0 * found.drift_rate,
+        "carrier_speed_rad_per_s": found.carrier_speed,
+        "efficiency": found.power.efficiency,
+        "input_power_W": found.power.input,
+        "output_power_W": found.power.output,
+        "losses_W": losses(found),
+        "axial_thrust_N": dict(zip(BODY_NAMES, np.asarray(found.axial_thrust), strict=True)),
+        "reliability": np.asarray(joint.rolling.reliability),
+        "life_hours": found.life_hours.drive,
+        "life_output_turns": found.life_turns.drive,
+        "body_life_hours": _by_body(found.life_hours),
+        "body_life_output_turns": _by_body(found.life_turns),
+        "duty_life_hours": found.duty_life_hours,
+        "duty_life_output_turns": found.duty_life_turns,
+        "contacts": {name: _contact(found, k) for k, name in enumerate(CONTACT_NAMES)},
+        "residual": found.residual,
+    }
+
+
+def losses(found: RollingResult) -> Document:
+    """Losses by cause, all contacts together [W].
+
+    Parameters
+    ----------
+    found : RollingResult
+        The joint that turns.
+
+    Returns
+    -------
+    dict
+        Cause → power, and their sum ``total``; nan for a loss that the joint leaves out.
+    """
+    power = found.power
+    by_contact = {
+        name: np.sum(np.asarray(getattr(power, name))) for name in ("creep", "skew", "hysteresis", "oil")
+    }
+    return {**by_contact, "bearings": power.bearings, "total": power.loss}
+
+
+def contact_results(found: RollingResult, index: int) -> Document:
+    """What the rolling adds to the results of one contact.
+
+    Parameters
+    ----------
+    found : RollingResult
+        The joint that turns.
+    index : int
+        Which contact.
+
+    Returns
+    -------
+    dict
+        Its creepage, traction coefficient, shakedown ratio and life.
+    """
+    return {
+        "creepage": found.creepage[index],
+        "traction_coefficient": found.traction_coefficient[index],
+        "shakedown_ratio": found.shakedown_ratio[index],
+        "life_hours": found.life_hours.contact[index],
+    }
+
+
+def _contact(found: RollingResult, k: int) -> Document:
+    power = found.power
+    return {
+        **contact_results(found, k),
+        "normal_N": found.normal[k],
+        "tangential_N": found.tangential[k],
+        "creepage_share": found.creepage_share[k],
+        "stick_fraction": found.stick_fraction[k],
+        "layer_ratio": found.layer_ratio[k],
+        "layer_creepage_factor": found.layer_creepage_factor[k],
+        "skew_creepage_factor": found.skew_creepage_factor[k],
+        "capacity_loss": found.capacity_loss[k],
+        "axial_force_N": found.axial_force[k],
+        "losses_W": {
+            **{name: getattr(power, name)[k] for name in ("creep", "skew", "hysteresis", "oil")},
+            "total": power.contact[k],
+        },
+        "life_output_turns": found.life_turns.contact[k],
+        "life_stress_cycles": {"driving": found.cycles[0][k], "driven": found.cycles[1][k]},
+        "stress_cycles_per_output_turn": {
+            "driving": found.cycles_per_turn[0][k],
+            "driven": found.cycles_per_turn[1][k],
+        },
+    }
+
+
+def _by_body(lives: DriveLives) -> Document:
+    return dict(zip(BODY_NAMES, np.asarray(lives.body), strict=True))
+
+
+def unknown_because(joint: Joint, result: JointResult) -> list[str]:
+    """Why results of the rolling are absent.
+
+    Parameters
+    ----------
+    joint : Joint
+        One joint.
+    result : JointResult
+        Its result.
+
+    Returns
+    -------
+    list of str
+        One sentence for each reason; empty if everything is there.
+    """
+    found, slip = result.rolling, np.asarray(result.diagnostics.slip_ratio)
+    if not bool(np.isfinite(np.asarray(found.residual))):
+        named = ", ".join(name for name, ratio in zip(CONTACT_NAMES, slip, strict=True) if not ratio < 1.0)
+        if named:
+            return [f"no steady rolling: {named} slips or has lifted off"]
+        if not bool(result.contact_law_holds):
+            return [
+                "no creep: every spot of a contact is plastic, where the contact law gives it no stiffness"
+            ]
+        return [
+            "no steady rolling: with equal creep on both sides of a planet a contact slips or lifts off, or skew alone "
+            "makes it slip"
+        ]
+    reasons = []
+    if not float(np.asarray(joint.sun_speed)) > 0.0:
+        reasons.append("the sun stands: there are no powers, no efficiency, no drift and no life in time")
+    elif not bool(np.isfinite(np.asarray(found.power.efficiency))):
+        reasons.append("no efficiency: the output torque drives the rotation, but less than the losses take")
+    if joint.rolling.duty and np.isnan(np.asarray(found.duty_life_hours)):
+        reasons.append("no life under the duty: a contact slips or lifts off under one of its loads")
+    return reasons

@@ -1,0 +1,134 @@
+"""Fatigue life of the tracks, bodies and contacts of a drive that rolls."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import equinox as eqx
+import jax.numpy as jnp
+from jax import Array
+
+from asperity.contact.roller_pairs import RollerPairs
+from asperity.contact.rolling_fatigue import BEARING_STEEL, WEIBULL_SLOPE, line_contact_life, system_life
+from asperity.drive.rolling_speeds import BODY_NAMES, DRIVEN_BODY, DRIVING_BODY, RollingSpeeds
+from asperity.types import Real
+
+_MILLION = 1e6
+
+
+class DriveLives(eqx.Module):
+    """Lives at one survival, all in one unit.
+
+    Parameters
+    ----------
+    contact : Array
+        Lives of both tracks of a contact in all branches, shape (5, ...).
+    body : Array
+        Lives of one body of each kind of :data:`asperity.drive.rolling_speeds.BODY_NAMES`, shape (5, ...).
+    drive : Array
+        Life until the first body of the drive fails, shape (...).
+    """
+
+    contact: Array
+    body: Array
+    drive: Array
+
+
+def track_lives(*, pairs: RollerPairs, half_width: Real, peak_pressure: Real) -> Array:
+    """Lives of the tracks of the driving and the driven body of each contact, at 90 % survival.
+
+    Parameters
+    ----------
+    pairs : RollerPairs
+        The contacts.
+    half_width, peak_pressure : Real
+        Of their strips, shape (5, ...) [m], [Pa].
+
+    Returns
+    -------
+    Array
+        Stress cycles, shape (2, 5, ...) [-].
+
+    References
+    ----------
+    Equation (B7) of :doc:`/equations`, for through-hardened bearing steel.
+    """
+    sides = [
+        line_contact_life(
+            peak_pressure=peak_pressure,
+            half_width=half_width,
+            contact_length=pairs.contact_length,
+            track_radius=radius,
+            material_constant=BEARING_STEEL,
+        )
+        for radius in (pairs.radius_1, pairs.radius_2)
+    ]
+    return _MILLION * jnp.stack(jnp.broadcast_arrays(*sides))
+
+
+def cycle_rates(*, speeds: RollingSpeeds, planet_count: Real) -> Array:
+    """Stress cycles of every track per time.
+
+    Parameters
+    ----------
+    speeds : RollingSpeeds
+        Speeds of the drive.
+    planet_count : Real
+        Number n of planets [-].
+
+    Returns
+    -------
+    Array
+        Frequencies of the tracks of the driving and the driven bodies, shape (2, 5, ...) [1/s]: a point of a planet or
+        roller passes each of its contacts once a turn against the carrier, a point of sun or ring n times.
+    """
+    turns = speeds.body / (2.0 * jnp.pi)
+    one = jnp.ones_like(turns[0])
+    passes = jnp.stack([one * planet_count, one, one, one, one * planet_count])
+    rates = turns * passes
+    return jnp.stack([rates[jnp.array(DRIVING_BODY)], rates[jnp.array(DRIVEN_BODY)]])
+
+
+def drive_lives(*, tracks: Array, planet_count: Real) -> DriveLives:
+    r"""Lives of contacts, bodies and drive from those of the tracks.
+
+    .. math:: L = \Bigl(\sum_i L_i^{-e}\Bigr)^{-1/e}
+
+    over the tracks of one body, of one kind of contact, or of all n branches.
+
+    Parameters
+    ----------
+    tracks : Array
+        Lives of the tracks of one driving and one driven body of each contact, all in one unit, shape (2, 5, ...).
+    planet_count : Real
+        Number of branches n [-]: there are n planets, right and left rollers, one sun and one ring.
+
+    Returns
+    -------
+    DriveLives
+        In the unit of the tracks.
+
+    References
+    ----------
+    G. Lundberg and A. Palmgren, Acta Polytechnica 7 (1947); equation (B8) of :doc:`/equations`.
+    """
+    driving, driven = tracks
+    of_body = [
+        [side[k] for side, bodies in ((driving, DRIVING_BODY), (driven, DRIVEN_BODY)) for k in _at(bodies, b)]
+        for b in range(len(BODY_NAMES))
+    ]
+    body = jnp.stack([system_life(lives=jnp.stack(each)) for each in of_body])
+    # n bodies alike live n^(-1/e) times as long as one
+    several = jnp.broadcast_to(
+        jnp.asarray(planet_count, dtype=float) ** (-1.0 / WEIBULL_SLOPE), body.shape[1:]
+    )
+    one = jnp.ones_like(several)
+    fewer = jnp.stack([one, several, several, several, one])
+    contact = system_life(
+        lives=jnp.stack([driving * fewer[jnp.array(DRIVING_BODY)], driven * fewer[jnp.array(DRIVEN_BODY)]])
+    )
+    return DriveLives(contact=contact, body=body, drive=system_life(lives=body * fewer))
+
+
+def _at(bodies: Sequence[int], body: int) -> list[int]:
+    return [k for k, each in enumerate(bodies) if each == body]

@@ -1,0 +1,174 @@
+"""Power of a joint that rolls: what goes in, what comes out, and where the rest becomes heat."""
+
+from __future__ import annotations
+
+import equinox as eqx
+import jax.numpy as jnp
+from jax import Array
+
+from asperity.contact.roller_pairs import RollerPairs
+from asperity.contact.rolling_losses import (
+    creep_power,
+    hysteresis_power,
+    inlet_rolling_force,
+    inlet_rolling_power,
+)
+from asperity.drive.mechanism import Mechanism
+from asperity.drive.rolling_speeds import RollingSpeeds
+from asperity.drive.rolling_state import RollingState
+from asperity.joint.rolling_conditions import RollingConditions
+from asperity.types import Real
+
+
+class RollingPower(eqx.Module):
+    """Powers of a rolling joint, all branches together [W]; contact axis first. nan where the sun stands.
+
+    Parameters
+    ----------
+    creep, skew, hysteresis, oil : Array
+        Losses of each contact by creep along the rolling direction, by creep across it, by elastic hysteresis and by
+        the oil at the inlet, shape (5, ...); nan for a loss that the joint leaves out.
+    bearings : Array
+        Loss in the bearings of sun, loading rollers and carrier, and at the pins.
+    contact : Array
+        Loss of each contact, the sum of those that the joint counts, shape (5, ...).
+    loss : Array
+        Loss of the joint.
+    input, output : Array
+        Power that enters and leaves: at sun and carrier, or at carrier and sun where the output torque drives the
+        rotation. Where the losses exceed what then enters, nothing leaves: nan.
+    efficiency : Array
+        Output over input [-]; nan where nothing leaves because the output torque drives the rotation but not the
+        losses.
+    """
+
+    creep: Array
+    skew: Array
+    hysteresis: Array
+    oil: Array
+    bearings: Array
+    contact: Array
+    loss: Array
+    input: Array
+    output: Array
+    efficiency: Array
+
+
+def rolling_power(
+    *,
+    mechanism: Mechanism,
+    pairs: RollerPairs,
+    conditions: RollingConditions,
+    state: RollingState,
+    half_width: Array,
+    speeds: RollingSpeeds,
+    axial_force: Array,
+    lateral_creepage: Array,
+    output_torque: Real,
+    sun_speed: Real,
+) -> RollingPower:
+    r"""Losses by cause and contact, and the efficiency.
+
+    .. math:: \eta = \frac{P_{out}}{P_{out} + P_{creep} + P_{skew} + P_{bearings} + P_{hysteresis} + P_{oil}}
+
+    Parameters
+    ----------
+    mechanism : Mechanism
+        The drive.
+    pairs : RollerPairs
+        Its contacts.
+    conditions : RollingConditions
+        Which losses are counted.
+    state : RollingState
+        Forces and creepages.
+    half_width : Array
+        Half-widths of the contacts, shape (5, ...) [m].
+    speeds : RollingSpeeds
+        Speeds of the bodies.
+    axial_force : Array
+        Axial forces of the contacts, shape (5, ...) [N].
+    lateral_creepage : Array
+        Their creepages across [-].
+    output_torque : Real
+        Torque at the carrier [N·m].
+    sun_speed : Real
+        Angular velocity of the sun, not negative [rad/s].
+
+    Returns
+    -------
+    RollingPower
+        The budget.
+
+    Notes
+    -----
+    Without friction at the loading rollers' pins, creep and bearings equal :math:`T_{in}\omega_s - T_{out}\omega_c` of
+    the rolling state. With it they are larger by :math:`2n(T_{Bl} + T_{Br})\,\omega_c`: equation (5) leaves out that
+    these bearings brake the carrier that holds them. Skew, hysteresis and oil are in no balance of forces; all losses
+    add to the power at the output. Churning of the oil is left out.
+
+    References
+    ----------
+    Equations (B3) and (B9) of :doc:`/equations`.
+    """
+    count, rolling, bearings = mechanism.geometry.planet_count, speeds.rolling, mechanism.bearings
+    creep = count * creep_power(
+        tangential_force=state.tangential, creepage=state.creepage, rolling_speed=rolling
+    )
+    skew = count * creep_power(tangential_force=axial_force, creepage=lateral_creepage, rolling_speed=rolling)
+    absent = jnp.full_like(creep, jnp.nan)
+    counted = creep + skew
+    hysteresis, oil = absent, absent
+    if conditions.hysteresis_loss_factor is not None:
+        hysteresis = count * hysteresis_power(
+            loss_factor=conditions.hysteresis_loss_factor,
+            normal_force=state.normal,
+            half_width=half_width,
+            effective_radius=pairs.effective_radius,
+            rolling_speed=rolling,
+        )
+        counted = counted + hysteresis
+    if conditions.viscosity is not None:
+        oil = count * _oil(pairs, conditions.viscosity, state.normal, rolling)
+        counted = counted + oil
+    in_bearings = (
+        2.0 * bearings.sun_torque * sun_speed
+        + 2.0
+        * count
+        * (state.right_bearing_torque * speeds.body[2] + state.left_bearing_torque * speeds.body[3])
+        + 2.0 * bearings.carrier_torque * speeds.carrier
+    )
+    loss = jnp.sum(counted, axis=0) + in_bearings
+    at_carrier = output_torque * speeds.carrier
+    drives = at_carrier >= 0.0
+    entering = jnp.where(drives, at_carrier + loss, -at_carrier)
+    leaving = jnp.where(drives, at_carrier, -at_carrier - loss)
+    works = (leaving >= 0.0) & (entering > 0.0)
+    return RollingPower(
+        creep=creep,
+        skew=skew,
+        hysteresis=hysteresis,
+        oil=oil,
+        bearings=in_bearings,
+        contact=counted,
+        loss=loss,
+        input=entering,
+        output=jnp.where(leaving >= 0.0, leaving, jnp.nan),
+        efficiency=jnp.where(works, leaving / jnp.where(works, entering, 1.0), jnp.nan),
+    )
+
+
+def _oil(pairs: RollerPairs, viscosity: Real, normal_force: Array, rolling_speed: Array) -> Array:
+    turns = rolling_speed > 0.0
+    speed = jnp.where(turns, rolling_speed, 1.0)
+    pressed = jnp.where(normal_force > 0.0, normal_force, 1.0)
+    force = inlet_rolling_force(
+        viscosity=viscosity,
+        entrainment_speed=speed,
+        line_load=pressed / pairs.contact_length,
+        effective_radius=pairs.effective_radius,
+        contact_modulus=pairs.moduli.contact_modulus,
+    )
+    power = inlet_rolling_power(
+        rolling_force=force, contact_length=pairs.contact_length, entrainment_speed=speed
+    )
+    return jnp.where(turns, power, 0.0)
