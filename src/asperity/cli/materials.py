@@ -13,9 +13,7 @@ if TYPE_CHECKING:
 @click.command()
 @click.argument("name", required=False)
 @click.option("--file", type=click.Path(), help="Your own library file; its materials are added.")
-@click.option(
-    "--finishes-file", type=click.Path(), help="Your own library file; its finishes are added."
-)
+@click.option("--finishes-file", type=click.Path(), help="Your own library file; its finishes are added.")
 @click.option("--json", "as_json", is_flag=True, help="Print one JSON document; finishes in SI units.")
 def materials(name: str | None, file: str | None, finishes_file: str | None, as_json: bool) -> None:
     """List the library, or the entry NAME with its source.

@@ -29,7 +29,11 @@ if TYPE_CHECKING:
 @click.option("--side", default="1 mm", show_default=True, help="Side of the periodic square, with its unit.")
 @click.option("--points", type=int, default=256, show_default=True, help="Grid points along the side.")
 @click.option(
-    "--pixels-per-wave", type=float, default=8.0, show_default=True, help="Grid points per shortest wavelength."
+    "--pixels-per-wave",
+    type=float,
+    default=8.0,
+    show_default=True,
+    help="Grid points per shortest wavelength.",
 )
 @click.option("--seeds", type=int, default=4, show_default=True, help="Number of random surfaces for each D.")
 @click.option("--loads", type=int, default=6, show_default=True, help="Loads per surface.")
@@ -41,12 +45,30 @@ if TYPE_CHECKING:
     show_default=True,
     help="Smallest mean pressure, relative to the smaller of hardness and E* times rms slope.",
 )
-@click.option("--to", "highest", type=float, default=0.3, show_default=True, help="Largest mean pressure, relative to the same.")
-@click.option("--youngs-modulus", default="206 GPa", show_default=True, help="Young's modulus of both bodies, with its unit.")
-@click.option("--poisson-ratio", type=float, default=0.3, show_default=True, help="Poisson's ratio of both bodies.")
-@click.option("--hardness", default="1260 MPa", show_default=True, help="Hardness of both bodies, with its unit.")
+@click.option(
+    "--to",
+    "highest",
+    type=float,
+    default=0.3,
+    show_default=True,
+    help="Largest mean pressure, relative to the same.",
+)
+@click.option(
+    "--youngs-modulus",
+    default="206 GPa",
+    show_default=True,
+    help="Young's modulus of both bodies, with its unit.",
+)
+@click.option(
+    "--poisson-ratio", type=float, default=0.3, show_default=True, help="Poisson's ratio of both bodies."
+)
+@click.option(
+    "--hardness", default="1260 MPa", show_default=True, help="Hardness of both bodies, with its unit."
+)
 @click.option("--gamma", type=float, default=1.5, show_default=True, help="Frequency ratio of the surface.")
-@click.option("--elastic", is_flag=True, help="Do not limit the pressure of the boundary elements to the hardness.")
+@click.option(
+    "--elastic", is_flag=True, help="Do not limit the pressure of the boundary elements to the hardness."
+)
 @click.option(
     "--plot", "plot_file", type=click.Path(dir_okay=False), help="Draw the comparison: PNG, SVG or PDF."
 )
@@ -221,7 +243,7 @@ def _show(samples: list[Sample], found: list[Comparison]) -> None:
             click.echo("  ".join(cells))
         click.echo()
     click.echo(
-        "Boundary elements: mean over the surfaces; ±%: standard deviation. law, P: the fractal law (contact factor 1)\n"
+        "Boundary elements: mean over the surfaces; ±%: standard deviation. law, P: fractal law (contact factor 1)\n"
         "and Persson's theory (elastic), each divided by the boundary elements. cap %: share of the contact area\n"
         "whose pressure is limited by the hardness."
     )

@@ -30,8 +30,8 @@ class TorqueCapacity(eqx.Module):
     Parameters
     ----------
     output_torque : Array
-        Capacity at the carrier [N·m]; infinite where the normal forces of the wedge grow faster than the traction, 0 where a
-        contact slips without torque.
+        Capacity at the carrier [N·m]; infinite where the normal forces of the wedge grow faster than the traction, 0
+        where a contact slips without torque.
     limiting_contact : Array
         Index of the contact that slips first, in the order of :data:`asperity.drive.geometry.CONTACT_NAMES` [-].
     """

@@ -231,7 +231,9 @@ def _range(name: str, key: str, value: Any, dimension: Dimension) -> tuple[float
     except InputError as error:
         raise InputError(f"library entry {name}: {key}: {error}") from None
     if not 0.0 < low <= high:
-        raise InputError(f"library entry {name}: {key}: must satisfy 0 < lowest <= highest, got {quoted(value)}")
+        raise InputError(
+            f"library entry {name}: {key}: must satisfy 0 < lowest <= highest, got {quoted(value)}"
+        )
     return low, high
 
 

@@ -37,8 +37,8 @@ class Body:
     name : str
         Its name.
     place : {"axis", "free", "pin"}
-        ``axis``: its centre is the drive's axis; ``free``: supported by its contacts only; ``pin``: a pin of the carrier
-        supports its centre along the push direction; it is free across.
+        ``axis``: its centre is the drive's axis; ``free``: supported by its contacts only; ``pin``: a pin of the
+        carrier supports its centre along the push direction; it is free across.
     """
 
     name: str
@@ -277,9 +277,7 @@ def _driven(drive: PlanarDrive) -> np.ndarray:
     free: np.ndarray = np.delete(turning, grounded, axis=1) / np.max(np.abs(turning))
     if drive.pinned or drive.grounded == CARRIER:
         return free
-    return np.vstack(
-        [free, np.eye(free.shape[1])[-1]]
-    )  # the carrier supports nothing: it is taken as fixed
+    return np.vstack([free, np.eye(free.shape[1])[-1]])  # the carrier supports nothing: it is taken as fixed
 
 
 def _refuse_overlap(drive: PlanarDrive) -> None:
