@@ -216,7 +216,9 @@ def force_balance(*, mechanism: Mechanism, output_torque: Real) -> DriveForces:
     mechanism : Mechanism
         The preloaded drive.
     output_torque : Real
-        Torque T_out >= 0 at the carrier [N·m]. The other direction is the mirror image: left becomes right.
+        Torque T_out at the carrier, of either sign [N·m]. A negative one loads the left side of the wedge; the result
+        is the mirror image only of a drive whose two sides are alike and whose bearings have no friction or turn the
+        other way too, see :func:`asperity.drive.mechanism.opposed`.
 
     Returns
     -------
