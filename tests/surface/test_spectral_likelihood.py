@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from asperity.surface.self_affine_band import widest_power_law
-from asperity.surface.spectral_likelihood import fit_spectrum
+from asperity.surface.spectral_likelihood import areal_share, fit_spectrum
 from asperity.surface.spectrum import BinnedSpectrum
 
 
@@ -20,6 +20,7 @@ def exact(density, points=20000, independent=50.0):
         points=points,
         spacing=0.5e-6,
         differenced=True,
+        rows_of_a_map=False,
     )
 
 
@@ -137,3 +138,13 @@ def test_band_below_a_decade_is_refused():
         spectrum=spectrum, low=None, high=None, noise_density=0.0, resolved_frequency=1e3
     )
     assert "decades of wavelength" in search.reason
+
+
+@pytest.mark.parametrize("exponent", [1.3, 2.0, 2.8])
+def test_areal_share_is_the_quotient_of_the_integrals(exponent):
+    for x in (0.05, 0.4, 1.0):
+        y = np.geomspace(1e-6, 1e7, 400_001)
+        density = (x**2 + y**2) ** (-0.5 * (exponent + 1))
+        cumulated = np.cumsum(0.5 * (density[1:] + density[:-1]) * np.diff(y))
+        expected = np.interp(1.0, y[1:], cumulated) / cumulated[-1]
+        assert areal_share(np.array([x]), exponent)[0] == pytest.approx(expected, rel=1e-4)
