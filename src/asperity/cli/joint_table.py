@@ -28,9 +28,6 @@ _MODELS = (
 )
 
 
-
-
-
 def show_joint(target: Console, document: Document, *, source: str) -> None:
     """Print what a joint document says.
 
@@ -204,6 +201,3 @@ def _show_budget(target: Console, document: Document) -> None:
     listed = ", ".join(f"{name} {100.0 * total:.1f} %" for total, name in sorted(shares, reverse=True))
     target.print("\nCompliance of the assembly, by spring", style="bold")
     print_wrapped(target, f"  {listed or 'none: the joint passes no torque'}", indent=2)
-
-
-

@@ -196,7 +196,9 @@ def _show_life(target: Console, document: Document) -> None:
     target.print(shown)
     beyond = [n for n, c in document["contacts"].items() if (c["shakedown_ratio"] or 0.0) > 1.0]
     if beyond:
-        text = "  not to be relied on: the life assumes elastic tracks, and the shakedown limit is exceeded at "
+        text = (
+            "  not to be relied on: the life assumes elastic tracks, and the shakedown limit is exceeded at "
+        )
         print_wrapped(target, text + ", ".join(beyond), indent=2)
     if loads:
         duty = table(target, "Duty (damage adds up by Miner's rule)", "load", "output torque", "sun", "share")

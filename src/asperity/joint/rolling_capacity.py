@@ -77,7 +77,9 @@ def refuse_no_rolling(joint: Joint, solution: Solution, capacity: float) -> None
         return
     reasons = "; ".join(unknown_because(joint, solution.result))
     torque = format_quantity(float(joint.output_torque), "N*m")
-    known = f"the joint rolls up to {format_quantity(capacity, 'N*m')}" if capacity > 0.0 else "it never rolls"
+    known = (
+        f"the joint rolls up to {format_quantity(capacity, 'N*m')}" if capacity > 0.0 else "it never rolls"
+    )
     raise NoSolutionError(
         f"{reasons}: the output torque is {torque}, {known}; lower the torque or the skew, or raise the preload or the "
         "friction coefficient"

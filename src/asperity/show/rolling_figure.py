@@ -84,9 +84,7 @@ def draw_creep(axes: Axes, curves: RollingCurves, rolling: RollingResult, *, joi
     for index, (name, (colour, line, symbol)) in enumerate(zip(CONTACT_NAMES, _STYLES, strict=True)):
         creepage, traction = curves.contact_creepage[index], curves.contact_traction[index]
         point = {"marker": symbol, "markersize": 6, "markeredgecolor": "white", "color": colour}
-        axes.plot(
-            1e3 * np.asarray(creepage), np.asarray(traction), color=colour, linestyle=line, label=name
-        )
+        axes.plot(1e3 * np.asarray(creepage), np.asarray(traction), color=colour, linestyle=line, label=name)
         axes.plot(
             1e3 * float(rolling.creepage[index]),
             float(rolling.traction_coefficient[index]),
