@@ -108,6 +108,29 @@ def test_intervals_hold_the_truth_or_there_are_none(kind, estimator, repeats):
         assert len(covered) >= 20
 
 
+def test_rows_of_a_map_without_cross_frequencies_above_the_sampling_limit():
+    """Isotropic synthesis: D of the rows, without excluding their short waves."""
+    covered = []
+    for seed in range(20):
+        random, D = np.random.default_rng(seed), (1.3, 1.6)[seed % 2]
+        z = synthesis.spectral_surface(
+            rows=256,
+            columns=256,
+            spacing=SPACING,
+            fractal_dimension=D,
+            areal_fractal_roughness=G,
+            periodic=False,
+            random=random,
+        )
+        got = fractal_fit(
+            profiles=z, spacing=SPACING, estimator="likelihood", frequency_ratio=1.5, rows_of_a_map=True
+        )
+        low, high = got.dimension_interval(confidence=0.95)
+        covered.append(low <= D <= high)
+        assert got.reduced_chi_square < 2.5
+    assert sum(covered) >= fewest_covered(20)
+
+
 def test_roll_off_wavelength_is_reported():
     random = np.random.default_rng(0)
     z = np.array([rolled_off(1.5, "K-correlation", random, 4096) for _ in range(10)])

@@ -32,3 +32,33 @@ def test_gaussian_map_with_gaps():
 def test_nothing_to_evaluate():
     with pytest.raises(InputError):
         height_parameters(topography=Topography(np.full(4, np.nan), 1.0))
+
+
+def test_four_heights_by_hand():
+    """0, 0, 0, 3 um on an offset: mean 0.75; Rq^2 = 27/16 um^2; Rsk = 2/sqrt(3); Rku = 7/3; Ra = 1.125 um."""
+    h = height_parameters(topography=Topography(1e-6 * np.array([5.0, 5.0, 5.0, 8.0]), 1e-6))
+    assert h.arithmetic_mean == pytest.approx(1.125e-6)
+    assert h.root_mean_square == pytest.approx(1e-6 * np.sqrt(27 / 16))
+    assert h.skewness == pytest.approx(2 / np.sqrt(3))
+    assert h.kurtosis == pytest.approx(7 / 3)
+    assert h.total_height == pytest.approx(3e-6)
+
+
+def test_element_width_interpolates_the_crossings_and_ignores_small_peaks():
+    """A triangle of 10.37 points crosses its mean line on straight flanks; ripple of 2 % does not count."""
+    period = 10.37
+    x = np.arange(4000)
+    wave = 2 * np.abs(2 * ((x / period + 0.1) % 1.0) - 1.0) - 1.0
+    h = height_parameters(topography=Topography(4.0 + wave, 2e-6))
+    assert h.mean_element_width == pytest.approx(period * 2e-6, rel=1e-4)
+    slow = np.sin(2 * np.pi * x / 400) + 0.02 * np.sin(2 * np.pi * x / 3.1)
+    h = height_parameters(topography=Topography(slow, 1.0))
+    assert h.mean_element_width == pytest.approx(400, rel=5e-3)
+    few = height_parameters(topography=Topography(np.array([-1.0, 1.0, -1.0, -3.0, 1.0, 0.5]), 1.0))
+    # upward through the mean -5/12 at 0 + 7/24 and 3 + 31/48
+    assert few.mean_element_width == pytest.approx(3 + 31 / 48 - 7 / 24)
+
+
+@pytest.mark.parametrize("heights", [np.zeros(50), np.linspace(0, 1, 50)])
+def test_no_element(heights):
+    assert height_parameters(topography=Topography(heights, 1.0)).mean_element_width is None

@@ -50,3 +50,40 @@ def test_cut_and_directions_and_bad_input():
         Topography(np.zeros(3), 0.0)
     with pytest.raises(InputError, match="infinite"):
         line(1, np.inf)
+
+
+def test_sizes_and_positions_are_in_metres():
+    profile, height_map = Topography(np.zeros(5), 0.25), Topography(np.zeros((3, 8)), 0.5, 0.125)
+    assert profile.size == (1.25,)
+    assert height_map.size == (4.0, 0.375)
+    np.testing.assert_array_equal(height_map.position, 0.5 * np.arange(8))
+    rows, spacing = height_map.profiles(direction="y")
+    assert (rows.shape, spacing) == ((8, 3), 0.125)
+    cut = Topography(np.arange(10.0), 0.25).cut(start=0.5, stop=1.25)
+    np.testing.assert_array_equal(cut.heights, [2, 3, 4, 5])
+    half = Topography(np.arange(10.0), 0.25).cut(start=0.6, stop=1.15)  # to the nearest points
+    np.testing.assert_array_equal(half.heights, [2, 3, 4, 5])
+
+
+def test_longest_piece_is_the_longest_not_the_last():
+    nan = np.nan
+    z = line(1, 2, 3, nan, 4, 5, nan, 6)
+    got = without_missing(topography=z, choice="longest")
+    np.testing.assert_array_equal(got.heights, [1, 2, 3])
+    assert got.notes == ("2 of 8 points missing: filled 0 along x, kept a complete piece of 3",)
+
+
+def test_large_maps_are_searched_on_a_grid_of_cells():
+    """1000 x 1000 points, one missing in the middle: nearly half of the map remains."""
+    z = np.zeros((1000, 1000))
+    z[500, 500] = np.nan
+    got = without_missing(topography=Topography(z, 1.0, 1.0), choice="longest").heights
+    assert got.shape in ((1000, 500), (500, 1000), (1000, 498), (498, 1000))
+    assert not np.isnan(got).any()
+
+
+def test_a_gap_beside_the_last_point_is_filled():
+    nan = np.nan
+    got = without_missing(topography=line(1, 2, nan, 4, nan), choice="interpolate")
+    np.testing.assert_array_equal(got.heights, [1, 2, 3, 4])
+    assert "filled 1 along x" in got.notes[0]

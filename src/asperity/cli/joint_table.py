@@ -2,11 +2,20 @@
 
 from __future__ import annotations
 
-import textwrap
+import math
 from typing import TYPE_CHECKING, Any
 
+from asperity.cli.document_text import (
+    count,
+    in_unit,
+    number,
+    print_wrapped,
+    scaled,
+    show_assumptions,
+    show_heading,
+    show_warnings,
+)
 from asperity.cli.terminal import table
-from asperity.units import format_quantity
 
 if TYPE_CHECKING:
     from rich.console import Console
@@ -18,28 +27,6 @@ _MODELS = (
     ("series_with_bulk", "asperities and bodies in series, centres held"),
     ("published", "as published, equation (25): asperities alone, an upper bound"),
 )
-
-
-def _number(value: float | None, digits: int = 4) -> str:
-    return "-" if value is None else format_quantity(value, "1", digits)
-
-
-def _scaled(value: float | None, factor: float) -> str:
-    return "-" if value is None else _number(value * factor)
-
-
-def _in(value: float | None, unit: str, digits: int = 4) -> str:
-    return "-" if value is None else format_quantity(value, unit, digits)
-
-
-def _count(number: float, word: str) -> str:
-    return f"{_number(number)} {word}{'' if number == 1 else 's'}"
-
-
-def _print_wrapped(target: Console, text: str, *, indent: int) -> None:
-    target.print(
-        textwrap.fill(text, target.width, subsequent_indent=" " * indent), markup=False, soft_wrap=True
-    )
 
 
 def show_joint(target: Console, document: Document, *, source: str) -> None:
@@ -54,22 +41,14 @@ def show_joint(target: Console, document: Document, *, source: str) -> None:
     source : str
         Name of the joint file.
     """
-    drive, load = document["input"]["drive"], document["input"]["load"]
-    target.print(
-        f"{source}\n{_count(drive['planets'], 'planet')}, sun at {_in(load['sun_speed'], 'rpm')}, preload "
-        f"{_in(load['preload'], 'N')}, output torque {_in(load['output_torque'], 'N*m')}\n",
-        style="bold",
-        markup=False,
-    )
+    show_heading(target, document, source)
     _show_stiffness(target, document)
     _show_drift(target, document)
     _show_contacts(target, document)
     _show_drive(target, document)
     _show_budget(target, document)
-    _show_warnings(target, document)
-    target.print("\nAssumed", style="bold")
-    for sentence in document["assumptions"]:
-        _print_wrapped(target, f"  {sentence}", indent=4)
+    show_warnings(target, document)
+    show_assumptions(target, document)
 
 
 def _show_stiffness(target: Console, document: Document) -> None:
@@ -80,13 +59,13 @@ def _show_stiffness(target: Console, document: Document) -> None:
         entry = document["torsional_stiffness"][name]
         shown.add_row(
             meaning,
-            _number(entry["sun_Nm_per_rad"]),
-            _number(entry["output_Nm_per_rad"]),
-            _number(entry["output_Nm_per_arcmin"]),
+            number(entry["sun_Nm_per_rad"]),
+            number(entry["output_Nm_per_rad"]),
+            number(entry["output_Nm_per_arcmin"]),
         )
     target.print(shown)
     if document["stiffness_unknown_because"]:
-        _print_wrapped(target, f"no value: {document['stiffness_unknown_because']}", indent=2)
+        print_wrapped(target, f"no value: {document['stiffness_unknown_because']}", indent=2)
     interval = document.get("stiffness_interval")
     if interval is None:
         return
@@ -94,20 +73,20 @@ def _show_stiffness(target: Console, document: Document) -> None:
     spread = table(
         target,
         f"{interval['confidence']:.0%} interval from the measured surface "
-        f"(D = {measured['fractal_dimension']:.3f}, G = {_in(measured['fractal_roughness_m'], 'mm')})",
+        f"(D = {measured['fractal_dimension']:.3f}, G = {in_unit(measured['fractal_roughness_m'], 'mm')})",
         "model",
         "output from\nN·m/rad",
         "output to\nN·m/rad",
     )
     for name, meaning in _MODELS:
         spread.add_row(
-            meaning, _number(interval[name]["low_Nm_per_rad"]), _number(interval[name]["high_Nm_per_rad"])
+            meaning, number(interval[name]["low_Nm_per_rad"]), number(interval[name]["high_Nm_per_rad"])
         )
     target.print(spread)
     if interval["outside"] or interval["unsolved"] or interval["all_plastic"]:
-        _print_wrapped(
+        print_wrapped(
             target,
-            f"of {_count(interval['draws'], 'draw')} of D and G, {interval['outside']} had a D outside 1 to 2, "
+            f"of {count(interval['draws'], 'draw')} of D and G, {interval['outside']} had a D outside 1 to 2, "
             f"{interval['unsolved']} had no solution and {interval['all_plastic']} had plastic spots only, where the "
             "contact law has no stiffness; these are left out, and from one draw in twenty on there is no interval",
             indent=2,
@@ -120,10 +99,10 @@ def _show_drift(target: Console, document: Document) -> None:
     if drift is None:
         text = "; ".join(document["rolling"]["unknown_because"])
     else:
-        text = f"{_in(drift, 'arcmin')} per output turn ({_scaled(loss, 100.0)} % of the speed): "
+        text = f"{in_unit(drift, 'arcmin')} per output turn ({scaled(loss, 100.0)} % of the speed): "
         text += "creep adds up with every turn, the stiffness above is for a joint that stands"
     target.print("Drift when it turns", style="bold")
-    _print_wrapped(target, f"  {text}\n", indent=2)
+    print_wrapped(target, f"  {text}\n", indent=2)
 
 
 def _show_contacts(target: Console, document: Document) -> None:
@@ -145,12 +124,12 @@ def _show_contacts(target: Console, document: Document) -> None:
     for name, contact in contacts.items():
         shown.add_row(
             name,
-            _number(forces["normal_N"][name]),
-            _number(forces["tangential_N"][name]),
-            _number(slip[name], 3),
-            _scaled(contact["hertz_half_width_m"], 2e3),
-            _scaled(contact["hertz_pressure_Pa"], 1e-6),
-            _scaled(contact["real_contact_area_m2"], 1e6),
+            number(forces["normal_N"][name]),
+            number(forces["tangential_N"][name]),
+            number(slip[name], 3),
+            scaled(contact["hertz_half_width_m"], 2e3),
+            scaled(contact["hertz_pressure_Pa"], 1e-6),
+            scaled(contact["real_contact_area_m2"], 1e6),
         )
     target.print(shown)
     shown = table(
@@ -167,10 +146,10 @@ def _show_contacts(target: Console, document: Document) -> None:
         shown.add_row(
             name,
             *(
-                _scaled(contact[f"{kind}_stiffness_N_per_m"], 1e-6)
+                scaled(contact[f"{kind}_stiffness_N_per_m"], 1e-6)
                 for kind in ("asperity_tangential", "bulk_tangential", "asperity_normal", "bulk_normal")
             ),
-            _number(contact["contact_torsional_stiffness_Nm_per_rad"]),
+            number(contact["contact_torsional_stiffness_Nm_per_rad"]),
         )
     target.print(shown)
 
@@ -183,34 +162,57 @@ def _show_drive(target: Console, document: Document) -> None:
     for label, text in (
         (
             "angles",
-            f"alpha {_in(geometry['alpha_rad'], 'deg', 6)}, theta {_in(geometry['theta_rad'], 'deg', 6)}, "
-            f"wedge beta {_in(geometry['wedge_angle_rad'], 'deg', 6)}",
+            f"alpha {in_unit(geometry['alpha_rad'], 'deg', 6)}, theta {in_unit(geometry['theta_rad'], 'deg', 6)}, "
+            f"wedge beta {in_unit(geometry['wedge_angle_rad'], 'deg', 6)}",
         ),
         (
             "speed",
-            f"ratio {_number(geometry['speed_ratio'])}, carrier {_in(forces['carrier_speed_rad_per_s'], 'rpm')}",
+            f"ratio {number(geometry['speed_ratio'])}, carrier {in_unit(forces['carrier_speed_rad_per_s'], 'rpm')}",
         ),
         (
             "torque",
-            f"in {_in(forces['input_torque_Nm'], 'N*m')}, out {_in(forces['output_torque_Nm'], 'N*m')}",
+            f"in {in_unit(forces['input_torque_Nm'], 'N*m')}, out {in_unit(forces['output_torque_Nm'], 'N*m')}",
         ),
         (
             "capacity",
-            capacity["meaning"]
-            if capacity["output_torque_Nm"] is None
-            else f"{_in(capacity['output_torque_Nm'], 'N*m')}: {capacity['meaning']}",
+            capacity_text(capacity),
         ),
         (
             "pin force",
-            f"left {_in(forces['pin_N']['left'], 'N')}, right {_in(forces['pin_N']['right'], 'N')}",
+            f"left {in_unit(forces['pin_N']['left'], 'N')}, right {in_unit(forces['pin_N']['right'], 'N')}",
         ),
         (
             "mass",
-            f"planet {_in(forces['planet_mass_kg'], 'g')}, loading roller {_in(forces['loading_roller_mass_kg'], 'g')}",
+            f"planet {in_unit(forces['planet_mass_kg'], 'g')}, loading roller {in_unit(forces['loading_roller_mass_kg'], 'g')}",
         ),
-        ("clearance", f"at least {_in(gap['gap_m'], 'mm')}: {gap['condition']}"),
+        ("clearance", f"at least {in_unit(gap['gap_m'], 'mm')}: {gap['condition']}"),
     ):
-        _print_wrapped(target, f"  {label:<10} {text}", indent=13)
+        print_wrapped(target, f"  {label:<10} {text}", indent=13)
+
+
+def capacity_text(capacity: Document) -> str:
+    """Torque capacity of both directions in words.
+
+    Parameters
+    ----------
+    capacity : dict
+        Entry ``torque_capacity`` of a joint document.
+
+    Returns
+    -------
+    str
+        One text where both directions have the same capacity, else one for each.
+    """
+
+    def one(entry: Document) -> str:
+        torque = entry["output_torque_Nm"]
+        return entry["meaning"] if torque is None else f"{in_unit(torque, 'N*m')}: {entry['meaning']}"
+
+    reverse = capacity["reverse"]
+    both = [entry["output_torque_Nm"] for entry in (capacity, reverse)]
+    if both[0] == both[1] or (None not in both and math.isclose(*both, rel_tol=1e-9)):
+        return f"{one(capacity)} (both directions)"
+    return f"{one(capacity)}; reverse {one(reverse)}"
 
 
 def _show_budget(target: Console, document: Document) -> None:
@@ -222,55 +224,4 @@ def _show_budget(target: Console, document: Document) -> None:
             shares.append((total, name.removesuffix("_share").replace("_", " ")))
     listed = ", ".join(f"{name} {100.0 * total:.1f} %" for total, name in sorted(shares, reverse=True))
     target.print("\nCompliance of the assembly, by spring", style="bold")
-    _print_wrapped(target, f"  {listed or 'none: the joint passes no torque'}", indent=2)
-
-
-def _show_warnings(target: Console, document: Document) -> None:
-    """Every crossed limit, the most serious first, with what to do; limits of the model alone make one line."""
-    crossed: dict[str, list[Document]] = {}
-    for entry in document["diagnostics"]:
-        if not entry["ok"]:
-            crossed.setdefault(entry["name"], []).append(entry)
-    if not crossed:
-        target.print("\nNo warnings: every limit of the model is kept", style="bold")
-        return
-    target.print("\nWarnings, the most serious first", style="bold")
-    model = [entries for entries in crossed.values() if entries[0]["severity"] == "model"]
-    for entries in crossed.values():
-        if entries[0]["severity"] != "model":
-            first = entries[0]
-            _print_warning(
-                target, f"{first['label']} {_values(entries)} (limit {_number(first['limit'])})", entries
-            )
-    if model:
-        parts = [f"{entries[0]['label']} up to {_largest(entries)}" for entries in model]
-        _print_warning(target, f"contact law outside its range: {', '.join(parts)}", model[0], meaning=False)
-
-
-def _print_warning(target: Console, heading: str, entries: list[Document], *, meaning: bool = True) -> None:
-    target.print(
-        textwrap.fill(f"  {heading[0].upper()}{heading[1:]}", target.width, subsequent_indent="  "),
-        style="yellow",
-        markup=False,
-        soft_wrap=True,
-    )
-    if meaning:
-        for text in dict.fromkeys(entry["meaning"] for entry in entries):
-            _print_wrapped(target, f"    {text}", indent=4)
-    _print_wrapped(target, f"    What to do: {entries[0]['remedy']}", indent=4)
-
-
-def _values(entries: list[Document]) -> str:
-    """Values by contact, or one value where all contacts have the same."""
-    values = [_number(entry["value"]) for entry in entries]
-    if len(entries) == 5 and len(set(values)) == 1:
-        return f"{values[0]} at every contact"
-    return ", ".join(
-        f"{value} at {e['contact']}" if e["contact"] else value
-        for value, e in zip(values, entries, strict=True)
-    )
-
-
-def _largest(entries: list[Document]) -> str:
-    values = [entry["value"] for entry in entries if entry["value"] is not None]
-    return _number(max(values), 3) if values else "-"
+    print_wrapped(target, f"  {listed or 'none: the joint passes no torque'}", indent=2)

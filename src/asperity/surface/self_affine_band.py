@@ -116,11 +116,13 @@ def _edges(lowest: float, highest: float) -> list[float]:
 
 
 def _best_model(spectrum: BinnedSpectrum, low: float, high: float) -> SpectralFit | None:
-    """The likeliest of the models (folded or not, roll-off gradual or sharp).
+    """The likeliest of the models (power above the sampling limit, roll-off gradual or sharp).
 
     What the others say differently enters the covariance with their likelihood as weight.
     """
-    tails = TAILS if high >= FOLDING_REACH * spectrum.nyquist else TAILS[:1]
+    tails = TAILS if spectrum.rows_of_a_map else TAILS[:2]
+    if high < FOLDING_REACH * spectrum.nyquist:
+        tails = tails[:1]
     fits: list[SpectralFit] = []
     for m in ROLL_OFFS:
         for tail in tails:

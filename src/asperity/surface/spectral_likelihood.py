@@ -25,12 +25,12 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 from scipy.optimize import brentq
-from scipy.special import zeta
+from scipy.special import betainc, zeta
 
 from asperity.surface.spectrum import BinnedSpectrum
 
-#: How power above the sampling limit appears: not at all, or folded back below it.
-TAILS = ("band_limited", "folded")
+#: Power above the sampling limit: absent, folded back below it, or (rows of a map) absent across the rows too.
+TAILS: tuple[str, ...] = ("band_limited", "folded", "areal")
 #: Exponents m of the roll-off: gradual (K-correlation) and sharp.
 ROLL_OFFS = (2.0, 8.0)
 #: The folded power of exponents nearer to 1 diverges; the fit may pass there on its way [-].
@@ -71,7 +71,7 @@ class SpectralFit:
         Of (D, ln level), the misfit and the uncertainty of both departures included.
     low, high : float
         Limits of the band [1/m].
-    tail : {"band_limited", "folded"}
+    tail : {"band_limited", "folded", "areal"}
         What is assumed about frequencies above the sampling limit.
     log_likelihood : float
         Of the band, without constants.
@@ -136,6 +136,9 @@ class SpectralFit:
         """The fitted density [m^3] with roll-off, white part and folding."""
         exponent = 5.0 - 2.0 * self.fractal_dimension
         density = self.density(frequency) * self.bend(frequency) + self.floor
+        if self.tail == "areal":
+            share = areal_share(2.0 * frequency / self.sampling_frequency, exponent)
+            density = (density - self.floor) * share + self.floor
         if self.tail == "folded":
             s = max(exponent, LEAST_FOLDING_EXPONENT)
             x = frequency / self.sampling_frequency
@@ -228,6 +231,29 @@ def fit_spectrum(
     )
 
 
+def areal_share(frequency_share: NDArray[np.float64], exponent: float) -> NDArray[np.float64]:
+    r"""Share of the profile spectrum left in a row of an isotropic map without power above the sampling limit.
+
+    .. math::
+        \frac{\int_0^{f_N} (f^2 + f_y^2)^{-(\beta + 1)/2} df_y}{\int_0^\infty (f^2 + f_y^2)^{-(\beta + 1)/2} df_y}
+        = I_{1/(1 + (f/f_N)^2)}(\tfrac12, \tfrac{\beta}{2})
+
+    Parameters
+    ----------
+    frequency_share : array
+        f over the sampling limit [-].
+    exponent : float
+        beta of the profile spectrum [-], positive.
+
+    Returns
+    -------
+    array
+        The share [-].
+    """
+    beta = max(exponent, LEAST_FOLDING_EXPONENT)
+    return np.asarray(betainc(0.5, 0.5 * beta, 1.0 / (1.0 + frequency_share**2)))
+
+
 class _Model:
     """ln of the expected density in bins at u = f / reference; parameters (D, ln level, c, n)."""
 
@@ -249,6 +275,8 @@ class _Model:
         if bend.min() <= 0.0:
             return np.full_like(self.u, np.nan)
         power = np.exp(-beta * self.log_u) * bend ** (-beta / self.m) * (1.0 + 0.5 * beta**2 * self.spread)
+        if self.tail == "areal":
+            power = power * areal_share(2.0 * self.u / self.sampling, beta)
         if self.tail == "folded":
             s = max(beta, LEAST_FOLDING_EXPONENT)
             x = self.u / self.sampling

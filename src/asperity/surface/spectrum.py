@@ -44,6 +44,8 @@ class BinnedSpectrum:
     differenced : bool
         True: density of the differences of neighbouring heights, divided by the transfer function of the
         difference, so that it reads as a density of heights.
+    rows_of_a_map : bool
+        Whether the profiles are neighbouring rows of one map.
     """
 
     frequency: NDArray[np.float64]
@@ -55,6 +57,7 @@ class BinnedSpectrum:
     points: int
     spacing: float
     differenced: bool
+    rows_of_a_map: bool
 
     @property
     def nyquist(self) -> float:
@@ -174,6 +177,7 @@ def binned_spectrum(
         points=points,
         spacing=spacing,
         differenced=differenced,
+        rows_of_a_map=rows_of_a_map,
     )
 
 
@@ -219,14 +223,11 @@ def _inequality(powers: NDArray[np.float64], counts: NDArray[np.int64]) -> float
 
 def _independent_ordinates(spectra: NDArray[np.complex64], edges: NDArray[np.int64]) -> NDArray[np.float64]:
     """Independent ordinates per bin from the transform of the row spectra across the rows; at least one."""
-    taper = np.hanning(spectra.shape[0] + 2)[1:-1].astype(np.float32)
-    spectra *= taper[:, None]
     across = scipy.fft.fft(spectra, axis=0, workers=2, overwrite_x=True)
     power = (across.real**2 + across.imag**2).astype(np.float64)
     first = np.add.reduceat(power.sum(axis=0), edges[:-1] - 1)
     second = np.add.reduceat(np.einsum("ij,ij->j", power, power), edges[:-1] - 1)
-    correlated = np.mean(taper.astype(np.float64) ** 4) / np.mean(taper.astype(np.float64) ** 2) ** 2
-    return np.maximum(2.0 * first**2 / second / correlated, 1.0)
+    return np.maximum(2.0 * first**2 / second, 1.0)
 
 
 def _bin_edges(last: int, per_decade: int) -> NDArray[np.int64]:

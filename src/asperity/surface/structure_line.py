@@ -93,7 +93,7 @@ def structure_line(*, profiles: NDArray[np.float64], spacing: float, fit: Spectr
     )
     trend = trend_share(tau / (profiles.shape[1] * spacing), 2.0 - D)
     shifts = []
-    for tail in TAILS:  # what lies above the sampling limit matters here more than to the spectrum
+    for tail in TAILS[:2]:  # what lies above the sampling limit matters here more than to the spectrum
         ratio = 1.0 - trend + structure_departure(replace(fit, tail=tail), tau) / power
         if not (ratio > 0.0).all():
             raise NoSolutionError("roll-off and noise dominate the structure function: no straight line")

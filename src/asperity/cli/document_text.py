@@ -1,0 +1,109 @@
+"""Numbers, wrapped sentences and warnings of a solved joint, as every command shows them."""
+
+from __future__ import annotations
+
+import textwrap
+from typing import TYPE_CHECKING, Any
+
+from asperity.units import format_quantity
+
+if TYPE_CHECKING:
+    from rich.console import Console
+
+Document = dict[str, Any]
+
+
+def number(value: float | None, digits: int = 4) -> str:
+    """A number with four digits; a dash where there is none."""
+    return "-" if value is None else format_quantity(value, "1", digits)
+
+
+def scaled(value: float | None, factor: float) -> str:
+    """A number in another unit; a dash where there is none."""
+    return "-" if value is None else number(value * factor)
+
+
+def in_unit(value: float | None, unit: str, digits: int = 4) -> str:
+    """A quantity with its unit; a dash where there is none."""
+    return "-" if value is None else format_quantity(value, unit, digits)
+
+
+def count(value: float, word: str) -> str:
+    """How many there are of something."""
+    return f"{number(value)} {word}{'' if value == 1 else 's'}"
+
+
+def print_wrapped(target: Console, text: str, *, indent: int) -> None:
+    """Print a sentence, its later lines indented."""
+    target.print(
+        textwrap.fill(text, target.width, subsequent_indent=" " * indent), markup=False, soft_wrap=True
+    )
+
+
+def show_heading(target: Console, document: Document, source: str) -> None:
+    """Name of the file, and the load for which its numbers hold."""
+    drive, load = document["input"]["drive"], document["input"]["load"]
+    target.print(
+        f"{source}\n{count(drive['planets'], 'planet')}, sun at {in_unit(load['sun_speed'], 'rpm')}, preload "
+        f"{in_unit(load['preload'], 'N')}, output torque {in_unit(load['output_torque'], 'N*m')}\n",
+        style="bold",
+        markup=False,
+    )
+
+
+def show_assumptions(target: Console, document: Document) -> None:
+    """What the file leaves out and what is taken instead."""
+    target.print("\nAssumed", style="bold")
+    for sentence in document["assumptions"]:
+        print_wrapped(target, f"  {sentence}", indent=4)
+
+
+def show_warnings(target: Console, document: Document) -> None:
+    """Every crossed limit, the most serious first, with what to do; limits of the model alone make one line."""
+    crossed: dict[str, list[Document]] = {}
+    for entry in document["diagnostics"]:
+        if not entry["ok"]:
+            crossed.setdefault(entry["name"], []).append(entry)
+    if not crossed:
+        target.print("\nNo warnings: every limit of the model is kept", style="bold")
+        return
+    target.print("\nWarnings, the most serious first", style="bold")
+    model = [entries for entries in crossed.values() if entries[0]["severity"] == "model"]
+    for entries in crossed.values():
+        if entries[0]["severity"] != "model":
+            first = entries[0]
+            _print_warning(
+                target, f"{first['label']} {_values(entries)} (limit {number(first['limit'])})", entries
+            )
+    if model:
+        parts = [f"{entries[0]['label']} up to {_largest(entries)}" for entries in model]
+        _print_warning(target, f"contact law outside its range: {', '.join(parts)}", model[0], meaning=False)
+
+
+def _print_warning(target: Console, heading: str, entries: list[Document], *, meaning: bool = True) -> None:
+    target.print(
+        textwrap.fill(f"  {heading[0].upper()}{heading[1:]}", target.width, subsequent_indent="  "),
+        style="yellow",
+        markup=False,
+        soft_wrap=True,
+    )
+    if meaning:
+        for text in dict.fromkeys(entry["meaning"] for entry in entries):
+            print_wrapped(target, f"    {text}", indent=4)
+    print_wrapped(target, f"    What to do: {entries[0]['remedy']}", indent=4)
+
+
+def _values(entries: list[Document]) -> str:
+    """Values by contact, or one value where all contacts have the same."""
+    values = [number(entry["value"]) for entry in entries]
+    if len(entries) == 5 and len(set(values)) == 1:
+        return f"{values[0]} at every contact"
+    return ", ".join(
+        f"{value} at {e['contact']}" if e["contact"] else value
+        for value, e in zip(values, entries, strict=True)
+    )
+
+
+def _largest(entries: list[Document]) -> str:
+    values = [entry["value"] for entry in entries if entry["value"] is not None]
+    return number(max(values), 3) if values else "-"

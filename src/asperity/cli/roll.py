@@ -1,0 +1,80 @@
+"""``asperity roll``: creep, drift, losses and life of a joint that turns."""
+
+from __future__ import annotations
+
+import math
+
+import click
+
+from asperity.cli.terminal import say_written
+from asperity.writing import check_image, write_image
+
+_WIDTH = 10.0  # of the picture [in]
+
+
+@click.command()
+@click.argument("file", type=click.Path())
+@click.option(
+    "--plot",
+    "plot_file",
+    type=click.Path(dir_okay=False),
+    help="Draw creep curves, efficiency, drift and life: PNG, SVG or PDF.",
+)
+@click.option(
+    "--json", "as_json", is_flag=True, help="Print one JSON document in SI units instead of tables."
+)
+def roll(file: str, plot_file: str | None, as_json: bool) -> None:
+    """Drift, losses, axial thrust and life of the joint described in FILE when it turns.
+
+    Rollers that pass torque creep: the output falls behind with every turn, however stiff the joint is. The sections
+    [rolling], [lubrication] and [[duty]] of FILE are optional; what they leave out is listed under 'Assumed'. The JSON
+    document is that of 'asperity joint', with the torque capacity in rolling.
+    """
+    from asperity.joint_file.reader import read_case
+
+    check_image(plot_file)
+    case = read_case(file)
+    from asperity.precision import use_compilation_cache, use_double_precision
+
+    use_double_precision()
+    use_compilation_cache()
+    from asperity.joint.document import joint_document
+    from asperity.joint.rolling_capacity import refuse_no_rolling, rolling_torque_capacity
+    from asperity.joint.solve import solve
+    from asperity.joint_file.assumptions import assumptions
+    from asperity.joint_file.build import joint_from_case
+    from asperity.joint_file.si_tables import si_values
+
+    joint = joint_from_case(case)
+    solution = solve(joint)  # refuses a torque beyond the capacity
+    capacity = rolling_torque_capacity(joint, solution)
+    refuse_no_rolling(joint, solution, capacity)
+    document = joint_document(
+        joint=joint, solution=solution, inputs=si_values(case), assumptions=assumptions(case)
+    )
+    document["rolling"]["torque_capacity_Nm"] = capacity if math.isfinite(capacity) else None
+    if plot_file:
+        from asperity.joint.rolling_curves import rolling_curves
+        from asperity.show.rolling_figure import rolling_figure
+
+        curves = rolling_curves(
+            joint=joint,
+            result=solution.result,
+            torque_capacity=capacity,
+        )
+        write_image(
+            rolling_figure(
+                curves, solution.result.rolling, joint=joint, title=f"{file} in rolling", width=_WIDTH
+            ),
+            plot_file,
+        )
+        say_written(plot_file)
+    if as_json:
+        import json
+
+        click.echo(json.dumps(document, indent=2, allow_nan=False))
+        return
+    from asperity.cli.roll_table import show_rolling
+    from asperity.cli.terminal import console
+
+    show_rolling(console(), document, source=file)

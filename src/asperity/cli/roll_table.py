@@ -1,0 +1,220 @@
+"""A joint that turns as tables to read."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from asperity.cli.document_text import (
+    in_unit,
+    number,
+    print_wrapped,
+    scaled,
+    show_assumptions,
+    show_heading,
+    show_warnings,
+)
+from asperity.cli.terminal import table
+
+if TYPE_CHECKING:
+    from rich.console import Console
+
+Document = dict[str, Any]
+
+_CAUSES = ("creep", "skew", "hysteresis", "oil")
+
+
+def show_rolling(target: Console, document: Document, *, source: str) -> None:
+    """Print what a joint document says about the joint that turns.
+
+    Parameters
+    ----------
+    target : Console
+        Where to print.
+    document : dict
+        As :func:`asperity.joint.document.joint_document` makes it.
+    source : str
+        Name of the joint file.
+    """
+    show_heading(target, document, source)
+    _show_output(target, document)
+    _show_losses(target, document)
+    _show_contacts(target, document)
+    _show_thrust(target, document["rolling"])
+    _show_life(target, document)
+    show_warnings(target, document)
+    show_assumptions(target, document)
+
+
+def _show_output(target: Console, document: Document) -> None:
+    """Drift and stiffness: two numbers that do not replace each other."""
+    rolling, stiffness = document["rolling"], document["torsional_stiffness"]["assembly"]
+    torque, spring = document["forces"]["output_torque_Nm"], stiffness["output_Nm_per_rad"]
+    shown = table(target, "Position of the output", "quantity", "value", "what it is")
+    shown.columns[2].justify, shown.columns[2].no_wrap = "left", False
+    shown.add_row(
+        "drift per output turn",
+        in_unit(rolling["drift_rad_per_output_turn"], "arcmin"),
+        "adds up with every turn and does not come back",
+    )
+    shown.add_row(
+        "speed loss", f"{scaled(rolling['speed_loss'], 100.0)} %", "the same, as a share of the output speed"
+    )
+    shown.add_row(
+        "stiffness at rest",
+        f"{number(stiffness['output_Nm_per_arcmin'])} N·m/arcmin",
+        "assembled, at this torque",
+    )
+    shown.add_row(
+        "torque over stiffness",
+        "-" if not spring else in_unit(torque / spring, "arcmin"),
+        "comes back without torque; 'asperity windup' integrates it",
+    )
+    capacity = rolling["torque_capacity_Nm"]
+    shown.add_row(
+        "torque capacity, rolling",
+        "not limited" if capacity is None else in_unit(capacity, "N*m"),
+        f"beyond, a contact slips; at rest: {_capacity_at_rest(document)}",
+    )
+    target.print(shown)
+
+
+def _capacity_at_rest(document: Document) -> str:
+    found = document["torque_capacity"]["output_torque_Nm"]
+    return "not limited by friction" if found is None else in_unit(found, "N*m")
+
+
+def _show_losses(target: Console, document: Document) -> None:
+    rolling = document["rolling"]
+    if rolling["losses_W"]["total"] is None:
+        target.print("Efficiency and losses", style="bold")
+        for reason in rolling["unknown_because"]:
+            print_wrapped(target, f"  {reason}", indent=2)
+        target.print()
+        return
+    efficiency = rolling["efficiency"]
+    shown = table(
+        target,
+        f"Efficiency {'-' if efficiency is None else scaled(efficiency, 100.0) + ' %'}: "
+        f"{in_unit(rolling['input_power_W'], 'W')} in, {in_unit(rolling['output_power_W'], 'W')} out",
+        "losses",
+        *(f"{cause}\nW" for cause in _CAUSES),
+        "sum\nW",
+    )
+    for name, contact in rolling["contacts"].items():
+        losses = contact["losses_W"]
+        shown.add_row(name, *(number(losses[cause]) for cause in _CAUSES), number(losses["total"]))
+    sums = rolling["losses_W"]
+    shown.add_row("bearings and pins", *("" for _ in _CAUSES), number(sums["bearings"]))
+    shown.add_row("all", *(number(sums[cause]) for cause in _CAUSES), number(sums["total"]))
+    target.print(shown)
+    for reason in rolling["unknown_because"]:
+        print_wrapped(target, f"  {reason}", indent=2)
+
+
+def _show_contacts(target: Console, document: Document) -> None:
+    friction = document["input"]["load"]["friction_coefficient"]
+    yields = {
+        entry["contact"]: entry["value"]
+        for entry in document["diagnostics"]
+        if entry["name"] == "pressure_over_first_yield"
+    }
+    shown = table(
+        target,
+        "Contacts",
+        "contact",
+        "creepage\n10⁻³",
+        "share of\ncreepage %",
+        "traction\nT/N",
+        "limit\nT/N",
+        "pressure\nMPa",
+        "over\nfirst yield",
+        "over\nshakedown",
+    )
+    sliding = []
+    for name, contact in document["rolling"]["contacts"].items():
+        coefficient = friction[name] if isinstance(friction, dict) else friction
+        limit = coefficient * (1.0 - contact["capacity_loss"])
+        sliding += [name] if abs(contact["traction_coefficient"]) > limit else []
+        shown.add_row(
+            name,
+            scaled(contact["creepage"], 1e3),
+            scaled(contact["creepage_share"], 1e2),
+            number(contact["traction_coefficient"]),
+            number(limit),
+            scaled(document["contacts"][name]["hertz_pressure_Pa"], 1e-6),
+            number(yields[name], 3),
+            number(contact["shakedown_ratio"], 3),
+        )
+    target.print(shown)
+    if sliding:
+        text = f"  {', '.join(sliding)}: slips as a whole, because skew takes a part of the friction; the rest of the "
+        print_wrapped(target, text + "traction needs the large creepage above\n", indent=2)
+
+
+def _show_thrust(target: Console, rolling: Document) -> None:
+    if not any(contact["axial_force_N"] for contact in rolling["contacts"].values()):
+        target.print("Axial thrust: none, the axes are parallel\n", style="bold")
+        return
+    for title, forces in (
+        (
+            "Axial force of each contact on its driven body, N",
+            {n: c["axial_force_N"] for n, c in rolling["contacts"].items()},
+        ),
+        (
+            "Axial thrust on each body, N",
+            {_words(name): force for name, force in rolling["axial_thrust_N"].items()},
+        ),
+    ):
+        shown = table(target, title, *forces)
+        shown.columns[0].justify = "right"
+        shown.add_row(*(number(force) for force in forces.values()))
+        target.print(shown)
+
+
+def _show_life(target: Console, document: Document) -> None:
+    rolling, loads = document["rolling"], document["input"].get("duty", {})
+    shown = table(
+        target,
+        f"Fatigue life that {scaled(rolling['reliability'], 100.0)} % reach",
+        "life of",
+        "hours",
+        "output turns",
+    )
+    shown.add_row(
+        "the drive", _life(rolling["life_hours"]), _life(rolling["life_output_turns"]), style="bold"
+    )
+    for name, hours in rolling["body_life_hours"].items():
+        one = "" if name in ("sun", "ring") else "one "
+        shown.add_row(one + _words(name), _life(hours), _life(rolling["body_life_output_turns"][name]))
+    if loads:
+        shown.add_row(
+            "the drive under its duty",
+            _life(rolling["duty_life_hours"]),
+            _life(rolling["duty_life_output_turns"]),
+            style="bold",
+        )
+    target.print(shown)
+    beyond = [n for n, c in document["contacts"].items() if (c["shakedown_ratio"] or 0.0) > 1.0]
+    if beyond:
+        text = (
+            "  not to be relied on: the life assumes elastic tracks, and the shakedown limit is exceeded at "
+        )
+        print_wrapped(target, text + ", ".join(beyond), indent=2)
+    if loads:
+        duty = table(target, "Duty (damage adds up by Miner's rule)", "load", "output torque", "sun", "share")
+        for name, load in loads.items():
+            duty.add_row(
+                name,
+                in_unit(load["output_torque"], "N*m"),
+                in_unit(load["sun_speed"], "rpm"),
+                f"{scaled(load['share'], 100.0)} %",
+            )
+        target.print(duty)
+
+
+def _words(name: str) -> str:
+    return name.replace("_", " ")
+
+
+def _life(value: float | None) -> str:
+    return number(value, 3)
