@@ -1,0 +1,68 @@
+"""``asperity roll``: the two numbers side by side, powers by hand, a sun that stands, and refusals."""
+
+import json
+
+import pytest
+
+ARCMINUTE = 3.141592653589793 / 10800.0
+EXTRAS = """
+[rolling]
+skew = "1 mrad"
+hysteresis_factor = 0.01
+
+[[duty]]
+output_torque = "5 N*m"
+sun_speed = "6000 rpm"
+share = 1.0
+"""
+
+
+def test_document_and_picture(call, joint_file, tmp_path):
+    file = joint_file()
+    file.write_text(file.read_text() + EXTRAS)
+    outcome = call("roll", file, "--json", "--plot", tmp_path / "r.svg")
+    assert outcome.code == 0 and "wrote" in outcome.err
+    found = json.loads(outcome.out)
+    losses, rolling = found["losses_W"], found["rolling"]
+    assert losses["oil"] is None
+    counted = sum(losses[cause] for cause in ("creep", "skew", "hysteresis", "bearings"))
+    assert losses["total"] == pytest.approx(counted, rel=1e-9)
+    carrier = 6000.0 * 3.141592653589793 / 30.0 / 9.0 * (1.0 - found["speed_loss"])
+    assert rolling["output_power_W"] == pytest.approx(5.0 * carrier, rel=1e-9)
+    assert found["efficiency"] == pytest.approx(5.0 * carrier / (5.0 * carrier + counted), rel=1e-9)
+    assert rolling["duty_life_hours"] == pytest.approx(
+        found["life_hours"], rel=1e-6
+    )  # one load, all the time
+    assert 12.96 < rolling["torque_capacity_Nm"] < 1.05 * 12.96  # mu N_0 9 n R_s, and a little for the wedge
+    assert min(c["axial_force_N"] for c in rolling["contacts"].values()) > 0.0
+    assert (tmp_path / "r.svg").read_text().count("gross slip") >= 1
+
+
+def test_table_of_a_standing_sun(call, joint_file):
+    outcome = call("roll", joint_file(("6000 rpm", "0 rpm")))
+    assert (outcome.code, outcome.err) == (0, "")
+    lines = [" ".join(line.split()) for line in outcome.out.splitlines()]
+    (drift,) = [line for line in lines if line.startswith("drift per output turn")]
+    assert 35.3 < float(drift.split()[4]) < 60.0 and "arcmin" in drift
+    assert any(line.startswith("stiffness at rest") and "N·m/arcmin" in line for line in lines)
+    assert any(line.startswith("the sun stands: there are no powers") for line in lines)
+    assert "Axial thrust: none, the axes are parallel" in lines
+    (drive,) = [line for line in lines if line.startswith("the drive")]
+    assert drive.split()[2] == "-" and float(drive.split()[3]) > 1e6  # no hours, turns
+    assert any("not to be relied on" in line and "shakedown" in line for line in lines)
+    titles = ["Position of", "Efficiency", "Contacts", "Axial thrust", "Fatigue life", "Warnings", "Assumed"]
+    places = [next(i for i, line in enumerate(lines) if line.startswith(title)) for title in titles]
+    assert places == sorted(places)
+
+
+@pytest.mark.parametrize(
+    ("change", "arguments", "said"),
+    [
+        (("5 N*m", "50 N*m"), (), "is beyond the torque capacity 13.16 N·m, at which contact sp slips"),
+        (("5 N*m", "5 N*m"), ("--plot", "r.xyz"), "r.xyz: an image ends in .png, .svg or .pdf"),
+    ],
+)
+def test_refusals(call, joint_file, change, arguments, said):
+    outcome = call("roll", joint_file(change), *arguments)
+    assert (outcome.code, outcome.out) == (2, "")
+    assert said in outcome.err
