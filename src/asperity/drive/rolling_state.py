@@ -31,6 +31,7 @@ ROLLING_TOLERANCE = 1e-9
 
 _NEWTON_STEPS = 8
 _NEAR_SLIP = 0.999  # Carter's curve is continued as a line above this share of friction, for iterates only
+_STEP_TOLERANCE = 1e-8  # relative; the step after it is its square
 
 
 class CreepLaw(eqx.Module):
@@ -176,15 +177,19 @@ def _forces(branch: Branch, unknowns: _Unknowns) -> BranchForces:
     return branch_forces(branch, unknowns.load_sum, unknowns.sun_force, unknowns.right_force)
 
 
-def _creep(law: CreepLaw, force: BranchForces) -> Array:
-    normal = jnp.stack(jnp.broadcast_arrays(*force.normal))
-    return creepages(law=law, normal=normal, tangential=jnp.stack(jnp.broadcast_arrays(*force.tangential)))
+def _creep(law: CreepLaw, force: BranchForces, k: int) -> Array:
+    """Creepage of one contact; contact by contact, because XLA would write a stacked array to memory first."""
+    one = CreepLaw(
+        jnp.asarray(law.friction_coefficient)[min(k, jnp.shape(law.friction_coefficient)[0] - 1)],
+        jnp.asarray(law.gross_slip_scale)[k],
+    )
+    return creepages(law=one, normal=force.normal[k], tangential=force.tangential[k])
 
 
 def _misfits(branch: Branch, law: CreepLaw, unknowns: _Unknowns) -> _Unknowns:
     """Closure, carrier moment and equal creep, each as a force [N]."""
     force = _forces(branch, unknowns)
-    lost = lost_speed(_creep(law, force))
+    a, b, c, d = (0.5 * _creep(law, force, k) for k in (1, 3, 2, 4))
     friction, scale = jnp.asarray(law.friction_coefficient), jnp.asarray(law.gross_slip_scale)
     per_creep = (
         jnp.sqrt(branch.rest.normal_force[3]) * friction[-1] / scale[3]
@@ -192,7 +197,8 @@ def _misfits(branch: Branch, law: CreepLaw, unknowns: _Unknowns) -> _Unknowns:
     return _Unknowns(
         jnp.asarray(closure_misfit(branch, force)),
         carrier_residual(branch, force),
-        (lost[1] + lost[3] - lost[2] - lost[4]) * per_creep,
+        # (1 − a)(1 − b)(1 + c)(1 + d) = (1 + a)(1 + b)(1 − c)(1 − d), the same products on both sides taken out
+        2.0 * ((a + b) * (1.0 + c * d) - (c + d) * (1.0 + a * b)) * per_creep,
     )
 
 
@@ -213,12 +219,24 @@ def _solve_three(linear, right_side: _Unknowns) -> _Unknowns:  # type: ignore[no
 
 
 def _newton(misfits, start: _Unknowns) -> _Unknowns:  # type: ignore[no-untyped-def]
-    def improve(_: int, unknowns: _Unknowns) -> _Unknowns:
+    """Newton's method until the last step of every point is negligible, or the budget is spent."""
+
+    def unfinished(state: tuple[_Unknowns, Array, Array]) -> Array:
+        _, moving, count = state
+        return moving & (count < _NEWTON_STEPS)
+
+    def improve(state: tuple[_Unknowns, Array, Array]) -> tuple[_Unknowns, Array, Array]:
+        unknowns, _, count = state
         value, tangent_map = jax.linearize(misfits, unknowns)
         step = _solve_three(tangent_map, value)
-        return _Unknowns(*(x - dx for x, dx in zip(unknowns, step, strict=True)))
+        size = _STEP_TOLERANCE * (jnp.abs(unknowns.load_sum) + jnp.abs(unknowns.sun_force))
+        moving = jnp.any(  # a nan does not move
+            (jnp.abs(step[0]) > size) | (jnp.abs(step[1]) > size) | (jnp.abs(step[2]) > size)
+        )
+        return _Unknowns(*(x - dx for x, dx in zip(unknowns, step, strict=True))), moving, count + 1
 
-    return jax.lax.fori_loop(0, _NEWTON_STEPS, improve, start)
+    found, *_ = jax.lax.while_loop(unfinished, improve, (start, jnp.asarray(True), jnp.asarray(0)))
+    return found
 
 
 def rolling_state(*, mechanism: Mechanism, standing: DriveForces, law: CreepLaw) -> RollingState:

@@ -29,6 +29,7 @@ from asperity.joint.contacts import JointContacts
 from asperity.joint.description import Joint, per_contact
 from asperity.joint.rolling_life import DriveLives, cycle_rates, drive_lives, track_lives
 from asperity.joint.rolling_power import RollingPower, rolling_power
+from asperity.types import Real
 
 # slip ratios between which the factors on Carter's creepage are taken
 _LEAST_SLIP, _MOST_SLIP = 1e-6, 0.999
@@ -93,7 +94,7 @@ class RollingResult(eqx.Module):
     creepage: Array
     creepage_share: Array
     traction_coefficient: Array
-    stick_fraction: Array
+    stick_fraction: Real
     layer_ratio: Array
     layer_creepage_factor: Array
     skew_creepage_factor: Array
@@ -137,7 +138,7 @@ class ContactCreep(NamedTuple):
     layer_ratio: Array
     layer_factor: Array
     skew_factor: Array
-    lateral_ratio: Array
+    lateral_ratio: Real
     skew: Array
     parallel: bool
 
@@ -195,13 +196,14 @@ def contact_creep(
         contact_modulus=modulus, contact_length=pairs.contact_length, tangential_stiffness=tangential
     )
     chi = jnp.where(stiff, chi, jnp.nan)
-    layer = uniform_layer_creepage_factor(layer_ratio=chi, slip_ratio=q)
+    layer = jnp.asarray(uniform_layer_creepage_factor(layer_ratio=chi, slip_ratio=q))
     smooth = carter.gross_slip_creepage(
         friction_coefficient=friction,
         half_width=pairs.half_width(normal),
         effective_radius=pairs.effective_radius,
     )
-    skew, ratio, skew_factor = (jnp.zeros_like(layer), jnp.ones_like(layer), jnp.ones_like(layer))
+    skew, skew_factor = jnp.zeros_like(layer), jnp.ones_like(layer)
+    ratio: Real = jnp.ones_like(layer)
     if joint.rolling.skew is not None:
         skew = jnp.broadcast_to(per_contact(joint.rolling.skew), layer.shape)
         elastic = lateral_compliance_ratio(
@@ -265,13 +267,15 @@ def rolling_result(
     solved = state.residual < ROLLING_TOLERANCE
     normal = jnp.where(state.normal > 0.0, state.normal, 1.0)
     friction = pairs.friction_coefficient
-    width = pairs.half_width(normal)
+    width = jnp.asarray(pairs.half_width(normal))
     pressure = peak_pressure(normal_force=normal, contact_length=pairs.contact_length, half_width=width)
     traction = state.tangential / normal
     unit = rolling_speeds(geometry=geometry, creepage=state.creepage, sun_speed=1.0)
     speeds = jax.tree.map(lambda speed: speed * joint.sun_speed, unit)
     lateral = _lateral_slip_ratio(creep, friction, width / pairs.effective_radius, state.creepage)
-    axial = axial_force(friction_coefficient=friction, normal_force=normal, lateral_slip_ratio=lateral[0])
+    axial = jnp.asarray(
+        axial_force(friction_coefficient=friction, normal_force=normal, lateral_slip_ratio=lateral[0])
+    )
     turns = jnp.asarray(joint.sun_speed) > 0.0
     drift = 2.0 * jnp.pi * state.speed_loss / (1.0 - state.speed_loss)
     tracks = track_lives(pairs=pairs, half_width=width, peak_pressure=pressure)
@@ -337,8 +341,8 @@ def _where(condition: Array, values: Array | RollingPower | DriveLives):  # type
 
 
 def _lateral_slip_ratio(
-    creep: ContactCreep, friction: Array, width_over_radius: Array, creepage: Array
-) -> tuple[Array, Array]:
+    creep: ContactCreep, friction: Real, width_over_radius: Real, creepage: Array
+) -> tuple[Real, Real]:
     """Axial force over friction, and the share of the tangential capacity that skew takes; 0 for parallel axes."""
     if creep.parallel:
         return jnp.zeros_like(creepage), jnp.zeros_like(creepage)
@@ -348,7 +352,7 @@ def _lateral_slip_ratio(
     return lateral, 1.0 - longitudinal_capacity_ratio(lateral_creepage=creep.skew, **limits)
 
 
-def _thrust(axial: Array, count: Array) -> Array:
+def _thrust(axial: Array, count: Real) -> Array:
     """Axial forces on sun, planet, right and left roller and ring; a contact pushes its two bodies oppositely."""
     sun, right_planet, left_planet, right_ring, left_ring = axial
     return jnp.stack(

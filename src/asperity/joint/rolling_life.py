@@ -9,7 +9,7 @@ import jax.numpy as jnp
 from jax import Array
 
 from asperity.contact.roller_pairs import RollerPairs
-from asperity.contact.rolling_fatigue import BEARING_STEEL, WEIBULL_SLOPE, line_contact_life, system_life
+from asperity.contact.rolling_fatigue import BEARING_STEEL, WEIBULL_SLOPE, line_contact_life
 from asperity.drive.rolling_speeds import BODY_NAMES, DRIVEN_BODY, DRIVING_BODY, RollingSpeeds
 from asperity.types import Real
 
@@ -53,17 +53,16 @@ def track_lives(*, pairs: RollerPairs, half_width: Real, peak_pressure: Real) ->
     ----------
     Equation (B7) of :doc:`/equations`, for through-hardened bearing steel.
     """
-    sides = [
-        line_contact_life(
-            peak_pressure=peak_pressure,
-            half_width=half_width,
-            contact_length=pairs.contact_length,
-            track_radius=radius,
-            material_constant=BEARING_STEEL,
-        )
-        for radius in (pairs.radius_1, pairs.radius_2)
-    ]
-    return _MILLION * jnp.stack(jnp.broadcast_arrays(*sides))
+    driving = _MILLION * line_contact_life(
+        peak_pressure=peak_pressure,
+        half_width=half_width,
+        contact_length=pairs.contact_length,
+        track_radius=pairs.radius_1,
+        material_constant=BEARING_STEEL,
+    )
+    # the volume alone differs between the two bodies
+    driven = driving * (pairs.radius_1 / pairs.radius_2) ** (1.0 / WEIBULL_SLOPE)
+    return jnp.stack(jnp.broadcast_arrays(driving, driven))
 
 
 def cycle_rates(*, speeds: RollingSpeeds, planet_count: Real) -> Array:
@@ -89,7 +88,7 @@ def cycle_rates(*, speeds: RollingSpeeds, planet_count: Real) -> Array:
     return jnp.stack([rates[jnp.array(DRIVING_BODY)], rates[jnp.array(DRIVEN_BODY)]])
 
 
-def drive_lives(*, tracks: Array, planet_count: Real) -> DriveLives:
+def drive_lives(*, tracks: Real, planet_count: Real) -> DriveLives:
     r"""Lives of contacts, bodies and drive from those of the tracks.
 
     .. math:: L = \Bigl(\sum_i L_i^{-e}\Bigr)^{-1/e}
@@ -98,7 +97,7 @@ def drive_lives(*, tracks: Array, planet_count: Real) -> DriveLives:
 
     Parameters
     ----------
-    tracks : Array
+    tracks : Real
         Lives of the tracks of one driving and one driven body of each contact, all in one unit, shape (2, 5, ...).
     planet_count : Real
         Number of branches n [-]: there are n planets, right and left rollers, one sun and one ring.
@@ -112,22 +111,28 @@ def drive_lives(*, tracks: Array, planet_count: Real) -> DriveLives:
     ----------
     G. Lundberg and A. Palmgren, Acta Polytechnica 7 (1947); equation (B8) of :doc:`/equations`.
     """
-    driving, driven = tracks
-    of_body = [
-        [side[k] for side, bodies in ((driving, DRIVING_BODY), (driven, DRIVEN_BODY)) for k in _at(bodies, b)]
-        for b in range(len(BODY_NAMES))
-    ]
-    body = jnp.stack([system_life(lives=jnp.stack(each)) for each in of_body])
-    # n bodies alike live n^(-1/e) times as long as one
-    several = jnp.broadcast_to(
-        jnp.asarray(planet_count, dtype=float) ** (-1.0 / WEIBULL_SLOPE), body.shape[1:]
+    driving, driven = jnp.asarray(tracks) ** -WEIBULL_SLOPE  # (B8), once for each track
+    body = jnp.stack(
+        [
+            sum(
+                side[k]
+                for side, bodies in ((driving, DRIVING_BODY), (driven, DRIVEN_BODY))
+                for k in _at(bodies, b)
+            )
+            for b in range(len(BODY_NAMES))
+        ]
     )
-    one = jnp.ones_like(several)
-    fewer = jnp.stack([one, several, several, several, one])
-    contact = system_life(
-        lives=jnp.stack([driving * fewer[jnp.array(DRIVING_BODY)], driven * fewer[jnp.array(DRIVEN_BODY)]])
-    )
-    return DriveLives(contact=contact, body=body, drive=system_life(lives=body * fewer))
+    count = jnp.broadcast_to(jnp.asarray(planet_count, dtype=float), body.shape[1:])
+    one = jnp.ones_like(count)
+    times = jnp.stack([one, count, count, count, one])
+    contact = driving * times[jnp.array(DRIVING_BODY)] + driven * times[jnp.array(DRIVEN_BODY)]
+    return DriveLives(contact=_life(contact), body=_life(body), drive=_life(jnp.sum(contact, axis=0)))
+
+
+def _life(rate: Array) -> Array:
+    """Life of what fails at a rate L^(-e)."""
+    endless = rate == 0.0
+    return jnp.where(endless, jnp.inf, jnp.where(endless, 1.0, rate) ** (-1.0 / WEIBULL_SLOPE))
 
 
 def _at(bodies: Sequence[int], body: int) -> list[int]:

@@ -42,12 +42,12 @@ class RollingPower(eqx.Module):
         losses.
     """
 
-    creep: Array
-    skew: Array
-    hysteresis: Array
-    oil: Array
+    creep: Real
+    skew: Real
+    hysteresis: Real
+    oil: Real
     bearings: Array
-    contact: Array
+    contact: Real
     loss: Array
     input: Array
     output: Array
@@ -60,9 +60,9 @@ def rolling_power(
     pairs: RollerPairs,
     conditions: RollingConditions,
     state: RollingState,
-    half_width: Array,
+    half_width: Real,
     speeds: RollingSpeeds,
-    axial_force: Array,
+    axial_force: Real,
     lateral_creepage: Array,
     output_torque: Real,
     sun_speed: Real,
@@ -81,11 +81,11 @@ def rolling_power(
         Which losses are counted.
     state : RollingState
         Forces and creepages.
-    half_width : Array
+    half_width : Real
         Half-widths of the contacts, shape (5, ...) [m].
     speeds : RollingSpeeds
         Speeds of the bodies.
-    axial_force : Array
+    axial_force : Real
         Axial forces of the contacts, shape (5, ...) [N].
     lateral_creepage : Array
         Their creepages across [-].
@@ -117,7 +117,8 @@ def rolling_power(
     skew = count * creep_power(tangential_force=axial_force, creepage=lateral_creepage, rolling_speed=rolling)
     absent = jnp.full_like(creep, jnp.nan)
     counted = creep + skew
-    hysteresis, oil = absent, absent
+    hysteresis: Real = absent
+    oil: Real = absent
     if conditions.hysteresis_loss_factor is not None:
         hysteresis = count * hysteresis_power(
             loss_factor=conditions.hysteresis_loss_factor,
