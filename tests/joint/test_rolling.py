@@ -15,10 +15,7 @@ from asperity.joint.evaluation import evaluate
 from asperity.joint.rolling_conditions import PLAIN_ROLLING, DutyPoint, RollingConditions
 
 TURN = 2.0 * math.pi
-SMOOTH = {
-    "fractal_dimension": 1.9,
-    "fractal_roughness": 1e-16,
-}  # asperities a thousand times stiffer than the bodies
+SMOOTH = {"fractal_dimension": 1.9, "fractal_roughness": 1e-16}  # asperities a thousand times stiffer than the bodies
 compiled = eqx.filter_jit(evaluate)
 
 
@@ -62,10 +59,10 @@ def test_creep_of_every_contact_is_carters_times_its_factor(rolled):
     np.testing.assert_allclose(
         found.creepage[1] + found.creepage[3], found.creepage[2] + found.creepage[4], rtol=2e-3
     )
-    assert float(
-        found.creepage_share[0] + found.creepage_share[1] + found.creepage_share[3]
-    ) == pytest.approx(1)
-    np.testing.assert_allclose(found.stick_fraction, np.sqrt(1 - tangential / (0.12 * normal)), rtol=1e-12)
+    assert float(found.creepage_share[0] + found.creepage_share[1] + found.creepage_share[3]) == pytest.approx(1)
+    np.testing.assert_allclose(
+        found.stick_fraction, np.sqrt(1 - tangential / (0.12 * normal)), rtol=1e-12
+    )
 
 
 def balance(found, torque, sun_speed, sun_torque, roller_torque, carrier_torque):
@@ -156,10 +153,7 @@ def test_skew_of_the_sun_contact(rolled):
     assert thrust["sun"] == pytest.approx(-3.0 * float(found.axial_force[0]))
     assert thrust["planet"] == pytest.approx(float(found.axial_force[0]))
     assert float(found.power.skew[0]) == pytest.approx(
-        3.0
-        * float(found.axial_force[0])
-        * 1e-3
-        * float(found.power.creep[0])
+        3.0 * float(found.axial_force[0]) * 1e-3 * float(found.power.creep[0])
         / (3.0 * float(found.tangential[0] * found.creepage[0]))
     )
     opposite = rolled(conditions(skew=tuple(-angle for angle in angles)))
@@ -189,9 +183,7 @@ def lives_by_hand(found, reliability):
     e = 10 / 9
     for load, one, two in zip(normal, "spprl", "prloo", strict=True):
         internal = two == "o"
-        effective = (
-            radius[one] * radius[two] / (radius[two] - radius[one] if internal else radius[one] + radius[two])
-        )
+        effective = radius[one] * radius[two] / (radius[two] - radius[one] if internal else radius[one] + radius[two])
         a = math.sqrt(4 * load / 5e-3 * effective / (math.pi * 206e9 / 1.82))
         p0 = 2 * load / 5e-3 / (math.pi * a)
         for body in (one, two):
@@ -242,9 +234,7 @@ def test_miners_sum_over_a_duty(rolled):
     times = np.array([[1, 3, 3, 3, 3], [3, 3, 3, 1, 1]])
     times[0, 0] = 1
     rate = 0.0
-    for body, places in enumerate(
-        [[(0, 0)], [(1, 0), (0, 1), (0, 2)], [(1, 1), (0, 3)], [(1, 2), (0, 4)], [(1, 3), (1, 4)]]
-    ):
+    for body, places in enumerate([[(0, 0)], [(1, 0), (0, 1), (0, 2)], [(1, 1), (0, 3)], [(1, 2), (0, 4)], [(1, 3), (1, 4)]]):
         rate += (1 if body in (0, 4) else 3) * sum(tracks[place] ** (10 / 9) for place in places)
     assert float(found.duty_life_hours) == pytest.approx(rate ** (-9 / 10), rel=1e-9)
     slipping = rolled(conditions(duty=(DutyPoint(30.0, 100.0, 1.0),)))
@@ -287,7 +277,6 @@ def test_gradients_are_finite_and_right(rolled, speed):
         return numbers(torque)[0]
 
     for index in range(4 if speed else 3):
-
         def one(torque, index=index):
             return numbers(torque)[index]
 

@@ -319,9 +319,7 @@ def rolling_result(
         cycles=tracks,
         cycles_per_turn=per_turn,
         life_turns=lives,
-        life_hours=_where(
-            turns, jax.tree.map(lambda life: life / jnp.where(turns, turns_an_hour, 1.0), lives)
-        ),
+        life_hours=_where(turns, jax.tree.map(lambda life: life / jnp.where(turns, turns_an_hour, 1.0), lives)),
         duty_life_hours=jnp.full_like(state.speed_loss, jnp.nan),
         duty_life_turns=jnp.full_like(state.speed_loss, jnp.nan),
         residual=state.residual,

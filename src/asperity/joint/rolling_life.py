@@ -125,7 +125,9 @@ def drive_lives(*, tracks: Array, planet_count: Real) -> DriveLives:
     one = jnp.ones_like(several)
     fewer = jnp.stack([one, several, several, several, one])
     contact = system_life(
-        lives=jnp.stack([driving * fewer[jnp.array(DRIVING_BODY)], driven * fewer[jnp.array(DRIVEN_BODY)]])
+        lives=jnp.stack(
+            [driving * fewer[jnp.array(DRIVING_BODY)], driven * fewer[jnp.array(DRIVEN_BODY)]]
+        )
     )
     return DriveLives(contact=contact, body=body, drive=system_life(lives=body * fewer))
 

@@ -112,7 +112,9 @@ def rolling_power(
     creep = count * creep_power(
         tangential_force=state.tangential, creepage=state.creepage, rolling_speed=rolling
     )
-    skew = count * creep_power(tangential_force=axial_force, creepage=lateral_creepage, rolling_speed=rolling)
+    skew = count * creep_power(
+        tangential_force=axial_force, creepage=lateral_creepage, rolling_speed=rolling
+    )
     absent = jnp.full_like(creep, jnp.nan)
     counted = creep + skew
     hysteresis, oil = absent, absent
