@@ -140,3 +140,10 @@ def test_spectrum_adds_damage():
         lives=jnp.array([jnp.inf]), cycle_rates=jnp.array([3.0]), time_shares=jnp.array([1.0])
     )
     assert float(still) == np.inf
+
+
+def test_a_spectrum_with_an_unknown_life_has_none():
+    unknown = spectrum_life(
+        lives=jnp.array([1e9, jnp.nan]), cycle_rates=jnp.array([1.0, 1.0]), time_shares=jnp.array([0.5, 0.5])
+    )
+    assert bool(jnp.isnan(unknown))

@@ -89,9 +89,7 @@ def test_traction_turns_from_the_scaled_creepage_to_the_slip():
 def test_forces_against_boundary_elements(share, angle):
     """Steady rolling of a smooth line contact with both creepages, nu = 0.3; lengths in half-widths."""
     points = 160
-    pair = elastic_pair(
-        youngs_modulus_1=1.0, youngs_modulus_2=1.0, poisson_ratio_1=0.3, poisson_ratio_2=0.3
-    )
+    pair = elastic_pair(youngs_modulus_1=1.0, youngs_modulus_2=1.0, poisson_ratio_1=0.3, poisson_ratio_2=0.3)
     strip = FreeHalfSpace(pair, shape=(points,), pixel_size=(2.0 / points,), reference_distance=10.0)
     x = (np.arange(points) + 0.5) * 2.0 / points - 1.0
     modulus = 0.5 / (1.0 - 0.3**2)

@@ -15,7 +15,10 @@ from asperity.joint.evaluation import evaluate
 from asperity.joint.rolling_conditions import PLAIN_ROLLING, DutyPoint, RollingConditions
 
 TURN = 2.0 * math.pi
-SMOOTH = {"fractal_dimension": 1.9, "fractal_roughness": 1e-16}  # asperities a thousand times stiffer than the bodies
+SMOOTH = {
+    "fractal_dimension": 1.9,
+    "fractal_roughness": 1e-16,
+}  # asperities a thousand times stiffer than the bodies
 compiled = eqx.filter_jit(evaluate)
 
 
@@ -28,8 +31,9 @@ def rolled(paper_joint):
     return result
 
 
-def conditions(**changes):
-    return dataclasses.replace(PLAIN_ROLLING, **changes)
+def conditions(*, skew=(0.0,) * 5, duty=(), reliability=0.9):
+    """Everything given, in few structures, each of which is compiled once."""
+    return RollingConditions(skew, 0.01, 0.0305, 2e-8, reliability, duty)
 
 
 def test_smooth_bodies_fall_behind_by_35_arcminutes(rolled):
@@ -59,15 +63,15 @@ def test_creep_of_every_contact_is_carters_times_its_factor(rolled):
     np.testing.assert_allclose(
         found.creepage[1] + found.creepage[3], found.creepage[2] + found.creepage[4], rtol=2e-3
     )
-    assert float(found.creepage_share[0] + found.creepage_share[1] + found.creepage_share[3]) == pytest.approx(1)
-    np.testing.assert_allclose(
-        found.stick_fraction, np.sqrt(1 - tangential / (0.12 * normal)), rtol=1e-12
-    )
+    assert float(
+        found.creepage_share[0] + found.creepage_share[1] + found.creepage_share[3]
+    ) == pytest.approx(1)
+    np.testing.assert_allclose(found.stick_fraction, np.sqrt(1 - tangential / (0.12 * normal)), rtol=1e-12)
 
 
 def balance(found, torque, sun_speed, sun_torque, roller_torque, carrier_torque):
     """Creep and bearing power, and what is missing at the output, by going from body to body."""
-    sun, planet, roller, ring, count = 4e-3, 13.5e-3, 5e-3, 40e-3, 3
+    sun, ring, count = 4e-3, 40e-3, 3
     carrier = sun_speed * sun / (ring - sun) * (1.0 - float(found.speed_loss))
     lost = 0.0
 
@@ -97,12 +101,23 @@ def test_creep_and_bearings_are_what_is_missing_at_the_output(rolled, torque):
     power = found.power
     ours = float(jnp.sum(power.creep) + power.bearings)
     assert ours == pytest.approx(lost, rel=1e-9)
-    assert ours == pytest.approx(missing, rel=1e-9)
+    # equation (5) leaves out that the bearings of the loading rollers brake the carrier that holds them
+    braking = (
+        2.0
+        * 0.5
+        * 5e-3
+        * 3.0
+        * float(found.tangential[1] - found.tangential[3] + found.tangential[2] - found.tangential[4])
+    )
+    assert ours == pytest.approx(missing + braking * float(found.carrier_speed), rel=1e-9)
     assert float(power.loss) == pytest.approx(ours, rel=1e-13)
     if torque > 0.0:
-        assert float(power.efficiency) == pytest.approx(1.0 - lost / power_in, rel=1e-9)
+        output = torque * float(found.carrier_speed)
+        assert float(power.efficiency) == pytest.approx(output / (output + lost), rel=1e-9)
+        assert output + lost == pytest.approx(power_in, rel=0.1)
     else:  # the output drives: what leaves at the sun over what enters at the carrier
-        assert float(power.efficiency) == pytest.approx(power_in / (power_in - lost), rel=1e-9)
+        entering = -torque * float(found.carrier_speed)
+        assert float(power.efficiency) == pytest.approx((entering - lost) / entering, rel=1e-9)
 
 
 def test_a_torque_that_drives_less_than_the_losses_has_no_efficiency(rolled):
@@ -123,7 +138,7 @@ def test_turning_back_under_the_same_torque_goes_on_drifting(rolled):
 
 def test_hysteresis_and_oil_of_the_check_case(rolled):
     """Their sizes scale from T1: hysteresis with N a/R, the oil's as 1.47 U^(3/4) E' R where bodies deform."""
-    found = rolled(conditions(hysteresis_loss_factor=0.01, viscosity=0.0305), sun_speed=100.0)
+    found = rolled(conditions(), sun_speed=100.0)
     speed = 4e-3 * (100.0 + 100.0 / 9.0 * (1.0 - float(found.speed_loss)))
     speed *= 1.0 - 0.5 * float(found.creepage[0])
     radius, width = 4e-3 * 13.5 / 17.5, 0.1667e-3 / 2.0
@@ -134,7 +149,7 @@ def test_hysteresis_and_oil_of_the_check_case(rolled):
     assert float(found.power.oil[0]) == pytest.approx(oil, rel=3e-3)
     for part in ("hysteresis", "oil"):
         assert np.all(np.isnan(getattr(rolled().power, part)))
-    causes = [np.sum(getattr(found.power, part)) for part in ("creep", "skew", "hysteresis", "oil")]
+    causes = [float(jnp.sum(getattr(found.power, part))) for part in ("creep", "skew", "hysteresis", "oil")]
     assert float(found.power.loss) == pytest.approx(sum(causes) + float(found.power.bearings), rel=1e-12)
     assert float(found.power.efficiency) == pytest.approx(float(found.power.output / found.power.input))
 
@@ -146,14 +161,17 @@ def test_skew_of_the_sun_contact(rolled):
     assert float(free.axial_force[0]) == pytest.approx(46.6, rel=0.01)
     found, straight = rolled(conditions(skew=angles)), rolled()
     assert float(found.skew_creepage_factor[0]) > 1.04
-    np.testing.assert_array_equal(found.skew_creepage_factor[1:], 1.0)
+    np.testing.assert_allclose(found.skew_creepage_factor[1:], 1.0, rtol=1e-14)
     assert 0.0 < float(found.capacity_loss[0]) < 0.1
     assert float(found.speed_loss) > float(straight.speed_loss)
     thrust = dict(zip(BODY_NAMES, np.asarray(found.axial_thrust), strict=True))
     assert thrust["sun"] == pytest.approx(-3.0 * float(found.axial_force[0]))
     assert thrust["planet"] == pytest.approx(float(found.axial_force[0]))
     assert float(found.power.skew[0]) == pytest.approx(
-        3.0 * float(found.axial_force[0]) * 1e-3 * float(found.power.creep[0])
+        3.0
+        * float(found.axial_force[0])
+        * 1e-3
+        * float(found.power.creep[0])
         / (3.0 * float(found.tangential[0] * found.creepage[0]))
     )
     opposite = rolled(conditions(skew=tuple(-angle for angle in angles)))
@@ -168,7 +186,7 @@ def test_thrusts_balance(rolled):
 
 
 def test_no_skew_is_skew_zero(rolled):
-    plain, zero = rolled(), rolled(conditions(skew=(0.0,)))
+    plain, zero = rolled(), rolled(conditions(skew=(0.0,) * 5))
     np.testing.assert_allclose(zero.creepage, plain.creepage, rtol=1e-9)
     np.testing.assert_array_equal(zero.axial_force, 0.0)
 
@@ -183,7 +201,9 @@ def lives_by_hand(found, reliability):
     e = 10 / 9
     for load, one, two in zip(normal, "spprl", "prloo", strict=True):
         internal = two == "o"
-        effective = radius[one] * radius[two] / (radius[two] - radius[one] if internal else radius[one] + radius[two])
+        effective = (
+            radius[one] * radius[two] / (radius[two] - radius[one] if internal else radius[one] + radius[two])
+        )
         a = math.sqrt(4 * load / 5e-3 * effective / (math.pi * 206e9 / 1.82))
         p0 = 2 * load / 5e-3 / (math.pi * a)
         for body in (one, two):
@@ -213,7 +233,7 @@ def test_life_of_bodies_and_drive(rolled, reliability):
 
 
 def test_duty_of_one_load_is_that_load(rolled):
-    duty = (DutyPoint(5.0, 100.0, 0.25), DutyPoint(5.0, 100.0, 0.75))
+    duty = (DutyPoint(5.0, 100.0, 0.25), DutyPoint(5.0, 100.0, 0.7), DutyPoint(5.0, 100.0, 0.05))
     found = rolled(conditions(duty=duty), sun_speed=100.0)
     assert float(found.duty_life_hours) == pytest.approx(float(found.life_hours.drive), rel=1e-9)
     assert float(found.duty_life_turns) == pytest.approx(float(found.life_turns.drive), rel=1e-9)
@@ -234,10 +254,12 @@ def test_miners_sum_over_a_duty(rolled):
     times = np.array([[1, 3, 3, 3, 3], [3, 3, 3, 1, 1]])
     times[0, 0] = 1
     rate = 0.0
-    for body, places in enumerate([[(0, 0)], [(1, 0), (0, 1), (0, 2)], [(1, 1), (0, 3)], [(1, 2), (0, 4)], [(1, 3), (1, 4)]]):
+    for body, places in enumerate(
+        [[(0, 0)], [(1, 0), (0, 1), (0, 2)], [(1, 1), (0, 3)], [(1, 2), (0, 4)], [(1, 3), (1, 4)]]
+    ):
         rate += (1 if body in (0, 4) else 3) * sum(tracks[place] ** (10 / 9) for place in places)
     assert float(found.duty_life_hours) == pytest.approx(rate ** (-9 / 10), rel=1e-9)
-    slipping = rolled(conditions(duty=(DutyPoint(30.0, 100.0, 1.0),)))
+    slipping = rolled(conditions(duty=tuple(DutyPoint(torque, 100.0, 0.3) for torque in (1.0, 2.0, 30.0))))
     assert np.isnan(float(slipping.duty_life_hours))
     assert np.isnan(float(rolled().duty_life_hours))
 
@@ -252,7 +274,7 @@ def test_shakedown_ratio(rolled):
 
 
 def test_at_rest_only_what_needs_no_time_is_there(rolled):
-    found = rolled(conditions(hysteresis_loss_factor=0.01, viscosity=0.03), sun_speed=0.0)
+    found = rolled(conditions(), sun_speed=0.0)
     for there in (found.drift_per_output_turn, found.life_turns.drive, found.creepage, found.cycles_per_turn):
         assert np.all(np.isfinite(there))
     absent = (found.drift_rate, found.life_hours.drive, found.power.loss, found.power.efficiency)
@@ -267,27 +289,26 @@ def test_nothing_is_said_of_a_contact_that_slips_or_has_no_stiffness(rolled, cha
 
 @pytest.mark.parametrize("speed", [0.0, 100.0])
 def test_gradients_are_finite_and_right(rolled, speed):
-    given = conditions(skew=(5e-4,), hysteresis_loss_factor=0.01, viscosity=0.03)
+    given = conditions(skew=(5e-4,) * 5)
 
+    @jax.jit
     def numbers(torque):
         found = rolled(given, output_torque=torque, sun_speed=speed)
-        return found.speed_loss, jnp.log(found.life_turns.drive), found.axial_force[0], found.power.efficiency
+        timed = found.power.efficiency if speed else found.drift_per_output_turn
+        return jnp.stack([found.speed_loss, jnp.log(found.life_turns.drive), found.axial_force[0], timed])
 
-    def loss(torque):
-        return numbers(torque)[0]
-
-    for index in range(4 if speed else 3):
-        def one(torque, index=index):
-            return numbers(torque)[index]
-
-        expected = (one(4.0 + 1e-4) - one(4.0 - 1e-4)) / 2e-4
-        assert float(jax.grad(one)(4.0)) == pytest.approx(float(expected), rel=2e-5)
-    assert np.isfinite(float(jax.grad(loss)(0.0)))
+    slopes = jax.jit(jax.jacfwd(numbers))
+    expected = (numbers(4.0 + 1e-4) - numbers(4.0 - 1e-4)) / 2e-4
+    np.testing.assert_allclose(slopes(4.0), expected, rtol=2e-5)
+    assert np.all(np.isfinite(slopes(0.0)))
 
 
 def test_a_batch_is_its_members(rolled):
     torque, preload = jnp.array([0.0, 2.0, 5.0]), jnp.array([800.0, 1000.0, 1500.0])
-    given = conditions(skew=(5e-4, 1e-4, 0.0, 0.0, 2e-4), duty=(DutyPoint(2.0, 50.0, 1.0),))
+    given = conditions(
+        skew=(5e-4, 1e-4, 0.0, 0.0, 2e-4),
+        duty=tuple(DutyPoint(torque, 50.0, 0.5) for torque in (2.0, 1.0, 0.0)),
+    )
     many = rolled(given, output_torque=torque, preload=preload)
     for i in range(3):
         one = rolled(given, output_torque=torque[i], preload=preload[i])

@@ -221,5 +221,5 @@ def spectrum_life(*, lives: Real, cycle_rates: Real, time_shares: Real) -> Real:
     A. Palmgren, Z. VDI 68 (1924) 339; M. A. Miner, J. Appl. Mech. 12 (1945) A159. Equation (B8) of :doc:`/equations`.
     """
     rate = jnp.sum(time_shares * cycle_rates / lives, axis=0)
-    turning = rate > 0.0
-    return jnp.where(turning, 1.0 / jnp.where(turning, rate, 1.0), jnp.inf)  # (B8)
+    endless = rate == 0.0  # an unknown life stays unknown
+    return jnp.where(endless, jnp.inf, 1.0 / jnp.where(endless, 1.0, rate))  # (B8)

@@ -141,9 +141,9 @@ def skewed_slip_ratios(
 
     Notes
     -----
-    Exact in one direction alone (Carter), for little creepage, and far beyond gross slip, where the traction is opposite
-    to the slip. Between these it is an approximation: against boundary elements (nu = 0.3) the vector of the force is
-    within 0.006 mu N; with :math:`\mathbf d = \zeta` it would be up to 0.15 mu N off.
+    Exact in one direction alone (Carter), for little creepage, and far beyond gross slip, where the traction is
+    opposite to the slip. Between these it is an approximation: against boundary elements (nu = 0.3) the vector of the
+    force is within 0.006 mu N; with :math:`\mathbf d = \zeta` it would be up to 0.15 mu N off.
 
     References
     ----------

@@ -138,7 +138,10 @@ def _contacts(solved: SolvedJoint) -> Document:
     }
     return {
         contact: {
-            **{name: np.broadcast_to(values, (len(CONTACT_NAMES),))[index] for name, values in columns.items()},
+            **{
+                name: np.broadcast_to(values, (len(CONTACT_NAMES),))[index]
+                for name, values in columns.items()
+            },
             **contact_results(solved.result.rolling, index),
         }
         for index, contact in enumerate(CONTACT_NAMES)

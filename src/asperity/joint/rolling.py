@@ -51,7 +51,8 @@ class RollingResult(eqx.Module):
     stick_fraction : Array
         Share of the contact width that sticks, shape (5, ...) [-], Carter's.
     layer_ratio, layer_creepage_factor : Array
-        Compliance of the asperities over that of the bodies, and by how much it raises the creepage, shape (5, ...) [-].
+        Compliance of the asperities over that of the bodies, and by how much it raises the creepage, shape (5, ...)
+        [-].
     skew_creepage_factor : Array
         By how much skew raises the creepage, shape (5, ...) [-]; 1 without skew.
     capacity_loss : Array
@@ -122,7 +123,8 @@ class ContactCreep(NamedTuple):
     law : CreepLaw
         For :func:`asperity.drive.rolling_state.rolling_state`.
     layer_ratio, layer_factor, skew_factor : Array
-        Compliance of the asperities over that of the bodies; factors of the asperities and of skew on Carter's creepage.
+        Compliance of the asperities over that of the bodies; factors of the asperities and of skew on Carter's
+        creepage.
     lateral_ratio : Array
         Creepage across over creepage along, both at gross slip.
     skew : Array
@@ -319,7 +321,9 @@ def rolling_result(
         cycles=tracks,
         cycles_per_turn=per_turn,
         life_turns=lives,
-        life_hours=_where(turns, jax.tree.map(lambda life: life / jnp.where(turns, turns_an_hour, 1.0), lives)),
+        life_hours=_where(
+            turns, jax.tree.map(lambda life: life / jnp.where(turns, turns_an_hour, 1.0), lives)
+        ),
         duty_life_hours=jnp.full_like(state.speed_loss, jnp.nan),
         duty_life_turns=jnp.full_like(state.speed_loss, jnp.nan),
         residual=state.residual,

@@ -149,7 +149,9 @@ def unknown_because(joint: Joint, result: JointResult) -> list[str]:
         if named:
             return [f"no steady rolling: {named} slips or has lifted off"]
         if not bool(result.contact_law_holds):
-            return ["no creep: every spot of a contact is plastic, where the contact law gives it no stiffness"]
+            return [
+                "no creep: every spot of a contact is plastic, where the contact law gives it no stiffness"
+            ]
         return [
             "no steady rolling: with equal creep on both sides of a planet a contact slips or lifts off, or skew alone "
             "makes it slip"

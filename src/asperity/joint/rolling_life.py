@@ -8,8 +8,8 @@ import equinox as eqx
 import jax.numpy as jnp
 from jax import Array
 
-from asperity.contact.rolling_fatigue import BEARING_STEEL, WEIBULL_SLOPE, line_contact_life, system_life
 from asperity.contact.roller_pairs import RollerPairs
+from asperity.contact.rolling_fatigue import BEARING_STEEL, WEIBULL_SLOPE, line_contact_life, system_life
 from asperity.drive.rolling_speeds import BODY_NAMES, DRIVEN_BODY, DRIVING_BODY, RollingSpeeds
 from asperity.types import Real
 
@@ -125,9 +125,7 @@ def drive_lives(*, tracks: Array, planet_count: Real) -> DriveLives:
     one = jnp.ones_like(several)
     fewer = jnp.stack([one, several, several, several, one])
     contact = system_life(
-        lives=jnp.stack(
-            [driving * fewer[jnp.array(DRIVING_BODY)], driven * fewer[jnp.array(DRIVEN_BODY)]]
-        )
+        lives=jnp.stack([driving * fewer[jnp.array(DRIVING_BODY)], driven * fewer[jnp.array(DRIVEN_BODY)]])
     )
     return DriveLives(contact=contact, body=body, drive=system_life(lives=body * fewer))
 

@@ -101,8 +101,10 @@ def rolling_power(
 
     Notes
     -----
-    Creep and bearings are in the balance of forces: they equal :math:`T_{in}\omega_s - T_{out}\omega_c` of the rolling
-    state. Skew, hysteresis and oil are not; they add to the power that enters. Churning of the oil is left out.
+    Without friction at the loading rollers' pins, creep and bearings equal :math:`T_{in}\omega_s - T_{out}\omega_c` of
+    the rolling state. With it they are larger by :math:`2n(T_{Bl} + T_{Br})\,\omega_c`: equation (5) leaves out that
+    these bearings brake the carrier that holds them. Skew, hysteresis and oil are in no balance of forces; all losses
+    add to the power at the output. Churning of the oil is left out.
 
     References
     ----------
@@ -112,9 +114,7 @@ def rolling_power(
     creep = count * creep_power(
         tangential_force=state.tangential, creepage=state.creepage, rolling_speed=rolling
     )
-    skew = count * creep_power(
-        tangential_force=axial_force, creepage=lateral_creepage, rolling_speed=rolling
-    )
+    skew = count * creep_power(tangential_force=axial_force, creepage=lateral_creepage, rolling_speed=rolling)
     absent = jnp.full_like(creep, jnp.nan)
     counted = creep + skew
     hysteresis, oil = absent, absent

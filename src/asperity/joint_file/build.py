@@ -13,9 +13,9 @@ from asperity.drive.assembly import IDEAL_STRUCTURE, StructureSprings
 from asperity.drive.geometry import DriveGeometry
 from asperity.drive.mechanism import Bearings
 from asperity.joint.description import Bodies, Joint
+from asperity.joint.rolling_conditions import PLAIN_ROLLING, DutyPoint, RollingConditions
 from asperity.joint_file.model import Case, EachContact
 from asperity.joint_file.si_tables import Values, check_values, replace_values, si_values
-from asperity.joint.rolling_conditions import PLAIN_ROLLING, DutyPoint, RollingConditions
 from asperity.materials import Material, hardness
 from asperity.types import Real
 

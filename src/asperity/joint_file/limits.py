@@ -37,9 +37,7 @@ HARDNESS = Key(Dimension.PRESSURE, 1e-3, 1e6, "MPa", example="1260 MPa")
 
 SKEW = Key(Dimension.ANGLE, -100.0, 100.0, "mrad", example="0.5 mrad")
 HYSTERESIS_FACTOR = Key(Dimension.DIMENSIONLESS, 0.0, 1.0, example="0.01")
-RELIABILITY = Key(
-    Dimension.DIMENSIONLESS, 0.0, 1.0, open_lower=True, open_upper=True, example="0.9"
-)
+RELIABILITY = Key(Dimension.DIMENSIONLESS, 0.0, 1.0, open_lower=True, open_upper=True, example="0.9")
 VISCOSITY = Key(Dimension.VISCOSITY, 1e-6, 1e4, "Pa*s", example="30 mPa*s")
 PRESSURE_COEFFICIENT = Key(Dimension.INVERSE_PRESSURE, 0.0, 1e3, "1/GPa", example="20 1/GPa")
 DUTY_TORQUE = Key(Dimension.TORQUE, -1e9, 1e9, "N*m")

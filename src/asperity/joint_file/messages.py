@@ -171,7 +171,9 @@ def _sentence(parts: Parts, error: ErrorDetails) -> str:
 
 def _wanted(parts: Parts) -> str:
     """What a missing key has to be, with an example."""
-    generic = ".".join("*" if i == 1 and parts[0] in ("materials", "duty") else part for i, part in enumerate(parts))
+    generic = ".".join(
+        "*" if i == 1 and parts[0] in ("materials", "duty") else part for i, part in enumerate(parts)
+    )
     key = keys_by_path().get(generic)
     if key:
         return f": {key.dimension.label}, e.g. '{key.typical}'"

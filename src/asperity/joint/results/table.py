@@ -50,7 +50,12 @@ _MOST_LISTED = 20
 _WHERE_LISTED = "the page 'Results' of the documentation lists all of them"
 
 #: What an engineer may call a result whose name is another.
-_ALSO_CALLED = {"ratio": "speed_ratio", "pressure": "hertz_pressure", "torque": "torque_capacity", "life": "life_hours"}
+_ALSO_CALLED = {
+    "ratio": "speed_ratio",
+    "pressure": "hertz_pressure",
+    "torque": "torque_capacity",
+    "life": "life_hours",
+}
 
 
 def known_result(name: object, *, among: Sequence[str] = (), what: str = "result") -> str:
