@@ -27,6 +27,7 @@ from asperity.drive.assembly import IDEAL_STRUCTURE
 from asperity.drive.geometry import DriveGeometry
 from asperity.drive.mechanism import Bearings
 from asperity.joint.evaluation import Bodies, Joint, evaluate
+from asperity.joint.play import NO_PLAY
 from asperity.materials import Material
 from asperity.precision import use_double_precision
 
@@ -67,6 +68,7 @@ def joint_of(points: jax.Array) -> Joint:
         output_torque=torque,
         sun_speed=6000 * np.pi / 30,
         structure=IDEAL_STRUCTURE,
+        play=NO_PLAY,
         closure="elastic",
         closure_springs="bulk",
         contact_factor_model="printed",

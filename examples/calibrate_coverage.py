@@ -22,7 +22,7 @@ from asperity.study.calibration.unknowns import read_unknowns
 TRUTH = {
     "load.preload=300 N:3000 N": 900.0,
     "load.friction_coefficient=0.09:0.4": 0.14,
-    "play=0 arcmin:1 arcmin": 3e-5,
+    "play.angle=0 arcmin:1 arcmin": 3e-5,
     "offset=-1 arcmin:1 arcmin": 1e-5,
     "drift=-1e-6 rad/s:1e-6 rad/s": 2e-8,
 }
@@ -80,8 +80,10 @@ def posterior_ends(found: Calibration, draws: int, seed: int) -> np.ndarray:
     """Ends of the middle 95 % of the posterior, shape (unknowns, 2) [SI]."""
     from asperity.study.calibration.posterior import posterior
 
-    places = np.quantile(posterior(found, draws=draws, seed=seed).places, (0.025, 0.975), axis=0)
-    return np.array([u.from_unit(places[:, i]) for i, u in enumerate(found.model.unknowns)])
+    scaled_values = np.quantile(
+        posterior(found, draws=draws, seed=seed).scaled_values, (0.025, 0.975), axis=0
+    )
+    return np.array([u.from_unit(scaled_values[:, i]) for i, u in enumerate(found.model.unknowns)])
 
 
 def main() -> None:

@@ -20,8 +20,8 @@ ARCMIN = math.pi / 180.0 / 60.0
 TRUTH = {
     "load.preload=300 N:3000 N": 900.0,
     "load.friction_coefficient=0.09:0.4": 0.14,
-    "play=0 arcmin:1 arcmin": 0.1 * ARCMIN,
-    "play_torque=0.01 N*m:5 N*m": 0.2,
+    "play.angle=0 arcmin:1 arcmin": 0.1 * ARCMIN,
+    "play.take_up_torque=0.01 N*m:5 N*m": 0.2,
     "drift=-1 arcmin/min:1 arcmin/min": 0.3 * ARCMIN / 3600.0,
 }
 OFFSETS = (0.03 * ARCMIN, -0.05 * ARCMIN)

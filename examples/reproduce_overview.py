@@ -8,7 +8,7 @@ from pathlib import Path
 
 from asperity.precision import use_compilation_cache, use_double_precision
 from asperity.zou2025.criteria import peak
-from asperity.zou2025.curves import JointCurves, joint_curves
+from asperity.zou2025.curves import JointCurves, compute
 from asperity.zou2025.overview import overview_figure
 
 PICTURE = Path(__file__).parents[1] / "docs" / "images" / "zou2025_overview.png"
@@ -22,10 +22,10 @@ def peak_dimension(curves: JointCurves) -> float:
 def main(picture: Path) -> float:
     use_double_precision()
     use_compilation_cache()
-    curves = joint_curves()["dimension"]
+    curves = compute()
     picture.parent.mkdir(parents=True, exist_ok=True)
     overview_figure(curves).savefig(picture, dpi=150)
-    place = peak_dimension(curves)
+    place = peak_dimension(curves.dimension)
     print(f"{picture}: the joint is stiffest at D = {place:.3f}")
     return place
 

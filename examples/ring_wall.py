@@ -29,7 +29,7 @@ from asperity.drive.assembly import IDEAL_STRUCTURE, assembly_stiffness
 from asperity.drive.geometry import DriveGeometry, angles, triangle
 from asperity.materials import contact_modulus
 from asperity.precision import use_compilation_cache, use_double_precision
-from asperity.zou2025.style import ACCENT, MARK, MUTED, STYLE
+from asperity.show.style import ACCENT, MARK, MUTED, STYLE
 
 PICTURE = Path(__file__).parents[1] / "docs" / "images" / "ring_wall.png"
 YOUNG, POISSON, LENGTH, PLANETS = 206e9, 0.3, 5e-3, 3

@@ -20,7 +20,7 @@ from asperity.contact.creep_layer import (
 )
 from asperity.contact.rolling_in import rolling_in_lag, rolling_in_length, rolling_in_shift
 from asperity.precision import use_compilation_cache, use_double_precision
-from asperity.zou2025.style import STYLE
+from asperity.show.style import STYLE
 
 PICTURE = Path(__file__).parents[1] / "docs" / "images" / "rolling_contact.png"
 POISSON_RATIO = 0.3

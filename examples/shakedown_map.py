@@ -12,7 +12,7 @@ from matplotlib.figure import Figure
 
 from asperity.contact.shakedown import mises_elastic_limit, shakedown_limit, tresca_elastic_limit
 from asperity.precision import use_double_precision
-from asperity.zou2025.style import ACCENT, MARK, MUTED, STYLE
+from asperity.show.style import ACCENT, MARK, MUTED, STYLE
 
 PICTURE = Path(__file__).parents[1] / "docs" / "images" / "shakedown.png"
 POISSON_RATIO = 0.3

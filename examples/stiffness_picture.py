@@ -13,9 +13,9 @@ from matplotlib.figure import Figure
 from asperity.compilation import compile_fast
 from asperity.joint.evaluation import evaluate
 from asperity.precision import use_compilation_cache, use_double_precision
-from asperity.zou2025.overview import draw_drive
+from asperity.show.drive_drawing import draw_drive
+from asperity.show.style import ACCENT, MARK, MUTED, STYLE
 from asperity.zou2025.preset import DIMENSION_RANGE, operating_grid, table_2_joint
-from asperity.zou2025.style import ACCENT, MARK, MUTED, STYLE
 
 PICTURE = Path(__file__).parents[1] / "docs" / "images" / "readme.png"
 
@@ -36,8 +36,8 @@ def draw(dimension: np.ndarray, levels: dict[str, np.ndarray]) -> Figure:
     with rc_context(STYLE):
         figure = Figure(figsize=(11.0, 4.8), layout="constrained")
         machine, curves = figure.subplots(1, 2, width_ratios=(1.0, 1.45))
-        geometry = table_2_joint(operating_grid()).geometry
-        draw_drive(machine, geometry)
+        joint = table_2_joint(operating_grid())
+        draw_drive(machine, joint.geometry, ring_wall_thickness=joint.ring_wall_thickness)
         machine.set_title("Planetary traction drive, to scale")
         for (name, values), color in zip(levels.items(), (MUTED, ACCENT, MARK), strict=True):
             curves.semilogy(dimension, values, color=color)

@@ -48,6 +48,7 @@ def paper_joint():
     from asperity.drive.geometry import DriveGeometry
     from asperity.drive.mechanism import Bearings
     from asperity.joint.evaluation import Bodies, Joint
+    from asperity.joint.play import NO_PLAY
     from asperity.materials import Material
 
     standard = {
@@ -77,6 +78,7 @@ def paper_joint():
         "output_torque": 5.0,
         "sun_speed": 6000 * np.pi / 30,
         "structure": IDEAL_STRUCTURE,
+        "play": NO_PLAY,
         "closure": "elastic",
         "closure_springs": "bulk",
         "contact_factor_model": "printed",
@@ -123,6 +125,7 @@ def paper_joint():
             output_torque=x["output_torque"],
             sun_speed=x["sun_speed"],
             structure=x["structure"],
+            play=x["play"],
             closure=x["closure"],
             closure_springs=x["closure_springs"],
             contact_factor_model=x["contact_factor_model"],

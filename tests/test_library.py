@@ -73,7 +73,7 @@ def test_own_file_adds_and_replaces(tmp_path):
 @pytest.mark.parametrize(
     ("old", "new", "message"),
     [
-        ("reference", "note", "'reference' is missing or is not text; every entry states its source"),
+        ("reference", "note", "'reference' is missing or is not text; every entry must state its source"),
         ('"110 GPa"', '"110 N"', "expected a pressure"),
         ("hardness_factor = 2.8", "", "exactly one of"),
         ("poisson_ratio = 0.34", "", "'poisson_ratio' is missing"),

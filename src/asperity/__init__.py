@@ -1,17 +1,44 @@
 """asperity: from a measured rough surface to the torsional stiffness of a traction-drive robot joint.
 
-The package computes in SI units and double precision. ``import asperity`` itself loads nothing heavy;
-import the room that you need (``asperity.contact``, ``asperity.drive``, ``asperity.joint.evaluation`` ...), and call
-:func:`asperity.precision.use_double_precision` once before the first computation.
+``asperity.load("joint.toml").solve()`` is the shortest way to an answer; what else a script or a notebook needs is in
+``asperity.__all__``, and is imported only when it is used. Input carries its units as text, results carry theirs, and
+everything is computed in SI units and double precision. The rooms below (``asperity.contact``, ``asperity.drive``,
+``asperity.joint`` ...) are pure functions of arrays; who calls those directly calls
+:func:`asperity.precision.use_double_precision` first.
 """
 
-from typing import Any
+import importlib
+from typing import TYPE_CHECKING, Any
 
-__all__ = ["__version__"]
+if TYPE_CHECKING:
+    from asperity import errors
+    from asperity.api.calibration import calibrate
+    from asperity.api.design import design
+    from asperity.api.joint import load
+    from asperity.api.studies import plot, sweep
+    from asperity.api.surface import measure_surface
+    from asperity.api.windup import windup
+
+#: Where the functions for scripts are; the names stand here so that importing the package loads none of them.
+_OFFERED = {
+    "calibrate": "asperity.api.calibration",
+    "design": "asperity.api.design",
+    "load": "asperity.api.joint",
+    "measure_surface": "asperity.api.surface",
+    "plot": "asperity.api.studies",
+    "sweep": "asperity.api.studies",
+    "windup": "asperity.api.windup",
+}
+
+__all__ = ["calibrate", "design", "errors", "load", "measure_surface", "plot", "sweep", "windup"]
 
 
 def __getattr__(name: str) -> Any:
-    """Look the version up when it is asked for: reading package metadata costs more than the rest of the import."""
+    """What is offered, and the version: imported or read when it is asked for."""
+    if name in _OFFERED:
+        return getattr(importlib.import_module(_OFFERED[name]), name)
+    if name == "errors":
+        return importlib.import_module("asperity.errors")
     if name != "__version__":
         raise AttributeError(f"module 'asperity' has no attribute '{name}'")
     from importlib.metadata import PackageNotFoundError, version
@@ -20,3 +47,7 @@ def __getattr__(name: str) -> Any:
         return version("asperity")
     except PackageNotFoundError:  # a source tree that is not installed
         return "0+unknown"
+
+
+def __dir__() -> list[str]:
+    return [*__all__, "__version__"]

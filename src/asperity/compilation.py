@@ -1,9 +1,9 @@
-"""Compiling a function that runs once or a few times: quick to build, not quick to run.
+"""Compilation of a function that runs once or a few times: fast to compile rather than fast to run.
 
-Most of the time between a command and its answer is JAX following the Python code and XLA compiling what comes
-out. XLA is told to hurry. Where a compilation cache is set (:func:`asperity.precision.use_compilation_cache`), the
-program that JAX found is kept beside XLA's, under a name made of the source code and the versions that it depends
-on, and the next process skips both.
+Most of the run time of a command is spent by JAX tracing the Python code and by XLA compiling the result. XLA's
+expensive optimisations are switched off. If a compilation cache is set
+(:func:`asperity.precision.use_compilation_cache`), the traced program is stored in addition to XLA's machine code. Its
+name is formed from the source code and the versions that it depends on. The next process skips both steps.
 """
 
 from __future__ import annotations
@@ -43,14 +43,14 @@ def compile_fast(
     *arguments
         Modules whose leaves are arrays, of the shapes that the function will be called with.
     options : tuple, optional
-        Arguments in front of these that are no numbers but say what to compute: texts and tuples of texts, whose
-        ``repr`` says everything about them.
+        Leading arguments that select what to compute and are not numbers: texts and tuples of texts, which their
+        ``repr`` identifies completely.
 
     Returns
     -------
     callable
-        The compiled function without the options, for arguments of the same structure and shapes; the same one if
-        asked again.
+        The compiled function without the options, for arguments of the same structure and shapes; the same
+        object on a repeated call.
     """
     leaves, structure = jax.tree.flatten(arguments)
     return _compiled(
@@ -82,16 +82,16 @@ def _built(jitted: Any, *arguments: Any) -> Callable[..., Any]:
         return lowered.compile(compiler_options=_COMPILE_FAST)
     except (
         jax.errors.JaxRuntimeError
-    ):  # a release of XLA without these options: the same program, built slowly
+    ):  # a release of XLA without these options: the same program, compiled slowly
         return lowered.compile()
 
 
 def _kept_program(
     function: Callable[..., Any], options: tuple[Any, ...], structure: Any, kinds: _Kinds
 ) -> tuple[Callable[..., Any], Any] | None:
-    """The program of a function as of its flat leaves, from the cache or put there; None without a cache."""
+    """The program of a function of flat leaves, read from the cache or stored there; None without a cache."""
     folder = jax.config.jax_compilation_cache_dir  # type: ignore[attr-defined]
-    if not folder or importlib.util.find_spec("flatbuffers") is None:  # what jax.export writes its files with
+    if not folder or importlib.util.find_spec("flatbuffers") is None:  # the file format of jax.export
         return None
     if not _known_by_name(function):
         return None
@@ -102,7 +102,7 @@ def _kept_program(
         # a pickle, as trustworthy as the machine code that XLA keeps in the same folder of the user
         stored, skeleton = pickle.loads(file.read_bytes())
         return export.deserialize(bytearray(stored)).call, jax.tree.structure(skeleton)
-    except Exception:  # absent or damaged: the cache must never decide whether there is an answer
+    except Exception:  # absent or damaged: a result must never depend on the cache
         pass
     result_structures = []
 
@@ -120,7 +120,7 @@ def _kept_program(
 
 
 def _known_by_name(function: Callable[..., Any]) -> bool:
-    """Whether the function's name says everything about it: a closure of the same name may compute something else."""
+    """Whether the function's name identifies it: a closure of the same name may compute something else."""
     module = sys.modules.get(function.__module__)
     return getattr(module, getattr(function, "__qualname__", ""), None) is function
 
@@ -130,14 +130,14 @@ def _keep(file: Path, content: bytes) -> None:
     try:
         part.write_bytes(content)
         part.replace(file)
-    except OSError:  # a full or read-only disk costs time at the next start, nothing else
+    except OSError:  # a full or read-only disk only costs time at the next start
         part.unlink(missing_ok=True)
 
 
 def _fingerprint(
     function: Callable[..., Any], options: tuple[Any, ...], structure: Any, kinds: _Kinds
 ) -> str:
-    """Everything a program depends on: this package's source, the versions below it, and what is asked for."""
+    """Everything a program depends on: this package's source, the versions of its dependencies, and the request."""
     name = (function.__module__, function.__qualname__)
     asked = (*name, options, str(structure), kinds, jax.default_backend())
     below = (platform.python_version(), *(version(name) for name in ("jax", "jaxlib", "equinox", "numpy")))

@@ -68,6 +68,10 @@ class AsperityError(Exception):
     def __init__(self, message: str = "") -> None:
         super().__init__(printable(message))
 
+    def _render_traceback_(self) -> list[str]:
+        """What a notebook shows: the message, which says all that a user needs, instead of a traceback."""
+        return [f"{type(self).__name__}: {self}"]
+
 
 class InputError(AsperityError, ValueError):
     """The input is wrong: a value, a unit, a key, a file. Exit code 2."""

@@ -156,7 +156,7 @@ def tangential_contact_modulus(
 
 
 class ContactPair(eqx.Module):
-    """What a contact needs to know of its two materials, SI units.
+    """Material properties of a pair of bodies in contact, SI units.
 
     Parameters
     ----------

@@ -2,7 +2,7 @@
 
 Critical spot areas span more than a hundred decades, so single precision is not an option. The command line
 and the examples call :func:`use_double_precision`; a library user calls it once. Solvers call
-:func:`require_double_precision` and refuse to go on otherwise, instead of switching it on behind one's back.
+:func:`require_double_precision` and raise an error otherwise, instead of switching it on without notice.
 """
 
 from asperity.errors import PrecisionError
@@ -27,7 +27,7 @@ def require_double_precision() -> None:
 
     if not jax.config.read("jax_enable_x64"):
         raise PrecisionError(
-            "JAX is set to single precision (32-bit floats), which the contact law cannot be solved in; call "
+            "JAX is set to single precision (32-bit floats), in which the contact law cannot be solved; call "
             "asperity.precision.use_double_precision() first, or set the environment variable JAX_ENABLE_X64=1"
         )
 
@@ -36,7 +36,7 @@ def use_compilation_cache() -> None:
     """Keep compiled programs in the user's cache directory, so that later runs start in a fraction of the time.
 
     Set ``ASPERITY_CACHE_DIR`` to choose another folder, or to an empty string to switch the cache off.
-    A folder that cannot be written leaves the cache off: results never depend on it.
+    If the folder cannot be written, the cache stays off; results never depend on it.
     """
     import os
     from pathlib import Path

@@ -1,4 +1,4 @@
-"""Dimensions and units: what a quantity can measure, and the exact SI factor of every unit that is read.
+"""Dimensions and units: the kinds of quantity, and the exact SI factor of every accepted unit.
 
 Factors are ratios of whole numbers times a power of pi. The angle is a dimension of its own here: N·m and
 N·m/rad are different things.
@@ -71,7 +71,7 @@ class Dimension(Enum):
 
 @functools.cache
 def unit_table() -> dict[str, Unit]:
-    """Every unit by each of its spellings: those that stand alone, and those that take SI prefixes."""
+    """Every unit by each of its spellings: those without SI prefixes, and those with SI prefixes."""
     angle, length, mass, time = (0, 0, 0, 1), (1, 0, 0, 0), (0, 1, 0, 0), (0, 0, 1, 0)
     force, pressure, energy = (1, 1, -2, 0), (-1, 1, -2, 0), (2, 1, -2, 0)
     pound_force = 45359237 * 980665  # lbf = 0.45359237 kg * 9.80665 m/s^2, exactly; in units of 1e-13 N
@@ -123,6 +123,6 @@ def unit_table() -> dict[str, Unit]:
             scaled = (numerator * up, denominator * down, pi_power, exponents)
             table[short + symbol] = scaled
             table.update({long + name: scaled for name in names.split()})
-    # "min" is a minute and "ft" a foot: what stands alone wins
+    # "min" is a minute and "ft" a foot: a unit without a prefix takes precedence
     table.update({name: unit for names, unit in alone for name in names.split()})
     return table | {name: (*ratio, 0, (2, 1, -2, 0)) for name, ratio in TORQUE_UNITS.items()}

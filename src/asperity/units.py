@@ -1,8 +1,8 @@
 """Quantities as text: ``"13.5 mm"`` to SI and back, in a fraction of a millisecond and without dependencies.
 
 A quantity is a decimal number and a product of units: ``5 N*m``, ``5 N·m``, ``5 N m``, ``5 Nm``, ``7850 kg/m^3``,
-``3e4 N*m/rad``. Products and quotients are read from left to right (``N/mm/rad`` is N/(mm·rad)); there are no
-parentheses. Powers are whole numbers after ``^`` or ``**``, or superscripts. The arithmetic is exact but for
+``3e4 N*m/rad``. Products and quotients are evaluated from left to right (``N/mm/rad`` is N/(mm·rad)); there are no
+parentheses. Powers are whole numbers after ``^`` or ``**``, or superscripts. The arithmetic is exact except for
 one rounding, so that ``"13.5 mm"`` gives the same float as writing ``0.0135``.
 """
 
@@ -23,11 +23,11 @@ _SAME = str.maketrans("−μ·⋅×∙\u00a0\u202f", "-µ****  ")
 _NUMBER = r"(?a:([+-]?)(\d+\.?\d*|\.\d+)(?:[eE]([+-]?\d+))?(?![\d.]))"
 _TERM = r"\s*([*/]?)\s*(1(?=\s*/|\s*$)|[^\W\d]+|[%°])(?:\s*(?:\^|\*\*)\s*([+-]?(?a:\d)+))?"
 _PLUS_MINUS = r"±|\+\s?/?\s?-"
-# The patterns stay text: re compiles each on first use and keeps it, so that importing costs nothing.
+# The patterns are kept as text: re compiles each on first use and caches it, so that importing costs nothing.
 
 
 def _nearest(name: str) -> str:
-    """Say which known unit an unknown one resembles most."""
+    """Suggest the known unit that an unknown one resembles most."""
     import difflib
 
     torque_units = {known.lower(): known for known in TORQUE_UNITS if known[0] == "N"}
@@ -46,7 +46,7 @@ def _nearest(name: str) -> str:
     return (
         f"; did you mean '{by_lower_case[close[0]]}'?"
         if close
-        else "; known are e.g. mm, N, MPa, deg, rpm, N*m"
+        else "; examples of known units: mm, N, MPa, deg, rpm, N*m"
     )
 
 
@@ -63,7 +63,7 @@ def _parse_unit(text: str) -> Unit:
     while position < len(plain):
         match = re.match(_TERM, plain[position:])
         if match is None or (position == 0 and match[1] == "*"):
-            hint = "; parentheses are not read, write 'N/m/rad'" if "(" in plain else ""
+            hint = "; parentheses are not supported, write for example 'N/m/rad'" if "(" in plain else ""
             raise InputError(f"cannot read the unit '{written}' from '{plain[position:].strip()}' on{hint}")
         operator, name, power_text = match.groups()
         name = "µ" + name[1:] if name[0] == "u" and "µ" + name[1:] in units else name
@@ -146,7 +146,7 @@ def parse_quantity(text: object, dimension: Dimension, *, example: str | None = 
         Number and unit, such as ``"13.5 mm"``. A number by itself, as text or as int or float, is accepted
         for :attr:`Dimension.DIMENSIONLESS` only.
     dimension : Dimension
-        What the quantity has to measure.
+        Dimension that the quantity must have.
     example : str, optional
         What to quote in messages; the example of the dimension by default.
 
@@ -208,14 +208,14 @@ def parse_quantity(text: object, dimension: Dimension, *, example: str | None = 
 def parse_tolerance(text: object, dimension: Dimension, *, example: str | None = None) -> tuple[float, float]:
     """Value and tolerance of a text such as ``"13.5 mm +- 5 µm"``, in SI units.
 
-    Both parts carry their own unit. ``±``, ``+-`` and ``+/-`` are read alike.
+    Both parts carry their own unit. ``±``, ``+-`` and ``+/-`` are equivalent.
 
     Parameters
     ----------
     text : str
         The value, the sign, the tolerance.
     dimension : Dimension
-        What both have to measure.
+        Dimension that both must have.
     example : str, optional
         What to quote in messages; the example of the dimension by default.
 
@@ -227,7 +227,7 @@ def parse_tolerance(text: object, dimension: Dimension, *, example: str | None =
     Raises
     ------
     InputError
-        If there is not exactly one sign, one of the parts is no such quantity, or the tolerance is negative.
+        If there is not exactly one sign, one of the parts is not such a quantity, or the tolerance is negative.
 
     Examples
     --------
@@ -284,8 +284,8 @@ def from_si(value_si: float, unit: str) -> float:
 def format_quantity(value_si: float, unit: str, digits: int = 4) -> str:
     """Text of a quantity for display, in the given unit.
 
-    Numbers from 0.001 up to a million are written out, others with a power of ten; whole digits are never
-    rounded away. Nan and infinities are shown as such.
+    Numbers from 0.001 to a million are written as decimals, others with a power of ten; digits before the decimal point are
+    never rounded. Nan and infinities are shown as such.
 
     Parameters
     ----------

@@ -21,7 +21,7 @@ def test_it_is_written_once_and_only_overwritten_when_asked(call, tmp_path):
     target.write_text("mine")
     refused = call("init", target)
     assert refused.code == 2
-    assert "exists already; choose another name, or overwrite it with --force" in refused.err
+    assert "already exists; choose another name, or overwrite it with --force" in refused.err
     assert target.read_text() == "mine"
     assert call("init", target, "--force").code == 0
     assert target.read_bytes() == EXAMPLE.read_bytes()

@@ -83,17 +83,20 @@ def test_the_capacity_is_told_with_the_contact_that_limits_it(call, joint_file, 
     capacity = document["torque_capacity"]
     by_hand = 0.12 * 1000.0 * 9.0 * 3.0 * 4e-3
     assert by_hand < capacity["output_torque_Nm"] < 1.05 * by_hand
-    assert (capacity["limiting_contact"], capacity["meaning"]) == ("sp", "the contact sp slips first")
+    assert (capacity["limiting_contact"], capacity["meaning"]) == ("sp", "contact sp slips")
     told = call("joint", joint_file()).out
-    assert f"  capacity   {capacity['output_torque_Nm']:.4g} N·m: the contact sp slips first" in told
+    assert f"  capacity   {capacity['output_torque_Nm']:.4g} N·m: contact sp slips (both directions)" in told
 
 
-def test_a_wedge_that_tightens_has_no_capacity_to_tell(call, joint_file):
-    """Above tan(theta/2) = 0.2408, theta = 27.0831 deg, no contact ever slips."""
-    steep = joint_file(("friction_coefficient = 0.12", "friction_coefficient = 0.25"))
+def test_a_wedge_that_tightens_is_limited_by_lift_off(call, joint_file):
+    """With mu = 0.3 no contact slips before the left roller lifts off.
+
+    There t = tan(theta/2) = 0.2408 at the planet and t/(cos beta - t sin beta) = 0.262 at the ring; theta = 27.083 deg.
+    """
+    steep = joint_file(("friction_coefficient = 0.12", "friction_coefficient = 0.3"))
     capacity = json.loads(call("joint", steep, "--json").out)["torque_capacity"]
-    assert capacity["output_torque_Nm"] is capacity["limiting_contact"] is None
-    assert "  capacity   not limited by friction: the wedge tightens" in call("joint", steep).out
+    assert (capacity["limit"], capacity["limiting_contact"]) == ("lift_off", "pwl")
+    assert (capacity["reverse"]["limit"], capacity["reverse"]["limiting_contact"]) == ("lift_off", "pwr")
 
 
 def test_the_tables_name_their_units_and_warn(call, joint_file):
@@ -166,9 +169,9 @@ def test_no_solution_is_exit_code_3(call, joint_file, monkeypatch):
     real = solving.compile_fast
 
     def unsolved(function, joint):
-        result, gaps = real(function, joint)(joint)
+        result, *others = real(function, joint)(joint)
         result = dataclasses.replace(result, solved=np.asarray(False))
-        return lambda _: (result, gaps)
+        return lambda _: (result, *others)
 
     monkeypatch.setattr(solving, "compile_fast", unsolved)
     outcome = call("joint", joint_file())

@@ -51,7 +51,7 @@ def test_a_library_file_of_one_s_own(call, tmp_path):
     ("arguments", "said"),
     [
         (("441C",), "the library has no entry '441C'; did you mean '440C'?"),
-        (("wood",), "known are 52100"),
+        (("wood",), "it contains 52100"),
         (("--file", "nowhere.toml"), "nowhere.toml: there is no such file"),
     ],
 )

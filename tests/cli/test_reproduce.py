@@ -39,7 +39,7 @@ def test_text_says_met_and_not_met_and_where_files_would_go() -> None:
     assert any(line.startswith("C3 ") and " met " in line for line in lines)
     assert any(line.startswith("C12 ") and "not met" in line for line in lines)
     assert any(line.startswith("window not met") for line in lines)
-    assert "What the paper's words are taken to mean" in result.stdout
+    assert "Criteria for the qualitative terms of the paper" in result.stdout
     assert "--out FOLDER" in result.stderr
 
 

@@ -19,11 +19,13 @@ def asked(monkeypatch):
     kept = {}
 
     def constant(joint, **options):
-        kept.update(options, torque_of_joint=float(joint.output_torque))
+        kept.update(options)
+        compliance = 1.0 / STIFFNESS
         return module.windup_of(
-            lambda torque: jnp.full_like(torque, STIFFNESS),
+            lambda torque: (jnp.full_like(torque, compliance), jnp.full_like(torque, compliance)),
             largest_torque=options["largest_torque"],
             stage_shares=options["stage_shares"],
+            play=joint.play,
         )
 
     monkeypatch.setattr(module, "windup", constant)
@@ -34,9 +36,10 @@ def test_document(call, joint_file, asked):
     outcome = call("windup", joint_file(), "--torque", "10 N*m", "--level", "published", "--json")
     assert (outcome.code, outcome.err) == (0, "")
     found = json.loads(outcome.out)
-    assert (asked["level"], asked["torque_of_joint"]) == ("published", 10.0)
-    assert found["limiting_contact"] == "sp"
-    assert 12.96 < found["torque_capacity_Nm"] < 1.05 * 12.96  # mu N_0 9 n R_s, and a little for the wedge
+    assert (asked["level"], asked["largest_torque"]) == ("published", 10.0)
+    capacity = found["torque_capacity"]
+    assert capacity["limiting_contact"] == capacity["reverse"]["limiting_contact"] == "sp"
+    assert 12.96 < capacity["output_torque_Nm"] < 1.05 * 12.96  # mu N_0 9 n R_s, and a little for the wedge
     assert found["largest_torque_Nm"] == 10.0
     assert found["windup_rad"] == pytest.approx(10.0 / STIFFNESS, rel=1e-12)
     for name in ("hysteresis_rad", "dissipated_energy_J"):  # a spring loses nothing
@@ -51,11 +54,16 @@ def test_table_curves_and_picture(call, joint_file, asked, tmp_path):
     outcome = call("windup", joint_file(), "--csv", files[0], "--plot", files[1])
     assert outcome.code == 0
     assert asked["largest_torque"] == 5.0  # the file's own
-    for text in ("sp slips first", f"{5.0 / STIFFNESS / ARCMINUTE:.4g} arcmin", "29.09", "K3"):
+    for text in (
+        "contact sp slips (both directions)",
+        f"{5.0 / STIFFNESS / ARCMINUTE:.4g} arcmin",
+        "29.09",
+        "K3",
+    ):
         assert text in outcome.out, text
     rows = list(csv.DictReader(files[0].read_text().splitlines()))
     torque, angle = (
-        np.array([float(row[f"loading_{name}"]) for row in rows]) for name in ("torque_Nm", "angle_rad")
+        np.array([float(row[name]) for row in rows]) for name in ("torque_Nm", "loading_angle_rad")
     )
     np.testing.assert_allclose(angle, torque / STIFFNESS, atol=1e-15)
     assert files[1].stat().st_size > 10_000
@@ -64,12 +72,13 @@ def test_table_curves_and_picture(call, joint_file, asked, tmp_path):
 @pytest.mark.parametrize(
     ("arguments", "said"),
     [
-        (("--torque", "50 N*m"), "the output torque 50 N·m is beyond the torque capacity"),
-        (("--torque", "5 N"), "expected a torque"),
-        (("--stages", "0.5", "0.2"), "allowed 0 < first < second < 1"),
+        (("--torque", "50 N*m"), "--torque: the output torque 50 N·m is beyond the torque capacity"),
+        (("--torque", "5 N"), "--torque: expected a torque"),
+        (("--torque", "0 N*m"), "--torque: a wind-up needs a torque that is not zero"),
+        (("--stages", "0.5", "0.2"), "--stages 0.5 0.2: allowed are two shares with 0 < first < second < 1"),
         (("--csv", "joint.toml"), "joint.toml: this is the file that is read; give another name"),
         (("--csv", "nowhere/w.csv"), "nowhere/w.csv: there is no folder 'nowhere'"),
-        (("--plot", "w.xyz"), "w.xyz: an image ends in .png, .svg or .pdf"),
+        (("--plot", "w.xyz"), "w.xyz: the name of an image must end in .png, .svg or .pdf"),
     ],
 )
 def test_refusals(call, joint_file, asked, arguments, said, monkeypatch):
@@ -78,3 +87,30 @@ def test_refusals(call, joint_file, asked, arguments, said, monkeypatch):
     outcome = call("windup", file, *arguments)
     assert (outcome.code, outcome.out) == (2, "")
     assert said in outcome.err
+
+
+def test_play_of_the_file_is_in_every_figure(call, joint_file, asked):
+    """54 arcmin of play: before, a calibrated joint lost them."""
+    file = joint_file(("[model]", '[play]\nangle = "54 arcmin"\ntake_up_torque = "0 N*m"\n\n[model]'))
+    found = json.loads(call("windup", file, "--torque", "10 N*m", "--json").out)
+    spring = 10.0 / STIFFNESS
+    assert found["lost_motion_rad"] == pytest.approx(54.0 * ARCMINUTE + 0.06 * spring, rel=1e-9)
+    assert found["windup_rad"] == pytest.approx(27.0 * ARCMINUTE + spring, rel=1e-9)
+    first = (10.0 / 3.0) / (27.0 * ARCMINUTE + spring / 3.0)
+    assert found["stages"][0]["stiffness_Nm_per_rad"] == pytest.approx(first, rel=1e-9)
+
+
+def test_a_negative_torque_is_the_same_curve(call, joint_file, asked):
+    documents = [
+        json.loads(call("windup", joint_file(), f"--torque={torque}", "--json").out)
+        for torque in ("10 N*m", "-10 N*m")
+    ]
+    assert documents[0] == documents[1]
+
+
+def test_a_direction_with_less_capacity_is_refused_by_name(call, joint_file):
+    """A constant pin force: 182 N·m one way, 12.5 the other."""
+    file = joint_file(('closure = "elastic"', 'closure = "constant_pin_force"'))
+    outcome = call("windup", file, "--torque", "13 N*m")
+    assert (outcome.code, outcome.out) == (2, "")
+    assert "--torque: the output torque -13 N·m is beyond the torque capacity -12.4" in outcome.err

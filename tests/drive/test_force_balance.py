@@ -61,10 +61,40 @@ def inertia(x):
     return mass["planet_radius"] * speed**2 * OP, mass["loading_roller_radius"] * speed**2 * OW
 
 
+MIRRORED = {
+    "pwr": "pwl",
+    "pwl": "pwr",
+    "wro": "wlo",
+    "wlo": "wro",
+    "cl": "cr",
+    "cr": "cl",
+    "l": "r",
+    "r": "l",
+}
+
+
+def test_torque_and_rotation_reversed_are_the_mirror_image(forces_of):
+    """A drive seen from behind: left is right, and torques, tangential forces and friction change their sign."""
+    x = random_drives(5)
+    one = forces_of(closure="elastic", **x)
+    swapped = {"left_push_angle": x["right_push_angle"], "right_push_angle": x["left_push_angle"]}
+    turned = {name: -x[name] for name in ("output_torque", "sun_speed")}
+    other = forces_of(closure="elastic", **(x | swapped | turned))
+    for name, value in one.items():
+        kind, _, place = name.partition("_")
+        if kind in ("N", "T", "F", "B"):
+            sign = -1.0 if kind in ("T", "B") else 1.0
+            seen = other[f"{kind}_{MIRRORED.get(place, place)}"]
+            np.testing.assert_allclose(seen, sign * value, rtol=1e-9, atol=1e-9, err_msg=name)
+
+
+@pytest.mark.parametrize("braking", [False, True])
 @pytest.mark.parametrize("closure", CLOSURES)
-def test_the_eleven_equations_written_anew(forces_of, closure):
+def test_the_eleven_equations_written_anew(forces_of, closure, braking):
     """(1)-(5) as free bodies: every contact force as a vector acting at its point, with Newton's third law."""
     x = random_drives(3)
+    if braking:  # a torque against the rotation; the bearings' friction keeps its sign
+        x["output_torque"] = -x["output_torque"]
     f = forces_of(closure=closure, **x)
     _, OW, theta, beta = by_cosines(x)
     C_p, C_w = inertia(x)

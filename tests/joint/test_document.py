@@ -60,7 +60,7 @@ def test_what_json_cannot_say_is_null(text, solution):
 
 
 def test_what_the_file_leaves_out_is_told(text):
-    assert len(assumptions(parse_case(text, source="x"))) == 5
+    assert len(assumptions(parse_case(text, source="x"))) == 6
     partly = parse_case(text + '[compliance]\npin_stiffness = "100 N/um"\n', source="x")
     assert any("input_shaft_stiffness" in sentence for sentence in assumptions(partly))
     assert any("a rigid housing holds the ring" in sentence for sentence in assumptions(partly))
@@ -80,19 +80,25 @@ def test_the_document_says_why_there_is_no_stiffness_and_what_a_ring_would_lose(
     assert not ring["ok"]
 
 
-@pytest.mark.parametrize(
-    ("limit", "contact", "number", "said"),
-    [
-        (13.0, "pwl", 13.0, "the contact pwl slips first"),
-        (0.0, "pwl", 0.0, "the contact pwl slips or has lifted off even without a torque"),
-        (np.inf, None, None, "not limited by friction: the wedge tightens with the torque"),
-        (np.nan, None, None, "unknown: the force balance does not close at every torque on the way"),
-    ],
-)
-def test_the_capacity_in_numbers_and_words(text, solution, limit, contact, number, said):
-    capacity = dataclasses.replace(
-        solution.capacity, output_torque=np.asarray(limit), limiting_contact=np.asarray(2)
+def test_the_capacity_in_numbers_and_words(text, solution):
+    """The capacity of each direction with its own limit."""
+    forward = dataclasses.replace(
+        solution.capacity, output_torque=np.asarray(13.0), limiting_contact=np.asarray(2)
     )
-    shown = dataclasses.replace(solution, capacity=capacity)
-    told = document_of(text, shown)["torque_capacity"]
-    assert told == {"output_torque_Nm": number, "limiting_contact": contact, "meaning": said}
+    reverse = dataclasses.replace(
+        forward, output_torque=np.inf, limit=np.asarray(0), limiting_contact=np.asarray(5)
+    )
+    shown = dataclasses.replace(solution, capacity=forward, reverse_capacity=reverse)
+    stated = document_of(text, shown)["torque_capacity"]
+    assert stated == {
+        "output_torque_Nm": 13.0,
+        "limit": "gross_slip",
+        "limiting_contact": "pwl",
+        "meaning": "contact pwl slips",
+        "reverse": {
+            "output_torque_Nm": None,
+            "limit": "none",
+            "limiting_contact": None,
+            "meaning": "no limit is reached at any torque",
+        },
+    }

@@ -1,11 +1,15 @@
 """Wind-up: closed forms for a Mindlin spring, an independent quadrature for the joint, and refusals."""
 
+import dataclasses
+
 import jax.numpy as jnp
 import numpy as np
 import pytest
 
 from asperity.errors import InputError
-from asperity.joint.windup import windup, windup_of
+from asperity.joint.play import NO_PLAY, Play
+from asperity.joint.solve import solve
+from asperity.joint.windup import is_symmetric, windup, windup_of
 from asperity.show.windup_figure import windup_figure
 from asperity.zou2025.preset import operating_grid, table_2_joint
 
@@ -13,8 +17,9 @@ STAGES = (1.0 / 3.0, 2.0 / 3.0)
 K0, LIMIT, LARGEST = 2.0e4, 10.0, 8.0
 
 
-def mindlin_stiffness(torque):
-    return K0 * (1.0 - torque / LIMIT) ** (1.0 / 3.0)
+def mindlin_compliances(torque):
+    """With slip and without."""
+    return (1.0 - jnp.abs(torque) / LIMIT) ** (-1.0 / 3.0) / K0, jnp.full_like(torque, 1.0 / K0)
 
 
 def mindlin_angle(torque):
@@ -24,17 +29,17 @@ def mindlin_angle(torque):
 
 @pytest.fixture(scope="module")
 def mindlin():
-    return windup_of(mindlin_stiffness, largest_torque=LARGEST, stage_shares=STAGES)
+    return windup_of(mindlin_compliances, largest_torque=LARGEST, stage_shares=STAGES, play=NO_PLAY)
 
 
 def test_loading_curve_of_a_mindlin_spring(mindlin):
-    np.testing.assert_allclose(
-        mindlin.angle, mindlin_angle(np.asarray(mindlin.torque)), rtol=1e-10, atol=1e-18
-    )
+    torque = np.asarray(mindlin.torque)
+    expected = np.sign(torque) * mindlin_angle(np.abs(torque))
+    np.testing.assert_allclose(mindlin.angle, expected, rtol=1e-10, atol=1e-18)
 
 
 def test_unloading_follows_masing(mindlin):
-    torque = np.asarray(mindlin.loop_torque)
+    torque = np.asarray(mindlin.torque)
     expected = mindlin_angle(LARGEST) - 2.0 * mindlin_angle((LARGEST - torque) / 2.0)
     np.testing.assert_allclose(mindlin.unloading_angle, expected, rtol=1e-9, atol=1e-15)
     np.testing.assert_allclose(mindlin.reloading_angle, -expected[::-1], rtol=1e-9, atol=1e-15)
@@ -60,8 +65,12 @@ def test_stages_are_secants_of_the_loading_curve(mindlin):
     np.testing.assert_allclose(mindlin.stage_torque, bounds, rtol=1e-12)
 
 
+def constant_compliance(torque):
+    return jnp.full_like(torque, 1.0 / K0), jnp.full_like(torque, 1.0 / K0)
+
+
 def test_a_linear_spring_loses_nothing():
-    curve = windup_of(lambda t: jnp.full_like(t, K0), largest_torque=5.0, stage_shares=STAGES)
+    curve = windup_of(constant_compliance, largest_torque=5.0, stage_shares=STAGES, play=NO_PLAY)
     assert abs(float(curve.hysteresis)) < 1e-15
     assert abs(float(curve.dissipated_energy)) < 1e-14
     assert float(curve.lost_motion) == pytest.approx(2.0 * 0.03 * 5.0 / K0, rel=1e-9)
@@ -74,7 +83,8 @@ def joint_curve():
 
 def test_the_joint_agrees_with_a_trapezoidal_integration_of_its_own_stiffness(joint_curve):
     """A second quadrature rule on the tabulated stiffness; its error is the trapezoid's."""
-    torque, stiffness = np.asarray(joint_curve.torque), np.asarray(joint_curve.stiffness)
+    half = joint_curve.torque >= 0.0
+    torque, stiffness = np.asarray(joint_curve.torque)[half], np.asarray(joint_curve.stiffness)[half]
     coarse = np.trapezoid(1.0 / stiffness, torque)
     assert float(joint_curve.angle[-1]) == pytest.approx(coarse, rel=1e-4)
     assert np.all(np.diff(stiffness) < 0.0)
@@ -82,20 +92,129 @@ def test_the_joint_agrees_with_a_trapezoidal_integration_of_its_own_stiffness(jo
 
 
 def test_past_the_capacity_is_refused_with_the_torque():
-    with pytest.raises(InputError, match=r"14 N·m is past the capacity: a contact slips at 1[34]\.?\d* N·m"):
+    with pytest.raises(InputError, match=r"14 N·m is beyond the torque capacity: contact sp slips at 1[34]"):
         windup(table_2_joint(operating_grid()), largest_torque=14.0, level="published", stage_shares=STAGES)
 
 
 @pytest.mark.parametrize("stages", [(0.5, 0.4), (0.0, 0.5), (0.5, 1.0)])
 def test_stages_out_of_order_are_refused(stages):
     with pytest.raises(InputError, match="out of order"):
-        windup_of(mindlin_stiffness, largest_torque=LARGEST, stage_shares=stages)
+        windup_of(mindlin_compliances, largest_torque=LARGEST, stage_shares=stages, play=NO_PLAY)
 
 
 @pytest.mark.parametrize("torque", [0.0, -1.0, float("nan"), float("inf")])
 def test_a_torque_that_is_no_torque_is_refused(torque):
     with pytest.raises(InputError, match="must be positive and finite"):
-        windup_of(mindlin_stiffness, largest_torque=torque, stage_shares=STAGES)
+        windup_of(mindlin_compliances, largest_torque=torque, stage_shares=STAGES, play=NO_PLAY)
+
+
+def test_a_spring_that_hardens_without_slip_has_no_loop():
+    """Normal forces that change with the torque are reversible: 1/K = (1 + T/8)/K0 in both directions, no slip."""
+
+    def compliances(torque):
+        return (1.0 + torque / 8.0) / K0, (1.0 + torque / 8.0) / K0
+
+    curve = windup_of(compliances, largest_torque=6.0, stage_shares=STAGES, play=NO_PLAY)
+    torque = np.asarray(curve.torque)
+    expected = (torque + torque**2 / 16.0) / K0
+    for branch in (curve.angle, curve.unloading_angle, curve.reloading_angle):
+        np.testing.assert_allclose(branch, expected, rtol=1e-12, atol=1e-17)
+    assert float(curve.hysteresis) == float(curve.dissipated_energy) == 0.0
+    bounds = np.array([0.0, 2.0, 4.0, 6.0])
+    np.testing.assert_allclose(
+        curve.stage_stiffness, 2.0 * K0 / np.diff(bounds + bounds**2 / 16.0), rtol=1e-12
+    )
+    np.testing.assert_allclose(
+        curve.reverse_stage_stiffness, 2.0 * K0 / np.diff(bounds - bounds**2 / 16.0), rtol=1e-12
+    )
+
+
+def test_slip_that_differs_between_the_directions_closes_its_loop():
+    """Quadratic slip angles 3 c T² and c T² on a spring: Masing's rule of their mean, 2 c T², in closed form."""
+    c, largest = 1e-7, 5.0
+
+    def compliances(torque):
+        slip = jnp.where(torque > 0.0, 6.0 * c * torque, -2.0 * c * torque)
+        return 1.0 / K0 + slip, jnp.full_like(torque, 1.0 / K0)
+
+    curve = windup_of(compliances, largest_torque=largest, stage_shares=STAGES, play=NO_PLAY)
+    ends = np.asarray(curve.angle)[[0, -1]]
+    np.testing.assert_allclose(ends, [-largest / K0 - c * 25.0, largest / K0 + 3.0 * c * 25.0], rtol=1e-12)
+    for branch in (curve.unloading_angle, curve.reloading_angle):
+        np.testing.assert_allclose(np.asarray(branch)[[0, -1]], ends, rtol=1e-12)
+    # width: 2 [g(Tm) − 2 g(Tm/2)] = 2 c Tm²; area of both branches: 4 (2 ∫ T dg − Tm g(Tm)) = 4 (8/3 − 2) c Tm³
+    assert float(curve.hysteresis) == pytest.approx(2.0 * c * 25.0, rel=1e-9)
+    assert float(curve.dissipated_energy) == pytest.approx(4.0 * 2.0 / 3.0 * c * 125.0, rel=1e-9)
+
+
+@pytest.mark.parametrize("width", [0.0, 0.5])
+def test_play_is_part_of_every_curve(width):
+    """A spring with 0.01 rad of play: every figure by hand."""
+    play = Play(angle=0.01, take_up_torque=width)
+    curve = windup_of(constant_compliance, largest_torque=6.0, stage_shares=STAGES, play=play)
+    torque = np.asarray(curve.torque)
+    taken = np.sign(torque) if width == 0.0 else np.tanh(torque / width)
+    for branch in (curve.angle, curve.unloading_angle, curve.reloading_angle):
+        np.testing.assert_allclose(branch, torque / K0 + 0.005 * taken, rtol=1e-9, atol=1e-15)
+    at = np.array([0.0, 2.0, 4.0, 6.0])
+    there = at / K0 + 0.005 * (np.sign(at) if width == 0.0 else np.tanh(at / width))
+    np.testing.assert_allclose(curve.stage_stiffness, 2.0 / np.diff(there), rtol=1e-9)
+    small = 0.18
+    lost = 2.0 * (small / K0 + 0.005 * (1.0 if width == 0.0 else np.tanh(small / width)))
+    assert float(curve.lost_motion) == pytest.approx(lost, rel=1e-9)
+    assert float(curve.hysteresis) == pytest.approx(0.0, abs=1e-15)
+    inside = np.argmin(np.abs(torque - 0.3))
+    slope = 0.0 if width == 0.0 else 0.01 / (2 * width) / np.cosh(torque[inside] / width) ** 2
+    assert float(curve.stiffness[inside]) == pytest.approx(1.0 / (1.0 / K0 + slope), rel=1e-9)
+
+
+def test_without_slip_the_joint_has_no_loop():
+    joint = table_2_joint(operating_grid(friction_coefficient=np.array(1e6)))
+    for level in ("published", "assembly"):
+        curve = windup(joint, largest_torque=12.0, level=level, stage_shares=STAGES)
+        assert abs(float(curve.hysteresis)) < 1e-7 * float(curve.angle[-1])
+        assert abs(float(curve.dissipated_energy)) < 1e-7 * 12.0 * float(curve.angle[-1])
+
+
+def directions(joint):
+    curve = windup(joint, largest_torque=10.0, level="assembly", stage_shares=STAGES)
+    return curve, np.asarray(curve.angle), -np.asarray(curve.angle)[::-1]
+
+
+@pytest.mark.parametrize("speed", [0.0, 600.0])
+def test_a_symmetric_joint_is_mirrored(paper_joint, speed):
+    """With friction in every bearing, turning or not."""
+    friction = {"loading_roller_torque": 1e-3, "carrier_torque": 1e-3, "sun_torque": 1e-3}
+    pins = {"pin_friction_coefficient": 0.01, "pin_diameter": 4e-3}
+    curve, forward, reverse = directions(paper_joint(sun_speed=speed, **friction, **pins))
+    np.testing.assert_allclose(forward, reverse, rtol=1e-12, atol=1e-18)
+    np.testing.assert_allclose(curve.stage_stiffness, curve.reverse_stage_stiffness, rtol=1e-12)
+
+
+@pytest.mark.parametrize(
+    "changes", [{"closure": "constant_pin_force"}, {"left_push_angle": 0.3, "right_push_angle": -0.1}]
+)
+def test_an_asymmetric_joint_has_two_directions_that_swap_with_its_sides(paper_joint, changes):
+    curve, forward, reverse = directions(paper_joint(**changes))
+    assert np.max(np.abs(forward - reverse)) > 1e-3 * forward[-1]
+    if "left_push_angle" in changes:
+        swapped = {"left_push_angle": -0.1, "right_push_angle": 0.3}
+        other, other_forward, _ = directions(paper_joint(**swapped))
+        np.testing.assert_allclose(other_forward, reverse, rtol=1e-10, atol=1e-16)
+        assert float(other.hysteresis) == pytest.approx(float(curve.hysteresis), rel=1e-9)
+
+
+def test_stiffness_of_both_directions_is_that_of_the_solver(paper_joint):
+    """With a constant pin force the paper's joint is stiffer at plus than at minus 8 N·m."""
+    curve = windup(
+        paper_joint(closure="constant_pin_force"), largest_torque=10.0, level="assembly", stage_shares=STAGES
+    )
+    at = {torque: int(np.argmin(np.abs(np.asarray(curve.torque) - torque))) for torque in (-8.0, 8.0)}
+    for torque, index in at.items():
+        solved = solve(paper_joint(closure="constant_pin_force", output_torque=torque)).result
+        assert float(curve.stiffness[index]) == pytest.approx(
+            float(solved.assembly.stiffness.output), rel=1e-9
+        )
 
 
 def test_figure_names_its_axes_with_units(mindlin):
@@ -103,3 +222,16 @@ def test_figure_names_its_axes_with_units(mindlin):
     assert "arcmin" in loop.get_xlabel()
     assert "N·m" in loop.get_ylabel()
     assert "N·m/arcmin" in stiffness.get_ylabel()
+
+
+def test_which_joints_are_symmetric(paper_joint):
+    joint = paper_joint()
+    assert is_symmetric(joint)
+    assert not is_symmetric(paper_joint(closure="constant_pin_force"))
+    assert not is_symmetric(paper_joint(left_push_angle=0.1))
+    for values, expected in (((0.1, 0.2, 0.2, 0.3, 0.3), True), ((0.1, 0.2, 0.2, 0.3, 0.4), False)):
+        assert is_symmetric(dataclasses.replace(joint, friction_coefficients=values)) is expected
+    (surface,) = joint.surfaces
+    other = dataclasses.replace(surface, fractal_dimension=np.asarray(1.5))
+    assert is_symmetric(dataclasses.replace(joint, surfaces=(other, surface, surface, surface, surface)))
+    assert not is_symmetric(dataclasses.replace(joint, surfaces=(surface, other, surface, surface, surface)))

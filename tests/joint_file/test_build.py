@@ -72,8 +72,8 @@ def test_arrays_become_batch_axes(example_case):
 
 
 def test_values_out_of_range_are_refused(example_case):
-    with pytest.raises(InputError, match=r"load\.output_torque: -1 N·m is not allowed"):
-        with_values(example_case, {"load.output_torque": np.array([1.0, -1.0])})
+    with pytest.raises(InputError, match=r"load\.preload: -1 N is not allowed"):
+        with_values(example_case, {"load.preload": np.array([1.0, -1.0])})
 
 
 def test_the_last_step_can_be_differentiated(example_case):

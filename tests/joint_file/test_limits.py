@@ -24,7 +24,8 @@ KEYS = {name: value for name, value in vars(limits).items() if isinstance(value,
         ("FRICTION_COEFFICIENT", (1e-6, 0.12), (0.0, -0.1)),
         ("PIN_FRICTION_COEFFICIENT", (0.0,), (-1e-3,)),  # no friction in the pin is allowed
         ("PLANETS", (2.0, 3.0), (1.0, 2.5)),
-        ("OUTPUT_TORQUE", (0.0, 5.0), (-5.0,)),  # the other direction is the mirror image
+        ("OUTPUT_TORQUE", (0.0, 5.0, -5.0), (2e9, -2e9)),
+        ("PLAY_ANGLE", (0.0, math.pi), (-1e-6, 7.0)),
         ("PUSH_ANGLE", (-math.pi / 3.0, 0.0, math.pi / 3.0), (math.radians(60.1),)),
         ("PRELOAD", (1e-3, 1e9), (0.0, 1.1e9)),
         ("YOUNGS_MODULUS", (206e9,), (206e13, 0.0)),  # 206 GPa; what a wrong prefix makes of it

@@ -1,10 +1,21 @@
 """Axes are read with units, and refused with a reason."""
 
+import dataclasses
+import json
+
 import numpy as np
 import pytest
 
 from asperity.errors import InputError
-from asperity.study.parameters import Axis, check_axes, long_name, parse_axis
+from asperity.study.parameters import (
+    Axis,
+    ListedAxis,
+    axis_from_dict,
+    check_axes,
+    check_axis,
+    long_name,
+    parse_axis,
+)
 
 
 def test_units_are_converted_and_ends_are_exact():
@@ -88,3 +99,14 @@ def test_names_in_words():
     assert long_name("surface.sp.fractal_dimension") == "fractal dimension, sp"
     assert long_name("materials.steel.poisson_ratio") == "Poisson's ratio, steel"
     assert long_name("compliance.pin_stiffness") == "pin stiffness (compliance)"
+
+
+def test_listed_values_keep_their_order_and_are_named_once():
+    axis = ListedAxis("load.preload", (800.0, 2000.0, 1000.0))
+    assert (axis.count, axis.values.tolist()) == (3, [800.0, 2000.0, 1000.0])
+    plain = json.loads(json.dumps(dataclasses.asdict(axis)))
+    assert axis_from_dict(plain).values.tolist() == axis.values.tolist()
+    with pytest.raises(InputError, match="the value 800 N is listed twice; list it once"):
+        check_axis(ListedAxis("load.preload", (800.0, 800.0)))
+    with pytest.raises(InputError, match=r"load\.preload: -1 N is not allowed"):
+        check_axis(ListedAxis("load.preload", (800.0, -1.0)))

@@ -24,7 +24,7 @@ def test_lags_are_distinct_and_bounded():
     assert lags[0] == 1
     assert lags[-1] == 250
     assert (np.diff(lags) > 0).all()
-    with pytest.raises(InputError, match="lags must lie"):
+    with pytest.raises(InputError, match="lags must lie between 1 and 9 points"):
         structure_functions(profiles=np.zeros((1, 10)), lags=np.array([10]))
 
 

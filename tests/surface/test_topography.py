@@ -80,3 +80,10 @@ def test_large_maps_are_searched_on_a_grid_of_cells():
     got = without_missing(topography=Topography(z, 1.0, 1.0), choice="longest").heights
     assert got.shape in ((1000, 500), (500, 1000), (1000, 498), (498, 1000))
     assert not np.isnan(got).any()
+
+
+def test_a_gap_beside_the_last_point_is_filled():
+    nan = np.nan
+    got = without_missing(topography=line(1, 2, nan, 4, nan), choice="interpolate")
+    np.testing.assert_array_equal(got.heights, [1, 2, 3, 4])
+    assert "filled 1 along x" in got.notes[0]

@@ -1,110 +1,105 @@
-"""C9–C13 and the design window on made-up curves, both ways."""
-
-from collections.abc import Callable
+"""C9–C13 and the design window on made-up curves, met and not met."""
 
 import numpy as np
 
 from asperity.zou2025 import claims_joint
-from asperity.zou2025.verdict import Claim
 
 TORQUE = np.arange(3.0)
 DIMENSION = np.linspace(1.3, 1.95, 261)
+ROWS = np.ones((3, 1))
 
 
-def verdicts(claim: Claim) -> list[bool]:
+def verdicts(claim):
     return [statement.met for statement in claim.statements]
 
 
-def bells(places: list[float], width: float) -> np.ndarray:
+def sweep(values, stiffness, torque=TORQUE):
+    return {"output_torque": torque, "values": values, "output_stiffness": stiffness}
+
+
+def bells(places, width):
     return np.exp(-(((DIMENSION - np.array(places)[:, None]) / width) ** 2))
 
 
-def test_c9_wants_every_torque() -> None:
-    def claim(places: list[float]) -> Claim:
-        return claims_joint.peak_claim(
-            output_torque=TORQUE, dimension=DIMENSION, stiffness=bells(places, 0.1), stated=1.85
-        )
+def test_fractal_dimension_at_every_torque(made_up):
+    def claim(places):
+        return claims_joint.fractal_dimension(made_up(dimension=sweep(DIMENSION, bells(places, 0.1))))
 
     assert claim([1.85, 1.86, 1.84]).met
     assert not claim([1.85, 1.86, 1.80]).met
 
 
-def test_c10() -> None:
+def test_fractal_roughness(made_up):
     roughness = np.geomspace(1e-13, 1e-11, 9)
-    rows = np.ones((3, 1))
-    falling = claims_joint.roughness_claim(
-        output_torque=TORQUE, roughness=roughness, stiffness=rows / roughness
+
+    def claim(stiffness):
+        return claims_joint.fractal_roughness(made_up(roughness=sweep(roughness, stiffness)))
+
+    assert claim(ROWS / roughness).met
+    assert not claim(ROWS * roughness).met
+
+
+def test_output_torque(made_up):
+    def claim(*slopes):
+        panels = [sweep(np.ones(4), np.outer(1.0 + slope * TORQUE, np.ones(4))) for slope in slopes]
+        return claims_joint.output_torque(
+            made_up(**dict(zip(("dimension", "roughness", "length"), panels, strict=True)))
+        )
+
+    assert verdicts(claim(-0.05, -0.05, -0.05)) == [True, True]
+    assert verdicts(claim(-0.05, -0.30, -0.05)) == [True, False]
+    rising = claim(-0.05, -0.05, 0.05)
+    assert verdicts(rising) == [False, True]
+    assert "not at every step" in rising.statements[0].evidence
+
+
+def test_size(made_up):
+    length, scale = np.linspace(5e-3, 30e-3, 6), np.linspace(1.0, 2.0, 5)
+
+    def judged(gain, radius_power):
+        over_length = ROWS * (1.0 + gain * (length - length[0]) / 25e-3)
+        curves = made_up(length=sweep(length, over_length), radius=sweep(scale, ROWS * scale**radius_power))
+        return verdicts(claims_joint.size(curves))
+
+    assert judged(0.5, 2.0) == [True, True, True]
+    assert judged(0.03, 2.0) == [True, False, True]
+    assert judged(-0.5, 0.1) == [False, False, False]
+
+
+def test_friction(made_up):
+    friction, high, torque = (
+        np.linspace(0.04, 0.3, 131),
+        0.3 * np.array([1.0, 2.0, 4.0]),
+        np.array([0.0, 5.0]),
     )
-    assert falling.met
-    assert not claims_joint.roughness_claim(
-        output_torque=TORQUE, roughness=roughness, stiffness=rows * roughness
-    ).met
 
-
-def test_c11() -> None:
-    def claim(per_torque: float) -> Claim:
-        return claims_joint.torque_claim(
-            output_torque=TORQUE, stiffness={"7a": np.outer(1.0 + per_torque * TORQUE, np.ones(4))}
+    def claim(curve):
+        # the row without torque is flat, which does not count
+        return claims_joint.friction(
+            made_up(
+                friction=sweep(friction, np.stack([np.ones_like(friction), curve(friction)]), torque),
+                high_friction=sweep(high, np.stack([np.ones_like(high), curve(high)]), torque),
+            )
         )
 
-    assert verdicts(claim(-0.05)) == [True, True]
-    assert verdicts(claim(-0.30)) == [True, False]
-    assert verdicts(claim(+0.05)) == [False, True]
-    assert "does not fall" in claim(+0.05).statements[0].evidence
-
-
-def test_c12() -> None:
-    def claim(gain: float, radius_power: float) -> Claim:
-        length, scale = np.linspace(5e-3, 30e-3, 6), np.linspace(1.0, 2.0, 5)
-        rows = np.ones((3, 1))
-        return claims_joint.size_claim(
-            output_torque=TORQUE,
-            length=length,
-            stiffness=rows * (1.0 + gain * (length - length[0]) / 25e-3),
-            radius_scale=scale,
-            radius_stiffness=rows * scale**radius_power,
-        )
-
-    assert verdicts(claim(0.5, 2.0)) == [True, True, True]
-    assert verdicts(claim(0.03, 2.0)) == [True, False, True]
-    assert verdicts(claim(-0.5, 0.1)) == [False, False, False]
-
-
-def test_c13() -> None:
-    friction = np.linspace(0.04, 0.3, 131)
-    high = 0.3 * np.array([1.0, 2.0, 4.0])
-
-    def claim(curve: Callable[[np.ndarray], np.ndarray]) -> Claim:
-        return claims_joint.friction_claim(
-            output_torque=np.array([5.0]),
-            friction=friction,
-            stiffness=curve(friction)[None],
-            high_friction=high,
-            high_stiffness=curve(high)[None],
-        )
-
-    def saturating(mu: np.ndarray) -> np.ndarray:
+    def saturating(mu):
         return np.cbrt(np.clip(1.0 - 0.045 / mu, 0.0, None))
 
     assert verdicts(claim(saturating)) == [True, True, False]
     assert abs(claim(saturating).statements[0].numbers["friction_from_which_all_stick"] - 0.046) < 1e-9
     assert verdicts(claim(lambda mu: 1.0 + mu)) == [True, False, False]
-    # a steep start alone is no saturation: these keep growing
+    # a steep start alone is no saturation: these keep increasing
     assert verdicts(claim(lambda mu: np.cbrt(mu - 0.0399))) == [True, False, False]
     assert verdicts(claim(lambda mu: np.log(mu / 0.0399))) == [True, False, False]
     humped = verdicts(claim(lambda mu: 1.0 - (mu - 0.2) ** 2))
     assert (humped[0], humped[2]) == (False, True)
 
 
-def test_design_window() -> None:
-    def claim(place: float, width: float) -> Claim:
-        return claims_joint.window_claim(
-            output_torque=TORQUE,
-            dimension=DIMENSION,
-            stiffness=bells([place] * 3, width),
-            window=(1.7, 1.85),
-        )
+def test_design_window(made_up):
+    def judged(place, width):
+        curves = made_up(dimension=sweep(DIMENSION, bells([place] * 3, width)))
+        return verdicts(claims_joint.design_window(curves))
 
-    assert verdicts(claim(1.78, 0.5)) == [True, True]
-    assert verdicts(claim(1.86, 0.1)) == [True, False]
-    assert verdicts(claim(1.5, 1.5)) == [False, True]
+    assert judged(1.78, 0.5) == [True, True]
+    assert judged(1.86, 0.1) == [True, False]
+    assert judged(1.5, 1.5) == [False, True]

@@ -8,7 +8,7 @@ from asperity.zou2025 import criteria
 X = np.linspace(0.0, 10.0, 101)
 
 
-def test_rises_and_falls_want_every_step() -> None:
+def test_rises_and_falls_require_every_step() -> None:
     assert criteria.rises(X)
     assert not criteria.rises(-X)
     assert criteria.falls(-X)
@@ -66,7 +66,7 @@ def test_interval_above() -> None:
     assert criteria.interval_above(X, X, 0.5) == pytest.approx((5.0, 10.0))
 
 
-def test_every_criterion_tells_its_rule() -> None:
+def test_every_criterion_states_its_rule() -> None:
     assert len({c.name for c in criteria.CRITERIA}) == len(criteria.CRITERIA)
     assert all(c.limit > 0.0 and c.meaning for c in criteria.CRITERIA)
 

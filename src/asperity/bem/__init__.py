@@ -1,4 +1,4 @@
-"""Boundary elements: the independent check of the closed-form laws. Imports neither contact nor drive."""
+"""Boundary elements: independent check of the closed-form laws. Imports neither contact nor drive."""
 
 from asperity.bem.coupled_rolling import CoupledSteadyRolling, coupled_steady_rolling
 from asperity.bem.elastic_pair import ElasticPair, elastic_pair

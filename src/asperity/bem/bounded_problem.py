@@ -1,8 +1,8 @@
-r"""The one minimisation behind frictionless contact and partial slip.
+r"""Bounded minimisation for frictionless contact and for partial slip.
 
 .. math::
     \min_t\; \tfrac12\, t\cdot A t - t\cdot b \quad\text{with}\quad l \le t \le h
-    \quad\text{and, if asked,}\quad \sum t = T
+    \quad\text{and, if prescribed,}\quad \sum t = T
 
 t is the traction on the pixels, A the elastic response, b the imposed displacement. Where t lies between its
 bounds the misfit u - b, u = A t, vanishes up to one common shift, which is the rigid displacement if the
@@ -10,9 +10,9 @@ total is prescribed.
 
 The solver is the conjugate-gradient method of Polonsky and Keer (1999) with three changes: the gradient is
 preconditioned by a rough inverse of the response (operators of opposite order, Hiptmair 2006), so that the
-number of iterations hardly grows with the grid; Polak and Ribière's formula stands in for the restarts, so that
-pixels entering or leaving do not throw away the search direction; and the displacement is updated with the step
-instead of being recomputed, which saves transforms wherever no pixel was cut off at a bound.
+number of iterations hardly grows with the grid; Polak and Ribière's formula replaces the restarts, so that
+the search direction is kept when pixels enter or leave the contact; and the displacement is updated with the step
+instead of being recomputed, which saves transforms in iterations where no pixel reaches a bound.
 """
 
 from __future__ import annotations
@@ -33,7 +33,7 @@ _Shift = tuple[Array, Array, Array, Array, Array, Array]
 
 
 class BoundedSolution(eqx.Module):
-    """Where the iteration ended; whether that is a solution is for the caller to check.
+    """Last iterate; the caller must check whether it is a solution.
 
     Parameters
     ----------
@@ -81,7 +81,7 @@ def _masked_sum(mask: Array, field: Array) -> Array:
 
 
 def shifted_within_bounds(traction: Array, chosen: Array, lower: Array, upper: Array, total: Array) -> Array:
-    r"""The nearest traction within the bounds that has the prescribed sum: cut, after a common shift.
+    r"""Nearest traction within the bounds that has the prescribed sum: clipped after a common shift.
 
     .. math:: \sum_{\text{chosen}} \min(\max(t + c, l), h) + \sum_{\text{others}} t = T
 
@@ -94,7 +94,7 @@ def shifted_within_bounds(traction: Array, chosen: Array, lower: Array, upper: A
     lower, upper : array
         Bounds [Pa]; the upper one may be infinite.
     total : array, scalar
-        Prescribed sum [Pa], within what the chosen points can make of it.
+        Prescribed sum [Pa], attainable by the chosen points.
 
     Returns
     -------
@@ -123,7 +123,7 @@ def shifted_within_bounds(traction: Array, chosen: Array, lower: Array, upper: A
 
     count = jnp.maximum(jnp.sum(chosen, dtype=traction.dtype), 1.0)
     lowest = jnp.min(jnp.where(chosen, lower - traction, jnp.inf))
-    # An infinite upper bound is reached by nobody: the mean missing is then enough for every point.
+    # No point reaches an infinite upper bound: the mean deficit is then enough for every point.
     room = jnp.where(jnp.isfinite(upper), upper, lower + jnp.abs(need) / count + jnp.abs(need))
     highest = jnp.max(jnp.where(chosen, room - traction, -jnp.inf))
     error, rate = excess(jnp.zeros(()))
@@ -135,7 +135,7 @@ def shifted_within_bounds(traction: Array, chosen: Array, lower: Array, upper: A
 def _within_bounds(
     traction: Array, moving: Array, lower: Array, upper: Array | None, total: Array | None
 ) -> Array:
-    """Cut the traction at its bounds, keeping its sum if one is prescribed."""
+    """Clip the traction to its bounds, keeping its sum if one is prescribed."""
     if total is None:
         return jnp.maximum(traction, lower) if upper is None else jnp.clip(traction, lower, upper)
     if upper is not None:
@@ -170,17 +170,17 @@ def bounded_solution(
     target : array
         b [m].
     lower, upper : array
-        Bounds [Pa], scalar or field; equal where no traction can act; no upper bound is None.
+        Bounds [Pa], scalar or field; equal where no traction can act; None for no upper bound.
     total : array, scalar, or None
-        Prescribed sum of the traction [Pa], or None if b alone decides.
+        Prescribed sum of the traction [Pa], or None if only b is prescribed.
     start : array
-        Traction to start from [Pa]; shifted and cut to the bounds and the sum.
+        Traction to start from [Pa]; shifted and clipped to the bounds and the sum.
     scale : callable
-        Displacement [m] that the misfit is measured by, from traction and displacement.
+        Reference displacement [m] of the misfit, from traction and displacement.
     tolerance : array, scalar
         Bound on the residual [-].
     max_iterations : array, scalar
-        Where to give up.
+        Maximum number of iterations.
 
     Returns
     -------

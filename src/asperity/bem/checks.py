@@ -1,4 +1,4 @@
-"""Checks of user input: each failure names the quantity, its value, the allowed range."""
+"""Checks of user input: each message states the quantity, its value and the allowed range."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Steady rolling of unlike bodies, whose pressure and traction change each other."""
+"""Steady rolling of unlike bodies, whose pressure and traction are coupled."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from asperity.errors import NoSolutionError
 
 
 class CoupledSteadyRolling(eqx.Module):
-    """Steady rolling with the pressure that goes with it.
+    """Steady rolling with its pressure.
 
     Parameters
     ----------
@@ -23,7 +23,7 @@ class CoupledSteadyRolling(eqx.Module):
     contact : NormalContact
         Normal state under that traction.
     alternations : int
-        How often the two problems were solved in turn.
+        Number of alternating solutions of the two problems.
     """
 
     rolling: SteadyRolling
@@ -45,14 +45,14 @@ def coupled_steady_rolling(
     tolerance: float = 1e-8,
     max_alternations: int = 50,
 ) -> CoupledSteadyRolling:
-    r"""Steady rolling of unlike bodies: pressure and traction change each other.
+    r"""Steady rolling of unlike bodies with coupled pressure and traction.
 
     .. math::
         u_z = \frac2E\left[K * p\right] + \frac{\beta}{E} \int \operatorname{sgn}(x - s)\,\tau_x\,\mathrm ds,
         \qquad
         u_x = \frac2E\left[K * \tau_x\right] - \frac{\beta}{E} \int \operatorname{sgn}(x - s)\,p\,\mathrm ds
 
-    The normal and the tangential problem are solved in turn until the pressure stays (Panagiotopoulos).
+    The normal and the tangential problem are solved alternately until the pressure converges (Panagiotopoulos).
 
     Parameters
     ----------
@@ -69,9 +69,9 @@ def coupled_steady_rolling(
     longitudinal_creepage, longitudinal_force, lateral_creepage, lateral_force : float, optional
         As for :func:`~asperity.bem.steady_rolling.steady_rolling`.
     tolerance : float
-        Bound on the change of the pressure from one turn to the next, relative to its peak [-].
+        Bound on the change of the pressure from one alternation to the next, relative to its peak [-].
     max_alternations : int
-        Where to give up.
+        Maximum number of alternations.
 
     Returns
     -------
@@ -118,5 +118,5 @@ def coupled_steady_rolling(
             return CoupledSteadyRolling(rolling=rolling, contact=contact, alternations=turn)
     raise NoSolutionError(
         f"coupled rolling: the pressure still changes by {change:.3g} of its peak after {max_alternations} "
-        f"alternations, against the tolerance {tolerance:g}; raise max_alternations"
+        f"alternations, tolerance {tolerance:g}; increase max_alternations"
     )

@@ -1,4 +1,4 @@
-"""The constants through which a pair of half-spaces enters the boundary elements."""
+"""Elastic constants of a pair of half-spaces for the boundary elements."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from asperity.types import Real
 
 
 class ElasticPair(eqx.Module):
-    r"""Two elastic half-spaces seen from their common surface, SI units.
+    r"""Elastic constants of two half-spaces with a common surface, SI units.
 
     A wave of pressure, or of shear traction along the wave, of wavenumber q moves the two surfaces relative
     to each other by :math:`2/(E q)` times the traction; shear traction across the wave by :math:`1/(G q)`.

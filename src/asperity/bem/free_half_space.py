@@ -47,7 +47,7 @@ def _strip_operators(
 def _surface_operators(pair: ElasticPair, shape: tuple[int, ...], pixel_size: Array) -> tuple[Array, Array]:
     x, y = (_wrapped_distance(n, pixel_size[axis]) for axis, n in enumerate(shape))
     xx, yy, xy = patch_integrals(x[:, None], y[None, :], pixel_size=pixel_size)
-    # Entry n is reached by no pair of points; an odd coefficient has to vanish there for the symbol to be
+    # No pair of points uses entry n; an odd coefficient must vanish there for the symbol to be
     # real.
     xy = xy.at[shape[0], :].set(0.0).at[:, shape[1]].set(0.0)
     coefficients = jnp.stack([normal_patch(pair, xx, yy), *shear_patch(pair, xx, yy, xy)])
@@ -59,7 +59,7 @@ def _surface_operators(pair: ElasticPair, shape: tuple[int, ...], pixel_size: Ar
 def _window_inverse(pair: ElasticPair, shape: tuple[int, ...], pixel_size: Array) -> Array:
     """Inverse response of the periodic surface on the bare window, its mean (zero) raised to be positive.
 
-    Transforms of the window cost a quarter of the response's, so the whole inverse is worth its price here.
+    Transforms of the window cost a quarter of those of the response, so using the whole inverse pays off here.
     """
     q = wavenumber_magnitude(shape, pixel_size)
     lowest = jnp.min(jnp.where(q > 0.0, q, jnp.inf))
@@ -81,13 +81,13 @@ class FreeHalfSpace(HalfSpace):
     pixel_size : tuple of float
         Spacing along each axis [m].
     reference_distance : float, optional
-        Only on a strip, and required there: distance from a load at which the surface is taken as unmoved
+        Only on a strip, and required there: distance from a load at which the displacement is taken as zero
         [m].
 
     Raises
     ------
     InputError
-        If shape and pixel size do not describe a grid, or the reference distance is missing or out of place.
+        If shape and pixel size do not describe a grid, or the reference distance is missing or not applicable.
     PrecisionError
         If JAX computes in single precision.
 
@@ -127,7 +127,7 @@ class FreeHalfSpace(HalfSpace):
         else:
             if reference_distance is None:
                 raise InputError(
-                    "a strip (one axis) needs reference_distance [m]; displacement has no limit there"
+                    "a strip (one axis) needs reference_distance [m]; the displacement of a strip is unbounded"
                 )
             far = jnp.asarray(positive("reference_distance", reference_distance, "m"))
             self._normal, self._shear = _strip_operators(self.pair, self.shape, self.pixel_size, far)

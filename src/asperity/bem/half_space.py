@@ -1,8 +1,8 @@
-r"""What every half-space model offers to the solvers, and the periodic one.
+r"""Interface of the half-space models to the solvers, and the periodic half-space.
 
 The elastic surface is a grid of one axis (a strip in plane strain: loads are per metre of length) or two.
 Displacements are those of both bodies together; tractions act on the centre pixel areas. Each model maps
-traction to displacement by fast Fourier transforms, and also offers a rough way back that costs much less
+traction to displacement by fast Fourier transforms, and also provides an approximate inverse that costs much less
 than the transforms: the inverse response of an unrestricted surface, :math:`E q/2`, or its nearest-neighbour
 part. It preconditions conjugate gradients; on a patchy contact area the nearest neighbours alone need about
 15 % more iterations than the whole.
@@ -102,7 +102,7 @@ def wavenumbers(shape: tuple[int, ...], pixel_size: Array) -> list[Array]:
 
 
 class HalfSpace(eqx.Module):
-    """Linear elastic surface: traction to displacement, and roughly back."""
+    """Linear elastic surface: traction to displacement, and its approximate inverse."""
 
     pair: eqx.AbstractVar[ElasticPair]
     shape: eqx.AbstractVar[tuple[int, ...]]
@@ -142,7 +142,7 @@ class HalfSpace(eqx.Module):
 
     @abc.abstractmethod
     def traction_estimate(self, displacement: Array) -> Array:
-        """Traction [Pa] that gives roughly this displacement [m]; any leading axes."""
+        """Traction [Pa] that gives approximately this displacement [m]; any leading axes."""
 
     def flattening_pressure(self, heights: Array) -> Array:
         """Pressure [Pa], up to a constant, that would press this periodic surface [m] flat."""
@@ -249,7 +249,7 @@ def nearest_neighbour_weights(shape: tuple[int, ...], pixel_size: Array) -> Arra
 
 
 def weighted_neighbours(field: Array, weights: Array) -> Array:
-    """Each value replaced by the weighted sum of its neighbourhood, nothing beyond the rim.
+    """Each value replaced by the weighted sum of its neighbourhood, zero beyond the edge.
 
     Parameters
     ----------
@@ -287,7 +287,7 @@ def _periodic_operators(
 class PeriodicHalfSpace(HalfSpace):
     r"""Half-spaces whose surface repeats with the period of the grid.
 
-    Displacements are relative to the mean plane of the surface: a uniform traction moves nothing.
+    Displacements are relative to the mean plane of the surface: a uniform traction causes no displacement.
 
     Parameters
     ----------

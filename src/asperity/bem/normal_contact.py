@@ -28,12 +28,12 @@ class NormalContact(eqx.Module):
     displacement : Array, shape (\*grid)
         Normal displacement of the surface [m], both bodies together.
     gap : Array, shape (\*grid)
-        Distance of the surfaces [m]; zero in elastic contact, negative by the depth of the flow where
-        hardness caps the pressure.
+        Distance of the surfaces [m]; zero in elastic contact, negative by the plastic depth where the
+        hardness limits the pressure.
     normal_force : Array, scalar
         Load, the sum of the pressure [N; N/m on a strip].
     approach : Array, scalar
-        Rigid displacement of the rough body towards the half-space [m], from first touch of its highest
+        Rigid displacement of the rough body towards the half-space [m], from first contact of its highest
         point at height zero; relative to infinity, to the reference distance (strip) or to the mean plane
         (periodic).
     real_contact_area : Array, scalar
@@ -128,7 +128,7 @@ def normal_contact(
     tolerance: float = 1e-8,
     max_iterations: int = 2000,
 ) -> NormalContact:
-    r"""Press a rigid rough surface against an elastic half-space with a given load.
+    r"""Normal contact of a rigid rough surface with an elastic half-space under a given load.
 
     .. math:: g = u(p) - h + \delta \ge 0,\quad p \ge 0,\quad p\,g = 0,\quad \int p = F_n
 
@@ -144,20 +144,20 @@ def normal_contact(
     normal_force : float
         Load [N; N/m on a strip], positive.
     hardness : float, optional
-        Cap on the pressure [Pa]; without it the contact is elastic whatever the pressure.
+        Upper limit of the pressure [Pa]; without it the contact is elastic at any pressure.
     start : NormalContact, optional
-        Solution at a nearby load on the same grid to start from; saves iterations, does not change the
+        Initial solution at a similar load on the same grid; saves iterations and does not change the
         result.
     tolerance : float
         Bound on the root mean square gap inside the contact, relative to the pressure-weighted mean
         displacement [-].
     max_iterations : int
-        Where to give up.
+        Maximum number of iterations.
 
     Returns
     -------
     NormalContact
-        Pressure, gap, area, approach, and how well they are converged.
+        Pressure, gap, area, approach and convergence.
 
     Raises
     ------
@@ -169,9 +169,9 @@ def normal_contact(
 
     Notes
     -----
-    Small slopes, no friction, no adhesion. The hardness cap is perfect plasticity of the surface points one
-    by one (Almqvist et al. 2007): it limits the pressure but moves no material sideways. The approach is
-    that of the given heights: subtract their maximum for the travel since first touch.
+    Small slopes, no friction, no adhesion. The hardness limit is perfect plasticity of each surface point
+    (Almqvist et al. 2007): it limits the pressure but does not displace material laterally. The approach is
+    that of the given heights: subtract their maximum to obtain the approach from first contact.
 
     References
     ----------
@@ -187,7 +187,7 @@ def normal_contact(
     if force >= capacity:
         raise InputError(
             f"normal_force = {force:g} {unit}: a surface of hardness {limit:g} Pa carries less than "
-            f"{capacity:g} {unit} on this grid; lower the load"
+            f"{capacity:g} {unit} on this grid; reduce the load"
         )
     found, derived = _solved(
         half_space,
@@ -202,7 +202,7 @@ def normal_contact(
     if not float(derived["load_balance_error"]) <= _LOAD_TOLERANCE:
         raise NoSolutionError(
             f"normal contact: the pressure adds up to {float(derived['normal_force']):.9g} {unit} instead of "
-            f"{force:.9g} {unit}; the state is not in balance and is not returned"
+            f"{force:.9g} {unit}; the state is not in equilibrium, so no result is returned"
         )
     return NormalContact(
         half_space=half_space,
@@ -225,16 +225,16 @@ def refuse_unconverged(what: str, found: BoundedSolution, tolerance: float) -> N
     found : BoundedSolution
         The last iterate.
     tolerance : float
-        The bound that its residual has to meet [-].
+        Upper bound of its residual [-].
 
     Raises
     ------
     NoSolutionError
-        If it is not a solution.
+        If it is not converged or not finite.
     """
     residual, iterations = float(jnp.max(found.residual)), int(jnp.max(found.iterations))
     if not residual <= tolerance or not bool(jnp.all(jnp.isfinite(found.traction))):
         raise NoSolutionError(
-            f"{what}: not converged after {iterations} iterations, relative residual {residual:.3g} against "
-            f"the tolerance {tolerance:.3g}; raise max_iterations, or loosen the tolerance"
+            f"{what}: not converged after {iterations} iterations, relative residual {residual:.3g}, "
+            f"tolerance {tolerance:.3g}; increase max_iterations or the tolerance"
         )

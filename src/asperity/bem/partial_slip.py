@@ -1,4 +1,4 @@
-"""Partial slip of a contact under a history of shear: Coulomb's cap point by point."""
+"""Partial slip of a contact under a history of shear: Coulomb's limit at every point."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ class PartialSlip(eqx.Module):
     displacement : Array, shape (steps,)
         Rigid tangential displacement of the bodies [m], zero at the start.
     stick_fraction : Array, shape (steps,)
-        Share of the contact area that sticks (traction below the cap) [-].
+        Share of the contact area that sticks (traction below the friction limit) [-].
     friction_work : Array, shape (steps,)
         Work dissipated by slip since the start [J; J/m on a strip], from slip and traction point by point.
     traction : Array, shape (steps, \*grid)
@@ -71,7 +71,7 @@ def shear_history(
     tolerance: Array,
     max_iterations: Array,
 ) -> tuple[BoundedSolution, Array, Array, Array]:
-    r"""Step by step through a history of shear, of a contact that stands or rolls along the first axis.
+    r"""Stepwise solution of a history of shear, for a contact at rest or rolling along the first axis.
 
     .. math:: u(\tau) + u_p = \delta + s, \qquad s_k(x) = s_{k-1}(x + d_k) + \Delta s
 
@@ -84,13 +84,13 @@ def shear_history(
     path : array, shape (steps,)
         Forces [N; N/m on a strip] or displacements [m].
     rolled_pixels : array of int, shape (steps,), or None
-        Pixels by which the contact moves in each step; None if it stands.
+        Pixels by which the contact moves in each step; None at rest.
     layer_compliance : array, shape (\*grid), or None
         Compliance of a thin layer between the bodies [m/Pa].
     coupled_displacement : array, shape (\*grid), or None
         Tangential displacement under the pressure [m].
     force_driven : bool
-        Whether the path is of forces.
+        Whether the path contains forces.
     axis : int
         Direction of the shear.
     tolerance, max_iterations : array, scalar
@@ -167,7 +167,7 @@ def solved_shear(
     max_iterations: int,
     what: str,
 ) -> PartialSlip:
-    """Check the input of a history of shear, solve it, and refuse what did not converge.
+    """Check the input of a history of shear, solve it, and raise an error if it does not converge.
 
     Parameters
     ----------
@@ -195,7 +195,7 @@ def solved_shear(
     p = field_on_grid("pressure", pressure, half_space.shape)
     if p.min() < 0.0 or p.max() <= 0.0:
         raise InputError(
-            f"pressure lies between {p.min():g} and {p.max():g} Pa: it must nowhere pull and somewhere press"
+            f"pressure lies between {p.min():g} and {p.max():g} Pa: it must not be negative, and must be positive in the contact"
         )
     if (tangential_force is None) == (displacement is None):
         raise InputError("give either tangential_force or displacement, one value per step")
@@ -210,8 +210,8 @@ def solved_shear(
     if force_driven and np.abs(path).max() >= sliding_force:
         unit = half_space.force_unit
         raise InputError(
-            f"tangential_force reaches {np.abs(path).max():g} {unit}: from {sliding_force:g} {unit} on "
-            "(friction coefficient times load) the bodies slide; prescribe the displacement instead"
+            f"tangential_force reaches {np.abs(path).max():g} {unit}: the bodies slide at {sliding_force:g} {unit} "
+            "(friction coefficient times load); prescribe the displacement instead"
         )
     found, stick, work, force = shear_history(
         half_space,
@@ -229,8 +229,8 @@ def solved_shear(
     balance = jnp.abs(force - jnp.asarray(path)) / sliding_force if force_driven else jnp.zeros_like(force)
     if not float(jnp.max(balance)) <= _FORCE_TOLERANCE:
         raise NoSolutionError(
-            f"{what}: the traction misses the prescribed force by {float(jnp.max(balance)):.3g} of the "
-            "sliding force; the state is not in balance and is not returned"
+            f"{what}: the traction differs from the prescribed force by {float(jnp.max(balance)):.3g} of the "
+            "sliding force; the state is not in equilibrium, so no result is returned"
         )
     return PartialSlip(
         tangential_force=force,
@@ -261,7 +261,7 @@ def partial_slip(
     .. math:: |\tau| \le \mu p, \qquad u(\tau) = \delta + s, \qquad
               \Delta s = 0 \text{ where } |\tau| < \mu p, \quad \Delta s\,\tau \le 0 \text{ elsewhere}
 
-    Each step is a bounded minimisation that starts from the slip s left by the one before.
+    Each step is a bounded minimisation that starts from the slip s of the previous step.
 
     Parameters
     ----------
@@ -277,12 +277,12 @@ def partial_slip(
         Prescribed forces [N; N/m on a strip], each smaller than mu times the load. Give either these or
         ``displacement``.
     displacement : array, shape (steps,), optional
-        Prescribed rigid displacements [m]; may go into gross sliding.
+        Prescribed rigid displacements [m]; gross sliding is allowed.
     tolerance : float
         Bound on the root mean square misfit of displacement in the stick zone, relative to the
         pressure-weighted elastic displacement at sliding [-].
     max_iterations : int
-        Where to give up, per step.
+        Maximum number of iterations per step.
 
     Returns
     -------
@@ -292,18 +292,18 @@ def partial_slip(
     Raises
     ------
     InputError
-        For fields that do not fit, no or two histories, a force beyond sliding, or a direction that does not
-        exist.
+        For fields that do not fit, none or two histories, a force above the sliding force, or an invalid
+        direction.
     NoSolutionError
         If a step does not converge or its traction does not add up to the force.
 
     Notes
     -----
-    The traction is taken parallel to the shear and slip across it is disregarded, as Cattaneo and Mindlin
-    do; exact for nu = 0, and within about one per cent of the displacement otherwise. The pressure is not
+    The traction is taken parallel to the shear and slip across it is neglected, as by Cattaneo and
+    Mindlin; exact for nu = 0, and within about one per cent of the displacement otherwise. The pressure is not
     changed by the shear, which holds for like materials. Within a step slip and traction are taken at its
     end, so the work of slip that changes along a step converges with the number of steps; the state itself
-    does not depend on their number as long as the force grows or falls.
+    does not depend on their number as long as the force changes monotonically.
 
     References
     ----------

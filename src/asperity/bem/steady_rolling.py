@@ -1,4 +1,4 @@
-"""Steady rolling of a line contact: stick and slip that stay as they are in the frame of the contact."""
+"""Steady rolling of a line contact: stick and slip that are constant in the frame of the contact."""
 
 from __future__ import annotations
 
@@ -19,8 +19,8 @@ from asperity.errors import InputError, NoSolutionError
 
 #: Largest misfit, relative to the largest traction bound, at which Newton's method ends.
 _TOLERANCE = 1e-11
-#: Friction coefficients, over the given one, that Newton's method passes through: at once or, where that
-# fails, downwards from hardly any slip.
+#: Friction coefficients, relative to the given one, for which Newton's method solves in turn: the given one only
+# or, if that fails, downwards from almost full stick.
 _FRICTION_FACTORS = (np.ones(1), 2.0 ** np.arange(16.0, -1.0, -1.0))
 
 
@@ -123,7 +123,7 @@ def _newton(
         )
         reach = jnp.max(jnp.abs(D)) * largest / h
         rows = jnp.repeat(identity, n, axis=1) * jnp.where(force_driven, h / sliding, 0.0)[:, None]
-        # Where every point slips, the force does not depend on the creepage: a step down the misfit instead.
+        # If every point slips, the force does not depend on the creepage: take a step that reduces the misfit instead.
         corner = jnp.diag(jnp.where(force_driven & ~jnp.all(slides), 0.0, 1.0 / reach))
         return jnp.concatenate([top / largest, jnp.concatenate([rows, corner], axis=1)])
 
@@ -200,7 +200,7 @@ def steady_rolling(
     longitudinal_force, lateral_force : float, optional
         Prescribed forces per length [N/m]; give either creepage or force for each direction.
     max_iterations : int
-        Where to give up.
+        Maximum number of Newton steps.
 
     Returns
     -------
@@ -210,16 +210,16 @@ def steady_rolling(
     Raises
     ------
     InputError
-        For a grid with two axes, fields that do not fit, or forces beyond sliding.
+        For a grid with two axes, fields that do not fit, or forces above the sliding force.
     NoSolutionError
         If Newton's method does not converge.
 
     Notes
     -----
     The state that :func:`~asperity.bem.transient_rolling.transient_rolling` reaches in steps of one pixel.
-    The error of the creepage is of first order in the pixel: extrapolation from two grids removes it. Under
-    unlike bodies' pressure the surfaces move along each other, which is taken into account; that the traction
-    changes the pressure is not (see :func:`~asperity.bem.coupled_rolling.coupled_steady_rolling`).
+    The error of the creepage is of first order in the pixel size: extrapolation from two grids removes it. For
+    unlike bodies the tangential displacement due to the pressure is included; the effect of the traction on the
+    pressure is not (see :func:`~asperity.bem.coupled_rolling.coupled_steady_rolling`).
 
     References
     ----------
@@ -233,7 +233,7 @@ def steady_rolling(
     p = field_on_grid("pressure", pressure, half_space.shape)
     if p.min() < 0.0 or p.max() <= 0.0:
         raise InputError(
-            f"pressure lies between {p.min():g} and {p.max():g} Pa: it must nowhere pull and somewhere press"
+            f"pressure lies between {p.min():g} and {p.max():g} Pa: it must not be negative, and must be positive in the contact"
         )
     components = (
         _prescribed("longitudinal", longitudinal_creepage, longitudinal_force),
@@ -243,10 +243,10 @@ def steady_rolling(
     force = math.hypot(*(value if forced else 0.0 for value, forced in components))
     if force >= sliding_force:
         raise InputError(
-            f"tangential force of {force:g} N/m: from {sliding_force:g} N/m on (friction coefficient times load) "
-            "the bodies slide; prescribe the creepage instead"
+            f"tangential force of {force:g} N/m: the bodies slide at {sliding_force:g} N/m "
+            "(friction coefficient times load); prescribe the creepage instead"
         )
-    # Nothing moves across the rolling direction unless it is driven there: then half the unknowns are enough.
+    # Without lateral creepage or force nothing moves across the rolling direction: half the unknowns suffice.
     axes = (0,) if components[1][0] == 0.0 else (0, 1)
     layer = layer_on_grid(layer_compliance, p)
     by_pressure = np.zeros((len(axes), p.size))
@@ -268,8 +268,8 @@ def steady_rolling(
             break
     if not float(residual) <= _TOLERANCE:
         raise NoSolutionError(
-            f"steady rolling: not converged after {int(k)} Newton steps, relative misfit {float(residual):.3g} "
-            f"against {_TOLERANCE:g}; raise max_iterations, or approach the state by transient_rolling"
+            f"steady rolling: not converged after {int(k)} Newton steps, relative misfit {float(residual):.3g}, "
+            f"tolerance {_TOLERANCE:g}; increase max_iterations, or use transient_rolling"
         )
     contact = jnp.asarray(p > 0.0)
     rows = jnp.asarray(axes)

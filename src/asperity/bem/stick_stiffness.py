@@ -1,4 +1,4 @@
-"""Incremental stiffness of a contact whose area stays as it is: normal, and tangential in full stick."""
+"""Incremental stiffness of a contact of constant area: normal, and tangential in full stick."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ _Linear = tuple[Array, Array, Array, Array, Array, Array]
 
 
 class ContactStiffness(eqx.Module):
-    r"""Force per rigid displacement of a contact area that neither grows nor slips; SI units.
+    r"""Force per rigid displacement of a contact area of constant size without slip; SI units.
 
     Parameters
     ----------
@@ -65,7 +65,7 @@ def conjugate_gradients(
     tolerance : array, scalar
         Bound on :math:`r \cdot M r / t \cdot b`, M the rough inverse and r the residual [-].
     max_iterations : array, scalar
-        Where to give up.
+        Maximum number of iterations.
 
     Returns
     -------
@@ -74,7 +74,7 @@ def conjugate_gradients(
 
     Notes
     -----
-    Were M the exact inverse, the ratio would be the relative error of :math:`t \cdot b`, which conjugate
+    If M were the exact inverse, the ratio would be the relative error of :math:`t \cdot b`, which conjugate
     gradients approach from below. That error is second order in the error of t.
     """
 
@@ -140,7 +140,7 @@ def _checked_mask(half_space: HalfSpace, contact_mask: ArrayLike, tolerance: flo
         )
     touching = int(jnp.sum(mask))
     if touching == 0:
-        raise InputError("contact_mask is empty: where nothing touches there is no stiffness")
+        raise InputError("contact_mask is empty: without contact there is no stiffness")
     if half_space.periodic and touching == mask.size:
         raise InputError(
             "contact_mask is full: a periodic interface in complete contact has no compliance of its own "
@@ -161,8 +161,8 @@ def _checked_result(
 ) -> ContactStiffness:
     if not float(error) <= tolerance or not float(main) > 0.0:
         raise NoSolutionError(
-            f"{what}: not converged after {int(k)} iterations, estimated relative error {float(error):.3g} "
-            f"against the tolerance {tolerance:.3g}; raise max_iterations, or loosen the tolerance"
+            f"{what}: not converged after {int(k)} iterations, estimated relative error {float(error):.3g}, "
+            f"tolerance {tolerance:.3g}; increase max_iterations or the tolerance"
         )
     area = half_space.pixel_area
     return ContactStiffness(main * area, cross * area, rate, k, error)
@@ -186,7 +186,7 @@ def normal_stiffness(
     tolerance : float
         Bound on the estimated relative error of the stiffness [-].
     max_iterations : int
-        Where to give up.
+        Maximum number of iterations.
 
     Returns
     -------
@@ -202,8 +202,8 @@ def normal_stiffness(
 
     Notes
     -----
-    The area is held fixed, but the result is the derivative of the load of the *growing* contact too: the
-    pressure vanishes at the edge, so area gained or lost carries load of second order only (true on a grid
+    The area is kept constant, but the result is also the derivative of the load of the *growing* contact: the
+    pressure vanishes at the edge, so a change of area carries load of second order only (on a grid
     up to its resolution). On a periodic half-space the displacement is relative to the mean plane: this is
     the stiffness of the interface alone, dF/d(mean gap) with opposite sign.
 
@@ -246,7 +246,7 @@ def tangential_stiffness(
     tolerance : float
         Bound on the estimated relative error of the stiffness [-].
     max_iterations : int
-        Where to give up.
+        Maximum number of iterations.
 
     Returns
     -------

@@ -1,4 +1,4 @@
-"""Rolling under a history of force or displacement: stick and slip carried along by the material."""
+"""Rolling under a history of force or displacement: stick and slip move with the material."""
 
 from __future__ import annotations
 
@@ -22,8 +22,8 @@ class TransientRolling(eqx.Module):
     rolled_distance : Array, shape (steps,)
         Distance that the contact has moved along the first axis since the start [m].
     creepage : Array, shape (steps,)
-        Growth of the rigid displacement over the distance rolled in the step [-]; not a number where the
-        contact stood.
+        Growth of the rigid displacement over the distance rolled in the step [-]; not a number for steps
+        at rest.
     shear : PartialSlip
         Forces, displacements, tractions, work and convergence.
     """
@@ -34,7 +34,7 @@ class TransientRolling(eqx.Module):
 
 
 def layer_on_grid(layer_compliance: ArrayLike, pressure: np.ndarray) -> Array | None:
-    """Layer compliance as a field, zero where nothing touches; None without a layer.
+    """Layer compliance as a field, zero outside the contact; None without a layer.
 
     Parameters
     ----------
@@ -109,7 +109,7 @@ def transient_rolling(
         Bound on the root mean square misfit of displacement in the stick zone, relative to the
         pressure-weighted displacement at sliding [-].
     max_iterations : int
-        Where to give up, per step.
+        Maximum number of iterations per step.
 
     Returns
     -------
@@ -120,14 +120,14 @@ def transient_rolling(
     ------
     InputError
         As for :func:`~asperity.bem.partial_slip.partial_slip`; for rolled pixels that are not whole numbers, one
-        for each step, or that carry the contact off the grid; for a negative layer compliance.
+        for each step, or that move the contact off the grid; for a negative layer compliance.
     NoSolutionError
         If a step does not converge or its traction does not add up to the force.
 
     Notes
     -----
     The step is implicit and of first order: the steady creepage is low by a quarter of a per cent at 200
-    pixels across the contact and steps of one pixel, and the error falls as the pixel. Traction stays
+    pixels across the contact and steps of one pixel, and the error is proportional to the pixel size. Traction stays
     parallel to the axis. The pressure is not changed by the traction: exact for like bodies and Goodman's
     approximation for unlike ones (:func:`~asperity.bem.coupled_rolling.coupled_steady_rolling` couples both).
     On a strip the rigid displacement under a changing force depends on the reference distance; under a
@@ -155,7 +155,7 @@ def transient_rolling(
         )
     unlike = float(half_space.pair.dundurs_constant) != 0.0
     if unlike and len(half_space.shape) == 2:
-        raise InputError("unlike bodies can roll on a strip only: use a grid with one axis")
+        raise InputError("unlike bodies can roll on a strip only; use a grid with one axis")
     shear = solved_shear(
         half_space,
         p,

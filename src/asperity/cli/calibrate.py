@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 @click.argument("file", type=click.Path())
 @click.argument("data", type=click.Path())
 @click.option("-u", "--unknown", "unknowns", multiple=True, required=True, metavar="KEY[=LOWER:UPPER]",
-              help="A number of FILE, or play, play_torque, offset, drift; repeat for several.")  # fmt: skip
+              help="A number of FILE, for example play.angle, or offset, drift; repeat for several.")  # fmt: skip
 @click.option("--level", default="assembly", show_default=True,
               type=click.Choice(["published", "series_with_bulk", "assembly"]),
               help="Stiffness that is fitted.")  # fmt: skip
@@ -93,9 +93,11 @@ def calibrate(
             drawn = posterior(found, draws=draws, seed=seed, progress=report)
     if out is not None:  # files first: whoever reads the tables may close the pipe
         from asperity.joint_file.edited_text import joint_file_text
+        from asperity.study.calibration.unknowns import of_joint_file
 
-        paths = set(found.model.paths)
-        changes = {each.path: each.value for each in found.estimates if each.path in paths}
+        changes = {each.path: each.value for each in found.estimates if of_joint_file(each.path)}
+        if "play.angle" in changes and case.play is None:  # a section [play] has both keys
+            changes.setdefault("play.take_up_torque", 0.0)
         text = joint_file_text(
             case, changes, comment=f"Calibrated by asperity: {file} from {data}, {level} stiffness."
         )
@@ -136,7 +138,7 @@ def _document(found: Calibration, drawn: Posterior | None) -> dict[str, Any]:
             {**asdict(each), "standard_deviation": min(each.standard_deviation, 1e300)}
             for each in found.directions
         ],
-        "covariance_of_places": found.covariance.tolist(),
+        "covariance_of_scaled_values": found.covariance.tolist(),
         "residual_standard_deviation": {"value": found.standard_deviation, "unit": unit},
         "durbin_watson": found.durbin_watson,
         "rms_of_starts": [float(each) for each in found.starts],
@@ -144,7 +146,7 @@ def _document(found: Calibration, drawn: Posterior | None) -> dict[str, Any]:
     if drawn is not None:
         document["posterior"] = {
             unknown.path: {
-                "quantiles": _quantiles(unknown.from_unit(drawn.places[:, i])),
+                "quantiles": _quantiles(unknown.from_unit(drawn.scaled_values[:, i])),
                 "unit": si_unit_of(unknown.path),
                 "note": drawn.note(i),
                 "r_hat": float(drawn.r_hat[i]),
@@ -158,7 +160,7 @@ def _document(found: Calibration, drawn: Posterior | None) -> dict[str, Any]:
             "r_hat": float(drawn.r_hat[-1]),
             "effective_draws": float(drawn.effective_draws[-1]),
         }
-        document["posterior_draws"] = len(drawn.places)
+        document["posterior_draws"] = len(drawn.scaled_values)
         document["posterior_divergences"] = drawn.divergences
         document["posterior_acceptance"] = drawn.acceptance
     return document
@@ -228,10 +230,11 @@ def _show(found: Calibration, drawn: Posterior | None) -> None:
     for direction in found.directions:
         target.print(f"  {direction.words}", markup=False)
     if drawn is not None:
-        title = f"Posterior, {len(drawn.places)} draws, {drawn.divergences} divergent, R-hat {drawn.r_hat.max():.3f}"
+        count = len(drawn.scaled_values)
+        title = f"Posterior, {count} draws, {drawn.divergences} divergent, R-hat {drawn.r_hat.max():.3f}"
         rows = table(target, title, "unknown", "2.5 %", "median", "97.5 %", "effective draws")
         for i, unknown in enumerate(found.model.unknowns):
-            values = _quantiles(unknown.from_unit(drawn.places[:, i])).values()
+            values = _quantiles(unknown.from_unit(drawn.scaled_values[:, i])).values()
             shown = [format_quantity(v, unit_of(unknown.path)) for v in values]
             rows.add_row(unknown.path, *shown, f"{drawn.effective_draws[i]:.0f}")
         shown = [format_quantity(v, unit) for v in _quantiles(drawn.standard_deviation).values()]

@@ -1,4 +1,4 @@
-"""``asperity completion``: scripts that let shells complete commands and options."""
+"""``asperity completion``: shell scripts that complete commands and options."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ import click
 def completion(shell: str) -> None:
     """Print a script that completes asperity's commands in SHELL.
 
-    For bash: add  eval "$(asperity completion bash)"  to ~/.bashrc; likewise for zsh; for fish:
+    For bash, add  eval "$(asperity completion bash)"  to ~/.bashrc; for zsh likewise to ~/.zshrc. For fish:
     asperity completion fish > ~/.config/fish/completions/asperity.fish
     """
     from click.shell_completion import get_completion_class
@@ -19,5 +19,5 @@ def completion(shell: str) -> None:
 
     completer = get_completion_class(shell)
     if completer is None:
-        raise click.UsageError(f"click offers no completion for {shell}")
+        raise click.UsageError(f"click does not support completion for {shell}")
     click.echo(completer(asperity, {}, "asperity", "_ASPERITY_COMPLETE").source())

@@ -1,4 +1,4 @@
-"""``asperity contact``: any number of roller pairs at once."""
+"""``asperity contact``: contact stiffness of any number of roller pairs."""
 
 from __future__ import annotations
 
@@ -14,15 +14,15 @@ import click
     type=click.Choice(["majumdar_bhushan_1991", "circular_spot"]),
     default="majumdar_bhushan_1991",
     show_default=True,
-    help="Base length of an asperity.",
+    help="Variant of the base length of an asperity.",
 )
 def contact(table: str, out: str, gamma: float, asperity_base: str) -> None:
     """Spots, loads and stiffness of every roller pair in a CSV table.
 
     Columns of the table: D, G_mm, F_N, T_N, mu, R1_mm, R2_mm, sign (1 outer, -1 inner contact), B_mm, E1_MPa,
-    E2_MPa, nu1, nu2, H_MPa (the hardness), lambda (printed, hertz_area or unity). The results follow: psi, lam,
-    a_c_mm2, a_l_mm2, A_r_mm2, Fe_N, Fp_N, Kt_N_per_mm, Kn_N_per_mm. If a row is wrong, the message gives its
-    line and column, and nothing is written.
+    E2_MPa, nu1, nu2, H_MPa (the hardness), lambda (printed, hertz_area or unity). The output adds the columns psi,
+    lam, a_c_mm2, a_l_mm2, A_r_mm2, Fe_N, Fp_N, Kt_N_per_mm, Kn_N_per_mm. If a row is invalid, the message gives
+    its line and column, and nothing is written.
     """
     from asperity.errors import InputError
     from asperity.joint_file.limits import FREQUENCY_RATIO

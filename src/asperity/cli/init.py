@@ -1,4 +1,4 @@
-"""``asperity init``: a joint file to start from."""
+"""``asperity init``: an example joint file."""
 
 from __future__ import annotations
 
@@ -23,6 +23,6 @@ def init(file: str, force: bool) -> None:
         click.echo(text, nl=False)
         return
     if Path(file).exists() and not force:
-        raise InputError(f"{file} exists already; choose another name, or overwrite it with --force")
+        raise InputError(f"{file} already exists; choose another name, or overwrite it with --force")
     write_text(text, file)
     say(f"wrote {file}; next: asperity joint {file}")

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import TYPE_CHECKING, Any
 
 from asperity.cli.document_text import (
@@ -174,9 +175,7 @@ def _show_drive(target: Console, document: Document) -> None:
         ),
         (
             "capacity",
-            capacity["meaning"]
-            if capacity["output_torque_Nm"] is None
-            else f"{in_unit(capacity['output_torque_Nm'], 'N*m')}: {capacity['meaning']}",
+            capacity_text(capacity),
         ),
         (
             "pin force",
@@ -189,6 +188,31 @@ def _show_drive(target: Console, document: Document) -> None:
         ("clearance", f"at least {in_unit(gap['gap_m'], 'mm')}: {gap['condition']}"),
     ):
         print_wrapped(target, f"  {label:<10} {text}", indent=13)
+
+
+def capacity_text(capacity: Document) -> str:
+    """Torque capacity of both directions in words.
+
+    Parameters
+    ----------
+    capacity : dict
+        Entry ``torque_capacity`` of a joint document.
+
+    Returns
+    -------
+    str
+        One text where both directions have the same capacity, else one for each.
+    """
+
+    def one(entry: Document) -> str:
+        torque = entry["output_torque_Nm"]
+        return entry["meaning"] if torque is None else f"{in_unit(torque, 'N*m')}: {entry['meaning']}"
+
+    reverse = capacity["reverse"]
+    both = [entry["output_torque_Nm"] for entry in (capacity, reverse)]
+    if both[0] == both[1] or (None not in both and math.isclose(*both, rel_tol=1e-9)):
+        return f"{one(capacity)} (both directions)"
+    return f"{one(capacity)}; reverse {one(reverse)}"
 
 
 def _show_budget(target: Console, document: Document) -> None:

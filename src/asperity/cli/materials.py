@@ -12,16 +12,14 @@ if TYPE_CHECKING:
 
 @click.command()
 @click.argument("name", required=False)
-@click.option("--file", type=click.Path(), help="A library file of your own whose materials are added.")
-@click.option(
-    "--finishes-file", type=click.Path(), help="A library file of your own whose finishes are added."
-)
+@click.option("--file", type=click.Path(), help="Your own library file; its materials are added.")
+@click.option("--finishes-file", type=click.Path(), help="Your own library file; its finishes are added.")
 @click.option("--json", "as_json", is_flag=True, help="Print one JSON document; finishes in SI units.")
 def materials(name: str | None, file: str | None, finishes_file: str | None, as_json: bool) -> None:
     """List the library, or the entry NAME with its source.
 
-    A joint file takes a material of the library by its name: [bodies] sun = "52100", or, to change some of its
-    numbers, [materials.sun] library = "52100". A finish bounds the roughness of a design: { finish = "ground" }.
+    A joint file refers to a material by its name: [bodies] sun = "52100", or [materials.sun] library = "52100"
+    to change some of its values. A finish limits the roughness of a design: { finish = "ground" }.
     """
     from dataclasses import asdict
 
@@ -34,7 +32,7 @@ def materials(name: str | None, file: str | None, finishes_file: str | None, as_
         _check_numbers(file, found)
     if name is not None:
         if name not in found and name not in finishes:
-            hint = nearest(name, [*found, *finishes]) or f"; known are {', '.join([*found, *finishes])}"
+            hint = nearest(name, [*found, *finishes]) or f"; it contains {', '.join([*found, *finishes])}"
             raise InputError(f"the library has no entry '{name}'{hint}")
         found = {name: found[name]} if name in found else {}
         finishes = {name: finishes[name]} if name in finishes else {}
@@ -80,7 +78,7 @@ def materials(name: str | None, file: str | None, finishes_file: str | None, as_
 
 
 def _check_numbers(file: str, found: dict[str, LibraryMaterial]) -> None:
-    """Check the numbers of a library against the ranges that a joint file allows for materials."""
+    """Check that the values of a library are within the ranges that a joint file allows for materials."""
     from asperity.errors import InputError
     from asperity.joint_file.si_tables import check_values, key_at
     from asperity.units import parse_quantity

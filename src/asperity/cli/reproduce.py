@@ -40,11 +40,11 @@ def _claim_lines(claim: dict[str, Any]) -> list[str]:
 
 
 def _report(document: dict[str, Any]) -> str:
-    """The document of :func:`asperity.zou2025.files.verdict_document` for people."""
+    """The document of :func:`asperity.zou2025.files.verdict_document` as text."""
     contacts = ("sp", "pwr", "pwl", "wro", "wlo")
     lines = [
         click.style(document["paper"], bold=True),
-        "Recomputed from its equations (1)-(30): the published model, in which the asperities alone are elastic.",
+        "Recomputed from its equations (1)-(30), the published model, in which only the asperities are elastic.",
         "",
         click.style("Table 1: one roller pair (lengths in m, forces in N; K_t in N/mm)", bold=True),
         *_table(
@@ -73,14 +73,16 @@ def _report(document: dict[str, Any]) -> str:
             },
         ),
         "",
-        click.style("Assumed, because the paper does not say", bold=True),
+        click.style("Assumptions where the paper gives no value", bold=True),
     ]
     lines += [f"  {a['what']}: {a['value']} ({a['reason']})" for a in document["assumptions"]]
-    lines += ["", click.style("What the paper's words are taken to mean", bold=True)]
+    lines += ["", click.style("Criteria for the qualitative terms of the paper", bold=True)]
     lines += [f"  {c['name']} ({c['limit']:g}): {c['meaning']}" for c in document["criteria"]]
     lines += [
         "",
-        click.style(f"Claims: {document['met']} of {len(document['claims'])} met in every part", bold=True),
+        click.style(
+            f"Claims: {document['met']} of {len(document['claims'])} met in all statements", bold=True
+        ),
     ]
     for claim in document["claims"]:
         lines += _claim_lines(claim)
@@ -92,32 +94,26 @@ def _report(document: dict[str, Any]) -> str:
 @click.option(
     "--out",
     type=click.Path(file_okay=False),
-    help="Folder for the 14 panels (PNG and CSV), the tables (CSV) and the verdicts (JSON); made if absent.",
+    help="Folder for the 14 panels (PNG and CSV), the tables (CSV) and the verdicts (JSON). It is "
+    "created if it does not exist.",
 )
 @click.option("--json", "as_json", is_flag=True, help="Print one JSON document instead of text.")
 def reproduce(out: str | None, as_json: bool) -> None:
-    """Recompute the cases and figures of Zou et al. 2025 and judge its claims.
+    """Recompute the cases and figures of Zou et al. 2025 and check its claims.
 
-    Every claim is judged by computed numbers against criteria that are printed with it. The exit code is 0
-    whether or not the claims are met.
+    Each claim is compared with computed numbers, by criteria that are printed with the verdicts. The exit code is
+    0 whether or not the claims are met.
     """
     from rich.console import Console
     from rich.progress import Progress
 
-    from asperity.errors import InputError
     from asperity.precision import use_compilation_cache, use_double_precision
 
     use_double_precision()
     use_compilation_cache()
     from asperity.zou2025.claims import judge
     from asperity.zou2025.curves import Curves, joint_curves, pair_curves
-    from asperity.zou2025.files import (
-        output_folder,
-        verdict_document,
-        write_panel,
-        write_tables,
-        write_verdicts,
-    )
+    from asperity.zou2025.files import output_folder, verdict_document, write_panel, write_verdicts
     from asperity.zou2025.panels import all_panels
 
     folder = output_folder(out) if out is not None else None
@@ -130,26 +126,21 @@ def reproduce(out: str | None, as_json: bool) -> None:
         progress.update(bar, advance=1, description="claims")
         document = verdict_document(curves, judge(curves))
         if folder is not None:
-            try:
-                for panel in all_panels(curves):
-                    progress.update(bar, description=f"figure {panel.name}")
-                    write_panel(panel, folder)
-                    progress.update(bar, advance=1)
-                write_tables(curves, folder)
-                write_verdicts(document, folder)
-            except OSError as error:
-                raise InputError(
-                    f"cannot write to {folder}: {error.strerror or error}; choose another folder with --out"
-                ) from error
+            for panel in all_panels(curves):
+                progress.update(bar, description=f"figure {panel.name}")
+                write_panel(panel, folder)
+                progress.update(bar, advance=1)
+            write_verdicts(document, folder)
     click.echo(
         json.dumps(document, indent=2, ensure_ascii=False, allow_nan=False) if as_json else _report(document)
     )
     if folder is not None:
         click.echo(
-            f"\n14 panels (PNG, CSV), table_1.csv, table_2.csv and claims.json are in {folder}", err=True
+            f"\n14 panels (PNG, CSV), table_1.csv, table_2.csv and claims.json were written to {folder}",
+            err=True,
         )
     elif not as_json:
         click.echo(
-            "\nNo files written; --out FOLDER writes the 14 panels of Figs. 4-8 there as PNG and CSV.",
+            "\nNo files were written. Use --out FOLDER to write the 14 panels of Figs. 4-8 as PNG and CSV.",
             err=True,
         )

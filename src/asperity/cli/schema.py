@@ -7,9 +7,9 @@ import click
 
 @click.command()
 def schema() -> None:
-    """Print the JSON schema of joint files, with which editors check and complete them.
+    """Print the JSON schema of joint files, which lets editors check and complete them.
 
-    Save it beside the joint file and name it in the file's first line: '#:schema ./joint.schema.json'.
+    Save it next to the joint file and refer to it in the first line of that file: '#:schema ./joint.schema.json'.
     """
     import json
 

@@ -12,10 +12,18 @@ from asperity.cli.terminal import say_written
 from asperity.writing import check_file, check_image, replacing, write_image
 
 if TYPE_CHECKING:
-    from asperity.surface.fractal_fit import FractalFit
-    from asperity.surface.measure import DirectionalFits, MeasuredSurface
+    from asperity.surface.measure_files import MeasuredFiles
 
 _ESTIMATORS = ("automatic", "likelihood", "lines", "structure_function", "power_spectrum")
+#: Options whose arguments are called otherwise.
+_ARGUMENTS = {
+    "outliers": "outlier_threshold",
+    "lambda_s": "short_cutoff",
+    "lambda_c": "long_cutoff",
+    "gamma": "frequency_ratio",
+    "shortest": "shortest_wavelength",
+    "longest": "longest_wavelength",
+}
 _FORMS = ("none", "mean", "line", "plane", "polynomial", "cylinder_x", "cylinder_y")
 
 
@@ -110,115 +118,41 @@ def measure(files: tuple[Path, ...], as_json: bool, plot: Path | None, **options
     Spectra of several profile files of one surface are averaged. Exit code 3: no power law over at least one
     decade of wavelength.
     """
-    from asperity.errors import InputError
     from asperity.precision import use_double_precision
-    from asperity.surface.levelling import default_form
-    from asperity.surface.measure import Conditioning, conditioned, directional_fits
-    from asperity.surface.read import read_surface
+    from asperity.surface.measure_files import files_document, measured_files
 
     check_image(plot)
     use_double_precision()
-    surfaces = []
-    for file in files:
-        topography = read_surface(
-            path=file,
-            position_unit=options["position_unit"],
-            height_unit=options["height_unit"],
-            spacing=options["spacing"],
-            decimal=options["decimal"],
-            any_size=options["any_size"],
-        )
-        if options["start"] is not None or options["stop"] is not None:
-            start = options["start"] if options["start"] is not None else 0.0
-            stop = options["stop"] if options["stop"] is not None else topography.size[0]
-            topography = topography.cut(start=start, stop=stop)
-        conditioning = Conditioning(
-            form=options["form"] or default_form(topography),
-            degree=options["degree"],
-            missing=options["missing"],
-            outlier_threshold=options["outliers"],
-            short_cutoff=options["lambda_s"],
-            long_cutoff=options["lambda_c"],
-        )
-        surfaces.append(conditioned(topography=topography, conditioning=conditioning))
-    if options["direction"] == "y" and not surfaces[0].topography.is_map:
-        raise InputError("a profile has no direction y; leave --direction out")
-    topographies = [s.topography for s in surfaces]
-    fits = directional_fits(
-        surfaces=surfaces,
-        estimator=options["estimator"],
-        frequency_ratio=options["gamma"],
-        shortest_wavelength=options["shortest"],
-        longest_wavelength=options["longest"],
+    measured = measured_files(
+        files,
+        **{_ARGUMENTS.get(name, name): value for name, value in options.items()},
     )
-    chosen = fits.along_y if options["direction"] == "y" else fits.along_x
-    assert chosen is not None
-    source = " + ".join(s.topography.source for s in surfaces)
     if plot is not None:
-        _write_figure(plot, topographies, chosen, options["direction"])
+        _write_figure(plot, measured)
     if as_json:
-        click.echo(json.dumps(_document(surfaces, fits, chosen, source, options["direction"]), indent=2))
+        click.echo(json.dumps(files_document(measured), indent=2))
     else:
-        _print(surfaces, fits, options["direction"])
-    if isinstance(chosen, str):
+        _print(measured)
+    if isinstance(measured.fit, str):
         if not as_json:
-            click.echo(f"refused: {chosen}", err=True)
+            click.echo(f"refused: {measured.fit}", err=True)
         click.get_current_context().exit(3)
     return 0
 
 
-def _write_figure(plot: Path, topographies: list, fit: FractalFit | str, direction: str) -> None:
+def _write_figure(plot: Path, measured: MeasuredFiles) -> None:
     from asperity.surface.plots import measurement_figure
 
-    write_image(measurement_figure(surfaces=topographies, fit=fit, direction=direction), plot)
+    figure = measurement_figure(
+        surfaces=measured.topographies, fit=measured.fit, direction=measured.direction
+    )
+    write_image(figure, plot)
     say_written(plot)
 
 
-def _document(
-    surfaces: list[MeasuredSurface],
-    fits: DirectionalFits,
-    chosen: FractalFit | str,
-    source: str,
-    direction: str,
-) -> dict[str, Any]:
-    from asperity.surface.measurement import SCHEMA, SCHEMA_VERSION, measurement_document, surface_measurement
-
-    document: dict[str, Any]
-    if isinstance(chosen, str):
-        document = {"schema": SCHEMA, "schema_version": SCHEMA_VERSION, "source": source, "refused": chosen}
-    else:
-        document = measurement_document(measurement=surface_measurement(fit=chosen, source=source))
-        document["noise_density_m3"] = chosen.noise_density
-        document["height_step_m"] = chosen.height_step
-        document["misfit"] = chosen.misfit
-        document["reduced_chi_square"] = chosen.reduced_chi_square
-        document["roll_off_wavelength_m"] = chosen.roll_off_wavelength
-    document["direction"] = direction
-    document["anisotropy_ratio"] = fits.anisotropy_ratio
-    document["files"] = [
-        {
-            "name": s.topography.source,
-            "size_m": list(s.topography.size),
-            "points": s.heights.points,
-            "notes": list(s.topography.notes),
-            ("Sa_m" if s.topography.is_map else "Ra_m"): s.heights.arithmetic_mean,
-            ("Sq_m" if s.topography.is_map else "Rq_m"): s.heights.root_mean_square,
-            ("Ssk" if s.topography.is_map else "Rsk"): _finite(s.heights.skewness),
-            ("Sku" if s.topography.is_map else "Rku"): _finite(s.heights.kurtosis),
-            ("Sz_m" if s.topography.is_map else "Rt_m"): s.heights.total_height,
-            "RSm_m": s.heights.mean_element_width,
-        }
-        for s in surfaces
-    ]
-    return document
-
-
-def _finite(value: float) -> float | None:
-    return value if value == value else None
-
-
-def _print(surfaces: list[MeasuredSurface], fits: DirectionalFits, direction: str) -> None:
-    for s in surfaces:
+def _print(measured: MeasuredFiles) -> None:
+    fits, direction = measured.fits, measured.direction
+    for s in measured.surfaces:
         letter = "S" if s.topography.is_map else "R"
         size = " x ".join(f"{1e6 * length:.6g} um" for length in s.topography.size)
         click.echo(f"{s.topography.source}: {s.heights.points} points, {size}")

@@ -1,4 +1,4 @@
-"""``asperity verify-contact``: the fractal law against boundary elements and Persson's theory."""
+"""``asperity verify-contact``: the fractal law compared with boundary elements and Persson's theory."""
 
 from __future__ import annotations
 
@@ -29,9 +29,13 @@ if TYPE_CHECKING:
 @click.option("--side", default="1 mm", show_default=True, help="Side of the periodic square, with its unit.")
 @click.option("--points", type=int, default=256, show_default=True, help="Grid points along the side.")
 @click.option(
-    "--pixels-per-wave", type=float, default=8.0, show_default=True, help="Pixels in the shortest wavelength."
+    "--pixels-per-wave",
+    type=float,
+    default=8.0,
+    show_default=True,
+    help="Grid points per shortest wavelength.",
 )
-@click.option("--seeds", type=int, default=4, show_default=True, help="Surfaces of each D.")
+@click.option("--seeds", type=int, default=4, show_default=True, help="Number of random surfaces for each D.")
 @click.option("--loads", type=int, default=6, show_default=True, help="Loads per surface.")
 @click.option(
     "--from",
@@ -39,14 +43,32 @@ if TYPE_CHECKING:
     type=float,
     default=0.003,
     show_default=True,
-    help="Smallest pressure over the smaller of hardness and E* times rms slope.",
+    help="Smallest mean pressure, relative to the smaller of hardness and E* times rms slope.",
 )
-@click.option("--to", "highest", type=float, default=0.3, show_default=True, help="Largest such pressure.")
-@click.option("--youngs-modulus", default="206 GPa", show_default=True, help="Of both bodies, with its unit.")
-@click.option("--poisson-ratio", type=float, default=0.3, show_default=True, help="Of both bodies.")
-@click.option("--hardness", default="1260 MPa", show_default=True, help="Of both bodies, with its unit.")
+@click.option(
+    "--to",
+    "highest",
+    type=float,
+    default=0.3,
+    show_default=True,
+    help="Largest mean pressure, relative to the same.",
+)
+@click.option(
+    "--youngs-modulus",
+    default="206 GPa",
+    show_default=True,
+    help="Young's modulus of both bodies, with its unit.",
+)
+@click.option(
+    "--poisson-ratio", type=float, default=0.3, show_default=True, help="Poisson's ratio of both bodies."
+)
+@click.option(
+    "--hardness", default="1260 MPa", show_default=True, help="Hardness of both bodies, with its unit."
+)
 @click.option("--gamma", type=float, default=1.5, show_default=True, help="Frequency ratio of the surface.")
-@click.option("--elastic", is_flag=True, help="Boundary elements without the cap of the hardness.")
+@click.option(
+    "--elastic", is_flag=True, help="Do not limit the pressure of the boundary elements to the hardness."
+)
 @click.option(
     "--plot", "plot_file", type=click.Path(dir_okay=False), help="Draw the comparison: PNG, SVG or PDF."
 )
@@ -71,11 +93,11 @@ def verify_contact(
     plot_file: str | None,
     as_json: bool,
 ) -> None:
-    """Hold the fractal contact law against boundary elements.
+    """Compare the fractal contact law with boundary elements and Persson's theory.
 
-    Builds Weierstrass-Mandelbrot surfaces of given D and G, presses each against its like under a series of
-    loads, and sets area, normal and tangential stiffness beside the closed-form law (contact factor 1, as for a
-    nominally flat contact) and beside Persson's theory.
+    Generates Weierstrass-Mandelbrot surfaces of given D and G and computes their contact by boundary elements at
+    a series of loads. Contact area, normal and tangential stiffness are compared with the closed-form law
+    (contact factor 1, as for a nominally flat contact) and with Persson's theory.
     """
     from asperity.units import Dimension
 
@@ -89,7 +111,7 @@ def verify_contact(
     ]
     if loads < 1 or not 0.0 < lowest <= highest < 1.0:
         raise InputError(
-            f"--loads {loads} --from {lowest:g} --to {highest:g}: needed are at least one load and 0 < from <= to < 1"
+            f"--loads {loads} --from {lowest:g} --to {highest:g}: at least one load is required, and 0 < from <= to < 1"
         )
     from rich.console import Console
     from rich.progress import Progress
@@ -193,7 +215,7 @@ _COLUMNS = {
 
 
 def _show(samples: list[Sample], found: list[Comparison]) -> None:
-    """One table per sample: boundary elements with their scatter, and both theories as ratios to them."""
+    """Print one table per sample: boundary elements with their scatter, and both theories as ratios to them."""
     import numpy as np
 
     from asperity.cli.terminal import prepare_output
@@ -221,7 +243,7 @@ def _show(samples: list[Sample], found: list[Comparison]) -> None:
             click.echo("  ".join(cells))
         click.echo()
     click.echo(
-        "Boundary elements: mean over the surfaces, and ±% their standard deviation. law and P: ratio to them of\n"
-        "the fractal law (contact factor 1) and of Persson's theory (elastic). cap %: share of the contact area\n"
-        "whose pressure is capped by the hardness."
+        "Boundary elements: mean over the surfaces; ±%: standard deviation. law, P: the fractal law (contact factor 1)\n"
+        "and Persson's theory (elastic), each divided by the boundary elements. cap %: share of the contact area\n"
+        "whose pressure is limited by the hardness."
     )

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import dataclasses
 from typing import TYPE_CHECKING, Any
 
 import click
@@ -11,7 +10,6 @@ from asperity.cli.terminal import say_written
 from asperity.writing import check_file, check_image, replacing, write_image
 
 if TYPE_CHECKING:
-    from asperity.drive.capacity import TorqueCapacity
     from asperity.joint.windup import Windup
 
 LEVELS = ("assembly", "series_with_bulk", "published")
@@ -20,21 +18,23 @@ LEVELS = ("assembly", "series_with_bulk", "published")
 @click.command()
 @click.argument("file", type=click.Path())
 @click.option(
-    "--torque", help="Largest torque of the curve, with its unit; default: the file's output torque."
+    "--torque",
+    help="Largest output torque of the curve, with its unit, e.g. '10 N*m'; default: the file's output torque. "
+    "The curve covers both directions, so the sign does not matter.",
 )
 @click.option(
     "--level",
     type=click.Choice(LEVELS),
     default="assembly",
     show_default=True,
-    help="Which stiffness is integrated.",
+    help="Level of the stiffness that is integrated.",
 )
 @click.option(
     "--stages",
     type=(float, float),
     default=(1.0 / 3.0, 2.0 / 3.0),
     show_default="one and two thirds",
-    help="Bounds of the stages K1|K2|K3 as shares of the largest torque.",
+    help="Torques at which K1 ends and K3 begins, as shares of the largest torque.",
 )
 @click.option("--csv", "csv_file", type=click.Path(dir_okay=False), help="Write the curves to this CSV file.")
 @click.option(
@@ -55,10 +55,12 @@ def windup(
     plot_file: str | None,
     as_json: bool,
 ) -> None:
-    """Wind-up of the joint described in FILE: capacity, torque–angle curve, hysteresis, lost motion, K1/K2/K3.
+    """Wind-up of the joint described in FILE: torque–angle curve, hysteresis, lost motion, K1/K2/K3, capacity.
 
-    The output turns against the locked sun. The loop runs between plus and minus the largest torque.
+    The output turns against the locked sun, play included. The loop runs between plus and minus the largest torque. It
+    is an estimate, because the normal forces change with the torque.
     """
+    from asperity.errors import InputError
     from asperity.joint_file.reader import read_case
 
     check_file(csv_file, file)
@@ -67,19 +69,29 @@ def windup(
     from asperity.precision import use_compilation_cache, use_double_precision
     from asperity.units import Dimension, parse_quantity
 
-    asked = None if torque is None else parse_quantity(torque, Dimension.TORQUE)
+    try:
+        asked = None if torque is None else parse_quantity(torque, Dimension.TORQUE)
+    except InputError as error:
+        raise InputError(f"--torque: {error}") from None
+    first, second = stages
+    if not 0.0 < first < second < 1.0:
+        raise InputError(f"--stages {first:g} {second:g}: allowed are two shares with 0 < first < second < 1")
     use_double_precision()
     use_compilation_cache()
-    from asperity.joint.solve import solve
-    from asperity.joint.windup import windup as wind_up
+    from asperity.joint.windup_document import examined_windup, windup_document
     from asperity.joint_file.build import joint_from_case
 
-    joint = joint_from_case(case)
-    largest = float(joint.output_torque) if asked is None else asked
-    joint = dataclasses.replace(joint, output_torque=largest)
-    solution = solve(joint)  # refuses rollers that do not fit and a torque beyond the capacity
-    curve = wind_up(joint, largest_torque=largest, level=level, stage_shares=stages)  # type: ignore[arg-type]
-    document = _document(curve, solution.capacity, level)
+    source = "load.output_torque" if asked is None else "--torque"
+    try:
+        curve, solutions = examined_windup(
+            joint_from_case(case),
+            largest_torque=asked,
+            level=level,  # type: ignore[arg-type]
+            stage_shares=stages,
+        )
+    except InputError as error:
+        raise InputError(f"{source}: {error}" if "torque" in str(error) else str(error)) from None
+    document = windup_document(curve, solutions, level=level)  # type: ignore[arg-type]
     if csv_file:
         _write_csv(curve, csv_file)
         say_written(csv_file)
@@ -96,49 +108,15 @@ def windup(
     _show(document, file)
 
 
-def _document(curve: Windup, capacity: TorqueCapacity, level: str) -> dict[str, Any]:
-    """Everything the command says, in SI units."""
-    import math
-
-    from asperity.drive.geometry import CONTACT_NAMES
-
-    limit = float(capacity.output_torque)
-    finite = math.isfinite(limit)
-    return {
-        "level": level,
-        "torque_capacity_Nm": limit if finite else None,
-        "limiting_contact": CONTACT_NAMES[int(capacity.limiting_contact)] if finite else None,
-        "largest_torque_Nm": float(curve.torque[-1]),
-        "windup_rad": float(curve.angle[-1]),
-        "hysteresis_rad": float(curve.hysteresis),
-        "lost_motion_rad": float(curve.lost_motion),
-        "dissipated_energy_J": float(curve.dissipated_energy),
-        "stages": [
-            {
-                "name": f"K{index + 1}",
-                "from_Nm": float(curve.stage_torque[index]),
-                "to_Nm": float(curve.stage_torque[index + 1]),
-                "stiffness_Nm_per_rad": float(curve.stage_stiffness[index]),
-            }
-            for index in range(3)
-        ],
-    }
-
-
 def _write_csv(curve: Windup, path: str) -> None:
-    """The loading curve and both branches of the loop, one row a point, units in the column names."""
+    """The loading curves and both branches of the loop at the same torques; units in the column names."""
     import csv
 
     import numpy as np
 
-    columns = {
-        "loading_torque_Nm": curve.torque,
-        "loading_angle_rad": curve.angle,
-        "incremental_stiffness_Nm_per_rad": curve.stiffness,
-        "loop_torque_Nm": curve.loop_torque,
-        "unloading_angle_rad": curve.unloading_angle,
-        "reloading_angle_rad": curve.reloading_angle,
-    }
+    from asperity.joint.windup_document import windup_columns
+
+    columns = windup_columns(curve)
     rows = np.column_stack([np.asarray(column) for column in columns.values()])
     with replacing(path) as part, part.open("w", newline="") as target:
         writer = csv.writer(target)
@@ -147,6 +125,9 @@ def _write_csv(curve: Windup, path: str) -> None:
 
 
 def _show(document: dict[str, Any], file: str) -> None:
+    import math
+
+    from asperity.cli.joint_table import capacity_text
     from asperity.cli.terminal import console, table
     from asperity.units import format_quantity
 
@@ -155,30 +136,27 @@ def _show(document: dict[str, Any], file: str) -> None:
 
     target = console()
     target.print(f"{file}: wind-up at the output, sun locked, {document['level']} stiffness\n")
-    limit = document["torque_capacity_Nm"]
+    same = math.isclose(document["windup_rad"], document["reverse_windup_rad"], rel_tol=1e-9)
     summary = table(target, "Figures", "quantity", "value")
-    summary.add_row(
-        "torque capacity",
-        "not limited by friction: the wedge tightens with the torque"
-        if limit is None
-        else f"{format_quantity(limit, 'N*m')}, {document['limiting_contact']} slips first",
-    )
+    summary.add_row("torque capacity", capacity_text(document["torque_capacity"]))
     summary.add_row("largest torque of the curve", format_quantity(document["largest_torque_Nm"], "N*m"))
-    summary.add_row("wind-up there", arcminutes("windup_rad"))
-    summary.add_row("width of the loop at zero torque", arcminutes("hysteresis_rad"))
-    summary.add_row("lost motion (middle line, +-3 % of the torque)", arcminutes("lost_motion_rad"))
-    summary.add_row("energy lost a cycle", f"{document['dissipated_energy_J']:.4g} J")
-    target.print(summary)
-    stages = table(
-        target, "Catalogue stages (secant stiffness)", "stage", "from N·m", "to N·m", "N·m/rad", "N·m/arcmin"
+    if same:
+        summary.add_row("angle at the largest torque", arcminutes("windup_rad"))
+    else:
+        summary.add_row("angle at plus the largest torque", arcminutes("windup_rad"))
+        summary.add_row("angle at minus the largest torque", "-" + arcminutes("reverse_windup_rad"))
+    summary.add_row("hysteresis (width of the loop at zero torque)", arcminutes("hysteresis_rad"))
+    summary.add_row(
+        "lost motion (middle of the loop, between ±3 % of the torque)", arcminutes("lost_motion_rad")
     )
+    summary.add_row("energy lost per cycle", f"{document['dissipated_energy_J']:.4g} J")
+    target.print(summary)
+    columns = ["stage", "from N·m", "to N·m", "N·m/rad", "N·m/arcmin"]
+    columns += [] if same else ["reverse N·m/rad", "reverse N·m/arcmin"]
+    stages = table(target, "Stages of the loading curve (secant stiffness)", *columns)
     for stage in document["stages"]:
-        stiffness = stage["stiffness_Nm_per_rad"]
-        stages.add_row(
-            stage["name"],
-            f"{stage['from_Nm']:.4g}",
-            f"{stage['to_Nm']:.4g}",
-            f"{stiffness:.5g}",
-            format_quantity(stiffness, "N*m/arcmin").split(" ")[0],
-        )
+        cells = [stage["name"], f"{stage['from_Nm']:.4g}", f"{stage['to_Nm']:.4g}"]
+        for key in ("stiffness_Nm_per_rad", "reverse_stiffness_Nm_per_rad")[: 1 if same else 2]:
+            cells += [f"{stage[key]:.5g}", format_quantity(stage[key], "N*m/arcmin").split(" ")[0]]
+        stages.add_row(*cells)
     target.print(stages)

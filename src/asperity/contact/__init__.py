@@ -1,1 +1,1 @@
-"""One roller pair: load to spots to stiffness."""
+"""One roller pair: from load to contact spots to stiffness, creep, strength and life."""

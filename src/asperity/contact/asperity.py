@@ -3,7 +3,7 @@
 `asperity_base` names the variant of the base length l of an asperity whose contact spot has area a:
 
 - ``"majumdar_bhushan_1991"``: l = sqrt(a). The published total load, equation (20), uses it; the default elsewhere.
-- ``"circular_spot"``: l = 2 sqrt(a/pi), the diameter of the spot, which equations (8) and (17) hint at.
+- ``"circular_spot"``: l = 2 sqrt(a/pi), the diameter of the spot, as equations (8) and (17) suggest.
 """
 
 from __future__ import annotations
@@ -57,7 +57,7 @@ def asperity_height(
     Parameters
     ----------
     position : Real
-        Distance x from the summit [m]; outside \|x\| < l/2 the profile does not exist and nan is returned.
+        Distance x from the summit [m]; outside \|x\| < l/2 the profile is not defined and nan is returned.
     base_length : Real
         Base length l [m]; l = 2r gives equation (8).
     fractal_dimension : Real
@@ -271,7 +271,7 @@ def elastic_spot_load(
     Notes
     -----
     Valid for areas above the critical area :func:`asperity.contact.fractal.critical_area`. The load per area
-    jumps there from H to about 0.75 H: a feature of the published law.
+    jumps there from H to about 0.75 H, as in the published law.
 
     References
     ----------

@@ -1,4 +1,4 @@
-"""Creep of a line contact that rolls under traction: steady, dry, like elasticity (Carter's solution)."""
+"""Creep of a rolling line contact under traction: steady, dry, bodies of equal elasticity (Carter's solution)."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from asperity.types import Real
 
 
 def gross_slip_creepage(*, friction_coefficient: Real, half_width: Real, effective_radius: Real) -> Real:
-    r"""Creepage at which a rolling line contact starts to slip as a whole.
+    r"""Creepage at which gross slip of a rolling line contact begins.
 
     .. math:: \xi_{max} = \frac{\mu a}{R}
 
@@ -76,7 +76,7 @@ def creepage(*, slip_ratio: Real, gross_slip_creepage: Real) -> Real:
     magnitude = jnp.abs(slip_ratio)
     carried = magnitude <= 1.0
     safe = jnp.where(carried, magnitude, 0.0)
-    steady = slip_ratio / (1.0 + jnp.sqrt(1.0 - safe))  # (B1), with all digits at small q
+    steady = slip_ratio / (1.0 + jnp.sqrt(1.0 - safe))  # (B1), accurate also at small q
     return gross_slip_creepage * jnp.where(carried, steady, jnp.sign(slip_ratio) * jnp.inf)
 
 

@@ -1,4 +1,4 @@
-"""Partial slip of smooth cylinders under a constant normal and a growing tangential force."""
+"""Partial slip of smooth cylinders under constant normal force and increasing tangential force."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from asperity.types import Real
 def stick_half_width(
     *, half_width: Real, normal_force: Real, tangential_force: Real, friction_coefficient: Real
 ) -> Real:
-    r"""Half-width of the strip that still sticks, :math:`c = b\sqrt{1 - T/(\mu N)}`.
+    r"""Half-width of the stick zone, :math:`c = b\sqrt{1 - T/(\mu N)}`.
 
     Parameters
     ----------
@@ -68,7 +68,7 @@ def partial_slip_compliance(
     -----
     The incremental (tangent) compliance on first loading at constant N. The secant compliance
     :math:`\delta_t/T`, its mean from 0 to T, adds the smaller :math:`1 + (1-x)\ln(1-x)/x` with
-    :math:`x = T/(\mu N)` in place of the logarithm. A further force is carried by the strip that sticks, like the
+    :math:`x = T/(\mu N)` in place of the logarithm. A further force is carried by the stick zone, like the
     force on a rigid punch of the stick half-width c, whose compliance contains the logarithm of c:
     :math:`2\ln(b/c) = \ln[1/(1-x)]` by :func:`stick_half_width`. The derivative by T is infinite at gross slip and
     set to zero there and beyond. Half-plane, like materials.

@@ -1,7 +1,7 @@
 r"""Creepage of a rolling line contact with a thin elastic layer between the bodies, such as their asperities.
 
-The layer's tangential compliance enters through one ratio, :math:`\chi = E c/(2a) = E B/K_t`. What it adds to the
-creepage comes from a table that boundary elements computed (``examples/rolling_layer.py``).
+The layer's tangential compliance enters through one ratio, :math:`\chi = E c/(2a) = E B/K_t`. Its effect on the
+creepage is interpolated in a table computed by boundary elements (``examples/rolling_layer.py``).
 """
 
 from __future__ import annotations
@@ -87,7 +87,7 @@ def layer_ratio(*, contact_modulus: Real, contact_length: Real, tangential_stiff
 
 
 def small_slip_creepage_factor(*, layer_ratio: Real) -> Real:
-    r"""Creepage over Carter's for little traction, bodies and layer taken in series.
+    r"""Creepage over Carter's for small traction, with bodies and layer in series.
 
     .. math:: \frac{\xi}{\xi_C} = 1 + \frac\pi2 \chi
 
@@ -103,9 +103,9 @@ def small_slip_creepage_factor(*, layer_ratio: Real) -> Real:
 
     Notes
     -----
-    Exact for little traction with a soft layer (a brush, :math:`\chi \to \infty`). Against a uniform layer
+    Exact for small traction with a soft layer (a brush, :math:`\chi \to \infty`). Compared with a uniform layer
     (:func:`uniform_layer_creepage_factor`), chi up to 20, it is between 1.5 % low and 5 % high for q up to 0.5, 8 %
-    low at q = 0.8 and 33 % low at q = 0.95. Against a layer that is stiffer where the pressure is higher
+    low at q = 0.8 and 33 % low at q = 0.95. Compared with a layer that is stiffer where the pressure is higher
     (:func:`pressure_layer_creepage_factor`) it is between 6 % low and 19 % high for q up to 0.8.
 
     References
@@ -158,7 +158,7 @@ _PRESSURE_COEFFICIENTS = _coefficients(_PRESSURE_LAYER)
 
 
 def _position(value: Real, low: float, high: float) -> Real:
-    """-1 to 1 between low and high, and held there beyond."""
+    """-1 to 1 between low and high, constant beyond."""
     return jnp.clip((2.0 * value - low - high) / (high - low), -1.0, 1.0)
 
 
@@ -200,8 +200,8 @@ def uniform_layer_creepage_factor(*, layer_ratio: Real, slip_ratio: Real) -> Rea
 
     Notes
     -----
-    Interpolation within 0.1 % for chi from 0.005 to 20 and q from 0.02 to 0.98. Beyond, g is held: that
-    costs at most 0.5 % of the creepage for smaller or larger chi and for smaller q. Above q = 0.98 it is too small:
+    Interpolation within 0.1 % for chi from 0.005 to 20 and q from 0.02 to 0.98. Beyond, g is constant: the error is
+    at most 0.5 % of the creepage for smaller or larger chi and for smaller q. Above q = 0.98 it is too small:
     by 5 % at chi = 0.1 and 14 % at chi = 1 for q = 0.99. The creepage grows like :math:`(1 - q)^{-1/3}` without
     limit, because at the leading edge the traction of the layer always starts below the friction limit.
 
@@ -234,7 +234,7 @@ def pressure_layer_creepage_factor(*, layer_ratio: Real, slip_ratio: Real) -> Re
 
     Notes
     -----
-    Interpolation within 0.2 % for chi from 0.005 to 20 and q from 0.02 to 0.98. Beyond, g is held, as in
+    Interpolation within 0.2 % for chi from 0.005 to 20 and q from 0.02 to 0.98. Beyond, g is constant, as in
     :func:`uniform_layer_creepage_factor`; above q = 0.98 it is too small, by 14 % at chi = 0.1 and
     30 % at chi = 1 for q = 0.99. The creepage grows like :math:`(1 - q)^{-2/3}`.
 

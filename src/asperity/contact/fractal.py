@@ -37,7 +37,7 @@ _SERIES_TERMS = 11
 
 
 class Surface(eqx.Module):
-    """Fractal roughness of a contact: both bodies' roughness carried by one equivalent surface.
+    """Fractal roughness of a contact: one equivalent surface with the roughness of both bodies.
 
     Parameters
     ----------
@@ -147,7 +147,7 @@ def _solve_log_area_ratio(log_load_ratio: Array, dimension: Array, coefficient: 
         newton = (0.5 * dimension * y + jnp.log(total) - log_load_ratio) / slope
         first_order = newton * second / slope
         y = y - newton * (1.0 - 0.5 * first_order) / (1.0 - first_order + newton**2 * third / (6.0 * slope))
-    return jax.lax.optimization_barrier(y)  # keeps XLA from solving again for every use
+    return jax.lax.optimization_barrier(y)  # prevents XLA from solving again for every use
 
 
 @_solve_log_area_ratio.defjvp
@@ -241,7 +241,7 @@ def fractal_contact(
     Returns
     -------
     FractalContact
-        Everything the law says, in the broadcast shape of the inputs.
+        All results of the law, in the broadcast shape of the inputs.
 
     Notes
     -----

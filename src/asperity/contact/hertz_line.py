@@ -214,8 +214,8 @@ def maximum_shear_stress(*, peak_pressure: Real) -> Real:
 def logarithmic_compliance(*, contact_length: Real, youngs_modulus: Real, poisson_ratio: Real) -> Real:
     r"""Compliance scale of one body under a line load, :math:`(1-\nu^2)/(\pi E B)`.
 
-    Every line-contact compression is this times a logarithm of the load; it is also by how much the
-    secant compliance of one body exceeds its incremental one, because the half-width grows with
+    Every line-contact compression is this times a logarithm of the load. It is also the difference between the
+    secant and the incremental compliance of one body, because the half-width grows with
     :math:`\sqrt N`.
 
     Parameters
@@ -307,7 +307,7 @@ def ring_secant_compliance(
 
     Notes
     -----
-    Plane strain; valid for b << h. Bending of the ring as a whole is not in it.
+    Plane strain; valid for b << h. Bending of the ring as a whole is not included.
 
     References
     ----------

@@ -61,7 +61,7 @@ def series_stiffness(stiffness_1: Real, stiffness_2: Real) -> Real:
 
     References
     ----------
-    Elementary: the same force passes both springs, their elongations add.
+    Elementary: both springs carry the same force, their elongations add.
     """
     total = stiffness_1 + stiffness_2
     return stiffness_1 * (stiffness_2 / jnp.where(total > 0.0, total, 1.0))
@@ -118,8 +118,8 @@ def bulk_tangential_stiffness(
 
     Notes
     -----
-    In plane strain a half-plane yields to shear by the same logarithm of the distance as to compression, so that a
-    contact that sticks is as stiff in one as in the other. Far from the contact a roller differs from a half-plane;
+    In plane strain the displacement of a half-plane under shear follows the same logarithm of the distance as under
+    compression, so that a contact in full stick is equally stiff in both. Far from the contact a roller differs from a half-plane;
     the ratio of the two stiffnesses is then about 1, not exactly.
 
     References

@@ -14,12 +14,12 @@ from asperity.types import Real
 
 ContactFactorModel = Literal["printed", "hertz_area", "unity"]
 
-# ln psi within 2e-6 on 1 < D < 2, in powers of D - 1.5: least squares through the roots. Only where the search starts.
+# ln psi within 2e-6 on 1 < D < 2, in powers of D - 1.5: least squares through the roots. Start of the iteration only.
 _START = (0.693504, -0.389088, 0.216115, -0.118178, 0.0641424, -0.0394134, 0.0212984)
 
 
 def _extension_residual(log_psi: Array, dimension: Array) -> Array:
-    """Equation (10)'s condition on psi divided by 2 − D, which keeps its digits as D approaches 2."""
+    """Equation (10)'s condition on psi divided by 2 − D, which stays accurate as D approaches 2."""
     distance = 2.0 - dimension
     inside = jnp.expm1(0.5 * distance * log_psi)
     outside = jnp.expm1(-distance / dimension * jnp.log1p(jnp.exp(-0.5 * dimension * log_psi)))
@@ -45,7 +45,7 @@ def _log_extension_factor(dimension: Array) -> Array:
     )
     step = residual / slope
     log_psi = log_psi - step / (1.0 - 0.5 * step * bend / slope)
-    return jax.lax.optimization_barrier(log_psi)  # keeps XLA from computing it again for every use
+    return jax.lax.optimization_barrier(log_psi)  # prevents XLA from recomputing it for every use
 
 
 @_log_extension_factor.defjvp
@@ -141,7 +141,7 @@ def printed_contact_factor(
     Notes
     -----
     Only this variant gives the paper's rise of stiffness with contact length (Fig. 4f). Its use outside the
-    paper's range of sizes (millimetres to some centimetres) has no physical ground.
+    paper's range of sizes (millimetres to some centimetres) has no physical basis.
 
     References
     ----------
@@ -217,7 +217,7 @@ def contact_factor(
     Parameters
     ----------
     model : {"printed", "hertz_area", "unity"}
-        Which of the variants; ``unity`` is lambda = 1, the flat surface of equation (10).
+        Variant; ``unity`` is lambda = 1, the flat surface of equation (10).
     radius_1, radius_2 : Real
         Radii of the two cylinders [m].
     sign : Real
@@ -251,7 +251,7 @@ def contact_factor(
 def log_critical_area(
     *, fractal_dimension: Real, fractal_roughness: Real, contact_modulus: Real, hardness: Real
 ) -> Real:
-    """Natural logarithm of :func:`critical_area` in m^2, which spans far more decades than the area itself can.
+    """Natural logarithm of :func:`critical_area` in m^2, which covers more decades than a floating-point area.
 
     Parameters
     ----------

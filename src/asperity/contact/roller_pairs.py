@@ -1,4 +1,4 @@
-"""Pairs of rollers that touch along a line: what the contact formulas need to know of them, and the rough contact."""
+"""Pairs of rollers in line contact: input of the contact formulas, and the rough contact."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ CONTACT_FACTOR_MODELS: tuple[ContactFactorModel, ...] = get_args(ContactFactorMo
 
 
 class RollerPairs(eqx.Module):
-    """Roller pairs without their load, one or many; numbers and arrays that broadcast. SI units.
+    """One or many roller pairs without load; numbers and arrays that broadcast. SI units.
 
     Parameters
     ----------
@@ -49,7 +49,7 @@ class RollerPairs(eqx.Module):
     surface: Surface
 
     def half_width(self, normal_force: Real) -> Real:
-        """Half-width of the Hertzian strips [m], of one newton where the contact is open.
+        """Half-width of the Hertzian strips [m], for one newton where the contact is open.
 
         Parameters
         ----------
@@ -79,7 +79,7 @@ def roller_pairs(
     moduli: ContactPair,
     surface: Surface,
 ) -> RollerPairs:
-    """Roller pairs from what describes them.
+    """Roller pairs from radii, length, friction, materials and surface.
 
     Parameters
     ----------
@@ -114,7 +114,7 @@ def roller_pairs(
 
 
 def _pressed(normal_force: Real) -> Array:
-    """The normal force, and one newton for an open contact, which every formula can take."""
+    """The normal force, or one newton for an open contact, for which every formula is defined."""
     return jnp.where(jnp.asarray(normal_force) > 0.0, normal_force, 1.0)
 
 

@@ -46,8 +46,8 @@ def stressed_track_life(
 
     Notes
     -----
-    Fatigue that begins below the surface, in through-hardened bearing steel. Film thickness and cleanliness are not in
-    it: apply the factor of ISO 281 for them.
+    Fatigue that begins below the surface, in through-hardened bearing steel. Film thickness and cleanliness are not
+    included: apply the factor of ISO 281 for them.
 
     References
     ----------
@@ -96,7 +96,7 @@ def line_contact_life(
 
     Notes
     -----
-    L is proportional to the load to the power −4.05 (Lundberg and Palmgren 1952: −4). Traction is not in it.
+    L is proportional to the load to the power −4.05 (Lundberg and Palmgren 1952: −4). Traction is not included.
 
     References
     ----------
@@ -114,7 +114,7 @@ def line_contact_life(
 
 
 def system_life(*, lives: Real) -> Real:
-    r"""Life of a system that fails with the first of its parts.
+    r"""Life of a system that fails when its first part fails.
 
     .. math:: L_s = \Bigl(\sum_i L_i^{-e}\Bigr)^{-1/e}
 
@@ -159,8 +159,8 @@ def life_at_reliability(*, life: Real, reliability: Real) -> Real:
 
     Notes
     -----
-    Two-parameter Weibull distribution with e = 10/9. Far above 90 % it is on the safe side: bearings then live longer
-    than it says.
+    Two-parameter Weibull distribution with e = 10/9. Far above 90 % it is on the safe side: actual bearing lives are
+    then longer.
 
     References
     ----------
@@ -170,7 +170,7 @@ def life_at_reliability(*, life: Real, reliability: Real) -> Real:
 
 
 def reliability_at_life(*, life: Real, service: Real) -> Real:
-    r"""Share of all systems that survive a service.
+    r"""Share of all systems that survive a given service.
 
     .. math:: S = 0.9^{\,(\text{service}/L_{90\%})^e}
 
@@ -214,7 +214,7 @@ def spectrum_life(*, lives: Real, cycle_rates: Real, time_shares: Real) -> Real:
 
     Notes
     -----
-    Damage adds up in any order. The shares must sum to 1: this is not checked here.
+    Damage adds up in any order. The shares must sum to 1; this is not checked here.
 
     References
     ----------

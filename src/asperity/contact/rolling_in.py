@@ -1,4 +1,4 @@
-"""How a line contact that stands under a tangential force starts to creep when it rolls."""
+"""Onset of creep when a line contact under a tangential force at rest starts to roll."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ _SLOPE = np.concatenate([[1.0], np.gradient(_SHARE, _STEP)[1:-1], [0.0]])
 
 
 def rolling_in_length(*, half_width: Real, slip_ratio: Real) -> Real:
-    r"""Distance over which a contact passes from standing to rolling.
+    r"""Distance over which a contact changes from rest to steady rolling.
 
     .. math:: s_0 = a\,(1 - |q|)^{2/3}
 
@@ -53,8 +53,8 @@ def rolling_in_length(*, half_width: Real, slip_ratio: Real) -> Real:
     Notes
     -----
     A fit to boundary elements: with this length the transients of all slip ratios up to 0.9 nearly coincide
-    (:func:`rolling_in_shift`). The creepage passes its steady value at 1.5 to 1.8 of it, swings about it and has
-    settled within 3 % after about three.
+    (:func:`rolling_in_shift`). The creepage passes its steady value at 1.5 to 1.8 times this length, oscillates about it and stays
+    within 3 % after about three times this length.
 
     References
     ----------
@@ -107,7 +107,7 @@ def _share(x: Real) -> Real:
 
 
 def rolling_in_shift(*, rolled_distance: Real, half_width: Real, slip_ratio: Real, creepage: Real) -> Real:
-    r"""Rigid tangential shift of the bodies while they roll under a constant force, from standing.
+    r"""Rigid tangential shift of the bodies while they roll under a constant force, from rest.
 
     .. math:: \delta(s) - \delta(0) = \xi_C \left[s - L\,\varphi(s/s_0)\right]
 
@@ -125,13 +125,13 @@ def rolling_in_shift(*, rolled_distance: Real, half_width: Real, slip_ratio: Rea
     Returns
     -------
     Real
-        Shift beyond that of the standing contact [m].
+        Shift in addition to that of the contact at rest [m].
 
     Notes
     -----
-    Rolling starts at half the steady creepage, whatever the force. The force is applied to the standing contact
-    (Cattaneo and Mindlin) and then held. Within :math:`0.022\,\xi_C a` of boundary elements for q from 0.02 to
-    0.95. Not for |q| >= 1, where the contact slips, nor with an elastic layer.
+    Rolling starts at half the steady creepage, whatever the force. The force is applied to the contact at rest
+    (Cattaneo and Mindlin) and then kept constant. Within :math:`0.022\,\xi_C a` of boundary elements for q from 0.02 to
+    0.95. Not valid for :math:`|q| \ge 1`, where the contact slips, nor with an elastic layer.
 
     References
     ----------

@@ -1,4 +1,4 @@
-"""Losses of a line contact that rolls: creep, elastic hysteresis, the oil at the inlet; and its flash temperature."""
+"""Losses of a rolling line contact: creep, elastic hysteresis, oil at the inlet; and its flash temperature."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ import jax.numpy as jnp
 
 from asperity.types import Real
 
-#: Blok's constant for a Hertzian band: largest temperature rise, the heat shared so that both surfaces rise alike.
+#: Blok's constant for a Hertzian band: largest temperature rise, with equal rise of both surfaces.
 FLASH_CONSTANT = 1.11
 
 
@@ -155,7 +155,7 @@ def flash_temperature(
     density: Real,
     heat_capacity: Real,
 ) -> Real:
-    r"""Largest temperature rise of the surfaces as they pass a line contact that slides.
+    r"""Largest temperature rise of the surfaces in a sliding line contact.
 
     .. math:: \Delta T = 1.11\,\mu P'\,\frac{|\sqrt{u_1} - \sqrt{u_2}|}{\sqrt{k\rho c}\,\sqrt{2a}}
 
@@ -183,8 +183,8 @@ def flash_temperature(
 
     Notes
     -----
-    Like bodies, heat where the pressure is, heat carried by motion rather than conduction along the surface:
-    :math:`u a \rho c/k` above about 10 for both. Below gross slip only the slip zone makes heat.
+    Bodies of the same material, heat in proportion to the pressure, convection much larger than conduction along the surface:
+    :math:`u a \rho c/k` above about 10 for both. Below gross slip only the slip zone generates heat.
 
     References
     ----------

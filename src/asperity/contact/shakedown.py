@@ -1,4 +1,4 @@
-"""Shakedown and first yield of a line contact that rolls under traction: interpolated, differentiable, for batches."""
+"""Shakedown and first yield of a rolling line contact under traction: interpolated, differentiable, for batches."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from asperity.types import Real
 
 
 def shear_yield_strength(*, yield_strength: Real) -> Real:
-    r"""Yield strength in shear by Mises, :math:`k = \sigma_Y/\sqrt3`.
+    r"""Yield strength in shear by Mises' criterion, :math:`k = \sigma_Y/\sqrt3`.
 
     Parameters
     ----------
@@ -48,7 +48,7 @@ def _reciprocal(value: Real) -> Array:
 
 
 def shakedown_limit(*, friction_coefficient: Real) -> Array:
-    r"""Largest Hertzian pressure that a rolling line contact bears without yielding in every cycle.
+    r"""Largest Hertzian pressure of a rolling line contact without yielding in every cycle.
 
     .. math:: \frac{p_0}{k} = \min_{x,z} \frac{p_0}{|\tau_{xz}(x, z)|}
 
@@ -84,7 +84,7 @@ def shakedown_limit(*, friction_coefficient: Real) -> Array:
 
 
 def _peak_limit(friction: Array, poisson: Array) -> Array:
-    """Return p_0/sqrt(J_2) at the largest J_2 below the surface; infinite where the surface's is larger for sure."""
+    """Return p_0/sqrt(J_2) at the largest J_2 below the surface; infinite where that at the surface is certainly larger."""
     low, high = POISSON_RANGE
     bound = mises_friction(poisson)
     tabulated = (poisson >= low) & (friction <= bound)
@@ -95,7 +95,7 @@ def _peak_limit(friction: Array, poisson: Array) -> Array:
 
 
 def mises_elastic_limit(*, friction_coefficient: Real, poisson_ratio: Real) -> Array:
-    r"""Hertzian pressure at which a line contact in full slip first yields, by Mises.
+    r"""Hertzian pressure at which a line contact in full slip first yields, by Mises' criterion.
 
     .. math::
         \frac{p_0}{k} = \min_{x,z} \frac{p_0}{\sqrt{J_2}}, \qquad
@@ -131,7 +131,7 @@ def mises_elastic_limit(*, friction_coefficient: Real, poisson_ratio: Real) -> A
 
 
 def tresca_elastic_limit(*, friction_coefficient: Real, poisson_ratio: Real) -> Array:
-    r"""Hertzian pressure at which a line contact in full slip first yields, by Tresca.
+    r"""Hertzian pressure at which a line contact in full slip first yields, by Tresca's criterion.
 
     .. math::
         \frac{p_0}{k} = \min_{x,z} \frac{p_0}{\tau_{max}}, \qquad

@@ -1,4 +1,4 @@
-"""Skewed rollers: longitudinal and lateral creep of one line contact, and the axial force that comes with it."""
+"""Skewed rollers: longitudinal and lateral creep of one line contact, and the resulting axial force."""
 
 from __future__ import annotations
 
@@ -129,7 +129,7 @@ def skewed_slip_ratios(
     Parameters
     ----------
     longitudinal_creepage, lateral_creepage : Real
-        xi_x and xi_y, of either sign [-]; a roller that is out of parallel by an angle has that angle as xi_y.
+        xi_x and xi_y, of either sign [-]; the skew angle of a roller is its xi_y.
     gross_slip_creepage, lateral_gross_slip_creepage : Real
         xi_x,max and xi_y,max, positive [-]: :func:`asperity.contact.carter.gross_slip_creepage` and that times
         :func:`lateral_compliance_ratio`.
@@ -156,7 +156,7 @@ def skewed_slip_ratios(
 
 
 def _share_at(magnitude: Real, across: Real, ratio: Real) -> Real:
-    """Scaled longitudinal creepage x >= 0 that carries a force; Newton's method between bounds that close in."""
+    """Scaled longitudinal creepage x >= 0 that carries a force; bracketed Newton's method."""
     partial = 1.0 - jnp.sqrt(1.0 - magnitude)
     sliding = across * ratio * magnitude / jnp.sqrt(1.0 - magnitude**2)
 
@@ -187,8 +187,8 @@ def skewed_contact(
 ) -> SkewedContact:
     r"""Longitudinal creepage and lateral force of a skewed contact that carries a longitudinal force.
 
-    Solves :func:`skewed_slip_ratios` for :math:`\xi_x`. Once the contact slips as a whole, the direction of slip
-    alone gives the longitudinal force.
+    Solves :func:`skewed_slip_ratios` for :math:`\xi_x`. In gross slip the direction of slip
+    alone determines the longitudinal force.
 
     Parameters
     ----------
@@ -272,7 +272,7 @@ def axial_force(*, friction_coefficient: Real, normal_force: Real, lateral_slip_
 def longitudinal_capacity_ratio(
     *, lateral_creepage: Real, gross_slip_creepage: Real, lateral_gross_slip_creepage: Real
 ) -> Real:
-    r"""Longitudinal force that a skewed contact carries before it slips as a whole, over that without skew.
+    r"""Longitudinal force of a skewed contact at gross slip, relative to that without skew.
 
     .. math::
         \frac{Q_{x,max}}{\mu N} = \sqrt{\frac{1 - \zeta_y^2}{1 - \zeta_y^2 + \rho\,\zeta_y^2}}, \qquad
@@ -288,7 +288,7 @@ def longitudinal_capacity_ratio(
     Returns
     -------
     Real
-        Ratio [-]; 0 where the skew alone makes the contact slip. The loss of capacity is 1 less this.
+        Ratio [-]; 0 where the skew alone causes gross slip. The loss of capacity is 1 minus this ratio.
 
     References
     ----------

@@ -1,4 +1,4 @@
-"""Largest stresses under a line contact in full slip, searched for in the exact field; slow, and never interpolated."""
+"""Largest stresses under a line contact in full slip, located in the exact field without interpolation; slow."""
 
 from __future__ import annotations
 
@@ -94,7 +94,7 @@ def mises_friction(poisson_ratio: Real) -> Real:
 
 @partial(jax.jit, static_argnums=0)
 def _peaks(square: Square, frictions: Array, poissons: Array, start: Array) -> StressPeak:
-    """Follow a maximum of a squared stress from no friction to each friction that is asked for."""
+    """Follow a maximum of a squared stress from zero friction to each requested friction coefficient."""
 
     def one(friction: Array, poisson: Array) -> StressPeak:
         def shape(place: Array, level: Array) -> tuple[Array, Array, Array]:
@@ -227,6 +227,6 @@ def fitted_coefficients(*, shear_terms: int, mises_terms: tuple[int, int]) -> tu
     share = jnp.asarray(np.sqrt(0.5 * (nodes(mises_terms[0]) + 1.0)))
     mises = mises_peak(friction_coefficient=share[:, None] * mises_friction(poisson), poisson_ratio=poisson)
     if not (bool(jnp.all(shear.solved)) and bool(jnp.all(mises.solved))):
-        raise ArithmeticError("a largest stress was not found: the ranges of the table reach too far")
+        raise ArithmeticError("a largest stress was not found: the range of the table is too wide")
     first = transform(1.0 / np.asarray(shear.stress))[:, 0]
     return first, transform(transform(1.0 / np.asarray(mises.stress)).T).T

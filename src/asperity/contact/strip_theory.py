@@ -1,4 +1,4 @@
-"""Crowned or profiled rollers: a line contact cut into slices along its axis, each with its own Hertz and Carter."""
+"""Crowned or profiled rollers: a line contact divided into slices along its axis, each after Hertz and Carter."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ class StripLoads(eqx.Module):
     half_width : Array
         Half-width of each slice [m].
     approach : Array
-        Local compression at the place of zero profile, without the slices' axis [m]; the far field is not in it.
+        Local compression at the point of zero profile, without the slices' axis [m]; excludes the far field.
     solved : Array
         True where the slices carry the normal force, without the slices' axis [-].
     """
@@ -66,7 +66,7 @@ def circular_crown(*, position: Real, crown_radius: Real) -> Real:
 
 
 def compression_length(*, contact_length: Real) -> Real:
-    r"""Length that the compression of a slice depends on besides its width, :math:`D = 2 B/\sqrt e`.
+    r"""Length on which the compression of a slice depends, in addition to its width, :math:`D = 2 B/\sqrt e`.
 
     Parameters
     ----------
@@ -98,7 +98,7 @@ def slice_line_load(
 
     .. math:: \delta = \frac{P'}{\pi E^*}\left(2\ln\frac{D}{b} - 1\right), \qquad b^2 = \frac{4 P' R}{\pi E^*}
 
-    solved for P'; D stands for the length over which the load acts.
+    solved for P'; D represents the length over which the load acts.
 
     Parameters
     ----------
@@ -186,9 +186,9 @@ def strip_loads(
 
     Notes
     -----
-    Slices do not feel each other: good for a contact much longer than wide, errors up to 25 % for one as long as wide
-    (Kalker 1967); below about three times as long as wide the law has no solution. Against Hertz's ellipse the largest
-    pressure is within 2 % for 1 : 10. No load concentration at sharp ends. Derivatives are those of the balance at its
+    Slices do not interact: accurate for a contact much longer than wide, errors up to 25 % for one as long as wide
+    (Kalker 1967); below about three times as long as wide the law has no solution. Compared with Hertz's ellipse the error of the peak
+    pressure is below 2 % for 1 : 10. No load concentration at sharp ends. Derivatives are those of the balance at its
     root.
 
     References
@@ -270,7 +270,7 @@ def strip_slip_ratio(*, creepage: Real, capacity: Real, gross_slip_creepage: Rea
 
 
 def strip_creepage(*, slip_ratio: Real, capacity: Real, gross_slip_creepage: Real) -> Real:
-    r"""Creepage of a sliced contact under a tangential force, all slices creeping alike.
+    r"""Creepage of a sliced contact under a tangential force, with equal creepage of all slices.
 
     The inverse of :func:`strip_slip_ratio` in closed form: the slices that stick are those whose gross-slip creepage
     needs a larger force, and among them :math:`Q` is a quadratic in :math:`\xi`.
@@ -306,7 +306,7 @@ def strip_creepage(*, slip_ratio: Real, capacity: Real, gross_slip_creepage: Rea
     at_limit = jnp.sum(
         share * slip_ratio_at_creepage(creepage=limits[:, None], gross_slip_creepage=limits), axis=1
     )
-    largest = limits == jnp.max(limits, axis=0)  # these carry the last of the force
+    largest = limits == jnp.max(limits, axis=0)  # these carry the remaining force
     sticks = (limits > 0.0) & (largest | (at_limit > magnitude))
     safe = jnp.where(sticks, limits, 1.0)
     slope = jnp.sum(jnp.where(sticks, share / safe, 0.0), axis=0)

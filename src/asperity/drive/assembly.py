@@ -1,7 +1,7 @@
 r"""Torsional stiffness with floating bodies (A8): planet and loading rollers free to move in the plane.
 
-The published series (25) moves every roller about a fixed centre. In the machine only the sun's centre is held
-(by symmetry); a tangential force on the planet pushes it sideways against the *normal* springs of its wedge.
+In the published series (25) every roller turns about a fixed centre. In the machine only the sun's centre is fixed
+(by symmetry); a tangential force on the planet displaces it laterally against the *normal* springs of its wedge.
 
 One branch is a :class:`asperity.drive.planar_assembly.PlanarAssembly` of sun, planet and two loading rollers under a
 unit torque on the sun. The shares :math:`c_j f_j^2` of its springs add up to the compliance.
@@ -29,9 +29,9 @@ class StructureSprings(eqx.Module):
     Parameters
     ----------
     pin_stiffness : Real
-        Of one carrier pin along the carrier's push on its loading roller [N/m].
+        Of one carrier pin along its force on the loading roller [N/m].
     pin_transverse_stiffness : Real
-        Of one carrier pin across the push [N/m]; 0 where the roller is free to move radially.
+        Of one carrier pin across that direction [N/m]; 0 where the roller is free to move radially.
     planet_support_stiffness : Real
         Of a planet's bearing on the carrier, in both directions of the plane [N/m]; 0 for a floating planet.
     ring_bending_stiffness : Real
@@ -41,8 +41,8 @@ class StructureSprings(eqx.Module):
 
     Notes
     -----
-    The radial stiffness of the sun's bearing is not among them: under a torque the branches hold the sun's centre
-    in balance, so that it carries nothing.
+    The radial stiffness of the sun's bearing is not included: under a torque the forces of the branches on the sun
+    balance, so that the bearing carries no load.
     """
 
     pin_stiffness: Real
@@ -53,7 +53,7 @@ class StructureSprings(eqx.Module):
     output_shaft_stiffness: Real
 
 
-#: Rigid pins along the push, free across it, floating planet, stiff ring and shafts.
+#: Pins rigid along their force and free across it, floating planet, rigid ring and shafts.
 IDEAL_STRUCTURE = StructureSprings(math.inf, 0.0, 0.0, math.inf, math.inf, math.inf)
 
 
@@ -63,11 +63,11 @@ class Assembly(eqx.Module):
     Parameters
     ----------
     stiffness : TorsionalStiffness
-        At the sun and at the output [N·m/rad]; 0 where the drive passes no torque.
+        At the sun and at the output [N·m/rad]; 0 where the drive transmits no torque.
     tangential_share : Array
         Share of each contact's tangential spring in the compliance, shape (5, ...) [-].
     normal_share : Array
-        Share of each contact's normal spring: the float of the planet in its wedge, shape (5, ...) [-].
+        Share of each contact's normal spring, which allows the planet to float in its wedge, shape (5, ...) [-].
     ring_bending_share, pin_share, planet_support_share, input_shaft_share, output_shaft_share : Array
         Shares of the structure [-]. All shares add up to 1.
     """
@@ -82,10 +82,10 @@ class Assembly(eqx.Module):
     output_shaft_share: Array
 
 
-#: The bodies of a branch. By symmetry the sun's centre stays, so that it only turns.
+#: The bodies of a branch. By symmetry the sun's centre does not move; the sun only turns.
 _BODIES = ("sun", "planet", "right", "left")
 _FREE = ((False, False, True), *3 * ((True, True, True),))
-#: First body, second body, and whether they touch from outside; in the order of the contacts.
+#: First body, second body, and whether the contact is external; in the order of the contacts.
 _MEETINGS = (
     ("sun", "planet", 1),
     ("planet", "right", 1),
@@ -111,7 +111,7 @@ def branch_assembly(*, geometry: DriveGeometry, sides: Triangle) -> PlanarAssemb
     Returns
     -------
     PlanarAssembly
-        The planet lies on the y axis above the sun; pins along and across the carrier's push.
+        The planet lies on the y axis above the sun; pins along and across the carrier's force.
 
     References
     ----------
@@ -124,7 +124,7 @@ def branch_assembly(*, geometry: DriveGeometry, sides: Triangle) -> PlanarAssemb
         inward, radial = (
             (-hand * cos_a, sin_a),
             (hand * sin_a, cos_a),
-        )  # the push draws a branch's rollers together
+        )  # the pin forces push the rollers of a branch together
         cos_g, sin_g = jnp.cos(push), jnp.sin(push)
         pins.append([inward[k] * cos_g + radial[k] * sin_g for k in (0, 1)])
         pins.append([radial[k] * cos_g - inward[k] * sin_g for k in (0, 1)])
@@ -154,7 +154,7 @@ def _compliance(stiffness: Real) -> Array:
 
 
 def _finite(compliance: Array) -> Array:
-    """What a spring's force is multiplied with: an absent spring has none."""
+    """Factor on a spring's force: an absent spring carries none."""
     return jnp.where(jnp.isinf(compliance), 0.0, compliance)
 
 
@@ -167,7 +167,7 @@ def assembly_stiffness(
     structure: StructureSprings,
     coupling: Array | None = None,
 ) -> Assembly:
-    """Torsional stiffness of the drive with floating planet and rollers, and the budget of its compliance.
+    """Torsional stiffness of the drive with floating planet and rollers, and its compliance budget.
 
     Parameters
     ----------
@@ -181,7 +181,7 @@ def assembly_stiffness(
         Springs of the structure.
     coupling : Array, optional
         Compliances between the contacts, normal springs first, shape (10, 10, ...) [m/N]: symmetric, 0 on the diagonal
-        and where a contact is open. Bodies that deform as a whole have it.
+        and where a contact is open. Required for bodies that deform as a whole.
 
     Returns
     -------
@@ -190,9 +190,9 @@ def assembly_stiffness(
 
     Notes
     -----
-    Linearised at the operating point, without the (much smaller) stiffness that a preload has by turning with its
+    Linearised at the operating point, without the (much smaller) geometric stiffness of a preload that turns with its
     contact. With rigid normal springs and pins each side's two tangential springs lie in series and the sides
-    in parallel, which is (25) exactly where both sides share the load alike.
+    in parallel, which is (25) exactly where both sides share the load equally.
 
     References
     ----------

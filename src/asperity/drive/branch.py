@@ -1,9 +1,9 @@
-r"""The forces of one branch of the drive from two or three unknowns: statics alone, equations (1)–(5).
+r"""Forces of one branch of the drive from two or three unknowns by statics, equations (1)–(5).
 
 The thirteen unknown forces of a branch reduce to three, exactly: the sun–planet tangential force
 :math:`T_{sp}`, the sum :math:`S = N_{pwr} + N_{pwl}` of the planet's loads, and the right one's share of
-:math:`T_{sp}`. A drive at rest is taken to run both planet–roller contacts at one traction coefficient
-:math:`c = T_{sp}/S`; in a rolling one the creepages decide. Either way (2) gives
+:math:`T_{sp}`. In a drive at rest both planet–roller contacts are assumed to have the same traction coefficient
+:math:`c = T_{sp}/S`; in a rolling drive the creepages determine the split. Either way (2) gives
 :math:`N_{pwr} - N_{pwl} = T_{sp} \cot(\theta/2)`; every other force follows from one line of (1)–(5) each.
 """
 
@@ -21,7 +21,7 @@ from asperity.types import Real
 
 
 class Branch(NamedTuple):
-    """Everything that stays fixed while the two unknowns are sought; SI units.
+    """Quantities that are constant while the two unknowns are solved for; SI units.
 
     Parameters
     ----------
@@ -68,7 +68,7 @@ class BranchForces(NamedTuple):
 
 @jax.custom_jvp
 def _reciprocal(x: Array) -> Array:
-    """1/x, whose derivative uses the value again instead of dividing once more."""
+    """1/x, whose derivative reuses the value instead of dividing again."""
     return 1.0 / x
 
 
@@ -81,7 +81,7 @@ def _reciprocal_jvp(primals: tuple[Array], tangents: tuple[Array]) -> tuple[Arra
 def branch_forces(
     branch: Branch, load_sum: Array, sun_force: Array, right_force: Array | None = None
 ) -> BranchForces:
-    """Every force of a branch from S, T_sp and the split of T_sp, one published equation a line.
+    """All forces of a branch from S, T_sp and the split of T_sp, one published equation per line.
 
     Parameters
     ----------
@@ -90,7 +90,7 @@ def branch_forces(
     load_sum, sun_force : Array
         S = N_pwr + N_pwl and T_sp [N].
     right_force : Array, optional
-        T_pwr [N]; by default both planet–roller contacts run at the same traction coefficient (A3).
+        T_pwr [N]; by default both planet–roller contacts have the same traction coefficient (A3).
 
     Returns
     -------
@@ -99,8 +99,8 @@ def branch_forces(
 
     Notes
     -----
-    Divisions by what stays fixed are products with an inverse: for XLA on a CPU, each quotient that depends on the
-    unknowns is a pass over memory.
+    Divisions by constants are written as products with an inverse: for XLA on a CPU, each quotient that depends on
+    the unknowns is a pass over memory.
 
     References
     ----------
@@ -178,7 +178,7 @@ def carrier_residual(branch: Branch, force: BranchForces) -> Array:
 
 
 def contact_floors(branch: Branch, sun_force: Array) -> tuple[Array, Array]:
-    r"""Where a contact lifts off: equation (2) with one normal force put to zero.
+    r"""Load sum at which a contact lifts off: equation (2) with one normal force set to zero.
 
     .. math::
         S_{pwl} = |k T_{sp}|, \quad
@@ -212,7 +212,7 @@ def contact_floors(branch: Branch, sun_force: Array) -> tuple[Array, Array]:
 
 
 def held_load_sum(branch: Branch, load_sum: Array, sun_force: Array) -> Array:
-    """S, or the smallest S at which no contact pulls: a lifted contact stays at zero force.
+    """S, or the smallest S at which no normal force is negative: a lifted contact carries no force.
 
     Parameters
     ----------

@@ -1,43 +1,37 @@
-"""Torque capacity: the largest output torque that every contact can pass without gross slip (A9)."""
+"""Torque capacity: the largest output torque before the first limit is reached (A9)."""
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable
+from typing import NamedTuple
 
-import equinox as eqx
 import jax
 import jax.numpy as jnp
-import numpy as np
 from jax import Array
 
-from asperity.drive.force_balance import force_balance
-from asperity.drive.mechanism import Mechanism
 from asperity.types import Real
 
-#: Doublings of a first guess before a drive counts as not limited by friction.
-MOST_DOUBLINGS = 40
+#: Relative width of the last interval of the search.
+SEARCH_TOLERANCE = 1e-13
 #: Share of the first guess below which a drive has no capacity at all.
 SMALLEST_SHARE = 1e-12
-_ROOT_TOLERANCE = 1e-12
 
-_STEPS = 100  # doublings and halvings together: sixty halvings reach rounding, forty doublings 10^12 times the guess
+_MOST_STEPS = 150  # forty doublings reach 10^12 times the guess, ninety halvings any interval's last digit
 
 
-class TorqueCapacity(eqx.Module):
-    """How much torque a preloaded drive can pass.
+class FirstLimit(NamedTuple):
+    """Where the first of several limits is reached.
 
     Parameters
     ----------
-    output_torque : Array
-        Capacity at the carrier [N·m]; infinite where the wedge tightens faster than the traction grows, 0 where a
-        contact slips without any torque.
-    limiting_contact : Array
-        Index of the contact that slips first, in the order of :data:`asperity.drive.geometry.CONTACT_NAMES` [-].
+    value : Array
+        Largest value that keeps all limits; infinite where none is reached, 0 where one is reached at once.
+    which : Array
+        Which limit it is; −1 where none is reached.
     """
 
-    output_torque: Array
-    limiting_contact: Array
+    value: Array
+    which: Array
 
 
 def slip_ratio(*, normal_force: Real, tangential_force: Real, friction_coefficient: Real) -> Array:
@@ -65,136 +59,63 @@ def slip_ratio(*, normal_force: Real, tangential_force: Real, friction_coefficie
     return jnp.where(touching, force / jnp.where(touching, limit, 1.0), jnp.where(force > 0.0, jnp.inf, 0.0))
 
 
-@eqx.filter_jit
-def torque_capacity(*, mechanism: Mechanism, friction_coefficient: Real) -> TorqueCapacity:
-    r"""Largest output torque at which every contact keeps :math:`T < \mu N`.
+def first_limit(*, excesses: Callable[[Array], Array], first_guess: Real) -> FirstLimit:
+    r"""Smallest positive value at which one of several functions becomes positive.
 
-    .. math:: \max_i \frac{T_i(T_{out})}{\mu_i N_i(T_{out})} = 1
+    .. math:: \max_i g_i(x) = 0
 
     Parameters
     ----------
-    mechanism : Mechanism
-        The preloaded drive.
-    friction_coefficient : Real
-        mu of the contacts, shape (1, ...) or (5, ...) [-].
+    excesses : callable
+        Values, shape (...), to the functions g, shape (limits, ...); negative before a limit, and not negative at it
+        and beyond. A nan counts as not reached.
+    first_guess : Real
+        Value of the right order, shape (...), where the search begins; in the unit of the values [any].
 
     Returns
     -------
-    TorqueCapacity
-        Capacity [N·m] and the contact that limits it.
+    FirstLimit
+        The value, shape (...), with the implicit derivative of the limit that is reached; and which one that is.
 
     Notes
     -----
-    Doubling until a contact slips, then bisection, each point a full force balance. The derivatives are implicit.
+    Doubling until a limit is reached, then halving. A limit that jumps instead of passing through zero has no implicit
+    derivative; 0 is returned for it.
 
     References
     ----------
     Equation (A9) of :doc:`/equations`.
     """
+    start = jnp.asarray(first_guess)
 
-    def ratios(torque: Array) -> Array:
-        forces = force_balance(mechanism=mechanism, output_torque=torque)
-        return slip_ratio(
-            normal_force=forces.normal,
-            tangential_force=forces.tangential,
-            friction_coefficient=friction_coefficient,
-        )
+    def unfinished(state: tuple[Array, Array, Array, Array]) -> Array:
+        lower, upper, bracketed, count = state
+        wide = (upper - lower > SEARCH_TOLERANCE * upper) & (upper > SMALLEST_SHARE * start)
+        return jnp.any(~bracketed & (upper < 2.0**40 * start) | bracketed & wide) & (count < _MOST_STEPS)
 
-    def excess(torque: Array) -> Array:
-        return jnp.max(ratios(torque), axis=0) - 1.0
-
-    sides = mechanism.sides
-    unit = jnp.min(jnp.asarray(friction_coefficient), axis=0) * mechanism.preload * sides.roller_orbit
-    unit = unit * mechanism.geometry.planet_count
-    start = jnp.broadcast_to(unit, jnp.shape(mechanism.preload + 0.0 * unit + sides.roller_orbit))
-
-    def narrow(_: int, bounds: tuple[Array, Array, Array]) -> tuple[Array, Array, Array]:
-        """Double the upper bound until a contact slips there, then halve the interval."""
-        lower, upper, bracketed = bounds
+    def narrow(state: tuple[Array, Array, Array, Array]) -> tuple[Array, Array, Array, Array]:
+        """Double the upper bound until a limit is reached there, then halve the interval."""
+        lower, upper, bracketed, count = state
         trial = jnp.where(bracketed, 0.5 * (lower + upper), upper)
-        slips = excess(trial) >= 0.0
-        next_upper = jnp.where(slips, trial, jnp.where(bracketed, upper, 2.0 * upper))
-        return jnp.where(slips, lower, trial), next_upper, bracketed | slips
+        reached = jnp.any(excesses(trial) >= 0.0, axis=0)
+        next_upper = jnp.where(reached, trial, jnp.where(bracketed, upper, 2.0 * upper))
+        return jnp.where(reached, lower, trial), next_upper, bracketed | reached, count + 1
 
-    first = (jnp.zeros_like(start), start, jnp.zeros_like(start, dtype=bool))
-    lower, upper, bracketed = jax.lax.stop_gradient(jax.lax.fori_loop(0, _STEPS, narrow, first))
-    unlimited = ~bracketed
-    slips_at_rest = bracketed & (lower == 0.0)
-    ends = unlimited | slips_at_rest
+    first = (jnp.zeros_like(start), start, jnp.zeros_like(start, dtype=bool), jnp.asarray(0))
+    lower, upper, bracketed, _ = jax.lax.stop_gradient(jax.lax.while_loop(unfinished, narrow, first))
+    at_once = bracketed & (upper <= SMALLEST_SHARE * start)
+    index = jnp.argmax(excesses(upper) >= 0.0, axis=0)
+    fixed = ~bracketed | at_once
+
+    def excess(value: Array) -> Array:
+        chosen = jnp.take_along_axis(excesses(value), index[None], axis=0)[0]
+        return jnp.where(fixed, value - lower, chosen)
 
     def divide(linear, right_side: Array) -> Array:  # type: ignore[no-untyped-def]
-        return right_side / linear(jnp.ones_like(right_side))
-
-    def bounded_excess(torque: Array) -> Array:
-        return jnp.where(ends, torque - upper, excess(torque))
+        slope = linear(jnp.ones_like(right_side))
+        return right_side / jnp.where(slope == 0.0, 1.0, slope)
 
     # the root is known; custom_root gives it the implicit derivative
-    root = jax.lax.custom_root(bounded_excess, upper, lambda _, found: found, divide)
-    capacity = jnp.where(unlimited, jnp.inf, jnp.where(slips_at_rest, 0.0, root))
-    return TorqueCapacity(
-        output_torque=capacity,
-        limiting_contact=jnp.argmax(ratios(jax.lax.stop_gradient(root)), axis=0),
-    )
-
-
-def capacity_by_search(*, slip_ratios: Callable[[float], np.ndarray], first_guess: float) -> TorqueCapacity:
-    r"""The capacity of one drive from any function that says how much of its friction is used under a torque.
-
-    .. math:: \max_i \frac{T_i(T_{out})}{\mu_i N_i(T_{out})} = 1
-
-    Parameters
-    ----------
-    slip_ratios : callable
-        Output torque [N·m] to T/(mu N) of the contacts, shape (5,) [-]; nan where the force balance does not close.
-    first_guess : float
-        Torque of the right order, where the doubling begins [N·m].
-
-    Returns
-    -------
-    TorqueCapacity
-        As :func:`torque_capacity` finds it, without derivatives; nan where the balance does not close at torques that
-        decide.
-
-    Notes
-    -----
-    Doubling, then halving: some fifty calls of a function that is already there take milliseconds, where compiling
-    :func:`torque_capacity` takes seconds.
-
-    References
-    ----------
-    Equation (A9) of :doc:`/equations`.
-    """
-
-    def excess(torque: float) -> float:
-        return float(np.max(slip_ratios(torque))) - 1.0
-
-    def found(torque: float, at: float) -> TorqueCapacity:
-        return TorqueCapacity(np.asarray(torque), np.asarray(np.argmax(slip_ratios(at))))  # type: ignore[arg-type]
-
-    lower = SMALLEST_SHARE * first_guess
-    below = excess(lower)
-    if not below < 0.0:
-        return found(below if math.isnan(below) else 0.0, lower)
-    upper = first_guess
-    for _ in range(MOST_DOUBLINGS):
-        above = excess(upper)
-        if above >= 0.0:
-            break
-        if above < 0.0:  # a torque without a solution is passed over
-            lower = upper
-        upper *= 2.0
-    else:
-        return found(math.nan if math.isnan(above) else math.inf, lower)
-    root = _root(excess, lower, upper)
-    return found(root, upper if math.isnan(root) else root)
-
-
-def _root(function: Callable[[float], float], lower: float, upper: float) -> float:
-    """Where a function turns from negative to positive, by halving; nan where it has no value on the way."""
-    while upper - lower > _ROOT_TOLERANCE * upper:
-        middle = 0.5 * (lower + upper)
-        value = function(middle)
-        if math.isnan(value):
-            return math.nan
-        lower, upper = (lower, middle) if value >= 0.0 else (middle, upper)
-    return upper
+    root = jax.lax.custom_root(excess, lower, lambda _, found: found, divide)
+    value = jnp.where(bracketed, jnp.where(at_once, 0.0, root), jnp.inf)
+    return FirstLimit(value=value, which=jnp.where(bracketed, index, -1))

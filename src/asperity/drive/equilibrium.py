@@ -1,4 +1,4 @@
-"""The eleven equations (1)–(5) as the paper writes them, to hold any solution against."""
+"""The eleven equations (1)–(5) as published, for checking any solution."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ def balance_equations(
     planet_centrifugal: Real,
     roller_centrifugal: Real,
 ) -> tuple[Array, ...]:
-    """The eleven equations (1)–(5) as they are written, each as a force [N] that vanishes in equilibrium.
+    """The eleven equations (1)–(5) as published, each as a force [N] that vanishes in equilibrium.
 
     Parameters
     ----------

@@ -1,7 +1,7 @@
-"""Which drives cannot exist: every rule once, for one joint that is refused and for each point of a study.
+"""Conditions for a drive to exist, used both for a single joint and for each point of a study.
 
-The functions take NumPy arrays or those of JAX and answer in kind: a single joint is judged after it is solved, and
-nothing has to be compiled for that.
+The functions accept NumPy or JAX arrays and return the same kind: a single joint is checked after it is solved, which
+needs no compilation.
 """
 
 from __future__ import annotations
@@ -19,12 +19,12 @@ from asperity.types import Real
 
 
 def _library_of(*values: Real) -> ModuleType:
-    """JAX where any number is one of JAX's, traced or not, otherwise NumPy."""
+    """JAX if any value is a JAX array, traced or not, otherwise NumPy."""
     return jnp if any(isinstance(value, jax.Array) for value in values) else np
 
 
 class PinLock(NamedTuple):
-    """What a loading roller's pin must not reach.
+    """Limits of a loading roller's pin.
 
     Parameters
     ----------
@@ -33,7 +33,7 @@ class PinLock(NamedTuple):
     grip : Real
         Pin friction coefficient times pin diameter over roller radius [-].
     push : Real
-        Cosine of the steeper push angle [-]; the pin locks where the grip reaches it.
+        Cosine of the steeper push angle [-]; the pin locks if the grip reaches it.
     locks : Any
         Whether it locks.
     """
@@ -61,7 +61,7 @@ def overlaps(*, gap: Real) -> Any:
 
 
 def pin_lock(*, geometry: DriveGeometry, bearings: Bearings) -> PinLock:
-    r"""Whether the pins of the loading rollers fit into them and let them turn.
+    r"""Whether the pins fit into the loading rollers and allow them to turn.
 
     .. math:: d < 2 R_w, \qquad \mu_b \frac{d}{R_w} < \cos\gamma
 
@@ -79,8 +79,8 @@ def pin_lock(*, geometry: DriveGeometry, bearings: Bearings) -> PinLock:
 
     References
     ----------
-    Zou et al. 2025, equations (3) and (4), with the pin's friction torque mu_b d F/2 put in: the pin force F is the
-    rollers' push over the cosine less the grip.
+    Zou et al. 2025, equations (3) and (4), with the pin's friction torque mu_b d F/2 inserted: the pin force F is the
+    push of the rollers divided by the cosine minus the grip.
     """
     left, right, roller = geometry.left_push_angle, geometry.right_push_angle, geometry.loading_roller_radius
     diameter, friction = bearings.pin_diameter, bearings.pin_friction_coefficient
@@ -91,7 +91,7 @@ def pin_lock(*, geometry: DriveGeometry, bearings: Bearings) -> PinLock:
 
 
 def smaller_body(*, geometry: DriveGeometry, ring_wall_thickness: Real) -> Any:
-    """What a contact strip must be narrower than: radius or wall of the smaller body at each contact.
+    """Upper limit of the contact half-width: radius or wall of the smaller body at each contact.
 
     Parameters
     ----------
@@ -146,7 +146,7 @@ def too_wide(*, half_width: Real, smaller_body: Real, bulk_normal_stiffness: Rea
 
 
 def some_contact_slips(*, slip_ratio: Real) -> Any:
-    """Whether a contact slips grossly, which is to say that the torque is beyond the capacity.
+    """Whether a contact is in gross slip, that is, the torque exceeds the capacity.
 
     Parameters
     ----------

@@ -31,7 +31,7 @@ from asperity.types import Real
 BALANCE_TOLERANCE = 1e-9
 
 _NEWTON_BUDGET = 20
-_STEP_TOLERANCE = 1e-6  # convergence is quadratic: what such a last step leaves behind is below 1e-13
+_STEP_TOLERANCE = 1e-6  # convergence is quadratic: the error after such a last step is below 1e-13
 
 
 class DriveForces(eqx.Module):
@@ -50,8 +50,8 @@ class DriveForces(eqx.Module):
     balance_residual : Array
         Largest residual of the eleven equations (1)–(5), relative to the largest force [-].
     closure_residual : Array
-        Residual of the closure (A3), relative [-]; 0 where a contact has lifted off, because it then no longer
-        binds.
+        Residual of the closure (A3), relative [-]; 0 where a contact has lifted off, because it then does not
+        apply.
     """
 
     normal: Array
@@ -71,7 +71,7 @@ def _each(springs: NormalSprings) -> list[NormalSprings]:
 
 
 def _misfit(branch: Branch, approaches: Sequence[Real]) -> Real:
-    r"""How far five approaches of contacts are from fitting together, as a force [N]; grows with each of them.
+    r"""Incompatibility of the five contact approaches, as a force [N]; increases with each of them.
 
     The planet is displaced by (x, y) and the rollers radially by r_r and r_l. The approaches are
     delta_sp = −y, delta_pwr = x sin th + y cos th − r_r cos b, delta_pwl = −x sin th + y cos th − r_l cos b,
@@ -84,7 +84,7 @@ def _misfit(branch: Branch, approaches: Sequence[Real]) -> Real:
 
 
 def closure_misfit(branch: Branch, force: BranchForces) -> Real:
-    """Equation (A3), as a force: zero where the closure holds, growing with S.
+    """Equation (A3), as a force: zero where the closure holds, increasing with S.
 
     Parameters
     ----------
@@ -116,16 +116,16 @@ def closure_misfit(branch: Branch, force: BranchForces) -> Real:
 
 
 def _closure_steepness(branch: Branch) -> Real:
-    """No less than the slope of the closure by S anywhere: what all contacts, nearly unloaded, would give [-]."""
+    """Upper bound of the slope of the closure over S: that of all contacts nearly unloaded [-]."""
     if branch.mechanism.closure == "constant_pin_force":
         return jnp.asarray(1.0)
     return _misfit(branch, [steepest_compliance(spring) for spring in _each(branch.mechanism.springs)])
 
 
 def _residuals(branch: Branch, unknowns: tuple[Array, Array]) -> tuple[Real, Real]:
-    """Closure and carrier moment; where a contact lifts off, the closure goes on as a straight line in S.
+    """Closure and carrier moment; where a contact lifts off, the closure is continued as a straight line in S.
 
-    The line is at least as steep as the closure can be: a step of Newton's method from there cannot jump past
+    The line is at least as steep as the closure can be, so that a Newton step from there cannot overshoot
     the root.
     """
     load_sum, sun_force = unknowns
@@ -138,8 +138,8 @@ def _residuals(branch: Branch, unknowns: tuple[Array, Array]) -> tuple[Real, Rea
 def _solve_two_by_two(linear, right_side: tuple[Array, Array]) -> tuple[Array, Array]:  # type: ignore[no-untyped-def]
     """Solve linear(u, v) = right_side for the pair (u, v) elementwise, v eliminated by the second equation.
 
-    The second equation is the carrier's moment, which always depends on v = T_sp. Quotients are what XLA stores
-    instead of computing them again for every use: each entry of the matrix is used once only.
+    The second equation is the carrier's moment, which always depends on v = T_sp. XLA stores quotients
+    instead of recomputing them for every use: each entry of the matrix is used only once.
     """
     one, zero = jnp.ones_like(right_side[0]), jnp.zeros_like(right_side[0])
     a, c = linear((one, zero))
@@ -151,7 +151,7 @@ def _solve_two_by_two(linear, right_side: tuple[Array, Array]) -> tuple[Array, A
 
 
 def _newton(residuals, start: tuple[Array, Array]) -> tuple[Array, Array]:  # type: ignore[no-untyped-def]
-    """Newton's method until the last step of every point is negligible, or the budget is spent."""
+    """Newton's method until the last step of every point is negligible, or the maximum number of steps is reached."""
 
     def unfinished(state: tuple[Array, Array, Array, Array]) -> Array:
         *_, moving, count = state
@@ -162,7 +162,7 @@ def _newton(residuals, start: tuple[Array, Array]) -> tuple[Array, Array]:  # ty
         value, tangent_map = jax.linearize(residuals, (load_sum, sun_force))
         step = _solve_two_by_two(tangent_map, value)
         allowed = _STEP_TOLERANCE * (jnp.abs(load_sum) + jnp.abs(sun_force))
-        moving = jnp.any((jnp.abs(step[0]) > allowed) | (jnp.abs(step[1]) > allowed))  # a nan does not move
+        moving = jnp.any((jnp.abs(step[0]) > allowed) | (jnp.abs(step[1]) > allowed))  # a nan stays unchanged
         return load_sum - step[0], sun_force - step[1], moving, count + 1
 
     first = (*start, jnp.asarray(True), jnp.asarray(0))
@@ -171,12 +171,12 @@ def _newton(residuals, start: tuple[Array, Array]) -> tuple[Array, Array]:  # ty
 
 
 def _largest(values: tuple[Array, ...]) -> Array:
-    """Largest magnitude, taken one by one: XLA would write a stacked array to memory first."""
+    """Largest magnitude, compared one by one: XLA would first write a stacked array to memory."""
     return functools.reduce(jnp.maximum, (jnp.abs(value) for value in values))
 
 
 def loaded_branch(*, mechanism: Mechanism, output_torque: Real) -> Branch:
-    r"""A branch under an output torque: everything that stays fixed while its forces are sought.
+    r"""A branch under an output torque: all quantities that are constant while its forces are solved for.
 
     .. math:: F_p = m_p \omega_c^2 (R_s + R_p), \qquad F_w = m_w \omega_c^2 (R_o - R_w)
 
@@ -216,7 +216,9 @@ def force_balance(*, mechanism: Mechanism, output_torque: Real) -> DriveForces:
     mechanism : Mechanism
         The preloaded drive.
     output_torque : Real
-        Torque T_out >= 0 at the carrier [N·m]. The other direction is the mirror image: left becomes right.
+        Torque T_out at the carrier, of either sign [N·m]. A negative one loads the left side of the wedge; the result
+        is the mirror image only of a drive whose two sides are alike and whose bearings have no friction or turn the
+        other way too, see :func:`asperity.drive.mechanism.opposed`.
 
     Returns
     -------
@@ -225,8 +227,8 @@ def force_balance(*, mechanism: Mechanism, output_torque: Real) -> DriveForces:
 
     Notes
     -----
-    Newton's method from the preload state, usually two or three steps. The residuals are part of the result; whoever
-    uses the forces must look at them (:func:`asperity.joint.solve.solve` does). Derivatives are those of the
+    Newton's method from the preload state, usually two or three steps. The residuals are part of the result;
+    check them before using the forces (:func:`asperity.joint.solve.solve` does). Derivatives are those of the
     equations at their root.
 
     References
@@ -251,10 +253,10 @@ def force_balance(*, mechanism: Mechanism, output_torque: Real) -> DriveForces:
     load_sum, sun_force = jax.lax.custom_root(residuals, start, _newton, _solve_two_by_two)
     held = held_load_sum(branch, load_sum, sun_force)
     force = branch_forces(branch, held, sun_force)
-    force = jax.lax.optimization_barrier(force)  # keeps XLA from computing them again for every use
+    force = jax.lax.optimization_barrier(force)  # prevents XLA from recomputing them for every use
     lifted = load_sum < held
     closure_error = jnp.where(lifted, 0.0, jnp.abs(closure_misfit(branch, force)))
-    # a lifted contact's rounding is cut off; the balance below is taken with what remains
+    # removes the rounding error of a lifted contact; the balance below uses the result
     roller_floor, planet_floor = contact_floors(branch, sun_force)
     sun_contact, *others = (jnp.maximum(value, 0.0) for value in force.normal)
     normals = (jnp.where(lifted & (planet_floor >= roller_floor), 0.0, sun_contact), *others)

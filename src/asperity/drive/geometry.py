@@ -34,7 +34,7 @@ class DriveGeometry(eqx.Module):
     planet_count : Real
         Number of planets [-], equally spaced.
     left_push_angle, right_push_angle : Real
-        Directions gamma_l, gamma_r of the carrier's push on the loading rollers, from the tangent [rad].
+        Directions gamma_l, gamma_r of the carrier pins' forces on the loading rollers, from the tangent [rad].
     """
 
     sun_radius: Real
@@ -47,7 +47,7 @@ class DriveGeometry(eqx.Module):
 
 
 class Triangle(eqx.Module):
-    r"""The triangle sun centre – planet centre – loading roller centre, which tangency alone fixes (A1).
+    r"""The triangle sun centre – planet centre – loading roller centre, fixed by tangency alone (A1).
 
     Parameters
     ----------
@@ -167,7 +167,7 @@ def speed_ratio(geometry: DriveGeometry) -> Real:
     Returns
     -------
     Real
-        Ratio [-]; negative, the carrier turns against the sun.
+        Ratio [-]; negative: the carrier turns opposite to the sun.
 
     References
     ----------
@@ -222,7 +222,7 @@ def contact_radii(geometry: DriveGeometry) -> tuple[Real, Real, Real]:
     return driving, driven, sign
 
 
-#: Every free distance that must be positive for the rollers to fit: its name, and the condition in words.
+#: Clearances that must be positive for the rollers to fit: name and condition.
 CLEARANCE_CONDITIONS: dict[str, str] = {
     "roller_in_ring": "the loading roller must be smaller than the ring",
     "roller_reach": "the loading roller must reach from the planet to the ring (R_s + 2 R_p + 2 R_w > R_o)",
@@ -231,20 +231,20 @@ CLEARANCE_CONDITIONS: dict[str, str] = {
     "rollers_of_planet": "the two loading rollers of one planet must not overlap",
     "rollers_of_neighbours": "loading rollers of neighbouring planets must not overlap",
     "roller_to_next_planet": "a loading roller must not touch the next planet",
-    "roller_outside_planets": "the loading rollers must lie outside the planet's centre circle, or they cannot press "
-    "it to the sun",
+    "roller_outside_planets": "the loading rollers must lie outside the planet's centre circle, otherwise they cannot "
+    "press it against the sun",
 }
 
 
 class Clearance(eqx.Module):
-    """One condition that an arrangement of rollers must meet to exist.
+    """One clearance that the rollers of a drive must have.
 
     Parameters
     ----------
     name : str
         Its name in :data:`CLEARANCE_CONDITIONS`.
     gap : Real
-        Free distance [m]; the rollers fit where it is positive.
+        Clearance [m]; the rollers fit where it is positive.
     """
 
     name: str = eqx.field(static=True)
@@ -252,12 +252,12 @@ class Clearance(eqx.Module):
 
     @property
     def condition(self) -> str:
-        """What must hold, in words."""
+        """The condition as text."""
         return CLEARANCE_CONDITIONS[self.name]
 
 
 def clearances(geometry: DriveGeometry) -> tuple[Clearance, ...]:
-    """Every free distance that must be positive for the rollers to fit.
+    """All clearances that must be positive for the rollers to fit.
 
     Parameters
     ----------

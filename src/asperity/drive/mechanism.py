@@ -1,4 +1,4 @@
-"""A preloaded drive before the torque comes: bearings, normal springs, and the state at rest."""
+"""A preloaded drive without torque: bearings, normal springs, and the state at rest."""
 
 from __future__ import annotations
 
@@ -38,6 +38,35 @@ class Bearings(eqx.Module):
     pin_diameter: Real
 
 
+def opposed(*, bearings: Bearings, sense_of_rotation: Real) -> Bearings:
+    """Bearing friction with the sign that opposes a rotation, as equations (1)–(5) take it.
+
+    Parameters
+    ----------
+    bearings : Bearings
+        Friction torques and friction coefficient, all >= 0.
+    sense_of_rotation : Real
+        +1 for the sense in which a positive output torque is driven, −1 for the other [-].
+
+    Returns
+    -------
+    Bearings
+        The same friction, negative for the other sense.
+
+    References
+    ----------
+    Zou et al. 2025, equations (1)–(5), written for the positive sense: every friction torque changes its sign with
+    the rotation.
+    """
+    return Bearings(
+        sun_torque=sense_of_rotation * bearings.sun_torque,
+        loading_roller_torque=sense_of_rotation * bearings.loading_roller_torque,
+        carrier_torque=sense_of_rotation * bearings.carrier_torque,
+        pin_friction_coefficient=sense_of_rotation * bearings.pin_friction_coefficient,
+        pin_diameter=bearings.pin_diameter,
+    )
+
+
 class NormalSprings(eqx.Module):
     r"""Compression of the five contacts around their preload, exact for every logarithmic line-contact law.
 
@@ -68,8 +97,8 @@ def compression(*, springs: NormalSprings, normal_force: Real, rest_force: Real)
     Returns
     -------
     Real
-        Approach [m]. Below a millionth of the rest force the tangent there is continued, which only iterates
-        of the solver ever see.
+        Approach [m]. Below a millionth of the rest force the tangent is continued; only intermediate
+        iterates of the solver reach this range.
 
     References
     ----------
@@ -94,7 +123,7 @@ def steepest_compliance(springs: NormalSprings) -> Real:
     Returns
     -------
     Real
-        :math:`t_0 - (s_0 - t_0) \ln 10^{-6}` [m/N], the tangent that :func:`compression` goes on with.
+        :math:`t_0 - (s_0 - t_0) \ln 10^{-6}` [m/N], the tangent with which :func:`compression` is continued.
     """
     bend = springs.secant_compliance - springs.incremental_compliance
     return springs.incremental_compliance - bend * math.log(_SMALL_LOAD)
@@ -102,7 +131,7 @@ def steepest_compliance(springs: NormalSprings) -> Real:
 
 @jax.custom_jvp
 def _times_own_logarithm(x: Array) -> Array:
-    """X ln x; its derivative 1 + ln x needs no division, which would cost the solver a pass over memory."""
+    """X ln x; its derivative 1 + ln x is written without a division, which would cost the solver a pass over memory."""
     return x * jnp.log(x)
 
 
@@ -113,7 +142,7 @@ def _times_own_logarithm_jvp(primals: tuple[Array], tangents: tuple[Array]) -> t
 
 
 class RestState(NamedTuple):
-    """Forces at rest and without torque: the assembled preload."""
+    """Forces at rest without torque, from the preload."""
 
     normal_force: Array
     pin_force_left: Array
@@ -121,7 +150,7 @@ class RestState(NamedTuple):
 
 
 class Mechanism(eqx.Module):
-    """A drive ready to be loaded: everything about its force balance but the torque. SI units.
+    """A preloaded drive: all data of its force balance except the torque. SI units.
 
     Parameters
     ----------

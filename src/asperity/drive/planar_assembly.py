@@ -1,4 +1,4 @@
-r"""Rigid bodies in the plane, joined by springs at their contacts and held by supports: the forces of the springs.
+r"""Rigid bodies in the plane, joined by springs at their contacts and by supports: forces of the springs.
 
 Each contact of two rollers has a normal and a tangential spring, each support one spring to the ground. The
 coordinates q are the displacements x, y of the centres and the rotations times the radius, so that all are lengths.
@@ -6,10 +6,10 @@ With the elongations :math:`e = B q`, the compliances C and the forces f of the 
 
 .. math:: B q - C f = 0, \qquad B^\mathsf{T} f = g
 
-The bodies, contacts and supports are data; B follows from them. The displacements are eliminated: elongations fit
-together where :math:`Z^\mathsf{T} e = 0` for the self-stresses Z, which are the forces in balance without a load,
-:math:`B^\mathsf{T} Z = 0`. No stiffness is ever added to another one, so that springs of any stiffnesses stand side by
-side without loss of digits; a rigid spring has compliance 0, an absent one the force 0, both exactly.
+The bodies, contacts and supports are data; B follows from them. The displacements are eliminated: elongations are
+compatible where :math:`Z^\mathsf{T} e = 0` for the self-stresses Z, the forces in equilibrium without a load,
+:math:`B^\mathsf{T} Z = 0`. Stiffnesses are never added, so that springs of any stiffness can be combined
+without loss of accuracy; a rigid spring has compliance 0, an absent one the force 0, both exactly.
 """
 
 from __future__ import annotations
@@ -26,10 +26,10 @@ from jax import Array
 #: The body that does not move, in :attr:`PlanarAssembly.contacts`.
 GROUND = -1
 
-#: Stand-ins that make the factors regular where a contact is open (share of the softest contact's stiffness) or rigid
-#: (share of its compliance). The step of iterative refinement that follows takes them out again.
+#: Substitutes that make the factors regular where a contact is open (share of the softest contact's stiffness) or
+#: rigid (share of its compliance). The subsequent step of iterative refinement removes their effect.
 _OPEN, _RIGID = 1e-10, 1e-14
-#: Largest unbalanced force, over the load, of an assembly that carries its load.
+#: Largest unbalanced force, relative to the load, of an assembly that carries its load.
 _UNBALANCED = 1e-6
 
 
@@ -44,7 +44,7 @@ class PlanarAssembly(eqx.Module):
         For each contact its two bodies, :data:`GROUND` for the one that does not move, and +1 where they touch from
         outside, −1 where the first lies inside the second.
     supports : tuple of int
-        The body that each support holds. Every free centre has two, of stiffness 0 where nothing holds it.
+        The body of each support. Every free centre has two supports, with stiffness 0 where it is unsupported.
     contact_direction : Array
         Unit vectors from the first body's centre to the contact, shape (contacts, 2, ...) [-].
     support_direction : Array
@@ -120,7 +120,7 @@ def elongation_matrix(assembly: PlanarAssembly) -> Array:
 
 
 def _holding_springs(assembly: PlanarAssembly) -> list[int]:
-    """Springs that alone would hold every coordinate: the supports, and one tangential spring for each rotation."""
+    """Springs that are just sufficient to fix every coordinate: the supports, and one tangential spring per rotation."""
     count = len(assembly.contacts)
     known = {GROUND} | {body for body, free in enumerate(assembly.free) if not free[2]}
     tree: list[int] = []
@@ -131,7 +131,7 @@ def _holding_springs(assembly: PlanarAssembly) -> list[int]:
             if (first in known) != (second in known)
         ]
         if not found:
-            raise ValueError("some body of the assembly is joined to the ground by no chain of contacts")
+            raise ValueError("a body of the assembly is not connected to the ground by any chain of contacts")
         tree.append(count + found[0])
         known |= set(assembly.contacts[found[0]][:2])
     return [*range(2 * count, 2 * count + len(assembly.supports)), *tree]
@@ -150,7 +150,7 @@ def _compatibility(assembly: PlanarAssembly, matrix: Array) -> Array:
 
 
 def _refined_solution(matrix: Array, regular: Array, right_side: Array) -> Array:
-    """Solve with the factors of a regular neighbour of the matrix, and refine once with the matrix itself."""
+    """Solve with the factors of a nearby regular matrix, and refine once with the matrix itself."""
     factors, _, order = jax.lax.linalg.lu(jax.lax.stop_gradient(regular))
 
     def triangle(vector: Array, *, lower: bool, transposed: bool) -> Array:
@@ -204,21 +204,21 @@ def spring_forces(
         Of each spring, shape (springs, ...) [m/N]: the diagonal of C; 0 is rigid, ``inf`` absent.
     coupling : Array or None
         What remains of C, shape (springs, springs, ...) [m/N]: symmetric, with 0 on the diagonal and where a spring is
-        absent; None where every spring yields to its own force only.
+        absent; None if every spring deforms under its own force only.
     load : ndarray
         Force g on each coordinate, shape (coordinates,) [N].
 
     Returns
     -------
     SpringForces
-        Forces, and whether there is a balance.
+        Forces, and whether they are in equilibrium.
 
     Notes
     -----
-    One unknown p for each spring carries force and elongation at once, :math:`f = p\, c_0/(c + c_0)` and
+    One unknown p for each spring represents both force and elongation, :math:`f = p\, c_0/(c + c_0)` and
     :math:`e = c_0 p\, c/(c + c_0)` with any compliance c_0: regular for every c from 0 to infinity. Where an open
     contact leaves a body free without a load, or several rigid springs share a force, its motion or their shares are
-    arbitrary, and what the stiffness needs is not.
+    arbitrary, but the quantities needed for the stiffness are unique.
 
     References
     ----------

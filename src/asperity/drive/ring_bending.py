@@ -1,4 +1,4 @@
-"""How far a ring that carries itself bends under its loading rollers: thin-ring theory, for a plausible size."""
+"""Bending of an unsupported ring under its loading rollers by thin-ring theory, as an estimate."""
 
 from __future__ import annotations
 
@@ -20,9 +20,9 @@ class ThinRingCompliance(NamedTuple):
     Parameters
     ----------
     alike : Real
-        With the same force under all loading rollers, as the preload has it [m/N].
+        With equal forces under all loading rollers, as from the preload [m/N].
     opposed : Real
-        With opposite forces under the two rollers of each planet, as a change of torque has them [m/N].
+        With opposite forces under the two rollers of each planet, as from a change of torque [m/N].
     """
 
     alike: Real
@@ -62,12 +62,12 @@ def thin_ring_compliance(
     Returns
     -------
     ThinRingCompliance
-        Inverse of a ``ring_bending_stiffness`` for either way of loading.
+        Inverse of a ``ring_bending_stiffness`` for both load cases.
 
     Notes
     -----
-    Thin ring, held by nothing but its loads. For the paper's drive and walls from 4 to 60 mm the first one is the
-    difference between an exact free annulus and the wall in a rigid housing to 8 %.
+    Thin ring without support, in equilibrium under its loads. For the paper's drive and walls from 4 to 60 mm the first
+    value is within 8 % of the difference between an exact free annulus and the wall in a rigid housing.
 
     References
     ----------

@@ -17,16 +17,16 @@ DRIVING_BODY, DRIVEN_BODY = (0, 1, 1, 2, 3), (1, 2, 3, 4, 4)
 
 
 class RollingSpeeds(eqx.Module):
-    """Speeds of a rolling drive, seen from the carrier. SI units.
+    """Speeds of a rolling drive relative to the carrier. SI units.
 
     Parameters
     ----------
     driving, driven : Array
         Speeds of the two surfaces of each contact, shape (5, ...) [m/s].
     body : Array
-        Angular velocities of the bodies of :data:`BODY_NAMES` against the carrier, shape (5, ...) [rad/s]; positive.
+        Angular velocities of the bodies of :data:`BODY_NAMES` relative to the carrier, shape (5, ...) [rad/s]; positive.
     carrier : Array
-        Angular velocity of the carrier against the ring, creep taken off [rad/s]; positive.
+        Angular velocity of the carrier relative to the ring, reduced by creep [rad/s]; positive.
     """
 
     driving: Array

@@ -1,7 +1,7 @@
-r"""The drive that rolls: forces, creepages and speeds, with nothing left to assume.
+r"""Forces, creepages and speeds of a rolling drive, without further assumptions.
 
-A drive at rest needs an assumption on how the two loading rollers of a planet share its torque. When it rolls, both
-connect the same two surfaces, the planet's and the ring's, so that their creepages decide:
+A drive at rest needs an assumption on how the two loading rollers of a planet share its torque. In a rolling
+drive both connect the same two surfaces, the planet's and the ring's, so that their creepages determine the split:
 
 .. math::
     \prod_{k \in \{pwr, wro\}} \frac{1-\xi_k/2}{1+\xi_k/2} = \prod_{k \in \{pwl, wlo\}} \frac{1-\xi_k/2}{1+\xi_k/2},
@@ -26,11 +26,11 @@ from asperity.drive.geometry import DriveGeometry
 from asperity.drive.mechanism import Mechanism
 from asperity.types import Real
 
-#: Largest relative residual of a rolling state that counts as solved.
+#: Largest relative residual of a rolling state that is accepted as solved.
 ROLLING_TOLERANCE = 1e-9
 
 _NEWTON_STEPS = 8
-_NEAR_SLIP = 0.999  # beyond this share of friction Carter's curve goes on as a line, which only iterates see
+_NEAR_SLIP = 0.999  # Carter's curve is continued as a line above this share of friction, for iterates only
 
 
 class CreepLaw(eqx.Module):
@@ -42,7 +42,7 @@ class CreepLaw(eqx.Module):
         mu, shape (1 or 5, ...) [-].
     gross_slip_scale : Real
         kappa: creepage at gross slip over the root of the normal force, shape (5, ...) [1/√N]. For Carter's contact
-        :math:`\mu a/(R\sqrt N)`, times what an elastic layer adds.
+        :math:`\mu a/(R\sqrt N)`, times the factor of an elastic layer.
     """
 
     friction_coefficient: Real
@@ -63,11 +63,11 @@ class RollingState(eqx.Module):
     creepage : Array
         Creepages xi, shape (5, ...) [-], with the sign of the tangential forces.
     speed_loss : Array
-        Share of the output speed, and of the output angle, that creep takes [-]; negative where the torque drives
+        Share of the output speed, and of the output angle, lost by creep [-]; negative where the torque drives
         the rotation.
     residual : Array
-        Largest relative residual of closure, carrier moment and equal creep [-]; nan where a contact carries nothing
-        or slips as a whole.
+        Largest relative residual of closure, carrier moment and equal creep [-]; nan where a contact is open
+        or in gross slip.
     """
 
     normal: Array
@@ -102,7 +102,7 @@ def creepages(*, law: CreepLaw, normal: Array, tangential: Array) -> Array:
     Returns
     -------
     Array
-        Creepages, shape (5, ...) [-]; beyond 99.9 % of friction the tangent is continued, which is for iterates of
+        Creepages, shape (5, ...) [-]; above 99.9 % of friction the tangent is continued, for iterates of
         a solver only.
 
     References
@@ -143,7 +143,7 @@ def lost_speed(creepage: Array) -> Array:
 
 
 def speed_loss(*, geometry: DriveGeometry, creepage: Array) -> Array:
-    r"""Share of the output speed that creep takes, exactly.
+    r"""Exact share of the output speed that is lost by creep.
 
     .. math::
         1 - \frac{\omega_c}{\omega_{c,0}} = 1 - \rho\,\frac{R_o - R_s}{R_o - \rho R_s}
@@ -236,7 +236,7 @@ def rolling_state(*, mechanism: Mechanism, standing: DriveForces, law: CreepLaw)
     Returns
     -------
     RollingState
-        Forces, creepages and speed loss; nan where a contact has lifted off or slips as a whole.
+        Forces, creepages and speed loss; nan where a contact has lifted off or is in gross slip.
 
     Notes
     -----

@@ -16,7 +16,7 @@ ARCMINUTE = math.pi / 10800.0
 
 
 class TorsionalStiffness(eqx.Module):
-    """One torsional stiffness, told where it is measured.
+    """Torsional stiffness, at the sun and at the output.
 
     Parameters
     ----------
@@ -36,7 +36,7 @@ class TorsionalStiffness(eqx.Module):
 
 
 def contact_torsional_stiffness(*, tangential_stiffness: Real, radius: Real) -> Real:
-    r"""Torsional stiffness of one contact seen at a roller, :math:`K_T = K_t R^2`.
+    r"""Torsional stiffness of one contact referred to a roller, :math:`K_T = K_t R^2`.
 
     Parameters
     ----------
@@ -72,7 +72,7 @@ def driven_radii(geometry: DriveGeometry) -> Real:
 
     References
     ----------
-    Zou et al. 2025, equation (30) as used in Fig. 6; only this choice gives its order of the curves.
+    Zou et al. 2025, equation (30) as used in Fig. 6; only this choice gives the order of the curves there.
     """
     planet, roller = jnp.broadcast_arrays(geometry.planet_radius, geometry.loading_roller_radius)
     return jnp.stack([planet, roller, roller, roller, roller])
@@ -123,7 +123,7 @@ def series_torsional_stiffness(*, geometry: DriveGeometry, tangential_stiffness:
 
     Notes
     -----
-    Counts the tangential springs alone: bodies, planet float, pins and shafts are taken as rigid.
+    Includes the tangential springs only: bodies, planet float, pins and shafts are taken as rigid.
 
     References
     ----------

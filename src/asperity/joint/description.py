@@ -13,6 +13,7 @@ from asperity.contact.population import ContactFactorModel
 from asperity.drive.assembly import StructureSprings
 from asperity.drive.geometry import DriveGeometry
 from asperity.drive.mechanism import Bearings, Closure
+from asperity.joint.play import Play
 from asperity.joint.rolling_conditions import PLAIN_ROLLING, RollingConditions
 from asperity.materials import Material
 from asperity.types import Real
@@ -63,11 +64,14 @@ class Joint(eqx.Module):
     preload : Real
         Normal force N_0 between sun and planet at rest [N].
     output_torque : Real
-        Torque at the carrier [N·m], >= 0.
+        Torque at the carrier, of either sign [N·m]; positive where it resists a positive rotation.
     sun_speed : Real
-        Angular velocity of the sun [rad/s].
+        Angular velocity of the sun, of either sign [rad/s]; see :func:`sense_of_rotation`.
     structure : StructureSprings
         Springs of pins, shafts, planet supports and ring; :data:`asperity.drive.assembly.IDEAL_STRUCTURE` for none.
+    play : Play
+        Play at the output, :data:`asperity.joint.play.NO_PLAY` for none; part of every torque–angle curve, but not of
+        the stiffness at the operating point.
     closure : {"elastic", "constant_pin_force"}
         Closure of the force balance, :func:`asperity.drive.force_balance.force_balance`.
     closure_springs : {"bulk", "bulk_and_asperities"}
@@ -93,10 +97,30 @@ class Joint(eqx.Module):
     output_torque: Real
     sun_speed: Real
     structure: StructureSprings
+    play: Play
     closure: Closure = eqx.field(static=True)
     closure_springs: ClosureSprings = eqx.field(static=True)
     contact_factor_model: ContactFactorModel = eqx.field(static=True)
     rolling: RollingConditions = PLAIN_ROLLING
+
+
+def sense_of_rotation(joint: Joint) -> Any:
+    """Sense in which the joint turns: +1 or −1; the friction of its bearings opposes it.
+
+    Parameters
+    ----------
+    joint : Joint
+        The joint.
+
+    Returns
+    -------
+    Array
+        Sign of the sun's speed; of the output torque where the sun stands still, because a joint that begins to
+        move follows its torque. A torque against the sense of rotation brakes.
+    """
+    speed = jnp.asarray(joint.sun_speed)
+    leading = jnp.where(speed == 0.0, jnp.asarray(joint.output_torque), speed)
+    return jnp.where(leading < 0.0, -1.0, 1.0)
 
 
 def per_contact(values: tuple[Any, ...]) -> Any:

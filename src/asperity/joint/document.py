@@ -11,6 +11,7 @@ import numpy as np
 import asperity
 from asperity.drive.geometry import CONTACT_NAMES
 from asperity.drive.torsional_stiffness import TorsionalStiffness
+from asperity.joint.capacity import capacity_document
 from asperity.joint.description import Joint
 from asperity.joint.evaluation import JointResult
 from asperity.joint.limit_check import LimitCheck, checked_limits
@@ -115,19 +116,9 @@ def _forces(result: JointResult) -> Document:
 
 
 def _capacity(solution: Solution) -> Document:
-    found = solution.capacity
-    limit, contact = float(found.output_torque), CONTACT_NAMES[int(found.limiting_contact)]
-    meaning = f"the contact {contact} slips first"
-    if math.isinf(limit):
-        meaning = "not limited by friction: the wedge tightens with the torque"
-    elif math.isnan(limit):
-        meaning = "unknown: the force balance does not close at every torque on the way"
-    elif limit == 0.0:
-        meaning = f"the contact {contact} slips or has lifted off even without a torque"
     return {
-        "output_torque_Nm": limit,
-        "limiting_contact": contact if math.isfinite(limit) else None,
-        "meaning": meaning,
+        **capacity_document(solution.capacity),
+        "reverse": capacity_document(solution.reverse_capacity),
     }
 
 

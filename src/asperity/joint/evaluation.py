@@ -15,7 +15,7 @@ from asperity.contact.interface import Interface
 from asperity.drive.assembly import Assembly, assembly_stiffness
 from asperity.drive.force_balance import BALANCE_TOLERANCE, DriveForces, force_balance
 from asperity.drive.geometry import CONTACT_NAMES, DriveAngles, angles, carrier_speed, speed_ratio, triangle
-from asperity.drive.mechanism import Mechanism, rest_state
+from asperity.drive.mechanism import Mechanism, opposed, rest_state
 from asperity.drive.torsional_stiffness import (
     TorsionalStiffness,
     contact_torsional_stiffness,
@@ -29,7 +29,7 @@ from asperity.joint.contacts import (
     loaded_contacts,
     rough_joint_contacts,
 )
-from asperity.joint.description import Bodies, Joint, with_one_rank
+from asperity.joint.description import Bodies, Joint, sense_of_rotation, with_one_rank
 from asperity.joint.diagnostics import Diagnostics, diagnose
 from asperity.joint.duty import duty_life
 from asperity.joint.rolling import RollingResult, rolling_result
@@ -158,7 +158,7 @@ def _mechanism(joint: Joint, contacts: JointContacts) -> Mechanism:
         geometry=geometry,
         sides=sides,
         rest=rest,
-        bearings=joint.bearings,
+        bearings=opposed(bearings=joint.bearings, sense_of_rotation=sense_of_rotation(joint)),
         springs=closure_springs(contacts=contacts, rest_force=rest.normal_force, model=joint.closure_springs),
         preload=joint.preload,
         carrier_speed=carrier_speed(geometry=geometry, sun_speed=joint.sun_speed),

@@ -47,7 +47,6 @@ _OF_SURFACES: dict[str, tuple[float, float]] = {
     "frequency_ratio": (1.0, math.inf),
 }
 _AT_LEAST_0 = (
-    "output_torque",
     *(f"bearings.{body}_torque" for body in ("sun", "loading_roller", "carrier")),
     "bearings.pin_friction_coefficient",
     "bearings.pin_diameter",
@@ -127,8 +126,10 @@ def refuse_bad_numbers(joint: Joint) -> None:
     count = _single("planet_count", joint.geometry.planet_count)
     if not (count >= 1.0 and count == round(count)):
         raise InputError(f"planet_count = {count:g} is not allowed; it must be a whole number, at least 1")
-    if not math.isfinite(_single("sun_speed", joint.sun_speed)):
-        raise InputError(f"sun_speed = {float(joint.sun_speed):g} rad/s is not allowed; it must be finite")
+    for name, unit in (("sun_speed", "rad/s"), ("output_torque", "N·m")):
+        if not math.isfinite(_single(name, getattr(joint, name))):
+            value = float(getattr(joint, name))
+            raise InputError(f"{name} = {value:g} {unit} is not allowed; it must be finite")
 
 
 def _single(name: str, value: object) -> float:

@@ -39,7 +39,7 @@ def rolling_torque_capacity(joint: Joint, solution: Solution) -> float:
     program = compile_fast(solve_program, numbers)
 
     def rolls(torque: float) -> bool:
-        result, _ = program(dataclasses.replace(numbers, output_torque=np.float64(torque)))
+        result, *_ = program(dataclasses.replace(numbers, output_torque=np.float64(torque)))
         return bool(np.isfinite(np.asarray(result.rolling.residual)))
 
     return _largest(rolls, float(solution.capacity.output_torque))

@@ -2,21 +2,19 @@
 
 from __future__ import annotations
 
-import dataclasses
 import math
-from collections.abc import Callable
-from typing import Any
 
 import equinox as eqx
 import jax
+import jax.numpy as jnp
 import numpy as np
 
 from asperity.compilation import compile_fast
-from asperity.drive.capacity import TorqueCapacity, capacity_by_search
 from asperity.drive.existence import some_contact_slips
-from asperity.drive.geometry import CONTACT_NAMES, Clearance, clearances
+from asperity.drive.geometry import Clearance, clearances
 from asperity.errors import InputError
-from asperity.joint.description import Joint
+from asperity.joint.capacity import LIMIT_KINDS, TorqueCapacity, limit_words, torque_capacity
+from asperity.joint.description import Joint, with_one_rank
 from asperity.joint.evaluation import JointResult, evaluate
 from asperity.joint.refusal import (
     refuse_bad_numbers,
@@ -40,17 +38,18 @@ class Solution(eqx.Module):
         Forces, contacts, stiffness and diagnostics.
     clearances : tuple of Clearance
         Free distances between the rollers [m].
-    capacity : TorqueCapacity
-        Largest output torque without gross slip [N·m], and the contact that limits it.
+    capacity, reverse_capacity : TorqueCapacity
+        Largest positive and largest negative output torque [N·m], and what limits them.
     """
 
     result: JointResult
     clearances: tuple[Clearance, ...]
     capacity: TorqueCapacity
+    reverse_capacity: TorqueCapacity
 
 
-def solve_program(joint: Joint) -> tuple[JointResult, tuple[Clearance, ...]]:
-    """What is compiled to solve a joint: everything about it, and its clearances.
+def solve_program(joint: Joint) -> tuple[JointResult, tuple[Clearance, ...], TorqueCapacity]:
+    """What is compiled to solve a joint: everything about it, its clearances, and its capacities.
 
     Parameters
     ----------
@@ -60,9 +59,11 @@ def solve_program(joint: Joint) -> tuple[JointResult, tuple[Clearance, ...]]:
     Returns
     -------
     tuple
-        Its result and its clearances.
+        Its result, its clearances, and its torque capacity in both directions along a last axis.
     """
-    return evaluate(joint), clearances(joint.geometry)
+    in_both = jax.tree.map(lambda leaf: leaf[..., None], with_one_rank(joint))
+    capacities = torque_capacity(in_both, direction=jnp.array([1.0, -1.0]))
+    return evaluate(joint), clearances(joint.geometry), capacities
 
 
 def solve(joint: Joint) -> Solution:
@@ -97,50 +98,34 @@ def solve(joint: Joint) -> Solution:
     numbers: Joint = jax.tree.map(lambda leaf: np.asarray(leaf, dtype=float), joint)
     refuse_bad_numbers(numbers)
     program = compile_fast(solve_program, numbers)
-    result, gaps = jax.tree.map(np.asarray, program(numbers))
+    result, gaps, capacities = jax.tree.map(np.asarray, program(numbers))
+    capacity, reverse = (jax.tree.map(lambda leaf, i=i: leaf[..., i], capacities) for i in range(2))
+    in_direction = reverse if float(numbers.output_torque) < 0.0 else capacity
     refuse_overlap(numbers, gaps)
     refuse_locked_pins(numbers)
     refuse_pulled_rollers(numbers, result)
+    if LIMIT_KINDS[int(in_direction.limit)] == "contact_too_wide" and in_direction.output_torque > 0.0:
+        _refuse_torque(numbers, in_direction)
     refuse_wide_contacts(numbers, result)
-    capacity = _capacity(numbers, program)
     if some_contact_slips(slip_ratio=result.diagnostics.slip_ratio):
-        _refuse_torque(numbers, result, capacity)
+        _refuse_torque(numbers, in_direction)
     refuse_unsolved(numbers, result)
-    return Solution(result=result, clearances=gaps, capacity=capacity)
+    return Solution(result=result, clearances=gaps, capacity=capacity, reverse_capacity=reverse)
 
 
-def _capacity(numbers: Joint, program: Callable[..., Any]) -> TorqueCapacity:
-    """Torque capacity by the program that has just solved the joint, called with other torques."""
-
-    def slip_ratios(torque: float) -> np.ndarray:
-        result, _ = program(dataclasses.replace(numbers, output_torque=np.float64(torque)))
-        return np.where(result.solved, result.diagnostics.slip_ratio, np.nan)
-
-    orbit = numbers.geometry.ring_radius - numbers.geometry.loading_roller_radius
-    friction = min(float(each) for each in numbers.friction_coefficients)
-    first_guess = friction * float(numbers.preload * orbit * numbers.geometry.planet_count)
-    return capacity_by_search(slip_ratios=slip_ratios, first_guess=first_guess)
-
-
-def _refuse_torque(numbers: Joint, result: JointResult, found: TorqueCapacity) -> None:
-    """Say what the torque, under which some contact slips, is beyond."""
+def _refuse_torque(numbers: Joint, found: TorqueCapacity) -> None:
+    """Refuse a torque beyond the capacity of its direction, and say what limits that."""
     limit, torque = float(found.output_torque), float(numbers.output_torque)
-    if torque < limit:
+    if limit > 0.0 and abs(torque) < limit:
         return
     beyond = f"the output torque {format_quantity(torque, 'N*m')} is beyond the torque capacity"
-    if math.isnan(limit):
-        refuse_unsolved(numbers, result)
-        raise InputError(
-            f"{beyond}, which is unknown, because the force balance does not close at every torque below; lower the "
-            "torque, or raise preload or friction coefficient"
-        )
-    contact = CONTACT_NAMES[int(found.limiting_contact)]
     if limit == 0.0:
         raise InputError(
-            f"{beyond}, which is 0 N·m: contact {contact} slips or lifts off even without a torque; lower the bearing "
-            "friction or the speed, or raise the preload"
+            f"{beyond}, which is 0 N·m: {limit_words(found)} even without a torque; lower the bearing friction or "
+            "the speed, or raise the preload"
         )
+    shown = format_quantity(math.copysign(limit, torque), "N*m")
     raise InputError(
-        f"{beyond} {format_quantity(limit, 'N*m')}, at which contact {contact} slips; allowed are at least 0 N·m and "
-        f"below {format_quantity(limit, 'N*m')}, unless preload or friction coefficient are raised"
+        f"{beyond} {shown}, at which {limit_words(found)}; lower the torque, or change preload, friction coefficient "
+        "or contact lengths"
     )

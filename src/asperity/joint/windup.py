@@ -1,11 +1,20 @@
 r"""Wind-up of a joint under torque (A9): torque–angle curve, hysteresis loop, lost motion, catalogue stages.
 
-The loading curve is the integral of the incremental compliance, with the forces solved anew at every torque:
+The loading curve in either direction is the integral of the incremental compliance, with the forces solved anew at
+every torque, and the play:
 
-.. math:: \varphi(T) = \int_0^T \frac{dT'}{K(T')}
+.. math:: \varphi(T) = \int_0^T \frac{dT'}{K(T')} + \varphi_p(T)
 
-Unloading and reloading follow Masing's rule, the loading curve doubled in both directions from the turning point:
-:math:`\varphi_u(T) = \varphi(T_m) - 2\,\varphi\bigl((T_m - T)/2\bigr)`.
+What slips is the difference to the curve without slip (infinite friction, the same normal forces), averaged over both
+directions:
+
+.. math::
+    \gamma(T) = \tfrac12 \int_0^T \left[\frac1{K(T')} - \frac1{K_\infty(T')} + \frac1{K(-T')} - \frac1{K_\infty(-T')}
+    \right] dT', \quad T \ge 0
+
+Only this part follows Masing's rule; the rest :math:`\rho(T) = \varphi(T) - \operatorname{sgn}(T)\,\gamma(|T|)` is
+reversible. The unloading branch from :math:`T_m` is
+:math:`\rho(T) + \gamma(T_m) - 2\,\gamma\bigl((T_m - T)/2\bigr)`.
 """
 
 from __future__ import annotations
@@ -15,20 +24,28 @@ from collections.abc import Callable
 from typing import Literal
 
 import equinox as eqx
+import jax
 import jax.numpy as jnp
 import numpy as np
 from jax import Array
 
 from asperity.compilation import compile_fast
+from asperity.drive.geometry import CONTACT_NAMES
 from asperity.errors import InputError, NoSolutionError
-from asperity.joint.evaluation import Joint, evaluate
+from asperity.joint.description import Joint
+from asperity.joint.evaluation import JointResult, evaluate
+from asperity.joint.play import Play, play_angle, play_compliance
 from asperity.precision import require_double_precision
 from asperity.types import Real
+from asperity.units import format_quantity
 
 StiffnessLevel = Literal["published", "series_with_bulk", "assembly"]
 
-#: Share of the largest torque at which reducer makers read the lost motion.
+#: Share of the largest torque at which makers of reducers read the lost motion.
 LOST_MOTION_TORQUE_SHARE = 0.03
+
+#: Friction coefficient under which no contact slips at all: T/(mu N) is lost in the rounding of 1 − T/(mu N).
+NO_SLIP_FRICTION = 1e30
 
 _PANELS = 40
 _NODES = 4
@@ -40,15 +57,13 @@ class Windup(eqx.Module):
     Parameters
     ----------
     torque : Array
-        Torques of the loading curve from 0 to the largest, shape (n,) [N·m].
+        Torques of the loading curves from minus to plus the largest, shape (2n − 1,) [N·m].
     stiffness : Array
-        Incremental stiffness on the loading curve, shape (n,) [N·m/rad].
+        Incremental stiffness on first loading in either direction, shape (2n − 1,) [N·m/rad].
     angle : Array
-        Loading curve, shape (n,) [rad].
-    loop_torque : Array
-        Torques of the unloading branch from the largest down to its negative, shape (n,) [N·m].
+        Loading curves in both directions, shape (2n − 1,) [rad].
     unloading_angle, reloading_angle : Array
-        Both branches of the loop at ``loop_torque``, shape (n,) [rad].
+        Both branches of the loop at ``torque``, shape (2n − 1,) [rad].
     hysteresis : Array
         Width of the loop at zero torque [rad].
     lost_motion : Array
@@ -57,14 +72,14 @@ class Windup(eqx.Module):
         Area of the loop [J].
     stage_torque : Array
         Torques that bound the catalogue stages: 0, T1, T2, largest; shape (4,) [N·m].
-    stage_stiffness : Array
-        K1, K2, K3: secant stiffness of the loading curve in each stage, shape (3,) [N·m/rad].
+    stage_stiffness, reverse_stage_stiffness : Array
+        K1, K2, K3: secant stiffness of the loading curve in each stage, for positive and for negative torques; shape
+        (3,) [N·m/rad].
     """
 
     torque: Array
     stiffness: Array
     angle: Array
-    loop_torque: Array
     unloading_angle: Array
     reloading_angle: Array
     hysteresis: Array
@@ -72,31 +87,41 @@ class Windup(eqx.Module):
     dissipated_energy: Array
     stage_torque: Array
     stage_stiffness: Array
+    reverse_stage_stiffness: Array
 
 
-def _breakpoints(stage_shares: tuple[float, float]) -> np.ndarray:
-    """Shares of the largest torque: even panels, the stage bounds, and where the loop is read."""
-    even = np.linspace(0.0, 1.0, _PANELS + 1)
-    read = [0.5 * (1.0 - LOST_MOTION_TORQUE_SHARE), 0.5, 0.5 * (1.0 + LOST_MOTION_TORQUE_SHARE)]
-    shares = np.concatenate([even, read, stage_shares])
-    return np.unique(
-        np.round(np.concatenate([shares, 1.0 - shares]), 12)
-    )  # symmetric: the loop closes on its own points
+def _distinct(shares: np.ndarray) -> np.ndarray:
+    ordered = np.sort(shares)
+    return ordered[np.diff(ordered, prepend=-1.0) > 1e-12]
+
+
+def _shown_shares(stage_shares: tuple[float, float]) -> np.ndarray:
+    """Shares of the largest torque at which the curves are given: even ones, the stage bounds, the lost motion's."""
+    return _distinct(
+        np.concatenate([np.linspace(0.0, 1.0, _PANELS + 1), stage_shares, [LOST_MOTION_TORQUE_SHARE]])
+    )
 
 
 def windup_of(
-    stiffness: Callable[[Array], Array], *, largest_torque: Real, stage_shares: tuple[float, float]
+    compliances: Callable[[Array], tuple[Array, Array]],
+    *,
+    largest_torque: Real,
+    stage_shares: tuple[float, float],
+    play: Play,
 ) -> Windup:
-    """Integrate a torque-dependent stiffness into the loading curve and the hysteresis loop.
+    """Integrate a torque-dependent compliance into the loading curves and the hysteresis loop.
 
     Parameters
     ----------
-    stiffness : callable
-        Incremental stiffness on first loading [N·m/rad] at an array of torques [N·m].
+    compliances : callable
+        Incremental compliance on first loading, and the same without slip [rad/(N·m)], at an array of torques of
+        either sign [N·m].
     largest_torque : Real
         Largest torque T_m > 0 [N·m].
     stage_shares : tuple of float
         Bounds T1/T_m and T2/T_m of the catalogue stages [-], 0 < T1 < T2 < T_m.
+    play : Play
+        Play, added to every curve.
 
     Returns
     -------
@@ -110,7 +135,7 @@ def windup_of(
 
     Notes
     -----
-    Gauss–Legendre integration, four points on each of some forty panels.
+    Gauss–Legendre integration, four points on each of some eighty panels in either direction.
 
     References
     ----------
@@ -120,46 +145,143 @@ def windup_of(
     first, second = stage_shares
     if not 0.0 < first < second < 1.0:
         raise InputError(
-            f"stage bounds {first:g} and {second:g} of the largest torque are out of order; "
+            f"stage bounds {first:g} and {second:g} (shares of the largest torque) are out of order; "
             "allowed 0 < first < second < 1"
         )
     if not np.isfinite(float(largest_torque)) or float(largest_torque) <= 0.0:
-        raise InputError(f"largest torque {float(largest_torque):g} N·m must be positive and finite")
-    shares = _breakpoints(stage_shares)
+        raise InputError(
+            f"the largest torque is {float(largest_torque):g} N·m; it must be positive and finite"
+        )
+    shown = _shown_shares(stage_shares)
+    # Masing's rule halves distances along the loop
+    shares = _distinct(np.concatenate([shown, 0.5 * (1.0 - shown), 0.5 * (1.0 + shown)]))
     nodes, weights = np.polynomial.legendre.leggauss(_NODES)
     widths = np.diff(shares)
     inner = shares[:-1, None] + 0.5 * widths[:, None] * (1.0 + nodes)
-    torques = jnp.asarray(np.concatenate([shares, inner.ravel()])) * largest_torque
-    stiffness_at = stiffness(torques)
-    compliance = weights / stiffness_at[shares.size :].reshape(inner.shape)
+    positive = np.concatenate([shares, inner.ravel()])
+    sampled = jnp.asarray(np.stack([positive, -positive])) * largest_torque
+    real, without_slip = (found.reshape(sampled.shape) for found in compliances(sampled.reshape(-1)))
+    slip = jnp.mean(real - without_slip, axis=0)
     half_widths = 0.5 * largest_torque * widths
-    angle = jnp.concatenate([jnp.zeros(1), jnp.cumsum(jnp.sum(compliance, axis=1) * half_widths)])
-    work = jnp.sum(jnp.sum(compliance * inner, axis=1) * half_widths) * largest_torque  # integral of T d phi
-    torque = torques[: shares.size]
 
-    def at(share: float) -> Array:
-        return angle[int(np.argmin(np.abs(shares - share)))]
+    def integral(compliance: Array) -> Array:
+        """From zero torque to each of the shares."""
+        panels = jnp.sum(weights * compliance[shares.size :].reshape(inner.shape), axis=1) * half_widths
+        return jnp.concatenate([jnp.zeros(1), jnp.cumsum(panels)])
 
-    def unloading(share: float) -> Array:
-        return angle[-1] - 2.0 * at(0.5 * (1.0 - share))
+    slip_angle = integral(slip)
 
-    unloading_angle = angle[-1] - 2.0 * angle  # at T_m − 2 T_k: Masing doubles both axes
+    def index_of(share: np.ndarray) -> np.ndarray:
+        return np.abs(shares - share[..., None]).argmin(axis=-1)
+
+    def slip_at(share: np.ndarray) -> Array:
+        return slip_angle[index_of(share)]
+
+    where = index_of(shown)
+    forward, reverse = (integral(each)[where] for each in real)  # both counted as positive
+    signed = np.concatenate([-shown[:0:-1], shown])
+    torque = jnp.asarray(signed) * largest_torque
+    angle = jnp.concatenate([-reverse[:0:-1], forward]) + play_angle(play=play, output_torque=torque)
+    reversible = angle - jnp.sign(signed) * slip_at(np.abs(signed))
+    unloading = reversible + slip_angle[-1] - 2.0 * slip_at(0.5 * (1.0 - signed))
+    reloading = reversible - slip_angle[-1] + 2.0 * slip_at(0.5 * (1.0 + signed))
+    middle = 0.5 * (unloading + reloading)
+
+    def read(curve: Array, share: float) -> Array:
+        return curve[int(np.argmin(np.abs(signed - share)))]
+
+    slip_work = jnp.sum(
+        jnp.sum(weights * slip[shares.size :].reshape(inner.shape) * inner, axis=1) * half_widths
+    )  # integral of T d gamma, over the largest torque
     bounds = jnp.array([0.0, first, second, 1.0])
-    stage_angle = jnp.stack([at(0.0), at(first), at(second), at(1.0)])
-    small = LOST_MOTION_TORQUE_SHARE
+    compliance = jnp.concatenate([real[1, where[:0:-1]], real[0, where]])
+
+    def stages(curve: Array) -> Array:
+        angles = jnp.stack([read(curve, share) for share in (0.0, first, second, 1.0)])
+        return jnp.diff(bounds) * largest_torque / jnp.diff(angles)
+
     return Windup(
         torque=torque,
-        stiffness=stiffness_at[: shares.size],
+        stiffness=1.0 / (compliance + play_compliance(play=play, output_torque=torque)),
         angle=angle,
-        loop_torque=largest_torque - 2.0 * torque,
-        unloading_angle=unloading_angle,
-        reloading_angle=-unloading_angle[::-1],  # the unloading branch turned about the origin
-        hysteresis=2.0 * unloading(0.0),
-        lost_motion=unloading(small) - unloading(-small),
-        dissipated_energy=4.0 * (2.0 * work - largest_torque * angle[-1]),  # both branches by Masing's rule
+        unloading_angle=unloading,
+        reloading_angle=reloading,
+        hysteresis=read(unloading, 0.0) - read(reloading, 0.0),
+        lost_motion=read(middle, LOST_MOTION_TORQUE_SHARE) - read(middle, -LOST_MOTION_TORQUE_SHARE),
+        dissipated_energy=4.0 * largest_torque * (2.0 * slip_work - slip_angle[-1]),  # by Masing's rule
         stage_torque=bounds * largest_torque,
-        stage_stiffness=jnp.diff(bounds) * largest_torque / jnp.diff(stage_angle),
+        stage_stiffness=stages(angle),
+        reverse_stage_stiffness=stages(-angle[::-1]),
     )
+
+
+def without_slip(joint: Joint) -> Joint:
+    """The same joint with so much friction that no contact slips; its normal forces do not change.
+
+    Parameters
+    ----------
+    joint : Joint
+        One joint, or many along trailing batch axes.
+
+    Returns
+    -------
+    Joint
+        The joint with :data:`NO_SLIP_FRICTION` in every contact.
+    """
+    return dataclasses.replace(
+        joint,
+        friction_coefficients=tuple(
+            NO_SLIP_FRICTION + 0.0 * jnp.asarray(friction) for friction in joint.friction_coefficients
+        ),
+    )
+
+
+def at_standstill(joint: Joint, output_torque: Array) -> Joint:
+    """The joint at given torques with its bearing friction against the motion that each torque drives.
+
+    Parameters
+    ----------
+    joint : Joint
+        One joint.
+    output_torque : Array
+        Output torques of either sign, shape (points,) [N·m].
+
+    Returns
+    -------
+    Joint
+        A batch of joints; the sun's speed has the sign of the torque.
+    """
+    return dataclasses.replace(
+        joint,
+        output_torque=output_torque,
+        sun_speed=jnp.where(output_torque < 0.0, -1.0, 1.0) * jnp.abs(jnp.asarray(joint.sun_speed)),
+    )
+
+
+def is_symmetric(joint: Joint) -> bool:
+    """Whether a joint behaves alike in both directions of torque.
+
+    Parameters
+    ----------
+    joint : Joint
+        One joint.
+
+    Returns
+    -------
+    bool
+        True where the closure treats both sides alike, and the right and the left contacts have the same push angle,
+        length, friction and surface.
+    """
+    if joint.closure == "constant_pin_force":
+        return False
+    if float(joint.geometry.left_push_angle) != float(joint.geometry.right_push_angle):
+        return False
+    for entries in (joint.surfaces, joint.contact_lengths, joint.friction_coefficients):
+        for right, left in ((1, 2), (3, 4)) if len(entries) == len(CONTACT_NAMES) else ():
+            pairs = zip(jax.tree.leaves(entries[right]), jax.tree.leaves(entries[left]), strict=True)
+            if any(float(one) != float(other) for one, other in pairs):
+                return False
+    return True
 
 
 def windup(
@@ -169,14 +291,14 @@ def windup(
     level: StiffnessLevel,
     stage_shares: tuple[float, float],
 ) -> Windup:
-    """Load a joint up to a torque, and follow the hysteresis loop between plus and minus that torque.
+    """Load a joint up to a torque in both directions, and follow the hysteresis loop between them.
 
     Parameters
     ----------
     joint : Joint
         One joint; its own output torque is replaced.
     largest_torque : Real
-        Largest output torque T_m [N·m], below the capacity.
+        Largest output torque T_m [N·m], below the capacity of both directions; its sign does not matter.
     level : {"published", "series_with_bulk", "assembly"}
         Which stiffness is integrated.
     stage_shares : tuple of float
@@ -196,9 +318,8 @@ def windup(
 
     Notes
     -----
-    Masing's rule holds for friction
-    with a fixed normal load; where the normal forces change with the torque the loop is an estimate, because it takes
-    the whole curvature of the loading curve as slip. The other direction of torque is the mirror image.
+    Masing's rule is exact for slip under constant normal forces. Here they change with the torque, and the loop is an
+    estimate; :doc:`/theory/windup` gives its error.
 
     References
     ----------
@@ -206,32 +327,49 @@ def windup(
     R. D. Mindlin and H. Deresiewicz, J. Appl. Mech. 20 (1953) 327.
     """
     require_double_precision()
+    largest = abs(float(largest_torque))
 
-    def stiffness(torques: Array) -> Array:
-        batch = dataclasses.replace(joint, output_torque=torques)
-        result = compile_fast(evaluate, batch)(batch)
-        if not bool(jnp.all(result.solved)):
-            raise NoSolutionError(
-                f"the force balance does not close everywhere up to {float(largest_torque):g} N·m; "
-                "check radii and preload"
-            )
-        slips = np.any(np.asarray(result.diagnostics.slip_ratio) >= 1.0, axis=0)
-        if np.any(slips):
+    def compliances(torques: Array) -> tuple[Array, Array]:
+        batch = at_standstill(joint, torques)
+        program = compile_fast(evaluate, batch)
+        result = program(batch)
+        _refuse(result, torques, largest)
+        real, elastic = (_stiffness(found, level) for found in (result, program(without_slip(batch))))
+        if not bool(jnp.all(real > 0.0)):
             raise InputError(
-                f"largest torque {float(largest_torque):g} N·m is past the capacity: a contact slips at "
-                f"{float(np.min(np.asarray(torques)[slips])):.4g} N·m at the latest; lower the torque or raise "
-                "preload or friction"
+                f"the joint has no {level} stiffness at every torque up to {format_quantity(largest, 'N*m')}: all "
+                "contact spots of a contact are plastic; choose smoother surfaces or a higher preload"
             )
-        level_of = {
-            "published": result.published,
-            "series_with_bulk": result.series_with_bulk,
-            "assembly": result.assembly.stiffness,
-        }
-        found = jnp.asarray(level_of[level].output)
-        if not bool(jnp.all(found > 0.0)):
-            raise InputError(
-                "the joint has no stiffness here: every contact spot is plastic; smooth the surfaces or load more"
-            )
-        return found
+        return 1.0 / real, 1.0 / elastic
 
-    return windup_of(stiffness, largest_torque=largest_torque, stage_shares=stage_shares)
+    return windup_of(compliances, largest_torque=largest, stage_shares=stage_shares, play=joint.play)
+
+
+def _stiffness(result: JointResult, level: StiffnessLevel) -> Array:
+    level_of = {
+        "published": result.published,
+        "series_with_bulk": result.series_with_bulk,
+        "assembly": result.assembly.stiffness,
+    }
+    return jnp.asarray(level_of[level].output)
+
+
+def _refuse(result: JointResult, torques: Array, largest: float) -> None:
+    """Refuse torques at which the force balance does not close or a contact slips."""
+    shown = format_quantity(largest, "N*m")
+    values = np.asarray(torques)
+    if not bool(jnp.all(result.solved)):
+        failed = values[~np.asarray(result.solved)]
+        raise NoSolutionError(
+            f"the force balance has no solution at {format_quantity(failed[np.abs(failed).argmin()], 'N*m')}, which "
+            f"is within the largest torque of {shown}; check radii and preload"
+        )
+    ratio = np.asarray(result.diagnostics.slip_ratio)
+    slips = np.any(ratio >= 1.0, axis=0)
+    if np.any(slips):
+        first = np.abs(np.where(slips, values, np.inf)).argmin()
+        contact = CONTACT_NAMES[int(ratio[:, first].argmax())]
+        raise InputError(
+            f"the largest torque {shown} is beyond the torque capacity: contact {contact} slips at "
+            f"{format_quantity(values[first], 'N*m')} or less; lower the torque, or raise preload or friction"
+        )

@@ -27,6 +27,8 @@ def assumptions(case: Case) -> tuple[str, ...]:
         absent = [name for name, value in case.compliance if value is None]
         if absent:
             told.append(f"[compliance] without {', '.join(absent)}: ideal, as their descriptions say")
+    if case.play is None:
+        told.append("no section [play]: the output has no play")
     if case.compliance is None or case.compliance.ring_bending_stiffness is None:
         told.append(
             "no compliance.ring_bending_stiffness: a rigid housing holds the ring, whose wall only compresses locally"

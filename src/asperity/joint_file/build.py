@@ -13,6 +13,7 @@ from asperity.drive.assembly import IDEAL_STRUCTURE, StructureSprings
 from asperity.drive.geometry import DriveGeometry
 from asperity.drive.mechanism import Bearings
 from asperity.joint.description import Bodies, Joint
+from asperity.joint.play import NO_PLAY, Play
 from asperity.joint.rolling_conditions import PLAIN_ROLLING, DutyPoint, RollingConditions
 from asperity.joint_file.model import Case, EachContact
 from asperity.joint_file.si_tables import Values, check_values, replace_values, si_values
@@ -68,7 +69,7 @@ def joint_from_values(values: Values) -> Joint:
     ----------
     values : dict
         Tables as :func:`asperity.joint_file.si_tables.si_values` makes them; leaves may be arrays. Without ``bearings``
-        there is no bearing friction, without ``compliance`` the structure is
+        there is no bearing friction, without ``play`` no play, without ``compliance`` the structure is
         :data:`asperity.drive.assembly.IDEAL_STRUCTURE`; rollers without a length are as long as the longest contact
         line on them.
 
@@ -79,6 +80,7 @@ def joint_from_values(values: Values) -> Joint:
     """
     drive, load, model = values["drive"], values["load"], values["model"]
     bearings, compliance = values.get("bearings", {}), values.get("compliance", {})
+    play = values.get("play", {})
     materials = {name: _material(entry) for name, entry in values["materials"].items()}
     lengths = _entries(drive["contact_length"])
     return Joint(
@@ -113,6 +115,7 @@ def joint_from_values(values: Values) -> Joint:
         structure=StructureSprings(
             **{name: compliance.get(name, ideal) for name, ideal in vars(IDEAL_STRUCTURE).items()}
         ),
+        play=Play(**{name: play.get(name, none) for name, none in vars(NO_PLAY).items()}),
         closure=model["closure"],
         closure_springs=model["closure_springs"],
         contact_factor_model=model["contact_factor"],

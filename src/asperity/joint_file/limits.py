@@ -17,9 +17,12 @@ BODY_LENGTH = Key(Dimension.LENGTH, 0.0, 1e5, "mm", example="5 mm")
 PUSH_ANGLE = Key(Dimension.ANGLE, -60.0, 60.0, "deg")
 
 PRELOAD = Key(Dimension.FORCE, 1e-3, 1e9, "N")
-OUTPUT_TORQUE = Key(Dimension.TORQUE, 0.0, 1e9, "N*m")
+OUTPUT_TORQUE = Key(Dimension.TORQUE, -1e9, 1e9, "N*m")
 SUN_SPEED = Key(Dimension.ANGULAR_VELOCITY, 0.0, 1e6, "rpm")
 FRICTION_COEFFICIENT = Key(Dimension.DIMENSIONLESS, 0.0, 10.0, open_lower=True)
+
+PLAY_ANGLE = Key(Dimension.ANGLE, 0.0, 21600.0, "arcmin", example="1.5 arcmin")
+TAKE_UP_TORQUE = Key(Dimension.TORQUE, 0.0, 1e9, "N*m", example="0.2 N*m")
 
 BEARING_TORQUE = Key(Dimension.TORQUE, 0.0, 1e6, "N*m", example="0.02 N*m")
 PIN_FRICTION_COEFFICIENT = Key(Dimension.DIMENSIONLESS, 0.0, 10.0, example="0.002")

@@ -115,9 +115,9 @@ class Load(Section):
     preload: Annotated[Quantity, limits.PRELOAD]
     """Normal force N_0 between sun and planet at rest."""
     output_torque: Annotated[Quantity, limits.OUTPUT_TORQUE]
-    """Torque at the carrier; the other direction is the mirror image."""
+    """Torque at the carrier; negative in the other direction, where it brakes a drive that turns."""
     sun_speed: Annotated[Quantity, limits.SUN_SPEED]
-    """Speed of the sun; makes the centrifugal forces."""
+    """Speed of the sun; makes the centrifugal forces and decides which way bearing friction acts."""
     friction_coefficient: FrictionCoefficients
     """Friction coefficient mu of the contacts: one for all, or a table with sp, pwr, pwl, wro, wlo."""
 
@@ -185,6 +185,15 @@ class DutyLoad(Section):
     """Speed of the sun."""
     share: Annotated[float, Field(strict=True, gt=0.0, le=1.0)]
     """Share of the time; the shares of all loads add up to 1."""
+
+
+class PlayEntry(Section):
+    """Play at the output; a joint file without this section has none."""
+
+    angle: Annotated[Quantity, limits.PLAY_ANGLE]
+    """Angle that the output turns freely on passing zero torque, from one side to the other."""
+    take_up_torque: Annotated[Quantity, limits.TAKE_UP_TORQUE]
+    """Torque T_p over which the play is taken up, angle/2 tanh(T/T_p); 0 for all at once."""
 
 
 class ModelChoice(Section):
@@ -271,6 +280,8 @@ class Case(Section):
     """The oil; dry if the section is absent."""
     duty: Annotated[tuple[DutyLoad, ...], Field(min_length=1)] | None = None
     """Loads and their shares of the time, for the life under a duty: a section [[duty]] for each."""
+    play: PlayEntry | None = None
+    """Play at the output; none if the section is absent."""
     model: ModelChoice
     """Variants of the model."""
     materials: Annotated[dict[MaterialName, MaterialEntry], Field(min_length=1)]

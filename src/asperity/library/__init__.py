@@ -1,6 +1,6 @@
-"""Materials and surface finishes with their sources, as data; a file of the user's extends them.
+"""Materials and surface finishes with their sources, as data; a user's file can extend them.
 
-Each entry carries its reference; what could not be traced to one is not in here.
+Each entry states its reference; values without a traceable reference are not included.
 """
 
 from __future__ import annotations
@@ -52,7 +52,7 @@ class LibraryMaterial:
     Parameters
     ----------
     name, description, reference, note : str
-        What it is and where its numbers come from.
+        Name, description, source and remark.
     numbers : dict
         Keys of a material section of a joint file → text with units.
     """
@@ -71,7 +71,7 @@ class Finish:
     Parameters
     ----------
     name, description, reference, note : str
-        What it is and where its numbers come from.
+        Name, description, source and remark.
     roughness_average : tuple of float
         Lowest and highest Ra [m].
     sampling_length : float
@@ -125,7 +125,7 @@ def fractal_roughness_from_ra(
 
     Notes
     -----
-    Heights are taken as normally distributed, and wavelengths far below L as all present; 1 < D < 2.
+    Assumes normally distributed heights and a spectrum that extends far below L; 1 < D < 2.
 
     References
     ----------
@@ -159,7 +159,7 @@ def _tables(name: str, extension: str | Path | None) -> dict[str, dict[str, Any]
 
 @contextlib.contextmanager
 def _naming(extension: str | Path | None) -> Iterator[None]:
-    """Put a user's library file before what is wrong with an entry; the entries of our own files are tested."""
+    """Prefix an error in an entry with the user's library file; the built-in entries are tested."""
     try:
         yield
     except InputError as error:
@@ -170,7 +170,7 @@ def _words(name: str, entry: Mapping[str, Any]) -> dict[str, str]:
     for word in ("description", "reference"):
         if not isinstance(entry.get(word), str) or not entry[word].strip():
             raise InputError(
-                f"library entry {name}: '{word}' is missing or is not text; every entry states its source"
+                f"library entry {name}: '{word}' is missing or is not text; every entry must state its source"
             )
     return {word: str(entry.get(word, "")) for word in _WORDS}
 
@@ -231,7 +231,9 @@ def _range(name: str, key: str, value: Any, dimension: Dimension) -> tuple[float
     except InputError as error:
         raise InputError(f"library entry {name}: {key}: {error}") from None
     if not 0.0 < low <= high:
-        raise InputError(f"library entry {name}: {key}: needs 0 < lowest <= highest, got {quoted(value)}")
+        raise InputError(
+            f"library entry {name}: {key}: must satisfy 0 < lowest <= highest, got {quoted(value)}"
+        )
     return low, high
 
 
@@ -301,18 +303,18 @@ def fill_in_materials(tables: Mapping[str, Any], *, folder: Path) -> tuple[dict[
     Parameters
     ----------
     tables : mapping
-        The joint file as TOML reads it. ``materials.NAME = {library = "52100"}`` takes an entry, other keys beside
-        it replace single numbers, ``file = "my.toml"`` names a library file of the user. A body whose material the
-        file does not define is looked up in the library.
+        The joint file as TOML reads it. ``materials.NAME = {library = "52100"}`` refers to an entry, further
+        keys replace single values, ``file = "my.toml"`` names a library file of the user. If the file does not
+        define the material of a body, the material is taken from the library.
     folder : Path
-        Where the path of a library file starts.
+        Folder to which the path of a library file is relative.
 
     Returns
     -------
     tables : dict
         New tables without such references; everything else is checked by the reader of joint files.
     refused : dict
-        Dotted path of a material → why its entry was not found. Its table is left as it is.
+        Dotted path of a material → why its entry was not found. Its table is left unchanged.
     """
     refused: dict[str, str] = {}
     materials = tables.get("materials", {})

@@ -33,21 +33,22 @@ def windup_figure(curve: Windup, *, title: str) -> Figure:
 
     figure = Figure(figsize=(10.0, 4.2), layout="constrained")
     loop, stiffness = figure.subplots(1, 2)
-    loop.plot(_ARCMINUTES * curve.angle, curve.torque, color="black", label="first loading")
-    loop.plot(_ARCMINUTES * curve.unloading_angle, curve.loop_torque, color="tab:blue", label="unloading")
-    loop.plot(_ARCMINUTES * curve.reloading_angle, curve.loop_torque, color="tab:orange", label="reloading")
+    for angle, color, label in (
+        (curve.angle, "black", "first loading, either direction"),
+        (curve.unloading_angle, "tab:blue", "unloading"),
+        (curve.reloading_angle, "tab:orange", "reloading"),
+    ):
+        loop.plot(_ARCMINUTES * angle, curve.torque, color=color, label=label)
     loop.axhline(0.0, color="0.8", linewidth=0.8, zorder=0)
     loop.axvline(0.0, color="0.8", linewidth=0.8, zorder=0)
     loop.set(xlabel="angle at the output [arcmin]", ylabel="torque at the output [N·m]")
     loop.legend(frameon=False)
     stiffness.plot(curve.torque, curve.stiffness / _ARCMINUTES, color="black", label="incremental")
-    stiffness.stairs(
-        curve.stage_stiffness / _ARCMINUTES,
-        curve.stage_torque,
-        color="tab:red",
-        baseline=None,
-        label="K1, K2, K3",
-    )
+    for values, bounds, label in (
+        (curve.stage_stiffness, curve.stage_torque, "K1, K2, K3 (secant)"),
+        (curve.reverse_stage_stiffness[::-1], -curve.stage_torque[::-1], "_nolegend_"),
+    ):
+        stiffness.stairs(values / _ARCMINUTES, bounds, color="tab:red", baseline=None, label=label)
     stiffness.set(xlabel="torque at the output [N·m]", ylabel="stiffness at the output [N·m/arcmin]")
     stiffness.legend(frameon=False)
     figure.suptitle(title)

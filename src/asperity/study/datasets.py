@@ -13,7 +13,7 @@ from asperity.extras import install_command
 from asperity.joint.results import RESULTS, ROW_NAMES, row_name
 from asperity.joint.status import flag_attributes
 from asperity.joint_file.si_tables import key_at
-from asperity.study.parameters import Axis, long_name
+from asperity.study.parameters import SweepAxis, long_name
 
 if TYPE_CHECKING:
     import xarray
@@ -48,12 +48,12 @@ def require(module: str) -> Any:
         ) from None
 
 
-def coordinate(axis: Axis) -> tuple[tuple[str], np.ndarray, dict[str, str]]:
+def coordinate(axis: SweepAxis) -> tuple[tuple[str], np.ndarray, dict[str, str]]:
     """One axis as a coordinate.
 
     Parameters
     ----------
-    axis : Axis
+    axis : Axis or ListedAxis
         The axis.
 
     Returns

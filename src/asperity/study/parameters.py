@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any, Literal
@@ -62,6 +63,51 @@ class Axis:
         }
 
 
+@dataclass(frozen=True)
+class ListedAxis:
+    """One axis of a sweep: any values of a number of the joint file.
+
+    Parameters
+    ----------
+    path : str
+        Dotted path of the number.
+    listed : sequence of float
+        Its values [SI].
+    """
+
+    path: str
+    listed: Sequence[float]
+
+    @property
+    def count(self) -> int:
+        """Number of values."""
+        return len(self.listed)
+
+    @property
+    def values(self) -> np.ndarray:
+        """All values in SI units, shape (count,)."""
+        return np.asarray(self.listed, dtype=float)
+
+
+SweepAxis = Axis | ListedAxis
+
+
+def axis_from_dict(plain: dict[str, Any]) -> SweepAxis:
+    """An axis from plain data, as :func:`dataclasses.asdict` makes them.
+
+    Parameters
+    ----------
+    plain : dict
+        Its fields.
+
+    Returns
+    -------
+    Axis or ListedAxis
+        The axis.
+    """
+    return ListedAxis(**plain) if "listed" in plain else Axis(**plain)
+
+
 def parse_axis(text: str) -> Axis:
     """Read an axis from text.
 
@@ -110,12 +156,12 @@ def parse_axis(text: str) -> Axis:
     return axis
 
 
-def check_axis(axis: Axis) -> None:
+def check_axis(axis: SweepAxis) -> None:
     """Raise unless an axis makes sense.
 
     Parameters
     ----------
-    axis : Axis
+    axis : Axis or ListedAxis
         The axis.
 
     Raises
@@ -130,6 +176,14 @@ def check_axis(axis: Axis) -> None:
         raise InputError(
             f"{axis.path}: the count must be at most {MOST_VALUES}, got {axis.count}; choose fewer steps"
         )
+    if isinstance(axis, ListedAxis):
+        twice = sorted(value for value, times in Counter(axis.listed).items() if times > 1)
+        if twice:
+            raise InputError(
+                f"{axis.path}: the value {format_quantity(twice[0], unit, 6)} is listed twice; list it once"
+            )
+        check_values({axis.path: axis.values})
+        return
     if axis.count == 1 and axis.start != axis.stop:
         raise InputError(
             f"{axis.path}: one value cannot start and stop at different ones; the count must be above 1"
@@ -152,7 +206,7 @@ def check_axis(axis: Axis) -> None:
     check_values({axis.path: values})
 
 
-def check_axes(case: Case, axes: Sequence[Axis]) -> None:
+def check_axes(case: Case, axes: Sequence[SweepAxis]) -> None:
     """Raise unless a sweep of a joint file over these axes makes sense.
 
     Parameters

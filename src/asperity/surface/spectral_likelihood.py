@@ -30,7 +30,7 @@ from scipy.special import betainc, zeta
 from asperity.surface.spectrum import BinnedSpectrum
 
 #: Power above the sampling limit: absent, folded back below it, or (rows of a map) absent across the rows too.
-TAILS = ("band_limited", "folded", "areal")
+TAILS: tuple[str, ...] = ("band_limited", "folded", "areal")
 #: Exponents m of the roll-off: gradual (K-correlation) and sharp.
 ROLL_OFFS = (2.0, 8.0)
 #: The folded power of exponents nearer to 1 diverges; the fit may pass there on its way [-].

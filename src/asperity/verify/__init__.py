@@ -1,1 +1,1 @@
-"""How good is the fractal law? Boundary elements and Persson's theory beside it, on the surfaces it assumes."""
+"""Accuracy of the fractal law: comparison with boundary elements and Persson's theory on the surfaces it assumes."""

@@ -1,4 +1,4 @@
-"""The law, Persson's theory and boundary elements on the same surfaces at the same loads."""
+"""The fractal law, Persson's theory and boundary elements on the same surfaces at the same loads."""
 
 from __future__ import annotations
 
@@ -64,7 +64,7 @@ class Sample(eqx.Module):
 
 
 class Comparison(eqx.Module):
-    """Area and stiffness by three routes; boundary elements have one row per seed, SI units.
+    """Area and stiffness by three methods; boundary elements have one row per seed, SI units.
 
     Parameters
     ----------
@@ -73,7 +73,7 @@ class Comparison(eqx.Module):
     relative_pressure : Array, shape (loads,)
         Load over nominal area and pressure scale [-].
     pressure_scale : Array, scalar
-        The smaller of contact modulus times rms slope, where contact is about complete, and of hardness [Pa].
+        The smaller of the hardness and contact modulus times rms slope, at which contact is nearly complete [Pa].
     rms_height, rms_slope : Array, scalar
         Means over the seeds [m], [-].
     real_contact_area, normal_stiffness, tangential_stiffness : Array, shape (seeds, loads)
@@ -109,9 +109,9 @@ def sample_heights(sample: Sample, seed: int) -> np.ndarray:
     Parameters
     ----------
     sample : Sample
-        What to build.
+        Parameters of the surface.
     seed : int
-        Which one.
+        Seed of the random numbers.
 
     Returns
     -------
@@ -138,26 +138,26 @@ def compare(
     elastic: bool = False,
     solved: Callable[[], None] = lambda: None,
 ) -> Comparison:
-    """Solve the sample's surfaces under each load by boundary elements, and evaluate law and theory beside them.
+    """Solve the sample's surfaces under each load by boundary elements, and evaluate the law and Persson's theory.
 
     Parameters
     ----------
     sample : Sample
         The surface and the bodies.
     seeds : int
-        How many surfaces of the same D and G.
+        Number of surfaces of the same D and G.
     relative_pressures : sequence of float
         Mean pressures over the pressure scale of :class:`Comparison` [-], rising, below 1; the rms slope in it is
-        the mean over the seeds, so that all seeds carry the same loads.
+        the mean over the seeds, so that the loads are the same for all seeds.
     elastic : bool
-        True: no cap on the pressure of the boundary elements (the law keeps its hardness).
+        True: the pressure of the boundary elements is not limited (the law keeps its hardness).
     solved : callable
         Called after each solution.
 
     Returns
     -------
     Comparison
-        All three routes.
+        Results of all three methods.
 
     Raises
     ------
@@ -168,8 +168,8 @@ def compare(
 
     Notes
     -----
-    The incremental stiffness by boundary elements is elastic on the whole contact area, points at the hardness
-    included: it is that of a small oscillation, or of unloading. The law is taken on a nominally flat contact, for
+    The incremental stiffness by boundary elements is elastic on the whole contact area, including points at the
+    hardness: it is that of a small oscillation, or of unloading. The law is evaluated for a nominally flat contact, for
     which its contact factor lambda (a correction for curved bodies) is 1.
     """
     pressures = np.asarray(relative_pressures, dtype=np.float64)
@@ -177,7 +177,7 @@ def compare(
     if seeds < 1 or not rising or not pressures[-1] < 1.0:
         raise InputError(
             f"seeds = {seeds}, relative pressures {list(relative_pressures)}: at least one seed is needed, and "
-            "pressures that rise from above 0 to below 1"
+            "pressures that increase, above 0 and below 1"
         )
     pair = sample.pair
     pixel = sample.side / sample.points

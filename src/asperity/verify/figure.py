@@ -1,4 +1,4 @@
-"""The comparison as a picture: area and stiffness over load, and the law's ratio to the boundary elements."""
+"""Figure of the comparison: area and stiffness over load, and ratio of the law to the boundary elements."""
 
 from __future__ import annotations
 
@@ -21,12 +21,12 @@ QUANTITIES = {
 
 
 def comparison_figure(samples: Sequence[Sample], comparisons: Sequence[Comparison]) -> Figure:
-    """Three quantities over the load by three routes, one colour per fractal dimension, ratios below.
+    """Three quantities over the load by three methods, one colour per fractal dimension, ratios below.
 
     Parameters
     ----------
     samples : sequence of Sample
-        What was compared.
+        Samples compared.
     comparisons : sequence of Comparison
         The results, in the same order.
 
@@ -73,5 +73,5 @@ def comparison_figure(samples: Sequence[Sample], comparisons: Sequence[Compariso
 
 
 def _positive(values: np.ndarray) -> np.ndarray:
-    """Zeros (no elastic spot, no stiffness) have no place on a logarithmic axis."""
+    """Mask zeros (no elastic spot, no stiffness), which a logarithmic axis cannot show."""
     return np.where(values > 0.0, values, np.nan)

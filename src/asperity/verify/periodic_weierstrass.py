@@ -1,4 +1,4 @@
-"""A Weierstrass–Mandelbrot surface that repeats, as periodic boundary elements need it."""
+"""Periodic Weierstrass–Mandelbrot surface for periodic boundary elements."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from asperity.errors import InputError
 from asperity.surface.conventions import areal_roughness_from_profile, validated_fractal
 
-#: Waves per frequency; fewer directions exist where the frequency is low.
+#: Waves per frequency; low frequencies have fewer directions.
 RIDGES = 24
 
 
@@ -60,8 +60,8 @@ def periodic_weierstrass_surface(
     Notes
     -----
     The areal sum of Yan and Komvopoulos with the wavevectors moved to the nearest ones that fit the period (by
-    half a lattice step at most: 25 % of the lowest frequency if that has two waves per side); amplitudes are
-    those of the exact frequencies. G is converted from profile to area so that profiles have the D and G asked for.
+    at most half a lattice step: 25 % of the lowest frequency if that has two waves per side); amplitudes are
+    those of the exact frequencies. G is converted from profile to area so that profiles have the given D and G.
 
     References
     ----------
@@ -70,8 +70,8 @@ def periodic_weierstrass_surface(
     D, G = validated_fractal(fractal_dimension=fractal_dimension, fractal_roughness=fractal_roughness)
     if points < 8 or not frequency_ratio > 1.0 or not side > 0.0:
         raise InputError(
-            f"points = {points}, side = {side:g} m, frequency_ratio = {frequency_ratio:g}: needed are at least 8 "
-            "points, a positive side and a ratio above 1"
+            f"points = {points}, side = {side:g} m, frequency_ratio = {frequency_ratio:g}: at least 8 "
+            "points, a positive side and a ratio above 1 are needed"
         )
     if not 2.0 * side / points <= shortest_wavelength <= longest_wavelength <= side:
         raise InputError(
@@ -99,7 +99,7 @@ def periodic_weierstrass_surface(
 
 
 def _hermitian(spectrum: NDArray[np.complex128]) -> NDArray[np.complex128]:
-    """Give the first column, which holds both of each pair of opposite waves, its conjugate half."""
+    """Fill the conjugate half of the first column, which contains both waves of each opposite pair."""
     complete = spectrum.copy()
     complete[:, 0] += np.conj(np.roll(spectrum[::-1, 0], 1))
     return complete

@@ -1,7 +1,7 @@
-"""What the paper's words mean here: one number for each, and the measures that are held against them.
+"""The paper's qualitative terms as numbers, and the measures that are compared with them.
 
-The paper says "slightly", "significantly", "nearly the same" without numbers. The numbers below are ours; they are
-printed with every verdict, beside the measured value, so that whoever reads them otherwise can judge for himself.
+The paper says "slightly", "significantly", "nearly the same" without numbers. The numbers here are ours. Every verdict
+is printed with its number and the measured value, so that a reader can apply a different limit.
 """
 
 from __future__ import annotations
@@ -13,108 +13,82 @@ import numpy as np
 
 @dataclass(frozen=True)
 class Criterion:
-    """A word of the paper made a number.
+    """A qualitative term of the paper as a number.
 
     Parameters
     ----------
     name : str
-        Name of the criterion.
+        The paper's terms.
     limit : float
         The number.
-    unit : str
-        Its unit, ``-`` for none.
     meaning : str
-        The rule, for people.
+        The rule in words.
+    unit : str
+        Unit of the number, ``-`` for none.
     """
 
     name: str
     limit: float
-    unit: str
     meaning: str
+    unit: str = "-"
 
 
 NONLINEAR = Criterion(
     "nonlinear",
     0.20,
-    "-",
-    "the mean slopes over the first and the last tenth of the range differ by at least 20 % of the steeper one",
+    "the mean slopes over the first and the last tenth of the range differ by at least 20 % of the steeper slope",
 )
 SLIGHT = Criterion(
     "slightly, weakly, limited",
     0.20,
-    "-",
-    "the whole range changes the value by less than 20 % of where it starts",
+    "over the whole range the value changes by less than 20 % of its first value",
 )
 SIGNIFICANT = Criterion(
-    "significantly", 0.20, "-", "the whole range changes the value by at least 20 % of where it starts"
+    "significantly", 0.20, "over the whole range the value changes by at least 20 % of its first value"
 )
-NEARLY_SAME = Criterion("nearly the same", 0.10, "-", "two values differ by at most 10 % of the larger")
-PEAK_NEAR = Criterion(
-    "peak near D", 0.02, "-", "the maximum lies within 0.02 of the stated fractal dimension"
-)
-TENDENCY = Criterion("tends to", 0.80, "-", "it does so over at least 80 % of the range")
+NEARLY_SAME = Criterion("nearly the same", 0.10, "two values differ by at most 10 % of the larger value")
+PEAK_NEAR = Criterion("peak near D", 0.02, "the maximum lies within 0.02 of the stated fractal dimension")
+TENDENCY = Criterion("tends to", 0.80, "the trend holds over at least 80 % of the range")
 SATURATED = Criterion(
     "saturates",
     0.75,
-    "-",
-    "well beyond the range, each doubling of the abscissa adds at most 75 % of what the doubling before it added "
-    "(logarithmic growth: 100 %, any power law: more, an approach to a limit as 1/x: 50 %)",
+    "beyond the range of the figure, each doubling of the abscissa adds at most 75 % of what the previous doubling "
+    "added (a limit approached as 1/x: 50 %; a logarithm: 100 %; any power law: more)",
 )
-OPTIMAL = Criterion("optimal", 0.90, "-", "everywhere at least 90 % of the maximum")
+OPTIMAL = Criterion("optimal", 0.90, "at least 90 % of the maximum everywhere")
 
-#: Every criterion, in the order in which it is shown.
+#: All criteria in the order in which they are printed.
 CRITERIA = (NONLINEAR, SLIGHT, SIGNIFICANT, NEARLY_SAME, PEAK_NEAR, TENDENCY, SATURATED, OPTIMAL)
 
 
 def rises(values: np.ndarray) -> bool:
-    """Whether every step along the last axis goes up.
-
-    Parameters
-    ----------
-    values : ndarray
-        Curves, shape (..., n).
-
-    Returns
-    -------
-    bool
-    """
+    """Whether curves of shape (..., n) increase at every step along the last axis."""
     return bool(np.all(np.diff(values, axis=-1) > 0.0))
 
 
 def falls(values: np.ndarray) -> bool:
-    """Whether every step along the last axis goes down.
-
-    Parameters
-    ----------
-    values : ndarray
-        Curves, shape (..., n).
-
-    Returns
-    -------
-    bool
-    """
+    """Whether curves of shape (..., n) decrease at every step along the last axis."""
     return bool(np.all(np.diff(values, axis=-1) < 0.0))
 
 
+def rising_share(values: np.ndarray) -> np.ndarray:
+    """Share of the steps along the last axis at which curves of shape (..., n) increase [-]."""
+    return np.asarray(np.mean(np.diff(values, axis=-1) > 0.0, axis=-1))
+
+
 def relative_change(values: np.ndarray) -> np.ndarray:
-    """Change along the last axis from its first to its last value, relative to the first.
-
-    Parameters
-    ----------
-    values : ndarray
-        Curves, shape (..., n).
-
-    Returns
-    -------
-    ndarray
-        Shape (...) [-].
-    """
+    """Last minus first value of curves of shape (..., n), relative to the first [-]."""
     first, last = values[..., 0], values[..., -1]
     return np.asarray((last - first) / first)
 
 
+def relative_difference(one: np.ndarray, other: np.ndarray) -> np.ndarray:
+    """Difference of two positive quantities, relative to the larger [-]."""
+    return np.asarray(np.abs(one - other) / np.maximum(one, other))
+
+
 def slope_change(abscissa: np.ndarray, values: np.ndarray) -> float:
-    """Difference between the mean slopes over the first and the last tenth of a range, relative to the steeper one.
+    """Difference between the mean slopes over the first and the last tenth of a range, relative to the steeper.
 
     Parameters
     ----------
@@ -124,7 +98,7 @@ def slope_change(abscissa: np.ndarray, values: np.ndarray) -> float:
     Returns
     -------
     float
-        0 for a straight line, 1 where one end is flat, above 1 where the slope changes sign [-].
+        0 for a straight line, 1 if one end is flat, above 1 if the slope changes sign [-].
 
     Examples
     --------
@@ -139,7 +113,7 @@ def slope_change(abscissa: np.ndarray, values: np.ndarray) -> float:
 
 
 def peak(abscissa: np.ndarray, values: np.ndarray) -> float:
-    """Where a curve has its maximum: the vertex of the parabola through the highest sample and its neighbours.
+    """Abscissa of the maximum of a curve: vertex of the parabola through the highest sample and its neighbours.
 
     Parameters
     ----------
@@ -149,7 +123,7 @@ def peak(abscissa: np.ndarray, values: np.ndarray) -> float:
     Returns
     -------
     float
-        The place; an end of the range, exactly, where the curve is highest there.
+        The abscissa; exactly an end of the range if the curve is highest there.
 
     Examples
     --------
@@ -162,38 +136,6 @@ def peak(abscissa: np.ndarray, values: np.ndarray) -> float:
     below, at, above = values[top - 1 : top + 2]
     step = abscissa[top + 1] - abscissa[top]
     return float(abscissa[top] + 0.5 * step * (below - above) / (below - 2.0 * at + above))
-
-
-def relative_difference(one: np.ndarray, other: np.ndarray) -> np.ndarray:
-    """Difference of two positive quantities over the larger.
-
-    Parameters
-    ----------
-    one, other : ndarray
-        Values of one shape.
-
-    Returns
-    -------
-    ndarray
-        [-].
-    """
-    return np.asarray(np.abs(one - other) / np.maximum(one, other))
-
-
-def rising_share(values: np.ndarray) -> np.ndarray:
-    """Share of the steps along the last axis that go up.
-
-    Parameters
-    ----------
-    values : ndarray
-        Curves, shape (..., n).
-
-    Returns
-    -------
-    ndarray
-        Shape (...) [-].
-    """
-    return np.asarray(np.mean(np.diff(values, axis=-1) > 0.0, axis=-1))
 
 
 def growth_per_doubling(values: np.ndarray) -> np.ndarray:
@@ -219,7 +161,7 @@ def growth_per_doubling(values: np.ndarray) -> np.ndarray:
 
 
 def interval_above(abscissa: np.ndarray, values: np.ndarray, share: float) -> tuple[float, float]:
-    """The interval around the maximum where a curve is at least a share of it.
+    """Interval around the maximum in which a curve is at least a given share of the maximum.
 
     Parameters
     ----------
@@ -231,17 +173,16 @@ def interval_above(abscissa: np.ndarray, values: np.ndarray, share: float) -> tu
     Returns
     -------
     tuple of float
-        Lower and upper end, linearly interpolated; the end of the range where the curve stays above.
+        Lower and upper end, linearly interpolated; an end of the range if the curve stays above the level up to it.
     """
     level = share * float(np.max(values))
     top = int(np.argmax(values))
     low, high = float(abscissa[0]), float(abscissa[-1])
-    under = np.flatnonzero(values[:top] < level)
-    if under.size:
-        i = under[-1]
-        low = float(np.interp(level, values[i : i + 2], abscissa[i : i + 2]))
-    under = np.flatnonzero(values[top:] < level)
-    if under.size:
-        i = top + under[0]
+    below = np.flatnonzero(values < level)
+    if np.any(below < top):
+        i = below[below < top][-1]
+        low = float(np.interp(level, values[[i, i + 1]], abscissa[[i, i + 1]]))
+    if np.any(below > top):
+        i = below[below > top][0]
         high = float(np.interp(level, values[[i, i - 1]], abscissa[[i, i - 1]]))
     return low, high

@@ -1,23 +1,23 @@
-"""Everything the figures and the claims need, computed in two batches: all roller pairs, all joints."""
+"""Everything that the figures and the claims need, computed in two batches: all roller pairs, all joints."""
 
 from __future__ import annotations
 
-import math
 from dataclasses import dataclass
 
 import equinox as eqx
+import jax
 import jax.numpy as jnp
 import numpy as np
 from jax import Array
+from jax.typing import ArrayLike
 
 from asperity.errors import NoSolutionError
 from asperity.joint.evaluation import Joint, evaluate
 from asperity.precision import require_double_precision
 from asperity.types import Real
 from asperity.zou2025 import preset
-from asperity.zou2025.roller_pair import pair_contact
 
-#: Output torques of the families of curves in Figs. 7 and 8 [N·m]; ours, within the paper's 0–5 N·m.
+#: Output torques of the families of curves in Figs. 7 and 8 [N·m]; assumed, within the paper's 0–5 N·m.
 OUTPUT_TORQUES = np.arange(0.0, 6.0)
 _FRICTION_RANGE = (0.04, 0.30)
 _LARGEST_RADIUS_SCALE = 2.0
@@ -29,18 +29,14 @@ class PairCurve:
 
     Parameters
     ----------
-    case : str
-        Letter of the case and of the panel of Fig. 4; ``e_low`` and ``f_low`` are cases e and f at the lowest
-        fractal dimension of case c, which the paper does not show.
     name : str
-        What is varied, an argument of :func:`asperity.zou2025.preset.table_1_pair`.
+        The varied quantity, a key of :data:`asperity.zou2025.preset.TABLE_1`.
     values : ndarray
         Its values, SI, shape (n,).
     tangential_stiffness : ndarray
         K_t, shape (n,) [N/m].
     """
 
-    case: str
     name: str
     values: np.ndarray
     tangential_stiffness: np.ndarray
@@ -85,13 +81,14 @@ class Curves:
     Parameters
     ----------
     pairs : dict
-        Letter of the case of Table 1 → its curve.
+        Case of Table 1 (and panel of Fig. 4) → its curve; ``e_low`` and ``f_low`` are cases e and f at the lowest
+        fractal dimension of case c, which the paper does not show.
     loads : JointCurves
         Over a fine grid of output torques, at the D of Table 1 (Fig. 5).
     dimension, roughness, length, friction, radius : JointCurves
         Over the quantity named, for :data:`OUTPUT_TORQUES` (Figs. 6–8; ``radius`` is in no figure).
     high_friction : JointCurves
-        At the end of the range of friction, at twice and at four times as much (in no figure).
+        At one, two and four times the upper end of the range of friction (in no figure).
     """
 
     pairs: dict[str, PairCurve]
@@ -110,7 +107,7 @@ def _dimensions() -> np.ndarray:
 
 
 def _pair_axes() -> dict[str, tuple[str, np.ndarray, float]]:
-    """Case → what it varies, over which values, at which D; case b goes on past gross slip, to show it."""
+    """Case → what it varies, its values, at which D; case b extends beyond gross slip."""
     slip = preset.FRICTION_COEFFICIENT * preset.PAIR_NORMAL_FORCE
     dimension, low = preset.FRACTAL_DIMENSION, preset.DIMENSION_RANGE[0]
     radii = np.linspace(*preset.SECOND_RADIUS_RANGE, 161)
@@ -127,34 +124,57 @@ def _pair_axes() -> dict[str, tuple[str, np.ndarray, float]]:
     }
 
 
+def _joint_axes() -> dict[str, tuple[np.ndarray, str, np.ndarray]]:
+    """Field of :class:`Curves` → output torques, what else is varied, its values."""
+    torques = OUTPUT_TORQUES
+    doublings = _FRICTION_RANGE[1] * np.array([1.0, 2.0, 4.0])
+    return {
+        "loads": (
+            np.linspace(*preset.OUTPUT_TORQUE_RANGE, 101),
+            "fractal_dimension",
+            np.array([preset.FRACTAL_DIMENSION]),
+        ),
+        "dimension": (torques, "fractal_dimension", _dimensions()),
+        "roughness": (torques, "fractal_roughness", np.geomspace(*preset.ROUGHNESS_RANGE, 101)),
+        "length": (torques, "contact_length", np.linspace(*preset.CONTACT_LENGTH_RANGE, 51)),
+        "friction": (torques, "friction_coefficient", np.linspace(*_FRICTION_RANGE, 261)),
+        "high_friction": (torques, "friction_coefficient", doublings),
+        "radius": (torques, "radius_scale", np.linspace(1.0, _LARGEST_RADIUS_SCALE, 21)),
+    }
+
+
 def pair_curves() -> dict[str, PairCurve]:
-    """The six cases of Table 1.
+    """The six cases of Table 1, and two of them at a lower fractal dimension, as one batch.
 
     Returns
     -------
     dict
-        Letter of the case → its curve.
+        Case → its curve.
     """
     require_double_precision()
     axes = _pair_axes()
-    columns: dict[str, list[np.ndarray]] = {name: [] for name in preset.TABLE_1}
-    for name, values, dimension in axes.values():  # one flat batch: what a case does not vary keeps its value
-        fixed = {**preset.TABLE_1, "fractal_dimension": dimension}
-        for key, column in columns.items():
-            column.append(values if key == name else np.full(values.size, fixed[key]))
-    varied = {key: jnp.asarray(np.concatenate(column)) for key, column in columns.items()}
-    contact = eqx.filter_jit(pair_contact)(**varied)
-    stiffness = np.asarray(contact.tangential_stiffness)
-    ends = np.cumsum([values.size for _, values, _ in axes.values()])[:-1]
+    cases: list[dict[str, ArrayLike]] = [
+        {**preset.TABLE_1, "fractal_dimension": dimension, name: values}
+        for name, values, dimension in axes.values()
+    ]
+    sizes = [values.size for _, values, _ in axes.values()]
+    batch = {
+        key: jnp.concatenate(
+            [np.broadcast_to(case[key], size) for case, size in zip(cases, sizes, strict=True)]
+        )
+        for key in preset.TABLE_1
+    }
+    stiffness = np.asarray(eqx.filter_jit(preset.table_1_contact)(**batch).tangential_stiffness)
+    parts = np.split(stiffness, np.cumsum(sizes)[:-1])
     return {
-        case: PairCurve(case, name, values, part)
-        for (case, (name, values, _)), part in zip(axes.items(), np.split(stiffness, ends), strict=True)
+        case: PairCurve(name, values, part)
+        for (case, (name, values, _)), part in zip(axes.items(), parts, strict=True)
     }
 
 
 @eqx.filter_jit
 def _published(joint: Joint) -> tuple[dict[str, Real], Array]:
-    """What the figures show; compiling no more than that leaves the assembly model out, which costs the most."""
+    """What the figures show; compiling no more than that leaves out the assembly model, which costs the most."""
     result = evaluate(joint)
     shown = {
         "normal_force": result.forces.normal,
@@ -177,58 +197,41 @@ def joint_curves() -> dict[str, JointCurves]:
     Raises
     ------
     NoSolutionError
-        Where a force balance does not close.
+        If the force balance does not converge at any point.
     """
     require_double_precision()
-    axes: dict[str, tuple[np.ndarray, str, np.ndarray]] = {
-        "loads": (
-            np.linspace(*preset.OUTPUT_TORQUE_RANGE, 101),
-            "fractal_dimension",
-            np.array([preset.FRACTAL_DIMENSION]),
-        ),
-        "dimension": (OUTPUT_TORQUES, "fractal_dimension", _dimensions()),
-        "roughness": (OUTPUT_TORQUES, "fractal_roughness", np.geomspace(*preset.ROUGHNESS_RANGE, 101)),
-        "length": (OUTPUT_TORQUES, "contact_length", np.linspace(*preset.CONTACT_LENGTH_RANGE, 51)),
-        "friction": (OUTPUT_TORQUES, "friction_coefficient", np.linspace(*_FRICTION_RANGE, 261)),
-        "high_friction": (
-            OUTPUT_TORQUES,
-            "friction_coefficient",
-            _FRICTION_RANGE[1] * np.array([1.0, 2.0, 4.0]),
-        ),
-        "radius": (OUTPUT_TORQUES, "radius_scale", np.linspace(1.0, _LARGEST_RADIUS_SCALE, 21)),
-    }
-    grids = [preset.operating_grid(output_torque=t, **{name: v}) for t, name, v in axes.values()]
-    shown, solved = _published(preset.table_2_joint(preset.joined(tuple(grids))))
+    axes = _joint_axes()
+    grids = [preset.operating_grid(output_torque=t, **{name: values}) for t, name, values in axes.values()]
+    batch: preset.OperatingPoint = jax.tree.map(
+        lambda *leaves: jnp.asarray(np.concatenate([np.ravel(leaf) for leaf in leaves])), *grids
+    )
+    shown, solved = _published(preset.table_2_joint(batch))
     if not np.all(solved):
         raise NoSolutionError(
-            f"the force balance did not close at {np.count_nonzero(~np.asarray(solved))} of {solved.size} points of "
-            "the reproduction; this is a defect of the solver, because every point lies within the paper's ranges"
+            f"the force balance did not converge at {np.count_nonzero(~np.asarray(solved))} of {solved.size} points of "
+            "the reproduction; this is a defect of the solver, because all points lie within the paper's ranges"
         )
-    wanted = {name: np.asarray(values) for name, values in shown.items()}
-    curves: dict[str, JointCurves] = {}
-    start = 0
-    for key, (torque, name, values) in axes.items():
-        stop = start + math.prod((torque.size, values.size))
-        shape = (torque.size, values.size)
-        parts = {k: v[..., start:stop].reshape(*v.shape[:-1], *shape) for k, v in wanted.items()}
-        curves[key] = JointCurves(output_torque=torque, name=name, values=values, **parts)
-        start = stop
-    return curves
+    ends = np.cumsum([t.size * values.size for t, _, values in axes.values()])[:-1]
+    parts = {key: np.split(np.asarray(numbers), ends, axis=-1) for key, numbers in shown.items()}
+    return {
+        field: JointCurves(
+            torque,
+            name,
+            values,
+            **{k: p[i].reshape(*p[i].shape[:-1], torque.size, -1) for k, p in parts.items()},
+        )
+        for i, (field, (torque, name, values)) in enumerate(axes.items())
+    }
 
 
 def compute() -> Curves:
-    """Recompute everything the paper plots.
-
-    Returns
-    -------
-    Curves
-        SI units.
+    """Recompute everything that the paper plots, in SI units.
 
     Raises
     ------
     PrecisionError
         If JAX is in single precision.
     NoSolutionError
-        Where a force balance does not close.
+        If a force balance does not converge.
     """
     return Curves(pairs=pair_curves(), **joint_curves())

@@ -1,7 +1,4 @@
-"""What the paper prints (Tables 1 and 2) and what it leaves open and we had to choose, as data.
-
-Lengths, forces and stresses of the tables are written here in SI. Everything in :data:`ASSUMPTIONS` is ours.
-"""
+"""The inputs that the paper prints (Tables 1 and 2) and those that it leaves open and we assume. SI units."""
 
 from __future__ import annotations
 
@@ -9,17 +6,17 @@ import math
 from dataclasses import dataclass
 
 import equinox as eqx
-import jax
 import jax.numpy as jnp
 import numpy as np
 from jax.typing import ArrayLike
 
-from asperity.contact.fractal import Surface
-from asperity.contact.roller_pairs import RollerPairs, roller_pairs
+from asperity.contact.fractal import FractalContact, Surface
+from asperity.contact.roller_pairs import contact_factors, roller_pairs, rough_contacts
 from asperity.drive.assembly import IDEAL_STRUCTURE
 from asperity.drive.geometry import DriveGeometry
 from asperity.drive.mechanism import Bearings
 from asperity.joint.evaluation import Bodies, Joint
+from asperity.joint.play import NO_PLAY
 from asperity.materials import Material, hardness, pair
 from asperity.types import Real
 
@@ -34,11 +31,23 @@ PAIR_NORMAL_FORCE = 1000.0  # N, Table 1
 PAIR_RADII = (10e-3, 20e-3)  # m, Table 1
 SECOND_RADIUS_RANGE = (10e-3, 50e-3)  # m, Table 1 case e
 TANGENTIAL_RANGE = (0.0, 119.0)  # N, Table 1 case b
+SUN_RADIUS = 4e-3  # m, Table 2
+PLANET_RADIUS = 13.5e-3  # m, Table 2
+LOADING_ROLLER_RADIUS = 5e-3  # m, Table 2
+RING_RADIUS = 40e-3  # m, Table 2
 OUTPUT_TORQUE_RANGE = (0.0, 5.0)  # N·m, section 5.2
 SUN_SPEED = 6000.0 * 2.0 * math.pi / 60.0  # rad/s, section 5.2
 SCALING_PARAMETER = 1.5  # gamma, below equation (7)
 PEAK_DIMENSION = 1.85  # sections 5.1, 5.2 and conclusions
 DESIGN_WINDOW = (1.7, 1.85)  # fractal dimension, section 5.2
+
+FRICTION_COEFFICIENT = 0.12  # assumed
+PRELOAD = 1000.0  # N, assumed
+YOUNGS_MODULUS = 206e9  # Pa, assumed
+POISSON_RATIO = 0.3  # assumed
+DENSITY = 7850.0  # kg/m^3, assumed
+HARDNESS_FACTOR = 2.8  # assumed
+RING_WALL = 60e-3  # m, assumed
 
 #: The numbers of a roller pair that the cases of Table 1 vary, at their common values; SI units.
 TABLE_1 = {
@@ -50,14 +59,6 @@ TABLE_1 = {
     "contact_length": CONTACT_LENGTH,
 }
 
-FRICTION_COEFFICIENT = 0.12  # ours
-PRELOAD = 1000.0  # N, ours
-YOUNGS_MODULUS = 206e9  # Pa, ours
-POISSON_RATIO = 0.3  # ours
-DENSITY = 7850.0  # kg/m^3, ours
-HARDNESS_FACTOR = 2.8  # ours
-RING_WALL = 60e-3  # m, ours
-
 
 @dataclass(frozen=True)
 class Assumption:
@@ -68,9 +69,9 @@ class Assumption:
     what : str
         The quantity.
     value : str
-        What we take, with its unit.
+        The assumed value, with its unit.
     reason : str
-        Why.
+        Why this value, or why one is needed.
     """
 
     what: str
@@ -78,42 +79,40 @@ class Assumption:
     reason: str
 
 
-#: What the paper leaves open and this reproduction had to choose.
+#: What the paper leaves open and this reproduction assumes.
 ASSUMPTIONS = (
-    Assumption("bodies", "steel, E = 206 GPa, nu = 0.3, 7850 kg/m^3", "only the yield strength is printed"),
-    Assumption(
-        "hardness", "H = 2.8 sigma_y = 1260 MPa", "Tabor's factor; the paper names a factor, no value"
-    ),
+    Assumption("bodies", "steel, E = 206 GPa, nu = 0.3, 7850 kg/m^3", "only the yield strength is given"),
+    Assumption("hardness", "H = 2.8 sigma_y = 1260 MPa", "Tabor's factor; the paper gives no value"),
     Assumption("friction coefficient", "mu = 0.12", "Table 1 case b ends at T = 119 N for F_n = 1000 N"),
-    Assumption("preload", "N_0 = 1000 N at the sun", "'sufficiently high' in the paper; the load of Table 1"),
+    Assumption("preload", "N_0 = 1000 N at the sun", "the load of Table 1; 'sufficiently high' in the paper"),
+    Assumption("closure of (1)-(5)", "elastic, equation (A3), bulk springs", "13 unknowns, 11 equations"),
     Assumption(
-        "closure of (1)-(5)",
-        "elastic, equation (A3), bulk springs",
-        "13 unknowns, 11 equations",
-    ),
-    Assumption(
-        "ring wall", "60 mm", "not given; 1.5 R_o compresses like a solid body; bulk and closure only"
+        "ring wall",
+        "60 mm",
+        "not given; 1.5 R_o, compresses like a solid body; used for bulk springs and closure only",
     ),
     Assumption("bearing friction", "none", "T_B is not given"),
     Assumption("carrier push", "gamma_l = gamma_r = 0", "not given"),
     Assumption(
-        "roller length", "equal to the contact length", "makes the masses; centrifugal forces are below 1 %"
+        "roller length",
+        "equal to the contact length",
+        "not given; used for the masses; centrifugal forces are below 1 %",
     ),
     Assumption("D, G of the joint", "1.4, 1e-8 mm where not varied", "the values of Table 1"),
-    Assumption("contact factor", "equation (11) as printed, in mm, N, MPa", "only this gives Fig. 4f"),
-    Assumption("torque of Fig. 6", "5 N*m", "not given; the end of the stated range"),
+    Assumption("contact factor", "equation (11) as printed, in mm, N, MPa", "only this reproduces Fig. 4f"),
+    Assumption("torque of Fig. 6", "5 N*m", "not given; the upper end of the stated range"),
     Assumption("friction range of Fig. 8b", "0.04 to 0.30", "not given"),
 )
 
-#: What a reader who holds the paper beside the figures must know.
+#: Notes for a reader who compares the figures with those of the paper.
 REMARKS = (
-    "Table 1 varies the radius in case e and the length in case f; the caption of Fig. 4 names them the other way "
-    "round. Panels 4e and 4f follow the table.",
-    "Case b goes on from the 119 N of Table 1 to 132 N, to show that nothing is left beyond gross slip.",
+    "Table 1 varies the radius in case e and the length in case f; the caption of Fig. 4 interchanges them. Panels 4e "
+    "and 4f follow the table.",
+    "Case b extends beyond the 119 N of Table 1 to 132 N, to show that no stiffness remains after gross slip.",
     "The caption of Fig. 8 names contact length and radius; its panels show contact length and friction coefficient.",
-    "Fig. 6 multiplies by the square of the driven roller's radius: only so is sun-planet the highest.",
-    "The joint stiffness counts the tangential springs of the asperities alone; the bodies and the floating planet, "
-    "which make a real joint far softer, are not in the paper's equations.",
+    "Fig. 6 uses the square of the radius of the driven roller: only then is the sun-planet contact the stiffest.",
+    "The joint stiffness includes only the tangential springs of the asperities; the elastic bodies and the floating "
+    "planet, which make a real joint far softer, are not in the equations of the paper.",
 )
 
 
@@ -150,7 +149,7 @@ def operating_grid(**varied: ArrayLike) -> OperatingPoint:
     Parameters
     ----------
     **varied : array_like
-        Field of :class:`OperatingPoint` → its values, shape (n,). What is not named keeps the value of Tables 1
+        Field of :class:`OperatingPoint` → its values, shape (n,). All other fields keep the values of Tables 1
         and 2 at the full output torque.
 
     Returns
@@ -179,13 +178,7 @@ def operating_grid(**varied: ArrayLike) -> OperatingPoint:
 
 
 def steel() -> Material:
-    """The steel of the preset: yield strength from the paper, everything else ours.
-
-    Returns
-    -------
-    Material
-        SI units.
-    """
+    """The steel of the preset: the yield strength is given in the paper, the rest is assumed."""
     return Material(
         youngs_modulus=YOUNGS_MODULUS,
         poisson_ratio=POISSON_RATIO,
@@ -195,21 +188,8 @@ def steel() -> Material:
     )
 
 
-def rough_surface(*, fractal_dimension: Real, fractal_roughness: Real) -> Surface:
-    """The paper's kind of surface.
-
-    Parameters
-    ----------
-    fractal_dimension : Real
-        Profile fractal dimension D [-].
-    fractal_roughness : Real
-        Fractal roughness G [m].
-
-    Returns
-    -------
-    Surface
-        With gamma = 1.5 and the asperity base of equation (20).
-    """
+def _rough_surface(fractal_dimension: Real, fractal_roughness: Real) -> Surface:
+    """A surface with the paper's scaling parameter and the asperity base of equation (20)."""
     return Surface(
         fractal_dimension=fractal_dimension,
         fractal_roughness=fractal_roughness,
@@ -218,34 +198,41 @@ def rough_surface(*, fractal_dimension: Real, fractal_roughness: Real) -> Surfac
     )
 
 
-def table_1_pair(**varied: Real) -> RollerPairs:
-    """The single roller pair of Table 1, without its load.
+def table_1_contact(**varied: Real) -> FractalContact:
+    """Contact spots and stiffnesses of the roller pair of Table 1.
 
     Parameters
     ----------
     **varied : Real
-        What a case varies: ``normal_force``, ``tangential_force``, ``fractal_dimension``,
-        ``fractal_roughness``, ``second_radius``, ``contact_length``. SI units.
+        What a case varies, keys of :data:`TABLE_1`. All other numbers are those of Table 1. SI units.
 
     Returns
     -------
-    RollerPairs
-        The pair, the other numbers as in Table 1.
+    FractalContact
+        In the broadcast shape of the numbers.
+
+    References
+    ----------
+    Zou et al. 2025, equations (10)–(24).
     """
     unknown = set(varied) - set(TABLE_1)
     if unknown:
         raise TypeError(f"Table 1 has no column {sorted(unknown)}; it has {sorted(TABLE_1)}")
     values: dict[str, Real] = {**TABLE_1, **varied}
-    return roller_pairs(
+    pairs = roller_pairs(
         radius_1=PAIR_RADII[0],
         radius_2=values["second_radius"],
         sign=1.0,
         contact_length=values["contact_length"],
         friction_coefficient=FRICTION_COEFFICIENT,
         moduli=pair(steel(), steel()),
-        surface=rough_surface(
-            fractal_dimension=values["fractal_dimension"], fractal_roughness=values["fractal_roughness"]
-        ),
+        surface=_rough_surface(values["fractal_dimension"], values["fractal_roughness"]),
+    )
+    return rough_contacts(
+        pairs=pairs,
+        contact_factor=contact_factors(pairs=pairs, model="printed", normal_force=values["normal_force"]),
+        normal_force=values["normal_force"],
+        tangential_force=values["tangential_force"],
     )
 
 
@@ -265,20 +252,16 @@ def table_2_joint(point: OperatingPoint) -> Joint:
     scale = np.asarray(point.radius_scale)  # NumPy: a single product is not worth compiling
     return Joint(
         geometry=DriveGeometry(
-            sun_radius=jnp.asarray(4e-3 * scale),
-            planet_radius=jnp.asarray(13.5e-3 * scale),
-            loading_roller_radius=jnp.asarray(5e-3 * scale),
-            ring_radius=jnp.asarray(40e-3 * scale),
+            sun_radius=jnp.asarray(SUN_RADIUS * scale),
+            planet_radius=jnp.asarray(PLANET_RADIUS * scale),
+            loading_roller_radius=jnp.asarray(LOADING_ROLLER_RADIUS * scale),
+            ring_radius=jnp.asarray(RING_RADIUS * scale),
             planet_count=3.0,
             left_push_angle=0.0,
             right_push_angle=0.0,
         ),
         bodies=Bodies(sun=steel(), planet=steel(), loading_roller=steel(), ring=steel()),
-        surfaces=(
-            rough_surface(
-                fractal_dimension=point.fractal_dimension, fractal_roughness=point.fractal_roughness
-            ),
-        ),
+        surfaces=(_rough_surface(point.fractal_dimension, point.fractal_roughness),),
         contact_lengths=(point.contact_length,),
         friction_coefficients=(point.friction_coefficient,),
         planet_length=point.contact_length,
@@ -295,26 +278,8 @@ def table_2_joint(point: OperatingPoint) -> Joint:
         output_torque=point.output_torque,
         sun_speed=SUN_SPEED,
         structure=IDEAL_STRUCTURE,
+        play=NO_PLAY,
         closure="elastic",
         closure_springs="bulk",
         contact_factor_model="printed",
     )
-
-
-def joined(points: tuple[OperatingPoint, ...]) -> OperatingPoint:
-    """Many grids as one flat batch, so that one compiled program serves every figure.
-
-    Parameters
-    ----------
-    points : tuple of OperatingPoint
-        Grids of any shapes.
-
-    Returns
-    -------
-    OperatingPoint
-        Fields of shape (total number of points,).
-    """
-    flat: OperatingPoint = jax.tree.map(
-        lambda *leaves: jnp.asarray(np.concatenate([np.ravel(leaf) for leaf in leaves])), *points
-    )
-    return flat

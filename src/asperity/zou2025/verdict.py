@@ -1,4 +1,4 @@
-"""What a judged claim looks like."""
+"""A claim of the paper and the verdict on it."""
 
 from __future__ import annotations
 
@@ -8,18 +8,18 @@ from typing import Any
 
 @dataclass(frozen=True)
 class Statement:
-    """One sentence of a claim, held against computed numbers.
+    """One statement of a claim, compared with computed numbers.
 
     Parameters
     ----------
     says : str
         What the paper says, in our words.
     met : bool
-        Whether the equations give it.
+        Whether the equations confirm it.
     evidence : str
         The computed numbers in a sentence, with units.
     numbers : dict
-        The same for machines: name with unit → value.
+        The same numbers for programs: name with unit → value.
     """
 
     says: str
@@ -30,18 +30,18 @@ class Statement:
 
 @dataclass(frozen=True)
 class Claim:
-    """A claim of the paper: met when every one of its statements is.
+    """A claim of the paper; it is met if every one of its statements is met.
 
     Parameters
     ----------
     name : str
         C1 … C13, or ``window``.
     title : str
-        The claim in a few words.
+        Summary of the claim.
     panels : tuple of str
         Panels of the figures that show it.
     statements : tuple of Statement
-        Its parts.
+        Its statements with their verdicts.
     """
 
     name: str
@@ -51,11 +51,11 @@ class Claim:
 
     @property
     def met(self) -> bool:
-        """True when every statement is met."""
+        """True if every statement is met."""
         return all(statement.met for statement in self.statements)
 
     def as_dict(self) -> dict[str, Any]:
-        """The claim as plain data for JSON.
+        """The claim with its verdict as plain data for JSON.
 
         Returns
         -------

@@ -59,7 +59,7 @@ def test_degrees_of_freedom_are_counted(drives):
         bodies=(*drive.bodies, Body("idle", "axis")),
         centres=jnp.concatenate([drive.centres, jnp.zeros((1, 2))]),
     )
-    with pytest.raises(InputError, match="2 degrees of freedom, it must have 1: ground another member"):
+    with pytest.raises(InputError, match="2 degrees of freedom; it must have 1: ground another member"):
         refuse_impossible(loose)
     with pytest.raises(InputError, match="there is no member 'rim'"):
         refuse_impossible(dataclasses.replace(drive, grounded="rim"))

@@ -1,4 +1,4 @@
-"""Calibration recovers known values from synthetic curves, and says what the data cannot tell."""
+"""Calibration recovers known values from synthetic curves, and says what is not identifiable."""
 
 import numpy as np
 import pytest
@@ -52,7 +52,8 @@ def curve(case):
     return data, joint + extras
 
 
-UNKNOWNS = ("load.preload", "load.friction_coefficient", "play=0 arcmin:0.5 arcmin", "drift=-1e-7 rad/s:1e-7 rad/s",
+UNKNOWNS = ("load.preload", "load.friction_coefficient", "play.angle=0 arcmin:0.5 arcmin",
+            "drift=-1e-7 rad/s:1e-7 rad/s",
             "offset=-1 arcmin:1 arcmin")  # fmt: skip
 TRUTH = (900.0, 0.14, PLAY, DRIFT, *OFFSETS)
 
@@ -114,14 +115,14 @@ def test_what_cannot_be_told_apart_is_named(case, curve):
     assert not by_name["surface.fractal_roughness"].determined
     assert np.isnan(by_name["surface.fractal_roughness"].upper)
     assert "surface.fractal_roughness" in found.directions[0].words
-    assert "NOT told apart" in found.directions[0].words
+    assert "NOT identifiable" in found.directions[0].words
 
 
 @pytest.mark.filterwarnings("error")
 def test_no_play_says_nothing_about_its_torque(case):
     # the estimate of the play is exactly 0, so that the slope by play_torque is too
     torque = np.array([0.2, 0.6, 1.0, 2.0, 3.0, 2.0, 1.0, 0.5, 0.0, -0.5, -1.0, -2.0, -3.0, -1.0, 0.5, 2.0])
-    texts = ("play=0 arcmin:1 arcmin", "play_torque=0.1 N*m:5 N*m")
+    texts = ("play.angle=0 arcmin:1 arcmin", "play.take_up_torque=0.1 N*m:5 N*m")
     found = fitted(case, blank(torque), np.linspace(1e-5, 2e-5, torque.size), texts)
     assert found.estimates[0].at_bound == "lower"
     assert not found.estimates[1].determined
@@ -130,14 +131,14 @@ def test_no_play_says_nothing_about_its_torque(case):
 
 def test_slopes_of_the_model(case, curve):
     data, _ = curve
-    unknowns = read_unknowns((*UNKNOWNS, "play_torque=0.1 N*m:2 N*m"), case=case, measurement=data)
+    unknowns = read_unknowns((*UNKNOWNS, "play.take_up_torque=0.1 N*m:2 N*m"), case=case, measurement=data)
     model = CurveModel(case=case, measurement=data, unknowns=unknowns, level="assembly", history="cycled")
-    places = np.array([0.45, 0.6, 0.3, 0.5, 0.5, 0.4, 0.5])
-    _, slopes = model(places)
-    for index in range(places.size):
-        step = np.zeros(places.size)
+    scaled_values = np.array([0.45, 0.6, 0.3, 0.5, 0.5, 0.4, 0.5])
+    _, slopes = model(scaled_values)
+    for index in range(scaled_values.size):
+        step = np.zeros(scaled_values.size)
         step[index] = 1e-5
-        difference = (model(places + step)[0] - model(places - step)[0]) / 2e-5
+        difference = (model(scaled_values + step)[0] - model(scaled_values - step)[0]) / 2e-5
         assert slopes[:, index] == pytest.approx(difference, rel=1e-4, abs=1e-7 * np.abs(difference).max())
 
 
@@ -168,7 +169,7 @@ def test_stiffness_data(case):
         ("load.output_torque", "is measured here"),
         ("drive.planets", "whole number"),
         ("compliance.pin_stiffness", "state bounds"),
-        ("play_torque", "needs the unknown 'play'"),
+        ("play.take_up_torque", "needs the unknown 'play.angle'"),
     ],
 )
 def test_bad_unknowns(case, curve, text, message):

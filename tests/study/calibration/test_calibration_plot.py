@@ -23,7 +23,7 @@ def fitted(*, angle=None, stiffness=None, time=None, repetition=None):
             measurement=Measurement(TORQUE, angle, stiffness, time, repetition, "synthetic"),
             unknowns=(
                 Variable("load.preload", 500.0, 2000.0, True),
-                Variable("play", 0.0, ARCMINUTE, False),
+                Variable("play.angle", 0.0, ARCMINUTE, False),
             ),
         ),
         prediction=measured - residual,
@@ -77,9 +77,9 @@ def test_stiffnesses_are_drawn_over_sorted_torques():
 
 def test_draws_of_a_posterior_in_the_units_of_the_unknowns():
     calibration = fitted(angle=TORQUE * ARCMINUTE)
-    places = np.array([[0.0, 0.0], [0.5, 0.25], [1.0, 1.0]])
+    scaled_values = np.array([[0.0, 0.0], [0.5, 0.25], [1.0, 1.0]])
     notes = ("", "cut by lower bound")
-    drawn = SimpleNamespace(places=places, note=notes.__getitem__)
+    drawn = SimpleNamespace(scaled_values=scaled_values, note=notes.__getitem__)
     first, above, pair, second = posterior_figure(calibration, drawn).axes
     # from 500 to 2000 N on a logarithmic scale the middle is 1000 N; play from 0 to 1 arcmin
     np.testing.assert_allclose(
@@ -100,7 +100,7 @@ def test_draws_of_a_posterior_in_the_units_of_the_unknowns():
     [
         ("offset 2", "arcmin"),
         ("drift", "arcmin/min"),
-        ("play_torque", "N*m"),
+        ("play.take_up_torque", "N*m"),
         ("drive.sun_radius", "mm"),
     ],
 )

@@ -1,8 +1,12 @@
-"""The curve of a joint with given unknowns: slopes, many sets at once, and nothing held where no joint exists."""
+"""The curve of a joint with given unknowns: slopes, many sets at once, and no prediction where no joint exists."""
+
+from pathlib import Path
 
 import numpy as np
 import pytest
 
+from asperity.joint.windup import windup
+from asperity.joint_file.build import joint_from_case
 from asperity.joint_file.reader import read_case
 from asperity.study.calibration.curve_model import CurveModel
 from asperity.study.calibration.measurement import Measurement
@@ -12,8 +16,8 @@ TORQUE = np.array([0.5, 3.0, 6.0, 2.0, -4.0, 1.0])
 TIME = 10.0 * np.arange(TORQUE.size)
 TEXTS = (
     "load.preload=800 N:1600 N",
-    "play=0 arcmin:1 arcmin",
-    "play_torque=0.1 N*m:2 N*m",
+    "play.angle=0 arcmin:1 arcmin",
+    "play.take_up_torque=0.1 N*m:2 N*m",
     "drift",
     "offset",
 )
@@ -47,14 +51,20 @@ def test_the_unknowns_of_the_curve_add_what_they_say(model):
     bare = model(np.array([0.4, 0.0, 0.6, *nothing]))[0]
     point = model.point(PLACE)
     added = (
-        0.5 * point["play"] * np.tanh(TORQUE / point["play_torque"]) + point["drift"] * TIME + point["offset"]
+        0.5 * point["play.angle"] * np.tanh(TORQUE / point["play.take_up_torque"])
+        + point["drift"] * TIME
+        + point["offset"]
     )
     np.testing.assert_allclose(model(PLACE)[0], bare + added, rtol=1e-10, atol=1e-16)
 
 
 def test_many_sets_are_as_one_by_one(model):
-    places = np.array([PLACE, PLACE[::-1] * 0.5, np.full(5, 0.2)])
-    np.testing.assert_allclose(model.predictions(places), [model(place)[0] for place in places], rtol=1e-10)
+    scaled_values = np.array([PLACE, PLACE[::-1] * 0.5, np.full(5, 0.2)])
+    np.testing.assert_allclose(
+        model.predictions(scaled_values),
+        [model(scaled_value)[0] for scaled_value in scaled_values],
+        rtol=1e-10,
+    )
 
 
 def test_a_joint_that_slips_below_the_largest_torque_has_no_prediction(zou_file):
@@ -67,6 +77,49 @@ def test_a_joint_that_slips_below_the_largest_torque_has_no_prediction(zou_file)
     found = curve.predictions(np.array([[weak], [strong]]))
     assert np.isnan(found[0]).all()  # 13 N·m at 1000 N are 4 at 300
     assert np.isfinite(found[1]).all()
-    assert np.isfinite(
-        curve(np.array([weak]))[0]
-    ).all()  # the search is led back, by a stiffness that is held
+    assert np.isfinite(curve(np.array([weak]))[0]).all()  # the search is led back, by the least stiffness
+
+
+@pytest.mark.parametrize(
+    "change",
+    [
+        ('closure = "elastic"', 'closure = "constant_pin_force"'),
+        ('left_push_angle = "0 deg"', 'left_push_angle = "15 deg"'),
+        ("sun_speed", "sun_speed"),
+    ],
+)
+def test_the_curve_is_that_of_the_wind_up(zou_file, tmp_path, change):
+    """First loading in both directions and a whole loop, with play: two integrations of one joint."""
+    text = Path(zou_file).read_text()
+    assert change[0] in text
+    file = tmp_path / "joint.toml"
+    play = '[play]\nangle = "0.1 arcmin"\ntake_up_torque = "0.3 N*m"\n'
+    bearings = (
+        '[bearings]\nsun_torque = "1 N*mm"\nloading_roller_torque = "1 N*mm"\ncarrier_torque = "1 N*mm"\n'
+        'pin_friction_coefficient = 0.01\npin_diameter = "4 mm"\n'
+    )
+    file.write_text(text.replace(*change) + play + bearings)
+    case = read_case(file)
+    curve = windup(joint_from_case(case), largest_torque=10.0, level="assembly", stage_shares=(1 / 3, 2 / 3))
+    torque = np.asarray(curve.torque)
+    down, half = torque[::-1], torque > 0.0
+
+    def predicted(sequence):
+        data = Measurement(
+            sequence,
+            np.linspace(-1e-4, 1e-4, sequence.size),
+            None,
+            None,
+            np.zeros(sequence.size),
+            "synthetic",
+        )
+        unknowns = read_unknowns(("load.preload=500 N:1600 N",), case=case, measurement=data)
+        model = CurveModel(case=case, measurement=data, unknowns=unknowns, level="assembly", history="virgin")
+        return model(np.array([unknowns[0].to_unit(1000.0)]))[0]
+
+    close = {"rtol": 1e-6, "atol": 1e-6 * float(curve.angle[-1])}
+    np.testing.assert_allclose(predicted(torque[half]), np.asarray(curve.angle)[half], **close)
+    np.testing.assert_allclose(predicted(-torque[half]), np.asarray(curve.angle)[::-1][half], **close)
+    loop = predicted(np.concatenate([torque[half], down[1:], torque[1:]]))[half.sum() :]
+    np.testing.assert_allclose(loop[: down.size - 1], np.asarray(curve.unloading_angle)[::-1][1:], **close)
+    np.testing.assert_allclose(loop[down.size - 1 :], np.asarray(curve.reloading_angle)[1:], **close)

@@ -13,8 +13,9 @@ from asperity.study.calibration.curve_surrogate import exponents, fit_surrogate,
 from asperity.study.calibration.measurement import Measurement
 from asperity.study.calibration.unknowns import read_unknowns
 
-UNKNOWNS = ("load.preload=300 N:3000 N", "load.friction_coefficient=0.09:0.4", "play=0 arcmin:1 arcmin",
-            "play_torque=0.1 N*m:2 N*m", "offset=-1 arcmin:1 arcmin", "drift=-1e-6 rad/s:1e-6 rad/s")  # fmt: skip
+UNKNOWNS = ("load.preload=300 N:3000 N", "load.friction_coefficient=0.09:0.4",
+            "play.angle=0 arcmin:1 arcmin", "play.take_up_torque=0.1 N*m:2 N*m", "offset=-1 arcmin:1 arcmin",
+            "drift=-1e-6 rad/s:1e-6 rad/s")  # fmt: skip
 
 
 @pytest.fixture(scope="module")
@@ -34,9 +35,9 @@ def test_prediction(model):
     predict = surrogate_prediction(model)
     rng = np.random.default_rng(1)
     for _ in range(3):
-        places = centre + 0.02 * rng.uniform(-1.0, 1.0, 6)
-        expected, _ = model(places)
-        assert np.asarray(predict(fitted, jnp.asarray(places))) == pytest.approx(expected, rel=1e-4)
+        scaled_values = centre + 0.02 * rng.uniform(-1.0, 1.0, 6)
+        expected, _ = model(scaled_values)
+        assert np.asarray(predict(fitted, jnp.asarray(scaled_values))) == pytest.approx(expected, rel=1e-4)
     # beyond the box it goes on without turning: a lower preload never makes the joint stiffer
     lower = [
         np.asarray(predict(fitted, jnp.asarray(centre - [s, 0, 0, 0, 0, 0])))[5]

@@ -35,8 +35,8 @@ def sampled(shift, draws):
     """Draws for the linear model with a surrogate that is shifted."""
     pytest.importorskip("numpyro")
     return sample(
-        predict=lambda places: places @ DESIGN.T,
-        surrogate=lambda fitted, places: jnp.asarray(DESIGN) @ (places + fitted),
+        predict=lambda scaled_values: scaled_values @ DESIGN.T,
+        surrogate=lambda fitted, scaled_values: jnp.asarray(DESIGN) @ (scaled_values + fitted),
         fit=lambda centre, covariance: jnp.asarray(shift),
         data=DATA,
         first=FIT,
@@ -52,16 +52,16 @@ def sampled(shift, draws):
 def test_linear_model():
     found = sampled(np.zeros(2), draws=300)
     expected = np.sqrt(np.diag(COVARIANCE))  # t with 58 degrees of freedom, nearly
-    assert found.places.shape == (1200, 2)
+    assert found.scaled_values.shape == (1200, 2)
     effective = found.effective_draws[:2]
     standard_error = expected / np.sqrt(effective)
-    assert np.all(np.abs(found.places.mean(axis=0) - FIT) < 4.0 * standard_error)
+    assert np.all(np.abs(found.scaled_values.mean(axis=0) - FIT) < 4.0 * standard_error)
     # a standard deviation of n independent normal draws has the relative error 1/sqrt(2 n); squares mix more slowly
-    assert np.all(np.abs(found.places.std(axis=0) / expected - 1.0) < 4.0 * np.sqrt(1.0 / effective))
+    assert np.all(np.abs(found.scaled_values.std(axis=0) / expected - 1.0) < 4.0 * np.sqrt(1.0 / effective))
     # with a prior uniform in ln s, (n − 2) s0²/s² has the chi-square law of n − 2 degrees of freedom
     exact = DEVIATION * np.sqrt(58 / chi2(58).median())
-    for share, place in ((0.5, exact), (0.16, DEVIATION * np.sqrt(58 / chi2(58).ppf(0.84)))):
-        below = found.standard_deviation < place
+    for share, scaled_value in ((0.5, exact), (0.16, DEVIATION * np.sqrt(58 / chi2(58).ppf(0.84)))):
+        below = found.standard_deviation < scaled_value
         assert np.mean(below) == pytest.approx(share, abs=4.0 * found.share_error(below))
     assert np.all(found.r_hat < 1.05)
     assert found.divergences == 0
@@ -99,7 +99,7 @@ def calibrated(zou_file, torque, angle, texts):
 def cut_joint(zou_file):
     """Preload just above its lower bound, with play over a torque that few rows resolve."""
     torque = np.array([0.3, 1.0, 2.0, 4.0, 6.0, 8.0, 9.0, 5.0, 1.0, 0.5, -0.5, -3.0, -7.0, -9.0, -2.0, 0.4])
-    texts = ("load.preload=940 N:3000 N", "play=0 arcmin:1 arcmin", "play_torque=0.1 N*m:5 N*m")
+    texts = ("load.preload=940 N:3000 N", "play.angle=0 arcmin:1 arcmin", "play.take_up_torque=0.1 N*m:5 N*m")
     angle = np.linspace(1e-5, 2e-5, torque.size)
     model: CurveModel = calibrated(zou_file, torque, angle, texts).model
     angle = model(np.array([model.unknowns[0].to_unit(945.0), 0.1, 0.3]))[0]
@@ -131,9 +131,9 @@ def assert_cut_as_the_density_says(drawn, index, grid, logarithm):
 
 
 def test_note_on_a_bound_is_certain_only_with_enough_draws():
-    places = np.full((4000, 1), 0.5)
-    places[:, 0] += 0.2 * np.sin(np.arange(4000))
-    few, many = places.copy(), places.copy()
+    scaled_values = np.full((4000, 1), 0.5)
+    scaled_values[:, 0] += 0.2 * np.sin(np.arange(4000))
+    few, many = scaled_values.copy(), scaled_values.copy()
     few[::80], many[::10] = 1e-4, 1e-4  # 1.25 and 10 % of the draws at the lower bound; the limit is 1 %
     made = {
         "standard_deviation": np.ones(4000),
@@ -143,9 +143,9 @@ def test_note_on_a_bound_is_certain_only_with_enough_draws():
         "acceptance": 1.0,
         "chains": 4,
     }
-    assert Posterior(places=places, **made).note(0) == ""
-    assert Posterior(places=few, **made).note(0) == "possibly cut by lower bound: take more draws"
-    assert Posterior(places=many, **made).note(0) == "cut by lower bound"
+    assert Posterior(scaled_values=scaled_values, **made).note(0) == ""
+    assert Posterior(scaled_values=few, **made).note(0) == "possibly cut by lower bound: take more draws"
+    assert Posterior(scaled_values=many, **made).note(0) == "cut by lower bound"
 
 
 def test_joint_cut_by_bounds(cut_joint, drawn):
@@ -154,15 +154,15 @@ def test_joint_cut_by_bounds(cut_joint, drawn):
     side = np.tanh(data.torque / (0.1 * 50.0 ** width[:, None]))
     added = 0.5 * np.pi / 180.0 / 60.0 * play[:, None, None] * side
     density = np.empty((preload.size, play.size, width.size))
-    for index, place in enumerate(preload):
-        squares = np.sum((model(np.array([place, 0.0, 0.5]))[0] + added - data.angle) ** 2, axis=-1)
+    for index, scaled_value in enumerate(preload):
+        squares = np.sum((model(np.array([scaled_value, 0.0, 0.5]))[0] + added - data.angle) ** 2, axis=-1)
         density[index] = log_posterior(squares, data.torque.size, cut_joint.standard_deviation)
     for index, grid in enumerate((preload, play, width)):
         others = tuple(axis for axis in range(3) if axis != index)
         logarithm = logsumexp(density, axis=others)
         # the share of draws below the true quantile is known but for its standard error, whatever CPU or seed
-        for share, place in zip(SHARES, quantiles(grid, logarithm), strict=True):
-            below = drawn.places[:, index] < place
+        for share, scaled_value in zip(SHARES, quantiles(grid, logarithm), strict=True):
+            below = drawn.scaled_values[:, index] < scaled_value
             assert np.mean(below) == pytest.approx(share, abs=4.0 * drawn.share_error(below) + GRID_ERROR)
         assert_cut_as_the_density_says(drawn, index, grid, logarithm)
     assert drawn.acceptance > 0.95
@@ -173,13 +173,13 @@ def test_figure(cut_joint, drawn):
     panels = figure.axes
     assert len(panels) == 9
     assert panels[6].get_xlabel() == "load,\npreload [N]"
-    assert panels[7].get_xlabel() == "play [arcmin]"
+    assert panels[7].get_xlabel() == "play,\nangle [arcmin]"
 
 
 def test_document_and_tables(cut_joint, drawn, capsys):
     # 940 N and 0.1 N·m are the lower bounds
     document = json.loads(json.dumps(_document(cut_joint, drawn), allow_nan=False))
-    preload, width = document["posterior"]["load.preload"], document["posterior"]["play_torque"]
+    preload, width = document["posterior"]["load.preload"], document["posterior"]["play.take_up_torque"]
     assert (preload["unit"], width["unit"]) == ("N", "N*m")
     assert 940.0 < preload["quantiles"]["0.025"] < preload["quantiles"]["0.975"] < 1500.0
     assert 0.1 < width["quantiles"]["0.025"] < 0.2
@@ -198,7 +198,7 @@ def test_exact_data_have_no_posterior(cut_joint):
 
 def test_unknown_that_the_data_do_not_tell_fills_its_bounds():
     rng = np.random.default_rng(0)
-    places = np.stack([rng.random(4000), 0.5 + 0.01 * rng.standard_normal(4000)], axis=1)
-    found = Posterior(places, np.ones(4000), np.ones(3), np.full(3, 4000.0), 0, 1.0, 4)
+    scaled_values = np.stack([rng.random(4000), 0.5 + 0.01 * rng.standard_normal(4000)], axis=1)
+    found = Posterior(scaled_values, np.ones(4000), np.ones(3), np.full(3, 4000.0), 0, 1.0, 4)
     assert found.note(0) == "fills its bounds"
     assert found.note(1) == ""

@@ -29,7 +29,7 @@ def test_stated_bounds_are_taken_in_their_unit(case):
 
 def test_bounds_by_default(case):
     """A fifth to five times the file's 1000 N; play up to the whole range of the angles; offset about their mean."""
-    preload, play, width, offset = read(case, "load.preload", "play", "play_torque", "offset")
+    preload, play, width, offset = read(case, "load.preload", "play.angle", "play.take_up_torque", "offset")
     assert (preload.lower, preload.upper) == pytest.approx((200.0, 5000.0))
     assert (play.lower, play.upper) == pytest.approx((0.0, 4e-4))
     assert (width.lower, width.upper) == pytest.approx((4e-3, 4.0))
@@ -49,12 +49,12 @@ def test_one_offset_for_each_repetition_and_a_drift_over_the_time(case):
     [
         ((), "nothing to calibrate"),
         (("load.preload", "load.preload"), "named twice"),
-        (("play_torque",), "needs the unknown 'play'"),
+        (("play.take_up_torque",), "needs the unknown 'play.angle'"),
         (("load.preload=500 N",), "expected KEY=LOWER:UPPER"),
         (("load.preload=2 kN:1 kN",), "the lower bound 2 kN must be below the upper 1 kN"),
         (("load.preload=1 mm:2 mm",), "expected a force"),
         (("drift",), "drift needs a column 'time'"),
-        (("play=-1 arcmin:1 arcmin",), "cannot be negative"),
+        (("play.angle=-1 arcmin:1 arcmin",), "must not be negative"),
     ],
 )
 def test_refusals(case, texts, told):
@@ -63,9 +63,13 @@ def test_refusals(case, texts, told):
 
 
 def test_properties_of_a_curve_need_angles(case):
-    with pytest.raises(InputError, match="belongs to angles"):
-        read(case, "play", angle=None, stiffness=np.ones(3))
+    with pytest.raises(InputError, match="measured angles only"):
+        read(case, "play.angle", angle=None, stiffness=np.ones(3))
 
 
 def test_si_units():
-    assert [si_unit_of(path) for path in ("offset 2", "play_torque", "load.preload")] == ["rad", "N*m", "N"]
+    assert [si_unit_of(path) for path in ("offset 2", "play.take_up_torque", "load.preload")] == [
+        "rad",
+        "N*m",
+        "N",
+    ]

@@ -1,4 +1,4 @@
-"""Planar roller drives that users have, each from the radii of its rollers."""
+"""Common planar roller drives, each from the radii of its rollers."""
 
 from __future__ import annotations
 
@@ -80,7 +80,7 @@ def wedge_drive(geometry: DriveGeometry, *, planet_count: int) -> PlanarDrive:
 
 
 def planetary_drive(*, sun_radius: Real, planet_radius: Real, planet_count: int) -> PlanarDrive:
-    """The plain planetary drive: planets between a sun and a ring that presses them.
+    """The simple planetary drive: planets between a sun and a ring that presses them together.
 
     Parameters
     ----------
@@ -96,7 +96,7 @@ def planetary_drive(*, sun_radius: Real, planet_radius: Real, planet_count: int)
 
     References
     ----------
-    Willis' equation with the ring held.
+    Willis' equation with a fixed ring.
     """
     sun, planet = jnp.asarray(sun_radius, dtype=float), jnp.asarray(planet_radius, dtype=float)
     origin = jnp.zeros(2)
@@ -181,14 +181,14 @@ def two_row_multiroller(
 def stepped_planet_drive(
     *, sun_radius: Real, planet_radii: tuple[Real, Real], planet_count: int
 ) -> PlanarDrive:
-    """A drive of high ratio: stepped planets roll in a held and in a driven ring of slightly different radii.
+    """A drive of high ratio: stepped planets roll in a fixed ring and in a driven ring of slightly different radii.
 
     Parameters
     ----------
     sun_radius : Real
         Radius s [m].
     planet_radii : tuple of Real
-        Radii p_1 of the track in the held ring, which also touches the sun, and p_2 of that in the driven one [m].
+        Radii p_1 of the track in the fixed ring, which also touches the sun, and p_2 of that in the driven one [m].
     planet_count : int
         Number of planets.
 

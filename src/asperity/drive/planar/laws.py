@@ -28,7 +28,7 @@ def smooth_contact_laws(
     ring_wall_thickness: Real,
     reference_force: Real,
 ) -> ContactLaws:
-    """Contacts of bodies of one material, rollers solid, rings held by a rigid housing.
+    """Contacts of bodies of one material, with solid rollers and rings in a rigid housing.
 
     Parameters
     ----------
@@ -39,7 +39,7 @@ def smooth_contact_laws(
     contact_length, ring_wall_thickness : Real
         Of all contacts and rings [m].
     reference_force : Real
-        Normal force around which the logarithmic compliances are written; any positive one gives the same law [N].
+        Reference force of the logarithmic compliances; any positive value gives the same law [N].
 
     Returns
     -------

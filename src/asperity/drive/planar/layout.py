@@ -1,4 +1,4 @@
-r"""A planar roller drive as data: discs and rings, their contacts, and what holds their centres.
+r"""A planar roller drive as data: discs and rings, their contacts, and the supports of their centres.
 
 One sector of an n-fold symmetric drive is described. Bodies on the axis (sun, ring) touch n copies of the others; a
 contact between neighbouring sectors names the sector of its second body. Everything else follows from the centres:
@@ -24,7 +24,7 @@ from asperity.types import Real
 #: The member that carries the pins; it has no contacts of its own.
 CARRIER = "carrier"
 
-#: A contact whose bodies are this far, relative to their radii, from touching is an error of the layout.
+#: Largest distance between the bodies of a contact, relative to their radii, that is accepted.
 TOUCH_TOLERANCE = 1e-9
 
 
@@ -37,8 +37,8 @@ class Body:
     name : str
         Its name.
     place : {"axis", "free", "pin"}
-        ``axis``: its centre is the drive's axis; ``free``: held by its contacts alone; ``pin``: a pin of the carrier
-        holds its centre along the push direction, and leaves it free across.
+        ``axis``: its centre is the drive's axis; ``free``: supported by its contacts only; ``pin``: a pin of the carrier
+        supports its centre along the push direction; it is free across.
     """
 
     name: str
@@ -85,7 +85,7 @@ class PlanarDrive(eqx.Module):
         Direction of each pin's push from the clockwise tangent, outward, one for each body on a pin, shape (pins,)
         [rad].
     sectors : int
-        How many sectors make the drive.
+        Number of sectors of the drive.
     input, output, grounded : str
         Names of members: bodies on the axis, or :data:`CARRIER`.
     sense : int
@@ -106,7 +106,7 @@ class PlanarDrive(eqx.Module):
 
     @property
     def members(self) -> tuple[str, ...]:
-        """Everything that turns: the bodies, then the carrier."""
+        """All rotating members: the bodies, then the carrier."""
         return (*(body.name for body in self.bodies), CARRIER)
 
     @property
@@ -131,7 +131,7 @@ class Incidence(eqx.Module):
     approach, sliding : Array
         A and S, shape (contacts, 2 floating) [-].
     turning : Array
-        W, surface speed of the first body minus that of the second, seen from the carrier, per angular velocity of
+        W, surface speed of the first body minus that of the second, relative to the carrier, per angular velocity of
         each member, shape (contacts, members) [m].
     pins : Array
         P, shape (pins, 2 floating) [-].
@@ -210,7 +210,7 @@ def incidence(drive: PlanarDrive) -> Incidence:
 
 
 def gaps(drive: PlanarDrive) -> Array:
-    """Free distance between the two bodies of each contact; 0 where they just touch, negative where they overlap.
+    """Clearance between the two bodies of each contact; 0 where they just touch, negative where they overlap.
 
     Parameters
     ----------
@@ -239,33 +239,33 @@ def refuse_impossible(drive: PlanarDrive) -> None:
     Parameters
     ----------
     drive : PlanarDrive
-        The drive, with numbers, not traced.
+        The drive, with concrete (not traced) values.
 
     Raises
     ------
     InputError
-        With the members and the gap, or with the number of degrees of freedom.
+        The message gives the members and the clearance, or the number of degrees of freedom.
     """
     for contact, gap, size in zip(
         drive.contacts, np.asarray(gaps(drive)), np.asarray(drive.second_radius), strict=True
     ):
         if not abs(gap) <= TOUCH_TOLERANCE * size:
-            state = "apart" if gap > 0.0 else "into each other"
+            state = "do not touch (gap" if gap > 0.0 else "overlap (by"
             raise InputError(
-                f"contact {contact.name}: {contact.first} and {contact.second} are {abs(gap) * 1e3:.6g} mm {state}; "
-                "change a radius or a centre so that they touch"
+                f"contact {contact.name}: {contact.first} and {contact.second} {state} {abs(gap) * 1e3:.6g} mm); "
+                "change a radius or a centre so that they just touch"
             )
     _refuse_overlap(drive)
     for name in (drive.input, drive.output, drive.grounded):
         if name not in drive.members:
             raise InputError(
-                f"there is no member '{name}'; the drive has {', '.join(drive.members)}, one of which each is input, "
-                "output and grounded"
+                f"there is no member '{name}'; input, output and grounded must each be one of "
+                f"{', '.join(drive.members)}"
             )
     freedom = len(drive.members) - 1 - int(np.linalg.matrix_rank(_driven(drive), tol=1e-9))
     if freedom != 1:
         raise InputError(
-            f"with {drive.grounded} grounded the drive has {freedom} degrees of freedom, it must have 1: "
+            f"with {drive.grounded} grounded the drive has {freedom} degrees of freedom; it must have 1: "
             + ("ground another member" if freedom > 1 else "the contacts block each other")
         )
 
@@ -277,13 +277,11 @@ def _driven(drive: PlanarDrive) -> np.ndarray:
     free: np.ndarray = np.delete(turning, grounded, axis=1) / np.max(np.abs(turning))
     if drive.pinned or drive.grounded == CARRIER:
         return free
-    return np.vstack(
-        [free, np.eye(free.shape[1])[-1]]
-    )  # nothing is on the carrier: it may as well stand still
+    return np.vstack([free, np.eye(free.shape[1])[-1]])  # the carrier supports nothing: it is taken as fixed
 
 
 def _refuse_overlap(drive: PlanarDrive) -> None:
-    """Discs that are no contact of each other must not overlap, each taken with its smallest track."""
+    """Raise if discs without a common contact overlap, each taken with its smallest track."""
     smallest: dict[str, float] = {}
     for k, contact in enumerate(drive.contacts):
         for name, radius in (
@@ -303,7 +301,7 @@ def _refuse_overlap(drive: PlanarDrive) -> None:
         gap = float(np.hypot(*between)) - smallest[one.name] - smallest[two.name]
         if gap < 0.0:
             raise InputError(
-                f"{one.name} and {two.name} overlap by {-gap * 1e3:.6g} mm; make them smaller, or take fewer sectors"
+                f"{one.name} and {two.name} overlap by {-gap * 1e3:.6g} mm; reduce their radii or the number of sectors"
             )
 
 
@@ -324,7 +322,7 @@ def speeds(drive: PlanarDrive) -> Array:
 
     References
     ----------
-    Rolling without slip at every contact, seen from the carrier; equation (M2) of :doc:`/equations`.
+    Rolling without slip at every contact, relative to the carrier; equation (M2) of :doc:`/equations`.
     """
     turning = incidence(drive).turning
     members = drive.members
@@ -347,7 +345,7 @@ def speed_ratio(drive: PlanarDrive) -> Real:
     Returns
     -------
     Real
-        Ratio [-]; negative where they turn against each other.
+        Ratio [-]; negative where they rotate in opposite directions.
 
     References
     ----------

@@ -1,7 +1,7 @@
 r"""Forces, displacements and speeds of a planar roller drive at rest and in steady rolling.
 
 Every floating body has two displacements and an angular velocity, and as many equations of balance. The normal force
-of a contact follows from the approach of its bodies, the tangential one from their creep; nothing is assumed:
+of a contact follows from the approach of its bodies, the tangential force from their creep; no further assumption is needed:
 
 .. math::
     A^\mathsf{T} N + S^\mathsf{T} T + P^\mathsf{T} F = 0, \quad (W^\mathsf{T} T)_j + \dots = 0, \quad
@@ -23,7 +23,7 @@ from asperity.drive.planar.layout import CARRIER, Incidence, PlanarDrive, incide
 from asperity.drive.rolling_state import CreepLaw, creepages
 from asperity.types import Real
 
-#: Largest relative residual of a state that counts as solved.
+#: Largest relative residual of a state that is accepted as solved.
 STATE_TOLERANCE = 1e-9
 
 _NEWTON_BUDGET = 60
@@ -31,7 +31,7 @@ _SMALLEST_SHARE = 0.2  # a step leaves at least this share of each normal force
 
 
 class ContactLaws(eqx.Module):
-    """What the contacts of a drive answer to approach and creep. SI units, shape (contacts,).
+    """Response of the contacts of a drive to approach and creep. SI units, shape (contacts,).
 
     Parameters
     ----------
@@ -59,7 +59,7 @@ class PlanarState(eqx.Module):
     pin_force : Array
         Forces of the pins on their bodies, against the push direction, shape (pins,) [N].
     displacement : Array
-        Displacements of the floating centres from their places just touching, shape (floating, 2) [m].
+        Displacements of the floating centres from first contact, shape (floating, 2) [m].
     speed : Array
         Angular velocities of the members per angular velocity of the input, shape (members,) [-].
     creepage : Array
@@ -69,7 +69,7 @@ class PlanarState(eqx.Module):
     input_torque : Array
         Torque at the input, in the sense of its rotation [N·m].
     speed_loss : Array
-        Share of the output speed that creep takes [-].
+        Share of the output speed lost by creep [-].
     residual : Array
         Largest relative residual of all equations [-].
     """
@@ -96,7 +96,7 @@ class _Unknowns(NamedTuple):
 
 
 def state_at_rest(*, drive: PlanarDrive, laws: ContactLaws, pattern: Array, preload: Real) -> PlanarState:
-    """The assembled drive without torque: forces from the preload, and the interference that makes it.
+    """The assembled drive without torque: forces from the preload, and the interference that causes it.
 
     Parameters
     ----------
@@ -113,7 +113,7 @@ def state_at_rest(*, drive: PlanarDrive, laws: ContactLaws, pattern: Array, prel
     Returns
     -------
     PlanarState
-        Nothing turns or creeps; ``interference`` is what the preload asks for.
+        State without rotation or creep; ``interference`` is that required for the preload.
 
     References
     ----------
@@ -138,13 +138,13 @@ def rolling_state(
     output_torque : Real
         Torque at the output against its rotation [N·m].
     start : PlanarState
-        Where the search begins, :func:`state_at_rest`.
+        Initial state of the solution, :func:`state_at_rest`.
 
     Returns
     -------
     PlanarState
-        Forces, displacements, speeds and creepages; look at ``residual``, which is large where a contact slips as a
-        whole or lifts off.
+        Forces, displacements, speeds and creepages; check ``residual``, which is large where a contact is in gross
+        slip or has lifted off.
 
     References
     ----------
@@ -250,7 +250,7 @@ def _solved(
 
 
 def _rolled(drive: PlanarDrive, matrices: Incidence, speed: Array) -> Array:
-    """Rolling speed of each contact seen from the carrier, the mean of its surface speeds [m]."""
+    """Rolling speed of each contact relative to the carrier, the mean of its surface speeds [m]."""
     members = drive.members
     carrier = speed[members.index(CARRIER)]
     first = jnp.array([members.index(contact.first) for contact in drive.contacts])
@@ -271,7 +271,7 @@ def _moments(drive: PlanarDrive, matrices: Incidence, tangential: Array, pin: Ar
 
 
 def _root(equations, first: _Unknowns) -> tuple[_Unknowns, Array]:  # type: ignore[no-untyped-def]
-    """Newton's method with dense steps, shortened where a normal force would fall too fast."""
+    """Newton's method with dense steps, shortened where a normal force would decrease too fast."""
     flat, shape = jax.flatten_util.ravel_pytree(first)
     count = first.normal.size
 

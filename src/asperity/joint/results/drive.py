@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import functools
 
-from asperity.drive.geometry import CONTACT_NAMES
+from asperity.joint.capacity import LIMIT_KINDS, LIMITING_CONTACTS
 from asperity.joint.results.result import Result
 from asperity.unit_table import Dimension
 
@@ -60,23 +60,40 @@ ROWS = (
     _size("mass", "mass of the rolling parts", _MASS, "kg", "size.mass"),
     _size("planet_mass", "mass of one planet", _MASS, "g", "result.planet_mass"),
     _size("loading_roller_mass", "mass of one loading roller", _MASS, "g", "result.loading_roller_mass"),
-    _capacity(
-        "torque_capacity",
-        "torque capacity",
-        Dimension.TORQUE,
-        "N*m",
-        "capacity.output_torque",
-        note="the largest output torque without slip",
-    ),
-    _capacity(
-        "limiting_contact",
-        "contact that slips first",
-        Dimension.DIMENSIONLESS,
-        "1",
-        "capacity.limiting_contact",
-        differentiable=False,
-        positive=False,
-        categories=CONTACT_NAMES,
-        note=f"its number in the order {', '.join(CONTACT_NAMES)}, from 0",
+    *(
+        row
+        for prefix, words in (("", "positive"), ("reverse_", "negative"))
+        for row in (
+            _capacity(
+                f"{prefix}torque_capacity",
+                f"{prefix.replace('_', ' ')}torque capacity",
+                Dimension.TORQUE,
+                "N*m",
+                f"{prefix}capacity.output_torque",
+                note=f"the largest {words} output torque before the first limit",
+            ),
+            _capacity(
+                f"{prefix}capacity_limit",
+                f"limit of the {prefix.replace('_', ' ')}torque capacity",
+                Dimension.DIMENSIONLESS,
+                "1",
+                f"{prefix}capacity.limit",
+                differentiable=False,
+                positive=False,
+                categories=LIMIT_KINDS,
+                note=f"its number in the order {', '.join(LIMIT_KINDS)}, from 0",
+            ),
+            _capacity(
+                f"{prefix}limiting_contact",
+                f"contact that limits the {prefix.replace('_', ' ')}torque capacity",
+                Dimension.DIMENSIONLESS,
+                "1",
+                f"{prefix}capacity.limiting_contact",
+                differentiable=False,
+                positive=False,
+                categories=LIMITING_CONTACTS,
+                note=f"its number in the order {', '.join(LIMITING_CONTACTS)}, from 0",
+            ),
+        )
     ),
 )

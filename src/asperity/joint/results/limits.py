@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import functools
 
+import jax.numpy as jnp
+
 from asperity.contact.fractal import VERIFIED_FRACTAL_DIMENSIONS
 from asperity.drive.force_balance import BALANCE_TOLERANCE
 from asperity.joint.results.result import Limit, Result, SolvedJoint
@@ -182,10 +184,12 @@ ROWS = (
     _ratio(
         "torque_safety",
         "safety factor of the torque",
-        value=lambda solved: solved.capacity.output_torque / solved.joint.output_torque,
+        value=lambda solved: (
+            solved.capacity_of_direction.output_torque / jnp.abs(jnp.asarray(solved.joint.output_torque))
+        ),
         needs="geometry",
         lowest_limit=1.0,
-        note="torque capacity over output torque",
+        note="torque capacity in the direction of the output torque, over that torque",
     ),
     _residual(
         "balance_residual",

@@ -9,11 +9,13 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Literal
 
-from asperity.drive.capacity import TorqueCapacity, torque_capacity
+import jax.numpy as jnp
+
 from asperity.drive.geometry import CLEARANCE_CONDITIONS, CONTACT_NAMES, clearances
 from asperity.drive.rolling_speeds import BODY_NAMES
-from asperity.joint.description import Joint, per_contact
-from asperity.joint.evaluation import JointResult, mechanism
+from asperity.joint.capacity import TorqueCapacity, torque_capacity
+from asperity.joint.description import Joint
+from asperity.joint.evaluation import JointResult
 from asperity.joint.size import JointSize, joint_size
 from asperity.unit_table import Dimension
 
@@ -50,18 +52,30 @@ class SolvedJoint:
         One joint, or many along trailing batch axes.
     result : JointResult
         What :func:`asperity.joint.evaluation.evaluate` says about it.
+    capacity : TorqueCapacity, optional
+        Its torque capacity, if that is known already.
     """
 
-    def __init__(self, joint: Joint, result: JointResult) -> None:
+    def __init__(self, joint: Joint, result: JointResult, capacity: TorqueCapacity | None = None) -> None:
         self.joint, self.result = joint, result
+        if capacity is not None:
+            self.capacity = capacity
 
     @functools.cached_property
     def capacity(self) -> TorqueCapacity:
-        """Torque capacity and limiting contact."""
-        return torque_capacity(
-            mechanism=mechanism(self.joint),
-            friction_coefficient=per_contact(self.joint.friction_coefficients),
-        )
+        """Torque capacity of positive torques, and what limits it."""
+        return torque_capacity(self.joint, direction=1.0)
+
+    @functools.cached_property
+    def reverse_capacity(self) -> TorqueCapacity:
+        """Torque capacity of negative torques, and what limits it."""
+        return torque_capacity(self.joint, direction=-1.0)
+
+    @functools.cached_property
+    def capacity_of_direction(self) -> TorqueCapacity:
+        """Torque capacity in the direction of the output torque."""
+        sign = jnp.where(jnp.asarray(self.joint.output_torque) < 0.0, -1.0, 1.0)
+        return torque_capacity(self.joint, direction=sign)
 
     @functools.cached_property
     def size(self) -> JointSize:

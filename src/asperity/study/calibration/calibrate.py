@@ -16,7 +16,8 @@ from asperity.study.calibration.measurement import Measurement
 from asperity.study.calibration.torque_history import History
 from asperity.study.design.design_problem import Variable
 
-#: Standard deviation of a uniform distribution over the bounds: data that leave more than this have said nothing.
+#: Standard deviation of a uniform distribution over the bounds: more than this means that the
+#: data add nothing.
 UNINFORMED = 1.0 / np.sqrt(12.0)
 
 #: Share of an unknown in a direction from which on it is named as part of it.
@@ -54,14 +55,14 @@ class Estimate:
 
 @dataclass(frozen=True)
 class Direction:
-    """A combination of unknowns, and how well the data tell it.
+    """A combination of unknowns, and how well the data determine it.
 
     Parameters
     ----------
     shares : dict
-        Unknown → component of the unit vector in places between the bounds.
+        Unknown → component of the unit vector in scaled values (0 at the lower bound, 1 at the upper).
     standard_deviation : float
-        Of the place along it, as a share of the way between the bounds [-].
+        Of the scaled value along it [-].
     determined : bool
         Whether that is below :data:`UNINFORMED`.
     words : str
@@ -84,10 +85,10 @@ class Calibration:
         All unknowns.
     directions : tuple of Direction
         Combinations, the worst determined first.
-    places : ndarray
-        Estimates as places between the bounds.
+    scaled_values : ndarray
+        Estimates as scaled values (0 at the lower bound, 1 at the upper).
     covariance : ndarray
-        Of the places; meaningless in directions that are not determined.
+        Of the scaled values; meaningless in directions that are not determined.
     residual : ndarray
         Data minus prediction, shape (points,) [rad] or [N·m/rad].
     prediction : ndarray
@@ -104,7 +105,7 @@ class Calibration:
 
     estimates: tuple[Estimate, ...]
     directions: tuple[Direction, ...]
-    places: np.ndarray
+    scaled_values: np.ndarray
     covariance: np.ndarray
     residual: np.ndarray
     prediction: np.ndarray
@@ -149,7 +150,7 @@ def calibrate(
     Returns
     -------
     Calibration
-        Estimates, intervals, residuals and what the data cannot tell apart.
+        Estimates, intervals, residuals and the combinations of unknowns that are not identifiable.
 
     Raises
     ------
@@ -211,16 +212,16 @@ def calibrate(
     )
 
 
-def _usable(model: CurveModel, places: np.ndarray) -> list[np.ndarray]:
-    """Places at which the joint has a stiffness at every torque: a search from elsewhere has no direction."""
-    return [place for place in places if np.all(model.stiffness(place)[0] > 0.0)]
+def _usable(model: CurveModel, scaled_values: np.ndarray) -> list[np.ndarray]:
+    """Scaled values at which the joint has a stiffness at every torque: a search from elsewhere has no direction."""
+    return [scaled_value for scaled_value in scaled_values if np.all(model.stiffness(scaled_value)[0] > 0.0)]
 
 
-def _conclude(model: CurveModel, places: np.ndarray, starts: tuple[float, ...]) -> Calibration:
+def _conclude(model: CurveModel, scaled_values: np.ndarray, starts: tuple[float, ...]) -> Calibration:
     from scipy.stats import t as student
 
     data = model.measurement.measured
-    stiffness, _, slip = model.stiffness(places)
+    stiffness, _, slip = model.stiffness(scaled_values)
     if not np.all(stiffness > 0.0):
         where = model.torque[~(stiffness > 0.0)].min()
         raise NoSolutionError(
@@ -231,14 +232,14 @@ def _conclude(model: CurveModel, places: np.ndarray, starts: tuple[float, ...]) 
     # the quadrature ends just below the largest torque; the slip ratio grows in proportion to it
     largest = float(np.max(np.abs(model.measurement.torque)))
     reached = float(slip.max()) * largest / float(model.torque.max()) if largest else 0.0
-    if reached >= 1.0 or model.held(stiffness).any():
+    if reached >= 1.0 or model.floored(stiffness).any():
         raise NoSolutionError(
             f"the best fit slips at the largest measured torque, {largest:.6g} N·m (slip ratio {reached:.3g}, below 1 "
             "is needed): a curve past gross slip cannot be fitted; leave those rows out, or widen the bounds"
         )
-    prediction, slopes = model(places)
+    prediction, slopes = model(scaled_values)
     residual = data - prediction
-    freedom = data.size - places.size
+    freedom = data.size - scaled_values.size
     deviation = float(np.sqrt(np.sum(residual**2) / freedom))
     steps = np.diff(residual)
     watson = float(np.sum(steps**2) / np.sum(residual**2)) if np.any(residual) else 2.0
@@ -249,7 +250,7 @@ def _conclude(model: CurveModel, places: np.ndarray, starts: tuple[float, ...]) 
         along = spread / np.abs(singular)  # LAPACK may give −0
     covariance = (rows.T * np.minimum(along, 1e6) ** 2) @ rows
     directions = tuple(
-        _direction(model, places, rows[k], float(along[k]), spread, float(singular[k]))
+        _direction(model, scaled_values, rows[k], float(along[k]), spread, float(singular[k]))
         for k in reversed(range(len(along)))
     )
     quantile = float(student.ppf(0.975, freedom))
@@ -257,14 +258,14 @@ def _conclude(model: CurveModel, places: np.ndarray, starts: tuple[float, ...]) 
     for index, unknown in enumerate(model.unknowns):
         lost = any(not d.determined and abs(d.shares[unknown.path]) > NAMED_SHARE for d in directions)
         half = quantile * float(np.sqrt(covariance[index, index]))
-        place = float(places[index])
-        bound = "lower" if place < 1e-6 else "upper" if place > 1.0 - 1e-6 else ""
+        scaled_value = float(scaled_values[index])
+        bound = "lower" if scaled_value < 1e-6 else "upper" if scaled_value > 1.0 - 1e-6 else ""
         estimates.append(
             Estimate(
                 path=unknown.path,
-                value=float(unknown.from_unit(place)),
-                lower=float("nan") if lost else float(unknown.from_unit(place - half)),
-                upper=float("nan") if lost else float(unknown.from_unit(place + half)),
+                value=float(unknown.from_unit(scaled_value)),
+                lower=float("nan") if lost else float(unknown.from_unit(scaled_value - half)),
+                upper=float("nan") if lost else float(unknown.from_unit(scaled_value + half)),
                 determined=not lost,
                 at_bound=bound,
             )
@@ -272,7 +273,7 @@ def _conclude(model: CurveModel, places: np.ndarray, starts: tuple[float, ...]) 
     return Calibration(
         estimates=tuple(estimates),
         directions=directions,
-        places=places,
+        scaled_values=scaled_values,
         covariance=covariance,
         residual=residual,
         prediction=prediction,
@@ -284,7 +285,12 @@ def _conclude(model: CurveModel, places: np.ndarray, starts: tuple[float, ...]) 
 
 
 def _direction(
-    model: CurveModel, places: np.ndarray, row: np.ndarray, along: float, spread: float, singular: float
+    model: CurveModel,
+    scaled_values: np.ndarray,
+    row: np.ndarray,
+    along: float,
+    spread: float,
+    singular: float,
 ) -> Direction:
     """A singular vector of the slopes in words, for a step that changes its strongest unknown by a tenth."""
     strongest = int(np.argmax(np.abs(row)))
@@ -306,7 +312,7 @@ def _direction(
             )
     effect = abs(step) * singular / np.sqrt(model.measurement.torque.size) / spread
     determined = bool(along < UNINFORMED)
-    verdict = "told by the data" if determined else "NOT told apart by the data"
+    verdict = "identifiable" if determined else "NOT identifiable"
     return Direction(
         shares={unknown.path: float(value) for unknown, value in zip(model.unknowns, row, strict=True)},
         standard_deviation=along,

@@ -95,7 +95,7 @@ def posterior_figure(calibration: Calibration, posterior: Posterior) -> Figure:
     unknowns = calibration.model.unknowns
     count = len(unknowns)
     factors = [from_si(1.0, unit_of(u.path)) for u in unknowns]
-    values = [u.from_unit(posterior.places[:, i]) * factors[i] for i, u in enumerate(unknowns)]
+    values = [u.from_unit(posterior.scaled_values[:, i]) * factors[i] for i, u in enumerate(unknowns)]
     correlations = np.atleast_2d(np.corrcoef([rankdata(each) for each in values]))
     limits = [
         _limits(v, np.array([e.value, e.lower, e.upper]) * f)
@@ -145,7 +145,7 @@ def posterior_figure(calibration: Calibration, posterior: Posterior) -> Figure:
                 axes.set_ylabel(_label(unknowns[row].path), fontsize="small")
     figure.align_ylabels()
     figure.suptitle(
-        f"posterior, {len(posterior.places)} draws: 95 % shaded; red: least squares with its 95 % interval; "
+        f"posterior, {len(posterior.scaled_values)} draws: 95 % shaded; red: least squares with its 95 % interval; "
         "above the diagonal: rank correlation",
         fontsize="medium" if count > 3 else "x-small",
         wrap=True,
@@ -207,7 +207,7 @@ def unit_of(path: str) -> str:
     from asperity.joint_file.si_tables import key_at
 
     kind = path.partition(" ")[0]
-    shown = {"play": "arcmin", "offset": "arcmin", "drift": "arcmin/min", "play_torque": "N*m"}
+    shown = {"offset": "arcmin", "drift": "arcmin/min"}
     return shown[kind] if kind in CURVE_UNKNOWNS else key_at(path).unit
 
 

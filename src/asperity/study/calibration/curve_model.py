@@ -5,20 +5,23 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
+import jax.numpy as jnp
 import numpy as np
 
+from asperity.joint.play import play_compliance
 from asperity.joint.results import name_at_level
-from asperity.joint.windup import StiffnessLevel
+from asperity.joint.windup import NO_SLIP_FRICTION, StiffnessLevel, is_symmetric
+from asperity.joint_file.build import joint_from_values
 from asperity.joint_file.model import Case
-from asperity.joint_file.si_tables import numeric_keys, si_values
+from asperity.joint_file.si_tables import numeric_keys, replace_values, si_values
 from asperity.study.batch import derivatives_at
 from asperity.study.calibration.measurement import Measurement
 from asperity.study.calibration.torque_history import History, curve_operator
-from asperity.study.calibration.unknowns import CURVE_UNKNOWNS
+from asperity.study.calibration.unknowns import CURVE_UNKNOWNS, added_to_curve
 from asperity.study.design.design_problem import Variable
 
-#: Below this share of its median a stiffness is held, so that a search that strays past the torque capacity finds
-#: back. A curve that ends there is refused.
+#: Below this share of its median a stiffness is replaced by this value, so that a search that strays past the
+#: torque capacity finds back. A fit that ends there is refused.
 STIFFNESS_FLOOR = 0.01
 
 #: Points of one call for many sets of unknowns: up to here the program that the fit uses serves.
@@ -26,7 +29,7 @@ _POINTS = 4096
 
 
 class CurveModel:
-    """Predicts a measurement from places of the unknowns between their bounds.
+    """Predicts a measurement from scaled values of the unknowns (0 at the lower bound, 1 at the upper).
 
     Parameters
     ----------
@@ -53,48 +56,83 @@ class CurveModel:
     ) -> None:
         self.unknowns, self.level, self.measurement = unknowns, level, measurement
         self.values = si_values(case)
-        self.in_joint = [
-            index for index, each in enumerate(unknowns) if _kind(each.path) not in CURVE_UNKNOWNS
-        ]
+        self.in_joint = [index for index, each in enumerate(unknowns) if not added_to_curve(each.path)]
         self.in_curve = [index for index in range(len(unknowns)) if index not in self.in_joint]
         self.paths = tuple(unknowns[index].path for index in self.in_joint)
-        if measurement.angle is not None:
-            operator = curve_operator(measurement.torque, history)
-            self.torque = operator.torque
-            self.weights: np.ndarray | None = operator.weights
-        else:
-            self.torque, self.weights = np.abs(measurement.torque), None
         stated = numeric_keys(case)
         self.first = np.array([self._first(each, stated) for each in unknowns])
+        symmetric = self._symmetric()
+        if measurement.angle is not None:
+            operator = curve_operator(measurement.torque, history, symmetric=symmetric)
+            self.torque, self.slips = operator.torque, operator.slips
+            self.weights: np.ndarray | None = operator.weights
+        else:
+            self.torque = np.abs(measurement.torque) if symmetric else measurement.torque
+            self.slips, self.weights = np.ones(self.torque.size, bool), None
+
+    def _symmetric(self) -> bool:
+        """Whether the joint behaves alike in both directions, whatever its unknowns are."""
+        between = {
+            self.unknowns[index].path: float(
+                self.unknowns[index].from_unit(0.3 + 0.4 * order / len(self.unknowns))
+            )
+            for order, index in enumerate(self.in_joint)
+        }
+        return is_symmetric(joint_from_values(replace_values(self.values, between)))
+
+    def _changes(
+        self, changes: dict[str, np.ndarray], torque: np.ndarray, slips: np.ndarray
+    ) -> dict[str, Any]:
+        """Changes of the joint file for given torques, with the friction and the rotation that belong to each.
+
+        The bearings' friction acts against the motion that the torque drives, so the sun's speed has its sign.
+        """
+        load = replace_values(self.values, changes)["load"]
+        sense = np.where(torque < 0.0, -1.0, 1.0)
+        found = {**changes, "load.output_torque": torque, "load.sun_speed": sense * load["sun_speed"]}
+        friction = load["friction_coefficient"]
+        paths = (
+            {f"load.friction_coefficient.{name}": value for name, value in friction.items()}
+            if isinstance(friction, dict)
+            else {"load.friction_coefficient": friction}
+        )
+        return found | {path: np.where(slips, value, NO_SLIP_FRICTION) for path, value in paths.items()}
 
     def _first(self, unknown: Variable, stated: dict) -> float:
-        """Place of the first guess: the file's value, no play, no drift."""
+        """Scaled value of the first guess: the file's value, no play, no drift."""
         kind = _kind(unknown.path)
         if kind in CURVE_UNKNOWNS:
-            guess = {"offset": 0.5 * (unknown.lower + unknown.upper), "drift": 0.0, "play": 0.0}.get(
-                kind, (unknown.lower * unknown.upper) ** 0.5
-            )
+            guess = 0.0 if kind == "drift" else 0.5 * (unknown.lower + unknown.upper)
         elif unknown.path in stated:
             guess = stated[unknown.path].value
+        elif unknown.path == "play.angle":
+            guess = 0.0
         else:
             guess = float(unknown.from_unit(0.5))
         return float(np.clip(unknown.to_unit(min(max(guess, unknown.lower), unknown.upper)), 0.01, 0.99))
 
-    def point(self, places: np.ndarray) -> dict[str, float]:
+    def point(self, scaled_values: np.ndarray) -> dict[str, float]:
         """Values [SI] of the unknowns."""
-        return {u.path: float(u.from_unit(p)) for u, p in zip(self.unknowns, places, strict=True)}
+        return {u.path: float(u.from_unit(p)) for u, p in zip(self.unknowns, scaled_values, strict=True)}
 
-    def stiffness(self, places: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    def stiffness(self, scaled_values: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         """Stiffness at the model's torques, its slopes by the joint's unknowns, largest slip ratio [SI]."""
-        point = self.point(places)
+        point = self.point(scaled_values)
         changes = {path: np.full(self.torque.size, point[path]) for path in self.paths}
         name = name_at_level("stiffness", self.level)
         _, found, slopes = derivatives_at(
-            self.values, {**changes, "load.output_torque": self.torque}, (name, "slip_ratio"), self.paths
+            self.values,
+            self._changes(changes, self.torque, self.slips),
+            (name, "slip_ratio"),
+            self.paths,
         )
-        return found[name][0], slopes[name][0], found["slip_ratio"].max(axis=0)
+        by_joint = slopes[name][0]
+        for index, path in enumerate(self.paths):
+            if path == "load.sun_speed":
+                by_joint[:, index] *= np.where(self.torque < 0.0, -1.0, 1.0)
+        return found[name][0], by_joint, found["slip_ratio"].max(axis=0)
 
-    def held(self, stiffness: np.ndarray) -> np.ndarray:
+    def floored(self, stiffness: np.ndarray) -> np.ndarray:
         """At which of the model's torques the prediction uses :data:`STIFFNESS_FLOOR` instead of the joint's stiffness.
 
         Parameters
@@ -113,12 +151,12 @@ class CurveModel:
         usable = np.isfinite(stiffness) & (stiffness > 0.0)
         return STIFFNESS_FLOOR * float(np.median(stiffness[usable])) if usable.any() else 1.0
 
-    def __call__(self, places: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """Predicted angles [rad] or stiffnesses [N·m/rad], and their derivatives by the places.
+    def __call__(self, scaled_values: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """Predicted angles [rad] or stiffnesses [N·m/rad], and their derivatives by the scaled values.
 
         Parameters
         ----------
-        places : ndarray
+        scaled_values : ndarray
             Shape (unknowns,), 0 to 1.
 
         Returns
@@ -126,31 +164,28 @@ class CurveModel:
         prediction, slopes : ndarray
             Shape (points,) and (points, unknowns).
         """
-        point = self.point(places)
+        point = self.point(scaled_values)
         steps = np.array([u.slope(point[u.path]) for u in self.unknowns])
-        stiffness, by_joint, _ = self.stiffness(places)
-        held = self.held(stiffness)
-        safe = np.where(held, self._floor(stiffness), stiffness)
+        stiffness, by_joint, _ = self.stiffness(scaled_values)
+        floored = self.floored(stiffness)
+        safe = np.where(floored, self._floor(stiffness), stiffness)
         slopes = np.zeros((self.measurement.torque.size, len(self.unknowns)))
-        by_joint = np.where(held[:, None] | ~np.isfinite(by_joint), 0.0, by_joint)
+        by_joint = np.where(floored[:, None] | ~np.isfinite(by_joint), 0.0, by_joint)
         if self.weights is None:
-            slopes[:, self.in_joint] = by_joint
-            return safe, slopes * steps
-        prediction = self.weights @ (1.0 / safe)
+            factor = 1.0 / (1.0 + safe * self._play_compliance())
+            slopes[:, self.in_joint] = by_joint * factor[:, None] ** 2
+            return safe * factor, slopes * steps
         slopes[:, self.in_joint] = self.weights @ (-by_joint / safe[:, None] ** 2)
         for index in self.in_curve:
-            unknown = self.unknowns[index]
-            value, slope = self.curve_part(unknown.path, point)
-            prediction = prediction + value
-            slopes[:, index] = slope
-        return prediction, slopes * steps
+            slopes[:, index] = self.curve_slope(self.unknowns[index].path, point)
+        return self.weights @ (1.0 / safe) + self.curve_part(point), slopes * steps
 
-    def compliances(self, places: np.ndarray) -> np.ndarray:
-        """Compliance at the model's torques, with nothing held.
+    def compliances(self, scaled_values: np.ndarray) -> np.ndarray:
+        """Compliance at the model's torques, without :data:`STIFFNESS_FLOOR`.
 
         Parameters
         ----------
-        places : ndarray
+        scaled_values : ndarray
             Shape (sets, unknowns).
 
         Returns
@@ -159,34 +194,41 @@ class CurveModel:
             Shape (sets, torques) [rad/(N·m)]; nan for the whole set where the joint has no solution or no stiffness
             at one of the torques, the largest measured one included.
         """
-        largest = float(np.max(np.abs(self.measurement.torque)))
-        torque = self.torque if self.weights is None else np.append(self.torque, largest)
+        torque, slips = self.torque, self.slips
+        if self.weights is not None:  # the ends of the measured range, which the quadrature does not touch
+            largest = float(np.max(np.abs(self.measurement.torque)))
+            ends = [sign * largest for sign in (1.0, -1.0) if np.any(sign * torque > 0.0)]
+            torque, slips = np.append(torque, ends), np.append(slips, [True] * len(ends))
         rows = max(1, _POINTS // torque.size)
-        found = [self._compliances(part, torque) for part in np.split(places, range(rows, len(places), rows))]
+        found = [
+            self._compliances(part, torque, slips)
+            for part in np.split(scaled_values, range(rows, len(scaled_values), rows))
+        ]
         return np.concatenate(found)[:, : self.torque.size]
 
-    def _compliances(self, places: np.ndarray, torque: np.ndarray) -> np.ndarray:
+    def _compliances(self, scaled_values: np.ndarray, torque: np.ndarray, slips: np.ndarray) -> np.ndarray:
         changes = {
             self.unknowns[index].path: np.repeat(
-                self.unknowns[index].from_unit(places[:, index]), torque.size
+                self.unknowns[index].from_unit(scaled_values[:, index]), torque.size
             )
             for index in self.in_joint
         }
         name = name_at_level("stiffness", self.level)
-        points = {**changes, "load.output_torque": np.tile(torque, len(places))}
+        count = len(scaled_values)
+        points = self._changes(changes, np.tile(torque, count), np.tile(slips, count))
         status, found, _ = derivatives_at(self.values, points, (name, "slip_ratio"))
-        shape = (len(places), torque.size)
+        shape = (count, torque.size)
         stiffness = found[name][0].reshape(shape)
         holds = np.isfinite(stiffness) & (stiffness > 0.0) & (status.reshape(shape) == 0)
         exists = np.all(holds, axis=1)[:, None]
         return np.where(exists, 1.0 / np.where(exists, stiffness, 1.0), np.nan)
 
-    def predictions(self, places: np.ndarray) -> np.ndarray:
-        """Predictions of many sets of unknowns, with nothing held.
+    def predictions(self, scaled_values: np.ndarray) -> np.ndarray:
+        """Predictions of many sets of unknowns, without :data:`STIFFNESS_FLOOR`.
 
         Parameters
         ----------
-        places : ndarray
+        scaled_values : ndarray
             Shape (sets, unknowns).
 
         Returns
@@ -194,36 +236,83 @@ class CurveModel:
         ndarray
             Shape (sets, points) [rad] or [N·m/rad]; nan for a set whose joint does not exist, see :meth:`compliances`.
         """
-        compliance = self.compliances(places)
+        compliance = self.compliances(scaled_values)
         if self.weights is None:
-            return 1.0 / compliance
-        found = compliance @ self.weights.T
-        for row, place in zip(found, places, strict=True):
-            point = self.point(place)
-            for index in self.in_curve:
-                row += self.curve_part(self.unknowns[index].path, point)[0]
-        return found
+            return 1.0 / (compliance + self._play_compliance())
+        added = [self.curve_part(self.point(scaled_value)) for scaled_value in scaled_values]
+        return compliance @ self.weights.T + np.array(added).reshape(len(scaled_values), -1)
 
-    def curve_part(
-        self, path: str, point: dict[str, Any], tanh: Callable[[Any], Any] = np.tanh
-    ) -> tuple[Any, Any]:
-        """What an unknown of the curve adds to the angles, and the derivative by it (``tanh``: NumPy's or JAX's)."""
-        data, kind = self.measurement, _kind(path)
-        none = np.zeros(data.torque.size)
-        if kind == "offset":
-            label = path.partition(" ")[2]
-            where = np.ones(none.size) if not label else (data.repetition == float(label)).astype(float)
-            return point[path] * where, where
-        if kind == "drift":
+    def _play_compliance(self) -> np.ndarray:
+        """Of the play that the joint file states, at the measured torques [rad/(N·m)]."""
+        play = joint_from_values(self.values).play
+        return np.asarray(play_compliance(play=play, output_torque=jnp.asarray(self.measurement.torque)))
+
+    def _play(self, point: dict[str, Any]) -> tuple[Any, Any]:
+        """Play angle and take-up torque: unknowns, or as the joint file has them; nothing where it has none."""
+        stated = self.values.get("play", {})
+        names = ("angle", "take_up_torque")
+        angle, width = (point.get(f"play.{name}", stated.get(name, 0.0)) for name in names)
+        return angle, width
+
+    def _taken_up(self, width: Any, tanh: Callable[[Any], Any]) -> Any:
+        """Share of the play that is taken up on its side, −1 to 1."""
+        if isinstance(width, float | int) and width == 0.0:
+            return np.sign(self.measurement.torque)
+        return tanh(self.measurement.torque / width)
+
+    def curve_part(self, point: dict[str, Any], tanh: Callable[[Any], Any] = np.tanh) -> Any:
+        """What play, offset and drift add to the angles.
+
+        Parameters
+        ----------
+        point : dict
+            Values of the unknowns [SI].
+        tanh : callable
+            NumPy's or JAX's.
+
+        Returns
+        -------
+        array
+            Shape (points,) [rad].
+        """
+        angle, width = self._play(point)
+        total = 0.5 * angle * self._taken_up(width, tanh)
+        for path, value in point.items():
+            if _kind(path) in ("offset", "drift"):
+                total = total + value * self._share(path)
+        return total
+
+    def curve_slope(self, path: str, point: dict[str, float]) -> np.ndarray:
+        """Derivative of :meth:`curve_part` by one of the unknowns.
+
+        Parameters
+        ----------
+        path : str
+            The unknown.
+        point : dict
+            Values of the unknowns [SI].
+
+        Returns
+        -------
+        ndarray
+            Shape (points,) [rad per SI unit of the unknown].
+        """
+        angle, width = self._play(point)
+        if path == "play.angle":
+            return np.asarray(0.5 * self._taken_up(width, np.tanh))
+        if path == "play.take_up_torque":
+            torque = self.measurement.torque
+            return np.asarray(-0.5 * angle * (1.0 - np.tanh(torque / width) ** 2) * torque / width**2)
+        return self._share(path)
+
+    def _share(self, path: str) -> np.ndarray:
+        """What one unit of an offset or a drift adds to each angle."""
+        data = self.measurement
+        if _kind(path) == "drift":
             assert data.time is not None
-            elapsed = data.time - data.time[0]
-            return point[path] * elapsed, elapsed
-        width = point.get("play_torque")
-        side = np.sign(data.torque) if width is None else tanh(data.torque / width)
-        if kind == "play":
-            return 0.5 * point["play"] * side, 0.5 * side
-        assert width is not None
-        return none, -0.5 * point["play"] * (1.0 - side**2) * data.torque / width**2
+            return data.time - data.time[0]
+        label = path.partition(" ")[2]
+        return np.ones(data.torque.size) if not label else (data.repetition == float(label)).astype(float)
 
 
 def _kind(path: str) -> str:

@@ -1,8 +1,8 @@
 """A polynomial that stands in for the joint of a curve model: cheap, traceable by JAX, never the last word.
 
 The logarithm of the compliance at every torque of the model is a polynomial of the joint's unknowns, fitted to the
-model itself around a place. The unknowns of the curve (play, offset, drift) enter as in the model. What is drawn with
-its help must be judged by the model, as :mod:`asperity.study.calibration.posterior` does.
+model itself around one set of scaled values. The unknowns of the curve (play, offset, drift) enter as in the model.
+What is drawn with its help must be judged by the model, as :mod:`asperity.study.calibration.posterior` does.
 """
 
 from __future__ import annotations
@@ -66,19 +66,19 @@ def exponents(unknowns: int) -> np.ndarray:
 def fit_surrogate(
     model: CurveModel, centre: np.ndarray, covariance: np.ndarray, *, seed: int
 ) -> Coefficients:
-    """Fit the polynomial around a place.
+    """Fit the polynomial around one set of scaled values.
 
     Parameters
     ----------
     model : CurveModel
         The model.
     centre : ndarray
-        Places of all unknowns, shape (unknowns,).
+        Scaled values of all unknowns, shape (unknowns,).
     covariance : ndarray
-        Of all places, shape (unknowns, unknowns): the polynomial is fitted within :data:`REACH` standard deviations
-        along the principal axes of the joint's part, as far as they lie between the bounds.
+        Of all scaled values, shape (unknowns, unknowns): the polynomial is fitted within :data:`REACH` standard
+        deviations along the principal axes of the joint's part, as far as they lie between the bounds.
     seed : int
-        Of the random places at which the model is asked.
+        Of the random scaled values at which the model is asked.
 
     Returns
     -------
@@ -98,9 +98,9 @@ def fit_surrogate(
     for _ in range(_HALVINGS):
         low, high = _box(middle, axes, reach)
         scaled = _scaled_inside(rng, middle, axes, low, high, 3 * len(powers) + 20)
-        places = np.tile(centre, (len(scaled), 1))
-        places[:, joint] = middle + (0.5 * (low + high) + 0.5 * (high - low) * scaled) @ axes.T
-        compliance = model.compliances(places)
+        scaled_values = np.tile(centre, (len(scaled), 1))
+        scaled_values[:, joint] = middle + (0.5 * (low + high) + 0.5 * (high - low) * scaled) @ axes.T
+        compliance = model.compliances(scaled_values)
         exists = np.all(np.isfinite(compliance), axis=1)
         if exists.sum() >= 2 * len(powers):
             basis = np.asarray(_basis(scaled[exists], powers))
@@ -139,12 +139,12 @@ def _scaled_inside(
     high: np.ndarray,
     count: int,
 ) -> np.ndarray:
-    """Random places in the box (−1 to 1 along each axis, denser at its ends) that lie between the bounds."""
+    """Random scaled values in the box (−1 to 1 along each axis, denser at its ends) that lie between the bounds."""
     found: list[np.ndarray] = []
     for _ in range(200):
         scaled = np.cos(np.pi * rng.random((4 * count, middle.size)))
-        places = middle + (0.5 * (low + high) + 0.5 * (high - low) * scaled) @ axes.T
-        found.extend(scaled[np.all((places >= 0.0) & (places <= 1.0), axis=1)])
+        scaled_values = middle + (0.5 * (low + high) + 0.5 * (high - low) * scaled) @ axes.T
+        found.extend(scaled[np.all((scaled_values >= 0.0) & (scaled_values <= 1.0), axis=1)])
         if len(found) >= count:
             break
     return np.array(found[:count]).reshape(len(found[:count]), middle.size)
@@ -174,15 +174,15 @@ def surrogate_prediction(model: CurveModel) -> Callable[[Coefficients, Array], A
     Returns
     -------
     callable
-        Coefficients and places, shape (unknowns,) → predictions, shape (points,); traceable by JAX. Outside the fitted
-        box the polynomial goes on as its linear part does.
+        Coefficients and scaled values, shape (unknowns,) → predictions, shape (points,); traceable by JAX. Outside
+        the fitted box the polynomial goes on as its linear part does.
     """
     joint = np.array(model.in_joint, int)
     powers = exponents(len(joint))
     weights = None if model.weights is None else jnp.asarray(model.weights)
 
-    def predict(fitted: Coefficients, places: Array) -> Array:
-        along = (places[joint] - fitted["middle"]) @ fitted["axes"]
+    def predict(fitted: Coefficients, scaled_values: Array) -> Array:
+        along = (scaled_values[joint] - fitted["middle"]) @ fitted["axes"]
         half = 0.5 * (fitted["high"] - fitted["low"])
         scaled = (along - 0.5 * (fitted["low"] + fitted["high"])) / half
         inside = jnp.clip(scaled, -1.0, 1.0)
@@ -190,8 +190,9 @@ def surrogate_prediction(model: CurveModel) -> Callable[[Coefficients, Array], A
         compliance = jnp.exp(_basis(inside, powers) @ fitted["terms"] + (scaled - inside) @ linear)
         if weights is None:
             return 1.0 / compliance
-        point = {model.unknowns[i].path: model.unknowns[i].from_unit(places[i]) for i in model.in_curve}
-        parts = [model.curve_part(path, point, tanh=jnp.tanh)[0] for path in point]
-        return sum((jnp.asarray(part) for part in parts), weights @ compliance)
+        point = {
+            model.unknowns[i].path: model.unknowns[i].from_unit(scaled_values[i]) for i in model.in_curve
+        }
+        return weights @ compliance + model.curve_part(point, tanh=jnp.tanh)
 
     return predict

@@ -54,8 +54,8 @@ class Posterior:
 
     Parameters
     ----------
-    places : ndarray
-        Places of the unknowns between their bounds, shape (draws, unknowns).
+    scaled_values : ndarray
+        Scaled values of the unknowns (0 at the lower bound, 1 at the upper), shape (draws, unknowns).
     standard_deviation : ndarray
         Of the errors, shape (draws,) [rad] or [N·m/rad].
     r_hat, effective_draws : ndarray
@@ -69,7 +69,7 @@ class Posterior:
         Number of chains; the draws are in their order, chain by chain.
     """
 
-    places: np.ndarray
+    scaled_values: np.ndarray
     standard_deviation: np.ndarray
     r_hat: np.ndarray
     effective_draws: np.ndarray
@@ -113,13 +113,16 @@ class Posterior:
             "cut" where the share of the draws next to a bound is certainly above :data:`CUT_SHARE`, "possibly cut"
             where the draws are too few to decide.
         """
-        places = self.places[:, index]
-        spread = float(np.std(places))
+        scaled_values = self.scaled_values[:, index]
+        spread = float(np.std(scaled_values))
         if spread > FILLS * UNINFORMED:
             return "fills its bounds"
         # a tenth of a standard deviation next to a bound holds 1 % where that lies 1.7 standard deviations away
         certain, possible = [], []
-        for side, near in (("lower", places < 0.1 * spread), ("upper", places > 1.0 - 0.1 * spread)):
+        for side, near in (
+            ("lower", scaled_values < 0.1 * spread),
+            ("upper", scaled_values > 1.0 - 0.1 * spread),
+        ):
             excess, error = float(np.mean(near)) - CUT_SHARE, self.share_error(near)
             if excess > CERTAIN * error:
                 certain.append(side)
@@ -159,7 +162,7 @@ def sample(
     seed: int,
     progress: Callable[[int, int], None] | None = None,
 ) -> Posterior:
-    r"""Sample places of unknowns with uniform priors between their bounds, and the size of the errors.
+    r"""Sample scaled values of unknowns with uniform priors, and the size of the errors.
 
     .. math::
         u_i \sim U(0, 1), \quad \ln(s/s_0) \sim U(-\ln 10, \ln 10), \quad y_k \sim N(f_k(u), s^2)
@@ -167,17 +170,18 @@ def sample(
     Parameters
     ----------
     predict : callable
-        f: places, shape (sets, unknowns) → predictions, shape (sets, points); nan where the likelihood is zero.
+        f: scaled values, shape (sets, unknowns) → predictions, shape (sets, points); nan where the likelihood is zero.
     surrogate : callable
-        Coefficients and places, shape (unknowns,) → predictions like f's, shape (points,); traceable by JAX. It only
-        proposes: the draws have the posterior of f, see :class:`asperity.study.calibration.delayed_acceptance.Chains`.
+        Coefficients and scaled values, shape (unknowns,) → predictions like f's, shape (points,); traceable by JAX. It
+        only proposes: the draws have the posterior of f, see
+        :class:`asperity.study.calibration.delayed_acceptance.Chains`.
     fit : callable
-        Centre, shape (unknowns,), and covariance of places → coefficients of a surrogate that is good around there,
-        of the same shapes each time.
+        Centre, shape (unknowns,), and covariance of scaled values → coefficients of a surrogate that is good around
+        there, of the same shapes each time.
     data : ndarray
         y, shape (points,).
     first, covariance : ndarray
-        Least-squares fit in places, and its covariance: chains begin around it.
+        Least-squares fit in scaled values, and its covariance: chains begin around it.
     first_deviation : float
         s_0, the standard deviation of its residuals.
     draws, warmup, chains, seed : int
@@ -319,11 +323,11 @@ def _concluded(kept: np.ndarray, moving: Chains, first_deviation: float) -> Post
             f"the chains of the posterior have not converged: largest split-R-hat {np.max(r_hat):.3g}, allowed "
             f"{LARGEST_R_HAT}; fewest effective draws {np.min(effective):.0f}, needed {FEWEST_EFFECTIVE}; "
             f"{100.0 * acceptance:.0f} % of the proposals accepted. Take more draws, narrower bounds, or fewer "
-            "unknowns: the fit names the combinations that the data cannot tell"
+            "unknowns: the table of combinations names those that are not identifiable"
         )
     flat = kept.reshape(-1, kept.shape[-1])
     return Posterior(
-        places=flat[:, :-1],
+        scaled_values=flat[:, :-1],
         standard_deviation=first_deviation * DEVIATION_FACTOR ** (2.0 * flat[:, -1] - 1.0),
         r_hat=r_hat,
         effective_draws=effective,
@@ -361,7 +365,7 @@ def posterior(
     Raises
     ------
     InputError
-        If the data fit exactly: then there are no errors whose size could be told.
+        If the data fit exactly: then there are no errors whose size could be estimated.
     MissingExtraError, NoSolutionError
         As :func:`sample`.
 
@@ -379,7 +383,7 @@ def posterior(
         surrogate=surrogate_prediction(model),
         fit=lambda centre, spread: fit_surrogate(model, centre, spread, seed=seed),
         data=data,
-        first=calibration.places,
+        first=calibration.scaled_values,
         covariance=calibration.covariance,
         first_deviation=calibration.standard_deviation,
         draws=draws,

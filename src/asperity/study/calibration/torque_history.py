@@ -1,9 +1,10 @@
-r"""Angles along any history of torques as a linear operator on the compliance of the loading curve.
+r"""Angles along any history of torques as a linear operator on the compliance of the loading curves.
 
-The loading curve is :math:`\varphi(T) = \int_0^T dT'/K(T')` (A9). After a reversal at :math:`T_r` the angle follows
-Masing's rule, :math:`\varphi_r + 2 \operatorname{sgn}(T - T_r)\, \varphi(|T - T_r|/2)`; a branch that returns to the
-reversal before it closes its loop, and goes on along the branch on which that loop began (Madelung's rules). Every
-angle is so a sum of values of :math:`\varphi`, and every value of it a weighted sum of compliances at fixed torques.
+The loading curve is :math:`\varphi(T) = \int_0^T dT'/K(T')` for torques of either sign (A9). The part of it that is
+slip, :math:`\gamma`, follows Masing's rule after a reversal at :math:`T_r`: it grows by
+:math:`2 \operatorname{sgn}(T - T_r)\, \gamma(|T - T_r|/2)`. A branch that returns to the reversal before it closes its
+loop, and goes on along the branch on which that loop began (Madelung's rules). The rest of the loading curve is
+reversible. Every angle is so a weighted sum of compliances, with slip and without, at fixed torques.
 """
 
 from __future__ import annotations
@@ -24,8 +25,29 @@ _NODES = 4
 _Terms = list[tuple[float, float]]
 
 
-def angle_terms(torques: np.ndarray, history: History) -> list[_Terms]:
-    """Each angle of a history of torques as a sum of values of the loading curve.
+def cycled_before(torques: np.ndarray) -> list[float]:
+    """Torques at the reversals of a joint that is cycled to plus and minus the largest torque before a history begins.
+
+    Parameters
+    ----------
+    torques : ndarray
+        Torques in the order of time, shape (points,) [N·m].
+
+    Returns
+    -------
+    list of float
+        Two torques [N·m]; the history begins on the branch that leads on in its first direction.
+    """
+    sequence = [float(torque) for torque in torques]
+    if not sequence:
+        return []
+    largest = max(abs(torque) for torque in sequence)
+    moved = next((torque for torque in sequence[1:] if torque != sequence[0]), sequence[0])
+    return [largest, -largest] if moved >= sequence[0] else [-largest, largest]
+
+
+def slip_terms(torques: np.ndarray, history: History) -> list[_Terms]:
+    """The slip at each torque of a history as a sum of values of the slip curve.
 
     Parameters
     ----------
@@ -37,20 +59,15 @@ def angle_terms(torques: np.ndarray, history: History) -> list[_Terms]:
     Returns
     -------
     list of list of tuple
-        For each point, coefficients and torques >= 0 [N·m]; the angle is the sum of coefficient times
-        loading curve there.
+        For each point, coefficients and torques >= 0 [N·m]; the slip is the sum of coefficient times slip curve
+        there.
 
     References
     ----------
     G. Masing, Proc. 2nd Int. Congr. Appl. Mech., Zurich 1926, 332; E. Madelung, Ann. Phys. 322 (1905) 861.
     """
     sequence = [float(torque) for torque in torques]
-    before: list[float] = []
-    if history == "cycled" and sequence:
-        largest = max(abs(torque) for torque in sequence)
-        moved = next((torque for torque in sequence[1:] if torque != sequence[0]), sequence[0])
-        upward = moved >= sequence[0]
-        before = [largest, -largest] if upward else [-largest, largest]
+    before = cycled_before(torques) if history == "cycled" else []
     reversals: list[tuple[float, _Terms]] = []
     last, direction = 0.0, 0.0
     last_terms: _Terms = []
@@ -86,12 +103,15 @@ class CurveOperator:
     Parameters
     ----------
     torque : ndarray
-        Torques at which the compliance is needed, shape (nodes,) [N·m].
+        Torques at which the compliance is needed, of either sign, shape (nodes,) [N·m].
+    slips : ndarray of bool
+        Whether it is the compliance with slip that is needed there, or that without, shape (nodes,).
     weights : ndarray
         Shape (points, nodes) [N·m]; angle = weights @ (1/stiffness).
     """
 
     torque: np.ndarray
+    slips: np.ndarray
     weights: np.ndarray
 
 
@@ -107,7 +127,7 @@ def _partial_weights(places: np.ndarray) -> np.ndarray:
     return np.stack(columns, axis=-1)
 
 
-def curve_operator(torques: np.ndarray, history: History) -> CurveOperator:
+def curve_operator(torques: np.ndarray, history: History, *, symmetric: bool) -> CurveOperator:
     """The operator of a history of torques.
 
     Parameters
@@ -116,23 +136,66 @@ def curve_operator(torques: np.ndarray, history: History) -> CurveOperator:
         Torques in the order of time, of either sign, shape (points,) [N·m].
     history : {"virgin", "cycled"}
         State before the first one.
+    symmetric : bool
+        Whether the joint has the same compliance in both directions; then only positive torques are needed.
 
     Returns
     -------
     CurveOperator
-        Gauss–Legendre quadrature on panels of the loading curve; exact for compliances that are cubic in each panel.
+        Gauss–Legendre quadrature on panels of the loading curves; exact for compliances that are cubic in each panel.
 
     Raises
     ------
     InputError
         If all torques are zero.
+
+    Notes
+    -----
+    The slip curve is the mean of the directions that the history visits.
     """
     largest = float(np.max(np.abs(torques), initial=0.0))
     if largest == 0.0:
-        raise InputError("all measured torques are zero; a curve needs torque")
-    terms = angle_terms(torques, history)
-    arguments = np.unique([torque for each in terms for _, torque in each])
-    nodes, gauss = np.polynomial.legendre.leggauss(_NODES)
+        raise InputError("all measured torques are zero; a curve needs torques that differ from zero")
+    terms = slip_terms(torques, history)
+    torques = np.asarray(torques, float)
+    arguments = np.unique([*np.abs(torques), *(torque for each in terms for _, torque in each)])
+    integral = _integrals(arguments, largest)
+
+    def along(torque: np.ndarray | float) -> np.ndarray:
+        return integral[np.searchsorted(arguments, torque)]
+
+    sign = np.sign(torques)[:, None]
+    loading = along(np.abs(torques))
+    slip = np.stack([sum((c * along(t) for c, t in each), 0.0 * integral[0]) for each in terms])
+    slip = slip - sign * loading  # what remains of it beside the loading curve
+    visited = np.concatenate([torques, cycled_before(torques) if history == "cycled" else []])
+    sides = np.array([np.any(visited > 0.0), np.any(visited < 0.0)], float)
+    sides = sides / sides.sum()
+    forward = np.where(sign > 0.0, loading, 0.0) + sides[0] * slip
+    reverse = np.where(sign < 0.0, -loading, 0.0) + sides[1] * slip
+    nodes = _nodes(largest)
+    if symmetric:
+        blocks = [(nodes, True, forward + reverse), (nodes, False, -slip)]
+    else:
+        blocks = [(nodes, True, forward), (-nodes, True, reverse)]
+        blocks += [(nodes, False, -sides[0] * slip), (-nodes, False, -sides[1] * slip)]
+    needed = [(torque, slips, weights) for torque, slips, weights in blocks if np.any(weights)]
+    return CurveOperator(
+        torque=np.concatenate([torque for torque, _, _ in needed]),
+        slips=np.concatenate([np.full(nodes.size, slips) for _, slips, _ in needed]),
+        weights=np.concatenate([weights for _, _, weights in needed], axis=1),
+    )
+
+
+def _nodes(largest: float) -> np.ndarray:
+    nodes, _ = np.polynomial.legendre.leggauss(_NODES)
+    centres = largest / _PANELS * (np.arange(_PANELS)[:, None] + 0.5 * (1.0 + nodes))
+    return centres.reshape(-1)
+
+
+def _integrals(arguments: np.ndarray, largest: float) -> np.ndarray:
+    """Weights of the integrals from 0 to each of the arguments, shape (arguments, nodes)."""
+    _, gauss = np.polynomial.legendre.leggauss(_NODES)
     width = largest / _PANELS
     panel = np.minimum((arguments / width).astype(int), _PANELS - 1)
     inside = 2.0 * (arguments / width - panel) - 1.0
@@ -140,10 +203,4 @@ def curve_operator(torques: np.ndarray, history: History) -> CurveOperator:
     for row, (whole, partial) in enumerate(zip(panel, _partial_weights(inside), strict=True)):
         integral[row, :whole] = gauss
         integral[row, whole] = partial
-    integral = 0.5 * width * integral.reshape(arguments.size, -1)
-    weights = np.zeros((len(terms), integral.shape[1]))
-    for row, each in enumerate(terms):
-        for coefficient, torque in each:
-            weights[row] += coefficient * integral[np.searchsorted(arguments, torque)]
-    centres = width * (np.arange(_PANELS)[:, None] + 0.5 * (1.0 + nodes))
-    return CurveOperator(torque=centres.reshape(-1), weights=weights)
+    return 0.5 * width * integral.reshape(arguments.size, -1)

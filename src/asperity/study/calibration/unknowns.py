@@ -16,14 +16,15 @@ from asperity.units import parse_quantity
 
 #: Properties of a measured curve that no joint file has, and what they measure.
 CURVE_UNKNOWNS = {
-    "play": Dimension.ANGLE,
-    "play_torque": Dimension.TORQUE,
     "offset": Dimension.ANGLE,
     "drift": Dimension.ANGULAR_VELOCITY,
 }
 
 #: Without stated bounds a number of the file may change by this factor either way.
 DEFAULT_FACTOR = 5.0
+
+#: Numbers of the joint file that add to the angles without a new solution of the joint.
+PLAY_UNKNOWNS = ("play.angle", "play.take_up_torque")
 
 _LINEAR_KINDS = ("fractal_dimension", "poisson_ratio", "push_angle")
 
@@ -35,13 +36,13 @@ def read_unknowns(texts: Iterable[str], *, case: Case, measurement: Measurement)
     ----------
     texts : iterable of str
         ``KEY`` or ``KEY=LOWER:UPPER`` with units, for example ``load.preload=500 N:2000 N``; a key is a number of
-        the joint file, or ``play``, ``play_torque``, ``offset``, ``drift``.
+        the joint file, or ``offset``, ``drift``.
     case : Case
         The joint file. Its value is the first guess; without bounds, five times it and a fifth of it are the bounds
         (1.05 to 1.95 for a fractal dimension).
     measurement : Measurement
-        The data; without bounds play, offset and drift may be as large as the whole range of angles. With several
-        repetitions each has its own offset.
+        The data; without bounds ``play.angle``, offset and drift may be as large as the whole range of angles, and
+        ``play.take_up_torque`` as the largest torque. With several repetitions each has its own offset.
 
     Returns
     -------
@@ -60,7 +61,7 @@ def read_unknowns(texts: Iterable[str], *, case: Case, measurement: Measurement)
         sides = bounds.split(":") if bounds.strip() else []
         if sides and len(sides) != 2:
             raise InputError(f"unknown '{text}': expected KEY=LOWER:UPPER, e.g. load.preload=500 N:2000 N")
-        if name in CURVE_UNKNOWNS:
+        if added_to_curve(name):
             found.extend(_of_curve(name, sides, measurement))
         else:
             found.append(_of_joint(name, sides, case))
@@ -70,8 +71,11 @@ def read_unknowns(texts: Iterable[str], *, case: Case, measurement: Measurement)
     for name in names:
         if names.count(name) > 1:
             raise InputError(f"the unknown '{name}' is named twice")
-    if "play_torque" in names and "play" not in names:
-        raise InputError("play_torque is the torque that takes up the play; it needs the unknown 'play'")
+    if "play.take_up_torque" in names and "play.angle" not in names and case.play is None:
+        raise InputError(
+            "play.take_up_torque is the torque that takes up the play; it needs the unknown 'play.angle' too, or a "
+            "section [play] in the joint file"
+        )
     return tuple(found)
 
 
@@ -87,31 +91,31 @@ def _bounds(name: str, sides: list[str], dimension: Dimension) -> tuple[float, f
 
 def _of_curve(name: str, sides: list[str], measurement: Measurement) -> list[Variable]:
     if measurement.angle is None:
-        raise InputError(f"'{name}' belongs to angles; the data are stiffnesses")
+        raise InputError(f"'{name}' can be fitted to measured angles only; the data are stiffnesses")
     span = float(np.ptp(measurement.angle))
     if name == "drift" and (measurement.time is None or np.ptp(measurement.time) == 0.0):
         raise InputError("drift needs a column 'time', e.g. 'time [s]'")
     duration = float(np.ptp(measurement.time)) if measurement.time is not None else 1.0
     middle = float(np.mean(measurement.angle))
     default = {
-        "play": (0.0, span),
-        "play_torque": (
+        "play.angle": (0.0, span),
+        "play.take_up_torque": (
             1e-3 * float(np.max(np.abs(measurement.torque))),
             float(np.max(np.abs(measurement.torque))),
         ),
         "offset": (middle - span, middle + span),
         "drift": (-span / duration, span / duration),
     }[name]
-    lower, upper = _bounds(name, sides, CURVE_UNKNOWNS[name]) if sides else default
-    if name in ("play", "play_torque") and (lower < 0.0 or (name == "play_torque" and lower == 0.0)):
-        raise InputError(
-            f"unknown '{name}': it cannot be negative{' or zero' if name == 'play_torque' else ''}"
-        )
+    lower, upper = _bounds(name, sides, _dimension(name)) if sides else default
+    if lower < 0.0 and name == "play.angle":
+        raise InputError(f"unknown '{name}': the lower bound {sides[0].strip()} must not be negative")
+    if lower <= 0.0 and name == "play.take_up_torque":
+        raise InputError(f"unknown '{name}': the lower bound {sides[0].strip()} must be positive")
     if name == "offset":
         labels = np.unique(measurement.repetition)
         if labels.size > 1:
             return [Variable(f"offset {label:g}", lower, upper, False) for label in labels]
-    return [Variable(name, lower, upper, name == "play_torque")]
+    return [Variable(name, lower, upper, name == "play.take_up_torque")]
 
 
 def _of_joint(path: str, sides: list[str], case: Case) -> Variable:
@@ -155,5 +159,41 @@ def si_unit_of(path: str) -> str:
     str
         A unit of :mod:`asperity.units`.
     """
+    return _dimension(path).si_unit
+
+
+def added_to_curve(path: str) -> bool:
+    """Whether an unknown only adds to the angles, so that its effect needs no new solution of the joint.
+
+    Parameters
+    ----------
+    path : str
+        Its name.
+
+    Returns
+    -------
+    bool
+        True for play, offset and drift.
+    """
+    return path.partition(" ")[0] in CURVE_UNKNOWNS or path in PLAY_UNKNOWNS
+
+
+def of_joint_file(path: str) -> bool:
+    """Whether an unknown is a number of the joint file, and not of the measurement.
+
+    Parameters
+    ----------
+    path : str
+        Its name.
+
+    Returns
+    -------
+    bool
+        False for offset and drift.
+    """
+    return path.partition(" ")[0] not in CURVE_UNKNOWNS
+
+
+def _dimension(path: str) -> Dimension:
     kind = path.partition(" ")[0]
-    return (CURVE_UNKNOWNS[kind] if kind in CURVE_UNKNOWNS else key_at(path).dimension).si_unit
+    return CURVE_UNKNOWNS[kind] if kind in CURVE_UNKNOWNS else key_at(path).dimension

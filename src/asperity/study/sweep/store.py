@@ -32,7 +32,7 @@ from asperity.study.datasets import (
     row_coordinates,
     row_dimensions,
 )
-from asperity.study.parameters import Axis
+from asperity.study.parameters import axis_from_dict
 from asperity.study.sweep.sweep_plan import Plan
 from asperity.writing import cannot_write, check_folder
 
@@ -281,7 +281,7 @@ def open_store(path: str | Path, *, verify: bool = True) -> xarray.Dataset:
     if stored is None:
         raise InputError(f"{path}: this is not the store of a sweep")
     if verify:
-        axes = tuple(Axis(**axis) for axis in stored["axes"])
+        axes = tuple(axis_from_dict(axis) for axis in stored["axes"])
         plan = Plan(stored["joint"], axes, tuple(stored["results"]), tuple(stored["block_shape"]))
         damaged = damaged_blocks(path, plan)
         if damaged or not all(

@@ -15,7 +15,7 @@ from asperity.joint_file.model import Case
 from asperity.precision import require_double_precision
 from asperity.study.batch import QUICK_POINTS
 from asperity.study.datasets import common_attributes, coordinate, dataset
-from asperity.study.parameters import Axis
+from asperity.study.parameters import SweepAxis
 from asperity.study.sweep.cluster import run_on_cluster
 from asperity.study.sweep.store import (
     open_store,
@@ -43,7 +43,7 @@ Report = Callable[[int, int], Any]
 
 def sweep(
     case: Case,
-    axes: Sequence[Axis],
+    axes: Sequence[SweepAxis],
     *,
     results: Sequence[str],
     store: str | Path | None = None,
@@ -60,7 +60,7 @@ def sweep(
     ----------
     case : Case
         The joint file.
-    axes : sequence of Axis
+    axes : sequence of Axis or ListedAxis
         What is varied, a dimension for each; :func:`asperity.study.parameters.parse_axis` reads them from text.
     results : sequence of str
         Results or groups of them, e.g. ``("stiffness", "slip_ratio")``; ``("all",)`` for every one. What is not

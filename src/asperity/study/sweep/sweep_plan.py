@@ -14,7 +14,7 @@ from asperity.joint.results import RESULTS, chosen_results
 from asperity.joint_file.model import Case
 from asperity.joint_file.si_tables import Values, si_values
 from asperity.study.batch import evaluate_points
-from asperity.study.parameters import Axis, check_axes
+from asperity.study.parameters import SweepAxis, check_axes
 
 #: Points of one block; a block is computed, written and, after an interruption, repeated as a whole.
 BLOCK_POINTS = 250_000
@@ -30,7 +30,7 @@ class Plan:
     ----------
     values : dict
         Tables of the joint file in SI units.
-    axes : tuple of Axis
+    axes : tuple of Axis or ListedAxis
         What is varied; a dimension for each.
     results : tuple of str
         Names of :data:`asperity.joint.results.RESULTS`.
@@ -39,7 +39,7 @@ class Plan:
     """
 
     values: Values
-    axes: tuple[Axis, ...]
+    axes: tuple[SweepAxis, ...]
     results: tuple[str, ...]
     block_shape: tuple[int, ...]
 
@@ -115,7 +115,7 @@ class Plan:
 
 
 def make_plan(
-    case: Case, axes: Sequence[Axis], results: Sequence[str], *, block_points: int | None = None
+    case: Case, axes: Sequence[SweepAxis], results: Sequence[str], *, block_points: int | None = None
 ) -> Plan:
     """Check a sweep and divide its grid into blocks.
 

@@ -1,4 +1,4 @@
-"""How the figures look: one place for type, colours and lines."""
+"""Fonts, colours and lines of the figures."""
 
 from __future__ import annotations
 
@@ -6,6 +6,8 @@ from typing import Any
 
 import numpy as np
 
+#: Colour of text and outlines.
+INK = "#22303c"
 #: Matplotlib settings of every figure.
 STYLE: dict[str, Any] = {
     "font.family": "DejaVu Sans",
@@ -14,7 +16,7 @@ STYLE: dict[str, Any] = {
     "axes.titleweight": "bold",
     "axes.titlelocation": "left",
     "axes.labelsize": 10,
-    "axes.labelcolor": "#22303c",
+    "axes.labelcolor": INK,
     "axes.edgecolor": "#55626e",
     "axes.linewidth": 0.8,
     "axes.spines.top": False,
@@ -27,8 +29,8 @@ STYLE: dict[str, Any] = {
     "lines.solid_capstyle": "round",
     "xtick.color": "#55626e",
     "ytick.color": "#55626e",
-    "xtick.labelcolor": "#22303c",
-    "ytick.labelcolor": "#22303c",
+    "xtick.labelcolor": INK,
+    "ytick.labelcolor": INK,
     "legend.frameon": False,
     "legend.fontsize": 9,
     "legend.title_fontsize": 9,
@@ -44,9 +46,9 @@ ACCENT = "#14557b"
 MUTED = "#6b7782"
 #: Colour of what is marked: peaks, limits.
 MARK = "#c2410c"
-#: Contact → colour, dash and width: right solid, left dashed; ring on top of planet thinner, so that both show.
+#: Contact → colour, dash and width: right solid, left dashed; the ring's lines are thinner, so that the planet's show.
 CONTACT_STYLES: dict[str, dict[str, Any]] = {
-    "sp": {"color": "#22303c", "linestyle": "-"},
+    "sp": {"color": INK, "linestyle": "-"},
     "pwr": {"color": "#4a9bd1", "linestyle": "-", "linewidth": 3.6},
     "pwl": {"color": "#4a9bd1", "linestyle": (0, (2.2, 1.1)), "linewidth": 3.6},
     "wro": {"color": "#d9730d", "linestyle": "-", "linewidth": 1.5},

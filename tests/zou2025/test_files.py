@@ -10,15 +10,15 @@ import pytest
 from asperity.errors import InputError
 from asperity.zou2025.claims import judge
 from asperity.zou2025.curves import Curves
-from asperity.zou2025.files import output_folder, verdict_document, write_panel, write_tables, write_verdicts
+from asperity.zou2025.files import output_folder, verdict_document, write_panel, write_verdicts
 from asperity.zou2025.panels import all_panels
 
 
 def test_a_panel_becomes_a_picture_and_its_numbers(curves: Curves, tmp_path: Path) -> None:
     panel = next(p for p in all_panels(curves) if p.name == "5b")
-    picture, table = write_panel(panel, tmp_path)
-    assert picture.name == "figure_5b.png"
-    assert picture.read_bytes().startswith(b"\x89PNG")
+    write_panel(panel, tmp_path)
+    table = tmp_path / "figure_5b.csv"
+    assert (tmp_path / "figure_5b.png").read_bytes().startswith(b"\x89PNG")
     with table.open(encoding="utf-8") as stream:
         header = next(csv.reader(stream))
     assert header == [
@@ -30,25 +30,36 @@ def test_a_panel_becomes_a_picture_and_its_numbers(curves: Curves, tmp_path: Pat
     np.testing.assert_array_equal(numbers[:, 0], panel.abscissa)  # all digits are kept
 
 
-def test_tables(curves: Curves, tmp_path: Path) -> None:
-    table_1, table_2 = write_tables(curves, tmp_path)
-    with table_1.open(encoding="utf-8") as stream:
+@pytest.fixture
+def folder(curves: Curves, tmp_path: Path) -> Path:
+    write_verdicts(verdict_document(curves, judge(curves)), tmp_path)
+    return tmp_path
+
+
+def test_tables(folder: Path) -> None:
+    with (folder / "table_1.csv").open(encoding="utf-8") as stream:
         rows = list(csv.DictReader(stream))
     assert [row["case"] for row in rows] == list("abcdef")
-    with table_2.open(encoding="utf-8") as stream:
+    # N/mm at D = 1.4, the model reference
+    assert float(rows[0]["tangential_stiffness_largest_N_per_mm"]) == pytest.approx(3.904e6, rel=6e-4)
+    with (folder / "table_2.csv").open(encoding="utf-8") as stream:
         rows = list(csv.DictReader(stream))
     assert [float(row["output_torque_Nm"]) for row in rows] == pytest.approx([0, 1, 2, 3, 4, 5])
+    # without losses the torque of the sun is a ninth of the output torque, shared by three contacts at 4 mm
+    assert [float(row["tangential_force_sp_N"]) for row in rows] == pytest.approx(
+        [torque / 9.0 / 3.0 / 4e-3 for torque in range(6)]
+    )
 
 
-def test_verdicts_are_plain_json(curves: Curves, tmp_path: Path) -> None:
-    document = verdict_document(curves, judge(curves))
-    read = json.loads(write_verdicts(document, tmp_path).read_text(encoding="utf-8"))
+def test_verdicts_are_plain_json(folder: Path) -> None:
+    read = json.loads((folder / "claims.json").read_text(encoding="utf-8"))
     assert read["claims"][0]["name"] == "C1"
     assert {c["name"] for c in read["criteria"]} >= {"nearly the same", "significantly"}
     assert read["assumptions"]
+    assert [row["case"] for row in read["table_1"]] == list("abcdef")
 
 
-def test_a_folder_that_cannot_be_made_is_an_input_error(tmp_path: Path) -> None:
+def test_a_folder_that_cannot_be_created_is_an_input_error(tmp_path: Path) -> None:
     (tmp_path / "file").write_text("")
-    with pytest.raises(InputError, match="cannot make the folder"):
+    with pytest.raises(InputError, match="cannot create the folder"):
         output_folder(tmp_path / "file" / "below")

@@ -21,7 +21,7 @@ def test_met(claims: Claims, name: str) -> None:
 
 def test_the_peak_is_near_1_85_for_the_pair_and_the_joint(claims: Claims) -> None:
     assert claims["C3"].statements[0].numbers["peak_fractal_dimension"] == pytest.approx(1.85, abs=0.02)
-    assert "in steps of 0.05 it is at D = 1.85" in claims["C3"].statements[0].evidence
+    assert "in steps of 0.05 the maximum is at D = 1.85" in claims["C3"].statements[0].evidence
 
 
 def test_length_gives_three_percent_and_not_a_significant_gain(claims: Claims) -> None:
@@ -37,12 +37,6 @@ def test_friction_only_ever_helps(claims: Claims) -> None:
 
 def test_left_and_right_part_with_the_torque(claims: Claims) -> None:
     assert [s.met for s in claims["C8"].statements] == [False, False, True, True, True]
-
-
-def test_a_claim_is_met_only_in_all_its_parts(claims: Claims) -> None:
-    for claim in claims.values():
-        assert claim.met == all(s.met for s in claim.statements)
-        assert claim.as_dict()["met"] == claim.met
 
 
 def test_every_verdict_names_numbers(claims: Claims) -> None:

@@ -1,0 +1,191 @@
+"""A calibration in a script: estimates with intervals and units, the calibrated joint, a picture."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from asperity.api.joint import DescribedJoint, require_joint
+from asperity.api.named_quantity import NamedQuantity
+from asperity.api.shown import Shown, Table, displayed, frame
+from asperity.errors import InputError
+from asperity.joint.results import LEVELS, known_result
+from asperity.joint.windup import StiffnessLevel
+from asperity.joint_file.edited_text import joint_file_text
+from asperity.joint_file.si_tables import key_at
+from asperity.study.calibration.calibrate import CORRELATED, Calibration
+from asperity.study.calibration.calibrate import calibrate as fit
+from asperity.study.calibration.calibration_plot import calibration_figure, unit_of
+from asperity.study.calibration.measurement import read_measurement
+from asperity.study.calibration.torque_history import History
+from asperity.study.calibration.unknowns import CURVE_UNKNOWNS, read_unknowns
+from asperity.units import format_quantity, from_si
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+    from asperity.study.calibration.posterior import Posterior
+
+
+def calibrate(
+    joint: DescribedJoint,
+    data: str | Path,
+    unknowns: Sequence[str],
+    *,
+    level: StiffnessLevel = "assembly",
+    history: History = "virgin",
+    starts: int = 4,
+    seed: int = 1,
+) -> CalibratedJoint:
+    """Fit numbers of a joint to a measured curve.
+
+    Parameters
+    ----------
+    joint : DescribedJoint
+        From :func:`asperity.load`; its numbers are the first guess.
+    data : str or Path
+        CSV file with columns torque and angle, or torque and stiffness, with units in the header.
+    unknowns : sequence of str
+        Numbers of the file, or play, play_torque, offset, drift; with bounds as ``"load.preload=500 N:2000 N"``.
+    level : {"assembly", "series_with_bulk", "published"}, optional
+        Stiffness that is fitted.
+    history : {"virgin", "cycled"}, optional
+        Joint before the first row: never loaded, or cycled to the largest torque.
+    starts : int, optional
+        Starts of the search.
+    seed : int, optional
+        Of the starts.
+
+    Returns
+    -------
+    CalibratedJoint
+        Estimates with 95 % intervals; ``joint`` is the calibrated joint.
+
+    Raises
+    ------
+    InputError
+        If data or unknowns cannot be read or make no sense.
+    NoSolutionError
+        If no start of the search ends at a fit.
+    """
+    require_joint(joint)
+    known_result(level, among=LEVELS, what="level of the stiffness")
+    known_result(history, among=("virgin", "cycled"), what="history")
+    if isinstance(unknowns, str):
+        raise InputError(f"the unknowns are a list, e.g. ['{unknowns}']")
+    measurement = read_measurement(data)
+    found = fit(
+        case=joint.case,
+        measurement=measurement,
+        unknowns=read_unknowns(unknowns, case=joint.case, measurement=measurement),
+        level=level,
+        history=history,
+        starts=starts,
+        seed=seed,
+    )
+    return CalibratedJoint(joint, found)
+
+
+class CalibratedJoint(Shown):
+    """The outcome of a calibration: ``found["load.preload"]`` is an estimate with its unit.
+
+    Parameters
+    ----------
+    start : DescribedJoint
+        The joint before.
+    calibration : Calibration
+        The fit, in SI units.
+    """
+
+    def __init__(self, start: DescribedJoint, calibration: Calibration) -> None:
+        self.start, self.calibration = start, calibration
+        self._estimates = {each.path: each for each in calibration.estimates}
+
+    @property
+    def joint(self) -> DescribedJoint:
+        """The joint with the estimates in place of its numbers."""
+        paths = set(self.calibration.model.paths)
+        changes = {path: each.value for path, each in self._estimates.items() if path in paths}
+        return self.start.edited(joint_file_text(self.start.case, changes, comment=""))
+
+    def __getitem__(self, name: str) -> NamedQuantity:
+        """One estimate."""
+        return self._quantities()[known_result(name, among=tuple(self._estimates), what="unknown")]
+
+    def keys(self) -> list[str]:
+        """Names of the unknowns."""
+        return list(self._estimates)
+
+    def _quantities(self) -> dict[str, NamedQuantity]:
+        found = {}
+        for path, each in self._estimates.items():
+            kind = path.partition(" ")[0]
+            dimension = CURVE_UNKNOWNS[kind] if kind in CURVE_UNKNOWNS else key_at(path).dimension
+            found[path] = NamedQuantity(path, path, each.value, dimension, unit_of(path))
+        return found
+
+    def to_frame(self) -> Any:
+        """The estimates as a pandas data frame: value, ends of the 95 % interval and unit, and whether determined."""
+        estimates, units = list(self._estimates.values()), [unit_of(path) for path in self._estimates]
+        columns: dict[str, Any] = {
+            title: [from_si(getattr(each, title), unit) for each, unit in zip(estimates, units, strict=True)]
+            for title in ("value", "lower", "upper")
+        }
+        columns |= {"unit": units, "determined": [each.determined for each in estimates]}
+        return frame(columns, index=list(self._estimates), index_name="unknown")
+
+    def posterior(self, draws: int, *, seed: int = 1) -> Posterior:
+        """Draws from the posterior of the unknowns; needs the extra ``bayes`` and takes minutes.
+
+        Parameters
+        ----------
+        draws : int
+            Draws of each of four chains.
+        seed : int, optional
+            Of the draws.
+
+        Returns
+        -------
+        Posterior
+            All draws.
+        """
+        from asperity.study.calibration.posterior import posterior, require_numpyro
+
+        require_numpyro()
+        return posterior(self.calibration, draws=draws, seed=seed)
+
+    def plot(self) -> Figure:
+        """Draw data, fit and residuals.
+
+        Returns
+        -------
+        matplotlib.figure.Figure
+            A notebook shows it; elsewhere call its ``savefig``.
+        """
+        return displayed(calibration_figure(self.calibration))
+
+    def _parts(self) -> list[str | Table]:
+        rows = []
+        for path, each in self._estimates.items():
+            unit = unit_of(path)
+            ends = [
+                format_quantity(end, unit, 6) if each.determined else "-" for end in (each.lower, each.upper)
+            ]
+            note = "" if each.determined else "NOT determined"
+            note += f" at its {each.at_bound} bound" if each.at_bound else ""
+            rows.append((path, format_quantity(each.value, unit, 6), *ends, note.strip()))
+        data = self.calibration.model.measurement
+        unit = "arcsec" if data.angle is not None else "N*m/arcmin"
+        parts: list[str | Table] = [
+            f"{len(rows)} unknowns from {data.torque.size} rows of {data.source}",
+            Table(("unknown", "estimate", "95 % from", "to", ""), rows),
+            f"residual: {format_quantity(self.calibration.standard_deviation, unit)} (standard deviation)",
+        ]
+        if self.calibration.durbin_watson < CORRELATED:
+            parts.append(
+                f"Neighbouring residuals are alike (Durbin–Watson {self.calibration.durbin_watson:.2f}, independent "
+                "ones give 2): the model does not explain the curve fully, and the intervals are too narrow."
+            )
+        worst = "\n".join(direction.words for direction in self.calibration.directions)
+        return [*parts, f"Combinations of unknowns, the worst determined first:\n{worst}"]

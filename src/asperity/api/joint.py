@@ -1,0 +1,247 @@
+"""A joint file in a script: its numbers with units, changed copies of it, and its solution."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from asperity.api.named_quantity import NamedQuantity, si_number
+from asperity.api.shown import Shown, Table, frame
+from asperity.errors import InputError, quoted
+from asperity.joint_file.model import Case
+from asperity.joint_file.reader import parse_case, read_case
+from asperity.precision import use_compilation_cache, use_double_precision
+from asperity.units import format_quantity
+
+if TYPE_CHECKING:
+    from asperity.api.solution import JointSolution
+    from asperity.surface.measurement import SurfaceMeasurement
+
+#: Keys of the file that its one-line summary names.
+_SUMMARY = ("load.preload", "load.output_torque", "load.sun_speed")
+
+
+def load(path: str | Path) -> DescribedJoint:
+    """Read a joint file.
+
+    Parameters
+    ----------
+    path : str or Path
+        A TOML file, as ``asperity init`` writes one.
+
+    Returns
+    -------
+    DescribedJoint
+        The joint, ready to be changed and solved.
+
+    Raises
+    ------
+    InputError
+        If the file cannot be read or says something that is not allowed.
+
+    Notes
+    -----
+    Switches JAX to double precision for this process, as every function of this room does.
+    """
+    use_double_precision()
+    use_compilation_cache()
+    return DescribedJoint(read_case(path), str(path))
+
+
+@dataclass(frozen=True, repr=False)
+class DescribedJoint(Shown):
+    """A joint as its file describes it; a change makes a new one.
+
+    Parameters
+    ----------
+    case : Case
+        The checked content of the joint file.
+    source : str
+        Where it comes from, for titles and messages.
+    """
+
+    case: Case
+    source: str
+
+    @property
+    def numbers(self) -> dict[str, NamedQuantity]:
+        """Every number that the file states: dotted path → quantity."""
+        from asperity.joint_file.si_tables import numeric_keys
+        from asperity.study.parameters import long_name
+
+        return {
+            path: NamedQuantity(path, long_name(path), each.value, each.key.dimension, each.key.unit)
+            for path, each in numeric_keys(self.case).items()
+        }
+
+    def __getitem__(self, path: str) -> NamedQuantity:
+        """One number of the file, such as ``load.preload``."""
+        from asperity.joint_file.si_tables import key_at
+
+        numbers = self.numbers
+        if path not in numbers:
+            key_at(path)  # raises if no joint file has such a number
+            raise InputError(f"{self.source} does not state '{path}'; it states {', '.join(numbers)}")
+        return numbers[path]
+
+    def _ipython_key_completions_(self) -> list[str]:
+        return list(self.numbers)
+
+    @property
+    def assumptions(self) -> tuple[str, ...]:
+        """What the file leaves out and what is assumed instead, one sentence each."""
+        from asperity.joint_file.assumptions import assumptions
+
+        return assumptions(self.case)
+
+    def with_values(self, changes: Mapping[str, Any]) -> DescribedJoint:
+        """The same joint with other numbers.
+
+        Parameters
+        ----------
+        changes : mapping
+            Dotted path → text with its unit, such as ``{"load.preload": "1200 N"}``, or a :class:`NamedQuantity` of
+            another joint or result. A bare number is accepted only where the quantity is dimensionless. A tolerance of
+            the file stays.
+
+        Returns
+        -------
+        DescribedJoint
+            A new joint.
+
+        Raises
+        ------
+        InputError
+            If there is no such number, its unit is missing or wrong, or it is outside its range.
+        """
+        from asperity.joint_file.edited_text import joint_file_text
+        from asperity.joint_file.si_tables import check_values, key_at
+
+        if not isinstance(changes, Mapping):
+            raise InputError(f"expected changes such as {{'load.preload': '1200 N'}}, got {quoted(changes)}")
+        numbers = {
+            path: si_number(given, key_at(path).dimension, name=path) for path, given in changes.items()
+        }
+        check_values(numbers)
+        return self.edited(joint_file_text(self.case, numbers, comment=""))
+
+    def with_surface(self, measurement: SurfaceMeasurement) -> DescribedJoint:
+        """The same joint with a measured surface at every contact.
+
+        Parameters
+        ----------
+        measurement : SurfaceMeasurement
+            The ``measurement`` of what :func:`asperity.api.surface.measure_surface` returns.
+
+        Returns
+        -------
+        DescribedJoint
+            A new joint.
+
+        Raises
+        ------
+        InputError
+            If the measured values are outside what a joint file allows.
+        """
+        from asperity.joint_file.measured_surface import with_measured_surface
+
+        return DescribedJoint(with_measured_surface(self.case, measurement), self.source)
+
+    def edited(self, text: str) -> DescribedJoint:
+        """The joint of another text of its file.
+
+        Parameters
+        ----------
+        text : str
+            TOML.
+
+        Returns
+        -------
+        DescribedJoint
+            A new joint.
+        """
+        return DescribedJoint(parse_case(text, source=self.source), self.source)
+
+    def save(self, path: str | Path) -> None:
+        """Write the joint as a joint file.
+
+        Parameters
+        ----------
+        path : str or Path
+            Name of the file; an existing one is replaced.
+
+        Raises
+        ------
+        InputError
+            If it cannot be written.
+        """
+        from asperity.joint_file.edited_text import joint_file_text
+        from asperity.writing import write_text
+
+        write_text(joint_file_text(self.case, {}, comment=""), str(path))
+
+    def solve(self) -> JointSolution:
+        """Forces, contacts, stiffness and limits of the joint.
+
+        Returns
+        -------
+        JointSolution
+            All results with names and units.
+
+        Raises
+        ------
+        InputError
+            If the rollers do not fit, or the output torque is beyond the torque capacity.
+        NoSolutionError
+            If the force balance does not close.
+        """
+        from asperity.api.solution import solution
+
+        return solution(self)
+
+    def to_frame(self) -> Any:
+        """The numbers of the file as a pandas data frame: value, unit, SI value, SI unit, tolerance (in the unit)."""
+        from asperity.joint_file.si_tables import numeric_keys
+        from asperity.units import from_si
+
+        stated, numbers = numeric_keys(self.case), self.numbers
+        return frame(
+            {
+                "value": [each.value for each in numbers.values()],
+                "unit": [each.unit for each in numbers.values()],
+                "si": [each.si for each in numbers.values()],
+                "si_unit": [each.si_unit for each in numbers.values()],
+                "tolerance": [from_si(stated[path].tolerance, each.unit) for path, each in numbers.items()],
+            },
+            index=list(numbers),
+            index_name="number",
+        )
+
+    @property
+    def summary(self) -> str:
+        """The joint in one line."""
+        stated = ", ".join(f"{self[path].label} {self[path]}" for path in _SUMMARY)
+        return f"{self.source}: {self['drive.planets'].si:g} planets, {stated}"
+
+    def _parts(self) -> list[str | Table]:
+        rows = [(path, format_quantity(each.si, each.unit, 6)) for path, each in self.numbers.items()]
+        return [self.summary, Table(("number", "value"), rows)]
+
+
+def require_joint(joint: object) -> None:
+    """Raise unless this is a joint that was loaded.
+
+    Parameters
+    ----------
+    joint : DescribedJoint
+        What a caller gave.
+
+    Raises
+    ------
+    InputError
+        If it is anything else.
+    """
+    if not isinstance(joint, DescribedJoint):
+        raise InputError(f"expected a joint, got {quoted(joint)}; asperity.load('joint.toml') reads one")

@@ -1,0 +1,255 @@
+"""A solved joint in a script: every row of the table of results by its name, with its unit."""
+
+from __future__ import annotations
+
+import functools
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from asperity.api.joint import DescribedJoint
+from asperity.api.named_quantity import NamedQuantity
+from asperity.api.shown import Shown, Table, displayed, frame, pandas
+from asperity.drive.geometry import CONTACT_NAMES
+from asperity.joint.document import joint_document
+from asperity.joint.results import LEVELS, RESULTS, Result, SolvedJoint, known_result, name_at_level
+from asperity.joint.solve import Solution, solve
+from asperity.joint_file.build import joint_from_case
+from asperity.joint_file.si_tables import si_values
+from asperity.units import format_quantity
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+    from asperity.joint.windup import StiffnessLevel
+
+#: Results of the whole joint that are printed below the stiffness. What the table knows about drift comes first.
+_PRINTED = (
+    "efficiency",
+    "life_hours",
+    "torque_capacity",
+    "limiting_contact",
+    "torque_safety",
+    "speed_ratio",
+    "wedge_angle",
+    "mass",
+)
+#: Results of the contacts that are printed.
+_PRINTED_CONTACTS = ("normal_force", "tangential_force", "slip_ratio", "hertz_half_width", "hertz_pressure")
+
+
+def solution(joint: DescribedJoint) -> JointSolution:
+    """Solve a joint.
+
+    Parameters
+    ----------
+    joint : DescribedJoint
+        The joint.
+
+    Returns
+    -------
+    JointSolution
+        All results.
+
+    Raises
+    ------
+    InputError
+        If the joint cannot exist.
+    NoSolutionError
+        If the force balance does not close.
+    """
+    return JointSolution(joint, solve(joint_from_case(joint.case)))
+
+
+class JointSolution(Shown):
+    """A solved joint: ``solution["stiffness"]`` is a number with its unit, and so is every other result.
+
+    Parameters
+    ----------
+    joint : DescribedJoint
+        What was solved.
+    solution : Solution
+        What came out.
+    """
+
+    def __init__(self, joint: DescribedJoint, solution: Solution) -> None:
+        self.joint, self.solution = joint, solution
+        self._solved = SolvedJoint(joint_from_case(joint.case), solution.result, solution.capacity)
+
+    def __getitem__(self, asked: str | tuple[str, StiffnessLevel]) -> NamedQuantity:
+        """One result.
+
+        ``solution["stiffness"]`` is the output stiffness of the fullest model, ``solution["stiffness", "published"]``
+        that of another; ``solution["slip_ratio"]`` has a number for each contact, ``solution["slip_ratio_sp"]`` is one.
+        """
+        name, level = asked if isinstance(asked, tuple) and len(asked) == 2 else (asked, LEVELS[0])
+        if isinstance(asked, tuple):
+            known_result(level, among=LEVELS, what="level of the stiffness")
+        if isinstance(name, str) and name not in RESULTS:
+            full = name_at_level(name, level)
+            name = full if full in RESULTS else name
+            for row in RESULTS.values():
+                for contact in filter(None, row.row_names):
+                    if name == f"{row.name}_{contact}":
+                        return self._quantity(row)[contact]
+        return self._quantity(RESULTS[known_result(name, among=("stiffness", *RESULTS))])
+
+    def _quantity(self, row: Result) -> NamedQuantity:
+        found = row.of(self._solved)
+        values = np.asarray(found, dtype=float)
+        rows = row.row_names if row.row_shape else ()
+        return NamedQuantity(
+            name=row.name,
+            label=row.label,
+            si=np.broadcast_to(values, row.row_shape) if rows else float(values),
+            dimension=row.dimension,
+            unit=row.display_unit,
+            rows=rows,
+            level=row.level,
+            categories=row.categories,
+        )
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(RESULTS)
+
+    def __len__(self) -> int:
+        return len(RESULTS)
+
+    def __contains__(self, name: object) -> bool:
+        return name in RESULTS
+
+    def keys(self) -> list[str]:
+        """Names of all results."""
+        return list(RESULTS)
+
+    def _ipython_key_completions_(self) -> list[str]:
+        return ["stiffness", *RESULTS]
+
+    @property
+    def limits(self) -> list[dict[str, Any]]:
+        """Every limit of the joint and of its model in SI units, with ``ok``, ``meaning`` and ``remedy``."""
+        found: list[dict[str, Any]] = self.document["diagnostics"]
+        return found
+
+    @functools.cached_property
+    def document(self) -> dict[str, Any]:
+        """The document that ``asperity joint --json`` prints, in SI units."""
+        return joint_document(
+            joint=self._solved.joint,
+            solution=self.solution,
+            inputs=si_values(self.joint.case),
+            assumptions=self.joint.assumptions,
+        )
+
+    def to_frame(self) -> Any:
+        """Every number as a row of a pandas data frame: label, value, unit, SI value, SI unit, level."""
+        singles = self._singles()
+        return frame(
+            {
+                "label": [each.label for each in singles],
+                "value": [each.value for each in singles],
+                "unit": [each.unit for each in singles],
+                "si": [each.si for each in singles],
+                "si_unit": [each.si_unit for each in singles],
+                "level": [each.level for each in singles],
+            },
+            index=[each.name for each in singles],
+            index_name="result",
+        )
+
+    def to_series(self) -> Any:
+        """Every number as a pandas series of SI values; the index holds the name and the SI unit."""
+        singles = self._singles()
+        index = [(each.name, each.si_unit) for each in singles]
+        library = pandas()
+        return library.Series(
+            [each.si for each in singles],
+            index=library.MultiIndex.from_tuples(index, names=["result", "unit"]),
+            name=self.joint.source,
+        )
+
+    def _singles(self) -> list[NamedQuantity]:
+        return [single for name in self for single in self[name].singles()]
+
+    def plot(self) -> Figure:
+        """Draw what gives way: the share of every spring in the compliance, and the stiffness on every level.
+
+        Returns
+        -------
+        matplotlib.figure.Figure
+            A notebook shows it; elsewhere call its ``savefig``.
+        """
+        from asperity.show.compliance_figure import compliance_figure
+
+        return displayed(compliance_figure(self._solved, title=self.joint.summary))
+
+    def _parts(self) -> list[str | Table]:
+        return [
+            self.joint.summary,
+            self._stiffness_table(),
+            self._result_table(),
+            self._contact_table(),
+            *self._limit_parts(),
+        ]
+
+    def _stiffness_table(self) -> Table:
+        rows = []
+        for level in LEVELS:
+            output, sun = (self[f"{level}_stiffness_{place}"] for place in ("output", "sun"))
+            words = output.label.split(", ")[-1]
+            numbers = (sun.si, output.si, output.to("N*m/arcmin"))
+            rows.append((words, *(format_quantity(number, "1") for number in numbers)))
+        return Table(
+            ("model", "sun N·m/rad", "output N·m/rad", "output N·m/arcmin"), rows, "Torsional stiffness"
+        )
+
+    def _result_table(self) -> Table:
+        drift = [name for name, row in RESULTS.items() if "drift" in name and row.axis == "one"]
+        rows = [(self[name].label, str(self[name])) for name in (*drift, *_PRINTED) if name in RESULTS]
+        return Table(("result", "value"), rows)
+
+    def _contact_table(self) -> Table:
+        drift = [name for name, row in RESULTS.items() if "drift" in name and row.axis == "contact"]
+        shown = [self[name] for name in (*_PRINTED_CONTACTS, *drift)]
+        head = ("contact", *(_titled(each) for each in shown))
+        rows = [
+            (contact, *(format_quantity(_number(each, contact), "1") for each in shown))
+            for contact in CONTACT_NAMES
+        ]
+        return Table(head, rows)
+
+    def _limit_parts(self) -> list[str | Table]:
+        unknown = [self.document["stiffness_unknown_because"], self.document["rolling"]["unknown_because"]]
+        parts: list[str | Table] = [f"Not known: {reason}" for reason in unknown if reason]
+        by_limit: dict[str, list[dict[str, Any]]] = {}
+        for each in self.limits:
+            if not each["ok"]:
+                by_limit.setdefault(each["name"], []).append(each)
+        if not by_limit:
+            return [*parts, "Every limit of the model is kept."]
+        rows = [_warning(checks) for checks in by_limit.values()]
+        meanings = {f"{each['label']}: {each['meaning']}.": None for each in self.limits if not each["ok"]}
+        head = ("limit crossed", "worst value", "limit", "contacts", "about")
+        return [*parts, Table(head, rows, "Warnings, the most serious first"), "\n".join(meanings)]
+
+
+def _warning(checks: list[dict[str, Any]]) -> tuple[str, ...]:
+    """One limit, by the contact that is farthest beyond it; a value that is not known is the farthest."""
+    unknown = [each for each in checks if each["value"] is None]
+    worst = unknown[0] if unknown else max(checks, key=lambda each: abs(each["value"] - each["limit"]))
+    unit = RESULTS[worst["name"]].display_unit if worst["name"] in RESULTS else "1"
+    contacts = " ".join(each["contact"] for each in checks if each["contact"])
+    value, limit = ("-" if v is None else format_quantity(v, unit) for v in (worst["value"], worst["limit"]))
+    return worst["label"], value, limit, contacts, worst["severity"]
+
+
+def _titled(each: NamedQuantity) -> str:
+    short = each.label.removesuffix(" of the contact").removesuffix(" of the Hertzian contact")
+    return short if each.unit == "1" else f"{short} {each.unit.replace('*', '·')}"
+
+
+def _number(each: NamedQuantity, contact: str) -> float:
+    """Value of one contact in the unit of display."""
+    number: float = each[contact].value
+    return number

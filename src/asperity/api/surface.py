@@ -1,0 +1,204 @@
+"""A measured surface in a script: D and G with their intervals and units, height parameters, a picture."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from asperity.api.named_quantity import NamedQuantity, si_number
+from asperity.api.shown import Shown, Table, displayed, frame
+from asperity.errors import InputError, NoSolutionError
+from asperity.joint.results import known_result
+from asperity.precision import use_compilation_cache, use_double_precision
+from asperity.surface.fractal_fit import FractalFit
+from asperity.surface.measure_files import MeasuredFiles, files_document, measured_files
+from asperity.surface.measurement import CONFIDENCE, SurfaceMeasurement, surface_measurement
+from asperity.unit_table import Dimension
+from asperity.units import format_quantity
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+_LENGTHS = (
+    "spacing",
+    "start",
+    "stop",
+    "short_cutoff",
+    "long_cutoff",
+    "shortest_wavelength",
+    "longest_wavelength",
+)
+
+
+def measure_surface(
+    *files: str | Path,
+    position_unit: str | None = None,
+    height_unit: str | None = None,
+    spacing: str | None = None,
+    decimal: str = "auto",
+    any_size: bool = False,
+    start: str | None = None,
+    stop: str | None = None,
+    form: str | None = None,
+    degree: int | None = None,
+    missing: str = "refuse",
+    outlier_threshold: float | None = None,
+    short_cutoff: str | None = None,
+    long_cutoff: str | None = None,
+    direction: str = "x",
+    estimator: str = "automatic",
+    frequency_ratio: float = 1.5,
+    shortest_wavelength: str | None = None,
+    longest_wavelength: str | None = None,
+) -> FractalSurface:
+    """Fractal dimension D and fractal roughness G of profile or map files, with 95 % intervals.
+
+    Parameters
+    ----------
+    *files : str or Path
+        Profile files of one surface, whose spectra are averaged, or one map.
+    position_unit, height_unit : str, optional
+        Units of positions and heights where a file does not name them, such as ``"um"``.
+    spacing : str, optional
+        Distance of the points with its unit, for files that hold heights only.
+    decimal : {"auto", "point", "comma"}, optional
+        Decimal sign of text files.
+    any_size : bool, optional
+        Accept sizes that are unlikely for a rough surface.
+    start, stop : str, optional
+        Section of a profile, such as ``"468 um"``.
+    form, degree, missing, outlier_threshold, short_cutoff, long_cutoff : optional
+        Treatment before the evaluation, as :class:`asperity.surface.measure.Conditioning` describes it; cutoffs carry
+        their units. By default a line is removed from a profile and a plane from a map.
+    direction : {"x", "y"}, optional
+        Direction in a map.
+    estimator : str, optional
+        automatic, likelihood, lines, structure_function or power_spectrum.
+    frequency_ratio : float, optional
+        gamma of the model, above 1.
+    shortest_wavelength, longest_wavelength : str, optional
+        Limits of the band with their units; by default they are found.
+
+    Returns
+    -------
+    FractalSurface
+        The measurement; its ``measurement`` goes into :meth:`asperity.api.joint.DescribedJoint.with_surface`.
+
+    Raises
+    ------
+    InputError
+        If a file cannot be read, or an option has no unit or makes no sense.
+    NoSolutionError
+        If the surface has no power law over at least one decade of wavelength.
+    """
+    options: dict[str, Any] = {name: value for name, value in locals().items() if name != "files"}
+    if not files:
+        raise InputError(
+            "no file to measure; name at least one, e.g. asperity.measure_surface('profile.csv')"
+        )
+    use_double_precision()
+    use_compilation_cache()
+    for name in _LENGTHS:
+        if options[name] is not None:
+            options[name] = si_number(options[name], Dimension.LENGTH, name=name)
+    measured = measured_files(files, **options)
+    if isinstance(measured.fit, str):
+        raise NoSolutionError(f"{measured.source}: {measured.fit}")
+    return FractalSurface(measured, measured.fit)
+
+
+class FractalSurface(Shown):
+    """A measured surface: ``surface["fractal_roughness"]`` is a number with its unit.
+
+    Parameters
+    ----------
+    measured : MeasuredFiles
+        Conditioned surfaces and fits.
+    fit : FractalFit
+        The fit that counts.
+    """
+
+    def __init__(self, measured: MeasuredFiles, fit: FractalFit) -> None:
+        self.measured, self.fit = measured, fit
+        heights, number, length = measured.surfaces[0].heights, Dimension.DIMENSIONLESS, Dimension.LENGTH
+        letter = "S" if measured.topographies[0].is_map else "R"
+        rows = [
+            ("fractal_dimension", "fractal dimension D", fit.fractal_dimension, number, "1"),
+            ("fractal_roughness", "fractal roughness G", fit.fractal_roughness, length, "m"),
+            ("frequency_ratio", "frequency ratio gamma", fit.frequency_ratio, number, "1"),
+            ("shortest_wavelength", "shortest wavelength of the band", fit.shortest_wavelength, length, "um"),
+            ("longest_wavelength", "longest wavelength of the band", fit.longest_wavelength, length, "um"),
+        ]
+        if len(measured.surfaces) == 1:
+            rows += [
+                (f"{letter}a", f"arithmetic mean height {letter}a", heights.arithmetic_mean, length, "um"),
+                (f"{letter}q", f"root mean square height {letter}q", heights.root_mean_square, length, "um"),
+            ]
+        self._numbers = {
+            name: NamedQuantity(name, label, float(si), dimension, unit)
+            for name, label, si, dimension, unit in rows
+        }
+
+    @property
+    def measurement(self) -> SurfaceMeasurement:
+        """D and G with their covariance, as a joint takes them."""
+        return surface_measurement(fit=self.fit, source=self.measured.source)
+
+    @property
+    def document(self) -> dict[str, Any]:
+        """The document that ``asperity surface measure --json`` prints, in SI units."""
+        return files_document(self.measured)
+
+    def __getitem__(self, name: str) -> NamedQuantity:
+        """One number of the measurement."""
+        return self._numbers[known_result(name, among=tuple(self._numbers), what="number of a surface")]
+
+    def keys(self) -> list[str]:
+        """Names of the numbers."""
+        return list(self._numbers)
+
+    @property
+    def intervals(self) -> dict[str, tuple[float, float]]:
+        """95 % intervals of fractal_dimension [-] and fractal_roughness [m]."""
+        return self.measurement.interval(confidence=CONFIDENCE)
+
+    def to_frame(self) -> Any:
+        """The numbers as a pandas data frame: value, unit, ends of the 95 % interval in SI units, SI value and unit."""
+        numbers, ends = list(self._numbers.values()), self.intervals
+        nothing = (float("nan"), float("nan"))
+        return frame(
+            {
+                "value": [each.value for each in numbers],
+                "unit": [each.unit for each in numbers],
+                "si": [each.si for each in numbers],
+                "si_lower": [ends.get(each.name, nothing)[0] for each in numbers],
+                "si_upper": [ends.get(each.name, nothing)[1] for each in numbers],
+                "si_unit": [each.si_unit for each in numbers],
+            },
+            index=list(self._numbers),
+            index_name="number",
+        )
+
+    def plot(self) -> Figure:
+        """Draw heights, spectrum and structure function with the fitted power law.
+
+        Returns
+        -------
+        matplotlib.figure.Figure
+            A notebook shows it; elsewhere call its ``savefig``.
+        """
+        from asperity.surface.plots import measurement_figure
+
+        measured = self.measured
+        return displayed(
+            measurement_figure(surfaces=measured.topographies, fit=self.fit, direction=measured.direction)
+        )
+
+    def _parts(self) -> list[str | Table]:
+        ends = self.intervals
+        rows = []
+        for each in self._numbers.values():
+            interval = [format_quantity(end, each.unit) for end in ends.get(each.name, ())]
+            rows.append((each.label, str(each), *(interval or ("", ""))))
+        title = f"{self.measured.source}: estimator {self.fit.estimator}, {self.fit.profiles} profile(s)"
+        return [title, Table(("number", "value", "95 % from", "to"), rows)]

@@ -1,0 +1,176 @@
+"""Torque capacity of a joint: the largest output torque before its first limit, and which limit that is (A9)."""
+
+from __future__ import annotations
+
+import dataclasses
+import math
+from typing import Any
+
+import equinox as eqx
+import jax
+import jax.numpy as jnp
+from jax import Array
+
+from asperity.drive.capacity import first_limit, slip_ratio
+from asperity.drive.existence import pin_lock, smaller_body
+from asperity.drive.force_balance import BALANCE_TOLERANCE, force_balance
+from asperity.drive.geometry import CONTACT_NAMES
+from asperity.joint.contacts import bulk_springs, joint_contacts
+from asperity.joint.description import Joint, with_one_rank
+from asperity.joint.evaluation import mechanism
+from asperity.types import Real
+
+#: Kinds of limits, by the codes of :class:`TorqueCapacity`.
+LIMIT_KINDS = ("none", "pins_lock", "gross_slip", "lift_off", "contact_too_wide", "no_solution")
+
+_PER_CONTACT = LIMIT_KINDS[2:5]  # these have a limit for each contact
+
+#: What :attr:`TorqueCapacity.limiting_contact` numbers.
+LIMITING_CONTACTS = (*CONTACT_NAMES, "none")
+_NO_CONTACT = len(CONTACT_NAMES)
+
+
+class TorqueCapacity(eqx.Module):
+    """How much torque a preloaded joint can pass in one direction.
+
+    Parameters
+    ----------
+    output_torque : Array
+        Largest output torque that keeps every limit [N·m]; infinite where none is ever reached, 0 where one is
+        reached without any torque.
+    limit : Array
+        Code of the first limit in :data:`LIMIT_KINDS`.
+    limiting_contact : Array
+        Place of the contact that reaches it in :data:`LIMITING_CONTACTS`; the last one for a limit that is not a
+        contact's.
+    """
+
+    output_torque: Array
+    limit: Array
+    limiting_contact: Array
+
+
+def torque_capacity(joint: Joint, *, direction: Real) -> TorqueCapacity:
+    r"""Largest output torque in a direction at which the joint keeps every limit of the model.
+
+    .. math::
+        \max_i \left\{ \frac{T_i}{\mu_i N_i} - 1,\ -\frac{N_i}{N_{i,0}},\ \frac{b_i}{h_i} - 1,\
+        -\frac{c_i}{c_{i,0}} \right\} = 0
+
+    Parameters
+    ----------
+    joint : Joint
+        One joint, or many along trailing batch axes; its own output torque is not used.
+    direction : Real
+        +1 for positive torques, −1 for negative ones [-].
+
+    Returns
+    -------
+    TorqueCapacity
+        The capacity as a positive torque [N·m], and what limits it.
+
+    Notes
+    -----
+    The limits: a contact slips grossly; a contact lifts off (N_i = 0); a contact strip is too wide for line-contact
+    theory (its half-width b reaches the size h of the smaller body, or the compliance c of the bodies is no longer
+    positive); the pins lock; the force balance has no solution. Every torque of the search is a force
+    balance of its own, whose residual is looked at. The derivatives are implicit; a missing
+    solution has none, and 0 is returned for it.
+
+    References
+    ----------
+    Equation (A9) of :doc:`/equations`.
+    """
+    joint = with_one_rank(joint)
+    drive = mechanism(dataclasses.replace(joint, output_torque=jnp.asarray(direction)))
+    contacts = joint_contacts(joint)
+    rest, friction = drive.rest.normal_force, contacts.pairs.friction_coefficient
+    bodies = smaller_body(geometry=joint.geometry, ring_wall_thickness=joint.ring_wall_thickness)
+
+    def compliance(half_width: Real) -> Array:
+        return jnp.asarray(bulk_springs(contacts=contacts, half_width=half_width).incremental_compliance)
+
+    at_rest = compliance(contacts.pairs.half_width(rest))
+    pins = pin_lock(geometry=joint.geometry, bearings=joint.bearings)
+
+    def excesses(torque: Array) -> Array:
+        forces = force_balance(mechanism=drive, output_torque=direction * torque)
+        touching = forces.normal > 0.0
+        normal = jnp.where(touching, forces.normal, rest)
+        slip = slip_ratio(
+            normal_force=forces.normal,
+            tangential_force=forces.tangential,
+            friction_coefficient=friction,
+        )
+        width = contacts.pairs.half_width(normal)
+        too_wide = jnp.where(touching, jnp.maximum(width / bodies - 1.0, -compliance(width) / at_rest), -1.0)
+        solved = (forces.balance_residual < BALANCE_TOLERANCE) & (forces.closure_residual < BALANCE_TOLERANCE)
+        locked = jnp.where(pins.locks | pins.too_thick, 1.0, -1.0)
+        shape = forces.normal.shape[1:]
+        rows = (
+            (1, locked),
+            (5, slip - 1.0),
+            (5, -forces.normal / rest),
+            (5, too_wide),
+            (1, jnp.where(solved, -1.0, 1.0)),
+        )
+        return jnp.concatenate([jnp.broadcast_to(each, (count, *shape)) for count, each in rows])
+
+    guess = jnp.min(friction, axis=0) * joint.preload * drive.sides.roller_orbit * joint.geometry.planet_count
+    shape = jnp.broadcast_shapes(*(jnp.shape(leaf) for leaf in (*jax.tree.leaves(joint), direction)))
+    found = first_limit(excesses=excesses, first_guess=jnp.broadcast_to(guess, shape))
+    each = len(CONTACT_NAMES)
+    kinds = [0, 1, *(2 + i // each for i in range(each * len(_PER_CONTACT))), len(LIMIT_KINDS) - 1]
+    places = [_NO_CONTACT, _NO_CONTACT, *list(range(each)) * len(_PER_CONTACT), _NO_CONTACT]
+    return TorqueCapacity(
+        output_torque=found.value,
+        limit=jnp.asarray(kinds)[1 + found.which],
+        limiting_contact=jnp.asarray(places)[1 + found.which],
+    )
+
+
+def limit_words(capacity: TorqueCapacity) -> str:
+    """What limits the capacity of one joint, in words.
+
+    Parameters
+    ----------
+    capacity : TorqueCapacity
+        Of one joint and one direction.
+
+    Returns
+    -------
+    str
+        For example "contact sp slips".
+    """
+    contact = LIMITING_CONTACTS[int(capacity.limiting_contact)]
+    texts = {
+        "none": "no limit is reached at any torque",
+        "gross_slip": f"contact {contact} slips",
+        "lift_off": f"contact {contact} lifts off",
+        "contact_too_wide": f"contact {contact} becomes too wide for line-contact theory",
+        "pins_lock": "the pins of the loading rollers lock",
+        "no_solution": "the force balance has no solution",
+    }
+    return texts[LIMIT_KINDS[int(capacity.limit)]]
+
+
+def capacity_document(capacity: TorqueCapacity) -> dict[str, Any]:
+    """The capacity of one joint in one direction as a part of a JSON document.
+
+    Parameters
+    ----------
+    capacity : TorqueCapacity
+        Of one joint and one direction.
+
+    Returns
+    -------
+    dict
+        Torque [N·m] or None where it is unlimited, kind of limit, contact or None, and the limit in words.
+    """
+    torque, contact = float(capacity.output_torque), int(capacity.limiting_contact)
+    return {
+        "output_torque_Nm": torque if math.isfinite(torque) else None,
+        "limit": LIMIT_KINDS[int(capacity.limit)],
+        "limiting_contact": LIMITING_CONTACTS[contact] if contact < _NO_CONTACT else None,
+        "meaning": limit_words(capacity),
+    }

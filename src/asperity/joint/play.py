@@ -1,0 +1,88 @@
+r"""Play of a joint: the angle that its output turns on passing zero torque, without load to resist it."""
+
+from __future__ import annotations
+
+import equinox as eqx
+import jax.numpy as jnp
+from jax import Array
+
+from asperity.types import Real
+
+
+class Play(eqx.Module):
+    """Play at the output with the sun locked.
+
+    Parameters
+    ----------
+    angle : Real
+        Whole play, from one side to the other [rad].
+    take_up_torque : Real
+        Torque T_p over which the play is taken up [N·m]; 0 for a play that is taken up at once.
+    """
+
+    angle: Real
+    take_up_torque: Real
+
+
+#: A joint without play.
+NO_PLAY = Play(angle=0.0, take_up_torque=0.0)
+
+
+def play_angle(*, play: Play, output_torque: Real) -> Array:
+    r"""Angle that the play adds to the wind-up.
+
+    .. math:: \varphi_p(T) = \tfrac12 \varphi_0 \tanh(T/T_p)
+
+    Parameters
+    ----------
+    play : Play
+        Play and take-up torque.
+    output_torque : Real
+        Output torque T, shape (...) [N·m].
+
+    Returns
+    -------
+    Array
+        Angle, shape (...) [rad]; :math:`\tfrac12 \varphi_0 \operatorname{sgn} T` for a take-up torque of 0.
+
+    Notes
+    -----
+    The same angle on loading and on unloading: play without friction makes lost motion, but no hysteresis.
+
+    References
+    ----------
+    An empirical law; equation (A9) of :doc:`/equations`.
+    """
+    torque = jnp.asarray(output_torque)
+    gradual = jnp.asarray(play.take_up_torque) > 0.0
+    scaled = torque / jnp.where(gradual, play.take_up_torque, 1.0)
+    return 0.5 * play.angle * jnp.where(gradual, jnp.tanh(scaled), jnp.sign(torque))
+
+
+def play_compliance(*, play: Play, output_torque: Real) -> Array:
+    r"""Derivative of :func:`play_angle` by the torque.
+
+    .. math:: \frac{d\varphi_p}{dT} = \frac{\varphi_0}{2 T_p} \left[1 - \tanh^2(T/T_p)\right]
+
+    Parameters
+    ----------
+    play : Play
+        Play and take-up torque.
+    output_torque : Real
+        Output torque T, shape (...) [N·m].
+
+    Returns
+    -------
+    Array
+        Compliance, shape (...) [rad/(N·m)]; for a take-up torque of 0 infinite at zero torque and 0 elsewhere.
+
+    References
+    ----------
+    Equation (A9) of :doc:`/equations`.
+    """
+    torque = jnp.asarray(output_torque)
+    gradual = jnp.asarray(play.take_up_torque) > 0.0
+    width = jnp.where(gradual, play.take_up_torque, 1.0)
+    smooth = 0.5 * play.angle / width * (1.0 - jnp.tanh(torque / width) ** 2)
+    sudden = jnp.where((torque == 0.0) & (jnp.asarray(play.angle) > 0.0), jnp.inf, 0.0)
+    return jnp.where(gradual, smooth, sudden)

@@ -1,0 +1,199 @@
+"""From files to a measurement: the whole way of ``asperity surface measure``, and its document."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from asperity.errors import InputError
+from asperity.surface.fractal_fit import FractalFit
+from asperity.surface.levelling import default_form
+from asperity.surface.measure import (
+    Conditioning,
+    DirectionalFits,
+    MeasuredSurface,
+    conditioned,
+    directional_fits,
+)
+from asperity.surface.measurement import SCHEMA, SCHEMA_VERSION, measurement_document, surface_measurement
+from asperity.surface.read import read_surface
+from asperity.surface.topography import Topography
+
+
+@dataclass(frozen=True)
+class MeasuredFiles:
+    """Files that were measured together.
+
+    Attributes
+    ----------
+    surfaces : tuple of MeasuredSurface
+        The conditioned surface of each file.
+    fits : DirectionalFits
+        D and G along x and, of a map, along y.
+    direction : {"x", "y"}
+        The direction that counts as the result.
+    """
+
+    surfaces: tuple[MeasuredSurface, ...]
+    fits: DirectionalFits
+    direction: str
+
+    @property
+    def fit(self) -> FractalFit | str:
+        """The result, or the reason why there is none."""
+        chosen = self.fits.along_y if self.direction == "y" else self.fits.along_x
+        assert chosen is not None
+        return chosen
+
+    @property
+    def topographies(self) -> list[Topography]:
+        """The conditioned surfaces without their height parameters."""
+        return [surface.topography for surface in self.surfaces]
+
+    @property
+    def source(self) -> str:
+        """Names of the files."""
+        return " + ".join(each.source for each in self.topographies)
+
+
+def measured_files(
+    files: Sequence[str | Path],
+    *,
+    position_unit: str | None,
+    height_unit: str | None,
+    spacing: float | None,
+    decimal: str,
+    any_size: bool,
+    start: float | None,
+    stop: float | None,
+    form: str | None,
+    degree: int | None,
+    missing: str,
+    outlier_threshold: float | None,
+    short_cutoff: float | None,
+    long_cutoff: float | None,
+    direction: str,
+    estimator: str,
+    frequency_ratio: float,
+    shortest_wavelength: float | None,
+    longest_wavelength: float | None,
+) -> MeasuredFiles:
+    """Read files of one surface, condition them, and fit D and G to all of them.
+
+    Parameters
+    ----------
+    files : sequence of path
+        Several profiles, whose spectra are averaged, or one map.
+    position_unit, height_unit, spacing, decimal, any_size
+        As for :func:`asperity.surface.read.read_surface`.
+    start, stop : float or None
+        Section of a profile [m]; None for its ends.
+    form : str or None
+        Form to remove; None for the line of a profile and the plane of a map.
+    degree, missing, outlier_threshold, short_cutoff, long_cutoff
+        As for :class:`asperity.surface.measure.Conditioning`.
+    direction : {"x", "y"}
+        Direction in a map that counts as the result.
+    estimator, frequency_ratio, shortest_wavelength, longest_wavelength
+        As for :func:`asperity.surface.measure.directional_fits`.
+
+    Returns
+    -------
+    MeasuredFiles
+        Surfaces and fits; a missing power law is a reason in place of a fit.
+
+    Raises
+    ------
+    InputError
+        If a file cannot be read, a step is impossible, or the files cannot be averaged.
+    MissingExtraError
+        If the format of a file needs a package that is not installed.
+    """
+    surfaces = []
+    for file in files:
+        topography = read_surface(
+            path=file,
+            position_unit=position_unit,
+            height_unit=height_unit,
+            spacing=spacing,
+            decimal=decimal,
+            any_size=any_size,
+        )
+        if start is not None or stop is not None:
+            topography = topography.cut(
+                start=0.0 if start is None else start, stop=topography.size[0] if stop is None else stop
+            )
+        conditioning = Conditioning(
+            form=form or default_form(topography),
+            degree=degree,
+            missing=missing,
+            outlier_threshold=outlier_threshold,
+            short_cutoff=short_cutoff,
+            long_cutoff=long_cutoff,
+        )
+        surfaces.append(conditioned(topography=topography, conditioning=conditioning))
+    if direction == "y" and not surfaces[0].topography.is_map:
+        raise InputError("a profile has no direction y; leave the direction out")
+    fits = directional_fits(
+        surfaces=surfaces,
+        estimator=estimator,
+        frequency_ratio=frequency_ratio,
+        shortest_wavelength=shortest_wavelength,
+        longest_wavelength=longest_wavelength,
+    )
+    return MeasuredFiles(tuple(surfaces), fits, direction)
+
+
+def files_document(measured: MeasuredFiles) -> dict[str, Any]:
+    """The measurement document of files: D, G and their covariance, how they were found, and height parameters.
+
+    Parameters
+    ----------
+    measured : MeasuredFiles
+        What was measured.
+
+    Returns
+    -------
+    dict
+        Plain numbers and words in SI units, ready for JSON; ``refused`` holds the reason where there is no power law.
+    """
+    fit = measured.fit
+    document: dict[str, Any]
+    if isinstance(fit, str):
+        document = {
+            "schema": SCHEMA, "schema_version": SCHEMA_VERSION, "source": measured.source, "refused": fit,
+        }  # fmt: skip
+    else:
+        document = measurement_document(measurement=surface_measurement(fit=fit, source=measured.source))
+        document["noise_density_m3"] = fit.noise_density
+        document["height_step_m"] = fit.height_step
+        document["misfit"] = fit.misfit
+        document["reduced_chi_square"] = fit.reduced_chi_square
+        document["roll_off_wavelength_m"] = fit.roll_off_wavelength
+    document["direction"] = measured.direction
+    document["anisotropy_ratio"] = measured.fits.anisotropy_ratio
+    document["files"] = [_file_entry(surface) for surface in measured.surfaces]
+    return document
+
+
+def _file_entry(surface: MeasuredSurface) -> dict[str, Any]:
+    topography, heights = surface.topography, surface.heights
+    letter, total = ("S", "Sz") if topography.is_map else ("R", "Rt")
+    return {
+        "name": topography.source,
+        "size_m": list(topography.size),
+        "points": heights.points,
+        "notes": list(topography.notes),
+        f"{letter}a_m": heights.arithmetic_mean,
+        f"{letter}q_m": heights.root_mean_square,
+        f"{letter}sk": _finite(heights.skewness),
+        f"{letter}ku": _finite(heights.kurtosis),
+        f"{total}_m": heights.total_height,
+        "RSm_m": heights.mean_element_width,
+    }
+
+
+def _finite(value: float) -> float | None:
+    return value if value == value else None

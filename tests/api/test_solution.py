@@ -1,0 +1,100 @@
+"""A solution against the document that the command prints for the same file."""
+
+import numpy as np
+import pytest
+
+from asperity.errors import InputError
+from asperity.joint.results import RESULTS
+
+
+def test_values_are_those_of_the_command(solution, printed, zou_file):
+    document = printed("joint", zou_file)
+    assert solution.document == document
+    for level in ("published", "series_with_bulk", "assembly"):
+        stiffness = document["torsional_stiffness"][level]
+        found = solution["stiffness", level]
+        assert (found.si, found.level) == (stiffness["output_Nm_per_rad"], level)
+        assert found.to("N*m/arcmin") == pytest.approx(stiffness["output_Nm_per_arcmin"], rel=1e-14)
+        assert solution[f"{level}_stiffness_sun"].si == stiffness["sun_Nm_per_rad"]
+    assert solution["stiffness"].si == document["torsional_stiffness"]["assembly"]["output_Nm_per_rad"]
+    assert solution["torque_capacity"].si == document["torque_capacity"]["output_torque_Nm"]
+    assert solution["limiting_contact"].value == document["torque_capacity"]["limiting_contact"]
+    assert solution["wedge_angle"].value == pytest.approx(np.degrees(document["geometry"]["wedge_angle_rad"]))
+    for contact, entry in document["contacts"].items():
+        assert solution["hertz_pressure"][contact].si == entry["hertz_pressure_Pa"]
+        assert solution[f"hertz_pressure_{contact}"].value == pytest.approx(1e-6 * entry["hertz_pressure_Pa"])
+        assert solution["normal_force"][contact].si == document["forces"]["normal_N"][contact]
+
+
+def test_every_row_of_the_table_of_results_is_there(solution):
+    assert list(solution) == list(RESULTS) == solution.keys()
+    assert len(solution) == len(RESULTS)
+    for name, row in RESULTS.items():
+        found = solution[name]
+        assert (found.label, found.unit, found.si_unit) == (row.label, row.display_unit, row.si_unit)
+        assert np.shape(found.si) == row.row_shape
+
+
+def test_text_shows_stiffness_with_units_and_warnings(solution):
+    text = repr(solution)
+    assert "output N·m/arcmin" in text
+    assert f"  {solution['stiffness'].to('N*m/arcmin'):.4g}\n" in text
+    assert "Hertz pressure over first yield" in text
+    assert "sp pwr pwl wro wlo" in text
+    assert "<caption>Torsional stiffness</caption>" in solution._repr_html_()
+
+
+def test_drift_per_turn_is_printed_beside_the_stiffness(solution, printed, zou_file):
+    drift = printed("joint", zou_file)["drift_rad_per_output_turn"]
+    assert solution["drift"].si == drift
+    text = repr(solution)
+    assert text.index("as published") < text.index("drift of the output") < text.index("torque capacity")
+    assert f"{np.degrees(drift) * 60.0:.4g} arcmin" in text
+
+
+def test_a_joint_without_crossed_limits_says_so(solution):
+    kept = [limit | {"ok": True} for limit in solution.limits]
+    other = type(solution)(solution.joint, solution.solution)
+    other.document = solution.document | {"diagnostics": kept}
+    assert "Every limit of the model is kept." in repr(other)
+
+
+def test_frame_and_series_carry_units(solution):
+    frame = solution.to_frame()
+    assert frame.loc["slip_ratio_sp", "unit"] == "1"
+    assert frame.loc["hertz_pressure_sp", ["unit", "si_unit"]].tolist() == ["MPa", "Pa"]
+    assert frame.loc["hertz_pressure_sp", "value"] == pytest.approx(
+        1e-6 * frame.loc["hertz_pressure_sp", "si"]
+    )
+    series = solution.to_series()
+    assert series["assembly_stiffness_output", "N*m/rad"] == solution["stiffness"].si
+    assert len(series) == len(frame) == sum(max(1, len(r.row_names)) for r in RESULTS.values())
+
+
+def test_figure_shows_the_shares_of_the_compliance(solution):
+    figure = solution.plot()
+    budget, levels = figure.axes
+    assert sum(bar.get_width() for bar in budget.patches) == pytest.approx(100.0, abs=1e-6)
+    (line,) = levels.lines
+    assert line.get_xdata()[0] == pytest.approx(solution["stiffness"].to("N*m/arcmin"))
+
+
+@pytest.mark.parametrize(
+    ("asked", "says"),
+    [
+        ("stifness", "there is no result 'stifness'; did you mean 'stiffness'"),
+        ("gross_slip", "renamed to 'slip_ratio'"),
+        ("slip_ratio_xx", "did you mean 'slip_ratio'"),
+        (("stiffness", "full"), "no level of the stiffness 'full'; known are assembly"),
+        (3, "expected the name of a result as text, got 3"),
+    ],
+)
+def test_unknown_results_are_refused(solution, asked, says):
+    with pytest.raises(InputError, match=says):
+        solution[asked]
+    assert asked not in solution
+
+
+def test_a_torque_beyond_the_capacity_is_one_message(joint):
+    with pytest.raises(InputError, match=r"beyond the torque capacity 13\.16 N·m"):
+        joint.with_values({"load.output_torque": "40 N*m"}).solve()

@@ -1,0 +1,73 @@
+import numpy as np
+import pytest
+
+import asperity
+from asperity.errors import InputError, NoSolutionError
+from asperity.surface.synthesis import self_affine_profile
+
+
+@pytest.fixture(scope="module")
+def file(tmp_path_factory):
+    """A profile of known D = 1.5 and G = 1e-9 m."""
+    heights = self_affine_profile(
+        points=3000,
+        spacing=1e-7,
+        fractal_dimension=1.5,
+        fractal_roughness=1e-9,
+        random=np.random.default_rng(1),
+    )
+    path = tmp_path_factory.mktemp("surface") / "profile.csv"
+    rows = np.stack([1e-7 * np.arange(heights.size), heights], axis=1)
+    np.savetxt(path, rows, delimiter=",", header="x [m],z [m]", comments="", fmt="%.17g")
+    return path
+
+
+@pytest.fixture(scope="module")
+def measured(file):
+    return asperity.measure_surface(file)
+
+
+def test_values_are_those_of_the_command(measured, file, printed):
+    document = printed("surface", "measure", file)
+    assert measured.document == document
+    assert measured["fractal_dimension"].value == document["fractal_dimension"]
+    assert measured["fractal_roughness"].si == document["fractal_roughness_m"]
+    assert measured["Ra"].si == document["files"][0]["Ra_m"]
+    row = measured.to_frame().loc["fractal_dimension"]
+    assert [row.si_lower, row.si_upper] == document["fractal_dimension_interval_95"]
+
+
+def test_the_known_dimension_is_recovered(measured):
+    low, high = measured.measurement.interval(confidence=0.999)["fractal_dimension"]
+    assert low < 1.5 < high
+
+
+def test_a_joint_takes_the_measured_surface(joint, measured):
+    rough = joint.with_surface(measured.measurement)
+    assert rough["surface.fractal_dimension"].si == measured["fractal_dimension"].si
+    assert rough["surface.fractal_roughness"].si == pytest.approx(measured["fractal_roughness"].si, rel=1e-15)
+    again = rough.with_values({"load.preload": "900 N"})  # its file is written anew
+    assert again["surface.fractal_dimension"].si == measured["fractal_dimension"].si
+
+
+def test_text_and_figure(measured):
+    assert "fractal dimension D" in repr(measured)
+    assert measured.plot().axes
+
+
+def test_wrong_input_is_refused(file):
+    with pytest.raises(InputError, match="no file to measure"):
+        asperity.measure_surface()
+    with pytest.raises(InputError, match=r"^spacing: expected a length with its unit .* bare number"):
+        asperity.measure_surface(file, spacing=1e-7)
+    with pytest.raises(InputError, match="a profile has no direction y"):
+        asperity.measure_surface(file, direction="y")
+
+
+def test_a_surface_without_a_power_law_is_one_message(tmp_path):
+    position = np.arange(2000) * 1e-7
+    rows = np.stack([position, 1e-6 * np.random.default_rng(0).standard_normal(2000)], axis=1)
+    path = tmp_path / "noise.csv"
+    np.savetxt(path, rows, delimiter=",", header="x [m],z [m]", comments="", fmt="%.17g")
+    with pytest.raises(NoSolutionError, match=r"noise.csv: no power law"):
+        asperity.measure_surface(path)

@@ -1,0 +1,53 @@
+import numpy as np
+import pytest
+
+import asperity
+from asperity.errors import InputError
+
+
+@pytest.fixture(scope="module")
+def curve(joint):
+    return asperity.windup(joint, torque="4 N*m", stages=(0.25, 0.75))
+
+
+def test_values_are_those_of_the_command(curve, printed, zou_file):
+    document = printed("windup", zou_file, "--torque", "4 N*m", "--stages", "0.25", "0.75")
+    assert curve.document == document
+    assert curve["torque_capacity"].si == document["torque_capacity_Nm"]
+    for name in ("windup", "hysteresis", "lost_motion"):
+        assert curve[name].si == document[f"{name}_rad"]
+        assert curve[name].value == pytest.approx(np.degrees(document[f"{name}_rad"]) * 60.0)
+    assert curve["dissipated_energy"].value == document["dissipated_energy_J"]
+    assert [curve[f"K{n}"].si for n in (1, 2, 3)] == [s["stiffness_Nm_per_rad"] for s in document["stages"]]
+
+
+def test_frame_figure_and_text(curve):
+    frame = curve.to_frame()
+    assert frame["loading_torque_Nm"].iloc[-1] == 4.0
+    assert frame["loading_angle_rad"].iloc[-1] == curve["windup"].si
+    assert "assembly stiffness" in curve.plot().get_suptitle()
+    assert "largest torque of the curve" in repr(curve)
+
+
+@pytest.mark.parametrize(
+    ("options", "says"),
+    [
+        ({"torque": 4.0}, r"^torque: expected a torque with its unit .* bare number 4\.0"),
+        ({"level": "full"}, "there is no level of the stiffness 'full'"),
+        ({"torque": "400 N*m"}, "beyond the torque capacity"),
+        ({"stages": (0.7, 0.3)}, "out of order"),
+    ],
+)
+def test_wrong_options_are_refused(joint, options, says):
+    with pytest.raises(InputError, match=says):
+        asperity.windup(joint, **options)
+
+
+def test_something_else_than_a_joint_is_refused():
+    with pytest.raises(InputError, match=r"expected a joint, got 'joint.toml'; asperity.load"):
+        asperity.windup("joint.toml")
+
+
+def test_unknown_figure_is_refused(curve):
+    with pytest.raises(InputError, match="no figure of a wind-up 'K4'"):
+        curve["K4"]

@@ -1,0 +1,44 @@
+import types
+
+import pytest
+
+from asperity.joint.results import SolvedJoint
+from asperity.show.compliance_figure import compliance_figure, compliance_shares
+
+SHARES = {
+    "tangential_share": [0.1, 0.0, 0.0, 0.0, 0.0],
+    "normal_share": [0.0, 0.2, 0.3, 0.0, 0.0],
+    "ring_bending_share": 0.4,
+    "pin_share": 0.0,
+    "planet_support_share": 0.0,
+    "input_shaft_share": 0.0,
+    "output_shaft_share": 0.0,
+}
+
+
+@pytest.fixture
+def solved():
+    def level(output):
+        return types.SimpleNamespace(output=output)
+
+    result = types.SimpleNamespace(
+        assembly=types.SimpleNamespace(stiffness=level(1e3), **SHARES),
+        series_with_bulk=level(2e4),
+        published=level(3e5),
+    )
+    return SolvedJoint(None, result)
+
+
+def test_springs_in_words_the_largest_first(solved):
+    assert compliance_shares(solved) == {
+        "ring bending": 0.4, "pwl normal": 0.3, "pwr normal": 0.2, "sp tangential": 0.1,
+    }  # fmt: skip
+
+
+def test_figure_is_in_percent_and_newton_metres_an_arcminute(solved):
+    budget, levels = compliance_figure(solved, title="a joint").axes
+    assert [bar.get_width() for bar in budget.patches] == pytest.approx([40.0, 30.0, 20.0, 10.0])
+    (line,) = levels.lines
+    assert line.get_xdata() == pytest.approx(
+        [0.2908882, 5.817764, 87.26646], rel=1e-6
+    )  # 1 arcmin is pi/10800

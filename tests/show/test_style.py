@@ -1,0 +1,13 @@
+"""Colours and lines of the figures."""
+
+from asperity.drive.geometry import CONTACT_NAMES
+from asperity.show.style import CONTACT_LABELS, CONTACT_STYLES, torque_colors
+
+
+def test_every_contact_has_a_line_and_a_label():
+    assert tuple(CONTACT_STYLES) == tuple(CONTACT_LABELS) == CONTACT_NAMES
+
+
+def test_colours_of_a_family_become_darker():
+    brightness = [sum(color[:3]) for color in torque_colors(6)]
+    assert brightness == sorted(brightness, reverse=True)
