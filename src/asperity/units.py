@@ -284,8 +284,8 @@ def from_si(value_si: float, unit: str) -> float:
 def format_quantity(value_si: float, unit: str, digits: int = 4) -> str:
     """Text of a quantity for display, in the given unit.
 
-    Numbers from 0.001 to a million are written as decimals, others with a power of ten; digits before the decimal point are
-    never rounded. Nan and infinities are shown as such.
+    Numbers from 0.001 to a million are written as decimals, others with a power of ten; digits before the decimal
+    point are never rounded. Nan and infinities are shown as such.
 
     Parameters
     ----------

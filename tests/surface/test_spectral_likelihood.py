@@ -100,6 +100,71 @@ def test_folded_power_is_the_sum_over_images():
     assert fit.expected(f)[0] == pytest.approx(fit.density(f)[0], rel=1e-6)
 
 
+@pytest.mark.parametrize("tail", ["band_limited", "folded", "areal"])
+@pytest.mark.parametrize("m", [2.0, 8.0])
+def test_all_parts_of_the_model_together_are_recovered(tail, m):
+    """Power law of D = 1.6 with roll-off at 2e3 1/m, white part and tail, written out here with image sums."""
+    f_s = 2e6
+
+    def law(f):
+        return 1e-8 * f**-1.8
+
+    def density(f):
+        bent = law(f) * (1 + (2e3 / f) ** m) ** (-1.8 / m)
+        if tail == "areal":
+            y = np.geomspace(1e-7, 1e6, 20_001)[:, None] * 1e6
+            kernel = (f**2 + y**2) ** -1.4
+            cumulated = np.cumsum(0.5 * (kernel[1:] + kernel[:-1]) * np.diff(y, axis=0), axis=0)
+            bent *= cumulated[np.searchsorted(y[1:, 0], 1e6)] / cumulated[-1]
+        if tail == "folded":
+            k = np.arange(1, 20_001)[:, None]
+            rest = 2 * 1e-8 * f_s**-1.8 * 20_000.5**-0.8 / 0.8  # of the sum, as an integral
+            bent = bent + (law(k * f_s + f) + law(k * f_s - f)).sum(axis=0) + rest
+        return bent + 4e-20
+
+    fit = fit_spectrum(
+        spectrum=exact(density, independent=2000.0), low=1e2, high=1e6, tail=tail, roll_off_exponent=m
+    )
+    assert fit.converged
+    assert fit.fractal_dimension == pytest.approx(1.6, abs=1e-3)
+    assert fit.floor == pytest.approx(4e-20, rel=0.02)
+    assert fit.roll_off ** (-1 / m) == pytest.approx(1 / 2e3, rel=0.01)
+    f = np.geomspace(2e2, 9e5, 9)
+    np.testing.assert_allclose(fit.expected(f), density(f), rtol=3e-3)
+
+
+def test_errors_of_the_departures_are_those_of_the_regression():
+    """K-correlation and floor: standard errors from the design written out at the truth."""
+    density = lambda f: 1e-8 * (f**2 + 1e8) ** -0.9 + 4e-20  # noqa: E731
+    spectrum = exact(density, independent=2000.0)
+    fit = fit_spectrum(spectrum=spectrum, low=1e2, high=1e6, tail="band_limited", roll_off_exponent=2.0)
+    f, P = spectrum.frequency, density(spectrum.frequency)
+    law = P - 4e-20
+    columns = [law * (2 * np.log(f / fit.reference_frequency) + np.log1p(1e8 / f**2)), law]
+    columns += [-0.9 * law / (f**2 + 1e8), np.ones_like(f)]
+    design = np.stack(columns, axis=1) / P[:, None]
+    design /= (scale := np.sqrt((design**2).sum(axis=0)))
+    errors = np.sqrt(np.diag(np.linalg.inv(2000.0 * design.T @ design))) / scale
+    assert np.sqrt(fit.covariance[0, 0]) == pytest.approx(errors[0], rel=1e-3)
+    assert np.sqrt(fit.covariance[1, 1]) == pytest.approx(errors[1], rel=1e-3)
+    assert fit.roll_off_error == pytest.approx(errors[2], rel=1e-3)
+    assert fit.floor_error == pytest.approx(errors[3], rel=1e-3)
+    assert fit.roll_off_wavelength == pytest.approx(1e-4, rel=1e-4)
+
+
+def test_too_few_bins_and_empty_bins_are_not_fitted():
+    spectrum = exact(lambda f: 1e-8 * f**-1.8)
+    f = spectrum.frequency
+
+    def fitted(low, high, spectrum=spectrum):
+        return fit_spectrum(spectrum=spectrum, low=low, high=high, tail="band_limited", roll_off_exponent=2.0)
+
+    assert fitted(f[10], f[15]) is None  # six bins, four parameters
+    seven = fitted(f[10], f[16])
+    assert (seven.low, seven.high, seven.degrees) == (f[10], f[16], 3)
+    assert fitted(1e2, 1e6, exact(lambda f: np.where(f > 5e5, 0.0, f**-1.8))) is None
+
+
 def test_band_stops_where_the_power_law_stops():
     def bent(f):
         return 1e-8 * f**-1.8 / (1 + (f / 1e5) ** 4)

@@ -195,7 +195,8 @@ def solved_shear(
     p = field_on_grid("pressure", pressure, half_space.shape)
     if p.min() < 0.0 or p.max() <= 0.0:
         raise InputError(
-            f"pressure lies between {p.min():g} and {p.max():g} Pa: it must not be negative, and must be positive in the contact"
+            f"pressure lies between {p.min():g} and {p.max():g} Pa: it must not be negative, and must be positive "
+            "in the contact"
         )
     if (tangential_force is None) == (displacement is None):
         raise InputError("give either tangential_force or displacement, one value per step")

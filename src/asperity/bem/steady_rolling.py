@@ -233,7 +233,8 @@ def steady_rolling(
     p = field_on_grid("pressure", pressure, half_space.shape)
     if p.min() < 0.0 or p.max() <= 0.0:
         raise InputError(
-            f"pressure lies between {p.min():g} and {p.max():g} Pa: it must not be negative, and must be positive in the contact"
+            f"pressure lies between {p.min():g} and {p.max():g} Pa: it must not be negative, and must be positive "
+            "in the contact"
         )
     components = (
         _prescribed("longitudinal", longitudinal_creepage, longitudinal_force),

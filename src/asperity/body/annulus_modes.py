@@ -1,4 +1,4 @@
-r"""Compliance of an annulus mode by mode, as what it adds to a disc or to a hole in an infinite plate.
+r"""Compliance of an annulus mode by mode, in addition to that of a disc or of a hole in an infinite plate.
 
 Tractions :math:`\sigma_r = P\cos n\theta`, :math:`\tau = Q\sin n\theta` on a rim and the displacements that they cause
 are taken in the channels :math:`P \pm Q`. In units of the loaded radius :math:`R`, with :math:`s = +1` for a loaded
@@ -9,9 +9,9 @@ outer and :math:`-1` for a loaded inner rim and :math:`m = s n`, the fields that
     R\,\sigma_\pm = 2G\,D^{(1)}_\pm u_\pm, \qquad D^{(1)} = \operatorname{diag}\left(\frac{m+1}\kappa,\; m-1\right)
 
 at every radius, and those that decay away from the other rim
-:math:`D^{(2)} = -\operatorname{diag}(m+1,\, (m-1)/\kappa)`. The condition at the other rim ties the second set to the
-first, :math:`u^{(2)} = -E u^{(1)}` at the loaded rim with :math:`E \sim (R_i/R_o)^{2n}`, and the mode's compliance is
-that of the disc, or of the hole, plus
+:math:`D^{(2)} = -\operatorname{diag}(m+1,\, (m-1)/\kappa)`. The condition at the other rim couples the second set to
+the first, :math:`u^{(2)} = -E u^{(1)}` at the loaded rim with :math:`E \sim (R_i/R_o)^{2n}`, and the mode's compliance
+is that of the disc, or of the hole, plus
 
 .. math:: s\,\big(D^{(1)-1} D^{(2)} - 1\big)\, E\, \big(D^{(1)} - D^{(2)} E\big)^{-1}.
 """
@@ -132,7 +132,7 @@ def support_weights(*, support_stiffness: Real, radius: Real, shear_modulus: Rea
     Returns
     -------
     traction, displacement : Array
-        The two weights [-]: (1, 0) for a free rim, (0, 1) for a held one.
+        The two weights [-]: (1, 0) for a free rim, (0, 1) for a fixed one.
 
     References
     ----------
@@ -207,7 +207,7 @@ def mode_field(*, mode: Real, decay: Real, wall: Wall) -> ModeField:
 
 
 def added_compliance(*, mode: Real, decay: Real, wall: Wall) -> ModeCompliance:
-    r"""What the other rim adds to the compliance of a mode n >= 2 of a disc, or of a hole in an infinite plate.
+    r"""Contribution of the other rim to the compliance of a mode n >= 2 of a disc or of a hole in an infinite plate.
 
     .. math:: s\,\big(D^{(1)-1} D^{(2)} - 1\big)\, E\, \big(D^{(1)} - D^{(2)} E\big)^{-1}
 

@@ -1,6 +1,6 @@
 r"""Compliance between all contacts of one body, radial and tangential.
 
-A contact of half-width :math:`a_i` loads the rim, and feels its displacement, with the weight of a punch
+A contact of half-width :math:`a_i` loads the rim, and averages its displacement, with the weight of a punch
 (:mod:`asperity.body.punch`). Between contacts at angles :math:`\varphi_i`, :math:`\varphi_j` with
 :math:`\Delta = \varphi_i - \varphi_j`,
 
@@ -9,7 +9,7 @@ A contact of half-width :math:`a_i` loads the rim, and feels its displacement, w
     J_0\!\left(\frac{n a_j}R\right) H^{rr}_n \cos n\Delta\right],
 
 :math:`C^{tt}` likewise, and :math:`C^{tr}_{ij} = C^{rt}_{ji}` with :math:`H^{tr}_n \sin n\Delta`. The part of
-:math:`H_n` that falls like :math:`1/n` is summed in closed form (:mod:`asperity.body.rim_kernel`), the rest mode by
+:math:`H_n` that decreases like :math:`1/n` is summed in closed form (:mod:`asperity.body.rim_kernel`), the rest mode by
 mode.
 """
 
@@ -36,7 +36,7 @@ from asperity.body.shapes import Annulus, Disc, kolosov_constant
 from asperity.materials import shear_modulus
 from asperity.types import Real
 
-#: Largest part of a compliance that the modes left out may have; beyond it the result is nan.
+#: Largest permissible share of the omitted modes in a compliance; above it the result is nan.
 TRUNCATION = 1e-8
 
 
@@ -59,7 +59,7 @@ def wall_of(body: Annulus) -> Wall:
     Returns
     -------
     Wall
-        What the modes need: the ratio of :math:`R` of the other rim to that of the loaded one, and the support.
+        Input of the modes: the ratio of :math:`R` of the other rim to that of the loaded one, and the support.
 
     References
     ----------
@@ -113,7 +113,7 @@ def modes_needed(*, inner_radius: float, outer_radius: float, copies: int) -> in
     Returns
     -------
     int
-        Modes to ask for.
+        Number of modes.
 
     References
     ----------
@@ -127,7 +127,7 @@ def modes_needed(*, inner_radius: float, outer_radius: float, copies: int) -> in
 
 
 def _closed_part(side: float, kolosov: Real, angle: Array, normal: Array, shear: Array) -> _Sums:
-    """What the disc (side +1) or the hole in an infinite plate (side -1) has for modes n >= 1.
+    """Contribution of the disc (side +1) or of the hole in an infinite plate (side -1) for modes n >= 1.
 
     Angles have the shape (copies, n, n, ...), punch angles (n, ...).
     """
@@ -163,7 +163,7 @@ class _Modes(NamedTuple):
 
 
 def _added_part(wall: Wall, angle: Array, normal: Array, shear: Array, copies: int, mode_count: int) -> _Sums:
-    """What the other rim adds, over modes n >= 2 that are multiples of the number of copies, one after the other."""
+    """Contribution of the other rim, summed over the modes n >= 2 that are multiples of the number of copies."""
     first, step = float(max(copies, 2)), float(copies)
     rate = wall.ratio**wall.side
     cosine, sine = jnp.cos(step * angle), jnp.sin(step * angle)
@@ -229,9 +229,9 @@ def compliance_matrix(
     half_widths : Array
         Half-widths of the contacts, which increments of normal force load, shape (n, ...) [m].
     stick_half_widths : Array
-        Half-widths of what sticks of them, which increments of tangential force load, shape (n, ...) [m].
+        Half-widths of their stick zones, which increments of tangential force load, shape (n, ...) [m].
     copies : int
-        Number of equal sectors of the machine that load this body alike, 1 for none: the same loads act again at
+        Number of equal sectors of the machine that load this body equally, 1 for none: the same loads repeat at
         angles turned by a full turn over this number [-].
     mode_count : int
         Modes to sum for an annulus, :func:`modes_needed`; a disc needs none [-].
@@ -245,8 +245,8 @@ def compliance_matrix(
 
     Notes
     -----
-    Plane elasticity, contacts narrow against radius and wall. A body that nothing holds has balanced loads, and its
-    rigid motion is left out: what the matrix says of unbalanced loads depends on how that is done, and has no meaning.
+    Plane elasticity, contacts narrow against radius and wall. The loads of an unsupported body must be balanced; its
+    rigid motion is excluded, so that the result for unbalanced loads has no meaning.
 
     References
     ----------

@@ -1,7 +1,7 @@
-r"""Springs of a machine whose bodies are elastic: one compliance matrix over all its contacts.
+r"""Springs of a machine with elastic bodies: one compliance matrix of all its contacts.
 
-A contact presses with :math:`N` on both bodies and drags them with :math:`T` in opposite directions. On every body the
-outward and counter-clockwise components of these forces have one common sign, so that the matrices of the bodies simply
+A contact acts with :math:`N` on both bodies and with :math:`T` in opposite directions. On every body the
+outward and counter-clockwise components of these forces have the same sign, so that the matrices of the bodies
 add up where contacts share a body:
 
 .. math:: C_{ij} = \sum_{\text{bodies } b \ni i, j} C^{(b)}_{ij}
@@ -24,7 +24,7 @@ from asperity.body.shapes import Annulus, Disc
 
 
 class BodyInMachine(eqx.Module):
-    """A body and where its contacts are.
+    """A body and the positions of its contacts.
 
     Parameters
     ----------
@@ -64,7 +64,7 @@ def coupled_compliance(
     half_widths : Array
         Half-widths of the m contacts of the sector, shape (m, ...) [m].
     stick_half_widths : Array
-        Half-widths of what sticks of them, shape (m, ...) [m].
+        Half-widths of their stick zones, shape (m, ...) [m].
     mode_count : int
         Modes to sum for the annuli, :func:`~asperity.body.compliance.modes_needed` [-].
 
@@ -77,8 +77,8 @@ def coupled_compliance(
 
     Notes
     -----
-    All sectors are loaded alike, as under a torque. The elongations of the springs hold, beside this matrix times the
-    forces, the rigid motions of the bodies, which are the unknowns :math:`q` of the assembly.
+    All sectors are loaded equally, as under a torque. The elongations of the springs are the sum of this matrix times
+    the forces and of the rigid motions of the bodies, the unknowns :math:`q` of the assembly.
 
     References
     ----------

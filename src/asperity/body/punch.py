@@ -1,7 +1,7 @@
-r"""The pressure of an increment of load: that of a flat punch, and what it makes of a function of position.
+r"""Pressure of an increment of load, that of a flat punch, and weighted means of functions of position.
 
 An increment of normal load at a Hertz contact of half-width :math:`a` is distributed as under a flat punch,
-:math:`1/(\pi\sqrt{a^2 - x^2})`; so is an increment of shear over the part that sticks. On a rim of radius :math:`R` its
+:math:`1/(\pi\sqrt{a^2 - x^2})`; so is an increment of shear over the stick zone. On a rim of radius :math:`R` its
 Fourier coefficients are :math:`J_0(n a/R)`. The distance of two random points under one punch is
 :math:`2a\,|\sin p\,\sin q|` with :math:`p` and :math:`q` uniform, which gives every moment in closed form.
 """
@@ -44,7 +44,7 @@ def punch_factor(argument: Real) -> Array:
     Returns
     -------
     Array
-        Coefficient [-]; to 1e-15 up to 8, meaningless beyond.
+        Coefficient [-]; accurate to 1e-15 up to 8, not valid beyond.
 
     References
     ----------
@@ -103,7 +103,7 @@ def mean_logarithm(exponent: int) -> float:
 
 
 def distance_moments(half_width_1: Real, half_width_2: Real) -> tuple[Array, Array]:
-    r"""Mean square and mean fourth power of the distance between points of two contacts, less that of their middles.
+    r"""Mean square and mean fourth power of the distance between points of two contacts, minus that of their centres.
 
     .. math::
         \overline{\xi^2} = \tfrac12(a^2 + b^2), \qquad

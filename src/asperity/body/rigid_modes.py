@@ -35,7 +35,7 @@ def uniform_field(wall: Wall) -> tuple[Real, Real]:
 
 
 def uniform_compliance(wall: Wall) -> tuple[Array, Array]:
-    r"""Compliance of the mode n = 0: uniform pressure, and uniform shear, which turns the rims.
+    r"""Compliance of the mode n = 0: uniform pressure, and uniform shear, which rotates the rims.
 
     .. math:: \frac{2G u_r}{R} = \frac{\kappa - 1}2 A - C, \qquad \frac{2G u_\theta}{R} = \omega - \tau
 
@@ -47,7 +47,7 @@ def uniform_compliance(wall: Wall) -> tuple[Array, Array]:
     Returns
     -------
     radial, tangential : Array
-        In units of R/4G [-]; the tangential one is 0 where nothing holds the ring against turning (loads balance).
+        In units of R/4G [-]; the tangential one is 0 for a ring without torsional support (balanced loads).
 
     References
     ----------
@@ -94,7 +94,7 @@ def translation_field(*, wall: Wall, plus: Real, minus: Real) -> TranslationFiel
     Returns
     -------
     TranslationField
-        Coefficients. Where nothing holds the body the resultant is left out and so is the translation: loads balance.
+        Coefficients. For an unsupported body the resultant and the translation are excluded (balanced loads).
 
     References
     ----------
@@ -128,7 +128,7 @@ def translation_field(*, wall: Wall, plus: Real, minus: Real) -> TranslationFiel
 
 
 def translation_compliance(wall: Wall) -> ModeCompliance:
-    r"""Compliance of the mode n = 1, less what the closed sums of the rim already hold of it.
+    r"""Compliance of the mode n = 1, minus the part contained in the closed sums of the rim.
 
     .. math:: 2G\,u_+ = 2(\kappa b + e - c), \qquad 2G\,u_- = g - 4b
 

@@ -5,8 +5,8 @@ With :math:`z = e^{i\theta}` and :math:`L = -\ln(1-z)`,
 .. math::
     \sum_{n\ge1} \frac{z^n}{n+1} = \bar z\,(L - z), \qquad \sum_{n\ge2} \frac{z^n}{n-1} = z L .
 
-They hold the displacements of a disc under loads on its rim, and of an infinite plate under loads on the rim of a
-hole; what an annulus adds to either converges like :math:`(R_i/R_o)^{2n}`.
+They give the displacements of a disc under loads on its rim, and of an infinite plate under loads on the rim of a
+hole; the additional terms of an annulus converge like :math:`(R_i/R_o)^{2n}`.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ from jax import Array
 from asperity.body.punch import mean_logarithm, mean_power
 from asperity.types import Real
 
-#: Terms of the power series in the half-width; with 12 the first one left out is below 1e-16 up to a = 0.1 R.
+#: Terms of the power series in the half-width; with 12 the first omitted term is below 1e-16 up to a = 0.1 R.
 _TERMS = 6
 
 
@@ -67,7 +67,7 @@ def separated_sums(*, angle: Real, second_moment: Real, fourth_moment: Real) -> 
     With :math:`g = z/(1-z) = -\tfrac12 + it`, :math:`t = \tfrac12\cot\tfrac\theta2`, the derivatives are
     :math:`(zL)^{(2)} = -z(L + 3g + g^2)`, :math:`(zL)^{(4)} = z(L + 15g + 25g^2 + 20g^3 + 6g^4)`,
     :math:`(\bar zL)^{(2)} = -\bar z(L - g + g^2)`, :math:`(\bar zL)^{(4)} = \bar z(L - g + g^2 + 4g^3 + 6g^4)`.
-    The sixth derivative is left out, about (a/d)^6/10 of a sum of order 1 for half-widths a at the distance d.
+    The sixth derivative is neglected, about (a/d)^6/10 of a sum of order 1 for half-widths a at the distance d.
 
     References
     ----------
@@ -123,7 +123,7 @@ def _polynomial(coefficients: np.ndarray, variable: Array) -> Array:
 
 
 def own_sums(punch_angle: Real) -> tuple[Array, Array]:
-    r"""Sums at a contact's own place, weighted with :math:`J_0(n\alpha)^2`; those of sines are zero.
+    r"""Sums at the contact itself, weighted with :math:`J_0(n\alpha)^2`; those of sines are zero.
 
     .. math::
         \overline{\cos\xi\,\ln\frac1{2\sin(\xi/2)}} \pm \overline{\sin\xi\,\frac{\pi-\xi}2}, \qquad

@@ -1,9 +1,9 @@
-r"""Hoop stress of an annulus at both rims, away from the contacts: membrane, bending and everything between.
+r"""Hoop stress of an annulus of any wall thickness at both rims, away from the contacts.
 
 The stress at a rim follows from the same fields as the displacement (:mod:`asperity.body.annulus_modes`), since on
 every circle :math:`\sigma_r + \sigma_\theta` is twice the stress :math:`\sigma_+` of the set that decays from the
-loaded rim plus twice :math:`\sigma_-` of the other. On the loaded rim a radial point load leaves no hoop stress of its
-own beside it, a tangential one :math:`2F/(\pi L d)` at the distance d; these parts are summed in closed form.
+loaded rim plus twice :math:`\sigma_-` of the other. On the loaded rim a radial point load causes no singular hoop
+stress near it, a tangential one :math:`2F/(\pi L d)` at the distance d; these parts are summed in closed form.
 """
 
 from __future__ import annotations
@@ -83,7 +83,7 @@ def hoop_stress(
     radial_forces, tangential_forces : Array
         Forces on the body, outward and counter-clockwise, shape (n,) [N].
     angle : Array
-        Where, shape (m,) [rad].
+        Polar angles of the points, shape (m,) [rad].
     mode_count : int
         Modes to sum, :func:`modes_for_stress` [-].
 
@@ -95,7 +95,7 @@ def hoop_stress(
     Notes
     -----
     Valid on the loaded rim a few half-widths away from the contacts, on the other rim everywhere. One body; use
-    ``jax.vmap`` for many. Forces that nothing balances are answered as in
+    ``jax.vmap`` for many. Unbalanced forces are treated as in
     :func:`~asperity.body.compliance.compliance_matrix`.
 
     References
@@ -114,7 +114,7 @@ def hoop_stress(
     away = angle[:, None] - contact_angles[None]
     cosine = jnp.cos(modes * away[..., None])
     sine = jnp.sin(modes * away[..., None])
-    # sums of cos and sin from n = 2 on beside a point load
+    # sums of cos and sin from n = 2, near a point load
     cosines = -0.5 - jnp.cos(away)
     half = 0.5 * away
     at_contact = jnp.abs(jnp.sin(half)) < 1e-12
@@ -151,7 +151,7 @@ def modes_for_stress(*, inner_radius: float, outer_radius: float) -> int:
     Returns
     -------
     int
-        Modes to ask for.
+        Number of modes.
 
     References
     ----------
@@ -184,9 +184,9 @@ def largest_tensile_hoop_stress(
     radial_forces, tangential_forces : Array
         As for :func:`hoop_stress` [N].
     clearance : Real
-        Distance from the contacts within which the loaded rim is left to the contact law [m]; several half-widths.
+        Distance from the contacts within which the loaded rim is excluded [m]; several half-widths.
     point_count : int
-        Points around each rim, besides those at the contacts and midway between neighbours.
+        Points around each rim, in addition to those at the contacts and midway between neighbours.
     mode_count : int
         As for :func:`hoop_stress` [-].
 

@@ -1,4 +1,4 @@
-r"""The bodies: a solid disc loaded on its rim, an annulus loaded on one rim and free or supported on the other."""
+r"""Bodies: a solid disc loaded on its rim, an annulus loaded on one rim and free or supported on the other."""
 
 from __future__ import annotations
 
@@ -113,7 +113,7 @@ class Annulus(eqx.Module):
     plane_state: PlaneState = eqx.field(static=True)
 
     def __check_init__(self) -> None:
-        """Refuse a rim that is neither of the two."""
+        """Raise if the rim is neither of the two."""
         if self.loaded_rim not in get_args(LoadedRim):
             raise InputError(
                 f"loaded rim {self.loaded_rim!r} is not known; choose from {get_args(LoadedRim)}"

@@ -243,7 +243,7 @@ def _show(samples: list[Sample], found: list[Comparison]) -> None:
             click.echo("  ".join(cells))
         click.echo()
     click.echo(
-        "Boundary elements: mean over the surfaces; ±%: standard deviation. law, P: the fractal law (contact factor 1)\n"
+        "Boundary elements: mean over the surfaces; ±%: standard deviation. law, P: fractal law (contact factor 1)\n"
         "and Persson's theory (elastic), each divided by the boundary elements. cap %: share of the contact area\n"
         "whose pressure is limited by the hardness."
     )

@@ -119,8 +119,8 @@ def bulk_tangential_stiffness(
     Notes
     -----
     In plane strain the displacement of a half-plane under shear follows the same logarithm of the distance as under
-    compression, so that a contact in full stick is equally stiff in both. Far from the contact a roller differs from a half-plane;
-    the ratio of the two stiffnesses is then about 1, not exactly.
+    compression, so that a contact in full stick is equally stiff in both. Far from the contact a roller differs from a
+    half-plane; the ratio of the two stiffnesses is then about 1, not exactly.
 
     References
     ----------

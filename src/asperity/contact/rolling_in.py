@@ -53,8 +53,8 @@ def rolling_in_length(*, half_width: Real, slip_ratio: Real) -> Real:
     Notes
     -----
     A fit to boundary elements: with this length the transients of all slip ratios up to 0.9 nearly coincide
-    (:func:`rolling_in_shift`). The creepage passes its steady value at 1.5 to 1.8 times this length, oscillates about it and stays
-    within 3 % after about three times this length.
+    (:func:`rolling_in_shift`). The creepage passes its steady value at 1.5 to 1.8 times this length, oscillates about
+    it and stays within 3 % after about three times this length.
 
     References
     ----------

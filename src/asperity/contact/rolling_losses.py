@@ -183,8 +183,8 @@ def flash_temperature(
 
     Notes
     -----
-    Bodies of the same material, heat in proportion to the pressure, convection much larger than conduction along the surface:
-    :math:`u a \rho c/k` above about 10 for both. Below gross slip only the slip zone generates heat.
+    Bodies of the same material, heat in proportion to the pressure, convection much larger than conduction along the
+    surface: :math:`u a \rho c/k` above about 10 for both. Below gross slip only the slip zone generates heat.
 
     References
     ----------

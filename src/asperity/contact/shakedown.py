@@ -84,7 +84,7 @@ def shakedown_limit(*, friction_coefficient: Real) -> Array:
 
 
 def _peak_limit(friction: Array, poisson: Array) -> Array:
-    """Return p_0/sqrt(J_2) at the largest J_2 below the surface; infinite where that at the surface is certainly larger."""
+    """Return p_0/sqrt(J_2) at the largest J_2 below the surface; infinite where the surface governs."""
     low, high = POISSON_RANGE
     bound = mises_friction(poisson)
     tabulated = (poisson >= low) & (friction <= bound)

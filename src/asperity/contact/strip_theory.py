@@ -187,9 +187,9 @@ def strip_loads(
     Notes
     -----
     Slices do not interact: accurate for a contact much longer than wide, errors up to 25 % for one as long as wide
-    (Kalker 1967); below about three times as long as wide the law has no solution. Compared with Hertz's ellipse the error of the peak
-    pressure is below 2 % for 1 : 10. No load concentration at sharp ends. Derivatives are those of the balance at its
-    root.
+    (Kalker 1967); below about three times as long as wide the law has no solution. Compared with Hertz's ellipse the
+    error of the peak pressure is below 2 % for 1 : 10. No load concentration at sharp ends. Derivatives are those of
+    the balance at its root.
 
     References
     ----------

@@ -120,7 +120,7 @@ def elongation_matrix(assembly: PlanarAssembly) -> Array:
 
 
 def _holding_springs(assembly: PlanarAssembly) -> list[int]:
-    """Springs that are just sufficient to fix every coordinate: the supports, and one tangential spring per rotation."""
+    """Springs just sufficient to fix every coordinate: the supports, and one tangential spring per rotation."""
     count = len(assembly.contacts)
     known = {GROUND} | {body for body, free in enumerate(assembly.free) if not free[2]}
     tree: list[int] = []

@@ -24,7 +24,8 @@ class RollingSpeeds(eqx.Module):
     driving, driven : Array
         Speeds of the two surfaces of each contact, shape (5, ...) [m/s].
     body : Array
-        Angular velocities of the bodies of :data:`BODY_NAMES` relative to the carrier, shape (5, ...) [rad/s]; positive.
+        Angular velocities of the bodies of :data:`BODY_NAMES` relative to the carrier, shape (5, ...) [rad/s];
+        positive.
     carrier : Array
         Angular velocity of the carrier relative to the ring, reduced by creep [rad/s]; positive.
     """

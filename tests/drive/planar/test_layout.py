@@ -42,13 +42,15 @@ def test_no_contact_slips_and_all_touch(drives, name):
 def test_bodies_that_do_not_touch_are_named(drives):
     drive = drives["planetary"]
     larger = dataclasses.replace(drive, second_radius=drive.second_radius.at[1].add(1e-4))
-    with pytest.raises(InputError, match=r"contact pr: planet and ring are 0\.1 mm apart"):
+    with pytest.raises(InputError, match=r"contact pr: planet and ring do not touch \(gap 0\.1 mm\)"):
         refuse_impossible(larger)
 
 
 def test_overlapping_planets_are_named(drives):
     drive = dataclasses.replace(drives["planetary"], sectors=8)
-    with pytest.raises(InputError, match=r"planet and planet overlap by \d.*fewer sectors"):
+    with pytest.raises(
+        InputError, match=r"planet and planet overlap by \d.*reduce their radii or the number of sectors"
+    ):
         refuse_impossible(drive)
 
 

@@ -94,7 +94,9 @@ def test_noisy_data_give_values_within_their_intervals(case, curve):
 
 
 def test_misfit_shows_in_the_residuals(case, curve):
-    found = fitted(case, *curve, texts=("load.preload", "offset=-1 arcmin:1 arcmin"))
+    """Neither play nor drift is among the unknowns, but both are in the data."""
+    texts = ("load.preload", "load.friction_coefficient", "offset=-1 arcmin:1 arcmin")
+    found = fitted(case, *curve, texts=texts)
     assert found.durbin_watson < 1.0
 
 

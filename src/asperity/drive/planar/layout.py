@@ -37,8 +37,8 @@ class Body:
     name : str
         Its name.
     place : {"axis", "free", "pin"}
-        ``axis``: its centre is the drive's axis; ``free``: supported by its contacts only; ``pin``: a pin of the carrier
-        supports its centre along the push direction; it is free across.
+        ``axis``: its centre is the drive's axis; ``free``: supported by its contacts only; ``pin``: a pin of the
+        carrier supports its centre along the push direction; it is free across.
     """
 
     name: str

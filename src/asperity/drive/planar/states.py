@@ -1,7 +1,8 @@
 r"""Forces, displacements and speeds of a planar roller drive at rest and in steady rolling.
 
 Every floating body has two displacements and an angular velocity, and as many equations of balance. The normal force
-of a contact follows from the approach of its bodies, the tangential force from their creep; no further assumption is needed:
+of a contact follows from the approach of its bodies, the tangential force from their creep; no further assumption is
+needed:
 
 .. math::
     A^\mathsf{T} N + S^\mathsf{T} T + P^\mathsf{T} F = 0, \quad (W^\mathsf{T} T)_j + \dots = 0, \quad

@@ -222,20 +222,19 @@ def _conclude(model: CurveModel, scaled_values: np.ndarray, starts: tuple[float,
 
     data = model.measurement.measured
     stiffness, _, slip = model.stiffness(scaled_values)
-    if not np.all(stiffness > 0.0):
-        where = model.torque[~(stiffness > 0.0)].min()
-        raise NoSolutionError(
-            f"the best fit has no stiffness from {where:.3g} N·m on (largest slip ratio {slip.max():.3g}; below 1 "
-            "every contact spot is plastic): the joint file cannot explain these data; check units and preload, or "
-            "widen the bounds"
-        )
     # the quadrature ends just below the largest torque; the slip ratio grows in proportion to it
     largest = float(np.max(np.abs(model.measurement.torque)))
-    reached = float(slip.max()) * largest / float(model.torque.max()) if largest else 0.0
-    if reached >= 1.0 or model.floored(stiffness).any():
+    reached = float(slip.max()) * largest / float(np.max(np.abs(model.torque))) if largest else 0.0
+    if reached >= 1.0:
         raise NoSolutionError(
             f"the best fit slips at the largest measured torque, {largest:.6g} N·m (slip ratio {reached:.3g}, below 1 "
             "is needed): a curve past gross slip cannot be fitted; leave those rows out, or widen the bounds"
+        )
+    if not np.all(stiffness > 0.0) or model.floored(stiffness).any():
+        lost = np.abs(model.torque[~(stiffness > 0.0) | model.floored(stiffness)]).min()
+        raise NoSolutionError(
+            f"the best fit has no stiffness at {lost:.3g} N·m, where all spots of a contact are plastic: the joint file "
+            "cannot explain these data; check units and preload, or widen the bounds"
         )
     prediction, slopes = model(scaled_values)
     residual = data - prediction
