@@ -83,7 +83,12 @@ def draw_creep(axes: Axes, curves: RollingCurves, rolling: RollingResult, *, joi
     keys = []
     for index, (name, (colour, line, symbol)) in enumerate(zip(CONTACT_NAMES, _STYLES, strict=True)):
         creepage, traction = curves.contact_creepage[index], curves.contact_traction[index]
-        point: dict[str, Any] = {"marker": symbol, "markersize": 6, "markeredgecolor": "white", "color": colour}
+        point: dict[str, Any] = {
+            "marker": symbol,
+            "markersize": 6,
+            "markeredgecolor": "white",
+            "color": colour,
+        }
         axes.plot(1e3 * np.asarray(creepage), np.asarray(traction), color=colour, linestyle=line, label=name)
         axes.plot(
             1e3 * float(rolling.creepage[index]),
