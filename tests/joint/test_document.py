@@ -5,6 +5,7 @@ import numpy as np
 import pytest
 
 from asperity.joint.document import joint_document
+from asperity.joint.rolling_document import rolling_document
 from asperity.joint.solve import solve
 from asperity.joint_file.assumptions import assumptions
 from asperity.joint_file.build import joint_from_case
@@ -104,3 +105,19 @@ def test_the_capacity_in_numbers_and_words(text, solution):
             "meaning": "no limit is reached at any torque",
         },
     }
+
+
+def test_rolling_is_in_the_document(paper_joint):
+    joint = paper_joint()
+    found = joint_document(joint=joint, solution=solve(joint), inputs={}, assumptions=())
+    rolling = found["rolling"]
+    assert found["drift_rad_per_output_turn"] == rolling["drift_rad_per_output_turn"] > 0.0103
+    assert found["contacts"]["sp"]["creepage"] == rolling["contacts"]["sp"]["creepage"]
+    assert found["contacts"]["sp"]["life_hours"] > found["life_hours"] > 0.0
+    causes = ("creep", "skew", "bearings")
+    assert found["losses_W"]["total"] == pytest.approx(sum(found["losses_W"][cause] for cause in causes))
+    assert found["losses_W"]["oil"] is None
+    assert rolling["unknown_because"] == []
+    standing = paper_joint(sun_speed=0.0)
+    still = rolling_document(standing, solve(standing).result)
+    assert ["the sun stands" in reason for reason in still["unknown_because"]] == [True]

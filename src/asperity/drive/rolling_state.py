@@ -30,8 +30,8 @@ from asperity.types import Real
 ROLLING_TOLERANCE = 1e-9
 
 _NEWTON_STEPS = 8
+_STEP_TOLERANCE = 1e-6  # relative; the step after it is its square
 _NEAR_SLIP = 0.999  # Carter's curve is continued as a line above this share of friction, for iterates only
-_STEP_TOLERANCE = 1e-8  # relative; the step after it is its square
 
 
 class CreepLaw(eqx.Module):

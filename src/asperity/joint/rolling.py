@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import equinox as eqx
 import jax
@@ -223,8 +223,27 @@ def contact_creep(
         skew_factor = jnp.where(skewed.solved, skewed.longitudinal_creepage / alone, jnp.nan)
     scale = jnp.broadcast_to(smooth / jnp.sqrt(normal) * layer * skew_factor, forces.normal.shape)
     return ContactCreep(
-        CreepLaw(friction, scale), chi, layer, skew_factor, ratio, skew, joint.rolling.skew is None
+        # without the barrier XLA evaluates the layer's polynomial anew for every use of the law
+        CreepLaw(friction, jax.lax.optimization_barrier(scale)),
+        chi,
+        layer,
+        skew_factor,
+        ratio,
+        skew,
+        joint.rolling.skew is None,
     )
+
+
+def _in_one_shape(forces: DriveForces, others: Any) -> DriveForces:
+    """Forces in the shape of the whole batch: a surface or a friction coefficient that varies does not change them."""
+    rank = jnp.ndim(forces.input_torque)
+    if rank == 0:
+        return forces
+    batch = jnp.broadcast_shapes(*(jnp.shape(leaf)[-rank:] for leaf in jax.tree.leaves((forces, others))))
+    broadcast: DriveForces = jax.tree.map(
+        lambda leaf: jnp.broadcast_to(leaf, (*jnp.shape(leaf)[: jnp.ndim(leaf) - rank], *batch)), forces
+    )
+    return broadcast
 
 
 def rolling_result(
@@ -260,6 +279,9 @@ def rolling_result(
     Equations (B1)–(B9) of :doc:`/equations`.
     """
     pairs, geometry = contacts.pairs, mechanism.geometry
+    forces = _in_one_shape(forces, (contacts, asperity_normal_stiffness, joint.rolling, joint.sun_speed))
+    # computed once: XLA would repeat the balance and the contact law for their uses here
+    forces, asperity_normal_stiffness = jax.lax.optimization_barrier((forces, asperity_normal_stiffness))
     creep = contact_creep(
         joint=joint, contacts=contacts, forces=forces, asperity_normal_stiffness=asperity_normal_stiffness
     )
@@ -309,7 +331,7 @@ def rolling_result(
         layer_ratio=creep.layer_ratio,
         layer_creepage_factor=creep.layer_factor,
         skew_creepage_factor=creep.skew_factor,
-        capacity_loss=lateral[1],
+        capacity_loss=jnp.asarray(lateral[1]),
         axial_force=axial,
         axial_thrust=_thrust(axial, geometry.planet_count),
         speed_loss=state.speed_loss,

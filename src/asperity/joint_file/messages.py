@@ -122,7 +122,7 @@ def _known_names(path: tuple[str, ...]) -> list[str]:
         below = [v for annotation in annotations for v in _variants(annotation)]
         models = [m for v in below for m in _models(_entry_of(v))]
         if any(get_origin(v) in (dict, tuple) for v in below):
-            return _names_below(models) if len(path) > 1 else []
+            return _names_below(models) if len(path) == 2 else []
     return _names_below(models)
 
 
