@@ -179,7 +179,7 @@ def test_far_beyond_gross_slip_the_force_points_along_the_creepage(contact):
 @pytest.mark.parametrize(
     ("change", "named"),
     [
-        ({"longitudinal_force": 1.6}, "force of 1.6 N/m: from 1.57"),
+        ({"longitudinal_force": 1.6}, "force of 1.6 N/m: the bodies slide at 1.57"),
         ({"longitudinal_force": 1.3, "lateral_force": 1.3}, "force of 1.83"),
         ({}, "longitudinal_creepage = None and longitudinal_force = None"),
         ({"longitudinal_force": 1.0, "longitudinal_creepage": 1.0}, "give one of them"),

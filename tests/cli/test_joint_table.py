@@ -1,6 +1,7 @@
 """The tables say what the document says, in the units of their heads; warnings are gathered by limit."""
 
 import io
+import math
 
 import numpy as np
 import pytest
@@ -75,6 +76,8 @@ def document():
         },
         "contacts": {name: dict(contact) for name in CONTACTS},
         "stiffness_unknown_because": None,
+        "drift_rad_per_output_turn": math.radians(0.5),
+        "speed_loss": 2e-3,
         "torsional_stiffness": dict.fromkeys(("assembly", "series_with_bulk", "published"), stiffness),
         "stiffness_budget": {"pins_share": 0.25, "contacts_share": each(0.5, 0.25, 0.0, 0.0, 0.0)},
         "diagnostics": slips,
@@ -101,6 +104,7 @@ def test_numbers_are_converted_to_the_units_of_the_heads(document, shown):
     assert ["wlo", "0", "19.2", "-", "0.05", "750", "0.2"] in rows  # None is a dash
     for text in (
         "3 planets, sun at 3000 rpm, preload 1000 N, output torque 5 N·m",
+        "  30 arcmin per output turn (0.2 % of the speed): creep adds up with every turn, the stiffness above",
         "  angles     alpha 15 deg, theta 30 deg, wedge beta 15 deg",
         "  speed      ratio -9, carrier -30 rpm",
         "  torque     in 0.5556 N·m, out 5 N·m",

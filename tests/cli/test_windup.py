@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 from asperity.joint import windup as module
+from asperity.joint import windup_document
 
 STIFFNESS = 1e5  # N·m/rad
 ARCMINUTE = np.pi / 180.0 / 60.0
@@ -28,7 +29,7 @@ def asked(monkeypatch):
             play=joint.play,
         )
 
-    monkeypatch.setattr(module, "windup", constant)
+    monkeypatch.setattr(windup_document, "windup", constant)
     return kept
 
 

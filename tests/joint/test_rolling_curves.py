@@ -53,7 +53,8 @@ def test_working_points_lie_on_the_creep_curves(curves, solution):
 
 
 def test_curves_over_torque_and_the_map_are_the_joint_at_that_load(curves, joint):
-    assert curves.torque[0] == 0.0 and curves.drift_per_output_turn[0] == pytest.approx(0.0, abs=1e-12)
+    assert curves.torque[0] == 0.0
+    assert curves.drift_per_output_turn[0] == pytest.approx(0.0, abs=1e-12)
     assert curves.torque[-1] == pytest.approx(float(curves.torque_capacity))
     place = 20
     torque, speed = float(curves.map_torque[place]), float(curves.map_speed[3])
@@ -72,5 +73,6 @@ def test_a_standing_sun_has_no_map_and_no_hours(joint):
     standing = dataclasses.replace(joint, sun_speed=0.0)
     found = rolling_curves(joint=standing, result=solve(standing).result, torque_capacity=math.inf)
     assert found.map_speed.size == found.efficiency.size == 0
-    assert np.all(np.isnan(found.life_hours)) and np.all(np.isfinite(found.life_turns[:20]))
+    assert np.all(np.isnan(found.life_hours))
+    assert np.all(np.isfinite(found.life_turns[:20]))
     assert found.torque[-1] == 10.0  # no capacity: to twice the torque

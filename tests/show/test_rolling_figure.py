@@ -1,5 +1,6 @@
 """What the pictures of a joint that turns show: data, units and ticks, of made-up curves."""
 
+import itertools
 import math
 from types import SimpleNamespace
 
@@ -82,7 +83,8 @@ def test_map_over_torque_and_speed():
     np.testing.assert_allclose(data(shown)[0], [[6.0, 100.0 * 30.0 / math.pi]])
     assert shown.get_ylim() == pytest.approx((50.0 * 30.0 / math.pi, 150.0 * 30.0 / math.pi))
     bar = next(axes for axes in figure.axes if axes.get_ylabel() == "efficiency [%]")
-    assert bar.get_ylim()[0] <= 80.0 and 99.0 <= bar.get_ylim()[1] <= 100.0
+    assert bar.get_ylim()[0] <= 80.0
+    assert 99.0 <= bar.get_ylim()[1] <= 100.0
 
 
 def test_a_standing_sun_has_lives_in_turns_and_no_map():
@@ -116,6 +118,6 @@ def test_every_axis_has_its_unit_and_three_ticks_and_nothing_overlaps(width):
             ]
             assert len(labels) >= 3
             extents = [label.get_window_extent(renderer) for label in labels]
-            assert not any(a.overlaps(b) for a, b in zip(extents[:-1], extents[1:], strict=True))
+            assert not any(a.overlaps(b) for a, b in itertools.pairwise(extents))
         boxes.append(axes.get_tightbbox(renderer))
     assert not any(a.overlaps(b) for i, a in enumerate(boxes) for b in boxes[i + 1 :])

@@ -183,7 +183,8 @@ def _show_drive(target: Console, document: Document) -> None:
         ),
         (
             "mass",
-            f"planet {in_unit(forces['planet_mass_kg'], 'g')}, loading roller {in_unit(forces['loading_roller_mass_kg'], 'g')}",
+            f"planet {in_unit(forces['planet_mass_kg'], 'g')}, "
+            f"loading roller {in_unit(forces['loading_roller_mass_kg'], 'g')}",
         ),
         ("clearance", f"at least {in_unit(gap['gap_m'], 'mm')}: {gap['condition']}"),
     ):

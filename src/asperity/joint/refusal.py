@@ -174,7 +174,8 @@ def refuse_overlap(joint: Joint, gaps: tuple[Clearance, ...]) -> None:
         if math.isnan(gap):
             found = "the triangle sun, planet, loading roller does not close"
         raise InputError(
-            f"the rollers do not fit: {clearance.condition}; {found} ({radii}, {float(geometry.planet_count):g} planets)"
+            f"the rollers do not fit: {clearance.condition}; {found} "
+            f"({radii}, {float(geometry.planet_count):g} planets)"
         )
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import equinox as eqx
 import jax
@@ -234,6 +234,18 @@ def contact_creep(
     )
 
 
+def _in_one_shape(forces: DriveForces, others: Any) -> DriveForces:
+    """Forces in the shape of the whole batch: a surface or a friction coefficient that varies does not change them."""
+    rank = jnp.ndim(forces.input_torque)
+    if rank == 0:
+        return forces
+    batch = jnp.broadcast_shapes(*(jnp.shape(leaf)[-rank:] for leaf in jax.tree.leaves((forces, others))))
+    broadcast: DriveForces = jax.tree.map(
+        lambda leaf: jnp.broadcast_to(leaf, (*jnp.shape(leaf)[: jnp.ndim(leaf) - rank], *batch)), forces
+    )
+    return broadcast
+
+
 def rolling_result(
     *,
     joint: Joint,
@@ -267,6 +279,7 @@ def rolling_result(
     Equations (B1)–(B9) of :doc:`/equations`.
     """
     pairs, geometry = contacts.pairs, mechanism.geometry
+    forces = _in_one_shape(forces, (contacts, asperity_normal_stiffness, joint.rolling, joint.sun_speed))
     # computed once: XLA would repeat the balance and the contact law for their uses here
     forces, asperity_normal_stiffness = jax.lax.optimization_barrier((forces, asperity_normal_stiffness))
     creep = contact_creep(

@@ -87,8 +87,8 @@ def rolling_curves(*, joint: Joint, result: JointResult, torque_capacity: float)
     grid_speed, grid_torque = np.meshgrid(speeds, torque[1:], indexing="ij")
     points = dataclasses.replace(
         numbers,
-        output_torque=np.concatenate([torque, grid_torque.ravel()]),
-        sun_speed=np.concatenate([np.full_like(torque, speed), grid_speed.ravel()]),
+        output_torque=jnp.concatenate([torque, grid_torque.ravel()]),
+        sun_speed=jnp.concatenate([np.full_like(torque, speed), grid_speed.ravel()]),
     )
     loaded = dataclasses.replace(result.forces, normal=result.rolling.normal)
     stiffness = result.interfaces.asperity_normal
@@ -96,15 +96,15 @@ def rolling_curves(*, joint: Joint, result: JointResult, torque_capacity: float)
     drift, turns, hours, efficiency = jax.tree.map(np.asarray, compile_fast(_over_loads, points)(points))
     traction, creepage = jax.tree.map(np.asarray, compile_fast(_creep_curves, *law)(*law))
     return RollingCurves(
-        torque_capacity=np.asarray(torque_capacity),
+        torque_capacity=jnp.asarray(torque_capacity),
         contact_traction=traction,
         contact_creepage=creepage,
-        torque=torque,
+        torque=jnp.asarray(torque),
         drift_per_output_turn=drift[:_TORQUES],
         life_turns=turns[:_TORQUES],
         life_hours=hours[:_TORQUES],
-        map_torque=torque[1:],
-        map_speed=speeds,
+        map_torque=jnp.asarray(torque[1:]),
+        map_speed=jnp.asarray(speeds),
         efficiency=efficiency[_TORQUES:].reshape(grid_torque.shape),
     )
 

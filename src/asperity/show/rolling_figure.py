@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 
@@ -83,7 +83,12 @@ def draw_creep(axes: Axes, curves: RollingCurves, rolling: RollingResult, *, joi
     keys = []
     for index, (name, (colour, line, symbol)) in enumerate(zip(CONTACT_NAMES, _STYLES, strict=True)):
         creepage, traction = curves.contact_creepage[index], curves.contact_traction[index]
-        point = {"marker": symbol, "markersize": 6, "markeredgecolor": "white", "color": colour}
+        point: dict[str, Any] = {
+            "marker": symbol,
+            "markersize": 6,
+            "markeredgecolor": "white",
+            "color": colour,
+        }
         axes.plot(1e3 * np.asarray(creepage), np.asarray(traction), color=colour, linestyle=line, label=name)
         axes.plot(
             1e3 * float(rolling.creepage[index]),
@@ -139,13 +144,13 @@ def draw_efficiency(axes: Axes, curves: RollingCurves, *, joint: Joint) -> None:
             horizontalalignment="center",
             transform=axes.transAxes,
         )
-        _finish(axes, ticks="")
+        _finish(axes, ticks=())
         return
     from matplotlib.ticker import MaxNLocator
 
     speed = _RPM * np.asarray(curves.map_speed)
-    levels = MaxNLocator(nbins=8, steps=(1, 2, 5, 10)).tick_values(float(values.min()), float(values.max()))
-    levels = np.unique(np.minimum(levels, 100.0))
+    ticks = MaxNLocator(nbins=8, steps=(1, 2, 5, 10)).tick_values(float(values.min()), float(values.max()))
+    levels = np.unique(np.minimum(ticks, 100.0))
     filled = axes.contourf(np.asarray(curves.map_torque), speed, values, levels=levels, cmap="viridis")
     bar = axes.figure.colorbar(filled, ax=axes, label="efficiency [%]")
     bar.ax.tick_params(labelsize="small")
@@ -202,7 +207,7 @@ def draw_life(axes: Axes, curves: RollingCurves, rolling: RollingResult, *, join
     if finite.size and finite.max() > 100.0 * finite.min():
         axes.set_yscale("log")
         axes.set_ylim(10.0 ** np.floor(np.log10(finite.min())), 10.0 ** np.ceil(np.log10(finite.max())))
-        _finish(axes, ticks="x")
+        _finish(axes, ticks=("x",))
         return
     axes.set_ylim(0.0, 1.2 * (finite.max() if finite.size else 1.0))
     axes.ticklabel_format(axis="y", style="plain", useOffset=False)
@@ -230,7 +235,7 @@ def _over_torque(axes: Axes, curves: RollingCurves, values: np.ndarray, here: fl
     axes.set_xlim(0.0, 1.04 * float(curves.torque[-1]))
 
 
-def _finish(axes: Axes, *, ticks: str = "xy") -> None:
+def _finish(axes: Axes, *, ticks: tuple[Literal["x", "y"], ...] = ("x", "y")) -> None:
     for axis in ticks:
         axes.locator_params(axis=axis, nbins=6, min_n_ticks=3)
     axes.tick_params(labelsize="small")

@@ -233,8 +233,8 @@ def _conclude(model: CurveModel, scaled_values: np.ndarray, starts: tuple[float,
     if not np.all(stiffness > 0.0) or model.floored(stiffness).any():
         lost = np.abs(model.torque[~(stiffness > 0.0) | model.floored(stiffness)]).min()
         raise NoSolutionError(
-            f"the best fit has no stiffness at {lost:.3g} N·m, where all spots of a contact are plastic: the joint file "
-            "cannot explain these data; check units and preload, or widen the bounds"
+            f"the best fit has no stiffness at {lost:.3g} N·m, where all spots of a contact are plastic: the joint "
+            "file cannot explain these data; check units and preload, or widen the bounds"
         )
     prediction, slopes = model(scaled_values)
     residual = data - prediction
