@@ -61,14 +61,9 @@ def test_what_json_cannot_say_is_null(text, solution):
 
 
 def test_what_the_file_leaves_out_is_told(text):
-<<<<<<< HEAD
-    # those of the joint that stands, and six of the joint that turns
-    assert len(assumptions(parse_case(text, source="x"))) == 6 + 6
-=======
     sentences = assumptions(parse_case(text, source="x"))
     for section in ("bearings", "compliance", "play"):
         assert any(sentence.startswith(f"no section [{section}]") for sentence in sentences)
->>>>>>> main
     partly = parse_case(text + '[compliance]\npin_stiffness = "100 N/um"\n', source="x")
     assert any("input_shaft_stiffness" in sentence for sentence in assumptions(partly))
     assert any("a rigid housing holds the ring" in sentence for sentence in assumptions(partly))
