@@ -13,7 +13,7 @@ def curve(joint):
 def test_values_are_those_of_the_command(curve, printed, zou_file):
     document = printed("windup", zou_file, "--torque", "4 N*m", "--stages", "0.25", "0.75")
     assert curve.document == document
-    assert curve["torque_capacity"].si == document["torque_capacity_Nm"]
+    assert curve["torque_capacity"].si == document["torque_capacity"]["output_torque_Nm"]
     for name in ("windup", "hysteresis", "lost_motion"):
         assert curve[name].si == document[f"{name}_rad"]
         assert curve[name].value == pytest.approx(np.degrees(document[f"{name}_rad"]) * 60.0)
@@ -23,7 +23,7 @@ def test_values_are_those_of_the_command(curve, printed, zou_file):
 
 def test_frame_figure_and_text(curve):
     frame = curve.to_frame()
-    assert frame["loading_torque_Nm"].iloc[-1] == 4.0
+    assert frame["torque_Nm"].iloc[-1] == 4.0
     assert frame["loading_angle_rad"].iloc[-1] == curve["windup"].si
     assert "assembly stiffness" in curve.plot().get_suptitle()
     assert "largest torque of the curve" in repr(curve)

@@ -62,7 +62,11 @@ def test_table_of_a_standing_sun(call, joint_file):
     ("change", "arguments", "said"),
     [
         (("5 N*m", "50 N*m"), (), "is beyond the torque capacity 13.16 N·m, at which contact sp slips"),
-        (("5 N*m", "5 N*m"), ("--plot", "r.xyz"), "r.xyz: the name of an image must end in .png, .svg or .pdf"),
+        (
+            ("5 N*m", "5 N*m"),
+            ("--plot", "r.xyz"),
+            "r.xyz: the name of an image must end in .png, .svg or .pdf",
+        ),
     ],
 )
 def test_refusals(call, joint_file, change, arguments, said):

@@ -55,4 +55,4 @@ def test_a_picture_that_cannot_be_drawn_is_refused_before_anything_is_computed(m
     monkeypatch.setattr("asperity.verify.comparison.compare", compute)
     result = CliRunner().invoke(verify_contact, [*SMALL, "--plot", "law.xyz"])
     assert isinstance(result.exception, InputError)
-    assert "law.xyz: an image ends in .png, .svg or .pdf" in str(result.exception)
+    assert "law.xyz: the name of an image must end in .png, .svg or .pdf" in str(result.exception)

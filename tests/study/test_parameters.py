@@ -47,7 +47,6 @@ def test_logarithmic_steps_have_a_constant_ratio():
         ("load.output_torque=5 N*m:5 N*m:3", "must differ"),
         ("load.output_torque=0 N*m:5 N*m:3:log", "above 0"),
         ("load.output_torque=0 N*m:5 N*m:3:cubic", "'log'"),
-        ("load.output_torque=-1 N*m:5 N*m:3", "must be at least 0"),
         ("surface.fractal_dimension=1.1:2.5:3", "below 2"),
         ("drive.planets=2:5:3", "whole number"),
         ("model.closure=1:2:3", "no number"),
