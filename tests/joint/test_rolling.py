@@ -69,6 +69,17 @@ def test_creep_of_every_contact_is_carters_times_its_factor(rolled):
     np.testing.assert_allclose(found.stick_fraction, np.sqrt(1 - tangential / (0.12 * normal)), rtol=1e-12)
 
 
+def test_skew_takes_from_the_zone_that_sticks(rolled):
+    """The whole traction counts, the axial part with the tangential one; where it is all of friction nothing sticks."""
+    found = rolled(conditions(skew=(1e-3, 5e-4, -3e-4, 8e-4, -1e-3)))
+    limit = 0.12 * np.asarray(found.normal)
+    used = np.hypot(found.tangential, found.axial_force) / limit
+    np.testing.assert_allclose(found.stick_fraction, np.sqrt(1.0 - used), rtol=1e-9)
+    sliding = rolled(conditions(skew=(2e-2, 0.0, 0.0, 0.0, 0.0)), output_torque=0.1)
+    assert float(sliding.stick_fraction[0]) == 0.0
+    assert np.all(np.asarray(sliding.stick_fraction[1:]) > 0.9)
+
+
 def balance(found, torque, sun_speed, sun_torque, roller_torque, carrier_torque):
     """Creep and bearing power, and what is missing at the output, by going from body to body."""
     sun, ring, count = 4e-3, 40e-3, 3

@@ -84,6 +84,29 @@ def _length(x: Real, y: Real) -> Real:
     return jnp.where(some, jnp.sqrt(jnp.where(some, square, 1.0)), 0.0)
 
 
+def stick_fraction(*, longitudinal_slip_ratio: Real, lateral_slip_ratio: Real) -> Real:
+    r"""Share of the contact width that sticks, :math:`\sqrt{1 - |\mathbf q|}`.
+
+    Parameters
+    ----------
+    longitudinal_slip_ratio, lateral_slip_ratio : Real
+        Tangential and axial force over friction [-].
+
+    Returns
+    -------
+    Real
+        Share [-]; 0 where the traction is all of friction. Its slope is unbounded there.
+
+    References
+    ----------
+    Carter's stick zone under the length of the traction, as the combined creepage has it; equation (B3) of
+    :doc:`/equations`.
+    """
+    left = 1.0 - _length(longitudinal_slip_ratio, lateral_slip_ratio)
+    sticks = left > 1e-12  # rounding of a traction that is all of friction
+    return jnp.where(sticks, jnp.sqrt(jnp.where(sticks, left, 1.0)), 0.0)
+
+
 def _force_over_share(share: Real) -> Real:
     """Traction ratio over the share of creepage r: 2 − r up to gross slip at r = 1, and 1/r beyond."""
     sticks = share < 1.0

@@ -20,6 +20,7 @@ from asperity.contact.skew import (
     longitudinal_capacity_ratio,
     skewed_contact,
     skewed_slip_ratios,
+    stick_fraction,
 )
 from asperity.drive.force_balance import DriveForces
 from asperity.drive.mechanism import Mechanism
@@ -50,7 +51,7 @@ class RollingResult(eqx.Module):
     traction_coefficient : Array
         T/N, shape (5, ...) [-].
     stick_fraction : Array
-        Share of the contact width that sticks, shape (5, ...) [-], Carter's.
+        Share of the contact width that sticks under tangential and axial traction, shape (5, ...) [-].
     layer_ratio, layer_creepage_factor : Array
         Compliance of the asperities over that of the bodies, and by how much it raises the creepage, shape (5, ...)
         [-].
@@ -320,14 +321,15 @@ def rolling_result(
         sun_speed=joint.sun_speed,
     )
     in_series = state.creepage[0] + state.creepage[1] + state.creepage[3]
-    slip = jnp.abs(traction) / friction
     found = RollingResult(
         normal=state.normal,
         tangential=state.tangential,
         creepage=state.creepage,
         creepage_share=state.creepage / jnp.where(in_series != 0.0, in_series, jnp.nan),
         traction_coefficient=traction,
-        stick_fraction=carter.stick_half_width(slip_ratio=slip, half_width=1.0),
+        stick_fraction=jnp.asarray(
+            stick_fraction(longitudinal_slip_ratio=traction / friction, lateral_slip_ratio=lateral[0])
+        ),
         layer_ratio=creep.layer_ratio,
         layer_creepage_factor=creep.layer_factor,
         skew_creepage_factor=creep.skew_factor,
