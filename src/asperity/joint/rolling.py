@@ -171,8 +171,9 @@ def contact_creep(
 
     Notes
     -----
-    Both factors are taken at the slip ratio q of the drive at rest and then held: in rolling q differs by some
-    percent, the factors by less than a thousandth, except within some percent of gross slip. K_t is the tangential
+    Both factors are taken at the slip ratio q of the drive at rest and then kept. In rolling q differs by up to 6 %.
+    For the paper's joint the layer's factor then differs by at most 0.0002 at q = 0.39 (relative), 0.005 at 0.6, 0.03
+    at 0.85 and 0.07 at 0.95: near gross slip the creepage is that much less certain. K_t is the tangential
     stiffness of the asperities without traction, :math:`4G^*/E^*` times their normal stiffness. Across the rolling
     direction the same layer lies on bodies that are softer in the ratio of the creepages at gross slip.
 
