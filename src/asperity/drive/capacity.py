@@ -39,7 +39,7 @@ class _Search(NamedTuple):
     upper: Array  # one is, once bracketed
     bracketed: Array
     which: Array  # the one reached at the upper bound
-    count: Array
+    steps: Array
 
 
 def slip_ratio(*, normal_force: Real, tangential_force: Real, friction_coefficient: Real) -> Array:
@@ -101,7 +101,7 @@ def first_limit(*, excesses: Callable[[Array], Array], first_guess: Real) -> Fir
             state.upper > SMALLEST_SHARE * start
         )
         searching = ~state.bracketed & (state.upper < 2.0**40 * start) | state.bracketed & wide
-        return jnp.any(searching) & (state.count < _MOST_STEPS)
+        return jnp.any(searching) & (state.steps < _MOST_STEPS)
 
     def narrow(state: _Search) -> _Search:
         """Double the upper bound until a limit is reached there, then halve the interval."""
@@ -113,7 +113,7 @@ def first_limit(*, excesses: Callable[[Array], Array], first_guess: Real) -> Fir
             upper=jnp.where(reached, trial, jnp.where(state.bracketed, state.upper, 2.0 * state.upper)),
             bracketed=state.bracketed | reached,
             which=jnp.where(reached, jnp.argmax(beyond, axis=0), state.which),
-            count=state.count + 1,
+            steps=state.steps + 1,
         )
 
     nowhere = jnp.zeros_like(start, dtype=bool)

@@ -123,7 +123,7 @@ def checked_sizes(joint: Joint, result: JointResult) -> CheckedSizes:
         friction_coefficient=jnp.broadcast_to(pairs.friction_coefficient, shape),
         smaller_radius=jnp.broadcast_to(jnp.minimum(pairs.radius_1, pairs.radius_2), shape),
         effective_radius=jnp.broadcast_to(pairs.effective_radius, shape),
-        ring_bending_stiffness=spring,
+        ring_bending_stiffness=jnp.asarray(spring),
         bent_stiffness=jnp.asarray(bent.stiffness.output),
     )
 
