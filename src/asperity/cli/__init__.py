@@ -55,6 +55,11 @@ COMMANDS: dict[str, tuple[str, str, str]] = {
         "surface",
         "Measure D and G of rough surfaces, make and combine them.",
     ),
+    "validate": (
+        "asperity.cli.validate",
+        "validate",
+        "Evidence that this installation computes right.",
+    ),
     "verify-contact": (
         "asperity.cli.verify_contact",
         "verify_contact",
