@@ -7,6 +7,7 @@ from itertools import groupby
 from typing import Any
 
 _STYLE = """
+:root { color-scheme: light dark }
 body { font: 15px/1.45 system-ui, sans-serif; max-width: 75rem; margin: 2rem auto; padding: 0 1rem; color: #1a1a1a;
   background: #fff }
 table { border-collapse: collapse; width: 100%; margin: .5rem 0 1.5rem }
