@@ -84,5 +84,5 @@ def test_overlapping_names_are_refused(states, tmp_path, joint_text):
     task = TEXT.replace(
         "load.preload = {", 'drive.contact_length.sp = { lower = "3 mm", upper = "6 mm" }\nload.preload = {'
     )
-    with pytest.raises(InputError, match="overlaps the tolerance of drive.contact_length"):
+    with pytest.raises(InputError, match=r"overlaps the tolerance of drive\.contact_length"):
         scenarios(design_from_tables(tomllib.loads(task + 'tolerances = "corners"'), folder=tmp_path))
