@@ -175,11 +175,11 @@ def test_no_creepage_carries_all_friction_lengthwise_with_skew():
 def test_skew_takes_longitudinal_capacity():
     share = 0.6
     capacity = longitudinal_capacity_ratio(
-        lateral_creepage=jnp.array([-share, 0.0, 1.0, 2.0]),
+        lateral_creepage=jnp.array([-share, 0.0, 1.0, 1.01, 2.0]),
         gross_slip_creepage=1.0,
         lateral_gross_slip_creepage=1.0,
     )
-    np.testing.assert_allclose(capacity, [0.8, 1.0, 0.0, 0.0], rtol=1e-14)
+    np.testing.assert_allclose(capacity, [0.8, 1.0, 0.0, 0.0, 0.0], rtol=1e-14)
     unit = {"gross_slip_creepage": 1.0, "lateral_gross_slip_creepage": 1.0}
     below, beyond = (
         skewed_contact(longitudinal_slip_ratio=0.8 + d, lateral_creepage=share, **unit) for d in (-1e-9, 1e-9)
