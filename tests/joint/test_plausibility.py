@@ -1,5 +1,8 @@
 """Notes on joints that can exist: the ring that carries itself against exact annuli, sizes, friction, lengths."""
 
+import dataclasses
+
+import numpy as np
 import pytest
 
 from asperity.joint.plausibility import plausibility
@@ -58,3 +61,56 @@ def test_unusual_numbers_are_named(notes, changes, name, said):
 def test_without_a_scale_the_size_does_not_matter(notes):
     names = {name for name, _ in notes(contact_length=150e-3, contact_factor_model="unity")}
     assert "contact_factor_size" not in names
+
+
+@pytest.fixture(scope="module")
+def sizes(paper_joint):
+    """Notes that need no solution: the spring of the ring is given."""
+
+    def of(**changes):
+        joint = paper_joint(**changes)
+        structure = dataclasses.replace(joint.structure, ring_bending_stiffness=np.asarray(1e9))
+        found = plausibility(dataclasses.replace(joint, structure=structure), None)
+        return {(note.name, note.contact): note for note in found}
+
+    return of
+
+
+def compared(note):
+    return note.value, note.limit, note.ok
+
+
+def test_values_and_limits_by_hand(sizes):
+    """Rollers of 4, 13.5 and 5 mm, lines of 6 mm: 6/(2 x 4) and 6/(2 x 5)."""
+    found = sizes(contact_length=6e-3)
+    for contact, slenderness in {"sp": 0.75, "pwr": 0.6, "pwl": 0.6, "wro": 0.6, "wlo": 0.6}.items():
+        assert compared(found["friction_coefficient", contact]) == (0.12, 0.3, True)
+        note = found["contact_length_over_diameter", contact]
+        assert compared(note) == (pytest.approx(slenderness, rel=1e-14), 3.0, True)
+    # 54/17.5 mm is nearer to the limit of 3 mm than 6 mm to that of 5 mm; at the ring the length is nearer to its own
+    assert compared(found["contact_factor_size", "sp"]) == (pytest.approx(54e-3 / 17.5), 8.4e-3, True)
+    assert compared(found["contact_factor_size", "wro"]) == (pytest.approx(6e-3), 30e-3, True)
+
+
+@pytest.mark.parametrize(
+    ("name", "changes", "value", "limit", "ok"),
+    [
+        ("friction_coefficient", {"friction_coefficient": 0.299}, 0.299, 0.3, True),
+        ("friction_coefficient", {"friction_coefficient": 0.301}, 0.301, 0.3, False),
+        ("contact_length_over_diameter", {"contact_length": 23.9e-3}, 2.9875, 3.0, True),
+        ("contact_length_over_diameter", {"contact_length": 24.1e-3}, 3.0125, 3.0, False),
+        ("contact_factor_size", {"contact_length": 29.9e-3}, 29.9e-3, 30e-3, True),
+        ("contact_factor_size", {"contact_length": 30.1e-3}, 30.1e-3, 30e-3, False),
+        ("contact_factor_size", {"contact_length": 4.9e-3}, 4.9e-3, 5e-3, False),
+        # 1/R = 1/4 + 1/R_p to an effective radius of 2.9 mm, or 1/R_s + 1/13.5 to 8.3 and to 8.5 mm
+        ("contact_factor_size", {"planet_radius": 116e-4 / 1.1}, 2.9e-3, 3e-3, False),
+        ("contact_factor_size", {"sun_radius": 112.05e-3 / 5.2}, 8.3e-3, 8.4e-3, True),
+        ("contact_factor_size", {"sun_radius": 114.75e-3 / 5.0}, 8.5e-3, 8.4e-3, False),
+    ],
+)
+def test_limits_from_both_sides(sizes, name, changes, value, limit, ok):
+    note = sizes(**({"contact_length": 6e-3} | changes))[name, "sp"]
+    assert note.value == pytest.approx(value, rel=1e-12)
+    assert (note.ok, note.remedy is None) == (ok, ok)
+    if not ok or name != "contact_factor_size":
+        assert note.limit == limit
