@@ -54,7 +54,7 @@ def joint_document(
         "torque_capacity": _capacity(solution),
         "contacts": _contacts(SolvedJoint(joint, result)),
         "torsional_stiffness": _torsional_stiffness(result),
-        "stiffness_unknown_because": _unknown_because(result),
+        "stiffness_unknown_because": stiffness_unknown_because(result),
         "stiffness_budget": _stiffness_budget(result),
         "speed_loss": result.rolling.speed_loss,
         "drift_rad_per_output_turn": result.rolling.drift_per_output_turn,
@@ -152,8 +152,19 @@ def _torsional_stiffness(result: JointResult) -> Document:
     }
 
 
-def _unknown_because(result: JointResult) -> str | None:
-    """Why no stiffness is given, if none is."""
+def stiffness_unknown_because(result: JointResult) -> str | None:
+    """Why a joint has no stiffness.
+
+    Parameters
+    ----------
+    result : JointResult
+        Result of one joint.
+
+    Returns
+    -------
+    str or None
+        The contacts that are the cause, and what to do; None if there is a stiffness.
+    """
     if bool(result.contact_law_holds):
         return None
     normal, elastic = np.asarray(result.forces.normal), np.asarray(result.contacts.normal_stiffness)
