@@ -41,6 +41,7 @@ COMMANDS: dict[str, tuple[str, str, str]] = {
     "contact": ("asperity.cli.contact", "contact", "Stiffness of any number of roller pairs from a table."),
     "design": ("asperity.cli.design", "design", "The best joint within limits, or a Pareto front."),
     "calibrate": ("asperity.cli.calibrate", "calibrate", "Unknowns of a joint from a measured curve."),
+    "serve": ("asperity.cli.serve", "serve", "The joint as a page in the browser, with sliders and curves."),
     "materials": ("asperity.cli.materials", "materials", "Library of materials and finishes, with sources."),
     "init": ("asperity.cli.init", "init", "Write a commented joint file to start from."),
     "schema": ("asperity.cli.schema", "schema", "Print the JSON schema of joint files, for editors."),

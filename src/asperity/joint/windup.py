@@ -160,45 +160,47 @@ def windup_of(
     inner = shares[:-1, None] + 0.5 * widths[:, None] * (1.0 + nodes)
     positive = np.concatenate([shares, inner.ravel()])
     sampled = jnp.asarray(np.stack([positive, -positive])) * largest_torque
-    real, without_slip = (found.reshape(sampled.shape) for found in compliances(sampled.reshape(-1)))
-    slip = jnp.mean(real - without_slip, axis=0)
+    found = compliances(sampled.reshape(-1))
+    real, without_slip = (np.asarray(each).reshape(sampled.shape) for each in found)
+    slip = np.mean(real - without_slip, axis=0)
     half_widths = 0.5 * largest_torque * widths
 
-    def integral(compliance: Array) -> Array:
+    def integral(compliance: np.ndarray) -> np.ndarray:
         """From zero torque to each of the shares."""
-        panels = jnp.sum(weights * compliance[shares.size :].reshape(inner.shape), axis=1) * half_widths
-        return jnp.concatenate([jnp.zeros(1), jnp.cumsum(panels)])
+        panels = np.sum(weights * compliance[shares.size :].reshape(inner.shape), axis=1) * half_widths
+        return np.concatenate([np.zeros(1), np.cumsum(panels)])
 
     slip_angle = integral(slip)
 
     def index_of(share: np.ndarray) -> np.ndarray:
         return np.abs(shares - share[..., None]).argmin(axis=-1)
 
-    def slip_at(share: np.ndarray) -> Array:
+    def slip_at(share: np.ndarray) -> np.ndarray:
         return slip_angle[index_of(share)]
 
     where = index_of(shown)
     forward, reverse = (integral(each)[where] for each in real)  # both counted as positive
     signed = np.concatenate([-shown[:0:-1], shown])
-    torque = jnp.asarray(signed) * largest_torque
-    angle = jnp.concatenate([-reverse[:0:-1], forward]) + play_angle(play=play, output_torque=torque)
-    reversible = angle - jnp.sign(signed) * slip_at(np.abs(signed))
+    torque = signed * float(largest_torque)
+    taken_up = np.asarray(play_angle(play=play, output_torque=jnp.asarray(torque)))
+    angle = np.concatenate([-reverse[:0:-1], forward]) + taken_up
+    reversible = angle - np.sign(signed) * slip_at(np.abs(signed))
     unloading = reversible + slip_angle[-1] - 2.0 * slip_at(0.5 * (1.0 - signed))
     reloading = reversible - slip_angle[-1] + 2.0 * slip_at(0.5 * (1.0 + signed))
     middle = 0.5 * (unloading + reloading)
 
-    def read(curve: Array, share: float) -> Array:
+    def read(curve: np.ndarray, share: float) -> np.ndarray:
         return curve[int(np.argmin(np.abs(signed - share)))]
 
-    slip_work = jnp.sum(
-        jnp.sum(weights * slip[shares.size :].reshape(inner.shape) * inner, axis=1) * half_widths
+    slip_work = np.sum(
+        np.sum(weights * slip[shares.size :].reshape(inner.shape) * inner, axis=1) * half_widths
     )  # integral of T d gamma, over the largest torque
-    bounds = jnp.array([0.0, first, second, 1.0])
-    compliance = jnp.concatenate([real[1, where[:0:-1]], real[0, where]])
+    bounds = np.array([0.0, first, second, 1.0])
+    compliance = np.concatenate([real[1, where[:0:-1]], real[0, where]])
 
-    def stages(curve: Array) -> Array:
-        angles = jnp.stack([read(curve, share) for share in (0.0, first, second, 1.0)])
-        return jnp.diff(bounds) * largest_torque / jnp.diff(angles)
+    def stages(curve: np.ndarray) -> np.ndarray:
+        angles = np.stack([read(curve, share) for share in (0.0, first, second, 1.0)])
+        return np.diff(bounds) * largest_torque / np.diff(angles)
 
     return Windup(
         torque=torque,
@@ -331,10 +333,9 @@ def windup(
 
     def compliances(torques: Array) -> tuple[Array, Array]:
         batch = at_standstill(joint, torques)
-        program = compile_fast(evaluate, batch)
-        result = program(batch)
-        _refuse(result, torques, largest)
-        real, elastic = (_stiffness(found, level) for found in (result, program(without_slip(batch))))
+        solved, slip_ratio, levels, levels_without_slip = compile_fast(_at_torques, batch)(batch)
+        _refuse(np.asarray(solved), np.asarray(slip_ratio), np.asarray(torques), largest)
+        real, elastic = levels[level], levels_without_slip[level]
         if not bool(jnp.all(real > 0.0)):
             raise InputError(
                 f"the joint has no {level} stiffness at every torque up to {format_quantity(largest, 'N*m')}: all "
@@ -345,26 +346,29 @@ def windup(
     return windup_of(compliances, largest_torque=largest, stage_shares=stage_shares, play=joint.play)
 
 
-def _stiffness(result: JointResult, level: StiffnessLevel) -> Array:
-    level_of = {
-        "published": result.published,
-        "series_with_bulk": result.series_with_bulk,
-        "assembly": result.assembly.stiffness,
+def _at_torques(joint: Joint) -> tuple[Array, Array, dict[str, Array], dict[str, Array]]:
+    """Whether the balance closes, T/(mu N), and the stiffness on every level, as it is and without slip."""
+    result, elastic = evaluate(joint), evaluate(without_slip(joint))
+    return result.solved, result.diagnostics.slip_ratio, _levels(result), _levels(elastic)
+
+
+def _levels(result: JointResult) -> dict[str, Array]:
+    return {
+        "published": jnp.asarray(result.published.output),
+        "series_with_bulk": jnp.asarray(result.series_with_bulk.output),
+        "assembly": jnp.asarray(result.assembly.stiffness.output),
     }
-    return jnp.asarray(level_of[level].output)
 
 
-def _refuse(result: JointResult, torques: Array, largest: float) -> None:
+def _refuse(solved: np.ndarray, ratio: np.ndarray, values: np.ndarray, largest: float) -> None:
     """Refuse torques at which the force balance does not close or a contact slips."""
     shown = format_quantity(largest, "N*m")
-    values = np.asarray(torques)
-    if not bool(jnp.all(result.solved)):
-        failed = values[~np.asarray(result.solved)]
+    if not np.all(solved):
+        failed = values[~solved]
         raise NoSolutionError(
             f"the force balance has no solution at {format_quantity(failed[np.abs(failed).argmin()], 'N*m')}, which "
             f"is within the largest torque of {shown}; check radii and preload"
         )
-    ratio = np.asarray(result.diagnostics.slip_ratio)
     slips = np.any(ratio >= 1.0, axis=0)
     if np.any(slips):
         first = np.abs(np.where(slips, values, np.inf)).argmin()

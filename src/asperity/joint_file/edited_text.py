@@ -108,13 +108,33 @@ def _edited(text: str, case: Case, written: Mapping[str, float | str]) -> str:
             for key in ("library", "file"):
                 entry.remove(key)
             entry.update(_texts(case.materials[name]))
+    set_texts(document, written)
+    return tomlkit.dumps(document)
+
+
+def set_texts(document: Any, written: Mapping[str, float | str]) -> None:
+    """Change values in the tables of a joint file before they are checked.
+
+    Parameters
+    ----------
+    document : mapping
+        The tables as the file states them: tomlkit's document, or nested dictionaries. They are changed in place.
+    written : mapping
+        Dotted path of a number → its new value as it stands in a file, text with its unit. A section that the file
+        leaves out is added; all keys that it needs are 0. An entry for all contacts is split if a path names one.
+
+    Raises
+    ------
+    InputError
+        If a path is not that of a number of a joint file.
+    """
     for path, value in written.items():
+        key_at(path)
         section = path.split(".")[0]
         if section not in document and section != "materials":
-            document.append(section, _new_section(section))
+            document[section] = _new_section(section)
         for steps in change_targets(document, path, split=_split):
             _set(document, steps, value)
-    return tomlkit.dumps(document)
 
 
 def _new_section(section: str) -> Any:
@@ -130,7 +150,9 @@ def _new_section(section: str) -> Any:
 
 def _split(entry: Any) -> Any:
     """An entry for all contacts as a table with an entry for each."""
-    plain = entry.unwrap() if hasattr(entry, "unwrap") else "0 mrad"  # only the skew may be absent
+    plain = entry.unwrap() if hasattr(entry, "unwrap") else entry
+    if plain == 0.0:  # only the skew may be absent
+        plain = "0 mrad"
     inline = not isinstance(plain, dict)
     table = tomlkit.inline_table() if inline else tomlkit.table(is_super_table=True)
     for name in EachContact.model_fields:

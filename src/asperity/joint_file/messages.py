@@ -72,8 +72,21 @@ def _variants(annotation: Any) -> Iterator[Any]:
         yield annotation
 
 
-def _models(annotation: Any) -> list[type[BaseModel]]:
-    return [v for v in _variants(annotation) if isinstance(v, type) and issubclass(v, BaseModel)]
+def models_of(annotation: Any) -> list[type[BaseModel]]:
+    """The sections of a joint file that an annotation allows.
+
+    Parameters
+    ----------
+    annotation : object
+        Annotation of a field: a section, or a union, dictionary or list of them.
+
+    Returns
+    -------
+    list of type
+        Their models.
+    """
+    entries = [entry for variant in _variants(annotation) for entry in _variants(_entry_of(variant))]
+    return [v for v in entries if isinstance(v, type) and issubclass(v, BaseModel)]
 
 
 def keys_by_path(model: type[BaseModel] = Case) -> dict[str, Key]:
@@ -120,7 +133,7 @@ def _known_names(path: tuple[str, ...]) -> list[str]:
     for part in path:
         annotations = [model.model_fields[part].annotation for model in models if part in model.model_fields]
         below = [v for annotation in annotations for v in _variants(annotation)]
-        models = [m for v in below for m in _models(_entry_of(v))]
+        models = [m for v in below for m in models_of(v)]
         if any(get_origin(v) in (dict, tuple) for v in below):
             return _names_below(models) if len(path) == 2 else []
     return _names_below(models)
@@ -180,7 +193,7 @@ def _wanted(parts: Parts) -> str:
     if parts[0] == "bodies":
         return ": the name of a material, e.g. 'steel'"
     section = Case.model_fields.get(parts[0])
-    for model in _models(section.annotation) if section else []:
+    for model in models_of(section.annotation) if section else []:
         choice = model.model_fields[parts[-1]].annotation if parts[-1] in model.model_fields else None
         if get_origin(choice) is Literal:
             return ": one of " + ", ".join(f"'{name}'" for name in get_args(choice))

@@ -1,0 +1,83 @@
+"""``asperity serve``: a local page in the browser."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import click
+
+from asperity.cli.terminal import say
+
+
+@click.command()
+@click.argument("file", type=click.Path(), required=False)
+@click.option(
+    "--port",
+    type=click.IntRange(0, 65535),
+    default=8642,
+    show_default=True,
+    help="Port of the page; 0 for a free one.",
+)
+@click.option("--no-browser", is_flag=True, help="Print the address only; do not open the browser.")
+@click.option(
+    "--host",
+    default="127.0.0.1",
+    show_default=True,
+    help="Address to listen at. Any other than the loopback address lets other computers use the page.",
+)
+def serve(file: str | None, port: int, no_browser: bool, host: str) -> None:
+    """Open the joint described in FILE as a page in the browser, or an example joint without FILE.
+
+    The page shows the drive to scale with its forces, stiffness, drift, safety margins, warnings and curves. Every
+    number has a slider and a field that takes any unit; all results follow at once. A joint file can be opened from the
+    page and saved from it. The address of the page contains the joint, so that a link shows the same joint.
+
+    The page runs on this computer, needs no network, and other computers cannot reach it. Ctrl+C stops it. Scripts can
+    use the same JSON interface: /openapi.json describes it.
+    """
+    from asperity.page.joint_request import JointRequest
+    from asperity.page.server import is_loopback, listening_socket, require_packages
+    from asperity.page.server import serve as serve_page
+
+    require_packages()
+    name, text = (Path(file).name, _text(file)) if file else ("zou2025.toml", _example())
+    start = JointRequest(name=name, text=text)
+    listening = listening_socket(host, port)
+    from asperity.precision import use_compilation_cache, use_double_precision
+
+    use_double_precision()
+    use_compilation_cache()
+    if not is_loopback(host):
+        say(
+            f"asperity: warning: the page listens at {host}: every computer that reaches this address can use it, "
+            "without a password and unencrypted"
+        )
+
+    def ready(address: str) -> None:
+        say(f"asperity: {address} (Ctrl+C stops it)")
+        if not no_browser:
+            import webbrowser
+
+            webbrowser.open(address)
+
+    try:
+        serve_page(start, listening=listening, host=host, ready=ready)
+    except KeyboardInterrupt as stopped:
+        if type(stopped) is not KeyboardInterrupt:  # the system asked, which has an exit code of its own
+            raise
+        say("asperity: stopped")
+
+
+def _text(file: str) -> str:
+    """The text of a joint file; entries of a library file of the user's are replaced by their numbers."""
+    from asperity.joint_file.edited_text import joint_file_text
+    from asperity.joint_file.reader import read_case
+
+    return joint_file_text(read_case(file), {}, comment="")
+
+
+def _example() -> str:
+    """The text of the joint that 'asperity init' writes."""
+    from importlib.resources import files
+
+    return files("asperity.joint_file").joinpath("zou2025.toml").read_text(encoding="utf-8")

@@ -1,0 +1,87 @@
+"""A joint over its output torque: stiffness on every level, drift, efficiency and slip from one compiled program."""
+
+from __future__ import annotations
+
+import dataclasses
+import math
+
+import equinox as eqx
+import jax
+import jax.numpy as jnp
+import numpy as np
+from jax import Array
+
+from asperity.compilation import compile_fast
+from asperity.joint.description import Joint
+from asperity.joint.evaluation import evaluate
+
+_TORQUES = 49
+_OVER_TORQUE = 2.0  # end of the axis over the joint's own torque, where there is no capacity
+
+
+class TorqueCurves(eqx.Module):
+    """One joint over its output torque. SI units; shape (n,); nan where a contact slips or nothing turns.
+
+    Parameters
+    ----------
+    torque : Array
+        Output torques [N·m].
+    published, series_with_bulk, assembly : Array
+        Torsional stiffness at the output on the three levels [N·m/rad].
+    drift_per_output_turn : Array
+        Angle lost in one turn of the output [rad].
+    efficiency : Array
+        Output power over input power [-].
+    slip_ratio : Array
+        The largest T/(mu N) of all contacts [-].
+    """
+
+    torque: Array
+    published: Array
+    series_with_bulk: Array
+    assembly: Array
+    drift_per_output_turn: Array
+    efficiency: Array
+    slip_ratio: Array
+
+
+def torque_curves(*, joint: Joint, torque_capacity: float) -> TorqueCurves:
+    """Stiffness, drift and efficiency of a joint from no torque to its capacity.
+
+    Parameters
+    ----------
+    joint : Joint
+        One joint, without batch axes.
+    torque_capacity : float
+        Capacity in the direction of the joint's torque, without sign; not finite if friction does not limit it [N·m].
+
+    Returns
+    -------
+    TorqueCurves
+        In the direction of the joint's torque; up to twice the torque, or 1 N·m, if there is no capacity.
+    """
+    numbers: Joint = jax.tree.map(lambda leaf: np.asarray(leaf, dtype=float), joint)
+    numbers = dataclasses.replace(numbers, rolling=dataclasses.replace(numbers.rolling, duty=()))
+    own = float(numbers.output_torque)
+    limited = math.isfinite(torque_capacity) and torque_capacity > 0.0
+    largest = torque_capacity if limited else _OVER_TORQUE * abs(own) or 1.0
+    towards = np.linspace(0.0, 1.0, _TORQUES)
+    # the curves are steep near gross slip
+    torque = math.copysign(largest, own) * (towards * (2.0 - towards) if limited else towards)
+    points = dataclasses.replace(numbers, output_torque=torque)
+    found = jax.tree.map(np.asarray, compile_fast(_over_torque, points)(points))
+    return TorqueCurves(jnp.asarray(torque), *found)
+
+
+def _over_torque(joint: Joint) -> tuple[Array, ...]:
+    result = evaluate(joint)
+    slip = jnp.max(result.diagnostics.slip_ratio, axis=0)
+    holds = result.solved & (slip < 1.0) & result.contact_law_holds
+    rolling = result.rolling
+    stiffness = (result.published.output, result.series_with_bulk.output, result.assembly.stiffness.output)
+    return (
+        *(jnp.where(holds, level, jnp.nan) for level in stiffness),
+        rolling.drift_per_output_turn,
+        rolling.power.efficiency,
+        jnp.where(result.solved, slip, jnp.nan),
+    )

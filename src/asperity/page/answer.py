@@ -1,0 +1,145 @@
+"""The answer about one joint: the document of ``asperity joint``, the drawing, the wind-up and the curves."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import numpy as np
+
+from asperity.errors import AsperityError
+from asperity.joint.description import Joint
+from asperity.joint.document import joint_document
+from asperity.joint.solve import Solution, solve
+from asperity.joint.torque_curves import torque_curves
+from asperity.joint.windup import windup
+from asperity.joint.windup_document import windup_columns
+from asperity.joint_file.assumptions import assumptions
+from asperity.joint_file.build import joint_from_case
+from asperity.joint_file.model import Case
+from asperity.joint_file.quantity_key import Key
+from asperity.joint_file.si_tables import numeric_keys, si_values
+from asperity.page.drawing import drive_shapes
+from asperity.page.joint_request import CHOICES, JointRequest
+from asperity.units import from_si
+
+Answer = dict[str, Any]
+
+_STAGES = (1.0 / 3.0, 2.0 / 3.0)
+
+
+def joint_answer(request: JointRequest) -> Answer:
+    """Everything that the page shows of one joint.
+
+    Parameters
+    ----------
+    request : JointRequest
+        The joint.
+
+    Returns
+    -------
+    dict
+        ``document`` is that of ``asperity joint --json``; the rest is described in ``/openapi.json``.
+
+    Raises
+    ------
+    InputError
+        If the joint file is wrong, or such a joint cannot exist.
+    NoSolutionError
+        If the force balance does not close.
+    """
+    case = request.case()
+    joint = joint_from_case(case)
+    solution = solve(joint)
+    document = joint_document(
+        joint=joint, solution=solution, inputs=si_values(case), assumptions=assumptions(case)
+    )
+    return {
+        "id": request.identity,
+        "name": request.name,
+        **stated_values(case),
+        "document": document,
+        "drawing": drive_shapes(joint, solution.result.forces),
+        "curves": _curves(joint, solution),
+        "windup": _windup(joint),
+    }
+
+
+def stated_values(case: Case) -> Answer:
+    """What a joint file states, for the fields of the page.
+
+    Parameters
+    ----------
+    case : Case
+        The joint file.
+
+    Returns
+    -------
+    dict
+        ``numbers``: dotted path → value in the unit of display, and in SI; ``choices``: dotted path → word.
+    """
+    choices = {}
+    for path in CHOICES:
+        section, key = path.split(".")
+        choices[path] = getattr(getattr(case, section), key)
+    return {
+        "numbers": {
+            path: {"value": _shown(entry.value, entry.key), "si": entry.value, "tolerance": entry.tolerance}
+            for path, entry in numeric_keys(case).items()
+        },
+        "choices": choices,
+    }
+
+
+def _shown(value_si: float, key: Key) -> float:
+    """In the unit of display, without the last two digits, which a conversion makes up."""
+    return float(f"{from_si(value_si, key.unit):.14g}")
+
+
+def plain_numbers(values: Any) -> list[float | None]:
+    """An array as a list for JSON.
+
+    Parameters
+    ----------
+    values : array
+        Numbers, shape (n,).
+
+    Returns
+    -------
+    list
+        Numbers; None where one is not finite.
+    """
+    return [number if math.isfinite(number) else None for number in np.asarray(values, dtype=float).tolist()]
+
+
+def _curves(joint: Joint, solution: Solution) -> Answer:
+    reverse = float(joint.output_torque) < 0.0
+    capacity = solution.reverse_capacity if reverse else solution.capacity
+    found = torque_curves(joint=joint, torque_capacity=float(capacity.output_torque))
+    return {
+        "torque_Nm": plain_numbers(found.torque),
+        "published_Nm_per_rad": plain_numbers(found.published),
+        "series_with_bulk_Nm_per_rad": plain_numbers(found.series_with_bulk),
+        "assembly_Nm_per_rad": plain_numbers(found.assembly),
+        "drift_rad_per_output_turn": plain_numbers(found.drift_per_output_turn),
+        "efficiency": plain_numbers(found.efficiency),
+        "largest_slip_ratio": plain_numbers(found.slip_ratio),
+    }
+
+
+def _windup(joint: Joint) -> Answer:
+    """The loop at the joint's torque, or why there is none."""
+    torque = abs(float(joint.output_torque))
+    if torque == 0.0:
+        return {"unknown_because": "no torque, no wind-up: set an output torque"}
+    try:
+        curve = windup(joint, largest_torque=torque, level="assembly", stage_shares=_STAGES)
+    except AsperityError as error:
+        return {"unknown_because": str(error)}
+    return {
+        "unknown_because": None,
+        "hysteresis_rad": float(curve.hysteresis),
+        "lost_motion_rad": float(curve.lost_motion),
+        "dissipated_energy_J": float(curve.dissipated_energy),
+        **{name: plain_numbers(column) for name, column in windup_columns(curve).items()},
+    }

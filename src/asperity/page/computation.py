@@ -1,0 +1,140 @@
+"""One worker for all computations: requests wait in a short queue, and a full queue refuses."""
+
+from __future__ import annotations
+
+import asyncio
+import threading
+from collections import OrderedDict
+from collections.abc import Callable
+from concurrent.futures import Future, ThreadPoolExecutor
+from typing import Any, TypeVar
+
+from asperity.errors import AsperityError
+
+Found = TypeVar("Found")
+
+#: Computations that may wait or run at the same time.
+MOST_WAITING = 8
+#: Answers that are kept for downloads.
+MOST_KEPT = 32
+
+
+class BusyError(AsperityError):
+    """Too many computations wait, or one takes too long."""
+
+
+class Computations:
+    """A single thread that runs one computation after the other.
+
+    Parameters
+    ----------
+    longest : float
+        Time that a request waits for its answer [s].
+    """
+
+    def __init__(self, *, longest: float) -> None:
+        self._longest = longest
+        self._pool = ThreadPoolExecutor(max_workers=1, thread_name_prefix="asperity-computation")
+        self._waiting = 0
+        self._lock = threading.Lock()
+
+    def submit(self, function: Callable[..., Found], *arguments: Any) -> Future[Found]:
+        """Put a computation at the end of the queue.
+
+        Parameters
+        ----------
+        function : callable
+            What to run.
+        *arguments
+            Its arguments.
+
+        Returns
+        -------
+        Future
+            Its result.
+
+        Raises
+        ------
+        BusyError
+            If the queue is full.
+        """
+        with self._lock:
+            if self._waiting >= MOST_WAITING:
+                raise BusyError(f"{MOST_WAITING} computations are waiting already; try again in a moment")
+            self._waiting += 1
+        future = self._pool.submit(function, *arguments)
+        future.add_done_callback(self._done)
+        return future
+
+    def _done(self, future: Future[Any]) -> None:
+        with self._lock:
+            self._waiting -= 1
+
+    async def run(self, function: Callable[..., Found], *arguments: Any) -> Found:
+        """Run a computation and wait for it.
+
+        Parameters
+        ----------
+        function : callable
+            What to run.
+        *arguments
+            Its arguments.
+
+        Returns
+        -------
+        object
+            What it returned.
+
+        Raises
+        ------
+        BusyError
+            If the queue is full, or the answer does not come in time; a computation that has not begun is dropped.
+        """
+        future = self.submit(function, *arguments)
+        try:
+            return await asyncio.wait_for(asyncio.wrap_future(future), self._longest)
+        except TimeoutError:
+            raise BusyError(
+                f"no answer within {self._longest:g} s; a first start compiles the programs, try again"
+            ) from None
+
+    def close(self) -> None:
+        """Drop what waits, and finish what runs."""
+        self._pool.shutdown(wait=False, cancel_futures=True)
+
+
+class KeptAnswers:
+    """The latest answers by their identity, for downloads."""
+
+    def __init__(self) -> None:
+        self._kept: OrderedDict[str, Any] = OrderedDict()
+
+    def keep(self, identity: str, answer: Any) -> None:
+        """Remember an answer and forget the oldest ones.
+
+        Parameters
+        ----------
+        identity : str
+            Its name.
+        answer : object
+            What to keep.
+        """
+        self._kept[identity] = answer
+        self._kept.move_to_end(identity)
+        while len(self._kept) > MOST_KEPT:
+            self._kept.popitem(last=False)
+
+    def get(self, identity: str) -> Any:
+        """An answer; None if it was never given, or has been forgotten.
+
+        Parameters
+        ----------
+        identity : str
+            Its name.
+
+        Returns
+        -------
+        object
+            What was kept.
+        """
+        return self._kept.get(identity)

@@ -1,0 +1,131 @@
+"""The parameters of a joint file for the page: groups, meaning, unit, range and default, from the file's own model."""
+
+from __future__ import annotations
+
+import re
+from typing import Any
+
+from pydantic import BaseModel
+
+import asperity
+from asperity.joint_file.messages import keys_by_path, models_of
+from asperity.joint_file.model import BodyMaterials, Case, ModelChoice
+from asperity.joint_file.quantity_key import Key
+from asperity.library import read_finishes, read_materials
+from asperity.page.joint_request import CHOICES
+from asperity.units import from_si, parse_quantity
+
+#: Section of a joint file → heading of its group, in the order of the page.
+HEADINGS = {
+    "drive": "Drive",
+    "load": "Load",
+    "surface": "Surfaces",
+    "materials": "Materials",
+    "compliance": "Structure",
+    "play": "Play",
+    "bearings": "Bearings",
+    "rolling": "Rolling",
+    "lubrication": "Lubrication",
+    "duty": "Duty",
+}
+
+
+def description() -> dict[str, Any]:
+    """What can be set on the page.
+
+    Returns
+    -------
+    dict
+        ``groups`` of parameters, ``choices``, ``materials`` and ``finishes`` of the library.
+    """
+    return {
+        "asperity_version": asperity.__version__,
+        "groups": [
+            {"name": name, "heading": heading, "parameters": _parameters(name)}
+            for name, heading in HEADINGS.items()
+        ],
+        "choices": [_choice(path) for path in CHOICES],
+        "materials": [
+            {"name": name, "description": entry.description, "reference": entry.reference}
+            for name, entry in read_materials().items()
+        ],
+        "finishes": [
+            {
+                "name": name,
+                "description": entry.description,
+                "reference": entry.reference,
+                "fractal_dimension": list(entry.fractal_dimension),
+                "fractal_roughness_mm": [1e3 * each for each in entry.fractal_roughness],
+            }
+            for name, entry in read_finishes().items()
+        ],
+    }
+
+
+def _parameters(section: str) -> list[dict[str, Any]]:
+    found = []
+    for path, key in keys_by_path().items():
+        if path.split(".")[0] == section:
+            model, name = _field(path)
+            field = model.model_fields[name]
+            meaning = " ".join((field.description or "").split())
+            found.append(
+                {
+                    "key": path,
+                    "meaning": meaning,
+                    "dimension": key.dimension.label,
+                    "unit": key.unit,
+                    "lowest": key.lower,
+                    "highest": key.upper,
+                    "lowest_included": not key.open_lower,
+                    "highest_included": not key.open_upper,
+                    "whole": key.whole,
+                    "allowed": key.allowed,
+                    "example": key.typical,
+                    "example_value": _example(key),
+                    "required": field.is_required(),
+                    "default": _default(meaning),
+                }
+            )
+    return found
+
+
+def _example(key: Key) -> float:
+    """The example in the unit of the range."""
+    return float(f"{from_si(parse_quantity(key.typical, key.dimension), key.unit):.14g}")
+
+
+def _default(meaning: str) -> str | None:
+    """What the meaning says of a key that is absent."""
+    said = re.search(r"[^;,.]*(?:\d\.\d+)? if absent[^;.]*", meaning)
+    if said is None:
+        said = re.search(r"if absent, [^;.]*|Without it [^.]*", meaning)
+    return said.group(0).strip() if said else None
+
+
+def _field(path: str) -> tuple[type[BaseModel], str]:
+    """The model and the name of the field that describe a path best: for one contact, that of the whole entry."""
+    model: type[BaseModel] = Case
+    name = ""
+    for part in path.split("."):
+        if part == "*":
+            continue
+        if name:
+            below = models_of(model.model_fields[name].annotation)
+            inside = [each for each in below if part in each.model_fields]
+            if not inside:
+                return model, name
+            model = inside[0]
+        name = part
+    return model, name
+
+
+def _choice(path: str) -> dict[str, Any]:
+    section, name = path.split(".")
+    model: type[BaseModel] = ModelChoice if section == "model" else BodyMaterials
+    return {
+        "key": path,
+        "group": section,
+        "meaning": " ".join((model.model_fields[name].description or "").split()),
+        "words": list(CHOICES[path]),
+    }

@@ -1,0 +1,157 @@
+"""What the page asks about: a joint file as text or as tables, with some of its values changed."""
+
+from __future__ import annotations
+
+import copy
+import hashlib
+import json
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Any, Literal, get_args, get_origin
+
+import tomlkit
+
+from asperity.errors import InputError, quoted
+from asperity.joint_file.edited_text import set_texts
+from asperity.joint_file.model import BodyMaterials, Case, ModelChoice
+from asperity.joint_file.reader import case_from_tables
+from asperity.reading import parse_toml
+
+MOST_CHANGES = 400
+LONGEST_VALUE = 200
+LONGEST_NAME = 120
+
+#: Dotted path of a choice → the words that it offers; none where a name of a material stands.
+CHOICES: dict[str, tuple[str, ...]] = {
+    **{
+        f"model.{name}": get_args(field.annotation) if get_origin(field.annotation) is Literal else ()
+        for name, field in ModelChoice.model_fields.items()
+    },
+    **{f"bodies.{name}": () for name in BodyMaterials.model_fields},
+}
+
+
+@dataclass(frozen=True)
+class JointRequest:
+    """One joint.
+
+    Parameters
+    ----------
+    name : str
+        What messages call it.
+    text : str
+        A joint file in TOML; empty where ``tables`` are given.
+    changes : mapping
+        Dotted path → new value as a file states it.
+    tables : mapping
+        The tables of a joint file; only where there is no text.
+    """
+
+    name: str
+    text: str
+    changes: Mapping[str, Any] = field(default_factory=dict)
+    tables: Mapping[str, Any] = field(default_factory=dict)
+
+    @property
+    def identity(self) -> str:
+        """A name of the content, the same for the same content."""
+        content = json.dumps([self.name, self.text, self.changes, self.tables], sort_keys=True)
+        return hashlib.sha256(content.encode("utf-8", "surrogatepass")).hexdigest()[:32]
+
+    def case(self) -> Case:
+        """The checked joint file.
+
+        Raises
+        ------
+        InputError
+            If it contains something that is not allowed, or names another file.
+        """
+        tables = copy.deepcopy(dict(self.tables)) if self.tables else parse_toml(self.text, source=self.name)
+        refuse_named_files(tables, source=self.name)
+        try:
+            _apply(tables, self.changes)
+        except InputError as error:
+            raise InputError(f"{self.name}: {error}") from None
+        return case_from_tables(tables, source=self.name)
+
+    def file_text(self) -> str:
+        """The joint file with its changes, with the comments and the layout of the original text."""
+        document = tomlkit.parse(self.text) if self.text else tomlkit.parse(tomlkit.dumps(dict(self.tables)))
+        _apply(document, self.changes)
+        return tomlkit.dumps(document)
+
+
+def _apply(tables: Any, changes: Mapping[str, Any]) -> None:
+    try:
+        set_texts(tables, {path: value for path, value in changes.items() if path not in CHOICES})
+        for path, value in changes.items():
+            if path in CHOICES:
+                section, key = path.split(".")
+                tables[section][key] = value
+    except (AttributeError, IndexError, KeyError, TypeError, ValueError) as error:
+        if isinstance(error, InputError):
+            raise
+        raise InputError("the changes do not fit the sections of this joint file") from None
+
+
+def refuse_named_files(tables: Mapping[str, Any], *, source: str) -> None:
+    """Refuse a joint file that names another file: nothing that arrives by the network may open one.
+
+    Parameters
+    ----------
+    tables : mapping
+        The tables of the joint file.
+    source : str
+        Its name, for the message.
+
+    Raises
+    ------
+    InputError
+        With the key.
+    """
+    materials = tables.get("materials")
+    for name, entry in materials.items() if isinstance(materials, Mapping) else ():
+        if isinstance(entry, Mapping) and "file" in entry:
+            raise InputError(
+                f"{source}: materials.{name}.file: the page opens no other files; write the numbers of the material into "
+                "the joint file, or start 'asperity serve' with it"
+            )
+
+
+def joint_request(body: Any) -> JointRequest:
+    """Check the JSON body of a request.
+
+    Parameters
+    ----------
+    body : object
+        ``toml`` (text) or ``joint`` (nested tables); optional ``changes`` (dotted path → value) and ``name``.
+
+    Returns
+    -------
+    JointRequest
+        The joint that it asks about.
+
+    Raises
+    ------
+    InputError
+        If an entry is missing, unknown or of the wrong kind.
+    """
+    if not isinstance(body, dict):
+        raise InputError("the body must be a JSON object with the joint file as 'toml' or 'joint'")
+    unknown = sorted(set(body) - {"toml", "joint", "changes", "name"})
+    if unknown:
+        raise InputError(f"unknown entry {quoted(unknown[0])}; known are toml, joint, changes, name")
+    text, tables = body.get("toml", ""), body.get("joint", {})
+    changes, name = body.get("changes", {}), body.get("name", "joint.toml")
+    if not isinstance(text, str) or not isinstance(tables, dict) or bool(text.strip()) == bool(tables):
+        raise InputError("give the joint either as 'toml', the text of a joint file, or as 'joint', its tables")
+    if not isinstance(name, str) or not 0 < len(name) <= LONGEST_NAME:
+        raise InputError(f"'name' must be text of at most {LONGEST_NAME} characters")
+    if not isinstance(changes, dict) or len(changes) > MOST_CHANGES:
+        raise InputError(f"'changes' must be an object of at most {MOST_CHANGES} dotted paths and values")
+    for path, value in changes.items():
+        if isinstance(value, bool) or not isinstance(value, str | int | float):
+            raise InputError(f"{path}: a value is text with its unit or a number, got {quoted(value)}")
+        if isinstance(value, str) and len(value) > LONGEST_VALUE:
+            raise InputError(f"{path}: a value has at most {LONGEST_VALUE} characters, got {len(value)}")
+    return JointRequest(name=name, text=text, changes=changes, tables=tables)

@@ -1,0 +1,189 @@
+"""The JSON interface of the page in OpenAPI 3.1."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import asperity
+from asperity.page.computation import MOST_KEPT
+from asperity.page.guard import LARGEST_BODY
+
+Schema = dict[str, Any]
+
+_NUMBERS: Schema = {"type": "array", "items": {"type": ["number", "null"]}}
+_VALUE: Schema = {
+    "type": "object",
+    "properties": {
+        "value": {"type": "number", "description": "In the unit of the key's range."},
+        "si": {"type": "number"},
+        "tolerance": {"type": "number", "description": "In SI; 0 where the file states none."},
+    },
+}
+_STATED: Schema = {
+    "numbers": {"type": "object", "additionalProperties": _VALUE, "description": "By dotted path."},
+    "choices": {"type": "object", "additionalProperties": {"type": "string"}},
+}
+
+
+def openapi() -> Schema:
+    """Addresses, bodies and answers of the JSON interface.
+
+    Returns
+    -------
+    dict
+        OpenAPI 3.1.
+    """
+    return {
+        "openapi": "3.1.0",
+        "info": {
+            "title": "asperity serve",
+            "version": asperity.__version__,
+            "description": "A traction-drive joint in, its results out. Numbers are in SI units, with the unit at the "
+            "end of each name; null stands for a number that does not exist. Requests of other web sites are refused.",
+        },
+        "paths": {
+            "/api/description": {"get": _get("Parameters of a joint file: meaning, unit, range, default.")},
+            "/api/schema": {"get": _get("JSON schema of a joint file.")},
+            "/api/joint": {"post": _joint()},
+            "/api/joint/{id}/joint.{kind}": {"get": _download()},
+            "/api/file": {"post": _file()},
+        },
+        "components": {
+            "schemas": {"Error": _error_schema(), "Request": _request_schema(), "Answer": _answer_schema()}
+        },
+    }
+
+
+def _json(schema: Schema, description: str) -> Schema:
+    return {"description": description, "content": {"application/json": {"schema": schema}}}
+
+
+def _ref(name: str) -> Schema:
+    return {"$ref": f"#/components/schemas/{name}"}
+
+
+def _get(summary: str) -> Schema:
+    return {"summary": summary, "responses": {"200": _json({"type": "object"}, summary)}}
+
+
+_PROBLEMS = {
+    "403": _json(_ref("Error"), "The request comes from another web site."),
+    "408": _json(_ref("Error"), "The body did not arrive in time."),
+    "413": _json(_ref("Error"), f"The body is larger than {LARGEST_BODY} bytes."),
+    "415": _json(_ref("Error"), "The body has another type."),
+    "422": _json(_ref("Error"), "The joint is described wrongly, cannot exist or has no solution."),
+    "503": _json(_ref("Error"), "Too many computations are waiting."),
+}
+
+
+def _joint() -> Schema:
+    return {
+        "summary": "Solve one joint: the document of 'asperity joint --json', with drawing, wind-up and curves.",
+        "requestBody": {"required": True, "content": {"application/json": {"schema": _ref("Request")}}},
+        "responses": {"200": _json(_ref("Answer"), "The joint."), **_PROBLEMS},
+    }
+
+
+def _download() -> Schema:
+    return {
+        "summary": f"Joint file or JSON document of one of the latest {MOST_KEPT} joints.",
+        "parameters": [
+            {"name": "id", "in": "path", "required": True, "schema": {"type": "string"}},
+            {"name": "kind", "in": "path", "required": True, "schema": {"enum": ["toml", "json"]}},
+        ],
+        "responses": {
+            "200": {"description": "The file.", "content": {"application/toml": {}, "application/json": {}}},
+            "404": _json(_ref("Error"), "This joint is no longer kept."),
+        },
+    }
+
+
+def _file() -> Schema:
+    name = {"name": "name", "in": "query", "schema": {"type": "string"}, "description": "For messages."}
+    return {
+        "summary": "Check a joint file and list what it states.",
+        "parameters": [name],
+        "requestBody": {"required": True, "content": {"application/toml": {"schema": {"type": "string"}}}},
+        "responses": {
+            "200": _json(
+                {
+                    "type": "object",
+                    "properties": {"name": {"type": "string"}, "toml": {"type": "string"}, **_STATED},
+                },
+                "Its text and its values.",
+            ),
+            **_PROBLEMS,
+        },
+    }
+
+
+def _error_schema() -> Schema:
+    return {
+        "type": "object",
+        "required": ["error", "kind", "keys"],
+        "properties": {
+            "error": {"type": "string", "description": "The message of the command line."},
+            "kind": {"enum": ["input", "no_solution", "busy", "refused", "failed"]},
+            "keys": {
+                "type": "object",
+                "additionalProperties": {"type": "string"},
+                "description": "Dotted path of a key of the joint file → what is wrong with it.",
+            },
+        },
+    }
+
+
+def _request_schema() -> Schema:
+    return {
+        "type": "object",
+        "additionalProperties": False,
+        "oneOf": [{"required": ["toml"]}, {"required": ["joint"]}],
+        "properties": {
+            "toml": {"type": "string", "description": "The text of a joint file."},
+            "joint": {
+                "type": "object",
+                "description": "The tables of a joint file; /api/schema is their schema.",
+            },
+            "changes": {
+                "type": "object",
+                "additionalProperties": {"type": ["string", "number"]},
+                "description": "Dotted path → value with its unit, or one of the words of a choice.",
+                "examples": [{"load.output_torque": "6000 N*mm", "model.closure": "constant_pin_force"}],
+            },
+            "name": {"type": "string", "description": "What messages and downloads call the joint."},
+        },
+    }
+
+
+def _answer_schema() -> Schema:
+    names = ("published", "series_with_bulk", "assembly")
+    curves = (
+        "torque_Nm",
+        *(f"{name}_Nm_per_rad" for name in names),
+        "drift_rad_per_output_turn",
+        "efficiency",
+        "largest_slip_ratio",
+    )
+    windup = ("torque_Nm", "loading_angle_rad", "incremental_stiffness_Nm_per_rad")
+    windup += ("unloading_angle_rad", "reloading_angle_rad")
+    return {
+        "type": "object",
+        "properties": {
+            "id": {"type": "string", "description": "For downloads."},
+            "name": {"type": "string"},
+            **_STATED,
+            "document": {"type": "object", "description": "As 'asperity joint FILE --json' prints it."},
+            "drawing": {"type": "object", "description": "Circles and contact forces of the drive."},
+            "curves": {"type": "object", "properties": dict.fromkeys(curves, _NUMBERS)},
+            "windup": {
+                "type": "object",
+                "properties": {
+                    "unknown_because": {"type": ["string", "null"]},
+                    "hysteresis_rad": {"type": "number"},
+                    "lost_motion_rad": {"type": "number"},
+                    "dissipated_energy_J": {"type": "number"},
+                    **dict.fromkeys(windup, _NUMBERS),
+                },
+            },
+        },
+    }

@@ -1,0 +1,153 @@
+"""The server of the page: one process on the loopback address."""
+
+from __future__ import annotations
+
+import ipaddress
+import socket
+from collections.abc import Callable
+
+from asperity.errors import InputError, MissingExtraError
+from asperity.extras import install_command
+from asperity.page.joint_request import JointRequest
+
+#: Requests that are served at the same time; more are refused.
+MOST_CONNECTIONS = 64
+
+
+def require_packages() -> None:
+    """Raise unless the packages of the page are installed.
+
+    Raises
+    ------
+    MissingExtraError
+        With the command that installs them.
+    """
+    try:
+        import starlette  # noqa: F401
+        import uvicorn  # noqa: F401
+    except ImportError as error:
+        raise MissingExtraError(
+            f"the page needs the package {error.name}; install it with: {install_command('page')}"
+        ) from None
+
+
+def is_loopback(host: str) -> bool:
+    """Whether an address can be reached from this computer alone.
+
+    Parameters
+    ----------
+    host : str
+        Name or address.
+
+    Returns
+    -------
+    bool
+        True for ``localhost``, 127.0.0.0/8 and ::1.
+    """
+    if host == "localhost":
+        return True
+    try:
+        return ipaddress.ip_address(host).is_loopback
+    except ValueError:
+        return False
+
+
+def listening_socket(host: str, port: int) -> socket.socket:
+    """A socket that listens at an address.
+
+    Parameters
+    ----------
+    host : str
+        Name or address.
+    port : int
+        Port; 0 for a free one.
+
+    Returns
+    -------
+    socket
+        The socket.
+
+    Raises
+    ------
+    InputError
+        If the address is not of this computer, or the port is in use.
+    """
+    try:
+        family, kind, protocol, _, address = socket.getaddrinfo(host, port, type=socket.SOCK_STREAM)[0]
+    except OSError as error:
+        raise InputError(f"the address {host} is unknown: {error.strerror or error}") from None
+    found = socket.socket(family, kind, protocol)
+    found.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
+    try:
+        found.bind(address)
+    except OSError as error:
+        found.close()
+        raise InputError(
+            f"cannot listen at {host}, port {port}: {error.strerror or error}; choose another port, or 0 for a free one",
+            options=("port",),
+        ) from None
+    return found
+
+
+def host_names(host: str, port: int) -> tuple[str, ...]:
+    """Values of the ``Host`` header under which the page may be asked for.
+
+    Parameters
+    ----------
+    host : str
+        Where the server listens.
+    port : int
+        Its port.
+
+    Returns
+    -------
+    tuple of str
+        With the port; the loopback names, and the address itself.
+    """
+    names = dict.fromkeys(["127.0.0.1", "localhost", "[::1]", f"[{host}]" if ":" in host else host])
+    found = [f"{name}:{port}" for name in names]
+    return tuple(found + list(names) if port == 80 else found)
+
+
+def serve(
+    start: JointRequest, *, listening: socket.socket, host: str, ready: Callable[[str], None]
+) -> None:
+    """Serve the page until it is interrupted.
+
+    Parameters
+    ----------
+    start : JointRequest
+        The joint that it opens with.
+    listening : socket
+        Where to listen.
+    host : str
+        Name or address of the socket.
+    ready : callable
+        Called with the address of the page once it answers.
+    """
+    import uvicorn
+
+    from asperity.page.application import LONGEST_ANSWER, application
+    from asperity.page.computation import Computations
+
+    port = listening.getsockname()[1]
+    computations = Computations(longest=LONGEST_ANSWER)
+    app = application(start, hosts=host_names(host, port), computations=computations)
+    shown = f"[{host}]" if ":" in host else host
+
+    class Announced(uvicorn.Server):
+        async def startup(self, sockets: list[socket.socket] | None = None) -> None:
+            await super().startup(sockets)
+            ready(f"http://{shown}:{port}/")
+
+    config = uvicorn.Config(
+        app,
+        log_level="warning",
+        access_log=False,
+        ws="none",
+        server_header=False,
+        limit_concurrency=MOST_CONNECTIONS,
+        timeout_keep_alive=30,
+        timeout_graceful_shutdown=2,
+    )
+    Announced(config).run(sockets=[listening])

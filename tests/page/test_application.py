@@ -1,0 +1,273 @@
+"""The JSON interface as a script uses it, compared with what the command prints."""
+
+import json
+import math
+
+import pytest
+
+pytest.importorskip("starlette")
+pytest.importorskip("httpx2")
+
+from starlette.testclient import TestClient
+
+from asperity.page.application import ASSETS, application, errors_by_key
+from asperity.page.computation import Computations
+from asperity.page.joint_request import JointRequest
+
+HOST = "127.0.0.1:8642"
+
+
+@pytest.fixture(scope="module")
+def client(joint_text):
+    app = application(
+        JointRequest(name="zou2025.toml", text=joint_text),
+        hosts=[HOST],
+        computations=Computations(longest=600.0),
+    )
+    with TestClient(app, base_url=f"http://{HOST}", raise_server_exceptions=False) as found:
+        yield found
+
+
+@pytest.fixture
+def solve(client, joint_text):
+    def ask(**changes):
+        body = {"toml": joint_text, "name": "my.toml", "changes": {k.replace("__", "."): v for k, v in changes.items()}}
+        return client.post("/api/joint", json=body)
+
+    return ask
+
+
+@pytest.fixture(scope="module")
+def printed(zou_file):
+    """What ``asperity joint --json`` prints."""
+    from click.testing import CliRunner
+
+    from asperity.cli.joint import joint
+
+    done = CliRunner().invoke(joint, [str(zou_file), "--json"])
+    assert done.exit_code == 0
+    return json.loads(done.stdout)
+
+
+def test_the_document_is_that_of_the_command(client, joint_text, printed):
+    answer = client.post("/api/joint", json={"toml": joint_text}).json()
+    assert answer["document"] == printed
+
+
+def test_tables_say_the_same_as_text(client, joint_text, printed):
+    import tomllib
+
+    answer = client.post("/api/joint", json={"joint": tomllib.loads(joint_text)}).json()
+    assert answer["document"] == printed
+
+
+def test_units_are_those_of_the_files(solve):
+    one, other = solve(load__output_torque="4 N*m").json(), solve(load__output_torque="4000 N*mm").json()
+    assert one["numbers"]["load.output_torque"]["si"] == 4.0
+    assert other["document"]["torsional_stiffness"] == one["document"]["torsional_stiffness"]
+
+
+def test_curves_pass_through_the_joint(solve):
+    answer = solve().json()
+    curves, document = answer["curves"], answer["document"]
+    capacity = document["torque_capacity"]["output_torque_Nm"]
+    assert curves["torque_Nm"][-1] == pytest.approx(capacity, rel=1e-12)
+    # the stiffness at 5 N·m lies between those of the neighbouring torques
+    above = next(i for i, torque in enumerate(curves["torque_Nm"]) if torque > 5.0)
+    stiffness = document["torsional_stiffness"]["assembly"]["output_Nm_per_rad"]
+    ends = sorted(curves["assembly_Nm_per_rad"][above - 1 : above + 1])
+    assert ends[0] < stiffness < ends[1]
+    drifts = curves["drift_rad_per_output_turn"][above - 1 : above + 1]
+    assert drifts[0] < document["drift_rad_per_output_turn"] < drifts[1]
+    # the loading curve of the wind-up is the integral of the compliance: its end is near T/K
+    assert answer["windup"]["loading_angle_rad"][-1] == pytest.approx(5.0 / stiffness, rel=0.02)
+
+
+def test_forces_drawn_on_the_planet_balance(solve):
+    """Equation (2): without rotation the three contacts hold the planet, in both directions and in moment."""
+    answer = solve(load__sun_speed="0 rpm").json()
+    planet = next(each for each in answer["drawing"]["rollers"] if each["body"] == "planet")
+    sums = [0.0, 0.0, 0.0]
+    for force in answer["drawing"]["forces"]:
+        if force["on"] == "planet":
+            x = force["normal_N"][0] + force["tangential_N"][0]
+            y = force["normal_N"][1] + force["tangential_N"][1]
+            sums[0] += x
+            sums[1] += y
+            sums[2] += (force["x_m"] - planet["x_m"]) * y - (force["y_m"] - planet["y_m"]) * x
+    assert sums == pytest.approx([0.0, 0.0, 0.0], abs=1e-6)
+    for force in answer["drawing"]["forces"]:
+        size = math.hypot(*force["normal_N"])
+        assert size == pytest.approx(answer["document"]["forces"]["normal_N"][force["contact"]])
+
+
+def test_torques_of_the_ring_forces_are_the_reaction_of_the_ring(solve):
+    """T_in + T_out = 3 R_o (T_wro + T_wlo) without losses; on the rollers the ring pushes against the clock."""
+    answer = solve().json()
+    moment = 0.0
+    for force in answer["drawing"]["forces"]:
+        if force["contact"] in ("wro", "wlo"):
+            x, y = force["tangential_N"]
+            moment += force["x_m"] * y - force["y_m"] * x
+    forces = answer["document"]["forces"]
+    assert 3.0 * moment == pytest.approx(forces["input_torque_Nm"] + forces["output_torque_Nm"])
+
+
+@pytest.mark.parametrize(
+    ("key", "value", "said"),
+    [
+        ("load.output_torque", "5 mm", "expected a torque"),
+        ("load.output_torque", "", "expected a torque"),
+        ("surface.fractal_dimension", 2.5, "must be above 1 and below 2"),
+        ("drive.planets", 2.5, "a whole number"),
+        ("model.closure", "soft", "is not one of"),
+        ("bodies.sun", "nowhere", "there is no material"),
+    ],
+)
+def test_a_wrong_value_is_said_at_its_key(solve, key, value, said):
+    response = solve(**{key: value})
+    assert response.status_code == 422
+    answer = response.json()
+    assert said in answer["keys"][key]
+    assert answer["error"].startswith("my.toml: ")
+
+
+def test_an_impossible_joint_is_said_in_one_sentence(solve):
+    response = solve(load__output_torque="50 N*m")
+    assert response.status_code == 422
+    assert "beyond the torque capacity 13.16 N·m" in response.json()["error"]
+
+
+@pytest.mark.parametrize(
+    "body",
+    [
+        b"{",
+        b"[]",
+        b"[" * 100_000,
+        b'{"toml": 3}',
+        b'{"toml": "", "joint": {}}',
+        b'{"toml": "x = 1", "other": 1}',
+        b'{"toml": "x = 1", "changes": {"load.preload": NaN}}',
+        b'{"toml": "x = 1", "changes": {"load.preload": true}}',
+        b'{"toml": "x = 1", "changes": {"load": "5 N"}}',
+        b'{"joint": {"load": 3}, "changes": {"load.preload": "5 N"}}',
+        b'{"joint": {"bodies": 3}, "changes": {"bodies.sun": "steel"}}',
+        b'{"joint": {"surface": [1]}, "changes": {"surface.sp.fractal_dimension": 1.5}}',
+    ],
+)
+def test_bodies_that_make_no_sense_get_one_sentence(client, body):
+    response = client.post("/api/joint", content=body, headers={"content-type": "application/json"})
+    assert response.status_code == 422
+    assert response.json()["error"]
+
+
+def test_forms_of_other_sites_have_the_wrong_type(client, joint_text):
+    for path in ("/api/joint", "/api/file"):
+        for kind in ("text/plain", "application/x-www-form-urlencoded", "multipart/form-data; boundary=x"):
+            response = client.post(path, content=b"{}", headers={"content-type": kind})
+            assert response.status_code == 415
+
+
+@pytest.mark.parametrize("place", ["toml", "joint", "file"])
+def test_a_request_opens_no_file(client, joint_text, tmp_path, place):
+    library = tmp_path / "library.toml"
+    library.write_text("secret = 1")
+    text = joint_text + f'\n[materials.other]\nlibrary = "x"\nfile = "{library}"\n'
+    if place == "file":
+        response = client.post(
+            "/api/file", content=text.encode(), headers={"content-type": "application/octet-stream"}
+        )
+    else:
+        import tomllib
+
+        body = {"toml": text} if place == "toml" else {"joint": tomllib.loads(text)}
+        response = client.post("/api/joint", json=body)
+    assert response.status_code == 422
+    assert "the page opens no other files" in response.json()["error"]
+    assert "secret" not in response.text
+
+
+@pytest.mark.parametrize(
+    "path",
+    ["/../pyproject.toml", "/static/page.html", "/%2e%2e/%2e%2e/etc/passwd", "/page.html", "/answer.py", "//etc/passwd"],
+)
+def test_only_the_table_of_assets_is_served(client, path):
+    assert client.get(path).status_code == 404
+
+
+def test_every_asset_is_there_and_nothing_is_inline(client):
+    for path, (_, kind) in ASSETS.items():
+        response = client.get(path)
+        assert response.status_code == 200
+        assert response.headers["content-type"] == kind
+        assert "http://" not in response.text.replace("http://www.w3.org/2000/svg", "")
+        assert "https://" not in response.text
+    page = client.get("/").text
+    assert " style=" not in page
+    assert " onclick=" not in page
+    assert page.count("<script") == page.count('<script type="module" src="/')
+
+
+def test_a_file_is_checked(client, joint_text):
+    kind = {"content-type": "application/octet-stream"}
+    good = client.post("/api/file?name=a.toml", content=joint_text.encode(), headers=kind).json()
+    assert good["toml"] == joint_text
+    assert good["numbers"]["drive.sun_radius"]["value"] == 4.0
+    image = client.post("/api/file?name=a.png", content=b"\x89PNG\r\n\x1a\n\xff", headers=kind)
+    assert "a.png: this is not a text file" in image.json()["error"]
+    table = client.post("/api/file?name=a.csv", content=b"x,y\n1,2\n", headers=kind)
+    assert table.status_code == 422
+    assert table.json()["error"].startswith("a.csv: ")
+    short = joint_text.replace('sun_radius = "4 mm"', "")
+    missing = client.post("/api/file?name=b.toml", content=short.encode(), headers=kind).json()
+    assert "sun_radius" in missing["error"]
+
+
+def test_downloads_say_the_same_again(client, solve, joint_text):
+    answer = solve(load__preload="1200 N", bodies__sun="52100", model__closure="constant_pin_force").json()
+    text = client.get(f"/api/joint/{answer['id']}/joint.toml")
+    assert text.headers["content-disposition"] == 'attachment; filename="my.toml"'
+    assert "# ours: normal force between sun and planet at rest" in text.text  # comments stay
+    again = client.post("/api/joint", json={"toml": text.text, "name": "my.toml"}).json()
+    assert again["document"] == answer["document"]
+    document = client.get(f"/api/joint/{answer['id']}/joint.json")
+    assert document.json() == answer["document"]
+    assert client.get("/api/joint/0123/joint.toml").status_code == 404
+    assert client.get(f"/api/joint/{answer['id']}/joint.py").status_code == 404
+
+
+def test_the_description_covers_every_number_of_the_file(client):
+    described = client.get("/api/description").json()
+    keys = {each["key"]: each for group in described["groups"] for each in group["parameters"]}
+    for path in described["start"]["numbers"]:
+        parts = path.split(".")
+        generic = ".".join([parts[0], "*", *parts[2:]] if parts[0] in ("materials", "duty") else parts)
+        assert keys[generic]["meaning"]
+        assert keys[generic]["unit"]
+    assert keys["compliance.pin_stiffness"]["default"] == "rigid if absent"
+    assert keys["rolling.reliability"]["default"] == "0.9 if absent"
+    assert keys["materials.*.youngs_modulus"]["meaning"] == "Young's modulus E."
+    assert keys["load.preload"]["required"]
+
+
+def test_the_interface_describes_its_answers(client, solve):
+    import jsonschema
+
+    found = client.get("/openapi.json").json()
+    schemas = found["components"]["schemas"]
+    answer = solve().json()
+    jsonschema.validate(answer, schemas["Answer"])
+    assert set(answer) == set(schemas["Answer"]["properties"])
+    assert set(answer["curves"]) == set(schemas["Answer"]["properties"]["curves"]["properties"])
+    assert set(answer["windup"]) == set(schemas["Answer"]["properties"]["windup"]["properties"])
+    jsonschema.validate(solve(load__preload="x").json(), schemas["Error"])
+
+
+def test_messages_are_found_by_key():
+    message = "a.toml: 2 errors\n  load.preload: bad\n  bodies.sun, bodies.ring: there is no material 'x'"
+    assert errors_by_key(message, source="a.toml") == {
+        "load.preload": "bad",
+        "bodies.sun": "there is no material 'x'",
+        "bodies.ring": "there is no material 'x'",
+    }
+    assert errors_by_key("the output torque is too large: lower it", source="a.toml") == {}

@@ -1,0 +1,64 @@
+"""Where the server listens, and under which names it answers."""
+
+import builtins
+import socket
+
+import pytest
+
+from asperity.errors import InputError, MissingExtraError
+from asperity.page.server import host_names, is_loopback, listening_socket, require_packages
+
+
+@pytest.mark.parametrize(
+    ("host", "expected"),
+    [
+        ("127.0.0.1", True),
+        ("127.1.2.3", True),
+        ("::1", True),
+        ("localhost", True),
+        ("0.0.0.0", False),
+        ("::", False),
+        ("192.168.1.2", False),
+        ("localhost.example.com", False),
+    ],
+)
+def test_loopback(host, expected):
+    assert is_loopback(host) is expected
+
+
+def test_the_socket_is_on_the_loopback_address():
+    with listening_socket("127.0.0.1", 0) as found:
+        assert found.getsockname()[0] == "127.0.0.1"
+
+
+def test_a_port_in_use_is_said():
+    with socket.socket() as other:
+        other.bind(("127.0.0.1", 0))
+        other.listen()
+        port = other.getsockname()[1]
+        with pytest.raises(InputError, match=f"port {port}.*choose another port"):
+            listening_socket("127.0.0.1", port)
+
+
+def test_an_unknown_address_is_said():
+    with pytest.raises(InputError, match="unknown"):
+        listening_socket("no such host", 0)
+
+
+def test_names_of_the_host():
+    assert host_names("127.0.0.1", 8642) == ("127.0.0.1:8642", "localhost:8642", "[::1]:8642")
+    assert "192.168.1.2:80" in host_names("192.168.1.2", 80)
+    assert "192.168.1.2" in host_names("192.168.1.2", 80)
+
+
+def test_missing_packages_are_said_with_the_command(monkeypatch):
+    real = builtins.__import__
+
+    def missing(name, *arguments, **options):
+        if name == "starlette":
+            raise ImportError("no starlette", name="starlette")
+        return real(name, *arguments, **options)
+
+    monkeypatch.setattr(builtins, "__import__", missing)
+    with pytest.raises(MissingExtraError, match=r"starlette.*\[page\]"):
+        require_packages()
