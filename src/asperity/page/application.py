@@ -121,6 +121,8 @@ def application(
 
     async def download(request: Request) -> Response:
         found = kept.get(request.path_params["identity"])
+        if request.path_params["kind"] not in ("toml", "json"):
+            raise HTTPException(404)
         if found is None:
             return _error(404, "this joint is no longer kept; change a value and download again", "refused")
         asked, answer = found

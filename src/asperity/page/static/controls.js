@@ -1,1 +1,252 @@
+// The parameters: one row a number with slider and field; choices as lists. Errors stand at their field.
 
+import { element, number, unitText } from "/numbers.js";
+
+const OPEN = ["drive", "load", "surface", "bodies"];
+const EACH = ["sp", "pwr", "pwl", "wro", "wlo"];
+const STEPS = 400;
+
+/** The key of a description for a path of a file: any material, any load of the duty. */
+export function generic(path) {
+  const parts = path.split(".");
+  if ((parts[0] === "materials" || parts[0] === "duty") && parts.length > 2) parts[1] = "*";
+  return parts.join(".");
+}
+
+/** What a number is called on the page. */
+function label(path) {
+  const parts = path.split(".").slice(1);
+  if (path.startsWith("materials.")) return `${parts[1].replaceAll("_", " ")}, ${parts[0]}`;
+  const contact = parts.find((part) => EACH.includes(part));
+  const words = parts.filter((part) => part !== contact).join(" ").replaceAll("_", " ");
+  return contact ? `${words}, ${contact}` : words;
+}
+
+/** Ends of a slider around a value, and how its places become values. */
+export function sliderScale(parameter, value) {
+  const { lowest, highest, whole, example_value: example } = parameter;
+  if (whole) return scale("linear", Math.max(lowest, Math.min(2, value)), Math.min(highest, Math.max(8, value)), 1);
+  if (highest - lowest <= 5 && parameter.unit === "1") {
+    const inset = 0.02 * (highest - lowest);
+    const low = lowest + (parameter.lowest_included ? 0 : inset);
+    return scale("linear", Math.min(low, value), Math.max(highest - (parameter.highest_included ? 0 : inset), value));
+  }
+  if (value > 0 && lowest >= 0 && !parameter.key.endsWith("sun_speed")) {
+    const factor = parameter.key.endsWith("fractal_roughness") ? 100 : 4;
+    return scale("log", Math.max(value / factor, lowest), Math.min(value * factor, highest));
+  }
+  const reach = Math.min(Math.max(2 * Math.abs(value), 2 * Math.abs(example)), highest);
+  return scale("linear", value < 0 || lowest < 0 ? Math.max(-reach, lowest) : 0, reach);
+}
+
+function scale(kind, low, high, step = 0) {
+  const round = (value) => Number(value.toPrecision(kind === "log" ? 3 : 4));
+  return {
+    low,
+    high,
+    steps: step ? (high - low) / step : STEPS,
+    value(place) {
+      const share = place / (step ? (high - low) / step : STEPS);
+      if (step) return low + place * step;
+      return round(kind === "log" ? low * (high / low) ** share : low + share * (high - low));
+    },
+    place(value) {
+      const share = kind === "log" ? Math.log(value / low) / Math.log(high / low) : (value - low) / (high - low);
+      return Math.round(Math.min(Math.max(share, 0), 1) * (step ? (high - low) / step : STEPS));
+    },
+  };
+}
+
+export class Controls {
+  /** `changed(path, text, moving)` is called for each new value; null puts back that of the file. */
+  constructor(form, description, changed) {
+    this.form = form;
+    this.description = description;
+    this.changed = changed;
+    this.rows = new Map();
+    this.parameters = new Map(description.groups.flatMap((group) => group.parameters.map((each) => [each.key, each])));
+    form.addEventListener("submit", (event) => event.preventDefault());
+  }
+
+  /** Build the rows for the numbers and choices that a joint file has. */
+  build(stated) {
+    const open = new Set([...this.form.querySelectorAll("details[open]")].map((each) => each.dataset.group));
+    const first = this.rows.size === 0;
+    this.form.replaceChildren();
+    this.rows.clear();
+    const groups = this.description.groups.map((group) => [group.name, group.heading]);
+    groups.splice(3, 0, ["bodies", "Bodies"]);
+    groups.push(["model", "Model"]);
+    for (const [name, heading] of groups) {
+      const rows = name === "bodies" || name === "model" ? this.choiceRows(name, stated) : this.numberRows(name, stated);
+      if (!rows.length) continue;
+      const details = element("details", { "data-group": name }, element("summary", {}, heading), ...rows);
+      details.open = first ? OPEN.includes(name) : open.has(name);
+      this.form.append(details);
+    }
+  }
+
+  numberRows(group, stated) {
+    const used = new Set(Object.entries(stated.choices).filter(([path]) => path.startsWith("bodies.")).map((each) => each[1]));
+    const paths = Object.keys(stated.numbers).filter(
+      (path) => path.startsWith(`${group}.`) && (group !== "materials" || used.has(path.split(".")[1])),
+    );
+    const present = new Set(paths.map(generic));
+    for (const [key] of this.parameters) {
+      const parts = key.split(".");
+      const single = parts.length === 2 && !key.includes("*");
+      const split = [...present].some((path) => path.startsWith(`${key}.`));
+      const partOfSplit = group === "surface" && [...present].some((path) => EACH.includes(path.split(".")[1]));
+      if (parts[0] === group && single && !present.has(key) && !split && !partOfSplit) paths.push(key);
+    }
+    return paths.map((path) => this.numberRow(path, stated.numbers[path]));
+  }
+
+  numberRow(path, entry) {
+    const parameter = this.parameters.get(generic(path));
+    const id = `value-${path.replaceAll(".", "-")}`;
+    const name = label(path);
+    const unit = parameter.unit === "1" ? "" : ` ${parameter.unit}`;
+    const text = (value) => `${number(value, 12)}${unit}`;
+    const input = element("input", {
+      type: "text",
+      id,
+      "aria-describedby": `${id}-help ${id}-error`,
+      spellcheck: "false",
+      placeholder: entry ? parameter.example : parameter.default || "not in the file",
+      autocapitalize: "off",
+    });
+    const slider = element("input", { type: "range", "aria-label": `${name}, slider`, min: 0, step: 1, tabindex: "0" });
+    const back = element("button", { type: "button", class: "back", "aria-label": `${name}: back to the file's value`, title: "Back to the file's value" }, "↺");
+    const help = element(
+      "p",
+      { class: "help", id: `${id}-help` },
+      `${parameter.meaning} Allowed: ${parameter.allowed}.` + (parameter.unit === "1" ? "" : " Any unit of this kind."),
+    );
+    const error = element("p", { class: "field-error", id: `${id}-error` });
+    const node = element(
+      "div",
+      { class: "row", "data-path": path },
+      element("label", { for: id, title: parameter.meaning }, name),
+      slider,
+      input,
+      back,
+      help,
+      error,
+    );
+    const row = { path, node, input, slider, error, text, parameter, base: entry ? entry.value : null, shown: "" };
+    this.rescale(row, row.base);
+    slider.addEventListener("input", () => {
+      const value = row.scale.value(Number(slider.value));
+      input.value = row.shown = text(value);
+      slider.setAttribute("aria-valuetext", input.value);
+      this.changed(path, parameter.unit === "1" ? value : input.value, true);
+    });
+    slider.addEventListener("change", () => this.changed(null));
+    const commit = () => {
+      const written = input.value.trim();
+      if (written === row.shown.trim()) return;
+      row.shown = input.value;
+      this.changed(path, written === "" && row.base === null ? null : written);
+    };
+    input.addEventListener("change", commit);
+    input.addEventListener("keydown", (event) => {
+      if (event.key === "Enter") commit();
+      if (event.key === "Escape") input.value = row.shown;
+    });
+    back.addEventListener("click", () => {
+      this.changed(path, null);
+      input.focus();
+    });
+    this.rows.set(path, row);
+    return node;
+  }
+
+  rescale(row, value) {
+    row.slider.disabled = value === null;
+    if (value === null) return;
+    row.scale = sliderScale(row.parameter, value);
+    row.slider.max = row.scale.steps;
+    row.slider.value = row.scale.place(value);
+  }
+
+  choiceRows(group, stated) {
+    const library = this.description.materials.map((each) => each.name);
+    const own = Object.keys(stated.numbers).filter((path) => path.startsWith("materials.")).map((path) => path.split(".")[1]);
+    return this.description.choices
+      .filter((choice) => choice.group === group)
+      .map((choice) => {
+        const id = `value-${choice.key.replaceAll(".", "-")}`;
+        const words = choice.words.length ? choice.words : [...new Set([...own, ...library])];
+        const select = element(
+          "select",
+          { id, "aria-describedby": `${id}-help ${id}-error` },
+          ...words.map((word) => element("option", { value: word }, word.replaceAll("_", " "))),
+        );
+        const error = element("p", { class: "field-error", id: `${id}-error` });
+        select.addEventListener("change", () => this.changed(choice.key, select.value));
+        this.rows.set(choice.key, { path: choice.key, input: select, error, choice });
+        return element(
+          "div",
+          { class: "row choice", "data-path": choice.key },
+          element("label", { for: id }, label(choice.key)),
+          select,
+          element("p", { class: "help", id: `${id}-help` }, choice.meaning),
+          error,
+        );
+      });
+  }
+
+  /** Show the values of an answer; what the user has typed stays as typed. */
+  show(stated, changes) {
+    const wanted = (path) => path in stated.numbers || path in stated.choices;
+    const missing = Object.keys(stated.numbers).some((path) => !this.rows.has(path) && this.isShown(path, stated));
+    if (missing || this.materials !== this.used(stated)) this.build(stated);
+    this.materials = this.used(stated);
+    for (const row of this.rows.values()) {
+      const changed = row.path in changes;
+      if (row.choice) {
+        row.input.value = stated.choices[row.path];
+        continue;
+      }
+      row.node.classList.toggle("changed", changed);
+      const entry = wanted(row.path) ? stated.numbers[row.path] : null;
+      const typed = changes[row.path];
+      row.shown = changed && typeof typed === "string" ? typed : entry ? row.text(entry.value) : "";
+      if (document.activeElement !== row.input || row.input.value.trim() === "") row.input.value = row.shown;
+      if (!entry) {
+        this.rescale(row, null);
+      } else if (row.slider.disabled || entry.value < row.scale.low * (1 - 1e-9) || entry.value > row.scale.high * (1 + 1e-9)) {
+        this.rescale(row, entry.value);
+      } else if (document.activeElement !== row.slider) {
+        row.slider.value = row.scale.place(entry.value);
+      }
+      row.slider.setAttribute("aria-valuetext", row.shown);
+    }
+  }
+
+  isShown(path, stated) {
+    if (!path.startsWith("materials.")) return true;
+    return Object.entries(stated.choices).some(([key, word]) => key.startsWith("bodies.") && word === path.split(".")[1]);
+  }
+
+  used(stated) {
+    return Object.entries(stated.choices).filter(([key]) => key.startsWith("bodies.")).map((each) => each[1]).join();
+  }
+
+  /** Mark the fields that a message is about; the last changed one where it names none. */
+  showErrors(keys) {
+    for (const row of this.rows.values()) {
+      const message = keys[row.path] || "";
+      row.error.textContent = message;
+      row.input.toggleAttribute("aria-invalid", Boolean(message));
+      if (message) {
+        row.input.setAttribute("aria-invalid", "true");
+        const group = row.input.closest("details");
+        if (group) group.open = true;
+      }
+    }
+  }
+}
+
+export { unitText };

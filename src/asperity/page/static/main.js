@@ -1,1 +1,226 @@
+// The page: asks the server about the joint, the newest request wins, and keeps address, undo and baseline.
 
+import { Controls } from "/controls.js";
+import { showAnswer } from "/results.js";
+import { History, packed, unpacked } from "/state.js";
+
+const get = (id) => document.getElementById(id);
+const page = document.documentElement;
+const RETRY = 2000; // ms
+
+let history = null;
+let controls = null;
+let answer = null; // of the joint on the screen
+let baseline = null;
+let wanted = false; // something changed since the last request began
+let asking = false;
+let lastPath = null;
+let ownHash = "";
+
+page.dataset.revision = "0";
+
+function say(text) {
+  if (get("status").textContent !== text) get("status").textContent = text;
+}
+
+function showError(text) {
+  get("error").hidden = !text;
+  get("error").textContent = text;
+  get("answer").classList.toggle("stale", Boolean(text) || page.dataset.state === "lost");
+}
+
+function banner(text) {
+  get("banner").hidden = !text;
+  get("banner").textContent = text;
+}
+
+async function post(path, body, type = "application/json") {
+  const response = await fetch(path, { method: "POST", headers: { "content-type": type }, body });
+  return [response.ok, await response.json()];
+}
+
+/** Ask for the newest state; while an answer is on its way, only the newest of all changes waits. */
+async function ask() {
+  wanted = true;
+  if (asking) return;
+  asking = true;
+  while (wanted) {
+    wanted = false;
+    await askOnce(history.state);
+  }
+  asking = false;
+}
+
+async function askOnce(state) {
+  const slow = setTimeout(() => say("Computing…"), 400);
+  const slower = setTimeout(() => say("Computing. The first time on this computer, the programs are compiled: up to a minute."), 3000);
+  try {
+    const [ok, found] = await post("/api/joint", JSON.stringify({ name: state.name, toml: state.toml, changes: state.changes }));
+    banner("");
+    if (ok) {
+      page.dataset.state = "ready";
+      answer = found;
+      controls.show(found, state.changes);
+      controls.showErrors({});
+      showError("");
+      showAnswer(found, baseline);
+      links();
+      const stiffness = found.document.torsional_stiffness.assembly.output_Nm_per_arcmin;
+      say(stiffness === null ? "No stiffness" : `Stiffness ${Number(stiffness.toPrecision(4))} N·m/arcmin at the output`);
+    } else if (found.kind === "busy") {
+      setTimeout(ask, 500);
+    } else {
+      page.dataset.state = "error";
+      const keys = Object.keys(found.keys).length || lastPath === null ? found.keys : { [lastPath]: found.error };
+      controls.showErrors(keys);
+      showError(found.error);
+      say("No result: see the message. The results shown are those of the last valid joint.");
+    }
+  } catch {
+    page.dataset.state = "lost";
+    banner("The server does not answer: it has been stopped, or the computer was asleep. Nothing you typed is lost; the page tries again every two seconds. To start it again: asperity serve");
+    get("answer").classList.add("stale");
+    say("The server does not answer.");
+    setTimeout(ask, RETRY);
+  } finally {
+    clearTimeout(slow);
+    clearTimeout(slower);
+  }
+  page.dataset.revision = String(Number(page.dataset.revision) + 1);
+}
+
+function links() {
+  for (const kind of ["toml", "json"]) get(`save-${kind}`).href = `/api/joint/${answer.id}/joint.${kind}`;
+}
+
+async function address() {
+  const text = await packed(history.state);
+  ownHash = `#joint=${text}`;
+  window.history.replaceState(null, "", ownHash);
+}
+
+function refresh() {
+  const state = history.state;
+  get("file-name").textContent = state.name;
+  document.title = `${state.name} – asperity`;
+  get("undo").disabled = !history.canUndo;
+  get("redo").disabled = !history.canRedo;
+  address();
+  ask();
+}
+
+function changed(path, value, moving = false) {
+  if (path === null) {
+    history.settle();
+    return;
+  }
+  const changes = { ...history.state.changes };
+  if (value === null) delete changes[path];
+  else changes[path] = value;
+  history.add({ ...history.state, changes }, moving ? path : null);
+  lastPath = path;
+  refresh();
+}
+
+function step(count) {
+  if (history.move(count)) {
+    lastPath = null;
+    if (document.activeElement instanceof HTMLInputElement) document.activeElement.blur();
+    refresh();
+  }
+}
+
+async function open(file) {
+  let ok;
+  let found;
+  try {
+    [ok, found] = await post(`/api/file?name=${encodeURIComponent(file.name)}`, await file.arrayBuffer(), "application/octet-stream");
+  } catch {
+    showError(`${file.name}: the server does not answer, or refused the file because of its size.`);
+    return;
+  }
+  if (!ok) {
+    showError(found.error);
+    say("The file was not opened; the joint on the page is unchanged.");
+    page.dataset.refused = file.name;
+    return;
+  }
+  lastPath = null;
+  controls.build(found);
+  history.add({ name: found.name, toml: found.toml, changes: {} });
+  refresh();
+}
+
+function pin() {
+  baseline = baseline ? null : answer;
+  get("pin").setAttribute("aria-pressed", String(Boolean(baseline)));
+  get("pin").textContent = baseline ? "Remove baseline" : "Pin as baseline";
+  showAnswer(answer, baseline);
+}
+
+function theme(choice) {
+  page.dataset.theme = choice;
+  try {
+    localStorage.setItem("theme", choice);
+  } catch {
+    // private windows may have no storage
+  }
+}
+
+function connect() {
+  get("undo").addEventListener("click", () => step(-1));
+  get("redo").addEventListener("click", () => step(1));
+  get("pin").addEventListener("click", () => answer && pin());
+  get("open-file").addEventListener("change", (event) => {
+    const [file] = event.target.files;
+    event.target.value = "";
+    if (file) open(file);
+  });
+  get("copy-link").addEventListener("click", async () => {
+    try {
+      await navigator.clipboard.writeText(location.href);
+      say("The link was copied.");
+    } catch {
+      say("The browser does not allow copying; copy the address of the page instead.");
+    }
+  });
+  get("theme").addEventListener("change", (event) => theme(event.target.value));
+  document.addEventListener("keydown", (event) => {
+    const key = event.key.toLowerCase();
+    if (!(event.ctrlKey || event.metaKey) || !["z", "y"].includes(key)) return;
+    event.preventDefault();
+    step(key === "y" || event.shiftKey ? 1 : -1);
+  });
+  document.addEventListener("dragover", (event) => event.preventDefault());
+  document.addEventListener("drop", (event) => {
+    event.preventDefault();
+    const [file] = event.dataTransfer.files;
+    if (file) open(file);
+  });
+  window.addEventListener("hashchange", async () => {
+    if (location.hash === ownHash) return;
+    const state = await unpacked(location.hash.replace("#joint=", ""));
+    if (state) {
+      history.add(state);
+      refresh();
+    }
+  });
+}
+
+async function begin() {
+  try {
+    const kept = localStorage.getItem("theme");
+    if (kept) get("theme").value = page.dataset.theme = kept;
+  } catch {
+    // as above
+  }
+  const described = await (await fetch("/api/description")).json();
+  const linked = location.hash.startsWith("#joint=") ? await unpacked(location.hash.slice(7)) : null;
+  controls = new Controls(get("controls"), described, changed);
+  controls.build(described.start);
+  history = new History(linked || { name: described.start.name, toml: described.start.toml, changes: {} });
+  connect();
+  refresh();
+}
+
+begin();

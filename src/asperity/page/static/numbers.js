@@ -1,1 +1,59 @@
+// Numbers for people: significant digits, units, and small helpers for elements.
 
+const ARCMIN = 10800 / Math.PI;
+
+/** A number with a few significant digits; a dash where there is none. */
+export function number(value, digits = 4) {
+  if (value === null || value === undefined || !Number.isFinite(value)) return "–";
+  if (value === 0) return "0";
+  const size = Math.abs(value);
+  if (size >= 1e6 || size < 1e-3) {
+    const [mantissa, exponent] = value.toExponential(digits - 1).split("e");
+    return `${Number(mantissa)}e${Number(exponent)}`;
+  }
+  return String(Number(value.toPrecision(digits)));
+}
+
+export const arcmin = (radians) => (radians === null ? null : radians * ARCMIN);
+export const scaled = (value, factor) => (value === null || value === undefined ? null : value * factor);
+
+/** The unit of a joint file as people write it. */
+export function unitText(unit) {
+  return unit === "1" ? "" : unit.replaceAll("*", "·").replaceAll("^2", "²").replaceAll("^3", "³");
+}
+
+/** An element with attributes and children; text is never read as markup. */
+export function element(name, attributes = {}, ...children) {
+  const made = document.createElement(name);
+  for (const [key, value] of Object.entries(attributes)) {
+    if (value === false || value === null || value === undefined) continue;
+    made.setAttribute(key, value === true ? "" : value);
+  }
+  made.append(...children.filter((child) => child !== null));
+  return made;
+}
+
+/** The same for SVG. */
+export function svg(name, attributes = {}, ...children) {
+  const made = document.createElementNS("http://www.w3.org/2000/svg", name);
+  for (const [key, value] of Object.entries(attributes)) made.setAttribute(key, value);
+  made.append(...children);
+  return made;
+}
+
+/** A table from headings and rows; the first cell of a row is its heading. */
+export function table(caption, headings, rows) {
+  return element(
+    "table",
+    {},
+    element("caption", { class: "visually-hidden" }, caption),
+    element("thead", {}, element("tr", {}, ...headings.map((text) => element("th", { scope: "col" }, text)))),
+    element(
+      "tbody",
+      {},
+      ...rows.map(([head, ...cells]) =>
+        element("tr", {}, element("th", { scope: "row" }, head), ...cells.map((cell) => element("td", {}, cell))),
+      ),
+    ),
+  );
+}

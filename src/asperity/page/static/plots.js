@@ -1,1 +1,152 @@
+// Line plots as SVG: axes with units and round ticks, a marker, a legend, a baseline behind.
 
+import { element, number, svg } from "/numbers.js";
+
+const WIDTH = 480;
+const HEIGHT = 300;
+const LEFT = 64;
+const RIGHT = 14;
+const TOP = 12;
+const BOTTOM = 46;
+
+/** Round ticks that cover a range. */
+export function ticks(low, high, most = 6) {
+  const span = high - low;
+  if (!(span > 0)) return [low];
+  const raw = span / most;
+  const power = 10 ** Math.floor(Math.log10(raw));
+  const step = [1, 2, 5, 10].find((factor) => factor * power >= raw * 0.999) * power;
+  const found = [];
+  for (let index = Math.ceil(low / step - 1e-9); index * step <= high + 1e-9 * span; index += 1) {
+    found.push(index * step);
+  }
+  return found;
+}
+
+/** Powers of ten, with 2 and 5 between them where there are few. */
+export function decades(low, high) {
+  const found = [];
+  const factors = Math.log10(high / low) > 2 ? [1] : [1, 2, 5];
+  for (let power = Math.floor(Math.log10(low)); power <= Math.ceil(Math.log10(high)); power += 1) {
+    for (const factor of factors) {
+      const value = factor * 10 ** power;
+      if (value >= low * 0.999 && value <= high * 1.001) found.push(value);
+    }
+  }
+  return found;
+}
+
+function range(values, { zero = false } = {}) {
+  let low = Math.min(...values);
+  let high = Math.max(...values);
+  if (zero) {
+    low = Math.min(low, 0);
+    high = Math.max(high, 0);
+  }
+  if (!(high > low)) {
+    const size = Math.abs(low) || 1;
+    low -= 0.05 * size;
+    high += 0.05 * size;
+  }
+  return [low, high];
+}
+
+/** Texts of ticks with as many digits as their distance needs. */
+function tickTexts(values) {
+  const step = values.length > 1 ? Math.abs(values[1] - values[0]) : Math.abs(values[0]) || 1;
+  const largest = Math.max(...values.map(Math.abs), step);
+  const digits = Math.min(12, Math.max(1, Math.ceil(Math.log10(largest / step) + 1.001)));
+  return values.map((value) => (Math.abs(value) < 1e-9 * step ? "0" : number(value, digits)));
+}
+
+/**
+ * A plot in a figure. `series`: [{ name, x, y, kind, ghost }], where kind is one of the classes "one", "two", "three";
+ * `point`: { x, y, name } marks the joint itself.
+ */
+export function linePlot({ title, note, x, y, series, point, log = false, zero = false, empty }) {
+  const figure = element("figure", { class: "panel plot" }, element("figcaption", {}, title));
+  const good = (value) => value !== null && Number.isFinite(value) && (!log || value > 0);
+  const pairs = series.map((line) => line.x.map((each, i) => [each, line.y[i]]).filter(([a, b]) => good(b) && a !== null));
+  const all = pairs.flat();
+  if (point && good(point.y)) all.push([point.x, point.y]);
+  if (all.length < 2) {
+    figure.append(element("p", { class: "empty" }, empty || "No curve: there is no value at any torque."));
+    return figure;
+  }
+  let [xLow, xHigh] = range(all.map((pair) => pair[0]));
+  let [yLow, yHigh] = range(all.map((pair) => pair[1]), { zero });
+  const margin = log ? (yHigh / yLow) ** 0.06 : 0.06 * (yHigh - yLow);
+  if (log) [yLow, yHigh] = [yLow / margin, yHigh * margin];
+  else [yLow, yHigh] = [zero && yLow === 0 ? 0 : yLow - margin, yHigh + margin];
+  const scale = log ? Math.log10 : (value) => value;
+  const px = (value) => LEFT + ((value - xLow) / (xHigh - xLow)) * (WIDTH - LEFT - RIGHT);
+  const py = (value) => TOP + ((scale(yHigh) - scale(value)) / (scale(yHigh) - scale(yLow))) * (HEIGHT - TOP - BOTTOM);
+  const drawn = svg("svg", { viewBox: `0 0 ${WIDTH} ${HEIGHT}`, role: "img", "aria-label": summary(title, x, y, series) });
+  const xTicks = ticks(xLow, xHigh);
+  const xTexts = tickTexts(xTicks);
+  xTicks.forEach((value, i) => {
+    drawn.append(
+      svg("line", { class: "grid", x1: px(value), x2: px(value), y1: TOP, y2: HEIGHT - BOTTOM }),
+      svg("text", { class: "tick", x: px(value), y: HEIGHT - BOTTOM + 16, "text-anchor": "middle" }, xTexts[i]),
+    );
+  });
+  const yTicks = log ? decades(yLow, yHigh) : ticks(yLow, yHigh, 5);
+  const yTexts = log ? yTicks.map((value) => number(value, 2)) : tickTexts(yTicks);
+  yTicks.forEach((value, i) => {
+    drawn.append(
+      svg("line", { class: "grid", x1: LEFT, x2: WIDTH - RIGHT, y1: py(value), y2: py(value) }),
+      svg("text", { class: "tick", x: LEFT - 6, y: py(value) + 4, "text-anchor": "end" }, yTexts[i]),
+    );
+  });
+  drawn.append(
+    svg("path", { class: "axis", d: `M${LEFT},${TOP}V${HEIGHT - BOTTOM}H${WIDTH - RIGHT}` }),
+    svg("text", { class: "label", x: (LEFT + WIDTH - RIGHT) / 2, y: HEIGHT - 8, "text-anchor": "middle" }, x),
+    svg("text", { class: "label", transform: `translate(13 ${(TOP + HEIGHT - BOTTOM) / 2}) rotate(-90)`, "text-anchor": "middle" }, y),
+  );
+  series.forEach((line) => {
+    // a gap where there is no value
+    let path = "";
+    let pen = "M";
+    line.x.forEach((each, i) => {
+      if (good(line.y[i])) {
+        path += `${pen}${px(each).toFixed(2)},${py(line.y[i]).toFixed(2)}`;
+        pen = "L";
+      } else pen = "M";
+    });
+    drawn.append(svg("path", { class: `curve ${line.kind}${line.ghost ? " ghost" : ""}`, d: path }));
+  });
+  if (point && good(point.y)) drawn.append(svg("circle", { class: "point", cx: px(point.x), cy: py(point.y), r: 5 }));
+  figure.append(drawn, legend(series, point));
+  if (note) figure.append(element("p", { class: "note" }, note));
+  return figure;
+}
+
+function legend(series, point) {
+  const list = element("ul", { class: "legend" });
+  for (const line of series) {
+    const sample = svg(
+      "svg",
+      { class: "sample", viewBox: "0 0 28 10", "aria-hidden": "true" },
+      svg("path", { class: `curve ${line.kind}${line.ghost ? " ghost" : ""}`, d: "M0,5H28" }),
+    );
+    list.append(element("li", {}, sample, line.name));
+  }
+  if (point) {
+    const dot = svg("svg", { class: "sample dot", viewBox: "0 0 10 10", "aria-hidden": "true" }, svg("circle", { class: "point", cx: 5, cy: 5, r: 4 }));
+    list.append(element("li", {}, dot, point.name || "this joint"));
+  }
+  return list;
+}
+
+/** What a screen reader says instead of the picture. */
+function summary(title, x, y, series) {
+  const parts = series
+    .filter((line) => !line.ghost)
+    .map((line) => {
+      const good = line.x.map((each, i) => [each, line.y[i]]).filter((pair) => pair[1] !== null);
+      if (!good.length) return `${line.name}: no value`;
+      const [first, last] = [good[0], good[good.length - 1]];
+      return `${line.name}: ${number(first[1])} at ${number(first[0])}, ${number(last[1])} at ${number(last[0])}`;
+    });
+  return `${title}. ${y} over ${x}. ${parts.join("; ")}.`;
+}

@@ -1,1 +1,342 @@
+// The results of one joint beside those of a pinned baseline: cards, tables, margins, warnings, plots.
 
+import { driveDrawing } from "/drawing.js";
+import { arcmin, element, number, scaled, table } from "/numbers.js";
+import { linePlot } from "/plots.js";
+
+const LEVELS = [
+  ["assembly", "assembled", "asperities, bodies, floating planets, structure"],
+  ["series_with_bulk", "bodies in series", "asperities and bodies; planets held"],
+  ["published", "as published", "asperities alone: an upper bound"],
+];
+const SEVERITIES = { function: "Does not work", damage: "Damage", accuracy: "Numbers uncertain", model: "Outside the published model" };
+const CONTACTS = ["sp", "pwr", "pwl", "wro", "wlo"];
+const SPRINGS = {
+  tangential: "contacts, tangential",
+  normal: "contacts, normal (floating planets)",
+  ring_bending: "ring, bending",
+  pin: "carrier pins",
+  planet_support: "planet supports",
+  input_shaft: "input shaft",
+  output_shaft: "output shaft",
+};
+
+const get = (id) => document.getElementById(id);
+
+export function showAnswer(answer, baseline) {
+  const found = answer.document;
+  const before = baseline ? baseline.document : null;
+  cards(found, before);
+  get("drawing").replaceChildren(...driveDrawing(answer.drawing, found));
+  get("levels").replaceChildren(levels(found, before), drift(found));
+  get("budget").replaceChildren(budget(found));
+  get("margins").replaceChildren(margins(found));
+  get("warnings").replaceChildren(warnings(found));
+  get("plots").replaceChildren(...plots(answer, baseline));
+  get("contacts").replaceChildren(contacts(found));
+  get("assumptions").replaceChildren(...found.assumptions.map((text) => element("li", {}, text)));
+}
+
+function change(now, before) {
+  if (before === null || before === undefined || now === null || now === undefined || before === 0) return null;
+  const share = 100 * (now / before - 1);
+  const text = Math.abs(share) < 0.005 ? "as the baseline" : `${share > 0 ? "+" : "−"}${number(Math.abs(share), 3)} % on the baseline`;
+  return element("p", { class: "change" }, text);
+}
+
+function card(name, value, unit, detail, difference) {
+  return element(
+    "div",
+    { class: "card" },
+    element("h2", {}, name),
+    element("p", { class: "value" }, element("span", { "data-value": name }, value), " ", element("span", { class: "unit" }, unit)),
+    element("p", { class: "detail" }, detail),
+    difference,
+  );
+}
+
+function standing(found) {
+  return found.rolling.unknown_because[0] || "";
+}
+
+function cards(found, before) {
+  const stiffness = found.torsional_stiffness.assembly;
+  const was = before && before.torsional_stiffness.assembly;
+  const capacity = found.torque_capacity;
+  const per = arcmin(found.drift_rad_per_output_turn);
+  const unknown = found.stiffness_unknown_because;
+  const [hours, turns] = [found.life_hours, found.rolling.life_output_turns];
+  const life = hours !== null ? `life ${number(hours)} h` : turns !== null ? `life ${number(turns)} output turns` : "no life";
+  get("cards").replaceChildren(
+    card(
+      "Stiffness at the output",
+      number(stiffness.output_Nm_per_arcmin),
+      "N·m/arcmin",
+      unknown || `assembled joint, sun locked; ${number(stiffness.output_Nm_per_rad, 5)} N·m/rad`,
+      change(stiffness.output_Nm_per_rad, was && was.output_Nm_per_rad),
+    ),
+    card(
+      "Drift per output turn",
+      number(per),
+      "arcmin",
+      per === null ? standing(found) : "lost when it turns under the torque; does not come back",
+      change(found.drift_rad_per_output_turn, before && before.drift_rad_per_output_turn),
+    ),
+    card(
+      "Torque capacity",
+      number(capacity.output_torque_Nm),
+      "N·m",
+      `${capacity.meaning}; load ${number(found.forces.output_torque_Nm)} N·m`,
+      change(capacity.output_torque_Nm, before && before.torque_capacity.output_torque_Nm),
+    ),
+    card(
+      "Efficiency",
+      number(scaled(found.efficiency, 100), 4),
+      "%",
+      `${found.efficiency === null ? `${standing(found).split(":")[0]}: no efficiency; ` : ""}${life} at ${number(100 * found.rolling.reliability)} % reliability`,
+      change(found.efficiency, before && before.efficiency),
+    ),
+  );
+}
+
+function levels(found, before) {
+  const rows = LEVELS.map(([key, name, words]) => {
+    const level = found.torsional_stiffness[key];
+    const cells = [number(level.output_Nm_per_arcmin), number(level.output_Nm_per_rad, 5), number(level.sun_Nm_per_rad, 5)];
+    if (before) cells.push(number(before.torsional_stiffness[key].output_Nm_per_arcmin));
+    return [element("span", {}, name, element("small", {}, words)), ...cells];
+  });
+  const headings = ["level of the model", "N·m/arcmin", "N·m/rad", "at the sun, N·m/rad"];
+  if (before) headings.push("baseline, N·m/arcmin");
+  return element("div", { class: "scroll" }, table("Torsional stiffness on three levels", headings, rows));
+}
+
+function drift(found) {
+  const per = arcmin(found.drift_rad_per_output_turn);
+  const said =
+    per === null
+      ? `Drift: ${standing(found)}.`
+      : `Beside every stiffness: the output drifts by ${number(per)} arcmin in each turn under this torque. The wind-up comes back, the drift does not.`;
+  return element("p", { class: "note strong" }, said);
+}
+
+function bar(share, kind = "") {
+  const inner = element("span", { class: `fill ${kind}` });
+  inner.style.width = `${Math.min(Math.max(share, 0), 1) * 100}%`;
+  return element("span", { class: "bar-track", "aria-hidden": "true" }, inner);
+}
+
+function budget(found) {
+  const shares = Object.entries(found.stiffness_budget).map(([key, share]) => {
+    const parts = typeof share === "object" && share !== null ? Object.values(share) : [share];
+    const total = parts.includes(null) ? null : parts.reduce((sum, part) => sum + part, 0);
+    return [SPRINGS[key.replace("_share", "")] || key, total, share];
+  });
+  const rows = shares
+    .filter((each) => each[1] > 0)
+    .sort((one, other) => other[1] - one[1])
+    .map(([name, total, share]) => {
+      const most = typeof share === "object" ? Object.entries(share).sort((a, b) => b[1] - a[1])[0] : null;
+      const detail = most ? `most at ${most[0]}, ${number(100 * most[1], 3)} %` : "";
+      return [element("span", {}, name, element("small", {}, detail)), `${number(100 * total, 3)} %`, bar(total)];
+    });
+  if (!rows.length) return element("p", { class: "note" }, "No compliance: the joint has no stiffness here.");
+  return table("Shares of the springs in the compliance", ["spring", "share", ""], rows);
+}
+
+/** The limits of function and damage, the worst contact of each. */
+export function worstMargins(found) {
+  const worst = new Map();
+  for (const each of found.diagnostics) {
+    if (!["function", "damage"].includes(each.severity) || each.name.endsWith("_residual")) continue;
+    const used = usedShare(each);
+    const kept = worst.get(each.name);
+    if (!kept || used > kept.used) worst.set(each.name, { ...each, used });
+  }
+  return [...worst.values()].sort((one, other) => other.used - one.used);
+}
+
+function usedShare(each) {
+  if (each.value === null) return Infinity;
+  if (each.limit > 0) return each.value / each.limit;
+  return each.ok ? 0 : Infinity; // a force that must be above zero
+}
+
+function margins(found) {
+  const rows = worstMargins(found).map((each) => {
+    const required = each.limit > 0 ? `below ${number(each.limit)}` : `above ${number(each.limit)}`;
+    const where = each.contact ? `at ${each.contact}` : "";
+    return [
+      element("span", {}, each.label, element("small", {}, where)),
+      number(each.value, 3),
+      required,
+      each.limit > 0 ? bar(each.used, each.ok ? "good" : "bad") : "",
+      verdict(each.ok),
+    ];
+  });
+  const gap = found.geometry.clearances.reduce((one, other) => (other.gap_m < one.gap_m ? other : one));
+  rows.push([
+    element("span", {}, "smallest clearance", element("small", {}, gap.name.replaceAll("_", " "))),
+    `${number(1e3 * gap.gap_m, 3)} mm`,
+    "above 0",
+    "",
+    verdict(gap.gap_m > 0),
+  ]);
+  return table("Safety margins", ["limit", "actual", "required", "", "result"], rows);
+}
+
+function verdict(ok) {
+  return element("span", { class: ok ? "pass" : "fail" }, ok ? "✓ pass" : "✗ fail");
+}
+
+function warnings(found) {
+  const grouped = new Map();
+  for (const each of found.diagnostics.filter((one) => !one.ok)) {
+    const key = `${each.name}|${each.meaning}`;
+    if (!grouped.has(key)) grouped.set(key, { ...each, contacts: [] });
+    const kept = grouped.get(key);
+    if (each.contact) kept.contacts.push(each.contact);
+    if (each.value !== null && kept.value !== null && Math.abs(each.value - each.limit) > Math.abs(kept.value - kept.limit)) kept.value = each.value;
+  }
+  if (!grouped.size) return element("p", { class: "note" }, "None: every limit is kept.");
+  const order = Object.keys(SEVERITIES);
+  const sorted = [...grouped.values()].sort((one, other) => order.indexOf(one.severity) - order.indexOf(other.severity));
+  return element(
+    "ul",
+    { class: "warnings" },
+    ...sorted.map((each) =>
+      element(
+        "li",
+        { class: each.severity },
+        element("strong", {}, `${SEVERITIES[each.severity]}: `),
+        `${each.meaning} `,
+        element(
+          "span",
+          { class: "how-much" },
+          `(${each.label} ${number(each.value, 3)}, limit ${number(each.limit, 3)}${each.contacts.length ? `; ${each.contacts.join(", ")}` : ""})`,
+        ),
+        each.remedy ? element("p", { class: "remedy" }, `What to do: ${each.remedy}.`) : "",
+      ),
+    ),
+  );
+}
+
+function contacts(found) {
+  const ratio = Object.fromEntries(found.diagnostics.filter((each) => each.name === "slip_ratio").map((each) => [each.contact, each.value]));
+  const headings = ["contact", "normal, N", "tangential, N", "slip T/(µN)", "Hertz pressure, MPa", "Hertz width, µm", "K_t asperities, N/µm", "K_t bodies, N/µm", "creepage, %"];
+  return table(
+    "Contacts",
+    headings,
+    CONTACTS.map((name) => {
+      const each = found.contacts[name];
+      return [
+        name,
+        number(found.forces.normal_N[name]),
+        number(found.forces.tangential_N[name]),
+        number(ratio[name], 3),
+        number(scaled(each.hertz_pressure_Pa, 1e-6)),
+        number(scaled(each.hertz_half_width_m, 2e6)),
+        number(scaled(each.asperity_tangential_stiffness_N_per_m, 1e-6)),
+        number(scaled(each.bulk_tangential_stiffness_N_per_m, 1e-6)),
+        number(scaled(each.creepage, 100), 3),
+      ];
+    }),
+  );
+}
+
+function plots(answer, baseline) {
+  const { curves, windup, document: found } = answer;
+  const torque = found.forces.output_torque_Nm;
+  const ghosts = (kind, factor = 1) =>
+    baseline
+      ? [{ name: "baseline", kind: "one", ghost: true, x: baseline.curves.torque_Nm, y: baseline.curves[kind].map((value) => scaled(value, factor)) }]
+      : [];
+  const over = (kind, name, look, factor = 1) => ({ name, kind: look, x: curves.torque_Nm, y: curves[kind].map((value) => scaled(value, factor)) });
+  const x = "output torque, N·m";
+  const perArcmin = Math.PI / 10800;
+  const toArcmin = 10800 / Math.PI;
+  const why = standing(found);
+  const loop = windup.unknown_because ? null : windup;
+  const before = baseline && !baseline.windup.unknown_because ? baseline.windup : null;
+  const angles = (from, key) => from[key].map((value) => scaled(value, toArcmin));
+  return [
+    linePlot({
+      title: "Stiffness over torque",
+      x,
+      y: "N·m/arcmin at the output",
+      log: true,
+      series: [
+        ...ghosts("assembly_Nm_per_rad", perArcmin),
+        over("assembly_Nm_per_rad", "assembled", "one", perArcmin),
+        over("series_with_bulk_Nm_per_rad", "bodies in series", "two", perArcmin),
+        over("published_Nm_per_rad", "as published", "three", perArcmin),
+      ],
+      point: { x: torque, y: found.torsional_stiffness.assembly.output_Nm_per_arcmin, name: "this joint" },
+      note: "Up to the torque capacity. The vertical axis is logarithmic.",
+    }),
+    linePlot({
+      title: "Wind-up at the output, sun locked",
+      x,
+      y: "angle, arcmin",
+      empty: windup.unknown_because,
+      series: loop
+        ? [
+            ...(before ? [{ name: "baseline", kind: "one", ghost: true, x: before.torque_Nm, y: angles(before, "loading_angle_rad") }] : []),
+            { name: "first loading", kind: "one", x: loop.torque_Nm, y: angles(loop, "loading_angle_rad") },
+            { name: "unloading", kind: "two", x: loop.torque_Nm, y: angles(loop, "unloading_angle_rad") },
+            { name: "reloading", kind: "three", x: loop.torque_Nm, y: angles(loop, "reloading_angle_rad") },
+          ]
+        : [],
+      note: loop
+        ? `Hysteresis ${number(scaled(loop.hysteresis_rad, toArcmin), 3)} arcmin, lost motion ${number(scaled(loop.lost_motion_rad, toArcmin), 3)} arcmin.`
+        : "",
+    }),
+    linePlot({
+      title: "Wind-up loop: deviation from a straight line",
+      x,
+      y: "deviation, arcmin",
+      empty: windup.unknown_because,
+      series: loop
+        ? [
+            { name: "first loading", kind: "one", x: loop.torque_Nm, y: deviation(loop, "loading_angle_rad", toArcmin) },
+            { name: "unloading", kind: "two", x: loop.torque_Nm, y: deviation(loop, "unloading_angle_rad", toArcmin) },
+            { name: "reloading", kind: "three", x: loop.torque_Nm, y: deviation(loop, "reloading_angle_rad", toArcmin) },
+          ]
+        : [],
+      note: loop ? "The line joins both ends of the loop; the loop is too narrow to be seen without it." : "",
+    }),
+    linePlot({
+      title: "Drift over torque",
+      x,
+      y: "arcmin per output turn",
+      zero: true,
+      empty: why,
+      series: [...ghosts("drift_rad_per_output_turn", toArcmin), over("drift_rad_per_output_turn", "drift", "one", toArcmin)],
+      point: { x: torque, y: arcmin(found.drift_rad_per_output_turn), name: "this joint" },
+    }),
+    linePlot({
+      title: "Efficiency over torque",
+      x,
+      y: "efficiency, %",
+      empty: why,
+      series: [...ghosts("efficiency", 100), over("efficiency", "efficiency", "one", 100)],
+      point: { x: torque, y: scaled(found.efficiency, 100), name: "this joint" },
+    }),
+    linePlot({
+      title: "Friction used, fullest contact",
+      x,
+      y: "T/(µN)",
+      zero: true,
+      series: [...ghosts("largest_slip_ratio"), over("largest_slip_ratio", "T/(µN); slips at 1", "one")],
+    }),
+  ];
+}
+
+/** The angle less the straight line between both ends of the loop. */
+function deviation(loop, key, factor) {
+  const torque = loop.torque_Nm;
+  const [first, last] = [0, torque.length - 1];
+  const ends = loop.loading_angle_rad;
+  const slope = (ends[last] - ends[first]) / (torque[last] - torque[first]);
+  return loop[key].map((angle, i) => (angle - ends[first] - slope * (torque[i] - torque[first])) * factor);
+}

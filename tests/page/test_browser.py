@@ -1,0 +1,211 @@
+"""What a user does on the page, in a real browser; numbers are those of ``asperity joint``."""
+
+import json
+from pathlib import Path
+
+import pytest
+
+from asperity.joint.solve import solve
+from asperity.joint_file.build import joint_from_case, with_values
+from asperity.joint_file.reader import parse_case, read_case
+from asperity.units import format_quantity
+
+ROOT = Path(__file__).parents[2]
+FILE = ROOT / "examples" / "tutorial_joint.toml"
+
+
+def stiffness(**changes):
+    """Assembled stiffness in N·m/arcmin with four digits, as the card shows it."""
+    joint = with_values(read_case(FILE), {key.replace("__", "."): value for key, value in changes.items()})
+    return shown(solve(joint))
+
+
+def shown(solution):
+    found = float(solution.result.assembly.stiffness.output_per_arcminute)
+    return format_quantity(float(solution.result.assembly.stiffness.output), "N*m/arcmin").split(" ")[0], found
+
+
+def card(page, name="Stiffness at the output"):
+    return page.locator(f'[data-value="{name}"]').inner_text()
+
+
+def do(page, action):
+    """Do something and wait until the page has been redrawn."""
+    before = int(page.evaluate("document.documentElement.dataset.revision"))
+    action()
+    page.wait_for_function(
+        "before => Number(document.documentElement.dataset.revision) > before", arg=before, timeout=60_000
+    )
+
+
+def field(page, path):
+    return page.locator(f"#value-{path.replace('.', '-')}")
+
+
+def write(page, path, text):
+    def action():
+        field(page, path).fill(text)
+        field(page, path).press("Enter")
+
+    do(page, action)
+
+
+def test_the_page_shows_what_the_command_says(page):
+    text, exact = stiffness()
+    assert card(page) == text
+    assert float(card(page)) == pytest.approx(exact, rel=1e-3)
+    assert float(card(page, "Drift per output turn")) > 0.0
+    assert page.title() == "tutorial_joint.toml – asperity"
+    assert page.locator("#plots svg[role=img]").count() >= 5
+    assert "below 1" in page.locator("#margins").inner_text()
+
+
+def test_a_slider_moves_the_number(page):
+    slider = page.get_by_label("preload, slider")
+    slider.focus()
+    do(page, lambda: slider.press("ArrowRight"))
+    written = field(page, "load.preload").input_value()
+    assert written != "1000 N"
+    value = float(written.removesuffix(" N"))
+    assert value > 1000.0
+    assert card(page) == stiffness(load__preload=value)[0]
+
+
+def test_a_value_in_another_unit(page):
+    write(page, "drive.ring_wall_thickness", "0.5 in")
+    assert card(page) == stiffness(drive__ring_wall_thickness=0.5 * 25.4e-3)[0]
+    write(page, "load.output_torque", "6000 N*mm")
+    expected = stiffness(drive__ring_wall_thickness=0.5 * 25.4e-3, load__output_torque=6.0)[0]
+    assert card(page) == expected
+
+
+def test_a_wrong_value_is_said_at_its_field(page):
+    before = card(page)
+    write(page, "load.preload", "1000 mm")
+    error = page.locator("#value-load-preload-error")
+    assert "expected a force" in error.inner_text()
+    assert field(page, "load.preload").get_attribute("aria-invalid") == "true"
+    assert "expected a force" in page.locator("#error").inner_text()
+    assert card(page) == before  # the last good results stay, greyed
+    assert "stale" in page.locator("#answer").get_attribute("class")
+    write(page, "load.preload", "1000 N")
+    assert error.inner_text() == ""
+    assert page.locator("#error").is_hidden()
+
+
+def test_a_torque_beyond_the_capacity_is_said(page):
+    write(page, "load.output_torque", "100 N*m")
+    assert "beyond the torque capacity" in page.locator("#error").inner_text()
+
+
+def test_undo_redo_and_back_to_the_file(page):
+    start = card(page)
+    write(page, "load.preload", "1500 N")
+    changed = card(page)
+    assert changed != start
+    do(page, lambda: page.keyboard.press("Control+z"))
+    assert card(page) == start
+    do(page, lambda: page.get_by_role("button", name="Redo").click())
+    assert card(page) == changed
+    do(page, lambda: page.get_by_role("button", name="preload: back to the file's value").click())
+    assert card(page) == start
+
+
+def test_a_link_shows_the_same_joint(page, chromium):
+    write(page, "load.preload", "1234 N")
+    page.wait_for_function("location.hash.startsWith('#joint=')")
+    page.wait_for_timeout(300)
+    other = chromium.new_page()
+    other.goto(page.url)
+    other.wait_for_selector("html[data-state=ready]", timeout=60_000)
+    assert card(other) == card(page) == stiffness(load__preload=1234.0)[0]
+    assert field(other, "load.preload").input_value() == "1234 N"
+    other.close()
+
+
+def test_choices_change_the_joint(page):
+    start = card(page)
+    page.locator("details[data-group=model] summary").click()
+    do(page, lambda: page.locator("#value-model-closure_springs").select_option("bulk_and_asperities"))
+    assert card(page) != start
+
+
+def test_a_baseline_is_compared(page):
+    page.get_by_role("button", name="Pin as baseline").click()
+    write(page, "load.preload", "2000 N")
+    change = page.locator(".card .change").first.inner_text()
+    share = stiffness(load__preload=2000.0)[1] / stiffness()[1] - 1.0
+    assert float(change.split(" ")[0].replace("−", "-")) == pytest.approx(100.0 * share, rel=5e-3)
+    assert page.locator("path.ghost").count() >= 2
+
+
+def test_the_downloaded_file_solves_to_the_same_number(page, tmp_path):
+    write(page, "load.preload", "1.2 kN")
+    with page.expect_download() as waiting:
+        page.get_by_role("link", name="Save joint file").click()
+    file = tmp_path / waiting.value.suggested_filename
+    waiting.value.save_as(file)
+    assert file.name == "tutorial_joint.toml"
+    text = file.read_text(encoding="utf-8")
+    assert "1.2 kN" in text
+    assert "# The joint of the tutorial" in text
+    assert card(page) == shown(solve(joint_from_case(parse_case(text, source=file.name))))[0]
+    with page.expect_download() as waiting:
+        page.get_by_role("link", name="Save JSON").click()
+    waiting.value.save_as(tmp_path / "joint.json")
+    document = json.loads((tmp_path / "joint.json").read_text(encoding="utf-8"))
+    assert document["input"]["load"]["preload"] == 1200.0
+
+
+def test_files_are_opened_and_wrong_ones_refused(page, tmp_path):
+    before = card(page)
+    (tmp_path / "picture.toml").write_bytes(b"\x89PNG\r\n\x1a\n\xff\xfe")
+    page.locator("#open-file").set_input_files(tmp_path / "picture.toml")
+    page.wait_for_selector("html[data-refused='picture.toml']")
+    assert "picture.toml: this is not a text file" in page.locator("#error").inner_text()
+    assert card(page) == before
+    do(page, lambda: page.locator("#open-file").set_input_files(ROOT / "examples" / "zou2025.toml"))
+    assert page.locator("#file-name").inner_text() == "zou2025.toml"
+    assert card(page) == "8.92"
+    assert page.locator("#error").is_hidden()
+
+
+def test_every_control_has_a_name_and_the_page_fits_400_px(page):
+    unnamed = page.evaluate(
+        """[...document.querySelectorAll("input, select, button, a")].filter((each) => !(each.labels?.length
+            || each.getAttribute("aria-label") || each.textContent.trim())).map((each) => each.outerHTML)"""
+    )
+    assert unnamed == []
+    ids = page.evaluate("[...document.querySelectorAll('[id]')].map((each) => each.id)")
+    assert len(ids) == len(set(ids))
+    page.set_viewport_size({"width": 400, "height": 800})
+    assert page.evaluate("document.documentElement.scrollWidth") <= 400
+
+
+def test_the_policy_holds_in_the_browser(chromium, served):
+    page = chromium.new_page()  # not the fixture, which takes the browser's report for an error
+    page.goto(served.address)
+    found = page.evaluate(
+        """async () => {
+            const script = document.createElement("script");
+            script.textContent = "window.injected = 1";
+            document.body.append(script);
+            try { await fetch("http://127.0.0.1:9/"); } catch { return [window.injected ?? null, "blocked"]; }
+        }"""
+    )
+    assert found == [None, "blocked"]
+    page.close()
+
+
+def test_a_server_that_stops_is_said_and_nothing_is_lost(chromium, serve):
+    own = serve(FILE)
+    page = chromium.new_page()
+    page.goto(own.address)
+    page.wait_for_selector("html[data-state=ready]", timeout=300_000)
+    assert own.stop() == 0
+    field(page, "load.preload").fill("1300 N")
+    field(page, "load.preload").press("Enter")
+    page.wait_for_selector("html[data-state=lost]", timeout=60_000)
+    assert "The server does not answer" in page.locator("#banner").inner_text()
+    assert field(page, "load.preload").input_value() == "1300 N"
+    page.close()
