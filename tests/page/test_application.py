@@ -31,7 +31,11 @@ def client(joint_text):
 @pytest.fixture
 def solve(client, joint_text):
     def ask(**changes):
-        body = {"toml": joint_text, "name": "my.toml", "changes": {k.replace("__", "."): v for k, v in changes.items()}}
+        body = {
+            "toml": joint_text,
+            "name": "my.toml",
+            "changes": {k.replace("__", "."): v for k, v in changes.items()},
+        }
         return client.post("/api/joint", json=body)
 
     return ask
@@ -189,7 +193,14 @@ def test_a_request_opens_no_file(client, joint_text, tmp_path, place):
 
 @pytest.mark.parametrize(
     "path",
-    ["/../pyproject.toml", "/static/page.html", "/%2e%2e/%2e%2e/etc/passwd", "/page.html", "/answer.py", "//etc/passwd"],
+    [
+        "/../pyproject.toml",
+        "/static/page.html",
+        "/%2e%2e/%2e%2e/etc/passwd",
+        "/page.html",
+        "/answer.py",
+        "//etc/passwd",
+    ],
 )
 def test_only_the_table_of_assets_is_served(client, path):
     assert client.get(path).status_code == 404

@@ -22,7 +22,9 @@ def stiffness(**changes):
 
 def shown(solution):
     found = float(solution.result.assembly.stiffness.output_per_arcminute)
-    return format_quantity(float(solution.result.assembly.stiffness.output), "N*m/arcmin").split(" ")[0], found
+    return format_quantity(float(solution.result.assembly.stiffness.output), "N*m/arcmin").split(" ")[
+        0
+    ], found
 
 
 def card(page, name="Stiffness at the output"):
@@ -34,7 +36,7 @@ def do(page, action):
     before = int(page.evaluate("document.documentElement.dataset.revision"))
     action()
     page.wait_for_function(
-        "before => Number(document.documentElement.dataset.revision) > before", arg=before, timeout=60_000
+        "before => Number(document.documentElement.dataset.revision) > before", arg=before, timeout=300_000
     )
 
 

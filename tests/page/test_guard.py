@@ -138,9 +138,7 @@ def test_the_largest_body_is_read(guard, counting):
 
 
 def test_a_slow_body_is_refused(guard, counting):
-    status, _, body = answer(
-        guard, method="POST", headers=[("host", HOST)], parts=[b"x"] * 20, pause=0.05
-    )
+    status, _, body = answer(guard, method="POST", headers=[("host", HOST)], parts=[b"x"] * 20, pause=0.05)
     assert status == 408
     assert "0.2 s" in json.loads(body)["error"]
     assert counting.bodies == []

@@ -60,12 +60,15 @@ def serve(file: str | None, port: int, no_browser: bool, host: str) -> None:
 
             webbrowser.open(address)
 
+    def stopping(stopped: KeyboardInterrupt) -> None:
+        say("asperity: stopped" if type(stopped) is KeyboardInterrupt else "asperity: terminated")
+
     try:
-        serve_page(start, listening=listening, host=host, ready=ready)
+        serve_page(start, listening=listening, host=host, ready=ready, stopping=stopping)
     except KeyboardInterrupt as stopped:
         if type(stopped) is not KeyboardInterrupt:  # the system asked, which has an exit code of its own
             raise
-        say("asperity: stopped")
+        stopping(stopped)
 
 
 def _text(file: str) -> str:

@@ -68,7 +68,7 @@ def torque_curves(*, joint: Joint, torque_capacity: float) -> TorqueCurves:
     towards = np.linspace(0.0, 1.0, _TORQUES)
     # the curves are steep near gross slip
     torque = math.copysign(largest, own) * (towards * (2.0 - towards) if limited else towards)
-    points = dataclasses.replace(numbers, output_torque=torque)
+    points = dataclasses.replace(numbers, output_torque=jnp.asarray(torque))
     found = jax.tree.map(np.asarray, compile_fast(_over_torque, points)(points))
     return TorqueCurves(jnp.asarray(torque), *found)
 

@@ -203,17 +203,18 @@ def windup_of(
         return np.diff(bounds) * largest_torque / np.diff(angles)
 
     return Windup(
-        torque=torque,
-        stiffness=1.0 / (compliance + play_compliance(play=play, output_torque=torque)),
-        angle=angle,
-        unloading_angle=unloading,
-        reloading_angle=reloading,
+        torque=jnp.asarray(torque),
+        stiffness=1.0
+        / (compliance + np.asarray(play_compliance(play=play, output_torque=jnp.asarray(torque)))),
+        angle=jnp.asarray(angle),
+        unloading_angle=jnp.asarray(unloading),
+        reloading_angle=jnp.asarray(reloading),
         hysteresis=read(unloading, 0.0) - read(reloading, 0.0),
         lost_motion=read(middle, LOST_MOTION_TORQUE_SHARE) - read(middle, -LOST_MOTION_TORQUE_SHARE),
         dissipated_energy=4.0 * largest_torque * (2.0 * slip_work - slip_angle[-1]),  # by Masing's rule
-        stage_torque=bounds * largest_torque,
-        stage_stiffness=stages(angle),
-        reverse_stage_stiffness=stages(-angle[::-1]),
+        stage_torque=jnp.asarray(bounds * largest_torque),
+        stage_stiffness=jnp.asarray(stages(angle)),
+        reverse_stage_stiffness=jnp.asarray(stages(-angle[::-1])),
     )
 
 
@@ -346,7 +347,7 @@ def windup(
     return windup_of(compliances, largest_torque=largest, stage_shares=stage_shares, play=joint.play)
 
 
-def _at_torques(joint: Joint) -> tuple[Array, Array, dict[str, Array], dict[str, Array]]:
+def _at_torques(joint: Joint) -> tuple[Real, Real, dict[str, Array], dict[str, Array]]:
     """Whether the balance closes, T/(mu N), and the stiffness on every level, as it is and without slip."""
     result, elastic = evaluate(joint), evaluate(without_slip(joint))
     return result.solved, result.diagnostics.slip_ratio, _levels(result), _levels(elastic)

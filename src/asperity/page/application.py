@@ -138,7 +138,9 @@ def application(
     @contextlib.asynccontextmanager
     async def life(app: Starlette) -> AsyncIterator[None]:
         warm = computations.submit(answered, start)
-        warm.add_done_callback(lambda done: done.cancelled() or done.exception())  # the page asks for it again
+        warm.add_done_callback(
+            lambda done: done.cancelled() or done.exception()
+        )  # the page asks for it again
         yield
         computations.close()
 

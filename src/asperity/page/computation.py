@@ -38,6 +38,11 @@ class Computations:
         self._waiting = 0
         self._lock = threading.Lock()
 
+    @property
+    def idle(self) -> bool:
+        """Whether nothing runs and nothing waits."""
+        return self._waiting == 0
+
     def submit(self, function: Callable[..., Found], *arguments: Any) -> Future[Found]:
         """Put a computation at the end of the queue.
 

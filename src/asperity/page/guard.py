@@ -127,7 +127,9 @@ class Guard:
 
     async def _body(self, headers: dict[str, list[str]], receive: Receive) -> bytes:
         """All of the body, which must be small and arrive in time."""
-        too_large = RefusedError(413, f"the request is too large; at most {self._largest} bytes are read here")
+        too_large = RefusedError(
+            413, f"the request is too large; at most {self._largest} bytes are read here"
+        )
         stated = headers.get("content-length", ["0"])[0]
         if not stated.isdigit() or len(stated) > 18 or int(stated) > self._largest:
             raise too_large

@@ -113,8 +113,8 @@ def refuse_named_files(tables: Mapping[str, Any], *, source: str) -> None:
     for name, entry in materials.items() if isinstance(materials, Mapping) else ():
         if isinstance(entry, Mapping) and "file" in entry:
             raise InputError(
-                f"{source}: materials.{name}.file: the page opens no other files; write the numbers of the material into "
-                "the joint file, or start 'asperity serve' with it"
+                f"{source}: materials.{name}.file: the page opens no other files; write the numbers of the material "
+                "into the joint file, or start 'asperity serve' with it"
             )
 
 
@@ -144,7 +144,9 @@ def joint_request(body: Any) -> JointRequest:
     text, tables = body.get("toml", ""), body.get("joint", {})
     changes, name = body.get("changes", {}), body.get("name", "joint.toml")
     if not isinstance(text, str) or not isinstance(tables, dict) or bool(text.strip()) == bool(tables):
-        raise InputError("give the joint either as 'toml', the text of a joint file, or as 'joint', its tables")
+        raise InputError(
+            "give the joint either as 'toml', the text of a joint file, or as 'joint', its tables"
+        )
     if not isinstance(name, str) or not 0 < len(name) <= LONGEST_NAME:
         raise InputError(f"'name' must be text of at most {LONGEST_NAME} characters")
     if not isinstance(changes, dict) or len(changes) > MOST_CHANGES:

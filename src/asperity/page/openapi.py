@@ -164,8 +164,13 @@ def _answer_schema() -> Schema:
         "efficiency",
         "largest_slip_ratio",
     )
-    windup = ("torque_Nm", "loading_angle_rad", "incremental_stiffness_Nm_per_rad")
-    windup += ("unloading_angle_rad", "reloading_angle_rad")
+    windup = (
+        "torque_Nm",
+        "loading_angle_rad",
+        "incremental_stiffness_Nm_per_rad",
+        "unloading_angle_rad",
+        "reloading_angle_rad",
+    )
     return {
         "type": "object",
         "properties": {

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import ipaddress
+import os
 import socket
+import sys
 from collections.abc import Callable
 
 from asperity.errors import InputError, MissingExtraError
@@ -83,7 +85,8 @@ def listening_socket(host: str, port: int) -> socket.socket:
     except OSError as error:
         found.close()
         raise InputError(
-            f"cannot listen at {host}, port {port}: {error.strerror or error}; choose another port, or 0 for a free one",
+            f"cannot listen at {host}, port {port}: {error.strerror or error}; choose another port, or 0 for a "
+            "free one",
             options=("port",),
         ) from None
     return found
@@ -110,7 +113,12 @@ def host_names(host: str, port: int) -> tuple[str, ...]:
 
 
 def serve(
-    start: JointRequest, *, listening: socket.socket, host: str, ready: Callable[[str], None]
+    start: JointRequest,
+    *,
+    listening: socket.socket,
+    host: str,
+    ready: Callable[[str], None],
+    stopping: Callable[[KeyboardInterrupt], None],
 ) -> None:
     """Serve the page until it is interrupted.
 
@@ -124,6 +132,13 @@ def serve(
         Name or address of the socket.
     ready : callable
         Called with the address of the page once it answers.
+    stopping : callable
+        Called with the interruption, where the process ends here because a computation still runs.
+
+    Raises
+    ------
+    KeyboardInterrupt
+        If it is interrupted.
     """
     import uvicorn
 
@@ -150,4 +165,12 @@ def serve(
         timeout_keep_alive=30,
         timeout_graceful_shutdown=2,
     )
-    Announced(config).run(sockets=[listening])
+    try:
+        Announced(config).run(sockets=[listening])
+    except KeyboardInterrupt as stopped:
+        if computations.idle:
+            raise
+        # a computation cannot be interrupted, and the interpreter would wait for it
+        stopping(stopped)
+        sys.stderr.flush()
+        os._exit(0 if type(stopped) is KeyboardInterrupt else 143)

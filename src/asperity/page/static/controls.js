@@ -113,7 +113,7 @@ export class Controls {
       id,
       "aria-describedby": `${id}-help ${id}-error`,
       spellcheck: "false",
-      placeholder: entry ? parameter.example : parameter.default || "not in the file",
+      placeholder: entry ? parameter.example : (parameter.default || "not in the file").replace("if absent, ", ""),
       autocapitalize: "off",
     });
     const slider = element("input", { type: "range", "aria-label": `${name}, slider`, min: 0, step: 1, tabindex: "0" });

@@ -9,72 +9,95 @@ export function driveDrawing(drawing, document_) {
   const inner = 1e3 * drawing.ring.inner_radius_m;
   const wall = 1e3 * drawing.ring.wall_m;
   const shown = Math.min(wall, LONGEST_WALL * inner);
-  const outer = inner + shown;
-  const half = outer * 1.04;
-  const picture = svg("svg", {
-    viewBox: `${-half} ${-half} ${2 * half} ${2 * half * 1.07}`,
-    role: "img",
-    class: "drive",
-    "aria-label": described(drawing, document_, wall),
-  });
-  const marker = (name) =>
-    svg(
-      "marker",
-      { id: `head-${name}`, viewBox: "0 0 10 10", refX: 9, refY: 5, markerWidth: 4.2, markerHeight: 4.2, orient: "auto-start-reverse" },
-      svg("path", { d: "M0,0L10,5L0,10z", class: `head ${name}` }),
-    );
-  picture.append(svg("defs", {}, marker("normal"), marker("tangential")));
-  picture.append(
-    svg("circle", { class: shown < wall ? "ring broken" : "ring", r: outer }),
-    svg("circle", { class: "bore", r: inner }),
-  );
-  for (const roller of drawing.rollers) {
-    const [x, y] = [1e3 * roller.x_m, -1e3 * roller.y_m];
-    picture.append(
-      svg("circle", { class: `roller ${roller.body.split(" ").pop()} ${roller.body.split(" ")[0]}`, cx: x, cy: y, r: 1e3 * roller.radius_m }),
-      svg("path", { class: "axis-mark", d: `M${x - 1.2},${y}h2.4M${x},${y - 1.2}v2.4` }),
-    );
-  }
+  const half = (inner + shown) * 1.04;
+  const whole = svg("svg", { viewBox: `${-half} ${-half} ${2 * half} ${2.14 * half}`, role: "img", class: "drive", "aria-label": described(drawing, document_, wall) });
+  whole.append(...bodies(drawing, inner, shown, wall), ...scaleBar(-half * 0.97, half * 1.1, inner, 0.085 * inner));
   const largest = Math.max(...drawing.forces.map((force) => Math.hypot(...force.normal_N)), 1e-300);
-  const length = (LONGEST_ARROW * inner) / largest;
-  const font = 0.062 * inner;
-  for (const force of drawing.forces) {
-    const [x, y] = [1e3 * force.x_m, -1e3 * force.y_m];
-    const arrow = (vector, name) => {
-      const [dx, dy] = [vector[0] * length, -vector[1] * length];
-      if (Math.hypot(dx, dy) < 0.004 * inner) return;
-      // normal forces end at the contact, tangential ones begin there
-      const [start, end] = name === "normal" ? [[x - dx, y - dy], [x, y]] : [[x, y], [x + dx, y + dy]];
-      picture.append(
-        svg("line", { class: `force ${name}`, x1: start[0], y1: start[1], x2: end[0], y2: end[1], "marker-end": `url(#head-${name})` }),
-      );
-    };
-    arrow(force.normal_N, "normal");
-    arrow(force.tangential_N, "tangential");
-    const tail = [x - force.normal_N[0] * length, y + force.normal_N[1] * length];
-    const away = Math.hypot(tail[0] - x, tail[1] - y) || 1;
-    const place = [tail[0] + ((tail[0] - x) / away) * font * 0.8, tail[1] + ((tail[1] - y) / away) * font * 0.8];
-    picture.append(
-      svg("text", { class: "force-name", x: place[0], y: place[1] + font * 0.35, "font-size": font, "text-anchor": "middle" }, force.contact),
-    );
-  }
-  const bar = [50, 20, 10, 5, 2, 1, 0.5, 0.2, 0.1, 100, 200, 500].find((size) => size <= 0.5 * inner) || inner;
-  const level = half * 1.06;
-  picture.append(
-    svg("path", { class: "scale", d: `M${-half * 0.97},${level - 1}v1h${bar}v-1` }),
-    svg("text", { class: "scale-text", x: -half * 0.97 + bar + font * 0.4, y: level, "font-size": font }, `${number(bar)} mm`),
-  );
   const note = shown < wall ? `The ring's wall of ${number(wall)} mm is drawn thinner (dashed edge).` : `Ring wall ${number(wall)} mm.`;
   return [
-    picture,
+    element("div", { class: "drawings" }, whole, branch(drawing, document_, inner, shown, wall, largest)),
     element(
       "p",
       { class: "note" },
+      "Enlarged: one branch with the ",
       element("span", { class: "key normal" }, "→ normal"),
       " and ",
       element("span", { class: "key tangential" }, "→ tangential"),
-      ` forces on the planet and on the loading rollers of one branch, to one scale (longest: ${number(largest)} N). ${note}`,
+      ` forces on the planet and on its loading rollers, to one scale (longest ${number(largest)} N). ${note}`,
     ),
+  ];
+}
+
+/** Ring and rollers, y upwards. */
+function bodies(drawing, inner, shown, wall) {
+  const found = [
+    svg("circle", { class: shown < wall ? "ring broken" : "ring", r: inner + shown }),
+    svg("circle", { class: "bore", r: inner }),
+  ];
+  const mark = 0.03 * inner;
+  for (const roller of drawing.rollers) {
+    const [x, y] = [1e3 * roller.x_m, -1e3 * roller.y_m];
+    const kind = `roller ${roller.body.split(" ").pop()} ${roller.body.split(" ")[0]}`;
+    found.push(
+      svg("circle", { class: kind, cx: x, cy: y, r: 1e3 * roller.radius_m }),
+      svg("path", { class: "axis-mark", d: `M${x - mark},${y}h${2 * mark}M${x},${y - mark}v${2 * mark}` }),
+    );
+  }
+  return found;
+}
+
+/** The first branch, enlarged, with its forces. */
+function branch(drawing, document_, inner, shown, wall, largest) {
+  const longest = LONGEST_ARROW * inner;
+  const marker = (name) =>
+    svg(
+      "marker",
+      { id: `head-${name}`, viewBox: "0 0 10 10", refX: 9, refY: 5, markerWidth: 5, markerHeight: 5, orient: "auto-start-reverse" },
+      svg("path", { d: "M0,0L10,5L0,10z", class: `head ${name}` }),
+    );
+  const reach = Math.max(...drawing.rollers.slice(0, 4).map((roller) => 1e3 * (Math.abs(roller.x_m) + roller.radius_m)));
+  const half = Math.max(reach * 1.1, 0.62 * inner);
+  const sun = 1e3 * drawing.rollers[0].radius_m;
+  const top = -(inner + longest * 1.25);
+  const height = longest * 1.3 + Math.max(sun, longest) - top;
+  const font = 0.05 * height;
+  const picture = svg("svg", { viewBox: `${-half} ${top} ${2 * half} ${height}`, role: "img", class: "drive branch", "aria-label": forcesDescribed(document_) });
+  picture.append(svg("defs", {}, marker("normal"), marker("tangential")), ...bodies(drawing, inner, shown, wall));
+  for (const force of drawing.forces) {
+    const [x, y] = [1e3 * force.x_m, -1e3 * force.y_m];
+    const factor = longest / largest;
+    const [nx, ny] = [force.normal_N[0] * factor, -force.normal_N[1] * factor];
+    const [tx, ty] = [force.tangential_N[0] * factor, -force.tangential_N[1] * factor];
+    // normal forces end at the contact, tangential ones begin there
+    picture.append(
+      svg("line", { class: "force normal", x1: x - nx, y1: y - ny, x2: x, y2: y, "marker-end": "url(#head-normal)" }),
+    );
+    if (Math.hypot(tx, ty) > 0.004 * inner) {
+      picture.append(
+        svg("line", { class: "force tangential", x1: x, y1: y, x2: x + tx, y2: y + ty, "marker-end": "url(#head-tangential)" }),
+      );
+    }
+    const side = Math.abs(x) < 0.05 * inner ? 0 : Math.sign(x);
+    const [px, py] = force.contact.startsWith("p") ? [x + side * 0.42 * sun, y - ny * 0.2] : [x - nx * 1.1, y - ny];
+    const anchor = side === 0 ? "middle" : side > 0 ? "start" : "end";
+    picture.append(
+      svg("text", { class: "force-name", x: px + side * 0.3 * font, y: py + (side === 0 ? 1.1 : 0.35) * font, "font-size": font, "text-anchor": anchor }, force.contact),
+    );
+  }
+  return picture;
+}
+
+function forcesDescribed(document_) {
+  const { normal_N: normal, tangential_N: tangential } = document_.forces;
+  const each = Object.keys(normal).map((name) => `${name} ${number(normal[name])} N and ${number(tangential[name])} N`);
+  return `One branch with its forces, normal and tangential: ${each.join("; ")}.`;
+}
+
+function scaleBar(x, y, inner, font) {
+  const bar = [500, 200, 100, 50, 20, 10, 5, 2, 1, 0.5, 0.2, 0.1].find((size) => size <= 0.6 * inner) || inner;
+  return [
+    svg("path", { class: "scale", d: `M${x},${y - 0.03 * inner}v${0.03 * inner}h${bar}v${-0.03 * inner}` }),
+    svg("text", { class: "scale-text", x: x + bar + font * 0.4, y, "font-size": font }, `${number(bar)} mm`),
   ];
 }
 

@@ -199,9 +199,10 @@ function connect() {
   });
   window.addEventListener("hashchange", async () => {
     if (location.hash === ownHash) return;
-    const state = await unpacked(location.hash.replace("#joint=", ""));
-    if (state) {
-      history.add(state);
+    const linked = location.hash.startsWith("#joint=") ? await unpacked(location.hash.slice(7)) : null;
+    if (!linked) address(); // an anchor on the page
+    else {
+      history.add(linked);
       refresh();
     }
   });

@@ -1,0 +1,101 @@
+"""Time from a key press on a slider of the page to all plots redrawn, in headless Chromium.
+
+    python benchmarks/page_speed.py [FILE] [--presses 50]
+
+Needs the extras 'page' and 'test' and an installed Chromium. Prints median and worst time of the key presses, the time
+of an empty round trip to the server, of the first load once the programs are compiled, and the bytes transferred.
+"""
+
+from __future__ import annotations
+
+import argparse
+import re
+import shutil
+import statistics
+import subprocess
+import sys
+from pathlib import Path
+
+from playwright.sync_api import sync_playwright
+
+FILE = Path(__file__).parents[1] / "examples" / "tutorial_joint.toml"
+
+# From the key press until the browser has painted the new plots: the second frame after the redrawing begins.
+PRESS = """
+async () => {
+  const slider = document.querySelector('[aria-label="preload, slider"]');
+  const before = document.documentElement.dataset.revision;
+  const start = performance.now();
+  slider.stepUp(window.presses % 40 < 20 ? 1 : -2);
+  window.presses += 1;
+  slider.dispatchEvent(new Event("input", { bubbles: true }));
+  await new Promise((done) => {
+    const seen = new MutationObserver(() => {
+      if (document.documentElement.dataset.revision !== before) {
+        seen.disconnect();
+        requestAnimationFrame(() => requestAnimationFrame(done));
+      }
+    });
+    seen.observe(document.documentElement, { attributes: true });
+  });
+  return performance.now() - start;
+}
+"""
+ROUND_TRIP = """
+async () => {
+  const start = performance.now();
+  await (await fetch("/icon.svg")).text();
+  return performance.now() - start;
+}
+"""
+
+
+def main() -> None:
+    """Measure and print."""
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("file", nargs="?", default=str(FILE))
+    parser.add_argument("--presses", type=int, default=50)
+    asked = parser.parse_args()
+    browser_path = shutil.which("chromium") or shutil.which("google-chrome")
+    if browser_path is None:
+        sys.exit("no Chromium here")
+    command = [sys.executable, "-c", "from asperity.cli import main; main()", "serve", asked.file]
+    server = subprocess.Popen([*command, "--port", "0", "--no-browser"], stderr=subprocess.PIPE, text=True)
+    assert server.stderr is not None
+    found = re.search(r"http://\S+", server.stderr.readline())
+    assert found, "the server did not start"
+    try:
+        with sync_playwright() as driver:
+            browser = driver.chromium.launch(executable_path=browser_path, args=["--no-sandbox"])
+            _measure(browser, found.group(), asked.presses)
+            browser.close()
+    finally:
+        server.terminate()
+        server.wait()
+
+
+def _measure(browser: object, address: str, presses: int) -> None:
+    page = browser.new_page(viewport={"width": 1400, "height": 1000})  # type: ignore[attr-defined]
+    page.goto(address)
+    page.wait_for_selector("html[data-state=ready]", timeout=600_000)
+    page.close()
+    sizes: list[int] = []
+    page = browser.new_page(viewport={"width": 1400, "height": 1000})  # type: ignore[attr-defined]
+    page.on("response", lambda response: sizes.append(int(response.headers.get("content-length", 0))))
+    page.goto(address)
+    page.wait_for_selector("html[data-state=ready]")
+    loaded = page.evaluate("performance.now()")
+    page.evaluate("window.presses = 0")
+    for _ in range(5):
+        page.evaluate(PRESS)
+    times = [page.evaluate(PRESS) for _ in range(presses)]
+    empty = [page.evaluate(ROUND_TRIP) for _ in range(presses)]
+    plots = page.locator("#plots svg[role=img]").count()
+    print(f"key press to {plots} plots, the drawing and all tables redrawn, {presses} presses:")
+    print(f"  median {statistics.median(times):.0f} ms, worst {max(times):.0f} ms")
+    print(f"empty round trip: median {statistics.median(empty):.1f} ms")
+    print(f"first load, programs compiled: {loaded:.0f} ms, {sum(sizes[:14]) / 1e3:.0f} kB")
+
+
+if __name__ == "__main__":
+    main()

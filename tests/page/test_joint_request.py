@@ -1,0 +1,80 @@
+"""Requests become checked joint files."""
+
+import pytest
+
+from asperity.errors import InputError
+from asperity.page.joint_request import CHOICES, JointRequest, joint_request
+
+
+def test_changes_are_those_of_the_file(joint_text):
+    case = JointRequest(
+        "a.toml", joint_text, {"load.preload": "1.2 kN +- 50 N", "bodies.ring": "52100"}
+    ).case()
+    assert case.load.preload.value == 1200.0
+    assert case.load.preload.tolerance == 50.0
+    assert case.bodies.ring == "52100"
+
+
+def test_sections_that_the_file_leaves_out(joint_text):
+    case = JointRequest(
+        "a.toml", joint_text, {"play.angle": "1.5 arcmin", "rolling.skew.sp": "1 mrad"}
+    ).case()
+    assert case.play.take_up_torque.value == 0.0
+    assert case.rolling.skew.sp.value == 1e-3
+    assert case.rolling.skew.wlo.value == 0.0
+
+
+def test_the_text_says_what_the_case_says(joint_text):
+    request = JointRequest(
+        "a.toml",
+        joint_text,
+        {
+            "surface.sp.fractal_dimension": 1.5,
+            "materials.steel.hardness": "2 GPa",
+            "model.contact_factor": "unity",
+        },
+    )
+    assert JointRequest("a.toml", request.file_text()).case() == request.case()
+    assert "# ours" in request.file_text()
+
+
+def test_the_same_content_has_the_same_identity(joint_text):
+    one, two = ({"a": 1, "b": 2}, {"b": 2, "a": 1})
+    assert JointRequest("a", "x", one).identity == JointRequest("a", "x", two).identity
+    assert JointRequest("a", "x", one).identity != JointRequest("b", "x", one).identity
+
+
+def test_the_choices_are_those_of_the_model():
+    assert CHOICES["model.closure"] == ("elastic", "constant_pin_force")
+    assert {path for path in CHOICES if path.startswith("bodies.")} == {
+        "bodies.sun",
+        "bodies.planet",
+        "bodies.loading_roller",
+        "bodies.ring",
+    }
+
+
+def test_a_file_that_names_another_file_is_refused(joint_text, tmp_path):
+    text = joint_text + '\n[materials.mine]\nlibrary = "mine"\nfile = "/etc/passwd"\n'
+    with pytest.raises(InputError, match=r"materials\.mine\.file: the page opens no other files"):
+        JointRequest("a.toml", text).case()
+
+
+@pytest.mark.parametrize(
+    ("body", "said"),
+    [
+        (3, "JSON object"),
+        ({}, "either as 'toml'"),
+        ({"toml": "x", "joint": {"load": 1}}, "either as 'toml'"),
+        ({"toml": "x", "what": 1}, "unknown entry 'what'"),
+        ({"toml": "x", "name": ""}, "'name'"),
+        ({"toml": "x", "name": "x" * 121}, "'name'"),
+        ({"toml": "x", "changes": []}, "'changes'"),
+        ({"toml": "x", "changes": {str(i): 1 for i in range(401)}}, "at most 400"),
+        ({"toml": "x", "changes": {"load.preload": None}}, "load.preload: a value is text"),
+        ({"toml": "x", "changes": {"load.preload": "1" * 201}}, "at most 200 characters"),
+    ],
+)
+def test_bodies_that_are_refused(body, said):
+    with pytest.raises(InputError, match=said):
+        joint_request(body)
