@@ -42,6 +42,7 @@ class Served:
         if self.process.poll() is None:
             self.process.send_signal(signal.SIGINT)
             self.process.wait(timeout=60)
+        self.process.stderr.close()
         return self.process.returncode
 
 

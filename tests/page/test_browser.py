@@ -126,10 +126,12 @@ def test_a_link_shows_the_same_joint(page, chromium):
 
 
 def test_choices_change_the_joint(page):
-    start = card(page)
     page.locator("details[data-group=model] summary").click()
-    do(page, lambda: page.locator("#value-model-closure_springs").select_option("bulk_and_asperities"))
-    assert card(page) != start
+    do(page, lambda: page.locator("#value-model-closure").select_option("constant_pin_force"))
+    do(page, lambda: page.locator("#value-bodies-ring").select_option("Si3N4"))
+    text = FILE.read_text(encoding="utf-8").replace('closure = "elastic"', 'closure = "constant_pin_force"')
+    text = text.replace('ring = "52100"', 'ring = "Si3N4"')
+    assert card(page) == shown(solve(joint_from_case(parse_case(text, source="changed"))))[0]
 
 
 def test_a_baseline_is_compared(page):

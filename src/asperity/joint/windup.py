@@ -205,7 +205,7 @@ def windup_of(
     return Windup(
         torque=jnp.asarray(torque),
         stiffness=1.0
-        / (compliance + np.asarray(play_compliance(play=play, output_torque=jnp.asarray(torque)))),
+        / (jnp.asarray(compliance) + play_compliance(play=play, output_torque=jnp.asarray(torque))),
         angle=jnp.asarray(angle),
         unloading_angle=jnp.asarray(unloading),
         reloading_angle=jnp.asarray(reloading),

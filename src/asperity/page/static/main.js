@@ -16,6 +16,7 @@ let wanted = false; // something changed since the last request began
 let asking = false;
 let lastPath = null;
 let ownHash = "";
+let shownText = null; // of the joint file whose rows are on the page
 
 page.dataset.revision = "0";
 
@@ -60,6 +61,8 @@ async function askOnce(state) {
     if (ok) {
       page.dataset.state = "ready";
       answer = found;
+      if (state.toml !== shownText) controls.build(found); // another file
+      shownText = state.toml;
       controls.show(found, state.changes);
       controls.showErrors({});
       showError("");
@@ -146,7 +149,6 @@ async function open(file) {
     return;
   }
   lastPath = null;
-  controls.build(found);
   history.add({ name: found.name, toml: found.toml, changes: {} });
   refresh();
 }

@@ -4,7 +4,7 @@ import { element, number, svg } from "/numbers.js";
 
 const WIDTH = 480;
 const HEIGHT = 300;
-const LEFT = 64;
+const LEFT = 78;
 const RIGHT = 14;
 const TOP = 12;
 const BOTTOM = 46;

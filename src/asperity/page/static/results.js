@@ -21,6 +21,9 @@ const SPRINGS = {
   output_shaft: "output shaft",
 };
 
+/** Text for screen readers alone. */
+const hidden = (text) => element("span", { class: "visually-hidden" }, text);
+
 const get = (id) => document.getElementById(id);
 
 export function showAnswer(answer, baseline) {
@@ -40,7 +43,7 @@ export function showAnswer(answer, baseline) {
 function change(now, before) {
   if (before === null || before === undefined || now === null || now === undefined || before === 0) return null;
   const share = 100 * (now / before - 1);
-  const text = Math.abs(share) < 0.005 ? "as the baseline" : `${share > 0 ? "+" : "−"}${number(Math.abs(share), 3)} % on the baseline`;
+  const text = Math.abs(share) < 0.005 ? "as the baseline" : `${share > 0 ? "+" : "−"}${number(Math.abs(share), 3)} % against the baseline`;
   return element("p", { class: "change" }, text);
 }
 
@@ -102,13 +105,13 @@ function cards(found, before) {
 function levels(found, before) {
   const rows = LEVELS.map(([key, name, words]) => {
     const level = found.torsional_stiffness[key];
-    const cells = [number(level.output_Nm_per_arcmin), number(level.output_Nm_per_rad, 5), number(level.sun_Nm_per_rad, 5)];
-    if (before) cells.push(number(before.torsional_stiffness[key].output_Nm_per_arcmin));
+    const cells = [number(level.output_Nm_per_arcmin), number(level.output_Nm_per_rad, 5)];
+    cells.push(before ? number(before.torsional_stiffness[key].output_Nm_per_arcmin) : number(level.sun_Nm_per_rad, 5));
     return [element("span", {}, name, element("small", {}, words)), ...cells];
   });
-  const headings = ["level of the model", "N·m/arcmin", "N·m/rad", "at the sun, N·m/rad"];
-  if (before) headings.push("baseline, N·m/arcmin");
-  return element("div", { class: "scroll" }, table("Torsional stiffness on three levels", headings, rows));
+  const last = before ? "baseline, N·m/arcmin" : "at the sun, N·m/rad";
+  const headings = ["level of the model", "N·m/arcmin", "N·m/rad", last];
+  return element("div", { class: "scroll", tabindex: "0", role: "region", "aria-label": "Stiffness, scrollable" }, table("Torsional stiffness on three levels", headings, rows));
 }
 
 function drift(found) {
@@ -141,7 +144,7 @@ function budget(found) {
       return [element("span", {}, name, element("small", {}, detail)), `${number(100 * total, 3)} %`, bar(total)];
     });
   if (!rows.length) return element("p", { class: "note" }, "No compliance: the joint has no stiffness here.");
-  return table("Shares of the springs in the compliance", ["spring", "share", ""], rows);
+  return table("Shares of the springs in the compliance", ["spring", "share", hidden("bar")], rows);
 }
 
 /** The limits of function and damage, the worst contact of each. */
@@ -182,7 +185,7 @@ function margins(found) {
     "",
     verdict(gap.gap_m > 0),
   ]);
-  return table("Safety margins", ["limit", "actual", "required", "", "result"], rows);
+  return table("Safety margins", ["limit", "actual", "required", hidden("share of the limit"), "result"], rows);
 }
 
 function verdict(ok) {
