@@ -15,7 +15,7 @@ _ARCMINUTES = 10800.0 / np.pi
 
 
 def windup_figure(curve: Windup, *, title: str) -> Figure:
-    """Torque–angle loop and incremental stiffness side by side.
+    """Torque–angle loop, its deviation from a straight line and incremental stiffness side by side.
 
     Parameters
     ----------
@@ -31,14 +31,22 @@ def windup_figure(curve: Windup, *, title: str) -> Figure:
     """
     from matplotlib.figure import Figure
 
-    figure = Figure(figsize=(10.0, 4.2), layout="constrained")
-    loop, stiffness = figure.subplots(1, 2)
-    for angle, color, label in (
-        (curve.angle, "black", "first loading, either direction"),
-        (curve.unloading_angle, "tab:blue", "unloading"),
-        (curve.reloading_angle, "tab:orange", "reloading"),
+    figure = Figure(figsize=(14.0, 4.2), layout="constrained")
+    loop, deviation, stiffness = figure.subplots(1, 3)
+    straight = curve.torque * ((curve.angle[-1] - curve.angle[0]) / (curve.torque[-1] - curve.torque[0]))
+    for angle, color, line, label in (
+        (curve.angle, "black", "-", "first loading, either direction"),
+        (curve.unloading_angle, "tab:blue", "--", "unloading"),
+        (curve.reloading_angle, "tab:orange", "-.", "reloading"),
     ):
-        loop.plot(_ARCMINUTES * angle, curve.torque, color=color, label=label)
+        loop.plot(_ARCMINUTES * angle, curve.torque, color=color, linestyle=line, label=label)
+        apart = 60.0 * _ARCMINUTES * (angle - straight)
+        deviation.plot(curve.torque, apart, color=color, linestyle=line, label=label)
+    deviation.axhline(0.0, color="0.8", linewidth=0.8, zorder=0)
+    deviation.set(
+        xlabel="torque at the output [N·m]",
+        ylabel="angle less a straight line [arcsec]",
+    )
     loop.axhline(0.0, color="0.8", linewidth=0.8, zorder=0)
     loop.axvline(0.0, color="0.8", linewidth=0.8, zorder=0)
     loop.set(xlabel="angle at the output [arcmin]", ylabel="torque at the output [N·m]")
