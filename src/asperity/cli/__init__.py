@@ -38,6 +38,7 @@ COMMANDS: dict[str, tuple[str, str, str]] = {
         "Torque-angle curve, hysteresis and capacity of a joint file.",
     ),
     "roll": ("asperity.cli.roll", "roll", "Drift, losses, thrust and life of a joint that turns."),
+    "draw": ("asperity.cli.draw", "draw", "Draw the drive of a joint file to scale."),
     "contact": ("asperity.cli.contact", "contact", "Stiffness of any number of roller pairs from a table."),
     "design": ("asperity.cli.design", "design", "The best joint within limits, or a Pareto front."),
     "calibrate": ("asperity.cli.calibrate", "calibrate", "Unknowns of a joint from a measured curve."),

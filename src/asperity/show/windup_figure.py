@@ -17,7 +17,7 @@ _ARCMINUTES, _DEGREES = 10800.0 / np.pi, 180.0 / np.pi
 
 
 def windup_figure(curve: Windup, onset: RollingOnset | None = None, *, title: str) -> Figure:
-    """Torque–angle loop and incremental stiffness side by side; below them the joint that turns.
+    """Torque–angle loop, its deviation from a straight line, and stiffness; below them the joint that turns.
 
     Parameters
     ----------
@@ -36,15 +36,23 @@ def windup_figure(curve: Windup, onset: RollingOnset | None = None, *, title: st
     from matplotlib.figure import Figure
 
     rows = 1 if onset is None else 2
-    figure = Figure(figsize=(10.0, 4.2 * rows), layout="constrained")
-    panels = figure.subplots(rows, 2, squeeze=False)
-    loop, stiffness = panels[0]
-    for angle, color, label in (
-        (curve.angle, "black", "first loading, either direction"),
-        (curve.unloading_angle, "tab:blue", "unloading"),
-        (curve.reloading_angle, "tab:orange", "reloading"),
+    figure = Figure(figsize=(14.0, 4.2 * rows), layout="constrained")
+    grid = figure.add_gridspec(rows, 6)
+    loop, deviation, stiffness = (figure.add_subplot(grid[0, 2 * k : 2 * k + 2]) for k in range(3))
+    straight = curve.torque * ((curve.angle[-1] - curve.angle[0]) / (curve.torque[-1] - curve.torque[0]))
+    for angle, color, line, label in (
+        (curve.angle, "black", "-", "first loading, either direction"),
+        (curve.unloading_angle, "tab:blue", "--", "unloading"),
+        (curve.reloading_angle, "tab:orange", "-.", "reloading"),
     ):
-        loop.plot(_ARCMINUTES * angle, curve.torque, color=color, label=label)
+        loop.plot(_ARCMINUTES * angle, curve.torque, color=color, linestyle=line, label=label)
+        apart = 60.0 * _ARCMINUTES * (angle - straight)
+        deviation.plot(curve.torque, apart, color=color, linestyle=line, label=label)
+    deviation.axhline(0.0, color="0.8", linewidth=0.8, zorder=0)
+    deviation.set(
+        xlabel="torque at the output [N·m]",
+        ylabel="angle less a straight line [arcsec]",
+    )
     loop.axhline(0.0, color="0.8", linewidth=0.8, zorder=0)
     loop.axvline(0.0, color="0.8", linewidth=0.8, zorder=0)
     loop.set(xlabel="angle at the output [arcmin]", ylabel="torque at the output [N·m]")
@@ -58,8 +66,8 @@ def windup_figure(curve: Windup, onset: RollingOnset | None = None, *, title: st
     stiffness.set(xlabel="torque at the output [N·m]", ylabel="stiffness at the output [N·m/arcmin]")
     stiffness.legend(frameon=False)
     if onset is not None:
-        _draw_beyond(panels[1, 0], onset, torque=float(curve.torque[-1]))
-        _draw_swings(panels[1, 1], onset)
+        _draw_beyond(figure.add_subplot(grid[1, :3]), onset, torque=float(curve.torque[-1]))
+        _draw_swings(figure.add_subplot(grid[1, 3:]), onset)
     figure.suptitle(title)
     return figure
 
