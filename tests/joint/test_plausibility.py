@@ -10,7 +10,9 @@ from asperity.joint.solve import solve
 def notes(paper_joint):
     def of(**changes):
         joint = paper_joint(**changes)
-        return {(note.name, note.contact): note for note in plausibility(joint, solve(joint).result)}
+        solution = solve(joint)
+        found = plausibility(joint, solution.result, solution.sizes)
+        return {(note.name, note.contact): note for note in found}
 
     return of
 

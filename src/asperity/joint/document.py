@@ -70,7 +70,7 @@ def joint_document(
         },
         "diagnostics": [
             *(_limit_check(entry) for entry in checked_limits(joint, result)),
-            *(dataclasses.asdict(note) for note in plausibility(joint, result)),
+            *(dataclasses.asdict(note) for note in plausibility(joint, result, solution.sizes)),
         ],
     }
     cleaned: Document = _plain(document)
