@@ -1,11 +1,12 @@
 """Notes on joints that can exist: the ring that carries itself against exact annuli, sizes, friction, lengths."""
 
 import dataclasses
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
 
-from asperity.joint.plausibility import plausibility
+from asperity.joint.plausibility import checked_sizes, plausibility
 from asperity.joint.solve import solve
 
 
@@ -70,7 +71,9 @@ def sizes(paper_joint):
     def of(**changes):
         joint = paper_joint(**changes)
         structure = dataclasses.replace(joint.structure, ring_bending_stiffness=np.asarray(1e9))
-        found = plausibility(dataclasses.replace(joint, structure=structure), None)
+        given = dataclasses.replace(joint, structure=structure)
+        springs = SimpleNamespace(normal=np.full(5, 1e8), tangential=np.full(5, 1e8))
+        found = plausibility(given, None, checked_sizes(given, SimpleNamespace(interfaces=springs)))
         return {(note.name, note.contact): note for note in found}
 
     return of

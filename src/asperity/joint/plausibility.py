@@ -5,6 +5,7 @@ from __future__ import annotations
 import dataclasses
 import math
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 import equinox as eqx
 import jax.numpy as jnp
@@ -16,8 +17,10 @@ from asperity.drive.ring_bending import thin_ring_compliance
 from asperity.joint.contacts import joint_contacts
 from asperity.joint.description import Joint
 from asperity.joint.evaluation import JointResult
-from asperity.joint.results import Severity
 from asperity.units import format_quantity
+
+if TYPE_CHECKING:
+    from asperity.joint.results import Severity
 
 #: Loss of assembled stiffness from which the bending of a ring is worth a warning [-].
 RING_BENDING_LIMIT = 0.05
