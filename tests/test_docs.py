@@ -136,7 +136,7 @@ def test_nomenclature_names_exist_in_the_code():
     assert flat <= words, sorted(flat - words)
 
 
-@pytest.mark.parametrize("name", ["generate_cli", "generate_results"])
+@pytest.mark.parametrize("name", ["generate_cli", "generate_results", "generate_joint_file"])
 def test_generated_page_is_current(name):
     spec = importlib.util.spec_from_file_location(name, DOCS / f"{name}.py")
     generator = importlib.util.module_from_spec(spec)
@@ -148,7 +148,9 @@ def test_generated_page_is_current(name):
 def test_every_dependency_is_explained():
     project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
     groups = [project["dependencies"], *project["optional-dependencies"].values()]
-    names = {re.match(r"[\w-]+", requirement)[0] for group in groups for requirement in group} - {project["name"]}
+    names = {re.match(r"[\w-]+", requirement)[0] for group in groups for requirement in group} - {
+        project["name"]
+    }
     explained = set(re.findall(r"`([\w-]+)`", (DOCS / "architecture.md").read_text(encoding="utf-8")))
     assert names <= explained, sorted(names - explained)
 
