@@ -1,6 +1,6 @@
-"""Write docs/joint_file.md from the model of joint files: `python docs/generate_joint_file.py` (`--check` only compares).
+"""Write docs/joint_file.md from the model of joint files: `python docs/generate_joint_file.py`.
 
-`--measure` first computes which results each number moves, in a joint that has every section.
+`--check` only compares. `--measure` first computes which results each number moves, in a joint with every section.
 """
 
 from __future__ import annotations
@@ -25,14 +25,16 @@ HEAD = """\
 
 <!-- Written by docs/generate_joint_file.py from asperity.joint_file.model; edit the model, then run it. -->
 
-A joint file is TOML. `asperity init` writes one with comments; `asperity schema` prints the JSON schema, with which an editor
-completes and checks keys. A quantity is text with its unit in any unit of its kind, `"13.5 mm"`, and may have a tolerance and a
-distribution, `"13.5 mm +- 5 um"`. Numbers without a unit are plain. A key that is not listed here is an error.
+A joint file is TOML. `asperity init` writes one with comments; `asperity schema` prints the JSON schema, with
+which an editor completes and checks keys. A quantity is text with its unit in any unit of its kind, `"13.5
+mm"`, and may have a tolerance and a distribution, `"13.5 mm +- 5 um"`. Numbers without a unit are plain. A key
+that is not listed here is an error.
 
-*Moves* names the results that change with the number, computed by exact derivatives for the joint of the paper with bearings, springs, skew and
-oil; results that change by less than one part in a million for one per cent are left out. *All seven* are published and assembled stiffness, torque
-capacity, pressure, drift, efficiency and life. The range only catches typing errors where physics sets
-no bound. The results themselves are on the page [](results.md).
+*Moves* names the results that change with the number, computed by exact derivatives for the joint of the paper
+with bearings, springs, skew and oil; results that change by less than one part in a million for one per cent
+are left out. *All seven* are published and assembled stiffness, torque capacity, pressure, drift, efficiency
+and life. The range only catches typing errors where physics sets no bound. The results themselves are on the
+page [](results.md).
 """
 
 #: Results that the page names, with the words for them.
