@@ -39,7 +39,7 @@ def roll(file: str, plot_file: str | None, as_json: bool) -> None:
     use_double_precision()
     use_compilation_cache()
     from asperity.joint.document import joint_document
-    from asperity.joint.rolling_capacity import refuse_no_rolling
+    from asperity.joint.rolling_refusal import refuse_no_rolling
     from asperity.joint.solve import solve
     from asperity.joint_file.assumptions import assumptions
     from asperity.joint_file.build import joint_from_case
