@@ -96,9 +96,12 @@ def windup(
         _write_csv(curve, csv_file)
         say_written(csv_file)
     if plot_file:
+        from asperity.show.style import plain_title
         from asperity.show.windup_figure import windup_figure
 
-        write_image(windup_figure(curve, title=f"Wind-up of {file}, {level} stiffness"), plot_file)
+        write_image(
+            windup_figure(curve, title=f"Wind-up of {plain_title(file)}, {level} stiffness"), plot_file
+        )
         say_written(plot_file)
     if as_json:
         import json

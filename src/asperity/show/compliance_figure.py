@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -84,7 +84,8 @@ def joint_figure(solved: SolvedJoint, *, title: str) -> Figure:
     from matplotlib.figure import Figure
 
     figure = Figure(figsize=(10.0, 7.4), layout="constrained")
-    upper, lower = figure.subfigures(2, 1)
+    parts: Any = figure.subfigures(2, 1)
+    upper, lower = parts
     budget, levels = upper.subplots(1, 2)
     draw_budget(budget, solved)
     draw_levels(levels, solved)
@@ -138,7 +139,7 @@ def draw_levels(axes: Axes, solved: SolvedJoint) -> None:
             axes.annotate(f"{number:.4g}", (number, place), (8, 0), textcoords="offset points", va="center")
     axes.set_yticks(places, words)
     axes.set_ylim(len(rows) - 0.5, -0.5)
-    axes.margins(x=0.3)
+    axes.margins(x=0.45)
     if np.isfinite(known).any() and np.nanmax(known) < 30.0 * np.nanmin(known):
         axes.xaxis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
         axes.xaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))

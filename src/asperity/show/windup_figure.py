@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 _ARCMINUTES = 10800.0 / np.pi
 
 
-def windup_figure(curve: Windup, *, title: str) -> Figure:
+def windup_figure(curve: Windup, *, title: str, stacked: bool = False) -> Figure:
     """Torque–angle loop, its deviation from a straight line and incremental stiffness side by side.
 
     Parameters
@@ -23,6 +23,8 @@ def windup_figure(curve: Windup, *, title: str) -> Figure:
         What to draw.
     title : str
         Title of the picture.
+    stacked : bool, optional
+        Whether the panels are below each other, for a narrow page.
 
     Returns
     -------
@@ -31,8 +33,8 @@ def windup_figure(curve: Windup, *, title: str) -> Figure:
     """
     from matplotlib.figure import Figure
 
-    figure = Figure(figsize=(14.0, 4.2), layout="constrained")
-    loop, deviation, stiffness = figure.subplots(1, 3)
+    figure = Figure(figsize=(7.0, 6.8) if stacked else (14.0, 4.2), layout="constrained")
+    loop, deviation, stiffness = figure.subplots(3, 1) if stacked else figure.subplots(1, 3)
     straight = curve.torque * ((curve.angle[-1] - curve.angle[0]) / (curve.torque[-1] - curve.torque[0]))
     for angle, color, line, label in (
         (curve.angle, "black", "-", "first loading, either direction"),
@@ -59,5 +61,7 @@ def windup_figure(curve: Windup, *, title: str) -> Figure:
         stiffness.stairs(values / _ARCMINUTES, bounds, color="tab:red", baseline=None, label=label)
     stiffness.set(xlabel="torque at the output [N·m]", ylabel="stiffness at the output [N·m/arcmin]")
     stiffness.legend(frameon=False)
+    for axes in (loop, deviation, stiffness):
+        axes.yaxis.label.set_fontsize("small" if stacked else "medium")
     figure.suptitle(title)
     return figure
