@@ -56,6 +56,7 @@ def roll(file: str, plot_file: str | None, as_json: bool) -> None:
     if plot_file:
         from asperity.joint.rolling_curves import rolling_curves
         from asperity.show.rolling_figure import rolling_figure
+        from asperity.show.style import plain_title
 
         curves = rolling_curves(
             joint=joint,
@@ -64,7 +65,11 @@ def roll(file: str, plot_file: str | None, as_json: bool) -> None:
         )
         write_image(
             rolling_figure(
-                curves, solution.result.rolling, joint=joint, title=f"{file} in rolling", width=_WIDTH
+                curves,
+                solution.result.rolling,
+                joint=joint,
+                title=f"{plain_title(file)} in rolling",
+                width=_WIDTH,
             ),
             plot_file,
         )
