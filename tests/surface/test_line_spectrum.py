@@ -1,4 +1,4 @@
-"""Regression of the lines' amplitudes against exact lines, differences by each amplitude, and the jackknife of a mean."""
+"""Regression of the amplitudes of lines: exact lines, differences by each amplitude, and the jackknife of a mean."""
 
 import numpy as np
 import pytest
