@@ -10,6 +10,7 @@ from asperity.joint.description import Joint
 from asperity.joint.margins import margins
 from asperity.joint.results import SolvedJoint
 from asperity.joint.rolling_curves import rolling_curves
+from asperity.joint.rolling_onset import RollingOnset
 from asperity.joint.windup import Windup
 from asperity.show.compliance_figure import draw_budget, draw_levels
 from asperity.show.drive_sheet import drive_sheet, forces_sheet
