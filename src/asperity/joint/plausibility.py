@@ -160,37 +160,35 @@ def _size(model: str, contact: str, radius: float, length: float) -> Note:
 
 
 def _ring_bending(joint: Joint, result: JointResult, length: float) -> tuple[Note, ...]:
-    """What a ring that carries itself would lose, where the joint gives no spring for its bending."""
-    if (
-        not math.isinf(float(joint.structure.ring_bending_stiffness))
-        or float(joint.geometry.planet_count) < 2.0
-    ):
-        return ()
+    """What a ring that carries itself would lose, where the joint does not say what holds it."""
+    stated = joint.ring_support is not None or not math.isinf(float(joint.structure.ring_bending_stiffness))
     held = float(result.assembly.stiffness.output)
-    if not held > 0.0:
+    if stated or float(joint.geometry.planet_count) < 2.0 or not held > 0.0:
         return ()
-    compliance = thin_ring_compliance(
-        geometry=joint.geometry,
-        sides=triangle(joint.geometry),
-        wall_thickness=joint.ring_wall_thickness,
-        length=length,
-        youngs_modulus=joint.bodies.ring.youngs_modulus,
-    )
-    spring = 1.0 / compliance.opposed
-    bent_joint = dataclasses.replace(
-        joint, structure=dataclasses.replace(joint.structure, ring_bending_stiffness=spring)
-    )
+    if joint.body_model == "exact":
+        bent_joint = dataclasses.replace(joint, ring_support="free")
+        means = "drive.ring_support is not stated, and a rigid housing is assumed to hold the ring. In a ring that"
+        remedy = "state drive.ring_support, or hold the ring in a rigid housing"
+    else:
+        compliance = thin_ring_compliance(
+            geometry=joint.geometry,
+            sides=triangle(joint.geometry),
+            wall_thickness=joint.ring_wall_thickness,
+            length=length,
+            youngs_modulus=joint.bodies.ring.youngs_modulus,
+        )
+        spring = 1.0 / compliance.opposed
+        bent_joint = dataclasses.replace(
+            joint, structure=dataclasses.replace(joint.structure, ring_bending_stiffness=spring)
+        )
+        means = (
+            "the springs are those of a ring in a rigid housing. By thin-ring theory, with a ring_bending_stiffness of "
+            f"about {format_quantity(float(spring), 'N/um', 3)} under each loading roller, in a ring that"
+        )
+        remedy = 'choose bodies = "exact", give ring_bending_stiffness, or hold the ring in a rigid housing'
     bent = float(_output(bent_joint))
     loss = 1.0 - bent / held
-    stiffness, bent_to, held_at = (
-        format_quantity(value, unit, 3)
-        for value, unit in ((float(spring), "N/um"), (bent, "N*m/rad"), (held, "N*m/rad"))
-    )
-    meaning = (
-        "ring_wall_thickness enters the local compression only, as if a rigid housing held the ring. A ring that "
-        f"carries itself has, by thin-ring theory, a ring_bending_stiffness of about {stiffness} under each loading "
-        f"roller, and the assembled stiffness would be {bent_to} instead of {held_at}"
-    )
+    bent_to, held_at = (format_quantity(value, "N*m/rad", 3) for value in (bent, held))
     ok = loss <= RING_BENDING_LIMIT
     return (
         Note(
@@ -201,8 +199,8 @@ def _ring_bending(joint: Joint, result: JointResult, length: float) -> tuple[Not
             RING_BENDING_LIMIT,
             ok,
             "accuracy",
-            meaning,
-            None if ok else "give ring_bending_stiffness, or hold the ring in a rigid housing",
+            f"{means} carries itself the assembled stiffness would be {bent_to} instead of {held_at}",
+            None if ok else remedy,
         ),
     )
 
