@@ -34,6 +34,9 @@ def test_document_and_picture(call, joint_file, tmp_path):
     assert rolling["duty_life_hours"] == pytest.approx(
         found["life_hours"], rel=1e-6
     )  # one load, all the time
+    assert rolling["duty"] == {
+        "1": {"damage_share": pytest.approx(1.0), "life_hours": pytest.approx(found["life_hours"], rel=1e-9)}
+    }
     assert 12.96 < rolling["torque_capacity_Nm"] < 1.05 * 12.96  # mu N_0 9 n R_s, and a little for the wedge
     assert min(c["axial_force_N"] for c in rolling["contacts"].values()) > 0.0
     assert (tmp_path / "r.svg").read_text().count("gross slip") >= 1

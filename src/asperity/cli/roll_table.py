@@ -79,7 +79,9 @@ def _show_output(target: Console, document: Document) -> None:
 
 
 def _capacity_at_rest(document: Document) -> str:
-    found = document["torque_capacity"]["output_torque_Nm"]
+    capacity = document["torque_capacity"]
+    reverse = document["forces"]["output_torque_Nm"] < 0.0
+    found = (capacity["reverse"] if reverse else capacity)["output_torque_Nm"]
     return "not limited by friction" if found is None else in_unit(found, "N*m")
 
 
@@ -201,13 +203,25 @@ def _show_life(target: Console, document: Document) -> None:
         )
         print_wrapped(target, text + ", ".join(beyond), indent=2)
     if loads:
-        duty = table(target, "Duty (damage adds up by Miner's rule)", "load", "output torque", "sun", "share")
+        duty = table(
+            target,
+            "Duty (damage adds up by Miner's rule)",
+            "load",
+            "output torque",
+            "sun",
+            "share\nof the time",
+            "share\nof the damage",
+            "life under it\nalone, hours",
+        )
         for name, load in loads.items():
+            found = rolling["duty"][name]
             duty.add_row(
                 name,
                 in_unit(load["output_torque"], "N*m"),
                 in_unit(load["sun_speed"], "rpm"),
                 f"{scaled(load['share'], 100.0)} %",
+                f"{scaled(found['damage_share'], 100.0)} %",
+                _life(found["life_hours"]),
             )
         target.print(duty)
 

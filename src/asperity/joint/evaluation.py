@@ -312,7 +312,11 @@ def _rolling(
             asperity_normal_stiffness=rough.normal_stiffness,
         )
 
-    hours, turns = duty_life(
-        conditions=joint.rolling, planet_count=joint.geometry.planet_count, rolled=rolled
+    life = duty_life(conditions=joint.rolling, planet_count=joint.geometry.planet_count, rolled=rolled)
+    return dataclasses.replace(
+        found,
+        duty_life_hours=life.hours,
+        duty_life_turns=life.turns,
+        duty_damage_shares=life.damage_shares,
+        duty_load_hours=life.load_hours,
     )
-    return dataclasses.replace(found, duty_life_hours=hours, duty_life_turns=turns)

@@ -50,6 +50,8 @@ class RollingResult(eqx.Module):
         with the sun's contact. nan without a torque.
     traction_coefficient : Array
         T/N, shape (5, ...) [-].
+    slip_ratio : Array
+        Tangential force over what friction and skew leave for it, shape (5, ...) [-].
     stick_fraction : Array
         Share of the contact width that sticks under tangential and axial traction, shape (5, ...) [-].
     layer_ratio, layer_creepage_factor : Array
@@ -86,6 +88,9 @@ class RollingResult(eqx.Module):
         Lives in hours of rolling at the joint's speed [h]; nan where the sun stands.
     duty_life_hours, duty_life_turns : Array
         Life of the drive under its duty, in hours and in turns of the output; nan without a duty.
+    duty_damage_shares, duty_load_hours : Array
+        Share of each load of the duty in the damage [-], and life under it alone [h], loads first; empty without a
+        duty.
     residual : Array
         Residual of the rolling state, :data:`asperity.drive.rolling_state.ROLLING_TOLERANCE` at most [-].
     """
@@ -95,6 +100,7 @@ class RollingResult(eqx.Module):
     creepage: Array
     creepage_share: Array
     traction_coefficient: Array
+    slip_ratio: Array
     stick_fraction: Real
     layer_ratio: Array
     layer_creepage_factor: Array
@@ -114,6 +120,8 @@ class RollingResult(eqx.Module):
     life_hours: DriveLives
     duty_life_hours: Array
     duty_life_turns: Array
+    duty_damage_shares: Array
+    duty_load_hours: Array
     residual: Array
 
 
@@ -328,6 +336,7 @@ def rolling_result(
         creepage=state.creepage,
         creepage_share=state.creepage / jnp.where(in_series != 0.0, in_series, jnp.nan),
         traction_coefficient=traction,
+        slip_ratio=jnp.abs(traction) / (friction * (1.0 - lateral[1])),
         stick_fraction=jnp.asarray(
             stick_fraction(longitudinal_slip_ratio=traction / friction, lateral_slip_ratio=lateral[0])
         ),
@@ -355,6 +364,8 @@ def rolling_result(
         ),
         duty_life_hours=jnp.full_like(state.speed_loss, jnp.nan),
         duty_life_turns=jnp.full_like(state.speed_loss, jnp.nan),
+        duty_damage_shares=jnp.zeros((0, *state.speed_loss.shape)),
+        duty_load_hours=jnp.zeros((0, *state.speed_loss.shape)),
         residual=state.residual,
     )
     shaped: RollingResult = jax.tree.map(lambda value: jnp.where(solved, value, jnp.nan), found)

@@ -50,6 +50,13 @@ def rolling_document(joint: Joint, result: JointResult) -> Document:
         "body_life_output_turns": _by_body(found.life_turns),
         "duty_life_hours": found.duty_life_hours,
         "duty_life_output_turns": found.duty_life_turns,
+        "duty": {
+            str(index): {"damage_share": share, "life_hours": hours}
+            for index, (share, hours) in enumerate(
+                zip(np.asarray(found.duty_damage_shares), np.asarray(found.duty_load_hours), strict=True),
+                start=1,
+            )
+        },
         "contacts": {name: _contact(found, k) for k, name in enumerate(CONTACT_NAMES)},
         "residual": found.residual,
     }
@@ -102,6 +109,7 @@ def _contact(found: RollingResult, k: int) -> Document:
     power = found.power
     return {
         **contact_results(found, k),
+        "slip_ratio": found.slip_ratio[k],
         "normal_N": found.normal[k],
         "tangential_N": found.tangential[k],
         "creepage_share": found.creepage_share[k],

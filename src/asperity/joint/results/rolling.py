@@ -42,6 +42,14 @@ ROWS = (
         positive=False,
     ),
     _each(
+        "rolling_slip_ratio",
+        "slip ratio T/(mu N) in rolling",
+        _NUMBER,
+        "1",
+        "result.rolling.slip_ratio",
+        note="the share of the friction that skew takes is counted as not available",
+    ),
+    _each(
         "stick_fraction",
         "share of the contact width that sticks in rolling",
         _NUMBER,

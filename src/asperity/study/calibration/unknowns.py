@@ -67,7 +67,9 @@ def read_unknowns(texts: Iterable[str], *, case: Case, measurement: Measurement)
             found.append(_of_joint(name, sides, case))
     names = [unknown.path for unknown in found]
     if not found:
-        raise InputError("nothing to calibrate: name at least one unknown, e.g. --unknown load.preload")
+        raise InputError(
+            "nothing to calibrate: name at least one unknown, such as load.preload", options=["unknown"]
+        )
     for name in names:
         if names.count(name) > 1:
             raise InputError(f"the unknown '{name}' is named twice")
