@@ -14,7 +14,7 @@ from asperity.joint.results.table import RENAMED
 from asperity.joint_file.build import joint_from_case
 
 # parts of the result that are not results: the state beside its check, and the same number under another name
-_NOT_OFFERED = {"forces.output_torque", "solved", "contact_law_holds"}
+_NOT_OFFERED = {"forces.output_torque", "solved", "contact_law_holds", "walls_hold"}
 # cycles of the ten tracks, of which the lives are made; lives in hours, which the table has in seconds
 _NOT_OFFERED |= {"rolling.cycles", "rolling.cycles_per_turn", "rolling.duty_life_hours"}
 # as many numbers as the file has loads
