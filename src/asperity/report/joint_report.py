@@ -15,6 +15,7 @@ from asperity.errors import AsperityError
 from asperity.joint.description import Joint
 from asperity.joint.document import joint_document
 from asperity.joint.margins import margins
+from asperity.joint.measured_surface import stiffness_interval
 from asperity.joint.results import SolvedJoint
 from asperity.joint.rolling_onset import RollingOnset
 from asperity.joint.solve import solve
@@ -28,6 +29,7 @@ from asperity.report import result_tables, rolling_tables
 from asperity.report.content import Block, Bullets, Heading, Listing, Paragraph, Picture, Report, Table
 from asperity.report.figures import report_pictures
 from asperity.report.input_tables import choices_table, inputs_table
+from asperity.surface.measurement import SurfaceMeasurement, measurement_document
 
 _PACKAGES = ("jax", "jaxlib", "numpy", "scipy", "equinox", "matplotlib")
 _STAGES = (1.0 / 3.0, 2.0 / 3.0)
@@ -46,6 +48,10 @@ class ReportSource:
         Its text.
     case : Case
         Its content.
+    measurement : SurfaceMeasurement, optional
+        The measured surface that has replaced the surfaces of the file in ``case``.
+    measurement_texts : tuple of str
+        Texts of the files of the measurement.
     date : str
         Date for the title block; empty for none, so that the same input makes the same report.
     """
@@ -53,6 +59,8 @@ class ReportSource:
     name: str
     text: str
     case: Case
+    measurement: SurfaceMeasurement | None = None
+    measurement_texts: tuple[str, ...] = ()
     date: str = ""
 
 
@@ -107,6 +115,7 @@ def joint_report(source: ReportSource) -> Report:
         Picture("The drive to scale", pictures["drive"], sheet=True),
         Heading("Stiffness"),
         *result_tables.stiffness(document),
+        *_measured(joint, source),
         Picture("Stiffness budget and levels of the model", pictures["budget"]),
         Heading("Forces and contacts"),
         *result_tables.contacts(document),
@@ -122,12 +131,7 @@ def joint_report(source: ReportSource) -> Report:
         *_rolling(document, found, pictures),
         Heading("Versions"),
         _versions(),
-        Heading("Joint file"),
-        Paragraph(
-            f"This report follows from the file below: save it and run 'asperity report' on it. SHA-256 of its text: "
-            f"{_digest(source.text)}"
-        ),
-        Listing(source.text),
+        *_appendix(source),
     )
     return Report(f"Traction-drive joint: {source.name}", blocks)
 
@@ -196,6 +200,31 @@ def _rolling(document: dict[str, Any], found: _Examined, pictures: dict[str, str
     yield from rolling_tables.rolling(document, capacity=capacity if math.isfinite(capacity) else None)
     if "rolling" in pictures:
         yield Picture("Creep, efficiency, drift and life", pictures["rolling"])
+
+
+def _measured(joint: Joint, source: ReportSource) -> Iterator[Block]:
+    """The interval of the stiffness from the uncertainty of a measured surface."""
+    if source.measurement is not None:
+        measured = measurement_document(measurement=source.measurement)
+        interval = stiffness_interval(joint, source.measurement)
+        yield from result_tables.measured_stiffness(measured, interval)
+
+
+def _appendix(source: ReportSource) -> Iterator[Block]:
+    """The files from which the report can be made again."""
+    option = " --surface" * len(source.measurement_texts)
+    yield Heading("Joint file")
+    yield Paragraph(
+        f"This report follows from the file below: save it and run 'asperity report{option}' on it. SHA-256 of its "
+        f"text: {_digest(source.text)}"
+    )
+    yield Listing(source.text)
+    for text in source.measurement_texts:
+        yield Heading("Measurement of the surface")
+        yield Paragraph(
+            f"It takes the place of the surfaces of the joint file. SHA-256 of its text: {_digest(text)}"
+        )
+        yield Listing(text)
 
 
 def _versions() -> Table:
