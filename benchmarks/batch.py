@@ -214,9 +214,8 @@ def main() -> None:
     for name, function in parts.items():
         program = compiled(function, batches[0])
         taken[name] = best(given.repeats, lambda p=program: p(batches[0])) / given.chunk
-        print(
-            f"{name:28s} {taken[name] * 1e9:8.0f} ns each, 1 thread: {taken[name] / single:.2f} times the published joint"
-        )
+        times = f"{taken[name] / single:.2f} times the published joint"
+        print(f"{name:28s} {taken[name] * 1e9:8.0f} ns each on one thread, {times}")
     ratio = taken["all results"] / taken["all results at rest"]
     print(f"all results / those at rest  {ratio:8.2f}")
 
