@@ -12,7 +12,9 @@ from asperity.contact.fractal import Surface
 from asperity.drive.assembly import IDEAL_STRUCTURE, StructureSprings
 from asperity.drive.geometry import DriveGeometry
 from asperity.drive.mechanism import Bearings
+from asperity.errors import InputError
 from asperity.joint.description import Bodies, Joint
+from asperity.joint.dynamics import Inertias
 from asperity.joint.play import NO_PLAY, Play
 from asperity.joint.rolling_conditions import PLAIN_ROLLING, DutyPoint, RollingConditions
 from asperity.joint_file.model import Case, EachContact
@@ -125,6 +127,37 @@ def joint_from_values(values: Values) -> Joint:
         planet_bore=drive.get("planet_bore_diameter"),
         loading_roller_bore=drive.get("loading_roller_bore_diameter"),
         rolling=_conditions(values),
+    )
+
+
+def inertias_from_case(case: Case) -> Inertias:
+    """What a joint file couples to its joint.
+
+    Parameters
+    ----------
+    case : Case
+        The joint file.
+
+    Returns
+    -------
+    Inertias
+        In SI units; without a loss factor the spring loses no work.
+
+    Raises
+    ------
+    InputError
+        If the file has no section ``[dynamics]``.
+    """
+    if case.dynamics is None:
+        raise InputError(
+            "the joint file has no section [dynamics]: give dynamics.input_inertia of the motor at the sun and "
+            'dynamics.output_inertia of the load, e.g. "2e-6 kg*m^2" and "0.05 kg*m^2"'
+        )
+    values = si_values(case)["dynamics"]
+    return Inertias(
+        input=values["input_inertia"],
+        output=values["output_inertia"],
+        loss_factor=values.get("loss_factor", 0.0),
     )
 
 

@@ -52,6 +52,10 @@ PRESSURE_COEFFICIENT = Key(Dimension.INVERSE_PRESSURE, 0.0, 1e3, "1/GPa", exampl
 ROUGHNESS = Key(Dimension.LENGTH, 1e-3, 1e3, "um", example="0.2 um")
 DUTY_TORQUE = Key(Dimension.TORQUE, -1e9, 1e9, "N*m")
 
+INPUT_INERTIA = Key(Dimension.MOMENT_OF_INERTIA, 0.0, 1e6, "kg*m^2", example="2e-6 kg*m^2")
+OUTPUT_INERTIA = Key(Dimension.MOMENT_OF_INERTIA, 0.0, 1e6, "kg*m^2", example="0.05 kg*m^2")
+LOSS_FACTOR = Key(Dimension.DIMENSIONLESS, 0.0, 1.0, example="0.01")
+
 FRACTAL_DIMENSION = Key(Dimension.DIMENSIONLESS, 1.0, 2.0, open_lower=True, open_upper=True, example="1.4")
 # Fits of rough surfaces near D = 1 have a G far below any length of nature: G^(D-1) is what has a meaning.
 FRACTAL_ROUGHNESS = Key(Dimension.LENGTH, 1e-60, 1.0, "mm", open_lower=True, example="1e-8 mm")

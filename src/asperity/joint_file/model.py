@@ -201,6 +201,17 @@ class DutyLoad(Section):
     """Share of the time; the shares of all loads add up to 1."""
 
 
+class DynamicsEntry(Section):
+    """What is coupled to the joint, for its natural frequencies."""
+
+    input_inertia: Annotated[Quantity, limits.INPUT_INERTIA]
+    """Moment of inertia of motor and coupling at the sun."""
+    output_inertia: Annotated[Quantity, limits.OUTPUT_INERTIA]
+    """Moment of inertia of the load at the carrier, the carrier included."""
+    loss_factor: Annotated[Quantity, limits.LOSS_FACTOR] | None = None
+    """Loss factor of the joint's spring; without it the spring loses no work."""
+
+
 class PlayEntry(Section):
     """Play at the output; a joint file without this section has none."""
 
@@ -302,6 +313,8 @@ class Case(Section):
     """The oil; dry if the section is absent."""
     duty: Annotated[tuple[DutyLoad, ...], Field(min_length=1)] | None = None
     """Loads and their shares of the time, for the life under a duty: a section [[duty]] for each."""
+    dynamics: DynamicsEntry | None = None
+    """Inertias of motor and load, for `asperity dynamics`."""
     play: PlayEntry | None = None
     """Play at the output; none if the section is absent."""
     model: ModelChoice
