@@ -1,8 +1,6 @@
 """``asperity contact``: a table in, a table out."""
 
-from pathlib import Path
-
-REFERENCE = Path(__file__).parents[1] / "contact" / "reference_contact.csv"
+REFERENCE = CONTACT_LAW_TABLE
 
 
 def test_a_table_is_written_and_said(call, tmp_path):

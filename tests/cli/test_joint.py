@@ -178,3 +178,11 @@ def test_no_solution_is_exit_code_3(call, joint_file, monkeypatch):
     assert outcome.code == 3
     assert outcome.out == ""
     assert "the force balance has no solution with these numbers" in outcome.err
+
+
+def test_picture_of_budget_levels_and_margins(call, joint_file, tmp_path):
+    outcome = call("joint", joint_file(), "--plot", tmp_path / "j.svg")
+    assert (outcome.code, outcome.err.strip()) == (0, f"wrote {tmp_path / 'j.svg'}")
+    assert (tmp_path / "j.svg").read_text(encoding="utf-8").startswith("<?xml")
+    refused = call("joint", joint_file(), "--plot", tmp_path / "j.xyz")
+    assert (refused.code, refused.out) == (2, "")

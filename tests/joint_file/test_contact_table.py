@@ -9,9 +9,10 @@ import pytest
 from asperity.errors import InputError
 from asperity.joint_file import contact_table
 from asperity.joint_file.contact_table import INPUT_COLUMNS, OUTPUT_COLUMNS, convert_contact_table
+from asperity.validation.contact_checks import CONTACT_LAW_TABLE
 
-#: 40 cases by direct quadrature of the definitions at 20 and more digits, see reference_contact.md there.
-REFERENCE = Path(__file__).parents[1] / "contact" / "reference_contact.csv"
+#: 40 cases by direct quadrature of the definitions at 20 and more digits, see CONTACT_LAW_TABLE.
+REFERENCE = CONTACT_LAW_TABLE
 INPUT = [*INPUT_COLUMNS, "lambda"]
 
 

@@ -38,6 +38,8 @@ COMMANDS: dict[str, tuple[str, str, str]] = {
         "Torque-angle curve, hysteresis and capacity of a joint file.",
     ),
     "roll": ("asperity.cli.roll", "roll", "Drift, losses, thrust and life of a joint that turns."),
+    "draw": ("asperity.cli.draw", "draw", "Draw the drive of a joint file to scale."),
+    "report": ("asperity.cli.report", "report", "One document about a joint for a design review."),
     "contact": ("asperity.cli.contact", "contact", "Stiffness of any number of roller pairs from a table."),
     "design": ("asperity.cli.design", "design", "The best joint within limits, or a Pareto front."),
     "calibrate": ("asperity.cli.calibrate", "calibrate", "Unknowns of a joint from a measured curve."),
@@ -54,6 +56,11 @@ COMMANDS: dict[str, tuple[str, str, str]] = {
         "asperity.cli.surface",
         "surface",
         "Measure D and G of rough surfaces, make and combine them.",
+    ),
+    "validate": (
+        "asperity.cli.validate",
+        "validate",
+        "Evidence that this installation computes right.",
     ),
     "verify-contact": (
         "asperity.cli.verify_contact",

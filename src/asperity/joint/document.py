@@ -18,6 +18,7 @@ from asperity.joint.limit_check import LimitCheck, checked_limits
 from asperity.joint.plausibility import plausibility
 from asperity.joint.results import GROUPS, RESULTS, SolvedJoint
 from asperity.joint.rolling_document import contact_results, losses, rolling_document
+from asperity.joint.rolling_refusal import rolling_capacity_of
 from asperity.joint.solve import Solution
 
 Document = dict[str, Any]
@@ -61,10 +62,15 @@ def joint_document(
         "efficiency": result.rolling.power.efficiency,
         "losses_W": losses(result.rolling),
         "life_hours": result.rolling.life_hours.drive,
-        "rolling": rolling_document(joint, result),
+        "rolling": {
+            **rolling_document(joint, result),
+            "torque_capacity_Nm": rolling_capacity_of(
+                joint, solution, direction=math.copysign(1.0, float(joint.output_torque))
+            ),
+        },
         "diagnostics": [
             *(_limit_check(entry) for entry in checked_limits(joint, result)),
-            *(dataclasses.asdict(note) for note in plausibility(joint, result)),
+            *(dataclasses.asdict(note) for note in plausibility(joint, result, solution.sizes)),
         ],
     }
     cleaned: Document = _plain(document)

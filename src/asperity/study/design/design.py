@@ -195,8 +195,10 @@ def _refuse_without_result(evaluator: DesignEvaluator, found: EvaluatedDesign) -
             "the force balance of the design found did not close in every scenario; narrow the bounds"
         )
     problem = evaluator.problem
-    names = {each.name: None for each in (*problem.objectives, *problem.constraints)}
-    unknown = [name for name in names if np.isnan(found.values[name][:, evaluator.counted]).any()]
+    names = [each.name for each in problem.objectives] + [each.name for each in problem.constraints]
+    unknown = [
+        name for name in dict.fromkeys(names) if np.isnan(found.values[name][:, evaluator.counted]).any()
+    ]
     if unknown and np.any(status == ALL_PLASTIC):
         raise NoSolutionError(
             f"the nearest design found has no value of {', '.join(unknown)}: every spot of a contact is plastic, where "

@@ -126,6 +126,23 @@ class DesignEvaluator:
         """
         return max(0.0, -float((design.margins + self.existence_slack).min()))
 
+    def existing(self, margins: np.ndarray) -> np.ndarray:
+        """Which of many designs are joints that can exist in every scenario.
+
+        Parameters
+        ----------
+        margins : ndarray
+            As :meth:`many` gives them, shape (designs, limits and rows).
+
+        Returns
+        -------
+        ndarray of bool
+            Shape (designs,).
+        """
+        slack = [self._existence_slack(each) for each in self.problem.constraints for _ in each.rows]
+        found: np.ndarray = (margins + np.array(slack)).min(axis=1) >= 0.0
+        return found
+
     def _existence_slack(self, constraint: Constraint) -> float:
         """No joint exists if rollers overlap, slip or lift off, whatever limit is stated for them."""
         bound = EXISTENCE.get((constraint.name, constraint.at_most))
