@@ -71,7 +71,7 @@ def test_table_curves_and_picture(call, joint_file, asked, tmp_path, saved_figur
     )
     np.testing.assert_allclose(angle, torque / STIFFNESS, atol=1e-15)
     assert files[1].is_file()
-    loop, stiffness = saved_figures[0].axes
+    loop, stiffness, *_ = saved_figures[0].axes
     assert (loop.get_xlabel(), loop.get_ylabel()) == (
         "angle at the output [arcmin]",
         "torque at the output [N·m]",

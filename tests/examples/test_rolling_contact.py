@@ -30,7 +30,7 @@ def test_rolling_starts_at_half_the_steady_creepage(example, tmp_path):
         np.testing.assert_allclose(line.get_ydata()[: creepage.size], creepage, rtol=1e-9)
     table = lag.lines[-1]
     assert table.get_label() == "table $\\varphi$"
-    assert np.all(np.diff(table.get_ydata()) >= 0.0)
+    assert table.get_ydata()[0] == 0.0
     for line in layer.lines[0:6:2]:  # the factor of a uniform layer over its limit of small slip
         assert line.get_ydata()[0] == pytest.approx(1.0, abs=0.02)
     assert [text.get_text() for text in layer.get_legend().get_texts()] == [

@@ -12,7 +12,7 @@ def test_windup_lies_between_the_springs_at_both_ends(load_example, monkeypatch,
     assert 12.0 / stiffest < float(curve.angle[-1]) < 12.0 / softest
     # 8.986 N·m/arcmin at rest by benchmarks/baseline_assembly.py; the speed of 6000 rpm changes it by 2e-4
     assert stiffest * math.pi / 10800.0 == pytest.approx(8.986, rel=2e-3)
-    loop, stiffness = saved_figures[0].axes
+    loop, stiffness, *_ = saved_figures[0].axes
     assert (loop.get_xlabel(), loop.get_ylabel()) == (
         "angle at the output [arcmin]",
         "torque at the output [N·m]",
