@@ -188,8 +188,9 @@ class CalibratedJoint(Shown):
         ]
         if self.calibration.durbin_watson < CORRELATED:
             parts.append(
-                f"Neighbouring residuals are alike (Durbin–Watson {self.calibration.durbin_watson:.2f}, independent "
-                "ones give 2): the model does not explain the curve fully, and the intervals are too narrow."
+                f"Neighbouring residuals are correlated (Durbin–Watson {self.calibration.durbin_watson:.2f}, "
+                "independent residuals give 2): the model does not explain the curve fully, and the intervals are too "
+                "narrow."
             )
         worst = "\n".join(direction.words for direction in self.calibration.directions)
-        return [*parts, f"Combinations of unknowns, the worst determined first:\n{worst}"]
+        return [*parts, f"Combinations of unknowns, the least well determined first:\n{worst}"]

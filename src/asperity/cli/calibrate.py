@@ -31,7 +31,7 @@ if TYPE_CHECKING:
 @click.option("--out", type=click.Path(), help="Write the calibrated joint as a joint file.")
 @click.option("--plot", type=click.Path(), help="Draw data, fit and residuals (.png, .svg, .pdf).")
 @click.option("--posterior", "draws", type=click.IntRange(50, 100000), metavar="DRAWS",
-              help="Draw from the posterior too, so many from each of four chains (extra 'bayes').")  # fmt: skip
+              help="Also draw from the posterior, this number from each of four chains (extra 'bayes').")  # fmt: skip
 @click.option("--plot-posterior", type=click.Path(), help="Draw the posterior (.png, .svg, .pdf).")
 @click.option(
     "--json", "as_json", is_flag=True, help="Print one JSON document in SI units instead of tables."
@@ -230,10 +230,10 @@ def _show(found: Calibration, drawn: Posterior | None) -> None:
     target.print(f"residual: {format_quantity(found.standard_deviation, unit)} (standard deviation)")
     if found.durbin_watson < CORRELATED:
         target.print(
-            f"Neighbouring residuals are alike (Durbin–Watson {found.durbin_watson:.2f}, independent ones give 2): "
-            "the model does not explain the curve fully, and the intervals are too narrow."
+            f"Neighbouring residuals are correlated (Durbin–Watson {found.durbin_watson:.2f}, independent "
+            "residuals give 2): the model does not explain the curve fully, and the intervals are too narrow."
         )
-    target.print("Combinations of unknowns, the worst determined first:")
+    target.print("Combinations of unknowns, the least well determined first:")
     for direction in found.directions:
         target.print(f"  {direction.words}", markup=False)
     if drawn is not None:
@@ -250,9 +250,9 @@ def _show(found: Calibration, drawn: Posterior | None) -> None:
         for i, unknown in enumerate(found.model.unknowns):
             if note := drawn.note(i):
                 target.print(
-                    f"{unknown.path}: {note}, so that the bounds decide about the interval", markup=False
+                    f"{unknown.path}: {note}, so that the bounds determine the interval", markup=False
                 )
         target.print(
-            f"The joint itself accepted {100.0 * drawn.acceptance:.3g} % of the proposals; the draws are exact, a low "
-            "share only makes them fewer."
+            f"The joint itself accepted {100.0 * drawn.acceptance:.3g} % of the proposals; the draws follow "
+            "the exact posterior; a low share only makes fewer of them independent."
         )

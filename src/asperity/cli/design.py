@@ -45,7 +45,7 @@ if TYPE_CHECKING:
 def design(
     file: str, out: str | None, plot: str | None, as_json: bool, population: int, generations: int
 ) -> None:
-    """Choose the free variables of a joint as the design file FILE asks.
+    """Choose the free variables of a joint as specified in the design file FILE.
 
     FILE is a TOML file that names a joint file, free variables with bounds, one objective (or two or three for a
     Pareto front), limits, and the torques and tolerances for which they must hold. Where no design meets all limits,

@@ -210,7 +210,7 @@ def unit_of(path: str) -> str:
 
 
 def _label(path: str) -> str:
-    """Full name of an unknown and its unit, a line each."""
+    """Full name of an unknown and its unit, on two lines."""
     unit = unit_of(path)
     words = path.replace(".", ",\n").replace("_", " ")
     return f"{words} [{'–' if unit == '1' else unit.replace('*', '·')}]"

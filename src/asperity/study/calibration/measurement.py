@@ -157,7 +157,7 @@ def _refuse_constant(path: str | Path, columns: dict[str, np.ndarray]) -> None:
         if curve is not None and name is not None and np.ptp(columns[name]) == 0.0:
             raise InputError(
                 f"{path}: all {len(columns[name])} rows have the {name} {format_quantity(columns[name][0], unit)}; "
-                "a curve needs different ones, so look at the column and its unit"
+                "a curve needs different ones, so check the column and its unit"
             )
 
 
@@ -198,7 +198,7 @@ def read_measurement(path: str | Path, *, unloaded_ratio: float | None = None) -
     ----------
     path : str or Path
         A CSV file with a header: ``torque`` and one of ``angle``, ``stiffness``, ``drift`` (angle lost per output
-        turn), ``speed loss``, ``speed ratio`` (sun over output); if wanted ``time`` and ``repetition``. Units stand in
+        turn), ``speed loss``, ``speed ratio`` (sun over output); optionally ``time`` and ``repetition``. Units stand in
         the header, ``torque [N*m]`` or ``torque_Nm``. Rows in the order of time; lines that begin with ``#`` are
         comments.
     unloaded_ratio : float, optional
@@ -220,7 +220,9 @@ def read_measurement(path: str | Path, *, unloaded_ratio: float | None = None) -
     if not lines:
         raise InputError(f"{path}: the file is empty")
     if len(lines) > MOST_ROWS + 1:
-        raise InputError(f"{path}: {len(lines) - 1} rows; at most {MOST_ROWS}, so thin the data out")
+        raise InputError(
+            f"{path}: {len(lines) - 1} rows; at most {MOST_ROWS} are allowed, so reduce their number"
+        )
     delimiter = ";" if ";" in lines[0][1] else ","
     rows = [_cells(path, number, line, delimiter) for number, line in lines]
     try:

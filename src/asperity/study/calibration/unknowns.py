@@ -1,4 +1,4 @@
-"""What a calibration looks for: numbers of the joint file, and properties of the measured curve."""
+"""The unknowns of a calibration: numbers of the joint file, and properties of the measured curve."""
 
 from __future__ import annotations
 
@@ -14,13 +14,13 @@ from asperity.study.design.design_problem import Variable
 from asperity.unit_table import Dimension
 from asperity.units import parse_quantity
 
-#: Properties of a measured curve that no joint file has, and what they measure.
+#: Properties of a measured curve that are not in a joint file, with their dimensions.
 CURVE_UNKNOWNS = {
     "offset": Dimension.ANGLE,
     "drift": Dimension.ANGULAR_VELOCITY,
 }
 
-#: Without stated bounds a number of the file may change by this factor either way.
+#: Without stated bounds, a number of the file may change by this factor in either direction.
 DEFAULT_FACTOR = 5.0
 
 #: Numbers of the joint file that add to the angles without a new solution of the joint.

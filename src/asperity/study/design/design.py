@@ -113,7 +113,7 @@ def _nearest(evaluator: DesignEvaluator, ended: _Ended, count: SearchProgress) -
 
 
 def _refuse_what_cannot_exist(evaluator: DesignEvaluator, found: EvaluatedDesign) -> None:
-    """Raise if the nearest that was found is no joint: then nothing can be said about the stated limits."""
+    """Raise if the nearest design found cannot exist: then the stated limits cannot be assessed."""
     if evaluator.nonexistence(found) <= FEASIBLE:
         return
     lack = found.margins + evaluator.existence_slack
