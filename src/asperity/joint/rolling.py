@@ -366,7 +366,9 @@ def rolling_result(
         power=_where(turns, power),
         flash_temperature=flash_temperatures(
             bodies=joint.bodies,
-            friction_power=(power.creep + power.skew) / (geometry.planet_count * pairs.contact_length),
+            friction_power=jnp.asarray(
+                (power.creep + power.skew) / (geometry.planet_count * pairs.contact_length)
+            ),
             speeds=speeds,
             half_width=width,
             stick_fraction=stuck,
