@@ -1,5 +1,8 @@
 """``asperity report``: files and refusals."""
 
+import html
+import json
+
 import pytest
 
 
@@ -32,3 +35,22 @@ def test_refusals_write_nothing(call, joint_file, tmp_path, monkeypatch, change,
     assert (outcome.code, outcome.out) == (2, "")
     assert said in outcome.err
     assert not list(tmp_path.glob("r.*"))
+
+
+def test_a_measured_surface_takes_the_place_of_the_files_and_is_part_of_the_report(
+    call, joint_file, tmp_path
+):
+    document = {
+        "schema": "asperity-surface-measurement", "schema_version": 1, "source": "made <up>", "estimator": "none",
+        "fractal_dimension": 1.45, "fractal_roughness_m": 1e-11, "frequency_ratio": 1.5,
+        "covariance_of_dimension_and_log_roughness": [[1e-6, 0.0], [0.0, 1e-3]],
+        "shortest_wavelength_m": 1e-6, "longest_wavelength_m": 1e-4, "profiles": 10,
+    }  # fmt: skip
+    file = tmp_path / "measured.json"
+    file.write_text(json.dumps(document))
+    outcome = call("report", joint_file(), "--surface", file, "--out", tmp_path / "r.html")
+    assert (outcome.code, outcome.err.strip()) == (0, f"wrote {tmp_path / 'r.html'}")
+    text = (tmp_path / "r.html").read_text(encoding="utf-8")
+    assert "95 % interval from the measured surface, D = 1.45, G = 1e-8 mm" in text
+    assert html.escape(file.read_text()) in text
+    assert "asperity report --surface&#x27; on it" in text

@@ -22,8 +22,16 @@ _LONGEST_DATE = 40
     type=click.Path(dir_okay=False),
     help="Write the report to this file: .html or .pdf.",
 )
+@click.option(
+    "--surface",
+    "surfaces",
+    multiple=True,
+    type=click.Path(),
+    metavar="MEASUREMENT",
+    help="Measured surface of all contacts, from 'asperity surface measure --json'; twice: one for each body.",
+)
 @click.option("--date", default="", help="Date for the title block; without it, the report has none.")
-def report(file: str, out: str, date: str) -> None:
+def report(file: str, out: str, surfaces: tuple[str, ...], date: str) -> None:
     """Write one document about the joint described in FILE: inputs, drawing, results, margins and warnings.
 
     The report contains everything that a design review asks for, and the joint file itself, from which it can be
@@ -38,7 +46,7 @@ def report(file: str, out: str, date: str) -> None:
         raise InputError(f"{out}: the name of a report must end in .html or .pdf")
     if len(date) > _LONGEST_DATE:
         raise InputError(f"--date: at most {_LONGEST_DATE} characters, got {len(date)}")
-    check_file(out, file)
+    check_file(out, file, *surfaces)
     if suffix == ".pdf":
         from asperity.report.pdf import require_typst
 
@@ -51,7 +59,19 @@ def report(file: str, out: str, date: str) -> None:
     use_compilation_cache()
     from asperity.report.joint_report import ReportSource, joint_report
 
-    made = joint_report(ReportSource(name=Path(file).name, text=text, case=case, date=date))
+    measured = None
+    texts: tuple[str, ...] = ()
+    if surfaces:
+        from asperity.joint.measured_surface import measured_surface
+        from asperity.joint_file.measured_surface import with_measured_surface
+
+        measured = measured_surface(surfaces)
+        texts = tuple(read_text(each) for each in surfaces)
+        case = with_measured_surface(case, measured)
+    source = ReportSource(
+        name=Path(file).name, text=text, case=case, measurement=measured, measurement_texts=texts, date=date
+    )
+    made = joint_report(source)
     if suffix == ".pdf":
         from asperity.report.pdf import report_pdf
 

@@ -53,6 +53,8 @@ class LoadedContacts(NamedTuple):
     ----------
     half_width : Array
         Half-width of the Hertzian strips [m]; 0 where a contact is open.
+    traction : Array
+        T/(mu N) [-]; 1 where a contact is open or slips.
     rough : FractalContact
         Spots and stiffnesses of the rough surfaces.
     interfaces : Interface
@@ -60,6 +62,7 @@ class LoadedContacts(NamedTuple):
     """
 
     half_width: Array
+    traction: Array
     rough: FractalContact
     interfaces: Interface
 
@@ -231,8 +234,11 @@ def loaded_contacts(
     rough = rough_joint_contacts(
         contacts=contacts, normal_force=normal_force, tangential_force=tangential_force
     )
+    friction = contacts.pairs.friction_coefficient * jnp.where(touching, normal_force, 1.0)
+    traction = jnp.where(touching, jnp.abs(tangential_force) / friction, 1.0)
     return LoadedContacts(
         half_width=jnp.where(touching, width, 0.0),
+        traction=jnp.where(traction < 1.0, traction, 1.0),
         rough=rough,
         interfaces=Interface(
             asperity_normal=rough.normal_stiffness,

@@ -29,10 +29,12 @@ def assumptions(case: Case) -> tuple[str, ...]:
             told.append(f"[compliance] without {', '.join(absent)}: ideal, as their descriptions say")
     if case.play is None:
         told.append("no section [play]: the output has no play")
-    if case.compliance is None or case.compliance.ring_bending_stiffness is None:
-        told.append(
-            "no compliance.ring_bending_stiffness: a rigid housing holds the ring, whose wall only compresses locally"
-        )
+    if case.model.bodies is None:
+        told.append("no model.bodies: the bodies of the assembly by plane elasticity, exact")
+    if case.model.bodies != "springs" and case.model.plane_state is None:
+        told.append("no model.plane_state: plane strain; plane stress is the bound for thin bodies")
+    if case.drive.ring_support is None:
+        told.append("no drive.ring_support: a rigid housing holds the outer rim of the ring")
     for roller in ("planet", "loading_roller"):
         if getattr(case.drive, f"{roller}_length") is None:
             told.append(f"no drive.{roller}_length: as long as the longest contact line on it")

@@ -119,6 +119,11 @@ def joint_from_values(values: Values) -> Joint:
         closure=model["closure"],
         closure_springs=model["closure_springs"],
         contact_factor_model=model["contact_factor"],
+        body_model=model.get("bodies", "exact"),
+        plane_state=model.get("plane_state", "plane_strain"),
+        ring_support=drive.get("ring_support"),
+        planet_bore=drive.get("planet_bore_diameter"),
+        loading_roller_bore=drive.get("loading_roller_bore_diameter"),
         rolling=_conditions(values),
     )
 

@@ -28,6 +28,9 @@ BEARING_TORQUE = Key(Dimension.TORQUE, 0.0, 1e6, "N*m", example="0.02 N*m")
 PIN_FRICTION_COEFFICIENT = Key(Dimension.DIMENSIONLESS, 0.0, 10.0, example="0.002")
 PIN_DIAMETER = Key(Dimension.LENGTH, 0.0, 1e5, "mm", example="4 mm")
 
+BORE_DIAMETER = Key(Dimension.LENGTH, 0.0, 1e5, "mm", open_lower=True, example="4 mm")
+HOUSING = Key(Dimension.STIFFNESS_PER_AREA, 0.0, 1e9, "MPa/mm", example="500 MPa/mm")
+
 SPRING = Key(Dimension.STIFFNESS, 1e-6, 1e15, "N/mm", example="2e5 N/mm")
 TORSION_SPRING = Key(Dimension.TORSIONAL_STIFFNESS, 1e-6, 1e15, "N*m/rad", example="5e4 N*m/rad")
 

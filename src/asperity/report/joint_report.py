@@ -15,11 +15,12 @@ from asperity.errors import AsperityError
 from asperity.joint.description import Joint
 from asperity.joint.document import joint_document
 from asperity.joint.margins import margins
+from asperity.joint.measured_surface import stiffness_interval
 from asperity.joint.results import SolvedJoint
-from asperity.joint.rolling_capacity import rolling_torque_capacity
-from asperity.joint.solve import Solution, solve
+from asperity.joint.rolling_onset import RollingOnset
+from asperity.joint.solve import solve
 from asperity.joint.windup import Windup
-from asperity.joint.windup_document import examined_windup, windup_document
+from asperity.joint.windup_document import examined_windup, windup_document, windup_onsets
 from asperity.joint_file.assumptions import assumptions
 from asperity.joint_file.build import joint_from_case
 from asperity.joint_file.model import Case
@@ -28,9 +29,11 @@ from asperity.report import result_tables, rolling_tables
 from asperity.report.content import Block, Bullets, Heading, Listing, Paragraph, Picture, Report, Table
 from asperity.report.figures import report_pictures
 from asperity.report.input_tables import choices_table, inputs_table
+from asperity.surface.measurement import SurfaceMeasurement, measurement_document
 
 _PACKAGES = ("jax", "jaxlib", "numpy", "scipy", "equinox", "matplotlib")
 _STAGES = (1.0 / 3.0, 2.0 / 3.0)
+_CREEP_SHARE = 0.05  # as in asperity windup
 
 
 @dataclass(frozen=True)
@@ -45,6 +48,10 @@ class ReportSource:
         Its text.
     case : Case
         Its content.
+    measurement : SurfaceMeasurement, optional
+        The measured surface that has replaced the surfaces of the file in ``case``.
+    measurement_texts : tuple of str
+        Texts of the files of the measurement.
     date : str
         Date for the title block; empty for none, so that the same input makes the same report.
     """
@@ -52,6 +59,8 @@ class ReportSource:
     name: str
     text: str
     case: Case
+    measurement: SurfaceMeasurement | None = None
+    measurement_texts: tuple[str, ...] = ()
     date: str = ""
 
 
@@ -77,12 +86,19 @@ def joint_report(source: ReportSource) -> Report:
     """
     joint = joint_from_case(source.case)
     solution = solve(joint)
-    found = _examined(joint, solution)
     document = joint_document(
         joint=joint, solution=solution, inputs=si_values(source.case), assumptions=assumptions(source.case)
     )
+    found = _examined(joint, document)
     solved = SolvedJoint(joint, solution.result, solution.capacity)
-    pictures = report_pictures(joint, solved, found.windup, found.rolling_capacity, name=source.name)
+    pictures = report_pictures(
+        joint,
+        solved,
+        found.windup,
+        found.onset,
+        math.copysign(found.rolling_capacity, float(joint.output_torque)),
+        name=source.name,
+    )
     blocks = (
         *_title_block(source),
         *_summary(document, solved),
@@ -99,6 +115,7 @@ def joint_report(source: ReportSource) -> Report:
         Picture("The drive to scale", pictures["drive"], sheet=True),
         Heading("Stiffness"),
         *result_tables.stiffness(document),
+        *_measured(joint, source),
         Picture("Stiffness budget and levels of the model", pictures["budget"]),
         Heading("Forces and contacts"),
         *result_tables.contacts(document),
@@ -114,12 +131,7 @@ def joint_report(source: ReportSource) -> Report:
         *_rolling(document, found, pictures),
         Heading("Versions"),
         _versions(),
-        Heading("Joint file"),
-        Paragraph(
-            f"This report follows from the file below: save it and run 'asperity report' on it. SHA-256 of its text: "
-            f"{_digest(source.text)}"
-        ),
-        Listing(source.text),
+        *_appendix(source),
     )
     return Report(f"Traction-drive joint: {source.name}", blocks)
 
@@ -129,18 +141,22 @@ class _Examined:
     """What needs more than the solution, or why it does not exist."""
 
     windup: Windup | None
+    onset: RollingOnset | None
     windup_figures: dict[str, Any] | None
     no_windup: str
     rolling_capacity: float
 
 
-def _examined(joint: Joint, solution: Solution) -> _Examined:
+def _examined(joint: Joint, document: dict[str, Any]) -> _Examined:
+    capacity = document["rolling"]["torque_capacity_Nm"]
+    capacity = math.inf if capacity is None else float(capacity)
     try:
         curve, both = examined_windup(joint, largest_torque=None, level="assembly", stage_shares=_STAGES)
     except AsperityError as error:
-        return _Examined(None, None, str(error), rolling_torque_capacity(joint, solution))
-    figures = windup_document(curve, both, level="assembly")
-    return _Examined(curve, figures, "", rolling_torque_capacity(joint, solution))
+        return _Examined(None, None, None, str(error), capacity)
+    onsets = windup_onsets(joint, curve, both, creep_share=_CREEP_SHARE)
+    figures = windup_document(joint, curve, both, onsets, level="assembly")
+    return _Examined(curve, onsets[0], figures, "", capacity)
 
 
 def _title_block(source: ReportSource) -> Iterator[Block]:
@@ -175,7 +191,8 @@ def _windup(found: _Examined, pictures: dict[str, str]) -> Iterator[Block]:
         yield Paragraph(f"No wind-up: {found.no_windup}")
         return
     yield from result_tables.windup(found.windup_figures)
-    yield Picture("Torque and angle, deviation from a straight line, stiffness", pictures["windup"])
+    turning = "" if found.onset is None else "; the joint that turns under the largest torque"
+    yield Picture(f"Torque and angle, deviation from a straight line, stiffness{turning}", pictures["windup"])
 
 
 def _rolling(document: dict[str, Any], found: _Examined, pictures: dict[str, str]) -> Iterator[Block]:
@@ -183,6 +200,31 @@ def _rolling(document: dict[str, Any], found: _Examined, pictures: dict[str, str
     yield from rolling_tables.rolling(document, capacity=capacity if math.isfinite(capacity) else None)
     if "rolling" in pictures:
         yield Picture("Creep, efficiency, drift and life", pictures["rolling"])
+
+
+def _measured(joint: Joint, source: ReportSource) -> Iterator[Block]:
+    """The interval of the stiffness from the uncertainty of a measured surface."""
+    if source.measurement is not None:
+        measured = measurement_document(measurement=source.measurement)
+        interval = stiffness_interval(joint, source.measurement)
+        yield from result_tables.measured_stiffness(measured, interval)
+
+
+def _appendix(source: ReportSource) -> Iterator[Block]:
+    """The files from which the report can be made again."""
+    option = " --surface" * len(source.measurement_texts)
+    yield Heading("Joint file")
+    yield Paragraph(
+        f"This report follows from the file below: save it and run 'asperity report{option}' on it. SHA-256 of its "
+        f"text: {_digest(source.text)}"
+    )
+    yield Listing(source.text)
+    for text in source.measurement_texts:
+        yield Heading("Measurement of the surface")
+        yield Paragraph(
+            f"It takes the place of the surfaces of the joint file. SHA-256 of its text: {_digest(text)}"
+        )
+        yield Listing(text)
 
 
 def _versions() -> Table:

@@ -153,6 +153,39 @@ def stiffness(document: Document) -> Iterator[Block]:
     )
 
 
+def measured_stiffness(measured: Document, interval: Document) -> Iterator[Block]:
+    """Interval of the stiffness that follows from the uncertainty of a measured surface.
+
+    Parameters
+    ----------
+    measured : dict
+        As :func:`asperity.surface.measurement.measurement_document` makes it.
+    interval : dict
+        As :func:`asperity.joint.measured_surface.stiffness_interval` makes it.
+
+    Yields
+    ------
+    Block
+        A table, and a sentence on draws that are left out.
+    """
+    ends = ("low_Nm_per_rad", "high_Nm_per_rad")
+    title = (
+        f"{percent(interval['confidence'])} interval from the measured surface, D = "
+        f"{number(measured['fractal_dimension'])}, G = {quantity(measured['fractal_roughness_m'], 'mm')}"
+    )
+    yield Table(
+        title,
+        ("level of the model", "output from\nN·m/rad", "output to\nN·m/rad"),
+        [(words, *(number(interval[level][end]) for end in ends)) for level, words in _LEVELS],
+    )
+    if interval["outside"] or interval["unsolved"] or interval["all_plastic"]:
+        yield Paragraph(
+            f"Of {number(interval['draws'])} draws of D and G, {interval['outside']} had a D outside 1 to 2, "
+            f"{interval['unsolved']} had no solution and {interval['all_plastic']} had plastic spots only, where the "
+            "contact law has no stiffness. These are left out."
+        )
+
+
 def contacts(document: Document) -> Iterator[Block]:
     """Forces, pressures and stiffness of the contacts.
 

@@ -41,7 +41,7 @@ def windup_figure(
 
     count = 3 if onset is None else 5
     if stacked:
-        figure = Figure(figsize=(7.0, 2.27 * count), layout="constrained")
+        figure = Figure(figsize=(7.0, min(2.27 * count, 9.0)), layout="constrained")
         loop, deviation, stiffness, *turning = figure.subplots(count, 1)
     else:
         rows = (count + 1) // 2 - 1
