@@ -1,7 +1,12 @@
 """Exit codes and Python's own families of the errors, as documented."""
 
+import ast
+import re
+from pathlib import Path
+
 import pytest
 
+import asperity
 from asperity.errors import (
     AsperityError,
     InputError,
@@ -52,3 +57,22 @@ def test_long_and_deep_values_are_shortened():
     for _ in range(100_000):
         deep = [deep]
     assert quoted(deep) == "a deeply nested value"
+
+
+def test_no_message_names_an_option_which_only_the_command_line_has():
+    """The command line adds the names of the options itself, from the attribute ``options`` of the error."""
+    root = Path(asperity.__file__).parent
+    found = []
+    for file in root.rglob("*.py"):
+        if file.is_relative_to(root / "cli"):
+            continue
+        tree = ast.parse(file.read_text(encoding="utf-8"))
+        raised = [node.exc for node in ast.walk(tree) if isinstance(node, ast.Raise) and node.exc]
+        texts = [
+            part.value
+            for error in raised
+            for part in ast.walk(error)
+            if isinstance(part, ast.Constant) and isinstance(part.value, str)
+        ]
+        found += [f"{file.name}: {text}" for text in texts if re.search(r"(^|[\s('])--[a-z]", text)]
+    assert found == []

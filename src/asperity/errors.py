@@ -4,6 +4,8 @@ Each carries one complete sentence for the user: the offending value, the allowe
 command line prints that sentence and exits with :attr:`AsperityError.exit_code`; nothing else is printed.
 """
 
+from collections.abc import Sequence
+
 LONGEST_QUOTE = 80
 
 
@@ -61,12 +63,21 @@ def quoted(value: object) -> str:
 
 
 class AsperityError(Exception):
-    """Base of every error that asperity raises on purpose; its message is :func:`printable`."""
+    """Base of every error that asperity raises on purpose; its message is :func:`printable`.
+
+    Parameters
+    ----------
+    message : str
+        What is wrong, and what to do, in words that also fit a call from Python.
+    options : sequence of str, optional
+        Options of the command line that do it, without their dashes; only the command line names them.
+    """
 
     exit_code = 1
 
-    def __init__(self, message: str = "") -> None:
+    def __init__(self, message: str = "", *, options: Sequence[str] = ()) -> None:
         super().__init__(printable(message))
+        self.options = tuple(options)
 
     def _render_traceback_(self) -> list[str]:
         """What a notebook shows: the message, which says all that a user needs, instead of a traceback."""

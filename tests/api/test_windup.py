@@ -1,3 +1,5 @@
+from pathlib import Path
+
 import numpy as np
 import pytest
 
@@ -21,6 +23,26 @@ def test_values_are_those_of_the_command(curve, printed, zou_file):
     assert [curve[f"K{n}"].si for n in (1, 2, 3)] == [s["stiffness_Nm_per_rad"] for s in document["stages"]]
 
 
+def test_the_sun_turns(curve):
+    found = curve.document["rolling"]
+    assert curve["static_sun_angle"].si == found["static_curve_up_to"]["sun_rad"]
+    assert curve["steady_output_angle"].value == pytest.approx(
+        np.degrees(found["steady_creep_from"]["output_rad"])
+    )
+    assert curve["drift_per_output_turn"].si == found["drift_rad_per_output_turn"]
+    frame = curve.rolling_frame()
+    assert frame["angle_behind_rad"].iloc[0] == curve["windup"].si
+    assert frame["drift_per_swing_rad"].iloc[0] == 0.0
+
+
+def test_a_torque_beyond_rolling_has_no_drift():
+    tutorial = asperity.load(Path(__file__).parents[2] / "examples" / "tutorial_joint.toml")
+    found = asperity.windup(tutorial, torque="13.8 N*m")
+    assert "drift_per_output_turn" not in found.keys()  # noqa: SIM118
+    with pytest.raises(InputError, match="no steady rolling"):
+        found.rolling_frame()
+
+
 def test_frame_figure_and_text(curve):
     frame = curve.to_frame()
     assert frame["torque_Nm"].iloc[-1] == 4.0
@@ -36,6 +58,7 @@ def test_frame_figure_and_text(curve):
         ({"level": "full"}, "there is no level of the stiffness 'full'"),
         ({"torque": "400 N*m"}, "beyond the torque capacity"),
         ({"stages": (0.7, 0.3)}, "out of order"),
+        ({"creep_share": -1.0}, "creep share -1 is not allowed"),
     ],
 )
 def test_wrong_options_are_refused(joint, options, says):

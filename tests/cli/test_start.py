@@ -5,6 +5,7 @@ import subprocess
 import sys
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 from asperity import cli
@@ -189,3 +190,13 @@ def test_signals_end_the_command_with_one_word(number, code, word):
         check=False,
     )
     assert (done.returncode, done.stderr.strip()) == (code, f"asperity: {word}")
+
+
+def test_the_command_line_names_the_options_that_a_message_asks_for(call, tmp_path):
+    """Also where another message has quoted it with the name of the file in front."""
+    np.save(tmp_path / "bare.npy", np.zeros(100))
+    outcome = call("surface", "measure", tmp_path / "bare.npy")
+    assert outcome.code == 2
+    assert outcome.err.rstrip().endswith("such as '0.5 um' (options --height-unit --spacing)")
+    outcome = call("contact", "--table", tmp_path / "absent.csv", "--out", tmp_path / "out.csv")
+    assert "option" not in outcome.err

@@ -40,12 +40,12 @@ def test_status_in_words(found, capsys):
     found["status"][0, 0] = -1
     show_status(found)
     told = capsys.readouterr().out.splitlines()
-    slips = "  1 without a result: the output torque is beyond the torque capacity: a contact slips"
+    slips = "  1 not solved: the output torque is beyond the torque capacity: a contact slips"
     assert told == [
         "4 points, 3 solved",
         slips,
         "4 points, 2 solved",
-        "  1 without a result: not computed",
+        "  1 not solved: not computed",
         slips,
     ]
 

@@ -2,6 +2,7 @@
 
 import csv
 import json
+from pathlib import Path
 
 import jax.numpy as jnp
 import numpy as np
@@ -62,6 +63,8 @@ def test_table_curves_and_picture(call, joint_file, asked, tmp_path):
         "K3",
     ):
         assert text in outcome.out, text
+    for text in ("static curve holds up to (creep 5 % of the wind-up)", "47.2 arcmin", "two regimes"):
+        assert text in outcome.out, text
     rows = list(csv.DictReader(files[0].read_text().splitlines()))
     torque, angle = (
         np.array([float(row[name]) for row in rows]) for name in ("torque_Nm", "loading_angle_rad")
@@ -77,6 +80,8 @@ def test_table_curves_and_picture(call, joint_file, asked, tmp_path):
         (("--torque", "5 N"), "--torque: expected a torque"),
         (("--torque", "0 N*m"), "--torque: a wind-up needs a torque that is not zero"),
         (("--stages", "0.5", "0.2"), "--stages 0.5 0.2: allowed are two shares with 0 < first < second < 1"),
+        (("--creep-share", "0"), "--creep-share 0: allowed is a number above 0, e.g. 0.05"),
+        (("--rolling-csv", "joint.toml"), "joint.toml: this is the file that is read; give another name"),
         (("--csv", "joint.toml"), "joint.toml: this is the file that is read; give another name"),
         (("--csv", "nowhere/w.csv"), "nowhere/w.csv: there is no folder 'nowhere'"),
         (("--plot", "w.xyz"), "w.xyz: the name of an image must end in .png, .svg or .pdf"),
@@ -115,3 +120,42 @@ def test_a_direction_with_less_capacity_is_refused_by_name(call, joint_file):
     outcome = call("windup", file, "--torque", "13 N*m")
     assert (outcome.code, outcome.out) == (2, "")
     assert "--torque: the output torque -13 N·m is beyond the torque capacity -12.4" in outcome.err
+
+
+def test_a_sun_that_turns(call, joint_file, asked, tmp_path):
+    """Creep begins with half the drift of 'asperity roll' and ends with all of it."""
+    table = tmp_path / "beyond.csv"
+    file = joint_file()
+    found = json.loads(call("windup", file, "--rolling-csv", table, "--creep-share", "0.1", "--json").out)
+    drift = json.loads(call("roll", file, "--json").out)["rolling"]["drift_rad_per_output_turn"]
+    rolling = found["rolling"]
+    assert rolling["unknown_because"] == rolling["reverse"]["unknown_because"] == []
+    assert rolling["drift_rad_per_output_turn"] == pytest.approx(drift, rel=1e-12)
+    rows = [list(map(float, row)) for row in list(csv.reader(table.read_text().splitlines()))[1:]]
+    sun, output, behind, swing = np.array(rows).T
+    assert behind[0] == found["windup_rad"]
+    slope = np.diff(behind) / np.diff(output) / (drift / (2.0 * np.pi))
+    assert slope[0] == pytest.approx(0.5, abs=0.01)
+    assert slope[-1] == pytest.approx(1.0, rel=1e-6)
+    held = rolling["static_curve_up_to"]
+    assert np.interp(held["output_rad"], output, behind) == pytest.approx(1.1 * found["windup_rad"], rel=1e-4)
+    assert held["sun_rad"] / held["output_rad"] == pytest.approx(sun[-1] / output[-1], rel=1e-12)
+    widths = [contact["rolls_its_width_in"]["output_rad"] for contact in rolling["contacts"].values()]
+    assert rolling["steady_creep_from"]["output_rad"] == max(widths)
+    still = rolling["swing_without_drift"]["output_rad"]
+    assert np.all(swing[output < still] < 1e-3 * 2.0 * drift * still)
+    assert swing[-1] < 2.0 * drift / (2.0 * np.pi) * output[-1]
+
+
+def test_a_torque_beyond_rolling_has_no_drift(call, tmp_path):
+    """The tutorial's joint passes 14.33 N·m at rest, 13.28 in rolling."""
+    file = Path(__file__).parents[2] / "examples" / "tutorial_joint.toml"
+    outcome = call("windup", file, "--torque", "13.8 N*m", "--json")
+    assert outcome.code == 0
+    (reason,) = json.loads(outcome.out)["rolling"]["unknown_because"]
+    assert "no steady rolling" in reason
+    shown = call("windup", file, "--torque", "13.8 N*m", "--plot", tmp_path / "w.png")
+    assert "When the sun turns under 13.8 N·m: no steady rolling" in shown.out.replace("\n", " ")
+    refused = call("windup", file, "--torque", "13.8 N*m", "--rolling-csv", tmp_path / "r.csv")
+    assert (refused.code, refused.out) == (2, "")
+    assert "--rolling-csv: no steady rolling" in refused.err

@@ -2,7 +2,6 @@
 
 import csv
 import math
-from pathlib import Path
 
 import jax
 import jax.numpy as jnp
@@ -21,6 +20,7 @@ from asperity.contact.asperity import (
 from asperity.contact.fractal import Surface, elastic_load_coefficient, fractal_contact, log_area_ratio
 from asperity.contact.population import contact_factor, spot_density
 from asperity.materials import contact_modulus, tangential_contact_modulus
+from asperity.validation.contact_checks import CONTACT_LAW_TABLE
 
 STEEL = {
     "contact_modulus": 206e9 / (2 * 0.91),
@@ -48,7 +48,7 @@ compiled_law = jax.jit(law, static_argnames="base")
 
 
 def reference_rows():
-    with (Path(__file__).parent / "reference_contact.csv").open(encoding="utf-8") as stream:
+    with CONTACT_LAW_TABLE.open(encoding="utf-8") as stream:
         return list(csv.DictReader(stream))
 
 

@@ -4,6 +4,7 @@ import jax
 import numpy as np
 import pytest
 
+from asperity.contact.creep_layer import uniform_layer_creepage_factor
 from asperity.contact.rolling_in import rolling_in_lag, rolling_in_length, rolling_in_shift
 
 #: Integral of 1 - (creepage over its steady value) over the distance rolled, over the half-width: by two independent
@@ -36,6 +37,25 @@ def test_shift_is_the_integral_of_the_creepage(q):
 
 @pytest.mark.parametrize("q", [0.02, 0.3, 0.6, 0.9])
 def test_shift_against_boundary_elements(q):
+    shift, rolled = boundary_elements(q, layer_ratio=0.0)
+    model = rolling_in_shift(
+        rolled_distance=rolled, half_width=1.0, slip_ratio=q, creepage=1.0 - np.sqrt(1.0 - q)
+    )
+    np.testing.assert_allclose(model, shift, atol=0.03 * (1.0 - np.sqrt(1.0 - q)))
+
+
+@pytest.mark.parametrize(
+    ("q", "layer_ratio", "close"), [(0.3, 0.2, 0.04), (0.7, 0.2, 0.04), (0.1, 0.2, 0.09), (0.1, 1.0, 0.16)]
+)
+def test_shift_with_an_elastic_layer(q, layer_ratio, close):
+    shift, rolled = boundary_elements(q, layer_ratio=layer_ratio)
+    steady = (1.0 - np.sqrt(1.0 - q)) * uniform_layer_creepage_factor(layer_ratio=layer_ratio, slip_ratio=q)
+    model = rolling_in_shift(rolled_distance=rolled, half_width=1.0, slip_ratio=q, creepage=steady)
+    np.testing.assert_allclose(model, shift, atol=close * float(steady))
+
+
+def boundary_elements(q, *, layer_ratio):
+    """Shift since rolling began, over the creepage at gross slip, and the distance rolled; half-width 1."""
     from asperity.bem import ElasticPair, FreeHalfSpace, transient_rolling
 
     cells, pixel = 200, 0.01
@@ -49,15 +69,11 @@ def test_shift_against_boundary_elements(q):
         friction_coefficient=1.0,
         axis=0,
         rolled_pixels=[0] + [1] * 300,
-        layer_compliance=0.0,
+        layer_compliance=layer_ratio,  # E c/(2a) with E = 2, a = 1
         tangential_force=[q * 0.5 * np.pi] * 301,
     )
-    steady = 1.0 - np.sqrt(1.0 - q)
-    shift = np.asarray(found.shear.displacement) / steady
-    model = rolling_in_shift(
-        rolled_distance=found.rolled_distance, half_width=1.0, slip_ratio=q, creepage=1.0
-    )
-    np.testing.assert_allclose(model, shift - shift[0], atol=0.03)
+    shift = np.asarray(found.shear.displacement)
+    return shift - shift[0], np.asarray(found.rolled_distance)
 
 
 def test_rolling_starts_at_half_the_creepage_and_ends_at_the_whole():

@@ -17,6 +17,7 @@ from asperity.contact.skew import (
     longitudinal_capacity_ratio,
     skewed_contact,
     skewed_slip_ratios,
+    stick_fraction,
 )
 
 STEEL = {"youngs_modulus_1": 206e9, "youngs_modulus_2": 206e9, "poisson_ratio_1": 0.3, "poisson_ratio_2": 0.3}
@@ -114,6 +115,15 @@ def test_forces_against_boundary_elements(share, angle):
     assert np.hypot(*(np.array(found) - expected)) < 0.006
 
 
+def test_stick_zone_is_carters_under_the_length_of_the_traction():
+    """Traction 0.3 and 0.4 of friction: half of friction in all, and a stick zone of the root of one half."""
+    along, across = np.array([0.3, -0.64, 0.6, 0.0, 3.0]), np.array([-0.4, 0.0, 0.8, 0.0, 4.0])
+    found = stick_fraction(longitudinal_slip_ratio=along, lateral_slip_ratio=across)
+    np.testing.assert_allclose(found, [np.sqrt(0.5), 0.6, 0.0, 1.0, 0.0], rtol=1e-14)
+    nearly = stick_fraction(longitudinal_slip_ratio=1.0 - 4e-12, lateral_slip_ratio=0.0)
+    assert float(nearly) == pytest.approx(2e-6, rel=1e-3)
+
+
 def independent_share(force, lateral):
     def excess(x):
         length = np.hypot(x, lateral)
@@ -165,11 +175,11 @@ def test_no_creepage_carries_all_friction_lengthwise_with_skew():
 def test_skew_takes_longitudinal_capacity():
     share = 0.6
     capacity = longitudinal_capacity_ratio(
-        lateral_creepage=jnp.array([-share, 0.0, 1.0, 2.0]),
+        lateral_creepage=jnp.array([-share, 0.0, 1.0, 1.01, 2.0]),
         gross_slip_creepage=1.0,
         lateral_gross_slip_creepage=1.0,
     )
-    np.testing.assert_allclose(capacity, [0.8, 1.0, 0.0, 0.0], rtol=1e-14)
+    np.testing.assert_allclose(capacity, [0.8, 1.0, 0.0, 0.0, 0.0], rtol=1e-14)
     unit = {"gross_slip_creepage": 1.0, "lateral_gross_slip_creepage": 1.0}
     below, beyond = (
         skewed_contact(longitudinal_slip_ratio=0.8 + d, lateral_creepage=share, **unit) for d in (-1e-9, 1e-9)

@@ -2,6 +2,7 @@
 
 import dataclasses
 import json
+from types import SimpleNamespace
 
 import jax.numpy as jnp
 import numpy as np
@@ -119,6 +120,47 @@ def test_draws_without_a_stiffness_leave_no_interval(zou_file):
     assert interval["all_plastic"] == interval["draws"]
     for level in ("published", "series_with_bulk", "assembly"):
         assert interval[level] == {"low_Nm_per_rad": None, "high_Nm_per_rad": None}
+
+
+@pytest.fixture
+def drawn(zou_file, monkeypatch):
+    """Interval of draws whose stiffness is their rank over 1000, some of them without a stiffness."""
+
+    def interval(unsolved, plastic):
+        def evaluated(batch):
+            rank = np.arange(np.size(batch.surfaces[0].fractal_dimension))
+            level = SimpleNamespace(output=rank / 1000.0)
+            return SimpleNamespace(
+                solved=rank >= unsolved,
+                contact_law_holds=rank < rank.size - plastic,
+                published=level,
+                series_with_bulk=SimpleNamespace(output=2.0 * level.output),
+                assembly=SimpleNamespace(stiffness=level),
+            )
+
+        monkeypatch.setattr("asperity.joint.measured_surface.compile_fast", lambda *_: evaluated)
+        measured = measurement()
+        return stiffness_interval(
+            joint_from_case(with_measured_surface(read_case(zou_file), measured)), measured
+        )
+
+    return interval
+
+
+def test_ends_are_the_quantiles_of_the_draws(drawn):
+    found = drawn(0, 0)
+    assert found["published"] == pytest.approx({"low_Nm_per_rad": 0.049975, "high_Nm_per_rad": 1.949025})
+    assert found["series_with_bulk"]["high_Nm_per_rad"] == pytest.approx(2 * 1.949025)
+    assert (found["confidence"], found["draws"]) == (0.95, 2000)
+
+
+def test_one_draw_in_twenty_may_lack_a_stiffness(drawn):
+    found = drawn(60, 40)
+    assert (found["unsolved"], found["all_plastic"]) == (60, 40)
+    # 60 to 1959: 1900 draws, whose ends are 2.5 % of 1899 steps inside
+    expected = {"low_Nm_per_rad": 0.06 + 0.025 * 1.899, "high_Nm_per_rad": 1.959 - 0.025 * 1.899}
+    assert found["published"] == pytest.approx(expected)
+    assert drawn(60, 41)["published"] == {"low_Nm_per_rad": None, "high_Nm_per_rad": None}
 
 
 def test_the_command_says_that_the_law_fails_instead_of_a_number(zou_file, write):

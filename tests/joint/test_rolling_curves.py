@@ -6,8 +6,8 @@ import math
 import numpy as np
 import pytest
 
-from asperity.joint.rolling_capacity import rolling_torque_capacity
 from asperity.joint.rolling_curves import rolling_curves
+from asperity.joint.rolling_refusal import rolling_capacity_of
 from asperity.joint.solve import solve
 
 FRICTION = 0.12
@@ -27,7 +27,7 @@ def solution(joint):
 
 @pytest.fixture(scope="module")
 def curves(joint, solution):
-    capacity = rolling_torque_capacity(joint, solution)
+    capacity = rolling_capacity_of(joint, solution, direction=1.0)
     return rolling_curves(joint=joint, result=solution.result, torque_capacity=capacity)
 
 
@@ -56,6 +56,7 @@ def test_curves_over_torque_and_the_map_are_the_joint_at_that_load(curves, joint
     assert curves.torque[0] == 0.0
     assert curves.drift_per_output_turn[0] == pytest.approx(0.0, abs=1e-12)
     assert curves.torque[-1] == pytest.approx(float(curves.torque_capacity))
+    np.testing.assert_allclose(curves.map_speed, 200.0 * 1.5 * np.arange(1, 18) / 17, rtol=1e-12)
     place = 20
     torque, speed = float(curves.map_torque[place]), float(curves.map_speed[3])
     assert torque == curves.torque[place + 1]

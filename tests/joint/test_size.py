@@ -33,6 +33,20 @@ def test_lengths_of_single_contacts(joint):
     assert float(joint_size(joint).envelope_length) == pytest.approx(0.009)
 
 
+def test_every_body_has_its_own_density_and_length(joint):
+    """The sun as long as its contact, the ring as the longer of its two."""
+    joint = eqx.tree_at(lambda j: j.contact_lengths, joint, (0.004, 0.005, 0.006, 0.007, 0.008))
+    joint = eqx.tree_at(lambda j: (j.planet_length, j.loading_roller_length), joint, (0.006, 0.009))
+    joint = eqx.tree_at(lambda j: j.ring_wall_thickness, joint, 0.010)
+    bodies = ("sun", "planet", "loading_roller", "ring")
+    joint = eqx.tree_at(
+        lambda j: [getattr(j.bodies, name).density for name in bodies], joint, (1e3, 2e3, 3e3, 4e3)
+    )
+    volumes = [4.0**2 * 4, 3 * 13.5**2 * 6, 6 * 5.0**2 * 9, (50.0**2 - 40.0**2) * 8]  # over pi [mm^3]
+    mass = math.pi * 1e-6 * sum(k * volume for k, volume in enumerate(volumes, start=1))
+    assert float(joint_size(joint).mass) == pytest.approx(mass, rel=1e-12)
+
+
 def test_batch(joint):
     joint = eqx.tree_at(lambda j: j.ring_wall_thickness, joint, np.array([0.01, 0.02]))
     assert joint_size(joint).mass.shape == (2,)

@@ -1,5 +1,8 @@
 """Every reason for a failed point is the reason for which the joint alone is refused."""
 
+import re
+from pathlib import Path
+
 import numpy as np
 import pytest
 
@@ -35,6 +38,7 @@ FAILURES = [
     ({"load.output_torque": 20.0}, "beyond_torque_capacity", "beyond the torque capacity"),
     ({"load.preload": 1e8, "load.friction_coefficient": 0.3}, "contact_too_wide", "wide"),
 ]
+PLASTIC = {"surface.fractal_dimension": 1.2}
 PATHS = sorted({path for changes, _, _ in FAILURES for path in changes})
 
 
@@ -76,6 +80,31 @@ def test_what_has_a_meaning_is_kept(codes):
     assert np.all(np.isnan(found["wedge_angle"][(status > 0) & (status < 9)]))
 
 
+def test_a_point_whose_spots_are_all_plastic_is_not_solved_and_keeps_its_forces(case):
+    """docs/validity.md: at D = 1.2 the contact law says 0, boundary elements 13 to 780 N/um of a square millimetre."""
+    names = (
+        "assembly_stiffness_output",
+        "asperity_tangential_stiffness",
+        "asperity_normal_stiffness",
+        "contact_torsional_stiffness",
+        "asperity_over_bulk_stiffness",
+        "normal_force",
+        "torque_capacity",
+        "wedge_angle",
+        "bulk_normal_stiffness",
+    )
+    status, found = evaluate_points(
+        si_values(case), {path: np.array([1.4, value]) for path, value in PLASTIC.items()}, names
+    )
+    assert [STATUS_NAMES[code] for code in status] == ["solved", "all_spots_plastic"]
+    assert np.isnan(found["assembly_stiffness_output"][1])
+    for name in names[1:5]:
+        assert np.isnan(found[name][:, 1]).all(), name
+        assert np.isfinite(found[name][:, 0]).all(), name
+    for name in names[5:]:  # the surface has no part in these
+        np.testing.assert_array_equal(found[name][..., 1], found[name][..., 0])
+
+
 def test_names_and_meanings_belong_together():
     assert len(STATUS_NAMES) == len(STATUS_MEANINGS)
     assert "neighbouring planets" in STATUS_MEANINGS[STATUS_NAMES.index("no_planet_to_planet_clearance")]
@@ -83,4 +112,7 @@ def test_names_and_meanings_belong_together():
         "outside the planet's centre"
         in STATUS_MEANINGS[STATUS_NAMES.index("no_roller_outside_planets_clearance")]
     )
+    page = (Path(__file__).parents[2] / "docs" / "studies_sweep.md").read_text(encoding="utf-8")
+    listed = page.split("| name | why there is no result |")[1].split("\n\n")[0]
+    assert set(re.findall(r"`(\w+)`", listed)) == {*STATUS_NAMES[1:], "not_computed"}
     assert len(flag_attributes()["flag_meanings"].split()) == len(flag_attributes()["flag_values"])

@@ -12,9 +12,14 @@ from asperity.surface.weierstrass import weierstrass_mandelbrot_profile
 G, SPACING, POINTS = 1e-10, 1e-7, 10_000
 
 
-def fit(z, estimator="automatic", **more):
+def fit(z, estimator="automatic", spacing=SPACING, **more):
     return fractal_fit(
-        profiles=z, spacing=SPACING, estimator=estimator, frequency_ratio=1.5, rows_of_a_map=False, **more
+        profiles=z,
+        spacing=spacing,
+        estimator=estimator,
+        frequency_ratio=1.5,
+        rows_of_a_map=False,
+        **more,
     )
 
 
@@ -237,6 +242,25 @@ def test_no_power_law_is_refused(kind):
     }[kind]
     with pytest.raises(NoSolutionError):
         fit(1e-6 * z[None])
+
+
+@pytest.mark.parametrize("estimator", ["automatic", "structure_function", "power_spectrum"])
+@pytest.mark.parametrize("kind", ["sine", "several sines", "chirp"])
+def test_smooth_waves_without_noise_are_no_power_law(kind, estimator):
+    """Their spectra span thirty decades, so that the misfit exceeds the sampling scatter beyond rounding."""
+    x = np.arange(2000) * 1e-7
+    z = {
+        "sine": np.sin(2 * np.pi * x / 20e-6)[None],
+        "several sines": np.sin(2 * np.pi * x / 20e-6 + np.arange(12)[:, None]),
+        "chirp": np.sin(2 * np.pi * 40 * (x / 2e-4) ** 2)[None],
+    }[kind]
+    with pytest.raises(NoSolutionError, match="no power law over at least 1 decade"):
+        fit(1e-6 * z, estimator=estimator, spacing=1e-7)
+
+
+def test_a_straight_line_has_no_roughness():
+    with pytest.raises(NoSolutionError, match="on a straight line"):
+        fit(0.1 * np.arange(2000)[None] * 1e-7)
 
 
 @pytest.mark.parametrize(

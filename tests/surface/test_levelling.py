@@ -52,14 +52,14 @@ def test_default_form_removes_the_tilt_and_what_leaves_it_is_refused():
     noise /= noise.std()
     steep, gentle = (Topography(tilt + noise / np.sqrt(n), 1.0, source="t") for n in (24, 6))
     for form in ("none", "mean"):
-        with pytest.raises(InputError, match=r"tilt makes up 96.0 % .* use --form line"):
+        with pytest.raises(InputError, match=r"tilt makes up 96.0 % .* use the form 'line'"):
             levelled(topography=steep, form=form)
         assert levelled(topography=gentle, form=form).heights.std() == pytest.approx(np.sqrt(7 / 6))
     flat = levelled(topography=steep, form=default_form(steep))
     np.testing.assert_allclose(flat.heights, noise / np.sqrt(24), atol=1e-12)
     assert flat.notes == ("form removed: line",)
     assert default_form(Topography(np.zeros((3, 3)), 1.0, 1.0)) == "plane"
-    with pytest.raises(InputError, match="use --form plane"):
+    with pytest.raises(InputError, match="use the form 'plane'"):
         levelled(topography=Topography(X - Y + 1e-3 * np.sin(X * Y), 1.0, 1.0), form="mean")
 
 

@@ -68,7 +68,7 @@ def test_columns_of_heights_xyz_grids_and_npy(tmp_path):
     np.save(tmp_path / "a.npy", grid)
     got = read_surface(path=tmp_path / "a.npy", height_unit="nm", spacing=1e-6)
     np.testing.assert_allclose(got.heights, 1e-9 * grid)
-    with pytest.raises(InputError, match="--spacing"):
+    with pytest.raises(InputError, match="and the distance of its points"):
         read_surface(path=tmp_path / "a.npy", height_unit="nm")
 
 
@@ -199,7 +199,7 @@ def nanofocus(path, step_mm):
 def test_a_reader_that_mistakes_the_unit_is_found_out(tmp_path):
     """Spacing in nm where the reader takes mm: 20 points of 500 nm would be 10 m."""
     pytest.importorskip("SurfaceTopography")
-    with pytest.raises(InputError, match=r"its size is 10 m x 8 m.*--any-size"):
+    with pytest.raises(InputError, match=r"its size is 10 m x 8 m.*allow any size"):
         read_surface(path=nanofocus(tmp_path / "a.nms", 500.0))
     assert read_surface(path=nanofocus(tmp_path / "b.nms", 5e-4)).size == pytest.approx((1e-5, 8e-6))
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import functools
 import html
 import io
+from abc import ABC, abstractmethod
 from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
@@ -58,12 +59,12 @@ class Table:
         return f"<table>{title}<thead>{row(self.head, 'th')}</thead><tbody>{body}</tbody></table>"
 
 
-class Shown:
+class Shown(ABC):
     """Something that a terminal shows as text, and a notebook as HTML."""
 
+    @abstractmethod
     def _parts(self) -> list[str | Table]:
         """Lines and tables, in their order."""
-        raise NotImplementedError
 
     def __repr__(self) -> str:
         texts = [part.text() if isinstance(part, Table) else part for part in self._parts()]

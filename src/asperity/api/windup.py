@@ -9,10 +9,17 @@ import numpy as np
 from asperity.api.joint import DescribedJoint, require_joint
 from asperity.api.named_quantity import NamedQuantity, si_number
 from asperity.api.shown import Shown, Table, displayed, frame
+from asperity.errors import InputError
 from asperity.joint.results import LEVELS, known_result
-from asperity.joint.solve import Solution
+from asperity.joint.rolling_onset import RollingOnset
 from asperity.joint.windup import StiffnessLevel, Windup
-from asperity.joint.windup_document import examined_windup, windup_columns, windup_document
+from asperity.joint.windup_document import (
+    examined_windup,
+    rolling_columns,
+    windup_columns,
+    windup_document,
+    windup_onsets,
+)
 from asperity.joint_file.build import joint_from_case
 from asperity.unit_table import Dimension
 
@@ -33,6 +40,16 @@ _FIGURES = (
     ),
 )
 
+#: Figures of the same joint when it turns under the largest torque.
+_ROLLING_FIGURES = (
+    ("static_sun_angle", "static curve holds up to, sun", Dimension.ANGLE, "deg"),
+    ("static_output_angle", "static curve holds up to, output", Dimension.ANGLE, "deg"),
+    ("steady_sun_angle", "steady creep from, sun", Dimension.ANGLE, "deg"),
+    ("steady_output_angle", "steady creep from, output", Dimension.ANGLE, "deg"),
+    ("drift_per_output_turn", "drift per output turn", Dimension.ANGLE, "arcmin"),
+    ("swing_without_drift_sun_angle", "swing without drift, sun", Dimension.ANGLE, "deg"),
+)
+
 
 def windup(
     joint: DescribedJoint,
@@ -40,8 +57,9 @@ def windup(
     torque: str | NamedQuantity | None = None,
     level: StiffnessLevel = "assembly",
     stages: tuple[float, float] = (1.0 / 3.0, 2.0 / 3.0),
+    creep_share: float = 0.05,
 ) -> JointWindup:
-    """Torque–angle curve at the output against the locked sun, with hysteresis and catalogue stiffness.
+    """Torque–angle curve at the output against the locked sun, and the angle behind once the sun turns.
 
     Parameters
     ----------
@@ -53,6 +71,8 @@ def windup(
         Which stiffness is integrated.
     stages : tuple of float, optional
         Bounds of the stages K1, K2, K3 as shares of the largest torque.
+    creep_share : float, optional
+        Creep over wind-up up to which the static curve is said to hold for a sun that turns.
 
     Returns
     -------
@@ -69,10 +89,11 @@ def windup(
     require_joint(joint)
     known_result(level, among=LEVELS, what="level of the stiffness")
     largest = None if torque is None else si_number(torque, Dimension.TORQUE, name="torque")
-    curve, solutions = examined_windup(
-        joint_from_case(joint.case), largest_torque=largest, level=level, stage_shares=stages
-    )
-    return JointWindup(joint, curve, solutions, level)
+    described = joint_from_case(joint.case)
+    curve, solutions = examined_windup(described, largest_torque=largest, level=level, stage_shares=stages)
+    onsets = windup_onsets(described, curve, solutions, creep_share=creep_share)
+    document = windup_document(described, curve, solutions, onsets, level=level)
+    return JointWindup(joint, curve, onsets[0], document)
 
 
 class JointWindup(Shown):
@@ -84,33 +105,46 @@ class JointWindup(Shown):
         The joint.
     curve : Windup
         Curves, as arrays in SI units.
-    solutions : tuple of Solution
-        The joint at the largest torque in the positive and in the negative direction.
-    level : {"published", "series_with_bulk", "assembly"}
-        Which stiffness was integrated.
+    onset : RollingOnset or None
+        The same joint when it turns under the largest positive torque; None where there is no steady rolling.
+    document : dict
+        What ``asperity windup --json`` prints, in SI units.
     """
 
     def __init__(
         self,
         joint: DescribedJoint,
         curve: Windup,
-        solutions: tuple[Solution, Solution],
-        level: StiffnessLevel,
+        onset: RollingOnset | None,
+        document: dict[str, Any],
     ) -> None:
-        self.joint, self.curve, self.level = joint, curve, level
-        #: What ``asperity windup --json`` prints, in SI units.
-        self.document = windup_document(curve, solutions, level=level)
-        stages = {f"K{n}": curve.stage_stiffness[n - 1] for n in (1, 2, 3)}
+        self.joint, self.curve, self.onset, self.document = joint, curve, onset, document
+        self.level: StiffnessLevel = document["level"]
+        capacity = document["torque_capacity"]["output_torque_Nm"]
         values = {
             **vars(curve),
-            **stages,
-            "torque_capacity": solutions[0].capacity.output_torque,
+            **{f"K{n}": curve.stage_stiffness[n - 1] for n in (1, 2, 3)},
+            "torque_capacity": np.inf if capacity is None else capacity,
             "largest_torque": curve.torque[-1],
             "windup": curve.angle[-1],
         }
+        figures = _FIGURES
+        if onset is not None:
+            rolling = document["rolling"]
+            figures = (*_FIGURES, *_ROLLING_FIGURES)
+            values |= {
+                "static_sun_angle": rolling["static_curve_up_to"]["sun_rad"],
+                "static_output_angle": rolling["static_curve_up_to"]["output_rad"],
+                "steady_sun_angle": rolling["steady_creep_from"]["sun_rad"],
+                "steady_output_angle": rolling["steady_creep_from"]["output_rad"],
+                "drift_per_output_turn": rolling["drift_rad_per_output_turn"],
+                "swing_without_drift_sun_angle": rolling["swing_without_drift"]["sun_rad"],
+            }
         self._figures = {
-            name: NamedQuantity(name, label, float(np.asarray(values[name])), dimension, unit, level=level)
-            for name, label, dimension, unit in _FIGURES
+            name: NamedQuantity(
+                name, label, float(np.asarray(values[name])), dimension, unit, level=self.level
+            )
+            for name, label, dimension, unit in figures
         }
 
     def __getitem__(self, name: str) -> NamedQuantity:
@@ -125,8 +159,20 @@ class JointWindup(Shown):
         """The loading curve and both branches of the loop as a pandas data frame, units in the column names."""
         return frame({name: np.asarray(column) for name, column in windup_columns(self.curve).items()})
 
+    def rolling_frame(self) -> Any:
+        """Angle behind over the angle turned, and the drift of swings of that angle, as a pandas data frame.
+
+        Raises
+        ------
+        InputError
+            If the joint has no steady rolling at the largest torque.
+        """
+        if self.onset is None:
+            raise InputError(self.document["rolling"]["unknown_because"][0])
+        return frame({name: np.asarray(column) for name, column in rolling_columns(self.onset).items()})
+
     def plot(self) -> Figure:
-        """Draw the torque–angle loop and the incremental stiffness.
+        """Draw the torque–angle loop, the incremental stiffness, and the angle behind when the sun turns.
 
         Returns
         -------
@@ -136,7 +182,9 @@ class JointWindup(Shown):
         from asperity.show.windup_figure import windup_figure
 
         return displayed(
-            windup_figure(self.curve, title=f"Wind-up of {self.joint.source}, {self.level} stiffness")
+            windup_figure(
+                self.curve, self.onset, title=f"Wind-up of {self.joint.source}, {self.level} stiffness"
+            )
         )
 
     def _parts(self) -> list[str | Table]:

@@ -57,6 +57,11 @@ COMMANDS: dict[str, tuple[str, str, str]] = {
         "surface",
         "Measure D and G of rough surfaces, make and combine them.",
     ),
+    "validate": (
+        "asperity.cli.validate",
+        "validate",
+        "Evidence that this installation computes right.",
+    ),
     "verify-contact": (
         "asperity.cli.verify_contact",
         "verify_contact",
@@ -150,13 +155,24 @@ def main() -> None:
     sys.exit(code)
 
 
+def _options(error: BaseException) -> str:
+    """The options that do what a message asks for, also where another message has quoted it; empty if it names none."""
+    quoted: BaseException | None = error
+    while quoted is not None and str(quoted) in str(error):
+        if isinstance(quoted, AsperityError) and quoted.options:
+            names = " ".join(f"--{name}" for name in quoted.options)
+            return f" (option{'s' * (len(quoted.options) > 1)} {names})"
+        quoted = quoted.__context__
+    return ""
+
+
 def _run() -> int:
     """Run the command; an exit code, after one message if it failed."""
     try:
         code = asperity.main(prog_name="asperity", standalone_mode=False)
         sys.stdout.flush()
     except AsperityError as error:
-        click.echo(f"asperity: error: {error}", err=True)
+        click.echo(f"asperity: error: {error}{_options(error)}", err=True)
         return error.exit_code
     except click.ClickException as error:
         error.show()

@@ -21,8 +21,9 @@ def contact(table: str, out: str, gamma: float, asperity_base: str) -> None:
 
     Columns of the table: D, G_mm, F_N, T_N, mu, R1_mm, R2_mm, sign (1 outer, -1 inner contact), B_mm, E1_MPa,
     E2_MPa, nu1, nu2, H_MPa (the hardness), lambda (printed, hertz_area or unity). The output adds the columns psi,
-    lam, a_c_mm2, a_l_mm2, A_r_mm2, Fe_N, Fp_N, Kt_N_per_mm, Kn_N_per_mm. If a row is invalid, the message gives
-    its line and column, and nothing is written.
+    lam, a_c_mm2, a_l_mm2, A_r_mm2, Fe_N, Fp_N, Kt_N_per_mm, Kn_N_per_mm. Kt and Kn are nan where every spot is
+    plastic (a_l <= a_c): the contact law has no stiffness there. If a row is invalid, the message gives its line
+    and column, and nothing is written.
     """
     from asperity.errors import InputError
     from asperity.joint_file.limits import FREQUENCY_RATIO
@@ -47,4 +48,9 @@ def contact(table: str, out: str, gamma: float, asperity_base: str) -> None:
         )
     if summary.replaced_columns:
         say(f"replaced the columns {', '.join(summary.replaced_columns)} of {table}")
-    say(f"wrote {out}: {summary.rows} roller pairs")
+    say(f"wrote {out}: {summary.rows} roller pair{'s' * (summary.rows != 1)}")
+    if summary.plastic_rows:
+        say(
+            f"Kt and Kn are nan in {summary.plastic_rows} of them: every spot is plastic (a_l <= a_c), where the "
+            "contact law has no stiffness; real surfaces keep one, which needs boundary elements"
+        )

@@ -54,7 +54,7 @@ def show_status(found: xarray.Dataset) -> None:
     click.echo(f"{total} point{'s' * (total != 1)}, {counts.get(0, 0)} solved")
     for code, count in sorted(counts.items()):
         if code != 0:
-            click.echo(f"  {count} without a result: {STATUS_MEANINGS[code] if code > 0 else 'not computed'}")
+            click.echo(f"  {count} not solved: {STATUS_MEANINGS[code] if code > 0 else 'not computed'}")
 
 
 def status_counts(found: xarray.Dataset) -> dict[int, int]:

@@ -1,16 +1,13 @@
-"""``asperity windup``: torque–angle curve, hysteresis loop, lost motion and catalogue stiffness of a joint."""
+"""``asperity windup``: torque–angle curve, hysteresis loop and catalogue stiffness; the angle behind once it turns."""
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import click
 
 from asperity.cli.terminal import say_written
 from asperity.writing import check_file, check_image, replacing, write_image
-
-if TYPE_CHECKING:
-    from asperity.joint.windup import Windup
 
 LEVELS = ("assembly", "series_with_bulk", "published")
 
@@ -36,7 +33,20 @@ LEVELS = ("assembly", "series_with_bulk", "published")
     show_default="one and two thirds",
     help="Torques at which K1 ends and K3 begins, as shares of the largest torque.",
 )
+@click.option(
+    "--creep-share",
+    type=float,
+    default=0.05,
+    show_default=True,
+    help="For a sun that turns: creep over wind-up up to which the static curve is said to hold.",
+)
 @click.option("--csv", "csv_file", type=click.Path(dir_okay=False), help="Write the curves to this CSV file.")
+@click.option(
+    "--rolling-csv",
+    "rolling_file",
+    type=click.Path(dir_okay=False),
+    help="Write the angle behind over the angle turned, and the drift of swings, to this CSV file.",
+)
 @click.option(
     "--plot",
     "plot_file",
@@ -51,7 +61,9 @@ def windup(
     torque: str | None,
     level: str,
     stages: tuple[float, float],
+    creep_share: float,
     csv_file: str | None,
+    rolling_file: str | None,
     plot_file: str | None,
     as_json: bool,
 ) -> None:
@@ -59,11 +71,15 @@ def windup(
 
     The output turns against the locked sun, play included. The loop runs between plus and minus the largest torque. It
     is an estimate, because the normal forces change with the torque.
+
+    Stiffness holds for a sun that stands. Once the sun turns under torque, the contacts creep and the output drifts:
+    the second table says from which angle on, and by how much. 'asperity roll' has more on the drift.
     """
     from asperity.errors import InputError
     from asperity.joint_file.reader import read_case
 
     check_file(csv_file, file)
+    check_file(rolling_file, file)
     check_image(plot_file)
     case = read_case(file)
     from asperity.precision import use_compilation_cache, use_double_precision
@@ -76,32 +92,46 @@ def windup(
     first, second = stages
     if not 0.0 < first < second < 1.0:
         raise InputError(f"--stages {first:g} {second:g}: allowed are two shares with 0 < first < second < 1")
+    if not 0.0 < creep_share < float("inf"):
+        raise InputError(f"--creep-share {creep_share:g}: allowed is a number above 0, e.g. 0.05")
     use_double_precision()
     use_compilation_cache()
-    from asperity.joint.windup_document import examined_windup, windup_document
+    from asperity.joint.windup_document import (
+        examined_windup,
+        rolling_columns,
+        windup_columns,
+        windup_document,
+        windup_onsets,
+    )
     from asperity.joint_file.build import joint_from_case
 
+    joint = joint_from_case(case)
     source = "load.output_torque" if asked is None else "--torque"
     try:
         curve, solutions = examined_windup(
-            joint_from_case(case),
+            joint,
             largest_torque=asked,
             level=level,  # type: ignore[arg-type]
             stage_shares=stages,
         )
     except InputError as error:
         raise InputError(f"{source}: {error}" if "torque" in str(error) else str(error)) from None
-    document = windup_document(curve, solutions, level=level)  # type: ignore[arg-type]
+    onsets = windup_onsets(joint, curve, solutions, creep_share=creep_share)
+    document = windup_document(joint, curve, solutions, onsets, level=level)  # type: ignore[arg-type]
     if csv_file:
-        _write_csv(curve, csv_file)
+        _write_csv(windup_columns(curve), csv_file)
         say_written(csv_file)
+    if rolling_file:
+        if onsets[0] is None:
+            raise InputError(f"--rolling-csv: {document['rolling']['unknown_because'][0]}")
+        _write_csv(rolling_columns(onsets[0]), rolling_file)
+        say_written(rolling_file)
     if plot_file:
         from asperity.show.style import plain_title
         from asperity.show.windup_figure import windup_figure
 
-        write_image(
-            windup_figure(curve, title=f"Wind-up of {plain_title(file)}, {level} stiffness"), plot_file
-        )
+        title = f"Wind-up of {plain_title(file)}, {level} stiffness"
+        write_image(windup_figure(curve, onsets[0], title=title), plot_file)
         say_written(plot_file)
     if as_json:
         import json
@@ -111,15 +141,12 @@ def windup(
     _show(document, file)
 
 
-def _write_csv(curve: Windup, path: str) -> None:
-    """The loading curves and both branches of the loop at the same torques; units in the column names."""
+def _write_csv(columns: dict[str, Any], path: str) -> None:
+    """Columns of one length; units in their names."""
     import csv
 
     import numpy as np
 
-    from asperity.joint.windup_document import windup_columns
-
-    columns = windup_columns(curve)
     rows = np.column_stack([np.asarray(column) for column in columns.values()])
     with replacing(path) as part, part.open("w", newline="") as target:
         writer = csv.writer(target)
@@ -163,3 +190,50 @@ def _show(document: dict[str, Any], file: str) -> None:
             cells += [f"{stage[key]:.5g}", format_quantity(stage[key], "N*m/arcmin").split(" ")[0]]
         stages.add_row(*cells)
     target.print(stages)
+    _show_rolling(document, same)
+
+
+def _show_rolling(document: dict[str, Any], same: bool) -> None:
+    """Up to which angle the static curve holds, and what follows it."""
+    from asperity.cli.document_text import in_unit, print_wrapped
+    from asperity.cli.terminal import console, table
+    from asperity.units import format_quantity
+
+    target, found = console(), document["rolling"]
+    torque = format_quantity(document["largest_torque_Nm"], "N*m")
+    if found["unknown_because"]:
+        print_wrapped(target, f"When the sun turns under {torque}: {found['unknown_because'][0]}.", indent=0)
+        return
+    columns = ["", "sun", "output"] + ([] if same else ["sun, reverse", "output, reverse"])
+    ways = [found] if same or found["reverse"]["unknown_because"] else [found, found["reverse"]]
+    shown = table(target, f"When the sun turns under {torque}", *columns[: 1 + 2 * len(ways)])
+    share = f"{100.0 * found['creep_share_of_windup']:.3g} %"
+    for key, words in (
+        ("static_curve_up_to", f"static curve holds up to (creep {share} of the wind-up)"),
+        ("steady_creep_from", "steady creep from (every contact has rolled its width)"),
+        ("swing_without_drift", "largest swing to and fro without lasting drift"),
+    ):
+        cells = [in_unit(way[key][side], "deg") for way in ways for side in ("sun_rad", "output_rad")]
+        shown.add_row(words, *cells)
+    drift = [in_unit(way["drift_rad_per_output_turn"], "arcmin") for way in ways]
+    shown.add_row("drift per output turn in steady rolling", *(cell for each in drift for cell in ("", each)))
+    target.print(shown)
+    rolled = table(
+        target, "Contacts", "contact", "width", "rolled by it after, sun", "output", "share of the drift"
+    )
+    for name, contact in found["contacts"].items():
+        after = contact["rolls_its_width_in"]
+        rolled.add_row(
+            name,
+            in_unit(contact["width_m"], "um"),
+            in_unit(after["sun_rad"], "deg"),
+            in_unit(after["output_rad"], "deg"),
+            f"{100.0 * contact['share_of_drift']:.3g} %",
+        )
+    target.print(rolled)
+    print_wrapped(
+        target,
+        "Stiffness and drift are two regimes. The wind-up is elastic and comes back when the torque is taken off. The "
+        "drift grows with every angle turned under torque, in either direction; turning back does not recover it.",
+        indent=0,
+    )

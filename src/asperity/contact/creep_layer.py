@@ -17,6 +17,9 @@ from asperity.types import Real
 LAYER_RATIO_RANGE = (0.005, 20.0)
 SLIP_RATIO_RANGE = (0.02, 0.98)
 
+# Coefficients of the series below this are left out behind the last larger one: at most 0.08 % of the creepage.
+_NEGLIGIBLE = 2e-4
+
 #: Creepage over Carter's for a uniform layer. One row for each ratio chi, one column for each slip ratio q, both
 # at :func:`table_nodes`, the largest first; by ``examples/rolling_layer.py``.
 # fmt: off
@@ -143,11 +146,20 @@ def table_nodes(shape: tuple[int, int]) -> tuple[np.ndarray, np.ndarray]:
     )
 
 
-def _coefficients(table: np.ndarray) -> np.ndarray:
+def _chebyshev_in_powers(count: int) -> np.ndarray:
+    """Coefficients of Chebyshev's polynomials in powers, one polynomial a row."""
+    rows = np.zeros((count, count))
+    for k, polynomial in enumerate(np.eye(count)):
+        rows[k, : k + 1] = np.polynomial.chebyshev.cheb2poly(polynomial)
+    return rows
+
+
+def _coefficients(table: np.ndarray) -> list[list[float]]:
     """Coefficients of ln[(f - 1)/(pi chi/2)] as a polynomial in both positions, the constant first.
 
-    Chebyshev's series is summed in powers: of degree 14 that costs three digits of sixteen, and each step of Horner's
-    rule needs its predecessor once, which compiled programs keep in a register.
+    Each row of Chebyshev's series ends at its last coefficient of some size. The series is summed in powers: of degree
+    14 that costs three digits of sixteen, and each step of Horner's rule needs its predecessor once, which compiled
+    programs keep in a register.
     """
     chi, _ = table_nodes(table.shape)
     values = np.log((table - 1.0) / (0.5 * np.pi * chi[:, None]))
@@ -155,8 +167,12 @@ def _coefficients(table: np.ndarray) -> np.ndarray:
         np.polynomial.chebyshev.chebvander(np.cos(np.pi * np.arange(m) / (m - 1)), m - 1) for m in table.shape
     )
     series = np.linalg.solve(rows, np.linalg.solve(columns, values.T).T)
-    in_one = np.apply_along_axis(np.polynomial.chebyshev.cheb2poly, 1, series)
-    return np.apply_along_axis(np.polynomial.chebyshev.cheb2poly, 0, in_one)
+    matters = np.logical_or.accumulate((np.abs(series) > _NEGLIGIBLE)[:, ::-1], axis=1)[:, ::-1]
+    across, along = (_chebyshev_in_powers(m) for m in table.shape)
+    powers = across.T @ np.where(matters, series, 0.0) @ along
+    counts = matters.sum(axis=1)
+    # in powers, a row takes something from every second row behind it
+    return [list(row[: counts[k::2].max()]) for k, row in enumerate(powers)]
 
 
 _UNIFORM_COEFFICIENTS = _coefficients(_UNIFORM_LAYER)
@@ -176,12 +192,12 @@ def _horner(coefficients: list, x: Real) -> Real:
     return total
 
 
-def _tabulated(coefficients: np.ndarray, layer_ratio: Real, slip_ratio: Real) -> Real:
+def _tabulated(coefficients: list[list[float]], layer_ratio: Real, slip_ratio: Real) -> Real:
     chi = jnp.where(layer_ratio > 0.0, layer_ratio, LAYER_RATIO_RANGE[0])
     q = jnp.clip(jnp.abs(slip_ratio), *SLIP_RATIO_RANGE)
     x = _position(jnp.log(chi), *(math.log(v) for v in LAYER_RATIO_RANGE))
     y = _position(jnp.log(q / (1.0 - q)), *(math.log(v / (1.0 - v)) for v in SLIP_RATIO_RANGE))
-    shape = _horner([_horner(list(row), y) for row in coefficients], x)
+    shape = _horner([_horner(row, y) for row in coefficients], x)
     return 1.0 + 0.5 * math.pi * layer_ratio * jnp.exp(shape)
 
 
@@ -206,7 +222,7 @@ def uniform_layer_creepage_factor(*, layer_ratio: Real, slip_ratio: Real) -> Rea
 
     Notes
     -----
-    Interpolation within 0.1 % for chi from 0.005 to 20 and q from 0.02 to 0.98. Beyond, g is constant: the error is
+    Interpolation within 0.15 % for chi from 0.005 to 20 and q from 0.02 to 0.98. Beyond, g is constant: the error is
     at most 0.5 % of the creepage for smaller or larger chi and for smaller q. Above q = 0.98 it is too small:
     by 5 % at chi = 0.1 and 14 % at chi = 1 for q = 0.99. The creepage grows like :math:`(1 - q)^{-1/3}` without
     limit, because at the leading edge the traction of the layer always starts below the friction limit.
@@ -240,7 +256,7 @@ def pressure_layer_creepage_factor(*, layer_ratio: Real, slip_ratio: Real) -> Re
 
     Notes
     -----
-    Interpolation within 0.2 % for chi from 0.005 to 20 and q from 0.02 to 0.98. Beyond, g is constant, as in
+    Interpolation within 0.25 % for chi from 0.005 to 20 and q from 0.02 to 0.98. Beyond, g is constant, as in
     :func:`uniform_layer_creepage_factor`; above q = 0.98 it is too small, by 14 % at chi = 0.1 and
     30 % at chi = 1 for q = 0.99. The creepage grows like :math:`(1 - q)^{-2/3}`.
 

@@ -93,30 +93,6 @@ def peak_pressure(*, normal_force: Real, contact_length: Real, half_width: Real)
     return 2.0 * normal_force / (math.pi * half_width * contact_length)
 
 
-def mean_pressure(*, normal_force: Real, contact_length: Real, half_width: Real) -> Real:
-    r"""Mean Hertzian pressure, :math:`\bar p = N/(2 b B) = \pi p_0/4`.
-
-    Parameters
-    ----------
-    normal_force : Real
-        Normal force N [N].
-    contact_length : Real
-        Contact line length B [m].
-    half_width : Real
-        Half-width b [m].
-
-    Returns
-    -------
-    Real
-        Mean pressure [Pa].
-
-    References
-    ----------
-    K. L. Johnson, Contact Mechanics, 1985, section 4.2.
-    """
-    return normal_force / (2.0 * half_width * contact_length)
-
-
 def first_yield_pressure(*, yield_strength: Real) -> Real:
     r"""Peak pressure at which a line contact first yields below the surface, :math:`p_0 = 1.67\,\sigma_y`.
 
@@ -139,76 +115,6 @@ def first_yield_pressure(*, yield_strength: Real) -> Real:
     K. L. Johnson, Contact Mechanics, 1985, section 6.2.
     """
     return FIRST_YIELD_RATIO * yield_strength
-
-
-def axis_shear_stress(*, depth: Real, peak_pressure: Real, half_width: Real) -> Real:
-    r"""Principal shear stress under the middle of a line contact.
-
-    .. math:: \tau_1 = p_0 \left(s - \frac{s^2}{\sqrt{1+s^2}}\right), \quad s = z/b
-
-    Parameters
-    ----------
-    depth : Real
-        Depth z below the surface [m].
-    peak_pressure : Real
-        Peak pressure p_0 [Pa].
-    half_width : Real
-        Half-width b [m].
-
-    Returns
-    -------
-    Real
-        Shear stress [Pa].
-
-    References
-    ----------
-    K. L. Johnson, Contact Mechanics, 1985, equations (4.45), (4.46).
-    """
-    ratio = depth / half_width
-    return peak_pressure * (ratio - ratio**2 / jnp.sqrt(1.0 + ratio**2))
-
-
-def maximum_shear_depth(*, half_width: Real) -> Real:
-    r"""Depth of the largest shear stress, :math:`z = b\sqrt{(\sqrt5 - 1)/2} = 0.786\,b`.
-
-    Parameters
-    ----------
-    half_width : Real
-        Half-width b [m].
-
-    Returns
-    -------
-    Real
-        Depth [m].
-
-    References
-    ----------
-    K. L. Johnson, Contact Mechanics, 1985, section 4.2(c): 0.78 b; the exact root of the derivative of
-    :func:`axis_shear_stress`.
-    """
-    return math.sqrt((math.sqrt(5.0) - 1.0) / 2.0) * half_width
-
-
-def maximum_shear_stress(*, peak_pressure: Real) -> Real:
-    r"""Largest shear stress under a line contact, :math:`\tau_{max} = 0.300\,p_0`.
-
-    Parameters
-    ----------
-    peak_pressure : Real
-        Peak pressure p_0 [Pa].
-
-    Returns
-    -------
-    Real
-        Shear stress [Pa].
-
-    References
-    ----------
-    K. L. Johnson, Contact Mechanics, 1985, section 4.2(c).
-    """
-    return axis_shear_stress(
-        depth=maximum_shear_depth(half_width=1.0), peak_pressure=peak_pressure, half_width=1.0
-    )
 
 
 def logarithmic_compliance(*, contact_length: Real, youngs_modulus: Real, poisson_ratio: Real) -> Real:

@@ -34,6 +34,14 @@ class FirstLimit(NamedTuple):
     which: Array
 
 
+class _Search(NamedTuple):
+    lower: Array  # no limit is reached here
+    upper: Array  # one is, once bracketed
+    bracketed: Array
+    which: Array  # the one reached at the upper bound
+    steps: Array
+
+
 def slip_ratio(*, normal_force: Real, tangential_force: Real, friction_coefficient: Real) -> Array:
     r"""Traction used over traction available, :math:`|T|/(\mu N)`.
 
@@ -88,23 +96,30 @@ def first_limit(*, excesses: Callable[[Array], Array], first_guess: Real) -> Fir
     """
     start = jnp.asarray(first_guess)
 
-    def unfinished(state: tuple[Array, Array, Array, Array]) -> Array:
-        lower, upper, bracketed, count = state
-        wide = (upper - lower > SEARCH_TOLERANCE * upper) & (upper > SMALLEST_SHARE * start)
-        return jnp.any(~bracketed & (upper < 2.0**40 * start) | bracketed & wide) & (count < _MOST_STEPS)
+    def unfinished(state: _Search) -> Array:
+        wide = (state.upper - state.lower > SEARCH_TOLERANCE * state.upper) & (
+            state.upper > SMALLEST_SHARE * start
+        )
+        searching = ~state.bracketed & (state.upper < 2.0**40 * start) | state.bracketed & wide
+        return jnp.any(searching) & (state.steps < _MOST_STEPS)
 
-    def narrow(state: tuple[Array, Array, Array, Array]) -> tuple[Array, Array, Array, Array]:
+    def narrow(state: _Search) -> _Search:
         """Double the upper bound until a limit is reached there, then halve the interval."""
-        lower, upper, bracketed, count = state
-        trial = jnp.where(bracketed, 0.5 * (lower + upper), upper)
-        reached = jnp.any(excesses(trial) >= 0.0, axis=0)
-        next_upper = jnp.where(reached, trial, jnp.where(bracketed, upper, 2.0 * upper))
-        return jnp.where(reached, lower, trial), next_upper, bracketed | reached, count + 1
+        trial = jnp.where(state.bracketed, 0.5 * (state.lower + state.upper), state.upper)
+        beyond = excesses(trial) >= 0.0
+        reached = jnp.any(beyond, axis=0)
+        return _Search(
+            lower=jnp.where(reached, state.lower, trial),
+            upper=jnp.where(reached, trial, jnp.where(state.bracketed, state.upper, 2.0 * state.upper)),
+            bracketed=state.bracketed | reached,
+            which=jnp.where(reached, jnp.argmax(beyond, axis=0), state.which),
+            steps=state.steps + 1,
+        )
 
-    first = (jnp.zeros_like(start), start, jnp.zeros_like(start, dtype=bool), jnp.asarray(0))
-    lower, upper, bracketed, _ = jax.lax.stop_gradient(jax.lax.while_loop(unfinished, narrow, first))
+    nowhere = jnp.zeros_like(start, dtype=bool)
+    first = _Search(jnp.zeros_like(start), start, nowhere, jnp.argmax(nowhere[None], axis=0), jnp.asarray(0))
+    lower, upper, bracketed, index, _ = jax.lax.stop_gradient(jax.lax.while_loop(unfinished, narrow, first))
     at_once = bracketed & (upper <= SMALLEST_SHARE * start)
-    index = jnp.argmax(excesses(upper) >= 0.0, axis=0)
     fixed = ~bracketed | at_once
 
     def excess(value: Array) -> Array:

@@ -104,12 +104,10 @@ def compression(*, springs: NormalSprings, normal_force: Real, rest_force: Real)
     ----------
     The Johnson and the Weber–Banaschek compressions, :mod:`asperity.contact.hertz_line`, are both of this form.
     """
-    ratio = normal_force * (1.0 / rest_force)
-    safe = jnp.where(ratio > _SMALL_LOAD, ratio, _SMALL_LOAD)
     secant = springs.secant_compliance
-    bend = secant - springs.incremental_compliance
-    tangent = steepest_compliance(springs)
-    return rest_force * (secant * (safe - 1.0) - bend * _times_own_logarithm(safe) + tangent * (ratio - safe))
+    return rest_force * _compression_shape(
+        normal_force * (1.0 / rest_force), secant, secant - springs.incremental_compliance
+    )
 
 
 def steepest_compliance(springs: NormalSprings) -> Real:
@@ -130,15 +128,29 @@ def steepest_compliance(springs: NormalSprings) -> Real:
 
 
 @jax.custom_jvp
-def _times_own_logarithm(x: Array) -> Array:
-    """X ln x; its derivative 1 + ln x is written without a division, which would cost the solver a pass over memory."""
-    return x * jnp.log(x)
+def _compression_shape(ratio: Array, secant: Array, bend: Array) -> Array:
+    """Compression over the rest force, in n = N/N_0: s_0 (n − 1) − (s_0 − t_0) n ln n."""
+    safe = jnp.maximum(ratio, _SMALL_LOAD)
+    return secant * (ratio - 1.0) - bend * _bent(ratio, safe, jnp.log(safe))
 
 
-@_times_own_logarithm.defjvp
-def _times_own_logarithm_jvp(primals: tuple[Array], tangents: tuple[Array]) -> tuple[Array, Array]:
-    (x,), (x_dot,) = primals, tangents
-    return _times_own_logarithm(x), (1.0 + jnp.log(x)) * x_dot
+@_compression_shape.defjvp
+def _compression_shape_jvp(
+    primals: tuple[Array, Array, Array], tangents: tuple[Array, Array, Array]
+) -> tuple[Array, Array]:
+    """Without a division, which would cost the solver a pass over memory."""
+    (ratio, secant, bend), (ratio_dot, secant_dot, bend_dot) = primals, tangents
+    safe = jnp.maximum(ratio, _SMALL_LOAD)
+    log = jnp.log(safe)
+    bent = _bent(ratio, safe, log)
+    slope = secant - bend * (1.0 + log)
+    value = secant * (ratio - 1.0) - bend * bent
+    return value, slope * ratio_dot + (ratio - 1.0) * secant_dot - bent * bend_dot
+
+
+def _bent(ratio: Array, safe: Array, log: Array) -> Array:
+    """The product n ln n, continued below the smallest load by its tangent."""
+    return safe * log + (ratio - safe) * (1.0 + math.log(_SMALL_LOAD))
 
 
 class RestState(NamedTuple):

@@ -30,7 +30,7 @@ from asperity.types import Real
 ROLLING_TOLERANCE = 1e-9
 
 _NEWTON_STEPS = 8
-_STEP_TOLERANCE = 1e-6  # relative; the step after it is its square
+_STEP_TOLERANCE = 1e-7  # relative; the error after it is its square times up to 1e4, near gross slip
 _NEAR_SLIP = 0.999  # Carter's curve is continued as a line above this share of friction, for iterates only
 
 
@@ -113,12 +113,30 @@ def creepages(*, law: CreepLaw, normal: Array, tangential: Array) -> Array:
     touching = normal > 0.0
     safe_normal = jnp.where(touching, normal, 1.0)
     q = tangential / (law.friction_coefficient * safe_normal)
+    return jnp.where(touching, law.gross_slip_scale * _creep_shape(safe_normal, q), 0.0)
+
+
+@jax.custom_jvp
+def _creep_shape(normal: Array, q: Array) -> Array:
+    """Carter's curve, √N [1 − √(1 − q)] with the sign of q, and its tangent near gross slip."""
+    return jnp.sqrt(normal) * _carter(q)[0]
+
+
+@_creep_shape.defjvp
+def _creep_shape_jvp(primals: tuple[Array, Array], tangents: tuple[Array, Array]) -> tuple[Array, Array]:
+    (normal, q), (normal_dot, q_dot) = primals, tangents
+    share, slope = _carter(q)
+    size = jnp.sqrt(normal)
+    return size * share, (0.5 * share / size) * normal_dot + (size * slope) * q_dot
+
+
+def _carter(q: Array) -> tuple[Array, Array]:
+    """1 − √(1 − q) with the sign of q, and its slope."""
     size = jnp.abs(q)
-    held = jnp.where(size < _NEAR_SLIP, size, _NEAR_SLIP)
+    held = jnp.minimum(size, _NEAR_SLIP)
     root = jnp.sqrt(1.0 - held)
-    beyond = (size - held) * (0.5 / root)  # the slope of 1 − sqrt(1 − q)
-    share = jnp.where(size < _NEAR_SLIP, q / (1.0 + root), jnp.sign(q) * (1.0 - root + beyond))
-    return jnp.where(touching, law.gross_slip_scale * jnp.sqrt(safe_normal) * share, 0.0)
+    slope = 0.5 / root
+    return jnp.sign(q) * (held / (1.0 + root) + slope * (size - held)), slope
 
 
 def lost_speed(creepage: Array) -> Array:

@@ -91,7 +91,7 @@ def diagnose(
     pressure = peak_pressure(
         normal_force=jnp.where(touching, forces.normal, 0.0), contact_length=length, half_width=width
     )
-    sticks = interfaces.bulk_tangential > 0.0
+    compared = (interfaces.bulk_tangential > 0.0) & (interfaces.asperity_normal > 0.0)
     strip = 2.0 * width * length
     friction = jnp.broadcast_to(
         friction_coefficient, jnp.broadcast_shapes(jnp.shape(friction_coefficient), forces.normal.shape)
@@ -109,8 +109,8 @@ def diagnose(
         critical_over_largest_spot=jnp.where(touching, contacts.critical_area / largest, jnp.inf),
         pressure_over_first_yield=pressure / first_yield_pressure(yield_strength=pairs.moduli.yield_strength),
         asperity_over_bulk_stiffness=jnp.where(
-            sticks,
-            interfaces.asperity_tangential / jnp.where(sticks, interfaces.bulk_tangential, 1.0),
+            compared,
+            interfaces.asperity_tangential / jnp.where(compared, interfaces.bulk_tangential, 1.0),
             jnp.nan,
         ),
         normal_force_over_preload=forces.normal / rest_force,

@@ -18,6 +18,7 @@ from asperity.joint.limit_check import LimitCheck, checked_limits
 from asperity.joint.plausibility import plausibility
 from asperity.joint.results import GROUPS, RESULTS, SolvedJoint
 from asperity.joint.rolling_document import contact_results, losses, rolling_document
+from asperity.joint.rolling_refusal import rolling_capacity_of
 from asperity.joint.solve import Solution
 
 Document = dict[str, Any]
@@ -54,17 +55,22 @@ def joint_document(
         "torque_capacity": _capacity(solution),
         "contacts": _contacts(SolvedJoint(joint, result)),
         "torsional_stiffness": _torsional_stiffness(result),
-        "stiffness_unknown_because": _unknown_because(result),
+        "stiffness_unknown_because": stiffness_unknown_because(result),
         "stiffness_budget": _stiffness_budget(result),
         "speed_loss": result.rolling.speed_loss,
         "drift_rad_per_output_turn": result.rolling.drift_per_output_turn,
         "efficiency": result.rolling.power.efficiency,
         "losses_W": losses(result.rolling),
         "life_hours": result.rolling.life_hours.drive,
-        "rolling": rolling_document(joint, result),
+        "rolling": {
+            **rolling_document(joint, result),
+            "torque_capacity_Nm": rolling_capacity_of(
+                joint, solution, direction=math.copysign(1.0, float(joint.output_torque))
+            ),
+        },
         "diagnostics": [
             *(_limit_check(entry) for entry in checked_limits(joint, result)),
-            *(dataclasses.asdict(note) for note in plausibility(joint, result)),
+            *(dataclasses.asdict(note) for note in plausibility(joint, result, solution.sizes)),
         ],
     }
     cleaned: Document = _plain(document)
@@ -152,8 +158,19 @@ def _torsional_stiffness(result: JointResult) -> Document:
     }
 
 
-def _unknown_because(result: JointResult) -> str | None:
-    """Why no stiffness is given, if none is."""
+def stiffness_unknown_because(result: JointResult) -> str | None:
+    """Why a joint has no stiffness.
+
+    Parameters
+    ----------
+    result : JointResult
+        Result of one joint.
+
+    Returns
+    -------
+    str or None
+        The contacts that are the cause, and what to do; None if there is a stiffness.
+    """
     if bool(result.contact_law_holds):
         return None
     normal, elastic = np.asarray(result.forces.normal), np.asarray(result.contacts.normal_stiffness)

@@ -50,7 +50,7 @@ class LimitCheck:
     def meaning(self) -> str:
         """What it means that the limit is kept or crossed."""
         if math.isnan(self.value):
-            return "undefined here: the contact slips or has lifted off"
+            return "no value here: the contact slips, has lifted off or has plastic spots only"
         return self.rule.kept if self.ok else self.rule.crossed
 
 

@@ -16,11 +16,13 @@ from asperity.errors import InputError
 from asperity.joint.capacity import LIMIT_KINDS, TorqueCapacity, limit_words, torque_capacity
 from asperity.joint.description import Joint, with_one_rank
 from asperity.joint.evaluation import JointResult, evaluate
+from asperity.joint.plausibility import CheckedSizes, checked_sizes
 from asperity.joint.refusal import (
     refuse_bad_numbers,
     refuse_locked_pins,
     refuse_overlap,
     refuse_pulled_rollers,
+    refuse_thin_walls,
     refuse_unknown_variants,
     refuse_wide_contacts,
 )
@@ -40,15 +42,18 @@ class Solution(eqx.Module):
         Free distances between the rollers [m].
     capacity, reverse_capacity : TorqueCapacity
         Largest positive and largest negative output torque [N·m], and what limits them.
+    sizes : CheckedSizes
+        Sizes that are compared with usual ones.
     """
 
     result: JointResult
     clearances: tuple[Clearance, ...]
     capacity: TorqueCapacity
     reverse_capacity: TorqueCapacity
+    sizes: CheckedSizes
 
 
-def solve_program(joint: Joint) -> tuple[JointResult, tuple[Clearance, ...], TorqueCapacity]:
+def solve_program(joint: Joint) -> tuple[JointResult, tuple[Clearance, ...], TorqueCapacity, CheckedSizes]:
     """What is compiled to solve a joint: everything about it, its clearances, and its capacities.
 
     Parameters
@@ -59,11 +64,12 @@ def solve_program(joint: Joint) -> tuple[JointResult, tuple[Clearance, ...], Tor
     Returns
     -------
     tuple
-        Its result, its clearances, and its torque capacity in both directions along a last axis.
+        Its result, its clearances, its torque capacity in both directions along a last axis, and its sizes.
     """
     in_both = jax.tree.map(lambda leaf: leaf[..., None], with_one_rank(joint))
     capacities = torque_capacity(in_both, direction=jnp.array([1.0, -1.0]))
-    return evaluate(joint), clearances(joint.geometry), capacities
+    result = evaluate(joint)
+    return result, clearances(joint.geometry), capacities, checked_sizes(joint, result)
 
 
 def solve(joint: Joint) -> Solution:
@@ -98,7 +104,7 @@ def solve(joint: Joint) -> Solution:
     numbers: Joint = jax.tree.map(lambda leaf: np.asarray(leaf, dtype=float), joint)
     refuse_bad_numbers(numbers)
     program = compile_fast(solve_program, numbers)
-    result, gaps, capacities = jax.tree.map(np.asarray, program(numbers))
+    result, gaps, capacities, sizes = jax.tree.map(np.asarray, program(numbers))
     capacity, reverse = (jax.tree.map(lambda leaf, i=i: leaf[..., i], capacities) for i in range(2))
     in_direction = reverse if float(numbers.output_torque) < 0.0 else capacity
     refuse_overlap(numbers, gaps)
@@ -110,7 +116,8 @@ def solve(joint: Joint) -> Solution:
     if some_contact_slips(slip_ratio=result.diagnostics.slip_ratio):
         _refuse_torque(numbers, in_direction)
     refuse_unsolved(numbers, result)
-    return Solution(result=result, clearances=gaps, capacity=capacity, reverse_capacity=reverse)
+    refuse_thin_walls(result)
+    return Solution(result=result, clearances=gaps, capacity=capacity, reverse_capacity=reverse, sizes=sizes)
 
 
 def _refuse_torque(numbers: Joint, found: TorqueCapacity) -> None:

@@ -1,16 +1,21 @@
-"""Whether a point of a study has a result, and if not, why: one small code a point."""
+"""Whether a point of a study has results, and if not, why: one small code per point."""
 
 from __future__ import annotations
+
+from typing import Any
 
 import jax.numpy as jnp
 import numpy as np
 from jax import Array
+from jax.typing import ArrayLike
 
 from asperity.drive.existence import overlaps, pin_lock, smaller_body, some_contact_slips, too_wide
 from asperity.drive.geometry import CLEARANCE_CONDITIONS, clearances
 from asperity.joint.evaluation import Joint, JointResult
+from asperity.joint.results.result import Needs
 
-#: Each status: its short name in tables and netCDF flags, and its meaning. 0 is a result, all others are failed points.
+#: Each status: its short name in tables and netCDF flags, and its meaning. 0 is solved; new ones are added at the end,
+#: because stores keep the codes.
 STATUSES: dict[str, str] = {
     "solved": "solved",
     **{
@@ -18,17 +23,41 @@ STATUSES: dict[str, str] = {
         for name, said in CLEARANCE_CONDITIONS.items()
     },
     "pin_too_thick_or_locked": "a loading roller's pin is as thick as the roller, or locks by friction",
-    "contact_too_wide": "a contact strip is too wide for line-contact theory",
+    "contact_too_wide": "a contact strip is too wide for line-contact theory or for the wall of its body",
     "beyond_torque_capacity": "the output torque is beyond the torque capacity: a contact slips",
     "unbalanced": "the force balance did not close",
     "out_of_range": "a number is outside its allowed range",
+    "all_spots_plastic": "every spot of a loaded contact is plastic, where the contact law gives it no stiffness",
 }
 
 #: Short names and meanings in the order of the codes.
 STATUS_NAMES, STATUS_MEANINGS = tuple(STATUSES), tuple(STATUSES.values())
 
 LOCKED = STATUS_NAMES.index("pin_too_thick_or_locked")
-TOO_WIDE, SLIPS, UNBALANCED, OUT_OF_RANGE = range(LOCKED + 1, LOCKED + 5)
+TOO_WIDE, SLIPS, UNBALANCED, OUT_OF_RANGE, ALL_PLASTIC = range(LOCKED + 1, LOCKED + 6)
+
+
+def has_value(status: ArrayLike, needs: Needs) -> Any:
+    """Where the results of a kind have a value.
+
+    Parameters
+    ----------
+    status : array
+        Codes, indices into :data:`STATUSES`.
+    needs : {"geometry", "balance", "operation"}
+        What a result needs to have a value: :attr:`asperity.joint.results.Result.needs`.
+
+    Returns
+    -------
+    array of bool
+        In the shape of the codes. Where every spot of a contact is plastic, forces, pressures and capacity have their
+        values; the stiffness and what follows from it are nan by themselves.
+    """
+    code = status if isinstance(status, Array) else np.asarray(status)
+    operates = (code == 0) | (code == ALL_PLASTIC)
+    if needs == "geometry":
+        return operates | (code >= LOCKED)
+    return operates | (code == SLIPS) if needs == "balance" else operates
 
 
 def joint_status(joint: Joint, result: JointResult) -> Array:
@@ -44,11 +73,11 @@ def joint_status(joint: Joint, result: JointResult) -> Array:
     Returns
     -------
     Array
-        Codes, places in :data:`STATUSES`, shape (...), 8-bit; the first reason that applies, except that an
+        Codes, indices into :data:`STATUSES`, shape (...), 8-bit; the first reason that applies, except that an
         unbalanced joint is not said to slip.
     """
     geometry, bearings = joint.geometry, joint.bearings
-    shape = result.solved.shape
+    shape = jnp.broadcast_shapes(result.solved.shape, result.contact_law_holds.shape)
 
     def mark(code: Array, condition: object, value: int) -> Array:
         hit = jnp.broadcast_to(jnp.asarray(condition), shape)
@@ -67,8 +96,9 @@ def joint_status(joint: Joint, result: JointResult) -> Array:
         ),
         bulk_normal_stiffness=result.interfaces.bulk_normal,
     )
-    code = mark(code, jnp.any(wide, axis=0), TOO_WIDE)
-    return mark(code, some_contact_slips(slip_ratio=result.diagnostics.slip_ratio), SLIPS)
+    code = mark(code, jnp.any(wide, axis=0) | ~result.walls_hold, TOO_WIDE)
+    code = mark(code, some_contact_slips(slip_ratio=result.diagnostics.slip_ratio), SLIPS)
+    return mark(code, ~result.contact_law_holds, ALL_PLASTIC)
 
 
 def flag_attributes() -> dict[str, object]:
@@ -80,7 +110,7 @@ def flag_attributes() -> dict[str, object]:
         ``long_name``, ``units``, ``flag_values``, ``flag_meanings``, and the sentences as ``reasons``.
     """
     return {
-        "long_name": "status of the point; 0 is solved, the results of other points are nan",
+        "long_name": "status of the point; 0 is solved, results without a value are nan",
         "units": "1",
         "flag_values": np.arange(len(STATUS_NAMES), dtype=np.int8).tolist(),
         "flag_meanings": " ".join(STATUS_NAMES),

@@ -5,9 +5,14 @@ from __future__ import annotations
 import dataclasses
 from typing import Any
 
+import numpy as np
+
+from asperity.drive.geometry import CONTACT_NAMES
 from asperity.errors import InputError
 from asperity.joint.capacity import capacity_document
 from asperity.joint.description import Joint
+from asperity.joint.rolling_document import unknown_because
+from asperity.joint.rolling_onset import RollingOnset, rolling_onset
 from asperity.joint.solve import Solution, solve
 from asperity.joint.windup import StiffnessLevel, Windup, windup
 
@@ -57,24 +62,67 @@ def examined_windup(
     return curve, (forward, reverse)
 
 
+def windup_onsets(
+    joint: Joint, curve: Windup, solutions: tuple[Solution, Solution], *, creep_share: float
+) -> tuple[RollingOnset | None, RollingOnset | None]:
+    """What becomes of both ends of a wind-up when the joint turns under its largest torque.
+
+    Parameters
+    ----------
+    joint : Joint
+        The joint.
+    curve : Windup
+        Its wind-up.
+    solutions : tuple of Solution
+        The joint at the largest torque in the positive and in the negative direction.
+    creep_share : float
+        Creep over wind-up up to which the static curve is said to hold [-], above 0.
+
+    Returns
+    -------
+    tuple of RollingOnset or None
+        In the positive and in the negative direction; None where there is no steady rolling.
+
+    Raises
+    ------
+    InputError
+        If the share is not positive and finite.
+    """
+    forward, reverse = (
+        rolling_onset(joint=joint, result=solution.result, windup=angle, creep_share=creep_share)
+        for solution, angle in zip(solutions, (curve.angle[-1], -curve.angle[0]), strict=True)
+    )
+    return forward, reverse
+
+
 def windup_document(
-    curve: Windup, solutions: tuple[Solution, Solution], *, level: StiffnessLevel
+    joint: Joint,
+    curve: Windup,
+    solutions: tuple[Solution, Solution],
+    onsets: tuple[RollingOnset | None, RollingOnset | None],
+    *,
+    level: StiffnessLevel,
 ) -> dict[str, Any]:
     """The figures of a wind-up in SI units, ready for :func:`json.dumps`.
 
     Parameters
     ----------
+    joint : Joint
+        The joint.
     curve : Windup
         Curves and figures.
     solutions : tuple of Solution
         The joint at the largest torque in the positive and in the negative direction.
+    onsets : tuple of RollingOnset or None
+        What becomes of both when the joint turns.
     level : {"published", "series_with_bulk", "assembly"}
         Which stiffness was integrated.
 
     Returns
     -------
     dict
-        The unit at the end of every key; capacities as :func:`asperity.joint.capacity.capacity_document` says them.
+        The unit at the end of every key; angles of ``rolling`` without sign; capacities as
+        :func:`asperity.joint.capacity.capacity_document` says them.
     """
     forward, reverse = solutions
     return {
@@ -99,6 +147,37 @@ def windup_document(
             }
             for index in range(3)
         ],
+        "rolling": {
+            **_rolling(joint, forward, onsets[0]),
+            "reverse": _rolling(joint, reverse, onsets[1]),
+        },
+    }
+
+
+def _rolling(joint: Joint, solution: Solution, onset: RollingOnset | None) -> dict[str, Any]:
+    if onset is None:
+        return {"unknown_because": unknown_because(joint, solution.result)}
+    contacts = onset.contacts
+
+    def both(angle: Any) -> dict[str, float]:
+        return {"sun_rad": float(contacts.sun_angle * angle), "output_rad": float(angle)}
+
+    return {
+        "unknown_because": [],
+        "creep_share_of_windup": float(onset.creep_share),
+        "static_curve_up_to": both(onset.static_angle),
+        "steady_creep_from": both(onset.steady_angle),
+        "drift_rad_per_output_turn": float(contacts.drift_per_output_turn),
+        "drift_line_offset_rad": -float(onset.missing_angle),
+        "swing_without_drift": both(onset.still_angle),
+        "contacts": {
+            name: {
+                "width_m": 2.0 * float(np.asarray(contacts.half_width)[k]),
+                "rolls_its_width_in": both(np.asarray(onset.width_angle)[k]),
+                "share_of_drift": float(np.asarray(contacts.share)[k]),
+            }
+            for k, name in enumerate(CONTACT_NAMES)
+        },
     }
 
 
@@ -121,4 +200,25 @@ def windup_columns(curve: Windup) -> dict[str, Any]:
         "incremental_stiffness_Nm_per_rad": curve.stiffness,
         "unloading_angle_rad": curve.unloading_angle,
         "reloading_angle_rad": curve.reloading_angle,
+    }
+
+
+def rolling_columns(onset: RollingOnset) -> dict[str, Any]:
+    """The curve beyond a wind-up, and what swings of the same angles lose, as columns.
+
+    Parameters
+    ----------
+    onset : RollingOnset
+        Curves.
+
+    Returns
+    -------
+    dict
+        Name, with the unit at its end → array of shape (n,).
+    """
+    return {
+        "sun_angle_rad": onset.contacts.sun_angle * onset.angle,
+        "output_angle_rad": onset.angle,
+        "angle_behind_rad": onset.lag,
+        "drift_per_swing_rad": onset.swing_drift,
     }

@@ -119,6 +119,11 @@ def joint_from_values(values: Values) -> Joint:
         closure=model["closure"],
         closure_springs=model["closure_springs"],
         contact_factor_model=model["contact_factor"],
+        body_model=model.get("bodies", "exact"),
+        plane_state=model.get("plane_state", "plane_strain"),
+        ring_support=drive.get("ring_support"),
+        planet_bore=drive.get("planet_bore_diameter"),
+        loading_roller_bore=drive.get("loading_roller_bore_diameter"),
         rolling=_conditions(values),
     )
 
@@ -130,6 +135,7 @@ def _conditions(values: Values) -> RollingConditions:
         hysteresis_loss_factor=rolling.get("hysteresis_factor", plain.hysteresis_loss_factor),
         viscosity=oil.get("viscosity", plain.viscosity),
         pressure_viscosity_coefficient=oil.get("pressure_coefficient", plain.pressure_viscosity_coefficient),
+        roughness=oil.get("roughness", plain.roughness),
         reliability=rolling.get("reliability", plain.reliability),
         duty=tuple(DutyPoint(**load) for load in values.get("duty", {}).values()),
     )
@@ -150,7 +156,12 @@ def _longest(lengths: tuple[Real, ...]) -> Real:
 
 def _material(entry: Values) -> Material:
     elastic = {name: entry[name] for name in ("youngs_modulus", "poisson_ratio", "density", "yield_strength")}
-    return Material(**elastic, hardness=_hardness(entry))
+    return Material(
+        **elastic,
+        hardness=_hardness(entry),
+        thermal_conductivity=entry.get("thermal_conductivity"),
+        specific_heat_capacity=entry.get("specific_heat_capacity"),
+    )
 
 
 def _hardness(entry: Values) -> Real:

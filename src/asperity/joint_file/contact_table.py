@@ -76,11 +76,16 @@ OUTPUT_COLUMNS: dict[str, tuple[str, str]] = {
 }
 
 
+#: What the contact law does not give where every spot is plastic.
+_STIFFNESSES = ("Kt_N_per_mm", "Kn_N_per_mm")
+
+
 class Summary(NamedTuple):
-    """What was done with a table: how many rows, and which of its columns were replaced by results."""
+    """What was done with a table: its rows, the columns replaced by results, the rows where every spot is plastic."""
 
     rows: int
     replaced_columns: tuple[str, ...]
+    plastic_rows: int
 
 
 def convert_contact_table(
@@ -108,7 +113,8 @@ def convert_contact_table(
     Returns
     -------
     Summary
-        Number of rows, and which columns were replaced.
+        Number of rows, which columns were replaced, and in how many rows K_t and K_n are nan because every spot is
+        plastic, where the contact law has no stiffness.
 
     Raises
     ------
@@ -139,13 +145,17 @@ def _convert(
     header = [name.strip() for name in next(reader, [])]
     _check_header(header, source)
     kept = [index for index, name in enumerate(header) if name not in OUTPUT_COLUMNS]
-    rows = 0
+    rows = plastic_rows = 0
     with replacing(target) as part, part.open("x", encoding="utf-8", newline="") as made:
         writer = csv.writer(made, lineterminator="\n")
         writer.writerow([*(header[index] for index in kept), *OUTPUT_COLUMNS])
         for lines, cells in _chunks(reader, lines_read, header, source):
             columns = _columns(cells, lines, header, source)
             results = _evaluated(columns, frequency_ratio, asperity_base)
+            plastic = results["Kn_N_per_mm"] <= 0.0  # K_t is also 0 in gross slip, and that is right
+            for name in _STIFFNESSES:
+                results[name] = np.where(plastic, np.nan, results[name])
+            plastic_rows += int(plastic.sum())
             written = [[repr(number) for number in results[name].tolist()] for name in OUTPUT_COLUMNS]
             writer.writerows(
                 [*(row[index] for index in kept), *numbers]
@@ -153,7 +163,7 @@ def _convert(
             )
             rows += len(cells)
             progress(rows)
-    return Summary(rows, tuple(name for name in header if name in OUTPUT_COLUMNS))
+    return Summary(rows, tuple(name for name in header if name in OUTPUT_COLUMNS), plastic_rows)
 
 
 def _check_header(header: list[str], source: str) -> None:

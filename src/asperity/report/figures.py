@@ -10,6 +10,7 @@ from asperity.joint.description import Joint
 from asperity.joint.margins import margins
 from asperity.joint.results import SolvedJoint
 from asperity.joint.rolling_curves import rolling_curves
+from asperity.joint.rolling_onset import RollingOnset
 from asperity.joint.windup import Windup
 from asperity.show.compliance_figure import draw_budget, draw_levels
 from asperity.show.drive_sheet import drive_sheet, forces_sheet
@@ -25,7 +26,13 @@ _WIDTH = 7.0  # of a picture on a page [in]
 
 
 def report_pictures(
-    joint: Joint, solved: SolvedJoint, windup: Windup | None, rolling_capacity: float, *, name: str
+    joint: Joint,
+    solved: SolvedJoint,
+    windup: Windup | None,
+    onset: RollingOnset | None,
+    rolling_capacity: float,
+    *,
+    name: str,
 ) -> dict[str, str]:
     """All pictures of a joint.
 
@@ -37,6 +44,8 @@ def report_pictures(
         The same with its results.
     windup : Windup or None
         Its wind-up, if it has one.
+    onset : RollingOnset or None
+        The same joint when it turns under its largest torque, if it rolls then.
     rolling_capacity : float
         Its torque capacity in rolling [N·m]; nan if it does not roll.
     name : str
@@ -63,7 +72,7 @@ def report_pictures(
     draw_margins(bars.subplots(), judged)
     found["margins"] = figure_svg(bars)
     if windup is not None:
-        found["windup"] = figure_svg(windup_figure(windup, title="", stacked=True))
+        found["windup"] = figure_svg(windup_figure(windup, onset, title="", stacked=True))
     if math.isfinite(float(solved.result.rolling.residual)):
         curves = rolling_curves(joint=joint, result=solved.result, torque_capacity=rolling_capacity)
         found["rolling"] = figure_svg(

@@ -17,10 +17,10 @@ from asperity.joint.document import joint_document
 from asperity.joint.margins import margins
 from asperity.joint.measured_surface import stiffness_interval
 from asperity.joint.results import SolvedJoint
-from asperity.joint.rolling_capacity import rolling_torque_capacity
-from asperity.joint.solve import Solution, solve
+from asperity.joint.rolling_onset import RollingOnset
+from asperity.joint.solve import solve
 from asperity.joint.windup import Windup
-from asperity.joint.windup_document import examined_windup, windup_document
+from asperity.joint.windup_document import examined_windup, windup_document, windup_onsets
 from asperity.joint_file.assumptions import assumptions
 from asperity.joint_file.build import joint_from_case
 from asperity.joint_file.model import Case
@@ -33,6 +33,7 @@ from asperity.surface.measurement import SurfaceMeasurement, measurement_documen
 
 _PACKAGES = ("jax", "jaxlib", "numpy", "scipy", "equinox", "matplotlib")
 _STAGES = (1.0 / 3.0, 2.0 / 3.0)
+_CREEP_SHARE = 0.05  # as in asperity windup
 
 
 @dataclass(frozen=True)
@@ -85,12 +86,19 @@ def joint_report(source: ReportSource) -> Report:
     """
     joint = joint_from_case(source.case)
     solution = solve(joint)
-    found = _examined(joint, solution)
     document = joint_document(
         joint=joint, solution=solution, inputs=si_values(source.case), assumptions=assumptions(source.case)
     )
+    found = _examined(joint, document)
     solved = SolvedJoint(joint, solution.result, solution.capacity)
-    pictures = report_pictures(joint, solved, found.windup, found.rolling_capacity, name=source.name)
+    pictures = report_pictures(
+        joint,
+        solved,
+        found.windup,
+        found.onset,
+        math.copysign(found.rolling_capacity, float(joint.output_torque)),
+        name=source.name,
+    )
     blocks = (
         *_title_block(source),
         *_summary(document, solved),
@@ -133,18 +141,22 @@ class _Examined:
     """What needs more than the solution, or why it does not exist."""
 
     windup: Windup | None
+    onset: RollingOnset | None
     windup_figures: dict[str, Any] | None
     no_windup: str
     rolling_capacity: float
 
 
-def _examined(joint: Joint, solution: Solution) -> _Examined:
+def _examined(joint: Joint, document: dict[str, Any]) -> _Examined:
+    capacity = document["rolling"]["torque_capacity_Nm"]
+    capacity = math.inf if capacity is None else float(capacity)
     try:
         curve, both = examined_windup(joint, largest_torque=None, level="assembly", stage_shares=_STAGES)
     except AsperityError as error:
-        return _Examined(None, None, str(error), rolling_torque_capacity(joint, solution))
-    figures = windup_document(curve, both, level="assembly")
-    return _Examined(curve, figures, "", rolling_torque_capacity(joint, solution))
+        return _Examined(None, None, None, str(error), capacity)
+    onsets = windup_onsets(joint, curve, both, creep_share=_CREEP_SHARE)
+    figures = windup_document(joint, curve, both, onsets, level="assembly")
+    return _Examined(curve, onsets[0], figures, "", capacity)
 
 
 def _title_block(source: ReportSource) -> Iterator[Block]:
@@ -179,7 +191,8 @@ def _windup(found: _Examined, pictures: dict[str, str]) -> Iterator[Block]:
         yield Paragraph(f"No wind-up: {found.no_windup}")
         return
     yield from result_tables.windup(found.windup_figures)
-    yield Picture("Torque and angle, deviation from a straight line, stiffness", pictures["windup"])
+    turning = "" if found.onset is None else "; the joint that turns under the largest torque"
+    yield Picture(f"Torque and angle, deviation from a straight line, stiffness{turning}", pictures["windup"])
 
 
 def _rolling(document: dict[str, Any], found: _Examined, pictures: dict[str, str]) -> Iterator[Block]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -85,8 +85,7 @@ def joint_figure(solved: SolvedJoint, *, title: str) -> Figure:
     from matplotlib.figure import Figure
 
     figure = Figure(figsize=(10.0, 7.4), layout="constrained")
-    parts: Any = figure.subfigures(2, 1)
-    upper, lower = parts
+    upper, lower = figure.subfigures(2, 1, squeeze=False)[:, 0]
     budget, levels = upper.subplots(1, 2)
     draw_budget(budget, solved)
     draw_levels(levels, solved)

@@ -6,21 +6,27 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from asperity.joint.rolling_onset import RollingOnset
 from asperity.joint.windup import Windup
 
 if TYPE_CHECKING:
+    from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-_ARCMINUTES = 10800.0 / np.pi
+_ARCMINUTES, _DEGREES = 10800.0 / np.pi, 180.0 / np.pi
 
 
-def windup_figure(curve: Windup, *, title: str, stacked: bool = False) -> Figure:
-    """Torque–angle loop, its deviation from a straight line and incremental stiffness side by side.
+def windup_figure(
+    curve: Windup, onset: RollingOnset | None = None, *, title: str, stacked: bool = False
+) -> Figure:
+    """Torque–angle loop, its deviation from a straight line, and stiffness; below them the joint that turns.
 
     Parameters
     ----------
     curve : Windup
         What to draw.
+    onset : RollingOnset, optional
+        The same joint when it turns: angle behind, and drift of swings to and fro.
     title : str
         Title of the picture.
     stacked : bool, optional
@@ -33,8 +39,16 @@ def windup_figure(curve: Windup, *, title: str, stacked: bool = False) -> Figure
     """
     from matplotlib.figure import Figure
 
-    figure = Figure(figsize=(7.0, 6.8) if stacked else (14.0, 4.2), layout="constrained")
-    loop, deviation, stiffness = figure.subplots(3, 1) if stacked else figure.subplots(1, 3)
+    count = 3 if onset is None else 5
+    if stacked:
+        figure = Figure(figsize=(7.0, min(2.27 * count, 9.0)), layout="constrained")
+        loop, deviation, stiffness, *turning = figure.subplots(count, 1)
+    else:
+        rows = (count + 1) // 2 - 1
+        figure = Figure(figsize=(14.0, 4.2 * rows), layout="constrained")
+        grid = figure.add_gridspec(rows, 6)
+        loop, deviation, stiffness = (figure.add_subplot(grid[0, 2 * k : 2 * k + 2]) for k in range(3))
+        turning = [figure.add_subplot(grid[1, 3 * k : 3 * k + 3]) for k in range(count - 3)]
     straight = curve.torque * ((curve.angle[-1] - curve.angle[0]) / (curve.torque[-1] - curve.torque[0]))
     for angle, color, line, label in (
         (curve.angle, "black", "-", "first loading, either direction"),
@@ -61,7 +75,57 @@ def windup_figure(curve: Windup, *, title: str, stacked: bool = False) -> Figure
         stiffness.stairs(values / _ARCMINUTES, bounds, color="tab:red", baseline=None, label=label)
     stiffness.set(xlabel="torque at the output [N·m]", ylabel="stiffness at the output [N·m/arcmin]")
     stiffness.legend(frameon=False)
-    for axes in (loop, deviation, stiffness):
+    if onset is not None:
+        _draw_beyond(turning[0], onset, torque=float(curve.torque[-1]))
+        _draw_swings(turning[1], onset)
+    for axes in (loop, deviation, stiffness, *turning):
         axes.yaxis.label.set_fontsize("small" if stacked else "medium")
     figure.suptitle(title)
     return figure
+
+
+def _draw_beyond(panel: Axes, onset: RollingOnset, *, torque: float) -> None:
+    """Angle behind over the angle that the sun has turned since the torque was applied."""
+    contacts = onset.contacts
+    sun = _DEGREES * float(contacts.sun_angle)
+    windup = _ARCMINUTES * float(onset.windup)
+    slope = float(contacts.drift_per_output_turn) / (2.0 * np.pi)
+    line = onset.windup - onset.missing_angle + slope * onset.angle
+    panel.axhline(windup, color="black", linestyle="--", linewidth=1.0, label="static curve: wind-up")
+    panel.plot(
+        sun * onset.angle, _ARCMINUTES * line, color="tab:red", linestyle=":", label="drift of steady rolling"
+    )
+    panel.plot(sun * onset.angle, _ARCMINUTES * onset.lag, color="tab:blue", label="angle behind")
+    panel.axvspan(0.0, sun * float(onset.static_angle), color="0.93", zorder=0)
+    panel.axvline(sun * float(onset.steady_angle), color="0.6", linewidth=0.8, label="all contacts rolled 2a")
+    panel.set(
+        xlabel="angle turned by the sun [°]",
+        ylabel="angle behind at the output [arcmin]",
+        title=f"turning under {torque:.4g} N·m; shaded: creep below {100.0 * float(onset.creep_share):.3g} %",
+        xlim=(0.0, sun * float(onset.angle[-1])),
+    )
+    panel.title.set_fontsize("medium")
+    panel.legend(frameon=False, fontsize="small", loc="upper left")
+
+
+def _draw_swings(panel: Axes, onset: RollingOnset) -> None:
+    """Angle lost in each swing to and fro over the stroke of the sun."""
+    sun = _DEGREES * float(onset.contacts.sun_angle)
+    steady = 2.0 * onset.angle * float(onset.contacts.drift_per_output_turn) / (2.0 * np.pi)
+    panel.plot(
+        sun * onset.angle,
+        _ARCMINUTES * steady,
+        color="tab:red",
+        linestyle=":",
+        label="steady drift, both ways",
+    )
+    panel.plot(sun * onset.angle, _ARCMINUTES * onset.swing_drift, color="tab:blue", label="lost per swing")
+    panel.axvline(sun * float(onset.still_angle), color="0.6", linewidth=0.8, label="no drift up to here")
+    panel.set(
+        xlabel="stroke of the sun, to and fro [°]",
+        ylabel="angle lost per swing, output [arcmin]",
+        title="swinging under the same torque",
+        xlim=(0.0, sun * float(onset.angle[-1])),
+    )
+    panel.title.set_fontsize("medium")
+    panel.legend(frameon=False, fontsize="small", loc="upper left")

@@ -23,7 +23,7 @@ from asperity.compilation import compile_fast
 from asperity.joint.description import with_one_rank
 from asperity.joint.evaluation import evaluate
 from asperity.joint.results import GROUPS, RESULTS, result_values
-from asperity.joint.status import LOCKED, OUT_OF_RANGE, SLIPS, joint_status
+from asperity.joint.status import OUT_OF_RANGE, has_value, joint_status
 from asperity.joint_file.build import joint_from_values
 from asperity.joint_file.quantity_key import Key
 from asperity.joint_file.si_tables import Values, key_at, replace_values
@@ -47,7 +47,7 @@ def _evaluated(tables: Values, points: tuple[int, ...], results: tuple[str, ...]
     """Status and results of the joints that tables of SI numbers and arrays describe, one for each point."""
     joint = with_one_rank(joint_from_values(tables))
     found = evaluate(joint)
-    # surfaces, hardness and the springs of the structure do not reach the force balance: one status for all points
+    # where only the springs of the structure vary, one status serves all points
     status = jnp.broadcast_to(joint_status(joint, found), points)
     return status, {
         name: jnp.broadcast_to(value, (*RESULTS[name].row_shape, *points))
@@ -56,13 +56,11 @@ def _evaluated(tables: Values, points: tuple[int, ...], results: tuple[str, ...]
 
 
 def _masked(status: Array, found: dict[str, Array]) -> dict[str, Array]:
-    """Results that are nan where they mean nothing."""
-    meaningful = {
-        "geometry": (status == 0) | (status >= LOCKED),
-        "balance": (status == 0) | (status == SLIPS),
-        "operation": status == 0,
+    """Results that are nan where they have no value."""
+    return {
+        name: jnp.where(has_value(status, RESULTS[name].needs), value, jnp.nan)
+        for name, value in found.items()
     }
-    return {name: jnp.where(meaningful[RESULTS[name].needs], value, jnp.nan) for name, value in found.items()}
 
 
 def point_kernel(values: Values, paths: tuple[str, ...], results: tuple[str, ...]) -> Kernel:

@@ -222,7 +222,7 @@ def check_axes(case: Case, axes: Sequence[SweepAxis]) -> None:
         If there is none, two vary the same number, or one of them is not in the file's joint.
     """
     if not axes:
-        raise InputError(f"a sweep needs at least one axis: --over {_FORM}")
+        raise InputError(f"a sweep needs at least one axis: {_FORM}", options=["over"])
     for axis in axes:
         check_axis(axis)
     check_paths(case, [axis.path for axis in axes])

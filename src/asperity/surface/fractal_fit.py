@@ -16,7 +16,7 @@ from asperity.surface.line_spectrum import fit_lines
 from asperity.surface.quantisation import height_step, quantisation_noise_density, resolved_frequency
 from asperity.surface.self_affine_band import NARROWEST_DECADES, BandSearch, widest_power_law
 from asperity.surface.spectral_likelihood import SpectralFit
-from asperity.surface.spectrum import BinnedSpectrum, binned_spectrum
+from asperity.surface.spectrum import BinnedSpectrum, binned_spectrum, without_line
 from asperity.surface.structure_line import structure_line
 
 #: ``automatic`` takes ``lines`` where the spectrum is a Weierstrass-Mandelbrot comb, else ``likelihood``.
@@ -24,6 +24,8 @@ ESTIMATORS = ("automatic", "likelihood", "lines", "structure_function", "power_s
 _BINS_PER_DECADE = 20
 #: Standard errors by which D must lie inside 1 .. 2.
 CERTAIN = 1.96
+#: Heights that leave a straight line by less than this share of their span are rounding errors [-].
+_ROUNDING = 1e-12
 
 
 @dataclass(frozen=True)
@@ -165,6 +167,8 @@ def fractal_fit(
         raise InputError(f"the heights span {span:.3g} m, which is too large; check their unit")
     if span < 1.0 / LARGEST_SPAN:
         raise NoSolutionError("all heights are equal: there is no roughness to measure")
+    if float(np.ptp(without_line(profiles))) <= _ROUNDING * span:
+        raise NoSolutionError("all heights lie on a straight line: there is no roughness to measure")
     if estimator in ("automatic", "lines"):
         lines = _from_lines(profiles, spacing, frequency_ratio)
         if lines is not None:

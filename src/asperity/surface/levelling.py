@@ -79,7 +79,8 @@ def _refuse_tilt(topography: Topography, form: str) -> None:
     if share > LARGEST_TILT_SHARE:
         raise InputError(
             f"{topography.source or 'the surface'}: the tilt makes up {100 * share:.1f} % of the variance of "
-            f"the heights, and the form '{form}' does not remove it; use --form {tilt}"
+            f"the heights, and the form '{form}' does not remove it; use the form '{tilt}'",
+            options=["form"],
         )
 
 

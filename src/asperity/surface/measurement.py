@@ -207,7 +207,9 @@ def read_measurement(*, path: str | Path) -> SurfaceMeasurement:
     try:
         document = read_json(path)
     except InputError as error:
-        raise InputError(f"{error}; write it with 'asperity surface measure FILE --json'") from None
+        raise InputError(
+            f"{error}; expected is the JSON document of a measured surface, as 'asperity surface measure' prints it"
+        ) from None
     try:
         return measurement_from_document(document=document)
     except InputError as error:

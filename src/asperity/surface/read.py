@@ -102,5 +102,6 @@ def _check_plausibility(topography: Topography, any_size: bool) -> None:
         return
     raise InputError(
         f"{topography.source}: {fault}. A unit is probably wrong, in the options, in the file or in its "
-        "reader. If these sizes are right, say so (--any-size)"
+        "reader. If these sizes are right, allow any size",
+        options=["any-size"],
     )

@@ -152,12 +152,15 @@ def _in_metres(
     if unit is None:
         if height_unit is None:
             raise InputError(
-                f"{source} does not name the unit of its lengths and heights; give it "
-                "(--height-unit mm, um, nm or m)"
+                f"{source} does not name the unit of its lengths and heights; state it: mm, um, nm or m",
+                options=["height-unit"],
             )
         unit = height_unit
     elif height_unit is not None and metres_per_unit(height_unit) != metres_per_unit(unit):
-        raise InputError(f"{source} gives its unit as {unit}, not {height_unit}; leave --height-unit out")
+        raise InputError(
+            f"{source} gives its unit as {unit}, not {height_unit}; do not state a unit",
+            options=["height-unit"],
+        )
     scale = metres_per_unit(unit)
     channels = len(reader.channels)
     notes = (f"the file has {channels} channels; the default one was read",) if channels > 1 else ()

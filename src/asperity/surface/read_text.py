@@ -81,8 +81,9 @@ def text_topography(
     scale_z = _scale(height_unit, units[0], "height", source)
     if spacing is None:
         raise InputError(
-            f"{source} has {columns} column(s) of heights and no positions; give the distance of the points "
-            "(--spacing '0.5 um')"
+            f"{source} has {columns} column(s) of heights and no positions; give the distance of the points, "
+            "such as '0.5 um'",
+            options=["spacing"],
         )
     heights = table * scale_z
     if columns == 1:
@@ -112,8 +113,9 @@ def numpy_topography(*, path: Path, height_unit: str | None, spacing: float | No
         )
     if height_unit is None or spacing is None:
         raise InputError(
-            f"{path.name} holds bare numbers: give the unit of its heights and the distance of its points "
-            "(--height-unit um --spacing '0.5 um')"
+            f"{path.name} contains numbers without units: give the unit of its heights, such as um, and the distance "
+            "of its points, such as '0.5 um'",
+            options=["height-unit", "spacing"],
         )
     with np.errstate(over="ignore", invalid="ignore"):
         heights = np.array(array, dtype=np.float64) * metres_per_unit(height_unit)
@@ -166,7 +168,8 @@ def _data_block(lines: list[str], decimal: str, path: Path) -> tuple[int, str | 
         if sample and all(re.fullmatch(r"[-+]?\d+,\d+", line) for line in sample):
             raise InputError(
                 f"{path.name}: '{sample[-1]}' may be one number with a decimal comma or two whole numbers; "
-                "choose (--decimal comma or --decimal point)"
+                "choose 'comma' or 'point'",
+                options=["decimal"],
             )
     for start in range(min(len(lines), _HEADER_LINES)):
         block = [line for line in lines[start : start + 8] if line.strip()][:4]
@@ -246,13 +249,15 @@ def _unit_in_words(text: str) -> str | None:
 def _scale(given: str | None, found: str | None, what: str, source: str) -> float:
     if given is None and found is None:
         raise InputError(
-            f"{source} does not name the unit of its {what}s; give it (--{what}-unit mm, um, nm or m)"
+            f"{source} does not name the unit of its {what}s; state it: mm, um, nm or m",
+            options=[f"{what}-unit"],
         )
     scale = metres_per_unit(given if given is not None else str(found))
     if found is not None and scale != metres_per_unit(found):
         raise InputError(
-            f"the heading of {source} gives the unit of its {what}s as {found}, not {given}; leave "
-            f"--{what}-unit out or correct the file"
+            f"the heading of {source} gives the unit of its {what}s as {found}, not {given}; do "
+            "not state a unit, or correct the file",
+            options=[f"{what}-unit"],
         )
     return scale
 

@@ -361,5 +361,5 @@ def _misfit(residual: NDArray[np.float64], nu: NDArray[np.float64], degrees: int
 
     if excess(0.0) <= 0.0:
         return 0.0
-    largest = float(np.sum(residual**2)) / degrees
-    return float(brentq(excess, 0.0, largest, rtol=1e-6))
+    largest = float(np.sum(residual**2)) / degrees  # the root of excess if sampling did not scatter at all
+    return float(brentq(excess, 0.0, 2.0 * largest, rtol=1e-6))

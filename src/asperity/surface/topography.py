@@ -147,7 +147,8 @@ def without_missing(topography: Topography, *, choice: str) -> Topography:
     if choice == "refuse":
         raise InputError(
             f"{count} of {total} points of {topography.source} are missing; keep the longest complete piece "
-            "(--missing longest) or fill gaps by straight lines (--missing interpolate)"
+            "('longest') or fill gaps by straight lines ('interpolate')",
+            options=["missing"],
         )
     rows = np.atleast_2d(topography.heights)
     filled = 0

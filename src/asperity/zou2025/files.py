@@ -34,7 +34,8 @@ def output_folder(path: str | Path) -> Path:
         folder.mkdir(parents=True, exist_ok=True)
     except OSError as error:
         raise InputError(
-            f"cannot create the folder {folder}: {error.strerror or error}; choose a different folder with --out"
+            f"cannot create the folder {folder}: {error.strerror or error}; choose a different folder",
+            options=["out"],
         ) from error
     return folder
 

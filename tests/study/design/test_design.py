@@ -1,5 +1,6 @@
 """Designs against exhaustive search, bisection and closed forms; infeasible ones with their conflict."""
 
+import re
 import tomllib
 
 import numpy as np
@@ -200,3 +201,27 @@ def test_without_any_joint_that_exists_there_is_no_design(zou_file):
             IMPOSSIBLE + 'stiffness = { at_least = "10000 N*m/rad" }\n'
             '[worst_case]\ntorque = { lower = "0 N*m", upper = "80 N*m", points = 2 }\n[search]\nstarts = 2',
         )
+
+
+def test_a_surface_of_plastic_spots_only_has_no_design_for_stiffness(zou_file, tmp_path):
+    """At D = 1.2 the contact law has no stiffness, the volume alone has a design."""
+    text = zou_file.read_text()
+    plastic = tmp_path / "plastic.toml"
+    plastic.write_text(re.sub(r"(?m)^fractal_dimension = .*", "fractal_dimension = 1.2", text))
+    problem = (
+        'joint = "plastic.toml"\n[variables]\n'
+        'drive.contact_length = { lower = "4 mm", upper = "6 mm" }\n[objective]\nminimise = "envelope_volume"\n'
+        "[constraints]\nslip_ratio = { at_most = 0.9 }\n"
+    )
+    with pytest.raises(
+        NoSolutionError, match="no value of assembly_stiffness_output: every spot of a contact is"
+    ):
+        design(
+            design_from_tables(
+                tomllib.loads(problem + 'stiffness = { at_least = "1000 N*m/rad" }\n[search]\nstarts = 1'),
+                folder=plastic.parent,
+            )
+        )
+    found = design(design_from_tables(tomllib.loads(problem + "[search]\nstarts = 1"), folder=plastic.parent))
+    assert found.point["drive.contact_length"] == pytest.approx(4e-3)
+    assert np.isfinite(found.summary_after["slip_ratio"])

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from asperity.errors import InputError
+from asperity.errors import InputError, NoSolutionError
 from asperity.joint_file.reader import parse_case
 from asperity.joint_file.si_tables import numeric_keys, si_values
 from asperity.study.batch import evaluate_points
@@ -98,6 +98,17 @@ def test_a_joint_that_slips_has_no_sensitivities(joint_text):
         sensitivity(
             parse_case(joint_text.replace('"5 N*m"', '"50 N*m"').replace('"printed"', '"unity"'), source="x")
         )
+
+
+def test_where_all_spots_are_plastic_only_the_stiffness_has_no_sensitivities(joint_text):
+    plastic = parse_case(joint_text.replace("fractal_dimension = 1.4", "fractal_dimension = 1.2"), source="x")
+    with pytest.raises(
+        NoSolutionError, match=r"every spot of sp, pwr, .* is plastic.* raise fractal_dimension"
+    ):
+        sensitivity(plastic, ("torque_capacity", "assembly_stiffness_output"))
+    found = sensitivity(plastic, ("torque_capacity",))
+    share = float(found["elasticity"].sel(result="torque_capacity", input="surface.fractal_dimension"))
+    assert share == 0.0
 
 
 def test_any_result_with_derivatives_can_be_asked_for(homogeneous):

@@ -7,6 +7,7 @@ import pytest
 from scipy import stats
 
 from asperity.errors import InputError
+from asperity.joint.status import STATUS_NAMES
 from asperity.joint_file.distribution import Distribution
 from asperity.joint_file.reader import parse_case
 from asperity.study.tolerances import uncertainty as module
@@ -174,6 +175,17 @@ def test_failed_samples_are_counted(joint_text):
     assert np.all(np.isnan(mass["first_order"].values))
 
 
+def test_plastic_samples_are_counted_and_left_out(joint_text):
+    """The stiffness of the solved samples rises with D from the value where the last spots turn elastic."""
+    text = joint_text.replace("fractal_dimension = 1.4", 'fractal_dimension = "1.3 +- 0.1, uniform"')
+    found = uncertainty(parse_case(text, source="x"), results=("published_stiffness_output",), samples=1000)
+    plastic = found["status"].values == STATUS_NAMES.index("all_spots_plastic")
+    D = found["sampled_inputs"].sel(input="surface.fractal_dimension").values
+    assert 0 < plastic.sum() < 1000
+    assert D[plastic].max() < D[~plastic].min()
+    assert np.isfinite(float(found["mean"].squeeze()))
+
+
 def test_small_tolerances_are_linear(joint_text):
     # the standard deviation of the published stiffness is its derivative times that of the preload
     text = joint_text.replace('"1000 N"', '"1000 N +- 0.1 N, normal 1 sigma"').replace('"printed"', '"unity"')
@@ -190,7 +202,8 @@ def test_small_tolerances_are_linear(joint_text):
 
 def test_a_distribution_is_never_guessed(toleranced, case):
     with pytest.raises(
-        InputError, match=r"drive\.contact_length: the file states a tolerance .* add --distribution uniform"
+        InputError,
+        match=r"drive\.contact_length: the file states a tolerance .* state one for all of them, such",
     ):
         toleranced_inputs(toleranced, otherwise=None)
     with pytest.raises(InputError, match="no tolerances"):

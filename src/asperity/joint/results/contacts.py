@@ -3,8 +3,12 @@
 from __future__ import annotations
 
 import functools
+import operator
+from typing import Any
 
-from asperity.joint.results.result import Result
+import jax.numpy as jnp
+
+from asperity.joint.results.result import Result, SolvedJoint
 from asperity.unit_table import Dimension
 
 _force = functools.partial(Result, group="forces")
@@ -12,6 +16,20 @@ _contact = functools.partial(Result, group="contacts", axis="contact")
 
 _FORCE, _TORQUE, _STIFFNESS = Dimension.FORCE, Dimension.TORQUE, Dimension.STIFFNESS
 _AREA, _NUMBER = Dimension.AREA, Dimension.DIMENSIONLESS
+_PLASTIC = "nan where every spot of the contact is plastic"
+
+
+def _elastic(name: str, label: str, path: str, dimension: Dimension, unit: str, note: str = "") -> Result:
+    """A stiffness of the asperities: the contact law has none where every spot of a loaded contact is plastic."""
+
+    def value(solved: SolvedJoint) -> Any:
+        result = solved.result
+        plastic = (result.forces.normal > 0.0) & (result.contacts.normal_stiffness <= 0.0)
+        return jnp.where(plastic, jnp.nan, operator.attrgetter(path)(result))
+
+    note = f"{note}; {_PLASTIC}" if note else _PLASTIC
+    return _contact(name, label, dimension, unit, value, note=note)
+
 
 ROWS = (
     _force("preload", "preload between sun and planet", _FORCE, "N", "joint.preload", needs="geometry"),
@@ -60,19 +78,19 @@ ROWS = (
         "result.forces.right_bearing_torque",
         positive=False,
     ),
-    _contact(
+    _elastic(
         "asperity_tangential_stiffness",
         "tangential stiffness of the contact's asperities",
+        "interfaces.asperity_tangential",
         _STIFFNESS,
         "N/um",
-        "result.interfaces.asperity_tangential",
     ),
-    _contact(
+    _elastic(
         "asperity_normal_stiffness",
         "normal stiffness of the contact's asperities",
+        "interfaces.asperity_normal",
         _STIFFNESS,
         "N/um",
-        "result.interfaces.asperity_normal",
     ),
     _contact(
         "bulk_tangential_stiffness",
@@ -88,12 +106,12 @@ ROWS = (
         "N/um",
         "result.interfaces.bulk_normal",
     ),
-    _contact(
+    _elastic(
         "contact_torsional_stiffness",
         "torsional stiffness of the contact's asperities",
+        "contact_torsional_stiffness",
         Dimension.TORSIONAL_STIFFNESS,
         "N*m/rad",
-        "result.contact_torsional_stiffness",
         note="at the contact's driven roller",
     ),
     _contact(

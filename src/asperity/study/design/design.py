@@ -9,7 +9,7 @@ import numpy as np
 
 from asperity.errors import InputError, NoSolutionError
 from asperity.joint.results import RESULTS
-from asperity.joint.status import UNBALANCED
+from asperity.joint.status import ALL_PLASTIC, UNBALANCED, has_value
 from asperity.joint_file.edited_text import joint_file_text
 from asperity.joint_file.reader import parse_case
 from asperity.joint_file.si_tables import si_values
@@ -158,10 +158,7 @@ def _result(
             )
         ),
     )
-    if np.any(found.status[evaluator.counted] == UNBALANCED):
-        raise NoSolutionError(
-            "the force balance of the design found did not close in every scenario; narrow the bounds"
-        )
+    _refuse_without_result(evaluator, found)
     status, before, _ = derivatives_at(evaluator.values, evaluator.scenarios.changes({}), evaluator.results)
     worst_before = goal.sign * before[goal.name][:, evaluator.counted]
     return DesignResult(
@@ -190,6 +187,25 @@ def _result(
     )
 
 
+def _refuse_without_result(evaluator: DesignEvaluator, found: EvaluatedDesign) -> None:
+    """Refuse a design whose objective or limits have no value in a scenario that counts."""
+    status = found.status[evaluator.counted]
+    if np.any(status == UNBALANCED):
+        raise NoSolutionError(
+            "the force balance of the design found did not close in every scenario; narrow the bounds"
+        )
+    problem = evaluator.problem
+    names = [each.name for each in problem.objectives] + [each.name for each in problem.constraints]
+    unknown = [
+        name for name in dict.fromkeys(names) if np.isnan(found.values[name][:, evaluator.counted]).any()
+    ]
+    if unknown and np.any(status == ALL_PLASTIC):
+        raise NoSolutionError(
+            f"the nearest design found has no value of {', '.join(unknown)}: every spot of a contact is plastic, where "
+            "the contact law has no stiffness; use a surface of larger fractal_dimension or smaller fractal_roughness"
+        )
+
+
 def _worst_objective(evaluator: DesignEvaluator, found: EvaluatedDesign) -> float:
     """The objective at its worst scenario [SI]."""
     goal = evaluator.problem.objectives[0]
@@ -202,7 +218,7 @@ def _summary(
 ) -> dict[str, float]:
     summary = {}
     for name, which in SUMMARY.items():
-        table = np.where((status == 0) | (RESULTS[name].needs == "geometry"), values[name], np.nan)
+        table = np.where(has_value(status, RESULTS[name].needs), values[name], np.nan)
         counted = table[:, evaluator.counted]
         summary[name] = float(
             {"nominal": table[0, 0], "largest": counted.max(), "smallest": counted.min()}[which]

@@ -18,7 +18,8 @@ from asperity.errors import InputError
 from asperity.precision import use_double_precision
 from asperity.study.batch import QUICK_POINTS
 from asperity.study.datasets import require
-from asperity.study.sweep.store import unfinished_blocks, write_block
+from asperity.study.sweep.store import write_block
+from asperity.study.sweep.store_integrity import unfinished_blocks
 from asperity.study.sweep.sweep_plan import Plan, block_results
 
 #: Blocks handed out ahead of each worker, so that none waits.
@@ -105,7 +106,8 @@ def run_on_cluster(
             if first and index in unfinished_blocks(path):
                 raise InputError(
                     f"the workers of {scheduler} do not write to this machine's folder {path}; "
-                    "choose an --out on a file system that they share"
+                    "choose a folder on a file system that they share",
+                    options=["out"],
                 )
             first = False
             finished(index)

@@ -17,14 +17,8 @@ from asperity.study.batch import QUICK_POINTS
 from asperity.study.datasets import common_attributes, coordinate, dataset
 from asperity.study.parameters import SweepAxis
 from asperity.study.sweep.cluster import run_on_cluster
-from asperity.study.sweep.store import (
-    open_store,
-    prepare_store,
-    remove_store,
-    repair_store,
-    unfinished_blocks,
-    write_block,
-)
+from asperity.study.sweep.store import open_store, prepare_store, remove_store, write_block
+from asperity.study.sweep.store_integrity import repair_store, unfinished_blocks
 from asperity.study.sweep.sweep_plan import Plan, block_results, make_plan
 
 if TYPE_CHECKING:
@@ -156,11 +150,14 @@ def _in_memory(
     plan: Plan, scheduler: str | None, workers: int | None, report: Report | None
 ) -> xarray.Dataset:
     if scheduler is not None or workers:
-        raise InputError("a cluster writes to a store, which is missing: give one, e.g. --out sweep.zarr")
+        raise InputError(
+            "a cluster writes to a store, and none is given; give one, such as sweep.zarr", options=["out"]
+        )
     if plan.points > IN_MEMORY_POINTS or plan.bytes > IN_MEMORY_BYTES:
         raise InputError(
             f"{plan.points} points with {len(plan.results)} results take {plan.bytes / 1e9:.3g} GB of memory; stream "
-            "them to a store, e.g. --out sweep.zarr, or ask for fewer results"
+            "them to a store, such as sweep.zarr, or ask for fewer results",
+            options=["out", "results"],
         )
     done = 0
 

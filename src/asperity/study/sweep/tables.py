@@ -42,7 +42,10 @@ def check_table_path(path: str | Path, *, overwrite: bool) -> None:
     if file.suffix not in SUFFIXES:
         raise InputError(f"{path}: the ending must be one of .zarr, {', '.join(SUFFIXES)}")
     if file.exists() and (file.is_dir() or not overwrite):
-        raise InputError(f"{path}: this exists already; choose another name, or --overwrite it")
+        raise InputError(
+            f"{path}: this exists already; choose another name, or allow it to be overwritten",
+            options=["overwrite"],
+        )
     check_folder(file)
     for module in {".nc": ("h5netcdf", "h5py"), ".parquet": ("pyarrow",), ".csv": ()}[file.suffix]:
         require(module)

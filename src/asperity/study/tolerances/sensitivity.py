@@ -14,9 +14,10 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from asperity.errors import InputError, NoSolutionError
+from asperity.joint.document import stiffness_unknown_because
 from asperity.joint.results import LEVELS, RESULTS, known_result, row_name
 from asperity.joint.solve import solve
-from asperity.joint.status import STATUS_MEANINGS, UNBALANCED
+from asperity.joint.status import ALL_PLASTIC, STATUS_MEANINGS, UNBALANCED
 from asperity.joint_file.build import joint_from_case
 from asperity.joint_file.model import Case
 from asperity.joint_file.si_tables import numeric_keys, si_values
@@ -78,7 +79,7 @@ def sensitivity(case: Case, results: Sequence[str] = DEFAULT_RESULTS) -> xarray.
     InputError
         If a result has no derivatives, the rollers do not fit or the torque is beyond the capacity.
     NoSolutionError
-        If the force balance does not close.
+        If the force balance does not close, or a result is a stiffness and every spot of a contact is plastic.
     PrecisionError
         If JAX is in single precision.
 
@@ -96,8 +97,9 @@ def sensitivity(case: Case, results: Sequence[str] = DEFAULT_RESULTS) -> xarray.
     x = np.array([entry.value for entry in inputs.values()])
     point = {path: np.array([entry.value]) for path, entry in inputs.items()}
     status, values, slopes = derivatives_at(si_values(case), point, names, tuple(inputs))
-    refuse_failed(case, int(status[0]))
     y = np.concatenate([values[name][:, 0] for name in names])
+    if status[0] != ALL_PLASTIC or np.isnan(y).any():
+        refuse_failed(case, int(status[0]))
     jacobian = np.concatenate([slopes[name][:, 0] for name in names])
     rows = result_rows(names)
     finite = np.isfinite(y)[:, None]
@@ -137,20 +139,20 @@ def refuse_failed(case: Case, status: int) -> None:
     case : Case
         The joint file.
     status : int
-        Its code, a place in :data:`asperity.joint.status.STATUSES`.
+        Its code, an index into :data:`asperity.joint.status.STATUSES`.
 
     Raises
     ------
     InputError
         If the joint cannot exist or slips.
     NoSolutionError
-        If its force balance does not close.
+        If its force balance does not close, or the contact law has no stiffness for it.
     """
     if status == 0:
         return
-    solve(joint_from_case(case))  # says it with the numbers
-    reason = STATUS_MEANINGS[status]
-    if status == UNBALANCED:
+    result = solve(joint_from_case(case)).result  # says it with the numbers
+    reason = stiffness_unknown_because(result) or STATUS_MEANINGS[status]
+    if status in (UNBALANCED, ALL_PLASTIC):
         raise NoSolutionError(reason)
     raise InputError(reason)
 

@@ -65,9 +65,10 @@ def toleranced_inputs(
     unstated = [path for path, entry in found.items() if entry.distribution is None]
     if unstated and otherwise is None:
         raise InputError(
-            f"{', '.join(unstated)}: the file states a tolerance but not its distribution; add --distribution uniform "
-            f"to take one for all of them, or write it into the file behind a comma, as in "
-            f'"4 mm +- 5 um, uniform"; distributions are {FORMS}'
+            f"{', '.join(unstated)}: the file states a tolerance but not its distribution; state one for all of them, "
+            f'such as uniform, or write it into the file behind a comma, as in "4 mm +- 5 um, uniform"; distributions '
+            f"are {FORMS}",
+            options=["distribution"],
         )
     return {path: (entry, entry.distribution or otherwise) for path, entry in found.items()}  # type: ignore[misc]
 

@@ -1,0 +1,1 @@
+"""Evidence on the user's machine: published and independent results, recomputed by the installed version."""

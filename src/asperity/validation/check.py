@@ -1,0 +1,149 @@
+"""One comparison of a computed number with a reference."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+
+@dataclass(frozen=True, slots=True)
+class Check:
+    """A computed quantity, its reference, and whether they agree.
+
+    Parameters
+    ----------
+    model : str
+        What is checked.
+    reference : str
+        Where the expected value comes from.
+    quantity, unit : str
+        What is compared, and its unit; "-" for a ratio.
+    expected, found : float
+        The value of the reference and the computed one [unit]; of several values the pair that differs most.
+    deviation : float
+        Relative difference [-], or the difference itself where the tolerance is absolute [unit]; nan if nothing
+        was found.
+    tolerance : float
+        Largest deviation that passes.
+    absolute : bool
+        Whether deviation and tolerance are absolute.
+    values : int
+        How many values were compared.
+    note : str
+        Why nothing was found; empty otherwise.
+    """
+
+    model: str
+    reference: str
+    quantity: str
+    unit: str
+    expected: float
+    found: float
+    deviation: float
+    tolerance: float
+    absolute: bool
+    values: int
+    note: str = ""
+
+    @property
+    def passed(self) -> bool:
+        """Whether the deviation is within the tolerance; nan is not."""
+        return self.deviation <= self.tolerance
+
+    def as_dict(self) -> dict[str, Any]:
+        """For JSON: numbers that are not finite are None.
+
+        Returns
+        -------
+        dict
+            The fields and ``passed``.
+        """
+        fields = {name: getattr(self, name) for name in self.__slots__}
+        for name in ("expected", "found", "deviation"):
+            if not math.isfinite(fields[name]):
+                fields[name] = None
+        return fields | {"passed": self.passed}
+
+
+def compared(
+    *,
+    model: str,
+    reference: str,
+    quantity: str,
+    unit: str,
+    expected: ArrayLike,
+    found: ArrayLike,
+    tolerance: float,
+    absolute: bool = False,
+) -> Check:
+    """Compare computed values with a reference; of several values the worst pair is kept.
+
+    Parameters
+    ----------
+    model, reference, quantity, unit : str
+        As in :class:`Check`.
+    expected, found : array_like
+        Values of one shape [unit].
+    tolerance : float
+        Largest deviation that passes.
+    absolute : bool
+        Whether the tolerance is a difference rather than a ratio.
+
+    Returns
+    -------
+    Check
+        The comparison. An expected zero is met, relatively, by an exact zero only.
+
+    Raises
+    ------
+    ValueError
+        If the shapes differ.
+    """
+    wanted, computed = (
+        np.atleast_1d(np.asarray(values, dtype=float)).ravel() for values in (expected, found)
+    )
+    if wanted.shape != computed.shape:
+        raise ValueError(f"{computed.size} values instead of {wanted.size}")
+    difference = np.abs(computed - wanted)
+    if not absolute:
+        size = np.abs(wanted)
+        zero = np.where(difference == 0.0, 0.0, np.inf)
+        difference = np.where(size > 0.0, difference / np.where(size > 0.0, size, 1.0), zero)
+    missing = np.isnan(difference)
+    worst = int(np.argmax(missing)) if missing.any() else int(np.argmax(difference))
+    return Check(
+        model=model,
+        reference=reference,
+        quantity=quantity,
+        unit=unit,
+        expected=float(wanted[worst]),
+        found=float(computed[worst]),
+        deviation=float(difference[worst]),
+        tolerance=tolerance,
+        absolute=absolute,
+        values=wanted.size,
+        note="the computed value is not a number" if missing.any() else "",
+    )
+
+
+def failed(model: str, error: Exception) -> Check:
+    """A group of checks that ended in an error.
+
+    Parameters
+    ----------
+    model : str
+        What was checked.
+    error : Exception
+        What happened.
+
+    Returns
+    -------
+    Check
+        One that does not pass.
+    """
+    note = f"{type(error).__name__}: {error}".splitlines()[0]
+    return Check(model, "", "the computation", "-", math.nan, math.nan, math.nan, 0.0, False, 0, note)

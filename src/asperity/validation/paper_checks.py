@@ -1,0 +1,138 @@
+"""What the published figures show, a profile of known roughness, and units."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import numpy as np
+
+from asperity.surface.height_parameters import height_parameters
+from asperity.surface.topography import Topography
+from asperity.units import Dimension, parse_quantity
+from asperity.validation.check import Check, compared
+from asperity.zou2025.claims import judge
+from asperity.zou2025.curves import compute
+
+
+def figures() -> Iterator[Check]:
+    """Numbers that the paper's figures and statics fix.
+
+    Yields
+    ------
+    Check
+        Place of the maxima, limit of slip, torque on the sun, published stiffness.
+    """
+    curves = compute()
+    numbers: dict[str, dict[str, float]] = {}
+    for claim in judge(curves):
+        numbers[claim.name] = {key: value for part in claim.statements for key, value in part.numbers.items()}
+    model = "Figures of Zou et al. 2025"
+    yield compared(
+        model=model,
+        reference="figure 4c: maximum near D = 1.85",
+        quantity="fractal dimension of the stiffest pair",
+        unit="-",
+        expected=1.85,
+        found=numbers["C3"]["peak_fractal_dimension"],
+        tolerance=0.02,
+        absolute=True,
+    )
+    peaks = [value for key, value in numbers["C9"].items() if key.startswith("peak_fractal_dimension")]
+    yield compared(
+        model=model,
+        reference="figure 7a: maximum near D = 1.85 at every torque",
+        quantity="fractal dimension of the stiffest joint, 0 to 5 N·m",
+        unit="-",
+        expected=[1.85] * len(peaks),
+        found=peaks,
+        tolerance=0.02,
+        absolute=True,
+    )
+    yield compared(
+        model=model,
+        reference="figure 4b: no stiffness from T = mu F on, 0.12 of 1000 N",
+        quantity="tangential force at which the pair slips",
+        unit="N",
+        expected=120.0,
+        found=numbers["C2"]["slip_force_N"],
+        tolerance=1e-9,
+    )
+    yield compared(
+        model=model,
+        reference="statics of (1)-(5) by hand: 5 N·m over three planets, ratio 9, sun of 4 mm",
+        quantity="tangential force of the sun at 5 N·m",
+        unit="N",
+        expected=5.0 / (9.0 * 3.0 * 4e-3),
+        found=numbers["C7"]["T_sp_end_N"],
+        tolerance=1e-9,
+    )
+    loads = curves.loads
+    yield compared(
+        model=model,
+        reference="independent script, two digits: D 1.4, no torque",
+        quantity="published torsional stiffness at the output",
+        unit="N·m/rad",
+        expected=5.0e6,
+        found=float(loads.output_stiffness[0, 0]),
+        tolerance=0.01,
+    )
+
+
+def roughness() -> Iterator[Check]:
+    """Height parameters of a sine.
+
+    Yields
+    ------
+    Check
+        Ra, Rq, Rt, skewness and kurtosis.
+    """
+    x = 0.1e-6 * np.arange(20_000)
+    heights = 1e-6 * np.sin(2.0 * np.pi * (x + 0.5e-7) / 40e-6)
+    found = height_parameters(topography=Topography(heights, 0.1e-6))
+    yield compared(
+        model="Height parameters (ISO 21920)",
+        reference="a sine of amplitude A: Ra = 2A/π, Rq = A/√2, Rt = 2A",
+        quantity="Ra, Rq and Rt for A = 1 µm",
+        unit="µm",
+        expected=[2.0 / np.pi, np.sqrt(0.5), 2.0],
+        found=1e6 * np.array([found.arithmetic_mean, found.root_mean_square, found.total_height]),
+        tolerance=1e-4,
+    )
+    yield compared(
+        model="Height parameters (ISO 21920)",
+        reference="a sine: no skewness, kurtosis 3/2",
+        quantity="skewness and kurtosis",
+        unit="-",
+        expected=[0.0, 1.5],
+        found=[found.skewness, found.kurtosis],
+        tolerance=1e-6,
+        absolute=True,
+    )
+
+
+def units() -> Iterator[Check]:
+    """Quantities as users write them.
+
+    Yields
+    ------
+    Check
+        Their SI values.
+    """
+    written: tuple[tuple[str, Dimension, float], ...] = (
+        ("1 deg", Dimension.ANGLE, np.pi / 180.0),
+        ("1 arcmin", Dimension.ANGLE, np.pi / 10_800.0),
+        ("6000 rpm", Dimension.ANGULAR_VELOCITY, 200.0 * np.pi),
+        ("1 N*m/arcmin", Dimension.TORSIONAL_STIFFNESS, 10_800.0 / np.pi),
+        ("1 N/um", Dimension.STIFFNESS, 1e6),
+        ("450 MPa", Dimension.PRESSURE, 450e6),
+        ("5 um", Dimension.LENGTH, 5e-6),
+    )
+    yield compared(
+        model="Units",
+        reference="definitions of the SI",
+        quantity=", ".join(text for text, _, _ in written),
+        unit="SI",
+        expected=[value for _, _, value in written],
+        found=[parse_quantity(text, dimension) for text, dimension, _ in written],
+        tolerance=1e-15,
+    )

@@ -1,0 +1,105 @@
+"""All checks on the installed version, as one document."""
+
+from __future__ import annotations
+
+import hashlib
+import platform
+from collections.abc import Callable, Iterator
+from importlib.metadata import version
+from pathlib import Path
+from typing import Any
+
+import asperity
+from asperity.precision import require_double_precision
+from asperity.validation import body_checks, contact_checks, drive_checks, element_checks, paper_checks
+from asperity.validation.check import Check, failed
+
+#: Name of a group of checks → what computes it.
+GROUPS: dict[str, Callable[[], Iterator[Check]]] = {
+    "units": paper_checks.units,
+    "roughness": paper_checks.roughness,
+    "contact law": contact_checks.contact_law,
+    "Hertz": contact_checks.hertz,
+    "creep": contact_checks.creep,
+    "stresses": contact_checks.stresses,
+    "fatigue": contact_checks.fatigue,
+    "discs": body_checks.discs,
+    "rings": body_checks.rings,
+    "kinematics": drive_checks.ratios,
+    "drive": drive_checks.states,
+    "half-space": element_checks.half_space,
+    "partial slip": element_checks.sliding,
+    "rolling": element_checks.rolling,
+    "the paper's figures": paper_checks.figures,
+}
+
+
+def run_checks(report: Callable[[int, int], Any] = lambda done, total: None) -> list[Check]:
+    """Every check, one group after the other.
+
+    Parameters
+    ----------
+    report : callable, optional
+        Is given the number of groups done, and of all.
+
+    Returns
+    -------
+    list of Check
+        A group that ends in an error is one check that does not pass.
+
+    Raises
+    ------
+    PrecisionError
+        If JAX is in single precision.
+    """
+    require_double_precision()
+    found: list[Check] = []
+    for done, (name, group) in enumerate(GROUPS.items()):
+        report(done, len(GROUPS))
+        try:
+            found += list(group())
+        except Exception as error:  # whatever is broken in this installation is a finding, not an end
+            found.append(failed(name, error))
+    report(len(GROUPS), len(GROUPS))
+    return found
+
+
+def source_checksum() -> str:
+    """Checksum of the installed package's source and data.
+
+    Returns
+    -------
+    str
+        SHA-256 over the names and contents of its files.
+    """
+    digest = hashlib.sha256()
+    folder = Path(asperity.__file__).parent
+    for file in sorted(path for path in folder.rglob("*") if path.suffix in {".py", ".csv", ".toml"}):
+        digest.update(file.relative_to(folder).as_posix().encode() + b"\0" + file.read_bytes() + b"\0")
+    return digest.hexdigest()
+
+
+def validation_document(checks: list[Check]) -> dict[str, Any]:
+    """The checks with what they were computed on, ready for :func:`json.dumps`.
+
+    Parameters
+    ----------
+    checks : list of Check
+        As :func:`run_checks` returns them.
+
+    Returns
+    -------
+    dict
+        Versions, platform, checksum, counts and checks.
+    """
+    return {
+        "asperity_version": asperity.__version__,
+        "source_sha256": source_checksum(),
+        "python": platform.python_version(),
+        "packages": {name: version(name) for name in ("jax", "jaxlib", "equinox", "numpy", "scipy")},
+        "platform": f"{platform.system()} {platform.machine()}",
+        "checks": [check.as_dict() for check in checks],
+        "passed": sum(check.passed for check in checks),
+        "failed": sum(not check.passed for check in checks),
+        "valid": all(check.passed for check in checks),
+    }
