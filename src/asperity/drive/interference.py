@@ -164,7 +164,8 @@ def interference_of_sizes(
 
     .. math::
         (N_{wro} + N_{wlo})\,(\delta + \varepsilon_o) = N_{sp} \varepsilon_s
-        + (N_{sp} + N_{pwr} + N_{pwl}) \varepsilon_p + (N_{pwr} + N_{wro}) \varepsilon_{wr} + (N_{pwl} + N_{wlo}) \varepsilon_{wl}
+        + (N_{sp} + N_{pwr} + N_{pwl}) \varepsilon_p + (N_{pwr} + N_{wro}) \varepsilon_{wr}
+        + (N_{pwl} + N_{wlo}) \varepsilon_{wl}
 
     Parameters
     ----------
