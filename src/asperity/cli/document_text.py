@@ -45,8 +45,8 @@ def show_heading(target: Console, document: Document, source: str) -> None:
     drive, load, preload = document["input"]["drive"], document["input"]["load"], document["preload"]
     target.print(
         f"{source}\n{count(drive['planets'], 'planet')}, sun at {in_unit(load['sun_speed'], 'rpm')}, preload "
-        f"{in_unit(preload['force_N'], 'N')} by {in_unit(preload['interference_m'], 'um')}, output torque "
-        f"{in_unit(load['output_torque'], 'N*m')}\n",
+        f"{in_unit(preload['force_N'], 'N')} ({in_unit(preload['interference_m'], 'um')} of interference), "
+        f"output torque {in_unit(load['output_torque'], 'N*m')}\n",
         style="bold",
         markup=False,
     )
