@@ -65,3 +65,9 @@ def test_what_is_not_known_does_not_pass(monkeypatch):
     monkeypatch.setattr(module, "RESULTS", {"slip": ROWS[1]})
     (found,) = margins(SimpleNamespace(a=np.array([0.5, np.nan, 0.2, 5.0, 0.4])))
     assert (found.place, found.passes) == ("pwr", False)
+
+
+def test_an_infinite_safety_factor_passes(monkeypatch):
+    monkeypatch.setattr(module, "RESULTS", {"torque_safety": ROWS[5]})
+    (found,) = margins(SimpleNamespace(b=math.inf))
+    assert (found.actual, found.passes, found.utilisation) == (math.inf, True, 0.0)

@@ -75,6 +75,22 @@ def test_unusual_numbers_are_named(notes, changes, name, said):
     assert said in (note.meaning + str(note.remedy))
 
 
+def test_a_film_that_carries_load_is_named_where_its_ratio_is_known(paper_joint):
+    solution = solve(paper_joint(ring_wall_thickness=60e-3))
+    ratios = np.array([0.4, 0.9, 1.3, np.nan, 3.5])
+    rolling = dataclasses.replace(solution.result.rolling, film_ratio=ratios)
+    result = dataclasses.replace(solution.result, rolling=rolling)
+    notes = plausibility(paper_joint(), result, solution.sizes)
+    found = {note.contact: note for note in notes if note.name == "film_ratio"}
+    assert {name: note.ok for name, note in found.items()} == {
+        "sp": True,
+        "pwr": True,
+        "pwl": False,
+        "wlo": False,
+    }
+    assert "the oil film carries a part of the load" in found["pwl"].meaning
+
+
 def test_without_a_scale_the_size_does_not_matter(notes):
     names = {name for name, _ in notes(contact_length=150e-3, contact_factor_model="unity")}
     assert "contact_factor_size" not in names

@@ -120,3 +120,19 @@ def test_names_of_rows_and_levels():
     assert name_at_level("stiffness", "published") == "published_stiffness_output"
     assert name_at_level("stiffness_per_mass", "assembly") == "assembly_stiffness_per_mass"
     assert name_at_level("hertz_pressure", "assembly") == "hertz_pressure"
+
+
+def test_limits_of_ratios_are_those_of_their_meaning():
+    """What is, over what is allowed, ends at 1; "at least ten times softer" is 0.1."""
+    for name in (
+        "slip_ratio",
+        "self_locking_ratio",
+        "pressure_over_first_yield",
+        "critical_over_largest_spot",
+        "real_area_over_hertz_area",
+        "largest_spot_over_hertz_area",
+    ):
+        assert RESULTS[name].limit.highest == 1.0, name
+    assert RESULTS["asperity_over_bulk_stiffness"].limit.highest == 0.1
+    assert RESULTS["slip_ratio"].highest_limit == 1.0
+    assert RESULTS["slip_safety"].lowest_limit == RESULTS["torque_safety"].lowest_limit == 1.0

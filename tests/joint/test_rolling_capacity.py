@@ -10,7 +10,8 @@ import pytest
 
 from asperity.drive.mechanism import Bearings
 from asperity.errors import NoSolutionError
-from asperity.joint.rolling_capacity import refuse_no_rolling, rolling_capacity_of, rolling_torque_capacity
+from asperity.joint.rolling_capacity import rolling_torque_capacity
+from asperity.joint.rolling_refusal import refuse_no_rolling, rolling_capacity_of
 from asperity.joint.solve import solve
 from asperity.joint_file.build import joint_from_case
 from asperity.joint_file.reader import read_case

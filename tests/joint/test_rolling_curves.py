@@ -6,8 +6,8 @@ import math
 import numpy as np
 import pytest
 
-from asperity.joint.rolling_capacity import rolling_capacity_of
 from asperity.joint.rolling_curves import rolling_curves
+from asperity.joint.rolling_refusal import rolling_capacity_of
 from asperity.joint.solve import solve
 
 FRICTION = 0.12

@@ -15,7 +15,7 @@ from asperity.drive.geometry import CONTACT_NAMES
 from asperity.joint.description import Joint
 from asperity.joint.document import joint_document
 from asperity.joint.results import LEVELS, RESULTS, Result, SolvedJoint, known_result, name_at_level
-from asperity.joint.rolling_capacity import rolling_capacity_of
+from asperity.joint.rolling_refusal import rolling_capacity_of
 from asperity.joint.solve import Solution, solve
 from asperity.joint_file.build import joint_from_case
 from asperity.joint_file.si_tables import si_values

@@ -66,9 +66,10 @@ def joint(file: str, as_json: bool, surfaces: tuple[str, ...], plot_file: str | 
     if plot_file:
         from asperity.joint.results import SolvedJoint
         from asperity.show.compliance_figure import joint_figure
+        from asperity.show.style import plain_title
 
         solved = SolvedJoint(described, solution.result, solution.capacity)
-        write_image(joint_figure(solved, title=file), plot_file)
+        write_image(joint_figure(solved, title=plain_title(file)), plot_file)
         say_written(plot_file)
     if as_json:
         import json

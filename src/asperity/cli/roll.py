@@ -39,7 +39,7 @@ def roll(file: str, plot_file: str | None, as_json: bool) -> None:
     use_double_precision()
     use_compilation_cache()
     from asperity.joint.document import joint_document
-    from asperity.joint.rolling_capacity import refuse_no_rolling
+    from asperity.joint.rolling_refusal import refuse_no_rolling
     from asperity.joint.solve import solve
     from asperity.joint_file.assumptions import assumptions
     from asperity.joint_file.build import joint_from_case
@@ -56,6 +56,7 @@ def roll(file: str, plot_file: str | None, as_json: bool) -> None:
     if plot_file:
         from asperity.joint.rolling_curves import rolling_curves
         from asperity.show.rolling_figure import rolling_figure
+        from asperity.show.style import plain_title
 
         curves = rolling_curves(
             joint=joint,
@@ -64,7 +65,11 @@ def roll(file: str, plot_file: str | None, as_json: bool) -> None:
         )
         write_image(
             rolling_figure(
-                curves, solution.result.rolling, joint=joint, title=f"{file} in rolling", width=_WIDTH
+                curves,
+                solution.result.rolling,
+                joint=joint,
+                title=f"{plain_title(file)} in rolling",
+                width=_WIDTH,
             ),
             plot_file,
         )

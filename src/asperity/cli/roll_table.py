@@ -39,6 +39,7 @@ def show_rolling(target: Console, document: Document, *, source: str) -> None:
     _show_output(target, document)
     _show_losses(target, document)
     _show_contacts(target, document)
+    _show_surfaces(target, document["rolling"])
     _show_thrust(target, document["rolling"])
     _show_life(target, document)
     show_warnings(target, document)
@@ -151,6 +152,26 @@ def _show_contacts(target: Console, document: Document) -> None:
     if sliding:
         text = f"  {', '.join(sliding)}: slips as a whole, because skew takes a part of the friction; the rest of the "
         print_wrapped(target, text + "traction needs the large creepage above\n", indent=2)
+
+
+def _show_surfaces(target: Console, rolling: Document) -> None:
+    """Flash temperature and oil film, where the file has the numbers for one of them."""
+    keys = ("flash_temperature_K", "film_thickness_m", "film_ratio")
+    contacts = rolling["contacts"]
+    if all(contact[key] is None for contact in contacts.values() for key in keys):
+        return
+    shown = table(
+        target,
+        "Surfaces in rolling",
+        "contact",
+        "flash temperature\nK",
+        "smallest oil film\nµm",
+        "film over roughness\nlambda",
+    )
+    for name, contact in contacts.items():
+        rise, film, ratio = (contact[key] for key in keys)
+        shown.add_row(name, number(rise, 3), "-" if film is None else number(1e6 * film, 3), number(ratio, 3))
+    target.print(shown)
 
 
 def _show_thrust(target: Console, rolling: Document) -> None:

@@ -127,9 +127,11 @@ def windup(
         _write_csv(rolling_columns(onsets[0]), rolling_file)
         say_written(rolling_file)
     if plot_file:
+        from asperity.show.style import plain_title
         from asperity.show.windup_figure import windup_figure
 
-        write_image(windup_figure(curve, onsets[0], title=f"Wind-up of {file}, {level} stiffness"), plot_file)
+        title = f"Wind-up of {plain_title(file)}, {level} stiffness"
+        write_image(windup_figure(curve, onsets[0], title=title), plot_file)
         say_written(plot_file)
     if as_json:
         import json

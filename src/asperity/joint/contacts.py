@@ -81,7 +81,9 @@ def joint_contacts(joint: Joint) -> JointContacts:
         Numbers of shape (contacts, ...), or (1, ...) where all contacts share one.
     """
     driving, driven = (
-        per_contact(tuple(getattr(joint.bodies, bodies[side]) for bodies in CONTACT_BODIES.values()))
+        per_contact(
+            tuple(_elastic(getattr(joint.bodies, bodies[side])) for bodies in CONTACT_BODIES.values())
+        )
         for side in (0, 1)
     )
     radius_1, radius_2, sign = contact_radii(joint.geometry)
@@ -99,6 +101,17 @@ def joint_contacts(joint: Joint) -> JointContacts:
         driven=driven,
         ring_wall_thickness=joint.ring_wall_thickness,
         contact_factor_model=joint.contact_factor_model,
+    )
+
+
+def _elastic(material: Material) -> Material:
+    """A material without its thermal properties, which not every material has."""
+    return Material(
+        youngs_modulus=material.youngs_modulus,
+        poisson_ratio=material.poisson_ratio,
+        density=material.density,
+        yield_strength=material.yield_strength,
+        hardness=material.hardness,
     )
 
 

@@ -17,8 +17,8 @@ from asperity.joint.evaluation import JointResult
 from asperity.joint.limit_check import LimitCheck, checked_limits
 from asperity.joint.plausibility import plausibility
 from asperity.joint.results import GROUPS, RESULTS, SolvedJoint
-from asperity.joint.rolling_capacity import rolling_capacity_of
 from asperity.joint.rolling_document import contact_results, losses, rolling_document
+from asperity.joint.rolling_refusal import rolling_capacity_of
 from asperity.joint.solve import Solution
 
 Document = dict[str, Any]

@@ -75,7 +75,11 @@ def _worst(row: Result, solved: SolvedJoint) -> Margin:
         lowest, highest, severity = row.lowest_limit, math.inf, SEVERITIES[0]
     else:
         lowest, highest, severity = row.limit.lowest, row.limit.highest, row.limit.severity
-    room = np.minimum(values - lowest, highest - values)
+    room = np.where(np.isnan(values), np.nan, np.inf)  # an infinite bound is infinitely far away
+    if math.isfinite(lowest):
+        room = np.minimum(room, values - lowest)
+    if math.isfinite(highest):
+        room = np.minimum(room, highest - values)
     index = int(np.argmin(np.where(np.isnan(room), -np.inf, room)))
     actual = float(values[index])
     passes = row.limit.is_kept(actual) if row.limit else actual > lowest

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 
 import equinox as eqx
 import jax.numpy as jnp
+import numpy as np
 from jax import Array
 
 from asperity.drive.assembly import assembly_stiffness
@@ -30,6 +31,8 @@ RING_BENDING_LIMIT = 0.05
 FRICTION_LIMIT = 0.3
 #: Contact length over the smaller roller's diameter above which a roller skews rather than bears evenly [-].
 SLENDERNESS_LIMIT = 3.0
+#: Oil film over roughness above which the film carries a part of the load [-].
+FILM_RATIO_LIMIT = 1.0
 #: The paper's pairs of rollers, Tables 1 and 2: effective radius and contact length [m].
 PAPER_EFFECTIVE_RADII = (3.0e-3, 8.4e-3)
 PAPER_CONTACT_LENGTHS = (5e-3, 30e-3)
@@ -161,7 +164,7 @@ def _bent_stiffness(
 
 
 def plausibility(joint: Joint, result: JointResult, sizes: CheckedSizes) -> tuple[Note, ...]:
-    """Notes on the ring's wall, the friction, the lengths, and the sizes for which lambda was made.
+    """Notes on the ring's wall, the friction, the lengths, the oil film, and the sizes for which lambda was made.
 
     Parameters
     ----------
@@ -178,6 +181,7 @@ def plausibility(joint: Joint, result: JointResult, sizes: CheckedSizes) -> tupl
         One for the drive or for each contact; those that are not ok are warnings.
     """
     lengths, effective = sizes.contact_length, sizes.effective_radius
+    films = np.asarray(result.rolling.film_ratio)
     notes = list(_ring_bending(joint, result, sizes))
     for index, name in enumerate(CONTACT_NAMES):
         mu = float(sizes.friction_coefficient[index])
@@ -207,6 +211,24 @@ def plausibility(joint: Joint, result: JointResult, sizes: CheckedSizes) -> tupl
                 "shorten it, or crown the rollers",
             )
         )
+        if math.isfinite(films[index]):
+            notes.append(
+                _note(
+                    "film_ratio",
+                    "oil film over roughness lambda",
+                    name,
+                    float(films[index]),
+                    FILM_RATIO_LIMIT,
+                    (
+                        "the asperities carry the load, as the contact law assumes",
+                        "the oil film carries a part of the load, and all of it from about 3: friction, creep, drift, "
+                        "torque capacity and stiffness are then those of the oil, but they are computed for surfaces "
+                        "that touch",
+                    ),
+                    "use the friction coefficient measured with this oil at this film, or choose a thinner oil or a "
+                    "lower speed",
+                )
+            )
         if joint.contact_factor_model != "unity":
             notes.append(
                 _size(joint.contact_factor_model, name, float(effective[index]), float(lengths[index]))

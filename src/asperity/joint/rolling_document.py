@@ -110,6 +110,9 @@ def _contact(found: RollingResult, k: int) -> Document:
     return {
         **contact_results(found, k),
         "slip_ratio": found.slip_ratio[k],
+        "flash_temperature_K": found.flash_temperature[k],
+        "film_thickness_m": found.film_thickness[k],
+        "film_ratio": found.film_ratio[k],
         "normal_N": found.normal[k],
         "tangential_N": found.tangential[k],
         "creepage_share": found.creepage_share[k],
@@ -166,7 +169,10 @@ def unknown_because(joint: Joint, result: JointResult) -> list[str]:
         ]
     reasons = []
     if not float(np.asarray(joint.sun_speed)) > 0.0:
-        reasons.append("the sun stands: there are no powers, no efficiency, no drift and no life in time")
+        reasons.append(
+            "the sun stands: there are no powers, no temperatures, no oil film, no efficiency, no drift and no life in "
+            "time"
+        )
     elif not bool(np.isfinite(np.asarray(found.power.efficiency))):
         reasons.append("no efficiency: the output torque drives the rotation, but less than the losses take")
     if joint.rolling.duty and np.isnan(np.asarray(found.duty_life_hours)):

@@ -68,4 +68,14 @@ def _rolling(case: Case) -> list[str]:
         told.append("no rolling.reliability: nine drives in ten reach the life, 0.9")
     if case.lubrication is None:
         told.append("no section [lubrication]: no oil, no loss at the inlet of the contacts")
+    elif case.lubrication.pressure_coefficient is None:
+        told.append("no lubrication.pressure_coefficient: no thickness of the oil film")
+    elif case.lubrication.roughness is None:
+        told.append("no lubrication.roughness: no ratio lambda of the oil film to it")
+    for name in dict.fromkeys(value for _, value in case.bodies):
+        material = case.materials[name]
+        keys = ("thermal_conductivity", "specific_heat_capacity")
+        absent = [key for key in keys if getattr(material, key) is None]
+        if absent:
+            told.append(f"no {' and '.join(absent)} of material {name}: no flash temperature of its contacts")
     return told

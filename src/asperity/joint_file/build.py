@@ -183,6 +183,7 @@ def _conditions(values: Values) -> RollingConditions:
         hysteresis_loss_factor=rolling.get("hysteresis_factor", plain.hysteresis_loss_factor),
         viscosity=oil.get("viscosity", plain.viscosity),
         pressure_viscosity_coefficient=oil.get("pressure_coefficient", plain.pressure_viscosity_coefficient),
+        roughness=oil.get("roughness", plain.roughness),
         reliability=rolling.get("reliability", plain.reliability),
         duty=tuple(DutyPoint(**load) for load in values.get("duty", {}).values()),
     )
@@ -203,7 +204,12 @@ def _longest(lengths: tuple[Real, ...]) -> Real:
 
 def _material(entry: Values) -> Material:
     elastic = {name: entry[name] for name in ("youngs_modulus", "poisson_ratio", "density", "yield_strength")}
-    return Material(**elastic, hardness=_hardness(entry))
+    return Material(
+        **elastic,
+        hardness=_hardness(entry),
+        thermal_conductivity=entry.get("thermal_conductivity"),
+        specific_heat_capacity=entry.get("specific_heat_capacity"),
+    )
 
 
 def _hardness(entry: Values) -> Real:

@@ -42,11 +42,15 @@ YIELD_STRENGTH = Key(Dimension.PRESSURE, 1e-3, 1e6, "MPa")
 HARDNESS_FACTOR = Key(Dimension.DIMENSIONLESS, 0.1, 100.0, example="2.8")
 HARDNESS = Key(Dimension.PRESSURE, 1e-3, 1e6, "MPa", example="1260 MPa")
 
+THERMAL_CONDUCTIVITY = Key(Dimension.THERMAL_CONDUCTIVITY, 1e-3, 1e4, "W/m/K", example="21 W/m/K")
+SPECIFIC_HEAT_CAPACITY = Key(Dimension.SPECIFIC_HEAT_CAPACITY, 1.0, 1e5, "J/kg/K", example="475 J/kg/K")
+
 SKEW = Key(Dimension.ANGLE, -100.0, 100.0, "mrad", example="0.5 mrad")
 HYSTERESIS_FACTOR = Key(Dimension.DIMENSIONLESS, 0.0, 1.0, example="0.01")
 RELIABILITY = Key(Dimension.DIMENSIONLESS, 0.0, 1.0, open_lower=True, open_upper=True, example="0.9")
 VISCOSITY = Key(Dimension.VISCOSITY, 1e-6, 1e4, "Pa*s", example="30 mPa*s")
 PRESSURE_COEFFICIENT = Key(Dimension.INVERSE_PRESSURE, 0.0, 1e3, "1/GPa", example="20 1/GPa")
+ROUGHNESS = Key(Dimension.LENGTH, 1e-3, 1e3, "um", example="0.2 um")
 DUTY_TORQUE = Key(Dimension.TORQUE, -1e9, 1e9, "N*m")
 
 FRACTAL_DIMENSION = Key(Dimension.DIMENSIONLESS, 1.0, 2.0, open_lower=True, open_upper=True, example="1.4")

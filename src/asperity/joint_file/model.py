@@ -194,7 +194,10 @@ class Lubrication(Section):
     viscosity: Annotated[Quantity, limits.VISCOSITY]
     """Viscosity of the oil at the inlet of the contacts; makes the rolling loss of the oil."""
     pressure_coefficient: Annotated[Quantity, limits.PRESSURE_COEFFICIENT] | None = None
-    """Pressure coefficient of the viscosity; the rolling loss does not depend on it."""
+    """Pressure coefficient of the viscosity; makes the thickness of the oil film, which is left out without it."""
+    roughness: Annotated[Quantity, limits.ROUGHNESS] | None = None
+    """Root mean square of the heights of both surfaces together, sqrt(Rq1^2 + Rq2^2); makes the ratio lambda of the oil
+    film to it."""
 
 
 class DutyLoad(Section):
@@ -249,6 +252,10 @@ class MaterialEntry(Section):
     """Hardness over yield strength, k_H; 2.8 for a blunt indenter in a ductile metal."""
     hardness: Annotated[Quantity, limits.HARDNESS] | None = None
     """Indentation hardness as a pressure."""
+    thermal_conductivity: Annotated[Quantity, limits.THERMAL_CONDUCTIVITY] | None = None
+    """Thermal conductivity, for the flash temperature of the contacts."""
+    specific_heat_capacity: Annotated[Quantity, limits.SPECIFIC_HEAT_CAPACITY] | None = None
+    """Specific heat capacity, for the flash temperature of the contacts."""
 
     @model_validator(mode="after")
     def _one_hardness(self) -> MaterialEntry:

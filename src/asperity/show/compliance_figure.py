@@ -138,7 +138,7 @@ def draw_levels(axes: Axes, solved: SolvedJoint) -> None:
             axes.annotate(f"{number:.4g}", (number, place), (8, 0), textcoords="offset points", va="center")
     axes.set_yticks(places, words)
     axes.set_ylim(len(rows) - 0.5, -0.5)
-    axes.margins(x=0.3)
+    axes.margins(x=0.45)
     if np.isfinite(known).any() and np.nanmax(known) < 30.0 * np.nanmin(known):
         axes.xaxis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
         axes.xaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))

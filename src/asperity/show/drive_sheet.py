@@ -94,6 +94,31 @@ def drive_sheet(joint: Joint, *, name: str, forces: DriveForces | None = None) -
     return Sheet(width, height, scale, middle, tuple(items))
 
 
+def forces_sheet(joint: Joint, forces: DriveForces) -> Sheet:
+    """The forces on the bodies of one branch as a picture of its own.
+
+    Parameters
+    ----------
+    joint : Joint
+        One joint.
+    forces : DriveForces
+        Its forces.
+
+    Returns
+    -------
+    Sheet
+        A sheet of 170 mm by 140 mm.
+    """
+    items = free_bodies(joint, forces, centre=(0.0, 0.0), scale=1.0)
+    words = [f"{contact}: {label}" for contact, label in CONTACT_LABELS.items()]
+    for line, (x, y) in (
+        *((line, (-82.0, -43.0 - _SPACING * row)) for row, line in enumerate(_loads(forces))),
+        *((line, (-82.0, -12.0 - _SPACING * row)) for row, line in enumerate(words)),
+    ):
+        items.append(Text((x, y), line))
+    return Sheet(170.0, 140.0, 1.0, (85.0, 57.0), tuple(items))
+
+
 def _title_block(
     on_paper: Callable[[float, float], Point], column: float, width: float, name: str, scale: float
 ) -> list[Item]:

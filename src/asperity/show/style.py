@@ -6,6 +6,8 @@ from typing import Any
 
 import numpy as np
 
+from asperity.errors import printable
+
 #: Colour of text and outlines.
 INK = "#22303c"
 #: Matplotlib settings of every figure.
@@ -62,6 +64,22 @@ CONTACT_LABELS = {
     "wro": "right roller–ring",
     "wlo": "left roller–ring",
 }
+
+
+def plain_title(text: str) -> str:
+    """A user's text as a title: printable, and without formulas.
+
+    Parameters
+    ----------
+    text : str
+        Any text, for example the name of a file.
+
+    Returns
+    -------
+    str
+        Text that matplotlib shows as it is.
+    """
+    return printable(text).replace("$", r"\$")
 
 
 def torque_colors(count: int) -> list[Any]:
