@@ -225,10 +225,9 @@ def dynamics(joint: Joint, inertias: Inertias) -> Dynamics:
         np.asarray, compile_fast(joint_dynamics, points, coupled)(points, coupled)
     )
     at = jax.tree.map(lambda values: values[-1], over)
-    frequency = np.geomspace(at.locked_frequency / 100.0, 10.0 * at.free_frequency, _FREQUENCIES)
-    frequency = jnp.sort(
-        jnp.append(jnp.asarray(frequency), jnp.stack([at.locked_frequency, at.free_frequency]))
-    )
+    spread = np.geomspace(at.locked_frequency / 100.0, 10.0 * at.free_frequency, _FREQUENCIES)
+    own_frequencies = np.array([at.locked_frequency, at.free_frequency])
+    frequency: Array = jnp.asarray(np.sort(np.append(spread, own_frequencies)))
     both = [
         frequency_response(
             frequency=frequency,

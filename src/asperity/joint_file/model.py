@@ -119,14 +119,24 @@ class Drive(Section):
 class Load(Section):
     """What acts on the drive."""
 
-    preload: Annotated[Quantity, limits.PRELOAD]
-    """Normal force N_0 between sun and planet at rest."""
+    preload: Annotated[Quantity, limits.PRELOAD] | None = None
+    """Normal force N_0 between sun and planet at rest; either this or interference."""
+    interference: Annotated[Quantity, limits.INTERFERENCE] | None = None
+    """Interference that makes the preload: by how much the ring's inner radius lies below the radius at which all
+    contacts just touch."""
     output_torque: Annotated[Quantity, limits.OUTPUT_TORQUE]
     """Torque at the carrier; negative in the other direction, where it brakes a drive that turns."""
     sun_speed: Annotated[Quantity, limits.SUN_SPEED]
     """Speed of the sun; makes the centrifugal forces and decides which way bearing friction acts."""
     friction_coefficient: FrictionCoefficients
     """Friction coefficient mu of the contacts: one for all, or a table with sp, pwr, pwl, wro, wlo."""
+
+    @model_validator(mode="after")
+    def _one_preload(self) -> Load:
+        if (self.preload is None) == (self.interference is None):
+            found = "neither" if self.preload is None else "both"
+            raise InputError(f"exactly one of 'preload' and 'interference' is needed, got {found}")
+        return self
 
 
 class BearingFriction(Section):
