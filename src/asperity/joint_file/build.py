@@ -11,19 +11,13 @@ import jax.numpy as jnp
 
 from asperity.contact.fractal import Surface
 from asperity.drive.assembly import IDEAL_STRUCTURE, StructureSprings
-<<<<<<< HEAD
-from asperity.drive.geometry import DriveGeometry
-from asperity.drive.mechanism import Bearings
-from asperity.errors import InputError
-from asperity.joint.description import Bodies, Joint
-from asperity.joint.dynamics import Inertias
-=======
 from asperity.drive.geometry import DriveGeometry, triangle
 from asperity.drive.interference import interference_of_sizes
 from asperity.drive.mechanism import Bearings, rest_state
+from asperity.errors import InputError
 from asperity.joint.description import Bodies, Joint
+from asperity.joint.dynamics import Inertias
 from asperity.joint.interference import joint_preload
->>>>>>> machine
 from asperity.joint.play import NO_PLAY, Play
 from asperity.joint.rolling_conditions import PLAIN_ROLLING, DutyPoint, RollingConditions
 from asperity.joint_file.model import Case, EachContact
