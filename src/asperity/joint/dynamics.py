@@ -220,7 +220,7 @@ def dynamics(joint: Joint, inertias: Inertias) -> Dynamics:
     limit = float(found.output_torque)
     largest = np.copysign(_NEAR_CAPACITY * limit, own) if np.isfinite(limit) else own
     torques = np.append(np.linspace(0.0, largest, _TORQUES), own)
-    points = dataclasses.replace(numbers, output_torque=torques)
+    points = dataclasses.replace(numbers, output_torque=jnp.asarray(torques))
     over: JointDynamics = jax.tree.map(
         np.asarray, compile_fast(joint_dynamics, points, coupled)(points, coupled)
     )
