@@ -98,7 +98,8 @@ def summary(document: Document) -> Table:
         ("planets", number(drive["planets"])),
         ("output torque", quantity(load["output_torque"], "N*m")),
         ("speed of the sun", quantity(load["sun_speed"], "rpm")),
-        ("preload between sun and planet", quantity(load["preload"], "N")),
+        ("preload between sun and planet", quantity(document["preload"]["force_N"], "N")),
+        ("interference that makes it", quantity(document["preload"]["interference_m"], "um")),
         ("torsional stiffness at the output, assembled", quantity(stiffness, "N*m/arcmin")),
         (
             "drift of the output in one turn of its own",
