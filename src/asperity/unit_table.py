@@ -39,6 +39,7 @@ class Dimension(Enum):
     SPEED = ("a speed", "m/s", "2 m/s", (1, 0, -1, 0, 0))
     ANGULAR_VELOCITY = ("an angular velocity", "rad/s", "6000 rpm", (0, 0, -1, 1, 0))
     MASS = ("a mass", "kg", "25 g", (0, 1, 0, 0, 0))
+    MOMENT_OF_INERTIA = ("a moment of inertia", "kg*m^2", "2e-6 kg*m^2", (2, 1, 0, 0, 0))
     DENSITY = ("a density", "kg/m^3", "7850 kg/m^3", (-3, 1, 0, 0, 0))
     FORCE = ("a force", "N", "1000 N", (1, 1, -2, 0, 0))
     TORQUE = ("a torque", "N*m", "5 N*m", (2, 1, -2, 0, 0))

@@ -103,7 +103,7 @@ def test_the_tables_name_their_units_and_warn(call, joint_file):
     outcome = call("joint", joint_file())
     assert (outcome.code, outcome.err) == (0, "")
     for text in (
-        "3 planets, sun at 6000 rpm, preload 1000 N, output torque 5 N·m",
+        "3 planets, sun at 6000 rpm, preload 1000 N (12.72 um of interference), output torque 5 N·m",
         "N·m/rad",
         "N·m/arcmin",
         "46.3",

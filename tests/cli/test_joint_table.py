@@ -51,6 +51,7 @@ def document():
             "drive": {"planets": 3.0},
             "load": {"preload": 1000.0, "output_torque": 5.0, "sun_speed": 100.0 * np.pi},
         },
+        "preload": {"force_N": 1000.0, "interference_m": 12.5e-6},
         "assumptions": ["no section [bearings]: the bearings have no friction"],
         "geometry": {
             "alpha_rad": np.pi / 12.0,
@@ -104,7 +105,7 @@ def test_numbers_are_converted_to_the_units_of_the_heads(document, shown):
     assert ["sp", "123", "456", "789", "321", "6543"] in rows  # N/µm
     assert ["wlo", "0", "19.2", "-", "0.05", "750", "0.2"] in rows  # None is a dash
     for text in (
-        "3 planets, sun at 3000 rpm, preload 1000 N, output torque 5 N·m",
+        "3 planets, sun at 3000 rpm, preload 1000 N (12.5 um of interference), output torque 5 N·m",
         "  30 arcmin per output turn (0.2 % of the speed): creep adds up with every turn, the stiffness above",
         "  angles     alpha 15 deg, theta 30 deg, wedge beta 15 deg",
         "  speed      ratio -9, carrier -30 rpm",

@@ -51,6 +51,7 @@ def joint_document(
         "input": inputs,
         "assumptions": list(assumptions),
         "geometry": _geometry(solution),
+        "preload": {"force_N": joint.preload, "interference_m": result.interference},
         "forces": _forces(result),
         "torque_capacity": _capacity(solution),
         "contacts": _contacts(SolvedJoint(joint, result)),

@@ -31,11 +31,16 @@ class AssemblySprings(NamedTuple):
         Incremental, asperities and bodies in series, shape (contacts, ...) [N/m]; 0 where a contact is open or slips.
     coupling : Array or None
         Compliances between the contacts, shape (2 contacts, 2 contacts, ...) [m/N]; None without.
+    bodies : Array or None
+        Compliance of the bodies, without asperities, of the same shape [m/N], at the half-widths :attr:`half_width`
+        [m]; None without.
     """
 
     normal_stiffness: Array
     tangential_stiffness: Array
     coupling: Array | None
+    bodies: Array | None = None
+    half_width: Array | None = None
 
 
 def ring_housing_stiffness(joint: Joint) -> Real:
@@ -222,4 +227,4 @@ def assembly_springs(
     others = 1.0 - jnp.eye(acts.shape[0]).reshape((acts.shape[0],) * 2 + (1,) * (acts.ndim - 1))
     coupling = jnp.where(acts[:, None] & acts[None], others * compliance, 0.0)
     half = normal.shape[0]
-    return AssemblySprings(stiffness[:half], stiffness[half:], coupling)
+    return AssemblySprings(stiffness[:half], stiffness[half:], coupling, compliance, width)

@@ -15,6 +15,7 @@ from asperity.contact.interface import Interface
 from asperity.drive.assembly import Assembly, assembly_stiffness
 from asperity.drive.force_balance import BALANCE_TOLERANCE, DriveForces, force_balance
 from asperity.drive.geometry import CONTACT_NAMES, DriveAngles, angles, carrier_speed, speed_ratio, triangle
+from asperity.drive.interference import interference
 from asperity.drive.mechanism import Mechanism, opposed, rest_state
 from asperity.drive.torsional_stiffness import (
     TorsionalStiffness,
@@ -33,6 +34,7 @@ from asperity.joint.description import Bodies, Joint, sense_of_rotation, with_on
 from asperity.joint.diagnostics import Diagnostics, diagnose
 from asperity.joint.duty import duty_life
 from asperity.joint.elastic_bodies import assembly_springs, walls_hold
+from asperity.joint.interference import joint_rest_compliance
 from asperity.joint.rolling import RollingResult, rolling_result
 from asperity.types import Real
 
@@ -66,6 +68,8 @@ class JointResult(eqx.Module):
         The same series (25) with asperities and bulk in every contact.
     assembly : Assembly
         The fullest model: asperities and bulk, floating planet, pins, ring and shafts, with its compliance budget.
+    interference : Array
+        Interference that makes the preload: by how much the ring is too small for its rollers [m].
     diagnostics : Diagnostics
         Limits of the model and how close this joint is to each.
     rolling : RollingResult
@@ -91,6 +95,7 @@ class JointResult(eqx.Module):
     published: TorsionalStiffness
     series_with_bulk: TorsionalStiffness
     assembly: Assembly
+    interference: Array
     diagnostics: Diagnostics
     rolling: RollingResult
     contact_law_holds: Array
@@ -271,6 +276,12 @@ def evaluate(joint: Joint) -> JointResult:
         published=published,
         series_with_bulk=series,
         assembly=assembly,
+        interference=interference(
+            compliance=joint_rest_compliance(
+                joint=joint, contacts=contacts, rest=drive.rest, springs=springs
+            ),
+            preload=joint.preload,
+        ),
         diagnostics=diagnose(
             sides=drive.sides,
             pairs=contacts.pairs,

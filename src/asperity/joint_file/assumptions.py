@@ -35,6 +35,17 @@ def assumptions(case: Case) -> tuple[str, ...]:
         told.append("no model.plane_state: plane strain; plane stress is the bound for thin bodies")
     if case.drive.ring_support is None:
         told.append("no drive.ring_support: a rigid housing holds the outer rim of the ring")
+    sizes = [
+        f"{body}_radius"
+        for body in ("sun", "planet", "loading_roller", "ring")
+        if getattr(case.drive, f"{body}_radius").tolerance > 0.0
+    ]
+    if case.load.preload is not None and sizes:
+        told.append(
+            f"load.preload is a force: the tolerance of {', '.join(f'drive.{name}' for name in sizes)}, up to "
+            f"{1e6 * max(getattr(case.drive, name).tolerance for name in sizes):.3g} µm, does not move it; give "
+            "load.interference if the sizes make the preload"
+        )
     for roller in ("planet", "loading_roller"):
         if getattr(case.drive, f"{roller}_length") is None:
             told.append(f"no drive.{roller}_length: as long as the longest contact line on it")

@@ -119,14 +119,24 @@ class Drive(Section):
 class Load(Section):
     """What acts on the drive."""
 
-    preload: Annotated[Quantity, limits.PRELOAD]
-    """Normal force N_0 between sun and planet at rest."""
+    preload: Annotated[Quantity, limits.PRELOAD] | None = None
+    """Normal force N_0 between sun and planet at rest; either this or interference."""
+    interference: Annotated[Quantity, limits.INTERFERENCE] | None = None
+    """Interference that makes the preload: by how much the ring's inner radius lies below the radius at which all
+    contacts just touch."""
     output_torque: Annotated[Quantity, limits.OUTPUT_TORQUE]
     """Torque at the carrier; negative in the other direction, where it brakes a drive that turns."""
     sun_speed: Annotated[Quantity, limits.SUN_SPEED]
     """Speed of the sun; makes the centrifugal forces and decides which way bearing friction acts."""
     friction_coefficient: FrictionCoefficients
     """Friction coefficient mu of the contacts: one for all, or a table with sp, pwr, pwl, wro, wlo."""
+
+    @model_validator(mode="after")
+    def _one_preload(self) -> Load:
+        if (self.preload is None) == (self.interference is None):
+            found = "neither" if self.preload is None else "both"
+            raise InputError(f"exactly one of 'preload' and 'interference' is needed, got {found}")
+        return self
 
 
 class BearingFriction(Section):
@@ -199,6 +209,17 @@ class DutyLoad(Section):
     """Speed of the sun."""
     share: Annotated[float, Field(strict=True, gt=0.0, le=1.0)]
     """Share of the time; the shares of all loads add up to 1."""
+
+
+class DynamicsEntry(Section):
+    """What is coupled to the joint, for its natural frequencies."""
+
+    input_inertia: Annotated[Quantity, limits.INPUT_INERTIA]
+    """Moment of inertia of motor and coupling at the sun."""
+    output_inertia: Annotated[Quantity, limits.OUTPUT_INERTIA]
+    """Moment of inertia of the load at the carrier, the carrier included."""
+    loss_factor: Annotated[Quantity, limits.LOSS_FACTOR] | None = None
+    """Loss factor of the joint's spring; without it the spring loses no work."""
 
 
 class PlayEntry(Section):
@@ -302,6 +323,8 @@ class Case(Section):
     """The oil; dry if the section is absent."""
     duty: Annotated[tuple[DutyLoad, ...], Field(min_length=1)] | None = None
     """Loads and their shares of the time, for the life under a duty: a section [[duty]] for each."""
+    dynamics: DynamicsEntry | None = None
+    """Inertias of motor and load, for `asperity dynamics`."""
     play: PlayEntry | None = None
     """Play at the output; none if the section is absent."""
     model: ModelChoice

@@ -9,6 +9,7 @@ import numpy as np
 from asperity.joint.margins import margins
 from asperity.joint.results import LEVELS, RESULTS, SolvedJoint
 from asperity.show.margins_figure import draw_margins
+from asperity.show.style import mark_few_decades
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -121,8 +122,6 @@ def draw_levels(axes: Axes, solved: SolvedJoint) -> None:
     solved : SolvedJoint
         One joint.
     """
-    from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
-
     rows = [RESULTS[f"{level}_stiffness_output"] for level in LEVELS]
     numbers = np.array([float(np.asarray(row.of(solved))) * _PER_ARCMINUTE for row in rows])
     words = [row.label.split(", ")[-1] for row in rows]
@@ -139,8 +138,6 @@ def draw_levels(axes: Axes, solved: SolvedJoint) -> None:
     axes.set_yticks(places, words)
     axes.set_ylim(len(rows) - 0.5, -0.5)
     axes.margins(x=0.45)
-    if np.isfinite(known).any() and np.nanmax(known) < 30.0 * np.nanmin(known):
-        axes.xaxis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
-        axes.xaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
-        axes.xaxis.set_minor_formatter(NullFormatter())
+    if np.isfinite(known).any():
+        mark_few_decades(axes.xaxis, float(np.nanmin(known)), float(np.nanmax(known)))
     axes.set(xlabel="torsional stiffness at the output [N·m/arcmin]")

@@ -8,6 +8,7 @@ import numpy as np
 
 from asperity.joint.results import RESULTS
 from asperity.joint_file.si_tables import key_at
+from asperity.show.style import mark_few_decades
 from asperity.study.design.design_evaluation import DesignEvaluator, exists
 from asperity.study.design.design_result import DesignResult
 from asperity.study.design.design_search import FEASIBLE
@@ -86,7 +87,7 @@ def design_figure(result: DesignResult) -> Figure:
             _shade(panel, x, ~joint)
         if variable.logarithmic:
             axes.set_xscale("log")
-            _mark_few_decades(axes, float(x.min()), float(x.max()))
+            mark_few_decades(axes.xaxis, float(x.min()), float(x.max()))
         axes.tick_params(labelbottom=False)
         below.set_xlabel(f"{variable.path} [{_shown(key.unit)}]", fontsize="small")
         if column == 0:
@@ -106,16 +107,6 @@ def _shade(axes: Axes, x: np.ndarray, where: np.ndarray) -> None:
     edges = np.concatenate([x[:1], 0.5 * (x[1:] + x[:-1]), x[-1:]])
     for place in np.flatnonzero(where):
         axes.axvspan(edges[place], edges[place + 1], color="0.9", linewidth=0.0, zorder=0)
-
-
-def _mark_few_decades(axes: Axes, low: float, high: float) -> None:
-    """Numbers at 1, 2 and 5 where powers of ten alone would mark an axis at fewer than three places."""
-    from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
-
-    axes.xaxis.set_minor_formatter(NullFormatter())
-    if high < 100.0 * low:
-        axes.xaxis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
-        axes.xaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
 
 
 def pareto_figure(front: xarray.Dataset, objectives: tuple[str, ...]) -> Figure:

@@ -14,6 +14,7 @@ import numpy as np
 from asperity.errors import InputError
 from asperity.joint.results import LEVELS, RESULTS, chosen_results
 from asperity.joint.status import STATUS_NAMES
+from asperity.joint_file.build import with_nominal_sizes
 from asperity.joint_file.distribution import FORMS, Distribution
 from asperity.joint_file.model import Case
 from asperity.joint_file.si_tables import NumericKey, numeric_keys, si_values
@@ -156,7 +157,7 @@ def uncertainty(
     names, inputs = chosen_results(results), toleranced_inputs(case, otherwise=distribution)
     if samples < _FEWEST:
         raise InputError(f"{samples} samples are too few for 95 % intervals; at least {_FEWEST} are needed")
-    tables = si_values(case)
+    tables = with_nominal_sizes(si_values(case))
     rows = result_rows(names)
     most = _MOST_NUMBERS // (2 * (len(rows) + len(inputs)))
     if samples > most:
