@@ -35,11 +35,13 @@ def test_numbers_have_four_digits_and_what_is_absent_is_a_dash():
 
 
 def test_the_heading_states_the_load_in_its_units():
-    load = {"sun_speed": 628.3185307179587, "preload": 1000.0, "output_torque": 5.0}
-    text = shown(show_heading, {"input": {"drive": {"planets": 3}, "load": load}}, "joint.toml")
-    assert text.splitlines()[:2] == [
+    document = {
+        "input": {"drive": {"planets": 3}, "load": {"sun_speed": 628.3185307179587, "output_torque": 5.0}},
+        "preload": {"force_N": 1000.0, "interference_m": 1.25e-6},
+    }
+    assert shown(show_heading, document, "joint.toml", width=200).splitlines()[:2] == [
         "joint.toml",
-        "3 planets, sun at 6000 rpm, preload 1000 N, output torque 5 N·m",
+        "3 planets, sun at 6000 rpm, preload 1000 N (1.25 um of interference), output torque 5 N·m",
     ]
 
 
