@@ -9,6 +9,7 @@ on a shared machine only ever err upwards. Points are generated chunk by chunk f
 """
 
 import argparse
+import functools
 import os
 import resource
 import time
@@ -85,6 +86,19 @@ def complete(points: jax.Array) -> dict[str, jax.Array]:
         "output": found.published.output,
         "solved": found.solved,
     }
+
+
+def with_rolling(points: jax.Array) -> tuple[dict[str, jax.Array], list[jax.Array]]:
+    """The published joint and what a designer of a joint that turns looks at."""
+    rolling = evaluate(joint_of(points)).rolling
+    main = [rolling.drift_per_output_turn, rolling.power.efficiency, rolling.life_hours.drive]
+    return complete(points), [*main, rolling.shakedown_ratio, rolling.creepage]
+
+
+def whole(points: jax.Array, *, rolling: bool) -> list[jax.Array]:
+    """Every result of a joint: all three levels, bodies, budget, diagnostics; with or without rolling."""
+    fields = vars(evaluate(joint_of(points)))
+    return jax.tree.leaves({name: value for name, value in fields.items() if rolling or name != "rolling"})
 
 
 def unavoidable(points: jax.Array) -> jax.Array:
@@ -190,6 +204,20 @@ def main() -> None:
             single = seconds
     share = f"{LOGS} logs and {EXPS} exps: {floor / single:.0%} of a joint on one thread"
     print(f"exp and log alone            {floor * 1e9:8.0f} ns for {share}")
+
+    parts = {
+        "published, and rolling": with_rolling,
+        "all results at rest": functools.partial(whole, rolling=False),
+        "all results": functools.partial(whole, rolling=True),
+    }
+    taken = {}
+    for name, function in parts.items():
+        program = compiled(function, batches[0])
+        taken[name] = best(given.repeats, lambda p=program: p(batches[0])) / given.chunk
+        times = f"{taken[name] / single:.2f} times the published joint"
+        print(f"{name:28s} {taken[name] * 1e9:8.0f} ns each on one thread, {times}")
+    ratio = taken["all results"] / taken["all results at rest"]
+    print(f"all results / those at rest  {ratio:8.2f}")
 
     gradient = compiled(
         lambda x: jax.value_and_grad(lambda x: jnp.sum(evaluate(joint_of(x)).published.output))(x), batches[0]

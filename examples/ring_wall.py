@@ -15,7 +15,6 @@ import numpy as np
 from matplotlib import rc_context
 from matplotlib.figure import Figure
 
-from asperity.body.compliance import modes_needed
 from asperity.body.coupling import BodyInMachine, coupled_compliance
 from asperity.body.shapes import Annulus, Disc
 from asperity.contact.hertz_line import (
@@ -90,9 +89,9 @@ def bodies(wall: np.ndarray | None, support: float = 0.0, state: str = "plane_st
     right, left = at(up - direction + math.pi, up - polar), at(up + direction + math.pi, up + polar)
     found = [
         BodyInMachine(disc(GEOMETRY.sun_radius), (0,), at(up), PLANETS),
-        BodyInMachine(disc(GEOMETRY.planet_radius), (0, 1, 2), at(-up, up - direction, up + direction), 1),
-        BodyInMachine(disc(GEOMETRY.loading_roller_radius), (1, 3), right, 1),
-        BodyInMachine(disc(GEOMETRY.loading_roller_radius), (2, 4), left, 1),
+        BodyInMachine(disc(GEOMETRY.planet_radius), (0, 1, 2), at(-up, up - direction, up + direction), None),
+        BodyInMachine(disc(GEOMETRY.loading_roller_radius), (1, 3), right, None),
+        BodyInMachine(disc(GEOMETRY.loading_roller_radius), (2, 4), left, None),
     ]
     if wall is not None:
         inner = GEOMETRY.ring_radius
@@ -101,15 +100,16 @@ def bodies(wall: np.ndarray | None, support: float = 0.0, state: str = "plane_st
     return found
 
 
-_coupled = jax.jit(coupled_compliance, static_argnames="mode_count")
+_coupled = jax.jit(coupled_compliance)
 
 
-def compliance(members: list[BodyInMachine], widths: np.ndarray, thinnest: float) -> np.ndarray:
+def compliance(members: list[BodyInMachine], widths: np.ndarray) -> np.ndarray:
     """Compliance matrix of the ten springs of a branch, one for each wall along the last axis [m/N]."""
-    inner = GEOMETRY.ring_radius
-    modes = modes_needed(inner_radius=inner, outer_radius=inner + thinnest, copies=PLANETS)
     width = jnp.asarray(widths)[:, None]
-    return np.asarray(_coupled(bodies=members, half_widths=width, stick_half_widths=width, mode_count=modes))
+    lengths = jnp.full_like(width, LENGTH)
+    return np.asarray(
+        _coupled(bodies=members, contact_lengths=lengths, half_widths=width, stick_half_widths=width)
+    )
 
 
 def springs(widths: np.ndarray, wall: float) -> np.ndarray:
@@ -166,7 +166,7 @@ def draw(walls: np.ndarray, curves: dict[str, np.ndarray]) -> Figure:
 def stiffness_over_wall(walls: np.ndarray, support: float) -> np.ndarray:
     """Stiffness at the output for every wall [N·m/rad]."""
     widths = half_widths(rest_forces(1000.0))
-    return assembled_stiffness(compliance(bodies(walls, support), widths, float(walls.min())))
+    return assembled_stiffness(compliance(bodies(walls, support), widths))
 
 
 def main(picture: Path = PICTURE) -> dict[str, np.ndarray]:

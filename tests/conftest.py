@@ -185,3 +185,18 @@ def evaluated_directly(case):
         return result
 
     return evaluated
+
+
+@pytest.fixture
+def saved_figures(monkeypatch):
+    """The figures that are saved during a test, in their order, so that the test can look at what is drawn."""
+    from matplotlib.figure import Figure
+
+    figures, savefig = [], Figure.savefig
+
+    def save(figure, *arguments, **options):
+        figures.append(figure)
+        return savefig(figure, *arguments, **options)
+
+    monkeypatch.setattr(Figure, "savefig", save)
+    return figures

@@ -21,7 +21,7 @@ ROOT = Path(__file__).parents[1]
 DOCS = ROOT / "docs"
 FORMULA_ROOMS = (asperity.body, asperity.contact, asperity.drive)
 #: Equations of the paper, and our own: how many of each letter.
-OURS = {"A": 9, "B": 10, "E": 4, "M": 3}
+OURS = {"A": 9, "B": 11, "E": 4, "M": 3}
 NUMBERS = {str(n) for n in range(1, 31)} | {
     f"{x}{n}" for x, count in OURS.items() for n in range(1, count + 1)
 }
@@ -136,7 +136,7 @@ def test_nomenclature_names_exist_in_the_code():
     assert flat <= words, sorted(flat - words)
 
 
-@pytest.mark.parametrize("name", ["generate_cli", "generate_results"])
+@pytest.mark.parametrize("name", ["generate_cli", "generate_results", "generate_joint_file"])
 def test_generated_page_is_current(name):
     spec = importlib.util.spec_from_file_location(name, DOCS / f"{name}.py")
     generator = importlib.util.module_from_spec(spec)
@@ -149,6 +149,7 @@ def test_every_dependency_is_explained():
     project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
     groups = [project["dependencies"], *project["optional-dependencies"].values()]
     names = {re.match(r"[\w-]+", requirement)[0] for group in groups for requirement in group}
+    names -= {project["name"]}  # the extra 'all' names the package's other extras
     explained = set(re.findall(r"`([\w-]+)`", (DOCS / "architecture.md").read_text(encoding="utf-8")))
     assert names <= explained, sorted(names - explained)
 

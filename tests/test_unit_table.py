@@ -27,6 +27,9 @@ SPELLINGS = {
     Dimension.TORQUE: "N*m N*mm mN*m kN*m lbf*inch lbf*ft newton*meter J",
     Dimension.PRESSURE: "Pa MPa GPa kPa psi ksi bar mbar N/mm^2 N/m^2 megapascal gigapascal kN/mm**2 atm",
     Dimension.POWER: "W kW N*m/s J/s mW",
+    Dimension.TEMPERATURE_RISE: "K kelvin",
+    Dimension.THERMAL_CONDUCTIVITY: "W/m/K W/K/m kW*m^-1*K^-1 W*m/m^2/K",
+    Dimension.SPECIFIC_HEAT_CAPACITY: "J/kg/K kJ/kg/K J/g/K J*kg^-1*K^-1",
     Dimension.STIFFNESS: "N/m N/mm N/µm kN/mm N/um lbf/inch MN/m",
     Dimension.TORSIONAL_STIFFNESS: "N*m/rad N*m/arcmin N*mm/deg kN*m/rad lbf*inch/deg "
     "N*m*rad^-1 J/rad N/rad*m",
@@ -57,7 +60,7 @@ def test_every_unit_of_the_table_agrees_with_pint():
         )
         powers = dict(quantity.unit_items())
         assert exponents == tuple(
-            powers.get(base, 0) for base in ("meter", "kilogram", "second", "radian")
+            powers.get(base, 0) for base in ("meter", "kilogram", "second", "radian", "kelvin")
         ), name
 
 

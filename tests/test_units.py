@@ -55,7 +55,9 @@ def test_products_and_quotients_read_like_pint(terms):
     quantity = PINT.Quantity(f"1 {unit}").to_base_units()
     got = f"1 {unit}"
     powers = dict(quantity.unit_items())
-    exponents = tuple(round(powers.get(name, 0)) for name in ("meter", "kilogram", "second", "radian"))
+    exponents = tuple(
+        round(powers.get(name, 0)) for name in ("meter", "kilogram", "second", "radian", "kelvin")
+    )
     for dimension in Dimension:
         if dimension.exponents == exponents:
             assert parse_quantity(got, dimension) == pytest.approx(quantity.magnitude, rel=1e-13)

@@ -18,11 +18,15 @@ class Material(eqx.Module):
     poisson_ratio : Real
         Poisson's ratio [-].
     density : Real
-        Mass density [kg/m^3]; enters the centrifugal loads only.
+        Mass density [kg/m^3]; enters the centrifugal loads and the flash temperature only.
     yield_strength : Real
         Yield strength [Pa].
     hardness : Real
         Indentation hardness H [Pa], the mean pressure of a fully plastic spot; see :func:`hardness`.
+    thermal_conductivity : Real or None
+        Thermal conductivity k [W/(m K)]; None if it is not known.
+    specific_heat_capacity : Real or None
+        Specific heat capacity c [J/(kg K)]; None if it is not known.
     """
 
     youngs_modulus: Real
@@ -30,6 +34,8 @@ class Material(eqx.Module):
     density: Real
     yield_strength: Real
     hardness: Real
+    thermal_conductivity: Real | None = None
+    specific_heat_capacity: Real | None = None
 
 
 def hardness(*, hardness_factor: Real, yield_strength: Real) -> Real:

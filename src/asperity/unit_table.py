@@ -9,7 +9,7 @@ from enum import Enum
 
 __all__ = ["TORQUE_UNITS", "Dimension", "Exponents", "Unit", "unit_table"]
 
-Exponents = tuple[int, int, int, int]  # of metre, kilogram, second, radian
+Exponents = tuple[int, int, int, int, int]  # of metre, kilogram, second, radian, kelvin
 Unit = tuple[int, int, int, Exponents]  # numerator, denominator and power of pi of the SI factor; exponents
 
 #: Products of newton and metre written in one word: name → SI factor as a ratio. "Nm" is N*m, "nm" a nanometre.
@@ -26,41 +26,45 @@ TORQUE_UNITS: dict[str, tuple[int, int]] = {
 
 
 class Dimension(Enum):
-    """What a quantity measures: name, SI unit, an example to quote, exponents of m, kg, s and rad."""
+    """What a quantity measures: name, SI unit, an example to quote, exponents of m, kg, s, rad and K."""
 
-    DIMENSIONLESS = ("a dimensionless number", "1", "0.12", (0, 0, 0, 0))
-    LENGTH = ("a length", "m", "13.5 mm", (1, 0, 0, 0))
-    AREA = ("an area", "m^2", "1.2 mm^2", (2, 0, 0, 0))
-    VOLUME = ("a volume", "m^3", "2 cm^3", (3, 0, 0, 0))
-    CURVATURE = ("a curvature", "1/m", "0.2 1/mm", (-1, 0, 0, 0))
-    ANGLE = ("an angle", "rad", "12 deg", (0, 0, 0, 1))
-    TIME = ("a time", "s", "2 ms", (0, 0, 1, 0))
-    FREQUENCY = ("a frequency", "1/s", "50 Hz", (0, 0, -1, 0))
-    SPEED = ("a speed", "m/s", "2 m/s", (1, 0, -1, 0))
-    ANGULAR_VELOCITY = ("an angular velocity", "rad/s", "6000 rpm", (0, 0, -1, 1))
-    MASS = ("a mass", "kg", "25 g", (0, 1, 0, 0))
-    DENSITY = ("a density", "kg/m^3", "7850 kg/m^3", (-3, 1, 0, 0))
-    FORCE = ("a force", "N", "1000 N", (1, 1, -2, 0))
-    TORQUE = ("a torque", "N*m", "5 N*m", (2, 1, -2, 0))
-    PRESSURE = ("a pressure", "Pa", "450 MPa", (-1, 1, -2, 0))
-    VISCOSITY = ("a viscosity", "Pa*s", "30 mPa*s", (-1, 1, -1, 0))
-    INVERSE_PRESSURE = ("a reciprocal pressure", "1/Pa", "20 1/GPa", (1, -1, 2, 0))
-    POWER = ("a power", "W", "100 W", (2, 1, -3, 0))
-    STIFFNESS = ("a stiffness", "N/m", "4e6 N/mm", (0, 1, -2, 0))
-    TORSIONAL_STIFFNESS = ("a torsional stiffness", "N*m/rad", "8.6 N*m/arcmin", (2, 1, -2, -1))
+    DIMENSIONLESS = ("a dimensionless number", "1", "0.12", (0, 0, 0, 0, 0))
+    LENGTH = ("a length", "m", "13.5 mm", (1, 0, 0, 0, 0))
+    AREA = ("an area", "m^2", "1.2 mm^2", (2, 0, 0, 0, 0))
+    VOLUME = ("a volume", "m^3", "2 cm^3", (3, 0, 0, 0, 0))
+    CURVATURE = ("a curvature", "1/m", "0.2 1/mm", (-1, 0, 0, 0, 0))
+    ANGLE = ("an angle", "rad", "12 deg", (0, 0, 0, 1, 0))
+    TIME = ("a time", "s", "2 ms", (0, 0, 1, 0, 0))
+    FREQUENCY = ("a frequency", "1/s", "50 Hz", (0, 0, -1, 0, 0))
+    SPEED = ("a speed", "m/s", "2 m/s", (1, 0, -1, 0, 0))
+    ANGULAR_VELOCITY = ("an angular velocity", "rad/s", "6000 rpm", (0, 0, -1, 1, 0))
+    MASS = ("a mass", "kg", "25 g", (0, 1, 0, 0, 0))
+    MOMENT_OF_INERTIA = ("a moment of inertia", "kg*m^2", "2e-6 kg*m^2", (2, 1, 0, 0, 0))
+    DENSITY = ("a density", "kg/m^3", "7850 kg/m^3", (-3, 1, 0, 0, 0))
+    FORCE = ("a force", "N", "1000 N", (1, 1, -2, 0, 0))
+    TORQUE = ("a torque", "N*m", "5 N*m", (2, 1, -2, 0, 0))
+    PRESSURE = ("a pressure", "Pa", "450 MPa", (-1, 1, -2, 0, 0))
+    VISCOSITY = ("a viscosity", "Pa*s", "30 mPa*s", (-1, 1, -1, 0, 0))
+    INVERSE_PRESSURE = ("a reciprocal pressure", "1/Pa", "20 1/GPa", (1, -1, 2, 0, 0))
+    POWER = ("a power", "W", "100 W", (2, 1, -3, 0, 0))
+    STIFFNESS = ("a stiffness", "N/m", "4e6 N/mm", (0, 1, -2, 0, 0))
+    TORSIONAL_STIFFNESS = ("a torsional stiffness", "N*m/rad", "8.6 N*m/arcmin", (2, 1, -2, -1, 0))
     TORSIONAL_STIFFNESS_PER_MASS = (
         "a torsional stiffness per mass",
         "N*m/rad/kg",
         "4e4 N*m/rad/kg",
-        (2, 0, -2, -1),
+        (2, 0, -2, -1, 0),
     )
     TORSIONAL_STIFFNESS_PER_VOLUME = (
         "a torsional stiffness per volume",
         "N*m/rad/m^3",
         "1e9 N*m/rad/m^3",
-        (-1, 1, -2, -1),
+        (-1, 1, -2, -1, 0),
     )
-    STIFFNESS_PER_AREA = ("a stiffness per area", "Pa/m", "2e4 MPa/mm", (-2, 1, -2, 0))
+    TEMPERATURE_RISE = ("a temperature difference", "K", "2 K", (0, 0, 0, 0, 1))
+    THERMAL_CONDUCTIVITY = ("a thermal conductivity", "W/m/K", "21 W/m/K", (1, 1, -3, 0, -1))
+    SPECIFIC_HEAT_CAPACITY = ("a specific heat capacity", "J/kg/K", "475 J/kg/K", (2, 0, -2, 0, -1))
+    STIFFNESS_PER_AREA = ("a stiffness per area", "Pa/m", "2e4 MPa/mm", (-2, 1, -2, 0, 0))
 
     def __init__(self, label: str, si_unit: str, example: str, exponents: Exponents) -> None:
         self.label = label
@@ -72,10 +76,10 @@ class Dimension(Enum):
 @functools.cache
 def unit_table() -> dict[str, Unit]:
     """Every unit by each of its spellings: those without SI prefixes, and those with SI prefixes."""
-    angle, length, mass, time = (0, 0, 0, 1), (1, 0, 0, 0), (0, 1, 0, 0), (0, 0, 1, 0)
-    force, pressure, energy = (1, 1, -2, 0), (-1, 1, -2, 0), (2, 1, -2, 0)
+    angle, length, mass, time = (0, 0, 0, 1, 0), (1, 0, 0, 0, 0), (0, 1, 0, 0, 0), (0, 0, 1, 0, 0)
+    force, pressure, energy = (1, 1, -2, 0, 0), (-1, 1, -2, 0, 0), (2, 1, -2, 0, 0)
     pound_force = 45359237 * 980665  # lbf = 0.45359237 kg * 9.80665 m/s^2, exactly; in units of 1e-13 N
-    number = (0, 0, 0, 0)
+    number = (0, 0, 0, 0, 0)
     alone: list[tuple[str, Unit]] = [
         ("inch inches in", (254, 10**4, 0, length)),
         ("µin microinch microinches", (254, 10**10, 0, length)),
@@ -96,7 +100,8 @@ def unit_table() -> dict[str, Unit]:
         ("arcminute arcminutes arcmin", (1, 180 * 60, 1, angle)),
         ("arcsecond arcseconds arcsec", (1, 180 * 3600, 1, angle)),
         ("turn turns revolution revolutions rev", (2, 1, 1, angle)),
-        ("rpm", (2, 60, 1, (0, 0, -1, 1))),
+        ("rpm", (2, 60, 1, (0, 0, -1, 1, 0))),
+        ("K kelvin kelvins", (1, 1, 0, (0, 0, 0, 0, 1))),
         ("percent %", (1, 100, 0, number)),
         ("ppm", (1, 10**6, 0, number)),
         ("1 dimensionless", (1, 1, 0, number)),
@@ -109,8 +114,8 @@ def unit_table() -> dict[str, Unit]:
         ("Pa", "pascal pascals", (1, 1, 0, pressure)),
         ("bar", "", (10**5, 1, 0, pressure)),
         ("J", "joule joules", (1, 1, 0, energy)),
-        ("W", "watt watts", (1, 1, 0, (2, 1, -3, 0))),
-        ("Hz", "hertz", (1, 1, 0, (0, 0, -1, 0))),
+        ("W", "watt watts", (1, 1, 0, (2, 1, -3, 0, 0))),
+        ("Hz", "hertz", (1, 1, 0, (0, 0, -1, 0, 0))),
         ("rad", "radian radians", (1, 1, 0, angle)),
     ]
     prefixes = [("T", "tera", 12), ("G", "giga", 9), ("M", "mega", 6), ("k", "kilo", 3), ("", "", 0)]
@@ -125,4 +130,4 @@ def unit_table() -> dict[str, Unit]:
             table.update({long + name: scaled for name in names.split()})
     # "min" is a minute and "ft" a foot: a unit without a prefix takes precedence
     table.update({name: unit for names, unit in alone for name in names.split()})
-    return table | {name: (*ratio, 0, (2, 1, -2, 0)) for name, ratio in TORQUE_UNITS.items()}
+    return table | {name: (*ratio, 0, (2, 1, -2, 0, 0)) for name, ratio in TORQUE_UNITS.items()}

@@ -58,7 +58,7 @@ def _parse_unit(text: str) -> Unit:
     )
     units = unit_table()
     numerator, denominator, pi_power = 1, 1, 0
-    total = [0, 0, 0, 0]
+    total = [0, 0, 0, 0, 0]
     position = 0
     while position < len(plain):
         match = re.match(_TERM, plain[position:])
@@ -84,7 +84,7 @@ def _parse_unit(text: str) -> Unit:
         pi_power += power * unit_pi
         total = [old + power * new for old, new in zip(total, exponents, strict=True)]
         position += match.end()
-    return numerator, denominator, pi_power, (total[0], total[1], total[2], total[3])
+    return numerator, denominator, pi_power, (total[0], total[1], total[2], total[3], total[4])
 
 
 def _dimension_of(exponents: Exponents) -> str:
@@ -92,7 +92,7 @@ def _dimension_of(exponents: Exponents) -> str:
         if dimension.exponents == exponents:
             return dimension.label
     parts = [
-        f"{s}^{e}" if e != 1 else s for s, e in zip(("m", "kg", "s", "rad"), exponents, strict=True) if e
+        f"{s}^{e}" if e != 1 else s for s, e in zip(("m", "kg", "s", "rad", "K"), exponents, strict=True) if e
     ]
     return f"a quantity of unit {'*'.join(parts)}"
 

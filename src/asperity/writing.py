@@ -17,6 +17,7 @@ if TYPE_CHECKING:
 #: Endings of images.
 IMAGE_SUFFIXES = (".png", ".svg", ".pdf")
 _DOTS_PER_INCH = 150
+_NO_DATE = {".svg": {"Date": None}, ".pdf": {"CreationDate": None}}
 
 
 def cannot_write(path: str | Path, error: OSError) -> InputError:
@@ -154,7 +155,7 @@ def write_text(text: str, path: str | Path) -> None:
 
 
 def write_image(figure: Figure, path: str | Path) -> None:
-    """Write an image.
+    """Write an image; the same figure makes the same file.
 
     Parameters
     ----------
@@ -168,5 +169,7 @@ def write_image(figure: Figure, path: str | Path) -> None:
     InputError
         If it cannot be written.
     """
-    with replacing(path) as part:
-        figure.savefig(part, dpi=_DOTS_PER_INCH)
+    from matplotlib import rc_context
+
+    with replacing(path) as part, rc_context({"svg.hashsalt": "asperity"}):
+        figure.savefig(part, dpi=_DOTS_PER_INCH, metadata=_NO_DATE.get(Path(path).suffix.lower()))

@@ -2,6 +2,7 @@
 
 import json
 from importlib.resources import files
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -15,6 +16,9 @@ from asperity.study.calibration.curve_model import CurveModel
 from asperity.study.calibration.measurement import Measurement
 from asperity.study.calibration.unknowns import read_unknowns
 from asperity.units import format_quantity
+
+ARCMIN = np.pi / 10800.0
+DRIFT = Path(__file__).parents[2] / "examples" / "calibrate_drift.csv"
 
 
 @pytest.fixture
@@ -51,6 +55,45 @@ def test_preload_is_recovered_and_written(folder):
     assert plot.stat().st_size > 10_000
     table = invoke(folder / "joint.toml", folder / "data.csv", "-u", "load.preload", "--starts", 1)
     assert ": identifiable" in table.stdout
+
+
+def test_a_drift_curve(folder):
+    """Written with 900 N and 0.14; the table, the document, the picture and the joint file say the same."""
+    names = ("load.preload", "load.friction_coefficient", "offset")
+    wanted = [word for name in names for word in ("-u", name)]
+    out, plot = folder / "out.toml", folder / "fit.png"
+    result = invoke(
+        folder / "joint.toml", DRIFT, *wanted, "--starts", 1, "--json", "--out", out, "--plot", plot
+    )
+    assert result.exit_code == 0, result.output
+    document = json.loads(result.stdout)
+    for found, true in zip(document["estimates"], (900.0, 0.14, 0.5 * ARCMIN), strict=True):
+        assert found["lower"] < true < found["upper"]
+    residual = document["residual_standard_deviation"]
+    assert residual["unit"] == "rad"
+    assert residual["value"] == pytest.approx(0.2 * ARCMIN, rel=0.3)
+    assert "calibrate_drift.csv, drift." in out.read_text()
+    assert plot.stat().st_size > 10_000
+    table = invoke(folder / "joint.toml", DRIFT, *wanted, "--starts", 1)
+    assert "arcsec (standard deviation)" in table.stdout
+
+
+def test_columns_for_the_same_drift_give_the_same_preload(folder):
+    torque, drift = np.loadtxt(DRIFT, delimiter=",", skiprows=2).T
+    lost = drift * ARCMIN / (2.0 * np.pi)
+    found = []
+    for header, values in (
+        ("drift [arcmin/turn]", drift),
+        ("speed loss [%]", 100.0 * lost / (1.0 + lost)),
+        ("speed ratio", -9.0 * (1.0 + lost)),
+    ):
+        rows = "".join(f"{t},{v!r}\n" for t, v in zip(torque.tolist(), values.tolist(), strict=True))
+        (folder / "other.csv").write_text(f"torque [N*m],{header}\n{rows}")
+        result = invoke(
+            folder / "joint.toml", folder / "other.csv", "-u", "load.preload", "--starts", 1, "--json"
+        )
+        found.append(json.loads(result.stdout)["estimates"][0]["value"])
+    assert found[1:] == pytest.approx([found[0]] * 2, rel=1e-7)
 
 
 @pytest.mark.parametrize(

@@ -1,5 +1,7 @@
 """``asperity contact``: a table in, a table out."""
 
+from asperity.validation.contact_checks import CONTACT_LAW_TABLE
+
 REFERENCE = CONTACT_LAW_TABLE
 
 

@@ -103,7 +103,7 @@ def test_the_tables_name_their_units_and_warn(call, joint_file):
     outcome = call("joint", joint_file())
     assert (outcome.code, outcome.err) == (0, "")
     for text in (
-        "3 planets, sun at 6000 rpm, preload 1000 N, output torque 5 N·m",
+        "3 planets, sun at 6000 rpm, preload 1000 N (12.72 um of interference), output torque 5 N·m",
         "N·m/rad",
         "N·m/arcmin",
         "46.3",
@@ -178,3 +178,11 @@ def test_no_solution_is_exit_code_3(call, joint_file, monkeypatch):
     assert outcome.code == 3
     assert outcome.out == ""
     assert "the force balance has no solution with these numbers" in outcome.err
+
+
+def test_picture_of_budget_levels_and_margins(call, joint_file, tmp_path):
+    outcome = call("joint", joint_file(), "--plot", tmp_path / "j.svg")
+    assert (outcome.code, outcome.err.strip()) == (0, f"wrote {tmp_path / 'j.svg'}")
+    assert (tmp_path / "j.svg").read_text(encoding="utf-8").startswith("<?xml")
+    refused = call("joint", joint_file(), "--plot", tmp_path / "j.xyz")
+    assert (refused.code, refused.out) == (2, "")

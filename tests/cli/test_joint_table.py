@@ -51,6 +51,7 @@ def document():
             "drive": {"planets": 3.0},
             "load": {"preload": 1000.0, "output_torque": 5.0, "sun_speed": 100.0 * np.pi},
         },
+        "preload": {"force_N": 1000.0, "interference_m": 12.5e-6},
         "assumptions": ["no section [bearings]: the bearings have no friction"],
         "geometry": {
             "alpha_rad": np.pi / 12.0,
@@ -77,6 +78,7 @@ def document():
         "contacts": {name: dict(contact) for name in CONTACTS},
         "stiffness_unknown_because": None,
         "drift_rad_per_output_turn": math.radians(0.5),
+        "rolling": {"torque_capacity_Nm": 11.5},
         "speed_loss": 2e-3,
         "torsional_stiffness": dict.fromkeys(("assembly", "series_with_bulk", "published"), stiffness),
         "stiffness_budget": {"pins_share": 0.25, "contacts_share": each(0.5, 0.25, 0.0, 0.0, 0.0)},
@@ -103,12 +105,13 @@ def test_numbers_are_converted_to_the_units_of_the_heads(document, shown):
     assert ["sp", "123", "456", "789", "321", "6543"] in rows  # N/µm
     assert ["wlo", "0", "19.2", "-", "0.05", "750", "0.2"] in rows  # None is a dash
     for text in (
-        "3 planets, sun at 3000 rpm, preload 1000 N, output torque 5 N·m",
+        "3 planets, sun at 3000 rpm, preload 1000 N (12.5 um of interference), output torque 5 N·m",
         "  30 arcmin per output turn (0.2 % of the speed): creep adds up with every turn, the stiffness above",
         "  angles     alpha 15 deg, theta 30 deg, wedge beta 15 deg",
         "  speed      ratio -9, carrier -30 rpm",
         "  torque     in 0.5556 N·m, out 5 N·m",
         "  capacity   12.5 N·m: contact sp slips; reverse no limit is reached at any torque",
+        "  rolling    up to 11.5 N·m without gross slip",
         "  pin force  left 111 N, right 222 N",
         "  mass       planet 22.47 g, loading roller 3.083 g",
         "  clearance  at least 0.5 mm: near",

@@ -18,7 +18,10 @@ share = 1.0
 
 
 def test_document_and_picture(call, joint_file, tmp_path):
-    file = joint_file()
+    warm = (
+        'yield_strength = "450 MPa"\nthermal_conductivity = "50 W/m/K"\nspecific_heat_capacity = "460 J/kg/K"'
+    )
+    file = joint_file(('yield_strength = "450 MPa"', warm))
     file.write_text(file.read_text() + EXTRAS)
     outcome = call("roll", file, "--json", "--plot", tmp_path / "r.svg")
     assert outcome.code == 0
@@ -34,6 +37,16 @@ def test_document_and_picture(call, joint_file, tmp_path):
     assert rolling["duty_life_hours"] == pytest.approx(
         found["life_hours"], rel=1e-6
     )  # one load, all the time
+    sun, width = rolling["contacts"]["sp"], found["contacts"]["sp"]["hertz_half_width_m"]
+    power = (sun["losses_W"]["creep"] + sun["losses_W"]["skew"]) / (3.0 * 5e-3)
+    speed = 4e-3 * (6000.0 * 3.141592653589793 / 30.0 + carrier)
+    even = 1.11 * power / ((2.0 * width) ** 0.5 * 2.0 * (50.0 * 7850.0 * 460.0 * speed) ** 0.5)
+    slips = 1.0 - sun["stick_fraction"]
+    assert 1.0 < sun["flash_temperature_K"] / (even / slips**0.5) < 1.1
+    assert sun["film_thickness_m"] is None
+    assert rolling["duty"] == {
+        "1": {"damage_share": pytest.approx(1.0), "life_hours": pytest.approx(found["life_hours"], rel=1e-9)}
+    }
     assert 12.96 < rolling["torque_capacity_Nm"] < 1.05 * 12.96  # mu N_0 9 n R_s, and a little for the wedge
     assert min(c["axial_force_N"] for c in rolling["contacts"].values()) > 0.0
     assert (tmp_path / "r.svg").read_text().count("gross slip") >= 1

@@ -2,6 +2,7 @@
 
 import json
 
+import numpy as np
 import pytest
 from click.testing import CliRunner
 
@@ -16,13 +17,26 @@ def _no_cache(monkeypatch):
     monkeypatch.setenv("ASPERITY_CACHE_DIR", "")
 
 
-def test_table_and_picture(tmp_path):
+def test_table_and_picture(tmp_path, saved_figures):
     picture = tmp_path / "validity.png"
     result = CliRunner().invoke(verify_contact, [*SMALL, "--plot", str(picture)], catch_exceptions=False)
     assert result.exit_code == 0
     assert "D = 1.6: rms height" in result.output
     assert "K_n [N/µm]" in result.output
-    assert picture.stat().st_size > 10_000
+    (figure,) = saved_figures
+    assert picture.is_file()
+    assert [panel.get_ylabel() for panel in figure.axes] == [
+        "normal stiffness $K_n$ [N/m]",
+        "tangential stiffness $K_t$ [N/m]",
+        "real contact area $A_r$ [m²]",
+        *["ratio to boundary elements [-]"] * 3,
+    ]
+    assert [text.get_text() for text in figure.axes[0].get_legend().get_texts()] == ["D = 1.6"]
+    for panel, ratio in zip(figure.axes[:3], figure.axes[3:], strict=True):
+        elements, law, theory = (line.get_ydata() for line in panel.lines)  # dots, line, dotted
+        assert np.all(elements > 0.0)
+        for drawn, method in zip(ratio.lines, (law, theory), strict=False):
+            np.testing.assert_allclose(drawn.get_ydata(), method / elements, rtol=1e-12)
 
 
 def test_json_carries_units_and_all_three_routes():

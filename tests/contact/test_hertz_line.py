@@ -10,6 +10,7 @@ from scipy.integrate import quad
 from asperity.contact.hertz_line import (
     FIRST_YIELD_RATIO,
     effective_radius,
+    first_yield_pressure,
     half_width,
     logarithmic_compliance,
     peak_pressure,
@@ -48,6 +49,12 @@ def test_elliptic_pressure_carries_the_load():
     peak = float(peak_pressure(normal_force=700.0, contact_length=B, half_width=width))
     load, _ = quad(lambda s: peak * math.sqrt(1 - s * s) * B * float(width), -1, 1)
     assert load == pytest.approx(700.0, rel=1e-9)
+
+
+def test_first_yield_by_tresca():
+    """tau_max = 0.300 p0, Johnson 1985, section 4.2(c), reaches half the yield strength."""
+    found = first_yield_pressure(yield_strength=450e6)
+    assert found == pytest.approx(450e6 / 2 / 0.300, rel=3e-3)
 
 
 def compression_of(secant, **geometry):

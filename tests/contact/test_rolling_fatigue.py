@@ -10,6 +10,7 @@ import pytest
 from asperity.contact.rolling_fatigue import (
     BEARING_STEEL,
     WEIBULL_SLOPE,
+    damage_shares,
     life_at_reliability,
     line_contact_life,
     reliability_at_life,
@@ -140,6 +141,18 @@ def test_spectrum_adds_damage():
         lives=jnp.array([jnp.inf]), cycle_rates=jnp.array([3.0]), time_shares=jnp.array([1.0])
     )
     assert float(still) == np.inf
+
+
+def test_damage_of_each_load():
+    """The spectrum above: 0.005 and 0.005 a second."""
+    found = damage_shares(
+        lives=jnp.array([1000.0, 200.0, 50.0]),
+        cycle_rates=jnp.array([10.0, 4.0, 0.0]),
+        time_shares=jnp.array([0.5, 0.25, 0.25]),
+    )
+    np.testing.assert_allclose(found, [0.5, 0.5, 0.0], rtol=1e-14)
+    still = damage_shares(lives=jnp.array([9.0]), cycle_rates=jnp.array([0.0]), time_shares=jnp.array([1.0]))
+    assert bool(jnp.isnan(still[0]))
 
 
 def test_a_spectrum_with_an_unknown_life_has_none():

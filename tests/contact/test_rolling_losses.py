@@ -1,16 +1,14 @@
-"""Losses of a rolling contact against integrals of their own: pressure, Reynolds' equation, moving heat sources."""
+"""Losses of a rolling contact against integrals of their own: pressure, Reynolds' equation."""
 
 import math
 
 import numpy as np
 import pytest
 from scipy.integrate import quad
-from scipy.optimize import brentq, minimize_scalar
+from scipy.optimize import brentq
 
 from asperity.contact.rolling_losses import (
-    FLASH_CONSTANT,
     creep_power,
-    flash_temperature,
     hysteresis_power,
     inlet_rolling_force,
     inlet_rolling_power,
@@ -81,48 +79,3 @@ def test_light_load_is_reynolds_equation_between_rigid_rollers():
     dissipated = 12 * 12 * viscosity * speed**2 * math.sqrt(2 * RADIUS / thickness) * heat
     power = inlet_rolling_power(rolling_force=exact, contact_length=1.0, entrainment_speed=speed)
     assert float(power) == pytest.approx(dissipated, rel=1e-6)
-
-
-def test_flash_temperature_of_two_steel_rollers():
-    """mu 0.07, 0.5 % sliding at 1 m/s, 46 W/(m K), 7800 kg/m^3, 460 J/(kg K): 0.193 K."""
-    found = flash_temperature(
-        friction_coefficient=0.07,
-        line_load=FORCE / LENGTH,
-        surface_speed_1=1.0025,
-        surface_speed_2=0.9975,
-        half_width=WIDTH,
-        conductivity=46.0,
-        density=7800.0,
-        heat_capacity=460.0,
-    )
-    assert float(found) == pytest.approx(0.193, abs=5e-4)
-
-
-def test_bloks_constant_is_a_moving_elliptic_source():
-    """Heat q0 sqrt(1-s^2) moved fast over a half-space: T = q0/sqrt(pi k rho c u) int sqrt(a) f(s)/sqrt(x-s) ds.
-
-    Both surfaces rise alike where each takes heat in proportion to sqrt(u): the rise is C mu P' |sqrt u1 - sqrt u2|
-    over sqrt(k rho c) sqrt(2a) with C = (2 sqrt 2/pi^1.5) max integral.
-    """
-
-    def integral(x):
-        return quad(lambda s: math.sqrt(1 - s * s), -1, x, weight="alg", wvar=(0, -0.5))[0]
-
-    found = minimize_scalar(lambda x: -integral(x), bounds=(0.0, 1.0), method="bounded")
-    constant = 2 * math.sqrt(2) / math.pi**1.5 * -found.fun
-    assert constant == pytest.approx(FLASH_CONSTANT, rel=2e-3)
-    # and the sharing of the heat: rises C q |u1-u2| share_i/sqrt(u_i) are equal and are the closed form
-    u1, u2 = 1.3, 0.9
-    share = math.sqrt(u1) / (math.sqrt(u1) + math.sqrt(u2))
-    rise = abs(u1 - u2) * share / math.sqrt(u1)
-    one = flash_temperature(
-        friction_coefficient=1.0,
-        line_load=1.0,
-        surface_speed_1=u1,
-        surface_speed_2=u2,
-        half_width=0.5,
-        conductivity=1.0,
-        density=1.0,
-        heat_capacity=1.0,
-    )
-    assert float(one) == pytest.approx(FLASH_CONSTANT * rise, rel=1e-12)

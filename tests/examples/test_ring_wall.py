@@ -3,7 +3,7 @@
 import numpy as np
 
 
-def test_a_housing_lies_between_free_and_held(load_example, tmp_path, monkeypatch):
+def test_a_housing_lies_between_free_and_held(load_example, tmp_path, monkeypatch, saved_figures):
     monkeypatch.setenv("ASPERITY_CACHE_DIR", "")
     springs, held, housing, free = load_example("ring_wall").main(tmp_path / "wall.png").values()
     assert np.all(housing < held)
@@ -11,4 +11,10 @@ def test_a_housing_lies_between_free_and_held(load_example, tmp_path, monkeypatc
     assert np.all(
         np.abs(springs / held - 1.0) < 0.025
     )  # today's springs are those of a ring in a rigid housing
-    assert (tmp_path / "wall.png").stat().st_size > 20_000
+    (panel,) = saved_figures[0].axes
+    assert panel.get_ylabel() == "stiffness at the output [kN·m/rad]"
+    assert "wall of the ring [mm]" in panel.get_xlabel()
+    names = ("springs", "held", "housing", "free")
+    for line, name, values in zip(panel.lines, names, (springs, held, housing, free), strict=True):
+        assert name in line.get_label()
+        np.testing.assert_allclose(line.get_ydata(), 1e-3 * values)

@@ -14,9 +14,11 @@ from asperity.joint.results.table import RENAMED
 from asperity.joint_file.build import joint_from_case
 
 # parts of the result that are not results: the state beside its check, and the same number under another name
-_NOT_OFFERED = {"forces.output_torque", "solved", "contact_law_holds"}
+_NOT_OFFERED = {"forces.output_torque", "solved", "contact_law_holds", "walls_hold"}
 # cycles of the ten tracks, of which the lives are made; lives in hours, which the table has in seconds
 _NOT_OFFERED |= {"rolling.cycles", "rolling.cycles_per_turn", "rolling.duty_life_hours"}
+# as many numbers as the file has loads
+_NOT_OFFERED |= {"rolling.duty_damage_shares", "rolling.duty_load_hours"}
 _NOT_OFFERED |= {f"rolling.life_hours.{part}" for part in ("contact", "body", "drive")}
 # rows of the table too, nan where every spot is plastic (test_status.py)
 _NOT_OFFERED |= {f"interfaces.asperity_{way}" for way in ("normal", "tangential")} | {
@@ -118,3 +120,19 @@ def test_names_of_rows_and_levels():
     assert name_at_level("stiffness", "published") == "published_stiffness_output"
     assert name_at_level("stiffness_per_mass", "assembly") == "assembly_stiffness_per_mass"
     assert name_at_level("hertz_pressure", "assembly") == "hertz_pressure"
+
+
+def test_limits_of_ratios_are_those_of_their_meaning():
+    """What is, over what is allowed, ends at 1; "at least ten times softer" is 0.1."""
+    for name in (
+        "slip_ratio",
+        "self_locking_ratio",
+        "pressure_over_first_yield",
+        "critical_over_largest_spot",
+        "real_area_over_hertz_area",
+        "largest_spot_over_hertz_area",
+    ):
+        assert RESULTS[name].limit.highest == 1.0, name
+    assert RESULTS["asperity_over_bulk_stiffness"].limit.highest == 0.1
+    assert RESULTS["slip_ratio"].highest_limit == 1.0
+    assert RESULTS["slip_safety"].lowest_limit == RESULTS["torque_safety"].lowest_limit == 1.0

@@ -275,6 +275,42 @@ def test_miners_sum_over_a_duty(rolled):
     assert np.isnan(float(rolled().duty_life_hours))
 
 
+def test_damage_of_a_load_is_what_its_duration_takes_from_the_life(rolled):
+    """D_j = -d ln(life)/d ln(time at load j), by differences; a drive that stands is not damaged."""
+
+    def found(*factors):
+        loads = [(8.0, 100.0, 0.1), (3.0, 200.0, 0.5), (1.0, 0.0, 0.4)]
+        points = tuple(DutyPoint(t, n, s * f) for (t, n, s), f in zip(loads, factors, strict=True))
+        return rolled(conditions(duty=points), sun_speed=100.0)
+
+    whole = found(1.0, 1.0, 1.0)
+    shares = np.asarray(whole.duty_damage_shares)
+    assert shares.sum() == pytest.approx(1.0, rel=1e-12)
+    assert shares[2] == 0.0
+    assert 0.0 < shares[0] < 1.0
+    for load in range(2):
+        life = [
+            float(found(*(factor if load == k else 1.0 for k in range(3))).duty_life_hours)
+            for factor in (0.999, 1.001)
+        ]
+        slope = math.log(life[1] / life[0]) / math.log(1.001 / 0.999)
+        assert shares[load] == pytest.approx(-slope, rel=1e-5)
+    alone = rolled(conditions(), output_torque=8.0, sun_speed=100.0).life_hours.drive
+    assert float(whole.duty_load_hours[0]) == pytest.approx(float(alone), rel=1e-9)
+    assert np.isnan(float(whole.duty_load_hours[2]))
+    assert rolled().duty_damage_shares.shape == (0,)
+
+
+def test_slip_ratio_in_rolling_counts_what_skew_takes(rolled):
+    parallel, skewed = rolled(), rolled(conditions(skew=(1e-3,) * 5))
+    expected = np.asarray(parallel.tangential) / (0.12 * np.asarray(parallel.normal))
+    np.testing.assert_allclose(parallel.slip_ratio, expected, rtol=1e-12)
+    left = 1.0 - np.asarray(skewed.capacity_loss)
+    assert np.all(left < 0.99)
+    expected = np.asarray(skewed.tangential) / (0.12 * left * np.asarray(skewed.normal))
+    np.testing.assert_allclose(skewed.slip_ratio, expected, rtol=1e-12)
+
+
 def test_shakedown_ratio(rolled):
     """Friction of 0.05 at 3.772 k; the paper's steel has k = 450/sqrt(3) MPa."""
     found = rolled()

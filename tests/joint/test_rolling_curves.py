@@ -6,8 +6,8 @@ import math
 import numpy as np
 import pytest
 
-from asperity.joint.rolling_capacity import rolling_torque_capacity
 from asperity.joint.rolling_curves import rolling_curves
+from asperity.joint.rolling_refusal import rolling_capacity_of
 from asperity.joint.solve import solve
 
 FRICTION = 0.12
@@ -27,7 +27,7 @@ def solution(joint):
 
 @pytest.fixture(scope="module")
 def curves(joint, solution):
-    capacity = rolling_torque_capacity(joint, solution)
+    capacity = rolling_capacity_of(joint, solution, direction=1.0)
     return rolling_curves(joint=joint, result=solution.result, torque_capacity=capacity)
 
 

@@ -1,3 +1,5 @@
+import dataclasses
+
 import jax
 import jax.numpy as jnp
 import numpy as np
@@ -10,7 +12,8 @@ from asperity.joint_file.si_tables import replace_values, si_values
 
 
 def test_the_example_is_the_joint_of_the_paper(example_case, paper_joint):
-    ours, papers = joint_from_case(example_case), paper_joint(ring_wall_thickness=60e-3)
+    ours = joint_from_case(example_case)
+    papers = dataclasses.replace(paper_joint(ring_wall_thickness=60e-3), ring_support="rigid_housing")
     assert jax.tree.structure(ours) == jax.tree.structure(papers)
     np.testing.assert_allclose(jax.tree.leaves(ours), jax.tree.leaves(papers), rtol=1e-15)
 
@@ -96,6 +99,7 @@ reliability = 0.95
 [lubrication]
 viscosity = "30.5 mPa*s"
 pressure_coefficient = "29 1/GPa"
+roughness = "0.25 um"
 
 [[duty]]
 output_torque = "5 N*m"
@@ -128,12 +132,30 @@ def test_rolling_oil_and_duty_of_a_file():
     assert found.skew == pytest.approx((5e-4, 0.0, 0.0, -1e-3, 0.0))
     assert found.viscosity == pytest.approx(0.0305)
     assert found.pressure_viscosity_coefficient == pytest.approx(29e-9)
+    assert found.roughness == pytest.approx(0.25e-6)
     assert (found.hysteresis_loss_factor, found.reliability) == (0.01, 0.95)
     assert [point.output_torque for point in found.duty] == [5.0, -1.0]
     assert [point.share for point in found.duty] == [0.25, 0.75]
     assert numeric_keys(case)["rolling.skew.sp"].tolerance == pytest.approx(2e-4)
     assert with_values(case, {"duty.2.output_torque": 2.0}).rolling.duty[1].output_torque == 2.0
     assert not any("rolling." in said or "lubrication" in said for said in assumptions(case))
+
+
+def test_thermal_properties_and_what_is_absent_without_them():
+    from asperity.joint_file.assumptions import assumptions
+    from asperity.joint_file.build import joint_from_case, with_values
+
+    case = _rolling_file()
+    assert joint_from_case(case).bodies.sun.thermal_conductivity is None
+    (said,) = [text for text in assumptions(case) if "flash temperature" in text]
+    assert said.startswith("no thermal_conductivity and specific_heat_capacity of material steel")
+    given = {"materials.steel.thermal_conductivity": 46.0, "materials.steel.specific_heat_capacity": 460.0}
+    ring = with_values(case, given).bodies.ring
+    assert (ring.thermal_conductivity, ring.specific_heat_capacity) == (46.0, 460.0)
+    without = _rolling_file(ROLLING.replace('roughness = "0.25 um"\n', ""))
+    assert any(text.startswith("no lubrication.roughness") for text in assumptions(without))
+    without = _rolling_file(ROLLING.replace('pressure_coefficient = "29 1/GPa"\n', ""))
+    assert any(text.startswith("no lubrication.pressure_coefficient") for text in assumptions(without))
 
 
 def test_a_file_that_says_nothing_of_rolling():

@@ -119,7 +119,7 @@ def test_the_example_is_read(example_case):
             "drive.contact_length.wol: unknown key; did you mean 'wlo'?",
         ),
         ("[surface]", "[surface.sp]", "[surface.pwr], [surface.pwl], [surface.wro], [surface.wlo] are"),
-        ("[load]", "[[load]]", "load: expected a table with preload, output_torque"),
+        ("[load]", "[[load]]", "load: expected a table with preload, interference, output_torque"),
         ("[drive]", "[drive", "not valid TOML"),
         ("[drive]", "x = " + "9" * 5000 + "\n[drive]", "not valid TOML: a number has too many digits"),
         ("[drive]", "x = " + "[" * 5000 + "\n[drive]", "nested too deeply; at most 32 levels are read"),
@@ -165,7 +165,11 @@ def test_an_empty_file_names_every_missing_section():
             "bodies.sun, bodies.planet, bodies.loading_roller, bodies.ring: there is no material 'steel'; the file "
             "defines xyz; 'asperity materials' lists the library",
         ),
-        ('preload = "1000 N"', "", "load.preload: this key is missing: a force, e.g. '1000 N'"),
+        (
+            'preload = "1000 N"',
+            "",
+            "load: exactly one of 'preload' and 'interference' is needed, got neither",
+        ),
         ("[bodies]\n", "", None),
         (
             "[materials.steel]",
@@ -188,8 +192,9 @@ def test_one_mistake_is_one_message(example_text, old, new, message):
 
 
 def test_a_key_in_the_wrong_section_is_sent_to_its_own(example_text):
-    text = example_text.replace('preload = "1000 N"', "").replace("[drive]", '[drive]\npreload = "1000 N"')
-    assert refusal(text) == "joint.toml: drive.preload: unknown key; it belongs in [load]"
+    torque = 'output_torque = "5 N*m"'
+    text = example_text.replace(torque, "").replace("[drive]", f"[drive]\n{torque}")
+    assert refusal(text) == "joint.toml: drive.output_torque: unknown key; it belongs in [load]"
     text = example_text.replace("[drive]", '[drive]\npin_diameter = "4 mm"')
     assert refusal(text) == "joint.toml: drive.pin_diameter: unknown key; it belongs in [bearings]"
 

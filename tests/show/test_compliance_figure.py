@@ -42,3 +42,20 @@ def test_figure_is_in_percent_and_newton_metres_an_arcminute(solved):
     assert line.get_xdata() == pytest.approx(
         [0.2908882, 5.817764, 87.26646], rel=1e-6
     )  # 1 arcmin is pi/10800
+
+
+def test_a_level_without_stiffness_has_no_point(solved):
+    solved.result.published.output = 0.0
+    _, levels = compliance_figure(solved, title="a joint").axes
+    assert levels.lines[0].get_xdata()[:2] == pytest.approx([0.2908882, 5.817764], rel=1e-6)
+    assert levels.lines[0].get_xdata()[2] != levels.lines[0].get_xdata()[2]  # nan
+    assert "no value" in [text.get_text() for text in levels.texts]
+
+
+def test_levels_close_to_each_other_have_more_than_one_tick(solved):
+    solved.result.series_with_bulk.output, solved.result.published.output = 1.1e3, 1.5e3
+    figure = compliance_figure(solved, title="a joint")
+    figure.savefig("/dev/null", format="png")
+    _, levels = figure.axes
+    low, high = levels.get_xlim()
+    assert sum(low <= tick <= high for tick in levels.get_xticks()) >= 2

@@ -9,9 +9,11 @@ from typing import TYPE_CHECKING, Any
 from asperity.api.joint import DescribedJoint, require_joint
 from asperity.api.named_quantity import NamedQuantity
 from asperity.api.shown import Shown, Table, displayed, frame
+from asperity.drive.geometry import speed_ratio
 from asperity.errors import InputError
 from asperity.joint.results import LEVELS, known_result
 from asperity.joint.windup import StiffnessLevel
+from asperity.joint_file.build import joint_from_case
 from asperity.joint_file.edited_text import joint_file_text
 from asperity.joint_file.si_tables import key_at
 from asperity.study.calibration.calibrate import CORRELATED, Calibration
@@ -45,7 +47,8 @@ def calibrate(
     joint : DescribedJoint
         From :func:`asperity.load`; its numbers are the first guess.
     data : str or Path
-        CSV file with columns torque and angle, or torque and stiffness, with units in the header.
+        CSV file with columns torque and one of angle, stiffness, drift, speed loss or speed ratio, with units in the
+        header.
     unknowns : sequence of str
         Numbers of the file, or play, play_torque, offset, drift; with bounds as ``"load.preload=500 N:2000 N"``.
     level : {"assembly", "series_with_bulk", "published"}, optional
@@ -74,7 +77,8 @@ def calibrate(
     known_result(history, among=("virgin", "cycled"), what="history")
     if isinstance(unknowns, str):
         raise InputError(f"the unknowns are a list, e.g. ['{unknowns}']")
-    measurement = read_measurement(data)
+    ratio = float(speed_ratio(joint_from_case(joint.case).geometry))
+    measurement = read_measurement(data, unloaded_ratio=ratio)
     found = fit(
         case=joint.case,
         measurement=measurement,
@@ -176,7 +180,7 @@ class CalibratedJoint(Shown):
             note += f" at its {each.at_bound} bound" if each.at_bound else ""
             rows.append((path, format_quantity(each.value, unit, 6), *ends, note.strip()))
         data = self.calibration.model.measurement
-        unit = "arcsec" if data.angle is not None else "N*m/arcmin"
+        unit = data.quantity.fine_unit
         parts: list[str | Table] = [
             f"{len(rows)} unknowns from {data.torque.size} rows of {data.source}",
             Table(("unknown", "estimate", "95 % from", "to", ""), rows),
@@ -184,8 +188,9 @@ class CalibratedJoint(Shown):
         ]
         if self.calibration.durbin_watson < CORRELATED:
             parts.append(
-                f"Neighbouring residuals are alike (Durbin–Watson {self.calibration.durbin_watson:.2f}, independent "
-                "ones give 2): the model does not explain the curve fully, and the intervals are too narrow."
+                f"Neighbouring residuals are correlated (Durbin–Watson {self.calibration.durbin_watson:.2f}, "
+                "independent residuals give 2): the model does not explain the curve fully, and the intervals are too "
+                "narrow."
             )
         worst = "\n".join(direction.words for direction in self.calibration.directions)
-        return [*parts, f"Combinations of unknowns, the worst determined first:\n{worst}"]
+        return [*parts, f"Combinations of unknowns, the least well determined first:\n{worst}"]

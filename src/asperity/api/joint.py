@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from asperity.surface.measurement import SurfaceMeasurement
 
 #: Keys of the file that its one-line summary names.
-_SUMMARY = ("load.preload", "load.output_torque", "load.sun_speed")
+_SUMMARY = ("load.preload", "load.interference", "load.output_torque", "load.sun_speed")
 
 
 def load(path: str | Path) -> DescribedJoint:
@@ -222,7 +222,7 @@ class DescribedJoint(Shown):
     @property
     def summary(self) -> str:
         """The joint in one line."""
-        stated = ", ".join(f"{self[path].label} {self[path]}" for path in _SUMMARY)
+        stated = ", ".join(f"{self[path].label} {self[path]}" for path in _SUMMARY if path in self.numbers)
         return f"{self.source}: {self['drive.planets'].si:g} planets, {stated}"
 
     def _parts(self) -> list[str | Table]:

@@ -34,7 +34,7 @@ class NamedQuantity:
     level : str or None
         Model of the stiffness that it belongs to: published, series_with_bulk or assembly.
     categories : tuple of str
-        What its values number, from 0, where it is no quantity.
+        What its values number, from 0, where it is not a quantity.
     """
 
     name: str

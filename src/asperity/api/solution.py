@@ -12,8 +12,10 @@ from asperity.api.joint import DescribedJoint
 from asperity.api.named_quantity import NamedQuantity
 from asperity.api.shown import Shown, Table, displayed, frame, pandas
 from asperity.drive.geometry import CONTACT_NAMES
+from asperity.joint.description import Joint
 from asperity.joint.document import joint_document
 from asperity.joint.results import LEVELS, RESULTS, Result, SolvedJoint, known_result, name_at_level
+from asperity.joint.rolling_refusal import rolling_capacity_of
 from asperity.joint.solve import Solution, solve
 from asperity.joint_file.build import joint_from_case
 from asperity.joint_file.si_tables import si_values
@@ -62,6 +64,22 @@ def solution(joint: DescribedJoint) -> JointSolution:
     return JointSolution(joint, solve(joint_from_case(joint.case)))
 
 
+class _Solved(SolvedJoint):
+    """One solved joint, whose capacities in rolling come from the program that solved it."""
+
+    def __init__(self, joint: Joint, solution: Solution) -> None:
+        super().__init__(joint, solution.result, solution.capacity)
+        self._solution = solution
+
+    @functools.cached_property
+    def rolling_capacity(self) -> float:
+        return rolling_capacity_of(self.joint, self._solution, direction=1.0)
+
+    @functools.cached_property
+    def reverse_rolling_capacity(self) -> float:
+        return rolling_capacity_of(self.joint, self._solution, direction=-1.0)
+
+
 class JointSolution(Shown):
     """A solved joint: ``solution["stiffness"]`` is a number with its unit, and so is every other result.
 
@@ -75,7 +93,7 @@ class JointSolution(Shown):
 
     def __init__(self, joint: DescribedJoint, solution: Solution) -> None:
         self.joint, self.solution = joint, solution
-        self._solved = SolvedJoint(joint_from_case(joint.case), solution.result, solution.capacity)
+        self._solved = _Solved(joint_from_case(joint.case), solution)
 
     def __getitem__(self, asked: str | tuple[str, StiffnessLevel]) -> NamedQuantity:
         """One result.

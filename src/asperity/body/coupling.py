@@ -8,19 +8,40 @@ add up where contacts share a body:
 
 for normal and tangential components. With it the assembly is :math:`B q - C f = 0`, :math:`B^\mathsf{T} f = g`;
 :func:`asperity.drive.assembly.assembly_stiffness` takes its diagonal as springs and the rest as their coupling.
+
+All bodies are computed as one array: *places* are the contacts of all bodies on themselves, then the pairs of
+different contacts of a body.
 """
 
 from __future__ import annotations
 
+import itertools
+import math
 from collections.abc import Sequence
+from typing import Any, NamedTuple
 
 import equinox as eqx
+import jax
 import jax.numpy as jnp
 import numpy as np
 from jax import Array
 
-from asperity.body.compliance import compliance_matrix
-from asperity.body.shapes import Annulus, Disc
+from asperity.body.annulus_modes import Wall
+from asperity.body.compliance import loaded_radius, wall_of
+from asperity.body.rigid_modes import uniform_compliance
+from asperity.body.rim_kernel import own_sums
+from asperity.body.rim_moments import (
+    MOMENTS,
+    WIDEST_CONTACT,
+    RimKernel,
+    closed_kernel,
+    other_rim,
+    weighted_mean,
+)
+from asperity.body.shapes import Annulus, Disc, kolosov_constant
+from asperity.errors import InputError
+from asperity.materials import shear_modulus
+from asperity.types import Real
 
 
 class BodyInMachine(eqx.Module):
@@ -35,23 +56,58 @@ class BodyInMachine(eqx.Module):
     contact_angles : Array
         Polar angles of these contacts about the body's centre, counter-clockwise in the plane of the machine,
         shape (n, ...) [rad].
-    copies : int
-        Number of sectors of the machine that this body belongs to: that of the planets for sun and ring, 1 for a
-        body of one sector [-].
+    sectors : Real or None
+        Number of equal sectors of the machine that this body belongs to, at least 2: that of the planets for sun and
+        ring [-]; None for a body of one sector.
     """
 
     body: Disc | Annulus
     contacts: tuple[int, ...] = eqx.field(static=True)
     contact_angles: Array
-    copies: int = eqx.field(static=True)
+    sectors: Real | None
+
+
+class _Places(NamedTuple):
+    """Static tables of the places: every body for a contact of it on itself, then all pairs of contacts of a body."""
+
+    body: np.ndarray  # of each place
+    contacts: np.ndarray  # of each pair, shape (2, pairs)
+    angles: np.ndarray  # the same in the list of all bodies' contacts
+    own_body: np.ndarray  # of each contact of each body
+    own_contact: np.ndarray
+
+
+def _places(bodies: Sequence[BodyInMachine]) -> _Places:
+    own = [(number, contact) for number, member in enumerate(bodies) for contact in member.contacts]
+    own_body, own_contact = np.array(own).T
+    pairs = [
+        pair for pair in itertools.combinations(range(len(own)), 2) if len({own[k][0] for k in pair}) == 1
+    ]
+    angles = np.array(pairs, dtype=int).reshape(-1, 2).T
+    return _Places(
+        body=np.concatenate([np.arange(len(bodies)), own_body[angles[0]]]),
+        contacts=own_contact[angles],
+        angles=angles,
+        own_body=own_body,
+        own_contact=own_contact,
+    )
+
+
+def _column(values: Sequence[Any], rank: int) -> Array:
+    """Numbers of several things along a first axis, in front of the batch axes."""
+    if all(isinstance(value, float) for value in values):
+        return jnp.asarray(np.array(values).reshape((-1,) + (1,) * rank))
+    arrays = [jnp.asarray(value, dtype=float) for value in values]
+    same = jnp.broadcast_arrays(*(each.reshape((1,) * (rank - each.ndim) + each.shape) for each in arrays))
+    return jnp.stack(same)
 
 
 def coupled_compliance(
     *,
     bodies: Sequence[BodyInMachine],
+    contact_lengths: Real,
     half_widths: Array,
     stick_half_widths: Array,
-    mode_count: int,
 ) -> Array:
     r"""Compliance matrix of all contacts of one sector of a machine of elastic bodies.
 
@@ -61,47 +117,185 @@ def coupled_compliance(
     ----------
     bodies : sequence of BodyInMachine
         The bodies; :math:`P_b` picks their contacts.
+    contact_lengths : Real
+        Lengths of the m contacts of the sector, shape (m, ...) or (1, ...) [m]. A contact shorter than its
+        body compresses its surroundings (the disc, or the hole in a plate, under its own force) over its own length.
     half_widths : Array
-        Half-widths of the m contacts of the sector, shape (m, ...) [m].
+        Their half-widths, shape (m, ...) [m].
     stick_half_widths : Array
         Half-widths of their stick zones, shape (m, ...) [m].
-    mode_count : int
-        Modes to sum for the annuli, :func:`~asperity.body.compliance.modes_needed` [-].
 
     Returns
     -------
     Array
         Compliance, shape (2m, 2m, ...), first the normal, then the tangential springs [m/N]. Elongations are
         approach, and slip along the counter-clockwise tangent of either body where both touch from outside, of the
-        inner one where a ring surrounds it.
+        inner one where a ring surrounds it. nan for an annulus whose wall is less than five half-widths, or so thin
+        that its modes do not suffice.
 
     Notes
     -----
     All sectors are loaded equally, as under a torque. The elongations of the springs are the sum of this matrix times
-    the forces and of the rigid motions of the bodies, the unknowns :math:`q` of the assembly.
+    the forces and of the rigid motions of the bodies, the unknowns :math:`q` of the assembly. The sum over modes ends
+    where the thinnest wall of the batch needs no more. The number of sectors is not differentiated.
 
     References
     ----------
     Equation (E3) of :doc:`/equations`.
     """
-    total = jnp.zeros(())
-    for member in bodies:
-        pick = np.array(member.contacts)
-        own = compliance_matrix(
-            body=member.body,
-            contact_angles=jnp.asarray(member.contact_angles),
-            half_widths=half_widths[pick],
-            stick_half_widths=stick_half_widths[pick],
-            copies=member.copies,
-            mode_count=mode_count,
+    rank, count = half_widths.ndim - 1, half_widths.shape[0]
+    places, whole = _places(bodies), len(bodies)
+    numbers = _numbers(bodies, rank)
+    kernel = _kernel(bodies, places, numbers, rank)
+
+    # contacts on themselves, normal and tangential, then pairs: both normal, both tangential, and mixed
+    widths = jnp.concatenate([half_widths, stick_half_widths])
+    one, two = places.contacts
+    own, own_body = (
+        np.concatenate([places.own_contact, places.own_contact + count]),
+        np.tile(places.own_body, 2),
+    )
+    pair = np.arange(whole, places.body.size)
+    left = np.concatenate([own, one, one + count, one, two])
+    right = np.concatenate([own, two, two + count, two + count, one + count])
+    radial, tangential, coupling = (kind * places.body.size for kind in range(3))
+    entry = np.concatenate(
+        [
+            places.own_body,
+            places.own_body + tangential,
+            *(pair + kind for kind in (radial, tangential, coupling, coupling)),
+        ]
+    )
+    sign = np.ones(entry.size)
+    sign[own.size + 2 * pair.size : own.size + 3 * pair.size] = -1.0
+    body = np.concatenate([own_body, np.tile(places.body[pair], 4)])
+    squares = widths**2
+    per_radius = numbers.inverse_square[body]
+    smooth = (sign.reshape((-1,) + (1,) * rank) * numbers.scale[body]) * weighted_mean(
+        jnp.concatenate(kernel, axis=1)[:, entry], squares[left] * per_radius, squares[right] * per_radius
+    )
+    own_plus, own_minus = own_sums(widths[own] * jnp.sqrt(per_radius[: own.size]))
+    lengths = jnp.broadcast_to(contact_lengths, (count, *jnp.shape(contact_lengths)[1:]))
+    pressed = (numbers.plus[own_body] * own_plus + numbers.minus[own_body] * own_minus) * (
+        numbers.local_scale[own_body] / lengths[np.tile(places.own_contact, 2)]
+    )
+    smooth_own, apart = smooth[: own.size], smooth[own.size :]
+    diagonal = jnp.tensordot(np.eye(2 * count)[:, own], smooth_own + pressed, axes=1)
+
+    shape = jnp.broadcast_shapes(diagonal.shape[1:], apart.shape[1:])
+    entries = jnp.concatenate(
+        [
+            jnp.broadcast_to(part, (part.shape[0], *shape))
+            for part in (diagonal, apart, jnp.zeros((1, *shape)))
+        ]
+    )
+    where = np.full((2 * count, 2 * count), entries.shape[0] - 1)
+    where[range(2 * count), range(2 * count)] = range(2 * count)
+    at = 2 * count + np.arange(apart.shape[0])
+    where[left[own.size :], right[own.size :]] = where[right[own.size :], left[own.size :]] = at
+    return jnp.where(_too_wide(bodies, half_widths), jnp.nan, entries[where])
+
+
+class _Numbers(NamedTuple):
+    """Numbers of the bodies, shape (bodies, ...)."""
+
+    inverse_square: Array  # of the loaded radius [1/m^2]
+    local_scale: Array  # 1/(4 pi G) [1/Pa]
+    scale: Array  # 1/(4 pi G L) [m/N]
+    kolosov: Array
+    plus: Array  # weights of the closed sums over 1/(n+1) and 1/(n-1)
+    minus: Array
+    sectors: Array
+
+
+def _numbers(bodies: Sequence[BodyInMachine], rank: int) -> _Numbers:
+    young, poisson, length, radius = (
+        _column(values, rank)
+        for values in (
+            [member.body.youngs_modulus for member in bodies],
+            [member.body.poisson_ratio for member in bodies],
+            [member.body.length for member in bodies],
+            [loaded_radius(member.body) for member in bodies],
         )
-        places = _places(pick, half_widths.shape[0])
-        total = total + jnp.einsum("ai,ij...,bj->ab...", places, own, places)
-    return total
+    )
+    states = {member.body.plane_state for member in bodies}
+    if len(states) > 1:
+        raise InputError("the bodies of a machine must all be in plane strain, or all in plane stress")
+    kolosov = jnp.asarray(kolosov_constant(poisson_ratio=poisson, plane_state=states.pop()))
+    hole = np.array([isinstance(each.body, Annulus) and each.body.loaded_rim == "inner" for each in bodies])
+    hole = hole.reshape((-1,) + (1,) * rank)
+    local_scale = 1.0 / (4.0 * math.pi * shear_modulus(youngs_modulus=young, poisson_ratio=poisson))
+    return _Numbers(
+        inverse_square=1.0 / radius**2,
+        local_scale=jnp.asarray(local_scale),
+        scale=local_scale / length,
+        kolosov=kolosov,
+        plus=jnp.where(hole, 1.0, kolosov),
+        minus=jnp.where(hole, kolosov, 1.0),
+        sectors=jax.lax.stop_gradient(
+            _column([1.0 if member.sectors is None else member.sectors for member in bodies], rank)
+        ),
+    )
 
 
-def _places(pick: np.ndarray, contact_count: int) -> np.ndarray:
-    """Matrix with a one for every component of a body's contacts in the list of the sector."""
-    places = np.zeros((2 * contact_count, 2 * pick.size))
-    places[np.concatenate([pick, pick + contact_count]), np.arange(2 * pick.size)] = 1.0
-    return places
+def _too_wide(bodies: Sequence[BodyInMachine], half_widths: Array) -> Array:
+    wide = jnp.zeros(half_widths.shape[1:], dtype=bool)
+    for member in bodies:
+        if isinstance(member.body, Annulus):
+            wall = member.body.outer_radius - member.body.inner_radius
+            widest = jnp.max(half_widths[np.array(member.contacts)], axis=0)
+            wide = wide | (widest > WIDEST_CONTACT * wall)
+    return wide
+
+
+def _kernel(bodies: Sequence[BodyInMachine], places: _Places, numbers: _Numbers, rank: int) -> RimKernel:
+    """What no load changes: the kernel at every place, without the disc or hole under a contact's own force."""
+    whole = len(bodies)
+    polar = [jnp.asarray(member.contact_angles) for member in bodies]
+    shape = jnp.broadcast_shapes(*(angles.shape[1:] for angles in polar), (1,) * rank)
+    listed = jnp.concatenate([jnp.broadcast_to(each, (each.shape[0], *shape)) for each in polar])
+    apart = listed[places.angles[0]] - listed[places.angles[1]]
+    angle = jnp.concatenate([jnp.zeros((whole, *shape)), apart])
+    closed = closed_kernel(
+        angle=angle,
+        plus=numbers.plus[places.body],
+        minus=numbers.minus[places.body],
+        sectors=numbers.sectors[places.body],
+    )
+    hollow = [number for number, member in enumerate(bodies) if isinstance(member.body, Annulus)]
+    pressure = 0.5 * numbers.sectors * (numbers.kolosov - 1.0)
+    if not hollow:
+        return _with_uniform(closed, pressure[places.body], jnp.zeros(()))
+    walls = [wall_of(bodies[number].body) for number in hollow]  # type: ignore[arg-type]
+    wall: Wall = jax.tree.map(lambda *leaves: _column(leaves, rank), *walls)
+    radial, twist = (0.5 * numbers.sectors[np.array(hollow)] * part for part in uniform_compliance(wall))
+    into_bodies = np.eye(whole)[:, hollow]
+    solid = 1.0 - into_bodies.sum(axis=1).reshape((-1,) + (1,) * rank)
+    pressure = solid * pressure + jnp.tensordot(into_bodies, radial, axes=1)
+    twist = jnp.tensordot(into_bodies, twist, axes=1)
+    closed = _with_uniform(closed, pressure[places.body], twist[places.body])
+
+    at = np.flatnonzero(np.isin(places.body, hollow))
+    of = np.searchsorted(hollow, places.body[at])
+    wall = jax.tree.map(lambda leaf: leaf[of] if len(hollow) > 1 else leaf, wall)
+    alone = np.array([bodies[number].sectors is None for number in places.body[at]])
+    far = other_rim(
+        wall=wall,
+        angle=angle[at],
+        sectors=numbers.sectors[places.body[at]],
+        one_sector=alone.reshape((-1,) + (1,) * rank),
+    )
+    into_places = np.eye(places.body.size)[:, at]
+
+    def spread(part: Array) -> Array:
+        return jnp.moveaxis(jnp.tensordot(into_places, part, axes=([1], [1])), 1, 0)
+
+    return RimKernel(*(near + spread(part) for near, part in zip(closed, far, strict=True)))
+
+
+def _with_uniform(kernel: RimKernel, pressure: Array, twist: Array) -> RimKernel:
+    """A kernel with the mode n = 0, which is the same at every angle."""
+    first = np.eye(MOMENTS)[0].reshape((-1,) + (1,) * (kernel.radial.ndim - 1))
+    return kernel._replace(
+        radial=kernel.radial + first * pressure, tangential=kernel.tangential + first * twist
+    )

@@ -151,5 +151,5 @@ def translation_compliance(wall: Wall) -> ModeCompliance:
         b, e, c, shift = translation_field(wall=wall, plus=plus, minus=minus)
         channels.append((2.0 * (wall.kolosov * b + e - c), shift - 4.0 * b))
     (pp, mp), (pm, mm) = channels
-    alone = 0.5 * wall.kolosov if wall.side > 0.0 else 0.5
+    alone = 0.5 * jnp.where(wall.side > 0.0, wall.kolosov, 1.0)
     return components(Channels(pp - alone, pm, mp, mm), 1.0)

@@ -73,20 +73,46 @@ def separated_sums(*, angle: Real, second_moment: Real, fourth_moment: Real) -> 
     ----------
     I. S. Gradshteyn and I. M. Ryzhik, Table of Integrals, Series, and Products, 1.441.
     """
+    derivatives = separated_derivatives(angle)
+    half, quarter = 0.5 * second_moment, fourth_moment / 24.0
+    return RimSums(*(part[0] + half * part[1] + quarter * part[2] for part in derivatives))
+
+
+def separated_derivatives(angle: Real) -> RimSums:
+    r"""The sums for point loads, and their second and fourth derivatives by the angle.
+
+    .. math:: f, \quad f^{(2)}, \quad f^{(4)}
+
+    Parameters
+    ----------
+    angle : Real
+        Angle theta between the contacts, no multiple of a full turn [rad].
+
+    Returns
+    -------
+    RimSums
+        Each of shape (3, ...).
+
+    References
+    ----------
+    The notes of :func:`separated_sums`.
+    """
     turn = jnp.mod(jnp.asarray(angle), 2.0 * math.pi)
     sin_half, cos_half = jnp.sin(0.5 * turn), jnp.cos(0.5 * turn)
     cos, sin = 1.0 - 2.0 * sin_half**2, 2.0 * sin_half * cos_half
     t = 0.5 * cos_half / sin_half
     t2 = t * t
-    half, quarter = 0.5 * second_moment, fourth_moment / 24.0
-    common = 1.0 - half + quarter
-    real, imaginary = -jnp.log(2.0 * sin_half) * common, 0.5 * (math.pi - turn) * common
-    even = (half - 4.0 * quarter) * t2 + 6.0 * quarter * t2 * t2
-    odd = 2.0 * t * (half - quarter * (1.0 - 4.0 * t2))
-    plus, plus_i = real + even - 0.75 * half + 0.625 * quarter, imaginary + odd
-    minus, minus_i = real + even + 1.25 * half - 3.375 * quarter, imaginary - odd
+    alternating, plus_shift, minus_shift, once = (
+        np.array(numbers).reshape((3,) + (1,) * turn.ndim)
+        for numbers in ((1.0, -1.0, 1.0), (0.0, -0.75, 0.625), (0.0, 1.25, -3.375), (1.0, 0.0, 0.0))
+    )
+    zero = jnp.zeros_like(t2)
+    even = jnp.stack([zero, t2, 6.0 * t2 * t2 - 4.0 * t2]) - jnp.log(2.0 * sin_half) * alternating
+    odd = jnp.stack([zero, 2.0 * t, 2.0 * t * (4.0 * t2 - 1.0)])
+    imaginary = 0.5 * (math.pi - turn) * alternating
+    plus, plus_i, minus, minus_i = even + plus_shift, imaginary + odd, even + minus_shift, imaginary - odd
     return RimSums(
-        cosine_plus=cos * plus + sin * plus_i - 1.0,
+        cosine_plus=cos * plus + sin * plus_i - once,
         sine_plus=cos * plus_i - sin * plus,
         cosine_minus=cos * minus - sin * minus_i,
         sine_minus=cos * minus_i + sin * minus,

@@ -38,6 +38,13 @@ COMMANDS: dict[str, tuple[str, str, str]] = {
         "Torque-angle curve, hysteresis and capacity of a joint file.",
     ),
     "roll": ("asperity.cli.roll", "roll", "Drift, losses, thrust and life of a joint that turns."),
+    "draw": ("asperity.cli.draw", "draw", "Draw the drive of a joint file to scale."),
+    "report": ("asperity.cli.report", "report", "One document about a joint for a design review."),
+    "dynamics": (
+        "asperity.cli.dynamics",
+        "dynamics",
+        "Natural frequencies and frequency response with motor and load.",
+    ),
     "contact": ("asperity.cli.contact", "contact", "Stiffness of any number of roller pairs from a table."),
     "design": ("asperity.cli.design", "design", "The best joint within limits, or a Pareto front."),
     "calibrate": ("asperity.cli.calibrate", "calibrate", "Unknowns of a joint from a measured curve."),

@@ -31,7 +31,7 @@ if TYPE_CHECKING:
 @click.option("--out", type=click.Path(), help="Write the calibrated joint as a joint file.")
 @click.option("--plot", type=click.Path(), help="Draw data, fit and residuals (.png, .svg, .pdf).")
 @click.option("--posterior", "draws", type=click.IntRange(50, 100000), metavar="DRAWS",
-              help="Draw from the posterior too, so many from each of four chains (extra 'bayes').")  # fmt: skip
+              help="Also draw from the posterior, this number from each of four chains (extra 'bayes').")  # fmt: skip
 @click.option("--plot-posterior", type=click.Path(), help="Draw the posterior (.png, .svg, .pdf).")
 @click.option(
     "--json", "as_json", is_flag=True, help="Print one JSON document in SI units instead of tables."
@@ -52,8 +52,10 @@ def calibrate(
 ) -> None:
     """Fit numbers of the joint file FILE to the measured curve DATA.
 
-    DATA is a CSV file with columns torque and angle, or torque and stiffness, if wanted time and repetition; units in
-    the header, e.g. 'torque [N*m]', 'angle [arcmin]'. Rows in the order of time: the hysteresis follows the history.
+    DATA is a CSV file with a column torque and one of angle, stiffness, drift (angle lost per output turn), speed loss
+    or speed ratio (sun over output), if wanted time and repetition; units in the header, e.g. 'torque [N*m]',
+    'angle [arcmin]', 'drift [arcmin/turn]', 'speed loss [%]'. Rows in the order of time: the hysteresis of a
+    torque-angle curve follows the history.
     """
     from asperity.cli.progress import progress_bar
     from asperity.errors import InputError
@@ -75,7 +77,11 @@ def calibrate(
 
     if draws is not None:
         require_numpyro()
-    measurement = read_measurement(data)
+    from asperity.drive.geometry import speed_ratio
+    from asperity.joint_file.build import joint_from_case
+
+    ratio = float(speed_ratio(joint_from_case(case).geometry))
+    measurement = read_measurement(data, unloaded_ratio=ratio)
     with progress_bar("starts") as report:
         found = fit(
             case=case,
@@ -98,8 +104,9 @@ def calibrate(
         changes = {each.path: each.value for each in found.estimates if of_joint_file(each.path)}
         if "play.angle" in changes and case.play is None:  # a section [play] has both keys
             changes.setdefault("play.take_up_torque", 0.0)
+        fitted = "drift" if measurement.drift is not None else f"{level} stiffness"
         text = joint_file_text(
-            case, changes, comment=f"Calibrated by asperity: {file} from {data}, {level} stiffness."
+            case, changes, comment=f"Calibrated by asperity: {file} from {data}, {fitted}."
         )
         write_text(text, out)
         say_written(out)
@@ -125,7 +132,7 @@ def _document(found: Calibration, drawn: Posterior | None) -> dict[str, Any]:
 
     from asperity.study.calibration.unknowns import si_unit_of
 
-    unit = "rad" if found.model.measurement.angle is not None else "N*m/rad"
+    unit = found.model.measurement.quantity.si_unit
     document: dict[str, Any] = {
         "estimates": [
             {
@@ -219,14 +226,14 @@ def _show(found: Calibration, drawn: Posterior | None) -> None:
             ", ".join(note for note in notes if note),
         )
     target.print(rows)
-    unit = "arcsec" if data.angle is not None else "N*m/arcmin"
+    unit = data.quantity.fine_unit
     target.print(f"residual: {format_quantity(found.standard_deviation, unit)} (standard deviation)")
     if found.durbin_watson < CORRELATED:
         target.print(
-            f"Neighbouring residuals are alike (Durbin–Watson {found.durbin_watson:.2f}, independent ones give 2): "
-            "the model does not explain the curve fully, and the intervals are too narrow."
+            f"Neighbouring residuals are correlated (Durbin–Watson {found.durbin_watson:.2f}, independent "
+            "residuals give 2): the model does not explain the curve fully, and the intervals are too narrow."
         )
-    target.print("Combinations of unknowns, the worst determined first:")
+    target.print("Combinations of unknowns, the least well determined first:")
     for direction in found.directions:
         target.print(f"  {direction.words}", markup=False)
     if drawn is not None:
@@ -243,9 +250,9 @@ def _show(found: Calibration, drawn: Posterior | None) -> None:
         for i, unknown in enumerate(found.model.unknowns):
             if note := drawn.note(i):
                 target.print(
-                    f"{unknown.path}: {note}, so that the bounds decide about the interval", markup=False
+                    f"{unknown.path}: {note}, so that the bounds determine the interval", markup=False
                 )
         target.print(
-            f"The joint itself accepted {100.0 * drawn.acceptance:.3g} % of the proposals; the draws are exact, a low "
-            "share only makes them fewer."
+            f"The joint itself accepted {100.0 * drawn.acceptance:.3g} % of the proposals; the draws follow "
+            "the exact posterior; a low share only makes fewer of them independent."
         )

@@ -26,6 +26,18 @@ if TYPE_CHECKING:
     help="Draw the objective along each variable, or the front (.png, .svg, .pdf).",
 )
 @click.option(
+    "--map",
+    "map_file",
+    type=click.Path(),
+    help="Draw where two variables meet all limits, with the line of each limit (.png, .svg, .pdf).",
+)
+@click.option(
+    "--map-over",
+    nargs=2,
+    metavar="VARIABLE VARIABLE",
+    help="The two variables of the map; by default the first two.",
+)
+@click.option(
     "--json", "as_json", is_flag=True, help="Print one JSON document in SI units instead of tables."
 )
 @click.option(
@@ -43,9 +55,16 @@ if TYPE_CHECKING:
     help="Generations (front).",
 )
 def design(
-    file: str, out: str | None, plot: str | None, as_json: bool, population: int, generations: int
+    file: str,
+    out: str | None,
+    plot: str | None,
+    map_file: str | None,
+    map_over: tuple[str, str] | None,
+    as_json: bool,
+    population: int,
+    generations: int,
 ) -> None:
-    """Choose the free variables of a joint as the design file FILE asks.
+    """Choose the free variables of a joint as specified in the design file FILE.
 
     FILE is a TOML file that names a joint file, free variables with bounds, one objective (or two or three for a
     Pareto front), limits, and the torques and tolerances for which they must hold. Where no design meets all limits,
@@ -55,6 +74,7 @@ def design(
     from asperity.precision import use_compilation_cache, use_double_precision
 
     check_image(plot)
+    check_image(map_file)
     check_file(out, file)
     from asperity.study.design.design_file import read_design
 
@@ -62,6 +82,8 @@ def design(
     check_file(out, problem.joint_file)
     use_double_precision()
     use_compilation_cache()
+    if map_file is not None or map_over is not None:
+        _check_map(problem, map_file, map_over)
     if len(problem.objectives) > 1:
         _front(problem, out, plot, as_json, population, generations)
         return
@@ -78,6 +100,11 @@ def design(
 
         write_image(design_figure(result), plot)
         say_written(plot)
+    if map_file is not None:
+        from asperity.study.design.design_map import design_map
+
+        write_image(design_map(result, over=map_over), map_file)
+        say_written(map_file)
     if as_json:
         import json
 
@@ -88,6 +115,16 @@ def design(
         from asperity.errors import NoSolutionError
 
         raise NoSolutionError(conflict(result))
+
+
+def _check_map(problem: DesignProblem, map_file: str | None, over: tuple[str, str] | None) -> None:
+    from asperity.study.design.design_map import mapped_variables
+
+    if map_file is None:
+        raise InputError("--map-over chooses the variables of a map; name its file with --map")
+    if len(problem.objectives) > 1:
+        raise InputError("--map draws the limits around one design; a Pareto front has many, see --plot")
+    mapped_variables(problem, over)
 
 
 def _front(

@@ -42,10 +42,11 @@ def print_wrapped(target: Console, text: str, *, indent: int) -> None:
 
 def show_heading(target: Console, document: Document, source: str) -> None:
     """Name of the file, and the load for which its numbers hold."""
-    drive, load = document["input"]["drive"], document["input"]["load"]
+    drive, load, preload = document["input"]["drive"], document["input"]["load"], document["preload"]
     target.print(
         f"{source}\n{count(drive['planets'], 'planet')}, sun at {in_unit(load['sun_speed'], 'rpm')}, preload "
-        f"{in_unit(load['preload'], 'N')}, output torque {in_unit(load['output_torque'], 'N*m')}\n",
+        f"{in_unit(preload['force_N'], 'N')} ({in_unit(preload['interference_m'], 'um')} of interference), "
+        f"output torque {in_unit(load['output_torque'], 'N*m')}\n",
         style="bold",
         markup=False,
     )

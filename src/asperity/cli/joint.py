@@ -4,6 +4,9 @@ from __future__ import annotations
 
 import click
 
+from asperity.cli.terminal import say_written
+from asperity.writing import check_image, write_image
+
 
 @click.command()
 @click.argument("file", type=click.Path())
@@ -18,7 +21,13 @@ import click
     metavar="MEASUREMENT",
     help="Measured surface of all contacts, from 'asperity surface measure --json'; twice: one for each body.",
 )
-def joint(file: str, as_json: bool, surfaces: tuple[str, ...]) -> None:
+@click.option(
+    "--plot",
+    "plot_file",
+    type=click.Path(dir_okay=False),
+    help="Draw the stiffness budget, the levels and the safety margins: PNG, SVG or PDF.",
+)
+def joint(file: str, as_json: bool, surfaces: tuple[str, ...], plot_file: str | None) -> None:
     """Forces, contacts, torsional stiffness, torque capacity and warnings of the joint described in FILE.
 
     FILE is a TOML file; 'asperity init' writes one with comments. With --surface the measured D and G take the
@@ -26,6 +35,7 @@ def joint(file: str, as_json: bool, surfaces: tuple[str, ...]) -> None:
     """
     from asperity.joint_file.reader import read_case
 
+    check_image(plot_file)
     case = read_case(file)
     from asperity.precision import use_compilation_cache, use_double_precision
 
@@ -46,12 +56,21 @@ def joint(file: str, as_json: bool, surfaces: tuple[str, ...]) -> None:
         measured = measured_surface(surfaces)
         case = with_measured_surface(case, measured)
     described = joint_from_case(case)
+    solution = solve(described)
     document = joint_document(
-        joint=described, solution=solve(described), inputs=si_values(case), assumptions=assumptions(case)
+        joint=described, solution=solution, inputs=si_values(case), assumptions=assumptions(case)
     )
     if measured is not None:
         document["measured_surface"] = measurement_document(measurement=measured)
         document["stiffness_interval"] = stiffness_interval(described, measured)
+    if plot_file:
+        from asperity.joint.results import SolvedJoint
+        from asperity.show.compliance_figure import joint_figure
+        from asperity.show.style import plain_title
+
+        solved = SolvedJoint(described, solution.result, solution.capacity)
+        write_image(joint_figure(solved, title=plain_title(file)), plot_file)
+        say_written(plot_file)
     if as_json:
         import json
 

@@ -177,6 +177,7 @@ def _show_drive(target: Console, document: Document) -> None:
             "capacity",
             capacity_text(capacity),
         ),
+        ("rolling", _rolling_capacity(document)),
         (
             "pin force",
             f"left {in_unit(forces['pin_N']['left'], 'N')}, right {in_unit(forces['pin_N']['right'], 'N')}",
@@ -189,6 +190,14 @@ def _show_drive(target: Console, document: Document) -> None:
         ("clearance", f"at least {in_unit(gap['gap_m'], 'mm')}: {gap['condition']}"),
     ):
         print_wrapped(target, f"  {label:<10} {text}", indent=13)
+
+
+def _rolling_capacity(document: Document) -> str:
+    """How much torque the joint passes while it turns, in the direction of its torque."""
+    found = document["rolling"]["torque_capacity_Nm"]
+    if found is None:
+        return "not limited by friction"
+    return f"up to {in_unit(found, 'N*m')} without gross slip" if found > 0.0 else "slips without a torque"
 
 
 def capacity_text(capacity: Document) -> str:

@@ -28,7 +28,7 @@ def roll(file: str, plot_file: str | None, as_json: bool) -> None:
 
     Rollers that pass torque creep: the output falls behind with every turn, however stiff the joint is. The sections
     [rolling], [lubrication] and [[duty]] of FILE are optional; what they leave out is listed under 'Assumed'. The JSON
-    document is that of 'asperity joint', with the torque capacity in rolling.
+    document is that of 'asperity joint'.
     """
     from asperity.joint_file.reader import read_case
 
@@ -39,7 +39,7 @@ def roll(file: str, plot_file: str | None, as_json: bool) -> None:
     use_double_precision()
     use_compilation_cache()
     from asperity.joint.document import joint_document
-    from asperity.joint.rolling_capacity import refuse_no_rolling, rolling_torque_capacity
+    from asperity.joint.rolling_refusal import refuse_no_rolling
     from asperity.joint.solve import solve
     from asperity.joint_file.assumptions import assumptions
     from asperity.joint_file.build import joint_from_case
@@ -47,24 +47,29 @@ def roll(file: str, plot_file: str | None, as_json: bool) -> None:
 
     joint = joint_from_case(case)
     solution = solve(joint)  # refuses a torque beyond the capacity
-    capacity = rolling_torque_capacity(joint, solution)
-    refuse_no_rolling(joint, solution, capacity)
     document = joint_document(
         joint=joint, solution=solution, inputs=si_values(case), assumptions=assumptions(case)
     )
-    document["rolling"]["torque_capacity_Nm"] = capacity if math.isfinite(capacity) else None
+    capacity = document["rolling"]["torque_capacity_Nm"]
+    capacity = math.inf if capacity is None else capacity
+    refuse_no_rolling(joint, solution, capacity)
     if plot_file:
         from asperity.joint.rolling_curves import rolling_curves
         from asperity.show.rolling_figure import rolling_figure
+        from asperity.show.style import plain_title
 
         curves = rolling_curves(
             joint=joint,
             result=solution.result,
-            torque_capacity=capacity,
+            torque_capacity=math.copysign(capacity, float(joint.output_torque)),
         )
         write_image(
             rolling_figure(
-                curves, solution.result.rolling, joint=joint, title=f"{file} in rolling", width=_WIDTH
+                curves,
+                solution.result.rolling,
+                joint=joint,
+                title=f"{plain_title(file)} in rolling",
+                width=_WIDTH,
             ),
             plot_file,
         )

@@ -39,6 +39,7 @@ def show_rolling(target: Console, document: Document, *, source: str) -> None:
     _show_output(target, document)
     _show_losses(target, document)
     _show_contacts(target, document)
+    _show_surfaces(target, document["rolling"])
     _show_thrust(target, document["rolling"])
     _show_life(target, document)
     show_warnings(target, document)
@@ -79,7 +80,9 @@ def _show_output(target: Console, document: Document) -> None:
 
 
 def _capacity_at_rest(document: Document) -> str:
-    found = document["torque_capacity"]["output_torque_Nm"]
+    capacity = document["torque_capacity"]
+    reverse = document["forces"]["output_torque_Nm"] < 0.0
+    found = (capacity["reverse"] if reverse else capacity)["output_torque_Nm"]
     return "not limited by friction" if found is None else in_unit(found, "N*m")
 
 
@@ -151,6 +154,26 @@ def _show_contacts(target: Console, document: Document) -> None:
         print_wrapped(target, text + "traction needs the large creepage above\n", indent=2)
 
 
+def _show_surfaces(target: Console, rolling: Document) -> None:
+    """Flash temperature and oil film, where the file has the numbers for one of them."""
+    keys = ("flash_temperature_K", "film_thickness_m", "film_ratio")
+    contacts = rolling["contacts"]
+    if all(contact[key] is None for contact in contacts.values() for key in keys):
+        return
+    shown = table(
+        target,
+        "Surfaces in rolling",
+        "contact",
+        "flash temperature\nK",
+        "smallest oil film\nµm",
+        "film over roughness\nlambda",
+    )
+    for name, contact in contacts.items():
+        rise, film, ratio = (contact[key] for key in keys)
+        shown.add_row(name, number(rise, 3), "-" if film is None else number(1e6 * film, 3), number(ratio, 3))
+    target.print(shown)
+
+
 def _show_thrust(target: Console, rolling: Document) -> None:
     if not any(contact["axial_force_N"] for contact in rolling["contacts"].values()):
         target.print("Axial thrust: none, the axes are parallel\n", style="bold")
@@ -201,13 +224,25 @@ def _show_life(target: Console, document: Document) -> None:
         )
         print_wrapped(target, text + ", ".join(beyond), indent=2)
     if loads:
-        duty = table(target, "Duty (damage adds up by Miner's rule)", "load", "output torque", "sun", "share")
+        duty = table(
+            target,
+            "Duty (damage adds up by Miner's rule)",
+            "load",
+            "output torque",
+            "sun",
+            "share\nof the time",
+            "share\nof the damage",
+            "life under it\nalone, hours",
+        )
         for name, load in loads.items():
+            found = rolling["duty"][name]
             duty.add_row(
                 name,
                 in_unit(load["output_torque"], "N*m"),
                 in_unit(load["sun_speed"], "rpm"),
                 f"{scaled(load['share'], 100.0)} %",
+                f"{scaled(found['damage_share'], 100.0)} %",
+                _life(found["life_hours"]),
             )
         target.print(duty)
 

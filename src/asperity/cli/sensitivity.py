@@ -1,4 +1,4 @@
-"""``asperity sensitivity``: which numbers of a joint file matter, and how much."""
+"""``asperity sensitivity``: the influence of every number of a joint file on the results."""
 
 from __future__ import annotations
 
@@ -138,6 +138,4 @@ def _show(ranked: xarray.Dataset) -> None:
         )
     target.print(rows)
     if not np.isfinite(value):
-        click.echo(
-            "the result is infinite: no torque makes a contact slip, and there is nothing to differentiate"
-        )
+        click.echo("the result is infinite: no torque makes a contact slip, and it has no derivatives")

@@ -104,7 +104,7 @@ def sweep(
         _check_plot_result(plot_result, names, drawn=plot is not None)
     if (scheduler is not None or workers) and not streamed:
         raise InputError(
-            "--scheduler and --workers need an --out of type .zarr, which the processes write to"
+            "--scheduler and --workers need an --out of type .zarr, to which the processes write"
         )
     try:
         with progress_bar("points") as report:

@@ -47,7 +47,7 @@ def uncertainty(
     as_json: bool,
     plot: str | None,
 ) -> None:
-    """Intervals of the results of the joint in FILE, and which of its tolerances make them.
+    """Intervals of the results of the joint in FILE, and the contribution of each tolerance.
 
     Tolerances are written in the file, with a distribution behind a comma: planet_radius = "13.5 mm +- 5 um, uniform",
     preload = "1000 N +- 50 N, normal 2 sigma".
@@ -161,7 +161,8 @@ def _show(found: xarray.Dataset) -> None:
     first = found.isel(result=0)
     if np.all(np.isnan(first["total_order"].values)):
         return
-    title = f"What makes the variance of the {str(first['result'].item()).replace('_', ' ')} (Sobol indices, ± 95 %)"
+    name = str(first["result"].item()).replace("_", " ")
+    title = f"Contributions to the variance of the {name} (Sobol indices, ± 95 %)"
     shares = table(target, title, "tolerance", "distribution", "first order", "total")
     for k in np.argsort(-np.nan_to_num(first["total_order"].values)):
         one = first.isel(input=int(k))
@@ -175,7 +176,7 @@ def _show(found: xarray.Dataset) -> None:
 
 
 def _shares(found: xarray.Dataset, name: str) -> str:
-    """How often each category of a result that is no quantity came out."""
+    """How often each category of a result that is not a quantity occurs."""
     from asperity.joint.results import RESULTS
 
     solved = found["samples"].sel(result=name).values[found["status"].values == 0]

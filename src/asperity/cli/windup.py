@@ -6,8 +6,9 @@ from typing import Any
 
 import click
 
+from asperity.cli.columns import write_columns
 from asperity.cli.terminal import say_written
-from asperity.writing import check_file, check_image, replacing, write_image
+from asperity.writing import check_file, check_image, write_image
 
 LEVELS = ("assembly", "series_with_bulk", "published")
 
@@ -119,17 +120,19 @@ def windup(
     onsets = windup_onsets(joint, curve, solutions, creep_share=creep_share)
     document = windup_document(joint, curve, solutions, onsets, level=level)  # type: ignore[arg-type]
     if csv_file:
-        _write_csv(windup_columns(curve), csv_file)
+        write_columns(windup_columns(curve), csv_file)
         say_written(csv_file)
     if rolling_file:
         if onsets[0] is None:
             raise InputError(f"--rolling-csv: {document['rolling']['unknown_because'][0]}")
-        _write_csv(rolling_columns(onsets[0]), rolling_file)
+        write_columns(rolling_columns(onsets[0]), rolling_file)
         say_written(rolling_file)
     if plot_file:
+        from asperity.show.style import plain_title
         from asperity.show.windup_figure import windup_figure
 
-        write_image(windup_figure(curve, onsets[0], title=f"Wind-up of {file}, {level} stiffness"), plot_file)
+        title = f"Wind-up of {plain_title(file)}, {level} stiffness"
+        write_image(windup_figure(curve, onsets[0], title=title), plot_file)
         say_written(plot_file)
     if as_json:
         import json
@@ -137,19 +140,6 @@ def windup(
         click.echo(json.dumps(document, indent=2, allow_nan=False))
         return
     _show(document, file)
-
-
-def _write_csv(columns: dict[str, Any], path: str) -> None:
-    """Columns of one length; units in their names."""
-    import csv
-
-    import numpy as np
-
-    rows = np.column_stack([np.asarray(column) for column in columns.values()])
-    with replacing(path) as part, part.open("w", newline="") as target:
-        writer = csv.writer(target)
-        writer.writerow(columns)
-        writer.writerows([repr(float(value)) for value in row] for row in rows)
 
 
 def _show(document: dict[str, Any], file: str) -> None:

@@ -223,3 +223,31 @@ def spectrum_life(*, lives: Real, cycle_rates: Real, time_shares: Real) -> Real:
     rate = jnp.sum(time_shares * cycle_rates / lives, axis=0)
     endless = rate == 0.0  # an unknown life stays unknown
     return jnp.where(endless, jnp.inf, 1.0 / jnp.where(endless, 1.0, rate))  # (B8)
+
+
+def damage_shares(*, lives: Real, cycle_rates: Real, time_shares: Real) -> Real:
+    r"""Share of each load of a spectrum in the damage of a part.
+
+    .. math:: d_j = \frac{\varphi_j f_j/L_j}{\sum_k \varphi_k f_k/L_k}
+
+    Parameters
+    ----------
+    lives : Real
+        Life L_j at each load of the spectrum, loads first [stress cycles or turns].
+    cycle_rates : Real
+        Stress cycles or turns per time f_j at each load, not negative [1/s].
+    time_shares : Real
+        Share of the time phi_j at each load [-].
+
+    Returns
+    -------
+    Real
+        Shares, loads first [-]; they add up to 1. nan where nothing is damaged.
+
+    References
+    ----------
+    A. Palmgren, Z. VDI 68 (1924) 339; M. A. Miner, J. Appl. Mech. 12 (1945) A159. Equation (B8) of :doc:`/equations`.
+    """
+    damage = time_shares * cycle_rates / lives
+    whole = jnp.sum(damage, axis=0)
+    return damage / jnp.where(whole == 0.0, jnp.nan, whole)

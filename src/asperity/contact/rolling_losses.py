@@ -1,4 +1,4 @@
-"""Losses of a rolling line contact: creep, elastic hysteresis, oil at the inlet; and its flash temperature."""
+"""Losses of a rolling line contact: creep, elastic hysteresis, oil at the inlet."""
 
 from __future__ import annotations
 
@@ -7,9 +7,6 @@ import math
 import jax.numpy as jnp
 
 from asperity.types import Real
-
-#: Blok's constant for a Hertzian band: largest temperature rise, with equal rise of both surfaces.
-FLASH_CONSTANT = 1.11
 
 
 def creep_power(*, tangential_force: Real, creepage: Real, rolling_speed: Real) -> Real:
@@ -142,56 +139,3 @@ def inlet_rolling_power(*, rolling_force: Real, contact_length: Real, entrainmen
     N. Biboulet and L. Houpert, Proc. IMechE J 224 (2010) 765, section 3.6; equation (B9) of :doc:`/equations`.
     """
     return 2.0 * rolling_force * contact_length * entrainment_speed
-
-
-def flash_temperature(
-    *,
-    friction_coefficient: Real,
-    line_load: Real,
-    surface_speed_1: Real,
-    surface_speed_2: Real,
-    half_width: Real,
-    conductivity: Real,
-    density: Real,
-    heat_capacity: Real,
-) -> Real:
-    r"""Largest temperature rise of the surfaces in a sliding line contact.
-
-    .. math:: \Delta T = 1.11\,\mu P'\,\frac{|\sqrt{u_1} - \sqrt{u_2}|}{\sqrt{k\rho c}\,\sqrt{2a}}
-
-    Parameters
-    ----------
-    friction_coefficient : Real
-        Traction over normal force [-].
-    line_load : Real
-        Normal force per length P' [N/m].
-    surface_speed_1, surface_speed_2 : Real
-        Speeds of the surfaces through the contact, not negative [m/s].
-    half_width : Real
-        Half-width a of the contact [m].
-    conductivity : Real
-        Thermal conductivity k of both bodies [W/(m K)].
-    density : Real
-        Density rho [kg/m^3].
-    heat_capacity : Real
-        Specific heat c [J/(kg K)].
-
-    Returns
-    -------
-    Real
-        Temperature rise above that of the bodies [K].
-
-    Notes
-    -----
-    Bodies of the same material, heat in proportion to the pressure, convection much larger than conduction along the
-    surface: :math:`u a \rho c/k` above about 10 for both. Below gross slip only the slip zone generates heat.
-
-    References
-    ----------
-    H. Blok, Proc. Gen. Disc. Lubrication, IMechE 2 (1937) 222; equation (B9) of :doc:`/equations`.
-    """
-    slide = jnp.abs(jnp.sqrt(surface_speed_1) - jnp.sqrt(surface_speed_2))
-    effusivity = jnp.sqrt(conductivity * density * heat_capacity)
-    return (
-        FLASH_CONSTANT * friction_coefficient * line_load * slide / (effusivity * jnp.sqrt(2.0 * half_width))
-    )

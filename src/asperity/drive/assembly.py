@@ -38,6 +38,9 @@ class StructureSprings(eqx.Module):
         Of the outer ring as a whole under one loading roller's normal force [N/m].
     input_shaft_stiffness, output_shaft_stiffness : Real
         Torsional stiffness of the shafts [N·m/rad].
+    ring_housing_stiffness : Real, optional
+        Radial stiffness of the housing around the ring, per area of the ring's outer rim [N/m^3]. Not a spring of
+        :func:`assembly_stiffness`: it belongs to the ring as an elastic body.
 
     Notes
     -----
@@ -51,6 +54,7 @@ class StructureSprings(eqx.Module):
     ring_bending_stiffness: Real
     input_shaft_stiffness: Real
     output_shaft_stiffness: Real
+    ring_housing_stiffness: Real = math.inf
 
 
 #: Pins rigid along their force and free across it, floating planet, rigid ring and shafts.
@@ -203,8 +207,6 @@ def assembly_stiffness(
     held = [_compliance(stiffness) for stiffness in (*pins, *2 * (structure.planet_support_stiffness,))]
     *springs, ring = jnp.broadcast_arrays(*contacts, *held, _compliance(structure.ring_bending_stiffness))
     compliance = jnp.stack(springs)
-    if coupling is not None:
-        coupling = jnp.pad(coupling, [(0, len(held))] * 2 + [(0, 0)] * (coupling.ndim - 2))
     force, carried = spring_forces(
         assembly=branch_assembly(geometry=geometry, sides=sides),
         compliance=compliance.at[_RING_CONTACTS].add(ring),
@@ -214,7 +216,8 @@ def assembly_stiffness(
     # work per unit force on the sun's arc
     energy = _finite(compliance) * force**2
     if coupling is not None:
-        energy = energy + force * jnp.einsum("jk...,k...->j...", coupling, force)
+        acting = force[: coupling.shape[0]]
+        energy = energy.at[: coupling.shape[0]].add(acting * jnp.sum(coupling * acting, axis=1))
     ring_energy = jnp.sum(_finite(ring) * force[_RING_CONTACTS] ** 2, axis=0)
     sp, pwr, pwl, wro, wlo = tangential_stiffness
     passes = carried & (sp > 0.0) & (((pwr > 0.0) & (wro > 0.0)) | ((pwl > 0.0) & (wlo > 0.0)))

@@ -189,6 +189,11 @@ def _refined_solution(matrix: Array, regular: Array, right_side: Array) -> Array
     )
 
 
+def _with_rank(matrix: Array, rank: int) -> Array:
+    """A matrix with so many batch axes, which come last."""
+    return matrix.reshape(matrix.shape[:2] + (1,) * (rank + 2 - matrix.ndim) + matrix.shape[2:])
+
+
 def spring_forces(
     *, assembly: PlanarAssembly, compliance: Array, coupling: Array | None, load: np.ndarray
 ) -> SpringForces:
@@ -203,8 +208,8 @@ def spring_forces(
     compliance : Array
         Of each spring, shape (springs, ...) [m/N]: the diagonal of C; 0 is rigid, ``inf`` absent.
     coupling : Array or None
-        What remains of C, shape (springs, springs, ...) [m/N]: symmetric, with 0 on the diagonal and where a spring is
-        absent; None if every spring deforms under its own force only.
+        What remains of C, for the first k springs, shape (k, k, ...) [m/N]: symmetric, with 0 on the diagonal and where
+        a spring is absent; None if every spring deforms under its own force only.
     load : ndarray
         Force g on each coordinate, shape (coordinates,) [N].
 
@@ -237,12 +242,19 @@ def spring_forces(
     force_share = jnp.where(absent, 0.0, reference * inverse)
     elongation_share = jnp.where(absent, 1.0, finite * inverse)
 
-    mutual = None if coupling is None else jnp.moveaxis(coupling, (0, 1), (-2, -1)) / reference[..., None]
+    mutual = None
+    if coupling is not None:
+        # batch axes last: the products of small matrices are then one loop over the batch
+        rank = max(coupling.ndim, compatibility.ndim) - 2
+        last = _with_rank(jnp.moveaxis(compatibility, (-2, -1), (0, 1)), rank)[:, : coupling.shape[0], None]
+        product = jnp.sum(last * _with_rank(coupling, rank), axis=1)
+        mutual = jnp.moveaxis(product, (0, 1), (-2, -1)) / reference[..., None]
+        mutual = jnp.pad(mutual, [(0, 0)] * (mutual.ndim - 1) + [(0, own.shape[-1] - coupling.shape[0])])
 
     def system(forces: Array, elongations: Array) -> Array:
         fits = compatibility * elongations[..., None, :]
         if mutual is not None:
-            fits = fits + compatibility @ (mutual * forces[..., None, :])
+            fits = fits + mutual * forces[..., None, :]
         balance = jnp.swapaxes(matrix, -1, -2) * forces[..., None, :]
         shape = jnp.broadcast_shapes(fits.shape[:-2], balance.shape[:-2])
         return jnp.concatenate(

@@ -30,7 +30,7 @@ from asperity.types import Real
 ROLLING_TOLERANCE = 1e-9
 
 _NEWTON_STEPS = 8
-_STEP_TOLERANCE = 1e-6  # relative; the step after it is its square
+_STEP_TOLERANCE = 1e-7  # relative; the error after it is its square times up to 1e4, near gross slip
 _NEAR_SLIP = 0.999  # Carter's curve is continued as a line above this share of friction, for iterates only
 
 

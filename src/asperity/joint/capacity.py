@@ -23,6 +23,9 @@ from asperity.types import Real
 #: Kinds of limits, by the codes of :class:`TorqueCapacity`.
 LIMIT_KINDS = ("none", "pins_lock", "gross_slip", "lift_off", "contact_too_wide", "no_solution")
 
+# Share of its force at rest below which a contact has lifted off: beyond lift-off nothing but rounding is left of it.
+_LIFTED = 1e-12
+
 _PER_CONTACT = LIMIT_KINDS[2:5]  # these have a limit for each contact
 
 #: What :attr:`TorqueCapacity.limiting_contact` numbers.
@@ -95,7 +98,7 @@ def torque_capacity(joint: Joint, *, direction: Real) -> TorqueCapacity:
 
     def excesses(torque: Array) -> Array:
         forces = force_balance(mechanism=drive, output_torque=direction * torque)
-        touching = forces.normal > 0.0
+        touching = forces.normal > _LIFTED * rest
         normal = jnp.where(touching, forces.normal, rest)
         slip = slip_ratio(
             normal_force=forces.normal,
@@ -109,8 +112,8 @@ def torque_capacity(joint: Joint, *, direction: Real) -> TorqueCapacity:
         shape = forces.normal.shape[1:]
         rows = (
             (1, locked),
-            (5, slip - 1.0),
-            (5, -forces.normal / rest),
+            (5, jnp.where(touching, slip - 1.0, -1.0)),
+            (5, _LIFTED - forces.normal / rest),
             (5, too_wide),
             (1, jnp.where(solved, -1.0, 1.0)),
         )

@@ -53,6 +53,8 @@ class LoadedContacts(NamedTuple):
     ----------
     half_width : Array
         Half-width of the Hertzian strips [m]; 0 where a contact is open.
+    traction : Array
+        T/(mu N) [-]; 1 where a contact is open or slips.
     rough : FractalContact
         Spots and stiffnesses of the rough surfaces.
     interfaces : Interface
@@ -60,6 +62,7 @@ class LoadedContacts(NamedTuple):
     """
 
     half_width: Array
+    traction: Array
     rough: FractalContact
     interfaces: Interface
 
@@ -78,7 +81,9 @@ def joint_contacts(joint: Joint) -> JointContacts:
         Numbers of shape (contacts, ...), or (1, ...) where all contacts share one.
     """
     driving, driven = (
-        per_contact(tuple(getattr(joint.bodies, bodies[side]) for bodies in CONTACT_BODIES.values()))
+        per_contact(
+            tuple(_elastic(getattr(joint.bodies, bodies[side])) for bodies in CONTACT_BODIES.values())
+        )
         for side in (0, 1)
     )
     radius_1, radius_2, sign = contact_radii(joint.geometry)
@@ -96,6 +101,17 @@ def joint_contacts(joint: Joint) -> JointContacts:
         driven=driven,
         ring_wall_thickness=joint.ring_wall_thickness,
         contact_factor_model=joint.contact_factor_model,
+    )
+
+
+def _elastic(material: Material) -> Material:
+    """A material without its thermal properties, which not every material has."""
+    return Material(
+        youngs_modulus=material.youngs_modulus,
+        poisson_ratio=material.poisson_ratio,
+        density=material.density,
+        yield_strength=material.yield_strength,
+        hardness=material.hardness,
     )
 
 
@@ -218,8 +234,11 @@ def loaded_contacts(
     rough = rough_joint_contacts(
         contacts=contacts, normal_force=normal_force, tangential_force=tangential_force
     )
+    friction = contacts.pairs.friction_coefficient * jnp.where(touching, normal_force, 1.0)
+    traction = jnp.where(touching, jnp.abs(tangential_force) / friction, 1.0)
     return LoadedContacts(
         half_width=jnp.where(touching, width, 0.0),
+        traction=jnp.where(traction < 1.0, traction, 1.0),
         rough=rough,
         interfaces=Interface(
             asperity_normal=rough.normal_stiffness,

@@ -8,6 +8,7 @@ import equinox as eqx
 import jax
 import jax.numpy as jnp
 
+from asperity.body.shapes import PlaneState
 from asperity.contact.fractal import Surface
 from asperity.contact.population import ContactFactorModel
 from asperity.drive.assembly import StructureSprings
@@ -19,6 +20,10 @@ from asperity.materials import Material
 from asperity.types import Real
 
 ClosureSprings = Literal["bulk", "bulk_and_asperities"]
+#: Bodies of the assembly: discs and annuli by plane elasticity, or one spring for each contact.
+BodyModel = Literal["exact", "springs"]
+#: What holds the outer rim of the ring.
+RingSupport = Literal["rigid_housing", "free", "elastic_housing"]
 
 
 class Bodies(eqx.Module):
@@ -58,7 +63,7 @@ class Joint(eqx.Module):
     planet_length, loading_roller_length : Real
         Lengths of the solid rollers [m]; they make the masses.
     ring_wall_thickness : Real
-        Wall of the outer ring [m]; it enters the bulk compliance of the ring contacts.
+        Wall of the outer ring [m].
     bearings : Bearings
         Friction of the bearings.
     preload : Real
@@ -79,6 +84,16 @@ class Joint(eqx.Module):
         series. The assembly always has both.
     contact_factor_model : {"printed", "hertz_area", "unity"}
         Model of lambda, :func:`asperity.contact.population.contact_factor`.
+    body_model : {"exact", "springs"}, optional
+        Bodies of the assembly: exact plane elasticity, :mod:`asperity.joint.elastic_bodies`, or one spring for each
+        contact, :mod:`asperity.contact.hertz_line`. The force balance uses the springs.
+    plane_state : {"plane_strain", "plane_stress"}, optional
+        Of the exact bodies.
+    ring_support : {"rigid_housing", "free", "elastic_housing"} or None, optional
+        What holds the outer rim of the ring: a rigid housing into which it is shrunk, nothing, or a housing with the
+        ``ring_housing_stiffness`` of the structure. None: not stated, and taken as a rigid housing.
+    planet_bore, loading_roller_bore : Real or None, optional
+        Diameter of the bore of hollow rollers [m]; None for solid ones.
     rolling : RollingConditions, optional
         Skew, losses, reliability and duty of the joint that turns; by default
         :data:`asperity.joint.rolling_conditions.PLAIN_ROLLING`.
@@ -101,6 +116,11 @@ class Joint(eqx.Module):
     closure: Closure = eqx.field(static=True)
     closure_springs: ClosureSprings = eqx.field(static=True)
     contact_factor_model: ContactFactorModel = eqx.field(static=True)
+    body_model: BodyModel = eqx.field(static=True, default="exact")
+    plane_state: PlaneState = eqx.field(static=True, default="plane_strain")
+    ring_support: RingSupport | None = eqx.field(static=True, default=None)
+    planet_bore: Real | None = None
+    loading_roller_bore: Real | None = None
     rolling: RollingConditions = PLAIN_ROLLING
 
 

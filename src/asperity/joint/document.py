@@ -18,6 +18,7 @@ from asperity.joint.limit_check import LimitCheck, checked_limits
 from asperity.joint.plausibility import plausibility
 from asperity.joint.results import GROUPS, RESULTS, SolvedJoint
 from asperity.joint.rolling_document import contact_results, losses, rolling_document
+from asperity.joint.rolling_refusal import rolling_capacity_of
 from asperity.joint.solve import Solution
 
 Document = dict[str, Any]
@@ -50,6 +51,7 @@ def joint_document(
         "input": inputs,
         "assumptions": list(assumptions),
         "geometry": _geometry(solution),
+        "preload": {"force_N": joint.preload, "interference_m": result.interference},
         "forces": _forces(result),
         "torque_capacity": _capacity(solution),
         "contacts": _contacts(SolvedJoint(joint, result)),
@@ -61,7 +63,12 @@ def joint_document(
         "efficiency": result.rolling.power.efficiency,
         "losses_W": losses(result.rolling),
         "life_hours": result.rolling.life_hours.drive,
-        "rolling": rolling_document(joint, result),
+        "rolling": {
+            **rolling_document(joint, result),
+            "torque_capacity_Nm": rolling_capacity_of(
+                joint, solution, direction=math.copysign(1.0, float(joint.output_torque))
+            ),
+        },
         "diagnostics": [
             *(_limit_check(entry) for entry in checked_limits(joint, result)),
             *(dataclasses.asdict(note) for note in plausibility(joint, result, solution.sizes)),

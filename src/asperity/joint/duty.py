@@ -4,26 +4,49 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
+import equinox as eqx
 import jax
 import jax.numpy as jnp
 from jax import Array
 
-from asperity.contact.rolling_fatigue import life_at_reliability, spectrum_life
+from asperity.contact.rolling_fatigue import damage_shares, life_at_reliability, spectrum_life
 from asperity.joint.description import per_contact
 from asperity.joint.rolling import RollingResult
 from asperity.joint.rolling_conditions import RollingConditions
-from asperity.joint.rolling_life import drive_lives
+from asperity.joint.rolling_life import drive_lives, failure_shares
 from asperity.types import Real
+
+
+class DutyLife(eqx.Module):
+    """Life of a drive under its duty, and what each load does to it.
+
+    Parameters
+    ----------
+    hours, turns : Array
+        Life in hours and in turns of the output; nan where a contact slips or lifts off under one of the loads,
+        infinite where nothing turns.
+    damage_shares : Array
+        Share of each load in the damage of the drive, loads first [-]; they add up to 1.
+    load_hours : Array
+        Life under each load alone, loads first [h].
+    """
+
+    hours: Array
+    turns: Array
+    damage_shares: Array
+    load_hours: Array
 
 
 def duty_life(
     *, conditions: RollingConditions, planet_count: Real, rolled: Callable[[Array, Array], RollingResult]
-) -> tuple[Array, Array]:
+) -> DutyLife:
     r"""Life of the drive under its duty, in hours and in turns of the output.
 
-    .. math:: \frac1{T_i} = \sum_j \varphi_j \frac{f_{ij}}{L_{ij}}
+    .. math:: \frac1{T_i} = \sum_j \varphi_j \frac{f_{ij}}{L_{ij}}, \qquad
+              D_j = \sum_i s_i\,T_i\,\varphi_j \frac{f_{ij}}{L_{ij}}
 
-    for every track i under the loads j, then the tracks of all bodies together.
+    for every track i under the loads j, then the tracks of all bodies together. :math:`s_i` is the share of the
+    failures that begin on track i, :func:`asperity.joint.rolling_life.failure_shares`.
 
     Parameters
     ----------
@@ -36,8 +59,12 @@ def duty_life(
 
     Returns
     -------
-    tuple of Array
-        Hours and turns; nan where a contact slips or lifts off under one of the loads, infinite where nothing turns.
+    DutyLife
+        Lives, and the share of each load in the damage.
+
+    Notes
+    -----
+    The life of the drive falls by :math:`D_j` per cent where the damage by load j rises by one per cent.
 
     References
     ----------
@@ -46,14 +73,20 @@ def duty_life(
     points = per_contact(conditions.duty)
     found = jax.vmap(rolled)(points.output_torque, points.sun_speed)
     turns_a_second = found.carrier_speed / (2.0 * jnp.pi)
-    tracks = spectrum_life(
-        lives=found.cycles,
-        cycle_rates=found.cycles_per_turn * turns_a_second[:, None, None],
-        time_shares=points.share[:, None, None],
-    )
+    spectrum = {
+        "lives": found.cycles,
+        "cycle_rates": found.cycles_per_turn * turns_a_second[:, None, None],
+        "time_shares": points.share[:, None, None],
+    }
+    tracks = spectrum_life(**spectrum)
     hours = drive_lives(
         tracks=life_at_reliability(life=tracks, reliability=conditions.reliability) / 3600.0,
         planet_count=planet_count,
     ).drive
-    turns = hours * 3600.0 * jnp.sum(points.share * turns_a_second, axis=0)
-    return hours, turns
+    shares = damage_shares(**spectrum) * failure_shares(tracks=tracks, planet_count=planet_count)
+    return DutyLife(
+        hours=hours,
+        turns=hours * 3600.0 * jnp.sum(points.share * turns_a_second, axis=0),
+        damage_shares=jnp.sum(shares, axis=(1, 2)),
+        load_hours=found.life_hours.drive,
+    )

@@ -15,6 +15,7 @@ from asperity.contact.interface import Interface
 from asperity.drive.assembly import Assembly, assembly_stiffness
 from asperity.drive.force_balance import BALANCE_TOLERANCE, DriveForces, force_balance
 from asperity.drive.geometry import CONTACT_NAMES, DriveAngles, angles, carrier_speed, speed_ratio, triangle
+from asperity.drive.interference import interference
 from asperity.drive.mechanism import Mechanism, opposed, rest_state
 from asperity.drive.torsional_stiffness import (
     TorsionalStiffness,
@@ -32,6 +33,8 @@ from asperity.joint.contacts import (
 from asperity.joint.description import Bodies, Joint, sense_of_rotation, with_one_rank
 from asperity.joint.diagnostics import Diagnostics, diagnose
 from asperity.joint.duty import duty_life
+from asperity.joint.elastic_bodies import assembly_springs, walls_hold
+from asperity.joint.interference import joint_rest_compliance
 from asperity.joint.rolling import RollingResult, rolling_result
 from asperity.types import Real
 
@@ -65,6 +68,8 @@ class JointResult(eqx.Module):
         The same series (25) with asperities and bulk in every contact.
     assembly : Assembly
         The fullest model: asperities and bulk, floating planet, pins, ring and shafts, with its compliance budget.
+    interference : Array
+        Interference that makes the preload: by how much the ring is too small for its rollers [m].
     diagnostics : Diagnostics
         Limits of the model and how close this joint is to each.
     rolling : RollingResult
@@ -72,6 +77,8 @@ class JointResult(eqx.Module):
     contact_law_holds : Array
         Whether every loaded contact has an elastic spot. Where all are plastic the contact law has no stiffness, which
         is wrong: the three levels are then nan.
+    walls_hold : Array
+        Whether ring and hollow rollers have walls for which their exact compliance is known.
     solved : Array
         True where the balance closed to :data:`BALANCE_TOLERANCE`.
     """
@@ -88,9 +95,11 @@ class JointResult(eqx.Module):
     published: TorsionalStiffness
     series_with_bulk: TorsionalStiffness
     assembly: Assembly
+    interference: Array
     diagnostics: Diagnostics
     rolling: RollingResult
     contact_law_holds: Array
+    walls_hold: Array
     solved: Array
 
     def contact(self, name: str) -> dict[str, Array]:
@@ -116,8 +125,8 @@ class JointResult(eqx.Module):
         }
 
 
-def roller_mass(*, density: Real, radius: Real, length: Real) -> Real:
-    r"""Mass of a solid roller, :math:`m = \rho \pi R^2 L`.
+def roller_mass(*, density: Real, radius: Real, length: Real, bore: Real) -> Real:
+    r"""Mass of a roller, :math:`m = \rho \pi (R^2 - d^2/4) L`.
 
     Parameters
     ----------
@@ -125,13 +134,57 @@ def roller_mass(*, density: Real, radius: Real, length: Real) -> Real:
         Density [kg/m^3].
     radius, length : Real
         Radius R and length L [m].
+    bore : Real
+        Diameter d of its bore [m]; 0 for a solid roller.
 
     Returns
     -------
     Real
         Mass [kg].
     """
-    return density * math.pi * radius**2 * length
+    return density * math.pi * (radius**2 - 0.25 * bore**2) * length
+
+
+def planet_mass(joint: Joint) -> Real:
+    """Mass of one planet.
+
+    Parameters
+    ----------
+    joint : Joint
+        The joint.
+
+    Returns
+    -------
+    Real
+        Mass [kg].
+    """
+    return roller_mass(
+        density=joint.bodies.planet.density,
+        radius=joint.geometry.planet_radius,
+        length=joint.planet_length,
+        bore=0.0 if joint.planet_bore is None else joint.planet_bore,
+    )
+
+
+def loading_roller_mass(joint: Joint) -> Real:
+    """Mass of one loading roller.
+
+    Parameters
+    ----------
+    joint : Joint
+        The joint.
+
+    Returns
+    -------
+    Real
+        Mass [kg].
+    """
+    return roller_mass(
+        density=joint.bodies.loading_roller.density,
+        radius=joint.geometry.loading_roller_radius,
+        length=joint.loading_roller_length,
+        bore=0.0 if joint.loading_roller_bore is None else joint.loading_roller_bore,
+    )
 
 
 def mechanism(joint: Joint) -> Mechanism:
@@ -162,14 +215,8 @@ def _mechanism(joint: Joint, contacts: JointContacts) -> Mechanism:
         springs=closure_springs(contacts=contacts, rest_force=rest.normal_force, model=joint.closure_springs),
         preload=joint.preload,
         carrier_speed=carrier_speed(geometry=geometry, sun_speed=joint.sun_speed),
-        planet_mass=roller_mass(
-            density=joint.bodies.planet.density, radius=geometry.planet_radius, length=joint.planet_length
-        ),
-        loading_roller_mass=roller_mass(
-            density=joint.bodies.loading_roller.density,
-            radius=geometry.loading_roller_radius,
-            length=joint.loading_roller_length,
-        ),
+        planet_mass=planet_mass(joint),
+        loading_roller_mass=loading_roller_mass(joint),
         closure=joint.closure,
     )
 
@@ -201,17 +248,19 @@ def evaluate(joint: Joint) -> JointResult:
     rough, whole = loaded.rough.tangential_stiffness, jnp.asarray(loaded.interfaces.tangential)
     published = series_torsional_stiffness(geometry=geometry, tangential_stiffness=rough)
     series = series_torsional_stiffness(geometry=geometry, tangential_stiffness=whole)
+    springs = assembly_springs(joint=joint, sides=drive.sides, contacts=contacts, loaded=loaded)
     assembly = assembly_stiffness(
         geometry=geometry,
         sides=drive.sides,
-        normal_stiffness=jnp.asarray(loaded.interfaces.normal),
-        tangential_stiffness=whole,
+        normal_stiffness=springs.normal_stiffness,
+        tangential_stiffness=springs.tangential_stiffness,
         structure=joint.structure,
+        coupling=springs.coupling,
     )
     law_holds = jnp.all((loaded.rough.normal_stiffness > 0.0) | (forces.normal <= 0.0), axis=0)
-    published, series, assembly = jax.tree.map(
-        lambda value: jnp.where(law_holds, value, jnp.nan), (published, series, assembly)
-    )
+    walls = walls_hold(joint, loaded.half_width)
+    published, series = jax.tree.map(lambda value: jnp.where(law_holds, value, jnp.nan), (published, series))
+    assembly = jax.tree.map(lambda value: jnp.where(law_holds & walls, value, jnp.nan), assembly)
     return JointResult(
         angles=angles(drive.sides),
         speed_ratio=speed_ratio(geometry),
@@ -227,6 +276,12 @@ def evaluate(joint: Joint) -> JointResult:
         published=published,
         series_with_bulk=series,
         assembly=assembly,
+        interference=interference(
+            compliance=joint_rest_compliance(
+                joint=joint, contacts=contacts, rest=drive.rest, springs=springs
+            ),
+            preload=joint.preload,
+        ),
         diagnostics=diagnose(
             sides=drive.sides,
             pairs=contacts.pairs,
@@ -236,6 +291,7 @@ def evaluate(joint: Joint) -> JointResult:
         ),
         rolling=_rolling(joint, contacts, drive, forces, loaded.rough.normal_stiffness),
         contact_law_holds=law_holds,
+        walls_hold=walls,
         solved=(forces.balance_residual < BALANCE_TOLERANCE) & (forces.closure_residual < BALANCE_TOLERANCE),
     )
 
@@ -267,7 +323,11 @@ def _rolling(
             asperity_normal_stiffness=rough.normal_stiffness,
         )
 
-    hours, turns = duty_life(
-        conditions=joint.rolling, planet_count=joint.geometry.planet_count, rolled=rolled
+    life = duty_life(conditions=joint.rolling, planet_count=joint.geometry.planet_count, rolled=rolled)
+    return dataclasses.replace(
+        found,
+        duty_life_hours=life.hours,
+        duty_life_turns=life.turns,
+        duty_damage_shares=life.damage_shares,
+        duty_load_hours=life.load_hours,
     )
-    return dataclasses.replace(found, duty_life_hours=hours, duty_life_turns=turns)

@@ -5,19 +5,25 @@ from __future__ import annotations
 import dataclasses
 import math
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 import equinox as eqx
 import jax.numpy as jnp
+import numpy as np
 from jax import Array
 
 from asperity.drive.assembly import assembly_stiffness
 from asperity.drive.geometry import CONTACT_NAMES, triangle
 from asperity.drive.ring_bending import thin_ring_compliance
-from asperity.joint.contacts import joint_contacts
+from asperity.joint.contacts import JointContacts, joint_contacts, loaded_contacts
 from asperity.joint.description import Joint
+from asperity.joint.elastic_bodies import AssemblySprings, assembly_springs
 from asperity.joint.evaluation import JointResult
-from asperity.joint.results import Severity
+from asperity.types import Real
 from asperity.units import format_quantity
+
+if TYPE_CHECKING:
+    from asperity.joint.results import Severity
 
 #: Loss of assembled stiffness from which the bending of a ring is worth a warning [-].
 RING_BENDING_LIMIT = 0.05
@@ -25,6 +31,8 @@ RING_BENDING_LIMIT = 0.05
 FRICTION_LIMIT = 0.3
 #: Contact length over the smaller roller's diameter above which a roller skews rather than bears evenly [-].
 SLENDERNESS_LIMIT = 3.0
+#: Oil film over roughness above which the film carries a part of the load [-].
+FILM_RATIO_LIMIT = 1.0
 #: The paper's pairs of rollers, Tables 1 and 2: effective radius and contact length [m].
 PAPER_EFFECTIVE_RADII = (3.0e-3, 8.4e-3)
 PAPER_CONTACT_LENGTHS = (5e-3, 30e-3)
@@ -73,7 +81,8 @@ class CheckedSizes(eqx.Module):
     ring_bending_stiffness : Array
         Of a ring that carries itself, under each loading roller, by thin-ring theory [N/m].
     bent_stiffness : Array
-        Assembled torsional stiffness with that spring [N·m/rad].
+        Assembled torsional stiffness of a joint whose ring carries itself [N·m/rad]: with that spring where the bodies
+        are springs, otherwise with a ring of free rim; nan where the joint states what holds the ring.
     """
 
     contact_length: Array
@@ -99,7 +108,8 @@ def checked_sizes(joint: Joint, result: JointResult) -> CheckedSizes:
     CheckedSizes
         Sizes of the contacts, and the assembled stiffness with a ring that carries itself.
     """
-    pairs = joint_contacts(joint).pairs
+    contacts = joint_contacts(joint)
+    pairs = contacts.pairs
     shape = (len(CONTACT_NAMES),)
     length = jnp.broadcast_to(pairs.contact_length, shape)
     sides = triangle(joint.geometry)
@@ -111,25 +121,50 @@ def checked_sizes(joint: Joint, result: JointResult) -> CheckedSizes:
         youngs_modulus=joint.bodies.ring.youngs_modulus,
     )
     spring = 1.0 / bending.opposed
-    bent = assembly_stiffness(
-        geometry=joint.geometry,
-        sides=sides,
-        normal_stiffness=jnp.asarray(result.interfaces.normal),
-        tangential_stiffness=jnp.asarray(result.interfaces.tangential),
-        structure=dataclasses.replace(joint.structure, ring_bending_stiffness=spring),
-    )
     return CheckedSizes(
         contact_length=length,
         friction_coefficient=jnp.broadcast_to(pairs.friction_coefficient, shape),
         smaller_radius=jnp.broadcast_to(jnp.minimum(pairs.radius_1, pairs.radius_2), shape),
         effective_radius=jnp.broadcast_to(pairs.effective_radius, shape),
         ring_bending_stiffness=jnp.asarray(spring),
-        bent_stiffness=jnp.asarray(bent.stiffness.output),
+        bent_stiffness=_bent_stiffness(joint, contacts, result, spring),
     )
 
 
+def _bent_stiffness(
+    joint: Joint, contacts: JointContacts, result: JointResult, ring_bending_stiffness: Real
+) -> Array:
+    """Assembled stiffness at the output with a ring that carries itself; nan if the joint states what holds it."""
+    if joint.ring_support is not None:
+        return jnp.asarray(jnp.nan)
+    structure, sides, forces = joint.structure, triangle(joint.geometry), result.forces
+    springs = AssemblySprings(
+        jnp.asarray(result.interfaces.normal), jnp.asarray(result.interfaces.tangential), None
+    )
+    if joint.body_model == "springs":
+        structure = dataclasses.replace(structure, ring_bending_stiffness=ring_bending_stiffness)
+    else:
+        springs = assembly_springs(
+            joint=dataclasses.replace(joint, ring_support="free"),
+            sides=sides,
+            contacts=contacts,
+            loaded=loaded_contacts(
+                contacts=contacts, normal_force=forces.normal, tangential_force=forces.tangential
+            ),
+        )
+    bent = assembly_stiffness(
+        geometry=joint.geometry,
+        sides=sides,
+        normal_stiffness=springs.normal_stiffness,
+        tangential_stiffness=springs.tangential_stiffness,
+        structure=structure,
+        coupling=springs.coupling,
+    )
+    return jnp.asarray(bent.stiffness.output)
+
+
 def plausibility(joint: Joint, result: JointResult, sizes: CheckedSizes) -> tuple[Note, ...]:
-    """Notes on the ring's wall, the friction, the lengths, and the sizes for which lambda was made.
+    """Notes on the ring's wall, the friction, the lengths, the oil film, and the sizes for which lambda was made.
 
     Parameters
     ----------
@@ -146,6 +181,7 @@ def plausibility(joint: Joint, result: JointResult, sizes: CheckedSizes) -> tupl
         One for the drive or for each contact; those that are not ok are warnings.
     """
     lengths, effective = sizes.contact_length, sizes.effective_radius
+    films = np.asarray(result.rolling.film_ratio)
     notes = list(_ring_bending(joint, result, sizes))
     for index, name in enumerate(CONTACT_NAMES):
         mu = float(sizes.friction_coefficient[index])
@@ -175,6 +211,24 @@ def plausibility(joint: Joint, result: JointResult, sizes: CheckedSizes) -> tupl
                 "shorten it, or crown the rollers",
             )
         )
+        if math.isfinite(films[index]):
+            notes.append(
+                _note(
+                    "film_ratio",
+                    "oil film over roughness lambda",
+                    name,
+                    float(films[index]),
+                    FILM_RATIO_LIMIT,
+                    (
+                        "the asperities carry the load, as the contact law assumes",
+                        "the oil film carries a part of the load, and all of it from about 3: friction, creep, drift, "
+                        "torque capacity and stiffness are then those of the oil, but they are computed for surfaces "
+                        "that touch",
+                    ),
+                    "use the friction coefficient measured with this oil at this film, or choose a thinner oil or a "
+                    "lower speed",
+                )
+            )
         if joint.contact_factor_model != "unity":
             notes.append(
                 _size(joint.contact_factor_model, name, float(effective[index]), float(lengths[index]))
@@ -217,11 +271,9 @@ def _size(model: str, contact: str, radius: float, length: float) -> Note:
 
 
 def _ring_bending(joint: Joint, result: JointResult, sizes: CheckedSizes) -> tuple[Note, ...]:
-    """What a ring that carries itself would lose, where the joint gives no spring for its bending."""
-    if (
-        not math.isinf(float(joint.structure.ring_bending_stiffness))
-        or float(joint.geometry.planet_count) < 2.0
-    ):
+    """What a ring that carries itself would lose, where the joint does not say what holds it."""
+    stated = joint.ring_support is not None or not math.isinf(float(joint.structure.ring_bending_stiffness))
+    if stated or float(joint.geometry.planet_count) < 2.0:
         return ()
     held, bent = float(result.assembly.stiffness.output), float(sizes.bent_stiffness)
     if not held > 0.0:
@@ -235,11 +287,15 @@ def _ring_bending(joint: Joint, result: JointResult, sizes: CheckedSizes) -> tup
             (held, "N*m/rad"),
         )
     )
-    meaning = (
-        "ring_wall_thickness enters the local compression only, as if a rigid housing held the ring. A ring that "
-        f"carries itself has, by thin-ring theory, a ring_bending_stiffness of about {stiffness} under each loading "
-        f"roller, and the assembled stiffness would be {bent_to} instead of {held_at}"
-    )
+    if joint.body_model == "exact":
+        means = "ring_support is not stated, and a rigid housing is assumed to hold the ring. In a ring that"
+        remedy = "state ring_support, or hold the ring in a rigid housing"
+    else:
+        means = (
+            "the springs are those of a ring in a rigid housing. By thin-ring theory, with a ring_bending_stiffness of "
+            f"about {stiffness} under each loading roller, in a ring that"
+        )
+        remedy = 'choose bodies = "exact", give ring_bending_stiffness, or hold the ring in a rigid housing'
     ok = loss <= RING_BENDING_LIMIT
     return (
         Note(
@@ -250,7 +306,7 @@ def _ring_bending(joint: Joint, result: JointResult, sizes: CheckedSizes) -> tup
             RING_BENDING_LIMIT,
             ok,
             "accuracy",
-            meaning,
-            None if ok else "give ring_bending_stiffness, or hold the ring in a rigid housing",
+            f"{means} carries itself the assembled stiffness would be {bent_to} instead of {held_at}",
+            None if ok else remedy,
         ),
     )

@@ -8,13 +8,14 @@ from typing import get_args
 
 import numpy as np
 
+from asperity.body.shapes import PlaneState
 from asperity.contact.asperity import AsperityBase
 from asperity.contact.population import ContactFactorModel
 from asperity.drive.existence import overlaps, pin_lock, smaller_body, too_wide
 from asperity.drive.geometry import CONTACT_NAMES, Clearance, triangle
 from asperity.drive.mechanism import Closure, rest_state
 from asperity.errors import InputError
-from asperity.joint.description import ClosureSprings, Joint
+from asperity.joint.description import BodyModel, ClosureSprings, Joint, RingSupport
 from asperity.joint.evaluation import JointResult
 from asperity.units import format_quantity
 
@@ -71,6 +72,9 @@ def refuse_unknown_variants(joint: Joint) -> None:
     for name, found, kind in (
         ("closure", {joint.closure}, Closure),
         ("closure_springs", {joint.closure_springs}, ClosureSprings),
+        ("body_model", {joint.body_model}, BodyModel),
+        ("plane_state", {joint.plane_state}, PlaneState),
+        ("ring_support", {joint.ring_support} - {None}, RingSupport),
         ("contact_factor_model", {joint.contact_factor_model}, ContactFactorModel),
         ("asperity_base", bases, AsperityBase),
     ):
@@ -206,6 +210,28 @@ def refuse_wide_contacts(joint: Joint, result: JointResult) -> None:
             f"the contact {name} is {format_quantity(2.0 * width, 'mm')} wide, too wide for a radius or "
             f"wall of {format_quantity(body, 'mm')}: line-contact theory needs a half-width far below it; lower "
             "the preload, or choose longer contact lines or stiffer materials"
+        )
+
+
+def refuse_thin_walls(result: JointResult) -> None:
+    """Refuse rings and hollow rollers whose wall is too thin for exact bodies.
+
+    Parameters
+    ----------
+    result : JointResult
+        The result of one joint.
+
+    Raises
+    ------
+    InputError
+        With the smallest wall.
+    """
+    if not bool(result.walls_hold):
+        widest = float(np.max(np.asarray(result.diagnostics.hertz_half_width)))
+        raise InputError(
+            "the wall of the ring or of a hollow roller is too thin for exact bodies: it must be at least five "
+            f"half-widths of its contacts, here {format_quantity(5.0 * widest, 'mm')}, and about 1 % of the ring's "
+            'radius or 2 % of the roller\'s; choose a thicker wall, or bodies = "springs"'
         )
 
 

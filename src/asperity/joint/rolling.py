@@ -30,6 +30,7 @@ from asperity.joint.contacts import JointContacts
 from asperity.joint.description import Joint, per_contact
 from asperity.joint.rolling_life import DriveLives, cycle_rates, drive_lives, track_lives
 from asperity.joint.rolling_power import RollingPower, rolling_power
+from asperity.joint.rolling_surface import flash_temperatures, oil_film
 from asperity.types import Real
 
 # slip ratios between which the factors on Carter's creepage are taken
@@ -50,6 +51,8 @@ class RollingResult(eqx.Module):
         with the sun's contact. nan without a torque.
     traction_coefficient : Array
         T/N, shape (5, ...) [-].
+    slip_ratio : Array
+        Tangential force over what friction and skew leave for it, shape (5, ...) [-].
     stick_fraction : Array
         Share of the contact width that sticks under tangential and axial traction, shape (5, ...) [-].
     layer_ratio, layer_creepage_factor : Array
@@ -72,6 +75,12 @@ class RollingResult(eqx.Module):
         The same per time [rad/s]; nan where the sun stands.
     power : RollingPower
         Losses and efficiency; nan where the sun stands.
+    flash_temperature : Array
+        Rise of the surfaces above the temperature of the bodies, shape (5, ...) [K]; nan where the sun stands or a
+        material has no thermal properties.
+    film_thickness, film_ratio : Array
+        Smallest thickness of the oil film, as if it carried the whole load [m], and its ratio to the roughness [-],
+        shape (5, ...); nan where the sun stands or the joint lacks a number for them.
     shakedown_ratio : Array
         Peak pressure over the shakedown limit at the contact's traction coefficient, shape (5, ...) [-].
     carrier_speed : Array
@@ -86,6 +95,9 @@ class RollingResult(eqx.Module):
         Lives in hours of rolling at the joint's speed [h]; nan where the sun stands.
     duty_life_hours, duty_life_turns : Array
         Life of the drive under its duty, in hours and in turns of the output; nan without a duty.
+    duty_damage_shares, duty_load_hours : Array
+        Share of each load of the duty in the damage [-], and life under it alone [h], loads first; empty without a
+        duty.
     residual : Array
         Residual of the rolling state, :data:`asperity.drive.rolling_state.ROLLING_TOLERANCE` at most [-].
     """
@@ -95,6 +107,7 @@ class RollingResult(eqx.Module):
     creepage: Array
     creepage_share: Array
     traction_coefficient: Array
+    slip_ratio: Array
     stick_fraction: Real
     layer_ratio: Array
     layer_creepage_factor: Array
@@ -106,6 +119,9 @@ class RollingResult(eqx.Module):
     drift_per_output_turn: Array
     drift_rate: Array
     power: RollingPower
+    flash_temperature: Array
+    film_thickness: Array
+    film_ratio: Array
     shakedown_ratio: Array
     carrier_speed: Array
     cycles: Array
@@ -114,6 +130,8 @@ class RollingResult(eqx.Module):
     life_hours: DriveLives
     duty_life_hours: Array
     duty_life_turns: Array
+    duty_damage_shares: Array
+    duty_load_hours: Array
     residual: Array
 
 
@@ -278,7 +296,7 @@ def rolling_result(
 
     References
     ----------
-    Equations (B1)–(B9) of :doc:`/equations`.
+    Equations (B1)–(B11) of :doc:`/equations`.
     """
     pairs, geometry = contacts.pairs, mechanism.geometry
     forces = _in_one_shape(forces, (contacts, asperity_normal_stiffness, joint.rolling, joint.sun_speed))
@@ -321,6 +339,12 @@ def rolling_result(
         output_torque=forces.output_torque,
         sun_speed=joint.sun_speed,
     )
+    stuck = jnp.asarray(
+        stick_fraction(longitudinal_slip_ratio=traction / friction, lateral_slip_ratio=lateral[0])
+    )
+    film, film_over_roughness = oil_film(
+        conditions=joint.rolling, pairs=pairs, normal_force=normal, rolling_speed=speeds.rolling
+    )
     in_series = state.creepage[0] + state.creepage[1] + state.creepage[3]
     found = RollingResult(
         normal=state.normal,
@@ -328,9 +352,8 @@ def rolling_result(
         creepage=state.creepage,
         creepage_share=state.creepage / jnp.where(in_series != 0.0, in_series, jnp.nan),
         traction_coefficient=traction,
-        stick_fraction=jnp.asarray(
-            stick_fraction(longitudinal_slip_ratio=traction / friction, lateral_slip_ratio=lateral[0])
-        ),
+        slip_ratio=jnp.abs(traction) / (friction * (1.0 - lateral[1])),
+        stick_fraction=stuck,
         layer_ratio=creep.layer_ratio,
         layer_creepage_factor=creep.layer_factor,
         skew_creepage_factor=creep.skew_factor,
@@ -341,6 +364,17 @@ def rolling_result(
         drift_per_output_turn=drift,
         drift_rate=_where(turns, drift * speeds.carrier / (2.0 * jnp.pi)),
         power=_where(turns, power),
+        flash_temperature=flash_temperatures(
+            bodies=joint.bodies,
+            friction_power=jnp.asarray(
+                (power.creep + power.skew) / (geometry.planet_count * pairs.contact_length)
+            ),
+            speeds=speeds,
+            half_width=width,
+            stick_fraction=stuck,
+        ),
+        film_thickness=film,
+        film_ratio=film_over_roughness,
         shakedown_ratio=pressure
         / (
             shear_yield_strength(yield_strength=pairs.moduli.yield_strength)
@@ -355,6 +389,8 @@ def rolling_result(
         ),
         duty_life_hours=jnp.full_like(state.speed_loss, jnp.nan),
         duty_life_turns=jnp.full_like(state.speed_loss, jnp.nan),
+        duty_damage_shares=jnp.zeros((0, *state.speed_loss.shape)),
+        duty_load_hours=jnp.zeros((0, *state.speed_loss.shape)),
         residual=state.residual,
     )
     shaped: RollingResult = jax.tree.map(lambda value: jnp.where(solved, value, jnp.nan), found)

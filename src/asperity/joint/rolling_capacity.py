@@ -3,84 +3,75 @@
 from __future__ import annotations
 
 import dataclasses
-import math
-from collections.abc import Callable
 
 import jax
-import numpy as np
+import jax.numpy as jnp
+from jax import Array
 
-from asperity.compilation import compile_fast
-from asperity.errors import NoSolutionError
-from asperity.joint.description import Joint
-from asperity.joint.rolling_document import unknown_because
-from asperity.joint.solve import Solution, solve_program
-from asperity.units import format_quantity
+from asperity.drive.capacity import first_limit, slip_ratio
+from asperity.drive.force_balance import BALANCE_TOLERANCE, force_balance
+from asperity.drive.rolling_state import ROLLING_TOLERANCE, rolling_state
+from asperity.joint.contacts import joint_contacts, rough_joint_contacts
+from asperity.joint.description import Joint, with_one_rank
+from asperity.joint.evaluation import mechanism
+from asperity.joint.rolling import contact_creep
+from asperity.types import Real
 
-_HALVINGS = 40
 
+def rolling_torque_capacity(joint: Joint, *, direction: Real) -> Array:
+    r"""Largest output torque in a direction under which a joint has a steady rolling state.
 
-def rolling_torque_capacity(joint: Joint, solution: Solution) -> float:
-    """Largest output torque under which a joint has a steady rolling state.
+    .. math:: \max_i \frac{T_i}{\mu_i N_i} = 1
+
+    with the forces of :func:`asperity.drive.rolling_state.rolling_state`.
 
     Parameters
     ----------
     joint : Joint
-        One joint.
-    solution : Solution
-        What it does at rest.
+        One joint, or many along trailing batch axes; its own output torque is not used.
+    direction : Real
+        +1 for positive torques, −1 for negative ones [-].
 
     Returns
     -------
-    float
-        At most the capacity at rest, which it is below where equal creep on both sides of a planet loads the weaker
-        side more; infinite or nan where the capacity at rest is [N·m].
-    """
-    numbers: Joint = jax.tree.map(lambda leaf: np.asarray(leaf, dtype=float), joint)
-    program = compile_fast(solve_program, numbers)
+    Array
+        The torque, positive [N·m]; 0 where the joint never rolls, infinite where friction does not limit it.
 
-    def rolls(torque: float) -> bool:
-        result, *_ = program(dataclasses.replace(numbers, output_torque=np.float64(torque)))
-        return bool(np.isfinite(np.asarray(result.rolling.residual)))
+    Notes
+    -----
+    Friction and the balance of forces are the limits; the capacity at rest, :func:`asperity.joint.capacity`, has
+    others, and the smaller of the two holds. The derivatives are implicit.
 
-    return _largest(rolls, float(solution.capacity.output_torque))
-
-
-def _largest(rolls: Callable[[float], bool], at_rest: float) -> float:
-    """The largest torque that rolls, by halving; the states form one interval from 0."""
-    if not math.isfinite(at_rest):
-        return at_rest
-    low, high = 0.0, at_rest
-    for _ in range(_HALVINGS):
-        middle = 0.5 * (low + high)
-        low, high = (middle, high) if rolls(middle) else (low, middle)
-    return low
-
-
-def refuse_no_rolling(joint: Joint, solution: Solution, capacity: float) -> None:
-    """Refuse a joint that stands but has no steady rolling state.
-
-    Parameters
+    References
     ----------
-    joint : Joint
-        One joint.
-    solution : Solution
-        What it does at rest.
-    capacity : float
-        Its torque capacity in rolling [N·m].
-
-    Raises
-    ------
-    NoSolutionError
-        With the reason, and the capacity.
+    Equations (A9) and (B3) of :doc:`/equations`.
     """
-    if np.isfinite(np.asarray(solution.result.rolling.residual)):
-        return
-    reasons = "; ".join(unknown_because(joint, solution.result))
-    torque = format_quantity(float(joint.output_torque), "N*m")
-    known = (
-        f"the joint rolls up to {format_quantity(capacity, 'N*m')}" if capacity > 0.0 else "it never rolls"
-    )
-    raise NoSolutionError(
-        f"{reasons}: the output torque is {torque}, {known}; lower the torque or the skew, or raise the preload or the "
-        "friction coefficient"
-    )
+    joint = with_one_rank(joint)
+    drive = mechanism(dataclasses.replace(joint, output_torque=jnp.asarray(direction)))
+    contacts = joint_contacts(joint)
+    friction = contacts.pairs.friction_coefficient
+
+    def excesses(torque: Array) -> Array:
+        forces = force_balance(mechanism=drive, output_torque=direction * torque)
+        rough = rough_joint_contacts(
+            contacts=contacts,
+            normal_force=forces.normal,
+            tangential_force=jnp.zeros_like(forces.tangential),
+        )
+        creep = contact_creep(
+            joint=joint,
+            contacts=contacts,
+            forces=forces,
+            asperity_normal_stiffness=rough.normal_stiffness,
+        )
+        state = rolling_state(mechanism=drive, standing=forces, law=creep.law)
+        slip = slip_ratio(
+            normal_force=state.normal, tangential_force=state.tangential, friction_coefficient=friction
+        )
+        rolls = (forces.balance_residual < BALANCE_TOLERANCE) & (state.residual < ROLLING_TOLERANCE)
+        rest = jnp.broadcast_to(jnp.where(rolls, -1.0, 1.0), slip.shape[1:])
+        return jnp.concatenate([slip - 1.0, rest[None]])
+
+    guess = jnp.min(friction, axis=0) * joint.preload * drive.sides.roller_orbit * joint.geometry.planet_count
+    shape = jnp.broadcast_shapes(*(jnp.shape(leaf) for leaf in (*jax.tree.leaves(joint), direction)))
+    return first_limit(excesses=excesses, first_guess=jnp.broadcast_to(guess, shape)).value

@@ -38,11 +38,14 @@ class RollingConditions(eqx.Module):
     viscosity : Real or None
         Viscosity of the oil at the inlet of the contacts [Pa·s]; None if its rolling loss is left out.
     pressure_viscosity_coefficient : Real or None
-        Pressure coefficient of the viscosity [1/Pa]; the loss at the inlet does not depend on it.
+        Pressure coefficient of the viscosity [1/Pa]; None if the thickness of the film is left out.
     reliability : Real
         Survival for which lives are stated [-].
     duty : tuple of DutyPoint
         Loads and their shares of the time, which add up to 1; empty for none.
+    roughness : Real or None
+        Root mean square of the heights of both surfaces of a contact together [m]; None if the ratio of the film to it
+        is left out.
     """
 
     skew: tuple[Real, ...] | None
@@ -51,6 +54,7 @@ class RollingConditions(eqx.Module):
     pressure_viscosity_coefficient: Real | None
     reliability: Real
     duty: tuple[DutyPoint, ...]
+    roughness: Real | None = None
 
 
 #: Parallel axes, no hysteresis, no oil, 90 % survival, no duty: a joint whose description says nothing about rolling.

@@ -50,6 +50,13 @@ def rolling_document(joint: Joint, result: JointResult) -> Document:
         "body_life_output_turns": _by_body(found.life_turns),
         "duty_life_hours": found.duty_life_hours,
         "duty_life_output_turns": found.duty_life_turns,
+        "duty": {
+            str(index): {"damage_share": share, "life_hours": hours}
+            for index, (share, hours) in enumerate(
+                zip(np.asarray(found.duty_damage_shares), np.asarray(found.duty_load_hours), strict=True),
+                start=1,
+            )
+        },
         "contacts": {name: _contact(found, k) for k, name in enumerate(CONTACT_NAMES)},
         "residual": found.residual,
     }
@@ -102,6 +109,10 @@ def _contact(found: RollingResult, k: int) -> Document:
     power = found.power
     return {
         **contact_results(found, k),
+        "slip_ratio": found.slip_ratio[k],
+        "flash_temperature_K": found.flash_temperature[k],
+        "film_thickness_m": found.film_thickness[k],
+        "film_ratio": found.film_ratio[k],
         "normal_N": found.normal[k],
         "tangential_N": found.tangential[k],
         "creepage_share": found.creepage_share[k],
@@ -158,7 +169,10 @@ def unknown_because(joint: Joint, result: JointResult) -> list[str]:
         ]
     reasons = []
     if not float(np.asarray(joint.sun_speed)) > 0.0:
-        reasons.append("the sun stands: there are no powers, no efficiency, no drift and no life in time")
+        reasons.append(
+            "the sun stands: there are no powers, no temperatures, no oil film, no efficiency, no drift and no life in "
+            "time"
+        )
     elif not bool(np.isfinite(np.asarray(found.power.efficiency))):
         reasons.append("no efficiency: the output torque drives the rotation, but less than the losses take")
     if joint.rolling.duty and np.isnan(np.asarray(found.duty_life_hours)):

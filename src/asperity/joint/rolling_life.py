@@ -122,11 +122,45 @@ def drive_lives(*, tracks: Real, planet_count: Real) -> DriveLives:
             for b in range(len(BODY_NAMES))
         ]
     )
-    count = jnp.broadcast_to(jnp.asarray(planet_count, dtype=float), body.shape[1:])
+    first, second = _copies(planet_count, body.shape[1:])
+    contact = driving * first + driven * second
+    return DriveLives(contact=_life(contact), body=_life(body), drive=_life(jnp.sum(contact, axis=0)))
+
+
+def failure_shares(*, tracks: Real, planet_count: Real) -> Array:
+    r"""Share of the failures of a drive that begin on each track, all branches together.
+
+    .. math:: s_i = \frac{n_i L_i^{-e}}{\sum_k n_k L_k^{-e}}
+
+    Parameters
+    ----------
+    tracks : Real
+        Lives of the tracks as for :func:`drive_lives`, shape (2, 5, ...).
+    planet_count : Real
+        Number of branches n [-].
+
+    Returns
+    -------
+    Array
+        Shares, shape (2, 5, ...) [-]; they add up to 1. nan where no track fails.
+
+    References
+    ----------
+    Weibull lives of one slope: the hazards of the tracks are in this ratio at any time. Equation (B8) of
+    :doc:`/equations`.
+    """
+    lives = jnp.asarray(tracks)
+    shortest = jnp.min(lives, axis=(0, 1))
+    rates = (lives / shortest) ** -WEIBULL_SLOPE * _copies(planet_count, lives.shape[2:])
+    return rates / jnp.sum(rates, axis=(0, 1))
+
+
+def _copies(planet_count: Real, shape: tuple[int, ...]) -> Array:
+    """How many bodies of the drive have each track, shape (2, 5, ...)."""
+    count = jnp.broadcast_to(jnp.asarray(planet_count, dtype=float), shape)
     one = jnp.ones_like(count)
     times = jnp.stack([one, count, count, count, one])
-    contact = driving * times[jnp.array(DRIVING_BODY)] + driven * times[jnp.array(DRIVEN_BODY)]
-    return DriveLives(contact=_life(contact), body=_life(body), drive=_life(jnp.sum(contact, axis=0)))
+    return jnp.stack([times[jnp.array(DRIVING_BODY)], times[jnp.array(DRIVEN_BODY)]])
 
 
 def _life(rate: Array) -> Array:

@@ -10,7 +10,7 @@ import jax.numpy as jnp
 from jax import Array
 
 from asperity.joint.description import Joint
-from asperity.joint.evaluation import roller_mass
+from asperity.joint.evaluation import loading_roller_mass, planet_mass, roller_mass
 from asperity.types import Real
 
 
@@ -41,7 +41,7 @@ def joint_size(joint: Joint) -> JointSize:
     .. math::
         d = 2 (R_o + h), \quad L = \max(B_{sp}, L_p, L_w, B_{wro}, B_{wlo}), \quad V = \tfrac\pi4 d^2 L
 
-        m = \pi \left[\rho_s R_s^2 B_{sp} + n \rho_p R_p^2 L_p + 2 n \rho_w R_w^2 L_w
+        m = \pi \left[\rho_s R_s^2 B_{sp} + n \rho_p (R_p^2 - d_p^2/4) L_p + 2 n \rho_w (R_w^2 - d_w^2/4) L_w
         + \rho_o \left((R_o + h)^2 - R_o^2\right) \max(B_{wro}, B_{wlo})\right]
 
     Parameters
@@ -57,7 +57,7 @@ def joint_size(joint: Joint) -> JointSize:
     Notes
     -----
     The sun is as long as its contact line, the ring as its longer one; planets and loading rollers have the lengths
-    of the joint. Loading rollers number two to a planet.
+    of the joint and bores d. Loading rollers number two to a planet.
     """
     geometry, bodies = joint.geometry, joint.bodies
     lengths = joint.contact_lengths if len(joint.contact_lengths) == 5 else joint.contact_lengths * 5
@@ -67,22 +67,14 @@ def joint_size(joint: Joint) -> JointSize:
     )
     outer = geometry.ring_radius + joint.ring_wall_thickness
     count = geometry.planet_count
-    planet = roller_mass(
-        density=bodies.planet.density, radius=geometry.planet_radius, length=joint.planet_length
-    )
-    loading_roller = roller_mass(
-        density=bodies.loading_roller.density,
-        radius=geometry.loading_roller_radius,
-        length=joint.loading_roller_length,
-    )
-    sun = roller_mass(density=bodies.sun.density, radius=geometry.sun_radius, length=sun_length)
-    ring = roller_mass(density=bodies.ring.density, radius=outer, length=ring_length) - roller_mass(
-        density=bodies.ring.density, radius=geometry.ring_radius, length=ring_length
+    sun = roller_mass(density=bodies.sun.density, radius=geometry.sun_radius, length=sun_length, bore=0.0)
+    ring = roller_mass(
+        density=bodies.ring.density, radius=outer, length=ring_length, bore=2.0 * geometry.ring_radius
     )
     diameter = 2.0 * outer
     return JointSize(
         envelope_diameter=jnp.asarray(diameter),
         envelope_length=jnp.asarray(longest),
         envelope_volume=jnp.asarray(0.25 * math.pi * diameter**2 * longest),
-        mass=jnp.asarray(sun + count * (planet + 2.0 * loading_roller) + ring),
+        mass=jnp.asarray(sun + count * (planet_mass(joint) + 2.0 * loading_roller_mass(joint)) + ring),
     )

@@ -22,6 +22,7 @@ from asperity.joint.refusal import (
     refuse_locked_pins,
     refuse_overlap,
     refuse_pulled_rollers,
+    refuse_thin_walls,
     refuse_unknown_variants,
     refuse_wide_contacts,
 )
@@ -115,6 +116,7 @@ def solve(joint: Joint) -> Solution:
     if some_contact_slips(slip_ratio=result.diagnostics.slip_ratio):
         _refuse_torque(numbers, in_direction)
     refuse_unsolved(numbers, result)
+    refuse_thin_walls(result)
     return Solution(result=result, clearances=gaps, capacity=capacity, reverse_capacity=reverse, sizes=sizes)
 
 

@@ -23,7 +23,7 @@ STATUSES: dict[str, str] = {
         for name, said in CLEARANCE_CONDITIONS.items()
     },
     "pin_too_thick_or_locked": "a loading roller's pin is as thick as the roller, or locks by friction",
-    "contact_too_wide": "a contact strip is too wide for line-contact theory",
+    "contact_too_wide": "a contact strip is too wide for line-contact theory or for the wall of its body",
     "beyond_torque_capacity": "the output torque is beyond the torque capacity: a contact slips",
     "unbalanced": "the force balance did not close",
     "out_of_range": "a number is outside its allowed range",
@@ -96,7 +96,7 @@ def joint_status(joint: Joint, result: JointResult) -> Array:
         ),
         bulk_normal_stiffness=result.interfaces.bulk_normal,
     )
-    code = mark(code, jnp.any(wide, axis=0), TOO_WIDE)
+    code = mark(code, jnp.any(wide, axis=0) | ~result.walls_hold, TOO_WIDE)
     code = mark(code, some_contact_slips(slip_ratio=result.diagnostics.slip_ratio), SLIPS)
     return mark(code, ~result.contact_law_holds, ALL_PLASTIC)
 

@@ -29,9 +29,22 @@ def assumptions(case: Case) -> tuple[str, ...]:
             told.append(f"[compliance] without {', '.join(absent)}: ideal, as their descriptions say")
     if case.play is None:
         told.append("no section [play]: the output has no play")
-    if case.compliance is None or case.compliance.ring_bending_stiffness is None:
+    if case.model.bodies is None:
+        told.append("no model.bodies: the bodies of the assembly by plane elasticity, exact")
+    if case.model.bodies != "springs" and case.model.plane_state is None:
+        told.append("no model.plane_state: plane strain; plane stress is the bound for thin bodies")
+    if case.drive.ring_support is None:
+        told.append("no drive.ring_support: a rigid housing holds the outer rim of the ring")
+    sizes = [
+        f"{body}_radius"
+        for body in ("sun", "planet", "loading_roller", "ring")
+        if getattr(case.drive, f"{body}_radius").tolerance > 0.0
+    ]
+    if case.load.preload is not None and sizes:
         told.append(
-            "no compliance.ring_bending_stiffness: a rigid housing holds the ring, whose wall only compresses locally"
+            f"load.preload is a force: the tolerance of {', '.join(f'drive.{name}' for name in sizes)}, up to "
+            f"{1e6 * max(getattr(case.drive, name).tolerance for name in sizes):.3g} µm, does not move it; give "
+            "load.interference if the sizes make the preload"
         )
     for roller in ("planet", "loading_roller"):
         if getattr(case.drive, f"{roller}_length") is None:
@@ -55,4 +68,14 @@ def _rolling(case: Case) -> list[str]:
         told.append("no rolling.reliability: nine drives in ten reach the life, 0.9")
     if case.lubrication is None:
         told.append("no section [lubrication]: no oil, no loss at the inlet of the contacts")
+    elif case.lubrication.pressure_coefficient is None:
+        told.append("no lubrication.pressure_coefficient: no thickness of the oil film")
+    elif case.lubrication.roughness is None:
+        told.append("no lubrication.roughness: no ratio lambda of the oil film to it")
+    for name in dict.fromkeys(value for _, value in case.bodies):
+        material = case.materials[name]
+        keys = ("thermal_conductivity", "specific_heat_capacity")
+        absent = [key for key in keys if getattr(material, key) is None]
+        if absent:
+            told.append(f"no {' and '.join(absent)} of material {name}: no flash temperature of its contacts")
     return told

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 import functools
 from collections.abc import Mapping
 from typing import Any
@@ -10,9 +11,13 @@ import jax.numpy as jnp
 
 from asperity.contact.fractal import Surface
 from asperity.drive.assembly import IDEAL_STRUCTURE, StructureSprings
-from asperity.drive.geometry import DriveGeometry
-from asperity.drive.mechanism import Bearings
+from asperity.drive.geometry import DriveGeometry, triangle
+from asperity.drive.interference import interference_of_sizes
+from asperity.drive.mechanism import Bearings, rest_state
+from asperity.errors import InputError
 from asperity.joint.description import Bodies, Joint
+from asperity.joint.dynamics import Inertias
+from asperity.joint.interference import joint_preload
 from asperity.joint.play import NO_PLAY, Play
 from asperity.joint.rolling_conditions import PLAIN_ROLLING, DutyPoint, RollingConditions
 from asperity.joint_file.model import Case, EachContact
@@ -83,7 +88,7 @@ def joint_from_values(values: Values) -> Joint:
     play = values.get("play", {})
     materials = {name: _material(entry) for name, entry in values["materials"].items()}
     lengths = _entries(drive["contact_length"])
-    return Joint(
+    joint = Joint(
         geometry=DriveGeometry(
             sun_radius=drive["sun_radius"],
             planet_radius=drive["planet_radius"],
@@ -109,7 +114,7 @@ def joint_from_values(values: Values) -> Joint:
             pin_friction_coefficient=bearings.get("pin_friction_coefficient", 0.0),
             pin_diameter=bearings.get("pin_diameter", 0.0),
         ),
-        preload=load["preload"],
+        preload=load.get("preload", load.get("interference")),
         output_torque=load["output_torque"],
         sun_speed=load["sun_speed"],
         structure=StructureSprings(
@@ -119,7 +124,88 @@ def joint_from_values(values: Values) -> Joint:
         closure=model["closure"],
         closure_springs=model["closure_springs"],
         contact_factor_model=model["contact_factor"],
+        body_model=model.get("bodies", "exact"),
+        plane_state=model.get("plane_state", "plane_strain"),
+        ring_support=drive.get("ring_support"),
+        planet_bore=drive.get("planet_bore_diameter"),
+        loading_roller_bore=drive.get("loading_roller_bore_diameter"),
         rolling=_conditions(values),
+    )
+    if "interference" not in load:
+        return joint
+    return dataclasses.replace(
+        joint, preload=joint_preload(joint, load["interference"] + _too_large(values, joint))
+    )
+
+
+def with_nominal_sizes(values: Values) -> Values:
+    """Tables in which changes of the radii are deviations from their present values.
+
+    Parameters
+    ----------
+    values : dict
+        Tables in SI units.
+
+    Returns
+    -------
+    dict
+        Tables of which :func:`joint_from_values` adds the deviations to the interference, as those of finished parts;
+        unchanged where the preload is stated as a force. Without this, changed radii are those of another drive with
+        the same interference.
+    """
+    if "interference" not in values["load"]:
+        return values
+    nominal = {f"{name}_radius": values["drive"][f"{name}_radius"] for name in _ROLLING}
+    return values | {"nominal": nominal}
+
+
+_ROLLING = ("sun", "planet", "loading_roller", "ring")
+
+
+def _too_large(values: Values, joint: Joint) -> Real:
+    """Interference by the deviations of the radii from their nominal values."""
+    if "nominal" not in values:
+        return 0.0
+    sizes = values["nominal"]
+    geometry = joint.geometry
+    nominal = dataclasses.replace(geometry, **sizes)
+    sun, planet, roller, ring = (
+        getattr(geometry, f"{name}_radius") - sizes[f"{name}_radius"] for name in _ROLLING
+    )
+    rest = rest_state(geometry=nominal, sides=triangle(nominal), preload=1.0)
+    return interference_of_sizes(
+        rest=rest, sun=sun, planet=planet, right_roller=roller, left_roller=roller, ring=ring
+    )
+
+
+def inertias_from_case(case: Case) -> Inertias:
+    """What a joint file couples to its joint.
+
+    Parameters
+    ----------
+    case : Case
+        The joint file.
+
+    Returns
+    -------
+    Inertias
+        In SI units; without a loss factor the spring loses no work.
+
+    Raises
+    ------
+    InputError
+        If the file has no section ``[dynamics]``.
+    """
+    if case.dynamics is None:
+        raise InputError(
+            "the joint file has no section [dynamics]: give dynamics.input_inertia of the motor at the sun and "
+            'dynamics.output_inertia of the load, e.g. "2e-6 kg*m^2" and "0.05 kg*m^2"'
+        )
+    values = si_values(case)["dynamics"]
+    return Inertias(
+        input=values["input_inertia"],
+        output=values["output_inertia"],
+        loss_factor=values.get("loss_factor", 0.0),
     )
 
 
@@ -130,6 +216,7 @@ def _conditions(values: Values) -> RollingConditions:
         hysteresis_loss_factor=rolling.get("hysteresis_factor", plain.hysteresis_loss_factor),
         viscosity=oil.get("viscosity", plain.viscosity),
         pressure_viscosity_coefficient=oil.get("pressure_coefficient", plain.pressure_viscosity_coefficient),
+        roughness=oil.get("roughness", plain.roughness),
         reliability=rolling.get("reliability", plain.reliability),
         duty=tuple(DutyPoint(**load) for load in values.get("duty", {}).values()),
     )
@@ -150,7 +237,12 @@ def _longest(lengths: tuple[Real, ...]) -> Real:
 
 def _material(entry: Values) -> Material:
     elastic = {name: entry[name] for name in ("youngs_modulus", "poisson_ratio", "density", "yield_strength")}
-    return Material(**elastic, hardness=_hardness(entry))
+    return Material(
+        **elastic,
+        hardness=_hardness(entry),
+        thermal_conductivity=entry.get("thermal_conductivity"),
+        specific_heat_capacity=entry.get("specific_heat_capacity"),
+    )
 
 
 def _hardness(entry: Values) -> Real:

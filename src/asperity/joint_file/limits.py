@@ -17,6 +17,7 @@ BODY_LENGTH = Key(Dimension.LENGTH, 0.0, 1e5, "mm", example="5 mm")
 PUSH_ANGLE = Key(Dimension.ANGLE, -60.0, 60.0, "deg")
 
 PRELOAD = Key(Dimension.FORCE, 1e-3, 1e9, "N")
+INTERFERENCE = Key(Dimension.LENGTH, 0.0, 1e6, "um", open_lower=True, example="13 um")
 OUTPUT_TORQUE = Key(Dimension.TORQUE, -1e9, 1e9, "N*m")
 SUN_SPEED = Key(Dimension.ANGULAR_VELOCITY, 0.0, 1e6, "rpm")
 FRICTION_COEFFICIENT = Key(Dimension.DIMENSIONLESS, 0.0, 10.0, open_lower=True)
@@ -28,6 +29,9 @@ BEARING_TORQUE = Key(Dimension.TORQUE, 0.0, 1e6, "N*m", example="0.02 N*m")
 PIN_FRICTION_COEFFICIENT = Key(Dimension.DIMENSIONLESS, 0.0, 10.0, example="0.002")
 PIN_DIAMETER = Key(Dimension.LENGTH, 0.0, 1e5, "mm", example="4 mm")
 
+BORE_DIAMETER = Key(Dimension.LENGTH, 0.0, 1e5, "mm", open_lower=True, example="4 mm")
+HOUSING = Key(Dimension.STIFFNESS_PER_AREA, 0.0, 1e9, "MPa/mm", example="500 MPa/mm")
+
 SPRING = Key(Dimension.STIFFNESS, 1e-6, 1e15, "N/mm", example="2e5 N/mm")
 TORSION_SPRING = Key(Dimension.TORSIONAL_STIFFNESS, 1e-6, 1e15, "N*m/rad", example="5e4 N*m/rad")
 
@@ -38,12 +42,20 @@ YIELD_STRENGTH = Key(Dimension.PRESSURE, 1e-3, 1e6, "MPa")
 HARDNESS_FACTOR = Key(Dimension.DIMENSIONLESS, 0.1, 100.0, example="2.8")
 HARDNESS = Key(Dimension.PRESSURE, 1e-3, 1e6, "MPa", example="1260 MPa")
 
+THERMAL_CONDUCTIVITY = Key(Dimension.THERMAL_CONDUCTIVITY, 1e-3, 1e4, "W/m/K", example="21 W/m/K")
+SPECIFIC_HEAT_CAPACITY = Key(Dimension.SPECIFIC_HEAT_CAPACITY, 1.0, 1e5, "J/kg/K", example="475 J/kg/K")
+
 SKEW = Key(Dimension.ANGLE, -100.0, 100.0, "mrad", example="0.5 mrad")
 HYSTERESIS_FACTOR = Key(Dimension.DIMENSIONLESS, 0.0, 1.0, example="0.01")
 RELIABILITY = Key(Dimension.DIMENSIONLESS, 0.0, 1.0, open_lower=True, open_upper=True, example="0.9")
 VISCOSITY = Key(Dimension.VISCOSITY, 1e-6, 1e4, "Pa*s", example="30 mPa*s")
-PRESSURE_COEFFICIENT = Key(Dimension.INVERSE_PRESSURE, 0.0, 1e3, "1/GPa", example="20 1/GPa")
+PRESSURE_COEFFICIENT = Key(Dimension.INVERSE_PRESSURE, 0.0, 1e3, "1/GPa", open_lower=True, example="20 1/GPa")
+ROUGHNESS = Key(Dimension.LENGTH, 1e-3, 1e3, "um", example="0.2 um")
 DUTY_TORQUE = Key(Dimension.TORQUE, -1e9, 1e9, "N*m")
+
+INPUT_INERTIA = Key(Dimension.MOMENT_OF_INERTIA, 0.0, 1e6, "kg*m^2", example="2e-6 kg*m^2")
+OUTPUT_INERTIA = Key(Dimension.MOMENT_OF_INERTIA, 0.0, 1e6, "kg*m^2", example="0.05 kg*m^2")
+LOSS_FACTOR = Key(Dimension.DIMENSIONLESS, 0.0, 1.0, example="0.01")
 
 FRACTAL_DIMENSION = Key(Dimension.DIMENSIONLESS, 1.0, 2.0, open_lower=True, open_upper=True, example="1.4")
 # Fits of rough surfaces near D = 1 have a G far below any length of nature: G^(D-1) is what has a meaning.

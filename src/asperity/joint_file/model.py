@@ -96,7 +96,7 @@ class Drive(Section):
     ring_radius: Length
     """Inner radius R_o of the fixed outer ring."""
     ring_wall_thickness: Annotated[Quantity, limits.WALL_THICKNESS]
-    """Wall of the outer ring; enters its compression."""
+    """Wall of the outer ring."""
     contact_length: ContactLengths
     """Length B of the contact lines: one for all, or a table with sp, pwr, pwl, wro, wlo."""
     left_push_angle: PushAngle
@@ -107,19 +107,36 @@ class Drive(Section):
     """Length of a planet, for its mass; if absent, the longest contact line on it."""
     loading_roller_length: BodyLength | None = None
     """Length of a loading roller, for its mass; if absent, the longest contact line on it."""
+    planet_bore_diameter: Annotated[Quantity, limits.BORE_DIAMETER] | None = None
+    """Diameter of the bore of hollow planets; solid if absent."""
+    loading_roller_bore_diameter: Annotated[Quantity, limits.BORE_DIAMETER] | None = None
+    """Diameter of the bore of hollow loading rollers; solid if absent."""
+    ring_support: Literal["rigid_housing", "free", "elastic_housing"] | None = None
+    """What holds the outer rim of the ring: a rigid housing into which it is shrunk, nothing, so that it bends, or a
+    housing with the ring_housing_stiffness of [compliance]. A rigid housing if absent."""
 
 
 class Load(Section):
     """What acts on the drive."""
 
-    preload: Annotated[Quantity, limits.PRELOAD]
-    """Normal force N_0 between sun and planet at rest."""
+    preload: Annotated[Quantity, limits.PRELOAD] | None = None
+    """Normal force N_0 between sun and planet at rest; either this or interference."""
+    interference: Annotated[Quantity, limits.INTERFERENCE] | None = None
+    """Interference that makes the preload: by how much the ring's inner radius lies below the radius at which all
+    contacts just touch."""
     output_torque: Annotated[Quantity, limits.OUTPUT_TORQUE]
     """Torque at the carrier; negative in the other direction, where it brakes a drive that turns."""
     sun_speed: Annotated[Quantity, limits.SUN_SPEED]
     """Speed of the sun; makes the centrifugal forces and decides which way bearing friction acts."""
     friction_coefficient: FrictionCoefficients
     """Friction coefficient mu of the contacts: one for all, or a table with sp, pwr, pwl, wro, wlo."""
+
+    @model_validator(mode="after")
+    def _one_preload(self) -> Load:
+        if (self.preload is None) == (self.interference is None):
+            found = "neither" if self.preload is None else "both"
+            raise InputError(f"exactly one of 'preload' and 'interference' is needed, got {found}")
+        return self
 
 
 class BearingFriction(Section):
@@ -147,7 +164,11 @@ class Compliance(Section):
     planet_support_stiffness: Annotated[Quantity, limits.SPRING] | None = None
     """Stiffness of a planet's bearing on the carrier; the planet floats if absent."""
     ring_bending_stiffness: Annotated[Quantity, limits.SPRING] | None = None
-    """Stiffness of the ring as a whole under one loading roller; rigid if absent."""
+    """Spring under each loading roller for the bending of the ring, in addition to a ring in a rigid housing; rigid if
+    absent. ring_support = "free" computes the bending instead."""
+    ring_housing_stiffness: Annotated[Quantity, limits.HOUSING] | None = None
+    """Radial stiffness of the housing around the ring, per area of the ring's outer surface; needed for, and only for,
+    ring_support = "elastic_housing"."""
     input_shaft_stiffness: Annotated[Quantity, limits.TORSION_SPRING] | None = None
     """Torsional stiffness of the shaft to the sun; rigid if absent."""
     output_shaft_stiffness: Annotated[Quantity, limits.TORSION_SPRING] | None = None
@@ -173,7 +194,10 @@ class Lubrication(Section):
     viscosity: Annotated[Quantity, limits.VISCOSITY]
     """Viscosity of the oil at the inlet of the contacts; makes the rolling loss of the oil."""
     pressure_coefficient: Annotated[Quantity, limits.PRESSURE_COEFFICIENT] | None = None
-    """Pressure coefficient of the viscosity; the rolling loss does not depend on it."""
+    """Pressure coefficient of the viscosity; makes the thickness of the oil film, which is left out without it."""
+    roughness: Annotated[Quantity, limits.ROUGHNESS] | None = None
+    """Root mean square of the heights of both surfaces together, sqrt(Rq1^2 + Rq2^2); makes the ratio lambda of the oil
+    film to it."""
 
 
 class DutyLoad(Section):
@@ -185,6 +209,17 @@ class DutyLoad(Section):
     """Speed of the sun."""
     share: Annotated[float, Field(strict=True, gt=0.0, le=1.0)]
     """Share of the time; the shares of all loads add up to 1."""
+
+
+class DynamicsEntry(Section):
+    """What is coupled to the joint, for its natural frequencies."""
+
+    input_inertia: Annotated[Quantity, limits.INPUT_INERTIA]
+    """Moment of inertia of motor and coupling at the sun."""
+    output_inertia: Annotated[Quantity, limits.OUTPUT_INERTIA]
+    """Moment of inertia of the load at the carrier, the carrier included."""
+    loss_factor: Annotated[Quantity, limits.LOSS_FACTOR] | None = None
+    """Loss factor of the joint's spring; without it the spring loses no work."""
 
 
 class PlayEntry(Section):
@@ -207,6 +242,10 @@ class ModelChoice(Section):
     """Model of the contact factor lambda."""
     asperity_base: Literal["majumdar_bhushan_1991", "circular_spot"]
     """Base length of an asperity."""
+    bodies: Literal["exact", "springs"] | None = None
+    """Bodies of the assembly: by plane elasticity, or one spring for each contact; exact if absent."""
+    plane_state: Literal["plane_strain", "plane_stress"] | None = None
+    """Exact bodies: long, plane strain, or thin, plane stress; plane strain if absent."""
 
 
 class MaterialEntry(Section):
@@ -224,6 +263,10 @@ class MaterialEntry(Section):
     """Hardness over yield strength, k_H; 2.8 for a blunt indenter in a ductile metal."""
     hardness: Annotated[Quantity, limits.HARDNESS] | None = None
     """Indentation hardness as a pressure."""
+    thermal_conductivity: Annotated[Quantity, limits.THERMAL_CONDUCTIVITY] | None = None
+    """Thermal conductivity, for the flash temperature of the contacts."""
+    specific_heat_capacity: Annotated[Quantity, limits.SPECIFIC_HEAT_CAPACITY] | None = None
+    """Specific heat capacity, for the flash temperature of the contacts."""
 
     @model_validator(mode="after")
     def _one_hardness(self) -> MaterialEntry:
@@ -280,6 +323,8 @@ class Case(Section):
     """The oil; dry if the section is absent."""
     duty: Annotated[tuple[DutyLoad, ...], Field(min_length=1)] | None = None
     """Loads and their shares of the time, for the life under a duty: a section [[duty]] for each."""
+    dynamics: DynamicsEntry | None = None
+    """Inertias of motor and load, for `asperity dynamics`."""
     play: PlayEntry | None = None
     """Play at the output; none if the section is absent."""
     model: ModelChoice
@@ -324,6 +369,33 @@ class Case(Section):
         total = math.fsum(load.share for load in self.duty or ())
         if self.duty is not None and abs(total - 1.0) > 1e-9:
             raise InputError(f"the shares of [[duty]] must add up to 1, they add up to {total:.10g}")
+        return self
+
+    @model_validator(mode="after")
+    def _one_ring(self) -> Case:
+        compliance = self.compliance or Compliance()
+        support, housing = self.drive.ring_support, compliance.ring_housing_stiffness
+        if (support == "elastic_housing") != (housing is not None):
+            raise InputError(
+                'drive.ring_support = "elastic_housing" and compliance.ring_housing_stiffness belong together: give '
+                "both or neither"
+            )
+        bends = support in ("free", "elastic_housing")
+        if bends and compliance.ring_bending_stiffness is not None:
+            raise InputError(
+                f'drive.ring_support = "{support}" computes the bending of the ring: leave out '
+                "compliance.ring_bending_stiffness, which would count it twice"
+            )
+        if self.model.bodies == "springs":
+            bores = ("planet_bore_diameter", "loading_roller_bore_diameter")
+            exact = [f"drive.{name}" for name in bores if getattr(self.drive, name) is not None]
+            exact += ["drive.ring_support"] if bends else []
+            exact += ["model.plane_state"] if self.model.plane_state == "plane_stress" else []
+            if exact:
+                raise InputError(
+                    f'{", ".join(exact)}: only for model.bodies = "exact"; the springs are those of solid rollers and '
+                    "of a ring in a rigid housing, in plane strain"
+                )
         return self
 
     @model_validator(mode="after")

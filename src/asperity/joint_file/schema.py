@@ -16,8 +16,8 @@ def joint_schema() -> Schema:
     Returns
     -------
     dict
-        JSON Schema, draft 2020-12. Bounds of quantities with units cannot be said in it, nor that a body's material
-        is one that the file or the library has; the reader checks them.
+        JSON Schema, draft 2020-12. Bounds of quantities with units cannot be expressed in it, nor that a body's
+        material is one that the file or the library has; the reader checks them.
     """
     schema = Case.model_json_schema(mode="validation")
     _offer_library(schema)

@@ -19,6 +19,8 @@ from asperity.joint_file.quantity_key import Key, Quantity
 Values = dict[str, Any]
 
 _CONTACTS = tuple(EachContact.model_fields)
+_PAIRS = (("hardness", "hardness_factor"), ("preload", "interference"))
+_COUNTERPARTS = {**dict(_PAIRS), **{second: first for first, second in _PAIRS}}
 _ONE_OR_FIVE = ("drive.contact_length", "load.friction_coefficient", "rolling.skew", "surface")
 
 
@@ -220,7 +222,7 @@ def _set(tables: Values, steps: tuple[str, ...], value: Any) -> None:
 
 
 def counterpart(name: str) -> str:
-    """The key that a key replaces, because exactly one of them describes a material.
+    """The key that a key replaces, because a file states exactly one of them.
 
     Parameters
     ----------
@@ -232,7 +234,7 @@ def counterpart(name: str) -> str:
     str
         Name of the other key; empty if there is none.
     """
-    return {"hardness": "hardness_factor", "hardness_factor": "hardness"}.get(name, "")
+    return _COUNTERPARTS.get(name, "")
 
 
 def check_values(changes: Mapping[str, Any]) -> None:

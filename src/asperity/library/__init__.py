@@ -40,6 +40,8 @@ _MATERIAL_NUMBERS = {
     "yield_strength": Dimension.PRESSURE,
     "hardness": Dimension.PRESSURE,
     "hardness_factor": Dimension.DIMENSIONLESS,
+    "thermal_conductivity": Dimension.THERMAL_CONDUCTIVITY,
+    "specific_heat_capacity": Dimension.SPECIFIC_HEAT_CAPACITY,
 }
 _MATERIAL_NEEDS = ("youngs_modulus", "poisson_ratio", "density", "yield_strength")
 _WORDS = ("description", "reference", "note")

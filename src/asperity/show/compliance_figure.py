@@ -6,9 +6,13 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from asperity.joint.margins import margins
 from asperity.joint.results import LEVELS, RESULTS, SolvedJoint
+from asperity.show.margins_figure import draw_margins
+from asperity.show.style import mark_few_decades
 
 if TYPE_CHECKING:
+    from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
 _PER_ARCMINUTE = np.pi / 10800.0
@@ -57,20 +61,83 @@ def compliance_figure(solved: SolvedJoint, *, title: str) -> Figure:
 
     figure = Figure(figsize=(10.0, 4.2), layout="constrained")
     budget, levels = figure.subplots(1, 2)
-    shares = compliance_shares(solved)
-    bars = budget.barh(list(shares), [100.0 * share for share in shares.values()], color="tab:blue")
-    budget.bar_label(bars, fmt="%.1f %%", padding=3)
-    budget.invert_yaxis()
-    budget.margins(x=0.25)
-    budget.set(xlabel="share of the compliance at the output [%]")
-    rows = [RESULTS[f"{level}_stiffness_output"] for level in LEVELS]
-    numbers = [float(np.asarray(row.of(solved))) * _PER_ARCMINUTE for row in rows]
-    words = [row.label.split(", ")[-1] for row in rows]
-    levels.semilogx(numbers, words, "o", color="tab:orange")  # no bars: a logarithmic axis has no zero
-    for number, name in zip(numbers, words, strict=True):
-        levels.annotate(f"{number:.4g}", (number, name), (8, 0), textcoords="offset points", va="center")
-    levels.invert_yaxis()
-    levels.margins(x=0.3, y=0.3)
-    levels.set(xlabel="torsional stiffness at the output [N·m/arcmin]")
+    draw_budget(budget, solved)
+    draw_levels(levels, solved)
     figure.suptitle(title, fontsize=10)
     return figure
+
+
+def joint_figure(solved: SolvedJoint, *, title: str) -> Figure:
+    """Shares of the compliance, stiffness on every level, and safety margins on one sheet.
+
+    Parameters
+    ----------
+    solved : SolvedJoint
+        One joint.
+    title : str
+        Title of the picture.
+
+    Returns
+    -------
+    Figure
+        A matplotlib figure; call its ``savefig``.
+    """
+    from matplotlib.figure import Figure
+
+    figure = Figure(figsize=(10.0, 7.4), layout="constrained")
+    upper, lower = figure.subfigures(2, 1, squeeze=False)[:, 0]
+    budget, levels = upper.subplots(1, 2)
+    draw_budget(budget, solved)
+    draw_levels(levels, solved)
+    draw_margins(lower.subplots(), margins(solved))
+    figure.suptitle(title, fontsize=10)
+    return figure
+
+
+def draw_budget(axes: Axes, solved: SolvedJoint) -> None:
+    """Share of every spring in the compliance of the assembled joint, as bars.
+
+    Parameters
+    ----------
+    axes : Axes
+        Where to draw.
+    solved : SolvedJoint
+        One joint.
+    """
+    shares = compliance_shares(solved)
+    bars = axes.barh(list(shares), [100.0 * share for share in shares.values()], color="tab:blue")
+    axes.bar_label(bars, fmt="%.1f %%", padding=3)
+    axes.invert_yaxis()
+    axes.margins(x=0.25)
+    axes.set(xlabel="share of the compliance at the output [%]")
+
+
+def draw_levels(axes: Axes, solved: SolvedJoint) -> None:
+    """Stiffness at the output on every level of the model that has one.
+
+    Parameters
+    ----------
+    axes : Axes
+        Where to draw.
+    solved : SolvedJoint
+        One joint.
+    """
+    rows = [RESULTS[f"{level}_stiffness_output"] for level in LEVELS]
+    numbers = np.array([float(np.asarray(row.of(solved))) * _PER_ARCMINUTE for row in rows])
+    words = [row.label.split(", ")[-1] for row in rows]
+    known = np.where(numbers > 0.0, numbers, np.nan)  # no stiffness is no point, and not a stiffness of 0
+    places = np.arange(len(rows))
+    axes.semilogx(known, places, "o", color="tab:orange")  # no bars: a logarithmic axis has no zero
+    for place, number in zip(places, known, strict=True):
+        if np.isnan(number):
+            axes.annotate(
+                "no value", (0.5, place), xycoords=("axes fraction", "data"), ha="center", va="center"
+            )
+        else:
+            axes.annotate(f"{number:.4g}", (number, place), (8, 0), textcoords="offset points", va="center")
+    axes.set_yticks(places, words)
+    axes.set_ylim(len(rows) - 0.5, -0.5)
+    axes.margins(x=0.45)
+    if np.isfinite(known).any():
+        mark_few_decades(axes.xaxis, float(np.nanmin(known)), float(np.nanmax(known)))
+    axes.set(xlabel="torsional stiffness at the output [N·m/arcmin]")

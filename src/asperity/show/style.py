@@ -2,9 +2,14 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
+
+from asperity.errors import printable
+
+if TYPE_CHECKING:
+    from matplotlib.axis import Axis
 
 #: Colour of text and outlines.
 INK = "#22303c"
@@ -62,6 +67,40 @@ CONTACT_LABELS = {
     "wro": "right roller–ring",
     "wlo": "left roller–ring",
 }
+
+
+def plain_title(text: str) -> str:
+    """A user's text as a title: printable, and without formulas.
+
+    Parameters
+    ----------
+    text : str
+        Any text, for example the name of a file.
+
+    Returns
+    -------
+    str
+        Text that matplotlib shows as it is.
+    """
+    return printable(text).replace("$", r"\$")
+
+
+def mark_few_decades(axis: Axis, low: float, high: float) -> None:
+    """Write numbers at 1, 2 and 5 where powers of ten alone would mark a logarithmic axis at one place.
+
+    Parameters
+    ----------
+    axis : Axis
+        An ``xaxis`` or ``yaxis``.
+    low, high : float
+        Its range.
+    """
+    from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
+
+    axis.set_minor_formatter(NullFormatter())
+    if high < 100.0 * low:
+        axis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
+        axis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
 
 
 def torque_colors(count: int) -> list[Any]:

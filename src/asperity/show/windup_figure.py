@@ -16,8 +16,10 @@ if TYPE_CHECKING:
 _ARCMINUTES, _DEGREES = 10800.0 / np.pi, 180.0 / np.pi
 
 
-def windup_figure(curve: Windup, onset: RollingOnset | None = None, *, title: str) -> Figure:
-    """Torque–angle loop and incremental stiffness side by side; below them the joint that turns.
+def windup_figure(
+    curve: Windup, onset: RollingOnset | None = None, *, title: str, stacked: bool = False
+) -> Figure:
+    """Torque–angle loop, its deviation from a straight line, and stiffness; below them the joint that turns.
 
     Parameters
     ----------
@@ -27,6 +29,8 @@ def windup_figure(curve: Windup, onset: RollingOnset | None = None, *, title: st
         The same joint when it turns: angle behind, and drift of swings to and fro.
     title : str
         Title of the picture.
+    stacked : bool, optional
+        Whether the panels are below each other, for a narrow page.
 
     Returns
     -------
@@ -35,16 +39,30 @@ def windup_figure(curve: Windup, onset: RollingOnset | None = None, *, title: st
     """
     from matplotlib.figure import Figure
 
-    rows = 1 if onset is None else 2
-    figure = Figure(figsize=(10.0, 4.2 * rows), layout="constrained")
-    panels = figure.subplots(rows, 2, squeeze=False)
-    loop, stiffness = panels[0]
-    for angle, color, label in (
-        (curve.angle, "black", "first loading, either direction"),
-        (curve.unloading_angle, "tab:blue", "unloading"),
-        (curve.reloading_angle, "tab:orange", "reloading"),
+    count = 3 if onset is None else 5
+    if stacked:
+        figure = Figure(figsize=(7.0, min(2.27 * count, 9.0)), layout="constrained")
+        loop, deviation, stiffness, *turning = figure.subplots(count, 1)
+    else:
+        rows = (count + 1) // 2 - 1
+        figure = Figure(figsize=(14.0, 4.2 * rows), layout="constrained")
+        grid = figure.add_gridspec(rows, 6)
+        loop, deviation, stiffness = (figure.add_subplot(grid[0, 2 * k : 2 * k + 2]) for k in range(3))
+        turning = [figure.add_subplot(grid[1, 3 * k : 3 * k + 3]) for k in range(count - 3)]
+    straight = curve.torque * ((curve.angle[-1] - curve.angle[0]) / (curve.torque[-1] - curve.torque[0]))
+    for angle, color, line, label in (
+        (curve.angle, "black", "-", "first loading, either direction"),
+        (curve.unloading_angle, "tab:blue", "--", "unloading"),
+        (curve.reloading_angle, "tab:orange", "-.", "reloading"),
     ):
-        loop.plot(_ARCMINUTES * angle, curve.torque, color=color, label=label)
+        loop.plot(_ARCMINUTES * angle, curve.torque, color=color, linestyle=line, label=label)
+        apart = 60.0 * _ARCMINUTES * (angle - straight)
+        deviation.plot(curve.torque, apart, color=color, linestyle=line, label=label)
+    deviation.axhline(0.0, color="0.8", linewidth=0.8, zorder=0)
+    deviation.set(
+        xlabel="torque at the output [N·m]",
+        ylabel="angle less a straight line [arcsec]",
+    )
     loop.axhline(0.0, color="0.8", linewidth=0.8, zorder=0)
     loop.axvline(0.0, color="0.8", linewidth=0.8, zorder=0)
     loop.set(xlabel="angle at the output [arcmin]", ylabel="torque at the output [N·m]")
@@ -58,8 +76,10 @@ def windup_figure(curve: Windup, onset: RollingOnset | None = None, *, title: st
     stiffness.set(xlabel="torque at the output [N·m]", ylabel="stiffness at the output [N·m/arcmin]")
     stiffness.legend(frameon=False)
     if onset is not None:
-        _draw_beyond(panels[1, 0], onset, torque=float(curve.torque[-1]))
-        _draw_swings(panels[1, 1], onset)
+        _draw_beyond(turning[0], onset, torque=float(curve.torque[-1]))
+        _draw_swings(turning[1], onset)
+    for axes in (loop, deviation, stiffness, *turning):
+        axes.yaxis.label.set_fontsize("small" if stacked else "medium")
     figure.suptitle(title)
     return figure
 

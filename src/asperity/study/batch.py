@@ -1,7 +1,7 @@
 """Evaluate a joint at many points: status, chosen results and, where asked, their exact derivatives.
 
 One kernel serves all studies. Sweeps and samples feed it with arrays of the varied numbers and get results that are nan
-where they mean nothing. Searches feed it with all numbers of the joint file, so that one compiled program serves every
+where they have no value. Searches feed it with all numbers of the joint file, so that one compiled program serves every
 study of joints of one structure, and get the results as they are: the way to a good joint may lead through impossible
 ones.
 """
@@ -35,9 +35,9 @@ Kernel = Callable[..., Found]
 
 #: Points that pass through the program at once: few enough for its intermediate arrays to stay in the cache.
 BATCH = 32_768
-#: The same where the assembly, whose equations take some kilobytes a point, is among the results.
+#: The same where the assembly, whose equations take some kilobytes per point, is among the results.
 ASSEMBLY_BATCH = 4_096
-#: Up to so many points a program that compiles fast and runs at a fraction of the speed is done sooner.
+#: Up to this number of points, a program that compiles fast and runs slowly finishes sooner.
 QUICK_POINTS = 20_000
 #: Points of one call of the program with derivatives; more points are more calls.
 DERIVATIVE_BATCH = 64
@@ -79,7 +79,7 @@ def point_kernel(values: Values, paths: tuple[str, ...], results: tuple[str, ...
     -------
     callable
         Of the :func:`numbers` of a file and one array for each path, all of one shape, in SI units, to the status
-        codes and the results, which are nan where they mean nothing; pure, for ``jit``. Because the file's numbers
+        codes and the results, which are nan where they have no value; pure, for ``jit``. Because the file's numbers
         are arguments, one compiled program serves all files of the same structure.
     """
 
@@ -156,9 +156,9 @@ def evaluate_points(
     Returns
     -------
     status : ndarray
-        Codes, places in :data:`asperity.joint.status.STATUSES`, shape (n,).
+        Codes, indices into :data:`asperity.joint.status.STATUSES`, shape (n,).
     found : dict of ndarray
-        Name → values, shape (n,) or (rows, n); nan where they mean nothing.
+        Name → values, shape (n,) or (rows, n); nan where they have no value.
 
     Raises
     ------
@@ -236,7 +236,7 @@ def derivatives_at(
     Returns
     -------
     status : ndarray
-        Codes, places in :data:`asperity.joint.status.STATUSES`, shape (points,).
+        Codes, indices into :data:`asperity.joint.status.STATUSES`, shape (points,).
     found, slopes : dict of ndarray
         Name → shape (rows, points) and (rows, points, variables) [SI]; a single number has one row. Nothing is
         replaced by nan: a search may pass through joints that cannot exist.

@@ -282,4 +282,5 @@ def table_2_joint(point: OperatingPoint) -> Joint:
         closure="elastic",
         closure_springs="bulk",
         contact_factor_model="printed",
+        ring_support="rigid_housing",
     )

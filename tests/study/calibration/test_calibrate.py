@@ -2,6 +2,9 @@
 
 import numpy as np
 import pytest
+from scipy.stats import chi2, norm
+from scipy.stats import f as f_law
+from scipy.stats import t as student
 
 from asperity.errors import InputError, NoSolutionError
 from asperity.joint_file.reader import read_case
@@ -84,13 +87,36 @@ def test_noisy_data_give_values_within_their_intervals(case, curve):
     scatter = 5e-7
     noise = scatter * np.random.default_rng(3).standard_normal(angle.size)
     found = fitted(case, data, angle + noise)
-    assert found.standard_deviation == pytest.approx(scatter, rel=0.2)
-    assert found.durbin_watson == pytest.approx(2.0, abs=0.4)
-    inside = [each.lower < true < each.upper for each, true in zip(found.estimates, TRUTH, strict=True)]
-    assert sum(inside) >= 5  # six intervals of 95 %
-    for each, true in zip(found.estimates[:2], TRUTH, strict=False):
-        assert each.upper - each.lower < 0.2 * true
-        assert abs(each.value - true) < each.upper - each.lower
+    rows, freedom = angle.size, angle.size - len(TRUTH)
+    # laws of independent normal errors; each bound is missed once in ten thousand samples
+    low, high = chi2(freedom).ppf([5e-5, 1.0 - 5e-5])
+    assert low < freedom * (found.standard_deviation / scatter) ** 2 < high
+    assert found.durbin_watson == pytest.approx(2.0, abs=norm.ppf(1.0 - 5e-5) * 2.0 / np.sqrt(rows))
+    values = np.array([each.value for each in found.estimates])
+    steps = 1e-4 * values
+    texts = [text.split("=")[0] for text in UNKNOWNS[:2]]
+    jacobian = np.zeros((rows, len(TRUTH)))
+    for index in range(2):  # by differences of the curve; of play, drift and offsets by hand
+        ahead, behind = (
+            predicted(case, data, texts, [values[k] + sense * steps[k] * (k == index) for k in range(2)])
+            for sense in (1.0, -1.0)
+        )
+        jacobian[:, index] = (ahead - behind) / (2.0 * steps[index])
+    jacobian[:, 2], jacobian[:, 3] = 0.5 * np.sign(data.torque), data.time
+    jacobian[:, 4], jacobian[:, 5] = data.repetition == 1.0, data.repetition == 2.0
+    size = np.abs(jacobian).max(axis=0)
+    normal = (jacobian / size).T @ (jacobian / size)
+    half = (
+        student(freedom).ppf(0.975)
+        * found.standard_deviation
+        * np.sqrt(np.diag(np.linalg.inv(normal)))
+        / size
+    )
+    # not to rounding: those of preload and friction are symmetric in the logarithm
+    assert [0.5 * (each.upper - each.lower) for each in found.estimates] == pytest.approx(half, rel=0.01)
+    deviation = size * (values - TRUTH)
+    distance = deviation @ normal @ deviation / (len(TRUTH) * found.standard_deviation**2)
+    assert distance < f_law(len(TRUTH), freedom).ppf(1.0 - 1e-4)
 
 
 def test_misfit_shows_in_the_residuals(case, curve):

@@ -8,10 +8,10 @@ from asperity.errors import InputError
 from asperity.study.calibration.measurement import read_measurement
 
 
-def read(tmp_path, text):
+def read(tmp_path, text, **options):
     path = tmp_path / "data.csv"
     path.write_text(text)
-    return read_measurement(path)
+    return read_measurement(path, **options)
 
 
 def test_units_in_brackets(tmp_path):
@@ -29,13 +29,61 @@ def test_units_behind_an_underscore(tmp_path):
 
 
 @pytest.mark.parametrize(
+    ("header", "rows", "expected"),
+    [
+        ("drift [arcmin]", "60,-30", [math.pi / 180.0, -math.pi / 360.0]),
+        ("drift [arcmin/turn]", "60,-30", [math.pi / 180.0, -math.pi / 360.0]),
+        ("drift_deg_per_rev", "1,-0.5", [math.pi / 180.0, -math.pi / 360.0]),
+        ("drift [rad]", "0.01,-0.02", [0.01, -0.02]),
+        # a joint that loses 1 % of its speed turns 0.99 of a turn while it should one: 1/99 of a turn behind each
+        ("speed loss [%]", "1,-1", [2.0 * math.pi / 99.0, -2.0 * math.pi / 101.0]),
+        ("Speed_Loss", "0.01,-0.01", [2.0 * math.pi / 99.0, -2.0 * math.pi / 101.0]),
+        ("speed_loss [ppm]", "10000,0", [2.0 * math.pi / 99.0, 0.0]),
+        # the sun turns 9.09 times for one turn of the output instead of 9 times
+        ("speed ratio", "9.09,8.91", [0.02 * math.pi, -0.02 * math.pi]),
+        ("speed ratio [1]", "-9.09,-9", [0.02 * math.pi, 0.0]),
+    ],
+)
+def test_drift_from_whatever_states_it(tmp_path, header, rows, expected):
+    one, other = rows.split(",")
+    found = read(tmp_path, f"torque [N*m],{header}\n1,{one}\n-1,{other}\n", unloaded_ratio=-9.0)
+    assert found.drift == pytest.approx(expected, rel=1e-12, abs=1e-15)
+    assert found.angle is None
+    assert found.stiffness is None
+    assert found.measured is found.drift
+    assert found.quantity.name == "drift per output turn"
+    assert found.unloaded_ratio == (-9.0 if "ratio" in header else None)
+
+
+def test_a_ratio_of_another_joint_or_upside_down(tmp_path):
+    text = "torque [N*m],speed ratio\n1,0.111\n2,0.11\n"
+    with pytest.raises(
+        InputError, match=r"the speed ratio 0\.11 is far from 9, .* the speed of the sun over"
+    ):
+        read(tmp_path, text, unloaded_ratio=-9.0)
+    with pytest.raises(InputError, match="needs the ratio of the joint without creep"):
+        read(tmp_path, text)
+
+
+@pytest.mark.parametrize(
     ("text", "message"),
     [
+        ("torque [N*m],drift\n1,2\n", "column 'drift' states no unit"),
+        ("torque [N*m],drift [%]\n1,2\n", "column 'drift \\[%\\]': expected an angle"),
+        ("torque [N*m],drift [mm/turn]\n1,2\n", "expected a dimensionless number"),
+        ("torque [N*m],speed\n1,2\n", "column 'speed'; did you mean 'speed "),
+        ("torque [N*m],speed loss [%]\n1,30\n2,1\n", "30 is not allowed; it must be between -20 and 20"),
+        ("torque [N*m],speed loss [%]\n1,3\n2,3\n", "all 2 rows have the speed loss 3 %"),
+        ("torque [N*m],drift [deg]\n2,3\n2,4\n", "all 2 rows have the torque 2 N"),
+        ("torque [N*m],drift [deg],angle [deg]\n1,2,3\n", "one of 'angle', .* got torque, drift, angle"),
         ("", "empty"),
         ("torque,angle [rad]\n1,2\n", "states no unit"),
         ("torque [N],angle [rad]\n1,2\n", "expected a torque"),
         ("torqe [N*m],angle [rad]\n1,2\n", "did you mean 'torque'"),
-        ("torque [N*m]\n1\n", "either 'angle' or 'stiffness'"),
+        (
+            "torque [N*m]\n1\n",
+            "one of 'angle', 'stiffness', 'drift', 'speed loss' or 'speed ratio', got torque",
+        ),
         ("torque [N*m],angle [rad]\n1,2\n1,x\n", "line 3, column 'angle': 'x' is not a number"),
         ("torque [N*m],angle [rad]\n1,nan\n", "not finite"),
         (

@@ -192,7 +192,7 @@ def test_document_and_tables(cut_joint, drawn, capsys):
 
 
 def test_exact_data_have_no_posterior(cut_joint):
-    with pytest.raises(InputError, match="say nothing about errors"):
+    with pytest.raises(InputError, match="contain no information about errors"):
         posterior(replace(cut_joint, standard_deviation=0.0), draws=50, seed=0)
 
 

@@ -71,7 +71,7 @@ def test_good_file(zou_file):
             "whole numbers",
         ),
         ('{ at_most = "210 mm" }', '{ at_most = "210 N" }', "expected a length"),
-        ('{ at_most = "210 mm" }', "{ }", "say 'at_most' or 'at_least'"),
+        ('{ at_most = "210 mm" }', "{ }", "state 'at_most' or 'at_least'"),
         ('contacts = ["sp"]', 'contacts = ["xx"]', "not one of sp, pwr"),
         ("at_most = 0.8", "at_most = 1.2", "at most 1"),
         (

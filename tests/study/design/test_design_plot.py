@@ -27,7 +27,9 @@ def preload_figure(case):
         starts=1,
         seed=0,
     )
-    result = SimpleNamespace(problem=problem, point={"load.preload": 400.0}, objective_after=400.0)
+    result = SimpleNamespace(
+        problem=problem, point={"load.preload": 400.0}, objective_after=400.0, feasible=True
+    )
     with (
         pytest.MonkeyPatch.context() as patch
     ):  # the chain has nothing to say here, and takes seconds to compile
@@ -48,7 +50,8 @@ def test_one_panel_a_variable_with_the_margin_below_it(preload_figure):
     assert [text.get_text() for text in above.get_legend().get_texts()] == [
         "a limit is violated",
         "all limits met",
-        "design",
+        "design: all limits met",
+        "no joint exists",
     ]
     assert preload_figure.get_suptitle() == "smallest preload between sun and planet, at its worst scenario"
 
@@ -65,6 +68,55 @@ def test_the_objective_is_drawn_where_it_is_and_bold_where_the_limits_hold(prelo
     np.testing.assert_allclose(
         margin, 100.0 * np.log(x / 400.0), atol=1e-9
     )  # margins are logarithms of ratios
+
+
+def test_an_axis_of_one_decade_is_marked_at_more_than_one_place(preload_figure):
+    preload_figure.savefig("/dev/null", format="png")
+    _, below = preload_figure.axes
+    low, high = below.get_xlim()
+    shown = [
+        label.get_text()
+        for place, label in zip(below.get_xticks(), below.get_xticklabels(), strict=True)
+        if low <= place <= high
+    ]
+    assert shown == ["100", "200", "500", "1000"]
+
+
+def test_an_optimum_in_a_corner_of_the_limits_is_drawn_as_the_search_judged_it(case, monkeypatch):
+    """One point alone meets both limits; beyond 800 N there is no joint, and nothing is drawn."""
+    problem = DesignProblem(
+        case=case,
+        joint_file="zou2025.toml",
+        level="published",
+        variables=(Variable("load.preload", 100.0, 1600.0, True),),
+        objectives=(Objective("preload", 1.0),),
+        constraints=(
+            Constraint("preload", False, 400.0, (0,)),
+            Constraint("preload", True, 400.0, (0,)),
+            Constraint("slip_ratio", True, 0.9, (0,)),
+        ),
+        worst_case=WorstCase((), "none", 0, 0),
+        starts=1,
+        seed=0,
+    )
+    result = SimpleNamespace(
+        problem=problem, point={"load.preload": 400.0}, objective_after=400.0, feasible=True
+    )
+
+    def known(values, changes, results):
+        preload = changes["load.preload"][None]
+        return None, {"preload": preload, "slip_ratio": preload / 800.0}, {}
+
+    monkeypatch.setattr(design_evaluation, "derivatives_at", known)
+    above, below = design_figure(result).axes
+    everywhere, allowed, design = above.get_lines()
+    x, y = everywhere.get_data()
+    np.testing.assert_array_equal(np.isfinite(y), x < 800.0)
+    assert np.isfinite(below.get_lines()[0].get_ydata()).tolist() == (x < 800.0).tolist()
+    assert x[np.isfinite(allowed.get_ydata())].tolist() == pytest.approx([400.0])
+    assert design.get_label() == "design: all limits met"
+    assert above.patches  # grey where no joint exists
+    assert min(patch.get_x() for patch in above.patches) == pytest.approx(800.0, rel=0.1)
 
 
 @pytest.fixture

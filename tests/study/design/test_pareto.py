@@ -27,12 +27,12 @@ PRELOAD = 5.0 / (9 * 3 * 0.004) / (0.8 * 0.12)
 
 
 def shortfall(front, values):
-    """By which share the stiffnesses of a front are below the best of all D at their preloads, at most."""
+    """By which share the stiffnesses of a front are below the best of all D at their preloads, on average."""
     preload, dimension = np.meshgrid(front["load.preload"].values, np.linspace(1.3, 1.9, 61), indexing="ij")
     changes = {"load.preload": preload.ravel(), "surface.fractal_dimension": dimension.ravel()}
     _, found, _ = derivatives_at(values, changes, ("published_stiffness_output", "slip_ratio"))
     best = found["published_stiffness_output"].reshape(preload.shape).max(axis=1)
-    return float(np.max(1.0 - front["published_stiffness_output"].values / best))
+    return float(np.mean(1.0 - front["published_stiffness_output"].values / best))
 
 
 def test_front(zou_file):
@@ -41,6 +41,7 @@ def test_front(zou_file):
     values = si_values(problem.case)
     calls = []
     front = pareto_front(problem, population=24, generations=40, progress=lambda done, of: calls.append(done))
+    one_generation = pareto_front(problem, population=24, generations=1)
     stiffness, preload = front["published_stiffness_output"].values, front["preload"].values
     assert calls[-1] == 40
     assert front["published_stiffness_output"].attrs["units"] == "N*m/rad"
@@ -52,5 +53,5 @@ def test_front(zou_file):
     # both ends are reached, and in between nothing is gained by another D: one generation is far from it
     assert PRELOAD * 0.98 <= preload.min() <= PRELOAD * 1.05
     assert preload.max() >= 0.95 * 3000.0
-    assert shortfall(front, values) < 0.05
-    assert shortfall(pareto_front(problem, population=24, generations=1), values) > 0.1
+    # of ten seeds: 0.005 after 40 generations, 0.19 after one (geometric means), a factor of 1.7 and 1.9 of scatter
+    assert shortfall(front, values) < 0.03 < shortfall(one_generation, values)

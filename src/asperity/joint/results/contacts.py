@@ -34,6 +34,15 @@ def _elastic(name: str, label: str, path: str, dimension: Dimension, unit: str, 
 ROWS = (
     _force("preload", "preload between sun and planet", _FORCE, "N", "joint.preload", needs="geometry"),
     _force(
+        "interference",
+        "interference that makes the preload",
+        Dimension.LENGTH,
+        "um",
+        "result.interference",
+        needs="geometry",
+        note="of smooth bodies: by how much the ring's inner radius lies below that at which all contacts just touch",
+    ),
+    _force(
         "normal_force", "normal force of the contact", _FORCE, "N", "result.forces.normal", axis="contact"
     ),
     _force(

@@ -94,6 +94,15 @@ ROWS = (
                 categories=LIMITING_CONTACTS,
                 note=f"its number in the order {', '.join(LIMITING_CONTACTS)}, from 0",
             ),
+            _capacity(
+                f"{prefix}rolling_torque_capacity",
+                f"{prefix.replace('_', ' ')}torque capacity in rolling",
+                Dimension.TORQUE,
+                "N*m",
+                f"{prefix}rolling_capacity",
+                note=f"the largest {words} output torque under which the joint rolls without gross slip; below the "
+                "capacity at rest where equal creep loads the weaker side of a planet more",
+            ),
         )
     ),
 )

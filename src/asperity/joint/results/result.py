@@ -16,6 +16,7 @@ from asperity.drive.rolling_speeds import BODY_NAMES
 from asperity.joint.capacity import TorqueCapacity, torque_capacity
 from asperity.joint.description import Joint
 from asperity.joint.evaluation import JointResult
+from asperity.joint.rolling_capacity import rolling_torque_capacity
 from asperity.joint.size import JointSize, joint_size
 from asperity.unit_table import Dimension
 
@@ -76,6 +77,18 @@ class SolvedJoint:
         """Torque capacity in the direction of the output torque."""
         sign = jnp.where(jnp.asarray(self.joint.output_torque) < 0.0, -1.0, 1.0)
         return torque_capacity(self.joint, direction=sign)
+
+    @functools.cached_property
+    def rolling_capacity(self) -> Any:
+        """Largest positive output torque under which the joint rolls [N·m]."""
+        rolling = rolling_torque_capacity(self.joint, direction=1.0)
+        return jnp.minimum(rolling, self.capacity.output_torque)
+
+    @functools.cached_property
+    def reverse_rolling_capacity(self) -> Any:
+        """Largest negative output torque under which the joint rolls, as a positive number [N·m]."""
+        rolling = rolling_torque_capacity(self.joint, direction=-1.0)
+        return jnp.minimum(rolling, self.reverse_capacity.output_torque)
 
     @functools.cached_property
     def size(self) -> JointSize:

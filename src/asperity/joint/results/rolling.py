@@ -42,6 +42,14 @@ ROWS = (
         positive=False,
     ),
     _each(
+        "rolling_slip_ratio",
+        "slip ratio T/(mu N) in rolling",
+        _NUMBER,
+        "1",
+        "result.rolling.slip_ratio",
+        note="the share of the friction that skew takes is counted as not available",
+    ),
+    _each(
         "stick_fraction",
         "share of the contact width that sticks in rolling",
         _NUMBER,
@@ -167,6 +175,31 @@ ROWS = (
             "choose a material of higher yield strength, longer contact lines, less preload or less traction",
             highest=1.0,
         ),
+    ),
+    _each(
+        "flash_temperature",
+        "flash temperature of the contact",
+        Dimension.TEMPERATURE_RISE,
+        "K",
+        "result.rolling.flash_temperature",
+        note=f"largest rise of the surfaces above the temperature of the bodies; nan without thermal_conductivity and "
+        f"specific_heat_capacity of both materials; {_STANDING}",
+    ),
+    _each(
+        "film_thickness",
+        "smallest thickness of the oil film",
+        Dimension.LENGTH,
+        "um",
+        "result.rolling.film_thickness",
+        note=f"as if it carried the whole load; nan without lubrication.pressure_coefficient; {_STANDING}",
+    ),
+    _each(
+        "film_ratio",
+        "oil film over roughness lambda",
+        _NUMBER,
+        "1",
+        "result.rolling.film_ratio",
+        note=f"below 1 the asperities carry the load, above 3 the film; nan without lubrication.roughness; {_STANDING}",
     ),
     _roll(
         "efficiency",

@@ -174,6 +174,10 @@ def calibrate(
 
     require_double_precision()
     data = measurement.measured
+    if measurement.drift is not None and history != "virgin":
+        raise InputError(
+            "a drift curve has no history, because each torque is held while the joint turns; use 'virgin', the default"
+        )
     if data.size <= len(unknowns):
         raise InputError(
             f"{data.size} rows cannot determine {len(unknowns)} unknowns; more rows than unknowns are needed"
@@ -232,6 +236,11 @@ def _conclude(model: CurveModel, scaled_values: np.ndarray, starts: tuple[float,
         )
     if not np.all(stiffness > 0.0) or model.floored(stiffness).any():
         lost = np.abs(model.torque[~(stiffness > 0.0) | model.floored(stiffness)]).min()
+        if model.rolls:
+            raise NoSolutionError(
+                f"the best fit does not roll steadily at {lost:.6g} N·m, where a contact slips or lifts off: leave out "
+                "rows past gross slip, check units and preload, or widen the bounds"
+            )
         raise NoSolutionError(
             f"the best fit has no stiffness at {lost:.3g} N·m, where all spots of a contact are plastic: the joint "
             "file cannot explain these data; check units and preload, or widen the bounds"

@@ -32,16 +32,14 @@ def calibration_figure(calibration: Calibration) -> Figure:
     from matplotlib.figure import Figure
 
     data = calibration.model.measurement
-    is_angle = data.angle is not None
-    unit, name = ("arcmin", "angle") if is_angle else ("N*m/arcmin", "stiffness")
+    unit, small = data.quantity.unit, data.quantity.fine_unit
     factor = from_si(1.0, unit)
-    small = "arcsec" if is_angle else unit
     fine = from_si(1.0, small)
     label = unit.replace("*", "·")
     figure = Figure(figsize=(9.0, 7.0), layout="constrained")
     grid = figure.add_gridspec(2, 2, height_ratios=[2.0, 1.0])
     curve = figure.add_subplot(grid[0, :])
-    order = np.arange(data.torque.size) if is_angle else np.argsort(data.torque)
+    order = np.arange(data.torque.size) if data.angle is not None else np.argsort(data.torque)
     for index, repetition in enumerate(np.unique(data.repetition)):
         mine = data.repetition == repetition
         text = f"measured, repetition {repetition:g}" if np.unique(data.repetition).size > 1 else "measured"
@@ -50,7 +48,7 @@ def calibration_figure(calibration: Calibration) -> Figure:
         data.torque[order], calibration.prediction[order] * factor, "-", color="k", lw=0.9, label="fit"
     )
     curve.set_xlabel("output torque [N·m]")
-    curve.set_ylabel(f"{name} [{label}]")
+    curve.set_ylabel(f"{data.quantity.name} [{label}]")
     curve.legend(fontsize="small")
     curve.grid(alpha=0.3)
     curve.set_title(
@@ -212,7 +210,7 @@ def unit_of(path: str) -> str:
 
 
 def _label(path: str) -> str:
-    """Full name of an unknown and its unit, a line each."""
+    """Full name of an unknown and its unit, on two lines."""
     unit = unit_of(path)
     words = path.replace(".", ",\n").replace("_", " ")
     return f"{words} [{'–' if unit == '1' else unit.replace('*', '·')}]"

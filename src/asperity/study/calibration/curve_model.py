@@ -1,4 +1,8 @@
-"""The curve that a joint with given unknowns would show, with its derivatives by the unknowns."""
+"""The curve that a joint with given unknowns would show, with its derivatives by the unknowns.
+
+Angles are weighted sums of the compliance at fixed torques. So is the drift of a joint that rolls: torque times drift
+per torque, which stands in for the compliance there.
+"""
 
 from __future__ import annotations
 
@@ -8,6 +12,7 @@ from typing import Any
 import jax.numpy as jnp
 import numpy as np
 
+from asperity.errors import InputError
 from asperity.joint.play import play_compliance
 from asperity.joint.results import name_at_level
 from asperity.joint.windup import NO_SLIP_FRICTION, StiffnessLevel, is_symmetric
@@ -24,6 +29,9 @@ from asperity.study.design.design_problem import Variable
 #: torque capacity finds back. A fit that ends there is refused.
 STIFFNESS_FLOOR = 0.01
 
+#: Torques of a drift curve, each of which is solved, at most.
+MOST_DRIFT_TORQUES = 1000
+
 #: Points of one call for many sets of unknowns: up to here the program that the fit uses serves.
 _POINTS = 4096
 
@@ -36,13 +44,18 @@ class CurveModel:
     case : Case
         The joint file.
     measurement : Measurement
-        Torques, times and repetitions of the data.
+        Torques, times and repetitions of the data, and what was measured.
     unknowns : tuple of Variable
         What is looked for.
     level : {"published", "series_with_bulk", "assembly"}
-        Which stiffness the joint is taken to have.
+        Which stiffness the joint is taken to have; a drift does not depend on it.
     history : {"virgin", "cycled"}
-        State before the first row.
+        State before the first row; a drift has none.
+
+    Raises
+    ------
+    InputError
+        If all torques are zero, or a drift curve has too many different ones.
     """
 
     def __init__(
@@ -61,11 +74,20 @@ class CurveModel:
         self.paths = tuple(unknowns[index].path for index in self.in_joint)
         stated = numeric_keys(case)
         self.first = np.array([self._first(each, stated) for each in unknowns])
+        self.rolls = measurement.drift is not None
+        self.result = "drift" if self.rolls else name_at_level("stiffness", level)
         symmetric = self._symmetric()
-        if measurement.angle is not None:
+        if self.rolls:
+            self.torque = np.unique(measurement.torque[measurement.torque != 0.0])
+            self.slips = np.ones(self.torque.size, bool)
+            _refuse_torques(self.torque, measurement)
+            self.weights: np.ndarray | None = np.where(
+                measurement.torque[:, None] == self.torque, self.torque, 0.0
+            )
+        elif measurement.angle is not None:
             operator = curve_operator(measurement.torque, history, symmetric=symmetric)
             self.torque, self.slips = operator.torque, operator.slips
-            self.weights: np.ndarray | None = operator.weights
+            self.weights = operator.weights
         else:
             self.torque = np.abs(measurement.torque) if symmetric else measurement.torque
             self.slips, self.weights = np.ones(self.torque.size, bool), None
@@ -85,10 +107,11 @@ class CurveModel:
     ) -> dict[str, Any]:
         """Changes of the joint file for given torques, with the friction and the rotation that belong to each.
 
-        The bearings' friction acts against the motion that the torque drives, so the sun's speed has its sign.
+        The bearings' friction of a joint at rest acts against the motion that the torque drives, so the sun's speed has
+        its sign.
         """
         load = replace_values(self.values, changes)["load"]
-        sense = np.where(torque < 0.0, -1.0, 1.0)
+        sense = np.where((torque < 0.0) & (not self.rolls), -1.0, 1.0)
         found = {**changes, "load.output_torque": torque, "load.sun_speed": sense * load["sun_speed"]}
         friction = load["friction_coefficient"]
         paths = (
@@ -116,21 +139,25 @@ class CurveModel:
         return {u.path: float(u.from_unit(p)) for u, p in zip(self.unknowns, scaled_values, strict=True)}
 
     def stiffness(self, scaled_values: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        """Stiffness at the model's torques, its slopes by the joint's unknowns, largest slip ratio [SI]."""
+        """Stiffness at the model's torques, its slopes by the joint's unknowns, largest slip ratio at rest [SI].
+
+        Of a joint that rolls, torque over drift per turn instead of the stiffness.
+        """
         point = self.point(scaled_values)
         changes = {path: np.full(self.torque.size, point[path]) for path in self.paths}
-        name = name_at_level("stiffness", self.level)
         _, found, slopes = derivatives_at(
             self.values,
             self._changes(changes, self.torque, self.slips),
-            (name, "slip_ratio"),
+            (self.result, "slip_ratio"),
             self.paths,
         )
-        by_joint = slopes[name][0]
+        value, by_joint, slip = found[self.result][0], slopes[self.result][0], found["slip_ratio"].max(axis=0)
+        if self.rolls:
+            return self.torque / value, by_joint * (-self.torque / value**2)[:, None], slip
         for index, path in enumerate(self.paths):
             if path == "load.sun_speed":
                 by_joint[:, index] *= np.where(self.torque < 0.0, -1.0, 1.0)
-        return found[name][0], by_joint, found["slip_ratio"].max(axis=0)
+        return value, by_joint, slip
 
     def floored(self, stiffness: np.ndarray) -> np.ndarray:
         """At which of the model's torques the prediction uses :data:`STIFFNESS_FLOOR` instead of the joint's stiffness.
@@ -152,7 +179,7 @@ class CurveModel:
         return STIFFNESS_FLOOR * float(np.median(stiffness[usable])) if usable.any() else 1.0
 
     def __call__(self, scaled_values: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """Predicted angles [rad] or stiffnesses [N·m/rad], and their derivatives by the scaled values.
+        """Predicted angles [rad], stiffnesses [N·m/rad] or drifts per turn [rad], with derivatives by scaled values.
 
         Parameters
         ----------
@@ -213,12 +240,12 @@ class CurveModel:
             )
             for index in self.in_joint
         }
-        name = name_at_level("stiffness", self.level)
         count = len(scaled_values)
         points = self._changes(changes, np.tile(torque, count), np.tile(slips, count))
-        status, found, _ = derivatives_at(self.values, points, (name, "slip_ratio"))
+        status, found, _ = derivatives_at(self.values, points, (self.result, "slip_ratio"))
         shape = (count, torque.size)
-        stiffness = found[name][0].reshape(shape)
+        stiffness = found[self.result][0].reshape(shape)
+        stiffness = torque / stiffness if self.rolls else stiffness
         holds = np.isfinite(stiffness) & (stiffness > 0.0) & (status.reshape(shape) == 0)
         exists = np.all(holds, axis=1)[:, None]
         return np.where(exists, 1.0 / np.where(exists, stiffness, 1.0), np.nan)
@@ -275,7 +302,7 @@ class CurveModel:
         array
             Shape (points,) [rad].
         """
-        angle, width = self._play(point)
+        angle, width = (0.0, 0.0) if self.rolls else self._play(point)
         total = 0.5 * angle * self._taken_up(width, tanh)
         for path, value in point.items():
             if _kind(path) in ("offset", "drift"):
@@ -313,6 +340,16 @@ class CurveModel:
             return data.time - data.time[0]
         label = path.partition(" ")[2]
         return np.ones(data.torque.size) if not label else (data.repetition == float(label)).astype(float)
+
+
+def _refuse_torques(torque: np.ndarray, measurement: Measurement) -> None:
+    if torque.size == 0:
+        raise InputError(f"{measurement.source}: all torques are zero; a drift curve needs others")
+    if torque.size > MOST_DRIFT_TORQUES:
+        raise InputError(
+            f"{measurement.source}: a drift curve of {torque.size} different torques; at most {MOST_DRIFT_TORQUES} are "
+            "solved, so average the data over steps of the torque"
+        )
 
 
 def _kind(path: str) -> str:

@@ -1,8 +1,8 @@
-"""A polynomial that stands in for the joint of a curve model: cheap, traceable by JAX, never the last word.
+"""A polynomial in place of the joint of a curve model: cheap, traceable by JAX, always checked with the model.
 
 The logarithm of the compliance at every torque of the model is a polynomial of the joint's unknowns, fitted to the
 model itself around one set of scaled values. The unknowns of the curve (play, offset, drift) enter as in the model.
-What is drawn with its help must be judged by the model, as :mod:`asperity.study.calibration.posterior` does.
+What is drawn with its help must be checked with the model, as :mod:`asperity.study.calibration.posterior` does.
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ REACH = 6.0
 #: Penalty of a term of degree d, times d²: it shifts the coefficient of a well-fitted one by about (1e-3 d²)² of it.
 STIFFENING = 1e-3
 
-#: How often that box is made smaller by a half if the joint hardly exists in it.
+#: How often that box is made smaller by a half if most joints in it have no solution.
 _HALVINGS = 8
 
 #: Numbers of a surrogate, an argument of its prediction, so that another fit needs no other program.
@@ -78,7 +78,7 @@ def fit_surrogate(
         Of all scaled values, shape (unknowns, unknowns): the polynomial is fitted within :data:`REACH` standard
         deviations along the principal axes of the joint's part, as far as they lie between the bounds.
     seed : int
-        Of the random scaled values at which the model is asked.
+        Of the random scaled values at which the model is evaluated.
 
     Returns
     -------
@@ -88,7 +88,7 @@ def fit_surrogate(
     Raises
     ------
     NoSolutionError
-        If the joint hardly exists around the centre.
+        If most joints around the centre have no solution.
     """
     joint, rng = model.in_joint, np.random.default_rng(seed)
     powers = exponents(len(joint))
@@ -109,9 +109,8 @@ def fit_surrogate(
             return {name: jnp.asarray(value) for name, value in found.items()}
         reach = 0.5 * reach
     raise NoSolutionError(
-        "next to the best fit the joint hardly exists (most changes of the unknowns make it slip or lift off within "
-        "the measured torques), so no posterior can be drawn; leave out the rows of the largest torques, or fix an "
-        "unknown"
+        "most joints next to the best fit have no solution (a contact slips or lifts off within the measured torques), "
+        "so no posterior can be drawn; leave out the rows of the largest torques, or fix an unknown"
     )
 
 
@@ -125,7 +124,7 @@ def _smooth_fit(basis: np.ndarray, values: np.ndarray, powers: np.ndarray) -> np
 
 
 def _box(middle: np.ndarray, axes: np.ndarray, reach: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Smaller of the reach and of what lies between the bounds, along each axis."""
+    """The smaller of the reach and the distance to the bounds, along each axis."""
     to_zero, to_one = -middle[:, None] * axes, (1.0 - middle)[:, None] * axes
     low = np.maximum(-reach, np.minimum(to_zero, to_one).sum(axis=0))
     return low, np.minimum(reach, np.maximum(to_zero, to_one).sum(axis=0))
@@ -175,7 +174,7 @@ def surrogate_prediction(model: CurveModel) -> Callable[[Coefficients, Array], A
     -------
     callable
         Coefficients and scaled values, shape (unknowns,) → predictions, shape (points,); traceable by JAX. Outside
-        the fitted box the polynomial goes on as its linear part does.
+        the fitted box the polynomial continues as its linear part.
     """
     joint = np.array(model.in_joint, int)
     powers = exponents(len(joint))

@@ -1,4 +1,4 @@
-"""Chains that NUTS (NumPyro) moves by a cheap likelihood, and that an exact one lets move or not."""
+"""Markov chains proposed by NUTS (NumPyro) with a cheap likelihood and accepted or rejected with the exact one."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ import jax.numpy as jnp
 import numpy as np
 from jax import Array
 
-#: A chain begins no closer to a bound than this: the logarithm of the odds, in which NUTS moves, is endless there.
+#: A chain begins no closer to a bound than this: the logarithm of the odds, in which NUTS moves, is infinite there.
 _MARGIN = 1e-6
 
 
@@ -79,7 +79,7 @@ class Chains:
         self.forget()
 
     def start(self, coefficients: Any, begin: np.ndarray, covariance: np.ndarray) -> None:
-        """Begin anew.
+        """Start the chains.
 
         Parameters
         ----------

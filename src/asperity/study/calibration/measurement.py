@@ -1,4 +1,4 @@
-"""Measured torque–angle and stiffness–torque curves from CSV files whose column names state the units."""
+"""Measured torque–angle, stiffness and drift curves from CSV files whose column names state the units."""
 
 from __future__ import annotations
 
@@ -20,17 +20,58 @@ COLUMNS = {
     "torque": Dimension.TORQUE,
     "angle": Dimension.ANGLE,
     "stiffness": Dimension.TORSIONAL_STIFFNESS,
+    "drift": Dimension.ANGLE,
+    "speed loss": Dimension.DIMENSIONLESS,
+    "speed ratio": Dimension.DIMENSIONLESS,
     "time": Dimension.TIME,
     "repetition": None,
 }
 
+#: Columns of which a file has exactly one, beside the torque.
+MEASURED = ("angle", "stiffness", "drift", "speed loss", "speed ratio")
+
 #: Largest size that a number of a column may have, in SI units: beyond it a unit or a column is wrong.
-LARGEST = {"torque": 1e9, "angle": 1e3, "stiffness": 1e15, "time": 1e12, "repetition": 1e9}
+LARGEST = {
+    "torque": 1e9,
+    "angle": 1e3,
+    "stiffness": 1e15,
+    "drift": 1.0,
+    "speed loss": 0.2,
+    "speed ratio": 1e6,
+    "time": 1e12,
+    "repetition": 1e9,
+}
+
+#: Largest share by which a measured speed ratio may differ from that of the joint without creep.
+FARTHEST_RATIO = 0.2
 
 #: Largest file [byte].
 LARGEST_FILE = 50_000_000
 #: Rows of numbers a file must and may have.
 FEWEST_ROWS, MOST_ROWS = 2, 200_000
+
+
+@dataclass(frozen=True)
+class MeasuredQuantity:
+    """What the second column of a measurement means.
+
+    Parameters
+    ----------
+    name : str
+        In words.
+    unit, fine_unit, si_unit : str
+        Units of the curve, of its residuals, and of the arrays.
+    """
+
+    name: str
+    unit: str
+    fine_unit: str
+    si_unit: str
+
+
+_ANGLE = MeasuredQuantity("angle", "arcmin", "arcsec", "rad")
+_STIFFNESS = MeasuredQuantity("stiffness", "N*m/arcmin", "N*m/arcmin", "N*m/rad")
+_DRIFT = MeasuredQuantity("drift per output turn", "arcmin", "arcsec", "rad")
 
 
 @dataclass(frozen=True)
@@ -44,13 +85,18 @@ class Measurement:
     angle : ndarray or None
         Output angle with the sun locked, shape (points,) [rad].
     stiffness : ndarray or None
-        Incremental stiffness, shape (points,) [N·m/rad]. Exactly one of angle and stiffness is there.
+        Incremental stiffness, shape (points,) [N·m/rad].
     time : ndarray or None
         Time, shape (points,) [s].
     repetition : ndarray
         Number of the repetition of each row, shape (points,); zeros if the file states none.
     source : str
         Name of the file.
+    drift : ndarray or None
+        Angle lost in one turn of the output while the joint rolls, with the sign of the torque, shape (points,) [rad].
+        Exactly one of angle, stiffness and drift is there.
+    unloaded_ratio : float or None
+        Speed ratio without creep with which the drift was derived from measured speed ratios [-]; None otherwise.
     """
 
     torque: np.ndarray
@@ -59,18 +105,27 @@ class Measurement:
     time: np.ndarray | None
     repetition: np.ndarray
     source: str
+    drift: np.ndarray | None = None
+    unloaded_ratio: float | None = None
 
     @property
     def measured(self) -> np.ndarray:
-        """The angle or the stiffness, whichever is there."""
-        found = self.angle if self.angle is not None else self.stiffness
-        assert found is not None
+        """The angle, the stiffness or the drift, whichever is there."""
+        found = next(each for each in (self.angle, self.stiffness, self.drift) if each is not None)
         return found
+
+    @property
+    def quantity(self) -> MeasuredQuantity:
+        """What :attr:`measured` is."""
+        return _DRIFT if self.drift is not None else _ANGLE if self.angle is not None else _STIFFNESS
 
 
 def _column(header: str) -> tuple[str, float]:
     """Name of a column and the factor to SI units: ``torque [N*m]``, ``torque_Nm``, ``stiffness_Nm_per_arcmin``."""
-    match = re.fullmatch(r"\s*([A-Za-z]+)\s*(?:[\[(](.*)[\])]|_(\S+))?\s*", header)
+    plain = re.sub(r"^(\s*speed)[ _]+(loss|ratio)", r"\1 \2", header, flags=re.IGNORECASE)
+    match = re.fullmatch(
+        r"\s*([A-Za-z]+(?: (?:loss|ratio))?)\s*(?:[\[(](.*)[\])]|_(\S+))?\s*", plain, re.IGNORECASE
+    )
     name = match[1].lower() if match else header.strip()
     if match is None or name not in COLUMNS:
         raise InputError(f"column '{header}'{nearest(name, COLUMNS) or '; known are ' + ', '.join(COLUMNS)}")
@@ -81,10 +136,14 @@ def _column(header: str) -> tuple[str, float]:
     if match[3]:
         unit = re.sub(r"\bNm\b|\bNm(?=/)", "N*m", unit.replace("_per_", "/"))
     if not unit.strip():
+        if dimension is Dimension.DIMENSIONLESS:
+            return name, 1.0
         raise InputError(
             f"column '{header}' states no unit, e.g. '{name} [{dimension.example.split(' ', 1)[1]}]'"
         )
     try:
+        if name == "drift" and re.search(r"/\s*(turn|rev)", unit):
+            return name, 2.0 * np.pi * parse_quantity(f"1 {unit}", Dimension.DIMENSIONLESS)
         return name, parse_quantity(f"1 {unit}", dimension)
     except InputError as error:
         raise InputError(f"column '{header}': {error}") from None
@@ -92,11 +151,13 @@ def _column(header: str) -> tuple[str, float]:
 
 def _refuse_constant(path: str | Path, columns: dict[str, np.ndarray]) -> None:
     """Torques or angles of a curve that never change: a sensor that was not connected, or a wrong column."""
-    for name, unit in (("torque", "N*m"), ("angle", "arcmin")):
-        if "angle" in columns and np.ptp(columns[name]) == 0.0:
+    curve = next((name for name in MEASURED if name in columns and name != "stiffness"), None)
+    units = {"angle": "arcmin", "drift": "arcmin", "speed loss": "%", "speed ratio": "1"}
+    for name, unit in (("torque", "N*m"), (curve, units.get(curve or "", ""))):
+        if curve is not None and name is not None and np.ptp(columns[name]) == 0.0:
             raise InputError(
                 f"{path}: all {len(columns[name])} rows have the {name} {format_quantity(columns[name][0], unit)}; "
-                "a curve needs different ones, so look at the column and its unit"
+                "a curve needs different ones, so check the column and its unit"
             )
 
 
@@ -107,15 +168,41 @@ def _cells(path: str | Path, number: int, line: str, delimiter: str) -> list[str
         raise InputError(f"{path}, line {number}: not a row of a CSV table: {error}") from None
 
 
-def read_measurement(path: str | Path) -> Measurement:
+def _drift(
+    path: str | Path, columns: dict[str, np.ndarray], unloaded_ratio: float | None
+) -> np.ndarray | None:
+    """Angle lost per output turn, from whichever column states it [rad]."""
+    if "drift" in columns:
+        return columns["drift"]
+    if "speed loss" in columns:
+        return 2.0 * np.pi * columns["speed loss"] / (1.0 - columns["speed loss"])
+    if "speed ratio" not in columns:
+        return None
+    if unloaded_ratio is None:
+        raise InputError(f"{path}: a column 'speed ratio' needs the ratio of the joint without creep")
+    over = np.abs(columns["speed ratio"] / unloaded_ratio)
+    worst = int(np.argmax(np.abs(over - 1.0)))
+    if abs(over[worst] - 1.0) > FARTHEST_RATIO:
+        raise InputError(
+            f"{path}: the speed ratio {columns['speed ratio'][worst]:g} is far from {abs(unloaded_ratio):g}, that of "
+            f"the joint file without creep (at most {100.0 * FARTHEST_RATIO:g} % away); the column is the speed of the "
+            "sun over that of the output"
+        )
+    return 2.0 * np.pi * (over - 1.0)
+
+
+def read_measurement(path: str | Path, *, unloaded_ratio: float | None = None) -> Measurement:
     """Read a measured curve.
 
     Parameters
     ----------
     path : str or Path
-        A CSV file with a header: ``torque`` and ``angle``, or ``torque`` and ``stiffness``; if wanted ``time`` and
-        ``repetition``. Units stand in the header, ``torque [N*m]`` or ``torque_Nm``. Rows in the order of time; lines
-        that begin with ``#`` are comments.
+        A CSV file with a header: ``torque`` and one of ``angle``, ``stiffness``, ``drift`` (angle lost per output
+        turn), ``speed loss``, ``speed ratio`` (sun over output); optionally ``time`` and ``repetition``. Units stand in
+        the header, ``torque [N*m]`` or ``torque_Nm``. Rows in the order of time; lines that begin with ``#`` are
+        comments.
+    unloaded_ratio : float, optional
+        Speed ratio of the joint without creep, for a column ``speed ratio`` [-].
 
     Returns
     -------
@@ -133,7 +220,9 @@ def read_measurement(path: str | Path) -> Measurement:
     if not lines:
         raise InputError(f"{path}: the file is empty")
     if len(lines) > MOST_ROWS + 1:
-        raise InputError(f"{path}: {len(lines) - 1} rows; at most {MOST_ROWS}, so thin the data out")
+        raise InputError(
+            f"{path}: {len(lines) - 1} rows; at most {MOST_ROWS} are allowed, so reduce their number"
+        )
     delimiter = ";" if ";" in lines[0][1] else ","
     rows = [_cells(path, number, line, delimiter) for number, line in lines]
     try:
@@ -144,9 +233,10 @@ def read_measurement(path: str | Path) -> Measurement:
     for name in names:
         if names.count(name) > 1:
             raise InputError(f"{path}: there are {names.count(name)} columns '{name}'")
-    if "torque" not in names or ("angle" in names) == ("stiffness" in names):
+    if "torque" not in names or sum(name in names for name in MEASURED) != 1:
+        choice = "', '".join(MEASURED[:-1])
         raise InputError(
-            f"{path}: needs the columns 'torque' and either 'angle' or 'stiffness', got {', '.join(names)}"
+            f"{path}: needs the columns 'torque' and one of '{choice}' or '{MEASURED[-1]}', got {', '.join(names)}"
         )
     numbers = np.empty((len(rows) - 1, len(columns)))
     for index, (row, (line, _)) in enumerate(zip(rows[1:], lines[1:], strict=True)):
@@ -186,4 +276,6 @@ def read_measurement(path: str | Path) -> Measurement:
         time=time,
         repetition=by_name.get("repetition", np.zeros(len(numbers))),
         source=str(path),
+        drift=_drift(path, by_name, unloaded_ratio),
+        unloaded_ratio=unloaded_ratio if "speed ratio" in by_name else None,
     )

@@ -1,4 +1,4 @@
-"""Posterior of a calibration: NUTS (NumPyro) on a surrogate proposes, the model itself decides."""
+"""Posterior of a calibration: NUTS (NumPyro) proposes with a surrogate, the model itself accepts or rejects."""
 
 from __future__ import annotations
 
@@ -22,17 +22,17 @@ from asperity.study.calibration.delayed_acceptance import Chains
 #: this is the bound beyond which the numbers are refused).
 LARGEST_R_HAT = 1.05
 
-#: Fewest effective draws of an unknown: with less the ends of a 95 % interval are noise.
+#: Smallest number of effective draws of an unknown: with fewer, the ends of a 95 % interval are noise.
 FEWEST_EFFECTIVE = 100
 
-#: Chains; agreement of two would prove less.
+#: Number of chains; the agreement of two would prove less.
 CHAINS = 4
 
-#: Steps that adapt the sampler to the surrogate, and steps after them that show how many proposals the model accepts.
+#: Steps that adapt the sampler to the surrogate, and steps after them that show the share of accepted proposals.
 WARMUP = 400
 PILOT = 60
 
-#: Below this share of accepted proposals the surrogate is fitted anew to where the chains are, so often at most.
+#: Below this share of accepted proposals the surrogate is fitted again where the chains are, at most this often.
 LEAST_ACCEPTANCE = 0.8
 REFITS = 3
 
@@ -44,7 +44,7 @@ CUT_SHARE = 0.01
 #: Standard errors by which a share of draws must differ from :data:`CUT_SHARE` before the answer counts as certain.
 CERTAIN = 2.0
 
-#: The errors' standard deviation is looked for within this factor of the least-squares one, either way.
+#: The errors' standard deviation is sought within this factor of the least-squares value, in either direction.
 DEVIATION_FACTOR = 10.0
 
 
@@ -291,8 +291,8 @@ def _begins(
         if len(found) >= chains:
             return np.array(found[:chains])
     raise NoSolutionError(
-        "the joint exists nowhere around the best fit (it slips or lifts off within the measured torques), so no "
-        "posterior can be drawn; leave out the rows of the largest torques, or fix an unknown"
+        "the joint has no solution around the best fit (a contact slips or lifts off within the measured torques), so "
+        "no posterior can be drawn; leave out the rows of the largest torques, or fix an unknown"
     )
 
 
@@ -376,7 +376,8 @@ def posterior(
     model, data = calibration.model, calibration.model.measurement.measured
     if calibration.standard_deviation <= 1e-12 * float(np.max(np.abs(data))):
         raise InputError(
-            "the data fit to the last digit, so that they say nothing about errors; a posterior needs measured data"
+            "the fit is exact to the last digit, so that the data contain no information about errors; a posterior "
+            "needs measured data"
         )
     return sample(
         predict=model.predictions,

@@ -1,4 +1,4 @@
-"""What a calibration looks for: numbers of the joint file, and properties of the measured curve."""
+"""The unknowns of a calibration: numbers of the joint file, and properties of the measured curve."""
 
 from __future__ import annotations
 
@@ -14,17 +14,20 @@ from asperity.study.design.design_problem import Variable
 from asperity.unit_table import Dimension
 from asperity.units import parse_quantity
 
-#: Properties of a measured curve that no joint file has, and what they measure.
+#: Properties of a measured curve that are not in a joint file, with their dimensions.
 CURVE_UNKNOWNS = {
     "offset": Dimension.ANGLE,
     "drift": Dimension.ANGULAR_VELOCITY,
 }
 
-#: Without stated bounds a number of the file may change by this factor either way.
+#: Without stated bounds, a number of the file may change by this factor in either direction.
 DEFAULT_FACTOR = 5.0
 
 #: Numbers of the joint file that add to the angles without a new solution of the joint.
 PLAY_UNKNOWNS = ("play.angle", "play.take_up_torque")
+
+#: Numbers of the joint file that set the speed ratio without creep.
+_RATIO_KEYS = ("drive.sun_radius", "drive.ring_radius")
 
 _LINEAR_KINDS = ("fractal_dimension", "poisson_ratio", "push_angle")
 
@@ -42,7 +45,8 @@ def read_unknowns(texts: Iterable[str], *, case: Case, measurement: Measurement)
         (1.05 to 1.95 for a fractal dimension).
     measurement : Measurement
         The data; without bounds ``play.angle``, offset and drift may be as large as the whole range of angles, and
-        ``play.take_up_torque`` as the largest torque. With several repetitions each has its own offset.
+        ``play.take_up_torque`` as the largest torque. With several repetitions each has its own offset. Of data of the
+        drift per turn only the offset can be unknown.
 
     Returns
     -------
@@ -65,6 +69,11 @@ def read_unknowns(texts: Iterable[str], *, case: Case, measurement: Measurement)
             found.extend(_of_curve(name, sides, measurement))
         else:
             found.append(_of_joint(name, sides, case))
+            if measurement.unloaded_ratio is not None and name in _RATIO_KEYS:
+                raise InputError(
+                    f"'{name}' sets the speed ratio without creep and cannot be an unknown of measured speed ratios; "
+                    "use 'offset' for a ratio that is not known exactly, or a column 'speed loss' or 'drift'"
+                )
     names = [unknown.path for unknown in found]
     if not found:
         raise InputError(
@@ -92,13 +101,14 @@ def _bounds(name: str, sides: list[str], dimension: Dimension) -> tuple[float, f
 
 
 def _of_curve(name: str, sides: list[str], measurement: Measurement) -> list[Variable]:
-    if measurement.angle is None:
-        raise InputError(f"'{name}' can be fitted to measured angles only; the data are stiffnesses")
-    span = float(np.ptp(measurement.angle))
+    if measurement.angle is None and not (name == "offset" and measurement.drift is not None):
+        kind = measurement.quantity.name
+        raise InputError(f"'{name}' can be fitted to measured angles only; the data are those of the {kind}")
+    span = float(np.ptp(measurement.measured))
     if name == "drift" and (measurement.time is None or np.ptp(measurement.time) == 0.0):
         raise InputError("drift needs a column 'time', e.g. 'time [s]'")
     duration = float(np.ptp(measurement.time)) if measurement.time is not None else 1.0
-    middle = float(np.mean(measurement.angle))
+    middle = float(np.mean(measurement.measured))
     default = {
         "play.angle": (0.0, span),
         "play.take_up_torque": (

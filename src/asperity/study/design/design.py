@@ -113,7 +113,7 @@ def _nearest(evaluator: DesignEvaluator, ended: _Ended, count: SearchProgress) -
 
 
 def _refuse_what_cannot_exist(evaluator: DesignEvaluator, found: EvaluatedDesign) -> None:
-    """Raise if the nearest that was found is no joint: then nothing can be said about the stated limits."""
+    """Raise if the nearest design found cannot exist: then the stated limits cannot be assessed."""
     if evaluator.nonexistence(found) <= FEASIBLE:
         return
     lack = found.margins + evaluator.existence_slack
@@ -195,8 +195,10 @@ def _refuse_without_result(evaluator: DesignEvaluator, found: EvaluatedDesign) -
             "the force balance of the design found did not close in every scenario; narrow the bounds"
         )
     problem = evaluator.problem
-    names = {each.name: None for each in (*problem.objectives, *problem.constraints)}
-    unknown = [name for name in names if np.isnan(found.values[name][:, evaluator.counted]).any()]
+    names = [each.name for each in problem.objectives] + [each.name for each in problem.constraints]
+    unknown = [
+        name for name in dict.fromkeys(names) if np.isnan(found.values[name][:, evaluator.counted]).any()
+    ]
     if unknown and np.any(status == ALL_PLASTIC):
         raise NoSolutionError(
             f"the nearest design found has no value of {', '.join(unknown)}: every spot of a contact is plastic, where "

@@ -23,7 +23,7 @@ FARTHEST = 14.0
 #: Logarithm of an objective that does not exist.
 _NOWHERE = 30.0
 
-#: A joint exists where every margin of its existence is larger than this: on the edge it does not.
+#: A joint exists where every margin of its existence is larger than this: at 0 it does not.
 INSIDE = 1e-6
 
 #: Places of the objectives of designs that do not exist, for methods that only compare.
@@ -126,8 +126,25 @@ class DesignEvaluator:
         """
         return max(0.0, -float((design.margins + self.existence_slack).min()))
 
+    def existing(self, margins: np.ndarray) -> np.ndarray:
+        """Which of many designs are joints that can exist in every scenario.
+
+        Parameters
+        ----------
+        margins : ndarray
+            As :meth:`many` gives them, shape (designs, limits and rows).
+
+        Returns
+        -------
+        ndarray of bool
+            Shape (designs,).
+        """
+        slack = [self._existence_slack(each) for each in self.problem.constraints for _ in each.rows]
+        found: np.ndarray = (margins + np.array(slack)).min(axis=1) >= 0.0
+        return found
+
     def _existence_slack(self, constraint: Constraint) -> float:
-        """Rollers that overlap, slip or lift off make no joint, whatever limit of them is stated."""
+        """No joint exists if rollers overlap, slip or lift off, whatever limit is stated for them."""
         bound = EXISTENCE.get((constraint.name, constraint.at_most))
         if bound is None:
             return float("inf")
@@ -263,12 +280,12 @@ def exists(objectives: np.ndarray) -> np.ndarray:
 
 
 def _log_ratio(value: np.ndarray, limit: float) -> np.ndarray:
-    """ln(value/limit) within ± :data:`FARTHEST`; what is no number counts as infinitely far above."""
+    """ln(value/limit) within ± :data:`FARTHEST`; nan counts as infinitely far above."""
     with np.errstate(divide="ignore", invalid="ignore"):
         ratio = np.log(np.asarray(value) / limit)
     return np.clip(np.where(np.isnan(ratio), np.inf, ratio), -FARTHEST, FARTHEST)
 
 
 def _finite(slope: np.ndarray) -> np.ndarray:
-    """Slopes that are no numbers, where a state does not exist, lead nowhere."""
+    """Slopes that are not finite, where a state does not exist, are replaced by 0."""
     return np.where(np.isfinite(slope), slope, 0.0)

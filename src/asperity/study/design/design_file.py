@@ -1,4 +1,4 @@
-"""Design files: which numbers of a joint are free, what is wanted of it, and within which limits."""
+"""Design files: the free numbers of a joint, its objectives and its limits."""
 
 from __future__ import annotations
 
@@ -63,7 +63,7 @@ def read_design(path: str | Path) -> DesignProblem:
 
 
 class _Errors:
-    """Errors of a file, gathered so that all of them can be said at once."""
+    """Errors of a file, collected so that one message lists all of them."""
 
     def __init__(self) -> None:
         self.found: list[str] = []
@@ -210,7 +210,9 @@ def _variable(path: str, entry: dict[str, Any]) -> Variable:
         raise InputError(f"{where}: {error}") from None
     _only(entry, ("lower", "upper", "scale", "finish", "step"), where)
     if key.whole:
-        raise InputError(f"{where}: whole numbers cannot be free variables; try each in a design of its own")
+        raise InputError(
+            f"{where}: whole numbers cannot be free variables; run a separate design for each value"
+        )
     if "finish" in entry:
         lower, upper = _finish_bounds(entry["finish"], path)
     else:
@@ -296,7 +298,7 @@ def _constraint(name: str, table: Any, level: StiffnessLevel) -> Iterator[Constr
     result, entry = RESULTS[full], _table(table, where)
     _only(entry, ("at_most", "at_least", "contacts"), where)
     if "at_most" not in entry and "at_least" not in entry:
-        raise InputError(f"{where}: say 'at_most' or 'at_least'")
+        raise InputError(f"{where}: state 'at_most' or 'at_least'")
     rows = tuple(range(len(result.row_names)))
     if "contacts" in entry:
         listed = entry["contacts"]

@@ -8,19 +8,22 @@ import numpy as np
 
 from asperity.joint.results import RESULTS
 from asperity.joint_file.si_tables import key_at
+from asperity.show.style import mark_few_decades
 from asperity.study.design.design_evaluation import DesignEvaluator, exists
 from asperity.study.design.design_result import DesignResult
+from asperity.study.design.design_search import FEASIBLE
 from asperity.units import from_si
 
 if TYPE_CHECKING:
     import xarray
+    from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
 _POINTS = 31
 
 
 def design_figure(result: DesignResult) -> Figure:
-    """The objective along each variable through the design, with the range that meets all limits.
+    """The objective along each variable through the design: where all limits are met, and where no joint exists.
 
     Parameters
     ----------
@@ -33,7 +36,6 @@ def design_figure(result: DesignResult) -> Figure:
         One panel a variable.
     """
     from matplotlib.figure import Figure
-    from matplotlib.ticker import NullFormatter
 
     problem = result.problem
     evaluator = DesignEvaluator(problem)
@@ -54,26 +56,38 @@ def design_figure(result: DesignResult) -> Figure:
         key = key_at(variable.path)
         x = np.array([from_si(float(v), key.unit) for v in variable.from_unit(scaled[:, index])])
         raw = goal.sign * objectives[:, 0]
-        found = exists(objectives[:, 0])
+        joint = exists(objectives[:, 0]) & evaluator.existing(margins)
         y = np.full(_POINTS, np.nan)
-        y[found] = [from_si(float(v), objective.display_unit) for v in raw[found]]
+        y[joint] = [from_si(float(v), objective.display_unit) for v in raw[joint]]
         least = margins.min(axis=1)
-        fine = least >= -1e-6
+        place = int(np.flatnonzero(scaled[:, index] == centre[index])[0])
+        fine = joint & (least >= -FEASIBLE)
+        fine[place] = result.feasible  # as the search has judged it
         here = from_si(result.point[variable.path], key.unit)
+        judged = "all limits met" if result.feasible else "a limit is violated"
         axes.plot(x, y, color="0.65", lw=1.5, label="a limit is violated")
         axes.plot(x, np.where(fine, y, np.nan), color="C0", lw=2.5, label="all limits met")
         axes.plot(
-            here, from_si(result.objective_after, objective.display_unit), "o", color="C3", label="design"
+            here,
+            from_si(result.objective_after, objective.display_unit),
+            "o",
+            color="C3",
+            markersize=9,
+            markeredgewidth=2.5,
+            markeredgecolor="C0" if result.feasible else "0.65",
+            label=f"design: {judged}",
         )
-        below.plot(x, 100.0 * least, color="0.65", lw=1.5)
+        below.plot(x, 100.0 * np.where(joint, least, np.nan), color="0.65", lw=1.5)
         below.plot(x, np.where(fine, 100.0 * least, np.nan), color="C0", lw=2.5)
         below.axhline(0.0, color="k", lw=0.7)
         below.axvline(here, color="C3", lw=0.8)
-        below.set_ylim(max(-60.0, 100.0 * least.min() - 5.0), max(10.0, 100.0 * least.max() + 5.0))
+        shown = least[joint] if joint.any() else np.zeros(1)
+        below.set_ylim(max(-60.0, 100.0 * shown.min() - 5.0), max(10.0, 100.0 * shown.max() + 5.0))
+        for panel in (axes, below):
+            _shade(panel, x, ~joint)
         if variable.logarithmic:
             axes.set_xscale("log")
-            if variable.upper > 8.0 * variable.lower:
-                axes.xaxis.set_minor_formatter(NullFormatter())
+            mark_few_decades(axes.xaxis, float(x.min()), float(x.max()))
         axes.tick_params(labelbottom=False)
         below.set_xlabel(f"{variable.path} [{_shown(key.unit)}]", fontsize="small")
         if column == 0:
@@ -82,9 +96,17 @@ def design_figure(result: DesignResult) -> Figure:
         for panel in (axes, below):
             panel.grid(alpha=0.3)
         if index == 0:
+            axes.fill_between([], [], color="0.9", label="no joint exists")
             axes.legend(fontsize="small")
     figure.suptitle(f"{goal.text}, at its worst scenario", fontsize="medium")
     return figure
+
+
+def _shade(axes: Axes, x: np.ndarray, where: np.ndarray) -> None:
+    """Grey where nothing exists, from point to point."""
+    edges = np.concatenate([x[:1], 0.5 * (x[1:] + x[:-1]), x[-1:]])
+    for place in np.flatnonzero(where):
+        axes.axvspan(edges[place], edges[place + 1], color="0.9", linewidth=0.0, zorder=0)
 
 
 def pareto_figure(front: xarray.Dataset, objectives: tuple[str, ...]) -> Figure:

@@ -1,4 +1,4 @@
-"""What a design task is: free numbers, objectives, limits, and the scenarios in which they count."""
+"""A design task: free numbers, objectives, limits, and the scenarios in which they must hold."""
 
 from __future__ import annotations
 
@@ -69,7 +69,7 @@ class Objective:
 
     @property
     def text(self) -> str:
-        """In words."""
+        """Readable text."""
         return f"{'smallest' if self.sign > 0 else 'largest'} {RESULTS[self.name].label}"
 
 
@@ -120,7 +120,7 @@ class WorstCase:
 
 @dataclass(frozen=True)
 class DesignProblem:
-    """A design task, checked. ``starts`` and ``seed`` steer the search."""
+    """A design task, checked. ``starts`` and ``seed`` control the search."""
 
     case: Case
     joint_file: str
@@ -145,7 +145,7 @@ SUMMARY: dict[str, Literal["nominal", "largest", "smallest"]] = {
     "slip_ratio": "largest",
     "assembly_stiffness_output": "smallest",
 }
-#: Results that take a hundred force balances each: computed where they are asked for.
+#: Results that take a hundred force balances each: computed only on request.
 _COSTLY = ("torque_capacity", "torque_safety")
 
 

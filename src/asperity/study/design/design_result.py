@@ -1,4 +1,4 @@
-"""What comes out of a design: the joint, how it stands to its limits, and how sure it is that it is the best."""
+"""The result of a design: the joint, its values at the limits, and the evidence that it is a local optimum."""
 
 from __future__ import annotations
 

@@ -9,7 +9,7 @@ import numpy as np
 from asperity.joint_file.si_tables import si_values
 from asperity.study.design.design_evaluation import DesignEvaluator
 
-#: Margin below zero (logarithm of the ratio to the limit) that still counts as met: what the search leaves behind.
+#: Margin below zero (logarithm of the ratio to the limit) that still counts as met: the tolerance of the search.
 FEASIBLE = 1e-7
 
 #: A limit with a smaller margin than this is active.

@@ -121,7 +121,7 @@ def pareto_front(
     )
     if found.X is None:
         raise NoSolutionError(
-            "no design meets all limits; ask for one objective alone: the report then says which limits conflict"
+            "no design meets all limits; use a single objective: the report then names the limits that conflict"
         )
     scaled = np.atleast_2d(found.X)
     objectives, margins = evaluator.many(scaled)
@@ -142,7 +142,7 @@ def pareto_front(
 
 
 def _scales(evaluator: DesignEvaluator) -> np.ndarray:
-    """Sizes of the objectives at the joint of the file, so that crowding distances compare like with like."""
+    """Sizes of the objectives at the joint of the file, so that crowding distances are comparable."""
     middle = np.full((1, len(evaluator.variables)), 0.5)
     sizes = np.abs(evaluator.many(middle)[0][0])
     return np.where((sizes > 0.0) & exists(sizes), sizes, 1.0)

@@ -1,4 +1,4 @@
-"""Designs in standard sizes: the variables that have a step, rounded to it, and the others optimised anew."""
+"""Designs in standard sizes: the variables that have a step, rounded to it, and the others optimised again."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from asperity.study.design.design_search import FEASIBLE, SearchProgress, local_
 #: Variables that may have a step: each doubles the number of combinations.
 MOST_STEPPED = 6
 
-#: Combinations of rounded values for which the other variables are optimised anew: the most promising ones.
+#: Combinations of rounded values for which the other variables are optimised again: the most promising ones.
 _REFINED = 8
 
 
@@ -77,7 +77,7 @@ def rounded_design(
     Notes
     -----
     Every stepped variable is tried at the multiples of its step below and above; for the best of these combinations
-    the other variables are optimised anew. A better design further away is possible.
+    the other variables are optimised again. A better design further away is possible.
     """
     fixed = np.array([variable.step is not None for variable in evaluator.variables])
     point = evaluator.point(scaled)

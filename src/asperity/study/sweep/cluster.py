@@ -24,10 +24,10 @@ from asperity.study.sweep.sweep_plan import Plan, block_results
 
 #: Blocks handed out ahead of each worker, so that none waits.
 _AHEAD = 2
-#: Freed memory that a worker keeps, and the size of an array from which it would ask the system anew [bytes]. Dask's
-#: own setting hands all memory back after every block, and fetching it again is a quarter of the work.
+#: Freed memory that a worker keeps, and the size of an array above which it requests memory from the system [bytes].
+#: Dask's own setting returns all memory after every block, and requesting it again is a quarter of the work.
 _ALLOCATOR = {"MALLOC_TRIM_THRESHOLD_": str(1 << 28), "MALLOC_MMAP_THRESHOLD_": str(1 << 25)}
-#: One thread a worker: there is a worker for each core.
+#: Threads of each worker: there is one worker per core.
 _ONE_THREAD = "--xla_cpu_multi_thread_eigen=false intra_op_parallelism_threads=1"
 _PRE_SPAWN = "distributed.nanny.pre-spawn-environ"
 _CONNECT_SECONDS = "10s"

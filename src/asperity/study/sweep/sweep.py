@@ -69,9 +69,9 @@ def sweep(
     workers : int, optional
         Local processes; 0 for none, by default as many as there are cores where the sweep is large.
     block_points : int, optional
-        Points of a block at most.
+        Largest number of points of a block.
     report : callable, optional
-        Called with the points done and the points of the whole.
+        Called with the number of points done and of all points.
     notice : callable, optional
         Called with a sentence about a damaged store that is repaired.
 

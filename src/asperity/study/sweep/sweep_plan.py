@@ -155,7 +155,7 @@ def block_shape(shape: tuple[int, ...], most: int) -> tuple[int, ...]:
     shape : tuple of int
         Points of the grid.
     most : int
-        Points of a block at most.
+        Largest number of points of a block.
 
     Returns
     -------

@@ -52,7 +52,7 @@ def check_table_path(path: str | Path, *, overwrite: bool) -> None:
 
 
 def frame(dataset: xarray.Dataset) -> pandas.DataFrame:
-    """A dataset as a flat table: one row a point, units in the column names.
+    """A dataset as a flat table: one row per point, units in the column names.
 
     Parameters
     ----------
@@ -92,7 +92,7 @@ def _header(name: str, variable: xarray.DataArray) -> str:
 
 
 def write_table(dataset: xarray.Dataset, path: str | Path) -> None:
-    """Write a dataset to one file, whole or not at all.
+    """Write a dataset to one file, completely or not at all.
 
     Parameters
     ----------

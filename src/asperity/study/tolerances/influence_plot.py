@@ -1,4 +1,4 @@
-"""Plots of what matters: tornado of elasticities, histograms and Sobol indices."""
+"""Plots of influences: tornado of elasticities, histograms and Sobol indices."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ def tornado_figure(sensitivities: xarray.Dataset, *, result: str) -> Figure:
     Returns
     -------
     matplotlib.figure.Figure
-        One panel a result, one bar an input: per cent of change for one per cent more of the input.
+        One panel per result, one bar per input: change of the result in per cent for one per cent more of the input.
 
     Raises
     ------

@@ -18,7 +18,7 @@ from asperity.joint.document import stiffness_unknown_because
 from asperity.joint.results import LEVELS, RESULTS, known_result, row_name
 from asperity.joint.solve import solve
 from asperity.joint.status import ALL_PLASTIC, STATUS_MEANINGS, UNBALANCED
-from asperity.joint_file.build import joint_from_case
+from asperity.joint_file.build import joint_from_case, with_nominal_sizes
 from asperity.joint_file.model import Case
 from asperity.joint_file.si_tables import numeric_keys, si_values
 from asperity.precision import require_double_precision
@@ -96,7 +96,7 @@ def sensitivity(case: Case, results: Sequence[str] = DEFAULT_RESULTS) -> xarray.
     inputs = numeric_keys(case)
     x = np.array([entry.value for entry in inputs.values()])
     point = {path: np.array([entry.value]) for path, entry in inputs.items()}
-    status, values, slopes = derivatives_at(si_values(case), point, names, tuple(inputs))
+    status, values, slopes = derivatives_at(with_nominal_sizes(si_values(case)), point, names, tuple(inputs))
     y = np.concatenate([values[name][:, 0] for name in names])
     if status[0] != ALL_PLASTIC or np.isnan(y).any():
         refuse_failed(case, int(status[0]))

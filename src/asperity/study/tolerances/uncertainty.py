@@ -1,4 +1,4 @@
-"""From the tolerances of a joint file to intervals of its results, and to the tolerances that make them.
+"""From the tolerances of a joint file to intervals of its results, and the contribution of each tolerance.
 
 Monte-Carlo sampling for the intervals; Sobol indices, with a sample of their own, for the shares of the variance.
 """
@@ -14,6 +14,7 @@ import numpy as np
 from asperity.errors import InputError
 from asperity.joint.results import LEVELS, RESULTS, chosen_results
 from asperity.joint.status import STATUS_NAMES
+from asperity.joint_file.build import with_nominal_sizes
 from asperity.joint_file.distribution import FORMS, Distribution
 from asperity.joint_file.model import Case
 from asperity.joint_file.si_tables import NumericKey, numeric_keys, si_values
@@ -121,11 +122,11 @@ def uncertainty(
     distribution : Distribution, optional
         For the tolerances whose distribution the file does not state.
     samples : int, optional
-        Monte-Carlo samples; about as many again serve the Sobol indices.
+        Monte-Carlo samples; about the same number is added for the Sobol indices.
     seed : int, optional
         Of the random numbers: the same seed, the same sample.
     report : callable, optional
-        Called with the points done and the points in all.
+        Called with the number of points done and of all points.
 
     Returns
     -------
@@ -133,8 +134,8 @@ def uncertainty(
         Along ``result``: ``nominal``, ``mean``, ``standard_deviation``, ``quantiles`` (at 2.5, 50 and 97.5 %),
         ``first_order`` and ``total_order`` Sobol indices along ``input`` with 95 % confidence half-widths. Along
         ``sample``: the samples themselves and their ``status``. Statistics are those of the solved samples; Sobol
-        indices are nan where any of their samples has no result. A result that is no quantity, such as the contact that
-        slips first, has samples only.
+        indices are nan where any of their samples has no result. A result that is not a quantity, such as the contact
+        that slips first, has samples only.
 
     Raises
     ------
@@ -156,12 +157,12 @@ def uncertainty(
     names, inputs = chosen_results(results), toleranced_inputs(case, otherwise=distribution)
     if samples < _FEWEST:
         raise InputError(f"{samples} samples are too few for 95 % intervals; at least {_FEWEST} are needed")
-    tables = si_values(case)
+    tables = with_nominal_sizes(si_values(case))
     rows = result_rows(names)
     most = _MOST_NUMBERS // (2 * (len(rows) + len(inputs)))
     if samples > most:
         raise InputError(
-            f"{samples} samples of {len(rows)} results are too many for the memory; at most {most} are allowed; "
+            f"{samples} samples of {len(rows)} results need too much memory; at most {most} are allowed; "
             "choose fewer samples, or fewer results"
         )
     base = 1 << max(math.floor(math.log2(samples / (len(inputs) + 2))), 3)
@@ -193,7 +194,7 @@ def uncertainty(
         raise InputError(
             f"only {solved.shape[1]} of {samples} samples have a result: the tolerances are too wide"
         )
-    # what is no quantity, such as the number of a contact, has samples, but no mean, no quantiles and no variance
+    # a category, such as the contact that slips first, has samples, but no mean, no quantiles and no variance
     numbered = np.array([not RESULTS[name].categories for name in names for _ in RESULTS[name].row_names])
     quantity = np.where(numbered[:, None], solved, np.nan)
     indices[~numbered], nominal = np.nan, np.where(numbered, nominal, np.nan)

@@ -1,0 +1,201 @@
+"""Write docs/joint_file.md from the model of joint files: `python docs/generate_joint_file.py`.
+
+`--check` only compares. `--measure` first computes which results each number moves, in a joint with every section.
+"""
+
+from __future__ import annotations
+
+import json
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any, Literal, get_args, get_origin
+
+from pydantic.fields import FieldInfo
+
+from asperity.joint_file.model import Case, EachContact, Section
+from asperity.joint_file.quantity_key import Key
+
+PAGE = Path(__file__).with_name("joint_file.md")
+MOVES = Path(__file__).with_name("joint_file_moves.json")
+EXAMPLE = Path(__file__).parents[1] / "examples" / "zou2025.toml"
+
+HEAD = """\
+# Joint files
+
+<!-- Written by docs/generate_joint_file.py from asperity.joint_file.model; edit the model, then run it. -->
+
+A joint file is TOML. `asperity init` writes one with comments; `asperity schema` prints the JSON schema, with
+which an editor completes and checks keys. A quantity is text with its unit in any unit of its kind, `"13.5
+mm"`, and may have a tolerance and a distribution, `"13.5 mm +- 5 um"`. Numbers without a unit are plain. A key
+that is not listed here is an error.
+
+*Moves* names the results that change with the number, computed by exact derivatives for the joint of the paper
+with bearings, springs, skew and oil; results that change by less than one part in a million for one per cent
+are left out. *All seven* are published and assembled stiffness, torque capacity, pressure, drift, efficiency
+and life. The range only catches typing errors where physics sets no bound. The results themselves are on the
+page [](results.md).
+"""
+
+#: Results that the page names, with the words for them.
+NAMED = {
+    "published_stiffness_output": "published stiffness",
+    "assembly_stiffness_output": "assembled stiffness",
+    "torque_capacity": "torque capacity",
+    "pressure_over_first_yield": "pressure",
+    "drift": "drift",
+    "efficiency": "efficiency",
+    "life_hours": "life",
+}
+
+#: Keys and sections that the example leaves out.
+LENGTHS = """planet_length = "5 mm"
+loading_roller_length = "5 mm"
+
+"""
+SECTIONS = """
+[bearings]
+sun_torque = "0.001 N*m"
+loading_roller_torque = "0.0005 N*m"
+carrier_torque = "0.005 N*m"
+pin_friction_coefficient = 0.002
+pin_diameter = "4 mm"
+
+[compliance]
+ring_bending_stiffness = "63 N/um"
+pin_stiffness = "100 N/um"
+pin_transverse_stiffness = "10 N/um"
+planet_support_stiffness = "1 N/um"
+input_shaft_stiffness = "500 N*m/rad"
+output_shaft_stiffness = "50000 N*m/rad"
+
+[rolling]
+skew = "0.2 mrad"
+hysteresis_factor = 0.01
+reliability = 0.95
+
+[lubrication]
+viscosity = "30 mPa*s"
+"""
+
+
+def _parts(annotation: Any) -> Iterator[Any]:
+    """An annotation and everything inside it."""
+    yield annotation
+    for part in get_args(annotation):
+        yield from _parts(part)
+
+
+def _key(field: FieldInfo) -> Key | None:
+    for part in (*field.metadata, *_parts(field.annotation)):
+        if isinstance(part, Key):
+            return part
+    return None
+
+
+def _choices(field: FieldInfo) -> tuple[str, ...]:
+    return next((get_args(p) for p in _parts(field.annotation) if get_origin(p) is Literal), ())
+
+
+def _allowed(field: FieldInfo) -> tuple[str, str]:
+    """Unit and range of a key, or its choices."""
+    key = _key(field)
+    if key is not None:
+        unit = "" if key.unit == "1" else key.unit
+        low, high = (
+            f"{bound:g}".replace("e+0", "e").replace("e-0", "e-") for bound in (key.lower, key.upper)
+        )
+        lower, upper = (
+            f"{'above ' if key.open_lower else ''}{low}",
+            f"{'below ' if key.open_upper else ''}{high}",
+        )
+        return unit or "-", f"{lower} to {upper}{', whole' if key.whole else ''}"
+    choices = _choices(field)
+    return "", ", ".join(f"`{choice}`" for choice in choices)
+
+
+def _sections() -> Iterator[tuple[str, type[Section], str]]:
+    """Header in the file, model and description of every section."""
+    for name, field in Case.model_fields.items():
+        models = [p for p in _parts(field.annotation) if isinstance(p, type) and issubclass(p, Section)]
+        model = next(m for m in models if not issubclass(m, EachContact))
+        header = {"duty": "[[duty]]", "materials": "[materials.NAME]"}.get(name, f"[{name}]")
+        yield header, model, field.description or ""
+
+
+def _moves() -> dict[str, list[str]]:
+    found: dict[str, list[str]] = json.loads(MOVES.read_text(encoding="utf-8"))
+    return found
+
+
+def _table(header: str, model: type[Section], moves: dict[str, list[str]]) -> Iterator[str]:
+    yield "| key | meaning | unit | range or choices | moves |\n|---|---|---|---|---|"
+    section = header.strip("[]").split(".")[0]
+    for name, field in model.model_fields.items():
+        unit, allowed = _allowed(field)
+        moved = moves.get(f"{section}.{name}", [])
+        named = "all seven" if len(moved) == len(NAMED) else ", ".join(moved)
+        optional = "" if field.is_required() else " *Optional.*"
+        meaning = " ".join((field.description or "").split())
+        yield f"| `{name}` | {meaning}{optional} | {unit} | {allowed} | {named} |"
+    yield ""
+
+
+def page() -> str:
+    """The page as it must be."""
+    moves = _moves()
+    parts = [HEAD]
+    for header, model, description in _sections():
+        parts += [f"## `{header}`\n", description + "\n", *_table(header, model, moves)]
+    return "\n".join(parts)
+
+
+def measured() -> dict[str, list[str]]:
+    """Which results each number moves: key of the file → words for the results."""
+    from asperity.joint_file.reader import parse_case
+    from asperity.precision import use_double_precision
+    from asperity.study.tolerances.sensitivity import sensitivity
+
+    use_double_precision()
+    text = EXAMPLE.read_text(encoding="utf-8").replace("[load]", LENGTHS + "[load]")
+    case = parse_case(text + SECTIONS, source=EXAMPLE.name)
+    found = sensitivity(case, tuple(NAMED))
+    moves: dict[str, list[str]] = {}
+    for path in map(str, found["input"].values):
+        section, *_, key = path.split(".")
+        here = moves.setdefault(f"{section}.{key}", [])
+        one = found.sel(input=path)
+        for row, words in zip(map(str, found["result"].values), _words(found), strict=True):
+            value = abs(float(one["value"])) or 1.0  # an angle of zero: per radian
+            change = (
+                0.01
+                * value
+                * float(one["derivative"].sel(result=row))
+                / float(one["result_value"].sel(result=row))
+            )
+            if abs(change) > 1e-6 and words not in here:
+                here.append(words)
+    return {name: sorted(words, key=list(NAMED.values()).index) for name, words in moves.items()}
+
+
+def _words(found: Any) -> Iterator[str]:
+    """Words for each row of the sensitivities; the results of contacts have five."""
+    for row in map(str, found["result"].values):
+        yield next(words for name, words in NAMED.items() if row == name or row.startswith(f"{name}_"))
+
+
+def main() -> int:
+    """Write the page, or with --check say whether it is current."""
+    if "--measure" in sys.argv[1:]:
+        MOVES.write_text(json.dumps(measured(), indent=1) + "\n", encoding="utf-8")
+    if "--check" in sys.argv[1:]:
+        if PAGE.read_text(encoding="utf-8") == page():
+            return 0
+        print("docs/joint_file.md is out of date: run `python docs/generate_joint_file.py`", file=sys.stderr)
+        return 1
+    PAGE.write_text(page(), encoding="utf-8")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

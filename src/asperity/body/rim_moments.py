@@ -1,0 +1,231 @@
+r"""Kernels of a rim that depend on its geometry only, and the moments of the contacts that weight them.
+
+The displacement of one contact under the load of another is the mean of a kernel :math:`f(\theta)` over both punch
+pressures. Away from the loaded rim, and from other contacts, the kernel is smooth:
+
+.. math::
+    \overline{f(\theta + \xi)} = \sum_{k\ge0} \frac{\overline{\xi^{2k}}}{(2k)!}\, f^{(2k)}(\theta), \qquad
+    \frac{\overline{\xi^{2k}}}{(2k)!} = \frac1{4^k} \sum_{j=0}^k \frac{\alpha^{2j}\beta^{2k-2j}}{j!^2\,(k-j)!^2} .
+
+The load changes the moments only. The derivatives of the kernel, with all sums over modes and over equal sectors, are
+those of the unloaded machine: in a batch of loads they are found once.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+import jax
+import jax.numpy as jnp
+import numpy as np
+from jax import Array
+
+from asperity.body.annulus_modes import Wall, added_compliance
+from asperity.body.rigid_modes import translation_compliance
+from asperity.body.rim_kernel import separated_derivatives
+from asperity.types import Real
+
+#: Moments that are used, from the zeroth on.
+MOMENTS = 5
+#: Half-width over wall thickness up to which they suffice, with an error of 1e-7 of a compliance.
+WIDEST_CONTACT = 0.2
+#: Largest number of equal sectors.
+MOST_SECTORS = 100
+#: Share of the first omitted mode, below which the sum ends.
+_OMITTED = 1e-11
+_CHUNK, _CHUNKS = 8, 128
+#: Even derivatives of the closed sums that are used.
+_CLOSED = 3
+
+
+class RimKernel(NamedTuple):
+    """Even derivatives of the displacements under unit forces, by the angle; shape (derivatives, places, ...).
+
+    Parameters
+    ----------
+    radial, tangential : Array
+        Along the force, in units of 1/(4 pi G L) [-].
+    coupling : Array
+        Radial under tangential; odd in the angle [-].
+    """
+
+    radial: Array
+    tangential: Array
+    coupling: Array
+
+
+def weighted_mean(kernel: Array, square_1: Array, square_2: Array) -> Array:
+    r"""Mean of a kernel over the pressures of two punches.
+
+    .. math::
+        \overline{f(\theta + \xi)} = \sum_{j,k} \frac{(\alpha/2)^{2j}}{j!^2} \frac{(\beta/2)^{2k}}{k!^2} f^{(2j+2k)}
+
+    Parameters
+    ----------
+    kernel : Array
+        Even derivatives, the first :data:`MOMENTS`, shape (derivatives, ...) [-].
+    square_1, square_2 : Array
+        Squares of the half-widths over the radius, shape (...) [-].
+
+    Returns
+    -------
+    Array
+        Mean, shape (...) [-].
+
+    References
+    ----------
+    Moments of the arcsine distribution, :math:`\overline{x^{2j}} = \binom{2j}{j} (\alpha/2)^{2j}`.
+    """
+    first: list[Array] = []
+    second: list[Array] = []
+    for powers, square in ((first, 0.25 * square_1), (second, 0.25 * square_2)):
+        powers.append(square)
+        for order in range(2, MOMENTS):
+            powers.append(powers[-1] * square * (1.0 / order**2))
+    total = kernel[0]
+    for order in range(1, MOMENTS):
+        weight = first[order - 1] + second[order - 1]
+        for j in range(1, order):
+            weight = weight + first[j - 1] * second[order - j - 1]
+        total = total + weight * kernel[order]
+    return total
+
+
+def closed_kernel(*, angle: Array, plus: Real, minus: Real, sectors: Array) -> RimKernel:
+    """Kernel of discs, or of holes in infinite plates, summed over the equal sectors of a machine.
+
+    Parameters
+    ----------
+    angle : Array
+        Angles between the contacts of one sector, shape (places, ...) [rad]. 0 for a contact itself, whose own
+        pressure is left out.
+    plus, minus : Real
+        Weights of the sums over 1/(n+1) and 1/(n-1): Kolosov's constant and 1 for a disc, 1 and Kolosov's constant for
+        a hole, shape (places, ...) [-].
+    sectors : Array
+        Number of sectors, 1 for a body of one sector, shape (places, ...) [-].
+
+    Returns
+    -------
+    RimKernel
+        Without uniform pressure and without the far rim of an annulus.
+
+    References
+    ----------
+    Equations (E1) and (E2) of :doc:`/equations`.
+    """
+    shape = jnp.broadcast_shapes(jnp.shape(angle), jnp.shape(plus), jnp.shape(minus), jnp.shape(sectors))
+    zero = jnp.zeros((_CLOSED, *shape))
+    turn = 2.0 * math.pi / sectors
+
+    def one_more(total: tuple[Array, Array], sector: Array) -> tuple[tuple[Array, Array], None]:
+        def added(total: tuple[Array, Array]) -> tuple[Array, Array]:
+            there = (sector < sectors) & ((sector > 0.0) | (angle != 0.0))
+            sums = separated_derivatives(jnp.where(there, angle + turn * sector, math.pi))
+            straight = plus * sums.cosine_plus + minus * sums.cosine_minus
+            crossed = plus * sums.sine_plus - minus * sums.sine_minus
+            return total[0] + jnp.where(there, straight, 0.0), total[1] + jnp.where(there, crossed, 0.0)
+
+        return jax.lax.cond(jnp.any(sector < sectors), added, lambda total: total, total), None
+
+    (straight, crossed), _ = jax.lax.scan(one_more, (zero, zero), jnp.arange(MOST_SECTORS, dtype=float))
+    none = jnp.zeros((MOMENTS - _CLOSED, *shape))
+    straight, crossed = jnp.concatenate([straight, none]), jnp.concatenate([crossed, none])
+    return RimKernel(straight, straight, crossed)
+
+
+def walls_resolved(*, ratio: Real, sectors: Real, one_sector: bool) -> Array:
+    """Whether the modes of :func:`other_rim` suffice for a wall.
+
+    Parameters
+    ----------
+    ratio : Real
+        Inner over outer radius [-].
+    sectors : Real
+        Number of equal sectors that load the annulus [-].
+    one_sector : bool
+        Whether it belongs to one sector only.
+
+    Returns
+    -------
+    Array
+        Truth values: walls from about 1 % of the radius on, from 2 % for a body of one sector.
+
+    References
+    ----------
+    Equation (E2) of :doc:`/equations`.
+    """
+    first, step = (2.0, 1.0) if one_sector else (sectors, sectors)
+    return jnp.asarray(_omitted(first + step * (_CHUNK * _CHUNKS), ratio) <= _OMITTED)
+
+
+def _omitted(mode: Real, rate: Real) -> Real:
+    """Share of a mode in the compliance of an annulus."""
+    return mode**2 * rate ** (2.0 * mode)
+
+
+def other_rim(*, wall: Wall, angle: Array, sectors: Array, one_sector: np.ndarray) -> RimKernel:
+    r"""Contribution of the far rim of annuli: the modes n >= 1, summed until the rest is negligible.
+
+    .. math:: \sum_n (-n^2)^k\, H_n \cos n\Delta, \qquad n = m, 2m, \dots \text{ or } 2, 3, \dots
+
+    Parameters
+    ----------
+    wall : Wall
+        The annuli, shape (places, ...).
+    angle : Array
+        Angles between the contacts, 0 for a contact itself, shape (places, ...) [rad].
+    sectors : Array
+        Number m of equal sectors that load the annulus, 1 for one [-].
+    one_sector : ndarray
+        Whether an annulus belongs to one sector only, shape (places, 1, ...).
+
+    Returns
+    -------
+    RimKernel
+        For all sectors together; nan where the wall is so thin that the modes do not suffice.
+
+    References
+    ----------
+    Equation (E2) of :doc:`/equations`.
+    """
+    first = jnp.where(one_sector, 2.0, sectors)
+    rate = wall.ratio**wall.side
+    shapes = [jnp.shape(leaf) for leaf in jax.tree.leaves((wall, rate, first))]
+    shape = jnp.broadcast_shapes(angle.shape, *shapes)
+    zero = jnp.zeros((MOMENTS, *shape))
+
+    def left(chunk: Array) -> Array:
+        """Share of the first mode of a chunk."""
+        return jnp.asarray(_omitted(first + sectors * (_CHUNK * chunk), rate))
+
+    def one_mode(total: RimKernel, index: Array) -> tuple[RimKernel, None]:
+        mode = first + sectors * index
+        added = added_compliance(mode=mode, decay=rate**mode, wall=wall)
+        square = -(mode**2)
+        power = jnp.stack([square**order for order in range(MOMENTS)])
+        cosine, sine = jnp.cos(mode * angle), jnp.sin(mode * angle)
+        return RimKernel(
+            total.radial + power * (added.radial * cosine),
+            total.tangential + power * (added.tangential * cosine),
+            total.coupling + power * (added.coupling * sine),
+        ), None
+
+    def one_chunk(total: RimKernel, chunk: Array) -> tuple[RimKernel, None]:
+        def summed(total: RimKernel) -> RimKernel:
+            return jax.lax.scan(one_mode, total, chunk * _CHUNK + jnp.arange(_CHUNK, dtype=float))[0]
+
+        return jax.lax.cond(jnp.any(left(chunk) > _OMITTED), summed, lambda total: total, total), None
+
+    total, _ = jax.lax.scan(one_chunk, RimKernel(zero, zero, zero), jnp.arange(_CHUNKS, dtype=float))
+    converged = left(jnp.asarray(float(_CHUNKS))) <= _OMITTED
+    total = RimKernel(*(jnp.where(converged, sectors * part, jnp.nan) for part in total))
+    if not one_sector.any():
+        return total
+    moved = translation_compliance(wall)
+    sign = (one_sector * 1.0) * ((-1.0) ** np.arange(MOMENTS)).reshape((-1,) + (1,) * len(shape))
+    turned = jnp.cos(angle), jnp.cos(angle), jnp.sin(angle)
+    return RimKernel(
+        *(part + sign * (mode * turn) for part, mode, turn in zip(total, moved, turned, strict=True))
+    )

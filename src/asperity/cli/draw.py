@@ -1,0 +1,68 @@
+"""``asperity draw``: the drive of a joint file to scale."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import click
+
+from asperity.cli.terminal import say, say_written
+from asperity.errors import InputError
+from asperity.writing import IMAGE_SUFFIXES, check_file, write_image, write_text
+
+
+@click.command()
+@click.argument("file", type=click.Path())
+@click.option(
+    "--out",
+    required=True,
+    type=click.Path(dir_okay=False),
+    help="Write the drawing to this file: .svg, .pdf, .png or .dxf.",
+)
+@click.option(
+    "--forces", is_flag=True, help="Draw the forces of one branch too, under the torque of the file."
+)
+def draw(file: str, out: str, forces: bool) -> None:
+    """Draw the drive described in FILE to scale: rollers, ring, axes and pins, with diameters and clearances in mm.
+
+    The scale is the largest standard one that fits the sheet (A4, with --forces A3); print it in full size. A wall of
+    the ring that is thicker than half the inner radius is broken off, and the drawing says so. A DXF file contains the
+    true sizes in mm; it needs the optional package ezdxf.
+    """
+    from asperity.joint_file.reader import read_case
+
+    suffix = Path(out).suffix.lower()
+    if suffix not in (*IMAGE_SUFFIXES, ".dxf"):
+        raise InputError(f"{out}: the name of a drawing must end in .svg, .pdf, .png or .dxf")
+    check_file(out, file)
+    if suffix == ".dxf":
+        from asperity.show.sheet_dxf import require_ezdxf
+
+        require_ezdxf()
+    case = read_case(file)
+    from asperity.precision import use_compilation_cache, use_double_precision
+
+    use_double_precision()
+    use_compilation_cache()
+    from asperity.joint_file.build import joint_from_case
+    from asperity.show.drive_sheet import drive_sheet
+
+    joint = joint_from_case(case)
+    found = None
+    if forces:
+        from asperity.joint.solve import solve
+
+        found = solve(joint).result.forces
+    sheet = drive_sheet(joint, name=file, forces=found)
+    if suffix == ".dxf":
+        from asperity.show.sheet_dxf import sheet_dxf
+
+        write_text(sheet_dxf(sheet), out)
+    else:
+        from asperity.show.sheet_figure import sheet_figure
+
+        write_image(sheet_figure(sheet), out)
+    say_written(out)
+    overlaps = [text for text in sheet.texts if "OVERLAP" in text]
+    if overlaps:
+        say(f"asperity: warning: {file}: {'; '.join(overlaps)}")

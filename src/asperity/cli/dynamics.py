@@ -1,0 +1,119 @@
+"""``asperity dynamics``: natural frequencies and frequency response of a joint between motor and load."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import click
+
+from asperity.cli.columns import write_columns
+from asperity.cli.terminal import say_written
+from asperity.writing import check_file, check_image, write_image
+
+
+@click.command()
+@click.argument("file", type=click.Path())
+@click.option(
+    "--plot",
+    "plot_file",
+    type=click.Path(dir_okay=False),
+    help="Draw the frequency response, and the natural frequencies over torque: PNG, SVG or PDF.",
+)
+@click.option(
+    "--csv",
+    "csv_file",
+    type=click.Path(dir_okay=False),
+    help="Write the frequency response to this CSV file.",
+)
+@click.option(
+    "--json", "as_json", is_flag=True, help="Print one JSON document in SI units instead of tables."
+)
+def dynamics(file: str, plot_file: str | None, csv_file: str | None, as_json: bool) -> None:
+    """Natural frequencies and frequency response of the joint described in FILE, with motor and load.
+
+    The section [dynamics] of FILE gives the inertias of motor and load. The joint is linear about its output torque.
+    While it turns, creep acts as a damper in series with its spring.
+    """
+    from asperity.joint_file.reader import read_case
+
+    check_image(plot_file)
+    check_file(csv_file, file)
+    case = read_case(file)
+    from asperity.joint_file.build import inertias_from_case, joint_from_case
+    from asperity.precision import use_compilation_cache, use_double_precision
+
+    use_double_precision()
+    inertias = inertias_from_case(case)
+    use_compilation_cache()
+    from asperity.joint.dynamics import dynamics as solved_dynamics
+    from asperity.joint.dynamics import dynamics_document, response_columns
+
+    found = solved_dynamics(joint_from_case(case), inertias)
+    if csv_file:
+        write_columns(response_columns(found), csv_file)
+        say_written(csv_file)
+    if plot_file:
+        from asperity.show.dynamics_figure import dynamics_figure
+        from asperity.show.style import plain_title
+
+        write_image(dynamics_figure(found, title=f"{plain_title(file)} between motor and load"), plot_file)
+        say_written(plot_file)
+    document = dynamics_document(found, inertias)
+    if as_json:
+        import json
+
+        click.echo(json.dumps(document, indent=2, allow_nan=False))
+        return
+    _show(document, file, damped=case.dynamics is not None and case.dynamics.loss_factor is not None)
+
+
+def _show(document: dict[str, Any], file: str, *, damped: bool) -> None:
+    from rich.markup import escape
+
+    from asperity.cli.document_text import number, print_wrapped
+    from asperity.cli.terminal import console, table
+
+    target = console()
+    at = document["at_torque"]
+    target.print(escape(file))
+    target.print()
+    shown = table(target, f"At an output torque of {number(at['output_torque_Nm'])} N·m", "quantity", "value")
+    shown.add_row(
+        "torsional stiffness at the output, assembled", f"{number(at['stiffness_output_Nm_per_rad'])} N·m/rad"
+    )
+    shown.add_row(
+        "inertia of motor and sun, at the output", f"{number(at['input_inertia_at_output_kg_m2'])} kg·m²"
+    )
+    shown.add_row("inertia of load, planets and rollers", f"{number(at['output_inertia_kg_m2'])} kg·m²")
+    shown.add_row(
+        "natural frequency, motor locked (antiresonance)", f"{number(at['locked_frequency_Hz'])} Hz"
+    )
+    shown.add_row("natural frequency, both sides free (resonance)", f"{number(at['free_frequency_Hz'])} Hz")
+    if at["creep_damping_Nms_per_rad"] is not None:
+        shown.add_row("creep: torque per speed lost", f"{number(at['creep_damping_Nms_per_rad'])} N·m·s/rad")
+        shown.add_row("creep: corner frequency", f"{number(at['corner_frequency_Hz'])} Hz")
+    target.print(shown)
+    over = document["over_torque"]
+    rows = table(
+        target,
+        "Over torque",
+        "torque N·m",
+        "stiffness N·m/rad",
+        "motor locked Hz",
+        "both free Hz",
+        "creep corner Hz",
+    )
+    for index in range(0, len(over["output_torque_Nm"]), 4):
+        keys = ("output_torque_Nm", "stiffness_output_Nm_per_rad", "locked_frequency_Hz", "free_frequency_Hz")
+        rows.add_row(*(number(over[key][index]) for key in (*keys, "corner_frequency_Hz")))
+    target.print(rows)
+    said = (
+        "Below the creep corner frequency a joint that turns yields like a damper, above it like its spring. "
+        if at["creep_damping_Nms_per_rad"] is not None
+        else "The sun stands: creep does not act. "
+    )
+    if not damped:
+        said += (
+            "No dynamics.loss_factor: the spring loses no work, and nothing but creep limits the resonance. "
+        )
+    print_wrapped(target, said + "Play is not part of it.", indent=0)

@@ -1,0 +1,318 @@
+"""A joint between motor and load: natural frequencies at its torque, damping by creep, frequency response."""
+
+from __future__ import annotations
+
+import dataclasses
+from typing import Any
+
+import equinox as eqx
+import jax
+import jax.numpy as jnp
+import numpy as np
+from jax import Array
+
+from asperity.compilation import compile_fast
+from asperity.drive.dynamics import (
+    drive_inertia,
+    dynamic_stiffness,
+    frequency_response,
+    natural_frequencies,
+    roller_inertia,
+)
+from asperity.drive.geometry import carrier_speed, speed_ratio
+from asperity.errors import InputError
+from asperity.joint.description import Joint, with_one_rank
+from asperity.joint.evaluation import evaluate, loading_roller_mass, planet_mass, roller_mass
+from asperity.joint.solve import solve
+from asperity.types import Real
+
+_FREQUENCIES = 400
+_TORQUES = 25
+_NEAR_CAPACITY = 0.98
+
+
+class Inertias(eqx.Module):
+    """What is coupled to a joint. SI units.
+
+    Parameters
+    ----------
+    input : Real
+        Moment of inertia of motor and coupling at the sun [kg·m^2].
+    output : Real
+        Moment of inertia of the load at the carrier [kg·m^2].
+    loss_factor : Real
+        Loss factor of the joint's spring [-].
+    """
+
+    input: Real
+    output: Real
+    loss_factor: Real
+
+
+class JointDynamics(eqx.Module):
+    """A joint with its inertias, linear about its torque. SI units, all referred to the output.
+
+    Parameters
+    ----------
+    output_torque : Array
+        Torque about which it is linear [N·m].
+    stiffness : Array
+        Incremental stiffness of the assembled joint [N·m/rad].
+    input_inertia : Array
+        Inertia of motor and sun times the square of the speed ratio [kg·m^2].
+    output_inertia : Array
+        Inertia of load, planets and loading rollers [kg·m^2]; the carrier belongs to the load.
+    locked_frequency, free_frequency : Array
+        Natural frequencies with the motor locked, and with both sides free [Hz].
+    creep_damping : Array
+        Torque per speed lost by creep [N·m·s/rad]; infinite where the sun stands, nan where the joint does not roll.
+    corner_frequency : Array
+        Where creep and spring yield equally [Hz]: below it the joint that turns is a damper, above it a spring; 0
+        where the sun stands.
+    """
+
+    output_torque: Array
+    stiffness: Array
+    input_inertia: Array
+    output_inertia: Array
+    locked_frequency: Array
+    free_frequency: Array
+    creep_damping: Array
+    corner_frequency: Array
+
+
+def joint_dynamics(joint: Joint, inertias: Inertias) -> JointDynamics:
+    r"""Natural frequencies and damping of a joint about its torque; pure.
+
+    .. math::
+        J_1 = i^2 (J_{motor} + I_s), \qquad J_2 = J_{load} + J_{drive}, \qquad
+        \frac1c = \frac{\partial(s\,\omega_c)}{\partial T}, \qquad f_c = \frac{K}{2\pi c}
+
+    Parameters
+    ----------
+    joint : Joint
+        One joint, or many along trailing batch axes.
+    inertias : Inertias
+        What is coupled to it.
+
+    Returns
+    -------
+    JointDynamics
+        nan where the joint has no solution.
+
+    Notes
+    -----
+    Play is not part of it: a joint that passes through its play is not linear.
+
+    References
+    ----------
+    Equations (D1)–(D3) of :doc:`/equations`.
+    """
+    joint = with_one_rank(joint)
+    geometry, bodies = joint.geometry, joint.bodies
+
+    speed = jnp.abs(jnp.asarray(carrier_speed(geometry=geometry, sun_speed=joint.sun_speed)))
+
+    def lost_speed(torque: Array) -> tuple[Array, Array]:
+        result = evaluate(dataclasses.replace(joint, output_torque=torque))
+        stiffness = jnp.where(result.solved, result.assembly.stiffness.output, jnp.nan)
+        return result.rolling.speed_loss * speed, stiffness
+
+    torque = jnp.asarray(joint.output_torque)
+    _, slope, stiffness = jax.jvp(lost_speed, (torque,), (jnp.ones_like(torque),), has_aux=True)
+    sun_mass = roller_mass(
+        density=bodies.sun.density, radius=geometry.sun_radius, length=joint.contact_lengths[0], bore=0.0
+    )
+    sun = roller_inertia(mass=sun_mass, radius=geometry.sun_radius, bore_diameter=0.0)
+    planet, roller = planet_mass(joint), loading_roller_mass(joint)
+    moving = drive_inertia(
+        geometry=geometry,
+        planet_mass=planet,
+        planet_inertia=roller_inertia(
+            mass=planet, radius=geometry.planet_radius, bore_diameter=_bore(joint.planet_bore)
+        ),
+        loading_roller_mass=roller,
+        loading_roller_inertia=roller_inertia(
+            mass=roller, radius=geometry.loading_roller_radius, bore_diameter=_bore(joint.loading_roller_bore)
+        ),
+    )
+    input_inertia = speed_ratio(geometry) ** 2 * (inertias.input + sun)
+    output_inertia = inertias.output + moving
+    frequencies = natural_frequencies(
+        stiffness=stiffness, input_inertia=input_inertia, output_inertia=output_inertia
+    )
+    turns = slope > 0.0
+    damping = jnp.where(
+        turns, 1.0 / jnp.where(turns, slope, 1.0), jnp.where(jnp.isnan(slope), jnp.nan, jnp.inf)
+    )
+    shape = jnp.shape(stiffness)
+    return JointDynamics(
+        output_torque=torque,
+        stiffness=stiffness,
+        input_inertia=jnp.broadcast_to(input_inertia, shape),
+        output_inertia=jnp.broadcast_to(output_inertia, shape),
+        locked_frequency=jnp.asarray(frequencies.locked),
+        free_frequency=jnp.asarray(frequencies.free),
+        creep_damping=damping,
+        corner_frequency=stiffness * slope / (2.0 * jnp.pi),
+    )
+
+
+def _bore(diameter: Real | None) -> Real:
+    return 0.0 if diameter is None else diameter
+
+
+class Dynamics(eqx.Module):
+    """What a designer of the control looks at.
+
+    Parameters
+    ----------
+    at_torque : JointDynamics
+        At the joint's own torque.
+    over_torque : JointDynamics
+        From no torque to nearly the capacity, or to the joint's torque if nothing limits it.
+    frequency : Array
+        Frequencies of the response [Hz].
+    standing_motor, standing_load : Array
+        Complex angles of both sides per torque at the input, of the joint that stands [rad/(N·m)].
+    turning_motor, turning_load : Array
+        The same at the joint's speed, where creep acts as a damper.
+    """
+
+    at_torque: JointDynamics
+    over_torque: JointDynamics
+    frequency: Array
+    standing_motor: Array
+    standing_load: Array
+    turning_motor: Array
+    turning_load: Array
+
+
+def dynamics(joint: Joint, inertias: Inertias) -> Dynamics:
+    """Natural frequencies over torque, and the frequency response at the joint's torque.
+
+    Parameters
+    ----------
+    joint : Joint
+        One joint.
+    inertias : Inertias
+        What is coupled to it.
+
+    Returns
+    -------
+    Dynamics
+        As NumPy arrays.
+
+    Raises
+    ------
+    InputError
+        If the joint cannot exist.
+    NoSolutionError
+        If the force balance does not close, or a contact has no stiffness.
+    """
+    solution = solve(joint)
+    if not float(solution.result.assembly.stiffness.output) > 0.0:
+        raise InputError("the assembled joint has no stiffness, so that it has no natural frequency")
+    numbers: Joint = jax.tree.map(lambda leaf: np.asarray(leaf, dtype=float), joint)
+    coupled: Inertias = jax.tree.map(lambda leaf: np.asarray(leaf, dtype=float), inertias)
+    own = float(numbers.output_torque)
+    found = solution.reverse_capacity if own < 0.0 else solution.capacity
+    limit = float(found.output_torque)
+    largest = np.copysign(_NEAR_CAPACITY * limit, own) if np.isfinite(limit) else own
+    torques = np.append(np.linspace(0.0, largest, _TORQUES), own)
+    points = dataclasses.replace(numbers, output_torque=jnp.asarray(torques))
+    over: JointDynamics = jax.tree.map(
+        np.asarray, compile_fast(joint_dynamics, points, coupled)(points, coupled)
+    )
+    at = jax.tree.map(lambda values: values[-1], over)
+    spread = np.geomspace(at.locked_frequency / 100.0, 10.0 * at.free_frequency, _FREQUENCIES)
+    own_frequencies = np.array([at.locked_frequency, at.free_frequency])
+    frequency: Array = jnp.asarray(np.sort(np.append(spread, own_frequencies)))
+    both = [
+        frequency_response(
+            frequency=frequency,
+            stiffness=dynamic_stiffness(
+                frequency=frequency,
+                stiffness=at.stiffness,
+                loss_factor=coupled.loss_factor,
+                creep_damping=damping,
+            ),
+            input_inertia=at.input_inertia,
+            output_inertia=at.output_inertia,
+        )
+        for damping in (np.inf, at.creep_damping)
+    ]
+    return Dynamics(
+        at,
+        jax.tree.map(lambda values: values[:-1], over),
+        frequency,
+        *(angle for response in both for angle in response),
+    )
+
+
+def dynamics_document(found: Dynamics, inertias: Inertias) -> dict[str, Any]:
+    """The dynamics of a joint in SI units, ready for :func:`json.dumps`.
+
+    Parameters
+    ----------
+    found : Dynamics
+        As :func:`dynamics` returns it.
+    inertias : Inertias
+        What is coupled to the joint.
+
+    Returns
+    -------
+    dict
+        Numbers at the torque, columns over torque, and the response; what is not finite is None.
+    """
+    names = {
+        "output_torque": "output_torque_Nm",
+        "stiffness": "stiffness_output_Nm_per_rad",
+        "input_inertia": "input_inertia_at_output_kg_m2",
+        "output_inertia": "output_inertia_kg_m2",
+        "locked_frequency": "locked_frequency_Hz",
+        "free_frequency": "free_frequency_Hz",
+        "creep_damping": "creep_damping_Nms_per_rad",
+        "corner_frequency": "corner_frequency_Hz",
+    }
+
+    def plain(values: Any) -> Any:
+        listed = np.asarray(values, dtype=float)
+        if listed.ndim:
+            return [plain(value) for value in listed]
+        return float(listed) if np.isfinite(listed) else None
+
+    return {
+        "inertia": {
+            "input_kg_m2": plain(inertias.input),
+            "output_kg_m2": plain(inertias.output),
+            "loss_factor": plain(inertias.loss_factor),
+        },
+        "at_torque": {key: plain(getattr(found.at_torque, name)) for name, key in names.items()},
+        "over_torque": {key: plain(getattr(found.over_torque, name)) for name, key in names.items()},
+        "response": {key: plain(values) for key, values in response_columns(found).items()},
+    }
+
+
+def response_columns(found: Dynamics) -> dict[str, np.ndarray]:
+    """The frequency response as columns, units in their names.
+
+    Parameters
+    ----------
+    found : Dynamics
+        As :func:`dynamics` returns it.
+
+    Returns
+    -------
+    dict
+        Amplitudes and phases of both sides, standing and turning.
+    """
+    columns = {"frequency_Hz": np.asarray(found.frequency)}
+    for name in ("standing_motor", "standing_load", "turning_motor", "turning_load"):
+        angle = np.asarray(getattr(found, name))
+        columns[f"{name}_rad_per_Nm"] = np.abs(angle)
+        phase = np.degrees(np.unwrap(np.angle(angle)))
+        columns[f"{name}_phase_deg"] = phase - 360.0 * np.round(
+            (phase[0] + 180.0) / 360.0
+        )  # two free masses: -180
+    return columns

@@ -1,0 +1,86 @@
+"""Safety margins of one solved joint: what is required, what there is, and whether that is enough."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+
+from asperity.joint.results import RESULTS, SEVERITIES, Result, Severity, SolvedJoint
+
+#: Results without a limit of their own that must nevertheless exceed a bound for the joint to exist.
+_MUST_EXCEED = ("clearance", "torque_safety")
+
+
+@dataclass(frozen=True, slots=True)
+class Margin:
+    """One requirement of a joint, at the contact or clearance where it is met worst.
+
+    Parameters
+    ----------
+    result : Result
+        The row of the table of results.
+    place : str
+        Which contact or clearance; empty for the whole drive.
+    actual : float
+        Its value [SI].
+    lowest, highest : float
+        The value must lie between these [SI].
+    passes : bool
+        Whether it does; never where the value is nan.
+    severity : {"function", "damage", "accuracy", "model"}
+        How serious it is if it does not.
+    """
+
+    result: Result
+    place: str
+    actual: float
+    lowest: float
+    highest: float
+    passes: bool
+    severity: Severity
+
+    @property
+    def utilisation(self) -> float:
+        """Share of the limit that is used [-]: beyond 1 it is crossed; nan where a share has no meaning."""
+        if math.isinf(self.lowest) and self.highest > 0.0:
+            return self.actual / self.highest
+        if math.isinf(self.highest) and self.lowest > 0.0 and self.actual > 0.0:
+            return self.lowest / self.actual
+        return math.nan
+
+
+def margins(solved: SolvedJoint) -> tuple[Margin, ...]:
+    """Every requirement that the table of results knows, the most serious first.
+
+    Parameters
+    ----------
+    solved : SolvedJoint
+        One joint, without batch axes.
+
+    Returns
+    -------
+    tuple of Margin
+        One for each judged result, at its worst row.
+    """
+    found = [_worst(row, solved) for row in RESULTS.values() if row.limit or row.name in _MUST_EXCEED]
+    return tuple(sorted(found, key=lambda each: SEVERITIES.index(each.severity)))
+
+
+def _worst(row: Result, solved: SolvedJoint) -> Margin:
+    values = np.atleast_1d(np.asarray(row.of(solved), dtype=float))
+    values = np.broadcast_to(values, (len(row.row_names),))
+    if row.limit is None:
+        lowest, highest, severity = row.lowest_limit, math.inf, SEVERITIES[0]
+    else:
+        lowest, highest, severity = row.limit.lowest, row.limit.highest, row.limit.severity
+    room = np.where(np.isnan(values), np.nan, np.inf)  # an infinite bound is infinitely far away
+    if math.isfinite(lowest):
+        room = np.minimum(room, values - lowest)
+    if math.isfinite(highest):
+        room = np.minimum(room, highest - values)
+    index = int(np.argmin(np.where(np.isnan(room), -np.inf, room)))
+    actual = float(values[index])
+    passes = row.limit.is_kept(actual) if row.limit else actual > lowest
+    return Margin(row, row.row_names[index], actual, lowest, highest, bool(passes), severity)

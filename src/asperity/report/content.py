@@ -1,0 +1,126 @@
+"""What a report consists of, whatever shows it: headings, sentences, tables, pictures and listings."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True)
+class Heading:
+    """A heading that begins a section.
+
+    Parameters
+    ----------
+    text : str
+        The heading.
+    """
+
+    text: str
+
+
+@dataclass(frozen=True)
+class Paragraph:
+    """Sentences.
+
+    Parameters
+    ----------
+    text : str
+        The sentences.
+    strong : bool, optional
+        Whether they are emphasised.
+    """
+
+    text: str
+    strong: bool = False
+
+
+@dataclass(frozen=True)
+class Bullets:
+    """A list of sentences.
+
+    Parameters
+    ----------
+    items : sequence of str
+        One entry each.
+    """
+
+    items: Sequence[str]
+
+
+@dataclass(frozen=True)
+class Table:
+    """A table.
+
+    Parameters
+    ----------
+    title : str
+        What it shows.
+    head : tuple of str
+        Titles of the columns, with units.
+    rows : sequence of tuple of str
+        Cells.
+    words : tuple of int, optional
+        Columns of words, which are aligned at the left and may be wrapped; the others are numbers.
+    """
+
+    title: str
+    head: tuple[str, ...]
+    rows: Sequence[tuple[str, ...]]
+    words: tuple[int, ...] = (0,)
+
+
+@dataclass(frozen=True)
+class Picture:
+    """A picture.
+
+    Parameters
+    ----------
+    title : str
+        What it shows; also read to those who cannot see it.
+    svg : str
+        The picture.
+    sheet : bool, optional
+        Whether it is a sheet of paper of its own, to be shown in full size.
+    """
+
+    title: str
+    svg: str
+    sheet: bool = False
+
+
+@dataclass(frozen=True)
+class Listing:
+    """A text that is shown as it is, letter by letter.
+
+    Parameters
+    ----------
+    text : str
+        The text.
+    """
+
+    text: str
+
+
+Block = Heading | Paragraph | Bullets | Table | Picture | Listing
+
+
+@dataclass(frozen=True)
+class Report:
+    """A document.
+
+    Parameters
+    ----------
+    title : str
+        Its title.
+    blocks : tuple of Block
+        Its content, in order.
+    """
+
+    title: str
+    blocks: tuple[Block, ...]
+
+    @property
+    def sections(self) -> tuple[str, ...]:
+        """Headings, in order."""
+        return tuple(block.text for block in self.blocks if isinstance(block, Heading))

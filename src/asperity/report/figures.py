@@ -1,0 +1,102 @@
+"""The pictures of a report as SVG."""
+
+from __future__ import annotations
+
+import io
+import math
+from typing import TYPE_CHECKING
+
+from asperity.joint.description import Joint
+from asperity.joint.margins import margins
+from asperity.joint.results import SolvedJoint
+from asperity.joint.rolling_curves import rolling_curves
+from asperity.joint.rolling_onset import RollingOnset
+from asperity.joint.windup import Windup
+from asperity.show.compliance_figure import draw_budget, draw_levels
+from asperity.show.drive_sheet import drive_sheet, forces_sheet
+from asperity.show.margins_figure import draw_margins, drawn_margins
+from asperity.show.rolling_figure import rolling_figure
+from asperity.show.sheet_figure import sheet_figure
+from asperity.show.windup_figure import windup_figure
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+_WIDTH = 7.0  # of a picture on a page [in]
+
+
+def report_pictures(
+    joint: Joint,
+    solved: SolvedJoint,
+    windup: Windup | None,
+    onset: RollingOnset | None,
+    rolling_capacity: float,
+    *,
+    name: str,
+) -> dict[str, str]:
+    """All pictures of a joint.
+
+    Parameters
+    ----------
+    joint : Joint
+        One joint.
+    solved : SolvedJoint
+        The same with its results.
+    windup : Windup or None
+        Its wind-up, if it has one.
+    onset : RollingOnset or None
+        The same joint when it turns under its largest torque, if it rolls then.
+    rolling_capacity : float
+        Its torque capacity in rolling [N·m]; nan if it does not roll.
+    name : str
+        What the drawing is called.
+
+    Returns
+    -------
+    dict
+        Name → SVG. ``windup`` and ``rolling`` are absent where the joint has none.
+    """
+    from matplotlib.figure import Figure
+
+    found = {
+        "drive": figure_svg(sheet_figure(drive_sheet(joint, name=name))),
+        "forces": figure_svg(sheet_figure(forces_sheet(joint, solved.result.forces))),
+    }
+    budget = Figure(figsize=(_WIDTH, 0.65 * _WIDTH), layout="constrained")
+    shares, levels = budget.subplots(2, 1, height_ratios=(2.2, 1.0))
+    draw_budget(shares, solved)
+    draw_levels(levels, solved)
+    found["budget"] = figure_svg(budget)
+    judged = margins(solved)
+    bars = Figure(figsize=(_WIDTH, 1.0 + 0.35 * max(1, len(drawn_margins(judged)))), layout="constrained")
+    draw_margins(bars.subplots(), judged)
+    found["margins"] = figure_svg(bars)
+    if windup is not None:
+        found["windup"] = figure_svg(windup_figure(windup, onset, title="", stacked=True))
+    if math.isfinite(float(solved.result.rolling.residual)):
+        curves = rolling_curves(joint=joint, result=solved.result, torque_capacity=rolling_capacity)
+        found["rolling"] = figure_svg(
+            rolling_figure(curves, solved.result.rolling, joint=joint, title="", width=_WIDTH)
+        )
+    return found
+
+
+def figure_svg(figure: Figure) -> str:
+    """A figure as the text of an SVG file, the same text for the same figure.
+
+    Parameters
+    ----------
+    figure : Figure
+        The figure.
+
+    Returns
+    -------
+    str
+        SVG.
+    """
+    from matplotlib import rc_context
+
+    target = io.StringIO()
+    with rc_context({"svg.hashsalt": "asperity"}):
+        figure.savefig(target, format="svg", metadata={"Date": None})
+    return target.getvalue()

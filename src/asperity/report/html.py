@@ -1,0 +1,120 @@
+"""A report as one HTML file that needs nothing else: no scripts, no network."""
+
+from __future__ import annotations
+
+import html
+import re
+from collections.abc import Callable
+
+from asperity.errors import printable
+from asperity.report.content import Block, Bullets, Heading, Listing, Paragraph, Picture, Report, Table
+
+_STYLE = """
+:root { color-scheme: light; }
+body { font: 16px/1.45 "DejaVu Sans", Verdana, sans-serif; color: #111; background: #fff; margin: 0 auto;
+  max-width: 62rem; padding: 1rem; overflow-wrap: anywhere; }
+h1 { font-size: 1.6rem; } h2 { font-size: 1.2rem; border-bottom: 1px solid #555; margin-top: 2rem; }
+nav ul { columns: 2; padding-left: 1.2rem; }
+.wide { overflow-x: auto; }
+table { border-collapse: collapse; margin: 0.8rem 0; font-size: 0.86rem; }
+caption { text-align: left; font-weight: bold; padding: 0.2rem 0; }
+th, td { padding: 0.15rem 0.7rem 0.15rem 0; text-align: right; vertical-align: top; border-bottom: 1px solid #ccc;
+  overflow-wrap: normal; white-space: nowrap; }
+th.w, td.w { text-align: left; white-space: normal; } caption, th { white-space: normal; }
+@media (min-width: 40rem) { caption { white-space: nowrap; } }
+th { border-bottom: 1px solid #111; }
+figure { margin: 1rem 0; } figure svg { width: 100%; height: auto; max-height: 100vh; }
+figcaption { font-size: 0.86rem; }
+pre { font: 0.8rem/1.35 "DejaVu Sans Mono", monospace; white-space: pre-wrap; border: 1px solid #999; padding: 0.6rem; }
+.strong { font-weight: bold; }
+@media (max-width: 40rem) { nav ul { columns: 1; } body { padding: 0.5rem; } }
+@page { size: A4; margin: 18mm; }
+@media print { body { font-size: 10pt; padding: 0; max-width: none; } nav { display: none; }
+  figure, tr { break-inside: avoid; } h2 { break-after: avoid; } }
+"""
+_POLICY = "default-src 'none'; style-src 'unsafe-inline'; img-src data:"
+
+
+def report_html(report: Report) -> str:
+    """Write a report as HTML.
+
+    Parameters
+    ----------
+    report : Report
+        The report.
+
+    Returns
+    -------
+    str
+        One HTML file; the same text for the same report.
+    """
+    title = _text(report.title)
+    links = "".join(
+        f'<li><a href="#s{number}">{_text(text)}</a></li>'
+        for number, text in enumerate(report.sections, start=1)
+    )
+    parts = [
+        "<!DOCTYPE html>",
+        '<html lang="en"><head><meta charset="utf-8">',
+        f'<meta http-equiv="Content-Security-Policy" content="{_POLICY}">',
+        '<meta name="viewport" content="width=device-width, initial-scale=1">',
+        f"<title>{title}</title><style>{_STYLE}</style></head><body>",
+        f'<h1>{title}</h1><nav aria-label="Sections"><ul>{links}</ul></nav><main>',
+    ]
+    section = 0
+    for number, block in enumerate(report.blocks):
+        section += isinstance(block, Heading)
+        parts.append(_block(block, number, section))
+    parts.append("</main></body></html>\n")
+    return "\n".join(parts)
+
+
+def _block(block: Block, number: int, section: int) -> str:
+    match block:
+        case Heading(text):
+            return f'<h2 id="s{section}">{section} {_text(text)}</h2>'
+        case Paragraph(text, strong):
+            return f"<p{' class=strong' if strong else ''}>{_text(text)}</p>"
+        case Bullets(items):
+            return f"<ul>{''.join(f'<li>{_text(item)}</li>' for item in items)}</ul>"
+        case Table():
+            return _table(block)
+        case Picture(title, svg, _):
+            caption = _text(title)
+            picture = f'<div role="img" aria-label="{caption}">{_inline(svg, number)}</div>'
+            return f"<figure>{picture}<figcaption>{caption}</figcaption></figure>"
+        case Listing(text):
+            return f"<pre>\n{html.escape(text)}</pre>"  # HTML drops the line break that follows <pre>
+
+
+def _table(table: Table) -> str:
+    def row(cells: tuple[str, ...], kind: str, text: Callable[[str], str]) -> str:
+        scope = ' scope="col"' if kind == "th" else ""
+        words = [" class=w" if place in table.words else "" for place in range(len(cells))]
+        found = zip(words, map(text, cells), strict=True)
+        return f"<tr>{''.join(f'<{kind}{scope}{word}>{cell}</{kind}>' for word, cell in found)}</tr>"
+
+    body = "\n".join(row(cells, "td", _text) for cells in table.rows)
+    head = row(table.head, "th", _lines)
+    return (
+        f'<div class="wide"><table><caption>{_text(table.title)}</caption><thead>{head}</thead>'
+        f"<tbody>\n{body}\n</tbody></table></div>"
+    )
+
+
+def _text(text: str) -> str:
+    return html.escape(printable(text))
+
+
+def _lines(text: str) -> str:
+    """A title of a column, which may have several lines."""
+    return "<br>".join(_text(line) for line in text.split("\n"))
+
+
+def _inline(svg: str, number: int) -> str:
+    """A picture inside the page: without the head of a file, its names its own."""
+    body = svg[svg.index("<svg") :]
+    body = re.sub(r"<metadata>.*?</metadata>", "", body, flags=re.DOTALL)
+    body = re.sub(r'\bid="', f'id="p{number}-', body)
+    body = re.sub(r"url\(#", f"url(#p{number}-", body)
+    return re.sub(r'href="#', f'href="#p{number}-', body)

@@ -1,0 +1,238 @@
+"""The report of one joint: everything that a design review asks for, and the file from which it follows."""
+
+from __future__ import annotations
+
+import hashlib
+import math
+import platform
+from collections.abc import Iterator
+from dataclasses import dataclass
+from importlib.metadata import version
+from typing import Any
+
+import asperity
+from asperity.errors import AsperityError
+from asperity.joint.description import Joint
+from asperity.joint.document import joint_document
+from asperity.joint.margins import margins
+from asperity.joint.measured_surface import stiffness_interval
+from asperity.joint.results import SolvedJoint
+from asperity.joint.rolling_onset import RollingOnset
+from asperity.joint.solve import solve
+from asperity.joint.windup import Windup
+from asperity.joint.windup_document import examined_windup, windup_document, windup_onsets
+from asperity.joint_file.assumptions import assumptions
+from asperity.joint_file.build import joint_from_case
+from asperity.joint_file.model import Case
+from asperity.joint_file.si_tables import si_values
+from asperity.report import result_tables, rolling_tables
+from asperity.report.content import Block, Bullets, Heading, Listing, Paragraph, Picture, Report, Table
+from asperity.report.figures import report_pictures
+from asperity.report.input_tables import choices_table, inputs_table
+from asperity.surface.measurement import SurfaceMeasurement, measurement_document
+
+_PACKAGES = ("jax", "jaxlib", "numpy", "scipy", "equinox", "matplotlib")
+_STAGES = (1.0 / 3.0, 2.0 / 3.0)
+_CREEP_SHARE = 0.05  # as in asperity windup
+
+
+@dataclass(frozen=True)
+class ReportSource:
+    """From what a report is made.
+
+    Parameters
+    ----------
+    name : str
+        Name of the joint file.
+    text : str
+        Its text.
+    case : Case
+        Its content.
+    measurement : SurfaceMeasurement, optional
+        The measured surface that has replaced the surfaces of the file in ``case``.
+    measurement_texts : tuple of str
+        Texts of the files of the measurement.
+    date : str
+        Date for the title block; empty for none, so that the same input makes the same report.
+    """
+
+    name: str
+    text: str
+    case: Case
+    measurement: SurfaceMeasurement | None = None
+    measurement_texts: tuple[str, ...] = ()
+    date: str = ""
+
+
+def joint_report(source: ReportSource) -> Report:
+    """Solve a joint and write down everything about it.
+
+    Parameters
+    ----------
+    source : ReportSource
+        The joint file.
+
+    Returns
+    -------
+    Report
+        The report, ready to be shown as HTML or PDF.
+
+    Raises
+    ------
+    InputError
+        If the joint cannot exist.
+    NoSolutionError
+        If the force balance does not close.
+    """
+    joint = joint_from_case(source.case)
+    solution = solve(joint)
+    document = joint_document(
+        joint=joint, solution=solution, inputs=si_values(source.case), assumptions=assumptions(source.case)
+    )
+    found = _examined(joint, document)
+    solved = SolvedJoint(joint, solution.result, solution.capacity)
+    pictures = report_pictures(
+        joint,
+        solved,
+        found.windup,
+        found.onset,
+        math.copysign(found.rolling_capacity, float(joint.output_torque)),
+        name=source.name,
+    )
+    blocks = (
+        *_title_block(source),
+        *_summary(document, solved),
+        Heading("Inputs"),
+        inputs_table(source.case),
+        choices_table(source.case),
+        Heading("Assumptions"),
+        Bullets(document["assumptions"]),
+        Heading("Drawing"),
+        Paragraph(
+            "Dimensions in mm. The drive's sheet is A4: printed in full size, it has the scale that it states."
+        ),
+        Picture("Forces on the bodies of one branch, centrifugal forces not drawn", pictures["forces"]),
+        Picture("The drive to scale", pictures["drive"], sheet=True),
+        Heading("Stiffness"),
+        *result_tables.stiffness(document),
+        *_measured(joint, source),
+        Picture("Stiffness budget and levels of the model", pictures["budget"]),
+        Heading("Forces and contacts"),
+        *result_tables.contacts(document),
+        *result_tables.drive(document),
+        Heading("Safety margins"),
+        *result_tables.margins_table(margins(solved)),
+        Picture("Shares of the limits that are used", pictures["margins"]),
+        Heading("Warnings"),
+        *result_tables.warnings(document),
+        Heading("Wind-up"),
+        *_windup(found, pictures),
+        Heading("The joint in rolling"),
+        *_rolling(document, found, pictures),
+        Heading("Versions"),
+        _versions(),
+        *_appendix(source),
+    )
+    return Report(f"Traction-drive joint: {source.name}", blocks)
+
+
+@dataclass(frozen=True)
+class _Examined:
+    """What needs more than the solution, or why it does not exist."""
+
+    windup: Windup | None
+    onset: RollingOnset | None
+    windup_figures: dict[str, Any] | None
+    no_windup: str
+    rolling_capacity: float
+
+
+def _examined(joint: Joint, document: dict[str, Any]) -> _Examined:
+    capacity = document["rolling"]["torque_capacity_Nm"]
+    capacity = math.inf if capacity is None else float(capacity)
+    try:
+        curve, both = examined_windup(joint, largest_torque=None, level="assembly", stage_shares=_STAGES)
+    except AsperityError as error:
+        return _Examined(None, None, None, str(error), capacity)
+    onsets = windup_onsets(joint, curve, both, creep_share=_CREEP_SHARE)
+    figures = windup_document(joint, curve, both, onsets, level="assembly")
+    return _Examined(curve, onsets[0], figures, "", capacity)
+
+
+def _title_block(source: ReportSource) -> Iterator[Block]:
+    rows = [("joint file", source.name), ("computed with", f"asperity {asperity.__version__}")]
+    rows += [("date", source.date)] if source.date else []
+    yield Table("Document", ("item", "content"), rows, words=(0, 1))
+
+
+def _summary(document: dict[str, Any], solved: SolvedJoint) -> Iterator[Block]:
+    yield Heading("Summary")
+    yield result_tables.summary(document)
+    failed = [each for each in margins(solved) if not each.passes and each.severity in ("function", "damage")]
+    names = ", ".join(f"{each.result.label} ({each.place or 'drive'})" for each in failed)
+    yield Paragraph(
+        f"Requirements of function and strength that are not met or not known: {names}."
+        if failed
+        else "All requirements of function and strength are met.",
+        strong=True,
+    )
+    doubtful = [
+        each["label"] for each in document["diagnostics"] if not each["ok"] and each["severity"] == "accuracy"
+    ]
+    if doubtful:
+        yield Paragraph(
+            f"The numbers cannot be relied on before these warnings are settled: {', '.join(dict.fromkeys(doubtful))}.",
+            strong=True,
+        )
+
+
+def _windup(found: _Examined, pictures: dict[str, str]) -> Iterator[Block]:
+    if found.windup_figures is None:
+        yield Paragraph(f"No wind-up: {found.no_windup}")
+        return
+    yield from result_tables.windup(found.windup_figures)
+    turning = "" if found.onset is None else "; the joint that turns under the largest torque"
+    yield Picture(f"Torque and angle, deviation from a straight line, stiffness{turning}", pictures["windup"])
+
+
+def _rolling(document: dict[str, Any], found: _Examined, pictures: dict[str, str]) -> Iterator[Block]:
+    capacity = found.rolling_capacity
+    yield from rolling_tables.rolling(document, capacity=capacity if math.isfinite(capacity) else None)
+    if "rolling" in pictures:
+        yield Picture("Creep, efficiency, drift and life", pictures["rolling"])
+
+
+def _measured(joint: Joint, source: ReportSource) -> Iterator[Block]:
+    """The interval of the stiffness from the uncertainty of a measured surface."""
+    if source.measurement is not None:
+        measured = measurement_document(measurement=source.measurement)
+        interval = stiffness_interval(joint, source.measurement)
+        yield from result_tables.measured_stiffness(measured, interval)
+
+
+def _appendix(source: ReportSource) -> Iterator[Block]:
+    """The files from which the report can be made again."""
+    option = " --surface" * len(source.measurement_texts)
+    yield Heading("Joint file")
+    yield Paragraph(
+        f"This report follows from the file below: save it and run 'asperity report{option}' on it. SHA-256 of its "
+        f"text: {_digest(source.text)}"
+    )
+    yield Listing(source.text)
+    for text in source.measurement_texts:
+        yield Heading("Measurement of the surface")
+        yield Paragraph(
+            f"It takes the place of the surfaces of the joint file. SHA-256 of its text: {_digest(text)}"
+        )
+        yield Listing(text)
+
+
+def _versions() -> Table:
+    rows = [("asperity", asperity.__version__), ("Python", platform.python_version())]
+    rows += [(name, version(name)) for name in _PACKAGES]
+    rows.append(("machine", f"{platform.system()} {platform.machine()}"))
+    return Table("Programs with which the numbers were computed", ("program", "version"), rows, words=(0, 1))
+
+
+def _digest(text: str) -> str:
+    return hashlib.sha256(text.encode()).hexdigest()

@@ -1,0 +1,389 @@
+"""The results of a joint as tables of a report, from its document."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+from typing import Any
+
+from asperity.joint.margins import Margin
+from asperity.report.content import Block, Bullets, Paragraph, Table
+from asperity.units import format_quantity
+
+Document = dict[str, Any]
+
+_LEVELS = (
+    ("assembly", "assembled: asperities, bodies, floating planets, structure"),
+    ("series_with_bulk", "asperities and bodies in series, centres held"),
+    ("published", "as published, equation (25): asperities alone, an upper bound"),
+)
+_WARNINGS_ABOUT = {
+    "function": "the joint does not work",
+    "damage": "the joint is damaged",
+    "accuracy": "the numbers cannot be trusted",
+    "model": "outside the range of the contact law",
+}
+
+
+def quantity(value: float | None, unit: str, digits: int = 4) -> str:
+    """A quantity with its unit; a dash where there is none.
+
+    Parameters
+    ----------
+    value : float or None
+        The value [SI].
+    unit : str
+        The unit to show; ``"1"`` for a number.
+    digits : int, optional
+        Significant digits.
+
+    Returns
+    -------
+    str
+        Number and unit.
+    """
+    return "–" if value is None or math.isnan(value) else format_quantity(value, unit, digits)
+
+
+def number(value: float | None, factor: float = 1.0) -> str:
+    """A number without its unit; a dash where there is none.
+
+    Parameters
+    ----------
+    value : float or None
+        The value.
+    factor : float, optional
+        What it is multiplied by.
+
+    Returns
+    -------
+    str
+        The number with four digits.
+    """
+    return "–" if value is None else quantity(value * factor, "1")
+
+
+def percent(value: float | None) -> str:
+    """A share in percent; a dash where there is none.
+
+    Parameters
+    ----------
+    value : float or None
+        The share [-].
+
+    Returns
+    -------
+    str
+        Number and sign.
+    """
+    return "–" if value is None else f"{number(value, 100.0)} %"
+
+
+def summary(document: Document) -> Table:
+    """The numbers that are asked for first.
+
+    Parameters
+    ----------
+    document : dict
+        As :func:`asperity.joint.document.joint_document` makes it.
+
+    Returns
+    -------
+    Table
+        One row a number.
+    """
+    load, drive = document["input"]["load"], document["input"]["drive"]
+    stiffness = document["torsional_stiffness"]["assembly"]["output_Nm_per_rad"]
+    rows = [
+        ("planets", number(drive["planets"])),
+        ("output torque", quantity(load["output_torque"], "N*m")),
+        ("speed of the sun", quantity(load["sun_speed"], "rpm")),
+        ("preload between sun and planet", quantity(document["preload"]["force_N"], "N")),
+        ("interference that makes it", quantity(document["preload"]["interference_m"], "um")),
+        ("torsional stiffness at the output, assembled", quantity(stiffness, "N*m/arcmin")),
+        (
+            "drift of the output in one turn of its own",
+            quantity(document["drift_rad_per_output_turn"], "arcmin"),
+        ),
+        ("torque capacity", _capacity(document["torque_capacity"])),
+        ("torque capacity, negative torques", _capacity(document["torque_capacity"]["reverse"])),
+        ("efficiency", percent(document["efficiency"])),
+        ("fatigue life in hours", number(document["life_hours"])),
+        ("fatigue life in turns of the output", number(document["rolling"]["life_output_turns"])),
+    ]
+    return Table("Summary", ("quantity", "value"), rows, words=(0, 1))
+
+
+def _capacity(entry: Document) -> str:
+    torque = entry["output_torque_Nm"]
+    return entry["meaning"] if torque is None else f"{quantity(torque, 'N*m')}: {entry['meaning']}"
+
+
+def stiffness(document: Document) -> Iterator[Block]:
+    """Stiffness on every level, and the budget of the compliance.
+
+    Parameters
+    ----------
+    document : dict
+        As :func:`asperity.joint.document.joint_document` makes it.
+
+    Yields
+    ------
+    Block
+        Tables.
+    """
+    found = document["torsional_stiffness"]
+    keys = ("sun_Nm_per_rad", "output_Nm_per_rad", "output_Nm_per_arcmin")
+    yield Table(
+        "Torsional stiffness",
+        ("level of the model", "sun\nN·m/rad", "output\nN·m/rad", "output\nN·m/arcmin"),
+        [(words, *(number(found[level][key]) for key in keys)) for level, words in _LEVELS],
+    )
+    if document["stiffness_unknown_because"]:
+        yield Paragraph(f"No value: {document['stiffness_unknown_because']}.")
+    shares = []
+    for name, share in document["stiffness_budget"].items():
+        words = name.removesuffix("_share").replace("_", " ")
+        each = share if isinstance(share, dict) else {"": share}
+        shares += [(f"{place} {words}".strip(), value) for place, value in each.items() if value]
+    shares.sort(key=lambda entry: -entry[1])
+    yield Table(
+        "Stiffness budget: shares of the compliance of the assembled joint",
+        ("spring", "share %"),
+        [(words, number(value, 100.0)) for words, value in shares],
+    )
+
+
+def measured_stiffness(measured: Document, interval: Document) -> Iterator[Block]:
+    """Interval of the stiffness that follows from the uncertainty of a measured surface.
+
+    Parameters
+    ----------
+    measured : dict
+        As :func:`asperity.surface.measurement.measurement_document` makes it.
+    interval : dict
+        As :func:`asperity.joint.measured_surface.stiffness_interval` makes it.
+
+    Yields
+    ------
+    Block
+        A table, and a sentence on draws that are left out.
+    """
+    ends = ("low_Nm_per_rad", "high_Nm_per_rad")
+    title = (
+        f"{percent(interval['confidence'])} interval from the measured surface, D = "
+        f"{number(measured['fractal_dimension'])}, G = {quantity(measured['fractal_roughness_m'], 'mm')}"
+    )
+    yield Table(
+        title,
+        ("level of the model", "output from\nN·m/rad", "output to\nN·m/rad"),
+        [(words, *(number(interval[level][end]) for end in ends)) for level, words in _LEVELS],
+    )
+    if interval["outside"] or interval["unsolved"] or interval["all_plastic"]:
+        yield Paragraph(
+            f"Of {number(interval['draws'])} draws of D and G, {interval['outside']} had a D outside 1 to 2, "
+            f"{interval['unsolved']} had no solution and {interval['all_plastic']} had plastic spots only, where the "
+            "contact law has no stiffness. These are left out."
+        )
+
+
+def contacts(document: Document) -> Iterator[Block]:
+    """Forces, pressures and stiffness of the contacts.
+
+    Parameters
+    ----------
+    document : dict
+        As :func:`asperity.joint.document.joint_document` makes it.
+
+    Yields
+    ------
+    Block
+        Tables.
+    """
+    forces = document["forces"]
+    slip = {
+        each["contact"]: each["value"] for each in document["diagnostics"] if each["name"] == "slip_ratio"
+    }
+    yield Table(
+        "Contact forces at rest",
+        (
+            "contact",
+            "normal\nN",
+            "tangential\nN",
+            "slip\nT/(mu N)",
+            "Hertz width\nmm",
+            "Hertz pressure\nMPa",
+            "real area\nmm²",
+        ),
+        [
+            (
+                name,
+                number(forces["normal_N"][name]),
+                number(forces["tangential_N"][name]),
+                number(slip[name]),
+                number(each["hertz_half_width_m"], 2e3),
+                number(each["hertz_pressure_Pa"], 1e-6),
+                number(each["real_contact_area_m2"], 1e6),
+            )
+            for name, each in document["contacts"].items()
+        ],
+    )
+    kinds = ("asperity_tangential", "bulk_tangential", "asperity_normal", "bulk_normal")
+    yield Table(
+        "Contact stiffness, N/µm",
+        (
+            "contact",
+            "tangential,\nasperities",
+            "tangential,\nbodies",
+            "normal,\nasperities",
+            "normal,\nbodies",
+        ),
+        [
+            (name, *(number(each[f"{kind}_stiffness_N_per_m"], 1e-6) for kind in kinds))
+            for name, each in document["contacts"].items()
+        ],
+    )
+
+
+def drive(document: Document) -> Iterator[Block]:
+    """Angles, torques, pin forces and clearances.
+
+    Parameters
+    ----------
+    document : dict
+        As :func:`asperity.joint.document.joint_document` makes it.
+
+    Yields
+    ------
+    Block
+        A table.
+    """
+    geometry, forces = document["geometry"], document["forces"]
+    rows = [
+        ("angle alpha, planet to loading roller", quantity(geometry["alpha_rad"], "deg", 6)),
+        ("angle theta, direction to loading roller", quantity(geometry["theta_rad"], "deg", 6)),
+        ("wedge angle beta", quantity(geometry["wedge_angle_rad"], "deg", 6)),
+        ("speed ratio, sun over carrier", number(geometry["speed_ratio"])),
+        ("torque at the sun", quantity(forces["input_torque_Nm"], "N*m")),
+        ("torque at the carrier", quantity(forces["output_torque_Nm"], "N*m")),
+        ("force of the left pin", quantity(forces["pin_N"]["left"], "N")),
+        ("force of the right pin", quantity(forces["pin_N"]["right"], "N")),
+        ("mass of one planet", quantity(forces["planet_mass_kg"], "g")),
+        ("mass of one loading roller", quantity(forces["loading_roller_mass_kg"], "g")),
+    ]
+    rows += [
+        (f"clearance, {each['name'].replace('_', ' ')}", quantity(each["gap_m"], "mm"))
+        for each in geometry["clearances"]
+    ]
+    yield Table("Drive", ("quantity", "value"), rows)
+
+
+def margins_table(found: Sequence[Margin]) -> Iterator[Block]:
+    """Required and actual values.
+
+    Parameters
+    ----------
+    found : sequence of Margin
+        As :func:`asperity.joint.margins.margins` gives them.
+
+    Yields
+    ------
+    Block
+        A sentence and a table.
+    """
+    yield Paragraph(
+        "Each requirement at the contact or clearance where it is met worst, the most serious first. A requirement of "
+        "the model that is not met says that the published contact law is outside its range, not that the joint fails."
+    )
+    rows = []
+    for each in found:
+        unit = each.result.display_unit
+        bounds = [f"> {quantity(each.lowest, unit)}"] if math.isfinite(each.lowest) else []
+        bounds += [f"< {quantity(each.highest, unit)}"] if math.isfinite(each.highest) else []
+        if each.result.limit is not None and each.result.limit.inclusive:
+            bounds = [bound.replace("<", "≤").replace(">", "≥") for bound in bounds]
+        rows.append(
+            (
+                each.result.label,
+                each.severity,
+                each.place.replace("_", " "),
+                " and ".join(bounds),
+                quantity(each.actual, unit),
+                "pass" if each.passes else "unknown" if math.isnan(each.actual) else "FAIL",
+            )
+        )
+    head = ("requirement", "concerns", "where", "required", "actual", "result")
+    yield Table("Safety margins", head, rows, words=(0, 1, 2))
+
+
+def warnings(document: Document) -> Iterator[Block]:
+    """Every limit that is crossed, with its meaning and what to do.
+
+    Parameters
+    ----------
+    document : dict
+        As :func:`asperity.joint.document.joint_document` makes it.
+
+    Yields
+    ------
+    Block
+        A table, or a sentence if there is no warning.
+    """
+    crossed: dict[str, list[Document]] = {}
+    for entry in document["diagnostics"]:
+        if not entry["ok"]:
+            crossed.setdefault(entry["name"], []).append(entry)
+    if not crossed:
+        yield Paragraph("No warnings: every limit of the model is kept.")
+        return
+    items = []
+    for entries in crossed.values():
+        first = entries[0]
+        values = ", ".join(f"{number(each['value'])} {each['contact'] or ''}".strip() for each in entries)
+        meanings = "; ".join(dict.fromkeys(each["meaning"] for each in entries))
+        items.append(
+            f"{first['label']}: {values} (limit {number(first['limit'])}; {_WARNINGS_ABOUT[first['severity']]}). "
+            f"Meaning: {meanings}. What to do: {first['remedy']}."
+        )
+    yield Bullets(items)
+
+
+def windup(found: Document) -> Iterator[Block]:
+    """The figures of a wind-up.
+
+    Parameters
+    ----------
+    found : dict
+        As :func:`asperity.joint.windup_document.windup_document` makes it.
+
+    Yields
+    ------
+    Block
+        Tables.
+    """
+    yield Paragraph(
+        "At the output with the sun locked, assembled stiffness, up to the output torque of the file."
+    )
+    rows = [
+        ("largest torque of the curve", quantity(found["largest_torque_Nm"], "N*m")),
+        ("angle at plus the largest torque", quantity(found["windup_rad"], "arcmin")),
+        ("angle at minus the largest torque", quantity(-found["reverse_windup_rad"], "arcmin")),
+        ("hysteresis, width of the loop at zero torque", quantity(found["hysteresis_rad"], "arcmin")),
+        ("lost motion, between ±3 % of the torque", quantity(found["lost_motion_rad"], "arcmin")),
+        ("energy lost per cycle", f"{number(found['dissipated_energy_J'])} J"),
+    ]
+    yield Table("Wind-up", ("quantity", "value"), rows)
+    yield Table(
+        "Stages of the loading curve (secant stiffness)",
+        ("stage", "from\nN·m", "to\nN·m", "N·m/rad", "negative torques\nN·m/rad"),
+        [
+            (
+                each["name"],
+                number(each["from_Nm"]),
+                number(each["to_Nm"]),
+                number(each["stiffness_Nm_per_rad"]),
+                number(each["reverse_stiffness_Nm_per_rad"]),
+            )
+            for each in found["stages"]
+        ],
+    )

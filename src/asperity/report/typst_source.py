@@ -1,0 +1,114 @@
+"""A report as the source of a typst document. Every text is a string literal, so that none can act as markup."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from asperity.errors import printable
+from asperity.report.content import Block, Bullets, Heading, Listing, Paragraph, Picture, Report, Table
+
+_LONGEST_LINE = 128  # letters of a listing
+_LONGEST_WHOLE = 25  # rows of a table that is kept on one page
+_HEAD = """\
+#set page(paper: "a4", margin: (x: 20mm, top: 18mm, bottom: 20mm), numbering: "1 / 1")
+#set text(font: "DejaVu Sans", size: 9pt, lang: "en", hyphenate: false)
+#set par(leading: 0.62em)
+#set heading(numbering: "1")
+#show heading: it => block(above: 1.6em, below: 0.8em, sticky: true, text(size: 12pt, it))
+#show figure: set block(breakable: false)
+#show figure.caption: it => text(size: 8.5pt, weight: "bold", it.body)
+#set table(stroke: none, inset: (x: 3pt, y: 2.6pt))
+"""
+
+
+def typst_source(report: Report, *, pictures: list[str]) -> str:
+    """Write a report as typst.
+
+    Parameters
+    ----------
+    report : Report
+        The report.
+    pictures : list of str
+        Names of the files of its pictures, in order.
+
+    Returns
+    -------
+    str
+        Source of a document; the same text for the same report.
+    """
+    title, names = literal(report.title), iter(pictures)
+    parts = [
+        f"#set document(title: {title}, date: none)\n{_HEAD}",
+        f'#text(size: 16pt, weight: "bold", {title})',
+    ]
+    parts += [_block(block, names) for block in report.blocks]
+    return "\n\n".join(parts) + "\n"
+
+
+def literal(text: str) -> str:
+    """A text as a string literal of typst.
+
+    Parameters
+    ----------
+    text : str
+        Any text on one line; control characters are written out.
+
+    Returns
+    -------
+    str
+        The literal with its quotation marks.
+    """
+    return _quoted(printable(text))
+
+
+def _quoted(text: str) -> str:
+    escaped = text.replace("\\", "\\\\").replace('"', '\\"')
+    return '"' + "".join(c if c.isprintable() else f"\\u{{{ord(c):x}}}" for c in escaped) + '"'
+
+
+def _block(block: Block, names: Iterator[str]) -> str:
+    match block:
+        case Heading(text):
+            return f"#heading({literal(text)})"
+        case Paragraph(text, strong):
+            weight = 'weight: "bold", ' if strong else ""
+            return f"#par(text({weight}{literal(text)}))"
+        case Bullets(items):
+            return f"#list({', '.join(literal(item) for item in items)})" if items else ""
+        case Table():
+            return _table(block)
+        case Picture(title, _, True):
+            image = f"image({_quoted(next(names))}, width: 297mm, alt: {literal(title)})"
+            return f'#page(paper: "a4", flipped: true, margin: 0mm, numbering: none, {image})'
+        case Picture(title, _, _):
+            return (
+                f"#figure(image({_quoted(next(names))}, width: 100%, alt: {literal(title)}), "
+                f"caption: {literal(title)}, supplement: none, numbering: none)"
+            )
+        case Listing(text):
+            lines = [part for line in text.split("\n") for part in _wrapped(line)]
+            return f"#text(size: 7.5pt, raw({_quoted(chr(10).join(lines))}, block: true))"
+
+
+def _lines(text: str) -> str:
+    """A title of a column, which may have several lines."""
+    return " + linebreak() + ".join(literal(line) for line in text.split("\n"))
+
+
+def _wrapped(line: str) -> list[str]:
+    """A line of a listing, broken where it would leave the page."""
+    return [line[start : start + _LONGEST_LINE] for start in range(0, max(1, len(line)), _LONGEST_LINE)]
+
+
+def _table(table: Table) -> str:
+    columns = ", ".join("1fr" if place in table.words[1:] else "auto" for place in range(len(table.head)))
+    align = ", ".join("left" if place in table.words else "right" for place in range(len(table.head)))
+    head = ", ".join(f'text(weight: "bold", {_lines(cell)})' for cell in table.head)
+    rows = "\n".join(f"  {', '.join(literal(cell) for cell in row)}," for row in table.rows)
+    made = (
+        f"text(size: 8pt, table(columns: ({columns},), align: ({align},),\n"
+        f"  table.header({head}), table.hline(stroke: 0.6pt),\n{rows}\n  table.hline(stroke: 0.3pt)))"
+    )
+    title = f'block(below: 0.5em, sticky: true, text(weight: "bold", {literal(table.title)}))'
+    whole = "false" if len(table.rows) <= _LONGEST_WHOLE else "true"
+    return f"#block(above: 1.1em, breakable: {whole}, {title} + {made})"

@@ -1,0 +1,182 @@
+"""The drawing of a drive: its view to scale, its sizes and clearances, and the forces on request."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence
+
+import numpy as np
+
+import asperity
+from asperity.drive.force_balance import DriveForces
+from asperity.drive.geometry import CONTACT_NAMES, angles, triangle
+from asperity.errors import printable
+from asperity.joint.description import Joint
+from asperity.show.drive_view import dimension, drive_view, gaps, ring_as_drawn
+from asperity.show.free_bodies import free_bodies
+from asperity.show.sheet import (
+    TEXT_HEIGHT,
+    TITLE_HEIGHT,
+    Item,
+    Line,
+    Point,
+    Sheet,
+    Text,
+    scale_text,
+    standard_scale,
+)
+from asperity.show.style import CONTACT_LABELS
+from asperity.units import format_quantity
+
+_MARGIN = 10.0
+_SPACING = 4.4  # between two lines of text
+_LONGEST_TITLE = 42
+#: Size of the paper, room of the view, and left edge of the column beside it, all in mm: A4 and A3.
+_PLAIN, _WITH_FORCES = (297.0, 210.0, 150.0, 195.0), (420.0, 297.0, 220.0, 270.0)
+
+
+def drive_sheet(joint: Joint, *, name: str, forces: DriveForces | None = None) -> Sheet:
+    """Draw a drive to scale.
+
+    Parameters
+    ----------
+    joint : Joint
+        One joint.
+    name : str
+        What the drawing is called, for example the name of its file.
+    forces : DriveForces, optional
+        Its forces, to be drawn too.
+
+    Returns
+    -------
+    Sheet
+        A4 across, or A3 across with forces, at the largest standard scale that fits.
+
+    Raises
+    ------
+    InputError
+        If the rollers cannot touch: the triangle of centres does not close.
+    """
+    width, height, room, column = _PLAIN if forces is None else _WITH_FORCES
+    ring = ring_as_drawn(joint)
+    scale = standard_scale(2.0 * ring.shown, room=room)
+    middle = (_MARGIN + 5.0 + 0.5 * room + 10.0, 0.5 * height + 8.0)
+    items = drive_view(joint, scale=scale, labels_from=(column - middle[0]) / scale)
+
+    def on_paper(x: float, y: float) -> tuple[float, float]:
+        return (x - middle[0]) / scale, (y - middle[1]) / scale
+
+    def write(x: float, y: float, lines: Sequence[str], *, text_height: float = TEXT_HEIGHT) -> None:
+        for index, line in enumerate(lines):
+            items.append(Text(on_paper(x, y - index * _SPACING), line, height=text_height))
+
+    sizes, smallest = _sizes(joint), _clearances(joint)
+    foot = _MARGIN + 27.0
+    if forces is None:
+        lines = [*sizes, "", *smallest]
+        write(column, foot + _SPACING * (len(lines) - 1), lines)
+    else:
+        level = foot + _SPACING * (len(sizes) - 1)
+        write(column, level, sizes)
+        write(column + 80.0, level, smallest)
+        write(column, level + 4.5 * _SPACING, _loads(forces))
+        centre = on_paper(column + 0.5 * (width - _MARGIN - column), level + 62.0)
+        items += free_bodies(joint, forces, centre=centre, scale=scale)
+        write(
+            _MARGIN + 5.0,
+            height - _MARGIN - 8.0,
+            [f"{each}: {words}" for each, words in CONTACT_LABELS.items()],
+        )
+    items += _title_block(on_paper, column, width, name, scale)
+    right, top = width - _MARGIN, height - _MARGIN
+    corners = ((_MARGIN, _MARGIN), (right, _MARGIN), (right, top), (_MARGIN, top), (_MARGIN, _MARGIN))
+    items.append(Line(tuple(on_paper(*corner) for corner in corners), "frame"))
+    return Sheet(width, height, scale, middle, tuple(items))
+
+
+def forces_sheet(joint: Joint, forces: DriveForces) -> Sheet:
+    """The forces on the bodies of one branch as a picture of its own.
+
+    Parameters
+    ----------
+    joint : Joint
+        One joint.
+    forces : DriveForces
+        Its forces.
+
+    Returns
+    -------
+    Sheet
+        A sheet of 170 mm by 140 mm.
+    """
+    items = free_bodies(joint, forces, centre=(0.0, 0.0), scale=1.0)
+    words = [f"{contact}: {label}" for contact, label in CONTACT_LABELS.items()]
+    for line, (x, y) in (
+        *((line, (-82.0, -43.0 - _SPACING * row)) for row, line in enumerate(_loads(forces))),
+        *((line, (-82.0, -12.0 - _SPACING * row)) for row, line in enumerate(words)),
+    ):
+        items.append(Text((x, y), line))
+    return Sheet(170.0, 140.0, 1.0, (85.0, 57.0), tuple(items))
+
+
+def _title_block(
+    on_paper: Callable[[float, float], Point], column: float, width: float, name: str, scale: float
+) -> list[Item]:
+    title = printable(name).replace("\n", " ")
+    shown = title if len(title) <= _LONGEST_TITLE else f"…{title[1 - _LONGEST_TITLE :]}"
+    top, left = _MARGIN + 22.0, column - 3.0
+    edge = (on_paper(left, _MARGIN), on_paper(left, top), on_paper(width - _MARGIN, top))
+    return [
+        Line(edge, "frame"),
+        Text(on_paper(column, top - 6.5), "Planetary traction drive", height=TITLE_HEIGHT),
+        Text(on_paper(column, top - 12.5), shown),
+        Text(
+            on_paper(column, top - 18.5),
+            f"Scale {scale_text(scale)}   dimensions in mm   asperity {asperity.__version__}",
+        ),
+    ]
+
+
+def _sizes(joint: Joint) -> list[str]:
+    """What the view itself does not say."""
+    found, ring = angles(triangle(joint.geometry)), ring_as_drawn(joint)
+    degrees = {name: f"{math.degrees(float(getattr(found, name))):.3f}°" for name in ("polar", "wedge")}
+    wall = f"ring: inside ⌀{dimension(2.0 * ring.inner)}, wall {dimension(ring.outer - ring.inner)}, "
+    wall += f"outside ⌀{dimension(2.0 * ring.outer)}"
+    lines = [
+        f"{round(float(joint.geometry.planet_count))} planets, two loading rollers each",
+        wall,
+        *(["the wall is broken off at the wavy line"] if ring.broken else []),
+        f"contact length {_contact_lengths(joint)}",
+        f"length of planets {dimension(1e3 * float(joint.planet_length))}, "
+        f"of loading rollers {dimension(1e3 * float(joint.loading_roller_length))}",
+        f"angle alpha, planet to loading roller, {degrees['polar']}",
+        f"wedge angle beta {degrees['wedge']}",
+    ]
+    if not float(joint.bearings.pin_diameter) > 0.0:
+        lines.append("no diameter of the pins in the file: axes only")
+    return lines
+
+
+def _clearances(joint: Joint) -> list[str]:
+    lines = ["Smallest clearances"]
+    for gap in gaps(joint):
+        overlap = "" if gap.size > 0.0 else "  OVERLAP"
+        lines.append(f"{gap.letter}  {gap.words} {gap.size:.4g}{overlap}")
+    return lines
+
+
+def _contact_lengths(joint: Joint) -> str:
+    lengths = [dimension(1e3 * float(np.asarray(each))) for each in joint.contact_lengths]
+    if len(set(lengths)) == 1:
+        return lengths[0]
+    return ", ".join(f"{name} {length}" for name, length in zip(CONTACT_NAMES, lengths, strict=True))
+
+
+def _loads(forces: DriveForces) -> list[str]:
+    return [
+        "Forces on the bodies of one branch, drawn apart, without centrifugal forces.",
+        "Arrows show directions, not sizes.",
+        f"Torque at the sun {format_quantity(float(forces.input_torque), 'N*m')}, "
+        f"at the carrier {format_quantity(float(forces.output_torque), 'N*m')}.",
+    ]

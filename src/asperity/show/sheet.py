@@ -1,0 +1,161 @@
+"""A drawing as data: lines, circles and texts in mm, which a figure and a DXF file show alike."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Literal
+
+Point = tuple[float, float]
+Style = Literal["outline", "thin", "axis", "break", "force", "frame"]
+Align = Literal["left", "center", "right"]
+
+#: Line width of each style on paper [mm], after ISO 128: wide outlines, narrow everything else.
+LINE_WIDTHS: dict[Style, float] = {
+    "outline": 0.5,
+    "thin": 0.18,
+    "axis": 0.18,
+    "break": 0.25,
+    "force": 0.35,
+    "frame": 0.5,
+}
+#: Length of an arrowhead on paper [mm].
+ARROW_LENGTH = 2.5
+#: Height of capital letters on paper, normal and large [mm].
+TEXT_HEIGHT, TITLE_HEIGHT = 2.5, 3.5
+
+
+@dataclass(frozen=True)
+class Circle:
+    """A circle.
+
+    Parameters
+    ----------
+    centre : tuple of float
+        Centre [mm].
+    radius : float
+        Radius [mm].
+    style : Style, optional
+        Kind of line.
+    """
+
+    centre: Point
+    radius: float
+    style: Style = "outline"
+
+
+@dataclass(frozen=True)
+class Line:
+    """A line through points.
+
+    Parameters
+    ----------
+    points : tuple of tuple of float
+        Its points [mm].
+    style : Style, optional
+        Kind of line.
+    arrows : str, optional
+        Where arrowheads are: ``"start"``, ``"end"``, ``"both"`` or nothing.
+    """
+
+    points: tuple[Point, ...]
+    style: Style = "thin"
+    arrows: Literal["", "start", "end", "both"] = ""
+
+
+@dataclass(frozen=True)
+class Text:
+    """One line of text.
+
+    Parameters
+    ----------
+    at : tuple of float
+        Where its base line begins, is centred or ends [mm].
+    text : str
+        The text.
+    align : {"left", "center", "right"}, optional
+        What is at ``at``.
+    height : float, optional
+        Height of its capital letters on paper [mm].
+    """
+
+    at: Point
+    text: str
+    align: Align = "left"
+    height: float = TEXT_HEIGHT
+
+
+Item = Circle | Line | Text
+
+
+@dataclass(frozen=True)
+class Sheet:
+    """A sheet of paper with a drawing on it.
+
+    Parameters
+    ----------
+    width, height : float
+        Size of the paper [mm].
+    scale : float
+        Length on paper over true length [-].
+    origin : tuple of float
+        Where the origin of the drawing lies on the paper, from its lower left corner [mm].
+    items : tuple of Item
+        What is drawn. Coordinates and radii are true sizes [mm]; widths of lines, arrowheads and heights of texts are
+        sizes on paper.
+    """
+
+    width: float
+    height: float
+    scale: float
+    origin: Point
+    items: tuple[Item, ...]
+
+    @property
+    def window(self) -> tuple[float, float, float, float]:
+        """Left, right, lower and upper edge of the paper in true size [mm]."""
+        left, low = (-each / self.scale for each in self.origin)
+        return left, left + self.width / self.scale, low, low + self.height / self.scale
+
+    @property
+    def texts(self) -> tuple[str, ...]:
+        """All texts, in the order of the items."""
+        return tuple(item.text for item in self.items if isinstance(item, Text))
+
+
+def scale_text(scale: float) -> str:
+    """A scale as drawings state it.
+
+    Parameters
+    ----------
+    scale : float
+        Length on paper over true length [-].
+
+    Returns
+    -------
+    str
+        For example ``2:1`` or ``1:5``.
+    """
+    return f"{scale:g}:1" if scale >= 1.0 else f"1:{1.0 / scale:g}"
+
+
+def standard_scale(size: float, *, room: float) -> float:
+    """The largest standard scale at which something fits.
+
+    Parameters
+    ----------
+    size : float
+        Its size [mm].
+    room : float
+        Room on paper [mm].
+
+    Returns
+    -------
+    float
+        1, 2 or 5 times a power of ten [-].
+
+    References
+    ----------
+    ISO 5455:1979, table of recommended scales, continued in the same steps.
+    """
+    steps = [mantissa * 10.0**power for power in range(-6, 7) for mantissa in (1, 2, 5)]
+    return max(step for step in steps if step * size <= room * (1.0 + 1e-9))

@@ -1,0 +1,134 @@
+"""A drawing as a DXF file: true sizes in mm, on layers that CAD programs can switch."""
+
+from __future__ import annotations
+
+import io
+import re
+from typing import TYPE_CHECKING, Any
+
+from asperity.errors import MissingExtraError
+from asperity.extras import install_command
+from asperity.show.sheet import ARROW_LENGTH, LINE_WIDTHS, Circle, Sheet, Style, Text
+from asperity.show.sheet_figure import arrowheads
+
+if TYPE_CHECKING:
+    import types
+
+#: Kind of line → layer.
+LAYERS: dict[Style, str] = {
+    "outline": "OUTLINE",
+    "thin": "DIMENSIONS",
+    "axis": "AXES",
+    "break": "BREAK",
+    "force": "FORCES",
+    "frame": "FRAME",
+}
+_TEXT_LAYER = "TEXT"
+_BLACK = 7  # black on white, white on black
+_CODES = {"⌀": "%%c", "°": "%%d", "±": "%%p"}
+
+
+def require_ezdxf() -> types.ModuleType:
+    """The package ezdxf.
+
+    Returns
+    -------
+    module
+        Imported.
+
+    Raises
+    ------
+    MissingExtraError
+        If it is not installed.
+    """
+    try:
+        import ezdxf
+    except ImportError:
+        raise MissingExtraError(
+            f"a DXF file needs the package 'ezdxf', which is not installed; run: {install_command('report')}"
+        ) from None
+    return ezdxf
+
+
+def sheet_dxf(sheet: Sheet) -> str:
+    """Write a sheet as DXF, the same text for the same sheet.
+
+    Parameters
+    ----------
+    sheet : Sheet
+        The drawing.
+
+    Returns
+    -------
+    str
+        A DXF file of version R2010 in mm, one drawing unit a millimetre of the real drive.
+
+    Raises
+    ------
+    MissingExtraError
+        If ezdxf is not installed.
+    """
+    ezdxf = require_ezdxf()
+    fixed, ezdxf.options.write_fixed_meta_data_for_testing = (
+        ezdxf.options.write_fixed_meta_data_for_testing,
+        True,  # no date and no random identifiers
+    )
+    try:
+        document = ezdxf.new("R2010", units=ezdxf.units.MM)
+        document.linetypes.add("CENTER", pattern=[4.0, 2.5, -0.5, 0.5, -0.5], description="Center")
+        for style, layer in LAYERS.items():
+            document.layers.add(
+                layer,
+                color=_BLACK,
+                lineweight=round(100.0 * LINE_WIDTHS[style]),
+                linetype="CENTER" if style == "axis" else "CONTINUOUS",
+            )
+        document.layers.add(_TEXT_LAYER, color=_BLACK, lineweight=18)
+        document.header["$LTSCALE"] = 4.0 / sheet.scale
+        _draw(document.modelspace(), sheet)
+        target = io.StringIO()
+        document.write(target)
+    finally:
+        ezdxf.options.write_fixed_meta_data_for_testing = fixed
+    return target.getvalue()
+
+
+def _draw(space: Any, sheet: Sheet) -> None:
+    from ezdxf.enums import TextEntityAlignment
+
+    for item in sheet.items:
+        if isinstance(item, Text):
+            aligned = TextEntityAlignment[item.align.upper()]
+            entity = space.add_text(
+                dxf_text(item.text),
+                height=item.height / sheet.scale,
+                dxfattribs={"layer": _TEXT_LAYER},
+            )
+            entity.set_placement(item.at, align=aligned)
+            continue
+        layer = {"layer": LAYERS[item.style]}
+        if isinstance(item, Circle):
+            space.add_circle(item.centre, item.radius, dxfattribs=layer)
+            continue
+        space.add_lwpolyline(item.points, dxfattribs=layer)
+        for tip, one, other in arrowheads(item, length=ARROW_LENGTH / sheet.scale):
+            space.add_solid([tip, one, other, other], dxfattribs=layer)
+
+
+def dxf_text(text: str) -> str:
+    """A text as DXF writes it: codes for the diameter, degrees and plus-minus; codes of the text itself undone.
+
+    Parameters
+    ----------
+    text : str
+        Any text on one line.
+
+    Returns
+    -------
+    str
+        The text for a TEXT entity.
+    """
+    plain = re.sub("%(?=%)", "% ", text).replace("^", "^ ")
+    for character, code in _CODES.items():
+        plain = plain.replace(character, code)
+    return plain

@@ -1,0 +1,100 @@
+"""A drawing as a figure: black on white, at its scale when it is printed in full size."""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING, Any
+
+from asperity.show.sheet import ARROW_LENGTH, LINE_WIDTHS, Circle, Line, Point, Sheet, Text
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+_MM_PER_INCH, _POINTS_PER_INCH = 25.4, 72.0
+_CAP_HEIGHT = 0.729  # of DejaVu Sans, over its font size
+_DASHES: dict[str, Any] = {"axis": (0, (24.0, 6.0, 3.0, 6.0))}
+
+
+def sheet_figure(sheet: Sheet) -> Figure:
+    """Draw a sheet.
+
+    Parameters
+    ----------
+    sheet : Sheet
+        The drawing.
+
+    Returns
+    -------
+    Figure
+        A matplotlib figure of the size of the paper; call its ``savefig``.
+    """
+    from matplotlib import patches
+    from matplotlib.figure import Figure
+
+    figure = Figure(figsize=(sheet.width / _MM_PER_INCH, sheet.height / _MM_PER_INCH), facecolor="white")
+    axes = figure.add_axes((0.0, 0.0, 1.0, 1.0))
+    axes.axis("off")
+    left, right, low, high = sheet.window
+    axes.set(xlim=(left, right), ylim=(low, high))
+    for item in sheet.items:
+        if isinstance(item, Text):
+            axes.text(
+                *item.at,
+                item.text,
+                ha=item.align,
+                va="baseline",
+                fontsize=_points(item.height / _CAP_HEIGHT),
+                color="black",
+                family="DejaVu Sans",
+                parse_math=False,
+            )
+            continue
+        line: dict[str, Any] = {
+            "linewidth": _points(LINE_WIDTHS[item.style]),
+            "linestyle": _DASHES.get(item.style, "-"),
+            "color": "black",
+        }
+        if isinstance(item, Circle):
+            axes.add_patch(patches.Circle(item.centre, item.radius, fill=False, **line))
+            continue
+        axes.plot(*zip(*item.points, strict=True), solid_joinstyle="miter", solid_capstyle="butt", **line)
+        for head in arrowheads(item, length=ARROW_LENGTH / sheet.scale):
+            axes.add_patch(patches.Polygon(head, closed=True, facecolor="black", edgecolor="none"))
+    return figure
+
+
+def arrowheads(line: Line, *, length: float) -> list[tuple[Point, Point, Point]]:
+    """Triangles at the ends of a line, the tip first.
+
+    Parameters
+    ----------
+    line : Line
+        The line.
+    length : float
+        Length of a head [mm].
+
+    Returns
+    -------
+    list
+        Tip and both corners of every head [mm].
+    """
+    ends = {
+        "start": [(line.points[0], line.points[1])],
+        "end": [(line.points[-1], line.points[-2])],
+        "": [],
+    }
+    ends["both"] = ends["start"] + ends["end"]
+    heads = []
+    for (x, y), (u, v) in ends[line.arrows]:
+        distance = math.hypot(u - x, v - y)
+        if distance == 0.0:
+            continue
+        e, f = (u - x) / distance, (v - y) / distance
+        half = length / (3.0 if line.style == "force" else 6.0)
+        x0, y0 = x + length * e, y + length * f
+        heads.append(((x, y), (x0 - half * f, y0 + half * e), (x0 + half * f, y0 - half * e)))
+    return heads
+
+
+def _points(millimetres: float) -> float:
+    return millimetres * _POINTS_PER_INCH / _MM_PER_INCH

@@ -1,0 +1,75 @@
+"""Numbers, sentences and warnings as the commands print them."""
+
+import io
+
+from rich.console import Console
+
+from asperity.cli.document_text import count, in_unit, number, scaled, show_heading, show_warnings
+
+
+def shown(print_it, *arguments, width=80):
+    target = Console(file=io.StringIO(), width=width, no_color=True)
+    print_it(target, *arguments)
+    return target.file.getvalue()
+
+
+def entry(name, value, severity, contact=None, ok=False):
+    return {
+        "name": name,
+        "label": name.replace("_", " "),
+        "contact": contact,
+        "value": value,
+        "limit": 1.0,
+        "ok": ok,
+        "severity": severity,
+        "meaning": f"meaning of {name}",
+        "remedy": f"remedy of {name}",
+    }
+
+
+def test_numbers_have_four_digits_and_what_is_absent_is_a_dash():
+    assert [number(30665.4), number(0.0123456), number(None)] == ["30665", "0.01235", "-"]
+    assert (scaled(2.5e-6, 1e6), scaled(None, 1e6)) == ("2.5", "-")
+    assert (in_unit(0.004, "mm"), in_unit(None, "mm")) == ("4 mm", "-")
+    assert [count(1, "planet"), count(3, "planet")] == ["1 planet", "3 planets"]
+
+
+def test_the_heading_states_the_load_in_its_units():
+    document = {
+        "input": {"drive": {"planets": 3}, "load": {"sun_speed": 628.3185307179587, "output_torque": 5.0}},
+        "preload": {"force_N": 1000.0, "interference_m": 1.25e-6},
+    }
+    assert shown(show_heading, document, "joint.toml", width=200).splitlines()[:2] == [
+        "joint.toml",
+        "3 planets, sun at 6000 rpm, preload 1000 N (1.25 um of interference), output torque 5 N·m",
+    ]
+
+
+def test_kept_limits_give_no_warning():
+    text = shown(show_warnings, {"diagnostics": [entry("slip_ratio", 0.5, "function", "sp", ok=True)]})
+    assert text.strip() == "No warnings: every limit of the model is kept"
+
+
+def test_contacts_of_one_limit_share_a_warning_and_limits_of_the_model_a_line():
+    diagnostics = [
+        entry("slip_ratio", 1.2, "function", "sp"),
+        entry("slip_ratio", 1.1, "function", "pwr"),
+        entry("slip_ratio", 0.9, "function", "pwl", ok=True),
+        *(entry("pressure", 2.0, "damage", contact) for contact in ("sp", "pwr", "pwl", "wro", "wlo")),
+        entry("real_area", 6.54, "model", "sp"),
+        entry("largest_spot", None, "model", "sp"),
+        entry("largest_spot", 27.2, "model", "pwr"),
+    ]
+    text = shown(show_warnings, {"diagnostics": diagnostics}, width=200)
+    lines = [line.strip() for line in text.splitlines() if line.strip()]
+    assert lines == [
+        "Warnings, the most serious first",
+        "Slip ratio 1.2 at sp, 1.1 at pwr (limit 1)",
+        "meaning of slip_ratio",
+        "What to do: remedy of slip_ratio",
+        "Pressure 2 at every contact (limit 1)",
+        "meaning of pressure",
+        "What to do: remedy of pressure",
+        "Contact law outside its range: real area up to 6.54, largest spot up to 27.2",
+        "What to do: remedy of real_area",
+    ]

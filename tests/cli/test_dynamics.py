@@ -1,0 +1,44 @@
+"""``asperity dynamics``: table, JSON, CSV, picture, and what is missing."""
+
+import csv
+import json
+
+import numpy as np
+
+SECTION = '\n[dynamics]\ninput_inertia = "2e-6 kg*m^2"\noutput_inertia = "500 kg*cm^2"\n'
+
+
+def coupled(joint_file, more=""):
+    return joint_file(("[surface]", f"{SECTION}{more}\n[surface]"))
+
+
+def test_table_json_csv_and_picture(call, joint_file, tmp_path):
+    file, data, picture = coupled(joint_file), tmp_path / "response.csv", tmp_path / "response.svg"
+    outcome = call("dynamics", file, "--csv", str(data), "--plot", str(picture))
+    assert outcome.code == 0
+    for text in ("motor locked (antiresonance)", "Hz", "kg·m²", "creep corner", "No dynamics.loss_factor"):
+        assert text in outcome.out
+    document = json.loads(call("dynamics", file, "--json").out)
+    at = document["at_torque"]
+    assert document["inertia"]["output_kg_m2"] == 0.05
+    expected = np.sqrt(at["stiffness_output_Nm_per_rad"] / at["output_inertia_kg_m2"]) / (2 * np.pi)
+    assert abs(at["locked_frequency_Hz"] / expected - 1.0) < 1e-12
+    with data.open() as stream:
+        rows = list(csv.reader(stream))
+    assert rows[0][0] == "frequency_Hz"
+    assert len(rows) == 1 + len(document["response"]["frequency_Hz"])
+    assert "both sides free (resonance)" in picture.read_text()
+
+
+def test_inertias_are_needed(call, joint_file):
+    outcome = call("dynamics", joint_file())
+    assert (outcome.code, outcome.out) == (2, "")
+    assert "has no section [dynamics]" in outcome.err
+
+
+def test_a_joint_that_stands(call, joint_file):
+    file = joint_file(("[surface]", f"{SECTION}loss_factor = 0.01\n[surface]"), ('"6000 rpm"', '"0 rpm"'))
+    outcome = call("dynamics", file)
+    assert outcome.code == 0
+    assert "The sun stands: creep does not act." in outcome.out
+    assert "loss_factor" not in outcome.out

@@ -1,0 +1,56 @@
+"""``asperity report``: files and refusals."""
+
+import html
+import json
+
+import pytest
+
+
+def test_html_is_written(call, joint_file, tmp_path):
+    outcome = call("report", joint_file(), "--out", tmp_path / "r.html", "--date", "1 <March>")
+    assert (outcome.code, outcome.out) == (0, "")
+    text = (tmp_path / "r.html").read_text(encoding="utf-8")
+    assert text.startswith("<!DOCTYPE html>")
+    assert "<td class=w>1 &lt;March&gt;</td>" in text
+    assert str(tmp_path) not in text  # a report says nothing about the machine's folders
+
+
+def test_pdf_is_written(call, joint_file, tmp_path):
+    pytest.importorskip("typst", reason="the extra 'report' is not installed")
+    assert call("report", joint_file(), "--out", tmp_path / "r.pdf").code == 0
+    assert (tmp_path / "r.pdf").read_bytes().startswith(b"%PDF-")
+
+
+@pytest.mark.parametrize(
+    ("change", "arguments", "said"),
+    [
+        (("5 N*m", "5 N*m"), ("--out", "r.docx"), "must end in .html or .pdf"),
+        (("5 N*m", "5 N*m"), ("--out", "r.html", "--date", "x" * 41), "at most 40 characters"),
+        (("5 N*m", "50 N*m"), ("--out", "r.html"), "beyond the torque capacity"),
+    ],
+)
+def test_refusals_write_nothing(call, joint_file, tmp_path, monkeypatch, change, arguments, said):
+    monkeypatch.chdir(tmp_path)
+    outcome = call("report", joint_file(change), *arguments)
+    assert (outcome.code, outcome.out) == (2, "")
+    assert said in outcome.err
+    assert not list(tmp_path.glob("r.*"))
+
+
+def test_a_measured_surface_takes_the_place_of_the_files_and_is_part_of_the_report(
+    call, joint_file, tmp_path
+):
+    document = {
+        "schema": "asperity-surface-measurement", "schema_version": 1, "source": "made <up>", "estimator": "none",
+        "fractal_dimension": 1.45, "fractal_roughness_m": 1e-11, "frequency_ratio": 1.5,
+        "covariance_of_dimension_and_log_roughness": [[1e-6, 0.0], [0.0, 1e-3]],
+        "shortest_wavelength_m": 1e-6, "longest_wavelength_m": 1e-4, "profiles": 10,
+    }  # fmt: skip
+    file = tmp_path / "measured.json"
+    file.write_text(json.dumps(document))
+    outcome = call("report", joint_file(), "--surface", file, "--out", tmp_path / "r.html")
+    assert (outcome.code, outcome.err.strip()) == (0, f"wrote {tmp_path / 'r.html'}")
+    text = (tmp_path / "r.html").read_text(encoding="utf-8")
+    assert "95 % interval from the measured surface, D = 1.45, G = 1e-8 mm" in text
+    assert html.escape(file.read_text()) in text
+    assert "asperity report --surface&#x27; on it" in text

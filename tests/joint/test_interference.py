@@ -1,0 +1,106 @@
+"""A joint by interference is the joint of the preload that it makes; sizes move the preload where they should."""
+
+import dataclasses
+
+import jax
+import jax.numpy as jnp
+import numpy as np
+import pytest
+
+from asperity.errors import InputError
+from asperity.joint.evaluation import evaluate
+from asperity.joint.interference import joint_preload
+from asperity.joint_file.assumptions import assumptions
+from asperity.joint_file.build import joint_from_case, joint_from_values, with_nominal_sizes, with_values
+from asperity.joint_file.reader import parse_case
+from asperity.joint_file.si_tables import replace_values, si_values
+
+found_interference = jax.jit(lambda joint: evaluate(joint).interference)
+
+
+@pytest.fixture(scope="module")
+def by_length(joint_text):
+    def of(length="12.904 um", bodies="springs", **changes):
+        text = joint_text.replace('preload = "1000 N"', f'interference = "{length}"')
+        text = text.replace('bodies = "exact"', f'bodies = "{bodies}"')
+        for old, new in changes.items():
+            text = text.replace(f"{old} =", f"{old} = {new} #")
+        return parse_case(text, source="x")
+
+    return of
+
+
+@pytest.mark.parametrize(("bodies", "rel"), [("springs", 1e-12), ("exact", 2e-5)])
+def test_force_and_length_are_two_names_of_one_joint(by_length, bodies, rel):
+    joint = joint_from_case(by_length("11 um", bodies))
+    assert float(found_interference(joint)) == pytest.approx(11e-6, rel=rel)
+    if bodies == "springs":
+        thousand = joint_from_case(by_length())
+        assert float(thousand.preload) == pytest.approx(1000.0, abs=0.1)
+
+
+def test_many_at_once_and_derivatives(by_length):
+    case = by_length()
+    lengths = np.array([5e-6, 10e-6, 20e-6])
+    joint = with_values(case, {"load.interference": lengths})
+    assert np.all(np.diff(np.asarray(joint.preload)) > 0.0)
+    one = joint_from_case(case)
+
+    def preload(length):
+        return joint_preload(one, length)
+
+    slope = float(jax.grad(preload)(jnp.asarray(10e-6)))
+    step = 1e-9
+    assert slope == pytest.approx(
+        float((preload(10e-6 + step) - preload(10e-6 - step)) / (2 * step)), rel=1e-6
+    )
+
+
+def test_sizes_are_deviations_in_a_study_of_tolerances_only(by_length):
+    """±5 um on every planet radius make 218 or 1854 N of the 1000 N; another drive keeps its interference."""
+    values = si_values(by_length())
+    sizes = 13.5e-3 + np.array([-5e-6, 0.0, 5e-6])
+    changed = joint_from_values(replace_values(with_nominal_sizes(values), {"drive.planet_radius": sizes}))
+    assert np.asarray(changed.preload) == pytest.approx(np.array([218.0, 1000.0, 1854.0]), rel=5e-3)
+    other = joint_from_values(replace_values(values, {"drive.planet_radius": sizes}))
+    assert np.asarray(other.preload) == pytest.approx(np.full(3, 1000.0), rel=1e-2)
+
+
+def test_force_and_length_exclude_each_other(by_length, joint_text):
+    both = joint_text.replace('preload = "1000 N"', 'preload = "1000 N"\ninterference = "13 um"')
+    for text, said in ((both, "got both"), (joint_text.replace('preload = "1000 N"', ""), "got neither")):
+        with pytest.raises(InputError, match=said):
+            parse_case(text, source="x")
+    tables = replace_values(si_values(by_length()), {"load.preload": 500.0})
+    assert "interference" not in tables["load"]
+    assert joint_from_values(tables).preload == 500.0
+
+
+def test_a_tolerance_that_does_not_move_the_preload_is_named(by_length, joint_text):
+    loose = joint_text.replace('planet_radius = "13.5 mm"', 'planet_radius = "13.5 mm +- 5 um"')
+    (note,) = (
+        each for each in assumptions(parse_case(loose, source="x")) if "load.preload is a force" in each
+    )
+    assert "drive.planet_radius, up to 5 µm" in note
+    assert not any(
+        "load.preload is a force" in each for each in assumptions(parse_case(joint_text, source="x"))
+    )
+    free = by_length(planet_radius='"13.5 mm +- 5 um"')
+    assert not any("load.preload is a force" in each for each in assumptions(free))
+
+
+def test_a_free_ring_takes_more_micrometres_and_minds_errors_less(by_length):
+    """At 10 mm of wall 1000 N take about twice the interference, and 5 um on the planets matter half as much."""
+    spread = {}
+    for support in ("rigid_housing", "free"):
+        case = by_length("12 um", "exact", ring_wall_thickness='"10 mm"', ring_support=f'"{support}"')
+        joint = joint_from_case(case)
+        length = float(found_interference(dataclasses.replace(joint, preload=np.asarray(1000.0))))
+        values = with_nominal_sizes(replace_values(si_values(case), {"load.interference": length}))
+        sizes = 13.5e-3 + np.array([-5e-6, 5e-6])
+        low, high = np.asarray(
+            joint_from_values(replace_values(values, {"drive.planet_radius": sizes})).preload
+        )
+        spread[support] = length, high - low
+    assert spread["free"][0] / spread["rigid_housing"][0] == pytest.approx(1.9, abs=0.1)
+    assert spread["free"][1] / spread["rigid_housing"][1] == pytest.approx(0.52, abs=0.05)

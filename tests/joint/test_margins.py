@@ -1,0 +1,73 @@
+"""Safety margins: the worst place of every requirement, by numbers that are known without the table."""
+
+import math
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+
+from asperity.joint import margins as module
+from asperity.joint.margins import margins
+from asperity.joint.results import Limit, Result
+from asperity.unit_table import Dimension
+
+
+def row(name, value, *, axis="one", limit=None, lowest=-math.inf):
+    return Result(
+        name, name, Dimension.DIMENSIONLESS, "1", value, axis=axis, limit=limit, lowest_limit=lowest
+    )
+
+
+def limit(severity, **bounds):
+    return Limit(severity, "kept", "crossed", "remedy", **bounds)
+
+
+ROWS = (
+    row("model", "a", axis="contact", limit=limit("model", highest=1.0)),
+    row("slip", "a", axis="contact", limit=limit("function", highest=2.0)),
+    row("load", "a", axis="contact", limit=limit("function", lowest=0.1)),
+    row("range", "b", limit=limit("accuracy", lowest=1.0, highest=2.0, inclusive=True)),
+    row("clearance", "gaps", axis="clearance", lowest=0.0),
+    row("torque_safety", "b", lowest=1.0),
+    row("no limit", "a", axis="contact"),
+)
+
+
+@pytest.fixture
+def found(monkeypatch):
+    monkeypatch.setattr(module, "RESULTS", {each.name: each for each in ROWS})
+    solved = SimpleNamespace(a=np.array([0.5, 1.5, 0.2, 1.0, 0.4]), b=2.0, gaps=np.arange(8.0) - 1.0)
+    return {each.result.name: each for each in margins(solved)}
+
+
+def test_the_worst_place_of_each_requirement(found):
+    places = {name: (each.place, each.actual, each.passes) for name, each in found.items()}
+    assert places == {
+        "slip": ("pwr", 1.5, True),
+        "load": ("pwl", 0.2, True),
+        "clearance": ("roller_in_ring", -1.0, False),
+        "torque_safety": ("", 2.0, True),
+        "range": ("", 2.0, True),  # the bounds are included
+        "model": ("pwr", 1.5, False),
+    }
+    assert list(found) == list(places)  # the most serious first
+
+
+def test_share_of_the_limit_that_is_used(found):
+    assert found["slip"].utilisation == pytest.approx(0.75)
+    assert found["load"].utilisation == pytest.approx(0.5)
+    assert found["torque_safety"].utilisation == pytest.approx(0.5)
+    assert math.isnan(found["range"].utilisation)
+    assert math.isnan(found["clearance"].utilisation)
+
+
+def test_what_is_not_known_does_not_pass(monkeypatch):
+    monkeypatch.setattr(module, "RESULTS", {"slip": ROWS[1]})
+    (found,) = margins(SimpleNamespace(a=np.array([0.5, np.nan, 0.2, 5.0, 0.4])))
+    assert (found.place, found.passes) == ("pwr", False)
+
+
+def test_an_infinite_safety_factor_passes(monkeypatch):
+    monkeypatch.setattr(module, "RESULTS", {"torque_safety": ROWS[5]})
+    (found,) = margins(SimpleNamespace(b=math.inf))
+    assert (found.actual, found.passes, found.utilisation) == (math.inf, True, 0.0)

@@ -1,0 +1,96 @@
+"""A report as HTML: nothing from outside, every text as text, headings and tables where they belong."""
+
+import re
+from html.parser import HTMLParser
+
+import pytest
+
+from asperity.report.content import Bullets, Heading, Listing, Paragraph, Picture, Report, Table
+from asperity.report.html import report_html
+
+HOSTILE = "</pre><script>alert('x')</script><img src=x onerror=y>&amp;\"' #{[*_$\\\x1b[31m\u202e"
+SVG = (
+    '<?xml version="1.0"?>\n<!DOCTYPE svg>\n<svg viewBox="0 0 1 1"><metadata>m</metadata><defs><path id="a"/></defs>'
+    '<use xlink:href="#a"/><g clip-path="url(#a)"/></svg>'
+)
+
+
+def hostile_report():
+    return Report(
+        HOSTILE,
+        (
+            Heading(HOSTILE),
+            Paragraph(HOSTILE, strong=True),
+            Bullets([HOSTILE]),
+            Table(HOSTILE, (HOSTILE, "two\nlines"), [(HOSTILE, "1")]),
+            Picture(HOSTILE, SVG),
+            Picture("second", SVG),
+            Listing("\n# a\n" + HOSTILE),
+        ),
+    )
+
+
+class Reader(HTMLParser):
+    """Tags in balance, attributes, and the text of each kind of tag."""
+
+    VOID = ("meta", "br")
+
+    def __init__(self, text):
+        super().__init__()
+        self.open, self.tags, self.attributes, self.texts = [], [], [], {}
+        self.feed(text)
+        self.close()
+        assert self.open == []
+
+    def handle_starttag(self, tag, attrs):
+        self.tags.append(tag)
+        self.attributes += [(tag, name, value) for name, value in attrs]
+        if tag not in self.VOID:
+            self.open.append(tag)
+
+    def handle_startendtag(self, tag, attrs):
+        self.tags.append(tag)
+        self.attributes += [(tag, name, value) for name, value in attrs]
+
+    def handle_endtag(self, tag):
+        assert self.open.pop() == tag
+
+    def handle_data(self, data):
+        for tag in set(self.open):
+            self.texts[tag] = self.texts.get(tag, "") + data
+
+
+@pytest.fixture(scope="module")
+def page():
+    return Reader(report_html(hostile_report()))
+
+
+def test_hostile_text_stays_text(page):
+    assert not {"script", "img"} & set(page.tags)
+    assert not [name for _, name, _ in page.attributes if name.startswith("on")]
+    shown = HOSTILE.replace("\x1b", "\\x1b").replace("\u202e", "\\u202e")
+    for tag in ("h1", "title", "li", "caption", "td", "figcaption", "p"):
+        assert shown in page.texts[tag], tag
+
+
+def test_listing_is_letter_by_letter(page):
+    assert page.texts["pre"] == "\n" + "\n# a\n" + HOSTILE  # HTML drops the first line break
+
+
+def test_nothing_is_loaded_and_names_of_pictures_do_not_clash(page):
+    names = [value for _, name, value in page.attributes if name == "id"]
+    assert len(names) == len(set(names))
+    links = [value for _, name, value in page.attributes if name in ("href", "xlink:href", "src")]
+    assert links
+    assert {link.removeprefix("#") for link in links} <= set(names)
+    policy = next(value for tag, name, value in page.attributes if (tag, name) == ("meta", "content"))
+    assert policy.startswith("default-src 'none'")
+    text = report_html(hostile_report())
+    assert "<metadata>" not in text
+    assert not re.search(r"""(src|href)=["']?(https?:|//|data:)""", text)
+
+
+def test_titles_of_columns_have_lines_and_words_are_left(page):
+    text = report_html(Report("a", (Table("t", ("x", "two\nlines"), [("words", "1")]),)))
+    assert '<th scope="col">two<br>lines</th>' in text
+    assert "<td class=w>words</td><td>1</td>" in text

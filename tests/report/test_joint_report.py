@@ -1,0 +1,89 @@
+"""The report of a joint: its sections, required and actual values, and the file from which it can be made again."""
+
+import hashlib
+from pathlib import Path
+
+import pytest
+
+from asperity.joint_file.reader import parse_case
+from asperity.report.content import Heading, Listing, Paragraph, Picture, Table
+from asperity.report.html import report_html
+from asperity.report.joint_report import ReportSource, joint_report
+from asperity.report.typst_source import typst_source
+
+TEXT = (Path(__file__).parents[2] / "examples" / "zou2025.toml").read_text(encoding="utf-8")
+
+
+def report_of(text, **options):
+    return joint_report(ReportSource("joint.toml", text, parse_case(text, source="joint.toml"), **options))
+
+
+@pytest.fixture(scope="module")
+def made():
+    return report_of(TEXT)
+
+
+def tables(report):
+    return {block.title: block for block in report.blocks if isinstance(block, Table)}
+
+
+def test_sections_in_the_order_of_a_review(made):
+    assert made.sections == (
+        "Summary", "Inputs", "Assumptions", "Drawing", "Stiffness", "Forces and contacts", "Safety margins", "Warnings",
+        "Wind-up", "The joint in rolling", "Versions", "Joint file",
+    )  # fmt: skip
+    assert len([block for block in made.blocks if isinstance(block, Picture)]) == 6
+    assert [block.sheet for block in made.blocks if isinstance(block, Picture)].count(True) == 1
+
+
+def test_inputs_have_units_and_choices_are_listed(made):
+    inputs = dict(row[:2] for row in tables(made)["Numbers of the joint file"].rows)
+    assert inputs["drive.planet_radius"] == "13.5 mm"
+    assert inputs["load.output_torque"] == "5 N·m"
+    assert inputs["surface.fractal_roughness"] == "1e-8 mm"
+    assert ("model.closure", "elastic") in tables(made)["Choices of the joint file"].rows
+
+
+def test_margins_are_required_actual_and_pass(made):
+    rows = {row[0]: row[1:] for row in tables(made)["Safety margins"].rows}
+    # T/(mu N) = 46.3/(0.12 * 1001) at the sun; tan(beta/2)/mu with beta = 13.158 deg
+    assert rows["slip ratio T/(mu N)"] == ("function", "sp", "< 1", "0.3854", "pass")
+    assert rows["self-locking ratio tan(beta/2)/mu"] == ("function", "", "< 1", "0.9611", "pass")
+    concerns, where, required, actual, result = rows["Hertz pressure over first yield"]
+    assert (concerns, where, required, result) == ("damage", "sp", "< 1", "FAIL")
+    assert float(actual) == pytest.approx(1529.0 / (1.67 * 450.0), rel=1e-3)
+    assert rows["fractal dimension D"][2] == "≥ 1.02 and ≤ 1.99"
+    said = [block.text for block in made.blocks if isinstance(block, Paragraph) and block.strong]
+    assert said[0].startswith(
+        "Requirements of function and strength that are not met or not known: Hertz pressure over first yield"
+    )
+
+
+def test_drift_stands_beside_the_stiffness(made):
+    rows = [row[0] for row in tables(made)["Position of the output: drift beside stiffness"].rows]
+    assert rows[:3] == ["drift per output turn", "speed loss", "stiffness at rest"]
+
+
+def test_every_row_has_as_many_cells_as_the_table_has_columns(made):
+    for table in tables(made).values():
+        assert {len(row) for row in table.rows} == {len(table.head)}, table.title
+
+
+def test_the_report_follows_from_the_file_that_it_contains(made):
+    (listing,) = [block for block in made.blocks if isinstance(block, Listing)]
+    assert listing.text == TEXT
+    digest = hashlib.sha256(TEXT.encode()).hexdigest()
+    assert any(isinstance(block, Paragraph) and digest in block.text for block in made.blocks)
+    again = report_of(listing.text)
+    assert report_html(again) == report_html(made)
+    names = [f"{number}.svg" for number in range(6)]
+    assert typst_source(again, pictures=names) == typst_source(made, pictures=names)
+
+
+def test_a_joint_without_torque_has_a_report_that_says_what_is_absent():
+    text = TEXT.replace('"5 N*m"', '"0 N*m"').replace('"6000 rpm"', '"0 rpm"')
+    report = report_of(text, date="2026-03-01")
+    assert ("date", "2026-03-01") in tables(report)["Document"].rows
+    place = report.blocks.index(Heading("Wind-up"))
+    assert report.blocks[place + 1].text.startswith("No wind-up: a wind-up needs a torque that is not zero")
+    assert report_html(report)

@@ -1,0 +1,34 @@
+"""Margins as bars: shares of the limits, the fullest first, pass and fail in words."""
+
+import math
+
+from matplotlib.figure import Figure
+
+from asperity.joint.margins import Margin
+from asperity.joint.results import RESULTS
+from asperity.show.margins_figure import FAIL_COLOUR, PASS_COLOUR, draw_margins, drawn_margins
+
+FOUND = (
+    Margin(RESULTS["slip_ratio"], "sp", 0.4, -math.inf, 1.0, True, "function"),
+    Margin(RESULTS["pressure_over_first_yield"], "sp", 2.0, -math.inf, 1.0, False, "damage"),
+    Margin(RESULTS["clearance"], "planet_to_ring", 1e-3, 0.0, math.inf, True, "function"),
+    Margin(RESULTS["real_area_over_hertz_area"], "sp", 9.0, -math.inf, 1.0, False, "model"),
+    Margin(RESULTS["balance_residual"], "", 1e-16, -math.inf, 1e-9, True, "function"),
+)
+
+
+def test_only_function_and_damage_with_a_share_are_drawn():
+    assert [each.result.name for each in drawn_margins(FOUND)] == ["pressure_over_first_yield", "slip_ratio"]
+
+
+def test_bars_are_percent_and_say_pass_or_fail():
+    from matplotlib.colors import to_hex
+
+    axes = Figure().subplots()
+    draw_margins(axes, FOUND)
+    bars = axes.patches
+    assert [bar.get_width() for bar in bars] == [200.0, 40.0]
+    assert [to_hex(bar.get_facecolor()) for bar in bars] == [FAIL_COLOUR, PASS_COLOUR]
+    assert [text.get_text() for text in axes.texts] == ["200 %, FAIL", "40 %, pass"]
+    assert axes.lines[0].get_xdata()[0] == 100.0
+    assert axes.get_xlim()[0] == 0.0

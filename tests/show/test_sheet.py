@@ -1,0 +1,21 @@
+"""A sheet: standard scales and the window that the paper shows."""
+
+import pytest
+
+from asperity.show.sheet import Sheet, Text, scale_text, standard_scale
+
+
+@pytest.mark.parametrize(
+    ("size", "room", "scale", "words"),
+    [(104.0, 150.0, 1.0, "1:1"), (75.0, 150.0, 2.0, "2:1"), (76.0, 150.0, 1.0, "1:1"), (151.0, 150.0, 0.5, "1:2"),
+     (740.0, 150.0, 0.2, "1:5"), (1e4, 150.0, 0.01, "1:100"), (0.7, 150.0, 200.0, "200:1")],
+)  # fmt: skip
+def test_largest_standard_scale_that_fits(size, room, scale, words):
+    assert standard_scale(size, room=room) == pytest.approx(scale)
+    assert scale_text(scale) == words
+
+
+def test_window_is_the_paper_in_true_size():
+    sheet = Sheet(297.0, 210.0, 2.0, (100.0, 50.0), (Text((0.0, 0.0), "a"),))
+    assert sheet.window == (-50.0, 98.5, -25.0, 80.0)
+    assert sheet.texts == ("a",)
