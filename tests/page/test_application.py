@@ -247,6 +247,16 @@ def test_downloads_say_the_same_again(client, solve, joint_text):
     assert client.get(f"/api/joint/{answer['id']}/joint.py").status_code == 404
 
 
+def test_the_report_is_that_of_the_joint(client, solve):
+    answer = solve(load__preload="1100 N").json()
+    report = client.get(f"/api/joint/{answer['id']}/joint.html")
+    assert report.status_code == 200
+    assert report.headers["content-disposition"] == 'attachment; filename="my.html"'
+    stiffness = answer["document"]["torsional_stiffness"]["assembly"]["output_Nm_per_arcmin"]
+    assert f"{stiffness:.3f}" in report.text
+    assert "1100 N" in report.text
+
+
 def test_the_description_covers_every_number_of_the_file(client):
     described = client.get("/api/description").json()
     keys = {each["key"]: each for group in described["groups"] for each in group["parameters"]}

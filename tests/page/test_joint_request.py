@@ -60,6 +60,12 @@ def test_a_file_that_names_another_file_is_refused(joint_text, tmp_path):
         JointRequest("a.toml", text).case()
 
 
+def test_the_number_of_loads_is_bounded(joint_text):
+    text = joint_text + 51 * '\n[[duty]]\noutput_torque = "1 N*m"\nsun_speed = "1 rpm"\nshare = 0.01\n'
+    with pytest.raises(InputError, match=r"at most 50 loads in \[\[duty\]\], got 51"):
+        JointRequest("a.toml", text).case()
+
+
 @pytest.mark.parametrize(
     ("body", "said"),
     [

@@ -45,6 +45,12 @@ def test_an_unknown_address_is_said():
         listening_socket("no such host", 0)
 
 
+@pytest.mark.parametrize("host", ["0.0.0.0", "::", ""])
+def test_all_addresses_at_once_are_refused(host):
+    with pytest.raises(InputError, match=r"all addresses|unknown"):
+        listening_socket(host, 0)
+
+
 def test_names_of_the_host():
     assert host_names("127.0.0.1", 8642) == ("127.0.0.1:8642", "localhost:8642", "[::1]:8642")
     assert "192.168.1.2:80" in host_names("192.168.1.2", 80)

@@ -176,7 +176,7 @@ def _set(document: Any, steps: tuple[str, ...], value: float | str) -> None:
         table = table[step]
     other = counterpart(steps[-1])
     if other in table:
-        table.remove(other)
+        del table[other]
     table[steps[-1]] = value
 
 

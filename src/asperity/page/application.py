@@ -37,6 +37,9 @@ ASSETS: dict[str, tuple[str, str]] = {
     "/icon.svg": ("icon.svg", "image/svg+xml"),
 }
 
+#: What can be downloaded of a joint, and its type: joint file, JSON document, report.
+DOWNLOADS = {"toml": "application/toml", "json": "application/json", "html": "text/html; charset=utf-8"}
+
 #: Time that a request waits for its computation [s]; the first one of an installation compiles.
 LONGEST_ANSWER = 300.0
 
@@ -121,19 +124,16 @@ def application(
 
     async def download(request: Request) -> Response:
         found = kept.get(request.path_params["identity"])
-        if request.path_params["kind"] not in ("toml", "json"):
+        if request.path_params["kind"] not in DOWNLOADS:
             raise HTTPException(404)
         if found is None:
             return _error(404, "this joint is no longer kept; change a value and download again", "refused")
         asked, answer = found
-        if request.path_params["kind"] == "toml":
-            text, kind, end = await computations.run(asked.file_text), "application/toml", "toml"
-        else:
-            text = json.dumps(answer["document"], indent=2, allow_nan=False) + "\n"
-            kind, end = "application/json", "json"
+        end = request.path_params["kind"]
+        text = await computations.run(_downloaded, end, asked, answer["document"])
         name = re.sub(r"[^A-Za-z0-9._-]", "_", asked.name.removesuffix(".toml")) or "joint"
         disposition = f'attachment; filename="{name}.{end}"'
-        return Response(text, media_type=kind, headers={"content-disposition": disposition})
+        return Response(text, media_type=DOWNLOADS[end], headers={"content-disposition": disposition})
 
     @contextlib.asynccontextmanager
     async def life(app: Starlette) -> AsyncIterator[None]:
@@ -171,6 +171,18 @@ async def _not_here(request: Request, error: HTTPException) -> Response:
 
 async def _failed(request: Request, error: Exception) -> Response:
     return _error(500, "the server failed; its terminal says why", "failed")
+
+
+def _downloaded(kind: str, asked: JointRequest, document: dict[str, Any]) -> str:
+    if kind == "json":
+        return json.dumps(document, indent=2, allow_nan=False) + "\n"
+    text = asked.file_text()
+    if kind == "toml":
+        return text
+    from asperity.report.html import report_html
+    from asperity.report.joint_report import ReportSource, joint_report
+
+    return report_html(joint_report(ReportSource(name=asked.name, text=text, case=asked.case())))
 
 
 def _require_type(request: Request, *allowed: str) -> None:

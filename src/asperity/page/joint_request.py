@@ -18,6 +18,7 @@ from asperity.joint_file.reader import case_from_tables
 from asperity.reading import parse_toml
 
 MOST_CHANGES = 400
+MOST_LOADS = 50
 LONGEST_VALUE = 200
 LONGEST_NAME = 120
 
@@ -64,7 +65,7 @@ class JointRequest:
         Raises
         ------
         InputError
-            If it contains something that is not allowed, or names another file.
+            If it contains something that is not allowed, has too many loads, or names another file.
         """
         tables = copy.deepcopy(dict(self.tables)) if self.tables else parse_toml(self.text, source=self.name)
         refuse_named_files(tables, source=self.name)
@@ -72,6 +73,11 @@ class JointRequest:
             _apply(tables, self.changes)
         except InputError as error:
             raise InputError(f"{self.name}: {error}") from None
+        loads = tables.get("duty")
+        if isinstance(loads, list) and len(loads) > MOST_LOADS:
+            raise InputError(
+                f"{self.name}: the page takes at most {MOST_LOADS} loads in [[duty]], got {len(loads)}"
+            )
         return case_from_tables(tables, source=self.name)
 
     def file_text(self) -> str:

@@ -86,13 +86,16 @@ def _joint() -> Schema:
 
 def _download() -> Schema:
     return {
-        "summary": f"Joint file or JSON document of one of the latest {MOST_KEPT} joints.",
+        "summary": f"Joint file, JSON document or report of one of the latest {MOST_KEPT} joints.",
         "parameters": [
             {"name": "id", "in": "path", "required": True, "schema": {"type": "string"}},
-            {"name": "kind", "in": "path", "required": True, "schema": {"enum": ["toml", "json"]}},
+            {"name": "kind", "in": "path", "required": True, "schema": {"enum": ["toml", "json", "html"]}},
         ],
         "responses": {
-            "200": {"description": "The file.", "content": {"application/toml": {}, "application/json": {}}},
+            "200": {
+                "description": "The file.",
+                "content": {"application/toml": {}, "application/json": {}, "text/html": {}},
+            },
             "404": _json(_ref("Error"), "This joint is no longer kept."),
         },
     }

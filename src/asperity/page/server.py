@@ -72,12 +72,18 @@ def listening_socket(host: str, port: int) -> socket.socket:
     Raises
     ------
     InputError
-        If the address is not of this computer, or the port is in use.
+        If the address is not of this computer, or stands for all addresses, or the port is in use.
     """
     try:
         family, kind, protocol, _, address = socket.getaddrinfo(host, port, type=socket.SOCK_STREAM)[0]
     except OSError as error:
         raise InputError(f"the address {host} is unknown: {error.strerror or error}") from None
+    if ipaddress.ip_address(
+        str(address[0]).partition("%")[0]
+    ).is_unspecified:  # every request must name its host
+        raise InputError(
+            f"{host} stands for all addresses of this computer; give the one that other computers use, e.g. 192.168.1.5"
+        )
     found = socket.socket(family, kind, protocol)
     found.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
     try:

@@ -93,7 +93,7 @@ async function askOnce(state) {
 }
 
 function links() {
-  for (const kind of ["toml", "json"]) get(`save-${kind}`).href = `/api/joint/${answer.id}/joint.${kind}`;
+  for (const kind of ["toml", "json", "html"]) get(`save-${kind}`).href = `/api/joint/${answer.id}/joint.${kind}`;
 }
 
 async function address() {
