@@ -10,6 +10,7 @@ pytest.importorskip("httpx2")
 
 from starlette.testclient import TestClient
 
+from asperity.joint_file.model import Case
 from asperity.page.application import ASSETS, application, errors_by_key
 from asperity.page.computation import Computations
 from asperity.page.joint_request import JointRequest
@@ -268,7 +269,12 @@ def test_the_description_covers_every_number_of_the_file(client):
     assert keys["compliance.pin_stiffness"]["default"] == "rigid if absent"
     assert keys["rolling.reliability"]["default"] == "0.9 if absent"
     assert keys["materials.*.youngs_modulus"]["meaning"] == "Young's modulus E."
-    assert keys["load.preload"]["required"]
+    assert keys["drive.sun_radius"]["required"]
+    assert not keys["load.preload"]["required"]  # an interference can take its place
+    sections = {group["name"] for group in described["groups"]} | {
+        each["group"] for each in described["choices"]
+    }
+    assert sections == set(Case.model_fields)
 
 
 def test_the_interface_describes_its_answers(client, solve):

@@ -24,6 +24,13 @@ def test_sections_that_the_file_leaves_out(joint_text):
     assert case.rolling.skew.wlo.value == 0.0
 
 
+def test_an_interference_takes_the_place_of_the_preload(joint_text):
+    request = JointRequest("a.toml", joint_text, {"load.interference": "10 um"})
+    assert request.case().load.preload is None
+    assert request.case().load.interference.value == pytest.approx(10e-6)
+    assert JointRequest("a.toml", request.file_text()).case() == request.case()
+
+
 def test_the_text_says_what_the_case_says(joint_text):
     request = JointRequest(
         "a.toml",

@@ -27,6 +27,7 @@ HEADINGS = {
     "rolling": "Rolling",
     "lubrication": "Lubrication",
     "duty": "Duty",
+    "dynamics": "Dynamics",
 }
 
 
