@@ -22,7 +22,7 @@ def test_what_is_not_a_file(tmp_path):
     os.mkfifo(tmp_path / "pipe")
     with pytest.raises(InputError, match="pipe"):
         file_bytes(path=tmp_path / "pipe", largest=10)
-    with pytest.raises(InputError, match=r"cannot be read|no file"):
+    with pytest.raises(InputError, match=r"not a valid file name"):
         checked_file(path="a\0b", largest=10)
     (tmp_path / "empty").touch()
     with pytest.raises(InputError, match="is empty"):
