@@ -1,7 +1,9 @@
 """Notes on joints that can exist: the ring that carries itself against exact annuli, sizes, friction, lengths."""
 
 import dataclasses
+from types import SimpleNamespace
 
+import numpy as np
 import pytest
 
 from asperity.joint.plausibility import checked_sizes, plausibility
@@ -103,7 +105,8 @@ def sizes(paper_joint):
     def of(**changes):
         joint = paper_joint(**changes)
         given = dataclasses.replace(joint, ring_support="rigid_housing")
-        found = plausibility(given, None, checked_sizes(given, None))
+        unknown = SimpleNamespace(rolling=SimpleNamespace(film_ratio=np.full(5, np.nan)))
+        found = plausibility(given, unknown, checked_sizes(given, unknown))
         return {(note.name, note.contact): note for note in found}
 
     return of

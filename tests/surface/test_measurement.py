@@ -82,7 +82,9 @@ def test_missing_key_and_wrong_files(tmp_path):
     with pytest.raises(InputError, match="fractal_roughness_m"):
         measurement_from_document(document=document)
     (tmp_path / "x.json").write_text("no json")
-    with pytest.raises(InputError, match=r"not valid JSON.*; write it with"):
+    with pytest.raises(
+        InputError, match=r"not valid JSON.*; expected is the JSON document of a measured surface"
+    ):
         read_measurement(path=tmp_path / "x.json")
     with pytest.raises(InputError, match=r"there is no such file|directory|cannot be read"):
         read_measurement(path=tmp_path / "none.json")

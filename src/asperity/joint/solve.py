@@ -113,7 +113,7 @@ def solve(joint: Joint) -> Solution:
     if LIMIT_KINDS[int(in_direction.limit)] == "contact_too_wide" and in_direction.output_torque > 0.0:
         _refuse_torque(numbers, in_direction)
     refuse_wide_contacts(numbers, result)
-    if some_contact_slips(slip_ratio=result.diagnostics.slip_ratio):
+    if result.solved and some_contact_slips(slip_ratio=result.diagnostics.slip_ratio):
         _refuse_torque(numbers, in_direction)
     refuse_unsolved(numbers, result)
     refuse_thin_walls(result)
