@@ -33,6 +33,7 @@ def test_import_and_dir_load_nothing_heavy():
     assert python(script).split() == []
 
 
+@pytest.mark.slow
 def test_load_and_solve_in_single_precision_jax_load_no_plotting_and_no_tables():
     script = (
         "import sys, asperity; s = asperity.load('examples/zou2025.toml').solve(); import jax; "

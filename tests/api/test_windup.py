@@ -12,6 +12,7 @@ def curve(joint):
     return asperity.windup(joint, torque="4 N*m", stages=(0.25, 0.75))
 
 
+@pytest.mark.slow
 def test_values_are_those_of_the_command(curve, printed, zou_file):
     document = printed("windup", zou_file, "--torque", "4 N*m", "--stages", "0.25", "0.75")
     assert curve.document == document

@@ -18,6 +18,7 @@ BENTALL = [
 ]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("friction", "q", "creepage", "peak"), BENTALL)
 def test_unlike_rollers_creep_without_torque(friction, q, creepage, peak):
     pair = elastic_pair(

@@ -35,6 +35,7 @@ def invoke(*arguments):
     return CliRunner().invoke(asperity, [str(argument) for argument in arguments], catch_exceptions=True)
 
 
+@pytest.mark.slow
 def test_design_agrees_with_the_joint_command(folder):
     out, plot = folder / "designed.toml", folder / "designed.png"
     result = invoke("design", folder / "design.toml", "--out", out, "--plot", plot, "--json")
@@ -67,6 +68,7 @@ def test_a_front_is_a_table(folder):
     assert "a Pareto front is a table of many joints" in str(result.exception)
 
 
+@pytest.mark.slow
 def test_tables_and_conflict(folder):
     text = DESIGN.replace("at_most = 2.0", "at_most = 0.9").replace("at_most = 0.8", "at_most = 0.2")
     (folder / "design.toml").write_text(text)

@@ -4,6 +4,7 @@ import csv
 import json
 
 import numpy as np
+import pytest
 
 SECTION = '\n[dynamics]\ninput_inertia = "2e-6 kg*m^2"\noutput_inertia = "500 kg*cm^2"\n'
 
@@ -12,6 +13,7 @@ def coupled(joint_file, more=""):
     return joint_file(("[surface]", f"{SECTION}{more}\n[surface]"))
 
 
+@pytest.mark.slow
 def test_table_json_csv_and_picture(call, joint_file, tmp_path):
     file, data, picture = coupled(joint_file), tmp_path / "response.csv", tmp_path / "response.svg"
     outcome = call("dynamics", file, "--csv", str(data), "--plot", str(picture))

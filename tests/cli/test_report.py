@@ -6,6 +6,7 @@ import json
 import pytest
 
 
+@pytest.mark.slow
 def test_html_is_written(call, joint_file, tmp_path):
     outcome = call("report", joint_file(), "--out", tmp_path / "r.html", "--date", "1 <March>")
     assert (outcome.code, outcome.out) == (0, "")

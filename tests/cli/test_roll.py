@@ -17,6 +17,7 @@ share = 1.0
 """
 
 
+@pytest.mark.slow
 def test_document_and_picture(call, joint_file, tmp_path):
     warm = (
         'yield_strength = "450 MPa"\nthermal_conductivity = "50 W/m/K"\nspecific_heat_capacity = "460 J/kg/K"'

@@ -42,6 +42,7 @@ def test_help_and_version_load_nothing_heavy(option):
     assert b"asperity" in done.stdout
 
 
+@pytest.mark.slow
 def test_the_joint_command_loads_no_plotting_and_no_optimiser():
     unwanted = "scipy.optimize,matplotlib,pint,pandas,xarray"
     script = PROGRAM.replace("sys.argv[-1]", repr(unwanted))

@@ -107,6 +107,7 @@ def test_uncertainty_needs_tolerances_and_distributions(tmp_path):
     assert (tmp_path / "u.svg").stat().st_size > 5_000
 
 
+@pytest.mark.slow
 def test_sensitivity_document_and_table(tmp_path, monkeypatch):
     from asperity.joint_file.reader import read_case
     from asperity.study.tolerances import sensitivity as module

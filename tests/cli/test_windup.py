@@ -147,6 +147,7 @@ def test_a_sun_that_turns(call, joint_file, asked, tmp_path):
     assert swing[-1] < 2.0 * drift / (2.0 * np.pi) * output[-1]
 
 
+@pytest.mark.slow
 def test_a_torque_beyond_rolling_has_no_drift(call, tmp_path):
     """The tutorial's joint passes 14.33 N·m at rest, 13.28 in rolling."""
     file = Path(__file__).parents[2] / "examples" / "tutorial_joint.toml"

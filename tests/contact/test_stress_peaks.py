@@ -62,6 +62,7 @@ def test_peaks_are_the_largest_of_flamants_field():
         assert np.all(np.array(largest) <= np.array(expected) * (1 + 1e-6))
 
 
+@pytest.mark.slow
 def test_stored_coefficients_are_those_of_the_field():
     shear, mises = fitted_coefficients(shear_terms=len(SHEAR), mises_terms=(len(MISES), len(MISES[0])))
     np.testing.assert_allclose(SHEAR, shear, atol=1e-9)

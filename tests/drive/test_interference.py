@@ -114,6 +114,7 @@ def test_springs_of_ring_and_pins_add_their_compression(smooth):
     assert float(interference(compliance=stiff, preload=1000.0)) == pytest.approx(1e-8 * normal, rel=1e-12)
 
 
+@pytest.mark.slow
 def test_exact_bodies_and_a_ring_that_carries_itself(paper_joint):
     """All six radial loads on a ring of 10 mm: 2.43827e-8 m/N free, 2.71043e-9 held, computed independently."""
     found = jax.jit(lambda joint: evaluate(joint).interference)

@@ -8,6 +8,7 @@ from asperity.joint.solve import solve
 from asperity.zou2025.preset import operating_grid, table_2_joint
 
 
+@pytest.mark.slow
 def test_levels_of_the_papers_joint(load_example, monkeypatch):
     monkeypatch.setenv("ASPERITY_CACHE_DIR", "")
     result = load_example("stiffness_levels").main()

@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 
+@pytest.mark.slow
 def test_levels_are_ordered_and_the_published_one_peaks_near_1_85(load_example, tmp_path, monkeypatch):
     monkeypatch.setenv("ASPERITY_CACHE_DIR", "")
     example = load_example("stiffness_picture")

@@ -143,6 +143,7 @@ def test_a_batch_is_as_one_by_one(paper_joint):
         assert int(together.limiting_contact[index]) == int(alone.limiting_contact)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("mu", "kind"), [(0.12, "gross_slip"), (0.3, "lift_off")])
 def test_gradients_are_the_implicit_ones(paper_joint, mu, kind):
     def of_preload(preload):

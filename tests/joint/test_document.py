@@ -38,6 +38,7 @@ def dimensions(document):
     return {e["contact"]: e for e in document["diagnostics"] if e["name"] == "fractal_dimension"}
 
 
+@pytest.mark.slow
 def test_the_range_in_which_the_law_is_verified_is_a_diagnostic(text, solution):
     inside = document_of(text, solution)
     assert all(entry["ok"] for entry in dimensions(inside).values())

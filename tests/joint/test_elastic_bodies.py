@@ -258,6 +258,7 @@ def test_shares_of_the_compliance_add_up(joint):
     assert sum(shares) == pytest.approx(1.0, abs=1e-12)
 
 
+@pytest.mark.slow
 def test_derivatives_forward_and_reverse(joint):
     def of(x):
         made = joint(ring_support="free")
@@ -310,6 +311,7 @@ def test_every_wall_that_is_admitted_has_a_stiffness(joint):
     assert np.all(np.diff(found[holds]) > 0.0)
 
 
+@pytest.mark.slow
 def test_hollow_planets_make_the_joint_softer(joint):
     bores = np.array([0.01e-3, 8e-3, 16e-3, 22e-3])
     found = solved(joint(ring_wall_thickness=np.full(4, 20e-3), planet_bore=bores))
@@ -321,6 +323,7 @@ def test_hollow_planets_make_the_joint_softer(joint):
     assert np.asarray(found.planet_mass) == pytest.approx(mass, rel=1e-12)
 
 
+@pytest.mark.slow
 def test_the_wind_up_integrates_the_exact_bodies(joint):
     made = joint(ring_support="free")
     found = windup(made, largest_torque=4.0, level="assembly", stage_shares=(0.3, 0.6))

@@ -164,6 +164,7 @@ def test_more_friction_never_softens_and_rougher_never_stiffens(chain, x, more):
         assert rougher <= here * (1 + 1e-9)
 
 
+@pytest.mark.slow
 def test_gradients_with_respect_to_everything_are_finite_and_right(paper_joint):
     """Reverse mode at ordinary, slipping, lifted, plastic and unloaded joints; finite differences at the first."""
     joint = paper_joint(

@@ -89,6 +89,7 @@ def test_a_tolerance_that_does_not_move_the_preload_is_named(by_length, joint_te
     assert not any("load.preload is a force" in each for each in assumptions(free))
 
 
+@pytest.mark.slow
 def test_a_free_ring_takes_more_micrometres_and_minds_errors_less(by_length):
     """At 10 mm of wall 1000 N take about twice the interference, and 5 um on the planets matter half as much."""
     spread = {}

@@ -52,6 +52,7 @@ def write(tmp_path):
     return to
 
 
+@pytest.mark.slow
 def test_a_narrow_interval_is_the_linear_propagation_of_the_covariance(zou_file):
     measured = measurement()
     joint = joint_from_case(with_measured_surface(read_case(zou_file), measured))

@@ -21,6 +21,7 @@ def notes(paper_joint):
     return of
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("model", "wall", "exact", "rel"),
     [
@@ -44,6 +45,7 @@ def test_the_loss_of_a_ring_that_carries_itself(paper_joint, model, wall, exact,
     assert remedy in note.remedy
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("support", ["rigid_housing", "free"])
 def test_a_stated_support_needs_no_warning(paper_joint, support):
     joint = dataclasses.replace(paper_joint(ring_wall_thickness=6e-3), ring_support=support)
@@ -58,6 +60,7 @@ def test_a_thick_ring_and_ordinary_numbers_are_no_warning(notes):
     assert found["ring_bending_loss", None].value == pytest.approx(0.025, abs=0.01)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("changes", "name", "said"),
     [
@@ -93,6 +96,7 @@ def test_a_film_that_carries_load_is_named_where_its_ratio_is_known(paper_joint)
     assert "the oil film carries a part of the load" in found["pwl"].meaning
 
 
+@pytest.mark.slow
 def test_without_a_scale_the_size_does_not_matter(notes):
     names = {name for name, _ in notes(contact_length=150e-3, contact_factor_model="unity")}
     assert "contact_factor_size" not in names

@@ -243,6 +243,7 @@ def test_life_of_bodies_and_drive(rolled, reliability):
     assert float(found.life_hours.drive) == pytest.approx(hours, rel=1e-9)
 
 
+@pytest.mark.slow
 def test_duty_of_one_load_is_that_load(rolled):
     duty = (DutyPoint(5.0, 100.0, 0.25), DutyPoint(5.0, 100.0, 0.7), DutyPoint(5.0, 100.0, 0.05))
     found = rolled(conditions(duty=duty), sun_speed=100.0)
@@ -334,6 +335,7 @@ def test_nothing_is_said_of_a_contact_that_slips_or_has_no_stiffness(rolled, cha
     assert all(np.all(np.isnan(leaf)) for leaf in jax.tree.leaves(found))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("speed", [0.0, 100.0])
 def test_gradients_are_finite_and_right(rolled, speed):
     given = conditions(skew=(5e-4,) * 5)
@@ -350,6 +352,7 @@ def test_gradients_are_finite_and_right(rolled, speed):
     assert np.all(np.isfinite(slopes(0.0)))
 
 
+@pytest.mark.slow
 def test_a_batch_is_its_members(rolled):
     torque, preload = jnp.array([0.0, 2.0, 5.0]), jnp.array([800.0, 1000.0, 1500.0])
     given = conditions(

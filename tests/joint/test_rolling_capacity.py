@@ -49,6 +49,7 @@ def test_the_sun_contact_slips_at_one_torque_at_rest_and_in_rolling(paper_joint)
     )
 
 
+@pytest.mark.slow
 def test_root_search_and_halving_find_the_same_torque_in_either_direction(wedged):
     """Two ways: a search on the slip ratio with derivatives, and halving with the whole joint solved each time."""
     bearings = Bearings(*map(np.asarray, (0.002, 0.001, 0.01, 0.01, 2e-3)))

@@ -169,6 +169,7 @@ def test_a_share_that_is_none_is_refused(joint, share):
         onset_of(joint, share)
 
 
+@pytest.mark.slow
 def test_the_picture_has_two_more_panels(joint, onset):
     from asperity.joint.windup import windup
 

@@ -14,6 +14,7 @@ def told(joint) -> str:
     return str(refused.value)
 
 
+@pytest.mark.slow
 def test_plastic_contacts_in_the_closure_are_the_cause_not_preload_or_torque(paper_joint):
     message = told(paper_joint(fractal_dimension=1.2, closure_springs="bulk_and_asperities"))
     assert "every spot of sp, pwr, pwl, wro, wlo is plastic" in message

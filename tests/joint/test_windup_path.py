@@ -120,6 +120,7 @@ def path_following(joint, largest):
     return half, up, down[::-1]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("closure", "largest", "width_error", "energy_error"),
     [

@@ -54,6 +54,7 @@ def printed(zou_file):
     return json.loads(done.stdout)
 
 
+@pytest.mark.slow
 def test_the_document_is_that_of_the_command(client, joint_text, printed):
     answer = client.post("/api/joint", json={"toml": joint_text}).json()
     assert answer["document"] == printed
@@ -235,6 +236,7 @@ def test_a_file_is_checked(client, joint_text):
     assert "sun_radius" in missing["error"]
 
 
+@pytest.mark.slow
 def test_downloads_say_the_same_again(client, solve, joint_text):
     answer = solve(load__preload="1200 N", bodies__sun="52100", model__closure="constant_pin_force").json()
     text = client.get(f"/api/joint/{answer['id']}/joint.toml")
@@ -248,6 +250,7 @@ def test_downloads_say_the_same_again(client, solve, joint_text):
     assert client.get(f"/api/joint/{answer['id']}/joint.py").status_code == 404
 
 
+@pytest.mark.slow
 def test_the_report_is_that_of_the_joint(client, solve):
     answer = solve(load__preload="1100 N").json()
     report = client.get(f"/api/joint/{answer['id']}/joint.html")

@@ -52,6 +52,7 @@ def write(page, path, text):
     do(page, action)
 
 
+@pytest.mark.slow
 def test_the_page_shows_what_the_command_says(page):
     text, exact = stiffness()
     assert card(page) == text
@@ -125,6 +126,7 @@ def test_a_link_shows_the_same_joint(page, chromium):
     other.close()
 
 
+@pytest.mark.slow
 def test_choices_change_the_joint(page):
     page.locator("details[data-group=model] summary").click()
     do(page, lambda: page.locator("#value-model-closure").select_option("constant_pin_force"))
@@ -161,6 +163,7 @@ def test_the_downloaded_file_solves_to_the_same_number(page, tmp_path):
     assert document["input"]["load"]["preload"] == 1200.0
 
 
+@pytest.mark.slow
 def test_files_are_opened_and_wrong_ones_refused(page, tmp_path):
     before = card(page)
     (tmp_path / "picture.toml").write_bytes(b"\x89PNG\r\n\x1a\n\xff\xfe")
@@ -202,6 +205,7 @@ def test_the_policy_holds_in_the_browser(chromium, served):
     page.close()
 
 
+@pytest.mark.slow
 def test_a_server_that_stops_is_said_and_nothing_is_lost(chromium, serve):
     own = serve(FILE)
     page = chromium.new_page()

@@ -42,6 +42,7 @@ def changes(point):
     return {**numbers, "load.output_torque": np.array([1e-6, 5.0]), "load.sun_speed": np.zeros(2)}
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "path",
     [
@@ -61,6 +62,7 @@ def test_every_number_of_a_joint_file_can_vary_alone(values, path):
     }
 
 
+@pytest.mark.slow
 def test_levels_of_stiffness(values):
     thick = {**changes(POINT), "drive.ring_wall_thickness": np.full(2, 0.06)}
     status, found, _ = derivatives_at(values, thick, NAMES)

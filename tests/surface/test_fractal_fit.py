@@ -77,6 +77,7 @@ def fewest_covered(count, share=0.9):
     return int(binom.ppf(1e-3, count, share))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("kind", "estimator", "repeats"),
     [

@@ -16,7 +16,11 @@ def test_content_and_beginning(tmp_path):
 
 
 def test_what_is_not_a_file(tmp_path):
-    for path, says in ((tmp_path, "is a directory"), (tmp_path / "no", "no such file"), ("/dev/zero", "device")):
+    for path, says in (
+        (tmp_path, "is a directory"),
+        (tmp_path / "no", "no such file"),
+        ("/dev/zero", "device"),
+    ):
         with pytest.raises(InputError, match=says):
             checked_file(path=path, largest=10)
     os.mkfifo(tmp_path / "pipe")

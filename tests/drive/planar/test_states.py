@@ -14,6 +14,7 @@ NAMES = ["wedge", "planetary", "multiroller", "stepped"]
 TORQUE = {"wedge": 5.0, "planetary": 8.0, "multiroller": 20.0, "stepped": 6.0}
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", NAMES)
 def test_states_are_solved_and_balanced(drives, solved, name):
     drive = drives[name]

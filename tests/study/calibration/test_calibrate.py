@@ -74,6 +74,7 @@ def fitted(case, data, angle, texts=UNKNOWNS, starts=1):
     )
 
 
+@pytest.mark.slow
 def test_exact_data_give_exact_values(case, curve):
     found = fitted(case, *curve)
     assert [each.path for each in found.estimates][-2:] == ["offset 1", "offset 2"]

@@ -46,6 +46,7 @@ def test_prediction(model):
     assert np.all(np.diff(lower) > 0.0)
 
 
+@pytest.mark.slow
 def test_joint_that_hardly_exists(model):
     slips = np.array([0.0, 0.0, 0.3, 0.4, 0.5, 0.6])  # 300 N and mu = 0.09
     assert np.all(np.isnan(model.predictions(slips[None])))

@@ -74,6 +74,7 @@ def creep_by_hand(normal, sun_force, friction):
     return creepage(0, sun_force) + creepage(1, right) + creepage(3, right)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("torque", [-8.0, -2.0, 3.0, 7.0])
 def test_model_is_carters_creep_by_hand(zou_file, tmp_path, torque):
     """Surfaces so smooth that their layer adds nothing; only the normal forces are the joint's."""
@@ -123,6 +124,7 @@ def test_many_sets_are_as_one_by_one_and_slip_has_no_prediction(model):
     assert np.isfinite(model(slips[0])[0]).all(), "the search is led back"
 
 
+@pytest.mark.slow
 def test_play_of_the_joint_file_is_no_drift(zou_file, tmp_path, model):
     file = tmp_path / "play.toml"
     file.write_text(Path(zou_file).read_text() + '\n[play]\nangle = "10 arcmin"\ntake_up_torque = "0 N*m"\n')

@@ -75,6 +75,7 @@ def cluster(tmp_path):
     made.close()
 
 
+@pytest.mark.slow
 def test_a_killed_worker_loses_nothing(case, cluster, tmp_path, evaluated_directly):
     from distributed import Client
 
@@ -152,6 +153,7 @@ def test_local_workers_start_with_their_settings_and_leave_ours_alone():
     assert {name: os.environ.get(name) for name in names} == before
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("number", "code", "word"), [("TERM", 143, "terminated"), ("INT", 130, "interrupted")]
 )

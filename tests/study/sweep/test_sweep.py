@@ -38,6 +38,7 @@ def filled(case, tmp_path_factory):
     return path
 
 
+@pytest.mark.slow
 def test_equals_the_joint_solved_directly(in_memory, evaluated_directly):
     direct = evaluated_directly(AXES)
     slips = np.any(np.asarray(direct.diagnostics.slip_ratio) >= 1.0, axis=0).reshape(5, 3, 2)

@@ -93,6 +93,7 @@ def test_ranking_is_by_influence(found):
         ranking(found, "weight")
 
 
+@pytest.mark.slow
 def test_a_joint_that_slips_has_no_sensitivities(joint_text):
     with pytest.raises(InputError, match="beyond the torque capacity"):
         sensitivity(
@@ -100,6 +101,7 @@ def test_a_joint_that_slips_has_no_sensitivities(joint_text):
         )
 
 
+@pytest.mark.slow
 def test_where_all_spots_are_plastic_only_the_stiffness_has_no_sensitivities(joint_text):
     plastic = parse_case(joint_text.replace("fractal_dimension = 1.4", "fractal_dimension = 1.2"), source="x")
     with pytest.raises(

@@ -122,6 +122,8 @@ def _client(scheduler: str | None, workers: int | None) -> Iterator[Any]:
     distributed, dask = require("distributed"), require("dask")
     if scheduler is not None:
         try:
+            # a client that fails to connect would stay Dask's default for whatever this process does next
+            distributed.Client(scheduler, timeout=_CONNECT_SECONDS, set_as_default=False).close()
             client = distributed.Client(scheduler, timeout=_CONNECT_SECONDS)
         except (OSError, ValueError, TypeError) as error:
             raise InputError(f"no Dask scheduler answers at {scheduler}: {error}") from None
