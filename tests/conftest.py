@@ -1,6 +1,7 @@
 """Shared set-up: double precision, strict promotion, and where the optional shared measurement files live."""
 
 import atexit
+import gc
 import os
 import shutil
 import tempfile
@@ -13,6 +14,7 @@ import jax
 import numpy as np
 import pytest
 
+from asperity import compilation
 from asperity.precision import use_compilation_cache
 
 if "ASPERITY_CACHE_DIR" not in os.environ:
@@ -26,6 +28,20 @@ jax.config.update("jax_numpy_dtype_promotion", "strict")
 # most of the suite's time is compilation; the unoptimised programs compute the same numbers in a third of it
 jax.config.update("jax_disable_most_optimizations", True)
 use_compilation_cache()
+
+_LARGEST_MEMORY = 3e9  # of one worker [bytes]
+
+
+@pytest.fixture(scope="module", autouse=True)
+def bounded_memory():
+    """Forget compiled programs where they fill the memory; the cache on disk still has them."""
+    yield
+    pages = Path("/proc/self/statm")
+    if pages.exists() and int(pages.read_text().split()[1]) * os.sysconf("SC_PAGE_SIZE") > _LARGEST_MEMORY:
+        compilation._compiled.cache_clear()
+        jax.clear_caches()
+        gc.collect()
+
 
 FILE = Path(__file__).parents[1] / "examples" / "zou2025.toml"
 SHARED = Path(os.environ.get("ASPERITY_SHARED_DATA", Path(__file__).parents[2] / "shared"))
