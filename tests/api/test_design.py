@@ -3,6 +3,8 @@ import pytest
 import asperity
 from asperity.errors import InputError, NoSolutionError
 
+pytestmark = pytest.mark.slow
+
 DESIGN = """
 joint = "zou2025.toml"
 [variables]
@@ -30,7 +32,6 @@ def found(folder):
     return asperity.design(folder / "design.toml")
 
 
-@pytest.mark.slow
 def test_values_are_those_of_the_command(found, folder, printed):
     document = printed("design", folder / "design.toml")
     assert found["load.preload"].si == pytest.approx(document["variables"]["load.preload"], rel=1e-9)

@@ -2,6 +2,8 @@
 
 import pytest
 
+pytestmark = pytest.mark.slow
+
 
 def test_capacity_is_proportional_to_the_planets(load_example, monkeypatch, tmp_path):
     monkeypatch.setenv("ASPERITY_CACHE_DIR", "")

@@ -10,6 +10,8 @@ from asperity.joint_file.build import joint_from_case, with_values
 from asperity.joint_file.reader import parse_case, read_case
 from asperity.units import format_quantity
 
+pytestmark = pytest.mark.slow
+
 ROOT = Path(__file__).parents[2]
 FILE = ROOT / "examples" / "tutorial_joint.toml"
 
@@ -52,7 +54,6 @@ def write(page, path, text):
     do(page, action)
 
 
-@pytest.mark.slow
 def test_the_page_shows_what_the_command_says(page):
     text, exact = stiffness()
     assert card(page) == text
@@ -126,7 +127,6 @@ def test_a_link_shows_the_same_joint(page, chromium):
     other.close()
 
 
-@pytest.mark.slow
 def test_choices_change_the_joint(page):
     page.locator("details[data-group=model] summary").click()
     do(page, lambda: page.locator("#value-model-closure").select_option("constant_pin_force"))
@@ -163,7 +163,6 @@ def test_the_downloaded_file_solves_to_the_same_number(page, tmp_path):
     assert document["input"]["load"]["preload"] == 1200.0
 
 
-@pytest.mark.slow
 def test_files_are_opened_and_wrong_ones_refused(page, tmp_path):
     before = card(page)
     (tmp_path / "picture.toml").write_bytes(b"\x89PNG\r\n\x1a\n\xff\xfe")
@@ -205,7 +204,6 @@ def test_the_policy_holds_in_the_browser(chromium, served):
     page.close()
 
 
-@pytest.mark.slow
 def test_a_server_that_stops_is_said_and_nothing_is_lost(chromium, serve):
     own = serve(FILE)
     page = chromium.new_page()

@@ -20,7 +20,7 @@ from asperity.study.calibration.measurement import Measurement
 from asperity.study.calibration.posterior import CUT_SHARE, Posterior, posterior, sample
 from asperity.study.calibration.unknowns import read_unknowns
 
-pytestmark = pytest.mark.filterwarnings("ignore::DeprecationWarning")
+pytestmark = [pytest.mark.slow, pytest.mark.filterwarnings("ignore::DeprecationWarning")]
 SHARES = (0.025, 0.16, 0.5, 0.84, 0.975)
 #: By so much the sums over the grid move a share.
 GRID_ERROR = 0.01
@@ -50,7 +50,6 @@ def sampled(shift, draws):
     )
 
 
-@pytest.mark.slow
 def test_linear_model():
     found = sampled(np.zeros(2), draws=300)
     expected = np.sqrt(np.diag(COVARIANCE))  # t with 58 degrees of freedom, nearly
@@ -150,7 +149,6 @@ def test_note_on_a_bound_is_certain_only_with_enough_draws():
     assert Posterior(scaled_values=many, **made).note(0) == "cut by lower bound"
 
 
-@pytest.mark.slow
 def test_joint_cut_by_bounds(cut_joint, drawn):
     model, data = cut_joint.model, cut_joint.model.measurement
     preload, play, width = np.linspace(0.0, 0.4, 41), np.linspace(0.0, 0.3, 76), np.linspace(0.0, 1.0, 51)

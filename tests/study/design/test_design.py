@@ -17,6 +17,8 @@ from asperity.study.design.design import design, nominal_results
 from asperity.study.design.design_file import design_from_tables
 from asperity.study.design.design_result import conflict
 
+pytestmark = pytest.mark.slow
+
 
 def run(zou_file, text):
     return design(
@@ -33,7 +35,6 @@ def values(zou_file):
     return si_values(parse_case(zou_file.read_text(), source="test"))
 
 
-@pytest.mark.slow
 def test_best_dimension_against_exhaustive_search(zou_file, values):
     found = run(
         zou_file,
@@ -49,7 +50,6 @@ def test_best_dimension_against_exhaustive_search(zou_file, values):
     assert found.optimality_residual < 1e-3
 
 
-@pytest.mark.slow
 def test_smallest_preload_against_bisection(zou_file, values):
     found = run(
         zou_file,
@@ -99,7 +99,6 @@ def test_limits_of_speed_ratio_and_pressure_against_closed_forms(zou_file):
     assert found.summary_before["hertz_pressure"] == pytest.approx(1.53e9, rel=5e-3)  # the model's own figure
 
 
-@pytest.mark.slow
 def test_rounded_designs_against_every_combination_of_the_steps(zou_file, values):
     found = run(
         zou_file,
@@ -123,7 +122,6 @@ def test_rounded_designs_against_every_combination_of_the_steps(zou_file, values
     assert found.objective_unrounded > found.objective_after
 
 
-@pytest.mark.slow
 def test_written_file_says_what_the_search_saw(zou_file):
     found = run(
         zou_file,
@@ -151,7 +149,6 @@ def test_worst_case_over_torques_and_tolerances(tmp_path, zou_file):
     assert robust.objective_after == pytest.approx(plain.point["load.preload"] + 100.0, rel=1e-7)
 
 
-@pytest.mark.slow
 def test_conflict_is_named_with_its_size(zou_file, values):
     grid = np.linspace(300.0, 400.0, 3)
     best = result_at(values, "assembly_stiffness_output", {"load.preload": grid})[0].max()
@@ -187,7 +184,6 @@ minimise = "envelope_volume"
 """
 
 
-@pytest.mark.slow
 def test_the_least_violation_is_a_joint_that_exists(zou_file):
     # a large wedge, which a small loading roller makes, lowers nothing here so much as rollers that overlap would
     found = run(
@@ -200,7 +196,6 @@ def test_the_least_violation_is_a_joint_that_exists(zou_file):
     assert min(float(gap.gap) for gap in clearances(joint.geometry)) > 0.0
 
 
-@pytest.mark.slow
 def test_without_any_joint_that_exists_there_is_no_design(zou_file):
     with pytest.raises(NoSolutionError, match=r"no joint was found that exists .* slip ratio .* at 80 N"):
         run(

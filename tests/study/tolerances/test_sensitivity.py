@@ -10,6 +10,8 @@ from asperity.study.batch import evaluate_points
 from asperity.study.tolerances.sensitivity import DEFAULT_RESULTS, ranking, sensitivity
 from asperity.unit_table import Dimension
 
+pytestmark = pytest.mark.slow
+
 
 @pytest.fixture(scope="module")
 def homogeneous(joint_text):
@@ -93,7 +95,6 @@ def test_ranking_is_by_influence(found):
         ranking(found, "weight")
 
 
-@pytest.mark.slow
 def test_a_joint_that_slips_has_no_sensitivities(joint_text):
     with pytest.raises(InputError, match="beyond the torque capacity"):
         sensitivity(
@@ -101,7 +102,6 @@ def test_a_joint_that_slips_has_no_sensitivities(joint_text):
         )
 
 
-@pytest.mark.slow
 def test_where_all_spots_are_plastic_only_the_stiffness_has_no_sensitivities(joint_text):
     plastic = parse_case(joint_text.replace("fractal_dimension = 1.4", "fractal_dimension = 1.2"), source="x")
     with pytest.raises(
