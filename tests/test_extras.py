@@ -2,7 +2,6 @@
 
 import json
 from importlib.metadata import PackageNotFoundError
-from pathlib import Path
 
 import pytest
 
@@ -35,11 +34,13 @@ def test_the_command_fits_the_installation(monkeypatch, origin, command):
     assert install_command("study") == command
 
 
-def test_a_source_that_is_not_installed(monkeypatch):
+def test_a_source_that_is_not_installed(monkeypatch, tmp_path):
     def absent(name):
         raise PackageNotFoundError(name)
 
     monkeypatch.setattr(extras, "distribution", absent)
-    root = Path(extras.__file__).parents[2]
-    assert install_command("bayes") == f"pip install '.[bayes]' in the folder {root}"
-    assert (root / "pyproject.toml").is_file()
+    module = tmp_path / "src" / "asperity" / "extras.py"
+    monkeypatch.setattr(extras, "__file__", str(module))
+    assert install_command("bayes") == "pip install 'asperity[bayes]'"  # no source around it
+    (tmp_path / "pyproject.toml").touch()
+    assert install_command("bayes") == f"pip install '.[bayes]' in the folder {tmp_path}"

@@ -33,6 +33,7 @@ def _source_folder() -> Path | None:
     try:
         origin = distribution("asperity").read_text("direct_url.json")
     except PackageNotFoundError:  # used from its source without an installation
-        return Path(__file__).parents[2]
+        source = Path(__file__).parents[2]
+        return source if (source / "pyproject.toml").is_file() else None
     url = json.loads(origin)["url"] if origin else ""
     return Path(url2pathname(urlparse(url).path)) if url.startswith("file:") else None
