@@ -13,8 +13,9 @@ from typing import Any, Literal, get_args, get_origin
 
 from pydantic.fields import FieldInfo
 
-from asperity.joint_file.model import Case, EachContact, Section
+from asperity.joint_file.model import Case
 from asperity.joint_file.quantity_key import Key
+from asperity.joint_file.section import EachContact, Section
 
 PAGE = Path(__file__).with_name("joint_file.md")
 MOVES = Path(__file__).with_name("joint_file_moves.json")

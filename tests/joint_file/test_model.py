@@ -6,7 +6,9 @@ import pytest
 from pydantic import ValidationError
 
 from asperity.errors import InputError
-from asperity.joint_file.model import Case, EachContact, MaterialEntry, SurfaceEntry
+from asperity.joint_file.material_entries import MaterialEntry, SurfaceEntry
+from asperity.joint_file.model import Case
+from asperity.joint_file.section import EachContact
 
 STEEL = {
     "youngs_modulus": "206 GPa",

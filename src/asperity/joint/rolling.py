@@ -2,39 +2,28 @@
 
 from __future__ import annotations
 
-from typing import Any, NamedTuple
+from typing import Any
 
 import equinox as eqx
 import jax
 import jax.numpy as jnp
 from jax import Array
 
-from asperity.contact import carter
-from asperity.contact.creep_layer import layer_ratio, uniform_layer_creepage_factor
 from asperity.contact.hertz_line import peak_pressure
 from asperity.contact.rolling_fatigue import life_at_reliability
 from asperity.contact.shakedown import shakedown_limit, shear_yield_strength
-from asperity.contact.skew import (
-    axial_force,
-    lateral_compliance_ratio,
-    longitudinal_capacity_ratio,
-    skewed_contact,
-    skewed_slip_ratios,
-    stick_fraction,
-)
+from asperity.contact.skew import axial_force, stick_fraction
 from asperity.drive.force_balance import DriveForces
 from asperity.drive.mechanism import Mechanism
 from asperity.drive.rolling_speeds import rolling_speeds
-from asperity.drive.rolling_state import ROLLING_TOLERANCE, CreepLaw, rolling_state
+from asperity.drive.rolling_state import ROLLING_TOLERANCE, rolling_state
 from asperity.joint.contacts import JointContacts
-from asperity.joint.description import Joint, per_contact
+from asperity.joint.description import Joint
+from asperity.joint.rolling_creep import contact_creep, lateral_slip_ratios
 from asperity.joint.rolling_life import DriveLives, cycle_rates, drive_lives, track_lives
 from asperity.joint.rolling_power import RollingPower, rolling_power
 from asperity.joint.rolling_surface import flash_temperatures, oil_film
 from asperity.types import Real
-
-# slip ratios between which the factors on Carter's creepage are taken
-_LEAST_SLIP, _MOST_SLIP = 1e-6, 0.999
 
 
 class RollingResult(eqx.Module):
@@ -135,125 +124,6 @@ class RollingResult(eqx.Module):
     residual: Array
 
 
-class ContactCreep(NamedTuple):
-    """The creep law of the contacts with what went into it, shape (5, ...) [-].
-
-    Parameters
-    ----------
-    law : CreepLaw
-        For :func:`asperity.drive.rolling_state.rolling_state`.
-    layer_ratio, layer_factor, skew_factor : Array
-        Compliance of the asperities over that of the bodies; factors of the asperities and of skew on Carter's
-        creepage.
-    lateral_ratio : Array
-        Creepage across over creepage along, both at gross slip.
-    skew : Array
-        Creepage across.
-    parallel : bool
-        Whether no skew is given.
-    """
-
-    law: CreepLaw
-    layer_ratio: Array
-    layer_factor: Array
-    skew_factor: Array
-    lateral_ratio: Real
-    skew: Array
-    parallel: bool
-
-
-def contact_creep(
-    *, joint: Joint, contacts: JointContacts, forces: DriveForces, asperity_normal_stiffness: Array
-) -> ContactCreep:
-    r"""Carter's creep of the contacts with their asperities as an elastic layer, and with skew.
-
-    .. math::
-        \kappa = \frac{\mu a}{R\sqrt N}\, f_{layer}(\chi, q)\, f_{skew}(q, \gamma), \qquad
-        \chi = \frac{E^* B}{K_t}
-
-    Parameters
-    ----------
-    joint : Joint
-        The joint, for its skew.
-    contacts : JointContacts
-        Its contacts.
-    forces : DriveForces
-        Its forces at rest.
-    asperity_normal_stiffness : Array
-        Normal stiffness of the asperities under them, shape (5, ...) [N/m].
-
-    Returns
-    -------
-    ContactCreep
-        The law.
-
-    Notes
-    -----
-    Both factors are taken at the slip ratio q of the drive at rest and then kept. In rolling q differs by up to 6 %.
-    For the paper's joint the layer's factor then differs by at most 0.0002 at q = 0.39 (relative), 0.005 at 0.6, 0.03
-    at 0.85 and 0.07 at 0.95: near gross slip the creepage is that much less certain. K_t is the tangential
-    stiffness of the asperities without traction, :math:`4G^*/E^*` times their normal stiffness. Across the rolling
-    direction the same layer lies on bodies that are softer in the ratio of the creepages at gross slip.
-
-    References
-    ----------
-    Equations (A6), (B1) and (B3) of :doc:`/equations`; :mod:`asperity.contact.creep_layer`.
-    """
-    pairs = contacts.pairs
-    modulus = pairs.moduli.contact_modulus
-    touching = forces.normal > 0.0
-    normal = jnp.where(touching, forces.normal, 1.0)
-    friction = pairs.friction_coefficient
-    q = jnp.clip(jnp.abs(forces.tangential) / (friction * normal), _LEAST_SLIP, _MOST_SLIP)
-    stiff = asperity_normal_stiffness > 0.0
-    tangential = (
-        4.0
-        * pairs.moduli.tangential_contact_modulus
-        / modulus
-        * jnp.where(stiff, asperity_normal_stiffness, 1.0)
-    )
-    chi = layer_ratio(
-        contact_modulus=modulus, contact_length=pairs.contact_length, tangential_stiffness=tangential
-    )
-    chi = jnp.where(stiff, chi, jnp.nan)
-    layer = jnp.asarray(uniform_layer_creepage_factor(layer_ratio=chi, slip_ratio=q))
-    smooth = carter.gross_slip_creepage(
-        friction_coefficient=friction,
-        half_width=pairs.half_width(normal),
-        effective_radius=pairs.effective_radius,
-    )
-    skew, skew_factor = jnp.zeros_like(layer), jnp.ones_like(layer)
-    ratio: Real = jnp.ones_like(layer)
-    if joint.rolling.skew is not None:
-        skew = jnp.broadcast_to(per_contact(joint.rolling.skew), layer.shape)
-        elastic = lateral_compliance_ratio(
-            youngs_modulus_1=contacts.driving.youngs_modulus,
-            youngs_modulus_2=contacts.driven.youngs_modulus,
-            poisson_ratio_1=contacts.driving.poisson_ratio,
-            poisson_ratio_2=contacts.driven.poisson_ratio,
-        )
-        ratio = elastic * uniform_layer_creepage_factor(layer_ratio=chi / elastic, slip_ratio=q) / layer
-        skewed = skewed_contact(
-            longitudinal_slip_ratio=q,
-            lateral_creepage=skew,
-            gross_slip_creepage=smooth * layer,
-            lateral_gross_slip_creepage=smooth * layer * ratio,
-        )
-        alone = carter.creepage(slip_ratio=q, gross_slip_creepage=smooth * layer)
-        skew_factor = jnp.where(skewed.solved, skewed.longitudinal_creepage / alone, jnp.nan)
-    scale = jnp.broadcast_to(smooth / jnp.sqrt(normal) * layer * skew_factor, forces.normal.shape)
-    return ContactCreep(
-        # without the barrier XLA evaluates the layer's polynomial anew for every use of the law
-        CreepLaw(friction, jax.lax.optimization_barrier(scale)),
-        chi,
-        layer,
-        skew_factor,
-        ratio,
-        skew,
-        joint.rolling.skew is None,
-    )
-
-
 def _in_one_shape(forces: DriveForces, others: Any) -> DriveForces:
     """Forces in the shape of the whole batch: a surface or a friction coefficient that varies does not change them."""
     rank = jnp.ndim(forces.input_torque)
@@ -314,7 +184,7 @@ def rolling_result(
     traction = state.tangential / normal
     unit = rolling_speeds(geometry=geometry, creepage=state.creepage, sun_speed=1.0)
     speeds = jax.tree.map(lambda speed: speed * joint.sun_speed, unit)
-    lateral = _lateral_slip_ratio(creep, friction, width / pairs.effective_radius, state.creepage)
+    lateral = lateral_slip_ratios(creep, friction, width / pairs.effective_radius, state.creepage)
     axial = jnp.asarray(
         axial_force(friction_coefficient=friction, normal_force=normal, lateral_slip_ratio=lateral[0])
     )
@@ -399,18 +269,6 @@ def rolling_result(
 
 def _where(condition: Array, values: Array | RollingPower | DriveLives):  # type: ignore[no-untyped-def]
     return jax.tree.map(lambda value: jnp.where(condition, value, jnp.nan), values)
-
-
-def _lateral_slip_ratio(
-    creep: ContactCreep, friction: Real, width_over_radius: Real, creepage: Array
-) -> tuple[Real, Real]:
-    """Axial force over friction, and the share of the tangential capacity that skew takes; 0 for parallel axes."""
-    if creep.parallel:
-        return jnp.zeros_like(creepage), jnp.zeros_like(creepage)
-    limit = jnp.broadcast_to(friction * width_over_radius * creep.layer_factor, creepage.shape)
-    limits = {"gross_slip_creepage": limit, "lateral_gross_slip_creepage": limit * creep.lateral_ratio}
-    _, lateral = skewed_slip_ratios(longitudinal_creepage=creepage, lateral_creepage=creep.skew, **limits)
-    return lateral, 1.0 - longitudinal_capacity_ratio(lateral_creepage=creep.skew, **limits)
 
 
 def _thrust(axial: Array, count: Real) -> Array:

@@ -20,7 +20,8 @@ from asperity.joint.dynamics import Inertias
 from asperity.joint.interference import joint_preload
 from asperity.joint.play import NO_PLAY, Play
 from asperity.joint.rolling_conditions import PLAIN_ROLLING, DutyPoint, RollingConditions
-from asperity.joint_file.model import Case, EachContact
+from asperity.joint_file.model import Case
+from asperity.joint_file.section import EachContact
 from asperity.joint_file.si_tables import Values, check_values, replace_values, si_values
 from asperity.materials import Material, hardness
 from asperity.types import Real

@@ -9,9 +9,10 @@ from typing import Any
 import tomlkit
 from pydantic import BaseModel
 
-from asperity.joint_file.model import Case, EachContact
+from asperity.joint_file.model import Case
 from asperity.joint_file.quantity_key import Key, Quantity
 from asperity.joint_file.reader import parse_case
+from asperity.joint_file.section import EachContact
 from asperity.joint_file.si_tables import (
     NumericKey,
     change_targets,

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from asperity.joint_file.model import Case, SurfaceEntry
+from asperity.joint_file.material_entries import SurfaceEntry
+from asperity.joint_file.model import Case
 from asperity.surface.measurement import SurfaceMeasurement
 
 

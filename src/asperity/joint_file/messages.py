@@ -10,8 +10,9 @@ from pydantic import BaseModel, ValidationError
 from pydantic_core import ErrorDetails
 
 from asperity.errors import quoted
-from asperity.joint_file.model import ONE_FOR_ALL, ONE_FOR_EACH, Case
+from asperity.joint_file.model import Case
 from asperity.joint_file.quantity_key import Key
+from asperity.joint_file.section import ONE_FOR_ALL, ONE_FOR_EACH
 
 MOST_ERRORS = 12
 

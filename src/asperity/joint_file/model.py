@@ -3,62 +3,15 @@
 from __future__ import annotations
 
 import math
-from typing import Annotated, Any, Generic, Literal, TypeVar
+from typing import Annotated, Literal
 
-from pydantic import (
-    BaseModel,
-    ConfigDict,
-    Discriminator,
-    Field,
-    PrivateAttr,
-    StringConstraints,
-    Tag,
-    model_validator,
-)
+from pydantic import Discriminator, Field, PrivateAttr, Tag, model_validator
 
 from asperity.errors import InputError
 from asperity.joint_file import limits
+from asperity.joint_file.material_entries import BodyMaterials, MaterialEntry, MaterialName, Surfaces
 from asperity.joint_file.quantity_key import Quantity
-
-Entry = TypeVar("Entry")
-
-#: Marks in pydantic's error locations that are no keys of the file.
-ONE_FOR_ALL, ONE_FOR_EACH = "<one for all>", "<one for each>"
-
-
-class Section(BaseModel):
-    """A table of the file: frozen, and without room for unknown keys."""
-
-    model_config = ConfigDict(extra="forbid", frozen=True, use_attribute_docstrings=True)
-
-
-class EachContact(Section, Generic[Entry]):
-    """One entry for each contact of a branch."""
-
-    sp: Entry
-    """Sun–planet."""
-    pwr: Entry
-    """Planet–right loading roller."""
-    pwl: Entry
-    """Planet–left loading roller."""
-    wro: Entry
-    """Right loading roller–ring."""
-    wlo: Entry
-    """Left loading roller–ring."""
-
-    def entries(self) -> tuple[Entry, ...]:
-        """The five entries in the order of the contact axis."""
-        return (self.sp, self.pwr, self.pwl, self.wro, self.wlo)
-
-
-def _number_or_table(written: Any) -> str:
-    return ONE_FOR_EACH if isinstance(written, dict | EachContact) else ONE_FOR_ALL
-
-
-def _table_or_tables(written: Any) -> str:
-    tables = isinstance(written, dict) and any(isinstance(value, dict) for value in written.values())
-    return ONE_FOR_EACH if tables or isinstance(written, EachContact) else ONE_FOR_ALL
-
+from asperity.joint_file.section import ONE_FOR_ALL, ONE_FOR_EACH, EachContact, Section, number_or_table
 
 Length = Annotated[Quantity, limits.ROLLER_RADIUS]
 ContactLength = Annotated[Quantity, limits.CONTACT_LENGTH]
@@ -68,18 +21,17 @@ Friction = Annotated[Quantity, limits.FRICTION_COEFFICIENT]
 BearingTorque = Annotated[Quantity, limits.BEARING_TORQUE]
 ContactLengths = Annotated[
     Annotated[ContactLength, Tag(ONE_FOR_ALL)] | Annotated[EachContact[ContactLength], Tag(ONE_FOR_EACH)],
-    Discriminator(_number_or_table),
+    Discriminator(number_or_table),
 ]
 FrictionCoefficients = Annotated[
     Annotated[Friction, Tag(ONE_FOR_ALL)] | Annotated[EachContact[Friction], Tag(ONE_FOR_EACH)],
-    Discriminator(_number_or_table),
+    Discriminator(number_or_table),
 ]
 Skew = Annotated[Quantity, limits.SKEW]
 Skews = Annotated[
     Annotated[Skew, Tag(ONE_FOR_ALL)] | Annotated[EachContact[Skew], Tag(ONE_FOR_EACH)],
-    Discriminator(_number_or_table),
+    Discriminator(number_or_table),
 ]
-MaterialName = Annotated[str, StringConstraints(pattern=r"^[A-Za-z0-9_-]{1,60}$")]
 
 
 class Drive(Section):
@@ -246,64 +198,6 @@ class ModelChoice(Section):
     """Bodies of the assembly: by plane elasticity, or one spring for each contact; exact if absent."""
     plane_state: Literal["plane_strain", "plane_stress"] | None = None
     """Exact bodies: long, plane strain, or thin, plane stress; plane strain if absent."""
-
-
-class MaterialEntry(Section):
-    """An elastic–plastic material; exactly one of hardness and hardness_factor."""
-
-    youngs_modulus: Annotated[Quantity, limits.YOUNGS_MODULUS]
-    """Young's modulus E."""
-    poisson_ratio: Annotated[Quantity, limits.POISSON_RATIO]
-    """Poisson's ratio."""
-    density: Annotated[Quantity, limits.DENSITY]
-    """Mass density."""
-    yield_strength: Annotated[Quantity, limits.YIELD_STRENGTH]
-    """Yield strength."""
-    hardness_factor: Annotated[Quantity, limits.HARDNESS_FACTOR] | None = None
-    """Hardness over yield strength, k_H; 2.8 for a blunt indenter in a ductile metal."""
-    hardness: Annotated[Quantity, limits.HARDNESS] | None = None
-    """Indentation hardness as a pressure."""
-    thermal_conductivity: Annotated[Quantity, limits.THERMAL_CONDUCTIVITY] | None = None
-    """Thermal conductivity, for the flash temperature of the contacts."""
-    specific_heat_capacity: Annotated[Quantity, limits.SPECIFIC_HEAT_CAPACITY] | None = None
-    """Specific heat capacity, for the flash temperature of the contacts."""
-
-    @model_validator(mode="after")
-    def _one_hardness(self) -> MaterialEntry:
-        if (self.hardness is None) == (self.hardness_factor is None):
-            found = "neither" if self.hardness is None else "both"
-            raise InputError(f"exactly one of 'hardness' and 'hardness_factor' is needed, got {found}")
-        return self
-
-
-class BodyMaterials(Section):
-    """Which material each body is made of."""
-
-    sun: MaterialName
-    """Material of the sun roller."""
-    planet: MaterialName
-    """Material of the planets."""
-    loading_roller: MaterialName
-    """Material of the loading rollers."""
-    ring: MaterialName
-    """Material of the outer ring."""
-
-
-class SurfaceEntry(Section):
-    """Fractal roughness of a contact: the equivalent roughness of both bodies."""
-
-    fractal_dimension: Annotated[Quantity, limits.FRACTAL_DIMENSION]
-    """Fractal dimension D of a profile."""
-    fractal_roughness: Annotated[Quantity, limits.FRACTAL_ROUGHNESS]
-    """Fractal roughness G."""
-    frequency_ratio: Annotated[Quantity, limits.FREQUENCY_RATIO]
-    """Ratio gamma of successive frequencies of the Weierstrass–Mandelbrot profile; usually 1.5."""
-
-
-Surfaces = Annotated[
-    Annotated[SurfaceEntry, Tag(ONE_FOR_ALL)] | Annotated[EachContact[SurfaceEntry], Tag(ONE_FOR_EACH)],
-    Discriminator(_table_or_tables),
-]
 
 
 class Case(Section):

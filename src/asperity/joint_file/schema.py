@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from typing import Any
 
-from asperity.joint_file.model import BodyMaterials, Case, MaterialEntry
+from asperity.joint_file.material_entries import BodyMaterials, MaterialEntry
+from asperity.joint_file.model import Case
 from asperity.library import read_materials
 
 Schema = dict[str, Any]

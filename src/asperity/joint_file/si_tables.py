@@ -12,8 +12,9 @@ from pydantic import BaseModel
 from asperity.errors import InputError
 from asperity.joint_file.distribution import Distribution
 from asperity.joint_file.messages import keys_by_path, nearest
-from asperity.joint_file.model import Case, EachContact
+from asperity.joint_file.model import Case
 from asperity.joint_file.quantity_key import Key, Quantity
+from asperity.joint_file.section import EachContact
 
 #: Nested tables like those of the file; leaves are SI numbers (or arrays of them) and names.
 Values = dict[str, Any]

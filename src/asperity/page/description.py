@@ -8,8 +8,9 @@ from typing import Any
 from pydantic import BaseModel
 
 import asperity
+from asperity.joint_file.material_entries import BodyMaterials
 from asperity.joint_file.messages import keys_by_path, models_of
-from asperity.joint_file.model import BodyMaterials, Case, ModelChoice
+from asperity.joint_file.model import Case, ModelChoice
 from asperity.joint_file.quantity_key import Key
 from asperity.library import read_finishes, read_materials
 from asperity.page.joint_request import CHOICES

@@ -13,7 +13,8 @@ import tomlkit
 
 from asperity.errors import InputError, quoted
 from asperity.joint_file.edited_text import set_texts
-from asperity.joint_file.model import BodyMaterials, Case, ModelChoice
+from asperity.joint_file.material_entries import BodyMaterials
+from asperity.joint_file.model import Case, ModelChoice
 from asperity.joint_file.reader import case_from_tables
 from asperity.reading import parse_toml
 

@@ -1,0 +1,74 @@
+"""Materials, bodies and surfaces in a joint file."""
+
+from __future__ import annotations
+
+from typing import Annotated
+
+from pydantic import Discriminator, StringConstraints, Tag, model_validator
+
+from asperity.errors import InputError
+from asperity.joint_file import limits
+from asperity.joint_file.quantity_key import Quantity
+from asperity.joint_file.section import ONE_FOR_ALL, ONE_FOR_EACH, EachContact, Section, table_or_tables
+
+MaterialName = Annotated[str, StringConstraints(pattern=r"^[A-Za-z0-9_-]{1,60}$")]
+
+
+class MaterialEntry(Section):
+    """An elastic–plastic material; exactly one of hardness and hardness_factor."""
+
+    youngs_modulus: Annotated[Quantity, limits.YOUNGS_MODULUS]
+    """Young's modulus E."""
+    poisson_ratio: Annotated[Quantity, limits.POISSON_RATIO]
+    """Poisson's ratio."""
+    density: Annotated[Quantity, limits.DENSITY]
+    """Mass density."""
+    yield_strength: Annotated[Quantity, limits.YIELD_STRENGTH]
+    """Yield strength."""
+    hardness_factor: Annotated[Quantity, limits.HARDNESS_FACTOR] | None = None
+    """Hardness over yield strength, k_H; 2.8 for a blunt indenter in a ductile metal."""
+    hardness: Annotated[Quantity, limits.HARDNESS] | None = None
+    """Indentation hardness as a pressure."""
+    thermal_conductivity: Annotated[Quantity, limits.THERMAL_CONDUCTIVITY] | None = None
+    """Thermal conductivity, for the flash temperature of the contacts."""
+    specific_heat_capacity: Annotated[Quantity, limits.SPECIFIC_HEAT_CAPACITY] | None = None
+    """Specific heat capacity, for the flash temperature of the contacts."""
+
+    @model_validator(mode="after")
+    def _one_hardness(self) -> MaterialEntry:
+        if (self.hardness is None) == (self.hardness_factor is None):
+            found = "neither" if self.hardness is None else "both"
+            raise InputError(f"exactly one of 'hardness' and 'hardness_factor' is needed, got {found}")
+        return self
+
+
+class BodyMaterials(Section):
+    """Which material each body is made of."""
+
+    sun: MaterialName
+    """Material of the sun roller."""
+    planet: MaterialName
+    """Material of the planets."""
+    loading_roller: MaterialName
+    """Material of the loading rollers."""
+    ring: MaterialName
+    """Material of the outer ring."""
+
+
+class SurfaceEntry(Section):
+    """Fractal roughness of a contact: the equivalent roughness of both bodies."""
+
+    fractal_dimension: Annotated[Quantity, limits.FRACTAL_DIMENSION]
+    """Fractal dimension D of a profile."""
+    fractal_roughness: Annotated[Quantity, limits.FRACTAL_ROUGHNESS]
+    """Fractal roughness G."""
+    frequency_ratio: Annotated[Quantity, limits.FREQUENCY_RATIO]
+    """Ratio gamma of successive frequencies of the Weierstrass–Mandelbrot profile; usually 1.5."""
+
+
+# on a line of its own: pydantic reads the source around it
+EachSurface = EachContact[SurfaceEntry]
+Surfaces = Annotated[
+    Annotated[SurfaceEntry, Tag(ONE_FOR_ALL)] | Annotated[EachSurface, Tag(ONE_FOR_EACH)],
+    Discriminator(table_or_tables),
+]
