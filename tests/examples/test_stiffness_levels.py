@@ -1,7 +1,9 @@
 """The three levels of the paper's joint, against the independent assembly in benchmarks/baseline_assembly.py."""
 
 import dataclasses
+import math
 
+import numpy as np
 import pytest
 
 from asperity.joint.solve import solve
@@ -20,5 +22,9 @@ def test_levels_of_the_papers_joint(load_example, monkeypatch):
     )
     springs = float(solve(joint).result.assembly.stiffness.output)
     assert springs == pytest.approx(3.0892e4, rel=1e-3)
-    # exact bodies in a rigid housing, docs/theory/flexible_bodies.md: 32 737 over 32 867 of the springs, bodies alone
-    assert float(result.assembly.stiffness.output) / springs == pytest.approx(32737 / 32867, rel=5e-4)
+    # what exact bodies change without asperities, by the machine of examples/ring_wall.py
+    wall = load_example("ring_wall")
+    widths = wall.half_widths(wall.rest_forces(1000.0))
+    of_springs = wall.assembled_stiffness(np.diag(np.tile(wall.springs(widths, 60e-3), 2))[..., None])
+    change = float((wall.stiffness_over_wall(np.array([60e-3]), math.inf) / of_springs)[0])
+    assert float(result.assembly.stiffness.output) / springs == pytest.approx(change, rel=5e-4)
