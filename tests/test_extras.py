@@ -1,12 +1,14 @@
 """What to type for an optional package depends on where the installation came from."""
 
 import json
+import sys
 from importlib.metadata import PackageNotFoundError
 
 import pytest
 
 from asperity import extras
-from asperity.extras import install_command
+from asperity.errors import MissingExtraError
+from asperity.extras import install_command, optional_module
 
 
 @pytest.mark.parametrize(
@@ -44,3 +46,12 @@ def test_a_source_that_is_not_installed(monkeypatch, tmp_path):
     assert install_command("bayes") == "pip install 'asperity[bayes]'"  # no source around it
     (tmp_path / "pyproject.toml").touch()
     assert install_command("bayes") == f"pip install '.[bayes]' in the folder {tmp_path}"
+
+
+def test_a_missing_package_is_named_with_what_needs_it_and_what_installs_it(monkeypatch):
+    assert optional_module("json", extra="study", needs="tables need") is json
+    monkeypatch.setitem(sys.modules, "absent", None)
+    with pytest.raises(
+        MissingExtraError, match=r"^tables need the package 'absent', .*\[study\].*; text needs none$"
+    ):
+        optional_module("absent", extra="study", needs="tables need", otherwise="text needs none")

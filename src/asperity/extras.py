@@ -2,11 +2,48 @@
 
 from __future__ import annotations
 
+import importlib
 import json
 from importlib.metadata import PackageNotFoundError, distribution
 from pathlib import Path
+from types import ModuleType
 from urllib.parse import urlparse
 from urllib.request import url2pathname
+
+from asperity.errors import MissingExtraError
+
+
+def optional_module(name: str, *, extra: str, needs: str, otherwise: str = "") -> ModuleType:
+    """Import a module of an optional package.
+
+    Parameters
+    ----------
+    name : str
+        The module.
+    extra : str
+        Group of ``pyproject.toml`` that brings it.
+    needs : str
+        What needs it, with the verb: "a PDF needs".
+    otherwise : str
+        What is possible without it; nothing if empty.
+
+    Returns
+    -------
+    module
+        Imported.
+
+    Raises
+    ------
+    MissingExtraError
+        If it is not installed, with the command that installs it.
+    """
+    try:
+        return importlib.import_module(name)
+    except ImportError as error:
+        raise MissingExtraError(
+            f"{needs} the package '{error.name or name}', which is not installed; run: {install_command(extra)}"
+            + (f"; {otherwise}" if otherwise else "")
+        ) from None
 
 
 def install_command(extra: str) -> str:

@@ -1,4 +1,4 @@
-import builtins
+import sys
 
 import pytest
 from matplotlib.figure import Figure
@@ -34,13 +34,6 @@ def test_a_figure_shows_itself_in_a_notebook():
 
 
 def test_missing_pandas_says_what_to_install(monkeypatch):
-    genuine = builtins.__import__
-
-    def without(name, *arguments, **keywords):
-        if name == "pandas":
-            raise ImportError(name=name)
-        return genuine(name, *arguments, **keywords)
-
-    monkeypatch.setattr(builtins, "__import__", without)
+    monkeypatch.setitem(sys.modules, "pandas", None)
     with pytest.raises(MissingExtraError, match=r"need the package 'pandas'.*\[study\]"):
         frame({"a": [1]})

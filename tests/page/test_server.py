@@ -1,7 +1,7 @@
 """Where the server listens, and under which names it answers."""
 
-import builtins
 import socket
+import sys
 
 import pytest
 
@@ -58,13 +58,6 @@ def test_names_of_the_host():
 
 
 def test_missing_packages_are_said_with_the_command(monkeypatch):
-    real = builtins.__import__
-
-    def missing(name, *arguments, **options):
-        if name == "starlette":
-            raise ImportError("no starlette", name="starlette")
-        return real(name, *arguments, **options)
-
-    monkeypatch.setattr(builtins, "__import__", missing)
+    monkeypatch.setitem(sys.modules, "starlette", None)
     with pytest.raises(MissingExtraError, match=r"starlette.*\[page\]"):
         require_packages()

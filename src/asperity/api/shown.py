@@ -142,13 +142,6 @@ def pandas() -> Any:
     MissingExtraError
         If it is not installed.
     """
-    from asperity.errors import MissingExtraError
-    from asperity.extras import install_command
+    from asperity.extras import optional_module
 
-    try:
-        import pandas as imported
-    except ImportError:
-        raise MissingExtraError(
-            f"data frames need the package 'pandas', which is not installed; run: {install_command('study')}"
-        ) from None
-    return imported
+    return optional_module("pandas", extra="study", needs="data frames need")

@@ -8,8 +8,8 @@ import socket
 import sys
 from collections.abc import Callable
 
-from asperity.errors import InputError, MissingExtraError
-from asperity.extras import install_command
+from asperity.errors import InputError
+from asperity.extras import optional_module
 from asperity.page.joint_request import JointRequest
 
 #: Requests that are served at the same time; more are refused.
@@ -24,13 +24,8 @@ def require_packages() -> None:
     MissingExtraError
         With the command that installs them.
     """
-    try:
-        import starlette  # noqa: F401
-        import uvicorn  # noqa: F401
-    except ImportError as error:
-        raise MissingExtraError(
-            f"the page needs the package {error.name}; install it with: {install_command('page')}"
-        ) from None
+    for name in ("starlette", "uvicorn"):
+        optional_module(name, extra="page", needs="the page needs")
 
 
 def is_loopback(host: str) -> bool:

@@ -6,8 +6,7 @@ import tempfile
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from asperity.errors import MissingExtraError
-from asperity.extras import install_command
+from asperity.extras import optional_module
 from asperity.report.content import Picture, Report
 from asperity.report.typst_source import typst_source
 
@@ -28,14 +27,8 @@ def require_typst() -> types.ModuleType:
     MissingExtraError
         If it is not installed.
     """
-    try:
-        import typst
-    except ImportError:
-        raise MissingExtraError(
-            f"a PDF needs the package 'typst', which is not installed; run: {install_command('report')}; a report "
-            "with the ending .html needs no package"
-        ) from None
-    return typst
+    html = "a report with the ending .html needs no package"
+    return optional_module("typst", extra="report", needs="a PDF needs", otherwise=html)
 
 
 def report_pdf(report: Report) -> bytes:

@@ -6,8 +6,7 @@ import io
 import re
 from typing import TYPE_CHECKING, Any
 
-from asperity.errors import MissingExtraError
-from asperity.extras import install_command
+from asperity.extras import optional_module
 from asperity.show.sheet import ARROW_LENGTH, LINE_WIDTHS, Circle, Sheet, Style, Text
 from asperity.show.sheet_figure import arrowheads
 
@@ -41,13 +40,7 @@ def require_ezdxf() -> types.ModuleType:
     MissingExtraError
         If it is not installed.
     """
-    try:
-        import ezdxf
-    except ImportError:
-        raise MissingExtraError(
-            f"a DXF file needs the package 'ezdxf', which is not installed; run: {install_command('report')}"
-        ) from None
-    return ezdxf
+    return optional_module("ezdxf", extra="report", needs="a DXF file needs")
 
 
 def sheet_dxf(sheet: Sheet) -> str:

@@ -8,8 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from asperity import __version__
-from asperity.errors import MissingExtraError
-from asperity.extras import install_command
+from asperity.extras import optional_module
 from asperity.joint.results import RESULTS, ROW_NAMES, row_name
 from asperity.joint.status import flag_attributes
 from asperity.joint_file.si_tables import key_at
@@ -37,15 +36,7 @@ def require(module: str) -> Any:
     MissingExtraError
         If it is not installed.
     """
-    import importlib
-
-    try:
-        return importlib.import_module(module)
-    except ImportError as error:
-        raise MissingExtraError(
-            f"studies need the package '{error.name or module}', which is not installed; run: "
-            + install_command("study")
-        ) from None
+    return optional_module(module, extra="study", needs="studies need")
 
 
 def coordinate(axis: SweepAxis) -> tuple[tuple[str], np.ndarray, dict[str, str]]:

@@ -10,8 +10,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from asperity.errors import InputError, MissingExtraError
-from asperity.extras import install_command
+from asperity.errors import InputError
+from asperity.extras import optional_module
 from asperity.surface.input_file import metres_per_unit
 from asperity.surface.read_x3p import is_x3p, x3p_container
 from asperity.surface.topography import Topography
@@ -110,15 +110,10 @@ def _opened(path: Path, source: str | io.BytesIO, name: str) -> tuple[Any, Any, 
     import logging
     import warnings
 
-    try:
-        with warnings.catch_warnings():
-            warnings.simplefilter("ignore")
-            import SurfaceTopography
-    except ImportError:
-        raise MissingExtraError(
-            f"{path.name} ({name}) is neither a table of numbers nor .npy, so it needs a package of "
-            f"instrument readers that is not installed; run: {install_command('surface')}"
-        ) from None
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        needs = f"{path.name} ({name}) is neither a table of numbers nor .npy, so it needs"
+        SurfaceTopography = optional_module("SurfaceTopography", extra="surface", needs=needs)
     logging.getLogger("SurfaceTopography").setLevel(logging.ERROR)
     with warnings.catch_warnings(), np.errstate(all="ignore"):
         warnings.simplefilter("ignore")

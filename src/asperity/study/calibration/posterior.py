@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import importlib.util
 from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
@@ -11,8 +10,8 @@ import jax.numpy as jnp
 import numpy as np
 from jax import Array
 
-from asperity.errors import InputError, MissingExtraError, NoSolutionError
-from asperity.extras import install_command
+from asperity.errors import InputError, NoSolutionError
+from asperity.extras import optional_module
 from asperity.precision import require_double_precision
 from asperity.study.calibration.calibrate import UNINFORMED, Calibration
 from asperity.study.calibration.curve_surrogate import fit_surrogate, surrogate_prediction
@@ -141,10 +140,7 @@ def require_numpyro() -> None:
     MissingExtraError
         Saying what to install.
     """
-    if importlib.util.find_spec("numpyro") is None:
-        raise MissingExtraError(
-            f"a posterior needs the package 'numpyro', which is not installed; run: {install_command('bayes')}"
-        )
+    optional_module("numpyro", extra="bayes", needs="a posterior needs")
 
 
 def sample(

@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-import importlib.util
 from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 import numpy as np
 
-from asperity.errors import InputError, MissingExtraError, NoSolutionError
-from asperity.extras import install_command
+from asperity.errors import InputError, NoSolutionError
+from asperity.extras import optional_module
 from asperity.precision import require_double_precision
 from asperity.study.datasets import key_attributes, result_attributes
 from asperity.study.design.design_evaluation import DesignEvaluator, exists
@@ -28,10 +27,7 @@ def require_pymoo() -> None:
         Saying what to install.
     """
     for name in ("pymoo", "xarray"):
-        if importlib.util.find_spec(name) is None:
-            raise MissingExtraError(
-                f"a Pareto front needs the package '{name}', which is not installed; run: {install_command('study')}"
-            )
+        optional_module(name, extra="study", needs="a Pareto front needs")
 
 
 def pareto_front(
