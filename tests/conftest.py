@@ -154,6 +154,34 @@ def paper_joint():
 
 
 @pytest.fixture(scope="session")
+def evaluated_together():
+    """What the chain says of up to 64 joints, always by the program for 64: one compilation for each variant."""
+    from asperity.compilation import compile_fast
+    from asperity.joint.evaluation import evaluate
+
+    most = 64
+
+    def evaluated(joint):
+        shape = np.broadcast_shapes(*(np.shape(leaf) for leaf in jax.tree.leaves(joint)))
+        count = int(np.prod(shape))
+        assert count <= most
+
+        def padded(leaf):
+            values = np.broadcast_to(np.asarray(leaf, dtype=float), shape).ravel()
+            return np.concatenate([values, np.full(most - count, values[-1])])
+
+        numbers = jax.tree.map(padded, joint)
+
+        def asked(leaf):
+            values = np.asarray(leaf)  # without an axis where it is the same for all
+            return values[..., :count].reshape((*values.shape[:-1], *shape)) if values.ndim else values
+
+        return jax.tree.map(asked, compile_fast(evaluate, numbers)(numbers))
+
+    return evaluated
+
+
+@pytest.fixture(scope="session")
 def load_example():
     """Loader of a script of examples/ by its name, as a module."""
     import importlib.util

@@ -2,7 +2,6 @@
 
 import dataclasses
 import math
-from typing import NamedTuple
 
 import jax
 import jax.numpy as jnp
@@ -24,40 +23,14 @@ from asperity.joint.windup import windup
 REST = {"output_torque": 1e-6, "sun_speed": 0.0}
 
 
-class Found(NamedTuple):
-    """The part of a result that the tests need: the rest is not compiled."""
-
-    published: object
-    series_with_bulk: object
-    assembly: object
-    hertz_half_width: object
-    slip_ratio: object
-    solved: object
-    planet_mass: object
+@pytest.fixture
+def solved(evaluated_together):
+    return evaluated_together
 
 
-@jax.jit
-def solved(joint):
-    result = evaluate(joint)
-    near = result.diagnostics
-    return Found(
-        result.published,
-        result.series_with_bulk,
-        result.assembly,
-        near.hertz_half_width,
-        near.slip_ratio,
-        result.solved,
-        result.planet_mass,
-    )
-
-
-@jax.jit
-def stiffness(joint):
-    return evaluate(joint).assembly.stiffness.output
-
-
-def output(joint):
-    return np.asarray(stiffness(joint))
+@pytest.fixture
+def output(evaluated_together):
+    return lambda joint: evaluated_together(joint).assembly.stiffness.output
 
 
 @pytest.fixture
@@ -74,7 +47,7 @@ def joint(paper_joint):
 
 
 @pytest.mark.parametrize("support", ["free", "rigid_housing"])
-def test_the_papers_joint_over_the_wall_of_its_ring(joint, load_example, support):
+def test_the_papers_joint_over_the_wall_of_its_ring(joint, load_example, support, output):
     """With asperities too stiff to count, against the bodies alone of examples/ring_wall.py: one matrix a body."""
     walls = np.array([4e-3, 10e-3, 20e-3, 60e-3])
     stiff = {"fractal_dimension": 1.9, "fractal_roughness": 1e-20}
@@ -158,7 +131,7 @@ def test_shear_follows_the_logarithm_of_the_traction(joint):
     assert compliance(0.6) - compliance(0.0) == pytest.approx(np.full(5, added), rel=5e-3)
 
 
-def test_a_housing_lies_between_a_free_ring_and_a_rigid_housing(joint):
+def test_a_housing_lies_between_a_free_ring_and_a_rigid_housing(joint, output):
     housing = np.array([0.0, 1e6, 1e10, 1e11, 1e12, 1e13])
     found = output(
         joint(
@@ -176,7 +149,7 @@ def test_a_housing_lies_between_a_free_ring_and_a_rigid_housing(joint):
     assert 0.9 * held < found[-1] < held
 
 
-def test_a_ring_with_its_own_spring_keeps_the_spring(joint):
+def test_a_ring_with_its_own_spring_keeps_the_spring(joint, solved):
     """ring_bending_stiffness stays a spring under each loading roller of a ring in a rigid housing."""
     from asperity.drive.assembly import IDEAL_STRUCTURE
 
@@ -189,7 +162,7 @@ def test_a_ring_with_its_own_spring_keeps_the_spring(joint):
     )
 
 
-def test_springs_and_exact_bodies_agree_for_a_ring_in_a_rigid_housing(joint):
+def test_springs_and_exact_bodies_agree_for_a_ring_in_a_rigid_housing(joint, output):
     walls = np.array([6e-3, 10e-3, 20e-3, 60e-3])
     springs, exact = (
         output(joint(ring_wall_thickness=walls, body_model=model)) for model in ("springs", "exact")
@@ -197,10 +170,10 @@ def test_springs_and_exact_bodies_agree_for_a_ring_in_a_rigid_housing(joint):
     assert exact == pytest.approx(springs, rel=0.02)
 
 
-def test_published_series_assembled_in_this_order(joint):
+def test_published_series_assembled_in_this_order(joint, solved):
     """Floating planets make the assembly the softest level by far, with exact bodies as well."""
     rng = np.random.default_rng(5)
-    count = 200
+    count = 64
     found = solved(
         joint(
             planet_radius=rng.uniform(13.2e-3, 13.8e-3, count),
@@ -216,14 +189,14 @@ def test_published_series_assembled_in_this_order(joint):
         np.asarray(level.output)
         for level in (found.published, found.series_with_bulk, found.assembly.stiffness)
     ]
-    works = np.asarray(found.solved) & (np.max(np.asarray(found.slip_ratio), axis=0) < 1.0)
+    works = np.asarray(found.solved) & (np.max(np.asarray(found.diagnostics.slip_ratio), axis=0) < 1.0)
     works &= np.isfinite(levels[0])  # nan where all spots of a contact are plastic
-    assert works.sum() > 100
+    assert works.sum() > 32
     assert np.all((levels[0] >= levels[1])[works])
     assert np.all((levels[1] > 2.0 * levels[2])[works])
 
 
-def test_held_planets_may_exceed_the_series(joint):
+def test_held_planets_may_exceed_the_series(joint, solved):
     """Where planets do not float, contacts that move along with their neighbours are stiffer than springs in series."""
     from asperity.drive.assembly import IDEAL_STRUCTURE
 
@@ -237,7 +210,7 @@ def test_held_planets_may_exceed_the_series(joint):
     assert 1.0 < float(exact.assembly.stiffness.output / exact.series_with_bulk.output) < 1.1
 
 
-def test_shares_of_the_compliance_add_up(joint):
+def test_shares_of_the_compliance_add_up(joint, solved):
     assembly = solved(joint(ring_support="free")).assembly
     shares = [np.sum(share) for name, share in vars(assembly).items() if name.endswith("_share")]
     assert sum(shares) == pytest.approx(1.0, abs=1e-12)
@@ -265,7 +238,7 @@ def test_derivatives_forward_and_reverse(joint):
     assert jax.jit(jax.jacfwd(of))(here) == pytest.approx(np.asarray(reverse), rel=1e-9)
 
 
-def test_the_number_of_planets_may_differ_within_a_batch(joint):
+def test_the_number_of_planets_may_differ_within_a_batch(joint, output):
     counts = np.array([2.0, 3.0, 2.0])
     batch = output(joint(planet_count=counts, ring_support="free"))
     alone = [float(output(joint(planet_count=float(n), ring_support="free"))) for n in counts]
@@ -285,11 +258,11 @@ def test_a_wall_too_thin_for_exact_bodies_is_refused(joint):
     )
 
 
-def test_every_wall_that_is_admitted_has_a_stiffness(joint):
+def test_every_wall_that_is_admitted_has_a_stiffness(joint, solved):
     walls = np.geomspace(0.1e-3, 50e-3, 60)
     made = joint(ring_wall_thickness=walls, ring_support="free", preload=1.0, **REST)
     result = solved(made)
-    holds = np.asarray(walls_hold(made, result.hertz_half_width))
+    holds = np.asarray(walls_hold(made, result.diagnostics.hertz_half_width))
     found = np.asarray(result.assembly.stiffness.output)
     assert np.array_equal(holds, np.isfinite(found))
     assert 0 < np.sum(~holds) < 20
@@ -297,7 +270,7 @@ def test_every_wall_that_is_admitted_has_a_stiffness(joint):
 
 
 @pytest.mark.slow
-def test_hollow_planets_make_the_joint_softer(joint):
+def test_hollow_planets_make_the_joint_softer(joint, solved, output):
     bores = np.array([0.01e-3, 8e-3, 16e-3, 22e-3])
     found = solved(joint(ring_wall_thickness=np.full(4, 20e-3), planet_bore=bores))
     at = np.asarray(found.assembly.stiffness.output)
@@ -309,7 +282,7 @@ def test_hollow_planets_make_the_joint_softer(joint):
 
 
 @pytest.mark.slow
-def test_the_wind_up_integrates_the_exact_bodies(joint):
+def test_the_wind_up_integrates_the_exact_bodies(joint, output):
     made = joint(ring_support="free")
     found = windup(made, largest_torque=4.0, level="assembly", stage_shares=(0.3, 0.6))
     at = float(output(dataclasses.replace(made, output_torque=jnp.asarray(4.0))))
