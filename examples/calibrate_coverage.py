@@ -40,7 +40,7 @@ def coverage(count: int, draws: int) -> tuple[int, Coverage, Coverage]:
     loop = np.linspace(10.0, -10.0, 31)[1:]
     torque = np.concatenate([np.linspace(0.3, 10.0, 15), loop, -loop])
     data = Measurement(torque, np.zeros(75), None, np.arange(75.0), np.zeros(75), "synthetic")
-    unknowns = read_unknowns(TRUTH, case=case, measurement=data)
+    unknowns = read_unknowns(TRUTH, case=case, measurements=(data,))
     model = CurveModel(case=case, measurement=data, unknowns=unknowns, level="assembly", history="virgin")
     values = list(TRUTH.values())
     true = np.array([u.to_unit(v) for u, v in zip(unknowns, values, strict=True)])
@@ -53,7 +53,7 @@ def coverage(count: int, draws: int) -> tuple[int, Coverage, Coverage]:
         )
         found = calibrate(
             case=case,
-            measurement=noisy,
+            measurements=(noisy,),
             unknowns=unknowns,
             level="assembly",
             history="virgin",
@@ -83,7 +83,7 @@ def posterior_ends(found: Calibration, draws: int, seed: int) -> np.ndarray:
     scaled_values = np.quantile(
         posterior(found, draws=draws, seed=seed).scaled_values, (0.025, 0.975), axis=0
     )
-    return np.array([u.from_unit(scaled_values[:, i]) for i, u in enumerate(found.model.unknowns)])
+    return np.array([u.from_unit(scaled_values[:, i]) for i, u in enumerate(found.unknowns)])
 
 
 def main() -> None:

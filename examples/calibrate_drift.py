@@ -33,7 +33,7 @@ CASE = Path(__file__).parent / "zou2025.toml"
 def exact() -> np.ndarray:
     """Drift of the true joint per output turn [rad]."""
     case, blank = read_case(CASE), measured(np.zeros(TORQUE.size))
-    unknowns = read_unknowns(TRUTH, case=case, measurement=blank)
+    unknowns = read_unknowns(TRUTH, case=case, measurements=(blank,))
     model = CurveModel(case=case, measurement=blank, unknowns=unknowns, level="assembly", history="virgin")
     return model(np.array([u.to_unit(v) for u, v in zip(unknowns, TRUTH.values(), strict=True)]))[0]
 
@@ -51,8 +51,8 @@ def coverage(count: int) -> dict[str, tuple[int, float, float]]:
         data = measured(drift + SCATTER * rng.standard_normal(TORQUE.size))
         found = calibrate(
             case=case,
-            measurement=data,
-            unknowns=read_unknowns(TRUTH, case=case, measurement=data),
+            measurements=(data,),
+            unknowns=read_unknowns(TRUTH, case=case, measurements=(data,)),
             level="assembly",
             history="virgin",
             starts=1,

@@ -37,7 +37,7 @@ def synthetic(seed: int) -> Measurement:
         torque, np.zeros(torque.size), None, 4.0 * np.arange(torque.size), repetition, "synthetic"
     )
     case = read_case(Path(__file__).parent / "zou2025.toml")
-    unknowns = read_unknowns(TRUTH, case=case, measurement=blank)
+    unknowns = read_unknowns(TRUTH, case=case, measurements=(blank,))
     model = CurveModel(case=case, measurement=blank, unknowns=unknowns, level="assembly", history="virgin")
     angle, _ = model(np.array([u.to_unit(v) for u, v in zip(unknowns, TRUTH.values(), strict=True)]))
     noise = 0.2 / 60.0 * ARCMIN * np.random.default_rng(seed).standard_normal(torque.size)

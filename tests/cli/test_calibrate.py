@@ -30,7 +30,7 @@ def folder(tmp_path):
     )
     data = Measurement(torque, np.zeros(torque.size), None, None, np.zeros(torque.size), "")
     case = read_case(joint)
-    unknowns = read_unknowns(["load.preload"], case=case, measurement=data)
+    unknowns = read_unknowns(["load.preload"], case=case, measurements=(data,))
     model = CurveModel(case=case, measurement=data, unknowns=unknowns, level="assembly", history="virgin")
     angle = model(np.array([unknowns[0].to_unit(1250.0)]))[0]
     angle += 1e-7 * np.random.default_rng(0).standard_normal(angle.size)
@@ -69,7 +69,8 @@ def test_a_drift_curve(folder):
     document = json.loads(result.stdout)
     for found, true in zip(document["estimates"], (900.0, 0.14, 0.5 * ARCMIN), strict=True):
         assert found["lower"] < true < found["upper"]
-    residual = document["residual_standard_deviation"]
+    (curve,) = document["curves"]
+    residual = curve["residual_standard_deviation"]
     assert residual["unit"] == "rad"
     assert residual["value"] == pytest.approx(0.2 * ARCMIN, rel=0.3)
     assert "calibrate_drift.csv, drift." in out.read_text()

@@ -21,7 +21,7 @@ from asperity.study.calibration.calibrate import calibrate as fit
 from asperity.study.calibration.calibration_plot import calibration_figure, unit_of
 from asperity.study.calibration.measurement import read_measurement
 from asperity.study.calibration.torque_history import History
-from asperity.study.calibration.unknowns import CURVE_UNKNOWNS, read_unknowns
+from asperity.study.calibration.unknowns import CURVE_UNKNOWNS, of_joint_file, read_unknowns
 from asperity.units import format_quantity, from_si
 
 if TYPE_CHECKING:
@@ -32,7 +32,7 @@ if TYPE_CHECKING:
 
 def calibrate(
     joint: DescribedJoint,
-    data: str | Path,
+    data: str | Path | Sequence[str | Path],
     unknowns: Sequence[str],
     *,
     level: StiffnessLevel = "assembly",
@@ -40,17 +40,17 @@ def calibrate(
     starts: int = 4,
     seed: int = 1,
 ) -> CalibratedJoint:
-    """Fit numbers of a joint to a measured curve.
+    """Fit numbers of a joint to a measured curve, or to a curve at rest and a drift curve together.
 
     Parameters
     ----------
     joint : DescribedJoint
         From :func:`asperity.load`; its numbers are the first guess.
-    data : str or Path
+    data : str, Path or sequence of them
         CSV file with columns torque and one of angle, stiffness, drift, speed loss or speed ratio, with units in the
-        header.
+        header; or two such files.
     unknowns : sequence of str
-        Numbers of the file, or play, play_torque, offset, drift; with bounds as ``"load.preload=500 N:2000 N"``.
+        Numbers of the file, or offset, drift, offset of drift; with bounds as ``"load.preload=500 N:2000 N"``.
     level : {"assembly", "series_with_bulk", "published"}, optional
         Stiffness that is fitted.
     history : {"virgin", "cycled"}, optional
@@ -78,11 +78,14 @@ def calibrate(
     if isinstance(unknowns, str):
         raise InputError(f"the unknowns are a list, e.g. ['{unknowns}']")
     ratio = float(speed_ratio(joint_from_case(joint.case).geometry))
-    measurement = read_measurement(data, unloaded_ratio=ratio)
+    files = [data] if isinstance(data, str | Path) else list(data)
+    if not files:
+        raise InputError("no data: name at least one CSV file")
+    measurements = tuple(read_measurement(each, unloaded_ratio=ratio) for each in files)
     found = fit(
         case=joint.case,
-        measurement=measurement,
-        unknowns=read_unknowns(unknowns, case=joint.case, measurement=measurement),
+        measurements=measurements,
+        unknowns=read_unknowns(unknowns, case=joint.case, measurements=measurements),
         level=level,
         history=history,
         starts=starts,
@@ -109,8 +112,9 @@ class CalibratedJoint(Shown):
     @property
     def joint(self) -> DescribedJoint:
         """The joint with the estimates in place of its numbers."""
-        paths = set(self.calibration.model.paths)
-        changes = {path: each.value for path, each in self._estimates.items() if path in paths}
+        changes = {path: each.value for path, each in self._estimates.items() if of_joint_file(path)}
+        if "play.angle" in changes and self.start.case.play is None:  # a section [play] has both keys
+            changes.setdefault("play.take_up_torque", 0.0)
         return self.start.edited(joint_file_text(self.start.case, changes, comment=""))
 
     def __getitem__(self, name: str) -> NamedQuantity:
@@ -179,18 +183,22 @@ class CalibratedJoint(Shown):
             note = "" if each.determined else "NOT determined"
             note += f" at its {each.at_bound} bound" if each.at_bound else ""
             rows.append((path, format_quantity(each.value, unit, 6), *ends, note.strip()))
-        data = self.calibration.model.measurement
-        unit = data.quantity.fine_unit
+        curves = self.calibration.curves
+        sources = [f"{each.residual.size} rows of {each.measurement.source}" for each in curves]
         parts: list[str | Table] = [
-            f"{len(rows)} unknowns from {data.torque.size} rows of {data.source}",
+            f"{len(rows)} unknowns from {' and '.join(sources)}",
             Table(("unknown", "estimate", "95 % from", "to", ""), rows),
-            f"residual: {format_quantity(self.calibration.standard_deviation, unit)} (standard deviation)",
         ]
-        if self.calibration.durbin_watson < CORRELATED:
-            parts.append(
-                f"Neighbouring residuals are correlated (Durbin–Watson {self.calibration.durbin_watson:.2f}, "
-                "independent residuals give 2): the model does not explain the curve fully, and the intervals are too "
-                "narrow."
-            )
+        for curve in curves:
+            quantity = curve.measurement.quantity
+            of_curve = f" of the {quantity.name}" if len(curves) > 1 else ""
+            size = format_quantity(curve.standard_deviation, quantity.fine_unit)
+            parts.append(f"residual{of_curve}: {size} (standard deviation)")
+            if curve.durbin_watson < CORRELATED:
+                parts.append(
+                    f"Neighbouring residuals{of_curve} are correlated (Durbin–Watson {curve.durbin_watson:.2f}, "
+                    "independent residuals give 2): the model does not explain the curve fully, and the intervals are "
+                    "too narrow."
+                )
         worst = "\n".join(direction.words for direction in self.calibration.directions)
         return [*parts, f"Combinations of unknowns, the least well determined first:\n{worst}"]

@@ -1,4 +1,4 @@
-"""``asperity calibrate``: unknowns of a joint from a measured curve."""
+"""``asperity calibrate``: unknowns of a joint from measured curves."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 @click.command()
 @click.argument("file", type=click.Path())
-@click.argument("data", type=click.Path())
+@click.argument("data", type=click.Path(), nargs=-1, required=True)
 @click.option("-u", "--unknown", "unknowns", multiple=True, required=True, metavar="KEY[=LOWER:UPPER]",
               help="A number of FILE, for example play.angle, or offset, drift; repeat for several.")  # fmt: skip
 @click.option("--level", default="assembly", show_default=True,
@@ -38,7 +38,7 @@ if TYPE_CHECKING:
 )
 def calibrate(
     file: str,
-    data: str,
+    data: tuple[str, ...],
     unknowns: tuple[str, ...],
     level: Any,
     history: Any,
@@ -50,12 +50,13 @@ def calibrate(
     plot_posterior: str | None,
     as_json: bool,
 ) -> None:
-    """Fit numbers of the joint file FILE to the measured curve DATA.
+    """Fit numbers of the joint file FILE to the measured curve DATA, or to two curves together.
 
     DATA is a CSV file with a column torque and one of angle, stiffness, drift (angle lost per output turn), speed loss
     or speed ratio (sun over output), if wanted time and repetition; units in the header, e.g. 'torque [N*m]',
     'angle [arcmin]', 'drift [arcmin/turn]', 'speed loss [%]'. Rows in the order of time: the hysteresis of a
-    torque-angle curve follows the history.
+    torque-angle curve follows the history. A curve of the joint at rest and a drift curve can be fitted together:
+    give both files; 'offset of drift' is then the offset of the drift curve.
     """
     from asperity.cli.progress import progress_bar
     from asperity.errors import InputError
@@ -64,7 +65,7 @@ def calibrate(
 
     check_image(plot)
     check_image(plot_posterior)
-    check_file(out, file, data)
+    check_file(out, file, *data)
     if plot_posterior is not None and draws is None:
         raise InputError("--plot-posterior needs --posterior DRAWS, e.g. --posterior 1000")
     case = read_case(file)
@@ -81,12 +82,12 @@ def calibrate(
     from asperity.joint_file.build import joint_from_case
 
     ratio = float(speed_ratio(joint_from_case(case).geometry))
-    measurement = read_measurement(data, unloaded_ratio=ratio)
+    measurements = tuple(read_measurement(each, unloaded_ratio=ratio) for each in data)
     with progress_bar("starts") as report:
         found = fit(
             case=case,
-            measurement=measurement,
-            unknowns=read_unknowns(unknowns, case=case, measurement=measurement),
+            measurements=measurements,
+            unknowns=read_unknowns(unknowns, case=case, measurements=measurements),
             level=level,
             history=history,
             starts=starts,
@@ -104,10 +105,9 @@ def calibrate(
         changes = {each.path: each.value for each in found.estimates if of_joint_file(each.path)}
         if "play.angle" in changes and case.play is None:  # a section [play] has both keys
             changes.setdefault("play.take_up_torque", 0.0)
-        fitted = "drift" if measurement.drift is not None else f"{level} stiffness"
-        text = joint_file_text(
-            case, changes, comment=f"Calibrated by asperity: {file} from {data}, {fitted}."
-        )
+        fitted = [f"{level} stiffness" if each.drift is None else "drift" for each in measurements]
+        comment = f"Calibrated by asperity: {file} from {' and '.join(data)}, {' and '.join(fitted)}."
+        text = joint_file_text(case, changes, comment=comment)
         write_text(text, out)
         say_written(out)
     from asperity.study.calibration.calibration_plot import calibration_figure, posterior_figure
@@ -132,7 +132,6 @@ def _document(found: Calibration, drawn: Posterior | None) -> dict[str, Any]:
 
     from asperity.study.calibration.unknowns import si_unit_of
 
-    unit = found.model.measurement.quantity.si_unit
     document: dict[str, Any] = {
         "estimates": [
             {
@@ -146,9 +145,20 @@ def _document(found: Calibration, drawn: Posterior | None) -> dict[str, Any]:
             for each in found.directions
         ],
         "covariance_of_scaled_values": found.covariance.tolist(),
-        "residual_standard_deviation": {"value": found.standard_deviation, "unit": unit},
-        "durbin_watson": found.durbin_watson,
-        "rms_of_starts": [float(each) for each in found.starts],
+        "curves": [
+            {
+                "source": each.measurement.source,
+                "quantity": each.measurement.quantity.name,
+                "rows": each.residual.size,
+                "residual_standard_deviation": {
+                    "value": each.standard_deviation,
+                    "unit": each.measurement.quantity.si_unit,
+                },
+                "durbin_watson": each.durbin_watson,
+            }
+            for each in found.curves
+        ],
+        "relative_rms_of_starts": [float(each) for each in found.starts],
     }
     if drawn is not None:
         document["posterior"] = {
@@ -159,11 +169,11 @@ def _document(found: Calibration, drawn: Posterior | None) -> dict[str, Any]:
                 "r_hat": float(drawn.r_hat[i]),
                 "effective_draws": float(drawn.effective_draws[i]),
             }
-            for i, unknown in enumerate(found.model.unknowns)
+            for i, unknown in enumerate(found.unknowns)
         }
         document["posterior_standard_deviation_of_errors"] = {
             "quantiles": _quantiles(drawn.standard_deviation),
-            "unit": unit,
+            "unit": found.curves[0].measurement.quantity.si_unit,
             "r_hat": float(drawn.r_hat[-1]),
             "effective_draws": float(drawn.effective_draws[-1]),
         }
@@ -206,8 +216,9 @@ def _show(found: Calibration, drawn: Posterior | None) -> None:
     from asperity.study.calibration.calibration_plot import unit_of
     from asperity.units import format_quantity
 
-    target, data = console(), found.model.measurement
-    rows = table(target, f"{len(found.estimates)} unknowns from {data.torque.size} rows of {data.source}",
+    target = console()
+    sources = [f"{each.residual.size} rows of {each.measurement.source}" for each in found.curves]
+    rows = table(target, f"{len(found.estimates)} unknowns from {' and '.join(sources)}",
                  "unknown", "estimate", "95 % from", "to", "")  # fmt: skip
     for each in found.estimates:
         unit = unit_of(each.path)
@@ -226,13 +237,17 @@ def _show(found: Calibration, drawn: Posterior | None) -> None:
             ", ".join(note for note in notes if note),
         )
     target.print(rows)
-    unit = data.quantity.fine_unit
-    target.print(f"residual: {format_quantity(found.standard_deviation, unit)} (standard deviation)")
-    if found.durbin_watson < CORRELATED:
-        target.print(
-            f"Neighbouring residuals are correlated (Durbin–Watson {found.durbin_watson:.2f}, independent "
-            "residuals give 2): the model does not explain the curve fully, and the intervals are too narrow."
-        )
+    for curve in found.curves:
+        quantity = curve.measurement.quantity
+        of_curve = f" of the {quantity.name}" if len(found.curves) > 1 else ""
+        size = format_quantity(curve.standard_deviation, quantity.fine_unit)
+        target.print(f"residual{of_curve}: {size} (standard deviation)")
+        if curve.durbin_watson < CORRELATED:
+            target.print(
+                f"Neighbouring residuals{of_curve} are correlated (Durbin–Watson {curve.durbin_watson:.2f}, "
+                "independent residuals give 2): the model does not explain the curve fully, and the intervals are too "
+                "narrow."
+            )
     target.print("Combinations of unknowns, the least well determined first:")
     for direction in found.directions:
         target.print(f"  {direction.words}", markup=False)
@@ -240,14 +255,15 @@ def _show(found: Calibration, drawn: Posterior | None) -> None:
         count = len(drawn.scaled_values)
         title = f"Posterior, {count} draws, {drawn.divergences} divergent, R-hat {drawn.r_hat.max():.3f}"
         rows = table(target, title, "unknown", "2.5 %", "median", "97.5 %", "effective draws")
-        for i, unknown in enumerate(found.model.unknowns):
+        for i, unknown in enumerate(found.unknowns):
             values = _quantiles(unknown.from_unit(drawn.scaled_values[:, i])).values()
             shown = [format_quantity(v, unit_of(unknown.path)) for v in values]
             rows.add_row(unknown.path, *shown, f"{drawn.effective_draws[i]:.0f}")
+        unit = found.curves[0].measurement.quantity.fine_unit
         shown = [format_quantity(v, unit) for v in _quantiles(drawn.standard_deviation).values()]
         rows.add_row("size of errors", *shown, f"{drawn.effective_draws[-1]:.0f}")
         target.print(rows)
-        for i, unknown in enumerate(found.model.unknowns):
+        for i, unknown in enumerate(found.unknowns):
             if note := drawn.note(i):
                 target.print(
                     f"{unknown.path}: {note}, so that the bounds determine the interval", markup=False

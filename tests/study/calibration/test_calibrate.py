@@ -39,7 +39,7 @@ def blank(torque, repetition=None):
 
 def predicted(case, data, texts, values):
     """The curve of known values of the unknowns."""
-    unknowns = read_unknowns([f"{text}" for text in texts], case=case, measurement=data)
+    unknowns = read_unknowns([f"{text}" for text in texts], case=case, measurements=(data,))
     model = CurveModel(case=case, measurement=data, unknowns=unknowns, level="assembly", history="virgin")
     return model(np.array([u.to_unit(v) for u, v in zip(unknowns, values, strict=True)]))[0]
 
@@ -65,8 +65,8 @@ def fitted(case, data, angle, texts=UNKNOWNS, starts=1):
     data = Measurement(**{**vars(data), "angle": angle})
     return calibrate(
         case=case,
-        measurement=data,
-        unknowns=read_unknowns(texts, case=case, measurement=data),
+        measurements=(data,),
+        unknowns=read_unknowns(texts, case=case, measurements=(data,)),
         level="assembly",
         history="virgin",
         starts=starts,
@@ -91,8 +91,8 @@ def test_noisy_data_give_values_within_their_intervals(case, curve):
     rows, freedom = angle.size, angle.size - len(TRUTH)
     # laws of independent normal errors; each bound is missed once in ten thousand samples
     low, high = chi2(freedom).ppf([5e-5, 1.0 - 5e-5])
-    assert low < freedom * (found.standard_deviation / scatter) ** 2 < high
-    assert found.durbin_watson == pytest.approx(2.0, abs=norm.ppf(1.0 - 5e-5) * 2.0 / np.sqrt(rows))
+    assert low < freedom * (found.curves[0].standard_deviation / scatter) ** 2 < high
+    assert found.curves[0].durbin_watson == pytest.approx(2.0, abs=norm.ppf(1.0 - 5e-5) * 2.0 / np.sqrt(rows))
     values = np.array([each.value for each in found.estimates])
     steps = 1e-4 * values
     texts = [text.split("=")[0] for text in UNKNOWNS[:2]]
@@ -109,14 +109,14 @@ def test_noisy_data_give_values_within_their_intervals(case, curve):
     normal = (jacobian / size).T @ (jacobian / size)
     half = (
         student(freedom).ppf(0.975)
-        * found.standard_deviation
+        * found.curves[0].standard_deviation
         * np.sqrt(np.diag(np.linalg.inv(normal)))
         / size
     )
     # not to rounding: those of preload and friction are symmetric in the logarithm
     assert [0.5 * (each.upper - each.lower) for each in found.estimates] == pytest.approx(half, rel=0.01)
     deviation = size * (values - TRUTH)
-    distance = deviation @ normal @ deviation / (len(TRUTH) * found.standard_deviation**2)
+    distance = deviation @ normal @ deviation / (len(TRUTH) * found.curves[0].standard_deviation ** 2)
     assert distance < f_law(len(TRUTH), freedom).ppf(1.0 - 1e-4)
 
 
@@ -124,7 +124,7 @@ def test_misfit_shows_in_the_residuals(case, curve):
     """Neither play nor drift is among the unknowns, but both are in the data."""
     texts = ("load.preload", "load.friction_coefficient", "offset=-1 arcmin:1 arcmin")
     found = fitted(case, *curve, texts=texts)
-    assert found.durbin_watson < 1.0
+    assert found.curves[0].durbin_watson < 1.0
 
 
 def test_what_cannot_be_told_apart_is_named(case, curve):
@@ -160,7 +160,9 @@ def test_no_play_says_nothing_about_its_torque(case):
 
 def test_slopes_of_the_model(case, curve):
     data, _ = curve
-    unknowns = read_unknowns((*UNKNOWNS, "play.take_up_torque=0.1 N*m:2 N*m"), case=case, measurement=data)
+    unknowns = read_unknowns(
+        (*UNKNOWNS, "play.take_up_torque=0.1 N*m:2 N*m"), case=case, measurements=(data,)
+    )
     model = CurveModel(case=case, measurement=data, unknowns=unknowns, level="assembly", history="cycled")
     scaled_values = np.array([0.45, 0.6, 0.3, 0.5, 0.5, 0.4, 0.5])
     _, slopes = model(scaled_values)
@@ -178,8 +180,8 @@ def test_stiffness_data(case):
     data = Measurement(torque, None, true, None, np.zeros(torque.size), "synthetic")
     found = calibrate(
         case=case,
-        measurement=data,
-        unknowns=read_unknowns(["load.preload"], case=case, measurement=data),
+        measurements=(data,),
+        unknowns=read_unknowns(["load.preload"], case=case, measurements=(data,)),
         level="assembly",
         history="virgin",
         starts=1,
@@ -203,7 +205,7 @@ def test_stiffness_data(case):
 )
 def test_bad_unknowns(case, curve, text, message):
     with pytest.raises(InputError, match=message):
-        read_unknowns([text], case=case, measurement=curve[0])
+        read_unknowns([text], case=case, measurements=(curve[0],))
 
 
 def test_a_curve_past_slip_is_refused(case):

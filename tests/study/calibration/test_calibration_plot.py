@@ -18,18 +18,19 @@ def fitted(*, angle=None, stiffness=None, time=None, repetition=None):
     measured = np.asarray(angle if angle is not None else stiffness)
     repetition = np.zeros(4) if repetition is None else repetition
     residual = np.array([0.01 * measured[0], 0.0, 0.0, 0.0])
-    return SimpleNamespace(
-        model=SimpleNamespace(
-            measurement=Measurement(TORQUE, angle, stiffness, time, repetition, "synthetic"),
-            unknowns=(
-                Variable("load.preload", 500.0, 2000.0, True),
-                Variable("play.angle", 0.0, ARCMINUTE, False),
-            ),
-        ),
+    curve = SimpleNamespace(
+        measurement=Measurement(TORQUE, angle, stiffness, time, repetition, "synthetic"),
         prediction=measured - residual,
         residual=residual,
         standard_deviation=2.0 * ARCMINUTE / 60.0,
         durbin_watson=1.234,
+    )
+    return SimpleNamespace(
+        curves=(curve,),
+        unknowns=(
+            Variable("load.preload", 500.0, 2000.0, True),
+            Variable("play.angle", 0.0, ARCMINUTE, False),
+        ),
         estimates=(
             SimpleNamespace(value=1000.0, lower=900.0, upper=1100.0, determined=True),
             SimpleNamespace(value=0.25 * ARCMINUTE, lower=-np.inf, upper=np.inf, determined=False),

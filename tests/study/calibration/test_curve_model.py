@@ -29,7 +29,7 @@ def model(zou_file):
         TORQUE, np.linspace(-1e-4, 1e-4, TORQUE.size), None, TIME, np.zeros(TORQUE.size), "synthetic"
     )
     case = read_case(zou_file)
-    unknowns = read_unknowns(TEXTS, case=case, measurement=data)
+    unknowns = read_unknowns(TEXTS, case=case, measurements=(data,))
     return CurveModel(case=case, measurement=data, unknowns=unknowns, level="assembly", history="virgin")
 
 
@@ -71,7 +71,7 @@ def test_a_joint_that_slips_below_the_largest_torque_has_no_prediction(zou_file)
     torque = np.array([1.0, 8.0])
     data = Measurement(torque, np.array([0.0, 1e-4]), None, None, np.zeros(2), "synthetic")
     case = read_case(zou_file)
-    unknowns = read_unknowns(("load.preload=100 N:2000 N",), case=case, measurement=data)
+    unknowns = read_unknowns(("load.preload=100 N:2000 N",), case=case, measurements=(data,))
     curve = CurveModel(case=case, measurement=data, unknowns=unknowns, level="assembly", history="virgin")
     weak, strong = (curve.unknowns[0].to_unit(preload) for preload in (300.0, 1500.0))
     found = curve.predictions(np.array([[weak], [strong]]))
@@ -114,7 +114,7 @@ def test_the_curve_is_that_of_the_wind_up(zou_file, tmp_path, change):
             np.zeros(sequence.size),
             "synthetic",
         )
-        unknowns = read_unknowns(("load.preload=500 N:1600 N",), case=case, measurement=data)
+        unknowns = read_unknowns(("load.preload=500 N:1600 N",), case=case, measurements=(data,))
         model = CurveModel(case=case, measurement=data, unknowns=unknowns, level="assembly", history="virgin")
         return model(np.array([unknowns[0].to_unit(1000.0)]))[0]
 

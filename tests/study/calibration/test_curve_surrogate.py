@@ -24,7 +24,7 @@ def model(zou_file):
     time = np.arange(float(torque.size))
     data = Measurement(torque, np.zeros(torque.size), None, time, np.zeros(torque.size), "synthetic")
     case = read_case(zou_file)
-    unknowns = read_unknowns(UNKNOWNS, case=case, measurement=data)
+    unknowns = read_unknowns(UNKNOWNS, case=case, measurements=(data,))
     return CurveModel(case=case, measurement=data, unknowns=unknowns, level="assembly", history="virgin")
 
 

@@ -31,14 +31,14 @@ def data_of(torque, drift=None):
 
 
 def model_of(case, data, texts=TEXTS):
-    unknowns = read_unknowns(texts, case=case, measurement=data)
+    unknowns = read_unknowns(texts, case=case, measurements=(data,))
     return CurveModel(case=case, measurement=data, unknowns=unknowns, level="assembly", history="virgin")
 
 
 def fitted(case, data, texts=TEXTS, **options):
     given = {"level": "assembly", "history": "virgin", "starts": 1, "seed": 0} | options
-    unknowns = read_unknowns(texts, case=case, measurement=data)
-    return calibrate(case=case, measurement=data, unknowns=unknowns, **given)
+    unknowns = read_unknowns(texts, case=case, measurements=(data,))
+    return calibrate(case=case, measurements=(data,), unknowns=unknowns, **given)
 
 
 def scaled(model, values=TRUTH):
@@ -147,7 +147,10 @@ def test_intervals_hold_the_truth_as_often_as_they_say(case, model):
     for _ in range(count):
         found = fitted(case, data_of(TORQUE, exact + scatter * rng.standard_normal(TORQUE.size)))
         rows.append(
-            [(each.lower, each.value, each.upper, found.standard_deviation) for each in found.estimates]
+            [
+                (each.lower, each.value, each.upper, found.curves[0].standard_deviation)
+                for each in found.estimates
+            ]
         )
     table = np.array(rows)
     held = np.sum((table[..., 0] < TRUTH) & (table[..., 2] > TRUTH), axis=0)
@@ -199,14 +202,14 @@ def test_a_drift_past_gross_slip_is_refused(case):
 )
 def test_unknowns_that_a_drift_does_not_have(case, texts, said):
     with pytest.raises(InputError, match=said):
-        read_unknowns(texts, case=case, measurement=data_of(TORQUE))
+        read_unknowns(texts, case=case, measurements=(data_of(TORQUE),))
 
 
 def test_radii_cannot_be_found_from_the_ratio_that_they_set(case):
     data = dataclasses.replace(data_of(TORQUE), unloaded_ratio=-9.0)
     with pytest.raises(InputError, match=r"'drive.sun_radius' sets the speed ratio without creep"):
-        read_unknowns(("drive.sun_radius",), case=case, measurement=data)
-    assert len(read_unknowns(("drive.planet_radius", "offset"), case=case, measurement=data)) == 2
+        read_unknowns(("drive.sun_radius",), case=case, measurements=(data,))
+    assert len(read_unknowns(("drive.planet_radius", "offset"), case=case, measurements=(data,))) == 2
 
 
 def test_what_a_drift_curve_must_be(case):

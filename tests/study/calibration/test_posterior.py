@@ -62,7 +62,7 @@ def test_linear_model():
     # with a prior uniform in ln s, (n − 2) s0²/s² has the chi-square law of n − 2 degrees of freedom
     exact = DEVIATION * np.sqrt(58 / chi2(58).median())
     for share, scaled_value in ((0.5, exact), (0.16, DEVIATION * np.sqrt(58 / chi2(58).ppf(0.84)))):
-        below = found.standard_deviation < scaled_value
+        below = found.curves[0].standard_deviation < scaled_value
         assert np.mean(below) == pytest.approx(share, abs=4.0 * found.share_error(below))
     assert np.all(found.r_hat < 1.05)
     assert found.divergences == 0
@@ -90,9 +90,15 @@ def log_posterior(squares, rows, deviation):
 def calibrated(zou_file, torque, angle, texts):
     data = Measurement(torque, angle, None, None, np.zeros(torque.size), "synthetic")
     case = read_case(zou_file)
-    unknowns = read_unknowns(texts, case=case, measurement=data)
+    unknowns = read_unknowns(texts, case=case, measurements=(data,))
     return calibrate(
-        case=case, measurement=data, unknowns=unknowns, level="assembly", history="virgin", starts=1, seed=0
+        case=case,
+        measurements=(data,),
+        unknowns=unknowns,
+        level="assembly",
+        history="virgin",
+        starts=1,
+        seed=0,
     )
 
 
@@ -102,7 +108,7 @@ def cut_joint(zou_file):
     torque = np.array([0.3, 1.0, 2.0, 4.0, 6.0, 8.0, 9.0, 5.0, 1.0, 0.5, -0.5, -3.0, -7.0, -9.0, -2.0, 0.4])
     texts = ("load.preload=940 N:3000 N", "play.angle=0 arcmin:1 arcmin", "play.take_up_torque=0.1 N*m:5 N*m")
     angle = np.linspace(1e-5, 2e-5, torque.size)
-    model: CurveModel = calibrated(zou_file, torque, angle, texts).model
+    model: CurveModel = calibrated(zou_file, torque, angle, texts).curves[0].model
     angle = model(np.array([model.unknowns[0].to_unit(945.0), 0.1, 0.3]))[0]
     angle = angle + 3e-6 * np.random.default_rng(4).standard_normal(torque.size)
     return calibrated(zou_file, torque, angle, texts)
@@ -150,14 +156,14 @@ def test_note_on_a_bound_is_certain_only_with_enough_draws():
 
 
 def test_joint_cut_by_bounds(cut_joint, drawn):
-    model, data = cut_joint.model, cut_joint.model.measurement
+    model, data = cut_joint.curves[0].model, cut_joint.curves[0].model.measurement
     preload, play, width = np.linspace(0.0, 0.4, 41), np.linspace(0.0, 0.3, 76), np.linspace(0.0, 1.0, 51)
     side = np.tanh(data.torque / (0.1 * 50.0 ** width[:, None]))
     added = 0.5 * np.pi / 180.0 / 60.0 * play[:, None, None] * side
     density = np.empty((preload.size, play.size, width.size))
     for index, scaled_value in enumerate(preload):
         squares = np.sum((model(np.array([scaled_value, 0.0, 0.5]))[0] + added - data.angle) ** 2, axis=-1)
-        density[index] = log_posterior(squares, data.torque.size, cut_joint.standard_deviation)
+        density[index] = log_posterior(squares, data.torque.size, cut_joint.curves[0].standard_deviation)
     for index, grid in enumerate((preload, play, width)):
         others = tuple(axis for axis in range(3) if axis != index)
         logarithm = logsumexp(density, axis=others)

@@ -19,7 +19,7 @@ def measured(**changes):
 
 
 def read(case, *texts, **changes):
-    return read_unknowns(texts, case=case, measurement=measured(**changes))
+    return read_unknowns(texts, case=case, measurements=(measured(**changes),))
 
 
 def test_stated_bounds_are_taken_in_their_unit(case):

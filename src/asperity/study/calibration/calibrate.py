@@ -1,4 +1,4 @@
-"""Calibration: unknowns of a joint from a measured curve by least squares, with covariance and identifiability."""
+"""Calibration: unknowns of a joint from measured curves by least squares, with covariance and identifiability."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from asperity.errors import InputError, NoSolutionError
 from asperity.joint.windup import StiffnessLevel
 from asperity.joint_file.model import Case
 from asperity.precision import require_double_precision
-from asperity.study.calibration.curve_model import CurveModel
+from asperity.study.calibration.fitted_curve import FittedCurve, JoinedCurves
 from asperity.study.calibration.measurement import Measurement
 from asperity.study.calibration.torque_history import History
 from asperity.study.design.design_problem import Variable
@@ -25,6 +25,9 @@ NAMED_SHARE = 0.1
 
 #: Durbin–Watson statistic below which neighbouring residuals are clearly alike.
 CORRELATED = 1.5
+
+# rounds in which the sizes of the errors of two curves must settle, and their relative change when they have
+_MOST_ROUNDS, _SETTLED = 50, 1e-4
 
 
 @dataclass(frozen=True)
@@ -89,36 +92,27 @@ class Calibration:
         Estimates as scaled values (0 at the lower bound, 1 at the upper).
     covariance : ndarray
         Of the scaled values; meaningless in directions that are not determined.
-    residual : ndarray
-        Data minus prediction, shape (points,) [rad] or [N·m/rad].
-    prediction : ndarray
-        Shape (points,).
-    standard_deviation : float
-        Of the residuals, with the degrees of freedom that remain [rad] or [N·m/rad].
-    durbin_watson : float
-        About 2 for independent residuals; towards 0 where neighbours are alike and the intervals are too narrow.
     starts : tuple of float
-        Root mean square residual at the end of each start, best first.
-    model : CurveModel
-        The model that was fitted.
+        Root mean square residual at the end of each start, best first, over the root mean square of the data [-].
+    unknowns : tuple of Variable
+        What was looked for.
+    curves : tuple of FittedCurve
+        Each measurement with what was fitted to it.
     """
 
     estimates: tuple[Estimate, ...]
     directions: tuple[Direction, ...]
     scaled_values: np.ndarray
     covariance: np.ndarray
-    residual: np.ndarray
-    prediction: np.ndarray
-    standard_deviation: float
-    durbin_watson: float
     starts: tuple[float, ...]
-    model: CurveModel
+    unknowns: tuple[Variable, ...]
+    curves: tuple[FittedCurve, ...]
 
 
 def calibrate(
     *,
     case: Case,
-    measurement: Measurement,
+    measurements: tuple[Measurement, ...],
     unknowns: tuple[Variable, ...],
     level: StiffnessLevel,
     history: History,
@@ -126,20 +120,20 @@ def calibrate(
     seed: int,
     progress: Callable[[int, int], None] | None = None,
 ) -> Calibration:
-    """Fit unknowns of a joint to a measured curve.
+    """Fit unknowns of a joint to a measured curve, or to two of them together.
 
     Parameters
     ----------
     case : Case
         The joint file.
-    measurement : Measurement
-        The data.
+    measurements : tuple of Measurement
+        The data: one curve, or one of the joint at rest and one of the joint that turns.
     unknowns : tuple of Variable
         What is looked for, see :func:`asperity.study.calibration.unknowns.read_unknowns`.
     level : {"published", "series_with_bulk", "assembly"}
         Which stiffness the joint is taken to have.
     history : {"virgin", "cycled"}
-        State of the joint before the first row.
+        State of the joint at rest before the first row.
     starts : int
         Starts of the search; the first is the joint file.
     seed : int
@@ -157,12 +151,14 @@ def calibrate(
     InputError
         If there are no more data than unknowns.
     NoSolutionError
-        If no start converged, or the fitted joint slips within the measured torques.
+        If no start converged, the sizes of the errors of two curves did not settle, or the fitted joint slips within
+        the measured torques.
 
     Notes
     -----
-    Errors are taken as independent, normal and of one size, in the measured angle (or stiffness) and not in the
-    torque. Intervals are those of the linearised model, in the logarithm of unknowns that are positive.
+    Errors are taken as independent, normal and of one size for each curve, in the measured angle (or stiffness) and
+    not in the torque. The sizes of two curves are estimated from their residuals in turn with the unknowns, until both
+    stand still. Intervals are those of the linearised model, in the logarithm of unknowns that are positive.
 
     References
     ----------
@@ -173,28 +169,25 @@ def calibrate(
     from scipy.stats import qmc
 
     require_double_precision()
-    data = measurement.measured
-    if measurement.drift is not None and history != "virgin":
+    if all(each.drift is not None for each in measurements) and history != "virgin":
         raise InputError(
             "a drift curve has no history, because each torque is held while the joint turns; use 'virgin', the default"
         )
-    if data.size <= len(unknowns):
+    rows = sum(each.torque.size for each in measurements)
+    if rows <= len(unknowns):
         raise InputError(
-            f"{data.size} rows cannot determine {len(unknowns)} unknowns; more rows than unknowns are needed"
+            f"{rows} rows cannot determine {len(unknowns)} unknowns; more rows than unknowns are needed"
         )
-    model = CurveModel(case=case, measurement=measurement, unknowns=unknowns, level=level, history=history)
-    scale = float(np.sqrt(np.mean(data**2))) or 1.0
+    curves = JoinedCurves(
+        case=case, measurements=measurements, unknowns=unknowns, level=level, history=history
+    )
     size = len(unknowns)
-    begins = [model.first]
-    if starts > 1:
-        sampler = qmc.LatinHypercube(d=size, rng=np.random.default_rng(seed))
-        begins += _usable(model, sampler.random(8 * (starts - 1)))[: starts - 1]
-    ended = []
-    for index, begin in enumerate(begins):
+
+    def fitted(begin: np.ndarray, scales: tuple[float, ...]) -> tuple[float, bool, np.ndarray]:
         found = least_squares(
-            lambda x: (model(x)[0] - data) / scale,
+            lambda x: curves.residual(x, scales),
             np.clip(begin, 1e-6, 1.0 - 1e-6),
-            jac=lambda x: model(x)[1] / scale,
+            jac=lambda x: curves.slopes(x, scales),
             bounds=(np.zeros(size), np.ones(size)),
             method="trf",
             xtol=1e-10,
@@ -202,68 +195,75 @@ def calibrate(
             gtol=1e-12,
             max_nfev=400,
         )
-        ended.append((float(found.cost), bool(found.status > 0), found.x))
+        return float(found.cost), bool(found.status > 0), found.x
+
+    begins = [curves.first]
+    if starts > 1:
+        sampler = qmc.LatinHypercube(d=size, rng=np.random.default_rng(seed))
+        begins += _usable(curves, sampler.random(8 * (starts - 1)))[: starts - 1]
+    ended = []
+    for index, begin in enumerate(begins):
+        ended.append(fitted(begin, curves.sizes))
         if progress is not None:
             progress(index + 1, len(begins))
     ended.sort(key=lambda each: each[0])
-    if not ended[0][1]:
+    _, converged, best = ended[0]
+    if not converged:
         raise NoSolutionError(
             f"the best of {len(begins)} starts of the least-squares fit did not converge in 400 steps; "
             "narrow the bounds, or ask for fewer unknowns"
         )
-    return _conclude(
-        model, ended[0][2], tuple(scale * np.sqrt(2.0 * cost / data.size) for cost, _, _ in ended)
+    if len(measurements) > 1:
+        best = _with_their_own_errors(curves, best, fitted)
+    return _conclude(curves, best, tuple(np.sqrt(2.0 * cost / rows) for cost, _, _ in ended))
+
+
+def _with_their_own_errors(
+    curves: JoinedCurves,
+    scaled_values: np.ndarray,
+    fitted: Callable[[np.ndarray, tuple[float, ...]], tuple[float, bool, np.ndarray]],
+) -> np.ndarray:
+    """The fit in which each curve counts by the size of its own errors."""
+    deviations = curves.deviations(scaled_values)
+    for _ in range(_MOST_ROUNDS):
+        _, converged, scaled_values = fitted(scaled_values, deviations)
+        before, deviations = deviations, curves.deviations(scaled_values)
+        if converged and np.allclose(deviations, before, rtol=_SETTLED, atol=0.0):
+            return scaled_values
+    raise NoSolutionError(
+        f"the sizes of the errors of both curves did not settle in {_MOST_ROUNDS} rounds: one curve may be explained "
+        "exactly by the unknowns; ask for fewer unknowns, or fit one curve alone"
     )
 
 
-def _usable(model: CurveModel, scaled_values: np.ndarray) -> list[np.ndarray]:
+def _usable(curves: JoinedCurves, scaled_values: np.ndarray) -> list[np.ndarray]:
     """Scaled values at which the joint has a stiffness at every torque: a search from elsewhere has no direction."""
-    return [scaled_value for scaled_value in scaled_values if np.all(model.stiffness(scaled_value)[0] > 0.0)]
+    return [each for each in scaled_values if curves.exists(each)]
 
 
-def _conclude(model: CurveModel, scaled_values: np.ndarray, starts: tuple[float, ...]) -> Calibration:
+def _conclude(curves: JoinedCurves, scaled_values: np.ndarray, starts: tuple[float, ...]) -> Calibration:
     from scipy.stats import t as student
 
-    data = model.measurement.measured
-    stiffness, _, slip = model.stiffness(scaled_values)
-    # the quadrature ends just below the largest torque; the slip ratio grows in proportion to it
-    largest = float(np.max(np.abs(model.measurement.torque)))
-    reached = float(slip.max()) * largest / float(np.max(np.abs(model.torque))) if largest else 0.0
-    if reached >= 1.0:
-        raise NoSolutionError(
-            f"the best fit slips at the largest measured torque, {largest:.6g} N·m (slip ratio {reached:.3g}, below 1 "
-            "is needed): a curve past gross slip cannot be fitted; leave those rows out, or widen the bounds"
-        )
-    if not np.all(stiffness > 0.0) or model.floored(stiffness).any():
-        lost = np.abs(model.torque[~(stiffness > 0.0) | model.floored(stiffness)]).min()
-        if model.rolls:
-            raise NoSolutionError(
-                f"the best fit does not roll steadily at {lost:.6g} N·m, where a contact slips or lifts off: leave out "
-                "rows past gross slip, check units and preload, or widen the bounds"
-            )
-        raise NoSolutionError(
-            f"the best fit has no stiffness at {lost:.3g} N·m, where all spots of a contact are plastic: the joint "
-            "file cannot explain these data; check units and preload, or widen the bounds"
-        )
-    prediction, slopes = model(scaled_values)
-    residual = data - prediction
-    freedom = data.size - scaled_values.size
-    deviation = float(np.sqrt(np.sum(residual**2) / freedom))
-    steps = np.diff(residual)
-    watson = float(np.sum(steps**2) / np.sum(residual**2)) if np.any(residual) else 2.0
+    curves.refuse_no_joint(scaled_values)
+    fitted = curves.fitted(scaled_values)
     # an exact fit of exact data has no spread: then rounding of the data is what remains
-    spread = max(deviation, 1e-14 * float(np.max(np.abs(data))))
-    _, singular, rows = np.linalg.svd(slopes, full_matrices=False)
+    spreads = tuple(
+        max(each.standard_deviation, 1e-14 * float(np.max(np.abs(each.measurement.measured))))
+        for each in fitted
+    )
+    _, singular, rows = np.linalg.svd(curves.slopes(scaled_values, spreads), full_matrices=False)
     with np.errstate(divide="ignore"):
-        along = spread / np.abs(singular)  # LAPACK may give −0
+        along = 1.0 / np.abs(singular)  # LAPACK may give −0
     covariance = (rows.T * np.minimum(along, 1e6) ** 2) @ rows
+    points = sum(each.residual.size for each in fitted)
+    unknowns = curves.unknowns
     directions = tuple(
-        _direction(model, scaled_values, rows[k], float(along[k]), spread, float(singular[k]))
+        _direction(unknowns, rows[k], float(along[k]), float(singular[k]) / np.sqrt(points))
         for k in reversed(range(len(along)))
     )
-    quantile = float(student.ppf(0.975, freedom))
+    quantile = float(student.ppf(0.975, points - len(unknowns)))
     estimates = []
-    for index, unknown in enumerate(model.unknowns):
+    for index, unknown in enumerate(unknowns):
         lost = any(not d.determined and abs(d.shares[unknown.path]) > NAMED_SHARE for d in directions)
         half = quantile * float(np.sqrt(covariance[index, index]))
         scaled_value = float(scaled_values[index])
@@ -283,34 +283,26 @@ def _conclude(model: CurveModel, scaled_values: np.ndarray, starts: tuple[float,
         directions=directions,
         scaled_values=scaled_values,
         covariance=covariance,
-        residual=residual,
-        prediction=prediction,
-        standard_deviation=deviation,
-        durbin_watson=watson,
         starts=starts,
-        model=model,
+        unknowns=unknowns,
+        curves=fitted,
     )
 
 
 def _direction(
-    model: CurveModel,
-    scaled_values: np.ndarray,
-    row: np.ndarray,
-    along: float,
-    spread: float,
-    singular: float,
+    unknowns: tuple[Variable, ...], row: np.ndarray, along: float, change_by_scatter: float
 ) -> Direction:
     """A singular vector of the slopes in words, for a step that changes its strongest unknown by a tenth."""
     strongest = int(np.argmax(np.abs(row)))
     row = row * np.sign(row[strongest])
-    lead = model.unknowns[strongest]
+    lead = unknowns[strongest]
     factor = 1.1 if lead.logarithmic else None
     step = (np.log(factor) / np.log(lead.upper / lead.lower) if factor else 0.1) / row[strongest]
     parts = []
     for index in np.argsort(-np.abs(row)):
         if abs(row[index]) < NAMED_SHARE:
             continue
-        unknown, change = model.unknowns[index], row[index] * step
+        unknown, change = unknowns[index], row[index] * step
         if unknown.logarithmic:
             percent = 100.0 * np.expm1(change * np.log(unknown.upper / unknown.lower))
             parts.append(f"{unknown.path} {percent:+.3g} %")
@@ -318,11 +310,11 @@ def _direction(
             parts.append(
                 f"{unknown.path} {change * (unknown.upper - unknown.lower):+.3g}{_unit(unknown.path)}"
             )
-    effect = abs(step) * singular / np.sqrt(model.measurement.torque.size) / spread
+    effect = abs(step) * change_by_scatter
     determined = bool(along < UNINFORMED)
     verdict = "identifiable" if determined else "NOT identifiable"
     return Direction(
-        shares={unknown.path: float(value) for unknown, value in zip(model.unknowns, row, strict=True)},
+        shares={unknown.path: float(value) for unknown, value in zip(unknowns, row, strict=True)},
         standard_deviation=along,
         determined=determined,
         words=f"{' together with '.join(parts)} moves the curve by {effect:.3g} of its scatter (rms): {verdict}",

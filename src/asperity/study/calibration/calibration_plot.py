@@ -7,13 +7,14 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from asperity.study.calibration.calibrate import Calibration
+from asperity.study.calibration.fitted_curve import FittedCurve
 from asperity.study.calibration.posterior import Posterior
 from asperity.study.calibration.unknowns import CURVE_UNKNOWNS
 from asperity.units import from_si
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
-    from matplotlib.figure import Figure
+    from matplotlib.figure import Figure, SubFigure
 
 
 def calibration_figure(calibration: Calibration) -> Figure:
@@ -27,16 +28,23 @@ def calibration_figure(calibration: Calibration) -> Figure:
     Returns
     -------
     Figure
-        Three panels.
+        Three panels for each curve.
     """
     from matplotlib.figure import Figure
 
-    data = calibration.model.measurement
+    count = len(calibration.curves)
+    figure = Figure(figsize=(9.0, 7.0 * count), layout="constrained")
+    for part, curve in zip(figure.subfigures(count, 1, squeeze=False)[:, 0], calibration.curves, strict=True):
+        _draw_curve(part, curve)
+    return figure
+
+
+def _draw_curve(figure: SubFigure, fitted: FittedCurve) -> None:
+    data = fitted.measurement
     unit, small = data.quantity.unit, data.quantity.fine_unit
     factor = from_si(1.0, unit)
     fine = from_si(1.0, small)
     label = unit.replace("*", "·")
-    figure = Figure(figsize=(9.0, 7.0), layout="constrained")
     grid = figure.add_gridspec(2, 2, height_ratios=[2.0, 1.0])
     curve = figure.add_subplot(grid[0, :])
     order = np.arange(data.torque.size) if data.angle is not None else np.argsort(data.torque)
@@ -44,30 +52,27 @@ def calibration_figure(calibration: Calibration) -> Figure:
         mine = data.repetition == repetition
         text = f"measured, repetition {repetition:g}" if np.unique(data.repetition).size > 1 else "measured"
         curve.plot(data.torque[mine], data.measured[mine] * factor, ".", ms=3, color=f"C{index}", label=text)
-    curve.plot(
-        data.torque[order], calibration.prediction[order] * factor, "-", color="k", lw=0.9, label="fit"
-    )
+    curve.plot(data.torque[order], fitted.prediction[order] * factor, "-", color="k", lw=0.9, label="fit")
     curve.set_xlabel("output torque [N·m]")
     curve.set_ylabel(f"{data.quantity.name} [{label}]")
     curve.legend(fontsize="small")
     curve.grid(alpha=0.3)
     curve.set_title(
-        f"residual {calibration.standard_deviation * fine:.3g} {small.replace('*', '·')} (standard deviation), "
-        f"Durbin–Watson {calibration.durbin_watson:.2f}",
+        f"residual {fitted.standard_deviation * fine:.3g} {small.replace('*', '·')} (standard deviation), "
+        f"Durbin–Watson {fitted.durbin_watson:.2f}",
         fontsize="medium",
     )
     against = figure.add_subplot(grid[1, 0])
-    against.plot(data.torque, calibration.residual * fine, ".", ms=3)
+    against.plot(data.torque, fitted.residual * fine, ".", ms=3)
     against.set_xlabel("output torque [N·m]")
     in_time = figure.add_subplot(grid[1, 1], sharey=against)
     when = data.time - data.time[0] if data.time is not None else np.arange(data.torque.size)
-    in_time.plot(when, calibration.residual * fine, ".", ms=3)
+    in_time.plot(when, fitted.residual * fine, ".", ms=3)
     in_time.set_xlabel("time [s]" if data.time is not None else "row of the file")
     for axes in (against, in_time):
         axes.axhline(0.0, color="k", lw=0.7)
         axes.grid(alpha=0.3)
     against.set_ylabel(f"residual [{small.replace('*', '·')}]")
-    return figure
 
 
 def posterior_figure(calibration: Calibration, posterior: Posterior) -> Figure:
@@ -90,7 +95,7 @@ def posterior_figure(calibration: Calibration, posterior: Posterior) -> Figure:
     from matplotlib.ticker import MaxNLocator
     from scipy.stats import rankdata
 
-    unknowns = calibration.model.unknowns
+    unknowns = calibration.unknowns
     count = len(unknowns)
     factors = [from_si(1.0, unit_of(u.path)) for u in unknowns]
     values = [u.from_unit(posterior.scaled_values[:, i]) * factors[i] for i, u in enumerate(unknowns)]

@@ -339,7 +339,11 @@ class CurveModel:
             assert data.time is not None
             return data.time - data.time[0]
         label = path.partition(" ")[2]
-        return np.ones(data.torque.size) if not label else (data.repetition == float(label)).astype(float)
+        return (
+            np.ones(data.torque.size)
+            if not label or self.rolls
+            else (data.repetition == float(label)).astype(float)
+        )
 
 
 def _refuse_torques(torque: np.ndarray, measurement: Measurement) -> None:

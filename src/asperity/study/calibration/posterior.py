@@ -361,7 +361,8 @@ def posterior(
     Raises
     ------
     InputError
-        If the data fit exactly: then there are no errors whose size could be estimated.
+        If two curves were fitted together, or the data fit exactly: then there are no errors whose size could be
+        estimated.
     MissingExtraError, NoSolutionError
         As :func:`sample`.
 
@@ -369,8 +370,13 @@ def posterior(
     -----
     The likelihood is zero where the joint has no stiffness at one of the measured torques.
     """
-    model, data = calibration.model, calibration.model.measurement.measured
-    if calibration.standard_deviation <= 1e-12 * float(np.max(np.abs(data))):
+    if len(calibration.curves) > 1:
+        raise InputError(
+            "a posterior is drawn from one curve; fit the curves one after the other, or without it"
+        )
+    (curve,) = calibration.curves
+    model, data = curve.model, curve.measurement.measured
+    if curve.standard_deviation <= 1e-12 * float(np.max(np.abs(data))):
         raise InputError(
             "the fit is exact to the last digit, so that the data contain no information about errors; a posterior "
             "needs measured data"
@@ -382,7 +388,7 @@ def posterior(
         data=data,
         first=calibration.scaled_values,
         covariance=calibration.covariance,
-        first_deviation=calibration.standard_deviation,
+        first_deviation=curve.standard_deviation,
         draws=draws,
         warmup=WARMUP,
         chains=CHAINS,

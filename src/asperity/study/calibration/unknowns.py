@@ -20,6 +20,9 @@ CURVE_UNKNOWNS = {
     "drift": Dimension.ANGULAR_VELOCITY,
 }
 
+#: The offset of a drift curve that is fitted together with another curve.
+OFFSET_OF_DRIFT = "offset of drift"
+
 #: Without stated bounds, a number of the file may change by this factor in either direction.
 DEFAULT_FACTOR = 5.0
 
@@ -32,7 +35,9 @@ _RATIO_KEYS = ("drive.sun_radius", "drive.ring_radius")
 _LINEAR_KINDS = ("fractal_dimension", "poisson_ratio", "push_angle")
 
 
-def read_unknowns(texts: Iterable[str], *, case: Case, measurement: Measurement) -> tuple[Variable, ...]:
+def read_unknowns(
+    texts: Iterable[str], *, case: Case, measurements: tuple[Measurement, ...]
+) -> tuple[Variable, ...]:
     """Read the unknowns of a calibration.
 
     Parameters
@@ -43,10 +48,11 @@ def read_unknowns(texts: Iterable[str], *, case: Case, measurement: Measurement)
     case : Case
         The joint file. Its value is the first guess; without bounds, five times it and a fifth of it are the bounds
         (1.05 to 1.95 for a fractal dimension).
-    measurement : Measurement
-        The data; without bounds ``play.angle``, offset and drift may be as large as the whole range of angles, and
-        ``play.take_up_torque`` as the largest torque. With several repetitions each has its own offset. Of data of the
-        drift per turn only the offset can be unknown.
+    measurements : tuple of Measurement
+        The data: one curve, or one of the joint at rest and one of the joint that turns. Without bounds ``play.angle``,
+        offset and drift may be as large as the whole range of angles, and ``play.take_up_torque`` as the largest
+        torque. With several repetitions each has its own offset. Of data of the drift per turn only the offset can be
+        unknown; beside a curve at rest it is called ``offset of drift``.
 
     Returns
     -------
@@ -56,8 +62,9 @@ def read_unknowns(texts: Iterable[str], *, case: Case, measurement: Measurement)
     Raises
     ------
     InputError
-        If a text cannot be read, or an unknown makes no sense for these data.
+        If a text cannot be read, or an unknown or the measurements together make no sense.
     """
+    _refuse_alike(measurements)
     found: list[Variable] = []
     for text in texts:
         name, _, bounds = text.partition("=")
@@ -66,10 +73,10 @@ def read_unknowns(texts: Iterable[str], *, case: Case, measurement: Measurement)
         if sides and len(sides) != 2:
             raise InputError(f"unknown '{text}': expected KEY=LOWER:UPPER, e.g. load.preload=500 N:2000 N")
         if added_to_curve(name):
-            found.extend(_of_curve(name, sides, measurement))
+            found.extend(_of_curve(name, sides, _curve_of(name, measurements)))
         else:
             found.append(_of_joint(name, sides, case))
-            if measurement.unloaded_ratio is not None and name in _RATIO_KEYS:
+            if name in _RATIO_KEYS and any(each.unloaded_ratio is not None for each in measurements):
                 raise InputError(
                     f"'{name}' sets the speed ratio without creep and cannot be an unknown of measured speed ratios; "
                     "use 'offset' for a ratio that is not known exactly, or a column 'speed loss' or 'drift'"
@@ -90,6 +97,50 @@ def read_unknowns(texts: Iterable[str], *, case: Case, measurement: Measurement)
     return tuple(found)
 
 
+def of_measurement(path: str, measurement: Measurement, measurements: tuple[Measurement, ...]) -> bool:
+    """Whether an unknown acts on a measurement.
+
+    Parameters
+    ----------
+    path : str
+        The unknown.
+    measurement : Measurement
+        One of the measurements.
+    measurements : tuple of Measurement
+        All that are fitted together.
+
+    Returns
+    -------
+    bool
+        True for the numbers of the joint file except play, which a joint that turns does not show, and for the
+        properties of this very curve.
+    """
+    return not added_to_curve(path) or _curve_of(path, measurements) is measurement
+
+
+def _curve_of(name: str, measurements: tuple[Measurement, ...]) -> Measurement:
+    """The measurement to which an unknown of a curve belongs."""
+    standing = [each for each in measurements if each.drift is None]
+    rolling = [each for each in measurements if each.drift is not None]
+    if name != OFFSET_OF_DRIFT:
+        return (standing or rolling)[0]
+    if not (standing and rolling):
+        raise InputError(f"'{OFFSET_OF_DRIFT}' belongs to a drift curve beside another one; say 'offset'")
+    return rolling[0]
+
+
+def _refuse_alike(measurements: tuple[Measurement, ...]) -> None:
+    rolls = [each.drift is not None for each in measurements]
+    if len(measurements) > 2 or len(set(rolls)) < len(rolls):
+        kind = "turns" if all(rolls) else "is at rest"
+        raise InputError(
+            f"{', '.join(each.source for each in measurements)}: "
+            + (f"both are curves of a joint that {kind}; " if len(measurements) == 2 else "")
+            + "at most one torque-angle or stiffness curve and one drift curve can be fitted together; put repetitions "
+            "into one file, with a column 'repetition'"
+        )
+
+
 def _bounds(name: str, sides: list[str], dimension: Dimension) -> tuple[float, float]:
     try:
         lower, upper = (parse_quantity(side.strip(), dimension) for side in sides)
@@ -101,7 +152,9 @@ def _bounds(name: str, sides: list[str], dimension: Dimension) -> tuple[float, f
 
 
 def _of_curve(name: str, sides: list[str], measurement: Measurement) -> list[Variable]:
-    if measurement.angle is None and not (name == "offset" and measurement.drift is not None):
+    if measurement.angle is None and not (
+        name in ("offset", OFFSET_OF_DRIFT) and measurement.drift is not None
+    ):
         kind = measurement.quantity.name
         raise InputError(f"'{name}' can be fitted to measured angles only; the data are those of the {kind}")
     span = float(np.ptp(measurement.measured))
@@ -116,6 +169,7 @@ def _of_curve(name: str, sides: list[str], measurement: Measurement) -> list[Var
             float(np.max(np.abs(measurement.torque))),
         ),
         "offset": (middle - span, middle + span),
+        OFFSET_OF_DRIFT: (middle - span, middle + span),
         "drift": (-span / duration, span / duration),
     }[name]
     lower, upper = _bounds(name, sides, _dimension(name)) if sides else default

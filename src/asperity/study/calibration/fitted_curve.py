@@ -1,0 +1,196 @@
+"""Measured curves that are fitted together, and each of them with what was fitted to it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from asperity.errors import NoSolutionError
+from asperity.joint.windup import StiffnessLevel
+from asperity.joint_file.model import Case
+from asperity.study.calibration.curve_model import CurveModel
+from asperity.study.calibration.measurement import Measurement
+from asperity.study.calibration.torque_history import History
+from asperity.study.calibration.unknowns import of_measurement
+from asperity.study.design.design_problem import Variable
+
+
+@dataclass(frozen=True)
+class FittedCurve:
+    """A measured curve with what was fitted to it.
+
+    Parameters
+    ----------
+    model : CurveModel
+        The model that was fitted.
+    prediction : ndarray
+        Shape (points,) [rad] or [N·m/rad].
+    residual : ndarray
+        Data minus prediction, shape (points,) [rad] or [N·m/rad].
+    standard_deviation : float
+        Of the residuals, with the degrees of freedom that remain [rad] or [N·m/rad].
+    durbin_watson : float
+        About 2 for independent residuals; towards 0 where neighbours are alike and the intervals are too narrow.
+    """
+
+    model: CurveModel
+    prediction: np.ndarray
+    residual: np.ndarray
+    standard_deviation: float
+    durbin_watson: float
+
+    @property
+    def measurement(self) -> Measurement:
+        """The data."""
+        return self.model.measurement
+
+
+class JoinedCurves:
+    """Residuals of all measurements as functions of one set of scaled values of the unknowns.
+
+    Parameters
+    ----------
+    case : Case
+        The joint file.
+    measurements : tuple of Measurement
+        The data.
+    unknowns : tuple of Variable
+        What is looked for; each curve sees those that act on it.
+    level : {"published", "series_with_bulk", "assembly"}
+        Which stiffness the joint at rest is taken to have.
+    history : {"virgin", "cycled"}
+        Its state before the first row.
+    """
+
+    def __init__(
+        self,
+        *,
+        case: Case,
+        measurements: tuple[Measurement, ...],
+        unknowns: tuple[Variable, ...],
+        level: StiffnessLevel,
+        history: History,
+    ) -> None:
+        self.unknowns = unknowns
+        self._columns = [
+            [
+                index
+                for index, each in enumerate(unknowns)
+                if of_measurement(each.path, measurement, measurements)
+            ]
+            for measurement in measurements
+        ]
+        self._models = [
+            CurveModel(
+                case=case,
+                measurement=measurement,
+                unknowns=tuple(unknowns[index] for index in columns),
+                level=level,
+                history=history,
+            )
+            for measurement, columns in zip(measurements, self._columns, strict=True)
+        ]
+        self._data = [each.measured for each in measurements]
+        #: Root mean square of each curve [rad] or [N·m/rad]; 1 for one of zeros.
+        self.sizes = tuple(float(np.sqrt(np.mean(data**2))) or 1.0 for data in self._data)
+        self.first = np.empty(len(unknowns))
+        for model, columns in zip(self._models, self._columns, strict=True):
+            self.first[columns] = model.first
+
+    def residual(self, scaled_values: np.ndarray, scales: tuple[float, ...]) -> np.ndarray:
+        """Prediction minus data of all curves, each over its scale, shape (points,) [-]."""
+        return np.concatenate(
+            [
+                (model(scaled_values[columns])[0] - data) / scale
+                for model, columns, data, scale in zip(
+                    self._models, self._columns, self._data, scales, strict=True
+                )
+            ]
+        )
+
+    def slopes(self, scaled_values: np.ndarray, scales: tuple[float, ...]) -> np.ndarray:
+        """Derivatives of :meth:`residual` by the scaled values, shape (points, unknowns) [-]."""
+        parts = []
+        for model, columns, scale in zip(self._models, self._columns, scales, strict=True):
+            part = np.zeros((model.measurement.torque.size, len(self.unknowns)))
+            part[:, columns] = model(scaled_values[columns])[1] / scale
+            parts.append(part)
+        return np.concatenate(parts)
+
+    def deviations(self, scaled_values: np.ndarray) -> tuple[float, ...]:
+        """Standard deviation of the residuals of each curve, at least a millionth of its size [rad] or [N·m/rad]."""
+        fitted = self.fitted(scaled_values)
+        return tuple(
+            max(each.standard_deviation, 1e-6 * size) for each, size in zip(fitted, self.sizes, strict=True)
+        )
+
+    def fitted(self, scaled_values: np.ndarray) -> tuple[FittedCurve, ...]:
+        """Each curve with its prediction and the statistics of its residuals.
+
+        Parameters
+        ----------
+        scaled_values : ndarray
+            Shape (unknowns,), 0 to 1.
+
+        Returns
+        -------
+        tuple of FittedCurve
+            In the order of the measurements. Each curve bears the unknowns in proportion to its rows.
+        """
+        points = sum(data.size for data in self._data)
+        found = []
+        for model, columns, data in zip(self._models, self._columns, self._data, strict=True):
+            prediction = model(scaled_values[columns])[0]
+            residual = data - prediction
+            squares = float(np.sum(residual**2))
+            freedom = data.size * (1.0 - len(self.unknowns) / points)
+            watson = float(np.sum(np.diff(residual) ** 2)) / squares if squares else 2.0
+            found.append(FittedCurve(model, prediction, residual, float(np.sqrt(squares / freedom)), watson))
+        return tuple(found)
+
+    def exists(self, scaled_values: np.ndarray) -> bool:
+        """Whether the joint has a stiffness at every torque of every curve."""
+        return all(
+            np.all(model.stiffness(scaled_values[columns])[0] > 0.0)
+            for model, columns in zip(self._models, self._columns, strict=True)
+        )
+
+    def refuse_no_joint(self, scaled_values: np.ndarray) -> None:
+        """Raise if the joint slips within the measured torques or has no stiffness there.
+
+        Parameters
+        ----------
+        scaled_values : ndarray
+            Shape (unknowns,), 0 to 1.
+
+        Raises
+        ------
+        NoSolutionError
+            Which torque it is, and what to do.
+        """
+        for model, columns in zip(self._models, self._columns, strict=True):
+            _refuse_no_joint(model, scaled_values[columns])
+
+
+def _refuse_no_joint(model: CurveModel, scaled_values: np.ndarray) -> None:
+    stiffness, _, slip = model.stiffness(scaled_values)
+    # the quadrature ends just below the largest torque; the slip ratio grows in proportion to it
+    largest = float(np.max(np.abs(model.measurement.torque)))
+    reached = float(slip.max()) * largest / float(np.max(np.abs(model.torque))) if largest else 0.0
+    if reached >= 1.0:
+        raise NoSolutionError(
+            f"the best fit slips at the largest measured torque, {largest:.6g} N·m (slip ratio {reached:.3g}, below 1 "
+            "is needed): a curve past gross slip cannot be fitted; leave those rows out, or widen the bounds"
+        )
+    if not np.all(stiffness > 0.0) or model.floored(stiffness).any():
+        lost = np.abs(model.torque[~(stiffness > 0.0) | model.floored(stiffness)]).min()
+        if model.rolls:
+            raise NoSolutionError(
+                f"the best fit does not roll steadily at {lost:.6g} N·m, where a contact slips or lifts off: leave out "
+                "rows past gross slip, check units and preload, or widen the bounds"
+            )
+        raise NoSolutionError(
+            f"the best fit has no stiffness at {lost:.3g} N·m, where all spots of a contact are plastic: the joint "
+            "file cannot explain these data; check units and preload, or widen the bounds"
+        )
