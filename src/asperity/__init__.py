@@ -14,6 +14,7 @@ if TYPE_CHECKING:
     from asperity import errors
     from asperity.api.calibration import calibrate
     from asperity.api.design import design
+    from asperity.api.export import export_joint
     from asperity.api.joint import load
     from asperity.api.studies import plot, sweep
     from asperity.api.surface import measure_surface
@@ -23,6 +24,7 @@ if TYPE_CHECKING:
 _OFFERED = {
     "calibrate": "asperity.api.calibration",
     "design": "asperity.api.design",
+    "export_joint": "asperity.api.export",
     "load": "asperity.api.joint",
     "measure_surface": "asperity.api.surface",
     "plot": "asperity.api.studies",
@@ -30,7 +32,17 @@ _OFFERED = {
     "windup": "asperity.api.windup",
 }
 
-__all__ = ["calibrate", "design", "errors", "load", "measure_surface", "plot", "sweep", "windup"]
+__all__ = [
+    "calibrate",
+    "design",
+    "errors",
+    "export_joint",
+    "load",
+    "measure_surface",
+    "plot",
+    "sweep",
+    "windup",
+]
 
 
 def __getattr__(name: str) -> Any:

@@ -62,6 +62,8 @@ class Windup(eqx.Module):
         Incremental stiffness on first loading in either direction, shape (2n − 1,) [N·m/rad].
     angle : Array
         Loading curves in both directions, shape (2n − 1,) [rad].
+    slip_angle : Array
+        Share of slip in ``angle``, gamma with the sign of the torque, shape (2n − 1,) [rad]; the rest is reversible.
     unloading_angle, reloading_angle : Array
         Both branches of the loop at ``torque``, shape (2n − 1,) [rad].
     hysteresis : Array
@@ -80,6 +82,7 @@ class Windup(eqx.Module):
     torque: Array
     stiffness: Array
     angle: Array
+    slip_angle: Array
     unloading_angle: Array
     reloading_angle: Array
     hysteresis: Array
@@ -184,7 +187,8 @@ def windup_of(
     torque = signed * float(largest_torque)
     taken_up = np.asarray(play_angle(play=play, output_torque=jnp.asarray(torque)))
     angle = np.concatenate([-reverse[:0:-1], forward]) + taken_up
-    reversible = angle - np.sign(signed) * slip_at(np.abs(signed))
+    slipped = np.sign(signed) * slip_at(np.abs(signed))
+    reversible = angle - slipped
     unloading = reversible + slip_angle[-1] - 2.0 * slip_at(0.5 * (1.0 - signed))
     reloading = reversible - slip_angle[-1] + 2.0 * slip_at(0.5 * (1.0 + signed))
     middle = 0.5 * (unloading + reloading)
@@ -207,6 +211,7 @@ def windup_of(
         stiffness=1.0
         / (jnp.asarray(compliance) + play_compliance(play=play, output_torque=jnp.asarray(torque))),
         angle=jnp.asarray(angle),
+        slip_angle=jnp.asarray(slipped),
         unloading_angle=jnp.asarray(unloading),
         reloading_angle=jnp.asarray(reloading),
         hysteresis=read(unloading, 0.0) - read(reloading, 0.0),

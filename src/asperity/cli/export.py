@@ -1,0 +1,78 @@
+"""``asperity export``: a joint as other programs read it."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import click
+
+from asperity.cli.terminal import say_written
+
+#: Names of the targets; asperity.export.targets has their writers.
+TARGETS = ("table",)
+LEVELS = ("assembly", "series_with_bulk", "published")
+
+
+@click.command()
+@click.argument("file", type=click.Path())
+@click.option("--to", required=True, type=click.Choice(TARGETS), help="Program the file is for.")
+@click.option(
+    "--out",
+    required=True,
+    type=click.Path(dir_okay=False),
+    help="Write to this file: table .csv or .mat (MATLAB).",
+)
+@click.option(
+    "--torque",
+    help="Largest output torque of the export, with its unit, e.g. '10 N*m'; default: the file's output torque. "
+    "Both directions are exported, so the sign does not matter.",
+)
+@click.option(
+    "--level",
+    type=click.Choice(LEVELS),
+    default="assembly",
+    show_default=True,
+    help="Level of the stiffness that makes the wind-up.",
+)
+def export(file: str, to: str, out: str, torque: str | None, level: str) -> None:
+    """Write the joint described in FILE for other programs: stiffness, hysteresis, play and drift.
+
+    table: stiffness at three levels, wind-up, hysteresis loop and drift per output turn over the torque.
+
+    Every file states the stiffness and the drift, which are two regimes: the wind-up of a joint that stands comes back,
+    the drift of a joint that turns does not.
+    """
+    from asperity.errors import InputError
+    from asperity.export.targets import check_target
+    from asperity.joint_file.reader import read_case
+
+    check_target(to, out, file)
+    case = read_case(file)
+    from asperity.precision import use_compilation_cache, use_double_precision
+    from asperity.units import Dimension, parse_quantity
+
+    try:
+        asked = None if torque is None else parse_quantity(torque, Dimension.TORQUE)
+    except InputError as error:
+        raise InputError(f"--torque: {error}") from None
+    use_double_precision()
+    use_compilation_cache()
+    from asperity.export.content import export_content, heading
+    from asperity.export.targets import exported, write_exported
+    from asperity.joint_file.build import joint_from_case
+
+    try:
+        content = export_content(
+            joint_from_case(case),
+            source=Path(file).name,
+            largest_torque=asked,
+            level=level,  # type: ignore[arg-type]
+        )
+    except InputError as error:
+        place = "load.output_torque" if asked is None else "--torque"
+        raise InputError(f"{place}: {error}" if "torque" in str(error) else str(error)) from None
+    made = exported(content, to=to, suffix=Path(out).suffix)
+    write_exported(made, out)
+    for line in (*heading(content, what=f"{out}: {to}"), *made.notes):
+        click.echo(line)
+    say_written(out)

@@ -1,0 +1,203 @@
+"""What is exported of a joint: its curves up to a torque, and the sentences that head every file."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+import asperity
+from asperity.drive.geometry import speed_ratio
+from asperity.errors import printable
+from asperity.joint.both_senses import BothSenses, both_senses
+from asperity.joint.description import Joint
+from asperity.joint.play import Play
+from asperity.joint.rolling_document import unknown_because
+from asperity.joint.windup import StiffnessLevel, Windup
+from asperity.joint.windup_document import examined_windup
+from asperity.units import format_quantity
+
+#: The wind-up's stages are not exported; any bounds will do.
+_STAGES = (1.0 / 3.0, 2.0 / 3.0)
+
+
+@dataclass(frozen=True)
+class ExportContent:
+    """Curves of one joint between minus and plus a torque. SI units.
+
+    Parameters
+    ----------
+    source : str
+        Name of the joint file.
+    joint : Joint
+        The joint.
+    level : {"published", "series_with_bulk", "assembly"}
+        Which stiffness was integrated into the wind-up.
+    windup : Windup
+        Loading curves and loop, at 2n − 1 torques.
+    curves : BothSenses
+        Stiffness and drift at the same torques.
+    no_drift_because : tuple of str
+        Why there is no steady rolling at the largest torque, one sentence each; empty where there is.
+    """
+
+    source: str
+    joint: Joint
+    level: StiffnessLevel
+    windup: Windup
+    curves: BothSenses
+    no_drift_because: tuple[str, ...]
+
+    @property
+    def largest_torque(self) -> float:
+        """Torque up to which everything is known, in both directions [N·m]."""
+        return float(self.windup.torque[-1])
+
+    @property
+    def stiffness(self) -> float:
+        """Incremental stiffness at the largest torque, without play [N·m/rad]."""
+        return float(getattr(self.curves, self.level)[-1])
+
+    @property
+    def drift(self) -> float:
+        """Drift per output turn at the largest torque, nan where there is no steady rolling [rad]."""
+        return float(self.curves.driving_drift[-1])
+
+    @property
+    def reduction(self) -> float:
+        """Turns of the sun in one turn of the output, without sign [-]."""
+        return abs(float(np.asarray(speed_ratio(self.joint.geometry))))
+
+    @property
+    def play(self) -> Play:
+        """Play of the joint."""
+        return self.joint.play
+
+
+def export_content(
+    joint: Joint, *, source: str, largest_torque: float | None, level: StiffnessLevel
+) -> ExportContent:
+    """Compute what is exported.
+
+    Parameters
+    ----------
+    joint : Joint
+        One joint.
+    source : str
+        Name of the joint file.
+    largest_torque : float or None
+        Largest output torque, of either sign [N·m]; None for the joint's own.
+    level : {"published", "series_with_bulk", "assembly"}
+        Which stiffness is integrated into the wind-up.
+
+    Returns
+    -------
+    ExportContent
+        Curves.
+
+    Raises
+    ------
+    InputError
+        If the joint cannot exist, or the torque is zero or beyond the capacity of a direction.
+    NoSolutionError
+        If the force balance does not close.
+    """
+    curve, (forward, _) = examined_windup(
+        joint, largest_torque=largest_torque, level=level, stage_shares=_STAGES
+    )
+    curves = both_senses(joint=joint, torque=curve.torque)
+    lost = np.isnan(np.asarray(curves.driving_drift)[-1])
+    because = unknown_because(joint, forward.result) if lost else []
+    return ExportContent(source, joint, level, curve, curves, tuple(because))
+
+
+def heading(content: ExportContent, *, what: str) -> list[str]:
+    """Sentences that stand at the head of every exported file.
+
+    Parameters
+    ----------
+    content : ExportContent
+        What is exported.
+    what : str
+        What the file is, such as "MuJoCo model".
+
+    Returns
+    -------
+    list of str
+        One line each, in ASCII.
+    """
+    torque = format_quantity(content.largest_torque, "N*m")
+    lines = [
+        f"{what} of the joint in {printable(content.source)}, written by asperity {asperity.__version__}",
+        "SI units: N*m, rad, kg*m^2, s. Angles and torques are those of the output unless a name says otherwise.",
+        f"Stiffness at {torque}, sun locked, level {content.level}: {content.stiffness:.6g} N*m/rad "
+        f"({format_quantity(content.stiffness, 'N*m/arcmin')})",
+        drift_sentence(content),
+        f"Wind-up at {torque}: {format_quantity(float(content.windup.angle[-1]), 'arcmin')}, at minus this torque "
+        f"{format_quantity(float(content.windup.angle[0]), 'arcmin')}; width of the loop at zero torque: "
+        f"{format_quantity(float(content.windup.hysteresis), 'arcmin')}",
+        play_sentence(content),
+        "Stiffness and drift are two regimes: the wind-up of a joint that stands comes back, the drift of a joint "
+        "that turns does not.",
+        f"Range: -{torque} to {torque}; beyond it nothing was computed.",
+    ]
+    return [_ascii(line) for line in lines]
+
+
+def drift_sentence(content: ExportContent) -> str:
+    """The drift at the largest torque, or why there is none.
+
+    Parameters
+    ----------
+    content : ExportContent
+        What is exported.
+
+    Returns
+    -------
+    str
+        One sentence.
+    """
+    torque = format_quantity(content.largest_torque, "N*m")
+    if content.no_drift_because:
+        return f"Drift per output turn at {torque}: unknown; {content.no_drift_because[0]}"
+    return (
+        f"Drift per output turn at {torque}, steady rolling: {content.drift:.6g} rad "
+        f"({format_quantity(content.drift, 'arcmin')})"
+    )
+
+
+def play_sentence(content: ExportContent) -> str:
+    """The play of the joint.
+
+    Parameters
+    ----------
+    content : ExportContent
+        What is exported.
+
+    Returns
+    -------
+    str
+        One sentence.
+    """
+    angle, torque = float(content.play.angle), float(content.play.take_up_torque)
+    if angle == 0.0:
+        return "Play: none."
+    taken_up = f"over {format_quantity(torque, 'N*m')}" if torque > 0.0 else "at zero torque"
+    return (
+        f"Play: {format_quantity(angle, 'arcmin')} from side to side, taken up {taken_up}; it is part of the angles "
+        "and not of the stiffness."
+    )
+
+
+def _ascii(line: str) -> str:
+    for letter, spelt in (
+        ("·", "*"),
+        ("²", "^2"),
+        ("µ", "u"),
+        ("°", " deg"),
+        ("–", "-"),
+        ("−", "-"),
+        ("±", "+-"),
+    ):
+        line = line.replace(letter, spelt)
+    return line.encode("ascii", "backslashreplace").decode("ascii")

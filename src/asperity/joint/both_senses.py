@@ -1,0 +1,90 @@
+"""A joint over its output torque in both directions: stiffness at rest, and drift in either sense of rotation."""
+
+from __future__ import annotations
+
+import dataclasses
+
+import equinox as eqx
+import jax
+import jax.numpy as jnp
+import numpy as np
+from jax import Array
+
+from asperity.compilation import compile_fast
+from asperity.drive.rolling_state import speed_loss
+from asperity.joint.description import Joint
+from asperity.joint.evaluation import evaluate
+
+
+class BothSenses(eqx.Module):
+    """One joint over torques of either sign. SI units; shape (n,).
+
+    Parameters
+    ----------
+    torque : Array
+        Output torques [N·m].
+    published, series_with_bulk, assembly : Array
+        Incremental stiffness on the three levels at rest, play left out [N·m/rad]; nan where a contact slips.
+    slip_ratio : Array
+        The largest T/(mu N) of all contacts at rest [-].
+    driving_drift, braking_drift : Array
+        Angle by which the output gives way to the torque in one turn of its own, with the sign of the torque [rad]:
+        in steady rolling with the torque (the output falls behind), and against it (it runs ahead). nan where there is
+        no steady rolling.
+    """
+
+    torque: Array
+    published: Array
+    series_with_bulk: Array
+    assembly: Array
+    slip_ratio: Array
+    driving_drift: Array
+    braking_drift: Array
+
+
+def both_senses(*, joint: Joint, torque: Array) -> BothSenses:
+    """Stiffness and drift of a joint at given torques.
+
+    Parameters
+    ----------
+    joint : Joint
+        One joint, without batch axes; its torque and the sense of its speed are replaced.
+    torque : Array
+        Output torques of either sign, shape (n,) [N·m].
+
+    Returns
+    -------
+    BothSenses
+        The stiffness is that of a joint that begins to move with its torque, as in a wind-up.
+    """
+    numbers: Joint = jax.tree.map(lambda leaf: np.asarray(leaf, dtype=float), joint)
+    numbers = dataclasses.replace(numbers, rolling=dataclasses.replace(numbers.rolling, duty=()))
+    torques = jnp.asarray(torque)
+    with_torque = jnp.where(torques < 0.0, -1.0, 1.0) * jnp.abs(jnp.asarray(numbers.sun_speed))
+    found = []
+    for sense in (1.0, -1.0):
+        points = dataclasses.replace(numbers, output_torque=torques, sun_speed=sense * with_torque)
+        found.append(jax.tree.map(np.asarray, compile_fast(_at_torques, points)(points)))
+    published, series, assembly, slip, driving, _ = found[0]
+    return BothSenses(torques, published, series, assembly, slip, driving, braking_drift=found[1][-1])
+
+
+def _at_torques(joint: Joint) -> tuple[Array, ...]:
+    result = evaluate(joint)
+    slip = jnp.max(result.diagnostics.slip_ratio, axis=0)
+    holds = result.solved & (slip < 1.0) & result.contact_law_holds
+    stiffness = (result.published.output, result.series_with_bulk.output, result.assembly.stiffness.output)
+    creepage = jnp.abs(jnp.asarray(result.rolling.creepage))
+    sign = jnp.sign(joint.output_torque)
+    return (
+        *(jnp.where(holds, level, jnp.nan) for level in stiffness),
+        jnp.where(result.solved, slip, jnp.nan),
+        sign * _drift(joint, creepage),
+        -sign * _drift(joint, -creepage),
+    )
+
+
+def _drift(joint: Joint, creepage: Array) -> Array:
+    """Angle lost in one turn of the output, (B3); negative where the creep runs ahead."""
+    loss = speed_loss(geometry=joint.geometry, creepage=creepage)
+    return 2.0 * jnp.pi * loss / (1.0 - loss)

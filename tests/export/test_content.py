@@ -1,0 +1,61 @@
+"""Sentences at the head of exported files, and the numbers they state."""
+
+import dataclasses
+
+import numpy as np
+import pytest
+
+import asperity
+from asperity.export.content import export_content, heading
+from asperity.joint.play import Play
+from asperity.joint.solve import solve
+
+ARCMINUTE = np.pi / 180.0 / 60.0
+
+
+def test_heading_states_both_numbers(content):
+    text = "\n".join(heading(content, what="Table"))
+    stiffness = 3e4 / (1.0 + 2e-3 * 25.0)
+    drift = 3e-3 * (5.0 + 0.1 * 25.0)
+    for part in (
+        f"made.toml, written by asperity {asperity.__version__}",
+        "SI units",
+        f"Stiffness at 5 N*m, sun locked, level assembly: {stiffness:.6g} N*m/rad ({stiffness * ARCMINUTE:.4g} N*m",
+        f"Drift per output turn at 5 N*m, steady rolling: {drift:.6g} rad ({drift / ARCMINUTE:.4g} arcmin)",
+        "Play: none.",
+        "two regimes",
+        "Range: -5 N*m to 5 N*m",
+    ):
+        assert part in text, part
+    assert text.isascii()
+
+
+def test_heading_says_what_is_unknown_and_the_play(made_content):
+    loose = made_content(play=Play(angle=2.0 * ARCMINUTE, take_up_torque=0.1))
+    text = "\n".join(
+        heading(dataclasses.replace(loose, no_drift_because=("no creep: all plastic",)), what="T")
+    )
+    assert "Play: 2 arcmin from side to side, taken up over 0.1 N*m" in text
+    assert "Drift per output turn at 5 N*m: unknown; no creep: all plastic" in text
+    sudden = made_content(play=Play(angle=2.0 * ARCMINUTE, take_up_torque=0.0))
+    assert "taken up at zero torque" in "\n".join(heading(sudden, what="T"))
+
+
+def test_name_of_a_file_cannot_leave_its_line(content):
+    odd = dataclasses.replace(content, source="a\nb–é.toml")
+    lines = heading(odd, what="Table")
+    assert all(line.isascii() and line.isprintable() for line in lines)
+
+
+def test_reduction(content):
+    assert content.reduction == pytest.approx(9.0)  # (40 - 4)/4
+
+
+@pytest.mark.slow
+def test_numbers_are_those_of_the_joint_solved_alone(paper_joint):
+    joint = paper_joint(output_torque=4.0)
+    made = export_content(joint, source="joint.toml", largest_torque=None, level="assembly")
+    alone = solve(joint).result
+    assert made.largest_torque == 4.0
+    assert made.stiffness == pytest.approx(float(alone.assembly.stiffness.output), rel=1e-9)
+    assert made.drift == pytest.approx(float(alone.rolling.drift_per_output_turn), rel=1e-9)
