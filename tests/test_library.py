@@ -12,6 +12,8 @@ from asperity.library import (
     read_finishes,
     read_materials,
 )
+from asperity.unit_table import Dimension
+from asperity.units import parse_quantity
 
 OWN = """
 [bronze]
@@ -27,12 +29,23 @@ hardness_factor = 2.8
 
 def test_every_entry_has_a_source_and_sensible_numbers():
     materials = read_materials()
-    assert {"52100", "440C", "17-4PH", "Si3N4"} <= set(materials)
+    assert {"52100", "440C", "17-4PH", "Si3N4", "6061-T6"} <= set(materials)
     for each in materials.values():
         assert len(each.reference) > 20
     for finish in read_finishes().values():
         assert len(finish.reference) > 20
         assert 0.0 < finish.fractal_roughness[0] < finish.fractal_roughness[1] < 1e-6
+
+
+def test_thermal_expansion_of_steel_ceramic_and_aluminium():
+    """Steel 10 to 13, silicon nitride a quarter of it, aluminium twice as much, in 1e-6 1/K."""
+    found = {
+        name: 1e6 * parse_quantity(each.numbers["thermal_expansion"], Dimension.THERMAL_EXPANSION)
+        for name, each in read_materials().items()
+    }
+    assert all(10.0 < found[name] < 13.0 for name in ("52100", "440C", "17-4PH"))
+    assert found["Si3N4"] == pytest.approx(0.25 * found["440C"], rel=0.1)
+    assert found["6061-T6"] == pytest.approx(2.0 * found["52100"], rel=0.1)
 
 
 def test_smoother_process_smaller_roughness():

@@ -27,7 +27,8 @@ SPELLINGS = {
     Dimension.TORQUE: "N*m N*mm mN*m kN*m lbf*inch lbf*ft newton*meter J",
     Dimension.PRESSURE: "Pa MPa GPa kPa psi ksi bar mbar N/mm^2 N/m^2 megapascal gigapascal kN/mm**2 atm",
     Dimension.POWER: "W kW N*m/s J/s mW",
-    Dimension.TEMPERATURE_RISE: "K kelvin",
+    Dimension.TEMPERATURE_RISE: "K kelvin delta_degC",
+    Dimension.THERMAL_EXPANSION: "1/K K^-1 µm/m/K ppm/K",
     Dimension.THERMAL_CONDUCTIVITY: "W/m/K W/K/m kW*m^-1*K^-1 W*m/m^2/K",
     Dimension.SPECIFIC_HEAT_CAPACITY: "J/kg/K kJ/kg/K J/g/K J*kg^-1*K^-1",
     Dimension.STIFFNESS: "N/m N/mm N/µm kN/mm N/um lbf/inch MN/m",
@@ -36,13 +37,16 @@ SPELLINGS = {
     Dimension.STIFFNESS_PER_AREA: "Pa/m MPa/mm GPa/µm N/m^3 N/mm/mm^2",
     Dimension.DIMENSIONLESS: "% percent mm/m ppm µm/mm dimensionless N/N",
 }
+_CELSIUS = ("degC", "celsius", "°C", "℃")  # as a difference
 PAIRS = [(dimension, unit) for dimension, units in SPELLINGS.items() for unit in units.split()]
 
 
 @pytest.mark.parametrize(("dimension", "unit"), PAIRS)
 def test_every_spelling_agrees_with_pint(dimension, unit):
     expected = PINT.Quantity(f"3.7 {unit}").to_base_units().magnitude
-    assert parse_quantity(f"3.7 {unit}", dimension) == pytest.approx(expected, rel=4e-15)
+    assert parse_quantity(f"3.7 {unit.replace('delta_', '')}", dimension) == pytest.approx(
+        expected, rel=4e-15
+    )
 
 
 def test_every_unit_of_the_table_agrees_with_pint():
@@ -54,7 +58,8 @@ def test_every_unit_of_the_table_agrees_with_pint():
             prefix, _, length = name.partition("N")
             quantity = PINT.Quantity(1.0, f"{prefix}N*{length}").to_base_units()
         else:
-            quantity = PINT.Quantity(1.0, "percent" if name == "%" else name).to_base_units()
+            spelled = {"%": "percent", **dict.fromkeys(_CELSIUS, "delta_degC")}.get(name, name)
+            quantity = PINT.Quantity(1.0, spelled).to_base_units()
         assert numerator / denominator * math.pi**pi_power == pytest.approx(quantity.magnitude, rel=4e-15), (
             name
         )
@@ -68,6 +73,14 @@ def test_units_that_pint_spells_otherwise():
     assert parse_quantity("180 °", Dimension.ANGLE) == math.pi
     assert parse_quantity("60 rev/min", Dimension.ANGULAR_VELOCITY) == 2 * math.pi
     assert parse_quantity("3 microns", Dimension.LENGTH) == 3e-6
+
+
+@pytest.mark.parametrize("written", ["25 degC", "25 °C", "25℃", "25 celsius", "298.15 K", "298.15 kelvin"])
+def test_temperatures_are_counted_from_zero_celsius(written):
+    assert parse_quantity(written, Dimension.TEMPERATURE) == 25.0
+    kelvin = PINT.Quantity(25.0, "degC").to("kelvin").magnitude
+    assert parse_quantity(f"{kelvin} K", Dimension.TEMPERATURE) == 25.0
+    assert parse_quantity("-40 °C", Dimension.TEMPERATURE) == -40.0
 
 
 def test_what_stands_alone_wins_over_a_prefix():

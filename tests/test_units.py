@@ -17,6 +17,7 @@ PINT = pint.UnitRegistry(cache_folder=None)
 
 PAIRS = [(dimension, dimension.example.split(" ")[-1]) for dimension in Dimension if " " in dimension.example]
 PAIRS += [(dimension, dimension.si_unit) for dimension in Dimension if dimension.si_unit != "1"]
+PAIRS = [pair for pair in PAIRS if pair[0] is not Dimension.TEMPERATURE]  # its zero: test_unit_table
 PAIRS += [(Dimension.DIMENSIONLESS, "%"), (Dimension.PRESSURE, "psi"), (Dimension.LENGTH, "inch")]
 
 numbers = st.one_of(

@@ -27,6 +27,8 @@ class Material(eqx.Module):
         Thermal conductivity k [W/(m K)]; None if it is not known.
     specific_heat_capacity : Real or None
         Specific heat capacity c [J/(kg K)]; None if it is not known.
+    thermal_expansion : Real or None
+        Coefficient of linear thermal expansion alpha [1/K]; None if it is not known.
     """
 
     youngs_modulus: Real
@@ -36,6 +38,7 @@ class Material(eqx.Module):
     hardness: Real
     thermal_conductivity: Real | None = None
     specific_heat_capacity: Real | None = None
+    thermal_expansion: Real | None = None
 
 
 def hardness(*, hardness_factor: Real, yield_strength: Real) -> Real:

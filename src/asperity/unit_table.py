@@ -1,7 +1,7 @@
 """Dimensions and units: the kinds of quantity, and the exact SI factor of every accepted unit.
 
 Factors are ratios of whole numbers times a power of pi. The angle is a dimension of its own here: N·m and
-N·m/rad are different things.
+N·m/rad are different things. A temperature is counted in degrees Celsius, the unit of its difference is the kelvin.
 """
 
 import functools
@@ -62,6 +62,8 @@ class Dimension(Enum):
         (-1, 1, -2, -1, 0),
     )
     TEMPERATURE_RISE = ("a temperature difference", "K", "2 K", (0, 0, 0, 0, 1))
+    TEMPERATURE = ("a temperature", "degC", "20 degC", (0, 0, 0, 0, 1))  # counted from 0 degC, also inside
+    THERMAL_EXPANSION = ("a thermal expansion coefficient", "1/K", "11.5e-6 1/K", (0, 0, 0, 0, -1))
     THERMAL_CONDUCTIVITY = ("a thermal conductivity", "W/m/K", "21 W/m/K", (1, 1, -3, 0, -1))
     SPECIFIC_HEAT_CAPACITY = ("a specific heat capacity", "J/kg/K", "475 J/kg/K", (2, 0, -2, 0, -1))
     STIFFNESS_PER_AREA = ("a stiffness per area", "Pa/m", "2e4 MPa/mm", (-2, 1, -2, 0, 0))
@@ -102,6 +104,7 @@ def unit_table() -> dict[str, Unit]:
         ("turn turns revolution revolutions rev", (2, 1, 1, angle)),
         ("rpm", (2, 60, 1, (0, 0, -1, 1, 0))),
         ("K kelvin kelvins", (1, 1, 0, (0, 0, 0, 0, 1))),
+        ("degC celsius °C ℃", (1, 1, 0, (0, 0, 0, 0, 1))),  # as a difference; units.py knows the zero
         ("percent %", (1, 100, 0, number)),
         ("ppm", (1, 10**6, 0, number)),
         ("1 dimensionless", (1, 1, 0, number)),

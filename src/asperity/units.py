@@ -21,7 +21,7 @@ _SUPERSCRIPTS = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻⁺", "0123456789-+
 _TO_SUPERSCRIPTS = str.maketrans("0123456789-", "⁰¹²³⁴⁵⁶⁷⁸⁹⁻")
 _SAME = str.maketrans("−μ·⋅×∙\u00a0\u202f", "-µ****  ")
 _NUMBER = r"(?a:([+-]?)(\d+\.?\d*|\.\d+)(?:[eE]([+-]?\d+))?(?![\d.]))"
-_TERM = r"\s*([*/]?)\s*(1(?=\s*/|\s*$)|[^\W\d]+|[%°])(?:\s*(?:\^|\*\*)\s*([+-]?(?a:\d)+))?"
+_TERM = r"\s*([*/]?)\s*(1(?=\s*/|\s*$)|[^\W\d]+|°C|[%°℃])(?:\s*(?:\^|\*\*)\s*([+-]?(?a:\d)+))?"
 _PLUS_MINUS = r"±|\+\s?/?\s?-"
 # The patterns are kept as text: re compiles each on first use and caches it, so that importing costs nothing.
 
@@ -154,7 +154,7 @@ def parse_quantity(text: object, dimension: Dimension, *, example: str | None = 
     -------
     float
         The value in ``dimension.si_unit``: the double nearest to the exact value where pi is not involved,
-        within a few units in the last place otherwise.
+        within a few units in the last place otherwise. Temperatures are in degrees Celsius.
 
     Raises
     ------
@@ -193,6 +193,8 @@ def parse_quantity(text: object, dimension: Dimension, *, example: str | None = 
         )
     top, bottom = _exact(number)
     numerator, denominator, pi_power, exponents = _parse_unit(unit_text)
+    if dimension is Dimension.TEMPERATURE and re.search(r"\b(K|kelvins?)\b", unit_text):
+        top, bottom = 100 * top - 27315 * bottom, 100 * bottom  # 0 degC is 273.15 K
     if exponents != dimension.exponents:
         measured = f"{_dimension_of(exponents)} '{unit_text.strip(' */')}'"
         raise InputError(f"expected {dimension.label} ({example}), got {measured} in '{text}'")
@@ -241,7 +243,9 @@ def parse_tolerance(text: object, dimension: Dimension, *, example: str | None =
     parts = re.split(_PLUS_MINUS, text.translate(_SAME)) if len(text) <= 2 * LONGEST_TEXT else []
     if len(parts) != 2:
         raise InputError(f"expected {wanted}, got '{text[:LONGEST_TEXT]}', which has not exactly one '+-'")
-    value, tolerance = (parse_quantity(part, dimension, example=example) for part in parts)
+    spread = Dimension.TEMPERATURE_RISE if dimension is Dimension.TEMPERATURE else dimension
+    value = parse_quantity(parts[0], dimension, example=example)
+    tolerance = parse_quantity(parts[1], spread, example=example)
     if tolerance < 0.0:
         raise InputError(f"expected {wanted}, got the negative tolerance '{parts[1].strip()}'")
     return value, tolerance

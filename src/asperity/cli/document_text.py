@@ -46,9 +46,24 @@ def show_heading(target: Console, document: Document, source: str) -> None:
     target.print(
         f"{source}\n{count(drive['planets'], 'planet')}, sun at {in_unit(load['sun_speed'], 'rpm')}, preload "
         f"{in_unit(preload['force_N'], 'N')} ({in_unit(preload['interference_m'], 'um')} of interference), "
-        f"output torque {in_unit(load['output_torque'], 'N*m')}\n",
+        f"output torque {in_unit(load['output_torque'], 'N*m')}{temperatures(document)}\n",
         style="bold",
         markup=False,
+    )
+
+
+def temperatures(document: Document) -> str:
+    """Working temperature of a joint with its preload at the assembly, as a second line of the heading; or nothing."""
+    assembled = document["preload"]["at_assembly"]
+    if assembled is None:
+        return ""
+    loose = assembled["loose_temperature_degC"]
+    side = "above" if loose is not None and loose > assembled["temperature_degC"] else "below"
+    return (
+        f"\nat {in_unit(assembled['working_temperature_degC'], 'degC')}; assembled at "
+        f"{in_unit(assembled['temperature_degC'], 'degC')} with {in_unit(assembled['force_N'], 'N')} "
+        f"({in_unit(assembled['interference_m'], 'um')})"
+        + ("" if loose is None else f", loose {side} {in_unit(loose, 'degC')}")
     )
 
 

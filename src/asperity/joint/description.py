@@ -41,6 +41,35 @@ class Bodies(eqx.Module):
     ring: Material
 
 
+class Fit(eqx.Module):
+    """How a drive whose preload is made by interference was assembled, and what temperature does to it.
+
+    Parameters
+    ----------
+    interference : Real
+        Interference at the assembly [m].
+    change_per_kelvin : Real
+        What a kelvin more adds to it [m/K].
+    assembly_temperature, working_temperature : Real
+        Temperatures of the whole drive [degC].
+    """
+
+    interference: Real
+    change_per_kelvin: Real
+    assembly_temperature: Real
+    working_temperature: Real
+
+    @property
+    def temperature_rise(self) -> Real:
+        """Working temperature above that of the assembly [K]."""
+        return self.working_temperature - self.assembly_temperature
+
+    @property
+    def thermal_change(self) -> Real:
+        """What the working temperature adds to the interference [m]."""
+        return self.change_per_kelvin * self.temperature_rise
+
+
 class Joint(eqx.Module):
     """A planetary traction drive under load: everything that decides its stiffness. SI units.
 
@@ -97,6 +126,9 @@ class Joint(eqx.Module):
     rolling : RollingConditions, optional
         Skew, losses, reliability and duty of the joint that turns; by default
         :data:`asperity.joint.rolling_conditions.PLAIN_ROLLING`.
+    fit : Fit or None, optional
+        Interference at the assembly, from which the preload at the working temperature was found; None where the
+        preload does not depend on temperature. No result depends on it.
     """
 
     geometry: DriveGeometry
@@ -122,6 +154,7 @@ class Joint(eqx.Module):
     planet_bore: Real | None = None
     loading_roller_bore: Real | None = None
     rolling: RollingConditions = PLAIN_ROLLING
+    fit: Fit | None = None
 
 
 def sense_of_rotation(joint: Joint) -> Any:

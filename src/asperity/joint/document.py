@@ -20,6 +20,7 @@ from asperity.joint.results import GROUPS, RESULTS, SolvedJoint
 from asperity.joint.rolling_document import contact_results, losses, rolling_document
 from asperity.joint.rolling_refusal import rolling_capacity_of
 from asperity.joint.solve import Solution
+from asperity.joint.temperature import assembly_document
 
 Document = dict[str, Any]
 
@@ -51,7 +52,11 @@ def joint_document(
         "input": inputs,
         "assumptions": list(assumptions),
         "geometry": _geometry(solution),
-        "preload": {"force_N": joint.preload, "interference_m": result.interference},
+        "preload": {
+            "force_N": joint.preload,
+            "interference_m": result.interference,
+            "at_assembly": assembly_document(joint),
+        },
         "forces": _forces(result),
         "torque_capacity": _capacity(solution),
         "contacts": _contacts(SolvedJoint(joint, result)),

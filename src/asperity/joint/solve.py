@@ -26,6 +26,7 @@ from asperity.joint.refusal import (
     refuse_unknown_variants,
     refuse_wide_contacts,
 )
+from asperity.joint.temperature import refuse_loose
 from asperity.joint.unsolved import refuse_unsolved
 from asperity.precision import require_double_precision
 from asperity.units import format_quantity
@@ -102,6 +103,7 @@ def solve(joint: Joint) -> Solution:
     require_double_precision()
     refuse_unknown_variants(joint)
     numbers: Joint = jax.tree.map(lambda leaf: np.asarray(leaf, dtype=float), joint)
+    refuse_loose(numbers)
     refuse_bad_numbers(numbers)
     program = compile_fast(solve_program, numbers)
     result, gaps, capacities, sizes = jax.tree.map(np.asarray, program(numbers))

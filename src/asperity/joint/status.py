@@ -28,13 +28,14 @@ STATUSES: dict[str, str] = {
     "unbalanced": "the force balance did not close",
     "out_of_range": "a number is outside its allowed range",
     "all_spots_plastic": "every spot of a loaded contact is plastic, where the contact law gives it no stiffness",
+    "no_interference_left": "sizes or temperature leave no interference: the drive is loose and carries no torque",
 }
 
 #: Short names and meanings in the order of the codes.
 STATUS_NAMES, STATUS_MEANINGS = tuple(STATUSES), tuple(STATUSES.values())
 
 LOCKED = STATUS_NAMES.index("pin_too_thick_or_locked")
-TOO_WIDE, SLIPS, UNBALANCED, OUT_OF_RANGE, ALL_PLASTIC = range(LOCKED + 1, LOCKED + 6)
+TOO_WIDE, SLIPS, UNBALANCED, OUT_OF_RANGE, ALL_PLASTIC, LOOSE = range(LOCKED + 1, LOCKED + 7)
 
 
 def has_value(status: ArrayLike, needs: Needs) -> Any:
@@ -88,6 +89,7 @@ def joint_status(joint: Joint, result: JointResult) -> Array:
         code = mark(code, overlaps(gap=clearance.gap), 1 + index)
     pins = pin_lock(geometry=geometry, bearings=bearings)
     code = mark(code, pins.too_thick | pins.locks, LOCKED)
+    code = mark(code, jnp.asarray(joint.preload) <= 0.0, LOOSE)
     code = mark(code, ~result.solved, UNBALANCED)
     wide = too_wide(
         half_width=result.diagnostics.hertz_half_width,

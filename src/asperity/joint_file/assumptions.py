@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from asperity.joint_file.model import Case
+from asperity.joint_file.temperature_section import without_expansion
 
 
 def assumptions(case: Case) -> tuple[str, ...]:
@@ -46,11 +47,49 @@ def assumptions(case: Case) -> tuple[str, ...]:
             f"{1e6 * max(getattr(case.drive, name).tolerance for name in sizes):.3g} µm, does not move it; give "
             "load.interference if the sizes make the preload"
         )
+    told += _temperature(case)
     for roller in ("planet", "loading_roller"):
         if getattr(case.drive, f"{roller}_length") is None:
             told.append(f"no drive.{roller}_length: as long as the longest contact line on it")
     told += _rolling(case)
     return tuple(told)
+
+
+def _temperature(case: Case) -> list[str]:
+    """What is taken for the temperatures."""
+    if case.temperature is None:
+        return []
+    told = [
+        "temperature: the same in all bodies; elastic moduli, friction and the oil's viscosity stay those of the file"
+    ]
+    if case.load.preload is not None:
+        unknown = without_expansion(case.bodies, case.materials)
+        change = (
+            f"the thermal_expansion of {', '.join(unknown)}, which the file does not state,"
+            if unknown
+            else f"{1e6 * _thermal_interference(case):.3g} µm of interference by temperature"
+        )
+        told.append(
+            f"load.preload is a force: {change} does not move it, as if a spring or a weight made it; give "
+            "load.interference if the sizes make the preload"
+        )
+    elif case.temperature.housing_expansion is None and case.drive.ring_support != "free":
+        told.append("no temperature.housing_expansion: the housing expands as the ring does")
+    return told
+
+
+def _thermal_interference(case: Case) -> float:
+    from asperity.joint.temperature import thermal_interference
+    from asperity.joint_file.build import joint_from_case
+    from asperity.joint_file.si_tables import si_values
+
+    given = si_values(case)["temperature"]
+    change = thermal_interference(
+        joint_from_case(case),
+        temperature_rise=given["working"] - given["assembly"],
+        housing_expansion=given.get("housing_expansion"),
+    )
+    return float(change)
 
 
 def _rolling(case: Case) -> list[str]:

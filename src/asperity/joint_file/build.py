@@ -15,11 +15,12 @@ from asperity.drive.geometry import DriveGeometry, triangle
 from asperity.drive.interference import interference_of_sizes
 from asperity.drive.mechanism import Bearings, rest_state
 from asperity.errors import InputError
-from asperity.joint.description import Bodies, Joint
+from asperity.joint.description import Bodies, Fit, Joint
 from asperity.joint.dynamics import Inertias
 from asperity.joint.interference import joint_preload
 from asperity.joint.play import NO_PLAY, Play
 from asperity.joint.rolling_conditions import PLAIN_ROLLING, DutyPoint, RollingConditions
+from asperity.joint.temperature import thermal_interference
 from asperity.joint_file.model import Case
 from asperity.joint_file.section import EachContact
 from asperity.joint_file.si_tables import Values, check_values, replace_values, si_values
@@ -134,8 +135,23 @@ def joint_from_values(values: Values) -> Joint:
     )
     if "interference" not in load:
         return joint
-    return dataclasses.replace(
-        joint, preload=joint_preload(joint, load["interference"] + _too_large(values, joint))
+    assembled = load["interference"] + _too_large(values, joint)
+    if "temperature" not in values:
+        return dataclasses.replace(joint, preload=joint_preload(joint, assembled))
+    fit = _fit(values["temperature"], joint, assembled)
+    working = joint_preload(joint, fit.interference + fit.thermal_change)
+    return dataclasses.replace(joint, preload=working, fit=fit)
+
+
+def _fit(temperature: Values, joint: Joint, interference: Real) -> Fit:
+    """How the drive was assembled, and what temperature does to it."""
+    return Fit(
+        interference=interference,
+        change_per_kelvin=thermal_interference(
+            joint, temperature_rise=1.0, housing_expansion=temperature.get("housing_expansion")
+        ),
+        assembly_temperature=temperature["assembly"],
+        working_temperature=temperature["working"],
     )
 
 
@@ -243,6 +259,7 @@ def _material(entry: Values) -> Material:
         hardness=_hardness(entry),
         thermal_conductivity=entry.get("thermal_conductivity"),
         specific_heat_capacity=entry.get("specific_heat_capacity"),
+        thermal_expansion=entry.get("thermal_expansion"),
     )
 
 

@@ -45,6 +45,9 @@ HARDNESS = Key(Dimension.PRESSURE, 1e-3, 1e6, "MPa", example="1260 MPa")
 THERMAL_CONDUCTIVITY = Key(Dimension.THERMAL_CONDUCTIVITY, 1e-3, 1e4, "W/m/K", example="21 W/m/K")
 SPECIFIC_HEAT_CAPACITY = Key(Dimension.SPECIFIC_HEAT_CAPACITY, 1.0, 1e5, "J/kg/K", example="475 J/kg/K")
 
+THERMAL_EXPANSION = Key(Dimension.THERMAL_EXPANSION, -100.0, 500.0, "um/m/K", example="11.5e-6 1/K")
+TEMPERATURE = Key(Dimension.TEMPERATURE, -273.15, 1000.0, "degC", example="20 degC")
+
 SKEW = Key(Dimension.ANGLE, -100.0, 100.0, "mrad", example="0.5 mrad")
 HYSTERESIS_FACTOR = Key(Dimension.DIMENSIONLESS, 0.0, 1.0, example="0.01")
 RELIABILITY = Key(Dimension.DIMENSIONLESS, 0.0, 1.0, open_lower=True, open_upper=True, example="0.9")

@@ -33,6 +33,8 @@ class MaterialEntry(Section):
     """Thermal conductivity, for the flash temperature of the contacts."""
     specific_heat_capacity: Annotated[Quantity, limits.SPECIFIC_HEAT_CAPACITY] | None = None
     """Specific heat capacity, for the flash temperature of the contacts."""
+    thermal_expansion: Annotated[Quantity, limits.THERMAL_EXPANSION] | None = None
+    """Coefficient of linear thermal expansion, for [temperature]."""
 
     @model_validator(mode="after")
     def _one_hardness(self) -> MaterialEntry:

@@ -12,6 +12,7 @@ from asperity.joint_file import limits
 from asperity.joint_file.material_entries import BodyMaterials, MaterialEntry, MaterialName, Surfaces
 from asperity.joint_file.quantity_key import Quantity
 from asperity.joint_file.section import ONE_FOR_ALL, ONE_FOR_EACH, EachContact, Section, number_or_table
+from asperity.joint_file.temperature_section import TemperatureEntry, without_expansion
 
 Length = Annotated[Quantity, limits.ROLLER_RADIUS]
 ContactLength = Annotated[Quantity, limits.CONTACT_LENGTH]
@@ -207,6 +208,8 @@ class Case(Section):
     """Radii and arrangement."""
     load: Load
     """Preload, torque, speed, friction."""
+    temperature: TemperatureEntry | None = None
+    """Temperature of the drive; that of the assembly if the section is absent."""
     bearings: BearingFriction | None = None
     """Friction of the bearings; none if the section is absent."""
     compliance: Compliance | None = None
@@ -290,6 +293,22 @@ class Case(Section):
                     f'{", ".join(exact)}: only for model.bodies = "exact"; the springs are those of solid rollers and '
                     "of a ring in a rigid housing, in plane strain"
                 )
+        return self
+
+    @model_validator(mode="after")
+    def _known_expansion(self) -> Case:
+        if self.temperature is None:
+            return self
+        unknown = without_expansion(self.bodies, self.materials)
+        if self.load.interference is not None and unknown:
+            raise InputError(
+                f"[temperature] with load.interference needs the thermal_expansion of every material: give it for "
+                f'{", ".join(unknown)}, e.g. thermal_expansion = "11.5e-6 1/K", or take a material of the library'
+            )
+        if self.temperature.housing_expansion is not None and self.drive.ring_support == "free":
+            raise InputError(
+                'drive.ring_support = "free" has no housing: leave out temperature.housing_expansion'
+            )
         return self
 
     @model_validator(mode="after")

@@ -42,6 +42,7 @@ _MATERIAL_NUMBERS = {
     "hardness_factor": Dimension.DIMENSIONLESS,
     "thermal_conductivity": Dimension.THERMAL_CONDUCTIVITY,
     "specific_heat_capacity": Dimension.SPECIFIC_HEAT_CAPACITY,
+    "thermal_expansion": Dimension.THERMAL_EXPANSION,
 }
 _MATERIAL_NEEDS = ("youngs_modulus", "poisson_ratio", "density", "yield_strength")
 _WORDS = ("description", "reference", "note")

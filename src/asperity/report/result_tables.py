@@ -100,6 +100,7 @@ def summary(document: Document) -> Table:
         ("speed of the sun", quantity(load["sun_speed"], "rpm")),
         ("preload between sun and planet", quantity(document["preload"]["force_N"], "N")),
         ("interference that makes it", quantity(document["preload"]["interference_m"], "um")),
+        *_at_assembly(document),
         ("torsional stiffness at the output, assembled", quantity(stiffness, "N*m/arcmin")),
         (
             "drift of the output in one turn of its own",
@@ -112,6 +113,21 @@ def summary(document: Document) -> Table:
         ("fatigue life in turns of the output", number(document["rolling"]["life_output_turns"])),
     ]
     return Table("Summary", ("quantity", "value"), rows, words=(0, 1))
+
+
+def _at_assembly(document: Document) -> list[tuple[str, str]]:
+    """Temperatures of a joint whose preload changes with them."""
+    assembled = document["preload"]["at_assembly"]
+    if assembled is None:
+        return []
+    loose = assembled["loose_temperature_degC"]
+    return [
+        ("working temperature", quantity(assembled["working_temperature_degC"], "degC")),
+        ("temperature at the assembly", quantity(assembled["temperature_degC"], "degC")),
+        ("preload at the assembly", quantity(assembled["force_N"], "N")),
+        ("interference at the assembly", quantity(assembled["interference_m"], "um")),
+        ("temperature without interference", "-" if loose is None else quantity(loose, "degC")),
+    ]
 
 
 def _capacity(entry: Document) -> str:

@@ -8,8 +8,10 @@ import numpy as np
 
 from asperity.joint.margins import margins
 from asperity.joint.results import LEVELS, RESULTS, SolvedJoint
+from asperity.joint.temperature_curves import temperature_curves
 from asperity.show.margins_figure import draw_margins
 from asperity.show.style import mark_few_decades
+from asperity.show.temperature_figure import draw_temperatures
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -70,6 +72,8 @@ def compliance_figure(solved: SolvedJoint, *, title: str) -> Figure:
 def joint_figure(solved: SolvedJoint, *, title: str) -> Figure:
     """Shares of the compliance, stiffness on every level, and safety margins on one sheet.
 
+    A joint whose preload changes with temperature has a third row: preload, stiffness and capacity over it.
+
     Parameters
     ----------
     solved : SolvedJoint
@@ -84,12 +88,16 @@ def joint_figure(solved: SolvedJoint, *, title: str) -> Figure:
     """
     from matplotlib.figure import Figure
 
-    figure = Figure(figsize=(10.0, 7.4), layout="constrained")
-    upper, lower = figure.subfigures(2, 1, squeeze=False)[:, 0]
+    fit = solved.joint.fit
+    rows = 2 if fit is None else 3
+    figure = Figure(figsize=(10.0, 3.7 * rows), layout="constrained")
+    upper, lower, *third = figure.subfigures(rows, 1, squeeze=False)[:, 0]
     budget, levels = upper.subplots(1, 2)
     draw_budget(budget, solved)
     draw_levels(levels, solved)
     draw_margins(lower.subplots(), margins(solved))
+    if fit is not None:
+        draw_temperatures(third[0].subplots(1, 3), temperature_curves(solved.joint), fit)
     figure.suptitle(title, fontsize=10)
     return figure
 

@@ -43,6 +43,17 @@ ROWS = (
         note="of smooth bodies: by how much the ring's inner radius lies below that at which all contacts just touch",
     ),
     _force(
+        "thermal_interference",
+        "interference added by temperature",
+        Dimension.LENGTH,
+        "um",
+        lambda solved: 0.0 if solved.joint.fit is None else solved.joint.fit.thermal_change,
+        needs="geometry",
+        positive=False,
+        note="by the working temperature, to that at the assembly; 0 without [temperature], or where load.preload is a "
+        "force",
+    ),
+    _force(
         "normal_force", "normal force of the contact", _FORCE, "N", "result.forces.normal", axis="contact"
     ),
     _force(
