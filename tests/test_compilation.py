@@ -3,7 +3,7 @@ import numpy as np
 import pytest
 
 from asperity import compilation
-from asperity.compilation import compile_fast
+from asperity.compilation import call_compiled, compile_fast
 
 
 def _twice(numbers):
@@ -100,3 +100,10 @@ def test_options_say_what_to_compute_and_are_part_of_the_programs_name(cache):
             assert compile_fast(_scaled, numbers, options=options)(numbers) == expected
             compilation._compiled.cache_clear()  # as in a new process
     assert len(_programs(cache)) == 3
+
+
+def test_a_call_is_compiled_where_the_numbers_are_known():
+    called = call_compiled(_twice, {"e": 1.5})
+    assert isinstance(called["e"], np.ndarray)
+    assert called["e"] == 3.0
+    assert jax.grad(lambda x: call_compiled(_twice, {"e": x})["e"])(1.5) == 2.0

@@ -21,7 +21,7 @@ ROOT = Path(__file__).parents[1]
 DOCS = ROOT / "docs"
 FORMULA_ROOMS = (asperity.body, asperity.contact, asperity.drive)
 #: Equations of the paper, and our own: how many of each letter.
-OURS = {"A": 9, "B": 11, "D": 3, "E": 4, "M": 3}
+OURS = {"A": 9, "B": 11, "D": 3, "E": 4, "L": 2, "M": 3}
 NUMBERS = {str(n) for n in range(1, 31)} | {
     f"{x}{n}" for x, count in OURS.items() for n in range(1, count + 1)
 }
@@ -96,7 +96,7 @@ def _rows(page):
 
 def _numbers(cell):
     """Equation numbers in a cell; (1)–(5) is a range."""
-    found = set(re.findall(r"\(([ABDEM]?\d+)\)", cell))
+    found = set(re.findall(r"\(([ABDELM]?\d+)\)", cell))
     for first, last in re.findall(r"\((\d+)\)–\((\d+)\)", cell):
         found |= {str(n) for n in range(int(first), int(last) + 1)}
     return found

@@ -58,6 +58,27 @@ def compile_fast(
     )
 
 
+def call_compiled(function: Callable[..., Any], *arguments: Any) -> Any:
+    """Call a function of modules of numbers: compiled where the numbers are known, inside a program as a part of it.
+
+    Parameters
+    ----------
+    function : callable
+        A pure function, as for :func:`compile_fast`.
+    *arguments
+        Modules of numbers.
+
+    Returns
+    -------
+    object
+        What the function returns, with leaves as NumPy arrays where it was compiled.
+    """
+    if any(isinstance(leaf, jax.core.Tracer) for leaf in jax.tree.leaves(arguments)):
+        return function(*arguments)
+    numbers = jax.tree.map(np.asarray, arguments)
+    return jax.tree.map(np.asarray, compile_fast(function, *numbers)(*numbers))
+
+
 @functools.lru_cache(maxsize=16)
 def _compiled(
     function: Callable[..., Any], options: tuple[Any, ...], structure: Any, kinds: _Kinds

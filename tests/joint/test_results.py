@@ -136,3 +136,17 @@ def test_limits_of_ratios_are_those_of_their_meaning():
     assert RESULTS["asperity_over_bulk_stiffness"].limit.highest == 0.1
     assert RESULTS["slip_ratio"].highest_limit == 1.0
     assert RESULTS["slip_safety"].lowest_limit == RESULTS["torque_safety"].lowest_limit == 1.0
+
+
+def test_rows_that_a_joint_does_not_have_are_not_judged():
+    """Bearings without ratings have no row; a joint without any computes nothing."""
+    from types import SimpleNamespace
+
+    safety = RESULTS["bearing_static_safety"]
+    some = SimpleNamespace(
+        has_bearings=(True, False, False, True),
+        bearings=SimpleNamespace(static_safety=np.array([2.0, np.nan, np.nan, 0.5])),
+    )
+    assert safety.rows_of(some) == {"right_pin": 2.0, "carrier": 0.5}
+    assert safety.rows_of(SimpleNamespace(has_bearings=(False,) * 4)) == {}
+    assert RESULTS["mass"].rows_of(SimpleNamespace(size=SimpleNamespace(mass=3.0))) == {"": 3.0}

@@ -54,6 +54,38 @@ input_shaft_stiffness = "500 N*m/rad"
     assert joint.structure.planet_support_stiffness == 0.0  # floating
 
 
+def test_pins_and_rated_bearings(example_text):
+    extra = """
+[bearings]
+sun_torque = "0 N*m"
+loading_roller_torque = "0 N*m"
+carrier_torque = "0 N*m"
+pin_friction_coefficient = 0
+pin_diameter = "4 mm"
+pin_length = "8 mm"
+pin_support = "one_end"
+[pin_bearing]
+type = "roller"
+dynamic_rating = "3.2 kN"
+static_rating = "2.9 kN"
+count = 2
+[carrier_bearing]
+type = "ball"
+dynamic_rating = "5 kN"
+static_rating = "3 kN"
+outside_force = "200 N"
+"""
+    joint = joint_from_case(parse_case(example_text + extra, source="x"))
+    assert (joint.pin.free_length, joint.pin.support) == (0.008, "one_end")
+    pin, carrier = joint.pin_bearing, joint.carrier_bearing
+    assert (pin.kind, pin.dynamic_rating, pin.static_rating, pin.count) == ("roller", 3200.0, 2900.0, 2.0)
+    assert (carrier.kind, carrier.outside_force, carrier.count) == ("ball", 200.0, 1.0)
+    assert joint.sun_bearing is None
+    assert joint_from_case(parse_case(example_text, source="x")).pin is None
+    varied = with_values(parse_case(example_text + extra, source="x"), {"pin_bearing.dynamic_rating": 4e3})
+    assert varied.pin_bearing.dynamic_rating == 4e3
+
+
 def test_each_contact_can_have_its_own_entry(example_text):
     tables = "".join(
         f'[surface.{name}]\nfractal_dimension = {1.3 + 0.1 * i}\nfractal_roughness = "1e-8 mm"\nfrequency_ratio = 1.5\n'

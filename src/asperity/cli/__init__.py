@@ -38,6 +38,7 @@ COMMANDS: dict[str, tuple[str, str, str]] = {
         "Torque-angle curve, hysteresis and capacity of a joint file.",
     ),
     "roll": ("asperity.cli.roll", "roll", "Drift, losses, thrust and life of a joint that turns."),
+    "loads": ("asperity.cli.loads", "loads", "Forces on pins, bearings, shafts and housing."),
     "draw": ("asperity.cli.draw", "draw", "Draw the drive of a joint file to scale."),
     "report": ("asperity.cli.report", "report", "One document about a joint for a design review."),
     "dynamics": (

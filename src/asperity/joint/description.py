@@ -12,8 +12,10 @@ from asperity.body.shapes import PlaneState
 from asperity.contact.fractal import Surface
 from asperity.contact.population import ContactFactorModel
 from asperity.drive.assembly import StructureSprings
+from asperity.drive.bearing_life import RatedBearing
 from asperity.drive.geometry import DriveGeometry
 from asperity.drive.mechanism import Bearings, Closure
+from asperity.drive.structure_loads import PinSupport
 from asperity.joint.play import Play
 from asperity.joint.rolling_conditions import PLAIN_ROLLING, RollingConditions
 from asperity.materials import Material
@@ -68,6 +70,21 @@ class Fit(eqx.Module):
     def thermal_change(self) -> Real:
         """What the working temperature adds to the interference [m]."""
         return self.change_per_kelvin * self.temperature_rise
+
+
+class PinBeam(eqx.Module):
+    """The carrier pin of a loading roller as a beam.
+
+    Parameters
+    ----------
+    free_length : Real
+        Length between its two supports, or from its support to its end [m]; the roller is in the middle of it.
+    support : {"both_ends", "one_end"}
+        How the carrier holds it.
+    """
+
+    free_length: Real
+    support: PinSupport = eqx.field(static=True)
 
 
 class Joint(eqx.Module):
@@ -129,6 +146,10 @@ class Joint(eqx.Module):
     fit : Fit or None, optional
         Interference at the assembly, from which the preload at the working temperature was found; None where the
         preload does not depend on temperature. No result depends on it.
+    pin : PinBeam or None, optional
+        The carrier pins as beams; None where their length is not known.
+    pin_bearing, sun_bearing, carrier_bearing : RatedBearing or None, optional
+        Bearings of the loading rollers, of the sun and of the carrier; None where no life is asked for.
     """
 
     geometry: DriveGeometry
@@ -155,6 +176,10 @@ class Joint(eqx.Module):
     loading_roller_bore: Real | None = None
     rolling: RollingConditions = PLAIN_ROLLING
     fit: Fit | None = None
+    pin: PinBeam | None = None
+    pin_bearing: RatedBearing | None = None
+    sun_bearing: RatedBearing | None = None
+    carrier_bearing: RatedBearing | None = None
 
 
 def sense_of_rotation(joint: Joint) -> Any:

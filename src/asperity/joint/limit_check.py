@@ -5,8 +5,6 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
-import numpy as np
-
 from asperity.joint.description import Joint
 from asperity.joint.evaluation import JointResult
 from asperity.joint.results import RESULTS, SEVERITIES, Limit, Result, SolvedJoint
@@ -73,7 +71,5 @@ def checked_limits(joint: Joint, result: JointResult) -> tuple[LimitCheck, ...]:
     judged = [row for row in RESULTS.values() if row.limit is not None]
     judged.sort(key=lambda row: SEVERITIES.index(row.limit.severity))  # type: ignore[union-attr]
     return tuple(
-        LimitCheck(row, name or None, float(value))
-        for row in judged
-        for name, value in zip(row.row_names, np.atleast_1d(np.asarray(row.of(solved))), strict=True)
+        LimitCheck(row, name or None, value) for row in judged for name, value in row.rows_of(solved).items()
     )

@@ -62,15 +62,15 @@ def margins(solved: SolvedJoint) -> tuple[Margin, ...]:
     Returns
     -------
     tuple of Margin
-        One for each judged result, at its worst row.
+        One for each judged result that the joint has, at its worst row.
     """
-    found = [_worst(row, solved) for row in RESULTS.values() if row.limit or row.name in _MUST_EXCEED]
+    judged = [row for row in RESULTS.values() if row.limit or row.name in _MUST_EXCEED]
+    found = [_worst(row, rows) for row in judged if (rows := row.rows_of(solved))]
     return tuple(sorted(found, key=lambda each: SEVERITIES.index(each.severity)))
 
 
-def _worst(row: Result, solved: SolvedJoint) -> Margin:
-    values = np.atleast_1d(np.asarray(row.of(solved), dtype=float))
-    values = np.broadcast_to(values, (len(row.row_names),))
+def _worst(row: Result, rows: dict[str, float]) -> Margin:
+    values = np.array(list(rows.values()))
     if row.limit is None:
         lowest, highest, severity = row.lowest_limit, math.inf, SEVERITIES[0]
     else:
@@ -83,4 +83,4 @@ def _worst(row: Result, solved: SolvedJoint) -> Margin:
     index = int(np.argmin(np.where(np.isnan(room), -np.inf, room)))
     actual = float(values[index])
     passes = row.limit.is_kept(actual) if row.limit else actual > lowest
-    return Margin(row, row.row_names[index], actual, lowest, highest, bool(passes), severity)
+    return Margin(row, list(rows)[index], actual, lowest, highest, bool(passes), severity)

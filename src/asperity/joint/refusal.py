@@ -127,6 +127,15 @@ def refuse_bad_numbers(joint: Joint) -> None:
             raise InputError(
                 f"{name} = {float(stiffness):g} is not allowed; it must be at least 0, inf for rigid"
             )
+    if (
+        joint.pin is not None
+        and not _single("pin.free_length", joint.pin.free_length) >= joint.loading_roller_length
+    ):
+        raise InputError(
+            f"the pins have a free length of {format_quantity(float(joint.pin.free_length), 'mm')}, less than the "
+            f"{format_quantity(float(joint.loading_roller_length), 'mm')} of their loading rollers: lengthen the pins "
+            "(bearings.pin_length)"
+        )
     count = _single("planet_count", joint.geometry.planet_count)
     if not (count >= 1.0 and count == round(count)):
         raise InputError(f"planet_count = {count:g} is not allowed; it must be a whole number, at least 1")

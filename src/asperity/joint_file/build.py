@@ -11,11 +11,12 @@ import jax.numpy as jnp
 
 from asperity.contact.fractal import Surface
 from asperity.drive.assembly import IDEAL_STRUCTURE, StructureSprings
+from asperity.drive.bearing_life import RatedBearing
 from asperity.drive.geometry import DriveGeometry, triangle
 from asperity.drive.interference import interference_of_sizes
 from asperity.drive.mechanism import Bearings, rest_state
 from asperity.errors import InputError
-from asperity.joint.description import Bodies, Fit, Joint
+from asperity.joint.description import Bodies, Fit, Joint, PinBeam
 from asperity.joint.dynamics import Inertias
 from asperity.joint.interference import joint_preload
 from asperity.joint.play import NO_PLAY, Play
@@ -132,6 +133,8 @@ def joint_from_values(values: Values) -> Joint:
         planet_bore=drive.get("planet_bore_diameter"),
         loading_roller_bore=drive.get("loading_roller_bore_diameter"),
         rolling=_conditions(values),
+        pin=_pin(bearings),
+        **{name: _bearing(values.get(name)) for name in ("pin_bearing", "sun_bearing", "carrier_bearing")},
     )
     if "interference" not in load:
         return joint
@@ -223,6 +226,24 @@ def inertias_from_case(case: Case) -> Inertias:
         input=values["input_inertia"],
         output=values["output_inertia"],
         loss_factor=values.get("loss_factor", 0.0),
+    )
+
+
+def _pin(bearings: Values) -> PinBeam | None:
+    if "pin_length" not in bearings:
+        return None
+    return PinBeam(bearings["pin_length"], bearings.get("pin_support", "both_ends"))
+
+
+def _bearing(entry: Values | None) -> RatedBearing | None:
+    if entry is None:
+        return None
+    return RatedBearing(
+        dynamic_rating=entry["dynamic_rating"],
+        static_rating=entry["static_rating"],
+        count=entry.get("count", 1.0),
+        outside_force=entry.get("outside_force", 0.0),
+        kind=entry["type"],
     )
 
 

@@ -9,6 +9,7 @@ from pydantic import Discriminator, Field, PrivateAttr, Tag, model_validator
 
 from asperity.errors import InputError
 from asperity.joint_file import limits
+from asperity.joint_file.bearing_entries import HeldBearing, PinBearing
 from asperity.joint_file.material_entries import BodyMaterials, MaterialEntry, MaterialName, Surfaces
 from asperity.joint_file.quantity_key import Quantity
 from asperity.joint_file.section import ONE_FOR_ALL, ONE_FOR_EACH, EachContact, Section, number_or_table
@@ -105,6 +106,11 @@ class BearingFriction(Section):
     """Friction coefficient mu_b of the loading rollers' pins."""
     pin_diameter: Annotated[Quantity, limits.PIN_DIAMETER]
     """Diameter d of the loading rollers' pins."""
+    pin_length: Annotated[Quantity, limits.PIN_LENGTH] | None = None
+    """Free length of a pin, with the loading roller in its middle: between its two supports, or from its only support
+    to its end. Makes the bending moment of the pin, and with pin_diameter its bending stress."""
+    pin_support: Literal["both_ends", "one_end"] | None = None
+    """How the carrier holds a pin of this length; at both ends, which may turn, if absent."""
 
 
 class Compliance(Section):
@@ -212,6 +218,12 @@ class Case(Section):
     """Temperature of the drive; that of the assembly if the section is absent."""
     bearings: BearingFriction | None = None
     """Friction of the bearings; none if the section is absent."""
+    pin_bearing: PinBearing | None = None
+    """Rolling bearings of the loading rollers on their pins, for their life."""
+    sun_bearing: HeldBearing | None = None
+    """Rolling bearings of the sun's shaft, for their life under forces from outside."""
+    carrier_bearing: HeldBearing | None = None
+    """Rolling bearings of the carrier, for their life under forces from outside."""
     compliance: Compliance | None = None
     """Springs of pins, planet supports, ring and shafts; ideal if the section is absent."""
     rolling: Rolling | None = None

@@ -10,14 +10,19 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Literal
 
 import jax.numpy as jnp
+import numpy as np
 
+from asperity.compilation import call_compiled
 from asperity.drive.geometry import CLEARANCE_CONDITIONS, CONTACT_NAMES, clearances
 from asperity.drive.rolling_speeds import BODY_NAMES
+from asperity.drive.structure_loads import PIN_NAMES, StructureLoads
+from asperity.joint.bearing_lives import BEARING_NAMES, BearingLives, bearing_lives, rated_bearings
 from asperity.joint.capacity import TorqueCapacity, torque_capacity
 from asperity.joint.description import Joint
 from asperity.joint.evaluation import JointResult
 from asperity.joint.rolling_capacity import rolling_torque_capacity
 from asperity.joint.size import JointSize, joint_size
+from asperity.joint.working_loads import working_loads
 from asperity.unit_table import Dimension
 
 if TYPE_CHECKING:
@@ -34,13 +39,15 @@ Severity = Literal["function", "damage", "accuracy", "model"]
 #: Severities, the most serious first.
 SEVERITIES: tuple[Severity, ...] = ("function", "damage", "accuracy", "model")
 
-#: What the rows of a result stand for, with their names: a single number, the contacts, the clearances or
-#: the bodies.
+#: What the rows of a result stand for, with their names: a single number, the contacts, the clearances, the bodies,
+#: the carrier pins or the bearings.
 ROW_NAMES: dict[str, tuple[str, ...]] = {
     "one": ("",),
     "contact": CONTACT_NAMES,
     "clearance": tuple(CLEARANCE_CONDITIONS),
     "body": BODY_NAMES,
+    "pin": PIN_NAMES,
+    "bearing": BEARING_NAMES,
 }
 
 
@@ -94,6 +101,22 @@ class SolvedJoint:
     def size(self) -> JointSize:
         """Size and mass of the rolling parts."""
         return joint_size(self.joint)
+
+    @functools.cached_property
+    def loads(self) -> StructureLoads:
+        """Loads of pins, shafts, carrier and housing under the joint's torque."""
+        return working_loads(self.joint, self.result)
+
+    @functools.cached_property
+    def bearings(self) -> BearingLives:
+        """Lives of the rolling bearings."""
+        lives: BearingLives = call_compiled(bearing_lives, self.joint, self.result)
+        return lives
+
+    @property
+    def has_bearings(self) -> tuple[bool, ...]:
+        """Which rolling bearings have ratings."""
+        return tuple(bearing is not None for bearing in rated_bearings(self.joint))
 
     @functools.cached_property
     def clearances(self) -> list[Any]:
@@ -158,8 +181,8 @@ class Result:
     value : str or callable
         Where it is in a :class:`SolvedJoint`: a dotted path, or a function of the solved joint. Results with rows may
         be sequences of arrays.
-    axis : {"one", "contact", "clearance", "body"}
-        Whether it is one number, or one for each contact, clearance or body: :data:`ROW_NAMES`.
+    axis : {"one", "contact", "clearance", "body", "pin", "bearing"}
+        Whether it is one number, or one for each contact, clearance, body, pin or bearing: :data:`ROW_NAMES`.
     needs : {"geometry", "balance", "operation"}
         What must hold for it to mean anything; elsewhere it is nan in datasets.
     group : str
@@ -178,6 +201,8 @@ class Result:
         What its values number, from 0, where it is no quantity: such a result has no mean.
     note : str
         What else has to be said about it.
+    present : callable or None
+        Which of its rows a joint has; the others are nan and not judged. None: all of them.
     """
 
     name: str
@@ -185,7 +210,7 @@ class Result:
     dimension: Dimension
     display_unit: str
     value: str | Callable[[SolvedJoint], Any]
-    axis: Literal["one", "contact", "clearance", "body"] = "one"
+    axis: Literal["one", "contact", "clearance", "body", "pin", "bearing"] = "one"
     needs: Needs = "operation"
     group: str = ""
     level: StiffnessLevel | None = None
@@ -196,6 +221,7 @@ class Result:
     limit: Limit | None = None
     categories: tuple[str, ...] = ()
     note: str = ""
+    present: Callable[[SolvedJoint], tuple[bool, ...]] | None = None
 
     @property
     def si_unit(self) -> str:
@@ -211,6 +237,15 @@ class Result:
     def row_shape(self) -> tuple[int, ...]:
         """Shape of its rows: nothing for a single number."""
         return () if self.axis == "one" else (len(self.row_names),)
+
+    def rows_of(self, solved: SolvedJoint) -> dict[str, float]:
+        """Name → value [SI] of the rows that one joint has, without batch axes."""
+        present = (True,) * len(self.row_names) if self.present is None else self.present(solved)
+        if not any(present):
+            return {}
+        values = np.broadcast_to(np.asarray(self.of(solved), dtype=float), (len(present),))
+        named = zip(self.row_names, values, present, strict=True)
+        return {name: float(value) for name, value, there in named if there}
 
     def of(self, solved: SolvedJoint) -> Any:
         """Its value [SI]: an array, with the axis of its rows first, or a sequence of its rows."""

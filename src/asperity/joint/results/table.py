@@ -11,7 +11,7 @@ from jax import Array
 
 from asperity.errors import InputError
 from asperity.joint.evaluation import Joint, JointResult
-from asperity.joint.results import contacts, drive, limits, rolling, stiffness
+from asperity.joint.results import bearings, contacts, drive, limits, loads, rolling, stiffness
 from asperity.joint.results.result import Result, SolvedJoint
 
 if TYPE_CHECKING:
@@ -19,7 +19,16 @@ if TYPE_CHECKING:
 
 #: Every result by name.
 RESULTS: dict[str, Result] = {
-    row.name: row for row in (*stiffness.ROWS, *contacts.ROWS, *limits.ROWS, *rolling.ROWS, *drive.ROWS)
+    row.name: row
+    for row in (
+        *stiffness.ROWS,
+        *contacts.ROWS,
+        *limits.ROWS,
+        *rolling.ROWS,
+        *loads.ROWS,
+        *bearings.ROWS,
+        *drive.ROWS,
+    )
 }
 
 #: Levels of the stiffness, the fullest model first.

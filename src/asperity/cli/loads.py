@@ -1,0 +1,141 @@
+"""``asperity loads``: what pins, bearings, shafts and housing carry."""
+
+from __future__ import annotations
+
+import csv
+from typing import Any
+
+import click
+
+from asperity.cli.terminal import say_written
+from asperity.writing import check_file, replacing
+
+Document = dict[str, Any]
+
+#: Units of the table and of the CSV file for those of the document.
+_SHOWN = {"N": "N", "N*m": "N*m", "Pa": "MPa", "rad/s": "rpm"}
+
+
+@click.command()
+@click.argument("file", type=click.Path())
+@click.option("--csv", "csv_file", type=click.Path(dir_okay=False), help="Write the table to this CSV file.")
+@click.option(
+    "--json", "as_json", is_flag=True, help="Print one JSON document in SI units instead of a table."
+)
+def loads(file: str, csv_file: str | None, as_json: bool) -> None:
+    """Forces and torques on pins, bearings, shafts and housing of the joint described in FILE, for their supplier.
+
+    One column each: at rest, under the working torque, and under every load [[duty]] of FILE.
+    """
+    from asperity.joint_file.reader import read_case
+
+    check_file(csv_file, file)
+    case = read_case(file)
+    from asperity.precision import use_compilation_cache, use_double_precision
+
+    use_double_precision()
+    use_compilation_cache()
+    from asperity.joint.loads_document import bearing_entries, load_cases, loads_document
+    from asperity.joint.solve import solve
+    from asperity.joint_file.build import joint_from_case
+
+    joint = joint_from_case(case)
+    solution = solve(joint)
+    document = loads_document(joint, load_cases(joint, solution), bearing_entries(joint, solution))
+    if csv_file:
+        _write(document, csv_file)
+        say_written(csv_file)
+    if as_json:
+        import json
+
+        click.echo(json.dumps(document, indent=2, allow_nan=False))
+        return
+    _show(document, file)
+
+
+def _column(case: Document, line: str) -> str:
+    """Title of a column: the load, its torque and the speed of the sun."""
+    from asperity.units import format_quantity
+
+    if case["name"] == "at rest":
+        return str(case["name"])
+    torque = format_quantity(case["output_torque_Nm"], "N*m")
+    return f"{case['name']}{line}{torque}{line}{format_quantity(case['sun_speed_rad_per_s'], 'rpm')}"
+
+
+def _show(document: Document, file: str) -> None:
+    from rich.markup import escape
+
+    from asperity.cli.document_text import number, print_wrapped
+    from asperity.cli.terminal import console, table
+    from asperity.units import from_si
+
+    target = console()
+    target.print(escape(file))
+    target.print()
+    shown = table(
+        target,
+        "Loads of the structure",
+        "load",
+        *(_column(case, "\n") for case in document["cases"]),
+        "unit",
+    )
+    last = ""
+    for row in document["loads"]:
+        part = f"{row['part']}, {row['position']}"
+        unit = _SHOWN[row["unit"]]
+        values = [None if value is None else from_si(value, unit) for value in row["values"]]
+        if part != last:
+            shown.add_row(part)
+            last = part
+        shown.add_row(f"  {row['quantity']}", *map(number, values), unit.replace("*", "·"))
+    target.print(shown)
+    if document["bearings"]:
+        _show_bearings(document["bearings"])
+    for case in document["cases"]:
+        if case["unknown_because"]:
+            print_wrapped(target, f"{case['name']}: {case['unknown_because']}", indent=2)
+    for note in document["notes"]:
+        print_wrapped(target, note, indent=2)
+
+
+def _show_bearings(entries: list[Document]) -> None:
+    from asperity.cli.document_text import number, print_wrapped
+    from asperity.cli.terminal import console, table
+
+    target = console()
+    shown = table(
+        target,
+        "Rolling bearings, each one alone",
+        "bearing",
+        "C\nN",
+        "C_0\nN",
+        "load\nN",
+        "P/C\n-",
+        "life L10\nh",
+        "under the duty\nh",
+        "static safety\n-",
+    )
+    columns = ["dynamic_rating_N", "static_rating_N", "load_N", "load_over_dynamic_rating"]
+    columns += ["life_hours", "duty_life_hours", "static_safety"]
+    for entry in entries:
+        name = f"{entry['bearing'].replace('_', ' ')}, {entry['type']}"
+        shown.add_row(name, *(number(entry[column]) for column in columns))
+    target.print(shown)
+    for entry in entries:
+        for reason in entry["absent_because"]:
+            print_wrapped(target, f"{entry['bearing'].replace('_', ' ')}: {reason}", indent=2)
+
+
+def _write(document: Document, path: str) -> None:
+    """The table as a CSV file: one row a load, one column a case."""
+    from asperity.units import from_si
+
+    columns = [_column(case, ", ") for case in document["cases"]]
+    with replacing(path) as part, part.open("w", newline="", encoding="utf-8") as stream:
+        writer = csv.writer(stream)
+        writer.writerow(["part", "position", "load", "unit", *columns])
+        for row in document["loads"]:
+            unit = _SHOWN[row["unit"]]
+            values = ["" if value is None else repr(float(from_si(value, unit))) for value in row["values"]]
+            writer.writerow([row["part"], row["position"], row["quantity"], unit, *values])

@@ -1,0 +1,284 @@
+"""Loads of a joint's pins, bearings, shafts and housing under every load of its file, as rows for their supplier."""
+
+from __future__ import annotations
+
+import dataclasses
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import Any
+
+import jax
+import numpy as np
+
+import asperity
+from asperity.compilation import compile_fast
+from asperity.drive.structure_loads import PIN_NAMES, StructureLoads, pin_bending_moment, pin_bending_stress
+from asperity.joint.bearing_lives import BEARING_NAMES, rated_bearings
+from asperity.joint.description import Joint
+from asperity.joint.evaluation import JointResult
+from asperity.joint.results import SolvedJoint
+from asperity.joint.rolling_document import unknown_because
+from asperity.joint.solve import Solution, solve_program
+from asperity.joint.working_loads import BearingSpeeds, bearing_speeds, loads_at_rest, working_loads
+
+Document = dict[str, Any]
+
+_RATED = (
+    "Bearings: ISO 281 basic rating life, which nine in ten reach, by radial load and relative speed. Lubrication and "
+    "cleanliness (a_ISO), axial loads and misalignment are yours to judge; the life holds for loads up to C/2."
+)
+
+_NOTES = (
+    "Radial is away from the drive's axis, tangential along the carrier's circle in the sense in which a positive "
+    "output torque is driven. Forces act on the part that is named.",
+    "All branches are equal: the forces of the planets on sun, carrier and ring balance, and their bearings carry a "
+    "torque only. Weights, forces from outside and unequal branches are not counted.",
+    "Where the sun turns the forces are those of steady rolling, otherwise those of the joint at rest.",
+)
+_SUPPORTED = (
+    "The planets have supports: the balance of the forces takes them as floating, so that the share that the supports "
+    "carry is not known."
+)
+
+
+@dataclass(frozen=True, slots=True)
+class LoadCase:
+    """One load of the joint.
+
+    Parameters
+    ----------
+    name : str
+        What it is called.
+    output_torque, sun_speed : float
+        Torque at the carrier [N·m] and speed of the sun [rad/s].
+    share : float or None
+        Share of the time; None outside the duty.
+    result : JointResult or None
+        What the joint does under it; None at rest.
+    loads : StructureLoads
+        Loads of the structure.
+    speeds : BearingSpeeds or None
+        Speeds of the bearings; None at rest.
+    unknown_because : str or None
+        Why there are no loads; None where there are.
+    """
+
+    name: str
+    output_torque: float
+    sun_speed: float
+    share: float | None
+    result: JointResult | None
+    loads: StructureLoads
+    speeds: BearingSpeeds | None
+    unknown_because: str | None
+
+
+def bearing_entries(joint: Joint, solution: Solution) -> list[Document]:
+    """Loads, lives and safeties of the rolling bearings of a joint, ready for :func:`json.dumps`.
+
+    Parameters
+    ----------
+    joint : Joint
+        One joint.
+    solution : Solution
+        What it does under its working torque.
+
+    Returns
+    -------
+    list of dict
+        One entry for each bearing with ratings; a number that is not known or infinite is None, and
+        ``absent_because`` says why.
+    """
+    solved = SolvedJoint(joint, solution.result, solution.capacity)
+    entries = []
+    for index, (name, rated) in enumerate(zip(BEARING_NAMES, rated_bearings(joint), strict=True)):
+        if rated is None:
+            continue
+        found = {key: float(np.asarray(value)[index]) for key, value in vars(solved.bearings).items()}
+        entries.append(
+            {
+                "bearing": name,
+                "type": rated.kind,
+                "dynamic_rating_N": float(rated.dynamic_rating),
+                "static_rating_N": float(rated.static_rating),
+                "load_N": _plain(found["load"]),
+                "life_hours": _plain(found["life"] / 3600.0),
+                "duty_life_hours": _plain(found["duty_life"] / 3600.0) if joint.rolling.duty else None,
+                "static_safety": _plain(found["static_safety"]),
+                "load_over_dynamic_rating": _plain(found["load_ratio"]),
+                "absent_because": _absent_because(joint, found),
+            }
+        )
+    return entries
+
+
+def _absent_because(joint: Joint, found: dict[str, float]) -> list[str]:
+    """Why lives of a bearing are absent."""
+    why = []
+    lives = [found["life"], *([found["duty_life"]] if joint.rolling.duty else [])]
+    if math.isnan(found["load"]):
+        why.append("its load is not known: the joint slips or does not roll")
+    elif math.isnan(found["life"]):
+        why.append("it stands: no life in hours at this speed, only its static safety counts")
+    elif math.isinf(found["life"]):
+        why.append("it carries no load: its life is not limited by fatigue")
+    if joint.rolling.duty and math.isnan(lives[-1]) and not math.isnan(found["load"]):
+        why.append("no life under the duty: the joint slips or does not roll under one of its loads")
+    if joint.rolling.duty and math.isinf(lives[-1]) and not math.isinf(found["life"]):
+        why.append("no load of the duty turns it")
+    return why
+
+
+def load_cases(joint: Joint, solution: Solution) -> tuple[LoadCase, ...]:
+    """The joint at rest, under its working torque, and under every load of its duty.
+
+    Parameters
+    ----------
+    joint : Joint
+        One joint.
+    solution : Solution
+        What it does under its working torque.
+
+    Returns
+    -------
+    tuple of LoadCase
+        In this order.
+    """
+    numbers: Joint = jax.tree.map(lambda leaf: np.asarray(leaf, dtype=float), joint)
+    cases = [LoadCase("at rest", 0.0, 0.0, None, None, loads_at_rest(numbers), None, None)]
+    cases.append(_case("working torque", numbers, solution.result, None))
+    if joint.rolling.duty:
+        program = compile_fast(solve_program, numbers)
+    for index, point in enumerate(numbers.rolling.duty, start=1):
+        loaded = dataclasses.replace(numbers, output_torque=point.output_torque, sun_speed=point.sun_speed)
+        cases.append(_case(f"duty {index}", loaded, program(loaded)[0], float(point.share)))
+    return tuple(cases)
+
+
+def _case(name: str, joint: Joint, result: JointResult, share: float | None) -> LoadCase:
+    loads = working_loads(joint, result)
+    why = None
+    if bool(np.any(np.isnan(np.asarray(loads.pin_tangential)))):
+        why = unknown_because(joint, result)[0]
+    speed = float(joint.sun_speed)
+    return LoadCase(
+        name, float(joint.output_torque), speed, share, result, loads, bearing_speeds(joint, result), why
+    )
+
+
+def loads_document(joint: Joint, cases: tuple[LoadCase, ...], bearings: list[Document]) -> Document:
+    """Loads of the structure as a document, ready for :func:`json.dumps`.
+
+    Parameters
+    ----------
+    joint : Joint
+        The joint.
+    cases : tuple of LoadCase
+        Its loads.
+    bearings : list of dict
+        Its :func:`bearing_entries`.
+
+    Returns
+    -------
+    dict
+        The cases, and rows of one value for each of them in SI units; None where a value is not known or infinite.
+    """
+    supported = float(joint.structure.planet_support_stiffness) > 0.0
+    return {
+        "asperity_version": asperity.__version__,
+        "cases": [
+            {
+                "name": case.name,
+                "output_torque_Nm": case.output_torque,
+                "sun_speed_rad_per_s": case.sun_speed,
+                "share": case.share,
+                "unknown_because": case.unknown_because,
+            }
+            for case in cases
+        ],
+        "loads": [
+            {
+                "part": part,
+                "position": position,
+                "quantity": quantity,
+                "unit": unit,
+                "values": [_plain(value) for value in np.broadcast_to(values, (len(cases),))],
+            }
+            for part, position, quantity, unit, values in _rows(joint, cases, supported)
+        ],
+        "bearings": bearings,
+        "notes": [*_NOTES, *([_SUPPORTED] if supported else []), *([_RATED] if bearings else [])],
+    }
+
+
+def _plain(value: Any) -> float | None:
+    number = float(value)
+    return (number or 0.0) if math.isfinite(number) else None
+
+
+Row = tuple[str, str, str, str, Any]
+
+
+def _rows(joint: Joint, cases: tuple[LoadCase, ...], supported: bool) -> Iterator[Row]:
+    """Part, position, quantity, SI unit, and a value for each case."""
+    stacked = jax.tree.map(
+        lambda *leaves: np.stack([np.asarray(leaf) for leaf in leaves], axis=-1),
+        *(case.loads for case in cases),
+    )
+    speeds = {
+        name: np.array([0.0 if case.speeds is None else _of(case.speeds, name) for case in cases])
+        for name in (*PIN_NAMES, "sun", "carrier")
+    }
+    forces = np.asarray(stacked.pin_resultant)
+    for index, side in enumerate(PIN_NAMES):
+        part = ("carrier pin", f"{side} roller")
+        yield *part, "radial force", "N", stacked.pin_radial[index]
+        yield *part, "tangential force", "N", stacked.pin_tangential[index]
+        yield *part, "resultant force", "N", forces[index]
+        if joint.rolling.skew is not None:
+            yield *part, "axial force", "N", _thrust(cases, 2 + index)
+        if joint.pin is not None:
+            moment = pin_bending_moment(
+                force=forces[index],
+                free_length=joint.pin.free_length,
+                roller_length=joint.loading_roller_length,
+                support=joint.pin.support,
+            )
+            yield *part, "bending moment", "N*m", moment
+            if float(joint.bearings.pin_diameter) > 0.0:
+                stress = pin_bending_stress(moment=moment, diameter=joint.bearings.pin_diameter)
+                yield *part, "bending stress", "Pa", stress
+        yield *part, "speed, roller on pin", "rad/s", speeds[side]
+    centre = ("on the axis",)
+    yield "planet", "its own axis", "resultant force", "N", math.nan if supported else 0.0
+    yield "sun bearing", *centre, "resultant force", "N", 0.0
+    if joint.rolling.skew is not None:
+        yield "sun bearing", *centre, "axial force", "N", _thrust(cases, 0)
+    yield "sun bearing", *centre, "speed in the housing", "rad/s", speeds["sun"]
+    yield "sun", *centre, "torque of its shaft", "N*m", stacked.sun_torque
+    yield "carrier bearing", *centre, "resultant force", "N", 0.0
+    yield "carrier bearing", *centre, "speed in the housing", "rad/s", speeds["carrier"]
+    yield "carrier", *centre, "torque of all pins", "N*m", stacked.carrier_torque
+    yield "ring in its housing", *centre, "resultant force", "N", 0.0
+    if joint.rolling.skew is not None:
+        yield "ring in its housing", *centre, "axial force", "N", _thrust(cases, 4)
+    yield "ring in its housing", *centre, "torque", "N*m", stacked.housing_torque
+
+
+def _of(speeds: BearingSpeeds, name: str) -> float:
+    if name in PIN_NAMES:
+        return float(np.asarray(speeds.pin)[PIN_NAMES.index(name)])
+    return float(np.asarray(getattr(speeds, name)))
+
+
+def _thrust(cases: tuple[LoadCase, ...], body: int) -> np.ndarray:
+    """Axial forces of skewed contacts on a body; they exist in rolling only."""
+    return np.array(
+        [
+            0.0
+            if case.result is None or case.sun_speed == 0.0
+            else float(case.result.rolling.axial_thrust[body])
+            for case in cases
+        ]
+    )

@@ -1,0 +1,46 @@
+"""``asperity loads``: table, JSON and CSV."""
+
+import csv
+import json
+
+import pytest
+
+DUTY = '\n[[duty]]\noutput_torque = "3 N*m"\nsun_speed = "3000 rpm"\nshare = 1.0\n'
+
+
+def test_table_and_json_agree_with_the_joint(call, zou_file):
+    shown = call("loads", zou_file)
+    assert shown.code == 0
+    for text in (
+        "carrier pin, right roller",
+        "at rest",
+        "working torque",
+        "6000 rpm",
+        "All branches are equal",
+    ):
+        assert text in shown.out
+    document = json.loads(call("loads", zou_file, "--json").out)
+    torque = [row["values"] for row in document["loads"] if row["quantity"] == "torque of all pins"]
+    assert torque[0] == pytest.approx([0.0, 5.0])
+
+
+@pytest.mark.slow
+def test_every_load_of_the_duty_is_a_column(call, joint_file, tmp_path):
+    file, target = joint_file(("[surface]", f"{DUTY}\n[surface]")), tmp_path / "loads.csv"
+    assert call("loads", file, "--csv", target).code == 0
+    with target.open(encoding="utf-8") as stream:
+        head, *rows = csv.reader(stream)
+    assert head == [
+        "part",
+        "position",
+        "load",
+        "unit",
+        "at rest",
+        "working torque, 5 N·m, 6000 rpm",
+        "duty 1, 3 N·m, 3000 rpm",
+    ]
+    torque = next(row for row in rows if row[2] == "torque of all pins")
+    assert [float(cell) for cell in torque[4:]] == pytest.approx([0.0, 5.0, 3.0])
+    speed = next(row for row in rows if row[0] == "sun bearing" and row[2] == "speed in the housing")
+    assert [float(cell) for cell in speed[4:]] == pytest.approx([0.0, 6000.0, 3000.0])
+    assert speed[3] == "rpm"

@@ -1,0 +1,77 @@
+"""Rows for the suppliers of pins and bearings, from cases made by hand."""
+
+import dataclasses
+import json
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+
+from asperity.drive.structure_loads import StructureLoads
+from asperity.joint.description import PinBeam
+from asperity.joint.loads_document import LoadCase, loads_document
+from asperity.joint.working_loads import BearingSpeeds
+from asperity.joint_file.build import joint_from_case
+
+
+def case_of(name, factor, speed):
+    loads = StructureLoads(
+        pin_tangential=factor * np.array([-30.0, 40.0]),
+        pin_radial=factor * np.array([40.0, 0.0]),
+        sun_torque=factor * 0.5,
+        carrier_torque=factor * 4.5,
+        housing_torque=factor * 5.0,
+    )
+    rolling = SimpleNamespace(axial_thrust=np.array([1.0, 0.0, 2.0, 3.0, 4.0]))
+    speeds = BearingSpeeds(np.array([7.0, 8.0]) * speed, 9.0 * speed, speed)
+    return LoadCase(name, 4.5, speed, None, SimpleNamespace(rolling=rolling), loads, speeds, None)
+
+
+CASES = (
+    dataclasses.replace(case_of("at rest", 0.0, 0.0), result=None, speeds=None),
+    case_of("working torque", 1.0, 1.0),
+    dataclasses.replace(case_of("duty 1", np.nan, 2.0), unknown_because="slips"),
+)
+
+
+def row_of(document, part, position, quantity):
+    found = [
+        row["values"]
+        for row in document["loads"]
+        if (row["part"], row["position"], row["quantity"]) == (part, position, quantity)
+    ]
+    assert len(found) == 1, quantity
+    return found[0]
+
+
+def test_rows_and_units(case):
+    joint = joint_from_case(case)
+    document = loads_document(joint, CASES, [])
+    json.dumps(document, allow_nan=False)
+    assert [each["name"] for each in document["cases"]] == ["at rest", "working torque", "duty 1"]
+    assert row_of(document, "carrier pin", "right roller", "resultant force") == [0.0, 50.0, None]
+    assert row_of(document, "carrier pin", "left roller", "tangential force") == [0.0, 40.0, None]
+    assert row_of(document, "carrier pin", "left roller", "speed, roller on pin") == [0.0, 8.0, 16.0]
+    assert row_of(document, "ring in its housing", "on the axis", "torque") == [0.0, 5.0, None]
+    assert row_of(document, "planet", "its own axis", "resultant force") == [0.0, 0.0, 0.0]
+    assert not [row for row in document["loads"] if row["quantity"] in ("axial force", "bending moment")]
+
+
+def test_skew_and_pins_add_rows(case):
+    joint = joint_from_case(case)
+    joint = dataclasses.replace(
+        joint,
+        pin=PinBeam(6e-3, "both_ends"),
+        bearings=dataclasses.replace(joint.bearings, pin_diameter=4e-3),
+        rolling=dataclasses.replace(joint.rolling, skew=(1e-3,)),
+        structure=dataclasses.replace(joint.structure, planet_support_stiffness=1e6),
+    )
+    document = loads_document(joint, CASES, [])
+    assert row_of(document, "carrier pin", "left roller", "axial force")[:2] == [0.0, 3.0]
+    moment = 50.0 * (2.0 * 6e-3 - 5e-3) / 8.0  # F (2 l - b)/8 with the roller's 5 mm
+    found = row_of(document, "carrier pin", "right roller", "bending moment")
+    assert found[1] == pytest.approx(moment)
+    stress = 32.0 * moment / (np.pi * 4e-3**3)
+    assert row_of(document, "carrier pin", "right roller", "bending stress")[1] == pytest.approx(stress)
+    assert row_of(document, "planet", "its own axis", "resultant force") == [None, None, None]
+    assert any("supports" in note for note in document["notes"])
