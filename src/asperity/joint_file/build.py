@@ -134,7 +134,9 @@ def joint_from_values(values: Values) -> Joint:
         loading_roller_bore=drive.get("loading_roller_bore_diameter"),
         rolling=_conditions(values),
         pin=_pin(bearings),
-        **{name: _bearing(values.get(name)) for name in ("pin_bearing", "sun_bearing", "carrier_bearing")},
+        pin_bearing=_bearing(values.get("pin_bearing")),
+        sun_bearing=_bearing(values.get("sun_bearing")),
+        carrier_bearing=_bearing(values.get("carrier_bearing")),
     )
     if "interference" not in load:
         return joint
