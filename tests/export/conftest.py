@@ -6,7 +6,7 @@ import jax.numpy as jnp
 import numpy as np
 import pytest
 
-from asperity.export.content import ExportContent
+from asperity.export.content import ExportContent, MovingParts
 from asperity.joint.both_senses import BothSenses
 from asperity.joint.play import NO_PLAY
 from asperity.joint.windup import windup_of
@@ -53,7 +53,8 @@ def made_content(paper_joint):
         curves = BothSenses(
             torque, 100.0 * stiffness, 10.0 * stiffness, stiffness, jnp.abs(torque) / 13.0, drift, 0.9 * drift
         )
-        return ExportContent("made.toml", joint, "assembly", windup, curves, ())
+        parts = MovingParts(sun=2e-6, output=0.05, loss_factor=0.02, coupled=True, friction=0.01)
+        return ExportContent("made.toml", joint, "assembly", windup, curves, parts, ())
 
     return make
 

@@ -9,7 +9,7 @@ import click
 from asperity.cli.terminal import say_written
 
 #: Names of the targets; asperity.export.targets has their writers.
-TARGETS = ("table",)
+TARGETS = ("table", "mujoco")
 LEVELS = ("assembly", "series_with_bulk", "published")
 
 
@@ -20,7 +20,7 @@ LEVELS = ("assembly", "series_with_bulk", "published")
     "--out",
     required=True,
     type=click.Path(dir_okay=False),
-    help="Write to this file: table .csv or .mat (MATLAB).",
+    help="Write to this file: table .csv or .mat (MATLAB), mujoco .xml.",
 )
 @click.option(
     "--torque",
@@ -38,6 +38,8 @@ def export(file: str, to: str, out: str, torque: str | None, level: str) -> None
     """Write the joint described in FILE for other programs: stiffness, hysteresis, play and drift.
 
     table: stiffness at three levels, wind-up, hysteresis loop and drift per output turn over the torque.
+
+    mujoco: a model with motor and output, joined by a spring with the hysteresis of the wind-up (MuJoCo 4.0 or later).
 
     Every file states the stiffness and the drift, which are two regimes: the wind-up of a joint that stands comes back,
     the drift of a joint that turns does not.
@@ -59,11 +61,12 @@ def export(file: str, to: str, out: str, torque: str | None, level: str) -> None
     use_compilation_cache()
     from asperity.export.content import export_content, heading
     from asperity.export.targets import exported, write_exported
-    from asperity.joint_file.build import joint_from_case
+    from asperity.joint_file.build import inertias_from_case, joint_from_case
 
     try:
         content = export_content(
             joint_from_case(case),
+            inertias=None if case.dynamics is None else inertias_from_case(case),
             source=Path(file).name,
             largest_torque=asked,
             level=level,  # type: ignore[arg-type]
@@ -73,6 +76,10 @@ def export(file: str, to: str, out: str, torque: str | None, level: str) -> None
         raise InputError(f"{place}: {error}" if "torque" in str(error) else str(error)) from None
     made = exported(content, to=to, suffix=Path(out).suffix)
     write_exported(made, out)
+    from asperity.cli.document_text import print_wrapped
+    from asperity.cli.terminal import console
+
+    target = console()
     for line in (*heading(content, what=f"{out}: {to}"), *made.notes):
-        click.echo(line)
+        print_wrapped(target, line, indent=2)
     say_written(out)

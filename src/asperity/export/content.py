@@ -11,14 +11,41 @@ from asperity.drive.geometry import speed_ratio
 from asperity.errors import printable
 from asperity.joint.both_senses import BothSenses, both_senses
 from asperity.joint.description import Joint
+from asperity.joint.dynamics import Inertias, body_inertias
 from asperity.joint.play import Play
 from asperity.joint.rolling_document import unknown_because
+from asperity.joint.solve import Solution
 from asperity.joint.windup import StiffnessLevel, Windup
 from asperity.joint.windup_document import examined_windup
 from asperity.units import format_quantity
 
 #: The wind-up's stages are not exported; any bounds will do.
 _STAGES = (1.0 / 3.0, 2.0 / 3.0)
+
+
+@dataclass(frozen=True)
+class MovingParts:
+    """Inertias and friction of a joint. SI units.
+
+    Parameters
+    ----------
+    sun : float
+        Moment of inertia at the sun: the sun roller, and the motor if the joint file has one [kg·m^2].
+    output : float
+        Moment of inertia at the output: planets and loading rollers, and the load if the joint file has one [kg·m^2].
+    loss_factor : float
+        Loss factor of the joint's spring [-].
+    coupled : bool
+        Whether the joint file has motor and load.
+    friction : float
+        Torque that all losses but creep take from the sun at the largest torque [N·m]; nan where the sun stands.
+    """
+
+    sun: float
+    output: float
+    loss_factor: float
+    coupled: bool
+    friction: float
 
 
 @dataclass(frozen=True)
@@ -37,6 +64,8 @@ class ExportContent:
         Loading curves and loop, at 2n − 1 torques.
     curves : BothSenses
         Stiffness and drift at the same torques.
+    parts : MovingParts
+        Inertias and friction.
     no_drift_because : tuple of str
         Why there is no steady rolling at the largest torque, one sentence each; empty where there is.
     """
@@ -46,6 +75,7 @@ class ExportContent:
     level: StiffnessLevel
     windup: Windup
     curves: BothSenses
+    parts: MovingParts
     no_drift_because: tuple[str, ...]
 
     @property
@@ -75,7 +105,12 @@ class ExportContent:
 
 
 def export_content(
-    joint: Joint, *, source: str, largest_torque: float | None, level: StiffnessLevel
+    joint: Joint,
+    *,
+    inertias: Inertias | None,
+    source: str,
+    largest_torque: float | None,
+    level: StiffnessLevel,
 ) -> ExportContent:
     """Compute what is exported.
 
@@ -83,6 +118,8 @@ def export_content(
     ----------
     joint : Joint
         One joint.
+    inertias : Inertias or None
+        Motor and load; None if the joint file has none.
     source : str
         Name of the joint file.
     largest_torque : float or None
@@ -108,7 +145,26 @@ def export_content(
     curves = both_senses(joint=joint, torque=curve.torque)
     lost = np.isnan(np.asarray(curves.driving_drift)[-1])
     because = unknown_because(joint, forward.result) if lost else []
-    return ExportContent(source, joint, level, curve, curves, tuple(because))
+    parts = _moving_parts(joint, inertias, forward)
+    return ExportContent(source, joint, level, curve, curves, parts, tuple(because))
+
+
+def _moving_parts(joint: Joint, inertias: Inertias | None, solution: Solution) -> MovingParts:
+    sun, moving = (float(np.asarray(each)) for each in body_inertias(joint))
+    power, speed = solution.result.rolling.power, abs(float(joint.sun_speed))
+    lost = float(np.asarray(power.loss)) - float(
+        np.sum(np.asarray(power.creep))
+    )  # creep takes speed, not torque
+    friction = lost / speed if speed > 0.0 else float("nan")
+    if inertias is None:
+        return MovingParts(sun, moving, 0.0, False, friction)
+    return MovingParts(
+        sun + float(inertias.input),
+        moving + float(inertias.output),
+        float(inertias.loss_factor),
+        True,
+        friction,
+    )
 
 
 def heading(content: ExportContent, *, what: str) -> list[str]:

@@ -11,7 +11,7 @@ from asperity.export.content import ExportContent
 from asperity.writing import check_file, replacing
 
 #: Endings of the files of each target.
-SUFFIXES = {"table": (".csv", ".mat")}
+SUFFIXES = {"table": (".csv", ".mat"), "mujoco": (".xml",)}
 
 
 @dataclass(frozen=True)
@@ -104,4 +104,12 @@ def _table(content: ExportContent, suffix: str) -> Exported:
     return Exported(csv_file(content) if suffix == ".csv" else mat_file(content))
 
 
-_WRITERS: dict[str, Callable[[ExportContent, str], Exported]] = {"table": _table}
+def _mujoco(content: ExportContent, suffix: str) -> Exported:
+    from asperity.export.elements import fitted_elements
+    from asperity.export.mjcf import mjcf_file
+
+    fitted = fitted_elements(content, program="MuJoCo")
+    return Exported(mjcf_file(content, fitted), fitted.sentences)
+
+
+_WRITERS: dict[str, Callable[[ExportContent, str], Exported]] = {"table": _table, "mujoco": _mujoco}

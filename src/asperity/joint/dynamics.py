@@ -109,7 +109,7 @@ def joint_dynamics(joint: Joint, inertias: Inertias) -> JointDynamics:
     Equations (D1)–(D3) of :doc:`/equations`.
     """
     joint = with_one_rank(joint)
-    geometry, bodies = joint.geometry, joint.bodies
+    geometry = joint.geometry
 
     speed = jnp.abs(jnp.asarray(carrier_speed(geometry=geometry, sun_speed=joint.sun_speed)))
 
@@ -120,22 +120,7 @@ def joint_dynamics(joint: Joint, inertias: Inertias) -> JointDynamics:
 
     torque = jnp.asarray(joint.output_torque)
     _, slope, stiffness = jax.jvp(lost_speed, (torque,), (jnp.ones_like(torque),), has_aux=True)
-    sun_mass = roller_mass(
-        density=bodies.sun.density, radius=geometry.sun_radius, length=joint.contact_lengths[0], bore=0.0
-    )
-    sun = roller_inertia(mass=sun_mass, radius=geometry.sun_radius, bore_diameter=0.0)
-    planet, roller = planet_mass(joint), loading_roller_mass(joint)
-    moving = drive_inertia(
-        geometry=geometry,
-        planet_mass=planet,
-        planet_inertia=roller_inertia(
-            mass=planet, radius=geometry.planet_radius, bore_diameter=_bore(joint.planet_bore)
-        ),
-        loading_roller_mass=roller,
-        loading_roller_inertia=roller_inertia(
-            mass=roller, radius=geometry.loading_roller_radius, bore_diameter=_bore(joint.loading_roller_bore)
-        ),
-    )
+    sun, moving = body_inertias(joint)
     input_inertia = speed_ratio(geometry) ** 2 * (inertias.input + sun)
     output_inertia = inertias.output + moving
     frequencies = natural_frequencies(
@@ -156,6 +141,43 @@ def joint_dynamics(joint: Joint, inertias: Inertias) -> JointDynamics:
         creep_damping=damping,
         corner_frequency=stiffness * slope / (2.0 * jnp.pi),
     )
+
+
+def body_inertias(joint: Joint) -> tuple[Real, Real]:
+    """Inertias of a joint's own bodies.
+
+    Parameters
+    ----------
+    joint : Joint
+        One joint, or many along trailing batch axes.
+
+    Returns
+    -------
+    tuple of Real
+        Of the sun about its axis, and of planets and loading rollers as the output moves them [kg·m^2].
+
+    References
+    ----------
+    Equation (D1) of :doc:`/equations`.
+    """
+    geometry, bodies = joint.geometry, joint.bodies
+    sun_mass = roller_mass(
+        density=bodies.sun.density, radius=geometry.sun_radius, length=joint.contact_lengths[0], bore=0.0
+    )
+    sun = roller_inertia(mass=sun_mass, radius=geometry.sun_radius, bore_diameter=0.0)
+    planet, roller = planet_mass(joint), loading_roller_mass(joint)
+    moving = drive_inertia(
+        geometry=geometry,
+        planet_mass=planet,
+        planet_inertia=roller_inertia(
+            mass=planet, radius=geometry.planet_radius, bore_diameter=_bore(joint.planet_bore)
+        ),
+        loading_roller_mass=roller,
+        loading_roller_inertia=roller_inertia(
+            mass=roller, radius=geometry.loading_roller_radius, bore_diameter=_bore(joint.loading_roller_bore)
+        ),
+    )
+    return sun, moving
 
 
 def _bore(diameter: Real | None) -> Real:

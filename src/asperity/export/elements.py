@@ -1,0 +1,84 @@
+"""Parallel elasto-plastic elements for programs that have them, and how well they stand for the wind-up."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from asperity.errors import InputError
+from asperity.export.content import ExportContent
+from asperity.joint.parallel_elements import ParallelElements, fit_error, parallel_elements
+from asperity.joint.series_law import SeriesLaw
+from asperity.units import format_quantity
+
+#: Elasto-plastic elements in an exported model.
+ELEMENTS = 8
+
+
+@dataclass(frozen=True)
+class FittedElements:
+    """Elements of a joint's wind-up.
+
+    Parameters
+    ----------
+    elements : ParallelElements
+        A reversible spring and elasto-plastic elements.
+    linear_stiffness : float
+        Stiffness of the straight line between both ends of the wind-up [N·m/rad].
+    sentences : tuple of str
+        How well they follow the wind-up.
+    """
+
+    elements: ParallelElements
+    linear_stiffness: float
+    sentences: tuple[str, ...]
+
+
+def fitted_elements(content: ExportContent, *, program: str) -> FittedElements:
+    """Fit elements to what is exported.
+
+    Parameters
+    ----------
+    content : ExportContent
+        What is exported.
+    program : str
+        Name of the program they are for.
+
+    Returns
+    -------
+    FittedElements
+        Elements and the error of the fit.
+
+    Raises
+    ------
+    InputError
+        If the joint has play, which parallel elements cannot carry.
+    """
+    if float(content.play.angle) > 0.0:
+        raise InputError(
+            f"the joint has a play of {format_quantity(float(content.play.angle), 'arcmin')}, in series with its "
+            f"springs; the parallel springs of {program} cannot carry it. Remove [play] from the joint file and add "
+            "the play in the model, or export to a table"
+        )
+    law = SeriesLaw(content.windup, content.play)
+    elements = parallel_elements(law, elements=ELEMENTS)
+    error = fit_error(law, elements)
+    windup = float(np.max(np.abs(np.asarray(content.windup.angle))))
+    width = float(content.windup.hysteresis)
+    sentence = (
+        f"{elements.stiffness.size} elasto-plastic elements and a spring follow the wind-up within "
+        f"{format_quantity(error.angle, 'arcsec', 2)}, {100.0 * error.angle / windup:.2g} % of the wind-up"
+    )
+    if elements.stiffness.size:
+        sentence += (
+            f" and {100.0 * error.angle / width:.2g} % of the width of its loop at zero torque; the width itself is "
+            f"off by up to {100.0 * error.loop_width / width:.2g} %"
+        )
+    sentences = (
+        sentence + " (first loading both ways, loops of the largest torque and of half of it).",
+        "The loop between the largest torques is an estimate by Masing's rule; its own error is larger than that of "
+        "the elements.",
+    )
+    ends = np.asarray(content.windup.angle)[[0, -1]]
+    return FittedElements(elements, 2.0 * content.largest_torque / float(np.ptp(ends)), sentences)
