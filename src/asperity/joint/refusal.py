@@ -286,14 +286,13 @@ def refuse_pulled_rollers(joint: Joint, result: JointResult) -> None:
     InputError
         With the angle and its lower bound.
     """
-    geometry = joint.geometry
-    rest = rest_state(geometry=geometry, sides=triangle(geometry), preload=joint.preload)
-    wedge = float(result.angles.wedge)
+    geometry, wedge = joint.geometry, float(result.angles.wedge)
     for side, contact in (("right", 3), ("left", 4)):
-        force = float(rest.normal_force[contact])
-        if force > 0.0 or math.isnan(force):
-            continue
         angle = float(getattr(geometry, f"{side}_push_angle"))
+        if not angle <= wedge - 0.5 * math.pi:
+            continue
+        rest = rest_state(geometry=geometry, sides=triangle(geometry), preload=joint.preload)
+        force = float(rest.normal_force[contact])
         raise InputError(
             f"{side}_push_angle {format_quantity(angle, 'deg')} pulls the {side} loading roller off the ring: at rest "
             f"the contact {CONTACT_NAMES[contact]} would have to carry {force:.3g} N; the angle must be above "
