@@ -6,7 +6,7 @@ import jax.numpy as jnp
 import numpy as np
 import pytest
 
-from asperity.export.content import ExportContent, MovingParts
+from asperity.export.content import ExportContent, MovingParts, export_content
 from asperity.joint.both_senses import BothSenses
 from asperity.joint.play import NO_PLAY
 from asperity.joint.windup import windup_of
@@ -74,3 +74,14 @@ def read_table():
         return dict(zip(lines[0].split(","), rows.T, strict=True))
 
     return read
+
+
+@pytest.fixture(scope="session")
+def papers_content(paper_joint):
+    """What is exported of the paper's joint up to 10 N·m, by its closure; solved, which takes its time."""
+
+    def solved(closure):
+        joint = paper_joint(closure=closure, output_torque=10.0)
+        return export_content(joint, inertias=None, source="j.toml", largest_torque=None, level="assembly")
+
+    return {closure: solved(closure) for closure in ("elastic", "constant_pin_force")}

@@ -6,7 +6,6 @@ import re
 import numpy as np
 import pytest
 
-from asperity.export.content import export_content
 from asperity.export.elements import fitted_elements
 from asperity.export.mjcf import mjcf_file
 from asperity.joint.play import NO_PLAY
@@ -78,10 +77,9 @@ def test_cycle_follows_the_windup(made_content, skewness):
 @plastic
 @pytest.mark.slow
 @pytest.mark.parametrize("closure", ["elastic", "constant_pin_force"])
-def test_cycle_of_the_papers_joint(paper_joint, closure):
+def test_cycle_of_the_papers_joint(papers_content, closure):
     """Its loop is 0.7 % of its wind-up; with a constant pin force both directions differ by 5 %."""
-    joint = paper_joint(closure=closure, output_torque=10.0)
-    content = export_content(joint, inertias=None, source="j.toml", largest_torque=None, level="assembly")
+    content = papers_content[closure]
     path, expected = cycle(content.windup)
     width = float(content.windup.hysteresis)
     tolerance = 0.02 if closure == "elastic" else 0.06

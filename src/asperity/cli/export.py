@@ -9,7 +9,7 @@ import click
 from asperity.cli.terminal import say_written
 
 #: Names of the targets; asperity.export.targets has their writers.
-TARGETS = ("table", "mujoco")
+TARGETS = ("table", "mujoco", "fmu")
 LEVELS = ("assembly", "series_with_bulk", "published")
 
 
@@ -20,7 +20,7 @@ LEVELS = ("assembly", "series_with_bulk", "published")
     "--out",
     required=True,
     type=click.Path(dir_okay=False),
-    help="Write to this file: table .csv or .mat (MATLAB), mujoco .xml.",
+    help="Write to this file: table .csv or .mat (MATLAB), mujoco .xml, fmu .fmu.",
 )
 @click.option(
     "--torque",
@@ -40,6 +40,9 @@ def export(file: str, to: str, out: str, torque: str | None, level: str) -> None
     table: stiffness at three levels, wind-up, hysteresis loop and drift per output turn over the torque.
 
     mujoco: a model with motor and output, joined by a spring with the hysteresis of the wind-up (MuJoCo 4.0 or later).
+
+    fmu: a co-simulation unit of FMI 2.0 in C source, with hysteresis, play, and drift while it turns. 'fmpy compile'
+    adds the binary that most programs need.
 
     Every file states the stiffness and the drift, which are two regimes: the wind-up of a joint that stands comes back,
     the drift of a joint that turns does not.

@@ -11,7 +11,7 @@ from asperity.export.content import ExportContent
 from asperity.writing import check_file, replacing
 
 #: Endings of the files of each target.
-SUFFIXES = {"table": (".csv", ".mat"), "mujoco": (".xml",)}
+SUFFIXES = {"table": (".csv", ".mat"), "mujoco": (".xml",), "fmu": (".fmu",)}
 
 
 @dataclass(frozen=True)
@@ -112,4 +112,15 @@ def _mujoco(content: ExportContent, suffix: str) -> Exported:
     return Exported(mjcf_file(content, fitted), fitted.sentences)
 
 
-_WRITERS: dict[str, Callable[[ExportContent, str], Exported]] = {"table": _table, "mujoco": _mujoco}
+def _fmu(content: ExportContent, suffix: str) -> Exported:
+    from asperity.export.fmu import fmu_file, fmu_parts
+
+    parts = fmu_parts(content)
+    return Exported(fmu_file(content, parts), parts.sentences)
+
+
+_WRITERS: dict[str, Callable[[ExportContent, str], Exported]] = {
+    "table": _table,
+    "mujoco": _mujoco,
+    "fmu": _fmu,
+}
