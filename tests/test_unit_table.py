@@ -24,6 +24,7 @@ SPELLINGS = {
     Dimension.MASS: "kg g mg kilogram gram lb pound",
     Dimension.DENSITY: "kg/m^3 kg/m**3 g/cm^3 g/cm³ kg*m^-3 lb/inch^3 kg/m/m/m",
     Dimension.FORCE: "N kN mN MN newton newtons lbf kgf kg*m/s^2 pound_force",
+    Dimension.FORCE_PER_TORQUE: "N/N/m kN/N/m 1/m",
     Dimension.TORQUE: "N*m N*mm mN*m kN*m lbf*inch lbf*ft newton*meter J",
     Dimension.PRESSURE: "Pa MPa GPa kPa psi ksi bar mbar N/mm^2 N/m^2 megapascal gigapascal kN/mm**2 atm",
     Dimension.POWER: "W kW N*m/s J/s mW",

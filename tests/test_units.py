@@ -17,7 +17,8 @@ PINT = pint.UnitRegistry(cache_folder=None)
 
 PAIRS = [(dimension, dimension.example.split(" ")[-1]) for dimension in Dimension if " " in dimension.example]
 PAIRS += [(dimension, dimension.si_unit) for dimension in Dimension if dimension.si_unit != "1"]
-PAIRS = [pair for pair in PAIRS if pair[0] is not Dimension.TEMPERATURE]  # its zero: test_unit_table
+# pint has another zero of the temperature, and reads Nm as a length: test_unit_table
+PAIRS = [pair for pair in PAIRS if pair[0] not in (Dimension.TEMPERATURE, Dimension.FORCE_PER_TORQUE)]
 PAIRS += [(Dimension.DIMENSIONLESS, "%"), (Dimension.PRESSURE, "psi"), (Dimension.LENGTH, "inch")]
 
 numbers = st.one_of(

@@ -42,6 +42,7 @@ class Dimension(Enum):
     MOMENT_OF_INERTIA = ("a moment of inertia", "kg*m^2", "2e-6 kg*m^2", (2, 1, 0, 0, 0))
     DENSITY = ("a density", "kg/m^3", "7850 kg/m^3", (-3, 1, 0, 0, 0))
     FORCE = ("a force", "N", "1000 N", (1, 1, -2, 0, 0))
+    FORCE_PER_TORQUE = ("a force per torque", "N/Nm", "150 N/Nm", (-1, 0, 0, 0, 0))
     TORQUE = ("a torque", "N*m", "5 N*m", (2, 1, -2, 0, 0))
     PRESSURE = ("a pressure", "Pa", "450 MPa", (-1, 1, -2, 0, 0))
     VISCOSITY = ("a viscosity", "Pa*s", "30 mPa*s", (-1, 1, -1, 0, 0))

@@ -37,7 +37,7 @@ def test_numbers_have_four_digits_and_what_is_absent_is_a_dash():
 def test_the_heading_states_the_load_in_its_units():
     document = {
         "input": {"drive": {"planets": 3}, "load": {"sun_speed": 628.3185307179587, "output_torque": 5.0}},
-        "preload": {"force_N": 1000.0, "interference_m": 1.25e-6, "at_assembly": None},
+        "preload": {"force_N": 1000.0, "interference_m": 1.25e-6, "at_assembly": None, "loading_cam": None},
     }
     assert shown(show_heading, document, "joint.toml", width=200).splitlines()[:2] == [
         "joint.toml",

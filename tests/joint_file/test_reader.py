@@ -119,7 +119,7 @@ def test_the_example_is_read(example_case):
             "drive.contact_length.wol: unknown key; did you mean 'wlo'?",
         ),
         ("[surface]", "[surface.sp]", "[surface.pwr], [surface.pwl], [surface.wro], [surface.wlo] are"),
-        ("[load]", "[[load]]", "load: expected a table with preload, interference, output_torque"),
+        ("[load]", "[[load]]", "load: expected a table with preload, interference, cam_force_per_torque"),
         ("[drive]", "[drive", "not valid TOML"),
         ("[drive]", "x = " + "9" * 5000 + "\n[drive]", "not valid TOML: a number has too many digits"),
         ("[drive]", "x = " + "[" * 5000 + "\n[drive]", "nested too deeply; at most 32 levels are read"),

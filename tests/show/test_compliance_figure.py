@@ -13,6 +13,7 @@ SHARES = {
     "planet_support_share": 0.0,
     "input_shaft_share": 0.0,
     "output_shaft_share": 0.0,
+    "loading_cam_share": 0.0,
 }
 
 

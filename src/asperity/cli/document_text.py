@@ -46,7 +46,7 @@ def show_heading(target: Console, document: Document, source: str) -> None:
     target.print(
         f"{source}\n{count(drive['planets'], 'planet')}, sun at {in_unit(load['sun_speed'], 'rpm')}, preload "
         f"{in_unit(preload['force_N'], 'N')} ({in_unit(preload['interference_m'], 'um')} of interference), "
-        f"output torque {in_unit(load['output_torque'], 'N*m')}{temperatures(document)}\n",
+        f"output torque {in_unit(load['output_torque'], 'N*m')}{temperatures(document)}{loading_cam(document)}\n",
         style="bold",
         markup=False,
     )
@@ -64,6 +64,18 @@ def temperatures(document: Document) -> str:
         f"{in_unit(assembled['temperature_degC'], 'degC')} with {in_unit(assembled['force_N'], 'N')} "
         f"({in_unit(assembled['interference_m'], 'um')})"
         + ("" if loose is None else f", loose {side} {in_unit(loose, 'degC')}")
+    )
+
+
+def loading_cam(document: Document) -> str:
+    """What a loading cam does, as a line of the heading; or nothing."""
+    cam = document["preload"]["loading_cam"]
+    if cam is None:
+        return ""
+    return (
+        f"\nloading cam: {in_unit(cam['least_preload_N'], 'N')} and "
+        f"{in_unit(cam['force_per_torque_N_per_Nm'], 'N/Nm')}, turned by {in_unit(cam['angle_rad'], 'arcmin')} at the "
+        "output"
     )
 
 

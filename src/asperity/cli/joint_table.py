@@ -63,6 +63,16 @@ def _show_stiffness(target: Console, document: Document) -> None:
             number(entry["output_Nm_per_rad"]),
             number(entry["output_Nm_per_arcmin"]),
         )
+    cam = document["preload"]["loading_cam"]
+    if cam is not None:
+        held = cam["held_stiffness_output_Nm_per_rad"]
+        squared = document["geometry"]["speed_ratio"] ** 2
+        shown.add_row(
+            "assembled, the loading cam held by its friction",
+            number(None if held is None else held / squared),
+            number(held),
+            scaled(held, math.pi / 10800.0),
+        )
     target.print(shown)
     if document["stiffness_unknown_because"]:
         print_wrapped(target, f"no value: {document['stiffness_unknown_because']}", indent=2)

@@ -74,6 +74,8 @@ class Assembly(eqx.Module):
         Share of each contact's normal spring, which allows the planet to float in its wedge, shape (5, ...) [-].
     ring_bending_share, pin_share, planet_support_share, input_shaft_share, output_shaft_share : Array
         Shares of the structure [-]. All shares add up to 1.
+    loading_cam_share : Real, optional
+        Share of a loading cam that follows the torque, :func:`asperity.drive.loading_cam.with_cam` [-].
     """
 
     stiffness: TorsionalStiffness
@@ -84,6 +86,7 @@ class Assembly(eqx.Module):
     planet_support_share: Array
     input_shaft_share: Array
     output_shaft_share: Array
+    loading_cam_share: Real = 0.0
 
 
 #: The bodies of a branch. By symmetry the sun's centre does not move; the sun only turns.

@@ -17,7 +17,7 @@ from asperity.drive.force_balance import BALANCE_TOLERANCE, force_balance
 from asperity.drive.geometry import CONTACT_NAMES
 from asperity.joint.contacts import bulk_springs, joint_contacts
 from asperity.joint.description import Joint, with_one_rank
-from asperity.joint.evaluation import mechanism
+from asperity.joint.evaluation import drive_under, mechanism
 from asperity.types import Real
 
 #: Kinds of limits, by the codes of :class:`TorqueCapacity`.
@@ -97,7 +97,9 @@ def torque_capacity(joint: Joint, *, direction: Real) -> TorqueCapacity:
     pins = pin_lock(geometry=joint.geometry, bearings=joint.bearings)
 
     def excesses(torque: Array) -> Array:
-        forces = force_balance(mechanism=drive, output_torque=direction * torque)
+        loaded = drive_under(joint, drive, direction * torque)
+        rest = loaded.rest.normal_force
+        forces = force_balance(mechanism=loaded, output_torque=direction * torque)
         touching = forces.normal > _LIFTED * rest
         normal = jnp.where(touching, forces.normal, rest)
         slip = slip_ratio(

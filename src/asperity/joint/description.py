@@ -14,6 +14,7 @@ from asperity.contact.population import ContactFactorModel
 from asperity.drive.assembly import StructureSprings
 from asperity.drive.bearing_life import RatedBearing
 from asperity.drive.geometry import DriveGeometry
+from asperity.drive.loading_cam import cam_preload
 from asperity.drive.mechanism import Bearings, Closure
 from asperity.drive.structure_loads import PinSupport
 from asperity.joint.play import Play
@@ -113,7 +114,7 @@ class Joint(eqx.Module):
     bearings : Bearings
         Friction of the bearings.
     preload : Real
-        Normal force N_0 between sun and planet at rest [N].
+        Normal force N_0 between sun and planet at rest [N]; with a cam the least one, see :func:`preload_at`.
     output_torque : Real
         Torque at the carrier, of either sign [N·m]; positive where it resists a positive rotation.
     sun_speed : Real
@@ -150,6 +151,8 @@ class Joint(eqx.Module):
         The carrier pins as beams; None where their length is not known.
     pin_bearing, sun_bearing, carrier_bearing : RatedBearing or None, optional
         Bearings of the loading rollers, of the sun and of the carrier; None where no life is asked for.
+    cam_force_per_torque : Real or None, optional
+        Loading cam: what each unit of output torque, of either sign, adds to the preload [N/(N·m)]; None without.
     """
 
     geometry: DriveGeometry
@@ -180,6 +183,31 @@ class Joint(eqx.Module):
     pin_bearing: RatedBearing | None = None
     sun_bearing: RatedBearing | None = None
     carrier_bearing: RatedBearing | None = None
+    cam_force_per_torque: Real | None = None
+
+
+def preload_at(joint: Joint, output_torque: Real) -> Real:
+    """Preload of a joint under a torque.
+
+    Parameters
+    ----------
+    joint : Joint
+        The joint.
+    output_torque : Real
+        Torque at the carrier, of either sign [N·m].
+
+    Returns
+    -------
+    Real
+        Normal force between sun and planet at rest [N]; of a joint without a loading cam the same at every torque.
+    """
+    if joint.cam_force_per_torque is None:
+        return joint.preload
+    return cam_preload(
+        least_preload=joint.preload,
+        force_per_torque=joint.cam_force_per_torque,
+        output_torque=output_torque,
+    )
 
 
 def sense_of_rotation(joint: Joint) -> Any:

@@ -12,7 +12,7 @@ import asperity
 from asperity.drive.geometry import CONTACT_NAMES
 from asperity.drive.torsional_stiffness import TorsionalStiffness
 from asperity.joint.capacity import capacity_document
-from asperity.joint.description import Joint
+from asperity.joint.description import Joint, preload_at
 from asperity.joint.evaluation import JointResult
 from asperity.joint.limit_check import LimitCheck, checked_limits
 from asperity.joint.plausibility import plausibility
@@ -53,9 +53,10 @@ def joint_document(
         "assumptions": list(assumptions),
         "geometry": _geometry(solution),
         "preload": {
-            "force_N": joint.preload,
+            "force_N": preload_at(joint, joint.output_torque),
             "interference_m": result.interference,
             "at_assembly": assembly_document(joint),
+            "loading_cam": _loading_cam(joint, result),
         },
         "forces": _forces(result),
         "torque_capacity": _capacity(solution),
@@ -81,6 +82,19 @@ def joint_document(
     }
     cleaned: Document = _plain(document)
     return cleaned
+
+
+def _loading_cam(joint: Joint, result: JointResult) -> Document | None:
+    if joint.cam_force_per_torque is None:
+        return None
+    return {
+        "least_preload_N": joint.preload,
+        "force_per_torque_N_per_Nm": joint.cam_force_per_torque,
+        "angle_rad": result.cam_angle,
+        "held_stiffness_output_Nm_per_rad": RESULTS["held_cam_output_stiffness"].of(
+            SolvedJoint(joint, result)
+        ),
+    }
 
 
 def _limit_check(entry: LimitCheck) -> Document:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import dataclasses
 import math
+from typing import Any
 
 import equinox as eqx
 import jax
@@ -16,6 +17,7 @@ from asperity.drive.assembly import Assembly, assembly_stiffness
 from asperity.drive.force_balance import BALANCE_TOLERANCE, DriveForces, force_balance
 from asperity.drive.geometry import CONTACT_NAMES, DriveAngles, angles, carrier_speed, speed_ratio, triangle
 from asperity.drive.interference import interference
+from asperity.drive.loading_cam import cam_angle, cam_compliance, with_cam
 from asperity.drive.mechanism import Mechanism, opposed, rest_state
 from asperity.drive.torsional_stiffness import (
     TorsionalStiffness,
@@ -30,7 +32,7 @@ from asperity.joint.contacts import (
     loaded_contacts,
     rough_joint_contacts,
 )
-from asperity.joint.description import Bodies, Joint, sense_of_rotation, with_one_rank
+from asperity.joint.description import Bodies, Joint, preload_at, sense_of_rotation, with_one_rank
 from asperity.joint.diagnostics import Diagnostics, diagnose
 from asperity.joint.duty import duty_life
 from asperity.joint.elastic_bodies import assembly_springs, walls_hold
@@ -70,6 +72,8 @@ class JointResult(eqx.Module):
         The fullest model: asperities and bulk, floating planet, pins, ring and shafts, with its compliance budget.
     interference : Array
         Interference that makes the preload: by how much the ring is too small for its rollers [m].
+    cam_angle : Array
+        Angle at the output by which a loading cam has turned, without sign [rad]; 0 without one.
     diagnostics : Diagnostics
         Limits of the model and how close this joint is to each.
     rolling : RollingResult
@@ -96,6 +100,7 @@ class JointResult(eqx.Module):
     series_with_bulk: TorsionalStiffness
     assembly: Assembly
     interference: Array
+    cam_angle: Array
     diagnostics: Diagnostics
     rolling: RollingResult
     contact_law_holds: Array
@@ -203,17 +208,40 @@ def mechanism(joint: Joint) -> Mechanism:
     return _mechanism(joint, joint_contacts(joint))
 
 
+def drive_under(joint: Joint, drive: Mechanism, output_torque: Real) -> Mechanism:
+    """The drive of a joint under a torque.
+
+    Parameters
+    ----------
+    joint : Joint
+        The joint.
+    drive : Mechanism
+        Its drive under a torque of the same sign.
+    output_torque : Real
+        Torque at the carrier [N·m].
+
+    Returns
+    -------
+    Mechanism
+        The same drive, pressed as much as its loading cam presses it under this torque.
+    """
+    if joint.cam_force_per_torque is None:
+        return drive
+    return mechanism(dataclasses.replace(joint, output_torque=output_torque))
+
+
 def _mechanism(joint: Joint, contacts: JointContacts) -> Mechanism:
     geometry = joint.geometry
     sides = triangle(geometry)
-    rest = rest_state(geometry=geometry, sides=sides, preload=joint.preload)
+    preload = preload_at(joint, joint.output_torque)
+    rest = rest_state(geometry=geometry, sides=sides, preload=preload)
     return Mechanism(
         geometry=geometry,
         sides=sides,
         rest=rest,
         bearings=opposed(bearings=joint.bearings, sense_of_rotation=sense_of_rotation(joint)),
         springs=closure_springs(contacts=contacts, rest_force=rest.normal_force, model=joint.closure_springs),
-        preload=joint.preload,
+        preload=preload,
         carrier_speed=carrier_speed(geometry=geometry, sun_speed=joint.sun_speed),
         planet_mass=planet_mass(joint),
         loading_roller_mass=loading_roller_mass(joint),
@@ -257,6 +285,23 @@ def evaluate(joint: Joint) -> JointResult:
         structure=joint.structure,
         coupling=springs.coupling,
     )
+    rest_compliance = joint_rest_compliance(
+        joint=dataclasses.replace(joint, preload=drive.preload),
+        contacts=contacts,
+        rest=drive.rest,
+        springs=springs,
+    )
+    turned = jnp.zeros_like(forces.input_torque)
+    if joint.cam_force_per_torque is not None:
+        cam: dict[str, Any] = {
+            "geometry": geometry,
+            "rest": drive.rest,
+            "compliance": rest_compliance,
+            "preload": drive.preload,
+            "force_per_torque": joint.cam_force_per_torque,
+        }
+        turned = cam_angle(**cam, least_preload=joint.preload)
+        assembly = with_cam(assembly=assembly, compliance=cam_compliance(**cam))
     law_holds = jnp.all((loaded.rough.normal_stiffness > 0.0) | (forces.normal <= 0.0), axis=0)
     walls = walls_hold(joint, loaded.half_width)
     published, series = jax.tree.map(lambda value: jnp.where(law_holds, value, jnp.nan), (published, series))
@@ -276,12 +321,8 @@ def evaluate(joint: Joint) -> JointResult:
         published=published,
         series_with_bulk=series,
         assembly=assembly,
-        interference=interference(
-            compliance=joint_rest_compliance(
-                joint=joint, contacts=contacts, rest=drive.rest, springs=springs
-            ),
-            preload=joint.preload,
-        ),
+        interference=interference(compliance=rest_compliance, preload=drive.preload),
+        cam_angle=turned,
         diagnostics=diagnose(
             sides=drive.sides,
             pairs=contacts.pairs,

@@ -122,6 +122,11 @@ def refuse_bad_numbers(joint: Joint) -> None:
             raise InputError(
                 f"{path} = {value:g} (SI units) is not allowed; it must be at least 0 and finite"
             )
+    cam = joint.cam_force_per_torque
+    if cam is not None and not 0.0 <= _single("cam_force_per_torque", cam) < math.inf:
+        raise InputError(
+            f"cam_force_per_torque = {float(cam):g} N/(N·m) is not allowed; it must be at least 0 and finite"
+        )
     for name, stiffness in vars(joint.structure).items():
         if not _single(name, stiffness) >= 0.0:
             raise InputError(

@@ -13,7 +13,7 @@ from asperity.drive.force_balance import BALANCE_TOLERANCE, force_balance
 from asperity.drive.rolling_state import ROLLING_TOLERANCE, rolling_state
 from asperity.joint.contacts import joint_contacts, rough_joint_contacts
 from asperity.joint.description import Joint, with_one_rank
-from asperity.joint.evaluation import mechanism
+from asperity.joint.evaluation import drive_under, mechanism
 from asperity.joint.rolling import contact_creep
 from asperity.types import Real
 
@@ -52,7 +52,8 @@ def rolling_torque_capacity(joint: Joint, *, direction: Real) -> Array:
     friction = contacts.pairs.friction_coefficient
 
     def excesses(torque: Array) -> Array:
-        forces = force_balance(mechanism=drive, output_torque=direction * torque)
+        loaded = drive_under(joint, drive, direction * torque)
+        forces = force_balance(mechanism=loaded, output_torque=direction * torque)
         rough = rough_joint_contacts(
             contacts=contacts,
             normal_force=forces.normal,
@@ -64,7 +65,7 @@ def rolling_torque_capacity(joint: Joint, *, direction: Real) -> Array:
             forces=forces,
             asperity_normal_stiffness=rough.normal_stiffness,
         )
-        state = rolling_state(mechanism=drive, standing=forces, law=creep.law)
+        state = rolling_state(mechanism=loaded, standing=forces, law=creep.law)
         slip = slip_ratio(
             normal_force=state.normal, tangential_force=state.tangential, friction_coefficient=friction
         )

@@ -47,6 +47,11 @@ def assumptions(case: Case) -> tuple[str, ...]:
             f"{1e6 * max(getattr(case.drive, name).tolerance for name in sizes):.3g} µm, does not move it; give "
             "load.interference if the sizes make the preload"
         )
+    if case.load.cam_force_per_torque is not None:
+        told.append(
+            "loading cam: its ramps have no friction, so that it follows every change of the torque and turns as far "
+            "as the work on the contacts demands; a cam that sticks is stiffer, and adds hysteresis of its own"
+        )
     told += _temperature(case)
     for roller in ("planet", "loading_roller"):
         if getattr(case.drive, f"{roller}_length") is None:

@@ -137,6 +137,7 @@ def joint_from_values(values: Values) -> Joint:
         pin_bearing=_bearing(values.get("pin_bearing")),
         sun_bearing=_bearing(values.get("sun_bearing")),
         carrier_bearing=_bearing(values.get("carrier_bearing")),
+        cam_force_per_torque=load.get("cam_force_per_torque"),
     )
     if "interference" not in load:
         return joint

@@ -18,6 +18,7 @@ PUSH_ANGLE = Key(Dimension.ANGLE, -60.0, 60.0, "deg")
 
 PRELOAD = Key(Dimension.FORCE, 1e-3, 1e9, "N")
 INTERFERENCE = Key(Dimension.LENGTH, 0.0, 1e6, "um", open_lower=True, example="13 um")
+CAM_FORCE = Key(Dimension.FORCE_PER_TORQUE, 0.0, 1e9, "N/Nm", example="150 N/Nm")
 OUTPUT_TORQUE = Key(Dimension.TORQUE, -1e9, 1e9, "N*m")
 SUN_SPEED = Key(Dimension.ANGULAR_VELOCITY, 0.0, 1e6, "rpm")
 FRICTION_COEFFICIENT = Key(Dimension.DIMENSIONLESS, 0.0, 10.0, open_lower=True)

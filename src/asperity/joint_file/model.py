@@ -78,6 +78,9 @@ class Load(Section):
     interference: Annotated[Quantity, limits.INTERFERENCE] | None = None
     """Interference that makes the preload: by how much the ring's inner radius lies below the radius at which all
     contacts just touch."""
+    cam_force_per_torque: Annotated[Quantity, limits.CAM_FORCE] | None = None
+    """Loading cam: what each N*m of output torque, in either direction, adds to the preload between sun and planet; the
+    preload or interference above is then the least one, without torque. No cam if absent."""
     output_torque: Annotated[Quantity, limits.OUTPUT_TORQUE]
     """Torque at the carrier; negative in the other direction, where it brakes a drive that turns."""
     sun_speed: Annotated[Quantity, limits.SUN_SPEED]

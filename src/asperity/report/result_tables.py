@@ -101,6 +101,7 @@ def summary(document: Document) -> Table:
         ("preload between sun and planet", quantity(document["preload"]["force_N"], "N")),
         ("interference that makes it", quantity(document["preload"]["interference_m"], "um")),
         *_at_assembly(document),
+        *_loading_cam(document),
         ("torsional stiffness at the output, assembled", quantity(stiffness, "N*m/arcmin")),
         (
             "drift of the output in one turn of its own",
@@ -127,6 +128,18 @@ def _at_assembly(document: Document) -> list[tuple[str, str]]:
         ("preload at the assembly", quantity(assembled["force_N"], "N")),
         ("interference at the assembly", quantity(assembled["interference_m"], "um")),
         ("temperature without interference", "-" if loose is None else quantity(loose, "degC")),
+    ]
+
+
+def _loading_cam(document: Document) -> list[tuple[str, str]]:
+    """Numbers of a loading cam."""
+    cam = document["preload"]["loading_cam"]
+    if cam is None:
+        return []
+    return [
+        ("preload without torque", quantity(cam["least_preload_N"], "N")),
+        ("loading cam, force per torque", quantity(cam["force_per_torque_N_per_Nm"], "N/Nm")),
+        ("angle of the loading cam at the output", quantity(cam["angle_rad"], "arcmin")),
     ]
 
 

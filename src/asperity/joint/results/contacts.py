@@ -8,6 +8,7 @@ from typing import Any
 
 import jax.numpy as jnp
 
+from asperity.joint.description import preload_at
 from asperity.joint.results.result import Result, SolvedJoint
 from asperity.unit_table import Dimension
 
@@ -32,7 +33,15 @@ def _elastic(name: str, label: str, path: str, dimension: Dimension, unit: str, 
 
 
 ROWS = (
-    _force("preload", "preload between sun and planet", _FORCE, "N", "joint.preload", needs="geometry"),
+    _force(
+        "preload",
+        "preload between sun and planet",
+        _FORCE,
+        "N",
+        lambda solved: preload_at(solved.joint, solved.joint.output_torque),
+        needs="geometry",
+        note="with a loading cam, that under the output torque",
+    ),
     _force(
         "interference",
         "interference that makes the preload",
@@ -52,6 +61,16 @@ ROWS = (
         positive=False,
         note="by the working temperature, to that at the assembly; 0 without [temperature], or where load.preload is a "
         "force",
+    ),
+    _force(
+        "cam_angle",
+        "angle at the output by which the loading cam has turned",
+        Dimension.ANGLE,
+        "arcmin",
+        "result.cam_angle",
+        needs="geometry",
+        positive=False,
+        note="of a cam without friction; 0 without one",
     ),
     _force(
         "normal_force", "normal force of the contact", _FORCE, "N", "result.forces.normal", axis="contact"

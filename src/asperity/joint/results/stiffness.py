@@ -78,8 +78,22 @@ def _share(name: str, words: str) -> Result:
     )
 
 
+def _held(solved: SolvedJoint) -> Any:
+    assembly = solved.result.assembly
+    return assembly.stiffness.output / (1.0 - assembly.loading_cam_share)
+
+
 ROWS = (
     *(row for level in _LEVELS for row in _rows(*level)),
+    Result(
+        "held_cam_output_stiffness",
+        "torsional stiffness at the output, assembly with its loading cam held",
+        Dimension.TORSIONAL_STIFFNESS,
+        Dimension.TORSIONAL_STIFFNESS.si_unit,
+        _held,
+        group="assembly",
+        note="for torques too small to move the cam against the friction of its ramps; without a cam the assembly's",
+    ),
     _share("tangential", "the contact's tangential spring"),
     _share("normal", "the contact's normal spring (floating planet)"),
     _share("ring_bending", "the ring's bending"),
@@ -87,4 +101,5 @@ ROWS = (
     _share("planet_support", "the planet supports"),
     _share("input_shaft", "the input shaft"),
     _share("output_shaft", "the output shaft"),
+    _share("loading_cam", "the loading cam"),
 )
