@@ -22,7 +22,7 @@ HEAD = """\
 Every number that `asperity` computes for a joint. The names are the same everywhere: `asperity sweep --results`,
 `asperity sensitivity --result`, `asperity uncertainty --results`, objectives and limits of `asperity design`, the
 warnings of `asperity joint`. `--results` also takes the name of a group, `stiffness` (at sun and output, every model)
-and `all`.
+and `all`, which is everything but the group `stresses`.
 
 Tables show the unit given here; datasets and JSON documents are in SI units. A result *of contacts* has one number for
 each of `sp`, `pwr`, `pwl`, `wro`, `wlo`; its single numbers are called `slip_ratio_sp` and so on. Results that need

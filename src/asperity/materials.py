@@ -29,6 +29,10 @@ class Material(eqx.Module):
         Specific heat capacity c [J/(kg K)]; None if it is not known.
     thermal_expansion : Real or None
         Coefficient of linear thermal expansion alpha [1/K]; None if it is not known.
+    fatigue_strength : Real or None
+        Amplitude of a stress of mean zero that a part of it endures [Pa]; None if it is not known.
+    tensile_strength : Real or None
+        Tensile strength [Pa]; None if it is not known.
     """
 
     youngs_modulus: Real
@@ -39,6 +43,8 @@ class Material(eqx.Module):
     thermal_conductivity: Real | None = None
     specific_heat_capacity: Real | None = None
     thermal_expansion: Real | None = None
+    fatigue_strength: Real | None = None
+    tensile_strength: Real | None = None
 
 
 def hardness(*, hardness_factor: Real, yield_strength: Real) -> Real:

@@ -10,10 +10,12 @@ from scipy.sparse import bmat, coo_matrix
 from scipy.sparse.linalg import splu
 
 from asperity.body.compliance import compliance_matrix, modes_needed
+from asperity.body.rim_range import POINTS, RimLoads, rim_stresses
 from asperity.body.rim_stress import hoop_stress
 from asperity.body.shapes import Annulus, Disc
 
 E, NU = 206e9, 0.3
+stresses = jax.jit(rim_stresses)
 matrix = jax.jit(compliance_matrix, static_argnames=("copies", "mode_count"))
 
 
@@ -186,6 +188,8 @@ def test_ring_under_six_loads(support):
         assert found == pytest.approx(expected, rel=0.01, abs=2e-3 * expected[0, 0])
         if sign > 0.0 and support == 0.0:
             check_stress(mesh, u, ring, apart)
+        if sign > 0.0 and math.isinf(support):
+            check_housing(mesh, u, ring, apart)
 
 
 def edge_shear(mesh, k):
@@ -246,3 +250,25 @@ def check_stress(mesh, motions, ring, apart):
                 slope = np.linalg.lstsq(basis, tangential[near], rcond=None)[0][powers.index(1)] / 0.1
                 expected = (radial[at] + slope) / mesh.radii[row] * E / (1 - NU**2)
                 assert float(ours[place]) == pytest.approx(expected, rel=0.01, abs=0.5)
+
+
+def check_housing(mesh, motions, ring, apart):
+    """Tractions of a held outer rim: their first Fourier coefficients from the reactions of the nodes."""
+    nodes, outer = mesh.number[-1], mesh.radii[-1]
+    angle = np.arange(POINTS) / POINTS * 2.0 * math.pi / 3.0
+    forces = ((jnp.ones(2), jnp.zeros(2)), (jnp.zeros(2), jnp.array([-1.0, 1.0])))
+    for u, (pushes, drags) in zip(motions, forces, strict=True):
+        reaction = mesh.stiffness @ u
+        x, y = reaction[2 * nodes], reaction[2 * nodes + 1]
+        radial = x * np.cos(mesh.angles) + y * np.sin(mesh.angles)
+        tangential = -x * np.sin(mesh.angles) + y * np.cos(mesh.angles)
+        loads = RimLoads(jnp.array([-apart, apart]), pushes, drags, jnp.full(2, 1e-5), 3.0)
+        ours = stresses(body=ring, loads=loads)
+        step = math.pi / 3.0 / POINTS * outer  # half a sector, as that of the elements
+        for mode in (0, 3, 6, 12):
+            expected = radial @ np.cos(mode * mesh.angles)
+            found = float(step * ours.other_radial[:POINTS] @ jnp.cos(mode * angle))
+            assert found == pytest.approx(expected, rel=0.01, abs=2e-3)
+            expected = tangential @ np.sin(mode * mesh.angles)
+            found = float(step * ours.other_shear[:POINTS] @ jnp.sin(mode * angle))
+            assert found == pytest.approx(expected, rel=0.01, abs=2e-3)

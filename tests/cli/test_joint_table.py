@@ -80,6 +80,8 @@ def document():
         "drift_rad_per_output_turn": math.radians(0.5),
         "rolling": {"torque_capacity_Nm": 11.5},
         "speed_loss": 2e-3,
+        "bearings": [],
+        "rims": {},
         "torsional_stiffness": dict.fromkeys(("assembly", "series_with_bulk", "published"), stiffness),
         "stiffness_budget": {"pins_share": 0.25, "contacts_share": each(0.5, 0.25, 0.0, 0.0, 0.0)},
         "diagnostics": slips,
@@ -187,3 +189,21 @@ def test_the_interval_of_a_measured_surface(document, shown):
     assert "95% interval from the measured surface (D = 1.400, G = 1e-8 mm)" in text
     assert text.count("7000") == text.count("9000") == 3
     assert "2 had a D outside 1 to 2, 0 had no solution and 0 had plastic spots only" in text
+
+
+def test_bearings_and_bodies_that_bend_have_a_row_each(shown, document):
+    assert not any(line.startswith(("  bearings", "  bending")) for line in shown(document))
+    document["bearings"] = [
+        {"bearing": "right_pin", "life_hours": None},
+        {"bearing": "left_pin", "life_hours": 75690.7},
+    ]
+    document["rims"] = {
+        "ring": {"yield_safety": 7.467, "fatigue_safety": None},
+        "loading_roller": {"yield_safety": 3.0, "fatigue_safety": 2.5},
+    }
+    text = " ".join(" ".join(shown(document)).split())
+    assert "bearings life L10: left pin 75691 h ('asperity loads' says more)" in text
+    assert (
+        "bending safety of ring 7.467 against yield; loading roller 3 against yield, 2.5 against fatigue"
+        in text
+    )

@@ -11,9 +11,10 @@ from asperity.compilation import call_compiled
 from asperity.drive.bearing_life import RatedBearing
 from asperity.joint import bearing_lives as module
 from asperity.joint.bearing_lives import BEARING_NAMES, bearing_lives
-from asperity.joint.loads_document import bearing_entries
+from asperity.joint.results import SolvedJoint
 from asperity.joint.rolling_conditions import DutyPoint
 from asperity.joint.solve import solve
+from asperity.joint.strength_document import bearing_entries
 from asperity.joint.working_loads import bearing_speeds, working_loads
 from asperity.joint_file.build import joint_from_case
 
@@ -58,7 +59,7 @@ def test_a_bearing_that_stands_has_no_life_in_hours(joint, solution):
     found = bearing_lives(standing, solution.result)
     assert np.all(np.isnan(np.asarray(found.life)))
     assert np.asarray(found.static_safety)[[0, 1, 3]].min() > 1.0
-    entry = bearing_entries(standing, solution)[0]
+    entry = bearing_entries(SolvedJoint(standing, solution.result))[0]
     assert entry["life_hours"] is None
     assert "it stands" in entry["absent_because"][0]
 
@@ -66,7 +67,7 @@ def test_a_bearing_that_stands_has_no_life_in_hours(joint, solution):
 def test_a_bearing_without_load_lives_for_ever(plain, solution):
     free = dataclasses.replace(plain, carrier_bearing=dataclasses.replace(HELD, outside_force=0.0))
     assert float(bearing_lives(free, solution.result).life[3]) == math.inf
-    (entry,) = bearing_entries(free, solution)
+    (entry,) = bearing_entries(SolvedJoint(free, solution.result))
     assert (entry["bearing"], entry["life_hours"], entry["static_safety"]) == ("carrier", None, None)
     assert "no load" in entry["absent_because"][0]
 

@@ -29,8 +29,8 @@ def tables(report):
 
 def test_sections_in_the_order_of_a_review(made):
     assert made.sections == (
-        "Summary", "Inputs", "Assumptions", "Drawing", "Stiffness", "Forces and contacts", "Safety margins", "Warnings",
-        "Wind-up", "The joint in rolling", "Versions", "Joint file",
+        "Summary", "Inputs", "Assumptions", "Drawing", "Stiffness", "Forces and contacts", "Loads of the structure",
+        "Safety margins", "Warnings", "Wind-up", "The joint in rolling", "Versions", "Joint file",
     )  # fmt: skip
     assert len([block for block in made.blocks if isinstance(block, Picture)]) == 6
     assert [block.sheet for block in made.blocks if isinstance(block, Picture)].count(True) == 1
@@ -87,3 +87,10 @@ def test_a_joint_without_torque_has_a_report_that_says_what_is_absent():
     place = report.blocks.index(Heading("Wind-up"))
     assert report.blocks[place + 1].text.startswith("No wind-up: a wind-up needs a torque that is not zero")
     assert report_html(report)
+
+
+def test_loads_of_the_structure_are_those_of_the_balance(made):
+    rows = {row[:2]: row[2:] for row in tables(made)["Loads of the structure"].rows}
+    assert rows["carrier, on the axis", "torque of all pins"] == ("0", "5", "N·m")
+    assert rows["carrier pin, left roller", "resultant force"][0] == "127.8"  # 1000 N/(2 cos theta) sin beta
+    assert "Hoop stress of bodies that bend, and their safety" not in tables(made)

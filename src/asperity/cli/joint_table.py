@@ -192,6 +192,7 @@ def _show_drive(target: Console, document: Document) -> None:
             "pin force",
             f"left {in_unit(forces['pin_N']['left'], 'N')}, right {in_unit(forces['pin_N']['right'], 'N')}",
         ),
+        *_strength(document),
         (
             "mass",
             f"planet {in_unit(forces['planet_mass_kg'], 'g')}, "
@@ -200,6 +201,26 @@ def _show_drive(target: Console, document: Document) -> None:
         ("clearance", f"at least {in_unit(gap['gap_m'], 'mm')}: {gap['condition']}"),
     ):
         print_wrapped(target, f"  {label:<10} {text}", indent=13)
+
+
+def _strength(document: Document) -> list[tuple[str, str]]:
+    """Lives of rated bearings, and safeties of the bodies that bend."""
+    lives = [
+        f"{each['bearing'].replace('_', ' ')} {number(hours)} h"
+        for each in document["bearings"]
+        if (hours := each["life_hours"]) is not None
+    ]
+    safeties = [
+        f"{name.replace('_', ' ')} {number(each['yield_safety'])} against yield"
+        + ("" if each["fatigue_safety"] is None else f", {number(each['fatigue_safety'])} against fatigue")
+        for name, each in document["rims"].items()
+    ]
+    rows = []
+    if document["bearings"]:
+        rows.append(("bearings", f"life L10: {', '.join(lives) or 'none'} ('asperity loads' says more)"))
+    if safeties:
+        rows.append(("bending", f"safety of {'; '.join(safeties)}"))
+    return rows
 
 
 def _rolling_capacity(document: Document) -> str:

@@ -35,13 +35,16 @@ def loads(file: str, csv_file: str | None, as_json: bool) -> None:
 
     use_double_precision()
     use_compilation_cache()
-    from asperity.joint.loads_document import bearing_entries, load_cases, loads_document
+    from asperity.joint.loads_document import load_cases, loads_document
+    from asperity.joint.results import SolvedJoint
     from asperity.joint.solve import solve
+    from asperity.joint.strength_document import bearing_entries
     from asperity.joint_file.build import joint_from_case
 
     joint = joint_from_case(case)
     solution = solve(joint)
-    document = loads_document(joint, load_cases(joint, solution), bearing_entries(joint, solution))
+    solved = SolvedJoint(joint, solution.result, solution.capacity)
+    document = loads_document(joint, load_cases(joint, solution), bearing_entries(solved))
     if csv_file:
         _write(document, csv_file)
         say_written(csv_file)

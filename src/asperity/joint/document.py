@@ -20,6 +20,7 @@ from asperity.joint.results import GROUPS, RESULTS, SolvedJoint
 from asperity.joint.rolling_document import contact_results, losses, rolling_document
 from asperity.joint.rolling_refusal import rolling_capacity_of
 from asperity.joint.solve import Solution
+from asperity.joint.strength_document import bearing_entries, rim_entries
 from asperity.joint.temperature import assembly_document
 
 Document = dict[str, Any]
@@ -47,6 +48,7 @@ def joint_document(
         Nested tables of numbers and text. Numbers that are not finite are None; the diagnostics say why.
     """
     result = solution.result
+    solved = SolvedJoint(joint, result)
     document = {
         "asperity_version": asperity.__version__,
         "input": inputs,
@@ -60,7 +62,7 @@ def joint_document(
         },
         "forces": _forces(result),
         "torque_capacity": _capacity(solution),
-        "contacts": _contacts(SolvedJoint(joint, result)),
+        "contacts": _contacts(solved),
         "torsional_stiffness": _torsional_stiffness(result),
         "stiffness_unknown_because": stiffness_unknown_because(result),
         "stiffness_budget": _stiffness_budget(result),
@@ -69,6 +71,8 @@ def joint_document(
         "efficiency": result.rolling.power.efficiency,
         "losses_W": losses(result.rolling),
         "life_hours": result.rolling.life_hours.drive,
+        "bearings": bearing_entries(solved),
+        "rims": rim_entries(solved),
         "rolling": {
             **rolling_document(joint, result),
             "torque_capacity_Nm": rolling_capacity_of(

@@ -14,10 +14,8 @@ import numpy as np
 import asperity
 from asperity.compilation import compile_fast
 from asperity.drive.structure_loads import PIN_NAMES, StructureLoads, pin_bending_moment, pin_bending_stress
-from asperity.joint.bearing_lives import BEARING_NAMES, rated_bearings
 from asperity.joint.description import Joint
 from asperity.joint.evaluation import JointResult
-from asperity.joint.results import SolvedJoint
 from asperity.joint.rolling_document import unknown_because
 from asperity.joint.solve import Solution, solve_program
 from asperity.joint.working_loads import BearingSpeeds, bearing_speeds, loads_at_rest, working_loads
@@ -74,62 +72,6 @@ class LoadCase:
     unknown_because: str | None
 
 
-def bearing_entries(joint: Joint, solution: Solution) -> list[Document]:
-    """Loads, lives and safeties of the rolling bearings of a joint, ready for :func:`json.dumps`.
-
-    Parameters
-    ----------
-    joint : Joint
-        One joint.
-    solution : Solution
-        What it does under its working torque.
-
-    Returns
-    -------
-    list of dict
-        One entry for each bearing with ratings; a number that is not known or infinite is None, and
-        ``absent_because`` says why.
-    """
-    solved = SolvedJoint(joint, solution.result, solution.capacity)
-    entries = []
-    for index, (name, rated) in enumerate(zip(BEARING_NAMES, rated_bearings(joint), strict=True)):
-        if rated is None:
-            continue
-        found = {key: float(np.asarray(value)[index]) for key, value in vars(solved.bearings).items()}
-        entries.append(
-            {
-                "bearing": name,
-                "type": rated.kind,
-                "dynamic_rating_N": float(rated.dynamic_rating),
-                "static_rating_N": float(rated.static_rating),
-                "load_N": _plain(found["load"]),
-                "life_hours": _plain(found["life"] / 3600.0),
-                "duty_life_hours": _plain(found["duty_life"] / 3600.0) if joint.rolling.duty else None,
-                "static_safety": _plain(found["static_safety"]),
-                "load_over_dynamic_rating": _plain(found["load_ratio"]),
-                "absent_because": _absent_because(joint, found),
-            }
-        )
-    return entries
-
-
-def _absent_because(joint: Joint, found: dict[str, float]) -> list[str]:
-    """Why lives of a bearing are absent."""
-    why = []
-    lives = [found["life"], *([found["duty_life"]] if joint.rolling.duty else [])]
-    if math.isnan(found["load"]):
-        why.append("its load is not known: the joint slips or does not roll")
-    elif math.isnan(found["life"]):
-        why.append("it stands: no life in hours at this speed, only its static safety counts")
-    elif math.isinf(found["life"]):
-        why.append("it carries no load: its life is not limited by fatigue")
-    if joint.rolling.duty and math.isnan(lives[-1]) and not math.isnan(found["load"]):
-        why.append("no life under the duty: the joint slips or does not roll under one of its loads")
-    if joint.rolling.duty and math.isinf(lives[-1]) and not math.isinf(found["life"]):
-        why.append("no load of the duty turns it")
-    return why
-
-
 def load_cases(joint: Joint, solution: Solution) -> tuple[LoadCase, ...]:
     """The joint at rest, under its working torque, and under every load of its duty.
 
@@ -177,7 +119,7 @@ def loads_document(joint: Joint, cases: tuple[LoadCase, ...], bearings: list[Doc
     cases : tuple of LoadCase
         Its loads.
     bearings : list of dict
-        Its :func:`bearing_entries`.
+        Its :func:`asperity.joint.strength_document.bearing_entries`.
 
     Returns
     -------

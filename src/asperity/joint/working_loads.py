@@ -33,6 +33,36 @@ class BearingSpeeds(eqx.Module):
     carrier: Array
 
 
+def working_forces(joint: Joint, result: JointResult) -> tuple[Array, Array]:
+    """Forces of the contacts in the state in which a joint works.
+
+    Parameters
+    ----------
+    joint : Joint
+        One joint, or many along trailing batch axes.
+    result : JointResult
+        Its result.
+
+    Returns
+    -------
+    normal, tangential : Array
+        Of the rolling state where the sun turns, of the state at rest where it stands, shape (5, ...) [N]; nan where a
+        contact slips or the equations are not solved.
+
+    References
+    ----------
+    :mod:`asperity.drive.force_balance`, :mod:`asperity.drive.rolling_state`.
+    """
+    turns = jnp.asarray(joint.sun_speed) > 0.0
+    forces, rolling = result.forces, result.rolling
+    holds = result.solved & ~some_contact_slips(slip_ratio=result.diagnostics.slip_ratio)
+    normal, tangential = (
+        jnp.where(turns, moving, jnp.where(holds, standing, jnp.nan))
+        for moving, standing in ((rolling.normal, forces.normal), (rolling.tangential, forces.tangential))
+    )
+    return normal, tangential
+
+
 def working_loads(joint: Joint, result: JointResult) -> StructureLoads:
     """Loads of the structure under the joint's torque.
 
@@ -46,21 +76,13 @@ def working_loads(joint: Joint, result: JointResult) -> StructureLoads:
     Returns
     -------
     StructureLoads
-        Of the rolling state where the sun turns, of the state at rest where it stands; nan where a contact slips or
-        the equations are not solved.
+        Under the :func:`working_forces`.
 
     References
     ----------
     Equation (L1) of :doc:`/equations`.
     """
-    turns = jnp.asarray(joint.sun_speed) > 0.0
-    forces, rolling = result.forces, result.rolling
-    holds = result.solved & ~some_contact_slips(slip_ratio=result.diagnostics.slip_ratio)
-    normal, tangential = (
-        jnp.where(turns, moving, jnp.where(holds, standing, jnp.nan))
-        for moving, standing in ((rolling.normal, forces.normal), (rolling.tangential, forces.tangential))
-    )
-    return _loads(joint, normal, tangential)
+    return _loads(joint, *working_forces(joint, result))
 
 
 def loads_at_rest(joint: Joint) -> StructureLoads:

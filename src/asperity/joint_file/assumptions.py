@@ -57,6 +57,7 @@ def assumptions(case: Case) -> tuple[str, ...]:
         if getattr(case.drive, f"{roller}_length") is None:
             told.append(f"no drive.{roller}_length: as long as the longest contact line on it")
     told += _rolling(case)
+    told += _fatigue(case)
     return tuple(told)
 
 
@@ -95,6 +96,20 @@ def _thermal_interference(case: Case) -> float:
         housing_expansion=given.get("housing_expansion"),
     )
     return float(change)
+
+
+def _fatigue(case: Case) -> list[str]:
+    """Which bending bodies have no safety against fatigue."""
+    bends = {
+        "ring": case.drive.ring_support in ("free", "elastic_housing"),
+        "planet": case.drive.planet_bore_diameter is not None,
+        "loading_roller": case.drive.loading_roller_bore_diameter is not None,
+    }
+    return [
+        f"no fatigue_strength of material {name}: the {body.replace('_', ' ')} bends, but has no safety against fatigue"
+        for body, name in case.bodies
+        if bends.get(body, False) and case.materials[name].fatigue_strength is None
+    ]
 
 
 def _rolling(case: Case) -> list[str]:

@@ -284,6 +284,8 @@ def _material(entry: Values) -> Material:
         thermal_conductivity=entry.get("thermal_conductivity"),
         specific_heat_capacity=entry.get("specific_heat_capacity"),
         thermal_expansion=entry.get("thermal_expansion"),
+        fatigue_strength=entry.get("fatigue_strength"),
+        tensile_strength=entry.get("tensile_strength"),
     )
 
 

@@ -45,6 +45,8 @@ YOUNGS_MODULUS = Key(Dimension.PRESSURE, 1e-4, 1e4, "GPa", example="206 GPa")
 POISSON_RATIO = Key(Dimension.DIMENSIONLESS, -1.0, 0.5, open_lower=True, example="0.3")
 DENSITY = Key(Dimension.DENSITY, 0.0, 1e5, "kg/m^3")
 YIELD_STRENGTH = Key(Dimension.PRESSURE, 1e-3, 1e6, "MPa")
+FATIGUE_STRENGTH = Key(Dimension.PRESSURE, 1e-3, 1e6, "MPa", example="300 MPa")
+TENSILE_STRENGTH = Key(Dimension.PRESSURE, 1e-3, 1e6, "MPa", example="1000 MPa")
 HARDNESS_FACTOR = Key(Dimension.DIMENSIONLESS, 0.1, 100.0, example="2.8")
 HARDNESS = Key(Dimension.PRESSURE, 1e-3, 1e6, "MPa", example="1260 MPa")
 

@@ -35,6 +35,12 @@ class MaterialEntry(Section):
     """Specific heat capacity, for the flash temperature of the contacts."""
     thermal_expansion: Annotated[Quantity, limits.THERMAL_EXPANSION] | None = None
     """Coefficient of linear thermal expansion, for [temperature]."""
+    fatigue_strength: Annotated[Quantity, limits.FATIGUE_STRENGTH] | None = None
+    """Amplitude of a stress of mean zero that the finished part endures, its surface, size and reliability counted; for
+    the fatigue of ring and hollow rollers, which have no safety against it without this number."""
+    tensile_strength: Annotated[Quantity, limits.TENSILE_STRENGTH] | None = None
+    """Tensile strength, for the influence of the mean stress on fatigue (Goodman); without it the yield strength takes
+    its place (Soderberg), which is on the safe side."""
 
     @model_validator(mode="after")
     def _one_hardness(self) -> MaterialEntry:

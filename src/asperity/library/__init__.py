@@ -43,6 +43,8 @@ _MATERIAL_NUMBERS = {
     "thermal_conductivity": Dimension.THERMAL_CONDUCTIVITY,
     "specific_heat_capacity": Dimension.SPECIFIC_HEAT_CAPACITY,
     "thermal_expansion": Dimension.THERMAL_EXPANSION,
+    "fatigue_strength": Dimension.PRESSURE,
+    "tensile_strength": Dimension.PRESSURE,
 }
 _MATERIAL_NEEDS = ("youngs_modulus", "poisson_ratio", "density", "yield_strength")
 _WORDS = ("description", "reference", "note")

@@ -14,6 +14,7 @@ import asperity
 from asperity.errors import AsperityError
 from asperity.joint.description import Joint
 from asperity.joint.document import joint_document
+from asperity.joint.loads_document import load_cases, loads_document
 from asperity.joint.margins import margins
 from asperity.joint.measured_surface import stiffness_interval
 from asperity.joint.results import SolvedJoint
@@ -25,7 +26,7 @@ from asperity.joint_file.assumptions import assumptions
 from asperity.joint_file.build import joint_from_case
 from asperity.joint_file.model import Case
 from asperity.joint_file.si_tables import si_values
-from asperity.report import result_tables, rolling_tables
+from asperity.report import load_tables, result_tables, rolling_tables
 from asperity.report.content import Block, Bullets, Heading, Listing, Paragraph, Picture, Report, Table
 from asperity.report.figures import report_pictures
 from asperity.report.input_tables import choices_table, inputs_table
@@ -120,6 +121,9 @@ def joint_report(source: ReportSource) -> Report:
         Heading("Forces and contacts"),
         *result_tables.contacts(document),
         *result_tables.drive(document),
+        *load_tables.rims(document),
+        Heading("Loads of the structure"),
+        *load_tables.loads(loads_document(joint, load_cases(joint, solution), document["bearings"])),
         Heading("Safety margins"),
         *result_tables.margins_table(margins(solved)),
         Picture("Shares of the limits that are used", pictures["margins"]),

@@ -35,7 +35,7 @@ Kernel = Callable[..., Found]
 
 #: Points that pass through the program at once: few enough for its intermediate arrays to stay in the cache.
 BATCH = 32_768
-#: The same where the assembly, whose equations take some kilobytes per point, is among the results.
+#: The same where the assembly or the stresses of rims, which take some kilobytes per point, are among the results.
 ASSEMBLY_BATCH = 4_096
 #: Up to this number of points, a program that compiles fast and runs slowly finishes sooner.
 QUICK_POINTS = 20_000
@@ -105,7 +105,8 @@ def batch_size(results: tuple[str, ...]) -> int:
     int
         A power of two.
     """
-    return ASSEMBLY_BATCH if set(results) & set(GROUPS["assembly"]) else BATCH
+    heavy = (*GROUPS["assembly"], *GROUPS["stresses"])
+    return ASSEMBLY_BATCH if set(results) & set(heavy) else BATCH
 
 
 @functools.lru_cache(maxsize=32)

@@ -111,11 +111,14 @@ _ROW_COORDINATES = {
     "contact": "contact of a branch: sun-planet, planet-rollers, rollers-ring",
     "clearance": "clearance between two rollers",
     "body": "body of a branch; sun and ring are shared by all branches",
+    "pin": "carrier pin, named after its loading roller",
+    "bearing": "rolling bearing",
+    "rim": "rim of a ring or of a hollow roller",
 }
 
 
 def row_dimensions(name: str) -> tuple[str, ...]:
-    """Dimensions in front of those of the points: none, the contacts, the clearances or the bodies.
+    """Dimensions in front of those of the points: none, or what its rows stand for.
 
     Parameters
     ----------

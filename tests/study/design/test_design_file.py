@@ -73,6 +73,8 @@ def test_good_file(zou_file):
         ('{ at_most = "210 mm" }', '{ at_most = "210 N" }', "expected a length"),
         ('{ at_most = "210 mm" }', "{ }", "state 'at_most' or 'at_least'"),
         ('contacts = ["sp"]', 'contacts = ["xx"]', "not one of sp, pwr"),
+        ('{ at_most = 0.8, contacts = ["sp"] }', '{ at_most = 0.8, rims = ["inner"] }', "rims"),
+        ("[worst_case]", 'bearing_life = { at_least = "20000 h" }\n[worst_case]', "no ratings of a bearing"),
         ("at_most = 0.8", "at_most = 1.2", "at most 1"),
         (
             "[worst_case]",
@@ -122,6 +124,18 @@ def test_all_errors_of_a_file_are_said_at_once(zou_file):
         strict=True,
     ):
         assert error.strip().startswith(said)
+
+
+def test_limits_hold_for_the_bearings_that_have_ratings(zou_file, tmp_path):
+    rated = '[pin_bearing]\ntype = "ball"\ndynamic_rating = "2 kN"\nstatic_rating = "1 kN"\ncount = 2\n'
+    (tmp_path / "zou2025.toml").write_text(zou_file.read_text() + rated)
+
+    def rows(entry):
+        text = GOOD.replace("[worst_case]", f"bearing_life = {entry}\n[worst_case]")
+        return next(c.rows for c in problem(text, tmp_path).constraints if c.name == "bearing_life")
+
+    assert rows('{ at_least = "20000 h" }') == (0, 1)
+    assert rows('{ at_least = "20000 h", bearings = ["left_pin"] }') == (1,)
 
 
 def test_steps_are_read_and_checked(zou_file):

@@ -20,6 +20,7 @@ from asperity.joint.bearing_lives import BEARING_NAMES, BearingLives, bearing_li
 from asperity.joint.capacity import TorqueCapacity, torque_capacity
 from asperity.joint.description import Joint
 from asperity.joint.evaluation import JointResult
+from asperity.joint.rim_safety import RIM_NAMES, JointRims, joint_rims
 from asperity.joint.rolling_capacity import rolling_torque_capacity
 from asperity.joint.size import JointSize, joint_size
 from asperity.joint.working_loads import working_loads
@@ -40,7 +41,7 @@ Severity = Literal["function", "damage", "accuracy", "model"]
 SEVERITIES: tuple[Severity, ...] = ("function", "damage", "accuracy", "model")
 
 #: What the rows of a result stand for, with their names: a single number, the contacts, the clearances, the bodies,
-#: the carrier pins or the bearings.
+#: the carrier pins, the bearings or the rims of a hollow body.
 ROW_NAMES: dict[str, tuple[str, ...]] = {
     "one": ("",),
     "contact": CONTACT_NAMES,
@@ -48,6 +49,7 @@ ROW_NAMES: dict[str, tuple[str, ...]] = {
     "body": BODY_NAMES,
     "pin": PIN_NAMES,
     "bearing": BEARING_NAMES,
+    "rim": RIM_NAMES,
 }
 
 
@@ -112,6 +114,12 @@ class SolvedJoint:
         """Lives of the rolling bearings."""
         lives: BearingLives = call_compiled(bearing_lives, self.joint, self.result)
         return lives
+
+    @functools.cached_property
+    def rims(self) -> JointRims:
+        """Stresses of ring and hollow rollers."""
+        rims: JointRims = call_compiled(joint_rims, self.joint, self.result)
+        return rims
 
     @property
     def has_bearings(self) -> tuple[bool, ...]:
@@ -181,8 +189,8 @@ class Result:
     value : str or callable
         Where it is in a :class:`SolvedJoint`: a dotted path, or a function of the solved joint. Results with rows may
         be sequences of arrays.
-    axis : {"one", "contact", "clearance", "body", "pin", "bearing"}
-        Whether it is one number, or one for each contact, clearance, body, pin or bearing: :data:`ROW_NAMES`.
+    axis : {"one", "contact", "clearance", "body", "pin", "bearing", "rim"}
+        Whether it is one number, or one for each contact, clearance, body, pin, bearing or rim: :data:`ROW_NAMES`.
     needs : {"geometry", "balance", "operation"}
         What must hold for it to mean anything; elsewhere it is nan in datasets.
     group : str
@@ -202,7 +210,7 @@ class Result:
     note : str
         What else has to be said about it.
     present : callable or None
-        Which of its rows a joint has; the others are nan and not judged. None: all of them.
+        Which of its rows a joint has; the others are not judged. None: all of them.
     """
 
     name: str
@@ -210,7 +218,7 @@ class Result:
     dimension: Dimension
     display_unit: str
     value: str | Callable[[SolvedJoint], Any]
-    axis: Literal["one", "contact", "clearance", "body", "pin", "bearing"] = "one"
+    axis: Literal["one", "contact", "clearance", "body", "pin", "bearing", "rim"] = "one"
     needs: Needs = "operation"
     group: str = ""
     level: StiffnessLevel | None = None

@@ -11,7 +11,16 @@ from jax import Array
 
 from asperity.errors import InputError
 from asperity.joint.evaluation import Joint, JointResult
-from asperity.joint.results import bearings, contacts, drive, limits, loads, rolling, stiffness
+from asperity.joint.results import (
+    bearings,
+    contacts,
+    drive,
+    limits,
+    loads,
+    rolling,
+    stiffness,
+    stresses,
+)
 from asperity.joint.results.result import Result, SolvedJoint
 
 if TYPE_CHECKING:
@@ -27,6 +36,7 @@ RESULTS: dict[str, Result] = {
         *rolling.ROWS,
         *loads.ROWS,
         *bearings.ROWS,
+        *stresses.ROWS,
         *drive.ROWS,
     )
 }
@@ -34,9 +44,12 @@ RESULTS: dict[str, Result] = {
 #: Levels of the stiffness, the fullest model first.
 LEVELS: tuple[StiffnessLevel, ...] = ("assembly", "series_with_bulk", "published")
 
-#: Groups of results that can be asked for by one word.
+#: Group that takes more time than all others together, and is therefore asked for by its own name.
+_APART = "stresses"
+
+#: Groups of results that can be asked for by one word; ``all`` is everything but the stresses of rims.
 GROUPS: dict[str, tuple[str, ...]] = {
-    "all": tuple(RESULTS),
+    "all": tuple(name for name, row in RESULTS.items() if row.group != _APART),
     "stiffness": tuple(name for name in RESULTS if name.endswith(("_stiffness_output", "_stiffness_sun"))),
     **{
         group: tuple(name for name, row in RESULTS.items() if row.group == group)

@@ -9,9 +9,11 @@ from pathlib import Path
 from typing import Any
 
 from asperity.errors import InputError
+from asperity.joint.bearing_lives import BEARING_NAMES
 from asperity.joint.results import LEVELS, RESULTS, Result, known_result, name_at_level
 from asperity.joint.windup import StiffnessLevel
 from asperity.joint_file.messages import nearest
+from asperity.joint_file.model import Case
 from asperity.joint_file.reader import read_case
 from asperity.joint_file.si_tables import key_at, numeric_keys
 from asperity.library import read_finishes
@@ -30,7 +32,8 @@ from asperity.units import format_quantity, parse_quantity
 
 #: Numbers of a joint file that span decades; designs search and report them by their logarithm.
 _LOGARITHMIC = ("fractal_roughness", "preload", "stiffness")
-
+#: Key that picks rows of a result, by what they stand for.
+_PLURALS = {"contact": "contacts", "body": "bodies", "pin": "pins", "bearing": "bearings", "rim": "rims"}
 
 _SECTIONS = ("joint", "level", "variables", "objective", "constraints", "worst_case", "search")
 
@@ -111,10 +114,12 @@ def design_from_tables(tables: Mapping[str, Any], *, folder: Path) -> DesignProb
         if name not in tables:
             errors.found.append(f"{name}: this key is missing")
     errors.refuse()
+    rated: tuple[int, ...] = tuple(range(len(BEARING_NAMES)))
     with errors.gathered():
         if not isinstance(tables["joint"], str):
             raise InputError(f"joint: expected the path of a joint file as text, got {tables['joint']!r}")
         case = read_case(folder / tables["joint"])
+        rated = _rated(case)
     level = tables.get("level", "assembly")
     if level not in LEVELS:
         errors.found.append(f"level: {level!r} is not one of {', '.join(LEVELS)}")
@@ -132,7 +137,7 @@ def design_from_tables(tables: Mapping[str, Any], *, folder: Path) -> DesignProb
     with errors.gathered():
         for name, entry in _table(tables.get("constraints", {}), "constraints").items():
             with errors.gathered():
-                constraints.extend(_constraint(name, entry, level))
+                constraints.extend(_constraint(name, entry, level, rated))
     worst_case, starts, seed = WorstCase((), "none", 1, 0), 1, 0
     with errors.gathered():
         worst_case = _worst_case(_table(tables.get("worst_case", {}), "worst_case"))
@@ -292,21 +297,33 @@ def _result(name: Any, level: StiffnessLevel, where: str) -> str:
         raise InputError(f"{where}: {error}") from None
 
 
-def _constraint(name: str, table: Any, level: StiffnessLevel) -> Iterator[Constraint]:
+def _rated(case: Case) -> tuple[int, ...]:
+    """Rows of the bearings that a joint file rates."""
+    sections = (case.pin_bearing, case.pin_bearing, case.sun_bearing, case.carrier_bearing)
+    return tuple(index for index, section in enumerate(sections) if section is not None)
+
+
+def _constraint(name: str, table: Any, level: StiffnessLevel, rated: tuple[int, ...]) -> Iterator[Constraint]:
     where = f"constraints.{name}"
     full = _result(name, level, where)
     result, entry = RESULTS[full], _table(table, where)
-    _only(entry, ("at_most", "at_least", "contacts"), where)
+    plural = _PLURALS.get(result.axis, "contacts")
+    _only(entry, ("at_most", "at_least", plural), where)
     if "at_most" not in entry and "at_least" not in entry:
         raise InputError(f"{where}: state 'at_most' or 'at_least'")
-    rows = tuple(range(len(result.row_names)))
-    if "contacts" in entry:
-        listed = entry["contacts"]
-        if result.axis != "contact" or not isinstance(listed, list):
-            raise InputError(f"{where}.contacts: expected a list of contacts of a result that has them")
+    rows = rated if result.axis == "bearing" else tuple(range(len(result.row_names)))
+    if not rows:
+        raise InputError(
+            f"{where}: the joint file gives no ratings of a bearing, see [pin_bearing], [sun_bearing] and "
+            "[carrier_bearing]"
+        )
+    if plural in entry:
+        listed = entry[plural]
+        if result.axis not in _PLURALS or not isinstance(listed, list):
+            raise InputError(f"{where}.{plural}: expected a list of {plural} of a result that has them")
         for each in listed:
             if each not in result.row_names:
-                raise InputError(f"{where}.contacts: {each!r} is not one of {', '.join(result.row_names)}")
+                raise InputError(f"{where}.{plural}: {each!r} is not one of {', '.join(result.row_names)}")
         rows = tuple(result.row_names.index(each) for each in listed)
     for side in ("at_most", "at_least"):
         if side in entry:

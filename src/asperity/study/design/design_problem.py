@@ -6,7 +6,7 @@ import math
 from dataclasses import dataclass
 from typing import Any, Literal
 
-from asperity.joint.results import RESULTS
+from asperity.joint.results import GROUPS, RESULTS
 from asperity.joint.windup import StiffnessLevel
 from asperity.joint_file.model import Case
 
@@ -145,8 +145,8 @@ SUMMARY: dict[str, Literal["nominal", "largest", "smallest"]] = {
     "slip_ratio": "largest",
     "assembly_stiffness_output": "smallest",
 }
-#: Results that take a hundred force balances each: computed only on request.
-_COSTLY = ("torque_capacity", "torque_safety")
+#: Results that take as much as many force balances, or that few designs ask for: computed only on request.
+_COSTLY = ("torque_capacity", "torque_safety", *GROUPS["loads"], *GROUPS["bearings"], *GROUPS["stresses"])
 
 
 def design_results(problem: DesignProblem) -> tuple[str, ...]:

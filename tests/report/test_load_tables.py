@@ -1,0 +1,57 @@
+"""Tables of loads, bearings and bending bodies, from documents made by hand."""
+
+from asperity.report.content import Bullets, Table
+from asperity.report.load_tables import loads, rims
+
+BEARING = {
+    "bearing": "left_pin",
+    "type": "roller",
+    "dynamic_rating_N": 1500.0,
+    "static_rating_N": 1200.0,
+    "load_N": 72.6,
+    "load_over_dynamic_rating": 0.0484,
+    "life_hours": 75691.0,
+    "duty_life_hours": None,
+    "static_safety": 16.5,
+    "absent_because": ["no life under the duty: it slips"],
+}
+DOCUMENT = {
+    "cases": [
+        {"name": "at rest", "output_torque_Nm": 0.0, "sun_speed_rad_per_s": 0.0, "unknown_because": None},
+        {"name": "duty 1", "output_torque_Nm": 9.0, "sun_speed_rad_per_s": 1.0, "unknown_because": "slips"},
+    ],
+    "loads": [
+        {
+            "part": "carrier pin",
+            "position": "left roller",
+            "quantity": "bending stress",
+            "unit": "Pa",
+            "values": [2e7, None],
+        }
+    ],
+    "bearings": [BEARING],
+    "notes": ["a note"],
+}
+
+
+def test_units_reasons_and_dashes():
+    table, bearings, notes = loads(DOCUMENT)
+    assert table.head[:3] == ("part", "load", "at rest")
+    assert table.rows == [("carrier pin, left roller", "bending stress", "20", "–", "MPa")]
+    assert bearings.rows[0][:4] == ("left pin", "roller", "1500", "1200")
+    assert bearings.rows[0][-2:] == ("–", "16.5")
+    assert isinstance(notes, Bullets)
+    assert list(notes.items) == [
+        "duty 1: slips.",
+        "left pin bearing: no life under the duty: it slips.",
+        "a note",
+    ]
+
+
+def test_bodies_that_bend():
+    stress = {"inner": 68e6, "outer": 64e6}
+    ring = {f"{name}_Pa": stress for name in ("stress", "stress_at_rest", "mean", "amplitude")}
+    (table,) = rims({"rims": {"ring": ring | {"yield_safety": 7.47, "fatigue_safety": None}}})
+    assert isinstance(table, Table)
+    assert table.rows[0] == ("ring", "inner", "68", "68", "68", "68", "7.47", "–")
+    assert [*rims({"rims": {}})] == []
