@@ -24,6 +24,7 @@ def client(joint_text):
         JointRequest(name="zou2025.toml", text=joint_text),
         hosts=[HOST],
         computations=Computations(longest=600.0),
+        charts=Computations(longest=600.0),
     )
     with TestClient(app, base_url=f"http://{HOST}", raise_server_exceptions=False) as found:
         yield found
@@ -168,7 +169,7 @@ def test_bodies_that_make_no_sense_get_one_sentence(client, body):
 
 
 def test_forms_of_other_sites_have_the_wrong_type(client, joint_text):
-    for path in ("/api/joint", "/api/file"):
+    for path in ("/api/joint", "/api/chart", "/api/file"):
         for kind in ("text/plain", "application/x-www-form-urlencoded", "multipart/form-data; boundary=x"):
             response = client.post(path, content=b"{}", headers={"content-type": kind})
             assert response.status_code == 415
@@ -278,6 +279,13 @@ def test_the_description_covers_every_number_of_the_file(client):
         each["group"] for each in described["choices"]
     }
     assert sections == set(Case.model_fields)
+
+
+def test_a_chart_that_cannot_be_drawn_is_said_at_its_key(client, joint_text):
+    chart = {"over": "load.preload", "from": "5 mm", "to": "1 kN", "result": "slip_ratio_sp"}
+    response = client.post("/api/chart", json={"toml": joint_text, "chart": chart})
+    assert response.status_code == 422
+    assert "expected a force" in response.json()["keys"]["load.preload"]
 
 
 def test_the_interface_describes_its_answers(client, solve):

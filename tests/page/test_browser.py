@@ -177,6 +177,34 @@ def test_files_are_opened_and_wrong_ones_refused(page, tmp_path):
     assert page.locator("#error").is_hidden()
 
 
+def charted(page, action):
+    """Do something and wait until the free chart has been drawn."""
+    before = int(page.evaluate("document.querySelector('#chart').dataset.drawn || '0'"))
+    action()
+    page.wait_for_function(
+        "before => Number(document.querySelector('#chart').dataset.drawn || 0) > before",
+        arg=before,
+        timeout=300_000,
+    )
+
+
+def test_a_chart_of_any_number_shows_where_there_is_no_result_and_why(page):
+    charted(page, page.locator("#chart summary").click)
+    drawn = page.locator("#chart-figure svg[role=img]")
+    assert "over preload" in drawn.get_attribute("aria-label")
+    charted(page, lambda: page.locator("#chart-over").select_option("load.output_torque"))
+    assert drawn.locator("rect.shade").count() >= 1
+    assert "beyond the torque capacity" in page.locator("#chart-figure").inner_text()
+    page.get_by_role("button", name="Pin as baseline").click()
+    charted(page, lambda: write(page, "load.preload", "2000 N"))
+    assert drawn.locator("path.ghost").count() == 1
+    charted(page, lambda: page.locator("#chart-family").select_option("drive.planets"))
+    assert drawn.locator("path.curve:not(.ghost)").count() >= 3
+    page.locator("#chart-from").fill("3 mm")
+    charted(page, lambda: page.locator("#chart-from").press("Enter"))
+    assert "expected a torque" in page.locator("#chart-message").inner_text()
+
+
 def test_every_control_has_a_name_and_the_page_fits_400_px(page):
     unnamed = page.evaluate(
         """[...document.querySelectorAll("input, select, button, a")].filter((each) => !(each.labels?.length

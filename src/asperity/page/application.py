@@ -19,6 +19,7 @@ from asperity.errors import AsperityError, InputError, NoSolutionError, printabl
 from asperity.joint_file.reader import parse_case
 from asperity.joint_file.schema import joint_schema
 from asperity.page.answer import joint_answer, stated_values
+from asperity.page.chart import chart_answer, chart_request
 from asperity.page.computation import BusyError, Computations, KeptAnswers
 from asperity.page.description import description
 from asperity.page.guard import App, Guard
@@ -32,7 +33,7 @@ ASSETS: dict[str, tuple[str, str]] = {
     "/page.css": ("page.css", "text/css; charset=utf-8"),
     **{
         f"/{name}.js": (f"{name}.js", "text/javascript; charset=utf-8")
-        for name in ("main", "state", "controls", "results", "plots", "drawing", "numbers")
+        for name in ("main", "state", "controls", "results", "plots", "chart", "drawing", "numbers")
     },
     "/icon.svg": ("icon.svg", "image/svg+xml"),
 }
@@ -52,6 +53,7 @@ def application(
     *,
     hosts: Iterable[str],
     computations: Computations,
+    charts: Computations,
     longest_body: float | None = None,
 ) -> App:
     """The page as an ASGI application.
@@ -63,7 +65,9 @@ def application(
     hosts : iterable of str
         Values of the ``Host`` header that are answered.
     computations : Computations
-        What computes.
+        What computes joints.
+    charts : Computations
+        What computes charts: another thread, because a new chart compiles, and the sliders must not wait for it.
     longest_body : float, optional
         Time in which the body of a request must arrive [s].
 
@@ -107,6 +111,14 @@ def application(
         except AsperityError as error:
             return _problem(error, source=asked.name)
 
+    async def chart(request: Request) -> Response:
+        _require_type(request, "application/json")
+        asked = chart_request(_parsed(await request.body()))
+        try:
+            return JSONResponse(await charts.run(chart_answer, asked))
+        except AsperityError as error:
+            return _problem(error, source=asked.joint.name)
+
     async def file(request: Request) -> Response:
         _require_type(request, "application/octet-stream", "application/toml")
         name = printable(request.query_params.get("name", "joint.toml"))[:LONGEST_NAME] or "joint.toml"
@@ -143,6 +155,7 @@ def application(
         )  # the page asks for it again
         yield
         computations.close()
+        charts.close()
 
     routes = [
         *(Route(path, asset, methods=["GET"]) for path in ASSETS),
@@ -150,6 +163,7 @@ def application(
         Route("/api/description", describe, methods=["GET"]),
         Route("/api/schema", schema, methods=["GET"]),
         Route("/api/joint", joint, methods=["POST"]),
+        Route("/api/chart", chart, methods=["POST"]),
         Route("/api/joint/{identity:str}/joint.{kind}", download, methods=["GET"]),
         Route("/api/file", file, methods=["POST"]),
     ]

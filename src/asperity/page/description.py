@@ -13,6 +13,7 @@ from asperity.joint_file.messages import keys_by_path, models_of
 from asperity.joint_file.model import Case, ModelChoice
 from asperity.joint_file.quantity_key import Key
 from asperity.library import read_finishes, read_materials
+from asperity.page.chart import chart_results
 from asperity.page.joint_request import CHOICES
 from asperity.units import from_si, parse_quantity
 
@@ -20,11 +21,15 @@ from asperity.units import from_si, parse_quantity
 HEADINGS = {
     "drive": "Drive",
     "load": "Load",
+    "temperature": "Temperature",
     "surface": "Surfaces",
     "materials": "Materials",
     "compliance": "Structure",
     "play": "Play",
-    "bearings": "Bearings",
+    "bearings": "Bearing friction",
+    "pin_bearing": "Rolling bearings of the pins",
+    "sun_bearing": "Rolling bearings of the sun",
+    "carrier_bearing": "Rolling bearings of the carrier",
     "rolling": "Rolling",
     "lubrication": "Lubrication",
     "duty": "Duty",
@@ -38,7 +43,7 @@ def description() -> dict[str, Any]:
     Returns
     -------
     dict
-        ``groups`` of parameters, ``choices``, ``materials`` and ``finishes`` of the library.
+        ``groups`` of parameters, ``results`` for charts, ``choices``, ``materials`` and ``finishes`` of the library.
     """
     return {
         "asperity_version": asperity.__version__,
@@ -46,6 +51,7 @@ def description() -> dict[str, Any]:
             {"name": name, "heading": heading, "parameters": _parameters(name)}
             for name, heading in HEADINGS.items()
         ],
+        "results": chart_results(),
         "choices": [_choice(path) for path in CHOICES],
         "materials": [
             {"name": name, "description": entry.description, "reference": entry.reference}

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 import asperity
+from asperity.page.chart import MOST_CURVES, MOST_POINTS
 from asperity.page.computation import MOST_KEPT
 from asperity.page.guard import LARGEST_BODY
 
@@ -45,11 +46,17 @@ def openapi() -> Schema:
             "/api/description": {"get": _get("Parameters of a joint file: meaning, unit, range, default.")},
             "/api/schema": {"get": _get("JSON schema of a joint file.")},
             "/api/joint": {"post": _joint()},
+            "/api/chart": {"post": _chart()},
             "/api/joint/{id}/joint.{kind}": {"get": _download()},
             "/api/file": {"post": _file()},
         },
         "components": {
-            "schemas": {"Error": _error_schema(), "Request": _request_schema(), "Answer": _answer_schema()}
+            "schemas": {
+                "Error": _error_schema(),
+                "Request": _request_schema(),
+                "Answer": _answer_schema(),
+                "Chart": _chart_answer_schema(),
+            }
         },
     }
 
@@ -81,6 +88,69 @@ def _joint() -> Schema:
         "summary": "Solve one joint: the document of 'asperity joint --json', with drawing, wind-up and curves.",
         "requestBody": {"required": True, "content": {"application/json": {"schema": _ref("Request")}}},
         "responses": {"200": _json(_ref("Answer"), "The joint."), **_PROBLEMS},
+    }
+
+
+def _chart() -> Schema:
+    request = _request_schema()
+    request["properties"]["chart"] = _chart_schema()
+    request["required"] = ["chart"]
+    return {
+        "summary": "One number of the joint file against one result, by the evaluator of 'asperity sweep'.",
+        "requestBody": {"required": True, "content": {"application/json": {"schema": request}}},
+        "responses": {"200": _json(_ref("Chart"), "Curves; SI units, and those of displays."), **_PROBLEMS},
+    }
+
+
+def _chart_schema() -> Schema:
+    text: Schema = {"type": "string"}
+    family = {"over": text, "values": {"type": "array", "items": text, "maxItems": MOST_CURVES}}
+    return {
+        "type": "object",
+        "required": ["over", "from", "to", "result"],
+        "additionalProperties": False,
+        "properties": {
+            "over": {"type": "string", "description": "Dotted path of a number that the joint file states."},
+            "from": {"type": "string", "description": "With its unit."},
+            "to": text,
+            "points": {"type": "integer", "minimum": 2, "maximum": MOST_POINTS},
+            "scale": {"enum": ["linear", "log"]},
+            "result": {"type": "string", "description": "One of 'results' of /api/description."},
+            "family": {
+                "type": "object",
+                "properties": family,
+                "description": "Another number, a curve for each of its values.",
+            },
+        },
+        "examples": [
+            {"over": "load.preload", "from": "200 N", "to": "2 kN", "result": "assembly_stiffness_output"}
+        ],
+    }
+
+
+def _chart_answer_schema() -> Schema:
+    number: Schema = {"type": ["number", "null"]}
+    status: Schema = {"type": "integer", "description": "0 is solved; 'reasons' says what the others mean."}
+    curve = {
+        "value": number,
+        "value_shown": {"type": "string"},
+        "y": _NUMBERS,
+        "y_shown": _NUMBERS,
+        "status": {"type": "array", "items": status},
+    }
+    point = {"x": number, "x_shown": number, "y": number, "y_shown": number, "status": status}
+    words = ("over", "unit", "result", "result_label", "result_unit")
+    return {
+        "type": "object",
+        "properties": {
+            **{name: {"type": "string"} for name in words},
+            "family": {"type": ["string", "null"]},
+            "x": _NUMBERS,
+            "x_shown": _NUMBERS,
+            "curves": {"type": "array", "items": {"type": "object", "properties": curve}},
+            "joint": {"type": ["object", "null"], "properties": point},
+            "reasons": {"type": "object", "additionalProperties": {"type": "string"}},
+        },
     }
 
 

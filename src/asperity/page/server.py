@@ -147,8 +147,8 @@ def serve(
     from asperity.page.computation import Computations
 
     port = listening.getsockname()[1]
-    computations = Computations(longest=LONGEST_ANSWER)
-    app = application(start, hosts=host_names(host, port), computations=computations)
+    computations, charts = Computations(longest=LONGEST_ANSWER), Computations(longest=LONGEST_ANSWER)
+    app = application(start, hosts=host_names(host, port), computations=computations, charts=charts)
     shown = f"[{host}]" if ":" in host else host
 
     class Announced(uvicorn.Server):
@@ -169,7 +169,7 @@ def serve(
     try:
         Announced(config).run(sockets=[listening])
     except KeyboardInterrupt as stopped:
-        if computations.idle:
+        if computations.idle and charts.idle:
             raise
         # a computation cannot be interrupted, and the interpreter would wait for it
         stopping(stopped)

@@ -14,7 +14,7 @@ export function generic(path) {
 }
 
 /** What a number is called on the page. */
-function label(path) {
+export function label(path) {
   const parts = path.split(".").slice(1);
   if (path.startsWith("materials.")) return `${parts[1].replaceAll("_", " ")}, ${parts[0]}`;
   const contact = parts.find((part) => EACH.includes(part));
@@ -42,6 +42,7 @@ export function sliderScale(parameter, value) {
 function scale(kind, low, high, step = 0) {
   const round = (value) => Number(value.toPrecision(kind === "log" ? 3 : 4));
   return {
+    kind,
     low,
     high,
     steps: step ? (high - low) / step : STEPS,
@@ -223,6 +224,12 @@ export class Controls {
       }
       row.slider.setAttribute("aria-valuetext", row.shown);
     }
+  }
+
+  /** The slider of a number: its ends, steps and values, and how its values are written; null where there is none. */
+  sliderOf(path) {
+    const row = this.rows.get(path);
+    return row && row.scale && !row.slider.disabled ? { ...row.scale, text: row.text } : null;
   }
 
   isShown(path, stated) {

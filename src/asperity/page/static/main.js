@@ -1,5 +1,6 @@
 // The page: asks the server about the joint, the newest request wins, and keeps address, undo and baseline.
 
+import { Chart } from "/chart.js";
 import { Controls } from "/controls.js";
 import { showAnswer } from "/results.js";
 import { History, packed, unpacked } from "/state.js";
@@ -10,8 +11,11 @@ const RETRY = 2000; // ms
 
 let history = null;
 let controls = null;
+let chart = null;
 let answer = null; // of the joint on the screen
 let baseline = null;
+let shown = null; // state of the joint on the screen
+let baselineState = null;
 let wanted = false; // something changed since the last request began
 let asking = false;
 let lastPath = null;
@@ -67,6 +71,8 @@ async function askOnce(state) {
       controls.showErrors({});
       showError("");
       showAnswer(found, baseline);
+      shown = state;
+      followed();
       links();
       const stiffness = found.document.torsional_stiffness.assembly.output_Nm_per_arcmin;
       say(stiffness === null ? "No stiffness" : `Stiffness ${Number(stiffness.toPrecision(4))} N·m/arcmin at the output`);
@@ -90,6 +96,11 @@ async function askOnce(state) {
     clearTimeout(slower);
   }
   page.dataset.revision = String(Number(page.dataset.revision) + 1);
+}
+
+/** What is computed beside the joint follows it. */
+function followed() {
+  chart.follow(shown, answer, baseline ? { answer: baseline, state: baselineState } : null);
 }
 
 function links() {
@@ -155,9 +166,11 @@ async function open(file) {
 
 function pin() {
   baseline = baseline ? null : answer;
+  baselineState = shown;
   get("pin").setAttribute("aria-pressed", String(Boolean(baseline)));
   get("pin").textContent = baseline ? "Remove baseline" : "Pin as baseline";
   showAnswer(answer, baseline);
+  followed();
 }
 
 function theme(choice) {
@@ -221,6 +234,7 @@ async function begin() {
   const linked = location.hash.startsWith("#joint=") ? await unpacked(location.hash.slice(7)) : null;
   controls = new Controls(get("controls"), described, changed);
   controls.build(described.start);
+  chart = new Chart(get("chart"), described, controls, post);
   history = new History(linked || { name: described.start.name, toml: described.start.toml, changes: {} });
   connect();
   refresh();

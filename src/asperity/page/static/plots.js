@@ -60,10 +60,11 @@ function tickTexts(values) {
 }
 
 /**
- * A plot in a figure. `series`: [{ name, x, y, kind, ghost }], where kind is one of the classes "one", "two", "three";
- * `point`: { x, y, name } marks the joint itself.
+ * A plot in a figure. `series`: [{ name, x, y, kind, ghost }], where kind is one of the classes "one"
+ * to "five"; `point`: { x, y, name } marks the joint itself; `shades`: [{ from, to, text }] are parts of the horizontal axis
+ * without a result; `dots` marks the points of the curves.
  */
-export function linePlot({ title, note, x, y, series, point, log = false, zero = false, empty }) {
+export function linePlot({ title, note, x, y, series, point, shades = [], log = false, logX = false, zero = false, dots = false, empty }) {
   const figure = element("figure", { class: "panel plot" }, element("figcaption", {}, title));
   const good = (value) => value !== null && Number.isFinite(value) && (!log || value > 0);
   const pairs = series.map((line) => line.x.map((each, i) => [each, line.y[i]]).filter(([a, b]) => good(b) && a !== null));
@@ -73,17 +74,25 @@ export function linePlot({ title, note, x, y, series, point, log = false, zero =
     figure.append(element("p", { class: "empty" }, empty || "No curve: there is no value at any torque."));
     return figure;
   }
-  let [xLow, xHigh] = range(all.map((pair) => pair[0]));
+  const shaded = shades.flatMap((shade) => [shade.from, shade.to]);
+  const [xLow, xHigh] = range([...all.map((pair) => pair[0]), ...shaded]);
   let [yLow, yHigh] = range(all.map((pair) => pair[1]), { zero });
   const margin = log ? (yHigh / yLow) ** 0.06 : 0.06 * (yHigh - yLow);
   if (log) [yLow, yHigh] = [yLow / margin, yHigh * margin];
   else [yLow, yHigh] = [zero && yLow === 0 ? 0 : yLow - margin, yHigh + margin];
   const scale = log ? Math.log10 : (value) => value;
-  const px = (value) => LEFT + ((value - xLow) / (xHigh - xLow)) * (WIDTH - LEFT - RIGHT);
+  const across = logX ? Math.log10 : (value) => value;
+  const px = (value) => LEFT + ((across(value) - across(xLow)) / (across(xHigh) - across(xLow))) * (WIDTH - LEFT - RIGHT);
   const py = (value) => TOP + ((scale(yHigh) - scale(value)) / (scale(yHigh) - scale(yLow))) * (HEIGHT - TOP - BOTTOM);
   const drawn = svg("svg", { viewBox: `0 0 ${WIDTH} ${HEIGHT}`, role: "img", "aria-label": summary(title, x, y, series) });
-  const xTicks = ticks(xLow, xHigh);
-  const xTexts = tickTexts(xTicks);
+  for (const shade of shades) {
+    const width = Math.max(px(shade.to) - px(shade.from), 2);
+    drawn.append(
+      svg("rect", { class: "shade", x: px(shade.from), y: TOP, width, height: HEIGHT - TOP - BOTTOM }, svg("title", {}, `no result: ${shade.text}`)),
+    );
+  }
+  const xTicks = logX ? decades(xLow, xHigh) : ticks(xLow, xHigh);
+  const xTexts = logX ? xTicks.map((value) => number(value, 2)) : tickTexts(xTicks);
   xTicks.forEach((value, i) => {
     drawn.append(
       svg("line", { class: "grid", x1: px(value), x2: px(value), y1: TOP, y2: HEIGHT - BOTTOM }),
@@ -114,6 +123,7 @@ export function linePlot({ title, note, x, y, series, point, log = false, zero =
       } else pen = "M";
     });
     drawn.append(svg("path", { class: `curve ${line.kind}${line.ghost ? " ghost" : ""}`, d: path }));
+    if (dots) line.x.forEach((each, i) => good(line.y[i]) && drawn.append(svg("circle", { class: `dot ${line.kind}`, cx: px(each), cy: py(line.y[i]), r: 3 })));
   });
   if (point && good(point.y)) drawn.append(svg("circle", { class: "point", cx: px(point.x), cy: py(point.y), r: 5 }));
   figure.append(drawn, legend(series, point));

@@ -1,0 +1,115 @@
+"""Charts: what a request may ask, and numbers that are those of single joints."""
+
+import jsonschema
+import pytest
+
+from asperity.errors import InputError
+from asperity.joint.solve import solve
+from asperity.joint_file.build import joint_from_case, with_values
+from asperity.joint_file.reader import parse_case
+from asperity.page.chart import MOST_POINTS, chart_answer, chart_request, chart_results, result_rows
+from asperity.page.openapi import openapi
+
+CHART = {
+    "over": "load.preload",
+    "from": "500 N",
+    "to": "2 kN",
+    "points": 4,
+    "result": "published_stiffness_output",
+}
+
+
+@pytest.fixture(scope="module")
+def asked(joint_text):
+    def ask(**entries):
+        return chart_request({"toml": joint_text, "name": "my.toml", "chart": {**CHART, **entries}})
+
+    return ask
+
+
+def test_a_chart_says_what_single_joints_say(asked, joint_text):
+    """Over a number whose joints differ, up to one that slips; the points are solved one by one for comparison."""
+    found = chart_answer(asked(over="load.output_torque", **{"from": "2 N*m", "to": "14 N*m"}))
+    case = parse_case(joint_text, source="my.toml")
+    assert found["x"] == pytest.approx([2.0, 6.0, 10.0, 14.0])
+    for x, y in zip(found["x"][:3], found["curves"][0]["y"], strict=False):
+        one = solve(with_values(case, {"load.output_torque": x}))
+        assert y == pytest.approx(float(one.result.published.output), rel=1e-9)
+    # the capacity of this joint is 13.16 N·m: beyond it there is no result, and the chart says why
+    assert found["curves"][0]["y"][3] is None
+    assert found["curves"][0]["status"][:3] == [0, 0, 0]
+    (reason,) = found["reasons"].values()
+    assert "beyond the torque capacity" in reason
+    here = solve(joint_from_case(case))
+    assert found["joint"]["x"] == 5.0
+    assert found["joint"]["y"] == pytest.approx(float(here.result.published.output), rel=1e-9)
+    shown = here.result.published.output_per_arcminute
+    assert found["joint"]["y_shown"] == pytest.approx(float(shown), rel=1e-9)
+    schema = openapi()["components"]["schemas"]["Chart"]
+    jsonschema.validate(found, schema)
+    assert set(found) == set(schema["properties"])
+
+
+def test_a_family_is_one_curve_for_each_value(asked):
+    """The same program, whatever varies; a curve of the family is the chart of the joint with that value."""
+    family = {"over": "load.output_torque", "values": ["5 N*m", "8000 N*mm"]}
+    found = chart_answer(asked(family=family))
+    single = chart_answer(asked())
+    assert [curve["value"] for curve in found["curves"]] == [5.0, 8.0]
+    assert found["curves"][0]["y"] == pytest.approx(single["curves"][0]["y"], rel=1e-12)
+    assert found["curves"][1]["y"][-1] != pytest.approx(single["curves"][0]["y"][-1], rel=1e-6)
+    assert found["joint"] is None
+
+
+def test_whole_numbers_take_whole_steps(asked):
+    found = chart_answer(asked(over="drive.planets", **{"from": "2", "to": "4.5"}))
+    assert found["x"] == [2.0, 3.0, 4.0]
+
+
+def test_results_are_those_of_the_table():
+    names = [each["name"] for each in chart_results()]
+    assert {"assembly_stiffness_output", "slip_ratio_sp", "torque_capacity"} <= set(names)
+    assert not any("limiting" in name for name in names)  # a category is no curve
+    assert names == list(result_rows())
+
+
+@pytest.mark.parametrize(
+    ("entries", "said"),
+    [
+        ({"points": 1}, "chart.points"),
+        ({"points": MOST_POINTS + 1}, f"2 to {MOST_POINTS}"),
+        ({"points": True}, "chart.points"),
+        ({"scale": "square"}, "'linear' or 'log'"),
+        ({"from": 3}, "chart.from"),
+        ({"what": 1}, "unknown entry 'what'"),
+        ({"family": []}, "chart.family"),
+        ({"family": {"over": "load.preload", "values": []}}, "1 to 5 values"),
+        ({"family": {"over": "load.preload", "values": ["1 N"] * 6}}, "1 to 5 values"),
+        ({"family": {"over": "load.preload", "values": [1]}}, "chart.family.values"),
+    ],
+)
+def test_requests_that_make_no_sense(asked, entries, said):
+    with pytest.raises(InputError, match=said):
+        asked(**entries)
+
+
+@pytest.mark.parametrize(
+    ("entries", "said"),
+    [
+        ({"from": "5 mm"}, "load.preload: the start of the chart: expected a force"),
+        ({"to": "500 N"}, "start and stop must differ"),
+        ({"from": "-1 N"}, "load.preload"),
+        ({"from": "0 N", "scale": "log"}, "above 0"),
+        ({"over": "load.weight"}, "no number 'load.weight'"),
+        (
+            {"over": "compliance.pin_stiffness", "from": "1 N/um", "to": "2 N/um"},
+            "does not state this number",
+        ),
+        ({"over": "drive.planets", "from": "1", "to": "300"}, "whole numbers"),
+        ({"result": "stifness"}, "there is no result 'stifness'"),
+        ({"family": {"over": "load.preload", "values": ["1 N"]}}, "two axes for the same number"),
+    ],
+)
+def test_charts_that_cannot_be_drawn(asked, entries, said):
+    with pytest.raises(InputError, match=said):
+        chart_answer(asked(**entries))
