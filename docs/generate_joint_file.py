@@ -14,6 +14,7 @@ from typing import Any, Literal, get_args, get_origin
 from pydantic.fields import FieldInfo
 
 from asperity.joint_file.model import Case
+from asperity.joint_file.planar_model import PLANAR_CASES
 from asperity.joint_file.quantity_key import Key
 from asperity.joint_file.section import EachContact, Section
 
@@ -118,10 +119,45 @@ def _allowed(field: FieldInfo) -> tuple[str, str]:
 def _sections() -> Iterator[tuple[str, type[Section], str]]:
     """Header in the file, model and description of every section."""
     for name, field in Case.model_fields.items():
+        if name == "type":
+            continue
         models = [p for p in _parts(field.annotation) if isinstance(p, type) and issubclass(p, Section)]
         model = next(m for m in models if not issubclass(m, EachContact))
         header = {"duty": "[[duty]]", "materials": "[materials.NAME]"}.get(name, f"[{name}]")
         yield header, model, field.description or ""
+
+
+OTHERS = """\
+# Other drives
+
+`type` stands first in the file. These drives have the sections above with the keys below; their sections
+`[lubrication]` and `[materials.NAME]` are the same. `[bodies]` names the material of each body. What differs
+between contacts is a table with the names of the drive's contacts. The types are described on the page
+[](drives.md).
+"""
+
+
+def _other_sections() -> Iterator[tuple[str, type[Section], str]]:
+    """Sections of the other types of drives: their own [drive] each, and what they have in common."""
+    for kind, case in PLANAR_CASES.items():
+        drive = case.model_fields["drive"].annotation
+        assert isinstance(drive, type)
+        assert issubclass(drive, Section)
+        yield f'[drive] of type = "{kind}"', drive, " ".join((drive.__doc__ or "").split())
+    common = next(iter(PLANAR_CASES.values()))
+    for name in ("load", "compliance", "rolling", "model"):
+        field = common.model_fields[name]
+        model = next(p for p in _parts(field.annotation) if isinstance(p, type) and issubclass(p, Section))
+        yield f"[{name}] of other drives", model, field.description or ""
+
+
+def _other_table(model: type[Section]) -> Iterator[str]:
+    yield "| key | meaning | unit | range or choices |\n|---|---|---|---|"
+    for name, field in model.model_fields.items():
+        unit, allowed = _allowed(field)
+        optional = "" if field.is_required() else " *Optional.*"
+        yield f"| `{name}` | {' '.join((field.description or '').split())}{optional} | {unit} | {allowed} |"
+    yield ""
 
 
 def _moves() -> dict[str, list[str]]:
@@ -148,6 +184,9 @@ def page() -> str:
     parts = [HEAD]
     for header, model, description in _sections():
         parts += [f"## `{header}`\n", description + "\n", *_table(header, model, moves)]
+    parts.append(OTHERS)
+    for header, model, description in _other_sections():
+        parts += [f"## `{header}`\n", description + "\n", *_other_table(model)]
     return "\n".join(parts)
 
 

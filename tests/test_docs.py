@@ -21,7 +21,7 @@ ROOT = Path(__file__).parents[1]
 DOCS = ROOT / "docs"
 FORMULA_ROOMS = (asperity.body, asperity.contact, asperity.drive)
 #: Equations of the paper, and our own: how many of each letter.
-OURS = {"A": 9, "B": 12, "D": 3, "E": 4, "L": 3, "M": 3}
+OURS = {"A": 9, "B": 12, "D": 3, "E": 4, "L": 3, "M": 4}
 NUMBERS = {str(n) for n in range(1, 31)} | {
     f"{x}{n}" for x, count in OURS.items() for n in range(1, count + 1)
 }

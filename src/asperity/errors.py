@@ -5,8 +5,12 @@ command line prints that sentence and exits with :attr:`AsperityError.exit_code`
 """
 
 from collections.abc import Sequence
+from contextvars import ContextVar
 
 LONGEST_QUOTE = 80
+
+#: What runs, in words, where the command line has set it; messages name it.
+RUNNING: ContextVar[str] = ContextVar("RUNNING", default="this function")
 
 
 def printable(text: str) -> str:
@@ -88,6 +92,24 @@ class InputError(AsperityError, ValueError):
     """The input is wrong: a value, a unit, a key, a file. Exit code 2."""
 
     exit_code = 2
+
+
+class UnsupportedDriveError(InputError):
+    """A joint file describes a drive of a type that a command cannot compute.
+
+    Parameters
+    ----------
+    source : str
+        Name of the file.
+    kind : str
+        Type of its drive.
+    """
+
+    def __init__(self, source: str, kind: str) -> None:
+        super().__init__(
+            f"{source}: {RUNNING.get()} does not work for drives of type {kind!r}, only for the paper's (a file "
+            "without 'type'); 'asperity joint', 'asperity roll' and 'asperity draw' work for every type"
+        )
 
 
 class NoSolutionError(AsperityError, RuntimeError):

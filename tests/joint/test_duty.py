@@ -6,6 +6,7 @@ import jax.numpy as jnp
 import numpy as np
 import pytest
 
+from asperity.drive.rolling_speeds import WEDGE_DRIVE
 from asperity.joint.duty import duty_life
 from asperity.joint.rolling_conditions import PLAIN_ROLLING, DutyPoint, RollingConditions
 
@@ -48,7 +49,9 @@ def _drive(cycles, planets=3.0):
 
 
 def found(*loads, **options):
-    return duty_life(conditions=conditions(*loads, **options), planet_count=3.0, rolled=rolled)
+    return duty_life(
+        conditions=conditions(*loads, **options), bodies=WEDGE_DRIVE, planet_count=3.0, rolled=rolled
+    )
 
 
 def test_one_load_is_that_load():

@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 
 from asperity.contact.rolling_fatigue import BEARING_STEEL, line_contact_life
+from asperity.drive.rolling_speeds import WEDGE_DRIVE
 from asperity.joint.rolling_life import cycle_rates, drive_lives, failure_shares, track_lives
 
 SLOPE = 10.0 / 9.0  # Lundberg and Palmgren 1947, line contact
@@ -27,7 +28,7 @@ def life(lives):
 
 def test_bodies_and_drive_fail_with_the_first_of_their_tracks():
     """A track of the sun is one track, however many planets roll on it."""
-    found = drive_lives(tracks=jnp.asarray(TRACKS), planet_count=2.0)
+    found = drive_lives(bodies=WEDGE_DRIVE, tracks=jnp.asarray(TRACKS), planet_count=2.0)
     own = {name: [TRACKS[place] for place in dict.fromkeys(tracks)] for name, tracks in BODIES.items()}
     np.testing.assert_allclose(found.body, [life(each) for each in own.values()], rtol=1e-12)
     every = own["sun"] + 2 * (own["planet"] + own["right"] + own["left"]) + own["ring"]
@@ -44,34 +45,35 @@ def test_bodies_and_drive_fail_with_the_first_of_their_tracks():
 
 def test_shares_of_the_failures_are_the_slopes_of_the_life():
     r"""A track's share is :math:`\partial \ln L / \partial \ln L_i`, here by differences."""
-    shares = np.asarray(failure_shares(tracks=jnp.asarray(TRACKS), planet_count=3.0))
+    shares = np.asarray(failure_shares(bodies=WEDGE_DRIVE, tracks=jnp.asarray(TRACKS), planet_count=3.0))
     assert shares.sum() == pytest.approx(1.0, rel=1e-14)
     for place in np.ndindex(2, 5):
         longer, shorter = TRACKS.copy(), TRACKS.copy()
         longer[place] *= 1.0001
         shorter[place] /= 1.0001
         lives = [
-            float(drive_lives(tracks=jnp.asarray(each), planet_count=3.0).drive) for each in (longer, shorter)
+            float(drive_lives(bodies=WEDGE_DRIVE, tracks=jnp.asarray(each), planet_count=3.0).drive)
+            for each in (longer, shorter)
         ]
         assert np.log(lives[0] / lives[1]) / (2.0 * np.log(1.0001)) == pytest.approx(shares[place], rel=1e-6)
 
 
 def test_a_track_without_stress_never_fails():
     endless = np.full((2, 5), np.inf)
-    found = drive_lives(tracks=jnp.asarray(endless), planet_count=3.0)
+    found = drive_lives(bodies=WEDGE_DRIVE, tracks=jnp.asarray(endless), planet_count=3.0)
     assert np.isinf(found.drive)
     assert np.all(np.isinf(found.body))
     endless[1, 2] = 4.0
-    assert float(drive_lives(tracks=jnp.asarray(endless), planet_count=3.0).drive) == pytest.approx(
-        life([4.0] * 3), rel=1e-12
-    )
+    assert float(
+        drive_lives(bodies=WEDGE_DRIVE, tracks=jnp.asarray(endless), planet_count=3.0).drive
+    ) == pytest.approx(life([4.0] * 3), rel=1e-12)
 
 
 def test_passes_of_a_turning_drive():
     """A point of the sun meets every planet in a turn against the carrier, a point of a roller each contact once."""
     body = jnp.array([60.0, 20.0, 10.0, 12.0, 2.0]) * 2.0 * jnp.pi
     speeds = SimpleNamespace(body=body)
-    found = cycle_rates(speeds=speeds, planet_count=3.0)
+    found = cycle_rates(bodies=WEDGE_DRIVE, speeds=speeds, planet_count=3.0)
     np.testing.assert_allclose(found[0], [180.0, 20.0, 20.0, 10.0, 12.0], rtol=1e-14)
     np.testing.assert_allclose(found[1], [20.0, 10.0, 12.0, 6.0, 6.0], rtol=1e-14)
 

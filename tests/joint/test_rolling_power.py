@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from asperity.joint.rolling_conditions import PLAIN_ROLLING
-from asperity.joint.rolling_power import rolling_power
+from asperity.joint.rolling_power import bearing_power, rolling_power
 
 NORMAL = jnp.array([1000.0, 660.0, 465.0, 647.0, 449.0])
 TANGENTIAL = jnp.array([46.0, 25.0, 21.0, 25.0, 21.0])
@@ -22,27 +22,34 @@ COUNT, CARRIER, SUN = 3.0, 60.0, 600.0
 
 def budget(*, output_torque=5.0, rolling=ROLLING, carrier=CARRIER, **conditions):
     bearings = SimpleNamespace(sun_torque=0.01, carrier_torque=0.02)
+    state = SimpleNamespace(
+        normal=NORMAL,
+        tangential=TANGENTIAL,
+        creepage=CREEPAGE,
+        right_bearing_torque=jnp.asarray(0.003),
+        left_bearing_torque=jnp.asarray(0.004),
+    )
+    speeds = SimpleNamespace(
+        rolling=rolling, body=jnp.array([660.0, 200.0, 540.0, 530.0, 60.0]), carrier=jnp.asarray(carrier)
+    )
     return rolling_power(
-        mechanism=SimpleNamespace(geometry=SimpleNamespace(planet_count=COUNT), bearings=bearings),
+        branches=COUNT,
         pairs=SimpleNamespace(
             effective_radius=RADIUS, contact_length=5e-3, moduli=SimpleNamespace(contact_modulus=1.13e11)
         ),
         conditions=dataclasses.replace(PLAIN_ROLLING, **conditions),
-        state=SimpleNamespace(
-            normal=NORMAL,
-            tangential=TANGENTIAL,
-            creepage=CREEPAGE,
-            right_bearing_torque=jnp.asarray(0.003),
-            left_bearing_torque=jnp.asarray(0.004),
-        ),
+        state=state,
         half_width=WIDTH,
-        speeds=SimpleNamespace(
-            rolling=rolling, body=jnp.array([660.0, 200.0, 540.0, 530.0, 60.0]), carrier=jnp.asarray(carrier)
-        ),
+        speeds=speeds,
         axial_force=AXIAL,
         lateral_creepage=SKEW,
+        bearing_power=bearing_power(
+            mechanism=SimpleNamespace(geometry=SimpleNamespace(planet_count=COUNT), bearings=bearings),
+            state=state,
+            speeds=speeds,
+            sun_speed=SUN,
+        ),
         output_torque=output_torque,
-        sun_speed=SUN,
     )
 
 

@@ -8,6 +8,7 @@ import jax.numpy as jnp
 import numpy as np
 import pytest
 
+from asperity.drive.geometry import CONTACT_BODIES
 from asperity.drive.rolling_speeds import RollingSpeeds
 from asperity.joint.description import Bodies
 from asperity.joint.rolling_conditions import PLAIN_ROLLING
@@ -23,7 +24,11 @@ EACH = jnp.ones(5)
 def rises(bodies, *, power=EACH * 20.0, speed=2.0, stuck=EACH * 0.5):
     speeds = RollingSpeeds(EACH * speed * 1.001, EACH * speed, EACH, jnp.asarray(1.0))
     found = flash_temperatures(
-        bodies=bodies, friction_power=power, speeds=speeds, half_width=EACH * 1e-4, stick_fraction=stuck
+        materials=[(getattr(bodies, one), getattr(bodies, two)) for one, two in CONTACT_BODIES.values()],
+        friction_power=power,
+        speeds=speeds,
+        half_width=EACH * 1e-4,
+        stick_fraction=stuck,
     )
     return np.asarray(found)
 

@@ -16,7 +16,7 @@ from typing import Any
 import click
 
 from asperity.cli.terminal import checked_output, silence
-from asperity.errors import AsperityError
+from asperity.errors import RUNNING, AsperityError
 
 #: Command name -> (module that defines it, function name, one-line help shown without importing the module).
 COMMANDS: dict[str, tuple[str, str, str]] = {
@@ -97,6 +97,7 @@ class LazyGroup(click.Group):
         if entry is None:
             return None
         module, attribute, _ = entry
+        RUNNING.set(f"'asperity {cmd_name}'")
         command: click.Command = getattr(importlib.import_module(module), attribute)
         return command
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import textwrap
+from collections import Counter
 from typing import TYPE_CHECKING, Any
 
 from asperity.units import format_quantity
@@ -43,8 +44,14 @@ def print_wrapped(target: Console, text: str, *, indent: int) -> None:
 def show_heading(target: Console, document: Document, source: str) -> None:
     """Name of the file, and the load for which its numbers hold."""
     drive, load, preload = document["input"]["drive"], document["input"]["load"], document["preload"]
+    if "planets" in drive:
+        size = count(drive["planets"], "planet")
+    else:
+        size = f"{count(document['geometry']['sectors'], 'roller')} in each row"
+    kind = document["input"].get("type")
+    title = source if kind is None else f"{source}: {kind.replace('_', ' ')} drive"
     target.print(
-        f"{source}\n{count(drive['planets'], 'planet')}, sun at {in_unit(load['sun_speed'], 'rpm')}, preload "
+        f"{title}\n{size}, sun at {in_unit(load['sun_speed'], 'rpm')}, preload "
         f"{in_unit(preload['force_N'], 'N')} ({in_unit(preload['interference_m'], 'um')} of interference), "
         f"output torque {in_unit(load['output_torque'], 'N*m')}{temperatures(document)}{loading_cam(document)}\n",
         style="bold",
@@ -89,6 +96,7 @@ def show_assumptions(target: Console, document: Document) -> None:
 def show_warnings(target: Console, document: Document) -> None:
     """Every crossed limit, the most serious first, with what to do; limits of the model alone make one line."""
     crossed: dict[str, list[Document]] = {}
+    contacts = max(Counter(e["name"] for e in document["diagnostics"] if e["contact"]).values(), default=0)
     for entry in document["diagnostics"]:
         if not entry["ok"]:
             crossed.setdefault(entry["name"], []).append(entry)
@@ -101,7 +109,9 @@ def show_warnings(target: Console, document: Document) -> None:
         if entries[0]["severity"] != "model":
             first = entries[0]
             _print_warning(
-                target, f"{first['label']} {_values(entries)} (limit {number(first['limit'])})", entries
+                target,
+                f"{first['label']} {_values(entries, contacts)} (limit {number(first['limit'])})",
+                entries,
             )
     if model:
         parts = [f"{entries[0]['label']} up to {_largest(entries)}" for entries in model]
@@ -121,10 +131,10 @@ def _print_warning(target: Console, heading: str, entries: list[Document], *, me
     print_wrapped(target, f"    What to do: {entries[0]['remedy']}", indent=4)
 
 
-def _values(entries: list[Document]) -> str:
+def _values(entries: list[Document], contacts: int) -> str:
     """Values by contact, or one value where all contacts have the same."""
     values = [number(entry["value"]) for entry in entries]
-    if len(entries) == 5 and len(set(values)) == 1:
+    if len(entries) == contacts and len(set(values)) == 1:
         return f"{values[0]} at every contact"
     return ", ".join(
         f"{value} at {e['contact']}" if e["contact"] else value

@@ -3,12 +3,18 @@
 from __future__ import annotations
 
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import click
 
 from asperity.cli.terminal import say, say_written
 from asperity.errors import InputError
 from asperity.writing import IMAGE_SUFFIXES, check_file, write_image, write_text
+
+if TYPE_CHECKING:
+    from asperity.joint_file.model import Case
+    from asperity.joint_file.planar_model import PlanarCase
+    from asperity.show.sheet import Sheet
 
 
 @click.command()
@@ -29,7 +35,8 @@ def draw(file: str, out: str, forces: bool) -> None:
     the ring that is thicker than half the inner radius is broken off, and the drawing says so. A DXF file contains the
     true sizes in mm; it needs the optional package ezdxf.
     """
-    from asperity.joint_file.reader import read_case
+    from asperity.joint_file.planar_model import PlanarCase
+    from asperity.joint_file.reader import read_any_case
 
     suffix = Path(out).suffix.lower()
     if suffix not in (*IMAGE_SUFFIXES, ".dxf"):
@@ -39,21 +46,12 @@ def draw(file: str, out: str, forces: bool) -> None:
         from asperity.show.sheet_dxf import require_ezdxf
 
         require_ezdxf()
-    case = read_case(file)
+    case = read_any_case(file)
     from asperity.precision import use_compilation_cache, use_double_precision
 
     use_double_precision()
     use_compilation_cache()
-    from asperity.joint_file.build import joint_from_case
-    from asperity.show.drive_sheet import drive_sheet
-
-    joint = joint_from_case(case)
-    found = None
-    if forces:
-        from asperity.joint.solve import solve
-
-        found = solve(joint).result.forces
-    sheet = drive_sheet(joint, name=file, forces=found)
+    sheet = _planar_sheet(case, file, forces) if isinstance(case, PlanarCase) else _sheet(case, file, forces)
     if suffix == ".dxf":
         from asperity.show.sheet_dxf import sheet_dxf
 
@@ -66,3 +64,28 @@ def draw(file: str, out: str, forces: bool) -> None:
     overlaps = [text for text in sheet.texts if "OVERLAP" in text]
     if overlaps:
         say(f"asperity: warning: {file}: {'; '.join(overlaps)}")
+
+
+def _sheet(case: Case, file: str, forces: bool) -> Sheet:
+    from asperity.joint_file.build import joint_from_case
+    from asperity.show.drive_sheet import drive_sheet
+
+    joint = joint_from_case(case)
+    found = None
+    if forces:
+        from asperity.joint.solve import solve
+
+        found = solve(joint).result.forces
+    return drive_sheet(joint, name=file, forces=found)
+
+
+def _planar_sheet(case: PlanarCase, file: str, forces: bool) -> Sheet:
+    from asperity.cli.solved_case import refuse_options
+    from asperity.drive.planar.existence import refuse_impossible
+    from asperity.joint_file.planar_build import planar_joint_from_case
+    from asperity.show.planar_sheet import planar_sheet
+
+    refuse_options(case, file, {"--forces": forces})
+    joint = planar_joint_from_case(case)
+    refuse_impossible(joint.drive)
+    return planar_sheet(joint, name=file)

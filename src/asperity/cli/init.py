@@ -4,12 +4,23 @@ from __future__ import annotations
 
 import click
 
+#: Types of drives, the paper's first; each has an example of its name.
+TYPES = ("zou2025", "planetary", "planetary_hollow", "multiroller", "stepped_planet")
+
 
 @click.command()
 @click.argument("file", type=click.Path(), default="joint.toml")
+@click.option(
+    "--type",
+    "kind",
+    type=click.Choice(TYPES),
+    default=TYPES[0],
+    show_default=True,
+    help="Type of the drive.",
+)
 @click.option("--force", is_flag=True, help="Overwrite FILE if it exists.")
-def init(file: str, force: bool) -> None:
-    """Write a commented joint file, the joint of Zou et al. 2025, to FILE (joint.toml; '-' prints it)."""
+def init(file: str, kind: str, force: bool) -> None:
+    """Write a commented joint file to FILE (joint.toml; '-' prints it): that of Zou et al. 2025, or another drive."""
     from importlib.resources import files
     from pathlib import Path
 
@@ -17,7 +28,7 @@ def init(file: str, force: bool) -> None:
     from asperity.errors import InputError
     from asperity.writing import write_text
 
-    text = files("asperity.joint_file").joinpath("zou2025.toml").read_text(encoding="utf-8")
+    text = files("asperity.joint_file").joinpath(f"{kind}.toml").read_text(encoding="utf-8")
     if file == "-":
         prepare_output()
         click.echo(text, nl=False)

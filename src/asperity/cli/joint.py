@@ -2,10 +2,15 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING, Any
+
 import click
 
 from asperity.cli.terminal import say_written
 from asperity.writing import check_image, write_image
+
+if TYPE_CHECKING:
+    from asperity.joint_file.planar_model import PlanarCase
 
 
 @click.command()
@@ -33,14 +38,18 @@ def joint(file: str, as_json: bool, surfaces: tuple[str, ...], plot_file: str | 
     FILE is a TOML file; 'asperity init' writes one with comments. With --surface the measured D and G take the
     place of the file's, and their uncertainty comes out as an interval of the stiffness.
     """
-    from asperity.joint_file.reader import read_case
+    from asperity.joint_file.planar_model import PlanarCase
+    from asperity.joint_file.reader import read_any_case
 
     check_image(plot_file)
-    case = read_case(file)
+    case = read_any_case(file)
     from asperity.precision import use_compilation_cache, use_double_precision
 
     use_double_precision()
     use_compilation_cache()
+    if isinstance(case, PlanarCase):
+        _planar(case, file, as_json, {"--surface": bool(surfaces), "--plot": plot_file is not None})
+        return
     from asperity.joint.document import joint_document
     from asperity.joint.solve import solve
     from asperity.joint_file.assumptions import assumptions
@@ -71,6 +80,19 @@ def joint(file: str, as_json: bool, surfaces: tuple[str, ...], plot_file: str | 
         solved = SolvedJoint(described, solution.result, solution.capacity)
         write_image(joint_figure(solved, title=plain_title(file)), plot_file)
         say_written(plot_file)
+    _show(document, file, as_json)
+
+
+def _planar(case: PlanarCase, file: str, as_json: bool, options: dict[str, bool]) -> None:
+    """The joint with another drive than the paper's."""
+    from asperity.cli.solved_case import refuse_options, solved_planar
+
+    refuse_options(case, file, options)
+    _, _, document = solved_planar(case)
+    _show(document, file, as_json)
+
+
+def _show(document: dict[str, Any], file: str, as_json: bool) -> None:
     if as_json:
         import json
 

@@ -21,6 +21,7 @@ if TYPE_CHECKING:
     from rich.console import Console
 
 Document = dict[str, Any]
+Rows = tuple[tuple[str, str], ...]
 
 _MODELS = (
     ("assembly", "assembled: asperities, bodies, floating planets, structure"),
@@ -165,11 +166,27 @@ def _show_contacts(target: Console, document: Document) -> None:
 
 
 def _show_drive(target: Console, document: Document) -> None:
-    geometry, forces = document["geometry"], document["forces"]
-    capacity = document["torque_capacity"]
-    gap = min(geometry["clearances"], key=lambda entry: entry["gap_m"])
+    forces, capacity = document["forces"], document["torque_capacity"]
+    torque = (
+        f"in {in_unit(forces['input_torque_Nm'], 'N*m')}, out {in_unit(forces['output_torque_Nm'], 'N*m')}"
+    )
+    common = (
+        ("torque", torque),
+        ("capacity", capacity_text(capacity)),
+        ("rolling", _rolling_capacity(document)),
+    )
+    own = _of_the_paper if "wedge_angle_rad" in document["geometry"] else _of_another_type
+    before, after = own(document)
     target.print("Drive", style="bold")
-    for label, text in (
+    for label, text in (*before, *common, *after):
+        print_wrapped(target, f"  {label:<10} {text}", indent=13)
+
+
+def _of_the_paper(document: Document) -> tuple[Rows, Rows]:
+    """Rows of the paper's drive before and after those of every drive."""
+    geometry, forces = document["geometry"], document["forces"]
+    gap = min(geometry["clearances"], key=lambda entry: entry["gap_m"])
+    before = (
         (
             "angles",
             f"alpha {in_unit(geometry['alpha_rad'], 'deg', 6)}, theta {in_unit(geometry['theta_rad'], 'deg', 6)}, "
@@ -179,15 +196,8 @@ def _show_drive(target: Console, document: Document) -> None:
             "speed",
             f"ratio {number(geometry['speed_ratio'])}, carrier {in_unit(forces['carrier_speed_rad_per_s'], 'rpm')}",
         ),
-        (
-            "torque",
-            f"in {in_unit(forces['input_torque_Nm'], 'N*m')}, out {in_unit(forces['output_torque_Nm'], 'N*m')}",
-        ),
-        (
-            "capacity",
-            capacity_text(capacity),
-        ),
-        ("rolling", _rolling_capacity(document)),
+    )
+    after = (
         (
             "pin force",
             f"left {in_unit(forces['pin_N']['left'], 'N')}, right {in_unit(forces['pin_N']['right'], 'N')}",
@@ -199,8 +209,25 @@ def _show_drive(target: Console, document: Document) -> None:
             f"loading roller {in_unit(forces['loading_roller_mass_kg'], 'g')}",
         ),
         ("clearance", f"at least {in_unit(gap['gap_m'], 'mm')}: {gap['condition']}"),
-    ):
-        print_wrapped(target, f"  {label:<10} {text}", indent=13)
+    )
+    return before, after
+
+
+def _of_another_type(document: Document) -> tuple[Rows, Rows]:
+    """Rows of any other drive."""
+    geometry, forces = document["geometry"], document["forces"]
+    speed = in_unit(forces["output_speed_rad_per_s"], "rpm")
+    members = f"{geometry['input']} in, {geometry['output']} out, {geometry['grounded']} grounded"
+    masses = ", ".join(
+        f"{name.replace('_', ' ')} {in_unit(mass, 'g')}" for name, mass in forces["body_mass_kg"].items()
+    )
+    pins = ", ".join(
+        f"{name.replace('_', ' ')} {in_unit(force, 'N')}" for name, force in forces["pin_N"].items()
+    )
+    return (
+        (("members", members), ("speed", f"ratio {number(geometry['speed_ratio'])}, output {speed}")),
+        (*((("pin force", pins),) if pins else ()), ("mass", masses)),
+    )
 
 
 def _strength(document: Document) -> list[tuple[str, str]]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from typing import Any
 
 import click
 
@@ -30,14 +31,24 @@ def roll(file: str, plot_file: str | None, as_json: bool) -> None:
     [rolling], [lubrication] and [[duty]] of FILE are optional; what they leave out is listed under 'Assumed'. The JSON
     document is that of 'asperity joint'.
     """
-    from asperity.joint_file.reader import read_case
+    from asperity.joint_file.planar_model import PlanarCase
+    from asperity.joint_file.reader import read_any_case
 
     check_image(plot_file)
-    case = read_case(file)
+    case = read_any_case(file)
     from asperity.precision import use_compilation_cache, use_double_precision
 
     use_double_precision()
     use_compilation_cache()
+    if isinstance(case, PlanarCase):
+        from asperity.cli.solved_case import refuse_options, solved_planar
+        from asperity.joint.planar.solve import refuse_planar_rolling
+
+        refuse_options(case, file, {"--plot": plot_file is not None})
+        planar, found, document = solved_planar(case)
+        refuse_planar_rolling(planar, found)
+        _show(document, file, as_json)
+        return
     from asperity.joint.document import joint_document
     from asperity.joint.rolling_refusal import refuse_no_rolling
     from asperity.joint.solve import solve
@@ -74,6 +85,10 @@ def roll(file: str, plot_file: str | None, as_json: bool) -> None:
             plot_file,
         )
         say_written(plot_file)
+    _show(document, file, as_json)
+
+
+def _show(document: dict[str, Any], file: str, as_json: bool) -> None:
     if as_json:
         import json
 

@@ -50,6 +50,7 @@ def _show_output(target: Console, document: Document) -> None:
     """Drift and stiffness: two numbers that do not replace each other."""
     rolling, stiffness = document["rolling"], document["torsional_stiffness"]["assembly"]
     torque, spring = document["forces"]["output_torque_Nm"], stiffness["output_Nm_per_rad"]
+    of_the_paper = "wedge_angle_rad" in document["geometry"]
     shown = table(target, "Position of the output", "quantity", "value", "what it is")
     shown.columns[2].justify, shown.columns[2].no_wrap = "left", False
     shown.add_row(
@@ -68,7 +69,7 @@ def _show_output(target: Console, document: Document) -> None:
     shown.add_row(
         "torque over stiffness",
         "-" if not spring else in_unit(torque / spring, "arcmin"),
-        "comes back without torque; 'asperity windup' integrates it",
+        "comes back without torque" + ("; 'asperity windup' integrates it" if of_the_paper else ""),
     )
     capacity = rolling["torque_capacity_Nm"]
     shown.add_row(
@@ -207,7 +208,7 @@ def _show_life(target: Console, document: Document) -> None:
         "the drive", _life(rolling["life_hours"]), _life(rolling["life_output_turns"]), style="bold"
     )
     for name, hours in rolling["body_life_hours"].items():
-        one = "" if name in ("sun", "ring") else "one "
+        one = "" if name == "sun" or name.endswith("ring") else "one "
         shown.add_row(one + _words(name), _life(hours), _life(rolling["body_life_output_turns"][name]))
     if loads:
         shown.add_row(

@@ -4,9 +4,20 @@ from __future__ import annotations
 
 import click
 
+#: Types of drives, the paper's first.
+TYPES = ("zou2025", "planetary", "multiroller", "stepped_planet")
+
 
 @click.command()
-def schema() -> None:
+@click.option(
+    "--type",
+    "kind",
+    type=click.Choice(TYPES),
+    default=TYPES[0],
+    show_default=True,
+    help="Type of the drive.",
+)
+def schema(kind: str) -> None:
     """Print the JSON schema of joint files, which lets editors check and complete them.
 
     Save it next to the joint file and refer to it in the first line of that file: '#:schema ./joint.schema.json'.
@@ -15,4 +26,4 @@ def schema() -> None:
 
     from asperity.joint_file.schema import joint_schema
 
-    click.echo(json.dumps(joint_schema(), indent=2))
+    click.echo(json.dumps(joint_schema(kind), indent=2))

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import NamedTuple
+
 import equinox as eqx
 import jax.numpy as jnp
 from jax import Array
@@ -14,6 +16,29 @@ BODY_NAMES = ("sun", "planet", "right_loading_roller", "left_loading_roller", "r
 
 #: Places of the driving and the driven body of each contact in :data:`BODY_NAMES`.
 DRIVING_BODY, DRIVEN_BODY = (0, 1, 1, 2, 3), (1, 2, 3, 4, 4)
+
+
+class BodiesOfContacts(NamedTuple):
+    """Which bodies the contacts of one branch of a drive join.
+
+    Parameters
+    ----------
+    names : tuple of str
+        Names of the bodies, in the order of every body axis.
+    shared : tuple of bool
+        Whether a body is one for all branches.
+    driving, driven : tuple of int
+        Places of the two bodies of each contact in the names.
+    """
+
+    names: tuple[str, ...]
+    shared: tuple[bool, ...]
+    driving: tuple[int, ...]
+    driven: tuple[int, ...]
+
+
+#: Bodies of the drive of Zou et al. 2025.
+WEDGE_DRIVE = BodiesOfContacts(BODY_NAMES, (True, False, False, False, True), DRIVING_BODY, DRIVEN_BODY)
 
 
 class RollingSpeeds(eqx.Module):

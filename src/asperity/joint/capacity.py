@@ -11,7 +11,7 @@ import jax
 import jax.numpy as jnp
 from jax import Array
 
-from asperity.drive.capacity import first_limit, slip_ratio
+from asperity.drive.capacity import FirstLimit, first_limit, slip_ratio
 from asperity.drive.existence import pin_lock, smaller_body
 from asperity.drive.force_balance import BALANCE_TOLERANCE, force_balance
 from asperity.drive.geometry import CONTACT_NAMES
@@ -30,7 +30,6 @@ _PER_CONTACT = LIMIT_KINDS[2:5]  # these have a limit for each contact
 
 #: What :attr:`TorqueCapacity.limiting_contact` numbers.
 LIMITING_CONTACTS = (*CONTACT_NAMES, "none")
-_NO_CONTACT = len(CONTACT_NAMES)
 
 
 class TorqueCapacity(eqx.Module):
@@ -124,9 +123,26 @@ def torque_capacity(joint: Joint, *, direction: Real) -> TorqueCapacity:
     guess = jnp.min(friction, axis=0) * joint.preload * drive.sides.roller_orbit * joint.geometry.planet_count
     shape = jnp.broadcast_shapes(*(jnp.shape(leaf) for leaf in (*jax.tree.leaves(joint), direction)))
     found = first_limit(excesses=excesses, first_guess=jnp.broadcast_to(guess, shape))
-    each = len(CONTACT_NAMES)
-    kinds = [0, 1, *(2 + i // each for i in range(each * len(_PER_CONTACT))), len(LIMIT_KINDS) - 1]
-    places = [_NO_CONTACT, _NO_CONTACT, *list(range(each)) * len(_PER_CONTACT), _NO_CONTACT]
+    return named_capacity(found, contacts=len(CONTACT_NAMES))
+
+
+def named_capacity(found: FirstLimit, *, contacts: int) -> TorqueCapacity:
+    """The capacity with its kind of limit and contact, from the first of many limits.
+
+    Parameters
+    ----------
+    found : FirstLimit
+        First of: locked pins, slip, lift-off and width of every contact, no solution.
+    contacts : int
+        Number of contacts.
+
+    Returns
+    -------
+    TorqueCapacity
+        Its torque and limit.
+    """
+    kinds = [0, 1, *(2 + i // contacts for i in range(contacts * len(_PER_CONTACT))), len(LIMIT_KINDS) - 1]
+    places = [contacts, contacts, *list(range(contacts)) * len(_PER_CONTACT), contacts]
     return TorqueCapacity(
         output_torque=found.value,
         limit=jnp.asarray(kinds)[1 + found.which],
@@ -134,20 +150,22 @@ def torque_capacity(joint: Joint, *, direction: Real) -> TorqueCapacity:
     )
 
 
-def limit_words(capacity: TorqueCapacity) -> str:
+def limit_words(capacity: TorqueCapacity, *, contacts: tuple[str, ...] = CONTACT_NAMES) -> str:
     """What limits the capacity of one joint, in words.
 
     Parameters
     ----------
     capacity : TorqueCapacity
         Of one joint and one direction.
+    contacts : tuple of str, optional
+        Names of the contacts.
 
     Returns
     -------
     str
         For example "contact sp slips".
     """
-    contact = LIMITING_CONTACTS[int(capacity.limiting_contact)]
+    contact = (*contacts, "none")[int(capacity.limiting_contact)]
     texts = {
         "none": "no limit is reached at any torque",
         "gross_slip": f"contact {contact} slips",
@@ -159,13 +177,17 @@ def limit_words(capacity: TorqueCapacity) -> str:
     return texts[LIMIT_KINDS[int(capacity.limit)]]
 
 
-def capacity_document(capacity: TorqueCapacity) -> dict[str, Any]:
+def capacity_document(
+    capacity: TorqueCapacity, *, contacts: tuple[str, ...] = CONTACT_NAMES
+) -> dict[str, Any]:
     """The capacity of one joint in one direction as a part of a JSON document.
 
     Parameters
     ----------
     capacity : TorqueCapacity
         Of one joint and one direction.
+    contacts : tuple of str, optional
+        Names of the contacts.
 
     Returns
     -------
@@ -176,6 +198,6 @@ def capacity_document(capacity: TorqueCapacity) -> dict[str, Any]:
     return {
         "output_torque_Nm": torque if math.isfinite(torque) else None,
         "limit": LIMIT_KINDS[int(capacity.limit)],
-        "limiting_contact": LIMITING_CONTACTS[contact] if contact < _NO_CONTACT else None,
-        "meaning": limit_words(capacity),
+        "limiting_contact": contacts[contact] if contact < len(contacts) else None,
+        "meaning": limit_words(capacity, contacts=contacts),
     }

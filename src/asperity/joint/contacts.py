@@ -82,7 +82,7 @@ def joint_contacts(joint: Joint) -> JointContacts:
     """
     driving, driven = (
         per_contact(
-            tuple(_elastic(getattr(joint.bodies, bodies[side])) for bodies in CONTACT_BODIES.values())
+            tuple(elastic_material(getattr(joint.bodies, bodies[side])) for bodies in CONTACT_BODIES.values())
         )
         for side in (0, 1)
     )
@@ -104,8 +104,19 @@ def joint_contacts(joint: Joint) -> JointContacts:
     )
 
 
-def _elastic(material: Material) -> Material:
-    """A material without its thermal properties, which not every material has."""
+def elastic_material(material: Material) -> Material:
+    """A material without its thermal properties, which not every material has.
+
+    Parameters
+    ----------
+    material : Material
+        A material.
+
+    Returns
+    -------
+    Material
+        Its elastic and plastic properties.
+    """
     return Material(
         youngs_modulus=material.youngs_modulus,
         poisson_ratio=material.poisson_ratio,

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import equinox as eqx
 import jax.numpy as jnp
+from jax import Array
 
 from asperity.contact.hertz_line import first_yield_pressure, peak_pressure
 from asperity.contact.roller_pairs import RollerPairs
 from asperity.drive.capacity import slip_ratio as traction_used
-from asperity.drive.force_balance import DriveForces
 from asperity.drive.geometry import Triangle
 from asperity.joint.contacts import LoadedContacts
 from asperity.types import Real
@@ -21,8 +21,8 @@ class Diagnostics(eqx.Module):
     ----------
     slip_ratio : Real
         T/(mu N) of each contact, shape (5, ...) [-]; infinite where a lifted contact should carry a force.
-    self_locking_ratio : Real
-        tan(beta/2)/mu of the planet's wedge contacts, the larger of both sides, shape (...) [-].
+    self_locking_ratio : Real or None
+        tan(beta/2)/mu of the planet's wedge contacts, the larger of both sides, shape (...) [-]; None without wedges.
     real_area_over_hertz_area : Real
         Real area of contact over the Hertzian strip 2bB, shape (5, ...) [-].
     largest_spot_over_hertz_area : Real
@@ -41,7 +41,7 @@ class Diagnostics(eqx.Module):
     """
 
     slip_ratio: Real
-    self_locking_ratio: Real
+    self_locking_ratio: Real | None
     real_area_over_hertz_area: Real
     largest_spot_over_hertz_area: Real
     critical_over_largest_spot: Real
@@ -52,28 +52,52 @@ class Diagnostics(eqx.Module):
     hertz_pressure: Real
 
 
+def self_locking_ratio(*, sides: Triangle, friction_coefficient: Real) -> Array:
+    r"""Friction that a wedge needs to hold itself over the friction it has, :math:`\tan(\beta/2)/\mu`.
+
+    Parameters
+    ----------
+    sides : Triangle
+        Triangle of centres of the drive of Zou et al. 2025.
+    friction_coefficient : Real
+        mu of the contacts, shape (1 or 5, ...) [-].
+
+    Returns
+    -------
+    Array
+        The larger of both sides of a planet [-].
+
+    References
+    ----------
+    Two forces on the loading roller balance where each is inclined by half the wedge angle.
+    """
+    friction = jnp.broadcast_to(friction_coefficient, (5, *jnp.shape(jnp.asarray(friction_coefficient))[1:]))
+    return jnp.asarray(sides.sin_wedge / (1.0 + sides.cos_wedge) / jnp.minimum(friction[1], friction[2]))
+
+
 def diagnose(
     *,
-    sides: Triangle,
     pairs: RollerPairs,
-    forces: DriveForces,
+    normal_force: Array,
+    tangential_force: Array,
     loaded: LoadedContacts,
     rest_force: Real,
+    self_locking_ratio: Real | None,
 ) -> Diagnostics:
     """Compare a solved joint with the limits of the model.
 
     Parameters
     ----------
-    sides : Triangle
-        The drive's triangle of centres.
     pairs : RollerPairs
         Its contacts.
-    forces : DriveForces
-        Its forces.
+    normal_force, tangential_force : Array
+        Their forces, shape (contacts, ...) [N].
     loaded : LoadedContacts
-        Its contacts under these forces, shape (5, ...).
+        Its contacts under these forces, shape (contacts, ...).
     rest_force : Real
-        Normal forces at rest, shape (5, ...) [N].
+        Normal forces at rest, shape (contacts, ...) [N].
+    self_locking_ratio : Real or None
+        :func:`self_locking_ratio`; None for a drive without wedges.
 
     Returns
     -------
@@ -85,25 +109,22 @@ def diagnose(
     K. L. Johnson, Contact Mechanics, 1985, sections 4.2 and 6.2; :doc:`/assumptions`.
     """
     contacts, interfaces = loaded.rough, loaded.interfaces
-    touching = forces.normal > 0.0
+    touching = normal_force > 0.0
     width = jnp.where(touching, loaded.half_width, 1.0)  # an open contact has no load either
     length, friction_coefficient = pairs.contact_length, pairs.friction_coefficient
     pressure = peak_pressure(
-        normal_force=jnp.where(touching, forces.normal, 0.0), contact_length=length, half_width=width
+        normal_force=jnp.where(touching, normal_force, 0.0), contact_length=length, half_width=width
     )
     compared = (interfaces.bulk_tangential > 0.0) & (interfaces.asperity_normal > 0.0)
     strip = 2.0 * width * length
-    friction = jnp.broadcast_to(
-        friction_coefficient, jnp.broadcast_shapes(jnp.shape(friction_coefficient), forces.normal.shape)
-    )
     largest = jnp.where(touching, contacts.largest_area, 1.0)
     return Diagnostics(
         slip_ratio=traction_used(
-            normal_force=forces.normal,
-            tangential_force=forces.tangential,
+            normal_force=normal_force,
+            tangential_force=tangential_force,
             friction_coefficient=friction_coefficient,
         ),
-        self_locking_ratio=sides.sin_wedge / (1.0 + sides.cos_wedge) / jnp.minimum(friction[1], friction[2]),
+        self_locking_ratio=self_locking_ratio,
         real_area_over_hertz_area=contacts.real_contact_area / strip,
         largest_spot_over_hertz_area=contacts.largest_area / strip,
         critical_over_largest_spot=jnp.where(touching, contacts.critical_area / largest, jnp.inf),
@@ -113,7 +134,7 @@ def diagnose(
             interfaces.asperity_tangential / jnp.where(compared, interfaces.bulk_tangential, 1.0),
             jnp.nan,
         ),
-        normal_force_over_preload=forces.normal / rest_force,
+        normal_force_over_preload=normal_force / rest_force,
         hertz_half_width=loaded.half_width,
         hertz_pressure=pressure,
     )

@@ -9,12 +9,12 @@ from typing import Any
 import numpy as np
 
 import asperity
-from asperity.drive.geometry import CONTACT_NAMES
 from asperity.drive.torsional_stiffness import TorsionalStiffness
 from asperity.joint.capacity import capacity_document
 from asperity.joint.description import Joint, preload_at
 from asperity.joint.evaluation import JointResult
 from asperity.joint.limit_check import LimitCheck, checked_limits
+from asperity.joint.planar.evaluation import PlanarResult
 from asperity.joint.plausibility import plausibility
 from asperity.joint.results import GROUPS, RESULTS, SolvedJoint
 from asperity.joint.rolling_document import contact_results, losses, rolling_document
@@ -62,10 +62,10 @@ def joint_document(
         },
         "forces": _forces(result),
         "torque_capacity": _capacity(solution),
-        "contacts": _contacts(solved),
-        "torsional_stiffness": _torsional_stiffness(result),
+        "contacts": contact_documents(solved),
+        "torsional_stiffness": torsional_stiffness_document(result),
         "stiffness_unknown_because": stiffness_unknown_because(result),
-        "stiffness_budget": _stiffness_budget(result),
+        "stiffness_budget": stiffness_budget(result),
         "speed_loss": result.rolling.speed_loss,
         "drift_rad_per_output_turn": result.rolling.drift_per_output_turn,
         "efficiency": result.rolling.power.efficiency,
@@ -80,12 +80,11 @@ def joint_document(
             ),
         },
         "diagnostics": [
-            *(_limit_check(entry) for entry in checked_limits(joint, result)),
+            *(limit_document(entry) for entry in checked_limits(joint, result)),
             *(dataclasses.asdict(note) for note in plausibility(joint, result, solution.sizes)),
         ],
     }
-    cleaned: Document = _plain(document)
-    return cleaned
+    return plain_document(document)
 
 
 def _loading_cam(joint: Joint, result: JointResult) -> Document | None:
@@ -101,7 +100,19 @@ def _loading_cam(joint: Joint, result: JointResult) -> Document | None:
     }
 
 
-def _limit_check(entry: LimitCheck) -> Document:
+def limit_document(entry: LimitCheck) -> Document:
+    """One limit of a joint, kept or crossed.
+
+    Parameters
+    ----------
+    entry : LimitCheck
+        The limit.
+
+    Returns
+    -------
+    dict
+        Its value, limit and words.
+    """
     return {
         "name": entry.result.name,
         "label": entry.result.label,
@@ -131,8 +142,8 @@ def _geometry(solution: Solution) -> Document:
 def _forces(result: JointResult) -> Document:
     forces = result.forces
     return {
-        "normal_N": dict(zip(CONTACT_NAMES, np.asarray(forces.normal), strict=True)),
-        "tangential_N": dict(zip(CONTACT_NAMES, np.asarray(forces.tangential), strict=True)),
+        "normal_N": dict(zip(result.contact_names, np.asarray(forces.normal), strict=True)),
+        "tangential_N": dict(zip(result.contact_names, np.asarray(forces.tangential), strict=True)),
         "pin_N": {"left": forces.pin_left, "right": forces.pin_right},
         "input_torque_Nm": forces.input_torque,
         "output_torque_Nm": forces.output_torque,
@@ -152,20 +163,31 @@ def _capacity(solution: Solution) -> Document:
     }
 
 
-def _contacts(solved: SolvedJoint) -> Document:
-    """Every result of the contacts but their forces, with its unit behind its name; and what the rolling adds."""
+def contact_documents(solved: SolvedJoint) -> Document:
+    """Every result of the contacts but their forces, with its unit behind its name; and what the rolling adds.
+
+    Parameters
+    ----------
+    solved : SolvedJoint
+        One joint.
+
+    Returns
+    -------
+    dict
+        Contact → its results.
+    """
     columns = {
         f"{name}{_suffix(RESULTS[name].si_unit)}": RESULTS[name].of(solved) for name in GROUPS["contacts"]
     }
     return {
         contact: {
             **{
-                name: np.broadcast_to(values, (len(CONTACT_NAMES),))[index]
+                name: np.broadcast_to(values, (len(solved.result.contact_names),))[index]
                 for name, values in columns.items()
             },
             **contact_results(solved.result.rolling, index),
         }
-        for index, contact in enumerate(CONTACT_NAMES)
+        for index, contact in enumerate(solved.result.contact_names)
     }
 
 
@@ -174,7 +196,19 @@ def _suffix(unit: str) -> str:
     return "" if unit == "1" else "_" + unit.replace("*", "").replace("^", "").replace("/", "_per_")
 
 
-def _torsional_stiffness(result: JointResult) -> Document:
+def torsional_stiffness_document(result: JointResult | PlanarResult) -> Document:
+    """Torsional stiffness on all levels of the model.
+
+    Parameters
+    ----------
+    result : JointResult or PlanarResult
+        Result of one joint.
+
+    Returns
+    -------
+    dict
+        Level → stiffness at sun and output.
+    """
     return {
         "published": _stiffness(result.published),
         "series_with_bulk": _stiffness(result.series_with_bulk),
@@ -182,12 +216,12 @@ def _torsional_stiffness(result: JointResult) -> Document:
     }
 
 
-def stiffness_unknown_because(result: JointResult) -> str | None:
+def stiffness_unknown_because(result: JointResult | PlanarResult) -> str | None:
     """Why a joint has no stiffness.
 
     Parameters
     ----------
-    result : JointResult
+    result : JointResult or PlanarResult
         Result of one joint.
 
     Returns
@@ -199,7 +233,7 @@ def stiffness_unknown_because(result: JointResult) -> str | None:
         return None
     normal, elastic = np.asarray(result.forces.normal), np.asarray(result.contacts.normal_stiffness)
     plastic = [
-        name for name, force, k in zip(CONTACT_NAMES, normal, elastic, strict=True) if force > 0.0 >= k
+        name for name, force, k in zip(result.contact_names, normal, elastic, strict=True) if force > 0.0 >= k
     ]
     return (
         f"every spot of {', '.join(plastic)} is plastic, where the contact law has no stiffness; real surfaces keep "
@@ -216,14 +250,42 @@ def _stiffness(stiffness: TorsionalStiffness) -> Document:
     }
 
 
-def _stiffness_budget(result: JointResult) -> Document:
-    """Shares of the assembly's compliance; they add up to 1."""
+def stiffness_budget(result: JointResult | PlanarResult) -> Document:
+    """Shares of the assembly's compliance; they add up to 1.
+
+    Parameters
+    ----------
+    result : JointResult or PlanarResult
+        Result of one joint.
+
+    Returns
+    -------
+    dict
+        Spring → share.
+    """
     shares = vars(result.assembly).items()
     return {
-        name: dict(zip(CONTACT_NAMES, np.asarray(share), strict=True)) if np.ndim(share) else share
+        name: dict(zip(result.contact_names, np.asarray(share), strict=True)) if np.ndim(share) else share
         for name, share in shares
         if name.endswith("_share")
     }
+
+
+def plain_document(document: Document) -> Document:
+    """A document of Python numbers, with None for numbers that are not finite.
+
+    Parameters
+    ----------
+    document : dict
+        Nested tables of numbers, arrays and text.
+
+    Returns
+    -------
+    dict
+        Ready for :func:`json.dumps`.
+    """
+    cleaned: Document = _plain(document)
+    return cleaned
 
 
 def _plain(node: Any) -> Any:

@@ -10,6 +10,7 @@ import jax.numpy as jnp
 from jax import Array
 
 from asperity.contact.rolling_fatigue import damage_shares, life_at_reliability, spectrum_life
+from asperity.drive.rolling_speeds import BodiesOfContacts
 from asperity.joint.description import per_contact
 from asperity.joint.rolling import RollingResult
 from asperity.joint.rolling_conditions import RollingConditions
@@ -38,7 +39,11 @@ class DutyLife(eqx.Module):
 
 
 def duty_life(
-    *, conditions: RollingConditions, planet_count: Real, rolled: Callable[[Array, Array], RollingResult]
+    *,
+    conditions: RollingConditions,
+    bodies: BodiesOfContacts,
+    planet_count: Real,
+    rolled: Callable[[Array, Array], RollingResult],
 ) -> DutyLife:
     r"""Life of the drive under its duty, in hours and in turns of the output.
 
@@ -52,8 +57,10 @@ def duty_life(
     ----------
     conditions : RollingConditions
         The duty, with at least one load, and the reliability.
+    bodies : BodiesOfContacts
+        Bodies of the contacts.
     planet_count : Real
-        Number of planets [-].
+        Number of branches [-].
     rolled : callable
         Steady rolling of the joint at an output torque [N·m] and a speed of the sun [rad/s].
 
@@ -80,10 +87,13 @@ def duty_life(
     }
     tracks = spectrum_life(**spectrum)
     hours = drive_lives(
+        bodies=bodies,
         tracks=life_at_reliability(life=tracks, reliability=conditions.reliability) / 3600.0,
         planet_count=planet_count,
     ).drive
-    shares = damage_shares(**spectrum) * failure_shares(tracks=tracks, planet_count=planet_count)
+    shares = damage_shares(**spectrum) * failure_shares(
+        bodies=bodies, tracks=tracks, planet_count=planet_count
+    )
     return DutyLife(
         hours=hours,
         turns=hours * 3600.0 * jnp.sum(points.share * turns_a_second, axis=0),

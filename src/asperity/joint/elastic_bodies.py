@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from typing import NamedTuple
 
 import jax.numpy as jnp
@@ -202,19 +203,97 @@ def assembly_springs(
     ----------
     Equation (E3) of :doc:`/equations`.
     """
+    bodies = None if joint.body_model == "springs" else machine_bodies(joint, sides)
+    return springs_of_bodies(bodies=bodies, contacts=contacts, loaded=loaded)
+
+
+def springs_of_bodies(
+    *, bodies: Sequence[BodyInMachine] | None, contacts: JointContacts, loaded: LoadedContacts
+) -> AssemblySprings:
+    """Springs of the contacts between given bodies, see :func:`assembly_springs`.
+
+    Parameters
+    ----------
+    bodies : sequence of BodyInMachine or None
+        Exact bodies of one branch; None for one spring for each contact.
+    contacts : JointContacts
+        The contacts.
+    loaded : LoadedContacts
+        The contacts under their forces.
+
+    Returns
+    -------
+    AssemblySprings
+        Without coupling where the bodies are springs.
+
+    References
+    ----------
+    Equation (E3) of :doc:`/equations`.
+    """
     interfaces = loaded.interfaces
     normal, tangential = jnp.asarray(interfaces.normal), jnp.asarray(interfaces.tangential)
-    if joint.body_model == "springs":
+    if bodies is None:
         return AssemblySprings(normal, tangential, None)
-    touching, sticking = normal > 0.0, tangential > 0.0
-    pairs = contacts.pairs
-    width = jnp.where(touching, loaded.half_width, _CLOSED * pairs.effective_radius)
+    width, stick_width = widths_of_bodies(contacts=contacts, loaded=loaded)
     compliance = coupled_compliance(
-        bodies=machine_bodies(joint, sides),
-        contact_lengths=pairs.contact_length,
+        bodies=bodies,
+        contact_lengths=contacts.pairs.contact_length,
         half_widths=width,
-        stick_half_widths=width * jnp.sqrt(jnp.where(sticking, 1.0 - loaded.traction, 1.0)),
+        stick_half_widths=stick_width,
     )
+    return springs_of_compliance(compliance=compliance, half_width=width, loaded=loaded)
+
+
+def widths_of_bodies(*, contacts: JointContacts, loaded: LoadedContacts) -> tuple[Array, Array]:
+    r"""Half-widths at which the compliance of exact bodies is taken.
+
+    Parameters
+    ----------
+    contacts : JointContacts
+        The contacts.
+    loaded : LoadedContacts
+        The contacts under their forces.
+
+    Returns
+    -------
+    tuple of Array
+        Half-widths of the strips and of their stick zones, shape (contacts, ...) [m]; those of an open contact stand
+        for it only.
+
+    References
+    ----------
+    Cattaneo's stick zone, :math:`c = b\sqrt{1 - T/(\mu N)}`.
+    """
+    touching = jnp.asarray(loaded.interfaces.normal) > 0.0
+    sticking = jnp.asarray(loaded.interfaces.tangential) > 0.0
+    width = jnp.where(touching, loaded.half_width, _CLOSED * contacts.pairs.effective_radius)
+    return width, width * jnp.sqrt(jnp.where(sticking, 1.0 - loaded.traction, 1.0))
+
+
+def springs_of_compliance(*, compliance: Array, half_width: Array, loaded: LoadedContacts) -> AssemblySprings:
+    """Springs of the contacts from the compliance of their bodies, the asperities in series.
+
+    Parameters
+    ----------
+    compliance : Array
+        Of the bodies, shape (2 contacts, 2 contacts, ...) [m/N].
+    half_width : Array
+        Half-widths for which it holds [m].
+    loaded : LoadedContacts
+        The contacts under their forces.
+
+    Returns
+    -------
+    AssemblySprings
+        With the coupling between the contacts.
+
+    References
+    ----------
+    Equation (E3) of :doc:`/equations`.
+    """
+    interfaces = loaded.interfaces
+    touching = jnp.asarray(interfaces.normal) > 0.0
+    sticking = jnp.asarray(interfaces.tangential) > 0.0
     acts = jnp.concatenate([touching, sticking])
     asperities = jnp.concatenate(
         [
@@ -226,5 +305,5 @@ def assembly_springs(
     stiffness = jnp.where(acts, 1.0 / (own + 1.0 / jnp.where(acts, asperities, 1.0)), 0.0)
     others = 1.0 - jnp.eye(acts.shape[0]).reshape((acts.shape[0],) * 2 + (1,) * (acts.ndim - 1))
     coupling = jnp.where(acts[:, None] & acts[None], others * compliance, 0.0)
-    half = normal.shape[0]
-    return AssemblySprings(stiffness[:half], stiffness[half:], coupling, compliance, width)
+    half = touching.shape[0]
+    return AssemblySprings(stiffness[:half], stiffness[half:], coupling, compliance, half_width)

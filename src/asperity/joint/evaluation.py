@@ -19,6 +19,7 @@ from asperity.drive.geometry import CONTACT_NAMES, DriveAngles, angles, carrier_
 from asperity.drive.interference import interference
 from asperity.drive.loading_cam import cam_angle, cam_compliance, with_cam
 from asperity.drive.mechanism import Mechanism, opposed, rest_state
+from asperity.drive.rolling_speeds import WEDGE_DRIVE
 from asperity.drive.torsional_stiffness import (
     TorsionalStiffness,
     contact_torsional_stiffness,
@@ -33,7 +34,7 @@ from asperity.joint.contacts import (
     rough_joint_contacts,
 )
 from asperity.joint.description import Bodies, Joint, preload_at, sense_of_rotation, with_one_rank
-from asperity.joint.diagnostics import Diagnostics, diagnose
+from asperity.joint.diagnostics import Diagnostics, diagnose, self_locking_ratio
 from asperity.joint.duty import duty_life
 from asperity.joint.elastic_bodies import assembly_springs, walls_hold
 from asperity.joint.interference import joint_rest_compliance
@@ -106,6 +107,16 @@ class JointResult(eqx.Module):
     contact_law_holds: Array
     walls_hold: Array
     solved: Array
+
+    @property
+    def contact_names(self) -> tuple[str, ...]:
+        """Names of the contacts, in the order of their axis."""
+        return CONTACT_NAMES
+
+    @property
+    def body_names(self) -> tuple[str, ...]:
+        """Names of the bodies of a branch, in the order of their axis."""
+        return WEDGE_DRIVE.names
 
     def contact(self, name: str) -> dict[str, Array]:
         """All quantities of one contact by name, for reading by eye.
@@ -324,11 +335,14 @@ def evaluate(joint: Joint) -> JointResult:
         interference=interference(compliance=rest_compliance, preload=drive.preload),
         cam_angle=turned,
         diagnostics=diagnose(
-            sides=drive.sides,
             pairs=contacts.pairs,
-            forces=forces,
+            normal_force=forces.normal,
+            tangential_force=forces.tangential,
             loaded=loaded,
             rest_force=drive.rest.normal_force,
+            self_locking_ratio=self_locking_ratio(
+                sides=drive.sides, friction_coefficient=contacts.pairs.friction_coefficient
+            ),
         ),
         rolling=_rolling(joint, contacts, drive, forces, loaded.rough.normal_stiffness),
         contact_law_holds=law_holds,
@@ -364,7 +378,12 @@ def _rolling(
             asperity_normal_stiffness=rough.normal_stiffness,
         )
 
-    life = duty_life(conditions=joint.rolling, planet_count=joint.geometry.planet_count, rolled=rolled)
+    life = duty_life(
+        conditions=joint.rolling,
+        bodies=WEDGE_DRIVE,
+        planet_count=joint.geometry.planet_count,
+        rolled=rolled,
+    )
     return dataclasses.replace(
         found,
         duty_life_hours=life.hours,

@@ -10,26 +10,45 @@ import numpy as np
 from jax import Array
 
 from asperity.body.coupling import coupled_compliance
-from asperity.body.shapes import kolosov_constant
+from asperity.body.shapes import PlaneState, kolosov_constant
 from asperity.compilation import compile_fast
 from asperity.contact.hertz_line import logarithmic_compliance
 from asperity.drive.geometry import triangle
 from asperity.drive.interference import RestCompliance, preload_of_interference, rest_compliance
 from asperity.drive.mechanism import RestState, rest_state
 from asperity.joint.contacts import JointContacts, bulk_springs, joint_contacts
-from asperity.joint.description import Joint, with_one_rank
+from asperity.joint.description import BodyModel, Joint, with_one_rank
 from asperity.joint.elastic_bodies import AssemblySprings, machine_bodies
 from asperity.materials import Material
 from asperity.types import Real
 
 
-def _logarithmic(joint: Joint, contacts: JointContacts) -> Array:
-    """Decrease of the contacts' secant compliance with the logarithm of their force, shape (5, ...) [m/N]."""
+def logarithmic_decrease(*, contacts: JointContacts, body_model: BodyModel, plane_state: PlaneState) -> Array:
+    """Decrease of the contacts' secant compliance with the logarithm of their force.
+
+    Parameters
+    ----------
+    contacts : JointContacts
+        The contacts.
+    body_model : {"exact", "springs"}
+        Their bodies; the springs are in plane strain.
+    plane_state : {"plane_strain", "plane_stress"}
+        Of the exact bodies.
+
+    Returns
+    -------
+    Array
+        Sum over both bodies, shape (contacts, ...) [m/N].
+
+    References
+    ----------
+    :func:`asperity.contact.hertz_line.logarithmic_compliance`.
+    """
 
     def of_body(body: Material) -> Real:
         numbers = {"youngs_modulus": body.youngs_modulus, "poisson_ratio": body.poisson_ratio}
         strain = logarithmic_compliance(contact_length=contacts.pairs.contact_length, **numbers)
-        if joint.body_model == "springs" or joint.plane_state == "plane_strain":
+        if body_model == "springs" or plane_state == "plane_strain":
             return strain
         stress, plane = (
             kolosov_constant(poisson_ratio=body.poisson_ratio, plane_state=state) + 1.0
@@ -73,7 +92,8 @@ def joint_rest_compliance(
     ----------
     Equation (I1) of :doc:`/equations`.
     """
-    normal, bend = rest.normal_force, _logarithmic(joint, contacts)
+    normal = rest.normal_force
+    bend = logarithmic_decrease(contacts=contacts, body_model=joint.body_model, plane_state=joint.plane_state)
     width = contacts.pairs.half_width(normal)
     if springs.bodies is None or springs.half_width is None:
         bulk = bulk_springs(contacts=contacts, half_width=width)

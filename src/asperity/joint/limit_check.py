@@ -7,7 +7,12 @@ from dataclasses import dataclass
 
 from asperity.joint.description import Joint
 from asperity.joint.evaluation import JointResult
+from asperity.joint.planar.description import PlanarJoint
+from asperity.joint.planar.evaluation import PlanarResult
 from asperity.joint.results import RESULTS, SEVERITIES, Limit, Result, SolvedJoint
+
+#: Groups of results that only the paper's drive has.
+_PAPERS_GROUPS = ("bearings", "loads", "stresses")
 
 
 @dataclass(frozen=True, slots=True)
@@ -52,14 +57,14 @@ class LimitCheck:
         return self.rule.kept if self.ok else self.rule.crossed
 
 
-def checked_limits(joint: Joint, result: JointResult) -> tuple[LimitCheck, ...]:
+def checked_limits(joint: Joint | PlanarJoint, result: JointResult | PlanarResult) -> tuple[LimitCheck, ...]:
     """Every limit of one solved joint, contact by contact, the most serious first.
 
     Parameters
     ----------
-    joint : Joint
+    joint : Joint or PlanarJoint
         One joint, without batch axes.
-    result : JointResult
+    result : JointResult or PlanarResult
         What came out.
 
     Returns
@@ -68,7 +73,8 @@ def checked_limits(joint: Joint, result: JointResult) -> tuple[LimitCheck, ...]:
         One for each judged result of :data:`asperity.joint.results.RESULTS` and each of its rows.
     """
     solved = SolvedJoint(joint, result)
-    judged = [row for row in RESULTS.values() if row.limit is not None]
+    absent = _PAPERS_GROUPS if isinstance(joint, PlanarJoint) else ()
+    judged = [row for row in RESULTS.values() if row.limit is not None and row.group not in absent]
     judged.sort(key=lambda row: SEVERITIES.index(row.limit.severity))  # type: ignore[union-attr]
     return tuple(
         LimitCheck(row, name or None, value) for row in judged for name, value in row.rows_of(solved).items()

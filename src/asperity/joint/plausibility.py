@@ -184,56 +184,93 @@ def plausibility(joint: Joint, result: JointResult, sizes: CheckedSizes) -> tupl
     films = np.asarray(result.rolling.film_ratio)
     notes = list(_ring_bending(joint, result, sizes))
     for index, name in enumerate(CONTACT_NAMES):
-        mu = float(sizes.friction_coefficient[index])
-        notes.append(
-            _note(
-                "friction_coefficient",
-                "friction coefficient",
-                name,
-                mu,
-                FRICTION_LIMIT,
-                ("a usual friction coefficient", "traction fluids reach 0.12, clean dry steel 0.3"),
-                "measure a coefficient this high before relying on it",
-            )
+        notes += contact_notes(
+            name,
+            friction_coefficient=float(sizes.friction_coefficient[index]),
+            contact_length=float(lengths[index]),
+            smaller_radius=float(sizes.smaller_radius[index]),
+            effective_radius=float(effective[index]),
+            film_ratio=float(films[index]),
+            contact_factor_model=joint.contact_factor_model,
         )
-        notes.append(
-            _note(
-                "contact_length_over_diameter",
-                "contact length over diameter",
-                name,
-                float(lengths[index] / (2.0 * sizes.smaller_radius[index])),
-                SLENDERNESS_LIMIT,
-                (
-                    "a usual length of a contact line",
-                    "the contact line is long for its roller: a slight skew or bending loads one end, and the even "
-                    "line load of the model is lost",
-                ),
-                "shorten it, or crown the rollers",
-            )
-        )
-        if math.isfinite(films[index]):
-            notes.append(
-                _note(
-                    "film_ratio",
-                    "oil film over roughness lambda",
-                    name,
-                    float(films[index]),
-                    FILM_RATIO_LIMIT,
-                    (
-                        "the asperities carry the load, as the contact law assumes",
-                        "the oil film carries a part of the load, and all of it from about 3: friction, creep, drift, "
-                        "torque capacity and stiffness are then those of the oil, but they are computed for surfaces "
-                        "that touch",
-                    ),
-                    "use the friction coefficient measured with this oil at this film, or choose a thinner oil or a "
-                    "lower speed",
-                )
-            )
-        if joint.contact_factor_model != "unity":
-            notes.append(
-                _size(joint.contact_factor_model, name, float(effective[index]), float(lengths[index]))
-            )
     return tuple(notes)
+
+
+def contact_notes(
+    name: str,
+    *,
+    friction_coefficient: float,
+    contact_length: float,
+    smaller_radius: float,
+    effective_radius: float,
+    film_ratio: float,
+    contact_factor_model: str,
+) -> list[Note]:
+    """Notes on the friction, length, oil film and size of one contact of any drive.
+
+    Parameters
+    ----------
+    name : str
+        Name of the contact.
+    friction_coefficient : float
+        mu [-].
+    contact_length, smaller_radius, effective_radius : float
+        Length, radius of the smaller roller and effective radius [m].
+    film_ratio : float
+        Oil film over roughness [-]; nan where it is not known.
+    contact_factor_model : str
+        Model of the contact factor.
+
+    Returns
+    -------
+    list of Note
+        Those that are not ok are warnings.
+    """
+    notes = [
+        _note(
+            "friction_coefficient",
+            "friction coefficient",
+            name,
+            friction_coefficient,
+            FRICTION_LIMIT,
+            ("a usual friction coefficient", "traction fluids reach 0.12, clean dry steel 0.3"),
+            "measure a coefficient this high before relying on it",
+        ),
+        _note(
+            "contact_length_over_diameter",
+            "contact length over diameter",
+            name,
+            contact_length / (2.0 * smaller_radius),
+            SLENDERNESS_LIMIT,
+            (
+                "a usual length of a contact line",
+                "the contact line is long for its roller: a slight skew or bending loads one end, and the even line "
+                "load of the model is lost",
+            ),
+            "shorten it, or crown the rollers",
+        ),
+    ]
+    if math.isfinite(film_ratio):
+        notes.append(
+            _note(
+                "film_ratio",
+                "oil film over roughness lambda",
+                name,
+                film_ratio,
+                FILM_RATIO_LIMIT,
+                (
+                    "the asperities carry the load, as the contact law assumes",
+                    "the oil film carries a part of the load, and all of it from about 3: friction, creep, drift, "
+                    "torque capacity and stiffness are then those of the oil, but they are computed for surfaces "
+                    "that touch",
+                ),
+                "use the friction coefficient measured with this oil at this film, or choose a thinner oil or a "
+                "lower speed",
+            )
+        )
+    if contact_factor_model != "unity":
+        notes.append(_size(contact_factor_model, name, effective_radius, contact_length))
+    return notes
 
 
 def _note(

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import functools
+import operator
+from collections.abc import Sequence
 from typing import Any
 
 import equinox as eqx
@@ -14,15 +17,19 @@ from asperity.contact.rolling_fatigue import life_at_reliability
 from asperity.contact.shakedown import shakedown_limit, shear_yield_strength
 from asperity.contact.skew import axial_force, stick_fraction
 from asperity.drive.force_balance import DriveForces
+from asperity.drive.geometry import CONTACT_BODIES
 from asperity.drive.mechanism import Mechanism
-from asperity.drive.rolling_speeds import rolling_speeds
-from asperity.drive.rolling_state import ROLLING_TOLERANCE, rolling_state
+from asperity.drive.planar.state import PlanarState
+from asperity.drive.rolling_speeds import WEDGE_DRIVE, BodiesOfContacts, RollingSpeeds, rolling_speeds
+from asperity.drive.rolling_state import ROLLING_TOLERANCE, RollingState, rolling_state
 from asperity.joint.contacts import JointContacts
 from asperity.joint.description import Joint
-from asperity.joint.rolling_creep import contact_creep, lateral_slip_ratios
+from asperity.joint.rolling_conditions import RollingConditions
+from asperity.joint.rolling_creep import ContactCreep, contact_creep, lateral_slip_ratios
 from asperity.joint.rolling_life import DriveLives, cycle_rates, drive_lives, track_lives
-from asperity.joint.rolling_power import RollingPower, rolling_power
+from asperity.joint.rolling_power import RollingPower, bearing_power, rolling_power
 from asperity.joint.rolling_surface import flash_temperatures, oil_film
+from asperity.materials import Material
 from asperity.types import Real
 
 
@@ -168,59 +175,146 @@ def rolling_result(
     ----------
     Equations (B1)–(B11) of :doc:`/equations`.
     """
-    pairs, geometry = contacts.pairs, mechanism.geometry
+    geometry = mechanism.geometry
     forces = _in_one_shape(forces, (contacts, asperity_normal_stiffness, joint.rolling, joint.sun_speed))
     # computed once: XLA would repeat the balance and the contact law for their uses here
     forces, asperity_normal_stiffness = jax.lax.optimization_barrier((forces, asperity_normal_stiffness))
     creep = contact_creep(
-        joint=joint, contacts=contacts, forces=forces, asperity_normal_stiffness=asperity_normal_stiffness
+        contacts=contacts,
+        skew=joint.rolling.skew,
+        normal_force=forces.normal,
+        tangential_force=forces.tangential,
+        asperity_normal_stiffness=asperity_normal_stiffness,
     )
     state = rolling_state(mechanism=mechanism, standing=forces, law=creep.law)
+    unit = rolling_speeds(geometry=geometry, creepage=state.creepage, sun_speed=1.0)
+    speeds = jax.tree.map(lambda speed: speed * joint.sun_speed, unit)
+    return turning_result(
+        contacts=contacts,
+        conditions=joint.rolling,
+        materials=[
+            (getattr(joint.bodies, first), getattr(joint.bodies, second))
+            for first, second in CONTACT_BODIES.values()
+        ],
+        bodies=WEDGE_DRIVE,
+        branches=geometry.planet_count,
+        creep=creep,
+        state=state,
+        unit_speeds=unit,
+        input_speed=joint.sun_speed,
+        creepage_in_series=state.creepage[0] + state.creepage[1] + state.creepage[3],
+        bearing_power=bearing_power(
+            mechanism=mechanism, state=state, speeds=speeds, sun_speed=joint.sun_speed
+        ),
+        output_torque=forces.output_torque,
+    )
+
+
+def turning_result(
+    *,
+    contacts: JointContacts,
+    conditions: RollingConditions,
+    materials: Sequence[tuple[Material, Material]],
+    bodies: BodiesOfContacts,
+    branches: Real,
+    creep: ContactCreep,
+    state: RollingState | PlanarState,
+    unit_speeds: RollingSpeeds,
+    input_speed: Real,
+    creepage_in_series: Array,
+    bearing_power: Array,
+    output_torque: Real,
+) -> RollingResult:
+    """What the rolling state of any drive means: drift, losses, surfaces, shakedown and life.
+
+    Parameters
+    ----------
+    contacts : JointContacts
+        The contacts of one branch.
+    conditions : RollingConditions
+        Losses that are counted, oil and reliability.
+    materials : sequence of tuple of Material
+        Materials of the driving and the driven body of each contact.
+    bodies : BodiesOfContacts
+        Bodies of the contacts.
+    branches : Real
+        Number of branches [-].
+    creep : ContactCreep
+        Creep law of the contacts.
+    state : RollingState or PlanarState
+        Forces, creepages and speed loss of one branch.
+    unit_speeds : RollingSpeeds
+        Speeds for one unit of the input's speed; ``carrier`` stands for the output.
+    input_speed : Real
+        Angular velocity of the input, not negative [rad/s].
+    creepage_in_series : Array
+        Sum of the creepages from input to ground [-].
+    bearing_power : Array
+        Power lost in bearings and pins [W].
+    output_torque : Real
+        Torque at the output [N·m].
+
+    Returns
+    -------
+    RollingResult
+        nan where the equations are not solved; without a duty.
+
+    References
+    ----------
+    Equations (B1)–(B11) of :doc:`/equations`.
+    """
+    pairs = contacts.pairs
     solved = state.residual < ROLLING_TOLERANCE
     normal = jnp.where(state.normal > 0.0, state.normal, 1.0)
     friction = pairs.friction_coefficient
     width = jnp.asarray(pairs.half_width(normal))
     pressure = peak_pressure(normal_force=normal, contact_length=pairs.contact_length, half_width=width)
     traction = state.tangential / normal
-    unit = rolling_speeds(geometry=geometry, creepage=state.creepage, sun_speed=1.0)
-    speeds = jax.tree.map(lambda speed: speed * joint.sun_speed, unit)
-    lateral = lateral_slip_ratios(creep, friction, width / pairs.effective_radius, state.creepage)
+    speeds = jax.tree.map(lambda speed: speed * input_speed, unit_speeds)
+    lateral = lateral_slip_ratios(
+        creep=creep,
+        friction_coefficient=friction,
+        width_over_radius=width / pairs.effective_radius,
+        creepage=state.creepage,
+    )
     axial = jnp.asarray(
         axial_force(friction_coefficient=friction, normal_force=normal, lateral_slip_ratio=lateral[0])
     )
-    turns = jnp.asarray(joint.sun_speed) > 0.0
+    turns = jnp.asarray(input_speed) > 0.0
     drift = 2.0 * jnp.pi * state.speed_loss / (1.0 - state.speed_loss)
     tracks = track_lives(pairs=pairs, half_width=width, peak_pressure=pressure)
-    per_turn = cycle_rates(speeds=unit, planet_count=geometry.planet_count) * (2.0 * jnp.pi / unit.carrier)
+    per_turn = cycle_rates(bodies=bodies, speeds=unit_speeds, planet_count=branches) * (
+        2.0 * jnp.pi / unit_speeds.carrier
+    )
     lives = drive_lives(
-        tracks=life_at_reliability(life=tracks, reliability=joint.rolling.reliability) / per_turn,
-        planet_count=geometry.planet_count,
+        bodies=bodies,
+        tracks=life_at_reliability(life=tracks, reliability=conditions.reliability) / per_turn,
+        planet_count=branches,
     )
     turns_an_hour = 3600.0 * speeds.carrier / (2.0 * jnp.pi)
     power = rolling_power(
-        mechanism=mechanism,
+        branches=branches,
         pairs=pairs,
-        conditions=joint.rolling,
+        conditions=conditions,
         state=state,
         half_width=width,
         speeds=speeds,
         axial_force=axial,
         lateral_creepage=creep.skew,
-        output_torque=forces.output_torque,
-        sun_speed=joint.sun_speed,
+        bearing_power=bearing_power,
+        output_torque=output_torque,
     )
     stuck = jnp.asarray(
         stick_fraction(longitudinal_slip_ratio=traction / friction, lateral_slip_ratio=lateral[0])
     )
     film, film_over_roughness = oil_film(
-        conditions=joint.rolling, pairs=pairs, normal_force=normal, rolling_speed=speeds.rolling
+        conditions=conditions, pairs=pairs, normal_force=normal, rolling_speed=speeds.rolling
     )
-    in_series = state.creepage[0] + state.creepage[1] + state.creepage[3]
     found = RollingResult(
         normal=state.normal,
         tangential=state.tangential,
         creepage=state.creepage,
-        creepage_share=state.creepage / jnp.where(in_series != 0.0, in_series, jnp.nan),
+        creepage_share=state.creepage / jnp.where(creepage_in_series != 0.0, creepage_in_series, jnp.nan),
         traction_coefficient=traction,
         slip_ratio=jnp.abs(traction) / (friction * (1.0 - lateral[1])),
         stick_fraction=stuck,
@@ -229,16 +323,14 @@ def rolling_result(
         skew_creepage_factor=creep.skew_factor,
         capacity_loss=jnp.asarray(lateral[1]),
         axial_force=axial,
-        axial_thrust=_thrust(axial, geometry.planet_count),
+        axial_thrust=_thrust(bodies, axial, branches),
         speed_loss=state.speed_loss,
         drift_per_output_turn=drift,
         drift_rate=_where(turns, drift * speeds.carrier / (2.0 * jnp.pi)),
         power=_where(turns, power),
         flash_temperature=flash_temperatures(
-            bodies=joint.bodies,
-            friction_power=jnp.asarray(
-                (power.creep + power.skew) / (geometry.planet_count * pairs.contact_length)
-            ),
+            materials=materials,
+            friction_power=jnp.asarray((power.creep + power.skew) / (branches * pairs.contact_length)),
             speeds=speeds,
             half_width=width,
             stick_fraction=stuck,
@@ -271,15 +363,12 @@ def _where(condition: Array, values: Array | RollingPower | DriveLives):  # type
     return jax.tree.map(lambda value: jnp.where(condition, value, jnp.nan), values)
 
 
-def _thrust(axial: Array, count: Real) -> Array:
-    """Axial forces on sun, planet, right and left roller and ring; a contact pushes its two bodies oppositely."""
-    sun, right_planet, left_planet, right_ring, left_ring = axial
-    return jnp.stack(
-        jnp.broadcast_arrays(
-            -count * sun,
-            sun - right_planet - left_planet,
-            right_planet - right_ring,
-            left_planet - left_ring,
-            count * (right_ring + left_ring),
-        )
-    )
+def _thrust(bodies: BodiesOfContacts, axial: Array, branches: Real) -> Array:
+    """Axial forces on the bodies; a contact pushes its two bodies oppositely."""
+    found = []
+    for number, shared in enumerate(bodies.shared):
+        pushed = [axial[k] for k, body in enumerate(bodies.driven) if body == number]
+        pushed += [-axial[k] for k, body in enumerate(bodies.driving) if body == number]
+        force = functools.reduce(operator.add, pushed, jnp.zeros_like(axial[0]))
+        found.append(branches * force if shared else force)
+    return jnp.stack(jnp.broadcast_arrays(*found))

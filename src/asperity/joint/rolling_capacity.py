@@ -14,7 +14,7 @@ from asperity.drive.rolling_state import ROLLING_TOLERANCE, rolling_state
 from asperity.joint.contacts import joint_contacts, rough_joint_contacts
 from asperity.joint.description import Joint, with_one_rank
 from asperity.joint.evaluation import drive_under, mechanism
-from asperity.joint.rolling import contact_creep
+from asperity.joint.rolling_creep import contact_creep
 from asperity.types import Real
 
 
@@ -60,9 +60,10 @@ def rolling_torque_capacity(joint: Joint, *, direction: Real) -> Array:
             tangential_force=jnp.zeros_like(forces.tangential),
         )
         creep = contact_creep(
-            joint=joint,
             contacts=contacts,
-            forces=forces,
+            skew=joint.rolling.skew,
+            normal_force=forces.normal,
+            tangential_force=forces.tangential,
             asperity_normal_stiffness=rough.normal_stiffness,
         )
         state = rolling_state(mechanism=loaded, standing=forces, law=creep.law)

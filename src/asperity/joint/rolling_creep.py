@@ -1,4 +1,4 @@
-"""Creep of the contacts of a joint: Carter's law with asperities as an elastic layer, and skew."""
+"""The creep law of the contacts of a joint: Carter's, with the asperities as an elastic layer and with skew."""
 
 from __future__ import annotations
 
@@ -16,10 +16,9 @@ from asperity.contact.skew import (
     skewed_contact,
     skewed_slip_ratios,
 )
-from asperity.drive.force_balance import DriveForces
 from asperity.drive.rolling_state import CreepLaw
 from asperity.joint.contacts import JointContacts
-from asperity.joint.description import Joint, per_contact
+from asperity.joint.description import per_contact
 from asperity.types import Real
 
 # slip ratios between which the factors on Carter's creepage are taken
@@ -27,7 +26,7 @@ _LEAST_SLIP, _MOST_SLIP = 1e-6, 0.999
 
 
 class ContactCreep(NamedTuple):
-    """The creep law of the contacts with what went into it, shape (5, ...) [-].
+    """The creep law of the contacts with what went into it, shape (contacts, ...) [-].
 
     Parameters
     ----------
@@ -54,7 +53,12 @@ class ContactCreep(NamedTuple):
 
 
 def contact_creep(
-    *, joint: Joint, contacts: JointContacts, forces: DriveForces, asperity_normal_stiffness: Array
+    *,
+    contacts: JointContacts,
+    skew: tuple[Real, ...] | None,
+    normal_force: Array,
+    tangential_force: Array,
+    asperity_normal_stiffness: Array,
 ) -> ContactCreep:
     r"""Carter's creep of the contacts with their asperities as an elastic layer, and with skew.
 
@@ -64,14 +68,14 @@ def contact_creep(
 
     Parameters
     ----------
-    joint : Joint
-        The joint, for its skew.
     contacts : JointContacts
-        Its contacts.
-    forces : DriveForces
-        Its forces at rest.
+        The contacts of a joint.
+    skew : tuple of Real or None
+        Angles by which the axes are out of parallel, one or one for each contact [rad]; None for parallel axes.
+    normal_force, tangential_force : Array
+        Their forces at rest, shape (contacts, ...) [N].
     asperity_normal_stiffness : Array
-        Normal stiffness of the asperities under them, shape (5, ...) [N/m].
+        Normal stiffness of the asperities under them, shape (contacts, ...) [N/m].
 
     Returns
     -------
@@ -92,10 +96,10 @@ def contact_creep(
     """
     pairs = contacts.pairs
     modulus = pairs.moduli.contact_modulus
-    touching = forces.normal > 0.0
-    normal = jnp.where(touching, forces.normal, 1.0)
+    touching = normal_force > 0.0
+    normal = jnp.where(touching, normal_force, 1.0)
     friction = pairs.friction_coefficient
-    q = jnp.clip(jnp.abs(forces.tangential) / (friction * normal), _LEAST_SLIP, _MOST_SLIP)
+    q = jnp.clip(jnp.abs(tangential_force) / (friction * normal), _LEAST_SLIP, _MOST_SLIP)
     stiff = asperity_normal_stiffness > 0.0
     tangential = (
         4.0
@@ -113,10 +117,10 @@ def contact_creep(
         half_width=pairs.half_width(normal),
         effective_radius=pairs.effective_radius,
     )
-    skew, skew_factor = jnp.zeros_like(layer), jnp.ones_like(layer)
+    across, skew_factor = jnp.zeros_like(layer), jnp.ones_like(layer)
     ratio: Real = jnp.ones_like(layer)
-    if joint.rolling.skew is not None:
-        skew = jnp.broadcast_to(per_contact(joint.rolling.skew), layer.shape)
+    if skew is not None:
+        across = jnp.broadcast_to(per_contact(skew), layer.shape)
         elastic = lateral_compliance_ratio(
             youngs_modulus_1=contacts.driving.youngs_modulus,
             youngs_modulus_2=contacts.driven.youngs_modulus,
@@ -126,13 +130,13 @@ def contact_creep(
         ratio = elastic * uniform_layer_creepage_factor(layer_ratio=chi / elastic, slip_ratio=q) / layer
         skewed = skewed_contact(
             longitudinal_slip_ratio=q,
-            lateral_creepage=skew,
+            lateral_creepage=across,
             gross_slip_creepage=smooth * layer,
             lateral_gross_slip_creepage=smooth * layer * ratio,
         )
         alone = carter.creepage(slip_ratio=q, gross_slip_creepage=smooth * layer)
         skew_factor = jnp.where(skewed.solved, skewed.longitudinal_creepage / alone, jnp.nan)
-    scale = jnp.broadcast_to(smooth / jnp.sqrt(normal) * layer * skew_factor, forces.normal.shape)
+    scale = jnp.broadcast_to(smooth / jnp.sqrt(normal) * layer * skew_factor, normal_force.shape)
     return ContactCreep(
         # without the barrier XLA evaluates the layer's polynomial anew for every use of the law
         CreepLaw(friction, jax.lax.optimization_barrier(scale)),
@@ -140,18 +144,37 @@ def contact_creep(
         layer,
         skew_factor,
         ratio,
-        skew,
-        joint.rolling.skew is None,
+        across,
+        skew is None,
     )
 
 
 def lateral_slip_ratios(
-    creep: ContactCreep, friction: Real, width_over_radius: Real, creepage: Array
+    *, creep: ContactCreep, friction_coefficient: Real, width_over_radius: Real, creepage: Array
 ) -> tuple[Real, Real]:
-    """Axial force over friction, and the share of the tangential capacity that skew takes; 0 for parallel axes."""
+    """Axial force over friction, and the share of the tangential capacity that skew takes; 0 for parallel axes.
+
+    Parameters
+    ----------
+    creep : ContactCreep
+        The law of the contacts.
+    friction_coefficient, width_over_radius : Real
+        mu and half-width over effective radius [-].
+    creepage : Array
+        Creepages along the rolling direction, shape (contacts, ...) [-].
+
+    Returns
+    -------
+    tuple of Real
+        Axial force over friction and lost share, shape (contacts, ...) [-].
+
+    References
+    ----------
+    Equation (B6) of :doc:`/equations`.
+    """
     if creep.parallel:
         return jnp.zeros_like(creepage), jnp.zeros_like(creepage)
-    limit = jnp.broadcast_to(friction * width_over_radius * creep.layer_factor, creepage.shape)
+    limit = jnp.broadcast_to(friction_coefficient * width_over_radius * creep.layer_factor, creepage.shape)
     limits = {"gross_slip_creepage": limit, "lateral_gross_slip_creepage": limit * creep.lateral_ratio}
     _, lateral = skewed_slip_ratios(longitudinal_creepage=creepage, lateral_creepage=creep.skew, **limits)
     return lateral, 1.0 - longitudinal_capacity_ratio(lateral_creepage=creep.skew, **limits)

@@ -18,7 +18,7 @@ from asperity.drive.rolling_state import creepages
 from asperity.joint.contacts import joint_contacts
 from asperity.joint.description import Joint, with_one_rank
 from asperity.joint.evaluation import JointResult, evaluate
-from asperity.joint.rolling import contact_creep
+from asperity.joint.rolling_creep import contact_creep
 
 _CREEP_POINTS, _TORQUES, _SPEEDS = 60, 49, 17
 _OVER_TORQUE, _OVER_SPEED = 2.0, 1.5  # ends of the axes over the joint's own numbers
@@ -127,9 +127,10 @@ def _creep_curves(joint: Joint, forces: DriveForces, asperity_normal_stiffness: 
     normal = jnp.broadcast_to(forces.normal[:, None], (forces.normal.size, slip_ratio.size))
     tangential = contacts.pairs.friction_coefficient * slip_ratio * normal
     creep = contact_creep(
-        joint=curves,
         contacts=contacts,
-        forces=dataclasses.replace(forces, normal=normal, tangential=tangential),
+        skew=curves.rolling.skew,
+        normal_force=normal,
+        tangential_force=tangential,
         asperity_normal_stiffness=asperity_normal_stiffness[:, None],
     )
     return tangential / normal, creepages(law=creep.law, normal=normal, tangential=tangential)

@@ -6,24 +6,24 @@ from typing import Any
 
 import numpy as np
 
-from asperity.drive.geometry import CONTACT_NAMES
-from asperity.drive.rolling_speeds import BODY_NAMES
 from asperity.joint.description import Joint
 from asperity.joint.evaluation import JointResult
+from asperity.joint.planar.description import PlanarJoint
+from asperity.joint.planar.evaluation import PlanarResult
 from asperity.joint.rolling import RollingResult
 from asperity.joint.rolling_life import DriveLives
 
 Document = dict[str, Any]
 
 
-def rolling_document(joint: Joint, result: JointResult) -> Document:
+def rolling_document(joint: Joint | PlanarJoint, result: JointResult | PlanarResult) -> Document:
     """Creep, drift, axial forces, losses and life of a solved joint.
 
     Parameters
     ----------
-    joint : Joint
+    joint : Joint or PlanarJoint
         One joint.
-    result : JointResult
+    result : JointResult or PlanarResult
         Its result.
 
     Returns
@@ -42,12 +42,12 @@ def rolling_document(joint: Joint, result: JointResult) -> Document:
         "input_power_W": found.power.input,
         "output_power_W": found.power.output,
         "losses_W": losses(found),
-        "axial_thrust_N": dict(zip(BODY_NAMES, np.asarray(found.axial_thrust), strict=True)),
+        "axial_thrust_N": dict(zip(result.body_names, np.asarray(found.axial_thrust), strict=True)),
         "reliability": np.asarray(joint.rolling.reliability),
         "life_hours": found.life_hours.drive,
         "life_output_turns": found.life_turns.drive,
-        "body_life_hours": _by_body(found.life_hours),
-        "body_life_output_turns": _by_body(found.life_turns),
+        "body_life_hours": _by_body(result.body_names, found.life_hours),
+        "body_life_output_turns": _by_body(result.body_names, found.life_turns),
         "duty_life_hours": found.duty_life_hours,
         "duty_life_output_turns": found.duty_life_turns,
         "duty": {
@@ -57,7 +57,7 @@ def rolling_document(joint: Joint, result: JointResult) -> Document:
                 start=1,
             )
         },
-        "contacts": {name: _contact(found, k) for k, name in enumerate(CONTACT_NAMES)},
+        "contacts": {name: _contact(found, k) for k, name in enumerate(result.contact_names)},
         "residual": found.residual,
     }
 
@@ -135,18 +135,18 @@ def _contact(found: RollingResult, k: int) -> Document:
     }
 
 
-def _by_body(lives: DriveLives) -> Document:
-    return dict(zip(BODY_NAMES, np.asarray(lives.body), strict=True))
+def _by_body(names: tuple[str, ...], lives: DriveLives) -> Document:
+    return dict(zip(names, np.asarray(lives.body), strict=True))
 
 
-def unknown_because(joint: Joint, result: JointResult) -> list[str]:
+def unknown_because(joint: Joint | PlanarJoint, result: JointResult | PlanarResult) -> list[str]:
     """Why results of the rolling are absent.
 
     Parameters
     ----------
-    joint : Joint
+    joint : Joint or PlanarJoint
         One joint.
-    result : JointResult
+    result : JointResult or PlanarResult
         Its result.
 
     Returns
@@ -156,7 +156,9 @@ def unknown_because(joint: Joint, result: JointResult) -> list[str]:
     """
     found, slip = result.rolling, np.asarray(result.diagnostics.slip_ratio)
     if not bool(np.isfinite(np.asarray(found.residual))):
-        named = ", ".join(name for name, ratio in zip(CONTACT_NAMES, slip, strict=True) if not ratio < 1.0)
+        named = ", ".join(
+            name for name, ratio in zip(result.contact_names, slip, strict=True) if not ratio < 1.0
+        )
         if named:
             return [f"no steady rolling: {named} slips or has lifted off"]
         if not bool(result.contact_law_holds):

@@ -10,7 +10,7 @@ from jax import Array
 
 from asperity.contact.roller_pairs import RollerPairs
 from asperity.contact.rolling_fatigue import BEARING_STEEL, WEIBULL_SLOPE, line_contact_life
-from asperity.drive.rolling_speeds import BODY_NAMES, DRIVEN_BODY, DRIVING_BODY, RollingSpeeds
+from asperity.drive.rolling_speeds import BodiesOfContacts, RollingSpeeds
 from asperity.types import Real
 
 _MILLION = 1e6
@@ -22,9 +22,9 @@ class DriveLives(eqx.Module):
     Parameters
     ----------
     contact : Array
-        Lives of both tracks of a contact in all branches, shape (5, ...).
+        Lives of both tracks of a contact in all branches, shape (contacts, ...).
     body : Array
-        Lives of one body of each kind of :data:`asperity.drive.rolling_speeds.BODY_NAMES`, shape (5, ...).
+        Lives of one body of each kind, shape (bodies, ...).
     drive : Array
         Life until the first body of the drive fails, shape (...).
     """
@@ -42,12 +42,12 @@ def track_lives(*, pairs: RollerPairs, half_width: Real, peak_pressure: Real) ->
     pairs : RollerPairs
         The contacts.
     half_width, peak_pressure : Real
-        Of their strips, shape (5, ...) [m], [Pa].
+        Of their strips, shape (contacts, ...) [m], [Pa].
 
     Returns
     -------
     Array
-        Stress cycles, shape (2, 5, ...) [-].
+        Stress cycles, shape (2, contacts, ...) [-].
 
     References
     ----------
@@ -65,30 +65,32 @@ def track_lives(*, pairs: RollerPairs, half_width: Real, peak_pressure: Real) ->
     return jnp.stack(jnp.broadcast_arrays(driving, driven))
 
 
-def cycle_rates(*, speeds: RollingSpeeds, planet_count: Real) -> Array:
+def cycle_rates(*, bodies: BodiesOfContacts, speeds: RollingSpeeds, planet_count: Real) -> Array:
     """Stress cycles of every track per time.
 
     Parameters
     ----------
+    bodies : BodiesOfContacts
+        Bodies of the contacts.
     speeds : RollingSpeeds
         Speeds of the drive.
     planet_count : Real
-        Number n of planets [-].
+        Number n of branches [-].
 
     Returns
     -------
     Array
-        Frequencies of the tracks of the driving and the driven bodies, shape (2, 5, ...) [1/s]: a point of a planet or
-        roller passes each of its contacts once a turn against the carrier, a point of sun or ring n times.
+        Frequencies of the tracks of the driving and the driven bodies, shape (2, contacts, ...) [1/s]: a point of a
+        planet or roller passes each of its contacts once a turn against the carrier, a point of sun or ring n times.
     """
     turns = speeds.body / (2.0 * jnp.pi)
     one = jnp.ones_like(turns[0])
-    passes = jnp.stack([one * planet_count, one, one, one, one * planet_count])
+    passes = jnp.stack([one * planet_count if shared else one for shared in bodies.shared])
     rates = turns * passes
-    return jnp.stack([rates[jnp.array(DRIVING_BODY)], rates[jnp.array(DRIVEN_BODY)]])
+    return jnp.stack([rates[jnp.array(bodies.driving)], rates[jnp.array(bodies.driven)]])
 
 
-def drive_lives(*, tracks: Real, planet_count: Real) -> DriveLives:
+def drive_lives(*, bodies: BodiesOfContacts, tracks: Real, planet_count: Real) -> DriveLives:
     r"""Lives of contacts, bodies and drive from those of the tracks.
 
     .. math:: L = \Bigl(\sum_i L_i^{-e}\Bigr)^{-1/e}
@@ -97,10 +99,13 @@ def drive_lives(*, tracks: Real, planet_count: Real) -> DriveLives:
 
     Parameters
     ----------
+    bodies : BodiesOfContacts
+        Bodies of the contacts.
     tracks : Real
-        Lives of the tracks of one driving and one driven body of each contact, all in one unit, shape (2, 5, ...).
+        Lives of the tracks of one driving and one driven body of each contact, all in one unit, shape
+        (2, contacts, ...).
     planet_count : Real
-        Number of branches n [-]: there are n planets, right and left rollers, one sun and one ring.
+        Number of branches n [-]: there are n of every body that is not shared.
 
     Returns
     -------
@@ -116,33 +121,35 @@ def drive_lives(*, tracks: Real, planet_count: Real) -> DriveLives:
         [
             sum(
                 side[k]
-                for side, bodies in ((driving, DRIVING_BODY), (driven, DRIVEN_BODY))
-                for k in _at(bodies, b)
+                for side, places in ((driving, bodies.driving), (driven, bodies.driven))
+                for k in _at(places, b)
             )
-            for b in range(len(BODY_NAMES))
+            for b in range(len(bodies.names))
         ]
     )
-    first, second = _copies(planet_count, body.shape[1:])
+    first, second = _copies(bodies, planet_count, body.shape[1:])
     contact = driving * first + driven * second
     return DriveLives(contact=_life(contact), body=_life(body), drive=_life(jnp.sum(contact, axis=0)))
 
 
-def failure_shares(*, tracks: Real, planet_count: Real) -> Array:
+def failure_shares(*, bodies: BodiesOfContacts, tracks: Real, planet_count: Real) -> Array:
     r"""Share of the failures of a drive that begin on each track, all branches together.
 
     .. math:: s_i = \frac{n_i L_i^{-e}}{\sum_k n_k L_k^{-e}}
 
     Parameters
     ----------
+    bodies : BodiesOfContacts
+        Bodies of the contacts.
     tracks : Real
-        Lives of the tracks as for :func:`drive_lives`, shape (2, 5, ...).
+        Lives of the tracks as for :func:`drive_lives`, shape (2, contacts, ...).
     planet_count : Real
         Number of branches n [-].
 
     Returns
     -------
     Array
-        Shares, shape (2, 5, ...) [-]; they add up to 1. nan where no track fails.
+        Shares, shape (2, contacts, ...) [-]; they add up to 1. nan where no track fails.
 
     References
     ----------
@@ -151,16 +158,16 @@ def failure_shares(*, tracks: Real, planet_count: Real) -> Array:
     """
     lives = jnp.asarray(tracks)
     shortest = jnp.min(lives, axis=(0, 1))
-    rates = (lives / shortest) ** -WEIBULL_SLOPE * _copies(planet_count, lives.shape[2:])
+    rates = (lives / shortest) ** -WEIBULL_SLOPE * _copies(bodies, planet_count, lives.shape[2:])
     return rates / jnp.sum(rates, axis=(0, 1))
 
 
-def _copies(planet_count: Real, shape: tuple[int, ...]) -> Array:
-    """How many bodies of the drive have each track, shape (2, 5, ...)."""
+def _copies(bodies: BodiesOfContacts, planet_count: Real, shape: tuple[int, ...]) -> Array:
+    """How many bodies of the drive have each track, shape (2, contacts, ...)."""
     count = jnp.broadcast_to(jnp.asarray(planet_count, dtype=float), shape)
     one = jnp.ones_like(count)
-    times = jnp.stack([one, count, count, count, one])
-    return jnp.stack([times[jnp.array(DRIVING_BODY)], times[jnp.array(DRIVEN_BODY)]])
+    times = jnp.stack([one if shared else count for shared in bodies.shared])
+    return jnp.stack([times[jnp.array(bodies.driving)], times[jnp.array(bodies.driven)]])
 
 
 def _life(rate: Array) -> Array:

@@ -14,6 +14,7 @@ from asperity.contact.rolling_losses import (
     inlet_rolling_power,
 )
 from asperity.drive.mechanism import Mechanism
+from asperity.drive.planar.state import PlanarState
 from asperity.drive.rolling_speeds import RollingSpeeds
 from asperity.drive.rolling_state import RollingState
 from asperity.joint.rolling_conditions import RollingConditions
@@ -54,18 +55,53 @@ class RollingPower(eqx.Module):
     efficiency: Array
 
 
+def bearing_power(
+    *, mechanism: Mechanism, state: RollingState, speeds: RollingSpeeds, sun_speed: Real
+) -> Array:
+    """Power lost in the bearings of sun, loading rollers and carrier, and at the pins.
+
+    Parameters
+    ----------
+    mechanism : Mechanism
+        The drive of Zou et al. 2025.
+    state : RollingState
+        Its friction torques.
+    speeds : RollingSpeeds
+        Speeds of its bodies.
+    sun_speed : Real
+        Angular velocity of the sun, not negative [rad/s].
+
+    Returns
+    -------
+    Array
+        Power, all branches together [W].
+
+    References
+    ----------
+    Equations (1)–(5) of Zou et al. 2025: torque times speed of each bearing.
+    """
+    count, bearings = mechanism.geometry.planet_count, mechanism.bearings
+    return jnp.asarray(
+        2.0 * bearings.sun_torque * sun_speed
+        + 2.0
+        * count
+        * (state.right_bearing_torque * speeds.body[2] + state.left_bearing_torque * speeds.body[3])
+        + 2.0 * bearings.carrier_torque * speeds.carrier
+    )
+
+
 def rolling_power(
     *,
-    mechanism: Mechanism,
+    branches: Real,
     pairs: RollerPairs,
     conditions: RollingConditions,
-    state: RollingState,
+    state: RollingState | PlanarState,
     half_width: Real,
     speeds: RollingSpeeds,
     axial_force: Real,
     lateral_creepage: Array,
+    bearing_power: Array,
     output_torque: Real,
-    sun_speed: Real,
 ) -> RollingPower:
     r"""Losses by cause and contact, and the efficiency.
 
@@ -73,26 +109,26 @@ def rolling_power(
 
     Parameters
     ----------
-    mechanism : Mechanism
-        The drive.
+    branches : Real
+        Number of branches of the drive [-].
     pairs : RollerPairs
         Its contacts.
     conditions : RollingConditions
         Which losses are counted.
-    state : RollingState
+    state : RollingState or PlanarState
         Forces and creepages.
     half_width : Real
-        Half-widths of the contacts, shape (5, ...) [m].
+        Half-widths of the contacts, shape (contacts, ...) [m].
     speeds : RollingSpeeds
         Speeds of the bodies.
     axial_force : Real
-        Axial forces of the contacts, shape (5, ...) [N].
+        Axial forces of the contacts, shape (contacts, ...) [N].
     lateral_creepage : Array
         Their creepages across [-].
+    bearing_power : Array
+        Power lost in bearings and pins [W].
     output_torque : Real
-        Torque at the carrier [N·m].
-    sun_speed : Real
-        Angular velocity of the sun, not negative [rad/s].
+        Torque at the output [N·m].
 
     Returns
     -------
@@ -110,7 +146,7 @@ def rolling_power(
     ----------
     Equations (B3) and (B9) of :doc:`/equations`.
     """
-    count, rolling, bearings = mechanism.geometry.planet_count, speeds.rolling, mechanism.bearings
+    count, rolling = branches, speeds.rolling
     creep = count * creep_power(
         tangential_force=state.tangential, creepage=state.creepage, rolling_speed=rolling
     )
@@ -131,14 +167,7 @@ def rolling_power(
     if conditions.viscosity is not None:
         oil = count * _oil(pairs, conditions.viscosity, state.normal, rolling)
         counted = counted + oil
-    in_bearings = (
-        2.0 * bearings.sun_torque * sun_speed
-        + 2.0
-        * count
-        * (state.right_bearing_torque * speeds.body[2] + state.left_bearing_torque * speeds.body[3])
-        + 2.0 * bearings.carrier_torque * speeds.carrier
-    )
-    loss = jnp.sum(counted, axis=0) + in_bearings
+    loss = jnp.sum(counted, axis=0) + bearing_power
     at_carrier = output_torque * speeds.carrier
     drives = at_carrier >= 0.0
     entering = jnp.where(drives, at_carrier + loss, -at_carrier)
@@ -149,7 +178,7 @@ def rolling_power(
         skew=skew,
         hysteresis=hysteresis,
         oil=oil,
-        bearings=in_bearings,
+        bearings=bearing_power,
         contact=counted,
         loss=loss,
         input=entering,

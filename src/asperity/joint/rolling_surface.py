@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import jax.numpy as jnp
 from jax import Array
 
@@ -12,43 +14,46 @@ from asperity.contact.flash_temperature import (
     thermal_effusivity,
 )
 from asperity.contact.roller_pairs import RollerPairs
-from asperity.drive.geometry import CONTACT_BODIES
 from asperity.drive.rolling_speeds import RollingSpeeds
-from asperity.joint.description import Bodies
 from asperity.joint.rolling_conditions import RollingConditions
 from asperity.materials import Material
 from asperity.types import Real
 
 
 def flash_temperatures(
-    *, bodies: Bodies, friction_power: Array, speeds: RollingSpeeds, half_width: Array, stick_fraction: Array
+    *,
+    materials: Sequence[tuple[Material, Material]],
+    friction_power: Array,
+    speeds: RollingSpeeds,
+    half_width: Array,
+    stick_fraction: Array,
 ) -> Array:
     """Flash temperature of each contact, Carter's slip zone being the source of heat.
 
     Parameters
     ----------
-    bodies : Bodies
-        Materials.
+    materials : sequence of tuple of Material
+        Materials of the driving and the driven body of each contact.
     friction_power : Array
-        Power lost by creep along and across per length of the contact, shape (5, ...) [W/m].
+        Power lost by creep along and across per length of the contact, shape (contacts, ...) [W/m].
     speeds : RollingSpeeds
         Speeds of the surfaces.
     half_width : Array
-        Half-widths, shape (5, ...) [m].
+        Half-widths, shape (contacts, ...) [m].
     stick_fraction : Array
-        Shares of the width that stick, shape (5, ...) [-].
+        Shares of the width that stick, shape (contacts, ...) [-].
 
     Returns
     -------
     Array
-        Rise above the temperature of the bodies, shape (5, ...) [K]; 0 without slip, nan where the sun stands or a
-        material of the contact has no thermal properties.
+        Rise above the temperature of the bodies, shape (contacts, ...) [K]; 0 without slip, nan where the sun stands or
+        a material of the contact has no thermal properties.
 
     References
     ----------
     Equation (B9) of :doc:`/equations`.
     """
-    effusivities = [[_effusivity(getattr(bodies, body)) for body in pair] for pair in CONTACT_BODIES.values()]
+    effusivities = [[_effusivity(material) for material in pair] for pair in materials]
     first, second = (
         jnp.stack(jnp.broadcast_arrays(*(jnp.asarray(pair[side]) for pair in effusivities)))
         for side in (0, 1)

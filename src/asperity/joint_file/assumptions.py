@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
-from asperity.joint_file.model import Case
+from collections.abc import Mapping
+
+from asperity.joint_file.material_entries import MaterialEntry
+from asperity.joint_file.model import Case, Lubrication
 from asperity.joint_file.temperature_section import without_expansion
 
 
@@ -115,24 +118,58 @@ def _fatigue(case: Case) -> list[str]:
 def _rolling(case: Case) -> list[str]:
     """What is taken for the joint that turns."""
     rolling = case.rolling
-    told = [
-        "rolling: steady, the asperities as an elastic layer of even stiffness; the churning of the oil is not counted",
-        "life: rolling-contact fatigue of through-hardened bearing steel, no factors for film, cleanliness or traction",
-    ]
+    told = rolling_model_assumptions()
     if rolling is None or rolling.skew is None:
         told.append("no rolling.skew: the axes of the rollers are parallel, there is no axial force")
     if rolling is None or rolling.hysteresis_factor is None:
         told.append("no rolling.hysteresis_factor: the bodies lose no work as they roll")
     if rolling is None or rolling.reliability is None:
         told.append("no rolling.reliability: nine drives in ten reach the life, 0.9")
-    if case.lubrication is None:
+    return told + lubrication_assumptions(
+        case.lubrication,
+        materials={name: case.materials[name] for name in dict.fromkeys(value for _, value in case.bodies)},
+    )
+
+
+def rolling_model_assumptions() -> list[str]:
+    """What the model of rolling takes for every joint.
+
+    Returns
+    -------
+    list of str
+        One sentence each.
+    """
+    return [
+        "rolling: steady, the asperities as an elastic layer of even stiffness; the churning of the oil is not counted",
+        "life: rolling-contact fatigue of through-hardened bearing steel, no factors for film, cleanliness or traction",
+    ]
+
+
+def lubrication_assumptions(
+    lubrication: Lubrication | None, *, materials: Mapping[str, MaterialEntry]
+) -> list[str]:
+    """What is left out of oil and heat.
+
+    Parameters
+    ----------
+    lubrication : Lubrication or None
+        The oil.
+    materials : mapping
+        Materials of the bodies by name.
+
+    Returns
+    -------
+    list of str
+        One sentence each.
+    """
+    told = []
+    if lubrication is None:
         told.append("no section [lubrication]: no oil, no loss at the inlet of the contacts")
-    elif case.lubrication.pressure_coefficient is None:
+    elif lubrication.pressure_coefficient is None:
         told.append("no lubrication.pressure_coefficient: no thickness of the oil film")
-    elif case.lubrication.roughness is None:
+    elif lubrication.roughness is None:
         told.append("no lubrication.roughness: no ratio lambda of the oil film to it")
-    for name in dict.fromkeys(value for _, value in case.bodies):
-        material = case.materials[name]
+    for name, material in materials.items():
         keys = ("thermal_conductivity", "specific_heat_capacity")
         absent = [key for key in keys if getattr(material, key) is None]
         if absent:

@@ -89,7 +89,7 @@ def joint_from_values(values: Values) -> Joint:
     drive, load, model = values["drive"], values["load"], values["model"]
     bearings, compliance = values.get("bearings", {}), values.get("compliance", {})
     play = values.get("play", {})
-    materials = {name: _material(entry) for name, entry in values["materials"].items()}
+    materials = {name: material_of(entry) for name, entry in values["materials"].items()}
     lengths = _entries(drive["contact_length"])
     joint = Joint(
         geometry=DriveGeometry(
@@ -132,7 +132,7 @@ def joint_from_values(values: Values) -> Joint:
         ring_support=drive.get("ring_support"),
         planet_bore=drive.get("planet_bore_diameter"),
         loading_roller_bore=drive.get("loading_roller_bore_diameter"),
-        rolling=_conditions(values),
+        rolling=rolling_conditions(values),
         pin=_pin(bearings),
         pin_bearing=_bearing(values.get("pin_bearing")),
         sun_bearing=_bearing(values.get("sun_bearing")),
@@ -250,7 +250,19 @@ def _bearing(entry: Values | None) -> RatedBearing | None:
     )
 
 
-def _conditions(values: Values) -> RollingConditions:
+def rolling_conditions(values: Values) -> RollingConditions:
+    """What the tables of a joint file say about rolling.
+
+    Parameters
+    ----------
+    values : dict
+        Tables in SI units.
+
+    Returns
+    -------
+    RollingConditions
+        :data:`asperity.joint.rolling_conditions.PLAIN_ROLLING` where they say nothing.
+    """
     rolling, oil, plain = values.get("rolling", {}), values.get("lubrication", {}), PLAIN_ROLLING
     return RollingConditions(
         skew=_entries(rolling["skew"]) if "skew" in rolling else plain.skew,
@@ -276,7 +288,19 @@ def _longest(lengths: tuple[Real, ...]) -> Real:
     return functools.reduce(jnp.maximum, lengths)
 
 
-def _material(entry: Values) -> Material:
+def material_of(entry: Values) -> Material:
+    """A material from its table.
+
+    Parameters
+    ----------
+    entry : dict
+        Its numbers in SI units, with ``hardness`` or ``hardness_factor``.
+
+    Returns
+    -------
+    Material
+        The material.
+    """
     elastic = {name: entry[name] for name in ("youngs_modulus", "poisson_ratio", "density", "yield_strength")}
     return Material(
         **elastic,

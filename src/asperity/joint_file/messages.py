@@ -128,9 +128,9 @@ def _keys_of(path: str, annotation: Any, metadata: tuple[Any, ...]) -> dict[str,
     return found
 
 
-def _known_names(path: tuple[str, ...]) -> list[str]:
+def _known_names(path: tuple[str, ...], model: type[BaseModel]) -> list[str]:
     """Names that a table at this path may contain."""
-    models: list[type[BaseModel]] = [Case]
+    models: list[type[BaseModel]] = [model]
     for part in path:
         annotations = [model.model_fields[part].annotation for model in models if part in model.model_fields]
         below = [v for annotation in annotations for v in _variants(annotation)]
@@ -159,14 +159,15 @@ def _parts(error: ErrorDetails) -> Parts:
     )
 
 
-def _sentence(parts: Parts, error: ErrorDetails) -> str:
+def _sentence(parts: Parts, error: ErrorDetails, model: type[BaseModel]) -> str:
     """One error of pydantic as 'key: what is wrong'."""
     path = ".".join(parts)
     kind, value, context = error["type"], error["input"], error.get("ctx", {})
     if kind == "missing":
-        return f"{path}: this key is missing{_wanted(parts)}"
+        return f"{path}: this key is missing{_wanted(parts, model)}"
     if kind in ("model_type", "model_attributes_type", "dict_type"):
-        return f"{path}: expected a table with {', '.join(_known_names(parts)) or 'entries'}, got {quoted(value)}"
+        known = ", ".join(_known_names(parts, model)) or "entries"
+        return f"{path}: expected a table with {known}, got {quoted(value)}"
     if kind == "literal_error":
         return f"{path}: {quoted(value)} is not one of {context['expected']}"
     if kind == "string_pattern_mismatch":
@@ -183,25 +184,27 @@ def _sentence(parts: Parts, error: ErrorDetails) -> str:
     return f"{path}: {error['msg']}, got {quoted(value)}"
 
 
-def _wanted(parts: Parts) -> str:
+def _wanted(parts: Parts, model: type[BaseModel]) -> str:
     """What a missing key has to be, with an example."""
     generic = ".".join(
         "*" if i == 1 and parts[0] in ("materials", "duty") else part for i, part in enumerate(parts)
     )
-    key = keys_by_path().get(generic)
+    key = keys_by_path(model).get(generic)
     if key:
         return f": {key.dimension.label}, e.g. '{key.typical}'"
     if parts[0] == "bodies":
         return ": the name of a material, e.g. 'steel'"
-    section = Case.model_fields.get(parts[0])
-    for model in models_of(section.annotation) if section else []:
-        choice = model.model_fields[parts[-1]].annotation if parts[-1] in model.model_fields else None
+    section = model.model_fields.get(parts[0])
+    for below in models_of(section.annotation) if section else []:
+        choice = below.model_fields[parts[-1]].annotation if parts[-1] in below.model_fields else None
         if get_origin(choice) is Literal:
             return ": one of " + ", ".join(f"'{name}'" for name in get_args(choice))
     return ""
 
 
-def _unknown_key(parts: Parts, value: Any, absent: set[Parts]) -> tuple[str, Parts | None]:
+def _unknown_key(
+    parts: Parts, value: Any, absent: set[Parts], model: type[BaseModel]
+) -> tuple[str, Parts | None]:
     """What to say of an unknown key or section, and which missing one it was meant to be."""
     path, name, table = ".".join(parts), parts[-1], parts[:-1]
     what = "section" if isinstance(value, dict) else "key"
@@ -211,14 +214,14 @@ def _unknown_key(parts: Parts, value: Any, absent: set[Parts]) -> tuple[str, Par
     for each in absent:
         if each[-1] == name:
             return f"{path}: unknown {what}; it belongs in [{'.'.join(each[:-1])}]", each
-    known = _known_names(table)
-    sections = sorted({each.split(".")[0] for each in keys_by_path() if each.split(".")[-1] == name})
+    known = _known_names(table, model)
+    sections = sorted({each.split(".")[0] for each in keys_by_path(model) if each.split(".")[-1] == name})
     if sections and name not in known:
         return f"{path}: unknown {what}; it belongs in [{sections[0]}]", None
     return f"{path}: unknown {what}{nearest(name, known) or '; known here are ' + ', '.join(known)}", None
 
 
-def _missing_sections(sections: list[Parts]) -> str:
+def _missing_sections(sections: list[Parts], model: type[BaseModel]) -> str:
     names = ", ".join(f"[{'.'.join(each)}]" for each in sections)
     if sections[0][0] == "surface" and len(sections[0]) > 1:
         verb = "is" if len(sections) == 1 else "are"
@@ -226,16 +229,16 @@ def _missing_sections(sections: list[Parts]) -> str:
             f"{names} {verb} missing; write one [surface] for all contacts, or a section for each of the five"
         )
     if len(sections) == 1:
-        content = ", ".join(_known_names(sections[0])) or "a section for each material"
+        content = ", ".join(_known_names(sections[0], model)) or "a section for each material"
         return f"the section {names} is missing; it contains {content}"
     return f"the sections {names} are missing; 'asperity init' writes a complete example"
 
 
-def _is_section(parts: Parts) -> bool:
-    return parts == ("materials",) or bool(_known_names(parts))
+def _is_section(parts: Parts, model: type[BaseModel]) -> bool:
+    return parts == ("materials",) or bool(_known_names(parts, model))
 
 
-def unknown_materials(bodies: Any, known: Iterable[str]) -> list[str]:
+def unknown_materials(bodies: Any, known: Iterable[str], *, model: type[BaseModel] = Case) -> list[str]:
     """Messages about bodies whose material is not defined, one for each such material.
 
     Parameters
@@ -244,6 +247,8 @@ def unknown_materials(bodies: Any, known: Iterable[str]) -> list[str]:
         The section of the file: body → name of a material. Anything else is left to the check of the section.
     known : iterable of str
         Names of materials that the file defines or takes from the library.
+    model : type, optional
+        Model of the file.
 
     Returns
     -------
@@ -255,7 +260,11 @@ def unknown_materials(bodies: Any, known: Iterable[str]) -> list[str]:
         return []
     users: dict[str, list[str]] = {}
     for body, name in bodies.items():
-        if isinstance(name, str) and name not in defined and body in _known_names(("bodies",)):
+        if (
+            isinstance(name, str)
+            and name not in defined
+            and body in (_known_names(("bodies",), model) or bodies)
+        ):
             users.setdefault(name, []).append(f"bodies.{body}")
     choice = f"; the file defines {', '.join(defined)}; 'asperity materials' lists the library"
     return [
@@ -264,7 +273,13 @@ def unknown_materials(bodies: Any, known: Iterable[str]) -> list[str]:
     ]
 
 
-def explained(error: ValidationError, tables: Mapping[str, Any], refused: Mapping[str, str]) -> list[str]:
+def explained(
+    error: ValidationError,
+    tables: Mapping[str, Any],
+    refused: Mapping[str, str],
+    *,
+    model: type[BaseModel] = Case,
+) -> list[str]:
     """Messages about all errors of a file, one for each mistake.
 
     Parameters
@@ -275,6 +290,8 @@ def explained(error: ValidationError, tables: Mapping[str, Any], refused: Mappin
         The tables that it looked at.
     refused : mapping
         Dotted path of a material whose entry in the library could not be found → the message about it.
+    model : type, optional
+        Model of the file.
 
     Returns
     -------
@@ -287,18 +304,18 @@ def explained(error: ValidationError, tables: Mapping[str, Any], refused: Mappin
     sentences = list(refused.values())
     for parts, each in found:
         if each["type"] == "extra_forbidden":
-            sentence, meant = _unknown_key(parts, each["input"], absent)
+            sentence, meant = _unknown_key(parts, each["input"], absent, model)
             sentences.append(sentence)
             absent.discard(meant or parts)
-    sections = [parts for parts, each in found if parts in absent and _is_section(parts)]
+    sections = [parts for parts, each in found if parts in absent and _is_section(parts, model)]
     if sections:
-        sentences.append(_missing_sections(sections))
+        sentences.append(_missing_sections(sections, model))
     for parts, each in found:
         known = each["type"] == "extra_forbidden" or (each["type"] == "missing" and parts not in absent)
         if not known and parts not in sections:
-            sentences += _sentence(parts, each).split("\n  ")
+            sentences += _sentence(parts, each, model).split("\n  ")
     if () not in [parts for parts, _ in found] and isinstance(tables.get("materials"), dict):
-        sentences += unknown_materials(tables.get("bodies"), tables["materials"])
+        sentences += unknown_materials(tables.get("bodies"), tables["materials"], model=model)
     return sentences
 
 

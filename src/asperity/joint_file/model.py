@@ -213,6 +213,9 @@ class ModelChoice(Section):
 class Case(Section):
     """A joint file: a planetary traction drive under load."""
 
+    type: Literal["zou2025"] | None = None
+    """Type of the drive: the paper's, with two loading rollers in the wedges between each planet and the ring, if
+    absent."""
     drive: Drive
     """Radii and arrangement."""
     load: Load

@@ -1,4 +1,4 @@
-"""From a TOML file to a checked :class:`asperity.joint_file.model.Case`."""
+"""From a TOML file to a checked :class:`asperity.joint_file.model.Case`, or to that of another type of drive."""
 
 from __future__ import annotations
 
@@ -7,11 +7,15 @@ from typing import Any
 
 from pydantic import ValidationError
 
-from asperity.errors import InputError
-from asperity.joint_file.messages import explained, listed
+from asperity.errors import InputError, UnsupportedDriveError, quoted
+from asperity.joint_file.messages import explained, listed, nearest
 from asperity.joint_file.model import Case
+from asperity.joint_file.planar_model import PLANAR_CASES, PlanarCase
 from asperity.library import fill_in_materials
 from asperity.reading import parse_toml, read_text
+
+#: Type of the drive of Zou et al. 2025, that of a file without a type.
+WEDGE_TYPE = "zou2025"
 
 
 def read_case(path: str | Path) -> Case:
@@ -30,11 +34,39 @@ def read_case(path: str | Path) -> Case:
     Raises
     ------
     InputError
-        If the file cannot be read, is not valid TOML, or contains something that is not allowed.
+        If the file cannot be read, is not valid TOML, contains something that is not allowed, or describes another
+        drive than the paper's.
+    """
+    return _of_the_paper(read_any_case(path), str(path))
+
+
+def read_any_case(path: str | Path) -> Case | PlanarCase:
+    """Read a joint file with any type of drive.
+
+    Parameters
+    ----------
+    path : str or Path
+        A TOML file.
+
+    Returns
+    -------
+    Case or PlanarCase
+        Its content, checked.
+
+    Raises
+    ------
+    InputError
+        As :func:`read_case`, but for the type of the drive.
     """
     file = Path(path)
     text = read_text(file, hint="'asperity init' writes an example")
-    return parse_case(text, source=str(path), folder=file.parent)
+    return parse_any_case(text, source=str(path), folder=file.parent)
+
+
+def _of_the_paper(case: Case | PlanarCase, source: str) -> Case:
+    if isinstance(case, PlanarCase):
+        raise UnsupportedDriveError(source, case.type)
+    return case
 
 
 def parse_case(text: str, *, source: str, folder: Path | None = None) -> Case:
@@ -59,7 +91,33 @@ def parse_case(text: str, *, source: str, folder: Path | None = None) -> Case:
     InputError
         If it is not valid TOML, or contains something that is not allowed.
     """
-    return case_from_tables(parse_toml(text, source=source), source=source, folder=folder).with_text(text)
+    return _of_the_paper(parse_any_case(text, source=source, folder=folder), source)
+
+
+def parse_any_case(text: str, *, source: str, folder: Path | None = None) -> Case | PlanarCase:
+    """Read the text of a joint file with any type of drive.
+
+    Parameters
+    ----------
+    text : str
+        TOML.
+    source : str
+        Name of the file, for messages.
+    folder : Path, optional
+        Where paths of material libraries in the file start.
+
+    Returns
+    -------
+    Case or PlanarCase
+        Its content, checked.
+
+    Raises
+    ------
+    InputError
+        If it is not valid TOML, or contains something that is not allowed.
+    """
+    tables = parse_toml(text, source=source)
+    return any_case_from_tables(tables, source=source, folder=folder).with_text(text)
 
 
 def case_from_tables(tables: dict[str, Any], *, source: str, folder: Path | None = None) -> Case:
@@ -84,13 +142,51 @@ def case_from_tables(tables: dict[str, Any], *, source: str, folder: Path | None
     InputError
         If they contain something that is not allowed; all errors are listed.
     """
+    return _of_the_paper(any_case_from_tables(tables, source=source, folder=folder), source)
+
+
+def any_case_from_tables(
+    tables: dict[str, Any], *, source: str, folder: Path | None = None
+) -> Case | PlanarCase:
+    """Check the nested tables of a joint file with any type of drive.
+
+    Parameters
+    ----------
+    tables : dict
+        The sections of the file, as :func:`asperity.reading.parse_toml` returns them.
+    source : str
+        Name of the file, for messages.
+    folder : Path, optional
+        Where paths of material libraries in them start.
+
+    Returns
+    -------
+    Case or PlanarCase
+        Their content, checked.
+
+    Raises
+    ------
+    InputError
+        If they contain something that is not allowed; all errors are listed.
+    """
+    model = _model_of(tables.get("type", WEDGE_TYPE), source)
     filled, refused = fill_in_materials(tables, folder=folder or Path())
     try:
-        case = Case.model_validate(filled)
+        case = model.model_validate(filled)
     except ValidationError as error:
-        sentences = explained(error, filled, refused)
+        sentences = explained(error, filled, refused, model=model)
     else:
         if not refused:
             return case
         sentences = list(refused.values())
     raise InputError(listed(sentences, source))
+
+
+def _model_of(kind: object, source: str) -> type[Case] | type[PlanarCase]:
+    known = (WEDGE_TYPE, *PLANAR_CASES)
+    if not isinstance(kind, str) or kind not in known:
+        hint = nearest(kind, known) if isinstance(kind, str) else ""
+        raise InputError(
+            f"{source}: type: {quoted(kind)} is not a type of drive{hint or '; known are ' + ', '.join(known)}"
+        )
+    return PLANAR_CASES.get(kind, Case)

@@ -6,13 +6,20 @@ from typing import Any
 
 from asperity.joint_file.material_entries import BodyMaterials, MaterialEntry
 from asperity.joint_file.model import Case
+from asperity.joint_file.planar_model import PLANAR_CASES
+from asperity.joint_file.reader import WEDGE_TYPE
 from asperity.library import read_materials
 
 Schema = dict[str, Any]
 
 
-def joint_schema() -> Schema:
+def joint_schema(kind: str = WEDGE_TYPE) -> Schema:
     """Schema of a joint file after TOML is read, for editors such as those with Taplo.
+
+    Parameters
+    ----------
+    kind : str, optional
+        Type of its drive; by default the paper's.
 
     Returns
     -------
@@ -20,7 +27,7 @@ def joint_schema() -> Schema:
         JSON Schema, draft 2020-12. Bounds of quantities with units cannot be expressed in it, nor that a body's
         material is one that the file or the library has; the reader checks them.
     """
-    schema = Case.model_json_schema(mode="validation")
+    schema = PLANAR_CASES.get(kind, Case).model_json_schema(mode="validation")
     _offer_library(schema)
     return {
         "$schema": "https://json-schema.org/draft/2020-12/schema",
@@ -40,7 +47,12 @@ def _offer_library(schema: Schema) -> None:
     del materials["minProperties"]
     materials["additionalProperties"] = False
 
-    bodies = schema["$defs"][BodyMaterials.__name__]["properties"]
+    of_the_paper = BodyMaterials.__name__ in schema["$defs"]
+    bodies = (
+        schema["$defs"][BodyMaterials.__name__]["properties"]
+        if of_the_paper
+        else schema["properties"]["bodies"]["patternProperties"]
+    )
     for body in bodies.values():
         own = {
             "type": body.pop("type"),

@@ -14,7 +14,7 @@ from asperity.joint_file.distribution import Distribution
 from asperity.joint_file.messages import keys_by_path, nearest
 from asperity.joint_file.model import Case
 from asperity.joint_file.quantity_key import Key, Quantity
-from asperity.joint_file.section import EachContact
+from asperity.joint_file.section import EachContact, Section
 
 #: Nested tables like those of the file; leaves are SI numbers (or arrays of them) and names.
 Values = dict[str, Any]
@@ -48,12 +48,12 @@ class NumericKey:
     distribution: Distribution | None
 
 
-def si_values(case: Case) -> Values:
+def si_values(case: Section) -> Values:
     """The tables of a joint file with every quantity as an SI number.
 
     Parameters
     ----------
-    case : Case
+    case : Case or PlanarCase
         The joint file.
 
     Returns

@@ -87,10 +87,8 @@ def drive_sheet(joint: Joint, *, name: str, forces: DriveForces | None = None) -
             height - _MARGIN - 8.0,
             [f"{each}: {words}" for each, words in CONTACT_LABELS.items()],
         )
-    items += _title_block(on_paper, column, width, name, scale)
-    right, top = width - _MARGIN, height - _MARGIN
-    corners = ((_MARGIN, _MARGIN), (right, _MARGIN), (right, top), (_MARGIN, top), (_MARGIN, _MARGIN))
-    items.append(Line(tuple(on_paper(*corner) for corner in corners), "frame"))
+    items += title_block(on_paper, column, width, name, scale)
+    items.append(frame(on_paper, width, height))
     return Sheet(width, height, scale, middle, tuple(items))
 
 
@@ -119,16 +117,62 @@ def forces_sheet(joint: Joint, forces: DriveForces) -> Sheet:
     return Sheet(170.0, 140.0, 1.0, (85.0, 57.0), tuple(items))
 
 
-def _title_block(
-    on_paper: Callable[[float, float], Point], column: float, width: float, name: str, scale: float
+def frame(on_paper: Callable[[float, float], Point], width: float, height: float) -> Item:
+    """The frame of a sheet of paper.
+
+    Parameters
+    ----------
+    on_paper : callable
+        From a place on paper [mm] to the drawing.
+    width, height : float
+        Size of the paper [mm].
+
+    Returns
+    -------
+    Item
+        A closed line.
+    """
+    right, top = width - _MARGIN, height - _MARGIN
+    corners = ((_MARGIN, _MARGIN), (right, _MARGIN), (right, top), (_MARGIN, top), (_MARGIN, _MARGIN))
+    return Line(tuple(on_paper(*corner) for corner in corners), "frame")
+
+
+def title_block(
+    on_paper: Callable[[float, float], Point],
+    column: float,
+    width: float,
+    name: str,
+    scale: float,
+    *,
+    kind: str = "Planetary traction drive",
 ) -> list[Item]:
+    """What a drawing is called, its scale and unit, in the lower right corner.
+
+    Parameters
+    ----------
+    on_paper : callable
+        From a place on paper [mm] to the drawing.
+    column, width : float
+        Left edge of the column beside the view, and width of the paper [mm].
+    name : str
+        What the drawing is called.
+    scale : float
+        Length on paper over true length [-].
+    kind : str, optional
+        What is drawn.
+
+    Returns
+    -------
+    list of Item
+        Lines and texts.
+    """
     title = printable(name).replace("\n", " ")
     shown = title if len(title) <= _LONGEST_TITLE else f"…{title[1 - _LONGEST_TITLE :]}"
     top, left = _MARGIN + 22.0, column - 3.0
     edge = (on_paper(left, _MARGIN), on_paper(left, top), on_paper(width - _MARGIN, top))
     return [
         Line(edge, "frame"),
-        Text(on_paper(column, top - 6.5), "Planetary traction drive", height=TITLE_HEIGHT),
+        Text(on_paper(column, top - 6.5), kind, height=TITLE_HEIGHT),
         Text(on_paper(column, top - 12.5), shown),
         Text(
             on_paper(column, top - 18.5),

@@ -136,7 +136,7 @@ def drive_view(joint: Joint, *, scale: float, labels_from: float) -> list[Item]:
     placed, ring = _millimetres(rollers(joint.geometry)), ring_as_drawn(joint)
     items: list[Item] = [Circle(each.centre, each.radius) for each in placed]
     items.append(Circle((0.0, 0.0), ring.inner))
-    items.append(_break_line(ring) if ring.broken else Circle((0.0, 0.0), ring.shown))
+    items.append(break_line(ring.inner, ring.shown) if ring.broken else Circle((0.0, 0.0), ring.shown))
     pin = 0.5e3 * float(joint.bearings.pin_diameter)
     if pin > 0.0:
         items += [Circle(each.centre, pin) for each in placed if "loading" in each.body]
@@ -174,14 +174,25 @@ def _closest(one: Roller, other: Roller) -> tuple[Point, Point]:
     return (x + one.radius * e, y + one.radius * f), (u - other.radius * e, v - other.radius * f)
 
 
-def _break_line(ring: Ring) -> Line:
-    """A wavy line around the part that is drawn."""
+def break_line(inner: float, shown: float) -> Line:
+    """A wavy line around the part of a ring that is drawn.
+
+    Parameters
+    ----------
+    inner, shown : float
+        Inner radius, and radius at which the drawing ends [mm].
+
+    Returns
+    -------
+    Line
+        Closed.
+    """
     count = 16 * _WAVES
-    amplitude = 0.03 * (ring.shown - ring.inner)
+    amplitude = 0.03 * (shown - inner)
     points = []
     for index in range(count + 1):
         angle = 2.0 * math.pi * index / count
-        radius = ring.shown + amplitude * math.sin(_WAVES * angle)
+        radius = shown + amplitude * math.sin(_WAVES * angle)
         points.append((radius * math.cos(angle), radius * math.sin(angle)))
     return Line(tuple(points), "break")
 

@@ -18,7 +18,8 @@ from asperity.drive.planar.drives import (
 )
 from asperity.drive.planar.laws import smooth_contact_laws
 from asperity.drive.planar.layout import PlanarDrive, speed_ratio
-from asperity.drive.planar.states import PlanarState, rolling_state, state_at_rest
+from asperity.drive.planar.state import PlanarState
+from asperity.drive.planar.states import rolling_state, state_at_rest
 from asperity.validation.check import Check, compared
 
 _WEDGE = DriveGeometry(4e-3, 13.5e-3, 5e-3, 40e-3, 3.0, 0.0, 0.0)

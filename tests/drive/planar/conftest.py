@@ -21,7 +21,7 @@ def drives():
         "wedge": wedge_drive(DriveGeometry(4e-3, 13.5e-3, 5e-3, 40e-3, 3.0, 0.0, 0.0), planet_count=3),
         "planetary": planetary_drive(sun_radius=10e-3, planet_radius=20e-3, planet_count=3),
         "multiroller": two_row_multiroller(
-            sun_radius=10e-3, first_row_radii=(22e-3, 9e-3), second_row_radii=(25e-3, 14e-3), roller_count=5
+            sun_radius=10e-3, first_row_radii=(22e-3, 9e-3), second_row_radii=(25e-3, 14e-3), roller_count=4
         ),
         "stepped": stepped_planet_drive(sun_radius=10e-3, planet_radii=(20e-3, 18e-3), planet_count=3),
     }

@@ -6,7 +6,8 @@ import jax.numpy as jnp
 import numpy as np
 import pytest
 
-from asperity.drive.planar.layout import Body, gaps, incidence, refuse_impossible, speed_ratio, speeds
+from asperity.drive.planar.existence import refuse_impossible
+from asperity.drive.planar.layout import Body, gaps, incidence, speed_ratio, speeds
 from asperity.errors import InputError
 
 

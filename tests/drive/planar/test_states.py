@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from asperity.drive.planar.layout import incidence, speed_ratio
-from asperity.drive.planar.states import STATE_TOLERANCE
+from asperity.drive.planar.state import STATE_TOLERANCE
 
 NAMES = ["wedge", "planetary", "multiroller", "stepped"]
 TORQUE = {"wedge": 5.0, "planetary": 8.0, "multiroller": 20.0, "stepped": 6.0}

@@ -136,7 +136,7 @@ def two_row_multiroller(
     Returns
     -------
     PlanarDrive
-        Contacts ``s1, 12, 21, 2r``; sun in, ring out, the carrier of the second row grounded; ratio
+        Contacts ``sf, fsl, fsr, sr``; sun in, ring out, the carrier of the second row grounded; ratio
         :math:`(x_1/s)(x_2/y_1)(R/y_2)`.
 
     References
@@ -157,15 +157,15 @@ def two_row_multiroller(
     return PlanarDrive(
         bodies=(
             Body("sun", "axis"),
-            Body("first row", "free"),
-            Body("second row", "pin"),
+            Body("first_row", "free"),
+            Body("second_row", "pin"),
             Body("ring", "axis"),
         ),
         contacts=(
-            Contact("s1", "sun", "first row"),
-            Contact("12", "first row", "second row"),
-            Contact("21", "first row", "second row", sector=-1),
-            Contact("2r", "second row", "ring", internal=True),
+            Contact("sf", "sun", "first_row", tracks=("", "large")),
+            Contact("fsl", "first_row", "second_row", tracks=("small", "large")),
+            Contact("fsr", "first_row", "second_row", sector=-1, tracks=("small", "large")),
+            Contact("sr", "second_row", "ring", internal=True, tracks=("small", "")),
         ),
         centres=jnp.stack([origin, jnp.stack([0.0 * orbit, orbit]), second_centre, origin]),
         first_radius=jnp.stack([sun, y_1, y_1, y_2]),
@@ -209,13 +209,13 @@ def stepped_planet_drive(
         bodies=(
             Body("sun", "axis"),
             Body("planet", "pin"),
-            Body("held ring", "axis"),
-            Body("driven ring", "axis"),
+            Body("held_ring", "axis"),
+            Body("driven_ring", "axis"),
         ),
         contacts=(
-            Contact("sp", "sun", "planet"),
-            Contact("pr1", "planet", "held ring", internal=True),
-            Contact("pr2", "planet", "driven ring", internal=True),
+            Contact("sp", "sun", "planet", tracks=("", "first")),
+            Contact("pr1", "planet", "held_ring", internal=True, tracks=("first", "")),
+            Contact("pr2", "planet", "driven_ring", internal=True, tracks=("second", "")),
         ),
         centres=jnp.stack([origin, jnp.stack([0.0 * sun, sun + one]), origin, origin]),
         first_radius=jnp.stack([sun, one, two]),
@@ -223,6 +223,6 @@ def stepped_planet_drive(
         push_angles=jnp.zeros(1),
         sectors=planet_count,
         input="sun",
-        output="driven ring",
-        grounded="held ring",
+        output="driven_ring",
+        grounded="held_ring",
     )

@@ -13,7 +13,7 @@ from asperity.contact.hertz_line import (
 )
 from asperity.drive.mechanism import NormalSprings
 from asperity.drive.planar.layout import PlanarDrive
-from asperity.drive.planar.states import ContactLaws
+from asperity.drive.planar.state import ContactLaws
 from asperity.drive.rolling_state import CreepLaw
 from asperity.types import Real
 

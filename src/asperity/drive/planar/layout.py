@@ -8,7 +8,6 @@ the balance of forces.
 
 from __future__ import annotations
 
-import itertools
 import math
 from dataclasses import dataclass
 from typing import Literal
@@ -18,14 +17,10 @@ import jax.numpy as jnp
 import numpy as np
 from jax import Array
 
-from asperity.errors import InputError
 from asperity.types import Real
 
 #: The member that carries the pins; it has no contacts of its own.
 CARRIER = "carrier"
-
-#: Largest distance between the bodies of a contact, relative to their radii, that is accepted.
-TOUCH_TOLERANCE = 1e-9
 
 
 @dataclass(frozen=True)
@@ -59,6 +54,8 @@ class Contact:
         Whether the first body lies inside the second.
     sector : int
         Sector of the second body, counted counter-clockwise from that of the first.
+    tracks : tuple of str
+        Names of the tracks of the two bodies on which they roll; a stepped roller has several.
     """
 
     name: str
@@ -66,6 +63,7 @@ class Contact:
     second: str
     internal: bool = False
     sector: int = 0
+    tracks: tuple[str, str] = ("", "")
 
 
 class PlanarDrive(eqx.Module):
@@ -146,8 +144,62 @@ class Incidence(eqx.Module):
     levers: Array
 
 
-def _rotation(angle: float) -> np.ndarray:
+def sector_rotation(drive: PlanarDrive, sector: int) -> np.ndarray:
+    r"""Rotation from the first sector of a drive to another.
+
+    Parameters
+    ----------
+    drive : PlanarDrive
+        The drive.
+    sector : int
+        Number of the other sector, counter-clockwise.
+
+    Returns
+    -------
+    ndarray
+        Matrix of :math:`2\pi k/n`, shape (2, 2) [-].
+
+    References
+    ----------
+    Elementary.
+    """
+    angle = 2.0 * math.pi * sector / drive.sectors
     return np.array([[math.cos(angle), -math.sin(angle)], [math.sin(angle), math.cos(angle)]])
+
+
+def _normals(drive: PlanarDrive) -> list[tuple[Array, Array]]:
+    """Direction from the first body to each contact, and the rotation of its second body's sector."""
+    index = {name: i for i, name in enumerate(drive.members)}
+    found = []
+    for contact in drive.contacts:
+        copy = jnp.asarray(sector_rotation(drive, contact.sector))
+        outward = -1.0 if contact.internal else 1.0
+        between = outward * (
+            copy @ drive.centres[index[contact.second]] - drive.centres[index[contact.first]]
+        )
+        found.append((between / jnp.sqrt(jnp.sum(between**2)), copy))
+    return found
+
+
+def contact_angles(drive: PlanarDrive) -> tuple[Array, Array]:
+    """Polar angles of the contacts about the centres of their bodies, each body in its own sector.
+
+    Parameters
+    ----------
+    drive : PlanarDrive
+        The drive.
+
+    Returns
+    -------
+    tuple of Array
+        About the first and about the second body, counter-clockwise from the x axis, shape (contacts,) [rad].
+    """
+    first, second = [], []
+    for contact, (normal, copy) in zip(drive.contacts, _normals(drive), strict=True):
+        towards = copy.T @ (normal if contact.internal else -normal)
+        first.append(jnp.arctan2(normal[1], normal[0]))
+        second.append(jnp.arctan2(towards[1], towards[0]))
+    return jnp.stack(first), jnp.stack(second)
 
 
 def incidence(drive: PlanarDrive) -> Incidence:
@@ -171,12 +223,9 @@ def incidence(drive: PlanarDrive) -> Incidence:
     column = {i: 2 * k for k, i in enumerate(drive.floating)}
     width, carrier = 2 * len(drive.floating), index[CARRIER]
     approach, sliding, turning = [], [], []
-    for k, contact in enumerate(drive.contacts):
+    for k, (contact, (normal, copy)) in enumerate(zip(drive.contacts, _normals(drive), strict=True)):
         one, two = index[contact.first], index[contact.second]
-        copy = jnp.asarray(_rotation(2.0 * math.pi * contact.sector / drive.sectors))
         outward = -1.0 if contact.internal else 1.0
-        between = outward * (copy @ drive.centres[two] - drive.centres[one])
-        normal = between / jnp.sqrt(jnp.sum(between**2))
         tangent = jnp.stack([-normal[1], normal[0]])
         rows = [jnp.zeros(width), jnp.zeros(width)]
         for body, share in ((one, jnp.eye(2)), (two, -copy)):
@@ -225,84 +274,12 @@ def gaps(drive: PlanarDrive) -> Array:
     index = {body.name: i for i, body in enumerate(drive.bodies)}
     found = []
     for k, contact in enumerate(drive.contacts):
-        copy = jnp.asarray(_rotation(2.0 * math.pi * contact.sector / drive.sectors))
+        copy = jnp.asarray(sector_rotation(drive, contact.sector))
         between = copy @ drive.centres[index[contact.second]] - drive.centres[index[contact.first]]
         distance = jnp.sqrt(jnp.sum(between**2))
         one, two = drive.first_radius[k], drive.second_radius[k]
         found.append(two - one - distance if contact.internal else distance - one - two)
     return jnp.stack(found)
-
-
-def refuse_impossible(drive: PlanarDrive) -> None:
-    """Raise unless the bodies of every contact touch, no others overlap, and one input speed fixes all others.
-
-    Parameters
-    ----------
-    drive : PlanarDrive
-        The drive, with concrete (not traced) values.
-
-    Raises
-    ------
-    InputError
-        The message gives the members and the clearance, or the number of degrees of freedom.
-    """
-    for contact, gap, size in zip(
-        drive.contacts, np.asarray(gaps(drive)), np.asarray(drive.second_radius), strict=True
-    ):
-        if not abs(gap) <= TOUCH_TOLERANCE * size:
-            state = "do not touch (gap" if gap > 0.0 else "overlap (by"
-            raise InputError(
-                f"contact {contact.name}: {contact.first} and {contact.second} {state} {abs(gap) * 1e3:.6g} mm); "
-                "change a radius or a centre so that they just touch"
-            )
-    _refuse_overlap(drive)
-    for name in (drive.input, drive.output, drive.grounded):
-        if name not in drive.members:
-            raise InputError(
-                f"there is no member '{name}'; input, output and grounded must each be one of "
-                f"{', '.join(drive.members)}"
-            )
-    freedom = len(drive.members) - 1 - int(np.linalg.matrix_rank(_driven(drive), tol=1e-9))
-    if freedom != 1:
-        raise InputError(
-            f"with {drive.grounded} grounded the drive has {freedom} degrees of freedom; it must have 1: "
-            + ("ground another member" if freedom > 1 else "the contacts block each other")
-        )
-
-
-def _driven(drive: PlanarDrive) -> np.ndarray:
-    """Surface speeds per angular velocity of every member that can turn, relative to the largest radius."""
-    turning = np.asarray(incidence(drive).turning)
-    grounded = drive.members.index(drive.grounded)
-    free: np.ndarray = np.delete(turning, grounded, axis=1) / np.max(np.abs(turning))
-    if drive.pinned or drive.grounded == CARRIER:
-        return free
-    return np.vstack([free, np.eye(free.shape[1])[-1]])  # the carrier supports nothing: it is taken as fixed
-
-
-def _refuse_overlap(drive: PlanarDrive) -> None:
-    """Raise if discs without a common contact overlap, each taken with its smallest track."""
-    smallest: dict[str, float] = {}
-    for k, contact in enumerate(drive.contacts):
-        for name, radius in (
-            (contact.first, drive.first_radius[k]),
-            (contact.second, drive.second_radius[k]),
-        ):
-            smallest[name] = min(smallest.get(name, math.inf), float(radius))
-    inside = {contact.second for contact in drive.contacts if contact.internal}
-    touching = {frozenset((contact.first, contact.second)) for contact in drive.contacts}
-    discs = [(i, b) for i, b in enumerate(drive.bodies) if b.name in smallest and b.name not in inside]
-    for (i, one), (j, two), sector in itertools.product(discs, discs, range(drive.sectors)):
-        same = i == j and (sector == 0 or one.place == "axis")
-        if same or frozenset((one.name, two.name)) in touching:
-            continue
-        copy = _rotation(2.0 * math.pi * sector / drive.sectors)
-        between = copy @ np.asarray(drive.centres[j]) - np.asarray(drive.centres[i])
-        gap = float(np.hypot(*between)) - smallest[one.name] - smallest[two.name]
-        if gap < 0.0:
-            raise InputError(
-                f"{one.name} and {two.name} overlap by {-gap * 1e3:.6g} mm; reduce their radii or the number of sectors"
-            )
 
 
 def speeds(drive: PlanarDrive) -> Array:

@@ -33,7 +33,8 @@ _TRUST_THE_ASSEMBLY = "use the assembled stiffness; the published one, without t
 
 def _fractal_dimensions(solved: SolvedJoint) -> list[object]:
     surfaces = solved.joint.surfaces
-    return [surface.fractal_dimension for surface in (surfaces if len(surfaces) > 1 else surfaces * 5)]
+    count = len(solved.result.contact_names)
+    return [s.fractal_dimension for s in (surfaces if len(surfaces) > 1 else surfaces * count)]
 
 
 ROWS = (

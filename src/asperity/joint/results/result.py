@@ -20,6 +20,8 @@ from asperity.joint.bearing_lives import BEARING_NAMES, BearingLives, bearing_li
 from asperity.joint.capacity import TorqueCapacity, torque_capacity
 from asperity.joint.description import Joint
 from asperity.joint.evaluation import JointResult
+from asperity.joint.planar.description import PlanarJoint
+from asperity.joint.planar.evaluation import PlanarResult
 from asperity.joint.rim_safety import RIM_NAMES, JointRims, joint_rims
 from asperity.joint.rolling_capacity import rolling_torque_capacity
 from asperity.joint.size import JointSize, joint_size
@@ -58,16 +60,23 @@ class SolvedJoint:
 
     Parameters
     ----------
-    joint : Joint
-        One joint, or many along trailing batch axes.
-    result : JointResult
-        What :func:`asperity.joint.evaluation.evaluate` says about it.
+    joint : Joint or PlanarJoint
+        One joint, or many along trailing batch axes; one only with a planar drive.
+    result : JointResult or PlanarResult
+        What :func:`asperity.joint.evaluation.evaluate` says about it. The results of a planar drive do not include
+        capacity, size and clearances.
     capacity : TorqueCapacity, optional
         Its torque capacity, if that is known already.
     """
 
-    def __init__(self, joint: Joint, result: JointResult, capacity: TorqueCapacity | None = None) -> None:
-        self.joint, self.result = joint, result
+    def __init__(
+        self,
+        joint: Joint | PlanarJoint,
+        result: JointResult | PlanarResult,
+        capacity: TorqueCapacity | None = None,
+    ) -> None:
+        self.joint: Any = joint
+        self.result: Any = result
         if capacity is not None:
             self.capacity = capacity
 
@@ -120,6 +129,11 @@ class SolvedJoint:
         """Stresses of ring and hollow rollers."""
         rims: JointRims = call_compiled(joint_rims, self.joint, self.result)
         return rims
+
+    def row_names(self, axis: str) -> tuple[str, ...]:
+        """Names of the contacts or bodies of this joint's drive."""
+        names: tuple[str, ...] = self.result.contact_names if axis == "contact" else self.result.body_names
+        return names
 
     @property
     def has_bearings(self) -> tuple[bool, ...]:
@@ -248,11 +262,14 @@ class Result:
 
     def rows_of(self, solved: SolvedJoint) -> dict[str, float]:
         """Name → value [SI] of the rows that one joint has, without batch axes."""
-        present = (True,) * len(self.row_names) if self.present is None else self.present(solved)
-        if not any(present):
+        own = self.axis in ("contact", "body")  # these belong to the type of the drive
+        names = solved.row_names(self.axis) if own else self.row_names
+        present = (True,) * len(names) if self.present is None else self.present(solved)
+        found = self.of(solved) if any(present) else None
+        if found is None:
             return {}
-        values = np.broadcast_to(np.asarray(self.of(solved), dtype=float), (len(present),))
-        named = zip(self.row_names, values, present, strict=True)
+        values = np.broadcast_to(np.asarray(found, dtype=float), (len(present),))
+        named = zip(names, values, present, strict=True)
         return {name: float(value) for name, value, there in named if there}
 
     def of(self, solved: SolvedJoint) -> Any:

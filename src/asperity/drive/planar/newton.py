@@ -1,0 +1,65 @@
+"""Newton's method for equations whose first unknowns are positive."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+import jax
+import jax.flatten_util
+import jax.numpy as jnp
+from jax import Array
+
+_NEWTON_BUDGET = 60
+_SMALLEST_SHARE = 0.2  # a step leaves at least this share of each positive unknown
+
+
+def damped_root(equations: Callable[[Any], Any], first: Any, *, positive: int) -> Any:
+    r"""Root of as many equations as unknowns.
+
+    .. math:: x \leftarrow x - \alpha\, J^{-1} r(x)
+
+    Parameters
+    ----------
+    equations : callable
+        From a module of unknowns to one of residuals of the same structure, both of order 1.
+    first : module of Array
+        Where the search starts.
+    positive : int
+        How many of the first unknowns must stay positive: a step is shortened (alpha < 1) so that they keep a fifth.
+
+    Returns
+    -------
+    module of Array
+        The last iterate, with the derivatives of a root; its residual is for the caller to check.
+
+    References
+    ----------
+    Newton's method; the implicit function theorem for the derivatives, :func:`jax.lax.custom_root`.
+    """
+    flat, shape = jax.flatten_util.ravel_pytree(first)
+
+    def residual(x: Array) -> Array:
+        return jax.flatten_util.ravel_pytree(equations(shape(x)))[0]
+
+    def solve(_: object, start: Array) -> Array:
+        def unfinished(state: tuple[Array, Array, Array]) -> Array:
+            _, size, steps = state
+            return (size > 1e-13) & (steps < _NEWTON_BUDGET)
+
+        def improve(state: tuple[Array, Array, Array]) -> tuple[Array, Array, Array]:
+            x, _, steps = state
+            step = jnp.linalg.solve(jax.jacfwd(residual)(x), residual(x))
+            normal, falling = x[:positive], step[:positive]
+            room = jnp.where(falling > 0.0, (1.0 - _SMALLEST_SHARE) * normal / falling, jnp.inf)
+            share = jnp.minimum(1.0, jnp.min(room))
+            return x - share * step, jnp.max(jnp.abs(step)), steps + 1
+
+        x, *_ = jax.lax.while_loop(unfinished, improve, (start, jnp.asarray(1.0), jnp.asarray(0)))
+        return x
+
+    def tangent_solve(linear, right_side: Array) -> Array:  # type: ignore[no-untyped-def]
+        return jnp.linalg.solve(jax.jacfwd(linear)(right_side), right_side)
+
+    found = jax.lax.custom_root(residual, flat, lambda _, x: solve(_, x), tangent_solve)
+    return shape(found)

@@ -1,0 +1,187 @@
+"""What a planar drive is given and what it does: laws of its contacts, loads, and its state. SI units."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import equinox as eqx
+import jax.numpy as jnp
+from jax import Array
+
+from asperity.drive.mechanism import NormalSprings
+from asperity.drive.planar.layout import CARRIER, PlanarDrive
+from asperity.drive.rolling_state import CreepLaw
+from asperity.types import Real
+
+#: Largest relative residual of a state that is accepted as solved.
+STATE_TOLERANCE = 1e-9
+
+#: Creep law of contacts from their normal and tangential forces at rest.
+CreepOf = Callable[[Array, Array], CreepLaw]
+
+_NEAR_SLIP = 0.999  # the slip at rest is continued as a line above this share of friction
+
+
+class ContactLaws(eqx.Module):
+    """Response of the contacts of a drive to approach, slip and creep. SI units, shape (contacts,).
+
+    Parameters
+    ----------
+    springs : NormalSprings
+        Secant and incremental compliance of the bodies at the reference forces [m/N].
+    reference_force : Array
+        Normal forces at which the springs are given [N].
+    creep : CreepLaw
+        Carter's creep.
+    asperity_compliance : Array or None, optional
+        Tangential compliance of the asperities without traction [m/N]; None for smooth bodies.
+    coupling : Array or None, optional
+        Approach of one contact under the normal force of another, shape (contacts, contacts) with 0 on the diagonal
+        [m/N]; None where every contact deforms under its own force only.
+    """
+
+    springs: NormalSprings
+    reference_force: Array
+    creep: CreepLaw
+    asperity_compliance: Array | None = None
+    coupling: Array | None = None
+
+
+class DriveLoad(eqx.Module):
+    """What acts on a drive besides its preload, and the springs of its pins. SI units.
+
+    Parameters
+    ----------
+    output_torque : Real
+        Torque at the output against its rotation [N·m].
+    body_force : Array or None, optional
+        Forces on the floating bodies, shape (floating, 2) [N]; None for none.
+    pin_compliance : Real, optional
+        Of each pin along its push [m/N].
+    """
+
+    output_torque: Real
+    body_force: Array | None = None
+    pin_compliance: Real = 0.0
+
+
+class PlanarState(eqx.Module):
+    """A balanced state of a drive. SI units.
+
+    Parameters
+    ----------
+    normal, tangential : Array
+        Forces of the contacts, shape (contacts,) [N]; a positive tangential force opposes a first surface that moves
+        counter-clockwise around its body faster than the second.
+    pin_force : Array
+        Forces of the pins on their bodies, against the push direction, shape (pins,) [N].
+    displacement : Array
+        Displacements of the floating centres from first contact, shape (floating, 2) [m].
+    rotation : Array
+        Rotations of the members that stand under a torque, input and grounded member locked, shape (members,) [rad].
+    speed : Array
+        Angular velocities of the members per angular velocity of the input, shape (members,) [-].
+    creepage : Array
+        Creepages, shape (contacts,) [-]; 0 where nothing rolls.
+    interference : Array
+        Interference of the contacts, shape (contacts,) [m].
+    input_torque : Array
+        Torque at the input, in the sense of its rotation [N·m].
+    speed_loss : Array
+        Share of the output speed lost by creep [-].
+    worst : Array
+        Largest relative residual of all equations [-].
+    carried : Array
+        Whether every contact is loaded and does not slip; beyond, the laws are continued as lines.
+    """
+
+    normal: Array
+    tangential: Array
+    pin_force: Array
+    displacement: Array
+    rotation: Array
+    speed: Array
+    creepage: Array
+    interference: Array
+    input_torque: Array
+    speed_loss: Array
+    worst: Array
+    carried: Array
+
+    @property
+    def residual(self) -> Array:
+        """Largest relative residual of all equations [-]; infinite where a contact has lifted off or slips."""
+        return jnp.where(self.carried, self.worst, jnp.inf)
+
+
+def slip_at_rest(*, laws: ContactLaws, normal: Array, tangential: Array) -> Array:
+    r"""Slip of contacts that stand, on first loading.
+
+    .. math::
+        s = \mu N\left[C_0 q + b\,\bigl((1-q)\ln(1-q) + q\bigr) + \tfrac32 c_a \bigl(1 - (1-q)^{2/3}\bigr)\right],
+        \qquad q = \frac{T}{\mu N}
+
+    with the incremental compliance :math:`C_0` of the bodies, its logarithmic part b, and the asperities'
+    :math:`c_a`.
+
+    Parameters
+    ----------
+    laws : ContactLaws
+        The contacts.
+    normal, tangential : Array
+        Forces, shape (contacts,) [N].
+
+    Returns
+    -------
+    Array
+        Slip with the sign of the force [m]; above 99.9 % of friction the tangent is continued.
+
+    References
+    ----------
+    Integrals of the incremental compliances :func:`asperity.contact.interface.bulk_tangential_stiffness` and of
+    equation (24) of Zou et al. 2025, which falls as :math:`(1-q)^{1/3}`.
+    """
+    limit = laws.creep.friction_coefficient * jnp.where(normal > 0.0, normal, 1.0)
+    q = jnp.abs(tangential) / limit
+    held = jnp.minimum(q, _NEAR_SLIP)
+    left = 1.0 - held
+    log = jnp.log(left)
+    bodies, bend = (
+        laws.springs.incremental_compliance,
+        laws.springs.secant_compliance - laws.springs.incremental_compliance,
+    )
+    slip = bodies * held + bend * (left * log + held)
+    slope = bodies - bend * log
+    if laws.asperity_compliance is not None:
+        slip = slip + 1.5 * laws.asperity_compliance * -jnp.expm1(log * (2.0 / 3.0))
+        slope = slope + laws.asperity_compliance * jnp.exp(-log / 3.0)
+    return jnp.sign(tangential) * limit * (slip + slope * (q - held))
+
+
+def surface_speeds(*, drive: PlanarDrive, speed: Array) -> tuple[Array, Array]:
+    """Speeds of the two surfaces of each contact relative to the carrier.
+
+    Parameters
+    ----------
+    drive : PlanarDrive
+        The drive.
+    speed : Array
+        Angular velocities of the members, shape (members,) [rad/s].
+
+    Returns
+    -------
+    tuple of Array
+        Speeds of the first and of the second surface, positive, shape (contacts,) [m/s].
+
+    References
+    ----------
+    Radius times angular velocity relative to the carrier, in which the centres stand.
+    """
+    members = drive.members
+    carrier = speed[members.index(CARRIER)]
+    first = jnp.array([members.index(contact.first) for contact in drive.contacts])
+    second = jnp.array([members.index(contact.second) for contact in drive.contacts])
+    return (
+        drive.first_radius * jnp.abs(speed[first] - carrier),
+        drive.second_radius * jnp.abs(speed[second] - carrier),
+    )

@@ -1,0 +1,399 @@
+"""The equations of a planar drive in any of its states, and their solution by Newton's method."""
+
+from __future__ import annotations
+
+from typing import Any, NamedTuple
+
+import jax.numpy as jnp
+from jax import Array
+
+from asperity.drive.mechanism import compression
+from asperity.drive.planar.layout import CARRIER, Incidence, PlanarDrive, incidence, speeds
+from asperity.drive.planar.newton import damped_root
+from asperity.drive.planar.state import ContactLaws, DriveLoad, PlanarState, slip_at_rest, surface_speeds
+from asperity.drive.rolling_state import creepages
+
+#: Kinds of states: assembled without torque, standing under one, rolling under one.
+ASSEMBLED, STANDING, ROLLING = 0, 1, 2
+
+
+class Unknowns(NamedTuple):
+    """Unknowns of a state, each over its scale.
+
+    Parameters
+    ----------
+    normal, tangential : Array
+        Forces of the contacts over the reference, and over the friction limit at it [-].
+    pin : Array
+        Forces of the pins over the largest reference [-].
+    displacement : Array
+        Displacements of the floating centres over the approach at the reference [-].
+    turn : Array
+        Added to the speeds, or rotation times lever over the approach [-].
+    interference : Array
+        Interference of the drive over the approach at the reference [-].
+    """
+
+    normal: Array
+    tangential: Array
+    pin: Array
+    displacement: Array
+    turn: Array
+    interference: Array
+
+
+class Machine(NamedTuple):
+    """What is the same in all states of a drive.
+
+    Parameters
+    ----------
+    drive : PlanarDrive
+        The drive.
+    laws : ContactLaws
+        Its contacts.
+    matrices : Incidence
+        How displacements and rotations move the contacts.
+    ideal : Array
+        Speeds without slip, shape (members,) [-].
+    pattern : Array
+        Interference of each contact over that of the drive, shape (contacts,) [-].
+    friction : Array
+        Friction coefficients, shape (contacts,) [-].
+    length, largest, lever : Array
+        Scales: approach [m], force [N] and lever [m].
+    """
+
+    drive: PlanarDrive
+    laws: ContactLaws
+    matrices: Incidence
+    ideal: Array
+    pattern: Array
+    friction: Array
+    length: Array
+    largest: Array
+    lever: Array
+
+
+class Task(NamedTuple):
+    """One state to be found.
+
+    Parameters
+    ----------
+    kind : Array
+        :data:`ASSEMBLED`, :data:`STANDING` or :data:`ROLLING` [-].
+    size : Array
+        Preload [N], or interference of the drive [m].
+    load : DriveLoad
+        Torque, forces on the bodies, pins.
+    origin : Array
+        Displacements of the assembled drive, from which slip is counted, shape (2 floating,) [m].
+    """
+
+    kind: Any
+    size: Array
+    load: DriveLoad
+    origin: Array
+
+
+def machine_of(drive: PlanarDrive, laws: ContactLaws, pattern: Array) -> Machine:
+    """What all states of a drive have in common.
+
+    Parameters
+    ----------
+    drive : PlanarDrive
+        The drive.
+    laws : ContactLaws
+        Its contacts.
+    pattern : Array
+        Interference of each contact over that of the drive, shape (contacts,) [-].
+
+    Returns
+    -------
+    Machine
+        With its scales.
+
+    References
+    ----------
+    Equation (M3) of :doc:`/equations`.
+    """
+    reference = laws.reference_force
+    return Machine(
+        drive=drive,
+        laws=laws,
+        matrices=incidence(drive),
+        ideal=speeds(drive),
+        pattern=pattern,
+        friction=jnp.broadcast_to(laws.creep.friction_coefficient, reference.shape),
+        length=jnp.max(laws.springs.secant_compliance * reference),
+        largest=jnp.max(reference),
+        lever=jnp.max(drive.second_radius),
+    )
+
+
+def assembled_guess(machine: Machine) -> Unknowns:
+    """An assembled drive with the reference forces, from which its state is sought.
+
+    Parameters
+    ----------
+    machine : Machine
+        The drive.
+
+    Returns
+    -------
+    Unknowns
+        Without displacement.
+
+    References
+    ----------
+    Equation (M3) of :doc:`/equations`.
+    """
+    drive, reference = machine.drive, machine.laws.reference_force
+    return Unknowns(
+        jnp.ones_like(reference),
+        jnp.zeros_like(reference),
+        jnp.zeros(len(drive.pinned)),
+        no_displacement(drive),
+        jnp.zeros(len(_turning(drive))),
+        jnp.ones(1),
+    )
+
+
+def started_from(machine: Machine, state: PlanarState, size: Array) -> Unknowns:
+    """Unknowns at a known state.
+
+    Parameters
+    ----------
+    machine : Machine
+        The drive.
+    state : PlanarState
+        The state.
+    size : Array
+        Interference of the drive [m].
+
+    Returns
+    -------
+    Unknowns
+        From which another state is sought.
+
+    References
+    ----------
+    Equation (M3) of :doc:`/equations`.
+    """
+    reference = machine.laws.reference_force
+    return Unknowns(
+        state.normal / reference,
+        state.tangential / (machine.friction * reference),
+        state.pin_force / machine.largest,
+        state.displacement.ravel() / machine.length,
+        (state.speed - machine.ideal)[jnp.array(_turning(machine.drive))],
+        (size / machine.length)[None],
+    )
+
+
+def _turning(drive: PlanarDrive) -> list[int]:
+    """Members whose rotation is unknown."""
+    return [i for i, name in enumerate(drive.members) if name not in (drive.input, drive.grounded)]
+
+
+def _speed(machine: Machine, x: Unknowns, kind: Any) -> tuple[Array, Array]:
+    """Speeds and rotations of all members."""
+    turning = jnp.array(_turning(machine.drive))
+    rolls = jnp.where(jnp.asarray(kind) == ROLLING, 1.0, 0.0)
+    nothing = jnp.zeros_like(machine.ideal)
+    turned = nothing.at[turning].set((1.0 - rolls) * x.turn * machine.length / machine.lever)
+    return machine.ideal.at[turning].add(rolls * x.turn), turned
+
+
+def contact_forces(machine: Machine, x: Unknowns) -> tuple[Array, Array]:
+    """Forces of the contacts.
+
+    Parameters
+    ----------
+    machine : Machine
+        The drive.
+    x : Unknowns
+        The unknowns.
+
+    Returns
+    -------
+    tuple of Array
+        Normal and tangential forces, shape (contacts,) [N].
+
+    References
+    ----------
+    Equation (M3) of :doc:`/equations`.
+    """
+    reference = machine.laws.reference_force
+    return x.normal * reference, x.tangential * machine.friction * reference
+
+
+def forces_on(drive: PlanarDrive, load: DriveLoad) -> Array:
+    """Forces on the floating bodies.
+
+    Parameters
+    ----------
+    drive : PlanarDrive
+        The drive.
+    load : DriveLoad
+        The load.
+
+    Returns
+    -------
+    Array
+        Forces, shape (floating, 2) [N].
+
+    References
+    ----------
+    Equation (M3) of :doc:`/equations`.
+    """
+    return jnp.zeros((len(drive.floating), 2)) if load.body_force is None else load.body_force
+
+
+def no_displacement(drive: PlanarDrive) -> Array:
+    """Displacements of a drive that has not moved.
+
+    Parameters
+    ----------
+    drive : PlanarDrive
+        The drive.
+
+    Returns
+    -------
+    Array
+        Zeros, shape (2 floating,) [m].
+
+    References
+    ----------
+    Equation (M3) of :doc:`/equations`.
+    """
+    return jnp.zeros(2 * len(drive.floating))
+
+
+def _equations(machine: Machine, task: Task, by_force: bool, x: Unknowns) -> Unknowns:
+    """All equations, each relative to its scale."""
+    drive, laws, matrices = machine.drive, machine.laws, machine.matrices
+    length, largest, lever = machine.length, machine.largest, machine.lever
+    reference = laws.reference_force
+    normal, tangential = contact_forces(machine, x)
+    pin, moved = x.pin * largest, x.displacement * length
+    speed, turned = _speed(machine, x, task.kind)
+    kind = jnp.asarray(task.kind)
+
+    approach = compression(springs=laws.springs, normal_force=normal, rest_force=reference) + (
+        laws.springs.secant_compliance * reference
+    )
+    if laws.coupling is not None:
+        approach = approach + laws.coupling @ normal
+    misfit = approach - matrices.approach @ moved - machine.pattern * x.interference * length
+    creep = creepages(law=laws.creep, normal=normal, tangential=tangential)
+    rolling = creep * _rolled(drive, speed) - matrices.turning @ speed
+    slip = slip_at_rest(laws=laws, normal=normal, tangential=tangential)
+    standing = slip - matrices.sliding @ (moved - task.origin) - matrices.turning @ turned
+    force = matrices.approach.T @ normal + matrices.sliding.T @ tangential + matrices.pins.T @ pin
+    moments = _moments(drive, matrices, tangential, pin)
+    out = drive.members.index(drive.output)
+    moments = moments.at[out].add(-jnp.sign(machine.ideal[out]) * task.load.output_torque)
+    moments = moments[jnp.array(_turning(drive))] / (lever * largest)
+    size = (x.interference * length - task.size) / length
+    if by_force:
+        size = jnp.where(kind == ASSEMBLED, (normal[:1] - task.size) / largest, size)
+    return Unknowns(
+        misfit / length,
+        jnp.where(
+            kind == ROLLING,
+            rolling / lever * 1e3,
+            jnp.where(kind == STANDING, standing / length, x.tangential),
+        ),
+        (matrices.pins @ moved - task.load.pin_compliance * pin) / length,
+        (force - forces_on(drive, task.load).ravel()) / largest,
+        jnp.where(kind == ASSEMBLED, x.turn, moments),
+        size,
+    )
+
+
+def solved(machine: Machine, task: Task, start: Unknowns, *, by_force: bool) -> Unknowns:
+    """Unknowns of a state.
+
+    Parameters
+    ----------
+    machine : Machine
+        The drive.
+    task : Task
+        The state.
+    start : Unknowns
+        Where the search starts.
+    by_force : bool
+        Whether an assembled state has a given preload instead of a given interference.
+
+    Returns
+    -------
+    Unknowns
+        Root of all equations.
+
+    References
+    ----------
+    Equation (M3) of :doc:`/equations`.
+    """
+    return damped_root(lambda x: _equations(machine, task, by_force, x), start, positive=start.normal.size)
+
+
+def state_of(machine: Machine, task: Task, x: Unknowns) -> PlanarState:
+    """A state from its unknowns.
+
+    Parameters
+    ----------
+    machine : Machine
+        The drive.
+    task : Task
+        The state.
+    x : Unknowns
+        The unknowns.
+
+    Returns
+    -------
+    PlanarState
+        With its residual.
+
+    References
+    ----------
+    Equation (M3) of :doc:`/equations`.
+    """
+    drive, laws = machine.drive, machine.laws
+    normal, tangential = contact_forces(machine, x)
+    pin = x.pin * machine.largest
+    speed, turned = _speed(machine, x, task.kind)
+    rolls = jnp.where(jnp.asarray(task.kind) == ROLLING, 1.0, 0.0)
+    carried = jnp.all((normal > 0.0) & (jnp.abs(tangential) <= machine.friction * normal))
+    residuals = _equations(machine, task, False, x)._replace(interference=jnp.zeros(1))
+    worst = jnp.max(jnp.abs(jnp.concatenate(list(residuals))))
+    out, entry = drive.members.index(drive.output), drive.members.index(drive.input)
+    return PlanarState(
+        normal=normal,
+        tangential=tangential,
+        pin_force=pin,
+        displacement=(x.displacement * machine.length).reshape(-1, 2),
+        rotation=turned,
+        speed=speed,
+        creepage=rolls * creepages(law=laws.creep, normal=normal, tangential=tangential),
+        interference=machine.pattern * x.interference * machine.length,
+        input_torque=-drive.sense * _moments(drive, machine.matrices, tangential, pin)[entry],
+        speed_loss=1.0 - speed[out] / machine.ideal[out],
+        worst=worst,
+        carried=carried,
+    )
+
+
+def _rolled(drive: PlanarDrive, speed: Array) -> Array:
+    """Rolling speed of each contact relative to the carrier, the mean of its surface speeds [m]."""
+    one, two = surface_speeds(drive=drive, speed=speed)
+    return 0.5 * (one + two)
+
+
+def _moments(drive: PlanarDrive, matrices: Incidence, tangential: Array, pin: Array) -> Array:
+    """Moments of contacts and pins on the members, those on the axis from all sectors, shape (members,) [N·m]."""
+    members = drive.members
+    carrier = members.index(CARRIER)
+    moments = -(matrices.turning.at[:, carrier].set(0.0).T @ tangential)
+    moments = moments.at[carrier].set(jnp.sum(matrices.levers * pin))
+    copies = [drive.sectors if body.place == "axis" else 1 for body in drive.bodies] + [drive.sectors]
+    return moments * jnp.array(copies, dtype=float)

@@ -1,0 +1,157 @@
+r"""Incremental stiffness of any planar roller drive around a state: all its springs at once.
+
+The springs of the contacts and pins carry forces f, the centres move by u and the members turn by :math:`\psi`:
+
+.. math::
+    C f = B\,(u, \psi), \qquad B^\mathsf{T} f = g
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import jax.numpy as jnp
+from jax import Array
+
+from asperity.drive.planar.layout import CARRIER, PlanarDrive, incidence
+from asperity.types import Real
+
+
+class PlanarStiffness(NamedTuple):
+    """Stiffness of a drive, and where its compliance comes from.
+
+    Parameters
+    ----------
+    output : Array
+        Torque over rotation of the output, input and grounded member locked [N·m/rad].
+    tangential_share, normal_share : Array
+        Shares of each contact's springs in the compliance, shape (contacts,) [-].
+    pin_share : Array
+        Share of the pins [-].
+    tangential_force : Array
+        Tangential forces of the contacts under a unit torque, shape (contacts,) [N].
+    """
+
+    output: Array
+    tangential_share: Array
+    normal_share: Array
+    pin_share: Array
+    tangential_force: Array
+
+
+def planar_stiffness(
+    *,
+    drive: PlanarDrive,
+    normal_compliance: Array | None,
+    tangential_compliance: Array,
+    coupling: Array | None = None,
+    pin_compliance: Real = 0.0,
+) -> PlanarStiffness:
+    r"""Torsional stiffness at the output of a planar drive with springs at its contacts.
+
+    .. math:: K = 1/\psi_{out}, \qquad \text{share}_j = f_j (C f)_j / \psi_{out}
+
+    under a unit torque at the output.
+
+    Parameters
+    ----------
+    drive : PlanarDrive
+        The drive.
+    normal_compliance : Array or None
+        Of each contact, incremental, shape (contacts,) [m/N]; None where the centres are held.
+    tangential_compliance : Array
+        Of each contact, incremental, shape (contacts,) [m/N].
+    coupling : Array or None, optional
+        Further compliances between the normal, then the tangential springs, shape (2 contacts, 2 contacts) [m/N].
+    pin_compliance : Real, optional
+        Of each pin along its push [m/N].
+
+    Returns
+    -------
+    PlanarStiffness
+        nan where the contacts cannot carry the torque.
+
+    References
+    ----------
+    Equations (A8) and (M1) of :doc:`/equations`.
+    """
+    matrices, members = incidence(drive), drive.members
+    count, carrier = len(drive.contacts), members.index(CARRIER)
+    turning = [i for i, name in enumerate(members) if name not in (drive.input, drive.grounded)]
+    turns_at = jnp.array(turning)
+    out = members.index(drive.output)
+    copies = jnp.array(
+        [drive.sectors if body.place == "axis" else 1 for body in drive.bodies] + [drive.sectors],
+        dtype=float,
+    )
+    floats = normal_compliance is not None
+    compliance = [tangential_compliance]
+    rotating = matrices.turning.at[:, carrier].set(0.0)
+    # rows: springs; columns: displacements of the centres, then rotations
+    moves, balances = [matrices.sliding], [rotating]
+    turns = [matrices.turning]
+    pins = jnp.broadcast_to(jnp.asarray(pin_compliance, dtype=float), (len(drive.pinned),))
+    lever = jnp.zeros((pins.size, len(members))).at[:, carrier].set(-matrices.levers)
+    if normal_compliance is not None:
+        nothing = jnp.zeros_like(rotating)
+        compliance = [normal_compliance, *compliance, pins]
+        moves = [matrices.approach, *moves, matrices.pins]
+        turns, balances = [nothing, *turns, jnp.zeros_like(lever)], [nothing, *balances, lever]
+    else:  # the moment of the held centres on the carrier
+        balances = [matrices.turning]
+    stiff = jnp.diag(jnp.concatenate(compliance))
+    if floats and coupling is not None:
+        stiff = stiff.at[: 2 * count, : 2 * count].add(coupling)
+    scale = jnp.mean(tangential_compliance)
+    length = jnp.max(drive.second_radius)
+    kinematic = jnp.concatenate(turns)[:, turns_at] / length
+    static = jnp.concatenate(balances)[:, turns_at] * copies[turns_at] / length
+    if floats:
+        moved = jnp.concatenate(moves)
+        kinematic, static = (jnp.concatenate([moved, part], axis=1) for part in (kinematic, static))
+    unknown = kinematic.shape[1]
+    system = jnp.block([[stiff / scale, -kinematic], [static.T, jnp.zeros((unknown, unknown))]])
+    place = unknown - len(turning) + turning.index(out)
+    load = jnp.zeros(system.shape[0]).at[stiff.shape[0] + place].set(-1.0 / length)
+    found = jnp.linalg.solve(system, load)
+    force = found[: stiff.shape[0]]
+    turned = jnp.abs(found[stiff.shape[0] + place]) * scale / length
+    shares = drive.sectors * force * (stiff @ force) / turned
+    return PlanarStiffness(
+        output=1.0 / turned,
+        tangential_share=shares[count : 2 * count] if floats else shares[:count],
+        normal_share=shares[:count] if floats else jnp.zeros(count),
+        pin_share=jnp.sum(shares[2 * count :]) if floats else jnp.zeros(()),
+        tangential_force=force[count : 2 * count] if floats else force[:count],
+    )
+
+
+def with_shafts(
+    *, stiffness: Array, ratio: Real, input_shaft_stiffness: Real, output_shaft_stiffness: Real
+) -> tuple[Array, Array, Array]:
+    r"""Stiffness at the output with shafts, and the shafts' shares in the compliance.
+
+    .. math:: \frac1{K'} = \frac1K + \frac1{i^2 k_{in}} + \frac1{k_{out}}
+
+    Parameters
+    ----------
+    stiffness : Array
+        Of the drive, at the output [N·m/rad].
+    ratio : Real
+        Speed ratio i [-].
+    input_shaft_stiffness, output_shaft_stiffness : Real
+        Torsional stiffness of the shafts [N·m/rad]; ``math.inf`` is rigid.
+
+    Returns
+    -------
+    tuple of Array
+        Stiffness [N·m/rad], shares of the input and of the output shaft [-].
+
+    References
+    ----------
+    Elementary: the angle of the input shaft divided by the ratio, under the torque divided by the ratio.
+    """
+    at_input = 1.0 / (ratio**2 * jnp.asarray(input_shaft_stiffness, dtype=float))
+    at_output = 1.0 / jnp.asarray(output_shaft_stiffness, dtype=float)
+    whole = 1.0 / stiffness + at_input + at_output
+    return 1.0 / whole, at_input / whole, at_output / whole

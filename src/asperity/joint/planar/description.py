@@ -1,0 +1,269 @@
+"""A joint with any planar roller drive: the input of its chain, as frozen modules. SI units."""
+
+from __future__ import annotations
+
+from typing import Any, Literal
+
+import equinox as eqx
+import jax.numpy as jnp
+import numpy as np
+from jax import Array
+
+from asperity.body.shapes import PlaneState
+from asperity.contact.fractal import Surface
+from asperity.contact.population import ContactFactorModel
+from asperity.contact.roller_pairs import roller_pairs
+from asperity.drive.planar.layout import PlanarDrive
+from asperity.drive.rolling_speeds import BodiesOfContacts
+from asperity.joint.contacts import JointContacts, elastic_material
+from asperity.joint.description import BodyModel, per_contact
+from asperity.joint.rolling_conditions import RollingConditions
+from asperity.materials import Material, pair
+from asperity.types import Real
+
+
+class BodyShape(eqx.Module):
+    """What a body is besides its tracks.
+
+    Parameters
+    ----------
+    kind : {"solid", "hollow", "ring"}
+        Solid roller, roller with a bore, or ring with its tracks inside.
+    size : Real or None
+        Diameter of the bore, or wall of the ring [m].
+    support : {"free", "rigid_housing"}
+        What holds the outer rim of a ring.
+    """
+
+    kind: Literal["solid", "hollow", "ring"] = eqx.field(static=True)
+    size: Real | None = None
+    support: Literal["free", "rigid_housing"] = eqx.field(static=True, default="free")
+
+
+SOLID = BodyShape("solid")
+
+
+class PlanarJoint(eqx.Module):
+    """A joint with a planar roller drive. SI units; what differs between contacts is a tuple of one entry or one each.
+
+    Parameters
+    ----------
+    type : str
+        Type of the drive, as its joint file says.
+    drive : PlanarDrive
+        Bodies, contacts and pins.
+    shapes : tuple of BodyShape
+        What each body is, in the order of the drive's bodies.
+    materials : tuple of Material
+        Of each body.
+    surfaces : tuple of Surface
+        Fractal roughness.
+    contact_lengths, friction_coefficients : tuple of Real
+        Lengths B [m] and friction coefficients mu [-].
+    pattern : tuple of float
+        Interference of each contact over that of the drive [-].
+    preload, interference : Real or None
+        Normal force of the first contact at rest [N], or the interference of the drive [m]; one of them.
+    output_torque : Real
+        Torque at the output, of either sign [N·m]; positive where it resists the rotation.
+    input_speed : Real
+        Angular velocity of the input, not negative [rad/s].
+    pin_stiffness : Real
+        Of one pin along its push [N/m]; ``math.inf`` is rigid.
+    input_shaft_stiffness, output_shaft_stiffness : Real
+        Torsional stiffness of the shafts [N·m/rad].
+    contact_factor_model : {"printed", "hertz_area", "unity"}
+        Model of lambda.
+    body_model : {"exact", "springs"}
+        Bodies by plane elasticity, or one spring for each contact.
+    plane_state : {"plane_strain", "plane_stress"}
+        Of the exact bodies.
+    rolling : RollingConditions
+        Losses, oil and reliability of the joint that turns.
+    """
+
+    type: str = eqx.field(static=True)
+    drive: PlanarDrive
+    shapes: tuple[BodyShape, ...]
+    materials: tuple[Material, ...]
+    surfaces: tuple[Surface, ...]
+    contact_lengths: tuple[Real, ...]
+    friction_coefficients: tuple[Real, ...]
+    pattern: tuple[float, ...] = eqx.field(static=True)
+    preload: Real | None
+    interference: Real | None
+    output_torque: Real
+    input_speed: Real
+    pin_stiffness: Real
+    input_shaft_stiffness: Real
+    output_shaft_stiffness: Real
+    contact_factor_model: ContactFactorModel = eqx.field(static=True)
+    body_model: BodyModel = eqx.field(static=True)
+    plane_state: PlaneState = eqx.field(static=True)
+    rolling: RollingConditions
+
+    @property
+    def sun_speed(self) -> Real:
+        """The speed of the input, as results of every drive call it [rad/s]."""
+        return self.input_speed
+
+    @property
+    def contact_names(self) -> tuple[str, ...]:
+        """Names of the contacts."""
+        return tuple(contact.name for contact in self.drive.contacts)
+
+
+def places(drive: PlanarDrive) -> tuple[tuple[int, ...], tuple[int, ...]]:
+    """Numbers of the first and of the second body of each contact.
+
+    Parameters
+    ----------
+    drive : PlanarDrive
+        The drive.
+
+    Returns
+    -------
+    tuple of tuple of int
+        Places in the drive's bodies.
+    """
+    names = [body.name for body in drive.bodies]
+    return (
+        tuple(names.index(contact.first) for contact in drive.contacts),
+        tuple(names.index(contact.second) for contact in drive.contacts),
+    )
+
+
+def bodies_of_contacts(drive: PlanarDrive) -> BodiesOfContacts:
+    """Which bodies the contacts of one sector join.
+
+    Parameters
+    ----------
+    drive : PlanarDrive
+        The drive.
+
+    Returns
+    -------
+    BodiesOfContacts
+        Bodies on the axis are shared by all sectors.
+    """
+    first, second = places(drive)
+    return BodiesOfContacts(
+        names=tuple(body.name for body in drive.bodies),
+        shared=tuple(body.place == "axis" for body in drive.bodies),
+        driving=first,
+        driven=second,
+    )
+
+
+def each_contact(joint: PlanarJoint, values: tuple[Any, ...]) -> Any:
+    """One entry for each contact from one for all or one each, stacked along a first axis.
+
+    Parameters
+    ----------
+    joint : PlanarJoint
+        The joint.
+    values : tuple
+        Numbers or modules of numbers.
+
+    Returns
+    -------
+    The same kind of thing with leaves of shape (contacts,).
+    """
+    count = len(joint.drive.contacts)
+    return per_contact(values if len(values) == count else values * count)
+
+
+def planar_contacts(joint: PlanarJoint) -> JointContacts:
+    """The contacts of one sector of a joint.
+
+    Parameters
+    ----------
+    joint : PlanarJoint
+        The joint.
+
+    Returns
+    -------
+    JointContacts
+        Numbers of shape (contacts,).
+    """
+    first, second = places(joint.drive)
+    driving, driven = (
+        per_contact(tuple(elastic_material(joint.materials[body]) for body in side))
+        for side in (first, second)
+    )
+    inside = [contact.internal for contact in joint.drive.contacts]
+    walls = [joint.shapes[body].size if inner else None for body, inner in zip(second, inside, strict=True)]
+    return JointContacts(
+        pairs=roller_pairs(
+            radius_1=joint.drive.first_radius,
+            radius_2=joint.drive.second_radius,
+            sign=jnp.where(np.array(inside), -1.0, 1.0),
+            contact_length=each_contact(joint, joint.contact_lengths),
+            friction_coefficient=each_contact(joint, joint.friction_coefficients),
+            moduli=pair(driving, driven),
+            surface=each_contact(joint, joint.surfaces),
+        ),
+        driving=driving,
+        driven=driven,
+        ring_wall_thickness=per_contact(tuple(1.0 if wall is None else wall for wall in walls)),
+        contact_factor_model=joint.contact_factor_model,
+    )
+
+
+def tracks_of(joint: PlanarJoint, body: int) -> list[tuple[Array, list[int]]]:
+    """Tracks of a body: each radius, and the contacts that roll on it.
+
+    Parameters
+    ----------
+    joint : PlanarJoint
+        The joint.
+    body : int
+        Number of the body.
+
+    Returns
+    -------
+    list of tuple
+        Radius [m] and numbers of contacts; contacts of one track are those that the drive lists with one radius.
+    """
+    first, second = places(joint.drive)
+    found: dict[str, tuple[Array, list[int]]] = {}
+    for k, contact in enumerate(joint.drive.contacts):
+        for side, bodies, radii in (
+            (0, first, joint.drive.first_radius),
+            (1, second, joint.drive.second_radius),
+        ):
+            if bodies[k] == body:
+                track = contact.tracks[side]
+                found.setdefault(track, (radii[k], []))[1].append(k)
+    return list(found.values())
+
+
+def body_masses(joint: PlanarJoint) -> list[Real]:
+    r"""Mass of each body, :math:`\rho \pi \sum (R^2 - R_i^2) L` over its tracks.
+
+    Parameters
+    ----------
+    joint : PlanarJoint
+        The joint.
+
+    Returns
+    -------
+    list of Real
+        Masses [kg]; every track is as long as its longest contact.
+    """
+    lengths = each_contact(joint, joint.contact_lengths)
+    masses = []
+    for number, (shape, material) in enumerate(zip(joint.shapes, joint.materials, strict=True)):
+        mass: Real = 0.0
+        for radius, contacts in tracks_of(joint, number):
+            length = jnp.max(lengths[np.array(contacts)])
+            area = radius**2
+            if shape.size is not None:
+                area = (
+                    (radius + shape.size) ** 2 - radius**2
+                    if shape.kind == "ring"
+                    else radius**2 - 0.25 * shape.size**2
+                )
+            mass = mass + material.density * jnp.pi * area * length
+        masses.append(mass)
+    return masses

@@ -1,0 +1,127 @@
+"""A solved joint with a planar drive as one JSON document, with the names of the paper's drive."""
+
+from __future__ import annotations
+
+import dataclasses
+from typing import Any
+
+import numpy as np
+
+import asperity
+from asperity.joint.capacity import TorqueCapacity, capacity_document
+from asperity.joint.document import (
+    contact_documents,
+    limit_document,
+    plain_document,
+    stiffness_budget,
+    stiffness_unknown_because,
+    torsional_stiffness_document,
+)
+from asperity.joint.limit_check import checked_limits
+from asperity.joint.planar.description import PlanarJoint
+from asperity.joint.planar.plausibility import planar_plausibility
+from asperity.joint.planar.solve import PlanarSolution
+from asperity.joint.results import SolvedJoint
+from asperity.joint.rolling_document import losses, rolling_document
+
+Document = dict[str, Any]
+
+
+def planar_document(
+    *, joint: PlanarJoint, solution: PlanarSolution, inputs: Document, assumptions: tuple[str, ...]
+) -> Document:
+    """Everything that is known about a joint, ready for :func:`json.dumps`.
+
+    Parameters
+    ----------
+    joint : PlanarJoint
+        The joint that was solved.
+    solution : PlanarSolution
+        What came out.
+    inputs : dict
+        Tables of the joint file in SI units.
+    assumptions : tuple of str
+        What the file leaves out, one sentence each.
+
+    Returns
+    -------
+    dict
+        Nested tables of numbers and text. Numbers that are not finite are None; the diagnostics say why.
+    """
+    result, drive = solution.result, joint.drive
+    forward = float(joint.output_torque) >= 0.0
+    pinned = [drive.bodies[body].name for body in drive.pinned]
+    names = result.contact_names
+    return plain_document(
+        {
+            "asperity_version": asperity.__version__,
+            "input": inputs,
+            "assumptions": list(assumptions),
+            "geometry": {
+                "speed_ratio": result.speed_ratio,
+                "sectors": drive.sectors,
+                "input": drive.input,
+                "output": drive.output,
+                "grounded": drive.grounded,
+                "centres_m": {
+                    body.name: [float(x) for x in centre]
+                    for body, centre in zip(drive.bodies, np.asarray(drive.centres), strict=True)
+                },
+                "track_radii_m": {
+                    contact.name: {contact.first: one, contact.second: two}
+                    for contact, one, two in zip(
+                        drive.contacts,
+                        np.asarray(drive.first_radius),
+                        np.asarray(drive.second_radius),
+                        strict=True,
+                    )
+                },
+                "speeds_over_input": dict(zip(drive.members, np.asarray(result.speeds), strict=True)),
+            },
+            "preload": {
+                "force_N": result.preload,
+                "interference_m": result.interference,
+                "at_assembly": None,
+                "loading_cam": None,
+            },
+            "forces": {
+                "normal_at_rest_N": dict(zip(names, np.asarray(result.rest.normal), strict=True)),
+                "normal_N": dict(zip(names, np.asarray(result.forces.normal), strict=True)),
+                "tangential_N": dict(zip(names, np.asarray(result.forces.tangential), strict=True)),
+                "pin_N": dict(zip(pinned, np.asarray(result.forces.pins), strict=True)),
+                "input_torque_Nm": result.forces.input_torque,
+                "output_torque_Nm": result.forces.output_torque,
+                "body_mass_kg": dict(zip(result.body_names, np.asarray(result.masses), strict=True)),
+                "output_speed_rad_per_s": result.carrier_speed,
+                "balance_residual": result.forces.balance_residual,
+                "closure_residual": result.forces.closure_residual,
+            },
+            "torque_capacity": _both(solution.capacity, solution.reverse_capacity, names),
+            "contacts": contact_documents(SolvedJoint(joint, result)),
+            "torsional_stiffness": torsional_stiffness_document(result),
+            "stiffness_unknown_because": stiffness_unknown_because(result),
+            "stiffness_budget": stiffness_budget(result),
+            "speed_loss": result.rolling.speed_loss,
+            "drift_rad_per_output_turn": result.rolling.drift_per_output_turn,
+            "efficiency": result.rolling.power.efficiency,
+            "losses_W": losses(result.rolling),
+            "life_hours": result.rolling.life_hours.drive,
+            "rolling": {
+                **rolling_document(joint, result),
+                "torque_capacity_Nm": (
+                    solution.rolling_capacity if forward else solution.reverse_rolling_capacity
+                ).output_torque,
+            },
+            "diagnostics": [
+                *(limit_document(entry) for entry in checked_limits(joint, result)),
+                *(dataclasses.asdict(note) for note in planar_plausibility(joint, result)),
+            ],
+        }
+    )
+
+
+def _both(capacity: TorqueCapacity, reverse: TorqueCapacity, names: tuple[str, ...]) -> Document:
+    return {
+        **capacity_document(capacity, contacts=names),
+        "reverse": capacity_document(reverse, contacts=names),
+    }

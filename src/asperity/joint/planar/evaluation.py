@@ -1,0 +1,292 @@
+"""The chain of a joint with any planar drive: its forces, contacts, stiffness and rolling, from its description."""
+
+from __future__ import annotations
+
+import dataclasses
+
+import equinox as eqx
+import jax
+import jax.numpy as jnp
+import numpy as np
+from jax import Array
+
+from asperity.contact.fractal import FractalContact
+from asperity.contact.interface import Interface
+from asperity.drive.assembly import Assembly
+from asperity.drive.planar.layout import CARRIER, speed_ratio, speeds
+from asperity.drive.planar.state import STATE_TOLERANCE, ContactLaws, PlanarState, surface_speeds
+from asperity.drive.planar.states import drive_states
+from asperity.drive.rolling_speeds import BodiesOfContacts, RollingSpeeds
+from asperity.drive.torsional_stiffness import TorsionalStiffness, contact_torsional_stiffness
+from asperity.joint.contacts import (
+    JointContacts,
+    loaded_contacts,
+)
+from asperity.joint.diagnostics import Diagnostics, diagnose
+from asperity.joint.planar.bodies import walls_known
+from asperity.joint.planar.description import (
+    PlanarJoint,
+    bodies_of_contacts,
+    body_masses,
+    places,
+    planar_contacts,
+)
+from asperity.joint.planar.laws import contact_laws, creep_law, drive_load
+from asperity.joint.planar.stiffness import stiffness_levels
+from asperity.joint.rolling import RollingResult, turning_result
+from asperity.joint.rolling_creep import ContactCreep
+
+
+class PlanarForces(eqx.Module):
+    """Forces of a joint that stands under its torque. SI units.
+
+    Parameters
+    ----------
+    normal, tangential : Array
+        Of the contacts, shape (contacts,) [N]; a tangential force is positive where the first body drives the second.
+    pins : Array
+        Of the pins, shape (pins,) [N].
+    input_torque, output_torque : Array
+        Torques [N·m].
+    balance_residual, closure_residual : Array
+        Largest relative residual of all equations, balance and closure being solved together [-].
+    """
+
+    normal: Array
+    tangential: Array
+    pins: Array
+    input_torque: Array
+    output_torque: Array
+    balance_residual: Array
+    closure_residual: Array
+
+
+class PlanarResult(eqx.Module):
+    """Everything the chain says about a joint with a planar drive; the fields are those of a joint result.
+
+    Parameters
+    ----------
+    speed_ratio : Array
+        Input over output speed [-].
+    speeds : Array
+        Angular velocities of the members without creep over that of the input, shape (members,) [-].
+    carrier_speed : Array
+        Angular velocity of the output [rad/s].
+    masses : Array
+        Of one of each body, shape (bodies,) [kg].
+    preload, interference : Array
+        Normal force of the first contact at rest [N], and the interference that makes it [m].
+    rest : PlanarState
+        The assembled drive.
+    forces : PlanarForces
+        Forces under the torque while the joint stands.
+    contacts : FractalContact
+        Spots and stiffnesses, shape (contacts,).
+    contact_torsional_stiffness : Array
+        Each contact's own K_T at its driven roller, shape (contacts,) [N·m/rad].
+    interfaces : Interface
+        Stiffness of asperities and of bulk, shape (contacts,) [N/m].
+    published, series_with_bulk : TorsionalStiffness
+        Of the asperities alone, and with the bodies in series; the centres of all rollers held.
+    assembly : Assembly
+        The fullest model.
+    diagnostics : Diagnostics
+        How close the joint is to the limits of the model.
+    rolling : RollingResult
+        The joint that turns.
+    contact_law_holds, walls_hold, solved : Array
+        Whether every loaded contact has an elastic spot, every wall a known compliance, and the states are solved.
+    """
+
+    speed_ratio: Array
+    speeds: Array
+    carrier_speed: Array
+    masses: Array
+    preload: Array
+    interference: Array
+    rest: PlanarState
+    forces: PlanarForces
+    contacts: FractalContact
+    contact_torsional_stiffness: Array
+    interfaces: Interface
+    published: TorsionalStiffness
+    series_with_bulk: TorsionalStiffness
+    assembly: Assembly
+    diagnostics: Diagnostics
+    rolling: RollingResult
+    contact_law_holds: Array
+    walls_hold: Array
+    solved: Array
+    bodies: BodiesOfContacts = eqx.field(static=True)
+    contact_names: tuple[str, ...] = eqx.field(static=True)
+
+    @property
+    def body_names(self) -> tuple[str, ...]:
+        """Names of the bodies of one sector."""
+        return self.bodies.names
+
+
+def driving_sense(joint: PlanarJoint) -> Array:
+    """Sign that makes tangential forces and creepages positive where the first body of a contact drives the second.
+
+    Parameters
+    ----------
+    joint : PlanarJoint
+        The joint.
+
+    Returns
+    -------
+    Array
+        +1 or −1, shape (contacts,) [-]: the sense in which the first surface moves, seen from the carrier.
+
+    References
+    ----------
+    The sign convention of Zou et al. 2025 for a torque that resists the rotation.
+    """
+    drive = joint.drive
+    first, _ = places(drive)
+    speed = speeds(drive)
+    return jnp.sign(speed[jnp.array(first)] - speed[drive.members.index(CARRIER)])
+
+
+def evaluate_planar(joint: PlanarJoint) -> PlanarResult:
+    """The chain itself: pure, for ``jit``, ``vmap`` and ``grad``; never raises.
+
+    Parameters
+    ----------
+    joint : PlanarJoint
+        One joint.
+
+    Returns
+    -------
+    PlanarResult
+        Look at its ``solved``; the results of slipping or lifted contacts have no meaning.
+
+    References
+    ----------
+    Equations (M1)–(M4) of :doc:`/equations`.
+    """
+    return evaluated_with_laws(joint)[0]
+
+
+def evaluated_with_laws(joint: PlanarJoint) -> tuple[PlanarResult, ContactLaws]:
+    """The chain, and the laws of the contacts that it has derived.
+
+    Parameters
+    ----------
+    joint : PlanarJoint
+        One joint.
+
+    Returns
+    -------
+    PlanarResult, ContactLaws
+        Results of :func:`evaluate_planar`; laws for :mod:`asperity.joint.planar.capacity`.
+
+    References
+    ----------
+    Equations (M1)–(M4) of :doc:`/equations`.
+    """
+    joint = jax.tree.map(lambda leaf: jnp.asarray(leaf, dtype=float), joint)
+    drive, contacts = joint.drive, planar_contacts(joint)
+    masses = body_masses(joint)
+    laws = contact_laws(joint, contacts)
+    load = drive_load(joint, masses, joint.output_torque)
+    states = drive_states(
+        drive=drive,
+        laws=laws,
+        pattern=jnp.asarray(joint.pattern),
+        preload=joint.preload,
+        interference=joint.interference,
+        load=load,
+        creep_of=lambda normal, tangential: creep_law(contacts, normal, tangential).law,
+    )
+    creep = creep_law(contacts, states.standing.normal, states.standing.tangential)
+    sense = driving_sense(joint)
+    standing, rolling = (
+        dataclasses.replace(state, tangential=sense * state.tangential, creepage=sense * state.creepage)
+        for state in (states.standing, states.rolling)
+    )
+    loaded = loaded_contacts(
+        contacts=contacts, normal_force=standing.normal, tangential_force=standing.tangential
+    )
+    published, series, assembly = stiffness_levels(joint, contacts, loaded)
+    law_holds = jnp.all((loaded.rough.normal_stiffness > 0.0) | (standing.normal <= 0.0))
+    walls = walls_known(joint=joint, half_width=loaded.half_width)
+    published, series = jax.tree.map(lambda value: jnp.where(law_holds, value, jnp.nan), (published, series))
+    assembly = jax.tree.map(lambda value: jnp.where(law_holds & walls, value, jnp.nan), assembly)
+    inside = np.array([contact.internal for contact in drive.contacts])
+    ideal = speeds(drive)
+    found = PlanarResult(
+        speed_ratio=jnp.asarray(speed_ratio(drive)),
+        speeds=ideal,
+        carrier_speed=ideal[drive.members.index(drive.output)] * joint.input_speed,
+        masses=jnp.stack([jnp.asarray(mass) for mass in masses]),
+        preload=states.rest.normal[0],
+        interference=jnp.max(states.rest.interference),
+        rest=states.rest,
+        forces=PlanarForces(
+            normal=standing.normal,
+            tangential=standing.tangential,
+            pins=standing.pin_force,
+            input_torque=standing.input_torque,
+            output_torque=jnp.asarray(joint.output_torque),
+            balance_residual=standing.residual,
+            closure_residual=states.rest.residual,
+        ),
+        contacts=loaded.rough,
+        contact_torsional_stiffness=jnp.asarray(
+            contact_torsional_stiffness(
+                tangential_stiffness=loaded.rough.tangential_stiffness,
+                radius=jnp.where(inside, drive.first_radius, drive.second_radius),
+            )
+        ),
+        interfaces=loaded.interfaces,
+        published=published,
+        series_with_bulk=series,
+        assembly=assembly,
+        diagnostics=diagnose(
+            pairs=contacts.pairs,
+            normal_force=standing.normal,
+            tangential_force=standing.tangential,
+            loaded=loaded,
+            rest_force=states.rest.normal,
+            self_locking_ratio=None,
+        ),
+        rolling=_turning(joint, contacts, creep, rolling),
+        contact_law_holds=law_holds,
+        walls_hold=walls,
+        solved=(standing.residual < STATE_TOLERANCE) & (states.rest.residual < STATE_TOLERANCE),
+        bodies=bodies_of_contacts(drive),
+        contact_names=joint.contact_names,
+    )
+    return found, laws
+
+
+def _turning(
+    joint: PlanarJoint, contacts: JointContacts, creep: ContactCreep, state: PlanarState
+) -> RollingResult:
+    """The joint that turns, from its rolling state."""
+    drive = joint.drive
+    first, second = places(drive)
+    carrier = state.speed[drive.members.index(CARRIER)]
+    one, two = surface_speeds(drive=drive, speed=state.speed)
+    unit = RollingSpeeds(
+        driving=one,
+        driven=two,
+        body=jnp.abs(state.speed[:-1] - carrier),
+        carrier=jnp.abs(state.speed[drive.members.index(drive.output)]),
+    )
+    return turning_result(
+        contacts=contacts,
+        conditions=joint.rolling,
+        materials=[(joint.materials[a], joint.materials[b]) for a, b in zip(first, second, strict=True)],
+        bodies=bodies_of_contacts(drive),
+        branches=float(drive.sectors),
+        creep=creep,
+        state=state,
+        unit_speeds=unit,
+        input_speed=joint.input_speed,
+        creepage_in_series=jnp.zeros_like(state.speed_loss),  # no path of a general drive is a single series
+        bearing_power=jnp.zeros_like(state.speed_loss),
+        output_torque=jnp.asarray(joint.output_torque),
+    )

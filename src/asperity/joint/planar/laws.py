@@ -1,0 +1,140 @@
+"""What the drive of a joint is given: laws of its contacts, and the loads on its bodies."""
+
+from __future__ import annotations
+
+import jax.numpy as jnp
+from jax import Array
+
+from asperity.drive.mechanism import NormalSprings
+from asperity.drive.planar.equal_springs import rest_forces
+from asperity.drive.planar.layout import CARRIER, speeds
+from asperity.drive.planar.state import ContactLaws, DriveLoad
+from asperity.drive.rolling_state import CreepLaw
+from asperity.joint.contacts import JointContacts, bulk_springs, rough_joint_contacts
+from asperity.joint.interference import logarithmic_decrease
+from asperity.joint.planar.bodies import body_compliance
+from asperity.joint.planar.description import PlanarJoint
+from asperity.joint.rolling_creep import ContactCreep, contact_creep
+from asperity.types import Real
+
+
+def contact_laws(joint: PlanarJoint, contacts: JointContacts) -> ContactLaws:
+    """Laws of the contacts of a joint around their forces at rest.
+
+    Parameters
+    ----------
+    joint : PlanarJoint
+        The joint.
+    contacts : JointContacts
+        Its contacts.
+
+    Returns
+    -------
+    ContactLaws
+        Approach, slip, and the creep of the assembled drive without torque.
+
+    Notes
+    -----
+    Where the preload is an interference, the laws are taken around a force of its order; they hold at any other, since
+    the logarithm of the force is part of them.
+
+    References
+    ----------
+    Equations (A3), (B1) and (E3) of :doc:`/equations`.
+    """
+    drive = joint.drive
+    if joint.preload is None:
+        young, length = joint.materials[0].youngs_modulus, jnp.asarray(contacts.pairs.contact_length)[0]
+        preload = 0.1 * young * length * jnp.asarray(joint.interference)
+    else:
+        preload = jnp.asarray(joint.preload)
+    reference = preload * rest_forces(drive=drive, pattern=jnp.asarray(joint.pattern))
+    width = jnp.asarray(contacts.pairs.half_width(reference))
+    if joint.body_model == "springs":
+        springs, coupling = bulk_springs(contacts=contacts, half_width=width), None
+    else:
+        whole = body_compliance(joint=joint, contacts=contacts, half_width=width, stick_half_width=width)
+        count = reference.size
+        normal = whole[:count, :count]
+        own = jnp.diag(normal)
+        bend = logarithmic_decrease(
+            contacts=contacts, body_model=joint.body_model, plane_state=joint.plane_state
+        )
+        springs = NormalSprings(secant_compliance=own + bend, incremental_compliance=own)
+        coupling = normal - jnp.diag(own)
+    rough = rough_joint_contacts(
+        contacts=contacts, normal_force=reference, tangential_force=jnp.zeros_like(reference)
+    )
+    stiff = rough.tangential_stiffness > 0.0
+    return ContactLaws(
+        springs=springs,
+        reference_force=reference,
+        creep=creep_law(contacts, reference, jnp.zeros_like(reference)).law,
+        asperity_compliance=jnp.where(stiff, 1.0 / jnp.where(stiff, rough.tangential_stiffness, 1.0), 0.0),
+        coupling=coupling,
+    )
+
+
+def creep_law(contacts: JointContacts, normal_force: Array, tangential_force: Array) -> ContactCreep:
+    """Creep of the contacts of a drive with the factor of their asperities under its forces at rest.
+
+    Parameters
+    ----------
+    contacts : JointContacts
+        The contacts.
+    normal_force, tangential_force : Array
+        Forces, shape (contacts,) [N].
+
+    Returns
+    -------
+    ContactCreep
+        As :func:`asperity.joint.rolling_creep.contact_creep` for parallel axes.
+
+    References
+    ----------
+    Equation (B1) of :doc:`/equations`.
+    """
+    rough = rough_joint_contacts(
+        contacts=contacts, normal_force=normal_force, tangential_force=jnp.zeros_like(tangential_force)
+    )
+    found = contact_creep(
+        contacts=contacts,
+        skew=None,
+        normal_force=normal_force,
+        tangential_force=tangential_force,
+        asperity_normal_stiffness=rough.normal_stiffness,
+    )
+    scale = jnp.asarray(found.law.gross_slip_scale)
+    friction = jnp.broadcast_to(found.law.friction_coefficient, scale.shape)
+    return found._replace(law=CreepLaw(friction, scale))
+
+
+def drive_load(joint: PlanarJoint, masses: list[Real], torque: Real) -> DriveLoad:
+    r"""What acts on the drive of a joint: torque and the centrifugal forces :math:`m \omega_c^2 r`.
+
+    Parameters
+    ----------
+    joint : PlanarJoint
+        The joint.
+    masses : list of Real
+        Masses of its bodies [kg].
+    torque : Real
+        Output torque [N·m].
+
+    Returns
+    -------
+    DriveLoad
+        For :func:`asperity.drive.planar.states.drive_states`.
+
+    References
+    ----------
+    Equations (2)–(4) of Zou et al. 2025 have the same forces.
+    """
+    drive = joint.drive
+    carrier = speeds(drive)[drive.members.index(CARRIER)] * joint.input_speed
+    forces = [masses[body] * carrier**2 * drive.centres[body] for body in drive.floating]
+    return DriveLoad(
+        output_torque=jnp.asarray(torque, dtype=float),
+        body_force=jnp.stack(forces) if forces else jnp.zeros((0, 2)),
+        pin_compliance=1.0 / jnp.asarray(joint.pin_stiffness, dtype=float),
+    )

@@ -1,0 +1,170 @@
+"""Solve one joint with a planar drive, and refuse one that cannot exist or does not hold its torque."""
+
+from __future__ import annotations
+
+import math
+
+import equinox as eqx
+import jax
+import numpy as np
+
+from asperity.compilation import compile_fast
+from asperity.drive.planar.existence import refuse_impossible
+from asperity.errors import InputError, NoSolutionError
+from asperity.joint.capacity import LIMIT_KINDS, TorqueCapacity, limit_words
+from asperity.joint.planar.capacity import PlanarCapacity, planar_capacity
+from asperity.joint.planar.description import PlanarJoint, tracks_of
+from asperity.joint.planar.evaluation import PlanarResult, evaluated_with_laws
+from asperity.precision import require_double_precision
+from asperity.units import format_quantity
+
+
+class PlanarSolution(eqx.Module):
+    """A joint's result beside the torque that it can pass.
+
+    Parameters
+    ----------
+    result : PlanarResult
+        Forces, contacts, stiffness, diagnostics and rolling.
+    capacity, reverse_capacity : TorqueCapacity
+        Largest positive and largest negative output torque at rest [N·m], and what limits them.
+    rolling_capacity, reverse_rolling_capacity : TorqueCapacity
+        The same in rolling.
+    """
+
+    result: PlanarResult
+    capacity: TorqueCapacity
+    reverse_capacity: TorqueCapacity
+    rolling_capacity: TorqueCapacity
+    reverse_rolling_capacity: TorqueCapacity
+
+
+def solve_planar_program(joint: PlanarJoint) -> tuple[PlanarResult, PlanarCapacity]:
+    """What is compiled to solve a joint: everything about it, and its capacities.
+
+    Parameters
+    ----------
+    joint : PlanarJoint
+        One joint.
+
+    Returns
+    -------
+    tuple
+        Its result, and its torque capacities in both directions.
+    """
+    result, laws = evaluated_with_laws(joint)
+    return result, planar_capacity(joint, result.rest, laws)
+
+
+def solve_planar(joint: PlanarJoint) -> PlanarSolution:
+    """Solve one joint with a planar drive.
+
+    Parameters
+    ----------
+    joint : PlanarJoint
+        One joint.
+
+    Returns
+    -------
+    PlanarSolution
+        Its result, with leaves as NumPy arrays, and its torque capacity.
+
+    Raises
+    ------
+    InputError
+        If the bodies do not fit, or the output torque exceeds the torque capacity; with the numbers.
+    NoSolutionError
+        If no balance was found.
+    PrecisionError
+        If JAX is in single precision.
+    """
+    require_double_precision()
+    numbers: PlanarJoint = jax.tree.map(lambda leaf: np.asarray(leaf, dtype=float), joint)
+    refuse_impossible(numbers.drive)
+    refuse_bores(numbers)
+    program = compile_fast(solve_planar_program, numbers)
+    result, capacity = jax.tree.map(np.asarray, program(numbers))
+    both = [
+        jax.tree.map(lambda leaf, i=i: leaf[i], part)
+        for part in (capacity.standing, capacity.rolling)
+        for i in range(2)
+    ]
+    solution = PlanarSolution(result, *both)
+    _refuse_unsolved(numbers, solution)
+    return solution
+
+
+def refuse_bores(joint: PlanarJoint) -> None:
+    """Refuse a hollow roller without a wall.
+
+    Parameters
+    ----------
+    joint : PlanarJoint
+        One joint.
+
+    Raises
+    ------
+    InputError
+        With the diameters.
+    """
+    for number, (body, shape) in enumerate(zip(joint.drive.bodies, joint.shapes, strict=True)):
+        radius = min(float(radius) for radius, _ in tracks_of(joint, number))
+        if shape.kind == "hollow" and shape.size is not None and float(shape.size) >= 2.0 * radius:
+            raise InputError(
+                f"the bore of {body.name}, {format_quantity(float(shape.size), 'mm')}, leaves no wall in a roller of "
+                f"{format_quantity(2.0 * radius, 'mm')}; make the bore smaller"
+            )
+
+
+def _refuse_unsolved(joint: PlanarJoint, solution: PlanarSolution) -> None:
+    result, torque = solution.result, float(joint.output_torque)
+    if not float(result.rest.worst) < np.inf or not np.all(np.asarray(result.rest.normal) > 0.0):
+        raise NoSolutionError("no balance of the assembled drive was found; check radii, walls and preload")
+    if not bool(result.walls_hold):
+        raise InputError(
+            "a ring or a hollow roller has a wall thinner than five half-widths of its contacts or about 2 % of its "
+            "radius, for which its compliance is not known; make the wall thicker"
+        )
+    capacity = solution.reverse_capacity if torque < 0.0 else solution.capacity
+    limit = float(capacity.output_torque)
+    kind = LIMIT_KINDS[int(capacity.limit)]
+    if bool(result.solved) and (abs(torque) < limit or kind == "no_solution"):
+        return
+    if bool(result.solved) or (math.isfinite(limit) and abs(torque) >= limit):
+        words = limit_words(capacity, contacts=result.contact_names)
+        raise InputError(
+            f"the output torque {format_quantity(torque, 'N*m')} is beyond the torque capacity "
+            f"{format_quantity(math.copysign(limit, torque), 'N*m')}, at which {words}; lower the torque, or change "
+            "preload, friction coefficient or contact lengths"
+        )
+    raise NoSolutionError(
+        f"no balance under {format_quantity(torque, 'N*m')} was found (residual "
+        f"{float(result.forces.balance_residual):.3g}); lower the torque or the speed"
+    )
+
+
+def refuse_planar_rolling(joint: PlanarJoint, solution: PlanarSolution) -> None:
+    """Refuse a joint that stands but has no steady rolling state.
+
+    Parameters
+    ----------
+    joint : PlanarJoint
+        One joint.
+    solution : PlanarSolution
+        What it does.
+
+    Raises
+    ------
+    NoSolutionError
+        With the torque up to which it rolls.
+    """
+    if np.isfinite(np.asarray(solution.result.rolling.residual)):
+        return
+    torque = float(joint.output_torque)
+    found = solution.reverse_rolling_capacity if torque < 0.0 else solution.rolling_capacity
+    raise NoSolutionError(
+        f"no steady rolling under {format_quantity(torque, 'N*m')}: the joint rolls up to "
+        f"{format_quantity(math.copysign(float(found.output_torque), torque), 'N*m')}, at which "
+        f"{limit_words(found, contacts=solution.result.contact_names)}; lower the torque, or raise the preload or the "
+        "friction coefficient"
+    )

@@ -1,0 +1,58 @@
+"""What a joint file with a planar drive leaves out, and what is assumed instead."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from asperity.joint_file.assumptions import lubrication_assumptions, rolling_model_assumptions
+from asperity.joint_file.planar_model import PlanarCase
+
+_STEPPED = {"multiroller": "the rollers of both rows", "stepped_planet": "the planets"}
+
+
+def planar_assumptions(case: PlanarCase) -> tuple[str, ...]:
+    """What a joint file leaves out, and what is taken instead.
+
+    Parameters
+    ----------
+    case : PlanarCase
+        The joint file.
+
+    Returns
+    -------
+    tuple of str
+        One sentence each.
+    """
+    kind = case.type
+    drive: Any = case.drive  # type: ignore[attr-defined]
+    told = ["the bearings have no friction and no play; every track is as long as its longest contact line"]
+    if case.compliance is None:
+        told.append("no section [compliance]: pins and shafts are rigid")
+    else:
+        absent = [name for name, value in case.compliance if value is None]
+        if absent:
+            told.append(f"[compliance] without {', '.join(absent)}: rigid")
+    if drive.ring_support is None:
+        told.append("no drive.ring_support: a rigid housing holds the outer rim of the ring")
+    if kind in _STEPPED:
+        told.append(
+            f"the tracks of {_STEPPED[kind]} lie in one plane: arrange them symmetrically, or their bearings carry the "
+            "tilting moment; for their compression stepped rollers are one spring for each contact"
+        )
+    if kind == "stepped_planet":
+        told.append("both rings have the interference; the driven ring carries itself")
+    if case.model.bodies is None:
+        told.append("no model.bodies: the bodies by plane elasticity, exact")
+    if case.model.bodies != "springs" and case.model.plane_state is None:
+        told.append("no model.plane_state: plane strain; plane stress is the bound for thin bodies")
+    told.append("standing: forces from the slip of the contacts on one loading from rest")
+    told += rolling_model_assumptions()
+    if case.rolling is None or case.rolling.hysteresis_factor is None:
+        told.append("no rolling.hysteresis_factor: the bodies lose no work as they roll")
+    if case.rolling is None or case.rolling.reliability is None:
+        told.append("no rolling.reliability: nine drives in ten reach the life, 0.9")
+    told += lubrication_assumptions(
+        case.lubrication,
+        materials={name: case.materials[name] for name in dict.fromkeys(case.bodies.values())},
+    )
+    return tuple(told)

@@ -1,0 +1,79 @@
+"""From the tables of a joint file in SI units to a :class:`asperity.joint.planar.description.PlanarJoint`."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+from asperity.contact.fractal import Surface
+from asperity.joint.planar.description import PlanarJoint
+from asperity.joint_file.build import material_of, rolling_conditions
+from asperity.joint_file.planar_model import PlanarCase
+from asperity.joint_file.planar_parts import layout_of
+from asperity.joint_file.si_tables import Values, si_values
+
+
+def planar_joint_from_case(case: PlanarCase) -> PlanarJoint:
+    """The joint that a file describes.
+
+    Parameters
+    ----------
+    case : PlanarCase
+        The joint file.
+
+    Returns
+    -------
+    PlanarJoint
+        In SI units.
+    """
+    return planar_joint_from_values(si_values(case))
+
+
+def planar_joint_from_values(values: Values) -> PlanarJoint:
+    """The joint of nested tables of SI numbers; a function of its leaves that can be differentiated.
+
+    Parameters
+    ----------
+    values : dict
+        Tables as :func:`asperity.joint_file.si_tables.si_values` makes them.
+
+    Returns
+    -------
+    PlanarJoint
+        In SI units.
+    """
+    drive, shapes, pattern = layout_of(values)
+    load, model, springs = values["load"], values["model"], values.get("compliance", {})
+    names = [contact.name for contact in drive.contacts]
+    materials = {name: material_of(entry) for name, entry in values["materials"].items()}
+    return PlanarJoint(
+        type=values["type"],
+        drive=drive,
+        shapes=shapes,
+        materials=tuple(materials[values["bodies"][body.name]] for body in drive.bodies),
+        surfaces=tuple(
+            Surface(**entry, asperity_base=model["asperity_base"])
+            for entry in _entries(values["surface"], names)
+        ),
+        contact_lengths=_entries(values["drive"]["contact_length"], names),
+        friction_coefficients=_entries(load["friction_coefficient"], names),
+        pattern=pattern,
+        preload=load.get("preload"),
+        interference=load.get("interference"),
+        output_torque=load["output_torque"],
+        input_speed=load["sun_speed"],
+        pin_stiffness=springs.get("pin_stiffness", math.inf),
+        input_shaft_stiffness=springs.get("input_shaft_stiffness", math.inf),
+        output_shaft_stiffness=springs.get("output_shaft_stiffness", math.inf),
+        contact_factor_model=model["contact_factor"],
+        body_model=model.get("bodies", "exact"),
+        plane_state=model.get("plane_state", "plane_strain"),
+        rolling=rolling_conditions(values),
+    )
+
+
+def _entries(entry: Any, names: list[str]) -> tuple[Any, ...]:
+    """One entry for all contacts, or one each in the order of the drive."""
+    if isinstance(entry, dict) and names[0] in entry:
+        return tuple(entry[name] for name in names)
+    return (entry,)

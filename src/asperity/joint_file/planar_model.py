@@ -1,0 +1,291 @@
+"""The content of joint files of other drives than the paper's: a class for each type, a field for each key."""
+
+from __future__ import annotations
+
+from typing import Annotated, Any, Literal, Self
+
+from pydantic import Discriminator, Field, PrivateAttr, StringConstraints, Tag, model_validator
+
+from asperity.errors import InputError
+from asperity.joint_file import limits
+from asperity.joint_file.material_entries import MaterialEntry, MaterialName, SurfaceEntry
+from asperity.joint_file.model import ContactLength, Friction, Length, Lubrication
+from asperity.joint_file.quantity_key import Quantity
+from asperity.joint_file.section import ONE_FOR_ALL, ONE_FOR_EACH, Section
+
+#: The name of a roller or a contact.
+PartName = Annotated[str, StringConstraints(pattern=r"^[A-Za-z][A-Za-z0-9_-]{0,59}$")]
+
+
+def _one_or_each(written: Any) -> str:
+    return ONE_FOR_EACH if isinstance(written, dict) else ONE_FOR_ALL
+
+
+def _table_or_tables(written: Any) -> str:
+    tables = isinstance(written, dict) and any(
+        isinstance(value, dict | SurfaceEntry) for value in written.values()
+    )
+    return ONE_FOR_EACH if tables else ONE_FOR_ALL
+
+
+PartLengths = Annotated[
+    Annotated[ContactLength, Tag(ONE_FOR_ALL)] | Annotated[dict[PartName, ContactLength], Tag(ONE_FOR_EACH)],
+    Discriminator(_one_or_each),
+]
+PartFriction = Annotated[
+    Annotated[Friction, Tag(ONE_FOR_ALL)] | Annotated[dict[PartName, Friction], Tag(ONE_FOR_EACH)],
+    Discriminator(_one_or_each),
+]
+PartSurfaces = Annotated[
+    Annotated[SurfaceEntry, Tag(ONE_FOR_ALL)] | Annotated[dict[PartName, SurfaceEntry], Tag(ONE_FOR_EACH)],
+    Discriminator(_table_or_tables),
+]
+Wall = Annotated[Quantity, limits.WALL_THICKNESS]
+Bore = Annotated[Quantity, limits.BORE_DIAMETER]
+RingSupport = Literal["rigid_housing", "free"]
+
+
+class PlanetaryDrive(Section):
+    """Plain planetary drive: planets between a sun and a ring, which presses them together."""
+
+    planets: Annotated[Quantity, limits.PLANETS]
+    """Number of planets, equally spaced."""
+    sun_radius: Length
+    """Radius R_s of the sun roller, the input."""
+    planet_radius: Length
+    """Radius R_p of the planets; the ring's inner radius is R_s + 2 R_p, less the interference."""
+    ring_wall_thickness: Wall
+    """Wall of the ring."""
+    contact_length: PartLengths
+    """Length B of the contact lines: one for all, or a table with sp, pr."""
+    output: Literal["carrier", "ring"] | None = None
+    """Which member is the output, the other one being grounded: the carrier if absent."""
+    ring_support: RingSupport | None = None
+    """What holds the outer rim of the ring: a rigid housing, or nothing, so that it bends. A rigid housing if
+    absent."""
+    planet_bore_diameter: Bore | None = None
+    """Diameter of the bore of hollow planets; solid if absent."""
+
+
+class MultirollerDrive(Section):
+    """Multiroller drive: two rows of stepped rollers between sun and ring, the carrier of the second row grounded."""
+
+    rollers_per_row: Annotated[Quantity, limits.PLANETS]
+    """Number of rollers in each row, equally spaced."""
+    sun_radius: Length
+    """Radius s of the sun roller, the input."""
+    first_row_radius: Length
+    """Large radius x_1 of the first row's rollers, which touches the sun."""
+    first_row_small_radius: Length
+    """Small radius y_1 of the first row's rollers, which touches two rollers of the second row."""
+    second_row_radius: Length
+    """Large radius x_2 of the second row's rollers, which touches two rollers of the first row."""
+    second_row_small_radius: Length
+    """Small radius y_2 of the second row's rollers, which touches the ring, the output."""
+    ring_wall_thickness: Wall
+    """Wall of the ring."""
+    contact_length: PartLengths
+    """Length B of the contact lines: one for all, or a table with sf, fsl, fsr, sr."""
+    ring_support: RingSupport | None = None
+    """What holds the outer rim of the ring: a rigid housing, or nothing, so that it bends. A rigid housing if
+    absent."""
+
+
+class SteppedPlanetDrive(Section):
+    """Drive of high ratio: stepped planets roll in a grounded ring and in a driven ring; the carrier is a free cage."""
+
+    planets: Annotated[Quantity, limits.PLANETS]
+    """Number of planets, equally spaced."""
+    sun_radius: Length
+    """Radius s of the sun roller, the input."""
+    planet_radius: Length
+    """Radius p_1 of the track that touches the sun and the grounded ring."""
+    planet_second_radius: Length
+    """Radius p_2 of the track that touches the driven ring, the output."""
+    ring_wall_thickness: Wall
+    """Wall of the grounded ring."""
+    driven_ring_wall_thickness: Wall
+    """Wall of the driven ring, which carries itself."""
+    contact_length: PartLengths
+    """Length B of the contact lines: one for all, or a table with sp, pr1, pr2."""
+    ring_support: RingSupport | None = None
+    """What holds the outer rim of the grounded ring: a rigid housing, or nothing. A rigid housing if absent."""
+
+
+class PlanarLoad(Section):
+    """What acts on the drive."""
+
+    preload: Annotated[Quantity, limits.PRELOAD] | None = None
+    """Normal force of the first contact, that of the sun, at rest; either this or interference."""
+    interference: Annotated[Quantity, limits.INTERFERENCE] | None = None
+    """Interference that makes the preload: by how much the inner radius of every ring lies below that at which all
+    contacts just touch."""
+    output_torque: Annotated[Quantity, limits.OUTPUT_TORQUE]
+    """Torque at the output; negative where it drives the rotation."""
+    sun_speed: Annotated[Quantity, limits.SUN_SPEED]
+    """Speed of the sun, the input."""
+    friction_coefficient: PartFriction
+    """Friction coefficient mu of the contacts: one for all, or a table with their names."""
+
+    @model_validator(mode="after")
+    def _one_preload(self) -> Self:
+        if (self.preload is None) == (self.interference is None):
+            found = "neither" if self.preload is None else "both"
+            raise InputError(f"exactly one of 'preload' and 'interference' is needed, got {found}")
+        return self
+
+
+class PlanarCompliance(Section):
+    """Springs of the structure around the rollers; an absent key is the ideal its description names."""
+
+    pin_stiffness: Annotated[Quantity, limits.SPRING] | None = None
+    """Stiffness of one carrier pin along its push; rigid if absent."""
+    input_shaft_stiffness: Annotated[Quantity, limits.TORSION_SPRING] | None = None
+    """Torsional stiffness of the shaft to the sun; rigid if absent."""
+    output_shaft_stiffness: Annotated[Quantity, limits.TORSION_SPRING] | None = None
+    """Torsional stiffness of the shaft from the output; rigid if absent."""
+
+
+class PlanarRolling(Section):
+    """The joint that turns; every key may be absent."""
+
+    hysteresis_factor: Annotated[Quantity, limits.HYSTERESIS_FACTOR] | None = None
+    """Share of the elastic work that the bodies lose as they roll; 0.005 to 0.05 for hardened steel. Without it this
+    loss is left out."""
+    reliability: Annotated[Quantity, limits.RELIABILITY] | None = None
+    """Share of all drives that reach the stated life; 0.9 if absent."""
+
+
+class PlanarModelChoice(Section):
+    """Which variants of the model to use."""
+
+    contact_factor: Literal["printed", "hertz_area", "unity"]
+    """Model of the contact factor lambda."""
+    asperity_base: Literal["majumdar_bhushan_1991", "circular_spot"]
+    """Base length of an asperity."""
+    bodies: Literal["exact", "springs"] | None = None
+    """Bodies: by plane elasticity, or one spring for each contact; exact if absent. Stepped rollers are springs."""
+    plane_state: Literal["plane_strain", "plane_stress"] | None = None
+    """Exact bodies: long, plane strain, or thin, plane stress; plane strain if absent."""
+
+
+class PlanarCase(Section):
+    """What joint files of all other drives have in common."""
+
+    type: str
+    """Type of the drive."""
+    load: PlanarLoad
+    """Preload, torque, speed, friction."""
+    compliance: PlanarCompliance | None = None
+    """Springs of pins and shafts; ideal if the section is absent."""
+    rolling: PlanarRolling | None = None
+    """Hysteresis and reliability of the joint that turns."""
+    lubrication: Lubrication | None = None
+    """The oil; dry if the section is absent."""
+    model: PlanarModelChoice
+    """Variants of the model."""
+    materials: Annotated[dict[MaterialName, MaterialEntry], Field(min_length=1)]
+    """Materials by name."""
+    bodies: dict[PartName, MaterialName]
+    """Which material each body is made of."""
+    surface: PartSurfaces
+    """Roughness: one table for all contacts, or tables surface.NAME for each."""
+
+    _text: str = PrivateAttr(default="")
+
+    @property
+    def text(self) -> str:
+        """The text of the file with its comments; empty for a case that was not read from one."""
+        return self._text
+
+    def with_text(self, text: str) -> Self:
+        """The same case, which remembers the text that it was read from.
+
+        Parameters
+        ----------
+        text : str
+            TOML; empty to forget it.
+
+        Returns
+        -------
+        PlanarCase
+            A copy.
+        """
+        copy = self.model_copy()
+        copy._text = text
+        return copy
+
+    def __eq__(self, other: object) -> bool:
+        """Whether both say the same, in whatever words."""
+        return type(other) is type(self) and dict(self) == dict(other)
+
+    @model_validator(mode="after")
+    def _known_materials(self) -> Self:
+        from asperity.joint_file.messages import unknown_materials
+
+        unknown = unknown_materials(self.bodies, list(self.materials), model=type(self))
+        if unknown:
+            raise InputError("\n  ".join(unknown))
+        return self
+
+    @model_validator(mode="after")
+    def _exact_where_needed(self) -> Self:
+        drive: Any = self.drive  # type: ignore[attr-defined]
+        if self.model.bodies == "springs":
+            exact = ["drive.ring_support"] if drive.ring_support == "free" else []
+            exact += [
+                f"drive.{name}"
+                for name in ("planet_bore_diameter", "driven_ring_wall_thickness")
+                if getattr(drive, name, None) is not None
+            ]
+            exact += ["model.plane_state"] if self.model.plane_state == "plane_stress" else []
+            if exact:
+                raise InputError(
+                    f'{", ".join(exact)}: only for model.bodies = "exact"; the springs are those of solid rollers and '
+                    "of rings in a rigid housing, in plane strain"
+                )
+        return self
+
+    @model_validator(mode="after")
+    def _known_parts(self) -> Self:
+        from asperity.joint_file.planar_parts import misnamed_parts
+
+        found = misnamed_parts(self)
+        if found:
+            raise InputError("\n  ".join(found))
+        return self
+
+
+class PlanetaryCase(PlanarCase):
+    """A joint file with a plain planetary drive."""
+
+    type: Literal["planetary"]
+    """Type of the drive."""
+    drive: PlanetaryDrive
+    """Radii and arrangement."""
+
+
+class MultirollerCase(PlanarCase):
+    """A joint file with a two-row multiroller drive."""
+
+    type: Literal["multiroller"]
+    """Type of the drive."""
+    drive: MultirollerDrive
+    """Radii and arrangement."""
+
+
+class SteppedPlanetCase(PlanarCase):
+    """A joint file with a drive of stepped planets."""
+
+    type: Literal["stepped_planet"]
+    """Type of the drive."""
+    drive: SteppedPlanetDrive
+    """Radii and arrangement."""
+
+
+#: Model of the joint file of each type but the paper's.
+PLANAR_CASES: dict[str, type[PlanetaryCase] | type[MultirollerCase] | type[SteppedPlanetCase]] = {
+    "planetary": PlanetaryCase,
+    "multiroller": MultirollerCase,
+    "stepped_planet": SteppedPlanetCase,
+}

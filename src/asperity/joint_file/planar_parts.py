@@ -1,0 +1,150 @@
+"""From the section [drive] of a joint file to a planar drive: which bodies and contacts each type has."""
+
+from __future__ import annotations
+
+import dataclasses
+from collections.abc import Callable
+from typing import Any
+
+from asperity.drive.planar.drives import planetary_drive, stepped_planet_drive, two_row_multiroller
+from asperity.drive.planar.layout import CARRIER, PlanarDrive
+from asperity.joint.planar.description import SOLID, BodyShape
+from asperity.joint_file.messages import nearest
+from asperity.joint_file.planar_model import PlanarCase
+from asperity.joint_file.si_tables import Values
+
+#: A drive, what its bodies are, and the share of its interference at each contact.
+Layout = tuple[PlanarDrive, tuple[BodyShape, ...], tuple[float, ...]]
+
+#: Contacts of each type with the bodies that they join.
+CONTACTS: dict[str, dict[str, tuple[str, str]]] = {
+    "planetary": {"sp": ("sun", "planet"), "pr": ("planet", "ring")},
+    "multiroller": {
+        "sf": ("sun", "first_row"),
+        "fsl": ("first_row", "second_row"),
+        "fsr": ("first_row", "second_row"),
+        "sr": ("second_row", "ring"),
+    },
+    "stepped_planet": {
+        "sp": ("sun", "planet"),
+        "pr1": ("planet", "held_ring"),
+        "pr2": ("planet", "driven_ring"),
+    },
+}
+
+
+def bodies_of_type(kind: str) -> tuple[str, ...]:
+    """Names of the bodies of a type.
+
+    Parameters
+    ----------
+    kind : str
+        Type of the drive.
+
+    Returns
+    -------
+    tuple of str
+        In the order of the drive.
+    """
+    return tuple(dict.fromkeys(body for pair in CONTACTS[kind].values() for body in pair))
+
+
+def misnamed_parts(case: PlanarCase) -> list[str]:
+    """Messages about tables whose entries are not the bodies or contacts of the drive.
+
+    Parameters
+    ----------
+    case : PlanarCase
+        The joint file.
+
+    Returns
+    -------
+    list of str
+        One sentence for each unknown or missing entry.
+    """
+    kind = case.type
+    contacts, bodies = tuple(CONTACTS[kind]), bodies_of_type(kind)
+    drive: Any = case.drive  # type: ignore[attr-defined]
+    found = []
+    for path, table, known in (
+        ("bodies", case.bodies, bodies),
+        ("drive.contact_length", drive.contact_length, contacts),
+        ("load.friction_coefficient", case.load.friction_coefficient, contacts),
+        ("surface", case.surface, contacts),
+    ):
+        if isinstance(table, dict):
+            found += [
+                f"{path}.{name}: a {kind} drive has no such {'body' if path == 'bodies' else 'contact'}"
+                f"{nearest(name, known) or '; it has ' + ', '.join(known)}"
+                for name in table
+                if name not in known
+            ]
+            missing = [name for name in known if name not in table]
+            if missing:
+                found.append(f"{path}: {', '.join(missing)} {'is' if len(missing) == 1 else 'are'} missing")
+    return found
+
+
+def _ring(wall: Any, support: str | None) -> BodyShape:
+    return BodyShape("ring", wall, "free" if support == "free" else "rigid_housing")
+
+
+def _planetary(drive: Values) -> Layout:
+    made = planetary_drive(
+        sun_radius=drive["sun_radius"],
+        planet_radius=drive["planet_radius"],
+        planet_count=round(drive["planets"]),
+    )
+    if drive.get("output") == "ring":
+        made = dataclasses.replace(made, output="ring", grounded=CARRIER)
+    bore = drive.get("planet_bore_diameter")
+    planet = SOLID if bore is None else BodyShape("hollow", bore)
+    ring = _ring(drive["ring_wall_thickness"], drive.get("ring_support"))
+    return made, (SOLID, planet, ring), (0.0, 1.0)
+
+
+def _multiroller(drive: Values) -> Layout:
+    made = two_row_multiroller(
+        sun_radius=drive["sun_radius"],
+        first_row_radii=(drive["first_row_radius"], drive["first_row_small_radius"]),
+        second_row_radii=(drive["second_row_radius"], drive["second_row_small_radius"]),
+        roller_count=round(drive["rollers_per_row"]),
+    )
+    ring = _ring(drive["ring_wall_thickness"], drive.get("ring_support"))
+    return made, (SOLID, SOLID, SOLID, ring), (0.0, 0.0, 0.0, 1.0)
+
+
+def _stepped_planet(drive: Values) -> Layout:
+    made = stepped_planet_drive(
+        sun_radius=drive["sun_radius"],
+        planet_radii=(drive["planet_radius"], drive["planet_second_radius"]),
+        planet_count=round(drive["planets"]),
+    )
+    rings = (
+        _ring(drive["ring_wall_thickness"], drive.get("ring_support")),
+        _ring(drive["driven_ring_wall_thickness"], "free"),
+    )
+    return made, (SOLID, SOLID, *rings), (0.0, 1.0, 1.0)
+
+
+_LAYOUTS: dict[str, Callable[[Values], Layout]] = {
+    "planetary": _planetary,
+    "multiroller": _multiroller,
+    "stepped_planet": _stepped_planet,
+}
+
+
+def layout_of(values: Values) -> Layout:
+    """The drive that the tables of a joint file describe.
+
+    Parameters
+    ----------
+    values : dict
+        Tables in SI units, with their ``type``.
+
+    Returns
+    -------
+    PlanarDrive, tuple of BodyShape, tuple of float
+        The drive, what each body is, and the interference of each contact over that of the drive.
+    """
+    return _LAYOUTS[values["type"]](values["drive"])

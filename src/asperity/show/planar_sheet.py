@@ -1,0 +1,193 @@
+"""The drawing of a planar drive: every roller and ring to scale, with the sizes of its bodies and its contacts."""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+
+from asperity.drive.planar.layout import CARRIER, contact_angles, speed_ratio
+from asperity.joint.planar.description import PlanarJoint, places, tracks_of
+from asperity.show.drive_sheet import frame, title_block
+from asperity.show.drive_view import LONGEST_WALL, break_line, dimension
+from asperity.show.sheet import Circle, Item, Line, Point, Sheet, Text, standard_scale
+from asperity.units import format_quantity
+
+_WIDTH, _HEIGHT, _ROOM, _COLUMN = 297.0, 210.0, 150.0, 195.0
+_MARGIN, _SPACING = 10.0, 4.4
+_SHOWN_OF_BROKEN = 0.3  # of the inner radius of a ring
+
+
+class _Ring(NamedTuple):
+    inner: float
+    outer: float
+    shown: float
+
+
+def planar_sheet(joint: PlanarJoint, *, name: str) -> Sheet:
+    """Draw a planar drive to scale.
+
+    Parameters
+    ----------
+    joint : PlanarJoint
+        One joint whose drive can exist.
+    name : str
+        What the drawing is called, for example the name of its file.
+
+    Returns
+    -------
+    Sheet
+        A4 across, at the largest standard scale that fits. Tracks of a stepped roller are circles about one centre,
+        although they lie in different planes.
+    """
+    drive = joint.drive
+    rings = _rings(joint)
+    reach = max([ring.shown for ring in rings.values()] + [_reach(joint)])
+    scale = standard_scale(2.0 * reach, room=_ROOM)
+    middle = (_MARGIN + 15.0 + 0.5 * _ROOM, 0.5 * _HEIGHT + 8.0)
+
+    def on_paper(x: float, y: float) -> Point:
+        return (x - middle[0]) / scale, (y - middle[1]) / scale
+
+    items: list[Item] = []
+    for number, body in enumerate(drive.bodies):
+        copies = 1 if body.place == "axis" else drive.sectors
+        for sector in range(copies):
+            items += _body(joint, number, sector, rings, scale)
+    items += _contact_labels(joint, scale)
+    lines = _sizes(joint, rings)
+    top = 0.5 * _HEIGHT + 0.5 * _SPACING * len(lines)
+    items += [Text(on_paper(_COLUMN, top - _SPACING * row), line) for row, line in enumerate(lines)]
+    items += title_block(on_paper, _COLUMN, _WIDTH, name, scale, kind=_kind(joint))
+    items.append(frame(on_paper, _WIDTH, _HEIGHT))
+    return Sheet(_WIDTH, _HEIGHT, scale, middle, tuple(items))
+
+
+def _kind(joint: PlanarJoint) -> str:
+    words = joint.type.replace("_", " ")
+    return f"{words[0].upper()}{words[1:]} traction drive"
+
+
+def _rings(joint: PlanarJoint) -> dict[int, _Ring]:
+    """Radii of the rings [mm]; a thick wall is broken off."""
+    found = {}
+    for number, shape in enumerate(joint.shapes):
+        if shape.kind == "ring" and shape.size is not None:
+            inner = 1e3 * float(tracks_of(joint, number)[0][0])
+            wall = 1e3 * float(shape.size)
+            shown = wall if wall <= LONGEST_WALL * inner else _SHOWN_OF_BROKEN * inner
+            found[number] = _Ring(inner, inner + wall, inner + shown)
+    return found
+
+
+def _reach(joint: PlanarJoint) -> float:
+    """Distance of the farthest point of a roller from the axis [mm]."""
+    orbits = np.hypot(*np.asarray(joint.drive.centres).T)
+    return 1e3 * max(
+        float(orbits[number]) + float(radius)
+        for number, shape in enumerate(joint.shapes)
+        if shape.kind != "ring"
+        for radius, _ in tracks_of(joint, number)
+    )
+
+
+def _copy(joint: PlanarJoint, number: int, sector: int) -> Point:
+    x, y = (1e3 * float(each) for each in np.asarray(joint.drive.centres)[number])
+    turn = 2.0 * math.pi * sector / joint.drive.sectors
+    return x * math.cos(turn) - y * math.sin(turn), x * math.sin(turn) + y * math.cos(turn)
+
+
+def _body(joint: PlanarJoint, number: int, sector: int, rings: dict[int, _Ring], scale: float) -> list[Item]:
+    """Outlines and axes of one body."""
+    beyond = 3.0 / scale
+    if number in rings:
+        ring = rings[number]
+        outside: Item = (
+            Circle((0.0, 0.0), ring.shown) if ring.shown == ring.outer else break_line(ring.inner, ring.shown)
+        )
+        reach = ring.shown + beyond
+        return [
+            Circle((0.0, 0.0), ring.inner),
+            outside,
+            Line(((-reach, 0.0), (reach, 0.0)), "axis"),
+            Line(((0.0, -reach), (0.0, reach)), "axis"),
+        ]
+    x, y = centre = _copy(joint, number, sector)
+    radii = [1e3 * float(radius) for radius, _ in tracks_of(joint, number)]
+    items: list[Item] = [Circle(centre, radius) for radius in radii]
+    shape = joint.shapes[number]
+    if shape.kind == "hollow" and shape.size is not None:
+        items.append(Circle(centre, 0.5e3 * float(shape.size)))
+    if joint.drive.bodies[number].place != "axis":
+        angle, half = math.atan2(y, x), min(max(radii) + beyond, 1.25 * max(radii))
+        e, f = half * math.cos(angle), half * math.sin(angle)
+        items += [
+            Line(((x - e, y - f), (x + e, y + f)), "axis"),
+            Line(((x + f, y - e), (x - f, y + e)), "axis"),
+        ]
+        if sector == 0:
+            items.append(Circle((0.0, 0.0), math.hypot(x, y), "axis"))
+    return items
+
+
+def _contact_labels(joint: PlanarJoint, scale: float) -> list[Item]:
+    """Names of the contacts at their places in the first sector."""
+    drive = joint.drive
+    first, _ = places(drive)
+    angles, _ = contact_angles(drive)
+    items: list[Item] = []
+    for k, contact in enumerate(drive.contacts):
+        x, y = _copy(joint, first[k], 0)
+        angle, radius = float(angles[k]), 1e3 * float(drive.first_radius[k])
+        at = (x + radius * math.cos(angle), y + radius * math.sin(angle))
+        step = 5.0 / scale
+        text = (at[0] + step, at[1] + 0.6 * step)
+        items += [Line((at, text)), Text((text[0] + 0.5 / scale, text[1] - 1.2 / scale), contact.name)]
+    return items
+
+
+def _sizes(joint: PlanarJoint, rings: dict[int, _Ring]) -> list[str]:
+    """What the view itself does not say."""
+    drive = joint.drive
+    lines = [
+        f"ratio {format_quantity(float(speed_ratio(drive)), '1', 5)}",
+        f"{drive.input.replace('_', ' ')} in, {drive.output.replace('_', ' ')} out, "
+        f"{drive.grounded.replace('_', ' ')} grounded",
+        "",
+    ]
+    orbits = 1e3 * np.hypot(*np.asarray(drive.centres).T)
+    for number, body in enumerate(drive.bodies):
+        words = body.name.replace("_", " ")
+        if number in rings:
+            ring = rings[number]
+            lines.append(
+                f"{words}: inside ⌀{dimension(2.0 * ring.inner)}, wall {dimension(ring.outer - ring.inner)}"
+            )
+            if ring.shown < ring.outer:
+                lines.append("  its wall is broken off at the wavy line")
+            continue
+        radii = [1e3 * float(radius) for radius, _ in tracks_of(joint, number)]
+        sizes = ", ".join(f"⌀{dimension(2.0 * radius)}" for radius in radii)
+        shape = joint.shapes[number]
+        if shape.kind == "hollow" and shape.size is not None:
+            sizes += f", bore ⌀{dimension(1e3 * float(shape.size))}"
+        lines.append(
+            f"{words}: {sizes}"
+            if body.place == "axis"
+            else f"{drive.sectors} × {words}: {sizes}, axes on ⌀{dimension(2.0 * float(orbits[number]))}"
+        )
+        if body.place != "axis":
+            gap = 2.0 * float(orbits[number]) * math.sin(math.pi / drive.sectors) - 2.0 * max(radii)
+            lines.append(f"  clearance between neighbours {gap:.4g}")
+    if any(body.place == "pin" for body in drive.bodies) and drive.grounded != CARRIER:
+        pinned = ", ".join(drive.bodies[body].name.replace("_", " ") for body in drive.pinned)
+        lines.append(f"pins of the carrier: {pinned}")
+    if any(len(tracks_of(joint, number)) > 1 for number in range(len(drive.bodies))):
+        lines.append("tracks of stepped rollers lie in different planes")
+    lines += ["", "contacts"]
+    lines += [
+        f"  {contact.name}: {contact.first.replace('_', ' ')} – {contact.second.replace('_', ' ')}"
+        for contact in drive.contacts
+    ]
+    return lines

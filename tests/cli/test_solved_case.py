@@ -1,0 +1,55 @@
+"""Commands on joint files of other drives: what works, and what is refused in one message."""
+
+from pathlib import Path
+
+import pytest
+
+EXAMPLES = Path(__file__).parents[2] / "examples"
+
+
+@pytest.mark.parametrize(
+    "arguments",
+    [
+        ("windup",),
+        ("dynamics",),
+        ("sensitivity",),
+        ("uncertainty",),
+        ("sweep", "--over", "load.output_torque=1 N*m:2 N*m:2"),
+        ("report", "--out", "x.html"),
+    ],
+)
+def test_other_commands_refuse_other_drives_by_name(call, arguments):
+    command, *others = arguments
+    outcome = call(command, EXAMPLES / "planetary.toml", *others)
+    assert outcome.code == 2
+    assert f"'asperity {command}' does not work for drives of type 'planetary'" in outcome.err
+    assert "Traceback" not in outcome.err
+    assert outcome.err.count("\n") == 1
+
+
+def test_options_of_the_papers_drive_are_refused(call, tmp_path):
+    for arguments in (
+        ("joint", "--plot", tmp_path / "x.png"),
+        ("roll", "--plot", tmp_path / "x.png"),
+        ("draw", "--forces", "--out", tmp_path / "x.svg"),
+    ):
+        outcome = call(arguments[0], EXAMPLES / "planetary.toml", *arguments[1:])
+        assert outcome.code == 2
+        assert "is not available for drives of type 'planetary', only for the paper's" in outcome.err
+
+
+@pytest.mark.parametrize("name", ["planetary", "planetary_hollow", "multiroller", "stepped_planet"])
+def test_every_type_is_written_and_drawn(call, tmp_path, name):
+    file = tmp_path / f"{name}.toml"
+    assert call("init", file, "--type", name).code == 0
+    drawn = call("draw", file, "--out", tmp_path / f"{name}.svg")
+    assert drawn.code == 0
+    assert (tmp_path / f"{name}.svg").read_text(encoding="utf-8").startswith("<?xml")
+
+
+def test_an_impossible_drive_is_not_drawn(call, tmp_path):
+    text = (EXAMPLES / "planetary.toml").read_text(encoding="utf-8").replace("planets = 3", "planets = 9")
+    (tmp_path / "many.toml").write_text(text, encoding="utf-8")
+    outcome = call("draw", tmp_path / "many.toml", "--out", tmp_path / "x.svg")
+    assert outcome.code == 2
+    assert "planet and planet overlap by" in outcome.err

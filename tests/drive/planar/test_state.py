@@ -1,0 +1,56 @@
+"""Slip of contacts that stand: the integral of their incremental compliance, and rest forces by statics."""
+
+import math
+
+import jax
+import jax.numpy as jnp
+import numpy as np
+import pytest
+
+from asperity.drive.mechanism import NormalSprings
+from asperity.drive.planar.equal_springs import rest_forces
+from asperity.drive.planar.state import ContactLaws, slip_at_rest
+from asperity.drive.rolling_state import CreepLaw
+
+NORMAL = jnp.array([800.0])
+LIMIT = 0.1 * 800.0
+
+
+def laws(asperities=2e-10):
+    return ContactLaws(
+        springs=NormalSprings(jnp.array([5e-9]), jnp.array([4.2e-9])),
+        reference_force=jnp.array([700.0]),
+        creep=CreepLaw(jnp.array([0.1]), jnp.array([1e-5])),
+        asperity_compliance=None if asperities is None else jnp.array([asperities]),
+    )
+
+
+@pytest.mark.parametrize("share", [0.05, 0.5, 0.95])
+def test_slip_is_the_integral_of_the_incremental_compliance(share):
+    """Bodies C_0 + b ln 1/(1 - q), asperities c_a (1 - q)^(-1/3), by quadrature."""
+    q, weights = np.polynomial.legendre.leggauss(200)
+    q, weights = 0.5 * share * (q + 1.0), 0.5 * share * weights
+    compliance = 4.2e-9 - 0.8e-9 * np.log1p(-q) + 2e-10 * (1.0 - q) ** (-1.0 / 3.0)
+    found = slip_at_rest(laws=laws(), normal=NORMAL, tangential=jnp.array([share * LIMIT]))
+    assert float(found[0]) == pytest.approx(LIMIT * float(weights @ compliance), rel=1e-8)
+    back = slip_at_rest(laws=laws(), normal=NORMAL, tangential=jnp.array([-share * LIMIT]))
+    assert float(back[0]) == -float(found[0])
+
+
+def test_beyond_slip_the_tangent_goes_on():
+    def slip(force):
+        return slip_at_rest(laws=laws(None), normal=NORMAL, tangential=jnp.array([force]))[0]
+
+    assert float(slip(1.5 * LIMIT)) > float(slip(LIMIT)) > float(slip(0.999 * LIMIT))
+    assert math.isfinite(float(jax.grad(slip)(1.2 * LIMIT)))
+
+
+def test_rest_forces_of_the_drives_by_statics(drives):
+    wedge = rest_forces(drive=drives["wedge"], pattern=jnp.array([0.0, 0.0, 0.0, 1.0, 1.0]))
+    theta, beta = math.radians(27.0831), math.radians(13.1582)
+    side = 0.5 / math.cos(theta)
+    np.testing.assert_allclose(
+        wedge, [1.0, side, side, side * math.cos(beta), side * math.cos(beta)], rtol=1e-5
+    )
+    planetary = rest_forces(drive=drives["planetary"], pattern=jnp.array([0.0, 1.0]))
+    np.testing.assert_allclose(planetary, 1.0, rtol=1e-12)

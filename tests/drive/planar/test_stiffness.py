@@ -1,0 +1,73 @@
+"""Stiffness of planar drives with given springs: by hand, by virtual work, and with shafts."""
+
+import jax.numpy as jnp
+import numpy as np
+import pytest
+
+from asperity.drive.planar.drives import planetary_drive, stepped_planet_drive
+from asperity.drive.planar.layout import speed_ratio
+from asperity.drive.planar.stiffness import planar_stiffness, with_shafts
+
+ORBIT, COUNT = 30e-3, 3
+
+
+@pytest.fixture(scope="module")
+def planetary():
+    return planetary_drive(sun_radius=10e-3, planet_radius=20e-3, planet_count=COUNT)
+
+
+def test_planetary_by_hand(planetary):
+    """The carrier turns by the slips of both contacts over twice the orbit, and by its pins over the orbit."""
+    tangential = jnp.array([2e-9, 3e-9])
+    held = planar_stiffness(drive=planetary, normal_compliance=None, tangential_compliance=tangential)
+    assert float(held.output) == pytest.approx(COUNT * (2.0 * ORBIT) ** 2 / 5e-9, rel=1e-12)
+    np.testing.assert_allclose(held.tangential_share, [0.4, 0.6], rtol=1e-12)
+    np.testing.assert_allclose(np.abs(held.tangential_force), 1.0 / (COUNT * 2.0 * ORBIT), rtol=1e-12)
+    floating = planar_stiffness(
+        drive=planetary,
+        normal_compliance=jnp.array([1e-9, 4e-9]),
+        tangential_compliance=tangential,
+        pin_compliance=7e-9,
+    )
+    compliance = (5e-9 / 4.0 + 7e-9) / (COUNT * ORBIT**2)
+    assert 1.0 / float(floating.output) == pytest.approx(compliance, rel=1e-12)
+    np.testing.assert_allclose(
+        floating.normal_share, 0.0, atol=1e-12
+    )  # radial springs bear no tangential force
+    assert float(floating.pin_share) == pytest.approx(7e-9 / (7e-9 + 5e-9 / 4.0), rel=1e-9)
+
+
+def test_coupling_adds_its_work(planetary):
+    """A mutual compliance m of the two tangential springs adds 2 m T_1 T_2."""
+    drive, mutual = planetary, 0.4e-9
+    coupling = jnp.zeros((4, 4)).at[2, 3].set(mutual).at[3, 2].set(mutual)
+    springs = {"normal_compliance": jnp.full(2, 1e-9), "tangential_compliance": jnp.array([2e-9, 3e-9])}
+    alone = planar_stiffness(drive=drive, **springs)
+    coupled = planar_stiffness(drive=drive, **springs, coupling=coupling)
+    one, two = (float(force) for force in alone.tangential_force)
+    assert 1.0 / float(coupled.output) - 1.0 / float(alone.output) == pytest.approx(
+        COUNT * 2.0 * mutual * one * two, rel=1e-9
+    )
+
+
+def test_stepped_planets_by_virtual_work():
+    """Each spring adds n T^2 c: the driven ring's force 1/(n R_2), the sun's by the ratio, the held ring's balances."""
+    drive = stepped_planet_drive(sun_radius=10e-3, planet_radii=(20e-3, 18e-3), planet_count=3)
+    ratio = float(speed_ratio(drive))
+    sun, ring = 1.0 / ratio / (3.0 * 10e-3), 1.0 / (3.0 * 48e-3)
+    forces = np.array([sun, ring - sun, ring])
+    compliance = np.array([2e-9, 3e-9, 5e-9])
+    found = planar_stiffness(
+        drive=drive, normal_compliance=jnp.full(3, 1e-9), tangential_compliance=jnp.asarray(compliance)
+    )
+    np.testing.assert_allclose(np.abs(found.tangential_force), forces, rtol=1e-9)
+    assert 1.0 / float(found.output) == pytest.approx(3.0 * float(forces**2 @ compliance), rel=1e-9)
+
+
+def test_shafts_are_in_series():
+    found, entry, out = with_shafts(
+        stiffness=jnp.asarray(3000.0), ratio=6.0, input_shaft_stiffness=100.0, output_shaft_stiffness=jnp.inf
+    )
+    assert float(found) == pytest.approx(1.0 / (1.0 / 3000.0 + 1.0 / 3600.0), rel=1e-12)
+    assert float(entry) == pytest.approx(3000.0 / 6600.0, rel=1e-12)
+    assert float(out) == 0.0

@@ -1,0 +1,110 @@
+"""The paper's drive through the general chain against its own solver, and derivatives."""
+
+import dataclasses
+import math
+
+import jax
+import jax.numpy as jnp
+import numpy as np
+import pytest
+
+from asperity.compilation import compile_fast
+from asperity.drive.planar.drives import wedge_drive
+from asperity.joint.evaluation import evaluate
+from asperity.joint.planar.description import SOLID, BodyShape, PlanarJoint
+from asperity.joint.planar.evaluation import evaluate_planar
+from asperity.joint_file.build import joint_from_case
+
+pytestmark = pytest.mark.slow
+
+
+def as_planar(joint):
+    """The paper's joint as bodies, contacts and pins."""
+    bodies = joint.bodies
+    return PlanarJoint(
+        type="zou2025",
+        drive=wedge_drive(joint.geometry, planet_count=3),
+        shapes=(SOLID, SOLID, SOLID, SOLID, BodyShape("ring", joint.ring_wall_thickness, "rigid_housing")),
+        materials=(bodies.sun, bodies.planet, bodies.loading_roller, bodies.loading_roller, bodies.ring),
+        surfaces=joint.surfaces,
+        contact_lengths=joint.contact_lengths,
+        friction_coefficients=joint.friction_coefficients,
+        pattern=(0.0, 0.0, 0.0, 1.0, 1.0),
+        preload=joint.preload,
+        interference=None,
+        output_torque=joint.output_torque,
+        input_speed=joint.sun_speed,
+        pin_stiffness=math.inf,
+        input_shaft_stiffness=math.inf,
+        output_shaft_stiffness=math.inf,
+        contact_factor_model=joint.contact_factor_model,
+        body_model=joint.body_model,
+        plane_state=joint.plane_state,
+        rolling=joint.rolling,
+    )
+
+
+def solved(function, joint):
+    numbers = jax.tree.map(lambda leaf: np.asarray(leaf, dtype=float), joint)
+    return jax.tree.map(np.asarray, compile_fast(function, numbers)(numbers))
+
+
+@pytest.fixture(scope="module")
+def both(case):
+    joint = joint_from_case(case)
+    return solved(evaluate, joint), solved(evaluate_planar, as_planar(joint))
+
+
+def test_the_papers_drive_agrees_with_its_own_solver(both):
+    """Its forces differ by at most 0.1 %: its own solver takes the direction of the forces as those of the layout."""
+    own, general = both
+    assert bool(general.solved)
+    assert float(general.speed_ratio) == pytest.approx(float(own.speed_ratio), rel=1e-12)
+    assert float(general.interference) == pytest.approx(float(own.interference), rel=1e-3)
+    rolled, expected = general.rolling, own.rolling
+    np.testing.assert_allclose(rolled.normal, expected.normal, rtol=2e-3)
+    np.testing.assert_allclose(rolled.tangential, expected.tangential, rtol=2e-3)
+    assert float(rolled.speed_loss) == pytest.approx(float(expected.speed_loss), rel=2e-3)
+    assert float(rolled.power.efficiency) == pytest.approx(float(expected.power.efficiency), rel=1e-4)
+    assert float(rolled.life_hours.drive) == pytest.approx(float(expected.life_hours.drive), rel=0.02)
+    np.testing.assert_allclose(rolled.shakedown_ratio, expected.shakedown_ratio, rtol=2e-3)
+    # at rest the published closure shares the traction equally, the general one by the springs
+    for level in ("published", "series_with_bulk"):
+        assert float(getattr(general, level).output) == pytest.approx(
+            float(getattr(own, level).output), rel=5e-3
+        )
+    assert float(general.assembly.stiffness.output) == pytest.approx(
+        float(own.assembly.stiffness.output), rel=5e-3
+    )
+
+
+def test_every_state_satisfies_the_published_balance(both):
+    """Equations (1) to (4) for the general chain's state at rest under the torque, without masses' share in (2)."""
+    _, general = both
+    theta, beta = math.radians(27.083145), math.radians(13.158247)
+    normal, tangential = np.asarray(general.forces.normal), np.asarray(general.forces.tangential)
+    # planet: moment about its own axis, (1)
+    assert tangential[0] == pytest.approx(tangential[1] + tangential[2], rel=1e-9)
+    # planet across its radius
+    across = (
+        (normal[1] - normal[2]) * math.sin(theta)
+        - (tangential[1] + tangential[2]) * math.cos(theta)
+        - tangential[0]
+    )
+    assert abs(across) < 1e-5 * normal[0]
+    assert beta > 0.0
+
+
+def test_derivatives_are_those_of_differences(case):
+    joint = as_planar(joint_from_case(case))
+    joint = dataclasses.replace(joint, body_model="springs", input_speed=0.0)
+
+    def loss(torque):
+        found = evaluate_planar(dataclasses.replace(joint, output_torque=torque))
+        return jnp.stack([found.rolling.speed_loss * 1e3, found.assembly.stiffness.output * 1e-3])
+
+    compiled = jax.jit(jax.jacfwd(loss))
+    value = jax.jit(loss)
+    step = 1e-4
+    expected = (value(5.0 + step) - value(5.0 - step)) / (2.0 * step)
+    np.testing.assert_allclose(compiled(5.0), expected, rtol=1e-5)

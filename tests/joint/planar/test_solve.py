@@ -1,0 +1,206 @@
+"""Planetary, multiroller and stepped-planet drives from their files: forces and stiffness by hand, refusals."""
+
+import math
+
+import numpy as np
+import pytest
+
+from asperity.cli.joint_table import show_joint
+from asperity.cli.roll_table import show_rolling
+from asperity.cli.solved_case import solved_planar
+from asperity.errors import InputError
+from asperity.joint.planar.solve import refuse_planar_rolling
+
+ORBIT, COUNT = 30e-3, 3  # of the planetary example
+
+
+@pytest.fixture(scope="module")
+def planetary(planar_case):
+    return solved_planar(planar_case("planetary"))
+
+
+def in_series(*stiffness):
+    return 1.0 / sum(1.0 / each for each in stiffness)
+
+
+def test_forces_of_the_planetary_by_hand(planetary):
+    _, solution, document = planetary
+    result, torque = solution.result, 10.0
+    assert document["geometry"]["speed_ratio"] == pytest.approx(1.0 + 50.0 / 10.0, rel=1e-12)
+    # the carrier pushes each planet; sun and ring take half of it each
+    each = torque / (COUNT * ORBIT) / 2.0
+    np.testing.assert_allclose(result.forces.tangential, [each, each], rtol=1e-12)
+    assert abs(document["forces"]["pin_N"]["planet"]) == pytest.approx(2.0 * each, rel=1e-12)
+    assert document["forces"]["input_torque_Nm"] == pytest.approx(torque / 6.0, rel=1e-12)
+    # at rest the planet is pressed alike from both sides; turning, the ring holds it on its orbit
+    np.testing.assert_allclose(*result.rest.normal, rtol=1e-12)
+    mass = 7810.0 * math.pi * 20e-3**2 * 10e-3
+    speed = 1500.0 * 2.0 * math.pi / 60.0 / 6.0
+    sun, ring = result.forces.normal
+    assert document["forces"]["body_mass_kg"]["planet"] == pytest.approx(mass, rel=5e-3)
+    planet = document["forces"]["body_mass_kg"]["planet"]
+    assert ring - sun == pytest.approx(planet * speed**2 * ORBIT, rel=1e-9)
+    assert float(solution.result.forces.balance_residual) < 1e-9
+
+
+def test_stiffness_of_the_planetary_by_hand(planetary):
+    """Slips T/k of sun and ring contact turn the carrier by their sum over twice the orbit."""
+    _, _, document = planetary
+    contacts, levels = document["contacts"], document["torsional_stiffness"]
+
+    def output(*names):
+        springs = [
+            in_series(*(contact[f"{name}_stiffness_N_per_m"] for name in names))
+            for contact in contacts.values()
+        ]
+        return (2.0 * ORBIT) ** 2 * COUNT * in_series(*springs)
+
+    bodies = output("asperity_tangential", "bulk_tangential")
+    assert levels["series_with_bulk"]["output_Nm_per_rad"] == pytest.approx(bodies, rel=1e-9)
+    assert levels["published"]["output_Nm_per_rad"] == pytest.approx(output("asperity_tangential"), rel=1e-9)
+    # the free ring bends: the assembly is softer
+    assert levels["assembly"]["output_Nm_per_rad"] < bodies
+    assert levels["assembly"]["sun_Nm_per_rad"] == pytest.approx(
+        levels["assembly"]["output_Nm_per_rad"] / 36.0, rel=1e-12
+    )
+    shares = document["stiffness_budget"]
+    total = sum(sum(s.values()) if isinstance(s, dict) else s for s in shares.values())
+    assert total == pytest.approx(1.0, rel=1e-9)
+
+
+def test_capacity_of_the_planetary_by_hand(planetary):
+    """The sun's contact slips first: its normal force is the smaller one by the centrifugal force."""
+    _, solution, document = planetary
+    capacity = document["torque_capacity"]
+    normal = float(solution.result.forces.normal[0])
+    assert (capacity["limit"], capacity["limiting_contact"]) == ("gross_slip", "sp")
+    by_hand = 2.0 * COUNT * ORBIT * 0.08 * normal
+    assert capacity["output_torque_Nm"] == pytest.approx(by_hand, rel=1e-3)  # N changes a little with T
+    assert capacity["reverse"]["output_torque_Nm"] == pytest.approx(capacity["output_torque_Nm"], rel=1e-9)
+    assert document["rolling"]["torque_capacity_Nm"] == pytest.approx(capacity["output_torque_Nm"], rel=1e-9)
+
+
+def test_drift_and_power_of_the_planetary(planetary):
+    _, _, document = planetary
+    rolling = document["rolling"]
+    one, two = (contact["creepage"] for contact in rolling["contacts"].values())
+    assert one > two > 0.0
+    # seen from the carrier the ring's surface is slower than the sun's by both creepages
+    assert rolling["speed_loss"] == pytest.approx((one + two) * 50.0 / 60.0, rel=2e-3)
+    losses = rolling["losses_W"]
+    assert rolling["efficiency"] == pytest.approx(
+        rolling["output_power_W"] / rolling["input_power_W"], rel=1e-12
+    )
+    # creep takes from the speed, the rest from the torque
+    assert losses["creep"] == pytest.approx(
+        10.0 / 6.0 * 1500.0 * math.pi / 30.0 * rolling["speed_loss"], rel=1e-9
+    )
+    turns = rolling["output_power_W"] / 10.0 / (2.0 * math.pi)
+    assert rolling["life_hours"] * 3600.0 * turns == pytest.approx(rolling["life_output_turns"], rel=1e-9)
+    assert list(rolling["body_life_hours"]) == ["sun", "planet", "ring"]
+
+
+def test_interference_makes_the_preload_that_makes_it(planetary, planar_case):
+    _, solution, document = planetary
+    assert document["preload"]["interference_m"] == pytest.approx(30e-6, rel=1e-12)
+    force = document["preload"]["force_N"]
+    assert force == pytest.approx(float(solution.result.rest.normal[0]), rel=1e-12)
+
+
+def test_the_tables_name_contacts_members_and_bodies(planetary, tmp_path):
+    import io
+
+    from rich.console import Console
+
+    document = planetary[2]
+    for show, words in (
+        (
+            show_joint,
+            ["planetary drive", "sun in, carrier out, ring grounded", "contact sp slips", "ratio 6"],
+        ),
+        (show_rolling, ["drift per output turn", "one planet", "Efficiency 96.8"]),
+    ):
+        stream = io.StringIO()
+        show(Console(file=stream, width=120), document, source="planetary.toml")
+        assert all(word in stream.getvalue() for word in words)
+
+
+def test_a_torque_beyond_the_capacity_is_refused(planar_case):
+    slow = planar_case("planetary", replaced={'"10 N*m"': '"13 N*m"'})
+    with pytest.raises(
+        InputError, match=r"13 N·m is beyond the torque capacity 12\.1\d N·m, at which contact sp slips"
+    ):
+        solved_planar(slow)
+
+
+def test_bodies_that_do_not_fit_are_refused(planar_case):
+    with pytest.raises(InputError, match=r"planet and planet overlap by 10 mm"):
+        solved_planar(planar_case("planetary", replaced={"planets = 3": "planets = 6"}))
+    with pytest.raises(InputError, match=r"the bore of planet, 45 mm, leaves no wall in a roller of 40 mm"):
+        solved_planar(planar_case("planetary_hollow", replaced={'"26 mm"': '"45 mm"'}))
+    with pytest.raises(InputError, match="there is no place for second_row where it touches"):
+        solved_planar(
+            planar_case(
+                "multiroller",
+                replaced={'first_row_small_radius = "10 mm"': 'first_row_small_radius = "0.1 mm"'},
+            )
+        )
+
+
+@pytest.mark.slow
+def test_hollow_planets_are_softer(planar_case):
+    """A thin planet is the preload's spring: the same interference presses less, and the stiffness falls."""
+    hollow, thick = (
+        solved_planar(planar_case("planetary_hollow", replaced={'"26 mm"': bore}))[2]
+        for bore in ('"26 mm"', '"8 mm"')
+    )
+    assert hollow["preload"]["force_N"] < 0.7 * thick["preload"]["force_N"]
+    assert hollow["forces"]["body_mass_kg"]["planet"] / thick["forces"]["body_mass_kg"][
+        "planet"
+    ] == pytest.approx((40.0**2 - 26.0**2) / (40.0**2 - 8.0**2), rel=1e-9)
+    stiffness = [each["torsional_stiffness"]["assembly"]["output_Nm_per_rad"] for each in (hollow, thick)]
+    assert stiffness[0] < stiffness[1]
+
+
+@pytest.mark.slow
+def test_the_multiroller_by_hand(planar_case):
+    _, _, document = solved_planar(planar_case("multiroller"))
+    orbit, half = 26.0, math.pi / 4.0
+    far = orbit * math.cos(half) + math.sqrt(28.0**2 - (orbit * math.sin(half)) ** 2)
+    ring = far + 9.4
+    ratio = (16.0 / 10.0) * (18.0 / 10.0) * (ring / 9.4)
+    assert abs(document["geometry"]["speed_ratio"]) == pytest.approx(ratio, rel=1e-12)
+    assert ratio == pytest.approx(15.0, rel=0.01)
+    forces = document["forces"]
+    assert forces["input_torque_Nm"] == pytest.approx(10.0 / ratio, rel=1e-9)
+    tangential = forces["tangential_N"]
+    assert tangential["sr"] == pytest.approx(10.0 / (4.0 * ring * 1e-3), rel=1e-9)
+    assert tangential["sf"] == pytest.approx(10.0 / ratio / (4.0 * 10e-3), rel=1e-9)
+    # at rest the first row is pressed by two rollers against the sun, the second row by the ring between two
+    rest = forces["normal_at_rest_N"]
+    lean = math.asin(orbit * math.sin(half) / 28.0)  # at the second row, from its radius to the first row
+    assert rest["fsl"] == pytest.approx(rest["fsr"], rel=1e-9)
+    assert rest["sr"] == pytest.approx(2.0 * rest["fsl"] * math.cos(lean), rel=1e-9)
+    assert rest["sf"] == pytest.approx(2.0 * rest["fsl"] * math.cos(lean + half), rel=1e-9)
+
+
+@pytest.mark.slow
+def test_stepped_planets_by_hand(planar_case):
+    _, _, document = solved_planar(planar_case("stepped_planet"))
+    ratio = (1.0 + 50.0 / 10.0) / (1.0 - 50.0 * 18.0 / (48.0 * 20.0))
+    assert document["geometry"]["speed_ratio"] == pytest.approx(ratio, rel=1e-12)
+    forces = document["forces"]
+    tangential, sun, ring = forces["tangential_N"], 10.0 / ratio / (3.0 * 10e-3), 10.0 / (3.0 * 48e-3)
+    assert abs(tangential["sp"]) == pytest.approx(sun, rel=1e-9)
+    assert abs(tangential["pr2"]) == pytest.approx(ring, rel=1e-9)
+    # the free cage takes no torque: the forces on a planet balance by themselves
+    assert abs(tangential["pr1"]) == pytest.approx(ring - sun, rel=1e-9)
+    assert forces["pin_N"]["planet"] == pytest.approx(0.0, abs=1e-9)
+    rest = forces["normal_at_rest_N"]
+    assert rest["sp"] == pytest.approx(rest["pr1"] + rest["pr2"], rel=1e-9)
+
+
+@pytest.mark.slow
+def test_a_joint_that_stands_but_does_not_roll_is_told(planar_case):
+    joint, solution, _ = solved_planar(planar_case("stepped_planet"))
+    refuse_planar_rolling(joint, solution)  # it rolls

@@ -1,0 +1,117 @@
+"""Joint files of other drives: read, refused, described, and told to editors."""
+
+import json
+from importlib.resources import files
+from pathlib import Path
+
+import jsonschema
+import numpy as np
+import pytest
+
+from asperity.errors import InputError, UnsupportedDriveError
+from asperity.joint_file.planar_assumptions import planar_assumptions
+from asperity.joint_file.planar_build import planar_joint_from_case
+from asperity.joint_file.planar_model import PLANAR_CASES
+from asperity.joint_file.reader import parse_any_case, parse_case
+from asperity.joint_file.schema import joint_schema
+from asperity.reading import parse_toml
+
+EXAMPLES = Path(__file__).parents[2] / "examples"
+NAMES = ("planetary", "planetary_hollow", "multiroller", "stepped_planet")
+
+
+def text_of(name):
+    return (EXAMPLES / f"{name}.toml").read_text(encoding="utf-8")
+
+
+def read(name, *replaced):
+    text = text_of(name)
+    for old, new in replaced:
+        assert old in text
+        text = text.replace(old, new)
+    return parse_any_case(text, source="mine.toml")
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_examples_are_those_of_init_and_valid_for_editors(name):
+    assert files("asperity.joint_file").joinpath(f"{name}.toml").read_text("utf-8") == text_of(name)
+    case = read(name)
+    assert case.text == text_of(name)
+    assert case == read(name)
+    schema = joint_schema(case.type)
+    jsonschema.validate(parse_toml(text_of(name), source=name), schema)
+    json.dumps(schema)
+
+
+def test_the_joint_has_the_sizes_of_the_file():
+    joint = planar_joint_from_case(read("planetary_hollow"))
+    assert joint.contact_names == ("sp", "pr")
+    assert [shape.kind for shape in joint.shapes] == ["solid", "hollow", "ring"]
+    assert (float(joint.shapes[1].size), float(joint.shapes[2].size)) == pytest.approx((26e-3, 30e-3))
+    np.testing.assert_allclose(joint.drive.second_radius, [20e-3, 50e-3])
+    assert joint.preload is None
+    assert float(joint.interference) == pytest.approx(30e-6)
+
+
+def test_numbers_for_each_contact():
+    case = read("planetary", ('contact_length = "10 mm"', 'contact_length = { sp = "10 mm", pr = "12 mm" }'))
+    assert planar_joint_from_case(case).contact_lengths == pytest.approx((10e-3, 12e-3))
+
+
+@pytest.mark.parametrize(
+    ("name", "old", "new", "message"),
+    [
+        (
+            "planetary",
+            'type = "planetary"',
+            'type = "planetry"',
+            "is not a type of drive; did you mean 'planetary'?",
+        ),
+        ("planetary", 'ring = "52100"', 'rim = "52100"', "bodies.rim: a planetary drive has no such body"),
+        (
+            "planetary",
+            'contact_length = "10 mm"',
+            'contact_length = { sp = "10 mm" }',
+            "drive.contact_length: pr is missing",
+        ),
+        ("planetary", 'planet_radius = "20 mm"', "", "drive.planet_radius: this key is missing: a length"),
+        ("planetary", 'planet_radius = "20 mm"', 'planet_radius = "20 N"', "drive.planet_radius"),
+        (
+            "planetary",
+            'interference = "30 um"',
+            'interference = "30 um"\npreload = "1 N"',
+            "exactly one of 'preload' and 'interference'",
+        ),
+        ("planetary", 'sun = "52100"', 'sun = "adamant"', "bodies.sun: there is no material 'adamant'"),
+        ("planetary", 'bodies = "exact"', 'bodies = "springs"', "drive.ring_support: only for model.bodies"),
+        ("multiroller", "first_row_radius", "first_row_radios", "did you mean 'first_row_radius'?"),
+        ("stepped_planet", 'bodies = "exact"', 'bodies = "springs"', "driven_ring_wall_thickness"),
+    ],
+)
+def test_mistakes_are_told(name, old, new, message):
+    with pytest.raises(InputError) as caught:
+        read(name, (old, new))
+    assert message in str(caught.value)
+
+
+def test_what_works_for_the_papers_drive_only_says_so():
+    with pytest.raises(UnsupportedDriveError, match="does not work for drives of type 'planetary'"):
+        parse_case(text_of("planetary"), source="mine.toml")
+    plain = (EXAMPLES / "zou2025.toml").read_text(encoding="utf-8")
+    assert parse_case('type = "zou2025"\n' + plain, source="mine.toml").type == "zou2025"
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_assumptions_name_what_is_left_out(name):
+    told = "\n".join(planar_assumptions(read(name)))
+    assert "no section [compliance]: pins and shafts are rigid" in told
+    assert ("lie in one plane" in told) == (read(name).type != "planetary")
+    assert "no rolling.hysteresis_factor" in told
+
+
+def test_every_type_has_its_contacts_and_bodies():
+    for kind in PLANAR_CASES:
+        joint = planar_joint_from_case(read(kind))
+        assert joint.type == kind
+        assert len(joint.shapes) == len(joint.materials) == len(joint.drive.bodies)
+        assert len(joint.pattern) == len(joint.drive.contacts)
