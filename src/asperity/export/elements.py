@@ -59,7 +59,7 @@ def fitted_elements(content: ExportContent, *, program: str) -> FittedElements:
         raise InputError(
             f"the joint has a play of {format_quantity(float(content.play.angle), 'arcmin')}, in series with its "
             f"springs; the parallel springs of {program} cannot carry it. Remove [play] from the joint file and add "
-            "the play in the model, or export to a table"
+            "the play in the model, or export to an FMU or a table"
         )
     law = SeriesLaw(content.windup, content.play)
     elements = parallel_elements(law, elements=ELEMENTS)
