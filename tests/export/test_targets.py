@@ -9,7 +9,7 @@ from asperity.export.targets import SUFFIXES, Exported, check_target, exported, 
 @pytest.mark.parametrize(
     ("to", "name", "said"),
     [
-        ("adams", "a.csv", "there is no export to 'adams'; known are table, mujoco, fmu"),
+        ("adams", "a.csv", "there is no export to 'adams'; known are table, mujoco, fmu, modelica"),
         ("table", "a.txt", "the name of a file for 'table' must end in .csv or .mat"),
         ("table", "nowhere/a.csv", "there is no folder"),
         ("table", "joint.csv", "this is the file that is read"),

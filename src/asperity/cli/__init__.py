@@ -46,7 +46,7 @@ COMMANDS: dict[str, tuple[str, str, str]] = {
         "dynamics",
         "Natural frequencies and frequency response with motor and load.",
     ),
-    "export": ("asperity.cli.export", "export", "A joint for MATLAB, MuJoCo and system simulations (FMU)."),
+    "export": ("asperity.cli.export", "export", "A joint for MATLAB, MuJoCo and system simulations."),
     "contact": ("asperity.cli.contact", "contact", "Stiffness of any number of roller pairs from a table."),
     "design": ("asperity.cli.design", "design", "The best joint within limits, or a Pareto front."),
     "calibrate": ("asperity.cli.calibrate", "calibrate", "Unknowns of a joint from a measured curve."),

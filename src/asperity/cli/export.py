@@ -9,7 +9,7 @@ import click
 from asperity.cli.terminal import say_written
 
 #: Names of the targets; asperity.export.targets has their writers.
-TARGETS = ("table", "mujoco", "fmu")
+TARGETS = ("table", "mujoco", "fmu", "modelica")
 LEVELS = ("assembly", "series_with_bulk", "published")
 
 
@@ -20,7 +20,7 @@ LEVELS = ("assembly", "series_with_bulk", "published")
     "--out",
     required=True,
     type=click.Path(dir_okay=False),
-    help="Write to this file: table .csv or .mat (MATLAB), mujoco .xml, fmu .fmu.",
+    help="Write to this file: table .csv or .mat (MATLAB), mujoco .xml, fmu .fmu, modelica .mo.",
 )
 @click.option(
     "--torque",
@@ -43,6 +43,8 @@ def export(file: str, to: str, out: str, torque: str | None, level: str) -> None
 
     fmu: a co-simulation unit of FMI 2.0 in C source, with hysteresis, play, and drift while it turns. 'fmpy compile'
     adds the binary that most programs need.
+
+    modelica: a package with a spring that has hysteresis and drift, alone and between two rotational flanges.
 
     Every file states the stiffness and the drift, which are two regimes: the wind-up of a joint that stands comes back,
     the drift of a joint that turns does not.

@@ -12,6 +12,11 @@ from asperity.joint.parallel_elements import ParallelElements, fit_error, parall
 from asperity.joint.series_law import SeriesLaw
 from asperity.units import format_quantity
 
+#: What the loop is worth, for every model that has one.
+MASING = (
+    "The loop itself is an estimate by Masing's rule, which has an error of its own: for the paper's joint 1 to 15 % "
+    "of the loop's width, up to half of it with a constant pin force."
+)
 #: Elasto-plastic elements in an exported model.
 ELEMENTS = 8
 
@@ -59,7 +64,7 @@ def fitted_elements(content: ExportContent, *, program: str) -> FittedElements:
         raise InputError(
             f"the joint has a play of {format_quantity(float(content.play.angle), 'arcmin')}, in series with its "
             f"springs; the parallel springs of {program} cannot carry it. Remove [play] from the joint file and add "
-            "the play in the model, or export to a table"
+            "the play in the model, or export to an FMU or a table"
         )
     law = SeriesLaw(content.windup, content.play)
     elements = parallel_elements(law, elements=ELEMENTS)
@@ -77,8 +82,7 @@ def fitted_elements(content: ExportContent, *, program: str) -> FittedElements:
         )
     sentences = (
         sentence + " (first loading both ways, loops of the largest torque and of half of it).",
-        "The loop between the largest torques is an estimate by Masing's rule; its own error is larger than that of "
-        "the elements.",
+        MASING,
     )
     ends = np.asarray(content.windup.angle)[[0, -1]]
     return FittedElements(elements, 2.0 * content.largest_torque / float(np.ptp(ends)), sentences)

@@ -17,6 +17,7 @@ import numpy as np
 import asperity
 from asperity.errors import InputError
 from asperity.export.content import ExportContent, heading
+from asperity.export.elements import MASING
 from asperity.joint.series_law import SeriesLaw, SlipElements, slip_elements
 
 #: Elements in series that make the slip.
@@ -155,7 +156,7 @@ def _sentences(content: ExportContent, slip: SlipElements) -> tuple[str, ...]:
         off = 100.0 * slip.error / float(content.windup.hysteresis)
         said = (
             f"{slip.threshold.size} slip elements in series follow the loop within {off:.2g} % of its width at zero "
-            "torque. The loop between the largest torques is an estimate by Masing's rule; its own error is larger."
+            f"torque. {MASING}"
         )
     return (
         said,

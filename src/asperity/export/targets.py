@@ -11,7 +11,7 @@ from asperity.export.content import ExportContent
 from asperity.writing import check_file, replacing
 
 #: Endings of the files of each target.
-SUFFIXES = {"table": (".csv", ".mat"), "mujoco": (".xml",), "fmu": (".fmu",)}
+SUFFIXES = {"table": (".csv", ".mat"), "mujoco": (".xml",), "fmu": (".fmu",), "modelica": (".mo",)}
 
 
 @dataclass(frozen=True)
@@ -119,8 +119,17 @@ def _fmu(content: ExportContent, suffix: str) -> Exported:
     return Exported(fmu_file(content, parts), parts.sentences)
 
 
+def _modelica(content: ExportContent, suffix: str) -> Exported:
+    from asperity.export.elements import fitted_elements
+    from asperity.export.modelica import modelica_file
+
+    fitted = fitted_elements(content, program="the Modelica model")
+    return Exported(modelica_file(content, fitted), fitted.sentences)
+
+
 _WRITERS: dict[str, Callable[[ExportContent, str], Exported]] = {
     "table": _table,
     "mujoco": _mujoco,
     "fmu": _fmu,
+    "modelica": _modelica,
 }
