@@ -33,10 +33,10 @@ mm"`, and may have a tolerance and a distribution, `"13.5 mm +- 5 um"`. Numbers 
 that is not listed here is an error.
 
 *Moves* names the results that change with the number, computed by exact derivatives for the joint of the paper
-with bearings, springs, skew and oil; results that change by less than one part in a million for one per cent
-are left out. *All seven* are published and assembled stiffness, torque capacity, pressure, drift, efficiency
-and life. The range only catches typing errors where physics sets no bound. The results themselves are on the
-page [](results.md).
+with bearings, springs, skew and oil, and for the crown radii with crowns of 500 mm; results that change by less
+than one part in a million for one per cent are left out. *All seven* are published and assembled stiffness, torque
+capacity, pressure, drift, efficiency and life. The range only catches typing errors where physics sets no bound. The
+results themselves are on the page [](results.md).
 """
 
 #: Results that the page names, with the words for them.
@@ -53,6 +53,13 @@ NAMED = {
 #: Keys and sections that the example leaves out.
 LENGTHS = """planet_length = "5 mm"
 loading_roller_length = "5 mm"
+
+"""
+#: Keys that make another joint of it: only what they move is kept of that one.
+CROWNS = """sun_crown_radius = "500 mm"
+planet_crown_radius = "500 mm"
+loading_roller_crown_radius = "500 mm"
+ring_crown_radius = "500 mm"
 
 """
 SECTIONS = """
@@ -192,12 +199,18 @@ def page() -> str:
 
 def measured() -> dict[str, list[str]]:
     """Which results each number moves: key of the file → words for the results."""
+    crowned = _measured(CROWNS)
+    return _measured("") | {name: words for name, words in crowned.items() if name.endswith("_crown_radius")}
+
+
+def _measured(more: str) -> dict[str, list[str]]:
+    """The same for the example with more keys of its drive."""
     from asperity.joint_file.reader import parse_case
     from asperity.precision import use_double_precision
     from asperity.study.tolerances.sensitivity import sensitivity
 
     use_double_precision()
-    text = EXAMPLE.read_text(encoding="utf-8").replace("[load]", LENGTHS + "[load]")
+    text = EXAMPLE.read_text(encoding="utf-8").replace("[load]", LENGTHS + more + "[load]")
     case = parse_case(text + SECTIONS, source=EXAMPLE.name)
     found = sensitivity(case, tuple(NAMED))
     moves: dict[str, list[str]] = {}

@@ -7,9 +7,13 @@ import jax.numpy as jnp
 import numpy as np
 import pytest
 
+from asperity.contact.crowned_line import CrownedLines, crown_compression
 from asperity.drive.geometry import triangle
 from asperity.drive.interference import (
+    CrownsAtRest,
     RestCompliance,
+    crown_interference,
+    incremental_interference,
     interference,
     interference_of_sizes,
     preload_of_interference,
@@ -133,3 +137,44 @@ def test_the_torque_does_not_change_the_interference(paper_joint):
     found = jax.jit(lambda joint: evaluate(joint).interference)
     values = np.asarray(found(paper_joint(output_torque=np.array([1e-6, 5.0, 12.0]))))
     assert values == pytest.approx(np.full(3, values[0]), rel=2e-5)
+
+
+@pytest.fixture(scope="module")
+def crowned(smooth):
+    """The same drive with crowns of 1 m on its planets."""
+    rest, compliance = smooth
+    lines = CrownedLines(
+        crown_curvature=jnp.array([1.0, 1.0, 1.0, 0.0, 0.0]),
+        contact_length=jnp.full(5, 5e-3),
+        effective_radius=jnp.array([3.1e-3, 3.6e-3, 3.6e-3, 5.7e-3, 5.7e-3]),
+        contact_modulus=jnp.full(5, 113e9),
+    )
+    return compliance._replace(crowns=CrownsAtRest(lines, rest.normal_force / 1000.0))
+
+
+def test_crowns_add_the_work_of_their_approach(smooth, crowned):
+    rest, compliance = smooth
+    force = 0.6 * rest.normal_force
+    work = jnp.sum(force * crown_compression(normal_force=force, **vars(crowned.crowns.lines)))
+    added, _ = crown_interference(crowns=crowned.crowns, preload=600.0)
+    assert float(added) == pytest.approx(float(work / (force[3] + force[4])), rel=1e-12)
+    both = [float(interference(compliance=each, preload=600.0)) for each in (crowned, compliance)]
+    assert both[0] - both[1] == pytest.approx(float(added), rel=1e-9)
+
+
+def test_derivative_of_the_interference(smooth, crowned):
+    for compliance in (smooth[1], crowned):
+        found = incremental_interference(compliance=compliance, preload=700.0)
+        ends = [float(interference(compliance=compliance, preload=force)) for force in (699.0, 701.0)]
+        assert float(found) == pytest.approx((ends[1] - ends[0]) / 2.0, rel=1e-6)
+
+
+def test_preload_of_crowned_rollers_in_a_few_steps(crowned):
+    length = interference(compliance=crowned, preload=400.0)
+    found = jnp.asarray(1000.0)
+    for _ in range(4):
+        moved = crowned._replace(  # the same law from another reference
+            secant=crowned.secant - crowned.logarithmic * jnp.log(found / 1000.0), reference=found
+        )
+        found = preload_of_interference(compliance=moved, interference=length)
+    assert float(found) == pytest.approx(400.0, rel=1e-9)

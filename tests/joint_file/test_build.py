@@ -86,6 +86,17 @@ outside_force = "200 N"
     assert varied.pin_bearing.dynamic_rating == 4e3
 
 
+def test_crown_radii_become_curvatures(example_case, example_text):
+    assert joint_from_case(example_case).crowns is None
+    text = example_text.replace("[load]", 'planet_crown_radius = "800 mm"\n[load]')
+    crowns = joint_from_case(parse_case(text, source="x")).crowns
+    assert (crowns.sun, crowns.planet, crowns.loading_roller, crowns.ring) == (0.0, 1.25, 0.0, 0.0)
+    swept = with_values(example_case, {"drive.ring_crown_radius": np.array([2.0, 4.0])})
+    np.testing.assert_array_equal(swept.crowns.ring, [0.5, 0.25])
+    with pytest.raises(InputError, match=r"planet_crown_radius.*0 mm"):
+        parse_case(text.replace("800 mm", "0 mm"), source="x")
+
+
 def test_each_contact_can_have_its_own_entry(example_text):
     tables = "".join(
         f'[surface.{name}]\nfractal_dimension = {1.3 + 0.1 * i}\nfractal_roughness = "1e-8 mm"\nfrequency_ratio = 1.5\n'

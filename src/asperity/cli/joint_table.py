@@ -143,6 +143,8 @@ def _show_contacts(target: Console, document: Document) -> None:
             scaled(contact["real_contact_area_m2"], 1e6),
         )
     target.print(shown)
+    if any(contact["loaded_length_share"] is not None for contact in contacts.values()):
+        _show_crowns(target, contacts)
     shown = table(
         target,
         "Contact stiffness",
@@ -161,6 +163,25 @@ def _show_contacts(target: Console, document: Document) -> None:
                 for kind in ("asperity_tangential", "bulk_tangential", "asperity_normal", "bulk_normal")
             ),
             number(contact["contact_torsional_stiffness_Nm_per_rad"]),
+        )
+    target.print(shown)
+
+
+def _show_crowns(target: Console, contacts: Document) -> None:
+    shown = table(
+        target,
+        "Crowned contacts",
+        "contact",
+        "loaded length\n%",
+        "peak over mean load\n-",
+        "end over mean load\n-",
+    )
+    for name, contact in contacts.items():
+        shown.add_row(
+            name,
+            scaled(contact["loaded_length_share"], 100.0),
+            number(contact["peak_line_load_ratio"], 3),
+            number(contact["end_line_load_ratio"], 3),
         )
     target.print(shown)
 

@@ -75,6 +75,30 @@ class CrownedLine(eqx.Module):
     solved: Array
 
 
+class CrownedLines(eqx.Module):
+    """Crowned contacts without load, as :func:`crowned_line` and :func:`crown_compression` take them; of one shape.
+
+    Parameters
+    ----------
+    crown_curvature : Array
+        Curvatures of the crowns along the axis [1/m].
+    contact_length, effective_radius : Array
+        Length B and effective radius R [m].
+    contact_modulus : Array
+        E* [Pa].
+    """
+
+    crown_curvature: Array
+    contact_length: Array
+    effective_radius: Array
+    contact_modulus: Array
+
+
+def _along(values: np.ndarray, like: Array) -> Array:
+    """A number for each slice along a first axis."""
+    return jnp.asarray(values).reshape(-1, *(1,) * jnp.ndim(like))
+
+
 def _loaded_share(approach: Array, crown: Array) -> Array:
     """Share of the length that is loaded."""
     free = approach < crown
@@ -102,22 +126,17 @@ def _logarithm(compression: Array, factor: Array) -> Array:
 
 
 def _carried(approach: Array, crown: Array) -> tuple[Array, Array]:
-    """Load of the slices, as the squared width of a contact that is loaded evenly, and its slope over ln eta.
-
-    Slice by slice: XLA vectorises this, but not the logarithms of a stacked array.
-    """
+    """Load of the slices, as the squared width of a contact that is loaded evenly, and its slope over ln eta."""
     free = approach < crown
-    drop = jnp.where(free, approach, crown)
     power = _free_power(approach, crown)
-    factor, drift = _factor(approach, crown), power / (1.0 + power)
-    load, slope = jnp.zeros_like(approach), jnp.zeros_like(approach)
-    for place, weight in zip(_PLACE, _WEIGHT, strict=True):
-        compression = approach - drop * place**2
-        logarithm = _logarithm(compression, factor)
-        squared_width = compression / logarithm
-        growth = jnp.where(free, compression, approach) - squared_width * drift
-        load = load + weight * squared_width
-        slope = slope + weight * growth / (logarithm - 1.0)
+    drift = power / (1.0 + power)
+    place, weight = (_along(values, approach) for values in (_PLACE, _WEIGHT))
+    compression = approach - jnp.where(free, approach, crown) * place**2
+    logarithm = _logarithm(compression, _factor(approach, crown))
+    squared_width = compression / logarithm
+    growth = jnp.where(free, compression, approach) - squared_width * drift
+    load = jnp.sum(weight * squared_width, axis=0)
+    slope = jnp.sum(weight * growth / (logarithm - 1.0), axis=0)
     share = _loaded_share(approach, crown)
     return share * load, share * (slope + jnp.where(free, 0.5 * load, 0.0))
 
@@ -219,16 +238,15 @@ def crowned_line(
         some = jnp.where(pressed, compression, approach)
         return jnp.where(pressed, some / _logarithm(some, factor), 0.0)
 
-    places, weights = (0.0, *_PLACE), (0.0, *_WEIGHT)
-    squared = jnp.stack([squared_width(approach - crown * (share * place) ** 2) for place in places])
-    end = squared_width(at_end)
+    place, weight = (_along(np.insert(values, 0, 0.0), approach) for values in (_PLACE, _WEIGHT))
+    squared, end = squared_width(approach - crown * (share * place) ** 2), squared_width(at_end)
     per_squared = math.pi * contact_modulus * contact_length**2 / (4.0 * effective_radius)
     carried, _ = _carried(approach, crown)
     return CrownedLine(
-        position=jnp.stack([0.5 * contact_length * place * share for place in places]),
+        position=jnp.asarray(0.5 * contact_length * place * share),
         line_load=squared * per_squared,
         half_width=jnp.sqrt(squared) * contact_length,
-        length_share=jnp.stack([weight * share for weight in weights]),
+        length_share=weight * share,
         end_line_load=end * per_squared,
         loaded_share=share,
         solved=(jnp.abs(carried / load - 1.0) < _RESIDUAL) & (factor - jnp.log(approach) > _LEAST_TARGET),

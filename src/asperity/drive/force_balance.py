@@ -104,6 +104,12 @@ def closure_misfit(branch: Branch, force: BranchForces) -> Real:
     """
     if branch.mechanism.closure == "constant_pin_force":
         return force.pin_right - branch.rest.pin_force_right
+    if branch.mechanism.springs.crowns is not None:
+        normal = jnp.stack(jnp.broadcast_arrays(*force.normal))
+        together = compression(
+            springs=branch.mechanism.springs, normal_force=normal, rest_force=branch.rest.normal_force
+        )
+        return _misfit(branch, list(jnp.asarray(together)))
     # contact by contact: XLA does not vectorise logarithms of a stacked array inside a fused loop
     springs = _each(branch.mechanism.springs)
     return _misfit(
@@ -119,6 +125,8 @@ def _closure_steepness(branch: Branch) -> Real:
     """Upper bound of the slope of the closure over S: that of all contacts nearly unloaded [-]."""
     if branch.mechanism.closure == "constant_pin_force":
         return jnp.asarray(1.0)
+    if branch.mechanism.springs.crowns is not None:
+        return _misfit(branch, list(jnp.asarray(steepest_compliance(branch.mechanism.springs))))
     return _misfit(branch, [steepest_compliance(spring) for spring in _each(branch.mechanism.springs)])
 
 

@@ -18,16 +18,32 @@ import jax
 import jax.numpy as jnp
 from jax import Array
 
+from asperity.contact.crowned_line import CrownedLines, crown_compression
 from asperity.drive.mechanism import RestState
 from asperity.types import Real
 
 _NEWTON_STEPS = 12
 
 
+class CrownsAtRest(NamedTuple):
+    """Crowned contacts of a drive at rest.
+
+    Parameters
+    ----------
+    lines : CrownedLines
+        The contacts, shape (5, ...).
+    force_ratio : Array
+        Their normal forces over the preload, shape (5, ...) [-].
+    """
+
+    lines: CrownedLines
+    force_ratio: Array
+
+
 class RestCompliance(NamedTuple):
     r"""Work of the forces at rest on the approaches, at a reference preload.
 
-    .. math:: \delta(N_0) = N_0 \left[s - t \ln (N_0/N_{ref})\right]
+    .. math:: \delta(N_0) = N_0 \left[s - t \ln (N_0/N_{ref})\right] + \delta_c(N_0)
 
     Parameters
     ----------
@@ -37,11 +53,45 @@ class RestCompliance(NamedTuple):
         t: share of it that decreases with the logarithm of the preload, because the contacts widen [m/N].
     reference : Array
         Reference preload [N].
+    crowns : CrownsAtRest or None
+        Crowned contacts, which add :math:`\delta_c`; None where none is crowned.
     """
 
     secant: Array
     logarithmic: Array
     reference: Array
+    crowns: CrownsAtRest | None = None
+
+
+def crown_interference(*, crowns: CrownsAtRest, preload: Real) -> tuple[Array, Array]:
+    r"""Interference that crowns add, and its derivative by the preload.
+
+    .. math:: \delta_c = \frac{\sum_k N_k\,\Delta\delta_k(N_k)}{N_{wro} + N_{wlo}}
+
+    Parameters
+    ----------
+    crowns : CrownsAtRest
+        The crowned contacts.
+    preload : Real
+        Normal force N_0 between sun and planet at rest [N].
+
+    Returns
+    -------
+    tuple of Array
+        Interference [m] and its derivative [m/N].
+
+    References
+    ----------
+    Equations (I1) and (B12) of :doc:`/equations`.
+    """
+    ratio = crowns.force_ratio
+    share = ratio / (ratio[3] + ratio[4])
+    added, slope = jax.jvp(
+        lambda force: crown_compression(normal_force=force, **vars(crowns.lines)),
+        (ratio * preload,),
+        (ratio + 0.0 * preload,),
+    )
+    return jnp.sum(share * added, axis=0), jnp.sum(share * slope, axis=0)
 
 
 def rest_compliance(
@@ -52,6 +102,7 @@ def rest_compliance(
     logarithmic_compliance: Array,
     ring_compliance: Real,
     pin_compliance: Real,
+    crowns: CrownedLines | None = None,
 ) -> RestCompliance:
     r"""Interference over preload of a drive at rest.
 
@@ -71,6 +122,8 @@ def rest_compliance(
         l: decrease of each contact's secant compliance with the logarithm of its force, shape (5, ...) [m/N].
     ring_compliance, pin_compliance : Real
         Of a ring spring under a loading roller and of a carrier pin [m/N].
+    crowns : CrownedLines, optional
+        Crowned contacts, whose approach W leaves out.
 
     Returns
     -------
@@ -90,11 +143,12 @@ def rest_compliance(
         secant=jnp.asarray(work / lever),
         logarithmic=jnp.sum(logarithmic_compliance * normal**2, axis=0) / lever,
         reference=jnp.asarray(preload),
+        crowns=None if crowns is None else CrownsAtRest(crowns, normal / preload),
     )
 
 
 def interference(*, compliance: RestCompliance, preload: Real) -> Array:
-    r"""Interference that makes a preload, :math:`\delta = N_0\,[s - t \ln(N_0/N_{ref})]`.
+    r"""Interference that makes a preload, :math:`\delta = N_0\,[s - t \ln(N_0/N_{ref})] + \delta_c`.
 
     Parameters
     ----------
@@ -113,7 +167,49 @@ def interference(*, compliance: RestCompliance, preload: Real) -> Array:
     Equation (I1) of :doc:`/equations`.
     """
     bend = compliance.logarithmic * jnp.log(preload / compliance.reference)
-    return jnp.asarray(preload * (compliance.secant - bend))
+    even = jnp.asarray(preload * (compliance.secant - bend))
+    if compliance.crowns is None:
+        return even
+    return even + crown_interference(crowns=compliance.crowns, preload=preload)[0]
+
+
+def incremental_interference(*, compliance: RestCompliance, preload: Real) -> Array:
+    r"""Derivative of :func:`interference` by the preload.
+
+    .. math:: \frac{d\delta}{dN_0} = s - t - t \ln\frac{N_0}{N_{ref}} + \frac{d\delta_c}{dN_0}
+
+    Parameters
+    ----------
+    compliance : RestCompliance
+        Of the drive.
+    preload : Real
+        Normal force N_0 between sun and planet at rest [N].
+
+    Returns
+    -------
+    Array
+        Compliance [m/N].
+
+    References
+    ----------
+    Equation (I1) of :doc:`/equations`.
+    """
+    bend = compliance.logarithmic * (1.0 + jnp.log(preload / compliance.reference))
+    even = jnp.asarray(compliance.secant - bend)
+    if compliance.crowns is None:
+        return even
+    return even + crown_interference(crowns=compliance.crowns, preload=preload)[1]
+
+
+def _as_logarithm(compliance: RestCompliance) -> RestCompliance:
+    """The crowns by their value and slope at the reference preload, as one more share of the logarithm."""
+    if compliance.crowns is None:
+        return compliance
+    added, slope = crown_interference(crowns=compliance.crowns, preload=compliance.reference)
+    secant = added / compliance.reference
+    return RestCompliance(
+        compliance.secant + secant, compliance.logarithmic + (secant - slope), compliance.reference
+    )
 
 
 def preload_of_interference(*, compliance: RestCompliance, interference: Real) -> Array:
@@ -134,10 +230,15 @@ def preload_of_interference(*, compliance: RestCompliance, interference: Real) -
         Normal force N_0 between sun and planet at rest [N]; 0 without interference: the contacts do not touch. nan
         where contacts would be as wide as their bodies.
 
+    Notes
+    -----
+    With crowns this is one step of Newton's method from the reference preload, in logarithms.
+
     References
     ----------
     Equation (I1) of :doc:`/equations`.
     """
+    compliance = _as_logarithm(compliance)
     touches = jnp.asarray(interference) > 0.0
     scale = compliance.secant * compliance.reference
     target = jnp.log(jnp.where(touches, interference, scale) / scale)

@@ -13,7 +13,7 @@ from jax import Array
 
 from asperity.drive.assembly import Assembly
 from asperity.drive.geometry import DriveGeometry
-from asperity.drive.interference import RestCompliance, interference
+from asperity.drive.interference import RestCompliance, incremental_interference, interference
 from asperity.drive.mechanism import RestState
 from asperity.drive.torsional_stiffness import TorsionalStiffness
 from asperity.types import Real
@@ -108,8 +108,7 @@ def cam_compliance(
     r"""Derivative of :func:`cam_angle` by the torque.
 
     .. math::
-        \frac{d\varphi_c}{dT} = n\,c^2\,\frac{N_{wro} + N_{wlo}}{N_0}\,\frac{d\delta}{dN_0}, \qquad
-        \frac{d\delta}{dN_0} = s - t - t \ln\frac{N_0}{N_{ref}}
+        \frac{d\varphi_c}{dT} = n\,c^2\,\frac{N_{wro} + N_{wlo}}{N_0}\,\frac{d\delta}{dN_0}
 
     Parameters
     ----------
@@ -134,8 +133,8 @@ def cam_compliance(
     Equation (I3) of :doc:`/equations`.
     """
     lever = _ring_force_per_torque(geometry, rest, preload, force_per_torque)
-    bend = compliance.logarithmic * (1.0 + jnp.log(preload / compliance.reference))
-    return jnp.asarray(lever * force_per_torque * (compliance.secant - bend))
+    softness = incremental_interference(compliance=compliance, preload=preload)
+    return jnp.asarray(lever * force_per_torque * softness)
 
 
 def with_cam(*, assembly: Assembly, compliance: Real) -> Assembly:

@@ -10,6 +10,7 @@ import jax
 import jax.numpy as jnp
 from jax import Array
 
+from asperity.contact.crowned_line import CrownedLines, crown_compliance, crown_compression
 from asperity.drive.geometry import DriveGeometry, Triangle
 from asperity.types import Real
 
@@ -67,19 +68,66 @@ def opposed(*, bearings: Bearings, sense_of_rotation: Real) -> Bearings:
     )
 
 
+class CrownedSprings(eqx.Module):
+    """What crowns add to the normal springs of the contacts around their preload; arrays of one shape.
+
+    Parameters
+    ----------
+    lines : CrownedLines
+        The contacts.
+    rest_compression : Array
+        Approach that the crowns add at rest, shape (5, ...) [m].
+    steepest_compliance : Array
+        Compliance that they add to a contact about to lift off, shape (5, ...) [m/N].
+    """
+
+    lines: CrownedLines
+    rest_compression: Array
+    steepest_compliance: Array
+
+
+def crowned_springs(*, lines: CrownedLines, rest_force: Array) -> CrownedSprings:
+    """What crowns add to the normal springs of contacts.
+
+    Parameters
+    ----------
+    lines : CrownedLines
+        The contacts.
+    rest_force : Array
+        Normal forces at rest, shape (5, ...) [N].
+
+    Returns
+    -------
+    CrownedSprings
+        Around these forces.
+
+    References
+    ----------
+    Equation (B12) of :doc:`/equations`.
+    """
+    return CrownedSprings(
+        lines=lines,
+        rest_compression=crown_compression(normal_force=rest_force, **vars(lines)),
+        steepest_compliance=crown_compliance(normal_force=_SMALL_LOAD * rest_force, **vars(lines)),
+    )
+
+
 class NormalSprings(eqx.Module):
     r"""Compression of the five contacts around their preload, exact for every logarithmic line-contact law.
 
-    .. math:: \delta(N) = N \left[s_0 - (s_0 - t_0) \ln (N/N_0)\right]
+    .. math:: \delta(N) = N \left[s_0 - (s_0 - t_0) \ln (N/N_0)\right] + \Delta\delta(N)
 
     Parameters
     ----------
     secant_compliance, incremental_compliance : Array
-        s_0 = delta/N and t_0 = d delta/dN at the preload N_0, shape (5, ...) [m/N].
+        s_0 = delta/N and t_0 = d delta/dN of the even contacts at the preload N_0, shape (5, ...) [m/N].
+    crowns : CrownedSprings or None
+        Crowned contacts, whose rollers approach by :math:`\Delta\delta` more; None where none is crowned.
     """
 
     secant_compliance: Array
     incremental_compliance: Array
+    crowns: CrownedSprings | None = None
 
 
 def compression(*, springs: NormalSprings, normal_force: Real, rest_force: Real) -> Real:
@@ -105,9 +153,19 @@ def compression(*, springs: NormalSprings, normal_force: Real, rest_force: Real)
     The Johnson and the Weber–Banaschek compressions, :mod:`asperity.contact.hertz_line`, are both of this form.
     """
     secant = springs.secant_compliance
-    return rest_force * _compression_shape(
+    even = rest_force * _compression_shape(
         normal_force * (1.0 / rest_force), secant, secant - springs.incremental_compliance
     )
+    if springs.crowns is None:
+        return even
+    return even + _crown(springs.crowns, normal_force, rest_force)
+
+
+def _crown(crowns: CrownedSprings, normal_force: Real, rest_force: Real) -> Array:
+    """Approach by the crowns beyond that at rest, with a tangent below the smallest load."""
+    pressed = jnp.maximum(normal_force, _SMALL_LOAD * rest_force)
+    at_load = crown_compression(normal_force=pressed, **vars(crowns.lines))
+    return at_load - crowns.rest_compression + (normal_force - pressed) * crowns.steepest_compliance
 
 
 def steepest_compliance(springs: NormalSprings) -> Real:
@@ -121,10 +179,14 @@ def steepest_compliance(springs: NormalSprings) -> Real:
     Returns
     -------
     Real
-        :math:`t_0 - (s_0 - t_0) \ln 10^{-6}` [m/N], the tangent with which :func:`compression` is continued.
+        :math:`t_0 - (s_0 - t_0) \ln 10^{-6}` [m/N], the tangent with which :func:`compression` is continued; plus
+        that of the crowns.
     """
     bend = springs.secant_compliance - springs.incremental_compliance
-    return springs.incremental_compliance - bend * math.log(_SMALL_LOAD)
+    steepest = springs.incremental_compliance - bend * math.log(_SMALL_LOAD)
+    if springs.crowns is None:
+        return steepest
+    return steepest + springs.crowns.steepest_compliance
 
 
 @jax.custom_jvp

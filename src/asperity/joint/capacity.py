@@ -92,7 +92,7 @@ def torque_capacity(joint: Joint, *, direction: Real) -> TorqueCapacity:
     def compliance(half_width: Real) -> Array:
         return jnp.asarray(bulk_springs(contacts=contacts, half_width=half_width).incremental_compliance)
 
-    at_rest = compliance(contacts.pairs.half_width(rest))
+    at_rest = compliance(contacts.largest_half_width(rest))
     pins = pin_lock(geometry=joint.geometry, bearings=joint.bearings)
 
     def excesses(torque: Array) -> Array:
@@ -106,7 +106,7 @@ def torque_capacity(joint: Joint, *, direction: Real) -> TorqueCapacity:
             tangential_force=forces.tangential,
             friction_coefficient=friction,
         )
-        width = contacts.pairs.half_width(normal)
+        width = contacts.largest_half_width(normal)
         too_wide = jnp.where(touching, jnp.maximum(width / bodies - 1.0, -compliance(width) / at_rest), -1.0)
         solved = (forces.balance_residual < BALANCE_TOLERANCE) & (forces.closure_residual < BALANCE_TOLERANCE)
         locked = jnp.where(pins.locks | pins.too_thick, 1.0, -1.0)

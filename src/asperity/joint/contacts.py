@@ -8,6 +8,7 @@ import equinox as eqx
 import jax.numpy as jnp
 from jax import Array
 
+from asperity.contact.crowned_line import CrownedLine
 from asperity.contact.fractal import FractalContact
 from asperity.contact.hertz_line import (
     logarithmic_compliance,
@@ -18,7 +19,16 @@ from asperity.contact.interface import Interface, bulk_tangential_stiffness
 from asperity.contact.population import ContactFactorModel
 from asperity.contact.roller_pairs import RollerPairs, contact_factors, roller_pairs, rough_contacts
 from asperity.drive.geometry import CONTACT_BODIES, contact_radii
-from asperity.drive.mechanism import NormalSprings
+from asperity.drive.mechanism import NormalSprings, crowned_springs
+from asperity.joint.crowned_contacts import (
+    CrownCompliance,
+    crown_compliances,
+    crown_curvatures,
+    crowned_lines,
+    loads_along,
+    rough_slices,
+    whole_contact,
+)
 from asperity.joint.description import ClosureSprings, Joint, per_contact
 from asperity.materials import Material, pair
 from asperity.types import Real
@@ -37,6 +47,8 @@ class JointContacts(eqx.Module):
         Wall of the ring, the driven body of the internal contacts [m].
     contact_factor_model : {"printed", "hertz_area", "unity"}
         Model of lambda.
+    crown_curvature : Array or None
+        Curvatures of the crowns, shape (contacts, ...) [1/m]; None where no roller is crowned.
     """
 
     pairs: RollerPairs
@@ -44,6 +56,40 @@ class JointContacts(eqx.Module):
     driven: Material
     ring_wall_thickness: Real
     contact_factor_model: ContactFactorModel = eqx.field(static=True)
+    crown_curvature: Array | None = None
+
+    def loads_along(self, normal_force: Array) -> CrownedLine | None:
+        """How the loads spread over the lines of crowned contacts; None where they are even.
+
+        Parameters
+        ----------
+        normal_force : Array
+            Normal forces, shape (contacts, ...) [N].
+
+        Returns
+        -------
+        CrownedLine or None
+            Slices first; for one newton where a contact is open.
+        """
+        if self.crown_curvature is None:
+            return None
+        return loads_along(pairs=self.pairs, crown_curvature=self.crown_curvature, normal_force=normal_force)
+
+    def largest_half_width(self, normal_force: Array) -> Array:
+        """Half-widths where the contacts are widest, for one newton where they are open.
+
+        Parameters
+        ----------
+        normal_force : Array
+            Normal forces, shape (contacts, ...) [N].
+
+        Returns
+        -------
+        Array
+            Shape (contacts, ...) [m].
+        """
+        lines = self.loads_along(normal_force)
+        return jnp.asarray(self.pairs.half_width(normal_force)) if lines is None else lines.half_width[0]
 
 
 class LoadedContacts(NamedTuple):
@@ -52,19 +98,25 @@ class LoadedContacts(NamedTuple):
     Parameters
     ----------
     half_width : Array
-        Half-width of the Hertzian strips [m]; 0 where a contact is open.
+        Half-width of the Hertzian strips under even loads [m]; 0 where a contact is open.
     traction : Array
         T/(mu N) [-]; 1 where a contact is open or slips.
     rough : FractalContact
         Spots and stiffnesses of the rough surfaces.
     interfaces : Interface
         Stiffnesses of asperities and of bulk [N/m]; all 0 where a contact is open.
+    lines : CrownedLine or None
+        Loads along crowned contacts, for one newton where they are open; None where the loads are even.
+    crown : CrownCompliance or None
+        What the crowns add to the bodies, contained in the interfaces.
     """
 
     half_width: Array
     traction: Array
     rough: FractalContact
     interfaces: Interface
+    lines: CrownedLine | None = None
+    crown: CrownCompliance | None = None
 
 
 def joint_contacts(joint: Joint) -> JointContacts:
@@ -101,6 +153,7 @@ def joint_contacts(joint: Joint) -> JointContacts:
         driven=driven,
         ring_wall_thickness=joint.ring_wall_thickness,
         contact_factor_model=joint.contact_factor_model,
+        crown_curvature=None if joint.crowns is None else crown_curvatures(joint.crowns),
     )
 
 
@@ -180,6 +233,10 @@ def closure_springs(*, contacts: JointContacts, rest_force: Array, model: Closur
         asked for and every spot is plastic at rest.
     """
     bulk = bulk_springs(contacts=contacts, half_width=contacts.pairs.half_width(rest_force))
+    if contacts.crown_curvature is not None:
+        lines = crowned_lines(pairs=contacts.pairs, crown_curvature=contacts.crown_curvature)
+        crowns = crowned_springs(lines=lines, rest_force=rest_force)
+        bulk = NormalSprings(bulk.secant_compliance, bulk.incremental_compliance, crowns)
     if model == "bulk":
         return bulk
     asperities = (
@@ -191,11 +248,16 @@ def closure_springs(*, contacts: JointContacts, rest_force: Array, model: Closur
     return NormalSprings(
         secant_compliance=bulk.secant_compliance + asperities,
         incremental_compliance=bulk.incremental_compliance + asperities,
+        crowns=bulk.crowns,
     )
 
 
 def rough_joint_contacts(
-    *, contacts: JointContacts, normal_force: Array, tangential_force: Array
+    *,
+    contacts: JointContacts,
+    normal_force: Array,
+    tangential_force: Array,
+    lines: CrownedLine | None = None,
 ) -> FractalContact:
     """The fractal contact law at the contacts of a joint.
 
@@ -205,12 +267,17 @@ def rough_joint_contacts(
         The contacts.
     normal_force, tangential_force : Array
         Forces, shape (contacts, ...) [N].
+    lines : CrownedLine, optional
+        Loads along crowned contacts, where they are known already.
 
     Returns
     -------
     FractalContact
         Spots and stiffnesses, shape (contacts, ...).
     """
+    lines = contacts.loads_along(normal_force) if lines is None else lines
+    if lines is not None:
+        return _rough_crowned(contacts, lines, normal_force, tangential_force)
     factor = contact_factors(
         pairs=contacts.pairs, model=contacts.contact_factor_model, normal_force=normal_force
     )
@@ -220,6 +287,19 @@ def rough_joint_contacts(
         normal_force=normal_force,
         tangential_force=tangential_force,
     )
+
+
+def _rough_crowned(
+    contacts: JointContacts, lines: CrownedLine, normal_force: Array, tangential_force: Array
+) -> FractalContact:
+    slices = rough_slices(
+        pairs=contacts.pairs,
+        model=contacts.contact_factor_model,
+        lines=lines,
+        normal_force=normal_force,
+        tangential_force=tangential_force,
+    )
+    return whole_contact(slices=slices, lines=lines)
 
 
 def loaded_contacts(
@@ -242,11 +322,32 @@ def loaded_contacts(
     touching = normal_force > 0.0
     width = contacts.pairs.half_width(normal_force)
     springs = bulk_springs(contacts=contacts, half_width=width)
+    lines = contacts.loads_along(normal_force)
     rough = rough_joint_contacts(
-        contacts=contacts, normal_force=normal_force, tangential_force=tangential_force
+        contacts=contacts, normal_force=normal_force, tangential_force=tangential_force, lines=lines
     )
+    crown: CrownCompliance | None = None
     friction = contacts.pairs.friction_coefficient * jnp.where(touching, normal_force, 1.0)
     traction = jnp.where(touching, jnp.abs(tangential_force) / friction, 1.0)
+    bulk_normal = jnp.where(touching, 1.0 / springs.incremental_compliance, 0.0)
+    bulk_tangential = bulk_tangential_stiffness(
+        normal_compliance=springs.incremental_compliance,
+        logarithmic_compliance=springs.secant_compliance - springs.incremental_compliance,
+        normal_force=normal_force,
+        tangential_force=jnp.abs(tangential_force),
+        friction_coefficient=contacts.pairs.friction_coefficient,
+    )
+    if contacts.crown_curvature is not None:
+        crown = crown_compliances(
+            pairs=contacts.pairs,
+            crown_curvature=contacts.crown_curvature,
+            driving=contacts.driving,
+            driven=contacts.driven,
+            normal_force=normal_force,
+            tangential_force=tangential_force,
+        )
+        bulk_normal = bulk_normal / (1.0 + bulk_normal * crown.normal)
+        bulk_tangential = bulk_tangential / (1.0 + bulk_tangential * crown.tangential)
     return LoadedContacts(
         half_width=jnp.where(touching, width, 0.0),
         traction=jnp.where(traction < 1.0, traction, 1.0),
@@ -254,13 +355,9 @@ def loaded_contacts(
         interfaces=Interface(
             asperity_normal=rough.normal_stiffness,
             asperity_tangential=rough.tangential_stiffness,
-            bulk_normal=jnp.where(touching, 1.0 / springs.incremental_compliance, 0.0),
-            bulk_tangential=bulk_tangential_stiffness(
-                normal_compliance=springs.incremental_compliance,
-                logarithmic_compliance=springs.secant_compliance - springs.incremental_compliance,
-                normal_force=normal_force,
-                tangential_force=jnp.abs(tangential_force),
-                friction_coefficient=contacts.pairs.friction_coefficient,
-            ),
+            bulk_normal=bulk_normal,
+            bulk_tangential=bulk_tangential,
         ),
+        lines=lines,
+        crown=crown,
     )

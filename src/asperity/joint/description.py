@@ -88,6 +88,21 @@ class PinBeam(eqx.Module):
     support: PinSupport = eqx.field(static=True)
 
 
+class Crowns(eqx.Module):
+    """Curvature of the crowns of the rollers along their axes, :math:`1/R_c`; 0 for a cylinder.
+
+    Parameters
+    ----------
+    sun, planet, loading_roller, ring : Real
+        Curvatures [1/m]; each crown is highest in the middle of the roller's contact lines.
+    """
+
+    sun: Real
+    planet: Real
+    loading_roller: Real
+    ring: Real
+
+
 class Joint(eqx.Module):
     """A planetary traction drive under load: everything that decides its stiffness. SI units.
 
@@ -141,6 +156,8 @@ class Joint(eqx.Module):
         ``ring_housing_stiffness`` of the structure. None: not stated, and taken as a rigid housing.
     planet_bore, loading_roller_bore : Real or None, optional
         Diameter of the bore of hollow rollers [m]; None for solid ones.
+    crowns : Crowns or None, optional
+        Crowns of the rollers; None where all are cylinders, whose contacts are loaded evenly.
     rolling : RollingConditions, optional
         Skew, losses, reliability and duty of the joint that turns; by default
         :data:`asperity.joint.rolling_conditions.PLAIN_ROLLING`.
@@ -177,6 +194,7 @@ class Joint(eqx.Module):
     ring_support: RingSupport | None = eqx.field(static=True, default=None)
     planet_bore: Real | None = None
     loading_roller_bore: Real | None = None
+    crowns: Crowns | None = None
     rolling: RollingConditions = PLAIN_ROLLING
     fit: Fit | None = None
     pin: PinBeam | None = None

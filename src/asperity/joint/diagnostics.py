@@ -6,6 +6,7 @@ import equinox as eqx
 import jax.numpy as jnp
 from jax import Array
 
+from asperity.contact.crowned_line import CrownedLine
 from asperity.contact.hertz_line import first_yield_pressure, peak_pressure
 from asperity.contact.roller_pairs import RollerPairs
 from asperity.drive.capacity import slip_ratio as traction_used
@@ -37,7 +38,15 @@ class Diagnostics(eqx.Module):
     normal_force_over_preload : Real
         Normal force over its value at rest, shape (5, ...) [-]; 0 means lifted off, fine above 0.
     hertz_half_width, hertz_pressure : Real
-        Half-width b [m] and peak pressure p_0 [Pa] of the smooth contact, shape (5, ...).
+        Half-width b [m] and peak pressure p_0 [Pa] of the smooth contact where it is widest, shape (5, ...).
+    loaded_length_share : Real or None
+        Share of the contact length that is loaded, shape (5, ...) [-]; None where no roller is crowned.
+    peak_line_load_ratio, end_line_load_ratio : Real or None
+        Line load in the middle, and that at the ends, over the mean line load, shape (5, ...) [-].
+    loaded_length_over_width : Real or None
+        Loaded length over the largest width, shape (5, ...) [-].
+    slices_hold : Array or None
+        Whether the contact is long enough for the law of its slices, shape (5, ...).
     """
 
     slip_ratio: Real
@@ -50,6 +59,11 @@ class Diagnostics(eqx.Module):
     normal_force_over_preload: Real
     hertz_half_width: Real
     hertz_pressure: Real
+    loaded_length_share: Real | None = None
+    peak_line_load_ratio: Real | None = None
+    end_line_load_ratio: Real | None = None
+    loaded_length_over_width: Real | None = None
+    slices_hold: Array | None = None
 
 
 def self_locking_ratio(*, sides: Triangle, friction_coefficient: Real) -> Array:
@@ -112,11 +126,17 @@ def diagnose(
     touching = normal_force > 0.0
     width = jnp.where(touching, loaded.half_width, 1.0)  # an open contact has no load either
     length, friction_coefficient = pairs.contact_length, pairs.friction_coefficient
-    pressure = peak_pressure(
-        normal_force=jnp.where(touching, normal_force, 0.0), contact_length=length, half_width=width
-    )
-    compared = (interfaces.bulk_tangential > 0.0) & (interfaces.asperity_normal > 0.0)
+    load = jnp.where(touching, normal_force, 0.0)
+    along: dict[str, Array] = {}
     strip = 2.0 * width * length
+    if loaded.lines is not None:
+        along = _along_the_line(loaded.lines, pairs, normal_force)
+        share = loaded.lines.length_share
+        strip = 2.0 * length * jnp.sum(share * loaded.lines.half_width, axis=0)
+        width = jnp.where(touching, loaded.lines.half_width[0], 1.0)
+        load = jnp.where(touching, loaded.lines.line_load[0] * length, 0.0)
+    pressure = peak_pressure(normal_force=load, contact_length=length, half_width=width)
+    compared = (interfaces.bulk_tangential > 0.0) & (interfaces.asperity_normal > 0.0)
     largest = jnp.where(touching, contacts.largest_area, 1.0)
     return Diagnostics(
         slip_ratio=traction_used(
@@ -126,7 +146,7 @@ def diagnose(
         ),
         self_locking_ratio=self_locking_ratio,
         real_area_over_hertz_area=contacts.real_contact_area / strip,
-        largest_spot_over_hertz_area=contacts.largest_area / strip,
+        largest_spot_over_hertz_area=contacts.largest_area / (2.0 * width * length),
         critical_over_largest_spot=jnp.where(touching, contacts.critical_area / largest, jnp.inf),
         pressure_over_first_yield=pressure / first_yield_pressure(yield_strength=pairs.moduli.yield_strength),
         asperity_over_bulk_stiffness=jnp.where(
@@ -135,6 +155,22 @@ def diagnose(
             jnp.nan,
         ),
         normal_force_over_preload=normal_force / rest_force,
-        hertz_half_width=loaded.half_width,
+        hertz_half_width=loaded.half_width if loaded.lines is None else jnp.where(touching, width, 0.0),
         hertz_pressure=pressure,
+        **along,
     )
+
+
+def _along_the_line(lines: CrownedLine, pairs: RollerPairs, normal_force: Array) -> dict[str, Array]:
+    """How the loads of crowned contacts spread; nan where a contact is open."""
+    touching = normal_force > 0.0
+    mean = jnp.where(touching, normal_force, 1.0) / pairs.contact_length
+    length = lines.loaded_share * pairs.contact_length
+    found = {
+        "loaded_length_share": lines.loaded_share,
+        "peak_line_load_ratio": lines.line_load[0] / mean,
+        "end_line_load_ratio": lines.end_line_load / mean,
+        "loaded_length_over_width": 0.5 * length / lines.half_width[0],
+    }
+    shaped = {name: jnp.where(touching, value, jnp.nan) for name, value in found.items()}
+    return shaped | {"slices_hold": lines.solved | ~touching}

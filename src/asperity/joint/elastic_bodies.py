@@ -302,6 +302,8 @@ def springs_of_compliance(*, compliance: Array, half_width: Array, loaded: Loade
         ]
     )
     own = jnp.einsum("ii...->i...", compliance)
+    if loaded.crown is not None:
+        own = own + jnp.concatenate(jnp.broadcast_arrays(*loaded.crown))
     stiffness = jnp.where(acts, 1.0 / (own + 1.0 / jnp.where(acts, asperities, 1.0)), 0.0)
     others = 1.0 - jnp.eye(acts.shape[0]).reshape((acts.shape[0],) * 2 + (1,) * (acts.ndim - 1))
     coupling = jnp.where(acts[:, None] & acts[None], others * compliance, 0.0)

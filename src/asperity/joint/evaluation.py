@@ -83,7 +83,8 @@ class JointResult(eqx.Module):
         Whether every loaded contact has an elastic spot. Where all are plastic the contact law has no stiffness, which
         is wrong: the three levels are then nan.
     walls_hold : Array
-        Whether ring and hollow rollers have walls for which their exact compliance is known.
+        Whether ring and hollow rollers have walls for which their exact compliance is known, and crowned contacts are
+        long enough for the law of their slices.
     solved : Array
         True where the balance closed to :data:`BALANCE_TOLERANCE`.
     """
@@ -315,6 +316,8 @@ def evaluate(joint: Joint) -> JointResult:
         assembly = with_cam(assembly=assembly, compliance=cam_compliance(**cam))
     law_holds = jnp.all((loaded.rough.normal_stiffness > 0.0) | (forces.normal <= 0.0), axis=0)
     walls = walls_hold(joint, loaded.half_width)
+    if loaded.lines is not None:
+        walls = walls & jnp.all(loaded.lines.solved | (forces.normal <= 0.0), axis=0)
     published, series = jax.tree.map(lambda value: jnp.where(law_holds, value, jnp.nan), (published, series))
     assembly = jax.tree.map(lambda value: jnp.where(law_holds & walls, value, jnp.nan), assembly)
     return JointResult(

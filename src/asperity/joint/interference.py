@@ -12,11 +12,13 @@ from jax import Array
 from asperity.body.coupling import coupled_compliance
 from asperity.body.shapes import PlaneState, kolosov_constant
 from asperity.compilation import compile_fast
+from asperity.contact.crowned_line import CrownedLines
 from asperity.contact.hertz_line import logarithmic_compliance
 from asperity.drive.geometry import triangle
 from asperity.drive.interference import RestCompliance, preload_of_interference, rest_compliance
 from asperity.drive.mechanism import RestState, rest_state
 from asperity.joint.contacts import JointContacts, bulk_springs, joint_contacts
+from asperity.joint.crowned_contacts import crowned_lines
 from asperity.joint.description import BodyModel, Joint, with_one_rank
 from asperity.joint.elastic_bodies import AssemblySprings, machine_bodies
 from asperity.materials import Material
@@ -57,6 +59,12 @@ def logarithmic_decrease(*, contacts: JointContacts, body_model: BodyModel, plan
         return strain * (stress / plane)
 
     return jnp.asarray(of_body(contacts.driving) + of_body(contacts.driven))
+
+
+def _crowned(contacts: JointContacts) -> CrownedLines | None:
+    if contacts.crown_curvature is None:
+        return None
+    return crowned_lines(pairs=contacts.pairs, crown_curvature=contacts.crown_curvature)
 
 
 def joint_rest_compliance(
@@ -111,6 +119,7 @@ def joint_rest_compliance(
         logarithmic_compliance=bend,
         ring_compliance=1.0 / jnp.asarray(structure.ring_bending_stiffness),
         pin_compliance=1.0 / jnp.asarray(structure.pin_stiffness),
+        crowns=_crowned(contacts),
     )
 
 
@@ -144,14 +153,28 @@ def joint_preload(joint: Joint, interference: Real) -> Array:
     return jnp.asarray(compile_fast(_joint_preload, *numbers)(*numbers))
 
 
+#: How often the compliance is taken anew where crowns make it depend on the preload otherwise than by a logarithm.
+_CROWNED_PASSES = 4
+
+
+def _passes(joint: Joint) -> tuple[BodyModel, ...]:
+    """Bodies with which the preload is found, one pass from each preload to a better one."""
+    first: tuple[BodyModel, ...] = ("springs", "exact") if joint.body_model == "exact" else ("springs",)
+    if joint.crowns is None:
+        return first
+    again: tuple[BodyModel, ...] = ("springs",)
+    return again * _CROWNED_PASSES + first + first[1:]
+
+
 def _joint_preload(joint: Joint, interference: Real) -> Array:
     # a force of the right order, at which the logarithm of the half-widths is taken first
     length = jnp.where(jnp.asarray(interference) > 0.0, interference, 1e-6)
     first = 0.1 * joint.bodies.planet.youngs_modulus * joint.contact_lengths[0] * length
     shape = jnp.broadcast_shapes(*(jnp.shape(leaf) for leaf in jax.tree.leaves((joint, length))))
     found = jnp.broadcast_to(first, shape)
-    for model in ("springs", joint.body_model) if joint.body_model == "exact" else ("springs",):
-        there = with_one_rank(dataclasses.replace(joint, preload=found))
+    for model in _passes(joint):
+        reference = found if joint.crowns is None else jnp.where(found > 0.0, found, first)
+        there = with_one_rank(dataclasses.replace(joint, preload=reference))
         contacts, sides = joint_contacts(there), triangle(there.geometry)
         rest = rest_state(geometry=there.geometry, sides=sides, preload=there.preload)
         springs = AssemblySprings(rest.normal_force, rest.normal_force, None)

@@ -31,6 +31,8 @@ RING_BENDING_LIMIT = 0.05
 FRICTION_LIMIT = 0.3
 #: Contact length over the smaller roller's diameter above which a roller skews rather than bears evenly [-].
 SLENDERNESS_LIMIT = 3.0
+#: Width over loaded length of a crowned contact above which its slices err by more than 2 % in the peak pressure [-].
+WIDTH_OVER_LENGTH_LIMIT = 0.25
 #: Oil film over roughness above which the film carries a part of the load [-].
 FILM_RATIO_LIMIT = 1.0
 #: The paper's pairs of rollers, Tables 1 and 2: effective radius and contact length [m].
@@ -78,6 +80,8 @@ class CheckedSizes(eqx.Module):
     ----------
     contact_length, friction_coefficient, smaller_radius, effective_radius : Array
         Of the contacts, shape (5,) [m], [-], [m], [m].
+    crown_curvature : Array or None
+        Of the contacts, shape (5,) [1/m]; None where no roller is crowned.
     ring_bending_stiffness : Array
         Of a ring that carries itself, under each loading roller, by thin-ring theory [N/m].
     bent_stiffness : Array
@@ -91,6 +95,7 @@ class CheckedSizes(eqx.Module):
     effective_radius: Array
     ring_bending_stiffness: Array
     bent_stiffness: Array
+    crown_curvature: Array | None = None
 
 
 def checked_sizes(joint: Joint, result: JointResult) -> CheckedSizes:
@@ -128,6 +133,7 @@ def checked_sizes(joint: Joint, result: JointResult) -> CheckedSizes:
         effective_radius=jnp.broadcast_to(pairs.effective_radius, shape),
         ring_bending_stiffness=jnp.asarray(spring),
         bent_stiffness=_bent_stiffness(joint, contacts, result, spring),
+        crown_curvature=contacts.crown_curvature,
     )
 
 
@@ -193,6 +199,7 @@ def plausibility(joint: Joint, result: JointResult, sizes: CheckedSizes) -> tupl
             film_ratio=float(films[index]),
             contact_factor_model=joint.contact_factor_model,
         )
+        notes += _crown(result, sizes, index)
     return tuple(notes)
 
 
@@ -271,6 +278,48 @@ def contact_notes(
     if contact_factor_model != "unity":
         notes.append(_size(contact_factor_model, name, effective_radius, contact_length))
     return notes
+
+
+def _crown(result: JointResult, sizes: CheckedSizes, index: int) -> list[Note]:
+    """Whether a crowned contact is long enough for its slices, and whether its ends are free."""
+    if sizes.crown_curvature is None:
+        return []
+    found = result.diagnostics
+    name, ratio = CONTACT_NAMES[index], float(np.asarray(found.loaded_length_over_width)[index])
+    if not float(np.asarray(sizes.crown_curvature)[index]) > 0.0 or math.isnan(ratio):
+        return []
+    share, end, peak = (
+        float(np.asarray(getattr(found, each))[index])
+        for each in ("loaded_length_share", "end_line_load_ratio", "peak_line_load_ratio")
+    )
+    return [
+        _note(
+            "contact_width_over_length",
+            "contact width over loaded length",
+            name,
+            1.0 / ratio,
+            WIDTH_OVER_LENGTH_LIMIT,
+            (
+                "the contact is long enough for its slices: the peak pressure is within 2 % of Hertz's",
+                "the contact is short for its slices: the peak pressure is 2 to 3 % too high, the creep up to 11 %"
+                " too high",
+            ),
+            "choose a larger crown radius",
+        ),
+        _note(
+            "crowned_end_load",
+            "line load at the ends over mean line load",
+            name,
+            end,
+            0.0,
+            (
+                f"the ends are free: {100.0 * share:.3g} % of the contact length is loaded, with {peak:.3g} times the "
+                "mean line load in the middle",
+                "the load reaches the ends of the rollers: their edges raise the stress there, which is not computed",
+            ),
+            "choose a smaller crown radius or a shorter contact line, or relieve and round the ends",
+        ),
+    ]
 
 
 def _note(

@@ -249,6 +249,32 @@ def refuse_thin_walls(result: JointResult) -> None:
         )
 
 
+def refuse_short_contacts(result: JointResult) -> None:
+    """Refuse crowned contacts that are too short for their width.
+
+    Parameters
+    ----------
+    result : JointResult
+        The result of one joint.
+
+    Raises
+    ------
+    InputError
+        With the contact, its length and its width.
+    """
+    holds = result.diagnostics.slices_hold
+    if holds is None or np.all(np.asarray(holds)):
+        return
+    first = int(np.argmin(np.asarray(holds)))
+    width = 2.0 * float(np.asarray(result.diagnostics.hertz_half_width)[first])
+    ratio = float(np.asarray(result.diagnostics.loaded_length_over_width)[first])
+    length, across = (format_quantity(each, "mm", 3) for each in (ratio * width, width))
+    raise InputError(
+        f"the crowned rollers touch at {CONTACT_NAMES[first]} over a length of {length} and a width of {across}: the "
+        "slices need a contact at least twice as long as wide; choose a larger crown radius"
+    )
+
+
 def refuse_locked_pins(joint: Joint) -> None:
     """Refuse pins that do not fit into their rollers, or hold them by friction.
 

@@ -12,9 +12,7 @@ import jax
 import jax.numpy as jnp
 from jax import Array
 
-from asperity.contact.hertz_line import peak_pressure
 from asperity.contact.rolling_fatigue import life_at_reliability
-from asperity.contact.shakedown import shakedown_limit, shear_yield_strength
 from asperity.contact.skew import axial_force, stick_fraction
 from asperity.drive.force_balance import DriveForces
 from asperity.drive.geometry import CONTACT_BODIES
@@ -26,8 +24,9 @@ from asperity.joint.contacts import JointContacts
 from asperity.joint.description import Joint
 from asperity.joint.rolling_conditions import RollingConditions
 from asperity.joint.rolling_creep import ContactCreep, contact_creep, lateral_slip_ratios
-from asperity.joint.rolling_life import DriveLives, cycle_rates, drive_lives, track_lives
+from asperity.joint.rolling_life import DriveLives, cycle_rates, drive_lives
 from asperity.joint.rolling_power import RollingPower, bearing_power, rolling_power
+from asperity.joint.rolling_strips import rolling_strips
 from asperity.joint.rolling_surface import flash_temperatures, oil_film
 from asperity.materials import Material
 from asperity.types import Real
@@ -96,6 +95,8 @@ class RollingResult(eqx.Module):
         duty.
     residual : Array
         Residual of the rolling state, :data:`asperity.drive.rolling_state.ROLLING_TOLERANCE` at most [-].
+    crown_creepage_factor : Array or None
+        By how much the crowns change the creepage of smooth rollers, shape (5, ...) [-]; None where none is crowned.
     """
 
     normal: Array
@@ -129,6 +130,7 @@ class RollingResult(eqx.Module):
     duty_damage_shares: Array
     duty_load_hours: Array
     residual: Array
+    crown_creepage_factor: Array | None = None
 
 
 def _in_one_shape(forces: DriveForces, others: Any) -> DriveForces:
@@ -267,14 +269,13 @@ def turning_result(
     solved = state.residual < ROLLING_TOLERANCE
     normal = jnp.where(state.normal > 0.0, state.normal, 1.0)
     friction = pairs.friction_coefficient
-    width = jnp.asarray(pairs.half_width(normal))
-    pressure = peak_pressure(normal_force=normal, contact_length=pairs.contact_length, half_width=width)
     traction = state.tangential / normal
+    strips = rolling_strips(contacts=contacts, normal_force=normal, traction=traction)
     speeds = jax.tree.map(lambda speed: speed * input_speed, unit_speeds)
     lateral = lateral_slip_ratios(
         creep=creep,
         friction_coefficient=friction,
-        width_over_radius=width / pairs.effective_radius,
+        width_over_radius=strips.even_half_width / pairs.effective_radius,
         creepage=state.creepage,
     )
     axial = jnp.asarray(
@@ -282,13 +283,12 @@ def turning_result(
     )
     turns = jnp.asarray(input_speed) > 0.0
     drift = 2.0 * jnp.pi * state.speed_loss / (1.0 - state.speed_loss)
-    tracks = track_lives(pairs=pairs, half_width=width, peak_pressure=pressure)
     per_turn = cycle_rates(bodies=bodies, speeds=unit_speeds, planet_count=branches) * (
         2.0 * jnp.pi / unit_speeds.carrier
     )
     lives = drive_lives(
         bodies=bodies,
-        tracks=life_at_reliability(life=tracks, reliability=conditions.reliability) / per_turn,
+        tracks=life_at_reliability(life=strips.tracks, reliability=conditions.reliability) / per_turn,
         planet_count=branches,
     )
     turns_an_hour = 3600.0 * speeds.carrier / (2.0 * jnp.pi)
@@ -297,18 +297,31 @@ def turning_result(
         pairs=pairs,
         conditions=conditions,
         state=state,
-        half_width=width,
+        half_width=strips.mean_half_width,
         speeds=speeds,
         axial_force=axial,
         lateral_creepage=creep.skew,
         bearing_power=bearing_power,
         output_torque=output_torque,
+        lines=strips.lines,
     )
     stuck = jnp.asarray(
         stick_fraction(longitudinal_slip_ratio=traction / friction, lateral_slip_ratio=lateral[0])
     )
+    flash_power = jnp.asarray((power.creep + power.skew) / (branches * pairs.contact_length))
+    flash_stuck = stuck
+    if strips.middle_power_ratio is not None:
+        flash_power = flash_power * strips.middle_power_ratio
+        flash_stuck = jnp.asarray(
+            stick_fraction(
+                longitudinal_slip_ratio=strips.middle_traction / friction, lateral_slip_ratio=lateral[0]
+            )
+        )
     film, film_over_roughness = oil_film(
-        conditions=conditions, pairs=pairs, normal_force=normal, rolling_speed=speeds.rolling
+        conditions=conditions,
+        pairs=pairs,
+        normal_force=strips.largest_load,
+        rolling_speed=speeds.rolling,
     )
     found = RollingResult(
         normal=state.normal,
@@ -330,20 +343,16 @@ def turning_result(
         power=_where(turns, power),
         flash_temperature=flash_temperatures(
             materials=materials,
-            friction_power=jnp.asarray((power.creep + power.skew) / (branches * pairs.contact_length)),
+            friction_power=flash_power,
             speeds=speeds,
-            half_width=width,
-            stick_fraction=stuck,
+            half_width=strips.largest_half_width,
+            stick_fraction=flash_stuck,
         ),
         film_thickness=film,
         film_ratio=film_over_roughness,
-        shakedown_ratio=pressure
-        / (
-            shear_yield_strength(yield_strength=pairs.moduli.yield_strength)
-            * shakedown_limit(friction_coefficient=jnp.abs(traction))
-        ),
+        shakedown_ratio=strips.shakedown_ratio,
         carrier_speed=speeds.carrier,
-        cycles=tracks,
+        cycles=strips.tracks,
         cycles_per_turn=per_turn,
         life_turns=lives,
         life_hours=_where(
@@ -354,6 +363,7 @@ def turning_result(
         duty_damage_shares=jnp.zeros((0, *state.speed_loss.shape)),
         duty_load_hours=jnp.zeros((0, *state.speed_loss.shape)),
         residual=state.residual,
+        crown_creepage_factor=creep.crown_factor,
     )
     shaped: RollingResult = jax.tree.map(lambda value: jnp.where(solved, value, jnp.nan), found)
     return shaped

@@ -16,8 +16,10 @@ from asperity.contact.skew import (
     skewed_contact,
     skewed_slip_ratios,
 )
+from asperity.contact.strip_theory import strip_creepage
 from asperity.drive.rolling_state import CreepLaw
 from asperity.joint.contacts import JointContacts
+from asperity.joint.crowned_contacts import rough_slices, slice_friction
 from asperity.joint.description import per_contact
 from asperity.types import Real
 
@@ -35,6 +37,8 @@ class ContactCreep(NamedTuple):
     layer_ratio, layer_factor, skew_factor : Array
         Compliance of the asperities over that of the bodies; factors of the asperities and of skew on Carter's
         creepage.
+    crown_factor : Array or None
+        Factor of the crowns on Carter's creepage; None where no roller is crowned.
     lateral_ratio : Array
         Creepage across over creepage along, both at gross slip.
     skew : Array
@@ -50,6 +54,7 @@ class ContactCreep(NamedTuple):
     lateral_ratio: Real
     skew: Array
     parallel: bool
+    crown_factor: Array | None = None
 
 
 def contact_creep(
@@ -88,11 +93,12 @@ def contact_creep(
     For the paper's joint the layer's factor then differs by at most 0.0002 at q = 0.39 (relative), 0.005 at 0.6, 0.03
     at 0.85 and 0.07 at 0.95: near gross slip the creepage is that much less certain. K_t is the tangential
     stiffness of the asperities without traction, :math:`4G^*/E^*` times their normal stiffness. Across the rolling
-    direction the same layer lies on bodies that are softer in the ratio of the creepages at gross slip.
+    direction the same layer lies on bodies that are softer in the ratio of the creepages at gross slip. The slices of
+    a crowned contact share one creepage; their widths give one more factor, and the layer's is then that on all.
 
     References
     ----------
-    Equations (A6), (B1) and (B3) of :doc:`/equations`; :mod:`asperity.contact.creep_layer`.
+    Equations (A6), (B1), (B3) and (B4) of :doc:`/equations`; :mod:`asperity.contact.creep_layer`.
     """
     pairs = contacts.pairs
     modulus = pairs.moduli.contact_modulus
@@ -117,6 +123,10 @@ def contact_creep(
         half_width=pairs.half_width(normal),
         effective_radius=pairs.effective_radius,
     )
+    crown: Array | None = None
+    if contacts.crown_curvature is not None:
+        crown, layer = _sliced(contacts, normal, q, smooth)
+        smooth = smooth * crown
     across, skew_factor = jnp.zeros_like(layer), jnp.ones_like(layer)
     ratio: Real = jnp.ones_like(layer)
     if skew is not None:
@@ -146,7 +156,43 @@ def contact_creep(
         ratio,
         across,
         skew is None,
+        crown,
     )
+
+
+def _sliced(
+    contacts: JointContacts, normal: Array, slip_ratio: Array, even_limit: Real
+) -> tuple[Array, Array]:
+    """Factors of the crowns and of the asperities on the creepage that all slices share."""
+    pairs = contacts.pairs
+    lines = contacts.loads_along(normal)
+    assert lines is not None
+    rough = rough_slices(
+        pairs=pairs,
+        model=contacts.contact_factor_model,
+        lines=lines,
+        normal_force=normal,
+        tangential_force=jnp.zeros_like(normal),
+    )
+    stiff = rough.normal_stiffness > 0.0
+    moduli = pairs.moduli
+    chi = layer_ratio(
+        contact_modulus=moduli.contact_modulus,
+        contact_length=pairs.contact_length,
+        tangential_stiffness=4.0
+        * moduli.tangential_contact_modulus
+        / moduli.contact_modulus
+        * jnp.where(stiff, rough.normal_stiffness, 1.0),
+    )
+    # slices so lightly loaded that every spot is plastic have no stiffness to count
+    factor = jnp.where(stiff, uniform_layer_creepage_factor(layer_ratio=chi, slip_ratio=slip_ratio), 1.0)
+    capacity, limits = slice_friction(pairs=pairs, lines=lines)
+    smooth, rough_creepage = (
+        strip_creepage(slip_ratio=slip_ratio, capacity=capacity, gross_slip_creepage=limit)
+        for limit in (limits, limits * factor)
+    )
+    even = carter.creepage(slip_ratio=slip_ratio, gross_slip_creepage=even_limit)
+    return jnp.asarray(smooth / even), jnp.asarray(rough_creepage / smooth)
 
 
 def lateral_slip_ratios(
@@ -175,6 +221,8 @@ def lateral_slip_ratios(
     if creep.parallel:
         return jnp.zeros_like(creepage), jnp.zeros_like(creepage)
     limit = jnp.broadcast_to(friction_coefficient * width_over_radius * creep.layer_factor, creepage.shape)
+    if creep.crown_factor is not None:
+        limit = limit * creep.crown_factor
     limits = {"gross_slip_creepage": limit, "lateral_gross_slip_creepage": limit * creep.lateral_ratio}
     _, lateral = skewed_slip_ratios(longitudinal_creepage=creepage, lateral_creepage=creep.skew, **limits)
     return lateral, 1.0 - longitudinal_capacity_ratio(lateral_creepage=creep.skew, **limits)

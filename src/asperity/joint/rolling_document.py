@@ -119,6 +119,9 @@ def _contact(found: RollingResult, k: int) -> Document:
         "stick_fraction": np.asarray(found.stick_fraction)[k],
         "layer_ratio": found.layer_ratio[k],
         "layer_creepage_factor": found.layer_creepage_factor[k],
+        "crown_creepage_factor": None
+        if found.crown_creepage_factor is None
+        else found.crown_creepage_factor[k],
         "skew_creepage_factor": found.skew_creepage_factor[k],
         "capacity_loss": found.capacity_loss[k],
         "axial_force_N": found.axial_force[k],

@@ -8,6 +8,7 @@ import equinox as eqx
 import jax.numpy as jnp
 from jax import Array
 
+from asperity.contact.crowned_line import CrownedLine
 from asperity.contact.roller_pairs import RollerPairs
 from asperity.contact.rolling_fatigue import BEARING_STEEL, WEIBULL_SLOPE, line_contact_life
 from asperity.drive.rolling_speeds import BodiesOfContacts, RollingSpeeds
@@ -63,6 +64,35 @@ def track_lives(*, pairs: RollerPairs, half_width: Real, peak_pressure: Real) ->
     # the volume alone differs between the two bodies
     driven = driving * (pairs.radius_1 / pairs.radius_2) ** (1.0 / WEIBULL_SLOPE)
     return jnp.stack(jnp.broadcast_arrays(driving, driven))
+
+
+def sliced_track_lives(*, pairs: RollerPairs, lines: CrownedLine, peak_pressure: Array) -> Array:
+    r"""The same of crowned contacts, each slice with its own pressure.
+
+    .. math:: L = \Bigl(\sum_j L_j^{-e}\Bigr)^{-1/e}
+
+    Parameters
+    ----------
+    pairs : RollerPairs
+        The contacts.
+    lines : CrownedLine
+        Loads along them.
+    peak_pressure : Array
+        Of the slices, shape (slices, 5, ...) [Pa].
+
+    Returns
+    -------
+    Array
+        Stress cycles, shape (2, 5, ...) [-].
+
+    References
+    ----------
+    Equations (B7) and (B8) of :doc:`/equations`: the stressed volumes of the slices add.
+    """
+    whole = track_lives(pairs=pairs, half_width=lines.half_width, peak_pressure=peak_pressure)
+    shortest = jnp.min(whole, axis=1)
+    rate = jnp.sum(lines.length_share * (whole / shortest[:, None]) ** -WEIBULL_SLOPE, axis=1)
+    return jnp.asarray(shortest * rate ** (-1.0 / WEIBULL_SLOPE))
 
 
 def cycle_rates(*, bodies: BodiesOfContacts, speeds: RollingSpeeds, planet_count: Real) -> Array:

@@ -6,6 +6,7 @@ import equinox as eqx
 import jax.numpy as jnp
 from jax import Array
 
+from asperity.contact.crowned_line import CrownedLine
 from asperity.contact.roller_pairs import RollerPairs
 from asperity.contact.rolling_losses import (
     creep_power,
@@ -102,6 +103,7 @@ def rolling_power(
     lateral_creepage: Array,
     bearing_power: Array,
     output_torque: Real,
+    lines: CrownedLine | None = None,
 ) -> RollingPower:
     r"""Losses by cause and contact, and the efficiency.
 
@@ -118,7 +120,7 @@ def rolling_power(
     state : RollingState or PlanarState
         Forces and creepages.
     half_width : Real
-        Half-widths of the contacts, shape (contacts, ...) [m].
+        Half-widths of the contacts, shape (contacts, ...) [m]; of crowned ones the mean by load.
     speeds : RollingSpeeds
         Speeds of the bodies.
     axial_force : Real
@@ -129,6 +131,8 @@ def rolling_power(
         Power lost in bearings and pins [W].
     output_torque : Real
         Torque at the output [N·m].
+    lines : CrownedLine, optional
+        Loads along crowned contacts.
 
     Returns
     -------
@@ -165,7 +169,7 @@ def rolling_power(
         )
         counted = counted + hysteresis
     if conditions.viscosity is not None:
-        oil = count * _oil(pairs, conditions.viscosity, state.normal, rolling)
+        oil = count * _oil(pairs, conditions.viscosity, state.normal, rolling, lines)
         counted = counted + oil
     loss = jnp.sum(counted, axis=0) + bearing_power
     at_carrier = output_torque * speeds.carrier
@@ -187,18 +191,26 @@ def rolling_power(
     )
 
 
-def _oil(pairs: RollerPairs, viscosity: Real, normal_force: Array, rolling_speed: Array) -> Array:
+def _oil(
+    pairs: RollerPairs,
+    viscosity: Real,
+    normal_force: Array,
+    rolling_speed: Array,
+    lines: CrownedLine | None,
+) -> Array:
     turns = rolling_speed > 0.0
     speed = jnp.where(turns, rolling_speed, 1.0)
     pressed = jnp.where(normal_force > 0.0, normal_force, 1.0)
     force = inlet_rolling_force(
         viscosity=viscosity,
         entrainment_speed=speed,
-        line_load=pressed / pairs.contact_length,
+        line_load=pressed / pairs.contact_length if lines is None else lines.line_load,
         effective_radius=pairs.effective_radius,
         contact_modulus=pairs.moduli.contact_modulus,
     )
     power = inlet_rolling_power(
         rolling_force=force, contact_length=pairs.contact_length, entrainment_speed=speed
     )
+    if lines is not None:
+        power = jnp.sum(lines.length_share * power, axis=0)
     return jnp.where(turns, power, 0.0)

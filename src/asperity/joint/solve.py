@@ -22,6 +22,7 @@ from asperity.joint.refusal import (
     refuse_locked_pins,
     refuse_overlap,
     refuse_pulled_rollers,
+    refuse_short_contacts,
     refuse_thin_walls,
     refuse_unknown_variants,
     refuse_wide_contacts,
@@ -118,6 +119,7 @@ def solve(joint: Joint) -> Solution:
     if result.solved and some_contact_slips(slip_ratio=result.diagnostics.slip_ratio):
         _refuse_torque(numbers, in_direction)
     refuse_unsolved(numbers, result)
+    refuse_short_contacts(result)
     refuse_thin_walls(result)
     return Solution(result=result, clearances=gaps, capacity=capacity, reverse_capacity=reverse, sizes=sizes)
 

@@ -59,6 +59,13 @@ def assumptions(case: Case) -> tuple[str, ...]:
     for roller in ("planet", "loading_roller"):
         if getattr(case.drive, f"{roller}_length") is None:
             told.append(f"no drive.{roller}_length: as long as the longest contact line on it")
+    if any(
+        getattr(case.drive, f"{body}_crown_radius") for body in ("sun", "planet", "loading_roller", "ring")
+    ):
+        told.append(
+            "crowned rollers: in slices that share one creepage, aligned and highest in the middle of their contact "
+            "lines; no concentration of stress at loaded ends, no slip between slices of different radius"
+        )
     told += _rolling(case)
     told += _fatigue(case)
     return tuple(told)

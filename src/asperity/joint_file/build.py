@@ -16,7 +16,7 @@ from asperity.drive.geometry import DriveGeometry, triangle
 from asperity.drive.interference import interference_of_sizes
 from asperity.drive.mechanism import Bearings, rest_state
 from asperity.errors import InputError
-from asperity.joint.description import Bodies, Fit, Joint, PinBeam
+from asperity.joint.description import Bodies, Crowns, Fit, Joint, PinBeam
 from asperity.joint.dynamics import Inertias
 from asperity.joint.interference import joint_preload
 from asperity.joint.play import NO_PLAY, Play
@@ -132,6 +132,7 @@ def joint_from_values(values: Values) -> Joint:
         ring_support=drive.get("ring_support"),
         planet_bore=drive.get("planet_bore_diameter"),
         loading_roller_bore=drive.get("loading_roller_bore_diameter"),
+        crowns=_crowns(drive),
         rolling=rolling_conditions(values),
         pin=_pin(bearings),
         pin_bearing=_bearing(values.get("pin_bearing")),
@@ -147,6 +148,14 @@ def joint_from_values(values: Values) -> Joint:
     fit = _fit(values["temperature"], joint, assembled)
     working = joint_preload(joint, fit.interference + fit.thermal_change)
     return dataclasses.replace(joint, preload=working, fit=fit)
+
+
+def _crowns(drive: Values) -> Crowns | None:
+    """Curvatures of the crowns; None where no roller is crowned."""
+    radii = {body: drive.get(f"{body}_crown_radius") for body in _ROLLING}
+    if all(radius is None for radius in radii.values()):
+        return None
+    return Crowns(**{body: 0.0 if radius is None else 1.0 / radius for body, radius in radii.items()})
 
 
 def _fit(temperature: Values, joint: Joint, interference: Real) -> Fit:

@@ -32,6 +32,18 @@ def _elastic(name: str, label: str, path: str, dimension: Dimension, unit: str, 
     return _contact(name, label, dimension, unit, value, note=note)
 
 
+def _crowned(name: str, label: str, path: str, note: str) -> Result:
+    """A number of crowned contacts; nan for contacts between cylinders in a joint without any crown."""
+
+    def value(solved: SolvedJoint) -> Any:
+        found = operator.attrgetter(path)(solved.result)
+        return jnp.full_like(solved.result.forces.normal, jnp.nan) if found is None else found
+
+    return _contact(
+        name, label, _NUMBER, "1", value, note=f"{note}; nan where no roller of the joint is crowned"
+    )
+
+
 ROWS = (
     _force(
         "preload",
@@ -166,7 +178,25 @@ ROWS = (
         Dimension.PRESSURE,
         "MPa",
         "result.diagnostics.hertz_pressure",
-        note="peak pressure of the smooth line contact",
+        note="peak pressure of the smooth line contact, in the middle of a crowned one",
+    ),
+    _crowned(
+        "loaded_length_share",
+        "loaded share of the contact length",
+        "diagnostics.loaded_length_share",
+        "below 1 the ends are free",
+    ),
+    _crowned(
+        "peak_line_load_ratio",
+        "peak line load over mean line load",
+        "diagnostics.peak_line_load_ratio",
+        "the mean is the normal force over the whole contact length",
+    ),
+    _crowned(
+        "end_line_load_ratio",
+        "line load at the ends over mean line load",
+        "diagnostics.end_line_load_ratio",
+        "0 where the ends are free; without the stress concentration of an edge",
     ),
     _contact("largest_area", "largest contact spot", _AREA, "mm^2", "result.contacts.largest_area"),
     _contact("critical_area", "critical contact spot", _AREA, "mm^2", "result.contacts.critical_area"),

@@ -3,8 +3,11 @@
 from __future__ import annotations
 
 import functools
+from typing import Any
 
-from asperity.joint.results.result import Limit, Result
+import jax.numpy as jnp
+
+from asperity.joint.results.result import Limit, Result, SolvedJoint
 from asperity.unit_table import Dimension
 
 _roll = functools.partial(Result, group="rolling")
@@ -13,6 +16,13 @@ _loss = functools.partial(Result, group="losses", dimension=Dimension.POWER, dis
 _life = functools.partial(Result, group="life", dimension=Dimension.DIMENSIONLESS, display_unit="1")
 _NUMBER, _TIME = Dimension.DIMENSIONLESS, Dimension.TIME
 _STANDING = "nan where the sun stands"
+
+
+def _crown_factor(solved: SolvedJoint) -> Any:
+    rolling = solved.result.rolling
+    factor = rolling.crown_creepage_factor
+    return jnp.full_like(rolling.normal, jnp.nan) if factor is None else factor
+
 
 ROWS = (
     _each(
@@ -85,6 +95,14 @@ ROWS = (
         _NUMBER,
         "1",
         "result.rolling.layer_creepage_factor",
+    ),
+    _each(
+        "crown_creepage_factor",
+        "creepage of smooth crowned rollers over that of cylinders",
+        _NUMBER,
+        "1",
+        _crown_factor,
+        note="nan where no roller of the joint is crowned",
     ),
     _each(
         "skew_creepage_factor",

@@ -1,0 +1,292 @@
+"""Contacts of a joint with crowned rollers: the even contact in slices along its line."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import jax
+import jax.numpy as jnp
+from jax import Array
+
+from asperity.contact.carter import gross_slip_creepage, slip_ratio_at_creepage
+from asperity.contact.crowned_line import (
+    CrownedLine,
+    CrownedLines,
+    crown_compliance,
+    crown_compression,
+    crown_shear_compliance,
+    crowned_line,
+)
+from asperity.contact.fractal import FractalContact
+from asperity.contact.population import ContactFactorModel
+from asperity.contact.roller_pairs import RollerPairs, contact_factors, rough_contacts
+from asperity.contact.strip_theory import strip_creepage
+from asperity.drive.geometry import CONTACT_BODIES
+from asperity.joint.description import Crowns, per_contact
+from asperity.materials import Material
+
+
+class CrownCompliance(NamedTuple):
+    """What the crowns add to the compliance of the bodies of the contacts, shape (contacts, ...) [m/N].
+
+    Parameters
+    ----------
+    normal, tangential : Array
+        Incremental, under the forces; 0 where a contact is open.
+    """
+
+    normal: Array
+    tangential: Array
+
+
+def crown_curvatures(crowns: Crowns) -> Array:
+    """Curvatures of the contacts: the sum over both bodies.
+
+    Parameters
+    ----------
+    crowns : Crowns
+        Of the bodies.
+
+    Returns
+    -------
+    Array
+        Shape (5, ...) [1/m].
+    """
+    bodies = (tuple(jnp.asarray(getattr(crowns, body)) for body in pair) for pair in CONTACT_BODIES.values())
+    found: Array = per_contact(tuple(driving + driven for driving, driven in bodies))
+    return found
+
+
+def crowned_lines(*, pairs: RollerPairs, crown_curvature: Array) -> CrownedLines:
+    """What the approach of crowned contacts depends on, in one shape.
+
+    Parameters
+    ----------
+    pairs : RollerPairs
+        The contacts.
+    crown_curvature : Array
+        Their curvatures, shape (contacts, ...) [1/m].
+
+    Returns
+    -------
+    CrownedLines
+        Shape (contacts, ...).
+    """
+    return CrownedLines(
+        *jnp.broadcast_arrays(
+            crown_curvature, pairs.contact_length, pairs.effective_radius, pairs.moduli.contact_modulus
+        )
+    )
+
+
+def loads_along(*, pairs: RollerPairs, crown_curvature: Array, normal_force: Array) -> CrownedLine:
+    """How the loads of crowned contacts spread over their lines, each under one newton where it is open.
+
+    Parameters
+    ----------
+    pairs : RollerPairs
+        The contacts.
+    crown_curvature : Array
+        Their curvatures, shape (contacts, ...) [1/m].
+    normal_force : Array
+        Normal forces, shape (contacts, ...) [N].
+
+    Returns
+    -------
+    CrownedLine
+        Slices first.
+
+    References
+    ----------
+    Equation (B12) of :doc:`/equations`.
+    """
+    lines = crowned_lines(pairs=pairs, crown_curvature=crown_curvature)
+    return crowned_line(normal_force=_pressed(normal_force), **vars(lines))
+
+
+def _pressed(normal_force: Array) -> Array:
+    return jnp.where(normal_force > 0.0, normal_force, 1.0)
+
+
+def crown_compressions(*, pairs: RollerPairs, crown_curvature: Array, normal_force: Array) -> Array:
+    """Approach that the crowns add.
+
+    Parameters
+    ----------
+    pairs : RollerPairs
+        The contacts.
+    crown_curvature : Array
+        Their curvatures, shape (contacts, ...) [1/m].
+    normal_force : Array
+        Normal forces, shape (contacts, ...) [N].
+
+    Returns
+    -------
+    Array
+        Shape (contacts, ...) [m]; for one newton where a contact is open.
+    """
+    lines = crowned_lines(pairs=pairs, crown_curvature=crown_curvature)
+    return crown_compression(normal_force=_pressed(normal_force), **vars(lines))
+
+
+def crown_compliances(
+    *,
+    pairs: RollerPairs,
+    crown_curvature: Array,
+    driving: Material,
+    driven: Material,
+    normal_force: Array,
+    tangential_force: Array,
+) -> CrownCompliance:
+    """Compliance that the crowns add to the bodies of the contacts.
+
+    Parameters
+    ----------
+    pairs : RollerPairs
+        The contacts.
+    crown_curvature : Array
+        Their curvatures, shape (contacts, ...) [1/m].
+    driving, driven : Material
+        Materials of their bodies.
+    normal_force, tangential_force : Array
+        Forces, shape (contacts, ...) [N].
+
+    Returns
+    -------
+    CrownCompliance
+        Incremental; without a tangential part beyond gross slip, where the contact has no stiffness.
+
+    References
+    ----------
+    Equation (B12) of :doc:`/equations`.
+    """
+    lines = crowned_lines(pairs=pairs, crown_curvature=crown_curvature)
+    touching = normal_force > 0.0
+    stick = normal_force - jnp.abs(tangential_force) / pairs.friction_coefficient
+    strain = sum(
+        jnp.asarray(body.poisson_ratio * (1.0 + body.poisson_ratio) / body.youngs_modulus)
+        for body in (driving, driven)
+    )
+    normal = crown_compliance(normal_force=_pressed(normal_force), **vars(lines))
+    tangential = crown_shear_compliance(
+        stick_force=_pressed(stick), lateral_strain_compliance=strain, **vars(lines)
+    )
+    return CrownCompliance(
+        jnp.where(touching, normal, 0.0), jnp.where(touching & (stick > 0.0), tangential, 0.0)
+    )
+
+
+def rough_slices(
+    *,
+    pairs: RollerPairs,
+    model: ContactFactorModel,
+    lines: CrownedLine,
+    normal_force: Array,
+    tangential_force: Array,
+) -> FractalContact:
+    """The fractal contact law at the line load of each slice, as if it acted on the whole line.
+
+    Parameters
+    ----------
+    pairs : RollerPairs
+        The contacts.
+    model : {"printed", "hertz_area", "unity"}
+        Model of the contact factor.
+    lines : CrownedLine
+        Loads along the contacts.
+    normal_force, tangential_force : Array
+        Forces, shape (contacts, ...) [N]; all slices have the same traction.
+
+    Returns
+    -------
+    FractalContact
+        Shape (slices, contacts, ...); the length share of a slice is its share in the contact.
+    """
+    share = lines.line_load * pairs.contact_length / _pressed(normal_force)
+    normal = share * jnp.where(normal_force > 0.0, normal_force, 0.0)
+    return rough_contacts(
+        pairs=pairs,
+        contact_factor=contact_factors(pairs=pairs, model=model, normal_force=normal),
+        normal_force=normal,
+        tangential_force=share * tangential_force,
+    )
+
+
+def whole_contact(*, slices: FractalContact, lines: CrownedLine) -> FractalContact:
+    """Spots and stiffnesses of contacts from those of their slices.
+
+    Parameters
+    ----------
+    slices : FractalContact
+        Of :func:`rough_slices`, shape (slices, contacts, ...).
+    lines : CrownedLine
+        Loads along the contacts.
+
+    Returns
+    -------
+    FractalContact
+        Areas, loads and stiffnesses add; the largest spot is that of the middle, where the factors are taken too.
+    """
+    added: FractalContact = jax.tree.map(lambda value: jnp.sum(lines.length_share * value, axis=0), slices)
+    middle = jax.tree.map(lambda value: value[0], slices)
+    return FractalContact(
+        largest_area=middle.largest_area,
+        critical_area=middle.critical_area,
+        real_contact_area=added.real_contact_area,
+        elastic_load=added.elastic_load,
+        plastic_load=added.plastic_load,
+        tangential_stiffness=added.tangential_stiffness,
+        normal_stiffness=added.normal_stiffness,
+        domain_extension_factor=middle.domain_extension_factor,
+        contact_factor=middle.contact_factor,
+    )
+
+
+def slice_friction(*, pairs: RollerPairs, lines: CrownedLine) -> tuple[Array, Array]:
+    """Friction of each slice per contact length, and the creepage at which it slips altogether.
+
+    Parameters
+    ----------
+    pairs : RollerPairs
+        The contacts.
+    lines : CrownedLine
+        Loads along them.
+
+    Returns
+    -------
+    tuple of Array
+        Shape (slices, contacts, ...) [N/m] and [-].
+    """
+    limit = gross_slip_creepage(
+        friction_coefficient=pairs.friction_coefficient,
+        half_width=lines.half_width,
+        effective_radius=pairs.effective_radius,
+    )
+    capacity = pairs.friction_coefficient * lines.line_load * lines.length_share
+    return jnp.asarray(capacity), jnp.asarray(limit)
+
+
+def slice_slip_ratios(*, pairs: RollerPairs, lines: CrownedLine, slip_ratio: Array) -> Array:
+    """Tangential force over friction of each slice, with one creepage for all; without asperities.
+
+    Parameters
+    ----------
+    pairs : RollerPairs
+        The contacts.
+    lines : CrownedLine
+        Loads along them.
+    slip_ratio : Array
+        Tangential force over friction of the contacts, of either sign, shape (contacts, ...) [-].
+
+    Returns
+    -------
+    Array
+        Shape (slices, contacts, ...) [-].
+
+    References
+    ----------
+    Equation (B4) of :doc:`/equations`.
+    """
+    capacity, limits = slice_friction(pairs=pairs, lines=lines)
+    creepage = strip_creepage(slip_ratio=slip_ratio, capacity=capacity, gross_slip_creepage=limits)
+    return jnp.asarray(slip_ratio_at_creepage(creepage=creepage, gross_slip_creepage=limits))
