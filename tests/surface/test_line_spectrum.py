@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from asperity.surface.line_spectrum import _regression, _run, _spread_covariance, _wider, fit_lines
+from asperity.surface.line_spectrum import _fit_comb, _regression, _run, _spread_covariance, _wider, fit_lines
 from asperity.surface.weierstrass import weierstrass_mandelbrot_profile
 
 D, G, GAMMA = 1.4, 1e-10, 1.5
@@ -89,3 +89,20 @@ def test_lines_of_equation_6_are_counted_and_explain_the_profile():
     assert found.lines == 17
     assert found.explained == pytest.approx(1.0, abs=1e-4)
     assert found.misfit < 1e-3
+
+
+def test_errors_of_amplitudes_are_those_of_noise():
+    """White noise s on n points: the amplitude a of a resolved line has the error s sqrt(2/n), ln a this over a."""
+    n, spacing, noise = 4000, 2.5e-7, 1e-9
+    x = (np.arange(n) - 0.5 * (n - 1)) * spacing
+    f = 5e3 * 1.5 ** np.arange(15)
+    a = 1e-7 * 0.9 ** np.arange(15)
+    phases = np.linspace(0.3, 9.0, 15)
+    z = (a * np.cos(2 * np.pi * f * x[:, None] + phases)).sum(axis=1)
+    z += noise * np.random.default_rng(1).standard_normal(n)
+    comb = _fit_comb(z, spacing, 1.5, np.log(5e3))
+    lines = comb.frequency > 4.9e3
+    np.testing.assert_allclose(comb.frequency[lines][:15], f, rtol=1e-4)
+    np.testing.assert_allclose(comb.amplitude[lines][:15], a, rtol=5 * noise * np.sqrt(2 / n) / a.min())
+    # the longest two are not told from a tilt and longer waves so well
+    np.testing.assert_allclose(comb.error[lines][2:15], noise * np.sqrt(2 / n) / a[2:], rtol=0.05)

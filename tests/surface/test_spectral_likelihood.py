@@ -1,30 +1,14 @@
 """The fit on spectra that follow the model exactly."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
-from asperity.surface.self_affine_band import widest_power_law
 from asperity.surface.spectral_likelihood import areal_share, fit_spectrum
-from asperity.surface.spectrum import BinnedSpectrum
 
 
-def exact(density, points=20000, independent=50.0):
-    f = np.geomspace(1e2, 1e6, 80)
-    return BinnedSpectrum(
-        frequency=f,
-        spread=np.zeros(80),
-        ordinates=np.ones(80, dtype=np.int64),
-        independent=np.full(80, independent),
-        density=density(f),
-        profiles=1,
-        points=points,
-        spacing=0.5e-6,
-        differenced=True,
-        rows_of_a_map=False,
-    )
-
-
-def test_exact_power_law_and_its_covariance():
+def test_exact_power_law_and_its_covariance(exact):
     spectrum = exact(lambda f: 1e-8 * f**-1.8)
     fit = fit_spectrum(spectrum=spectrum, low=1e2, high=1e6, tail="band_limited", roll_off_exponent=2.0)
     assert fit.fractal_dimension == pytest.approx(1.6, abs=1e-8)
@@ -41,7 +25,7 @@ def test_exact_power_law_and_its_covariance():
     )
 
 
-def test_roll_off_is_part_of_the_model():
+def test_roll_off_is_part_of_the_model(exact):
     """K-correlation at 1e4 1/m, and a sharp corner: the same D as without."""
     for density, m in (
         (lambda f: 1e-8 * (f**2 + 1e8) ** -0.9, 2.0),
@@ -60,7 +44,7 @@ def test_roll_off_is_part_of_the_model():
         assert high == pytest.approx(1e6)
 
 
-def test_misfit_is_an_estimate_not_a_threshold():
+def test_misfit_is_an_estimate_not_a_threshold(exact):
     """Residuals of 4 % about a power law that sampling makes uncertain by 2 %: what is beyond is 3.5 %."""
     wobble = 1.0 + 0.04 * np.sqrt(2.0) * np.cos(np.pi * np.arange(80) / 2 + 0.7)
     spectrum = exact(lambda f: 1e-8 * f**-1.8 * wobble, independent=2500.0)
@@ -81,7 +65,7 @@ def test_misfit_is_an_estimate_not_a_threshold():
     )
 
 
-def test_floor_is_found_and_limits_the_band():
+def test_floor_is_found_and_limits_the_band(exact):
     spectrum = exact(lambda f: 1e-8 * f**-2.0 + 1e-18)
     fit = fit_spectrum(spectrum=spectrum, low=1e2, high=1e6, tail="band_limited", roll_off_exponent=2.0)
     assert fit.fractal_dimension == pytest.approx(1.5, abs=1e-5)
@@ -89,7 +73,7 @@ def test_floor_is_found_and_limits_the_band():
     assert fit.usable_band[1] == pytest.approx(1e5, rel=0.06)
 
 
-def test_folded_power_is_the_sum_over_images():
+def test_folded_power_is_the_sum_over_images(exact):
     spectrum = exact(lambda f: 1e-8 * f**-1.6)
     fit = fit_spectrum(spectrum=spectrum, low=1e2, high=1e5, tail="band_limited", roll_off_exponent=2.0)
     folded = fit_spectrum(spectrum=spectrum, low=1e2, high=1e6, tail="folded", roll_off_exponent=2.0)
@@ -102,7 +86,7 @@ def test_folded_power_is_the_sum_over_images():
 
 @pytest.mark.parametrize("tail", ["band_limited", "folded", "areal"])
 @pytest.mark.parametrize("m", [2.0, 8.0])
-def test_all_parts_of_the_model_together_are_recovered(tail, m):
+def test_all_parts_of_the_model_together_are_recovered(exact, tail, m):
     """Power law of D = 1.6 with roll-off at 2e3 1/m, white part and tail, written out here with image sums."""
     f_s = 2e6
 
@@ -133,7 +117,7 @@ def test_all_parts_of_the_model_together_are_recovered(tail, m):
     np.testing.assert_allclose(fit.expected(f), density(f), rtol=3e-3)
 
 
-def test_errors_of_the_departures_are_those_of_the_regression():
+def test_errors_of_the_departures_are_those_of_the_regression(exact):
     """K-correlation and floor: standard errors from the design written out at the truth."""
     density = lambda f: 1e-8 * (f**2 + 1e8) ** -0.9 + 4e-20  # noqa: E731
     spectrum = exact(density, independent=2000.0)
@@ -152,7 +136,7 @@ def test_errors_of_the_departures_are_those_of_the_regression():
     assert fit.roll_off_wavelength == pytest.approx(1e-4, rel=1e-4)
 
 
-def test_too_few_bins_and_empty_bins_are_not_fitted():
+def test_too_few_bins_and_empty_bins_are_not_fitted(exact):
     spectrum = exact(lambda f: 1e-8 * f**-1.8)
     f = spectrum.frequency
 
@@ -165,46 +149,6 @@ def test_too_few_bins_and_empty_bins_are_not_fitted():
     assert fitted(1e2, 1e6, exact(lambda f: np.where(f > 5e5, 0.0, f**-1.8))) is None
 
 
-def test_band_stops_where_the_power_law_stops():
-    def bent(f):
-        return 1e-8 * f**-1.8 / (1 + (f / 1e5) ** 4)
-
-    search = widest_power_law(
-        spectrum=exact(bent, independent=500.0),
-        low=None,
-        high=None,
-        noise_density=0.0,
-        resolved_frequency=np.inf,
-    )
-    assert search.reason == ""
-    assert 3e4 < search.fit.high < 2.5e5
-    assert search.fit.fractal_dimension == pytest.approx(1.6, abs=0.03)
-
-
-@pytest.mark.parametrize(
-    ("density", "says"),
-    [
-        (lambda f: 1e-8 * f**-3.6, "falls as"),
-        (lambda f: 1e-8 * f**-2.0 * (1 + 0.7 * np.sin(5 * np.log(f))), "departs from a power law by"),
-    ],
-)
-def test_refusals_say_why(density, says):
-    spectrum = exact(density, independent=500.0)
-    search = widest_power_law(
-        spectrum=spectrum, low=None, high=None, noise_density=0.0, resolved_frequency=np.inf
-    )
-    assert search.fit is None
-    assert says in search.reason
-
-
-def test_band_below_a_decade_is_refused():
-    spectrum = exact(lambda f: 1e-8 * f**-2.0)
-    search = widest_power_law(
-        spectrum=spectrum, low=None, high=None, noise_density=0.0, resolved_frequency=1e3
-    )
-    assert "decades of wavelength" in search.reason
-
-
 @pytest.mark.parametrize("exponent", [1.3, 2.0, 2.8])
 def test_areal_share_is_the_quotient_of_the_integrals(exponent):
     for x in (0.05, 0.4, 1.0):
@@ -213,3 +157,15 @@ def test_areal_share_is_the_quotient_of_the_integrals(exponent):
         cumulated = np.cumsum(0.5 * (density[1:] + density[:-1]) * np.diff(y))
         expected = np.interp(1.0, y[1:], cumulated) / cumulated[-1]
         assert areal_share(np.array([x]), exponent)[0] == pytest.approx(expected, rel=1e-4)
+
+
+def test_a_roll_off_is_a_wavelength_where_its_error_is_below_a_quarter(exact):
+    """lambda = c^(-1/m): the relative error of the wavelength is that of c over m."""
+    fit = fit_spectrum(
+        spectrum=exact(lambda f: 1e-8 * (f**8 + 1e32) ** -0.225, independent=2000.0),
+        low=1e2, high=1e6, tail="band_limited", roll_off_exponent=8.0,
+    )  # fmt: skip
+    assert replace(fit, roll_off_error=0.24 * 8 * fit.roll_off).roll_off_wavelength == pytest.approx(
+        1e-4, rel=1e-3
+    )
+    assert replace(fit, roll_off_error=0.26 * 8 * fit.roll_off).roll_off_wavelength is None

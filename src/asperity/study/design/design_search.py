@@ -280,10 +280,11 @@ def optimality(
         gradients = gradients[:, ~fixed]
     # weights of the worst scenarios (or of the violated limits) add up to one
     adds_up = np.zeros(len(gradients))
-    adds_up[slice(0, len(objective) or int(active.sum()))] = 1.0
+    adds_up[: len(objective) or int(active.sum())] = 1.0
     scale = max(1e-12, float(np.abs(gradients).max(initial=0.0)) or 1.0)
     system = np.vstack([gradients.T / scale, adds_up[None, :]])
     weights, _ = nnls(system, np.append(np.zeros(len(system) - 1), 1.0))
+    weights /= weights @ adds_up  # less than one where a gradient is left over
     count = len(objective)
     steepness = float(np.linalg.norm(gradients[:count].T @ weights[:count])) if count else 1.0
     residual = float(np.linalg.norm(gradients.T @ weights)) / max(steepness, 1.0)

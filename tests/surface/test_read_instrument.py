@@ -1,0 +1,177 @@
+"""Instrument formats: sizes and units that a reader mistakes are found out; files with the numbers known about them."""
+
+import struct
+import sys
+
+import numpy as np
+import pytest
+
+from asperity.errors import InputError, MissingExtraError
+from asperity.surface.height_parameters import height_parameters
+from asperity.surface.levelling import levelled
+from asperity.surface.read import read_surface
+
+
+def test_without_the_extra_the_message_says_what_to_install(tmp_path, monkeypatch):
+    monkeypatch.setitem(sys.modules, "SurfaceTopography", None)
+    (tmp_path / "a.sdf").write_bytes(b"\0\1\2\3" * 50)
+    with pytest.raises(MissingExtraError, match=r"pip install '(asperity|\.)\[surface\]'"):
+        read_surface(path=tmp_path / "a.sdf")
+
+
+class Sizeless:
+    """A reader that opens a file and has no size for it, or cannot say one."""
+
+    channels = (1,)
+
+    def __init__(self, sizes):
+        self.sizes = sizes
+
+    def topography(self):
+        return self
+
+    def heights(self):
+        return np.zeros((3, 3))
+
+    @property
+    def physical_sizes(self):
+        if self.sizes == "raises":
+            raise TypeError("'NoneType' object is not iterable")
+        return self.sizes
+
+
+@pytest.mark.parametrize(
+    ("sizes", "says"),
+    [(None, "not given"), ((np.nan, 1.0), "must be positive"), ("raises", "not understood")],
+)
+def test_a_reader_that_gives_no_size_is_refused(tmp_path, monkeypatch, sizes, says):
+    package = pytest.importorskip("SurfaceTopography")
+    monkeypatch.setattr(package, "open_topography", lambda _: Sizeless(sizes))
+    (tmp_path / "a.dat").write_bytes(b"\0\1\2")
+    with pytest.raises(InputError, match=says):
+        read_surface(path=tmp_path / "a.dat")
+
+
+def nanofocus(path, step_mm):
+    """A NanoFocus file as the reader package understands it: z range, grid, spacing, 16-bit heights."""
+    head = bytearray(3468)
+    struct.pack_into("<dd", head, 16, 0.0, 2.0)
+    struct.pack_into("<IIdd", head, 1368, 20, 16, step_mm, step_mm)
+    data = np.arange(320, dtype="<u2") * 100
+    path.write_bytes(bytes(head) + data.tobytes())
+    return path
+
+
+def test_a_reader_that_mistakes_the_unit_is_found_out(tmp_path):
+    """Spacing in nm where the reader takes mm: 20 points of 500 nm would be 10 m."""
+    pytest.importorskip("SurfaceTopography")
+    with pytest.raises(InputError, match=r"its size is 10 m x 8 m.*allow any size"):
+        read_surface(path=nanofocus(tmp_path / "a.nms", 500.0))
+    assert read_surface(path=nanofocus(tmp_path / "b.nms", 5e-4)).size == pytest.approx((1e-5, 8e-6))
+
+
+def text_sdf(path, zscale="1e-6", xscale="2e-6"):
+    """ISO 25178-71, text variant: heights in units of Zscale [m]."""
+    z = np.arange(48)
+    path.write_text(
+        "aISO-1.0\nManufacID = test\nCreateDate = 010120240000\nModDate = 010120240000\nNumPoints = 8\n"
+        f"NumProfiles = 6\nXscale = {xscale}\nYscale = 3e-6\nZscale = {zscale}\nZresolution = -1\n"
+        "Compression = 0\nDataType = 6\nCheckType = 0\n*\n" + "\n".join(map(str, z)) + "\n*\n"
+    )
+    return path
+
+
+def test_text_sdf_is_read_by_its_signature_with_its_own_scales(tmp_path):
+    pytest.importorskip("SurfaceTopography")
+    got = read_surface(path=text_sdf(tmp_path / "a.sdf", zscale="1e-7"))
+    assert got.heights.shape == (6, 8)
+    assert got.size == pytest.approx((16e-6, 18e-6))
+    np.testing.assert_allclose(got.heights.ravel(), 1e-7 * np.arange(48), rtol=1e-9, atol=1e-20)
+    with pytest.raises(InputError, match="not nm"):
+        read_surface(path=text_sdf(tmp_path / "a.sdf", zscale="1e-7"), height_unit="nm")
+
+
+@pytest.mark.parametrize(
+    ("name", "content", "says"),
+    [
+        ("a.gwy", b"GWYP\1\2\3" * 20, "Gwyddion GWY"),
+        ("a.nms", b"\0\1\2" * 2000, "NMS"),
+        ("a.npy", b"\x93NUMPY\1\0v\0{'descr': '<f8', 'fortran_order': False, (" + b" " * 70 + b"\n", "NumPy"),
+        ("b.npy", b"\x93NUMPY\1\0v\0{'descr': '<f8', 'fortran_order': False, 'shape': (99999999999, 9), }"
+         + b" " * 40 + b"\n", "NumPy"),
+    ],
+)  # fmt: skip
+def test_damaged_files_get_one_message_that_names_the_format(tmp_path, name, content, says):
+    pytest.importorskip("SurfaceTopography")
+    (tmp_path / name).write_bytes(content)
+    with pytest.raises(InputError, match=says):
+        read_surface(path=tmp_path / name, height_unit="um", spacing=1e-6)
+
+
+# Numbers of the SOURCE.txt files: asserted in SurfaceTopography's own tests, or printed by the instrument.
+EXAMPLES = "surfacetopography_examples"
+
+
+@pytest.mark.parametrize(
+    ("name", "shape", "size", "rms", "tolerance"),
+    [
+        ("al3d-1.al3d", (296, 200), (87.6054e-6, 129.655992e-6), 7.688266102603082e-06, 1e-6),
+        ("metropro-1.dat", (480, 640), (702.8812979e-6, 527.1609734e-6), 7.528822204734589e-08, 1e-6),
+        ("x3p-2.x3p", (650, 650), (82.9767e-6, 204.4784e-6), 7.728033273597876e-08, 1e-6),
+    ],
+)
+def test_rms_heights_of_instrument_files(shared_data, name, shape, size, rms, tolerance):
+    pytest.importorskip("SurfaceTopography")
+    got = read_surface(path=shared_data / EXAMPLES / name)
+    assert got.heights.shape == shape
+    assert got.size == pytest.approx(size, rel=1e-6)
+    assert height_parameters(topography=got).root_mean_square == pytest.approx(rms, rel=tolerance)
+
+
+def test_zygo_after_curvature_detrend(shared_data):
+    pytest.importorskip("SurfaceTopography")
+    got = read_surface(path=shared_data / EXAMPLES / "metropro-1.dat")
+    flat = levelled(topography=got, form="polynomial", degree=2)
+    assert np.sqrt(np.mean(flat.heights**2)) == pytest.approx(3.911386124282179e-09, rel=1e-6)
+
+
+def test_frt_map_with_undefined_points(shared_data):
+    """The published 2.047476e-05 m and 3.463934e-06 m divide by all points, not by the measured ones."""
+    pytest.importorskip("SurfaceTopography")
+    got = read_surface(path=shared_data / EXAMPLES / "frt-1.frt")
+    assert got.heights.shape == (500, 500)
+    assert got.size == pytest.approx((0.012, 0.012))
+    assert got.missing_points == 76456
+    z, total = got.heights[~np.isnan(got.heights)], got.heights.size
+    published = np.sqrt(np.sum((z - z.sum() / total) ** 2) / total)
+    assert published == pytest.approx(2.047476e-05, rel=1e-6)
+    flat = levelled(topography=got, form="polynomial", degree=2).heights
+    assert np.sqrt(np.nansum(flat**2) / total) == pytest.approx(3.463934e-06, rel=1e-4)
+
+
+def test_dektak_pair_is_equal(shared_data):
+    pytest.importorskip("SurfaceTopography")
+    one = read_surface(path=shared_data / EXAMPLES / "opdx-3.opdx")
+    two = read_surface(path=shared_data / EXAMPLES / "opdx-3.txt", position_unit="m", height_unit="m")
+    assert one.heights.shape == two.heights.shape == (3001,)
+    np.testing.assert_allclose(one.heights, two.heights, rtol=1e-7, atol=1e-16)
+    assert one.spacing == pytest.approx(two.spacing, rel=1e-6)
+
+
+def test_undefined_points_and_valid_flags(shared_data):
+    pytest.importorskip("SurfaceTopography")
+    sur = read_surface(path=shared_data / EXAMPLES / "sur-2.sur")
+    assert sur.heights.shape == (484, 563)
+    assert sur.size == pytest.approx((1.9615e-3, 1.6863e-3), rel=1e-4)
+    assert sur.missing_points > 0
+    hfm = read_surface(path=shared_data / EXAMPLES / "hfm-1.hfm")
+    assert hfm.heights.shape == (9600,)
+    assert hfm.size == pytest.approx((4.8e-3,))
+
+
+def test_format_without_a_unit_is_not_guessed(shared_data):
+    pytest.importorskip("SurfaceTopography")
+    with pytest.raises(InputError, match="name the unit"):
+        read_surface(path=shared_data / EXAMPLES / "tmd-1.tmd")
+    got = read_surface(path=shared_data / EXAMPLES / "tmd-1.tmd", height_unit="um")
+    assert got.size == pytest.approx((18.9566e-6, 18.9566e-6), rel=1e-5)
