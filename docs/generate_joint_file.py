@@ -14,7 +14,7 @@ from typing import Any, Literal, get_args, get_origin
 from pydantic.fields import FieldInfo
 
 from asperity.joint_file.model import Case
-from asperity.joint_file.planar_model import PLANAR_CASES
+from asperity.joint_file.planar_types import PLANAR_CASES
 from asperity.joint_file.quantity_key import Key
 from asperity.joint_file.section import EachContact, Section
 
@@ -151,6 +151,10 @@ def _other_sections() -> Iterator[tuple[str, type[Section], str]]:
         assert isinstance(drive, type)
         assert issubclass(drive, Section)
         yield f'[drive] of type = "{kind}"', drive, " ".join((drive.__doc__ or "").split())
+    for name in ("roller", "contact"):
+        field = PLANAR_CASES["planar"].model_fields[name]
+        model = next(p for p in _parts(field.annotation) if isinstance(p, type) and issubclass(p, Section))
+        yield f'[[{name}]] of type = "planar"', model, field.description or ""
     common = next(iter(PLANAR_CASES.values()))
     for name in ("load", "compliance", "rolling", "model"):
         field = common.model_fields[name]

@@ -46,12 +46,14 @@ def show_heading(target: Console, document: Document, source: str) -> None:
     drive, load, preload = document["input"]["drive"], document["input"]["load"], document["preload"]
     if "planets" in drive:
         size = count(drive["planets"], "planet")
+    elif "sectors" in drive:
+        size = count(drive["sectors"], "sector")
     else:
         size = f"{count(document['geometry']['sectors'], 'roller')} in each row"
-    kind = document["input"].get("type")
+    kind, entry = document["input"].get("type"), document.get("geometry", {}).get("input", "sun")
     title = source if kind is None else f"{source}: {kind.replace('_', ' ')} drive"
     target.print(
-        f"{title}\n{size}, sun at {in_unit(load['sun_speed'], 'rpm')}, preload "
+        f"{title}\n{size}, {entry} at {in_unit(load['sun_speed'], 'rpm')}, preload "
         f"{in_unit(preload['force_N'], 'N')} ({in_unit(preload['interference_m'], 'um')} of interference), "
         f"output torque {in_unit(load['output_torque'], 'N*m')}{temperatures(document)}{loading_cam(document)}\n",
         style="bold",

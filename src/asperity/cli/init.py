@@ -5,7 +5,7 @@ from __future__ import annotations
 import click
 
 #: Types of drives, the paper's first; each has an example of its name.
-TYPES = ("zou2025", "planetary", "planetary_hollow", "multiroller", "stepped_planet")
+TYPES = ("zou2025", "planetary", "planetary_hollow", "multiroller", "stepped_planet", "planar")
 
 
 @click.command()

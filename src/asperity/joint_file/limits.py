@@ -15,6 +15,7 @@ WALL_THICKNESS = Key(Dimension.LENGTH, 1e-3, 1e5, "mm", example="10 mm")
 CONTACT_LENGTH = Key(Dimension.LENGTH, 1e-3, 1e5, "mm", example="5 mm")
 BODY_LENGTH = Key(Dimension.LENGTH, 0.0, 1e5, "mm", example="5 mm")
 PUSH_ANGLE = Key(Dimension.ANGLE, -60.0, 60.0, "deg")
+POLAR_ANGLE = Key(Dimension.ANGLE, -360.0, 360.0, "deg", example="90 deg")
 
 PRELOAD = Key(Dimension.FORCE, 1e-3, 1e9, "N")
 INTERFERENCE = Key(Dimension.LENGTH, 0.0, 1e6, "um", open_lower=True, example="13 um")

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from asperity.joint_file.assumptions import lubrication_assumptions, rolling_model_assumptions
+from asperity.joint_file.general_model import GeneralCase
 from asperity.joint_file.planar_model import PlanarCase
 
 _STEPPED = {"multiroller": "the rollers of both rows", "stepped_planet": "the planets"}
@@ -32,7 +33,12 @@ def planar_assumptions(case: PlanarCase) -> tuple[str, ...]:
         absent = [name for name, value in case.compliance if value is None]
         if absent:
             told.append(f"[compliance] without {', '.join(absent)}: rigid")
-    if drive.ring_support is None:
+    if isinstance(case, GeneralCase):
+        told.append(
+            "the rollers lie where all contacts just touch, as near as possible to the places of the file"
+        )
+        told.append("the tracks of a stepped roller lie in one plane, and are one spring for each contact")
+    elif drive.ring_support is None:
         told.append("no drive.ring_support: a rigid housing holds the outer rim of the ring")
     if kind in _STEPPED:
         told.append(

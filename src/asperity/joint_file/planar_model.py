@@ -123,7 +123,7 @@ class PlanarLoad(Section):
     output_torque: Annotated[Quantity, limits.OUTPUT_TORQUE]
     """Torque at the output; negative where it drives the rotation."""
     sun_speed: Annotated[Quantity, limits.SUN_SPEED]
-    """Speed of the sun, the input."""
+    """Speed of the sun, or of the input, whatever its name."""
     friction_coefficient: PartFriction
     """Friction coefficient mu of the contacts: one for all, or a table with their names."""
 
@@ -232,7 +232,12 @@ class PlanarCase(Section):
     def _exact_where_needed(self) -> Self:
         drive: Any = self.drive  # type: ignore[attr-defined]
         if self.model.bodies == "springs":
-            exact = ["drive.ring_support"] if drive.ring_support == "free" else []
+            exact = [
+                f"roller {roller.name}"
+                for roller in getattr(self, "roller", ())
+                if roller.ring_support == "free" or roller.bore_diameter is not None
+            ]
+            exact += ["drive.ring_support"] if getattr(drive, "ring_support", None) == "free" else []
             exact += [
                 f"drive.{name}"
                 for name in ("planet_bore_diameter", "driven_ring_wall_thickness")
@@ -281,11 +286,3 @@ class SteppedPlanetCase(PlanarCase):
     """Type of the drive."""
     drive: SteppedPlanetDrive
     """Radii and arrangement."""
-
-
-#: Model of the joint file of each type but the paper's.
-PLANAR_CASES: dict[str, type[PlanetaryCase] | type[MultirollerCase] | type[SteppedPlanetCase]] = {
-    "planetary": PlanetaryCase,
-    "multiroller": MultirollerCase,
-    "stepped_planet": SteppedPlanetCase,
-}

@@ -9,6 +9,8 @@ from typing import Any
 from asperity.drive.planar.drives import planetary_drive, stepped_planet_drive, two_row_multiroller
 from asperity.drive.planar.layout import CARRIER, PlanarDrive
 from asperity.joint.planar.description import SOLID, BodyShape
+from asperity.joint_file.general_layout import general_layout, misdescribed
+from asperity.joint_file.general_model import GeneralCase
 from asperity.joint_file.messages import nearest
 from asperity.joint_file.planar_model import PlanarCase
 from asperity.joint_file.si_tables import Values
@@ -63,9 +65,14 @@ def misnamed_parts(case: PlanarCase) -> list[str]:
         One sentence for each unknown or missing entry.
     """
     kind = case.type
-    contacts, bodies = tuple(CONTACTS[kind]), bodies_of_type(kind)
     drive: Any = case.drive  # type: ignore[attr-defined]
-    found = []
+    found: list[str] = []
+    if isinstance(case, GeneralCase):
+        contacts = tuple(contact.name for contact in case.contact)
+        bodies = tuple(roller.name for roller in case.roller)
+        found += misdescribed(case)
+    else:
+        contacts, bodies = tuple(CONTACTS[kind]), bodies_of_type(kind)
     for path, table, known in (
         ("bodies", case.bodies, bodies),
         ("drive.contact_length", drive.contact_length, contacts),
@@ -89,7 +96,8 @@ def _ring(wall: Any, support: str | None) -> BodyShape:
     return BodyShape("ring", wall, "free" if support == "free" else "rigid_housing")
 
 
-def _planetary(drive: Values) -> Layout:
+def _planetary(values: Values) -> Layout:
+    drive = values["drive"]
     made = planetary_drive(
         sun_radius=drive["sun_radius"],
         planet_radius=drive["planet_radius"],
@@ -103,7 +111,8 @@ def _planetary(drive: Values) -> Layout:
     return made, (SOLID, planet, ring), (0.0, 1.0)
 
 
-def _multiroller(drive: Values) -> Layout:
+def _multiroller(values: Values) -> Layout:
+    drive = values["drive"]
     made = two_row_multiroller(
         sun_radius=drive["sun_radius"],
         first_row_radii=(drive["first_row_radius"], drive["first_row_small_radius"]),
@@ -114,7 +123,8 @@ def _multiroller(drive: Values) -> Layout:
     return made, (SOLID, SOLID, SOLID, ring), (0.0, 0.0, 0.0, 1.0)
 
 
-def _stepped_planet(drive: Values) -> Layout:
+def _stepped_planet(values: Values) -> Layout:
+    drive = values["drive"]
     made = stepped_planet_drive(
         sun_radius=drive["sun_radius"],
         planet_radii=(drive["planet_radius"], drive["planet_second_radius"]),
@@ -131,6 +141,7 @@ _LAYOUTS: dict[str, Callable[[Values], Layout]] = {
     "planetary": _planetary,
     "multiroller": _multiroller,
     "stepped_planet": _stepped_planet,
+    "planar": general_layout,
 }
 
 
@@ -147,4 +158,4 @@ def layout_of(values: Values) -> Layout:
     PlanarDrive, tuple of BodyShape, tuple of float
         The drive, what each body is, and the interference of each contact over that of the drive.
     """
-    return _LAYOUTS[values["type"]](values["drive"])
+    return _LAYOUTS[values["type"]](values)

@@ -10,7 +10,8 @@ from pydantic import ValidationError
 from asperity.errors import InputError, UnsupportedDriveError, quoted
 from asperity.joint_file.messages import explained, listed, nearest
 from asperity.joint_file.model import Case
-from asperity.joint_file.planar_model import PLANAR_CASES, PlanarCase
+from asperity.joint_file.planar_model import PlanarCase
+from asperity.joint_file.planar_types import PLANAR_CASES
 from asperity.library import fill_in_materials
 from asperity.reading import parse_toml, read_text
 

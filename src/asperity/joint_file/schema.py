@@ -6,7 +6,7 @@ from typing import Any
 
 from asperity.joint_file.material_entries import BodyMaterials, MaterialEntry
 from asperity.joint_file.model import Case
-from asperity.joint_file.planar_model import PLANAR_CASES
+from asperity.joint_file.planar_types import PLANAR_CASES
 from asperity.joint_file.reader import WEDGE_TYPE
 from asperity.library import read_materials
 

@@ -137,12 +137,16 @@ def _contact_labels(joint: PlanarJoint, scale: float) -> list[Item]:
     first, _ = places(drive)
     angles, _ = contact_angles(drive)
     items: list[Item] = []
+    taken: list[Point] = []
     for k, contact in enumerate(drive.contacts):
         x, y = _copy(joint, first[k], 0)
         angle, radius = float(angles[k]), 1e3 * float(drive.first_radius[k])
         at = (x + radius * math.cos(angle), y + radius * math.sin(angle))
         step = 5.0 / scale
         text = (at[0] + step, at[1] + 0.6 * step)
+        while any(abs(text[0] - x) < 2.0 * step and abs(text[1] - y) < 0.7 * step for x, y in taken):
+            text = (text[0], text[1] - 0.8 * step)
+        taken.append(text)
         items += [Line((at, text)), Text((text[0] + 0.5 / scale, text[1] - 1.2 / scale), contact.name)]
     return items
 

@@ -204,3 +204,17 @@ def test_stepped_planets_by_hand(planar_case):
 def test_a_joint_that_stands_but_does_not_roll_is_told(planar_case):
     joint, solution, _ = solved_planar(planar_case("stepped_planet"))
     refuse_planar_rolling(joint, solution)  # it rolls
+
+
+@pytest.mark.slow
+def test_the_papers_drive_as_a_list_of_rollers(planar_case):
+    """Forces at rest by hand, and the balance of torques."""
+    _, _, document = solved_planar(planar_case("planar"))
+    theta, beta = math.radians(27.083145), math.radians(13.158247)
+    side = 500.0 / math.cos(theta)
+    rest = document["forces"]["normal_at_rest_N"]
+    by_hand = [1000.0, side, side, side * math.cos(beta), side * math.cos(beta)]
+    np.testing.assert_allclose(list(rest.values()), by_hand, rtol=1e-6)
+    assert document["geometry"]["speed_ratio"] == pytest.approx(-9.0, rel=1e-9)
+    assert document["forces"]["input_torque_Nm"] == pytest.approx(5.0 / 9.0, rel=1e-9)
+    assert document["rolling"]["residual"] < 1e-9

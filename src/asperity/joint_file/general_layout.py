@@ -1,0 +1,123 @@
+"""From the rollers and contacts that a joint file lists to a planar drive."""
+
+from __future__ import annotations
+
+import math
+from collections import Counter
+from collections.abc import Iterator
+from typing import Any
+
+import jax.numpy as jnp
+
+from asperity.drive.planar.closure import closed
+from asperity.drive.planar.layout import CARRIER, Body, Contact, PlanarDrive
+from asperity.joint.planar.description import SOLID, BodyShape
+from asperity.joint_file.general_model import GeneralCase
+from asperity.joint_file.messages import nearest
+from asperity.joint_file.si_tables import Values
+
+
+def misdescribed(case: GeneralCase) -> Iterator[str]:
+    """Messages about rollers and contacts that do not fit together.
+
+    Parameters
+    ----------
+    case : GeneralCase
+        The joint file.
+
+    Yields
+    ------
+    str
+        One sentence for each mistake.
+    """
+    rollers = [roller.name for roller in case.roller]
+    for what, names in (("roller", rollers), ("contact", [contact.name for contact in case.contact])):
+        yield from (
+            f"{what}: there is more than one '{n}'" for n, count in Counter(names).items() if count > 1
+        )
+    if CARRIER in rollers:
+        yield f"roller: '{CARRIER}' is the name of the member that carries the pins"
+    for contact in case.contact:
+        for side in ("first", "second"):
+            name = getattr(contact, side)
+            if name not in rollers:
+                yield f"contact {contact.name}: {side}: there is no roller '{name}'{nearest(name, rollers)}"
+    rings = {contact.second for contact in case.contact if contact.internal}
+    touched = {name for contact in case.contact for name in (contact.first, contact.second)}
+    for roller in case.roller:
+        if roller.name not in touched:
+            yield f"roller {roller.name}: it has no contact"
+        if (roller.orbit is None) != (roller.place == "axis"):
+            verb = "must not have" if roller.place == "axis" else "needs"
+            yield f"roller {roller.name}: place = '{roller.place}' {verb} an orbit"
+        if (roller.name in rings) != (roller.wall_thickness is not None):
+            verb = "needs" if roller.name in rings else "is no ring and must not have"
+            yield f"roller {roller.name}: it {verb} a wall_thickness"
+        if roller.push_angle is not None and roller.place != "pin":
+            yield f"roller {roller.name}: push_angle is for rollers on a pin"
+    members = [*(roller.name for roller in case.roller if roller.place == "axis"), CARRIER]
+    roles = {role: getattr(case.drive, role) for role in ("input", "output", "grounded")}
+    for role, name in roles.items():
+        if name not in members:
+            yield f"drive.{role}: '{name}' is neither a roller on the axis nor the carrier{nearest(name, members)}"
+    if len(set(roles.values())) < len(roles):
+        yield "drive: input, output and grounded must be three different members"
+    if case.drive.grounded != CARRIER and not any(roller.place == "pin" for roller in case.roller):
+        yield "drive.grounded: no roller is on a pin, so that nothing turns the carrier; ground it, or use a pin"
+
+
+def general_layout(values: Values) -> tuple[PlanarDrive, tuple[BodyShape, ...], tuple[float, ...]]:
+    """The drive that the rollers and contacts of a file make.
+
+    Parameters
+    ----------
+    values : dict
+        Tables in SI units.
+
+    Returns
+    -------
+    PlanarDrive, tuple of BodyShape, tuple of float
+        The drive with closed contacts, what each body is, and the interference of each contact.
+    """
+    rollers, contacts, drive = values["roller"].values(), values["contact"].values(), values["drive"]
+    made = PlanarDrive(
+        bodies=tuple(Body(roller["name"], roller["place"]) for roller in rollers),
+        contacts=tuple(
+            Contact(
+                each["name"],
+                each["first"],
+                each["second"],
+                internal=each["internal"],
+                sector=each["sector"],
+                tracks=(f"{float(each['first_radius']):.12g}", f"{float(each['second_radius']):.12g}"),
+            )
+            for each in contacts
+        ),
+        centres=jnp.stack([_centre(roller) for roller in rollers]),
+        first_radius=jnp.stack([jnp.asarray(each["first_radius"]) for each in contacts]),
+        second_radius=jnp.stack([jnp.asarray(each["second_radius"]) for each in contacts]),
+        push_angles=jnp.array(
+            [roller.get("push_angle", 0.0) for roller in rollers if roller["place"] == "pin"], dtype=float
+        ),
+        sectors=round(drive["sectors"]),
+        input=drive["input"],
+        output=drive["output"],
+        grounded=drive["grounded"],
+    )
+    return (
+        closed(made),
+        tuple(_shape(roller) for roller in rollers),
+        tuple(1.0 if each["internal"] else 0.0 for each in contacts),
+    )
+
+
+def _centre(roller: Values) -> Any:
+    angle = roller.get("angle", 0.5 * math.pi)
+    return roller.get("orbit", 0.0) * jnp.array([math.cos(angle), math.sin(angle)])
+
+
+def _shape(roller: Values) -> BodyShape:
+    if "wall_thickness" in roller:
+        free = roller.get("ring_support") == "free"
+        return BodyShape("ring", roller["wall_thickness"], "free" if free else "rigid_housing")
+    return BodyShape("hollow", roller["bore_diameter"]) if "bore_diameter" in roller else SOLID

@@ -1,0 +1,85 @@
+"""The content of a joint file that lists the rollers and contacts of its drive."""
+
+from __future__ import annotations
+
+from typing import Annotated, Literal
+
+from pydantic import Field
+
+from asperity.joint_file import limits
+from asperity.joint_file.model import Length, PushAngle
+from asperity.joint_file.planar_model import Bore, PartLengths, PartName, PlanarCase, RingSupport, Wall
+from asperity.joint_file.quantity_key import Quantity
+from asperity.joint_file.section import Section
+
+Orbit = Annotated[Quantity, limits.ROLLER_RADIUS]
+Angle = Annotated[Quantity, limits.POLAR_ANGLE]
+
+
+class GeneralDrive(Section):
+    """Any planar drive: rollers and rings, their contacts, and which members turn."""
+
+    sectors: Annotated[Quantity, limits.PLANETS]
+    """Number of equal sectors; the file describes one of them."""
+    input: PartName
+    """Member that drives: a roller on the axis, or carrier."""
+    output: PartName
+    """Member that is driven."""
+    grounded: PartName
+    """Member that stands."""
+    contact_length: PartLengths
+    """Length B of the contact lines: one for all, or a table with the names of the contacts."""
+
+
+class RollerEntry(Section):
+    """One roller or ring of a sector; write [[roller]] above each."""
+
+    name: PartName
+    """Its name."""
+    place: Literal["axis", "free", "pin"]
+    """On the axis of the drive; supported by its contacts only; or on a pin of the carrier, which supports it along its
+    push and leaves it free across."""
+    orbit: Orbit | None = None
+    """Distance of its centre from the axis, approximately: the contacts decide. Not for rollers on the axis."""
+    angle: Angle | None = None
+    """Direction of its centre, counter-clockwise; 90 deg if absent."""
+    push_angle: PushAngle | None = None
+    """Direction of the pin's push, outward from the clockwise tangent; 0 if absent."""
+    wall_thickness: Wall | None = None
+    """Wall of a ring; every roller that is around another one needs it."""
+    ring_support: RingSupport | None = None
+    """What holds the outer rim of a ring; a rigid housing if absent."""
+    bore_diameter: Bore | None = None
+    """Diameter of the bore of a hollow roller; solid if absent."""
+
+
+class ContactEntry(Section):
+    """Where two rollers touch; write [[contact]] above each."""
+
+    name: PartName
+    """Its name."""
+    first: PartName
+    """A roller; the inner one of an internal contact."""
+    second: PartName
+    """The other roller, or the ring."""
+    first_radius: Length
+    """Radius of the track of the first roller; a stepped roller has several."""
+    second_radius: Length
+    """Radius of the track of the second one."""
+    internal: bool = False
+    """Whether the first lies inside the second."""
+    sector: Annotated[int, Field(strict=True, ge=-1, le=1)] = 0
+    """Sector of the second roller, counted counter-clockwise from that of the first: 0, or -1 or 1 for a neighbour."""
+
+
+class GeneralCase(PlanarCase):
+    """A joint file with any planar drive."""
+
+    type: Literal["planar"]
+    """Type of the drive."""
+    drive: GeneralDrive
+    """Members and arrangement."""
+    roller: Annotated[tuple[RollerEntry, ...], Field(min_length=2)]
+    """Rollers and rings of one sector."""
+    contact: Annotated[tuple[ContactEntry, ...], Field(min_length=1)]
+    """Contacts of one sector; the internal ones have the interference."""

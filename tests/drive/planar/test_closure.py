@@ -1,0 +1,30 @@
+"""Centres that close the gaps of a drive, from approximate ones."""
+
+import dataclasses
+
+import jax.numpy as jnp
+import numpy as np
+import pytest
+
+from asperity.drive.planar.closure import closed
+from asperity.drive.planar.layout import gaps
+
+
+@pytest.mark.parametrize("name", ["wedge", "multiroller"])
+def test_displaced_centres_return(drives, name):
+    """The centres that close the gaps are those of the formulas, apart from a rotation about the axis."""
+    drive = drives[name]
+    apart = jnp.asarray(np.random.default_rng(3).normal(size=drive.centres.shape)) * 2e-4
+    apart = apart * jnp.array([float(body.place != "axis") for body in drive.bodies])[:, None]
+    found = closed(dataclasses.replace(drive, centres=drive.centres + apart))
+    np.testing.assert_allclose(gaps(found), 0.0, atol=1e-15)
+    for i, one in enumerate(found.bodies):
+        expected = float(jnp.hypot(*drive.centres[i]))
+        if one.place != "free":
+            assert float(jnp.hypot(*found.centres[i])) == pytest.approx(expected, rel=1e-9, abs=1e-15)
+
+
+def test_what_cannot_close_keeps_a_gap(drives):
+    drive = drives["planetary"]
+    found = closed(dataclasses.replace(drive, second_radius=drive.second_radius.at[1].add(1e-3)))
+    assert float(jnp.max(jnp.abs(gaps(found)))) > 1e-4
