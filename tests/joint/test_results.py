@@ -150,3 +150,13 @@ def test_rows_that_a_joint_does_not_have_are_not_judged():
     assert safety.rows_of(some) == {"right_pin": 2.0, "carrier": 0.5}
     assert safety.rows_of(SimpleNamespace(has_bearings=(False,) * 4)) == {}
     assert RESULTS["mass"].rows_of(SimpleNamespace(size=SimpleNamespace(mass=3.0))) == {"": 3.0}
+
+
+def test_a_joint_without_ratings_has_no_lives(case):
+    from types import SimpleNamespace
+
+    from asperity.joint.results import SolvedJoint
+
+    solved = SolvedJoint(joint_from_case(case), SimpleNamespace(solved=np.array([True, True])))
+    assert RESULTS["bearing_life"].of(solved).shape == (4, 2)
+    assert np.all(np.isnan(np.asarray(RESULTS["bearing_static_safety"].of(solved))))

@@ -120,7 +120,10 @@ class SolvedJoint:
 
     @functools.cached_property
     def bearings(self) -> BearingLives:
-        """Lives of the rolling bearings."""
+        """Lives of the rolling bearings; nothing to compute where none has ratings."""
+        if not any(self.has_bearings):
+            nothing = jnp.full((len(BEARING_NAMES), *jnp.shape(self.result.solved)), jnp.nan)
+            return BearingLives(nothing, nothing, nothing, nothing, nothing)
         lives: BearingLives = call_compiled(bearing_lives, self.joint, self.result)
         return lives
 
