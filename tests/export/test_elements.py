@@ -29,6 +29,14 @@ def test_stated_error_covers_the_exported_curves(content):
     assert shares[1] < 3.0
 
 
+def test_a_curve_that_bends_more_than_its_loop_is_wide(made_content):
+    """Both directions differ by far more than a cubic spring follows, and slip is small."""
+    fitted = fitted_elements(made_content(skewness=0.15, slip=0.003), program="MuJoCo")
+    times = float(re.search(r"([0-9.e+]+) times the width of its loop", fitted.sentences[0]).group(1))
+    assert times > 1.0
+    assert "an FMU follows both" in fitted.sentences[1]
+
+
 def test_without_slip_nothing_is_said_about_a_loop(made_content):
     fitted = fitted_elements(made_content(slip=0.0), program="MuJoCo")
     assert fitted.elements.stiffness.size == 0

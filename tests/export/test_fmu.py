@@ -86,7 +86,11 @@ def compiled(content, folder):
     fmpy.extract(str(written(content, folder)), str(folder / "unit"))
     with pytest.MonkeyPatch.context() as patch:
         patch.setenv("PATH", tools())
-        build_platform_binary(folder / "unit", all_warnings=True)
+        (folder / "build").mkdir()
+        flags = "-Wall -Wextra -Wno-unused-parameter -Werror"
+        build_platform_binary(
+            folder / "unit", folder / "build", cmake_options={"CMAKE_C_FLAGS:STRING": flags}
+        )
     return folder / "unit"
 
 

@@ -77,12 +77,15 @@ def fitted_elements(content: ExportContent, *, program: str) -> FittedElements:
     )
     if elements.stiffness.size:
         sentence += (
-            f" and {100.0 * error.angle / width:.2g} % of the width of its loop at zero torque; the width itself is "
+            f" and {_share(error.angle / width)} the width of its loop at zero torque; the width itself is "
             f"off by up to {100.0 * error.loop_width / width:.2g} %"
         )
-    sentences = (
-        sentence + " (first loading both ways, loops of the largest torque and of half of it).",
-        MASING,
-    )
+    said = [sentence + " (first loading both ways, loops of the largest torque and of half of it).", MASING]
+    if error.angle > width > 0.0:
+        said.insert(1, "These springs miss the curve by more than its loop is wide; an FMU follows both.")
     ends = np.asarray(content.windup.angle)[[0, -1]]
-    return FittedElements(elements, 2.0 * content.largest_torque / float(np.ptp(ends)), sentences)
+    return FittedElements(elements, 2.0 * content.largest_torque / float(np.ptp(ends)), tuple(said))
+
+
+def _share(ratio: float) -> str:
+    return f"{100.0 * ratio:.2g} % of" if ratio < 1.0 else f"{ratio:.2g} times"
