@@ -71,6 +71,7 @@ def test_cylinder_has_an_even_load_and_no_more_approach():
         (10.0, 0.015, 0.022),
         (4.0, 0.021, 0.021),
         (3.0, 0.03, 0.018),
+        (2.6, 0.041, 0.02),
     ],
 )
 def test_hertz_ellipse(axes, pressure, approach):
@@ -87,7 +88,7 @@ def test_hertz_ellipse(axes, pressure, approach):
     assert 0 < peak_pressure(found) / peak - 1 < pressure
     more = compression(crown, force, contact_length=length)
     assert 0 < (half_space_line(force, length) + more) / (peak * a * first / MODULUS) - 1 < approach
-    assert float(found.loaded_share) * length == pytest.approx(2 * axes * a, rel=0.016)
+    assert float(found.loaded_share) * length == pytest.approx(2 * axes * a, rel=0.025)
 
 
 @pytest.mark.parametrize(("crown", "error"), [(2.0, 2e-3), (0.3, 0.016)])

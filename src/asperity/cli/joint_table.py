@@ -143,7 +143,7 @@ def _show_contacts(target: Console, document: Document) -> None:
             scaled(contact["real_contact_area_m2"], 1e6),
         )
     target.print(shown)
-    if any(contact["loaded_length_share"] is not None for contact in contacts.values()):
+    if any(contact.get("loaded_length_share") is not None for contact in contacts.values()):
         _show_crowns(target, contacts)
     shown = table(
         target,

@@ -29,7 +29,9 @@ SLICES = 8
 
 _POWER = 4  # of the smooth minimum of the free length of contact and the length of the rollers
 _NEWTON_STEPS = 3
-_LEAST_TARGET = 1.5 - math.log(1.5)  # of the middle slice: below, a contact is too short for its width
+_LEAST_TARGET = 2.2 - math.log(
+    2.2
+)  # of the middle slice: below, the contact is less than twice as long as wide
 _RESIDUAL = 1e-11
 
 
@@ -220,8 +222,8 @@ def crowned_line(
     Notes
     -----
     Slices do not interact except through the loaded length. Compared with Hertz's ellipse, the peak pressure is 1 to
-    2 % too high for contacts more than four times as long as wide, and 3 % at three times; shorter ones are soon not
-    solved. At ends that are loaded no concentration of stress is included. A crown of infinite radius
+    2 % too high for contacts more than four times as long as wide, 3 % at three times and 5 % at twice; shorter ones
+    are not solved. At ends that are loaded no concentration of stress is included. A crown of infinite radius
     gives the even line load to rounding.
 
     References

@@ -301,7 +301,7 @@ def _crown(result: JointResult, sizes: CheckedSizes, index: int) -> list[Note]:
             WIDTH_OVER_LENGTH_LIMIT,
             (
                 "the contact is long enough for its slices: the peak pressure is within 2 % of Hertz's",
-                "the contact is short for its slices: the peak pressure is 2 to 3 % too high, the creep up to 11 %"
+                "the contact is short for its slices: the peak pressure is 2 to 5 % too high, the creep up to 11 %"
                 " too high",
             ),
             "choose a larger crown radius",
