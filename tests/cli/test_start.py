@@ -180,7 +180,9 @@ def test_signals_end_the_command_with_one_word(number, code, word):
     script = (
         "import os, signal, sys\nfrom asperity import cli\nfrom asperity.cli import schema\n"
         "sys.argv = ['asperity', 'schema']\n"
-        f"schema.schema.callback = lambda: os.kill(os.getpid(), signal.SIG{number})\ncli.main()\n"
+        # a process started in the background ignores the signal of Ctrl+C
+        "signal.signal(signal.SIGINT, signal.default_int_handler)\n"
+        f"schema.schema.callback = lambda **options: os.kill(os.getpid(), signal.SIG{number})\ncli.main()\n"
     )
     done = subprocess.run(
         [sys.executable, "-c", script],
