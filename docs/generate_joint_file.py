@@ -130,7 +130,9 @@ def _sections() -> Iterator[tuple[str, type[Section], str]]:
             continue
         models = [p for p in _parts(field.annotation) if isinstance(p, type) and issubclass(p, Section)]
         model = next(m for m in models if not issubclass(m, EachContact))
-        header = {"duty": "[[duty]]", "materials": "[materials.NAME]"}.get(name, f"[{name}]")
+        header = {"duty": "[[duty]]", "branch": "[[branch]]", "materials": "[materials.NAME]"}.get(
+            name, f"[{name}]"
+        )
         yield header, model, field.description or ""
 
 

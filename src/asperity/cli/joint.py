@@ -69,6 +69,15 @@ def joint(file: str, as_json: bool, surfaces: tuple[str, ...], plot_file: str | 
     document = joint_document(
         joint=described, solution=solution, inputs=si_values(case), assumptions=assumptions(case)
     )
+    branched = None
+    if case.branch is not None:
+        from asperity.joint.branch_document import branch_document
+        from asperity.joint.branches import BranchedJoint
+        from asperity.joint_file.build import branches_from_case
+
+        interference, sizes = branches_from_case(case)
+        branched = BranchedJoint(described, interference)
+        document["branches"] = branch_document(branched.branches(sizes), sizes)
     if measured is not None:
         document["measured_surface"] = measurement_document(measurement=measured)
         document["stiffness_interval"] = stiffness_interval(described, measured)
@@ -78,9 +87,22 @@ def joint(file: str, as_json: bool, surfaces: tuple[str, ...], plot_file: str | 
         from asperity.show.style import plain_title
 
         solved = SolvedJoint(described, solution.result, solution.capacity)
-        write_image(joint_figure(solved, title=plain_title(file)), plot_file)
+        errors = None
+        if branched is not None:
+            import numpy as np
+
+            from asperity.joint.size_errors import size_error_curves
+
+            widest = 0.4 * branched.interference
+            errors = size_error_curves(branched, sizes, np.linspace(-widest, widest, 17))
+        write_image(joint_figure(solved, title=plain_title(file), size_errors=errors), plot_file)
         say_written(plot_file)
     _show(document, file, as_json)
+    if branched is not None and not as_json:
+        from asperity.cli.branch_table import show_branches
+        from asperity.cli.terminal import console
+
+        show_branches(console(), document["branches"])
 
 
 def _planar(case: PlanarCase, file: str, as_json: bool, options: dict[str, bool]) -> None:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import dataclasses
 import math
-from typing import Any
 
 import equinox as eqx
 import jax
@@ -17,7 +16,6 @@ from asperity.drive.assembly import Assembly, assembly_stiffness
 from asperity.drive.force_balance import BALANCE_TOLERANCE, DriveForces, force_balance
 from asperity.drive.geometry import CONTACT_NAMES, DriveAngles, angles, carrier_speed, speed_ratio, triangle
 from asperity.drive.interference import interference
-from asperity.drive.loading_cam import cam_angle, cam_compliance, with_cam
 from asperity.drive.mechanism import Mechanism, opposed, rest_state
 from asperity.drive.rolling_speeds import WEDGE_DRIVE
 from asperity.drive.torsional_stiffness import (
@@ -38,6 +36,7 @@ from asperity.joint.diagnostics import Diagnostics, diagnose, self_locking_ratio
 from asperity.joint.duty import duty_life
 from asperity.joint.elastic_bodies import assembly_springs, walls_hold
 from asperity.joint.interference import joint_rest_compliance
+from asperity.joint.loading_cam import followed_by_cam
 from asperity.joint.rolling import RollingResult, rolling_result
 from asperity.types import Real
 
@@ -303,17 +302,9 @@ def evaluate(joint: Joint) -> JointResult:
         rest=drive.rest,
         springs=springs,
     )
-    turned = jnp.zeros_like(forces.input_torque)
-    if joint.cam_force_per_torque is not None:
-        cam: dict[str, Any] = {
-            "geometry": geometry,
-            "rest": drive.rest,
-            "compliance": rest_compliance,
-            "preload": drive.preload,
-            "force_per_torque": joint.cam_force_per_torque,
-        }
-        turned = cam_angle(**cam, least_preload=joint.preload)
-        assembly = with_cam(assembly=assembly, compliance=cam_compliance(**cam))
+    turned, assembly = followed_by_cam(
+        joint=joint, drive=drive, compliance=rest_compliance, assembly=assembly
+    )
     law_holds = jnp.all((loaded.rough.normal_stiffness > 0.0) | (forces.normal <= 0.0), axis=0)
     walls = walls_hold(joint, loaded.half_width)
     if loaded.lines is not None:

@@ -55,6 +55,11 @@ def assumptions(case: Case) -> tuple[str, ...]:
             "loading cam: its ramps have no friction, so that it follows every change of the torque and turns as far "
             "as the work on the contacts demands; a cam that sticks is stiffer, and adds hysteresis of its own"
         )
+    if case.branch is not None:
+        told.append(
+            "[[branch]]: ring and carrier are centred; at rest the drive is loaded after it has rolled without torque; "
+            "only the section on branches, or 'branches' of the JSON document, knows their sizes"
+        )
     told += _temperature(case)
     for roller in ("planet", "loading_roller"):
         if getattr(case.drive, f"{roller}_length") is None:

@@ -4,10 +4,12 @@ from __future__ import annotations
 
 import dataclasses
 import functools
+import math
 from collections.abc import Mapping
 from typing import Any
 
 import jax.numpy as jnp
+import numpy as np
 
 from asperity.contact.fractal import Surface
 from asperity.drive.assembly import IDEAL_STRUCTURE, StructureSprings
@@ -16,6 +18,7 @@ from asperity.drive.geometry import DriveGeometry, triangle
 from asperity.drive.interference import interference_of_sizes
 from asperity.drive.mechanism import Bearings, rest_state
 from asperity.errors import InputError
+from asperity.joint.branch_sizes import BranchSizes
 from asperity.joint.description import Bodies, Crowns, Fit, Joint, PinBeam
 from asperity.joint.dynamics import Inertias
 from asperity.joint.interference import joint_preload
@@ -208,6 +211,40 @@ def _too_large(values: Values, joint: Joint) -> Real:
     return interference_of_sizes(
         rest=rest, sun=sun, planet=planet, right_roller=roller, left_roller=roller, ring=ring
     )
+
+
+def branches_from_case(case: Case) -> tuple[float, BranchSizes]:
+    """The branches of a joint file by their own sizes.
+
+    Parameters
+    ----------
+    case : Case
+        The joint file.
+
+    Returns
+    -------
+    interference : float
+        Nominal interference at the working temperature [m].
+    sizes : BranchSizes
+        Deviations of the branches, and the bearings of the sun.
+
+    Raises
+    ------
+    InputError
+        If the file has no sections ``[[branch]]``.
+    """
+    if case.branch is None:
+        raise InputError("the joint file has no sections [[branch]], one for each planet")
+    values = si_values(case)
+    entries = list(values["branch"].values())
+    planet, right, left = (
+        np.array([entry.get(f"{name}_deviation", 0.0) for entry in entries])
+        for name in ("planet", "right_roller", "left_roller")
+    )
+    support = values.get("compliance", {}).get("sun_support_stiffness", math.inf)
+    fit = joint_from_values(values).fit
+    nominal = values["load"]["interference"] if fit is None else float(fit.interference + fit.thermal_change)
+    return nominal, BranchSizes(planet, right, left, support)
 
 
 def inertias_from_case(case: Case) -> Inertias:

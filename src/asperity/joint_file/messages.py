@@ -175,7 +175,8 @@ def _sentence(parts: Parts, error: ErrorDetails, model: type[BaseModel]) -> str:
     if kind == "string_type":
         return f"{path}: expected the name of a material, e.g. 'steel', got {quoted(value)}"
     if kind == "tuple_type":
-        return f"{path}: expected sections [[{path}]], one for each load, got {quoted(value)}"
+        each = "planet" if path == "branch" else "load"
+        return f"{path}: expected sections [[{path}]], one for each {each}, got {quoted(value)}"
     if kind == "too_short":
         return f"{path}: the section is empty"
     if kind == "value_error":
@@ -187,7 +188,8 @@ def _sentence(parts: Parts, error: ErrorDetails, model: type[BaseModel]) -> str:
 def _wanted(parts: Parts, model: type[BaseModel]) -> str:
     """What a missing key has to be, with an example."""
     generic = ".".join(
-        "*" if i == 1 and parts[0] in ("materials", "duty") else part for i, part in enumerate(parts)
+        "*" if i == 1 and parts[0] in ("materials", "duty", "branch") else part
+        for i, part in enumerate(parts)
     )
     key = keys_by_path(model).get(generic)
     if key:

@@ -144,6 +144,20 @@ class Compliance(Section):
     """Torsional stiffness of the shaft to the sun; rigid if absent."""
     output_shaft_stiffness: Annotated[Quantity, limits.TORSION_SPRING] | None = None
     """Torsional stiffness of the shaft from the carrier; rigid if absent."""
+    sun_support_stiffness: Annotated[Quantity, limits.SUPPORT] | None = None
+    """Radial stiffness of the sun's bearings together, for branches of their own sizes, [[branch]]; 0 for a floating
+    sun, rigid if absent."""
+
+
+class BranchEntry(Section):
+    """One planet with its loading rollers; write [[branch]] above each, as many as planets."""
+
+    planet_deviation: Annotated[Quantity, limits.DEVIATION] | None = None
+    """Radius of this planet above planet_radius; 0 if absent."""
+    right_roller_deviation: Annotated[Quantity, limits.DEVIATION] | None = None
+    """Radius of its right loading roller above loading_roller_radius; 0 if absent."""
+    left_roller_deviation: Annotated[Quantity, limits.DEVIATION] | None = None
+    """Radius of its left loading roller above loading_roller_radius; 0 if absent."""
 
 
 class Rolling(Section):
@@ -247,6 +261,8 @@ class Case(Section):
     """The oil; dry if the section is absent."""
     duty: Annotated[tuple[DutyLoad, ...], Field(min_length=1)] | None = None
     """Loads and their shares of the time, for the life under a duty: a section [[duty]] for each."""
+    branch: Annotated[tuple[BranchEntry, ...], Field(min_length=2)] | None = None
+    """Sizes of each planet and its loading rollers, where they differ: a section [[branch]] for each planet."""
     dynamics: DynamicsEntry | None = None
     """Inertias of motor and load, for `asperity dynamics`."""
     play: PlayEntry | None = None
@@ -293,6 +309,25 @@ class Case(Section):
         total = math.fsum(load.share for load in self.duty or ())
         if self.duty is not None and abs(total - 1.0) > 1e-9:
             raise InputError(f"the shares of [[duty]] must add up to 1, they add up to {total:.10g}")
+        return self
+
+    @model_validator(mode="after")
+    def _one_branch_for_each_planet(self) -> Case:
+        if self.branch is None:
+            return self
+        planets = round(self.drive.planets.value)
+        if len(self.branch) != planets:
+            raise InputError(
+                f"the drive has {planets} planets, but there are {len(self.branch)} sections [[branch]]"
+            )
+        if self.load.interference is None:
+            raise InputError(
+                "[[branch]] needs load.interference in place of load.preload: sizes make no preload that a spring holds"
+            )
+        if self.load.cam_force_per_torque is not None:
+            raise InputError(
+                "[[branch]] and load.cam_force_per_torque cannot be combined; leave one of them out"
+            )
         return self
 
     @model_validator(mode="after")

@@ -108,7 +108,9 @@ def key_at(path: str) -> Key:
     parts = path.split(".")
     known = keys_by_path()
     generic = ".".join(
-        [parts[0], "*", *parts[2:]] if parts[0] in ("materials", "duty") and len(parts) > 2 else parts
+        [parts[0], "*", *parts[2:]]
+        if parts[0] in ("materials", "duty", "branch") and len(parts) > 2
+        else parts
     )
     if generic not in known:
         raise InputError(f"a joint file has no number '{path}'{nearest(generic, known)}")
@@ -213,8 +215,8 @@ def change_targets(
 def _set(tables: Values, steps: tuple[str, ...], value: Any) -> None:
     table = tables
     for step in steps[:-1]:
-        if steps[0] == "duty" and step not in table:
-            raise InputError(f"{'.'.join(steps)}: the file has no load {step} in [[duty]]")
+        if steps[0] in ("duty", "branch") and step not in table:
+            raise InputError(f"{'.'.join(steps)}: the file has no section {step} in [[{steps[0]}]]")
         if steps[0] == "materials" and step not in table:
             raise InputError(f"{'.'.join(steps)}: there is no material '{step}'{nearest(step, table)}")
         table = table.setdefault(step, {})

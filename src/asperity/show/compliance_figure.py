@@ -9,6 +9,7 @@ import numpy as np
 from asperity.joint.margins import margins
 from asperity.joint.results import LEVELS, RESULTS, SolvedJoint
 from asperity.joint.temperature_curves import temperature_curves
+from asperity.show.branch_figure import draw_size_errors
 from asperity.show.margins_figure import draw_margins
 from asperity.show.style import mark_few_decades
 from asperity.show.temperature_figure import draw_temperatures
@@ -16,6 +17,8 @@ from asperity.show.temperature_figure import draw_temperatures
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
+
+    from asperity.joint.size_errors import SizeErrorCurves
 
 _PER_ARCMINUTE = np.pi / 10800.0
 
@@ -69,10 +72,11 @@ def compliance_figure(solved: SolvedJoint, *, title: str) -> Figure:
     return figure
 
 
-def joint_figure(solved: SolvedJoint, *, title: str) -> Figure:
+def joint_figure(solved: SolvedJoint, *, title: str, size_errors: SizeErrorCurves | None = None) -> Figure:
     """Shares of the compliance, stiffness on every level, and safety margins on one sheet.
 
-    A joint whose preload changes with temperature has a third row: preload, stiffness and capacity over it.
+    A joint whose preload changes with temperature has a further row: preload, stiffness and capacity over it; one with
+    unequal branches another: load shares, capacity and the force on the sun over the size of a planet.
 
     Parameters
     ----------
@@ -80,6 +84,8 @@ def joint_figure(solved: SolvedJoint, *, title: str) -> Figure:
         One joint.
     title : str
         Title of the picture.
+    size_errors : SizeErrorCurves, optional
+        Of unequal branches.
 
     Returns
     -------
@@ -89,15 +95,17 @@ def joint_figure(solved: SolvedJoint, *, title: str) -> Figure:
     from matplotlib.figure import Figure
 
     fit = solved.joint.fit
-    rows = 2 if fit is None else 3
+    rows = 2 + (fit is not None) + (size_errors is not None)
     figure = Figure(figsize=(10.0, 3.7 * rows), layout="constrained")
-    upper, lower, *third = figure.subfigures(rows, 1, squeeze=False)[:, 0]
+    upper, lower, *further = figure.subfigures(rows, 1, squeeze=False)[:, 0]
     budget, levels = upper.subplots(1, 2)
     draw_budget(budget, solved)
     draw_levels(levels, solved)
     draw_margins(lower.subplots(), margins(solved))
     if fit is not None:
-        draw_temperatures(third[0].subplots(1, 3), temperature_curves(solved.joint), fit)
+        draw_temperatures(further[0].subplots(1, 3), temperature_curves(solved.joint), fit)
+    if size_errors is not None:
+        draw_size_errors(further[-1].subplots(1, 3), size_errors)
     figure.suptitle(title, fontsize=10)
     return figure
 

@@ -1,0 +1,75 @@
+"""Unequal branches as a table to read."""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING, Any
+
+from asperity.cli.document_text import in_unit, number, print_wrapped, scaled
+from asperity.cli.terminal import table
+
+if TYPE_CHECKING:
+    from rich.console import Console
+
+Document = dict[str, Any]
+
+
+def show_branches(target: Console, found: Document) -> None:
+    """Print what unequal branches do to a joint.
+
+    Parameters
+    ----------
+    target : Console
+        Where to print.
+    found : dict
+        As :func:`asperity.joint.branch_document.branch_document` makes it.
+    """
+    standing, rolling = found["standing"], found["rolling"]
+    shown = table(
+        target,
+        "\nBranches by their own sizes (all tables above are for equal ones of nominal size)",
+        "planet",
+        "deviation planet,\nrollers µm",
+        "interference\nµm",
+        "preload\nN",
+        "share at rest,\nrolling %",
+        "slip at rest,\nrolling -",
+    )
+    for index, entry in enumerate(found["branches"]):
+        sizes = [entry[f"{name}_deviation_m"] for name in ("planet", "right_roller", "left_roller")]
+        shown.add_row(
+            str(index + 1),
+            ", ".join(scaled(size, 1e6) for size in sizes),
+            scaled(entry["interference_m"], 1e6),
+            number(entry["preload_N"]),
+            ", ".join(_of(state, "share", index, 100.0) for state in (standing, rolling)),
+            ", ".join(_of(state, "slip_ratio", index, 1.0) for state in (standing, rolling)),
+        )
+    target.print(shown)
+    for label, text in (
+        ("sun", _sun(found, standing)),
+        ("capacity", _capacity(found["torque_capacity"])),
+        ("rolling", _capacity(found["rolling_torque_capacity"])),
+    ):
+        print_wrapped(target, f"  {label:<10} {text}", indent=13)
+
+
+def _of(state: Document | None, name: str, index: int, factor: float) -> str:
+    value = None if state is None else state[name][index]
+    return "-" if value is None else number(factor * value, 3)
+
+
+def _sun(found: Document, standing: Document | None) -> str:
+    sun = (standing or found["without_torque"])["sun"]
+    force = in_unit(math.hypot(*sun["force_N"]), "N")
+    if found["sun_support_stiffness_N_per_m"] is None:
+        return f"{force} on its bearings, which hold it"
+    return f"{in_unit(math.hypot(*sun['displacement_m']), 'um')} off centre, {force} on its bearings"
+
+
+def _capacity(entry: Document) -> str:
+    return (
+        f"{in_unit(entry['first_slip_Nm'], 'N*m')}: contact {entry['first_contact']} of planet {entry['first_branch']} "
+        f"slips first; all slip at {in_unit(entry['all_slip_Nm'], 'N*m')}; equal branches pass "
+        f"{in_unit(entry['equal_branches_Nm'], 'N*m')}"
+    )

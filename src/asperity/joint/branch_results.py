@@ -1,0 +1,93 @@
+"""What is known about the unequal branches of a joint."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from asperity.drive.geometry import CONTACT_NAMES
+
+
+@dataclass(frozen=True)
+class BranchState:
+    """The branches of a joint under a torque, at rest or in rolling. SI units; branches last, shape (..., n).
+
+    Parameters
+    ----------
+    preload : ndarray
+        Preload of each branch where the sun now is [N]; 0 for a loose one.
+    torque : ndarray
+        Torque of each branch at the output; they add up to that of the joint [N·m].
+    slip_ratio : ndarray
+        The largest T/(mu N) of each branch [-]; 1 where it slips, nan where it is loose or was not asked for.
+    sun_displacement, sun_force : ndarray
+        Displacement of the sun [m], and the force of the planets on it [N], shape (2,); the first planet lies on the
+        first axis.
+    """
+
+    preload: np.ndarray
+    torque: np.ndarray
+    slip_ratio: np.ndarray
+    sun_displacement: np.ndarray
+    sun_force: np.ndarray
+
+    @property
+    def share(self) -> np.ndarray:
+        """Share of each branch in the torque [-]; 1/n for equal branches."""
+        return self.torque / self.torque.sum()
+
+
+@dataclass(frozen=True)
+class BranchCapacity:
+    """How much torque unequal branches pass together, at rest or in rolling.
+
+    Parameters
+    ----------
+    first_slip : float
+        Torque at which the weakest branch that is not loose slips [N·m].
+    branch : int
+        Which one, from 0.
+    contact : int or None
+        Which of its contacts; None where it was not asked for.
+    all_slip : float
+        Torque at which all branches slip [N·m]: the most that the drive passes.
+    equal : float
+        The same for equal branches of nominal size, for which both are one [N·m].
+    """
+
+    first_slip: float
+    branch: int
+    contact: int | None
+    all_slip: float
+    equal: float
+
+    @property
+    def contact_name(self) -> str:
+        """Name of the contact that slips first; empty where it was not asked for."""
+        return "" if self.contact is None else CONTACT_NAMES[self.contact]
+
+
+@dataclass(frozen=True)
+class UnequalBranches:
+    """What unequal branches do to a joint.
+
+    Parameters
+    ----------
+    interference, preload : ndarray
+        Of each branch without torque, the sun where its bearings let it be, shape (n,) [m], [N].
+    rest : BranchState
+        Without torque.
+    standing, rolling : BranchState or None
+        Under the joint's torque; None where it is more than all branches pass.
+    capacity, rolling_capacity : BranchCapacity
+        At rest and in rolling.
+    """
+
+    interference: np.ndarray
+    preload: np.ndarray
+    rest: BranchState
+    standing: BranchState | None
+    rolling: BranchState | None
+    capacity: BranchCapacity
+    rolling_capacity: BranchCapacity

@@ -1,0 +1,270 @@
+r"""A joint whose branches differ in size: preload, load share and slip of each, capacity, and the sun's displacement.
+
+Each planet and its loading rollers have their own interference, and so their own preload. At rest all branches are
+wound up by the same rotation of sun and carrier, from a state without torque into which the drive has rolled; while the
+drive turns, all creep by the same share of the speed. The sun moves in its bearings until they balance its forces. A
+branch that slips keeps the torque that its friction holds.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+import math
+from collections.abc import Callable
+
+import jax.numpy as jnp
+import numpy as np
+from scipy.interpolate import CubicSpline
+from scipy.optimize import brentq, root
+
+from asperity.drive.geometry import CONTACT_NAMES, speed_ratio, triangle
+from asperity.drive.mechanism import RestState, rest_state
+from asperity.drive.unequal_branches import added_interference, branch_directions, force_on_sun
+from asperity.errors import InputError, NoSolutionError
+from asperity.joint.branch_law import BranchLaw, BranchLaws, branch_laws
+from asperity.joint.branch_results import BranchCapacity, BranchState, UnequalBranches
+from asperity.joint.branch_sizes import BranchSizes
+from asperity.joint.description import Joint
+from asperity.joint.interference import joint_preload
+from asperity.units import format_quantity
+
+_LENGTHS = 48  # of the curve of preload over interference
+_WIDEST = 3.0  # largest interference over the nominal one in the tables
+_LEAST_SUPPORT = 1e-9  # over preload per interference: holds a floating sun where nothing else does
+_TOLERANCE = 1e-13
+
+
+class BranchedJoint:
+    """A joint made ready for branches of any sizes: the tables of its branches, and its preload over interference.
+
+    Parameters
+    ----------
+    joint : Joint
+        One joint without a loading cam, its preload by interference.
+    interference : float
+        Its nominal interference [m].
+    """
+
+    def __init__(self, joint: Joint, interference: float) -> None:
+        if joint.cam_force_per_torque is not None:
+            raise InputError(
+                "branches of their own sizes and a loading cam cannot be combined yet; leave one of them out"
+            )
+        geometry = joint.geometry
+        self.joint, self.interference = joint, interference
+        self.own_preload = float(joint.preload)
+        self.count = round(float(geometry.planet_count))
+        self.rest: RestState = rest_state(geometry=geometry, sides=triangle(geometry), preload=1.0)
+        length = interference * np.geomspace(1e-3, _WIDEST, _LENGTHS)
+        plain = dataclasses.replace(joint, fit=None)
+        force = np.asarray(joint_preload(plain, jnp.asarray(length)))
+        if not np.all(force > 0.0):
+            raise InputError("the branches cannot be compared: contacts would be as wide as their bodies")
+        self._log_force = CubicSpline(np.log(length), np.log(force))
+        self._least = float(length[0])
+        self.laws: BranchLaws = branch_laws(joint, largest_preload=float(force[-1]))
+        self._turned = 1.0 / (float(geometry.sun_radius) * abs(float(speed_ratio(geometry))))
+
+    def preload(self, interference: np.ndarray) -> np.ndarray:
+        """Preload that an interference makes in a branch, 0 without one [N]."""
+        if np.any(interference > _WIDEST * self.interference):
+            raise InputError(
+                f"the interference of a branch, {format_quantity(float(np.max(interference)), 'um')}, is more than "
+                f"{_WIDEST:g} times the nominal one; state smaller deviations"
+            )
+        inside = np.log(np.maximum(interference, self._least))
+        nominal = self._log_force(math.log(self.interference))
+        found = self.own_preload * np.exp(self._log_force(inside) - nominal)  # exact for the nominal one
+        small = np.where(interference > 0.0, interference / self._least, 0.0)
+        return np.where(interference >= self._least, found, found * small)
+
+    def branches(self, sizes: BranchSizes, *, slip: bool = True) -> UnequalBranches:
+        """Everything about branches of given sizes.
+
+        Parameters
+        ----------
+        sizes : BranchSizes
+            One deviation for each planet.
+        slip : bool, optional
+            Whether the slip ratios of the contacts are wanted, which take most of the time.
+
+        Returns
+        -------
+        UnequalBranches
+            At rest, under the joint's torque, and at slip.
+
+        Raises
+        ------
+        InputError
+            If the number of sizes is not that of the planets, or every branch is loose.
+        NoSolutionError
+            If no balance of the sun was found.
+        """
+        if sizes.planet.size != self.count:
+            raise InputError(
+                f"the drive has {self.count} planets, got the sizes of {sizes.planet.size} branches"
+            )
+        standing = _Solver(self, sizes, self.laws.standing, turns=False, slip=slip)
+        rolling = _Solver(self, sizes, self.laws.rolling, turns=True, slip=slip)
+        rest = standing.at(0.0)
+        if not np.any(rest.preload > 0.0):
+            raise InputError(
+                "the deviations of the radii leave no branch with an interference: the drive is loose"
+            )
+        torque = abs(float(self.joint.output_torque))
+        return UnequalBranches(
+            interference=standing.lengths(rest.sun_displacement),
+            preload=rest.preload,
+            rest=rest,
+            standing=standing.under(torque),
+            rolling=rolling.under(torque),
+            capacity=standing.capacity(),
+            rolling_capacity=rolling.capacity(),
+        )
+
+    def sun_turns(self, displacement: np.ndarray) -> np.ndarray:
+        """Angle at the output by which a displacement of the sun winds up each branch, shape (n,) [rad]."""
+        _, along = branch_directions(self.count)
+        return np.asarray(self.laws.direction * self._turned * (along @ displacement))
+
+
+class _Solver:
+    """Branches of given sizes at rest or in rolling: one common angle or speed loss decides everything."""
+
+    def __init__(
+        self, drive: BranchedJoint, sizes: BranchSizes, law: BranchLaw, *, turns: bool, slip: bool
+    ) -> None:
+        self.drive, self.sizes, self.law, self.turns, self.slip = drive, sizes, law, turns, slip
+        self.radial, _ = branch_directions(drive.count)
+        none = {"planet": 0.0, "right_roller": 0.0, "left_roller": 0.0}
+        self.per_approach = float(added_interference(rest=drive.rest, approach=1.0, **none))
+        own = added_interference(
+            rest=drive.rest,
+            approach=0.0,
+            planet=jnp.asarray(sizes.planet),
+            right_roller=jnp.asarray(sizes.right_roller),
+            left_roller=jnp.asarray(sizes.left_roller),
+        )
+        self.own = drive.interference + np.asarray(own)
+        self.origin = self._last = np.zeros(2)
+        if not turns:
+            self.origin = self._found(lambda moved: self._loads(np.zeros(drive.count), moved)[2])
+
+    def lengths(self, displacement: np.ndarray) -> np.ndarray:
+        """Interference of each branch [m]."""
+        return self.own + self.per_approach * (self.radial @ displacement)
+
+    def _demands(self, common: float, displacement: np.ndarray) -> np.ndarray:
+        even = np.full(self.drive.count, common)
+        return even if self.turns else even + self.drive.sun_turns(displacement - self.origin)
+
+    def _loads(
+        self, demand: np.ndarray, displacement: np.ndarray
+    ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+        """Preload, share of the capacity, and the force on the sun."""
+        preload = self.drive.preload(self.lengths(displacement))
+        share = self.law.share(preload, demand)
+        normal, tangential = self.law.sun_forces(preload, share)
+        return preload, share, force_on_sun(normal=normal, tangential=tangential)
+
+    def displacement(self, common: float) -> np.ndarray:
+        """Displacement of the sun at an angle or a speed loss [m]."""
+        return self._found(lambda moved: self._loads(self._demands(common, moved), moved)[2])
+
+    def _found(self, force_at: Callable[[np.ndarray], np.ndarray]) -> np.ndarray:
+        """Displacement of the sun at which its bearings balance the planets [m]."""
+        support, force = self.sizes.sun_support_stiffness, self.drive.own_preload
+        held = np.zeros(2)
+        if math.isinf(support):
+            return held
+        size = self.drive.interference
+        support = max(support, _LEAST_SUPPORT * force / size)
+
+        def misfit(scaled: np.ndarray) -> np.ndarray:
+            moved = scaled * size
+            return (force_at(moved) - support * moved) / force
+
+        if np.max(np.abs(misfit(held))) < _TOLERANCE:
+            return held
+        found = root(misfit, self._last, method="hybr", options={"xtol": 1e-12})
+        if np.max(np.abs(misfit(found.x))) > 1e-6:
+            raise NoSolutionError(
+                "the sun finds no place between its branches; choose stiffer bearings of the sun"
+            )
+        self._last = found.x  # near the next one
+        return np.asarray(found.x * size)
+
+    def total(self, common: float) -> float:
+        """Torque of all branches [N·m]."""
+        moved = self.displacement(common)
+        preload, share, _ = self._loads(self._demands(common, moved), moved)
+        return float(np.mean(self.law.torque(preload, share)))
+
+    def _most(self) -> float:
+        """An angle or speed loss at which all branches slip."""
+        most = 3.0 * self.drive.preload(np.array([np.max(self.own), self.drive.interference])).max()
+        return 3.0 * float(self.law.demand_at_slip(min(most, float(self.law.preloads[-1]))))
+
+    def under(self, torque: float) -> BranchState | None:
+        """The state under a torque; None where all branches slip below it."""
+        most = self._most()
+        if torque > 0.0 and self.total(most) < torque:
+            return None
+        common = 0.0 if torque == 0.0 else _zero(lambda x: self.total(x) - torque, most)
+        state = self.at(common)
+        whole = float(np.sum(state.torque))
+        # the common angle is found to rounding only
+        return dataclasses.replace(state, torque=state.torque * (torque / whole)) if whole > 0.0 else state
+
+    def at(self, common: float) -> BranchState:
+        """The state at an angle or a speed loss."""
+        moved = self.displacement(common)
+        preload, share, force = self._loads(self._demands(common, moved), moved)
+        torque = self.law.torque(preload, share)
+        ratio = np.max(self._slip_ratios(preload, torque * (1.0 - 1e-9)), axis=0)
+        return BranchState(
+            preload=preload,
+            torque=torque / self.drive.count,
+            slip_ratio=np.where(preload > 0.0, np.where(share >= 1.0, 1.0, ratio), np.nan),
+            sun_displacement=moved,
+            sun_force=force,
+        )
+
+    def _slip_ratios(self, preload: np.ndarray, torque: np.ndarray) -> np.ndarray:
+        """Of all contacts, without the tables, shape (5, n)."""
+        if not self.slip:
+            return np.full((len(CONTACT_NAMES), self.drive.count), np.nan)
+        return self.drive.laws.states(preload, torque)["rolling_slip_ratio" if self.turns else "slip_ratio"]
+
+    def _used(self, common: float) -> float:
+        """How far the branch nearest to slip is wound up or creeps, over that at which it slips."""
+        moved = self.displacement(common)
+        preload = self.drive.preload(self.lengths(moved))
+        bears = preload > 0.0
+        return float(np.max(self._demands(common, moved)[bears] / self.law.demand_at_slip(preload[bears])))
+
+    def capacity(self) -> BranchCapacity:
+        """Torque at the first slip, and that at which all branches slip."""
+        most = self._most()
+        first = _zero(lambda x: self._used(x) - 1.0, most)
+        moved = self.displacement(first)
+        preload = self.drive.preload(self.lengths(moved))
+        over = np.where(
+            preload > 0.0,
+            self._demands(first, moved) / self.law.demand_at_slip(np.maximum(preload, 1e-9)),
+            0.0,
+        )
+        branch = int(np.argmax(over))
+        almost = np.minimum(over, 1.0) * (1.0 - 1e-9)
+        slips = self._slip_ratios(preload, self.law.torque(preload, almost))[:, branch]
+        return BranchCapacity(
+            first_slip=self.total(first),
+            branch=branch,
+            contact=int(np.nanargmax(slips)) if np.any(np.isfinite(slips)) else None,
+            all_slip=self.total(most),
+            equal=float(self.law.capacity(self.drive.own_preload)),
+        )
+
+
+def _zero(function: Callable[[float], float], upper: float) -> float:
+    return float(brentq(function, 0.0, upper, xtol=1e-15 * upper, rtol=1e-14))

@@ -1,0 +1,219 @@
+"""Unequal branches: by hand where a branch is a spring that slips, and with the tables of the paper's joint."""
+
+import dataclasses
+import math
+
+import numpy as np
+import pytest
+from scipy.interpolate import PchipInterpolator, RectBivariateSpline
+
+from asperity.errors import InputError
+from asperity.joint import branches
+from asperity.joint.branch_law import BranchLaw, BranchLaws
+from asperity.joint.branch_sizes import BranchSizes
+from asperity.joint.branches import BranchedJoint
+from asperity.joint.size_errors import size_error_curves
+
+PER_NEWTON, PER_ANGLE = 0.013, 3e4  # capacity over preload [m], stiffness of a branch [N·m/rad]
+INTERFERENCE = 13e-6
+NONE = np.zeros(3)
+
+
+class FakeLaws(BranchLaws):
+    """Branches that need no program."""
+
+    def states(self, preload, torque):
+        slip = np.where(preload > 0.0, torque / (PER_NEWTON * np.maximum(preload, 1e-9)), np.nan)
+        return {name: np.tile(slip, (5, 1)) for name in ("slip_ratio", "rolling_slip_ratio")}
+
+
+def spring_law(rigid_in_preload):
+    """A linear spring that slips at a torque in proportion to its preload; stiffness alike, or as the preload."""
+    nodes = np.geomspace(10.0, 5000.0, 6)
+    ends = np.append(0.0, nodes)
+    even = np.linspace(0.0, 1.0, 6)
+    over, size = np.meshgrid(even, np.log(nodes), indexing="ij")
+
+    def table(values):
+        return RectBivariateSpline(even, np.log(nodes), values)
+
+    at_slip = (
+        PER_NEWTON * ends / PER_ANGLE if rigid_in_preload else np.full(7, PER_NEWTON * 1000.0 / PER_ANGLE)
+    )
+    return BranchLaw(
+        preloads=nodes,
+        capacity=PchipInterpolator(ends, PER_NEWTON * ends),
+        demand_at_slip=PchipInterpolator(ends, at_slip),
+        used=table(over),
+        normal=table(np.ones_like(size)),
+        tangential=table(0.1 * over),
+    )
+
+
+@pytest.fixture
+def springs(paper_joint, monkeypatch):
+    """A drive of three such branches, whose preload is in proportion to the interference: 1000 N at 13 um."""
+
+    def of(**changes):
+        laws = lambda joint, *, largest_preload: FakeLaws(spring_law(True), spring_law(False), joint, 1.0)  # noqa: E731
+        monkeypatch.setattr(branches, "branch_laws", laws)
+        monkeypatch.setattr(branches, "joint_preload", lambda joint, length: 1000.0 * length / INTERFERENCE)
+        return BranchedJoint(paper_joint(**changes), INTERFERENCE)
+
+    return of
+
+
+def sizes(planet, support=math.inf, right=NONE):
+    return BranchSizes(np.asarray(planet), np.asarray(right), NONE, support)
+
+
+def test_equal_branches_share_alike(springs):
+    drive = springs(output_torque=5.0)
+    for support in (math.inf, 5e7, 0.0):
+        found = drive.branches(sizes(NONE, support))
+        assert found.preload == pytest.approx(np.full(3, 1000.0), rel=1e-12)
+        for state in (found.standing, found.rolling):
+            assert state.share == pytest.approx(np.full(3, 1.0 / 3.0), rel=1e-12)
+            assert state.torque.sum() == pytest.approx(5.0, rel=1e-12)
+            assert state.sun_displacement == pytest.approx(np.zeros(2), abs=1e-18)
+        for capacity in (found.capacity, found.rolling_capacity):
+            assert capacity.first_slip == pytest.approx(13.0, rel=1e-9)
+            assert capacity.all_slip == pytest.approx(capacity.equal, rel=1e-12)
+
+
+def test_alike_springs_at_rest_by_hand(springs):
+    """A held sun: a micrometre of planet is 1.9413 um of interference; springs alike carry alike until one slips."""
+    found = springs(output_torque=5.0).branches(sizes([2e-6, 0.0, -2e-6]))
+    one = 1000.0 * 1.9413 * 2.0 / 13.0
+    preload = 1000.0 + one * np.array([1.0, 0.0, -1.0])
+    assert found.preload == pytest.approx(preload, rel=1e-4)
+    assert found.standing.share == pytest.approx(np.full(3, 1.0 / 3.0), rel=1e-9)
+    assert found.standing.slip_ratio == pytest.approx(5.0 / (PER_NEWTON * preload), rel=1e-4)
+    assert found.capacity.first_slip == pytest.approx(PER_NEWTON * preload[2], rel=1e-4)
+    assert found.capacity.branch == 2
+    assert found.capacity.all_slip == pytest.approx(13.0, rel=1e-4)
+    # where all slip at the same creep, each carries as it is pressed
+    assert found.rolling.share == pytest.approx(preload / 3000.0, rel=1e-4)
+    assert found.rolling_capacity.first_slip == pytest.approx(13.0, rel=1e-4)
+    force = found.rest.sun_force
+    assert force == pytest.approx(
+        [-preload[0] + 0.5 * preload[1] + 0.5 * preload[2], -math.sqrt(0.75) * one], rel=1e-3
+    )
+
+
+def test_beyond_the_first_slip_the_others_take_over(springs):
+    found = springs(output_torque=11.0).branches(sizes([2e-6, 0.0, -2e-6]))
+    weakest = PER_NEWTON * found.preload[2] / 3.0
+    assert found.standing.torque == pytest.approx(
+        [(11.0 - weakest) / 2.0, (11.0 - weakest) / 2.0, weakest], rel=1e-6
+    )
+    assert found.standing.slip_ratio[2] == 1.0
+    assert springs(output_torque=13.5).branches(sizes([2e-6, 0.0, -2e-6])).standing is None
+
+
+def test_a_floating_sun_presses_three_planets_alike(springs):
+    """Its three forces balance only if they are equal: all have the preload of the mean interference."""
+    found = springs(output_torque=5.0).branches(sizes([3e-6, 0.0, -1e-6], 0.0, [0.0, 2e-6, 0.0]))
+    mean = np.mean(found.interference)
+    assert found.preload == pytest.approx(np.full(3, 1000.0 * mean / 13e-6), rel=1e-6)
+    assert found.rest.sun_force == pytest.approx(np.zeros(2), abs=1e-3)
+    assert found.standing.share == pytest.approx(np.full(3, 1.0 / 3.0), rel=1e-6)
+
+
+def test_the_bearings_of_the_sun_balance_its_planets(springs):
+    found = springs(output_torque=5.0).branches(sizes([3e-6, 0.0, -1e-6], 5e7))
+    for state in (found.rest, found.standing, found.rolling):
+        assert state.sun_force == pytest.approx(5e7 * state.sun_displacement, abs=1e-4)
+        assert np.hypot(*state.sun_displacement) > 1e-7
+    # away from the largest planet
+    assert found.rest.sun_displacement[0] < 0.0
+
+
+def test_a_loose_branch_carries_nothing(springs):
+    found = springs(output_torque=5.0).branches(sizes([0.0, 0.0, -8e-6]))
+    assert found.preload[2] == 0.0
+    assert found.standing.share == pytest.approx([0.5, 0.5, 0.0])
+    assert np.isnan(found.standing.slip_ratio[2])
+    assert found.capacity.first_slip == pytest.approx(26.0 / 3.0, rel=1e-6)
+    with pytest.raises(InputError, match="leave no branch"):
+        springs().branches(sizes([-8e-6, -8e-6, -8e-6]))
+
+
+def test_wrong_input_is_told(springs, paper_joint):
+    drive = springs()
+    with pytest.raises(InputError, match="3 planets, got the sizes of 2"):
+        drive.branches(BranchSizes(np.zeros(2), np.zeros(2), np.zeros(2), 0.0))
+    with pytest.raises(InputError, match="more than 3 times the nominal one"):
+        drive.branches(sizes([20e-6, 0.0, 0.0]))
+    with pytest.raises(InputError, match="loading cam"):
+        BranchedJoint(dataclasses.replace(paper_joint(), cam_force_per_torque=50.0), INTERFERENCE)
+
+
+def test_curves_over_the_size_of_a_planet(springs):
+    drive = springs(output_torque=5.0)
+    curves = size_error_curves(drive, sizes(NONE), np.array([-2e-6, 0.0, 2e-6]))
+    assert curves.first_slip[1] == pytest.approx(13.0, rel=1e-9)
+    assert curves.first_slip[0] < curves.first_slip[1]
+    assert curves.first_slip[2] == pytest.approx(13.0, rel=1e-6)  # the others slip as before
+    assert curves.sun_force == pytest.approx(
+        1000.0 * 1.9413 * 2.0 / 13.0 * np.array([1.0, 0.0, 1.0]), rel=1e-3, abs=1e-9
+    )
+    assert curves.rolling_share[2, 0] > 1.0 / 3.0
+
+
+@pytest.fixture(scope="module")
+def real(paper_joint):
+    joint = dataclasses.replace(
+        paper_joint(ring_wall_thickness=60e-3), body_model="springs", ring_support=None
+    )
+    return BranchedJoint(joint, 12.904e-6)
+
+
+@pytest.mark.slow
+def test_equal_branches_are_the_joint(real):
+    from asperity.joint.capacity import torque_capacity
+    from asperity.joint.solve import solve
+
+    found = real.branches(sizes(NONE, 5e7))
+    solution = solve(real.joint)
+    ratio = float(np.max(solution.result.diagnostics.slip_ratio))
+    assert found.standing.slip_ratio == pytest.approx(np.full(3, ratio), rel=1e-8)
+    assert found.preload == pytest.approx(np.full(3, 1000.0), rel=1e-12)
+    assert found.standing.share == pytest.approx(np.full(3, 1.0 / 3.0), rel=1e-12)
+    capacity = float(torque_capacity(real.joint, direction=1.0).output_torque)
+    assert found.capacity.first_slip == pytest.approx(capacity, rel=1e-9)
+    assert found.capacity.equal == pytest.approx(capacity, rel=1e-12)
+
+
+@pytest.mark.slow
+def test_five_micrometres_by_the_published_numbers(real):
+    """±5 um on a planet make 218 and 1854 N, computed independently."""
+    found = real.branches(sizes([5e-6, 0.0, -5e-6]))
+    assert found.preload == pytest.approx([1854.0, 1000.0, 218.0], abs=1.0)
+
+
+@pytest.mark.slow
+def test_branches_turn_by_the_same_angle_and_creep_alike_without_the_tables(real):
+    """The angle of each branch by quadrature of its compliance; the speed loss from its rolling state."""
+    found = real.branches(sizes([2e-6, 0.0, -2e-6], 5e7))
+    nodes, weights = np.polynomial.legendre.leggauss(8)
+    angle = []
+    for preload, torque in zip(found.standing.preload, 3.0 * found.standing.torque, strict=True):
+        states = real.laws.states(np.full(8, preload), 0.5 * torque * (1.0 + nodes))
+        angle.append(0.5 * torque * np.sum(weights * states["compliance"]))
+    moved = found.standing.sun_displacement - found.rest.sun_displacement
+    own = np.array(angle) - real.sun_turns(moved)
+    assert own == pytest.approx(np.full(3, own.mean()), rel=2e-4)
+    assert np.ptp(angle) > 0.0
+    loss = real.laws.states(found.rolling.preload, 3.0 * found.rolling.torque)["speed_loss"]
+    assert loss == pytest.approx(np.full(3, loss.mean()), rel=2e-4)
+
+
+@pytest.mark.slow
+def test_exact_forces_balance_on_the_sun(real):
+    from asperity.drive.unequal_branches import force_on_sun
+
+    found = real.branches(sizes([2e-6, 0.0, -2e-6], 5e7))
+    exact = real.laws.states(found.standing.preload, 3.0 * found.standing.torque)
+    force = force_on_sun(normal=exact["normal"][0], tangential=exact["tangential"][0])
+    assert force == pytest.approx(5e7 * found.standing.sun_displacement, abs=0.05)
