@@ -8,7 +8,7 @@ import pytest
 from asperity.cli.joint_table import show_joint
 from asperity.cli.roll_table import show_rolling
 from asperity.cli.solved_case import solved_planar
-from asperity.errors import InputError
+from asperity.errors import InputError, NoSolutionError
 from asperity.joint.planar.solve import refuse_planar_rolling
 
 ORBIT, COUNT = 30e-3, 3  # of the planetary example
@@ -100,11 +100,10 @@ def test_drift_and_power_of_the_planetary(planetary):
     assert list(rolling["body_life_hours"]) == ["sun", "planet", "ring"]
 
 
-def test_interference_makes_the_preload_that_makes_it(planetary, planar_case):
+def test_a_given_interference_is_that_of_the_result(planetary):
     _, solution, document = planetary
     assert document["preload"]["interference_m"] == pytest.approx(30e-6, rel=1e-12)
-    force = document["preload"]["force_N"]
-    assert force == pytest.approx(float(solution.result.rest.normal[0]), rel=1e-12)
+    assert document["preload"]["force_N"] == pytest.approx(float(solution.result.rest.normal[0]), rel=1e-12)
 
 
 def test_the_tables_name_contacts_members_and_bodies(planetary, tmp_path):
@@ -134,6 +133,11 @@ def test_a_torque_beyond_the_capacity_is_refused(planar_case):
 
 
 def test_bodies_that_do_not_fit_are_refused(planar_case):
+    fast = planar_case("planetary", replaced={'"1500 rpm"': '"60000 rpm"'})
+    with pytest.raises(
+        InputError, match="at which contact sp lifts off; raise the preload, or lower the speed"
+    ):
+        solved_planar(fast)
     with pytest.raises(InputError, match=r"planet and planet overlap by 10 mm"):
         solved_planar(planar_case("planetary", replaced={"planets = 3": "planets = 6"}))
     with pytest.raises(InputError, match=r"the bore of planet, 45 mm, leaves no wall in a roller of 40 mm"):
@@ -145,6 +149,31 @@ def test_bodies_that_do_not_fit_are_refused(planar_case):
                 replaced={'first_row_small_radius = "10 mm"': 'first_row_small_radius = "0.1 mm"'},
             )
         )
+
+
+@pytest.mark.slow
+def test_a_thin_ring_is_the_spring_of_the_preload(planar_case):
+    """Thin-ring theory: three loads bend a free ring by 0.01593859 P R^3/EI, stretch and shear it."""
+    force, radius, wall, length = 100.0, 51.5e-3, 3e-3, 10e-3
+    young, poisson = 203e9, 0.29  # of 52100 in the library
+    modulus, area, inertia = young / (1.0 - poisson**2), wall * length, length * wall**3 / 12.0
+    bending = 0.01593859 * force * radius**3 / (modulus * inertia)
+    stretching = 0.49340 * force * radius / (modulus * area)
+    shear = 0.20473 * force * radius * 1.2 * 2.0 * (1.0 + poisson) / (young * area)
+    text = {'"8 mm"': '"3 mm"', 'interference = "30 um"': 'preload = "100 N"', '"10 N*m"': '"0.1 N*m"'}
+    free = solved_planar(planar_case("planetary", replaced=text))[2]
+    held_text = text | {'ring_support = "free"': 'ring_support = "rigid_housing"'}
+    held = solved_planar(planar_case("planetary", replaced=held_text))[2]
+    found = free["preload"]["interference_m"] - held["preload"]["interference_m"]
+    assert found == pytest.approx(bending + stretching + shear, rel=0.02)
+
+
+@pytest.mark.slow
+def test_preload_and_interference_make_each_other(planar_case):
+    by_size = solved_planar(planar_case("planetary"))[2]["preload"]
+    text = {'interference = "30 um"': f'preload = "{by_size["force_N"]!r} N"'}
+    by_force = solved_planar(planar_case("planetary", replaced=text))[2]["preload"]
+    assert by_force["interference_m"] == pytest.approx(30e-6, rel=1e-6)
 
 
 @pytest.mark.slow
@@ -201,9 +230,12 @@ def test_stepped_planets_by_hand(planar_case):
 
 
 @pytest.mark.slow
-def test_a_joint_that_stands_but_does_not_roll_is_told(planar_case):
-    joint, solution, _ = solved_planar(planar_case("stepped_planet"))
-    refuse_planar_rolling(joint, solution)  # it rolls
+def test_a_joint_without_creep_is_told(planar_case):
+    """A surface so rough that every spot is plastic has no stiffness for its creep."""
+    joint, solution, document = solved_planar(planar_case("planetary", replaced={'"1.3e-7 mm"': '"1e-2 mm"'}))
+    assert document["torsional_stiffness"]["assembly"]["output_Nm_per_rad"] is None
+    with pytest.raises(NoSolutionError, match="every spot of a contact is plastic"):
+        refuse_planar_rolling(joint, solution)
 
 
 @pytest.mark.slow

@@ -17,6 +17,10 @@ from asperity.joint.planar.description import PlanarJoint
 from asperity.joint.rolling_creep import ContactCreep, contact_creep
 from asperity.types import Real
 
+#: A force that is small for every wall: over Young's modulus times length times interference.
+_SMALL_FORCE = 1e-5
+_REFERENCE_STEPS = 4
+
 
 def contact_laws(joint: PlanarJoint, contacts: JointContacts) -> ContactLaws:
     """Laws of the contacts of a joint around their forces at rest.
@@ -35,33 +39,17 @@ def contact_laws(joint: PlanarJoint, contacts: JointContacts) -> ContactLaws:
 
     Notes
     -----
-    Where the preload is an interference, the laws are taken around a force of its order; they hold at any other, since
-    the logarithm of the force is part of them.
+    Where the preload is an interference, the laws are taken around the force that it makes by its work on the contacts.
 
     References
     ----------
     Equations (A3), (B1) and (E3) of :doc:`/equations`.
     """
-    drive = joint.drive
-    if joint.preload is None:
-        young, length = joint.materials[0].youngs_modulus, jnp.asarray(contacts.pairs.contact_length)[0]
-        preload = 0.1 * young * length * jnp.asarray(joint.interference)
-    else:
-        preload = jnp.asarray(joint.preload)
-    reference = preload * rest_forces(drive=drive, pattern=jnp.asarray(joint.pattern))
-    width = jnp.asarray(contacts.pairs.half_width(reference))
-    if joint.body_model == "springs":
-        springs, coupling = bulk_springs(contacts=contacts, half_width=width), None
-    else:
-        whole = body_compliance(joint=joint, contacts=contacts, half_width=width, stick_half_width=width)
-        count = reference.size
-        normal = whole[:count, :count]
-        own = jnp.diag(normal)
-        bend = logarithmic_decrease(
-            contacts=contacts, body_model=joint.body_model, plane_state=joint.plane_state
-        )
-        springs = NormalSprings(secant_compliance=own + bend, incremental_compliance=own)
-        coupling = normal - jnp.diag(own)
+    forces = rest_forces(drive=joint.drive, pattern=jnp.asarray(joint.pattern))
+    given = joint.preload
+    preload = _expected_preload(joint, contacts, forces) if given is None else jnp.asarray(given)
+    reference = preload * forces
+    springs, coupling = _approach(joint, contacts, reference)
     rough = rough_joint_contacts(
         contacts=contacts, normal_force=reference, tangential_force=jnp.zeros_like(reference)
     )
@@ -73,6 +61,37 @@ def contact_laws(joint: PlanarJoint, contacts: JointContacts) -> ContactLaws:
         asperity_compliance=jnp.where(stiff, 1.0 / jnp.where(stiff, rough.tangential_stiffness, 1.0), 0.0),
         coupling=coupling,
     )
+
+
+def _expected_preload(joint: PlanarJoint, contacts: JointContacts, forces: Array) -> Array:
+    """Preload by the work of the interference, with the compliance at a small force and its logarithm."""
+    young, length = joint.materials[0].youngs_modulus, jnp.asarray(contacts.pairs.contact_length)[0]
+    small = _SMALL_FORCE * young * length * jnp.asarray(joint.interference)
+    springs, coupling = _approach(joint, contacts, small * forces)
+    share = jnp.sum(jnp.asarray(joint.pattern) * forces) * jnp.asarray(joint.interference)
+    work = jnp.sum(springs.secant_compliance * forces**2)
+    work = work if coupling is None else work + forces @ coupling @ forces
+    # the work falls by this for each e-fold of the force
+    softer = jnp.sum((springs.secant_compliance - springs.incremental_compliance) * forces**2)
+    preload = small
+    for _ in range(_REFERENCE_STEPS):
+        preload = share / jnp.maximum(work - softer * jnp.log(preload / small), 0.2 * work)
+    return preload
+
+
+def _approach(
+    joint: PlanarJoint, contacts: JointContacts, force: Array
+) -> tuple[NormalSprings, Array | None]:
+    """Normal springs of the contacts at given forces, and their coupling."""
+    width = jnp.asarray(contacts.pairs.half_width(force))
+    if joint.body_model == "springs":
+        return bulk_springs(contacts=contacts, half_width=width), None
+    whole = body_compliance(joint=joint, contacts=contacts, half_width=width, stick_half_width=width)
+    normal = whole[: force.size, : force.size]
+    own = jnp.diag(normal)
+    bend = logarithmic_decrease(contacts=contacts, body_model=joint.body_model, plane_state=joint.plane_state)
+    springs = NormalSprings(secant_compliance=own + bend, incremental_compliance=own)
+    return springs, normal - jnp.diag(own)
 
 
 def creep_law(contacts: JointContacts, normal_force: Array, tangential_force: Array) -> ContactCreep:

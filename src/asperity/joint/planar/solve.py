@@ -132,10 +132,14 @@ def _refuse_unsolved(joint: PlanarJoint, solution: PlanarSolution) -> None:
         return
     if bool(result.solved) or (math.isfinite(limit) and abs(torque) >= limit):
         words = limit_words(capacity, contacts=result.contact_names)
+        remedy = (
+            "lower the torque, or change preload, friction coefficient or contact lengths"
+            if limit > 0.0
+            else "raise the preload, or lower the speed"
+        )
         raise InputError(
             f"the output torque {format_quantity(torque, 'N*m')} is beyond the torque capacity "
-            f"{format_quantity(math.copysign(limit, torque), 'N*m')}, at which {words}; lower the torque, or change "
-            "preload, friction coefficient or contact lengths"
+            f"{format_quantity(math.copysign(limit, torque), 'N*m')}, at which {words}; {remedy}"
         )
     raise NoSolutionError(
         f"no balance under {format_quantity(torque, 'N*m')} was found (residual "
@@ -160,6 +164,11 @@ def refuse_planar_rolling(joint: PlanarJoint, solution: PlanarSolution) -> None:
     """
     if np.isfinite(np.asarray(solution.result.rolling.residual)):
         return
+    if not bool(solution.result.contact_law_holds):
+        raise NoSolutionError(
+            "no creep: every spot of a contact is plastic, where the contact law gives it no stiffness; raise "
+            "fractal_dimension or hardness, or lower fractal_roughness"
+        )
     torque = float(joint.output_torque)
     found = solution.reverse_rolling_capacity if torque < 0.0 else solution.rolling_capacity
     raise NoSolutionError(
