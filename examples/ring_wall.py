@@ -129,19 +129,24 @@ def springs(widths: np.ndarray, wall: float) -> np.ndarray:
     return np.array([found[0], found[1], found[1], outside, outside])
 
 
+@jax.jit
+def _assembled(diagonal: jax.Array, coupling: jax.Array) -> jax.Array:
+    assembly = assembly_stiffness(
+        geometry=GEOMETRY,
+        sides=triangle(GEOMETRY),
+        normal_stiffness=1.0 / diagonal[:5],
+        tangential_stiffness=1.0 / diagonal[5:],
+        structure=IDEAL_STRUCTURE,
+        coupling=coupling,
+    )
+    return jnp.asarray(assembly.stiffness.output)
+
+
 def assembled_stiffness(matrices: np.ndarray) -> np.ndarray:
     """Stiffness at the output of joints with these matrices, shape (10, 10, ...) [N·m/rad]."""
     diagonal = np.einsum("iik->ik", matrices)
     coupling = matrices - np.eye(10)[..., None] * diagonal
-    assembly = assembly_stiffness(
-        geometry=GEOMETRY,
-        sides=triangle(GEOMETRY),
-        normal_stiffness=1.0 / jnp.asarray(diagonal[:5]),
-        tangential_stiffness=1.0 / jnp.asarray(diagonal[5:]),
-        structure=IDEAL_STRUCTURE,
-        coupling=jnp.asarray(coupling),
-    )
-    return np.asarray(assembly.stiffness.output)
+    return np.asarray(_assembled(jnp.asarray(diagonal), jnp.asarray(coupling)))
 
 
 def draw(walls: np.ndarray, curves: dict[str, np.ndarray]) -> Figure:
