@@ -45,5 +45,12 @@ def test_what_does_not_fit_together_is_told(joint_text):
         read(joint_text, '[branch]\nplanet_deviation = "2 um"\n\n')
     with pytest.raises(InputError, match=r"branch\.2\.planet_deviation: expected a length"):
         read(joint_text, ENTRIES.replace('right_roller_deviation = "-1 um"', 'planet_deviation = "2 N"'))
-    with pytest.raises(InputError, match=r"no sections \[\[branch\]\]"):
+    with pytest.raises(InputError, match=r"give load\.interference"):
         branches_from_case(parse_case(joint_text, source="x"))
+
+
+def test_without_sections_all_are_equal(joint_text):
+    _, sizes = branches_from_case(read(joint_text, ""))
+    assert (
+        sizes.planet.tolist() == sizes.right_roller.tolist() == sizes.left_roller.tolist() == [0.0, 0.0, 0.0]
+    )

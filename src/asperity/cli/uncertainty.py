@@ -13,6 +13,9 @@ from asperity.writing import check_image, write_image
 if TYPE_CHECKING:
     import xarray
 
+    from asperity.joint_file.distribution import Distribution
+    from asperity.joint_file.model import Case
+
 
 @click.command()
 @click.argument("file", type=click.Path())
@@ -29,6 +32,13 @@ if TYPE_CHECKING:
 @click.option(
     "--results", metavar="NAMES", help="Results or groups of them, separated by commas, as for sweep."
 )
+@click.option(
+    "--branches",
+    type=int,
+    metavar="DRAWS",
+    help="Draw the sizes of each planet and each loading roller of a drive by themselves, so many times: torque of the "
+    "first slip, load shares, force on the sun. Needs load.interference.",
+)
 @click.option("--json", "as_json", is_flag=True, help="Print one JSON document in SI units.")
 @click.option(
     "--plot",
@@ -44,6 +54,7 @@ def uncertainty(
     seed: int,
     distribution: str | None,
     results: str | None,
+    branches: int | None,
     as_json: bool,
     plot: str | None,
 ) -> None:
@@ -66,6 +77,9 @@ def uncertainty(
     from asperity.study.tolerances.uncertainty import uncertainty as propagate
 
     check_image(plot)
+    if branches is not None:
+        _unlike_branches(case, otherwise, branches, seed, as_json)
+        return
     names = DEFAULT_RESULTS if results is None else [n.strip() for n in results.split(",") if n.strip()]
     with progress_bar("samples") as report:
         found = propagate(
@@ -82,6 +96,44 @@ def uncertainty(
 
         write_image(uncertainty_figure(found, result=found["result"].values[0]), plot)
         say_written(plot)
+
+
+def _unlike_branches(
+    case: Case, otherwise: Distribution | None, draws: int, seed: int, as_json: bool
+) -> None:
+    """Drives whose branches have sizes of their own."""
+    from asperity.cli.progress import progress_bar
+    from asperity.study.tolerances.branch_scatter import branch_scatter
+
+    with progress_bar("drives") as report:
+        found = branch_scatter(case, distribution=otherwise, draws=draws, seed=seed, report=report).document()
+    if as_json:
+        import json
+
+        click.echo(json.dumps(found, indent=2, allow_nan=False))
+        return
+    from asperity.cli.terminal import console, table
+
+    target = console()
+    shown = table(
+        target, f"{draws} drives with branches of their own sizes", "", "unit", "2.5 %", "median", "97.5 %"
+    )
+    for name, words, unit, factor in (
+        ("first_slip_Nm", "first branch slips, at rest", "N·m", 1.0),
+        ("all_slip_Nm", "all branches slip, at rest", "N·m", 1.0),
+        ("rolling_first_slip_Nm", "first branch slips, rolling", "N·m", 1.0),
+        ("largest_share", "largest share of a branch, at rest", "%", 100.0),
+        ("largest_rolling_share", "largest share of a branch, rolling", "%", 100.0),
+        ("sun_force_N", "force on the sun's bearings", "N", 1.0),
+    ):
+        values = ["-"] * 3 if found[name] is None else [f"{factor * each:.4g}" for each in found[name]]
+        shown.add_row(words, unit, *values)
+    target.print(shown)
+    click.echo(
+        f"equal branches pass {found['equal_branches_Nm']:.4g} N·m; a branch is loose in "
+        f"{found['share_with_a_loose_branch']:.1%} and slips under the torque of the file in "
+        f"{found['share_that_slips_under_the_torque']:.1%} of the drives"
+    )
 
 
 def uncertainty_document(found: xarray.Dataset) -> dict[str, Any]:

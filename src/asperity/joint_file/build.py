@@ -214,7 +214,7 @@ def _too_large(values: Values, joint: Joint) -> Real:
 
 
 def branches_from_case(case: Case) -> tuple[float, BranchSizes]:
-    """The branches of a joint file by their own sizes.
+    """The branches of a joint file by their own sizes; equal ones without sections ``[[branch]]``.
 
     Parameters
     ----------
@@ -231,12 +231,15 @@ def branches_from_case(case: Case) -> tuple[float, BranchSizes]:
     Raises
     ------
     InputError
-        If the file has no sections ``[[branch]]``.
+        If the preload is a force, which sizes do not change.
     """
-    if case.branch is None:
-        raise InputError("the joint file has no sections [[branch]], one for each planet")
+    if case.load.interference is None:
+        raise InputError(
+            "sizes of branches make no preload that a spring holds: give load.interference in place of load.preload"
+        )
     values = si_values(case)
-    entries = list(values["branch"].values())
+    equal: Values = {str(index): {} for index in range(round(case.drive.planets.value))}
+    entries = list(values.get("branch", equal).values())
     planet, right, left = (
         np.array([entry.get(f"{name}_deviation", 0.0) for entry in entries])
         for name in ("planet", "right_roller", "left_roller")

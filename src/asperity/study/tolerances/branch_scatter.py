@@ -1,0 +1,193 @@
+"""Sizes of the branches drawn one by one from the tolerances of a joint file: what unlike planets do to a drive."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
+
+import jax.numpy as jnp
+import numpy as np
+
+from asperity.drive.interference import interference_of_sizes
+from asperity.drive.unequal_branches import added_interference
+from asperity.errors import InputError, NoSolutionError
+from asperity.joint.branch_sizes import BranchSizes
+from asperity.joint.branches import BranchedJoint
+from asperity.joint_file.build import branches_from_case, joint_from_case
+from asperity.joint_file.distribution import Distribution
+from asperity.joint_file.model import Case
+from asperity.study.tolerances.uncertainty import quantiles, toleranced_inputs
+
+#: Shares of the draws below which the stated values lie.
+QUANTILES = (0.025, 0.5, 0.975)
+_COMMON = ("drive.sun_radius", "drive.ring_radius", "load.interference")
+_OWN = ("drive.planet_radius", "drive.loading_roller_radius", "drive.loading_roller_radius")
+
+
+@dataclass(frozen=True)
+class BranchScatter:
+    """A drive whose branches have sizes of their own, in many copies. SI units; draws first.
+
+    Parameters
+    ----------
+    first_slip, all_slip, rolling_first_slip : ndarray
+        Torques at which the weakest branch slips at rest, all do, and the weakest does in rolling [N·m]; 0 where every
+        branch is loose.
+    largest_share, largest_rolling_share : ndarray
+        Largest share of a branch in the torque, at rest and in rolling [-]; nan where they do not pass it.
+    sun_force : ndarray
+        Force of the planets on the sun's bearings [N].
+    loose : ndarray of bool
+        Whether a branch is loose.
+    equal : float
+        Capacity at rest of equal branches of nominal size [N·m].
+    torque : float
+        The joint's torque [N·m].
+    seed : int
+        Seed of the draws.
+    """
+
+    first_slip: np.ndarray
+    all_slip: np.ndarray
+    rolling_first_slip: np.ndarray
+    largest_share: np.ndarray
+    largest_rolling_share: np.ndarray
+    sun_force: np.ndarray
+    loose: np.ndarray
+    equal: float
+    torque: float
+    seed: int
+
+    def document(self) -> dict[str, Any]:
+        """Quantiles and shares as plain data, for JSON; None where there is no number."""
+
+        def told(values: np.ndarray) -> list[float] | None:
+            known = values[np.isfinite(values)]
+            return np.quantile(known, QUANTILES).tolist() if known.size else None
+
+        return {
+            "draws": self.first_slip.size,
+            "seed": self.seed,
+            "quantiles": list(QUANTILES),
+            "first_slip_Nm": told(self.first_slip),
+            "all_slip_Nm": told(self.all_slip),
+            "rolling_first_slip_Nm": told(self.rolling_first_slip),
+            "largest_share": told(self.largest_share),
+            "largest_rolling_share": told(self.largest_rolling_share),
+            "sun_force_N": told(self.sun_force),
+            "equal_branches_Nm": self.equal,
+            "share_with_a_loose_branch": float(np.mean(self.loose)),
+            "share_that_slips_under_the_torque": float(np.mean(self.first_slip < self.torque)),
+        }
+
+
+def branch_scatter(
+    case: Case,
+    *,
+    distribution: Distribution | None,
+    draws: int,
+    seed: int,
+    report: Callable[[int, int], Any] | None = None,
+) -> BranchScatter:
+    """Draw the sizes of every planet and of every loading roller, and solve the branches.
+
+    Parameters
+    ----------
+    case : Case
+        The joint file, with ``load.interference`` and tolerances of its radii.
+    distribution : Distribution or None
+        For tolerances whose distribution the file does not state.
+    draws, seed : int
+        Number of draws, and seed of the random numbers.
+    report : callable, optional
+        Called with the draws done and all draws.
+
+    Returns
+    -------
+    BranchScatter
+        One entry for each draw.
+
+    Raises
+    ------
+    InputError
+        If neither planets nor loading rollers have a tolerance, or the preload is a force.
+
+    Notes
+    -----
+    Every planet and roller is a part of its own; sun, ring and interference are drawn once for all branches. The
+    deviations of ``[[branch]]`` are added. Other tolerances are left out.
+    """
+    if draws < 1:
+        raise InputError(f"the number of draws must be at least 1, got {draws}", options=["branches"])
+    found = toleranced_inputs(case, otherwise=distribution)
+    if not set(found) & set(_OWN):
+        raise InputError(
+            "neither drive.planet_radius nor drive.loading_roller_radius has a tolerance: the branches are equal"
+        )
+    nominal, base = branches_from_case(case)
+    drive = BranchedJoint(joint_from_case(case), nominal)
+    random = np.random.default_rng(seed)
+
+    def deviations(path: str, shape: tuple[int, ...]) -> np.ndarray:
+        uniform = random.random(shape)
+        if path not in found:
+            return np.zeros(shape)
+        entry, scatter = found[path]
+        return quantiles(entry, scatter, uniform) - entry.value
+
+    planet, right, left = (deviations(path, (draws, drive.count)) for path in _OWN)
+    sun, ring, length = (deviations(path, (draws,)) for path in _COMMON)
+    even = {"planet": 0.0, "right_roller": 0.0, "left_roller": 0.0}
+    common = length + np.asarray(
+        interference_of_sizes(rest=drive.rest, sun=jnp.asarray(sun), ring=jnp.asarray(ring), **even)
+    )
+    # a common interference as that of planets which are all larger
+    weight = float(added_interference(rest=drive.rest, approach=0.0, **(even | {"planet": 1.0})))
+    rows = []
+    for index in range(draws):
+        sizes = BranchSizes(
+            base.planet + planet[index] + common[index] / weight,
+            base.right_roller + right[index],
+            base.left_roller + left[index],
+            base.sun_support_stiffness,
+        )
+        rows.append(_one(drive, sizes))
+        if report is not None:
+            report(index + 1, draws)
+    columns = np.array(rows).T
+    return BranchScatter(
+        first_slip=columns[0],
+        all_slip=columns[1],
+        rolling_first_slip=columns[2],
+        largest_share=columns[3],
+        largest_rolling_share=columns[4],
+        sun_force=columns[5],
+        loose=columns[6] > 0.0,
+        equal=float(drive.laws.standing.capacity(drive.own_preload)),
+        torque=abs(float(drive.joint.output_torque)),
+        seed=seed,
+    )
+
+
+def _one(drive: BranchedJoint, sizes: BranchSizes) -> tuple[float, ...]:
+    try:
+        found = drive.branches(sizes, slip=False)
+    except NoSolutionError:
+        return (np.nan,) * 6 + (0.0,)
+    except InputError as error:
+        if "loose" not in str(error):
+            raise
+        return (0.0, 0.0, 0.0, np.nan, np.nan, 0.0, 1.0)
+    standing, rolling = (
+        np.nan if state is None else float(np.max(state.share)) for state in (found.standing, found.rolling)
+    )
+    return (
+        found.capacity.first_slip,
+        found.capacity.all_slip,
+        found.rolling_capacity.first_slip,
+        standing,
+        rolling,
+        float(np.hypot(*(found.standing or found.rest).sun_force)),
+        float(np.any(found.preload <= 0.0)),
+    )
