@@ -11,6 +11,7 @@ import numpy as np
 
 from asperity.errors import InputError, quoted
 from asperity.joint.results import RESULTS, known_result
+from asperity.show.style import plain_number
 from asperity.units import format_quantity, parse_quantity
 
 if TYPE_CHECKING:
@@ -164,9 +165,13 @@ def draw_map(
         panel.pcolormesh(x, y, shown, shading="nearest", norm=norm, cmap=colours, rasterized=True)
         panel.contourf(x, y, shown, levels=levels, norm=norm, cmap=colours)
         lines = panel.contour(x, y, shown, levels=levels[1:-1], colors="white", linewidths=0.8)
-        panel.clabel(lines, fmt=_number, fontsize="small")
+        panel.clabel(lines, fmt=plain_number, fontsize="small")
         figure.colorbar(
-            ScalarMappable(norm, colours), ax=panel, label=label, ticks=levels, format=FuncFormatter(_number)
+            ScalarMappable(norm, colours),
+            ax=panel,
+            label=label,
+            ticks=levels,
+            format=FuncFormatter(plain_number),
         )
     elif known.size:
         panel.pcolormesh(x, y, np.ma.masked_invalid(values), shading="nearest", rasterized=True)
@@ -194,11 +199,6 @@ def _levels(known: np.ndarray) -> np.ndarray:
         return np.geomspace(low, high, _LEVELS)
     found = np.asarray(MaxNLocator(_LEVELS, steps=[1, 2, 2.5, 5, 10]).tick_values(low, high))
     return found[np.append(found[1:] > low, True) & np.append(True, found[:-1] < high)]
-
-
-def _number(value: float, _: object = None) -> str:
-    """A round number of a level, 40000 rather than 4e+04."""
-    return f"{value:.6g}".replace("e+0", "e").replace("e-0", "e-")
 
 
 def _hatch_failures(panel: Axes, data: xarray.Dataset, x: np.ndarray, y: np.ndarray) -> Iterator[Any]:
