@@ -1,17 +1,14 @@
 """The library of materials and finishes."""
 
-import math
-
-import numpy as np
 import pytest
 
 from asperity.errors import InputError
 from asperity.library import (
     fill_in_materials,
-    fractal_roughness_from_ra,
     read_finishes,
     read_materials,
 )
+from asperity.surface.roughness_average import roughness_average
 from asperity.unit_table import Dimension
 from asperity.units import parse_quantity
 
@@ -53,25 +50,16 @@ def test_smoother_process_smaller_roughness():
     assert finishes["superfinished"].fractal_roughness[1] < finishes["ground"].fractal_roughness[1]
 
 
-@pytest.mark.parametrize("dimension", [1.3, 1.5, 1.7])
-def test_roughness_from_ra_against_synthesised_profiles(dimension):
-    # equation (6) drawn with random phases; the mean square of many profiles against the closed form
-    length, average, gamma = 0.8e-3, 0.2e-6, 1.5
-    g = fractal_roughness_from_ra(
-        roughness_average=average, sampling_length=length, fractal_dimension=dimension, frequency_ratio=gamma
-    )
-    rng = np.random.default_rng(1)
-    n = np.arange(0, 60)
-    x = rng.random(100) * length
-    total = 0.0
-    for _ in range(300):
-        phase = rng.random(n.size) * 2.0 * math.pi
-        waves = np.cos(2.0 * math.pi * np.outer(x, gamma**n) / length - phase) * gamma ** (
-            (dimension - 2.0) * n
-        )
-        z = length * (g / length) ** (dimension - 1.0) * math.sqrt(math.log(gamma)) * waves.sum(axis=1)
-        total += np.mean(z**2) / 300
-    assert math.sqrt(total) == pytest.approx(average * math.sqrt(math.pi / 2.0), rel=0.05)
+def test_g_of_a_finish_has_its_ra():
+    for finish in read_finishes().values():
+        for average, g in zip(finish.roughness_average, finish.fractal_roughness, strict=True):
+            back = roughness_average(
+                fractal_dimension=finish.fractal_dimension[0],
+                fractal_roughness=g,
+                cut_off=finish.sampling_length,
+            )
+            assert back == pytest.approx(average, rel=1e-9)
+        assert finish.published_dimension[0] < finish.published_dimension[1] < 2.0
 
 
 def test_own_file_adds_and_replaces(tmp_path):

@@ -82,6 +82,17 @@ def document():
         "speed_loss": 2e-3,
         "bearings": [],
         "rims": {},
+        "surfaces": [
+            {
+                "contacts": list(CONTACTS),
+                "fractal_dimension": 1.4,
+                "fractal_roughness_m": 1e-11,
+                "roughness_average_m": 0.1e-6,
+                "roughness_average_low_m": 0.08e-6,
+                "roughness_average_high_m": 0.12e-6,
+                "cut_off_m": 0.25e-3,
+            }
+        ],
         "torsional_stiffness": dict.fromkeys(("assembly", "series_with_bulk", "published"), stiffness),
         "stiffness_budget": {"pins_share": 0.25, "contacts_share": each(0.5, 0.25, 0.0, 0.0, 0.0)},
         "diagnostics": slips,
@@ -184,10 +195,12 @@ def test_the_interval_of_a_measured_surface(document, shown):
         "unsolved": 0,
         "all_plastic": 0,
         **dict.fromkeys(("assembly", "series_with_bulk", "published"), bounds),
+        "drift": {"low_rad_per_output_turn": math.pi / 1e4, "high_rad_per_output_turn": math.pi / 5e3},
     }
     text = " ".join(" ".join(shown(document)).split())  # titles and sentences are wrapped
     assert "95% interval from the measured surface (D = 1.400, G = 1e-8 mm)" in text
     assert text.count("7000") == text.count("9000") == 3
+    assert "drift from 1.08 arcmin to 2.16 arcmin per output turn" in text
     assert "2 had a D outside 1 to 2, 0 had no solution and 0 had plastic spots only" in text
 
 
@@ -207,3 +220,17 @@ def test_bearings_and_bodies_that_bend_have_a_row_each(shown, document):
         "bending safety of ring 7.467 against yield; loading roller 3 against yield, 2.5 against fatigue"
         in text
     )
+
+
+def test_the_interval_over_what_ra_leaves_open(document, shown):
+    bounds = {"low_Nm_per_rad": 7000.0, "high_Nm_per_rad": 9000.0}
+    document["stiffness_interval"] = {
+        **dict.fromkeys(("assembly", "series_with_bulk", "published"), bounds),
+        "drift": {"low_rad_per_output_turn": None, "high_rad_per_output_turn": None},
+        "surfaces": {},
+        "words": "surface (ground): D from 1.15 to 1.5.",
+    }
+    text = " ".join(" ".join(shown(document)).split())
+    assert "Interval over what the Ra of the surfaces leaves open" in text
+    assert "surface (ground): D from 1.15 to 1.5." in text
+    assert "D 1.4, G 1e-8 mm correspond to Ra 0.1 um on each of two like bodies" in text

@@ -2,6 +2,7 @@
 
 import html
 import json
+import re
 
 import pytest
 
@@ -28,6 +29,8 @@ def test_pdf_is_written(call, joint_file, tmp_path):
         (("5 N*m", "5 N*m"), ("--out", "r.docx"), "must end in .html or .pdf"),
         (("5 N*m", "5 N*m"), ("--out", "r.html", "--date", "x" * 41), "at most 40 characters"),
         (("5 N*m", "50 N*m"), ("--out", "r.html"), "beyond the torque capacity"),
+        (("5 N*m", "5 N*m"), ("--out", "r.html", "--tolerances"), "the joint file states no tolerances"),
+        (("5 N*m", "5 N*m"), ("--out", "r.html", "--distribution", "uniform"), "belongs to --tolerances"),
     ],
 )
 def test_refusals_write_nothing(call, joint_file, tmp_path, monkeypatch, change, arguments, said):
@@ -55,3 +58,37 @@ def test_a_measured_surface_takes_the_place_of_the_files_and_is_part_of_the_repo
     assert "95 % interval from the measured surface, D = 1.45, G = 1e-8 mm" in text
     assert html.escape(file.read_text()) in text
     assert "asperity report --surface&#x27; on it" in text
+
+
+DESIGN = """
+joint = "{joint}"
+[variables]
+load.preload = {{ lower = "900 N", upper = "1100 N" }}
+[objective]
+{objective}
+"""
+
+
+@pytest.mark.parametrize(
+    ("joint", "objective", "said"),
+    [
+        (
+            "other.toml",
+            'maximise = "stiffness"',
+            "it designs .*other.toml, which is not the joint of this report",
+        ),
+        (
+            "joint.toml",
+            'maximise = "stiffness"\nminimise = "mass"',
+            "a Pareto front has many; state one objective",
+        ),
+    ],
+)
+def test_a_design_has_to_be_one_of_this_joint(call, joint_file, tmp_path, joint, objective, said):
+    file = joint_file()
+    (tmp_path / "other.toml").write_text(file.read_text().replace("1000 N", "1001 N"))
+    (tmp_path / "d.toml").write_text(DESIGN.format(joint=joint, objective=objective))
+    outcome = call("report", file, "--design", tmp_path / "d.toml", "--out", tmp_path / "r.html")
+    assert outcome.code == 2
+    assert re.search(said, " ".join(outcome.err.split()))
+    assert not (tmp_path / "r.html").exists()

@@ -137,6 +137,7 @@ def drawn(zou_file, monkeypatch):
                 published=level,
                 series_with_bulk=SimpleNamespace(output=2.0 * level.output),
                 assembly=SimpleNamespace(stiffness=level),
+                rolling=SimpleNamespace(drift_per_output_turn=rank / 1e6),
             )
 
         monkeypatch.setattr("asperity.joint.measured_surface.compile_fast", lambda *_: evaluated)

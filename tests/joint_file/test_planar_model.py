@@ -1,6 +1,7 @@
 """Joint files of other drives: read, refused, described, and told to editors."""
 
 import json
+import math
 from importlib.resources import files
 from pathlib import Path
 
@@ -17,6 +18,7 @@ from asperity.joint_file.planar_types import PLANAR_CASES
 from asperity.joint_file.reader import parse_any_case, parse_case
 from asperity.joint_file.schema import joint_schema
 from asperity.reading import parse_toml
+from asperity.surface.roughness_average import roughness_average
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 NAMES = ("planetary", "planetary_hollow", "multiroller", "stepped_planet", "planar")
@@ -156,3 +158,19 @@ def test_radii_that_cannot_close_are_refused_with_the_gap():
     loose = planar_joint_from_case(read("planar", ('first_radius = "4 mm"', 'first_radius = "2 mm"')))
     with pytest.raises(InputError, match=r"contact sp: sun and planet do not touch \(gap 0\.\d+ mm\)"):
         refuse_impossible(loose.drive)
+
+
+def test_a_surface_may_be_stated_by_its_ra_with_a_word_on_what_it_leaves_open():
+    text = text_of("planetary")
+    start, end = text.index("[surface]"), text.index("[lubrication]")
+    stated = '[surface]\nfinish = "superfinished"\nroughness_average = "0.1 um"\n\n'
+    case = parse_any_case(text[:start] + stated + text[end:], source="mine.toml")
+    assert case.surface.fractal_dimension.tolerance > 0.0
+    (surface,) = planar_joint_from_case(case).surfaces
+    average = roughness_average(
+        fractal_dimension=surface.fractal_dimension,
+        fractal_roughness=surface.fractal_roughness,
+        cut_off=0.25e-3,
+    )
+    assert average == pytest.approx(math.sqrt(2.0) * 0.1e-6)
+    assert any("Ra leaves D open" in told for told in planar_assumptions(case))

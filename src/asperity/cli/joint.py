@@ -36,7 +36,8 @@ def joint(file: str, as_json: bool, surfaces: tuple[str, ...], plot_file: str | 
     """Forces, contacts, torsional stiffness, torque capacity and warnings of the joint described in FILE.
 
     FILE is a TOML file; 'asperity init' writes one with comments. With --surface the measured D and G take the
-    place of the file's, and their uncertainty comes out as an interval of the stiffness.
+    place of the file's, and their uncertainty comes out as an interval of stiffness and drift. So does what Ra
+    leaves open where the file states surfaces by their Ra.
     """
     from asperity.joint_file.planar_model import PlanarCase
     from asperity.joint_file.reader import read_any_case
@@ -78,7 +79,13 @@ def joint(file: str, as_json: bool, surfaces: tuple[str, ...], plot_file: str | 
         interference, sizes = branches_from_case(case)
         branched = BranchedJoint(described, interference)
         document["branches"] = branch_document(branched.branches(sizes), sizes)
-    if measured is not None:
+    if measured is None:
+        from asperity.joint_file.drawn_surface import drawn_interval
+
+        interval = drawn_interval(case)
+        if interval is not None:
+            document["stiffness_interval"] = interval
+    else:
         document["measured_surface"] = measurement_document(measurement=measured)
         document["stiffness_interval"] = stiffness_interval(described, measured)
     if plot_file:

@@ -80,11 +80,9 @@ def _show_stiffness(target: Console, document: Document) -> None:
     interval = document.get("stiffness_interval")
     if interval is None:
         return
-    measured = document["measured_surface"]
     spread = table(
         target,
-        f"{interval['confidence']:.0%} interval from the measured surface "
-        f"(D = {measured['fractal_dimension']:.3f}, G = {in_unit(measured['fractal_roughness_m'], 'mm')})",
+        _interval_title(document),
         "model",
         "output from\nN·m/rad",
         "output to\nN·m/rad",
@@ -94,7 +92,15 @@ def _show_stiffness(target: Console, document: Document) -> None:
             meaning, number(interval[name]["low_Nm_per_rad"]), number(interval[name]["high_Nm_per_rad"])
         )
     target.print(spread)
-    if interval["outside"] or interval["unsolved"] or interval["all_plastic"]:
+    low, high = (interval["drift"][f"{end}_rad_per_output_turn"] for end in ("low", "high"))
+    print_wrapped(
+        target,
+        f"  drift from {in_unit(low, 'arcmin')} to {in_unit(high, 'arcmin')} per output turn\n",
+        indent=2,
+    )
+    if "surfaces" in interval:
+        print_wrapped(target, f"  {interval['words']}\n", indent=2)
+    elif interval["outside"] or interval["unsolved"] or interval["all_plastic"]:
         print_wrapped(
             target,
             f"of {count(interval['draws'], 'draw')} of D and G, {interval['outside']} had a D outside 1 to 2, "
@@ -102,6 +108,16 @@ def _show_stiffness(target: Console, document: Document) -> None:
             "contact law has no stiffness; these are left out, and from one draw in twenty on there is no interval",
             indent=2,
         )
+
+
+def _interval_title(document: Document) -> str:
+    measured = document.get("measured_surface")
+    if measured is None:
+        return "Interval over what the Ra of the surfaces leaves open"
+    return (
+        f"{document['stiffness_interval']['confidence']:.0%} interval from the measured surface "
+        f"(D = {measured['fractal_dimension']:.3f}, G = {in_unit(measured['fractal_roughness_m'], 'mm')})"
+    )
 
 
 def _show_drift(target: Console, document: Document) -> None:
@@ -229,6 +245,7 @@ def _of_the_paper(document: Document) -> tuple[Rows, Rows]:
             f"planet {in_unit(forces['planet_mass_kg'], 'g')}, "
             f"loading roller {in_unit(forces['loading_roller_mass_kg'], 'g')}",
         ),
+        *(("roughness", _roughness(each)) for each in document["surfaces"]),
         ("clearance", f"at least {in_unit(gap['gap_m'], 'mm')}: {gap['condition']}"),
     )
     return before, after
@@ -269,6 +286,17 @@ def _strength(document: Document) -> list[tuple[str, str]]:
     if safeties:
         rows.append(("bending", f"safety of {'; '.join(safeties)}"))
     return rows
+
+
+def _roughness(surface: Document) -> str:
+    """Which Ra the D and G of a surface mean."""
+    where = "" if len(surface["contacts"]) == 5 else f"{', '.join(surface['contacts'])}: "
+    low, high = (in_unit(surface[f"roughness_average_{end}_m"], "um", 2) for end in ("low", "high"))
+    return (
+        f"{where}D {number(surface['fractal_dimension'])}, G {in_unit(surface['fractal_roughness_m'], 'mm', 3)} "
+        f"correspond to Ra {in_unit(surface['roughness_average_m'], 'um', 2)} on each of two like bodies (measured "
+        f"over 5 cut-offs of {in_unit(surface['cut_off_m'], 'mm')}: {low} to {high})"
+    )
 
 
 def _rolling_capacity(document: Document) -> str:

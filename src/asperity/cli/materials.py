@@ -59,7 +59,7 @@ def materials(name: str | None, file: str | None, finishes_file: str | None, as_
             shown.add_row(each.name, *row, str(hard))
         target.print(shown)
     if finishes:
-        shown = table(target, "Finishes (G from Ra by equation 6)", "name", "Ra", "D", "G from", "G to")
+        shown = table(target, "Finishes (G from Ra at this D)", "name", "Ra", "D", "G from", "G to")
         for finish in finishes.values():
             low, high = finish.fractal_dimension
             shown.add_row(

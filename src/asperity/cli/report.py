@@ -3,12 +3,17 @@
 from __future__ import annotations
 
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import click
 
 from asperity.cli.terminal import say_written
 from asperity.errors import InputError
 from asperity.writing import check_file, replacing, write_text
+
+if TYPE_CHECKING:
+    from asperity.joint_file.model import Case
+    from asperity.report.study_sections import ReportStudies
 
 _LONGEST_DATE = 40
 
@@ -30,8 +35,35 @@ _LONGEST_DATE = 40
     metavar="MEASUREMENT",
     help="Measured surface of all contacts, from 'asperity surface measure --json'; twice: one for each body.",
 )
+@click.option("--sensitivity", is_flag=True, help="Add how much every number of the file moves the results.")
+@click.option(
+    "--tolerances",
+    is_flag=True,
+    help="Add intervals of the results from the tolerances that the file states.",
+)
+@click.option(
+    "--distribution",
+    metavar="TEXT",
+    help="For tolerances whose distribution the file does not state, as for 'asperity uncertainty'.",
+)
+@click.option(
+    "--design",
+    "design_file",
+    type=click.Path(),
+    metavar="DESIGN",
+    help="Add the design of this joint that the design file DESIGN asks for: before and after, with its limits.",
+)
 @click.option("--date", default="", help="Date for the title block; without it, the report has none.")
-def report(file: str, out: str, surfaces: tuple[str, ...], date: str) -> None:
+def report(
+    file: str,
+    out: str,
+    surfaces: tuple[str, ...],
+    sensitivity: bool,
+    tolerances: bool,
+    distribution: str | None,
+    design_file: str | None,
+    date: str,
+) -> None:
     """Write one document about the joint described in FILE: inputs, drawing, results, margins and warnings.
 
     The report contains everything that a design review asks for, and the joint file itself, from which it can be
@@ -46,7 +78,7 @@ def report(file: str, out: str, surfaces: tuple[str, ...], date: str) -> None:
         raise InputError(f"{out}: the name of a report must end in .html or .pdf")
     if len(date) > _LONGEST_DATE:
         raise InputError(f"--date: at most {_LONGEST_DATE} characters, got {len(date)}")
-    check_file(out, file, *surfaces)
+    check_file(out, file, *surfaces, *([design_file] if design_file else []))
     if suffix == ".pdf":
         from asperity.report.pdf import require_typst
 
@@ -57,6 +89,7 @@ def report(file: str, out: str, surfaces: tuple[str, ...], date: str) -> None:
 
     use_double_precision()
     use_compilation_cache()
+    from asperity.cli.progress import progress_bar
     from asperity.report.joint_report import ReportSource, joint_report
 
     measured = None
@@ -68,10 +101,22 @@ def report(file: str, out: str, surfaces: tuple[str, ...], date: str) -> None:
         measured = measured_surface(surfaces)
         texts = tuple(read_text(each) for each in surfaces)
         case = with_measured_surface(case, measured)
+    if distribution is not None and not tolerances:
+        raise InputError("--distribution belongs to --tolerances")
+    studies = _studies(file, case, sensitivity, tolerances, distribution, design_file)
     source = ReportSource(
-        name=Path(file).name, text=text, case=case, measurement=measured, measurement_texts=texts, date=date
+        name=Path(file).name,
+        text=text,
+        case=case,
+        measurement=measured,
+        measurement_texts=texts,
+        date=date,
+        studies=studies,
     )
-    made = joint_report(source)
+    with progress_bar("the report") as done:
+        done(0, 2)
+        made = joint_report(source)
+        done(2, 2)
     if suffix == ".pdf":
         from asperity.report.pdf import report_pdf
 
@@ -83,3 +128,67 @@ def report(file: str, out: str, surfaces: tuple[str, ...], date: str) -> None:
 
         write_text(report_html(made), out)
     say_written(out)
+
+
+def _studies(
+    file: str,
+    case: Case,
+    sensitivity: bool,
+    tolerances: bool,
+    distribution: str | None,
+    design_file: str | None,
+) -> ReportStudies:
+    """Make the studies that a report is to show."""
+    from asperity.cli.progress import progress_bar
+    from asperity.joint_file.distribution import parse_distribution
+    from asperity.reading import read_text
+    from asperity.report.study_sections import STUDIED, ReportStudies
+
+    sensitivities = spread = designed = None
+    options = []
+    otherwise = None if distribution is None else parse_distribution(distribution)
+    if tolerances:
+        from asperity.study.tolerances.uncertainty import toleranced_inputs
+
+        toleranced_inputs(case, otherwise=otherwise)  # refuses before anything long begins
+    problem = None
+    if design_file is not None:
+        from asperity.study.design.design_file import read_design
+
+        problem = read_design(design_file)
+        if len(problem.objectives) > 1:
+            raise InputError(
+                f"{design_file}: a report shows one design, and a Pareto front has many; state one objective"
+            )
+        if problem.case != case:
+            raise InputError(
+                f"{design_file}: it designs {problem.joint_file}, which is not the joint of this report, {file}"
+            )
+    if sensitivity:
+        from asperity.study.tolerances.sensitivity import sensitivity as differentiate
+
+        with progress_bar("sensitivities") as done:
+            done(0, 1)
+            sensitivities = differentiate(case, STUDIED)
+            done(1, 1)
+        options.append("--sensitivity")
+    if tolerances:
+        from asperity.study.tolerances.uncertainty import uncertainty
+
+        with progress_bar("samples") as done:
+            spread = uncertainty(case, results=STUDIED, distribution=otherwise, report=done)
+        options += ["--tolerances", *([f"--distribution '{distribution}'"] if distribution else [])]
+    if problem is not None:
+        from asperity.study.design.design import design
+
+        with progress_bar("searches") as done:
+            designed = design(problem, progress=done)
+        options.append(f"--design {Path(design_file or '').name}")
+    return ReportStudies(
+        sensitivities,
+        spread,
+        designed,
+        design_name=Path(design_file or "").name,
+        design_text=read_text(design_file) if design_file else "",
+        options=tuple(options),
+    )

@@ -52,6 +52,14 @@ if TYPE_CHECKING:
 )
 @click.option("--plot-result", metavar="NAME", help="Which result to draw instead of the stiffness.")
 @click.option(
+    "--limit",
+    "limits",
+    multiple=True,
+    metavar="NAME<=VALUE",
+    help="A limit whose line the map of two axes shows, e.g. 'mass<=1.2 kg' or 'torque_safety>=1.5'. Repeat for more. "
+    "By default the limits of the model for the results that are computed.",
+)
+@click.option(
     "--scheduler",
     metavar="tcp://HOST:PORT",
     help="Address of a running Dask scheduler; needs an --out of type .zarr.",
@@ -70,6 +78,7 @@ def sweep(
     overwrite: bool,
     plot: str | None,
     plot_result: str | None,
+    limits: tuple[str, ...],
     scheduler: str | None,
     workers: int | None,
 ) -> None:
@@ -93,6 +102,7 @@ def sweep(
     from asperity.cli.progress import progress_bar
     from asperity.study.parameters import parse_axis
     from asperity.study.sweep.sweep import sweep as evaluate_sweep
+    from asperity.study.sweep.sweep_map import parse_limit
     from asperity.study.sweep.tables import check_table_path, write_table
 
     grid = [parse_axis(axis) for axis in axes]
@@ -103,6 +113,11 @@ def sweep(
     check_image(plot)
     if plot_result is not None:
         _check_plot_result(plot_result, names, drawn=plot is not None)
+    drawn = [parse_limit(text) for text in limits]
+    for limit in drawn:
+        _check_plot_result(limit.name, names, drawn=plot is not None, option="--limit")
+    if drawn and len(grid) != 2:
+        raise InputError("--limit draws lines in the map of two axes; curves have none")
     if (scheduler is not None or workers) and not streamed:
         raise InputError(
             "--scheduler and --workers need an --out of type .zarr, to which the processes write"
@@ -129,22 +144,22 @@ def sweep(
     if plot is not None:
         from asperity.study.sweep.sweep_plot import sweep_figure
 
-        write_image(sweep_figure(found, result=plot_result), plot)
+        write_image(sweep_figure(found, result=plot_result, limits=drawn), plot)
         say_written(plot)
     _show(found, out)
 
 
-def _check_plot_result(name: str, asked: list[str], *, drawn: bool) -> None:
+def _check_plot_result(name: str, asked: list[str], *, drawn: bool, option: str = "--plot-result") -> None:
     """Refuse a result that cannot be drawn before anything is computed."""
     from asperity.joint.results import chosen_results
 
     if not drawn:
-        raise InputError(f"--plot-result needs --plot, the picture to draw '{name}' in")
+        raise InputError(f"{option} needs --plot, the picture to draw '{name}' in")
     chosen_results([name])  # raises if there is no such result
     computed = chosen_results(asked)
     if name not in computed:
         raise InputError(
-            f"--plot-result '{name}' is not among the results that are computed, {', '.join(computed)}; ask for it "
+            f"{option} '{name}' is not among the results that are computed, {', '.join(computed)}; ask for it "
             "by --results"
         )
 

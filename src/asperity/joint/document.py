@@ -21,6 +21,7 @@ from asperity.joint.rolling_document import contact_results, losses, rolling_doc
 from asperity.joint.rolling_refusal import rolling_capacity_of
 from asperity.joint.solve import Solution
 from asperity.joint.strength_document import bearing_entries, rim_entries
+from asperity.joint.surface_averages import surface_averages
 from asperity.joint.temperature import assembly_document
 
 Document = dict[str, Any]
@@ -63,6 +64,7 @@ def joint_document(
         "forces": _forces(result),
         "torque_capacity": _capacity(solution),
         "contacts": contact_documents(solved),
+        "surfaces": surface_averages(joint, inputs.get("surface", {})),
         "torsional_stiffness": torsional_stiffness_document(result),
         "stiffness_unknown_because": stiffness_unknown_because(result),
         "stiffness_budget": stiffness_budget(result),

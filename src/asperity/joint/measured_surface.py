@@ -14,6 +14,7 @@ from asperity.contact.fractal import Surface
 from asperity.errors import InputError
 from asperity.joint.description import Joint
 from asperity.joint.evaluation import evaluate
+from asperity.joint.surface_interval import result_ends
 from asperity.surface.equivalent import equivalent_surface
 from asperity.surface.measurement import CONFIDENCE, SurfaceMeasurement, read_measurement
 
@@ -52,7 +53,7 @@ def measured_surface(paths: tuple[str | Path, ...]) -> SurfaceMeasurement:
 
 
 def stiffness_interval(joint: Joint, measurement: SurfaceMeasurement) -> dict[str, Any]:
-    r"""Intervals of the output stiffness from the uncertainty of the measured D and G.
+    r"""Intervals of output stiffness and drift from the uncertainty of the measured D and G.
 
     Parameters
     ----------
@@ -64,8 +65,8 @@ def stiffness_interval(joint: Joint, measurement: SurfaceMeasurement) -> dict[st
     Returns
     -------
     dict
-        Level of the model → ``low_Nm_per_rad`` and ``high_Nm_per_rad`` at the output, the 2.5 % and 97.5 % points;
-        besides ``draws``, ``outside`` (draws with D outside 1…2), ``unsolved``, ``all_plastic`` (draws in which the
+        As :func:`asperity.joint.surface_interval.result_ends`, the ends are the 2.5 % and 97.5 % points; besides
+        ``draws``, ``outside`` (draws with D outside 1…2), ``unsolved``, ``all_plastic`` (draws in which the
         contact law has no stiffness) and ``confidence``. Such draws are left out; both ends are None where one draw in
         twenty has no stiffness.
 
@@ -93,30 +94,15 @@ def stiffness_interval(joint: Joint, measurement: SurfaceMeasurement) -> dict[st
     )
     batch = dataclasses.replace(joint, surfaces=(surface,))
     result = compile_fast(evaluate, batch)(batch)
-    solved = np.broadcast_to(result.solved, np.shape(surface.fractal_dimension))
-    plastic = solved & ~np.broadcast_to(result.contact_law_holds, solved.shape)
-    usable = solved & ~plastic
-    known = np.count_nonzero(usable) >= 0.95 * usable.size
     tail = 50.0 * (1.0 - CONFIDENCE)
-    document: dict[str, Any] = {
+    return {
         "confidence": CONFIDENCE,
         "draws": DRAWS,
         "outside": int(np.count_nonzero(~inside)),
-        "unsolved": int(np.count_nonzero(~solved)),
-        "all_plastic": int(np.count_nonzero(plastic)),
+        **result_ends(
+            result,
+            shape=np.shape(surface.fractal_dimension),
+            percentiles=(tail, 100.0 - tail),
+            least_usable=0.95,
+        ),
     }
-    levels = {
-        "published": result.published,
-        "series_with_bulk": result.series_with_bulk,
-        "assembly": result.assembly.stiffness,
-    }
-    for name, level in levels.items():
-        ends = (
-            np.percentile(np.asarray(level.output)[usable], [tail, 100.0 - tail]) if known else (None, None)
-        )
-        document[name] = dict(zip(("low_Nm_per_rad", "high_Nm_per_rad"), map(_number, ends), strict=True))
-    return document
-
-
-def _number(value: float | None) -> float | None:
-    return None if value is None else float(value)

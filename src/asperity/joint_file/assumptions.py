@@ -4,9 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
+from asperity.joint_file.drawn_surface import surfaces_by_average
 from asperity.joint_file.material_entries import MaterialEntry
 from asperity.joint_file.model import Case, Lubrication
 from asperity.joint_file.temperature_section import without_expansion
+from asperity.library import read_finishes
+from asperity.units import format_quantity
 
 
 def assumptions(case: Case) -> tuple[str, ...]:
@@ -60,6 +63,7 @@ def assumptions(case: Case) -> tuple[str, ...]:
             "[[branch]]: ring and carrier are centred; at rest the drive is loaded after it has rolled without torque; "
             "only the section on branches, or 'branches' of the JSON document, knows their sizes"
         )
+    told += _surfaces(case)
     told += _temperature(case)
     for roller in ("planet", "loading_roller"):
         if getattr(case.drive, f"{roller}_length") is None:
@@ -74,6 +78,30 @@ def assumptions(case: Case) -> tuple[str, ...]:
     told += _rolling(case)
     told += _fatigue(case)
     return tuple(told)
+
+
+def _surfaces(case: Case) -> list[str]:
+    """What is taken for surfaces that are stated by their Ra."""
+    told = []
+    finishes = read_finishes()
+    for path, entry in surfaces_by_average(case).items():
+        average = entry.roughness_average
+        assert average is not None
+        if entry.partner_roughness_average is None:
+            told.append(f"no {path}.partner_roughness_average: both bodies have the same Ra")
+        if average.tolerance == 0.0:
+            told.append(
+                f"{path}.roughness_average without a tolerance: as measured over one evaluation length, not the upper "
+                "limit that a drawing states; surfaces below the limit are smoother"
+            )
+        known = finishes.get(entry.finish or "")
+        if known and not known.roughness_average[0] <= average.value <= known.roughness_average[1]:
+            low, high = (format_quantity(each, "um") for each in known.roughness_average)
+            told.append(
+                f"{path}.roughness_average {format_quantity(average.value, 'um')} lies outside the {low} to {high} "
+                f"that are published for {known.name} surfaces"
+            )
+    return told
 
 
 def _temperature(case: Case) -> list[str]:

@@ -11,6 +11,7 @@ from typing import Any
 import jax.numpy as jnp
 import numpy as np
 
+from asperity.contact.asperity import AsperityBase
 from asperity.contact.fractal import Surface
 from asperity.drive.assembly import IDEAL_STRUCTURE, StructureSprings
 from asperity.drive.bearing_life import RatedBearing
@@ -29,6 +30,11 @@ from asperity.joint_file.model import Case
 from asperity.joint_file.section import EachContact
 from asperity.joint_file.si_tables import Values, check_values, replace_values, si_values
 from asperity.materials import Material, hardness
+from asperity.surface.roughness_average import (
+    fractal_roughness_from_average,
+    pair_average,
+    standard_cut_off,
+)
 from asperity.types import Real
 
 
@@ -106,7 +112,7 @@ def joint_from_values(values: Values) -> Joint:
         ),
         bodies=Bodies(**{body: materials[name] for body, name in values["bodies"].items()}),
         surfaces=tuple(
-            Surface(**entry, asperity_base=model["asperity_base"]) for entry in _entries(values["surface"])
+            surface_of(entry, asperity_base=model["asperity_base"]) for entry in _entries(values["surface"])
         ),
         contact_lengths=lengths,
         friction_coefficients=_entries(load["friction_coefficient"]),
@@ -159,6 +165,34 @@ def _crowns(drive: Values) -> Crowns | None:
     if all(radius is None for radius in radii.values()):
         return None
     return Crowns(**{body: 0.0 if radius is None else 1.0 / radius for body, radius in radii.items()})
+
+
+def surface_of(entry: Values, *, asperity_base: AsperityBase) -> Surface:
+    """The equivalent surface of both bodies of a contact.
+
+    Parameters
+    ----------
+    entry : dict
+        An entry of the section ``surface`` in SI units, with G or with the Ra of each body.
+    asperity_base : {"majumdar_bhushan_1991", "circular_spot"}
+        Variant of the base length of an asperity.
+
+    Returns
+    -------
+    Surface
+        In SI units.
+    """
+    dimension, roughness = entry["fractal_dimension"], entry.get("fractal_roughness")
+    if roughness is None:
+        average = entry["roughness_average"]
+        roughness = fractal_roughness_from_average(
+            roughness_average=pair_average(
+                first=average, second=entry.get("partner_roughness_average", average)
+            ),
+            cut_off=entry["cut_off"] if "cut_off" in entry else standard_cut_off(roughness_average=average),
+            fractal_dimension=dimension,
+        )
+    return Surface(dimension, roughness, entry["frequency_ratio"], asperity_base)
 
 
 def _fit(temperature: Values, joint: Joint, interference: Real) -> Fit:

@@ -16,7 +16,7 @@ from asperity.joint_file.section import EachContact
 from asperity.joint_file.si_tables import (
     NumericKey,
     change_targets,
-    counterpart,
+    counterparts,
     key_at,
     numeric_keys,
     replace_values,
@@ -175,9 +175,9 @@ def _set(document: Any, steps: tuple[str, ...], value: float | str) -> None:
                 new["library"] = step
             table[step] = new
         table = table[step]
-    other = counterpart(steps[-1])
-    if other in table:
-        del table[other]
+    for other in counterparts(steps[-1]):
+        if other in table:
+            del table[other]
     table[steps[-1]] = value
 
 

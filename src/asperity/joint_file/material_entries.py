@@ -64,14 +64,37 @@ class BodyMaterials(Section):
 
 
 class SurfaceEntry(Section):
-    """Fractal roughness of a contact: the equivalent roughness of both bodies."""
+    """Fractal roughness of a contact: G of the equivalent surface of both bodies, or the Ra of each body."""
 
+    finish: Annotated[str, StringConstraints(max_length=60)] | None = None
+    """Finish of the library, e.g. "ground": gives fractal_dimension with its published range, and frequency_ratio."""
     fractal_dimension: Annotated[Quantity, limits.FRACTAL_DIMENSION]
-    """Fractal dimension D of a profile."""
-    fractal_roughness: Annotated[Quantity, limits.FRACTAL_ROUGHNESS]
-    """Fractal roughness G."""
+    """Fractal dimension D of a profile; that of the finish if absent."""
+    fractal_roughness: Annotated[Quantity, limits.FRACTAL_ROUGHNESS] | None = None
+    """Fractal roughness G; either this or roughness_average."""
+    roughness_average: Annotated[Quantity, limits.ROUGHNESS_AVERAGE] | None = None
+    """Ra of one body, from its drawing. It does not say what D is: the stiffness comes out as an interval."""
+    partner_roughness_average: Annotated[Quantity, limits.PARTNER_AVERAGE] | None = None
+    """Ra of the other body; the same if absent."""
+    cut_off: Annotated[Quantity, limits.CUT_OFF] | None = None
+    """Cut-off of the profile filter with which roughness_average is measured; that of ISO 4288 for this Ra if
+    absent."""
     frequency_ratio: Annotated[Quantity, limits.FREQUENCY_RATIO]
-    """Ratio gamma of successive frequencies of the Weierstrass–Mandelbrot profile; usually 1.5."""
+    """Ratio gamma of successive frequencies of the Weierstrass–Mandelbrot profile; usually 1.5, as if a finish is
+    given."""
+
+    @model_validator(mode="after")
+    def _one_roughness(self) -> SurfaceEntry:
+        if (self.fractal_roughness is None) == (self.roughness_average is None):
+            found = "neither" if self.fractal_roughness is None else "both"
+            raise InputError(
+                f"exactly one of 'fractal_roughness' and 'roughness_average' is needed, got {found}"
+            )
+        of_average = ("partner_roughness_average", "cut_off")
+        lonely = [name for name in of_average if getattr(self, name) is not None]
+        if lonely and self.roughness_average is None:
+            raise InputError(f"{' and '.join(lonely)}: only with roughness_average; leave out, or give it")
+        return self
 
 
 # on a line of its own: pydantic reads the source around it

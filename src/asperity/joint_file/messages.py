@@ -291,7 +291,7 @@ def explained(
     tables : mapping
         The tables that it looked at.
     refused : mapping
-        Dotted path of a material whose entry in the library could not be found → the message about it.
+        Dotted path of a material or a surface that could not be filled in from the library → the message about it.
     model : type, optional
         Model of the file.
 
@@ -301,7 +301,11 @@ def explained(
         Sentences.
     """
     found = [(_parts(each), each) for each in error.errors(include_url=False)]
-    found = [(parts, each) for parts, each in found if ".".join(parts[:2]) not in refused]
+    found = [
+        (parts, each)
+        for parts, each in found
+        if not any(".".join(parts[:length]) in refused for length in (1, 2))
+    ]
     absent = {parts for parts, each in found if each["type"] == "missing"}
     sentences = list(refused.values())
     for parts, each in found:

@@ -5,9 +5,8 @@ from __future__ import annotations
 import math
 from typing import Any
 
-from asperity.contact.fractal import Surface
 from asperity.joint.planar.description import PlanarJoint
-from asperity.joint_file.build import material_of, rolling_conditions
+from asperity.joint_file.build import material_of, rolling_conditions, surface_of
 from asperity.joint_file.planar_model import PlanarCase
 from asperity.joint_file.planar_parts import layout_of
 from asperity.joint_file.si_tables import Values, si_values
@@ -52,7 +51,7 @@ def planar_joint_from_values(values: Values) -> PlanarJoint:
         shapes=shapes,
         materials=tuple(materials[values["bodies"][body.name]] for body in drive.bodies),
         surfaces=tuple(
-            Surface(**entry, asperity_base=model["asperity_base"])
+            surface_of(entry, asperity_base=model["asperity_base"])
             for entry in _entries(values["surface"], names)
         ),
         contact_lengths=_entries(values["drive"]["contact_length"], names),

@@ -8,6 +8,7 @@ from typing import Any
 from pydantic import ValidationError
 
 from asperity.errors import InputError, UnsupportedDriveError, quoted
+from asperity.joint_file.finish_in_surface import fill_in_finishes
 from asperity.joint_file.messages import explained, listed, nearest
 from asperity.joint_file.model import Case
 from asperity.joint_file.planar_model import PlanarCase
@@ -171,7 +172,9 @@ def any_case_from_tables(
         If they contain something that is not allowed; all errors are listed.
     """
     model = _model_of(tables.get("type", WEDGE_TYPE), source)
-    filled, refused = fill_in_materials(tables, folder=folder or Path())
+    with_materials, refused = fill_in_materials(tables, folder=folder or Path())
+    filled, refused_surfaces = fill_in_finishes(with_materials)
+    refused |= refused_surfaces
     try:
         case = model.model_validate(filled)
     except ValidationError as error:

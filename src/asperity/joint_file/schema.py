@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from typing import Any
 
-from asperity.joint_file.material_entries import BodyMaterials, MaterialEntry
+from asperity.joint_file.material_entries import BodyMaterials, MaterialEntry, SurfaceEntry
 from asperity.joint_file.model import Case
 from asperity.joint_file.planar_types import PLANAR_CASES
 from asperity.joint_file.reader import WEDGE_TYPE
-from asperity.library import read_materials
+from asperity.library import read_finishes, read_materials
 
 Schema = dict[str, Any]
 
@@ -29,6 +29,7 @@ def joint_schema(kind: str = WEDGE_TYPE) -> Schema:
     """
     schema = PLANAR_CASES.get(kind, Case).model_json_schema(mode="validation")
     _offer_library(schema)
+    _offer_finishes(schema)
     return {
         "$schema": "https://json-schema.org/draft/2020-12/schema",
         **schema,
@@ -88,3 +89,18 @@ def _offer_library(schema: Schema) -> None:
         "not": {"required": ["hardness", "hardness_factor"]},
     }
     entry["else"] = numbers_needed
+
+
+def _offer_finishes(schema: Schema) -> None:
+    """Add what :func:`asperity.joint_file.finish_in_surface.fill_in_finishes` fills in, and the choice of G or Ra."""
+    entry = schema["$defs"][SurfaceEntry.__name__]
+    entry["properties"]["finish"] = {
+        "title": "Finish",
+        "description": entry["properties"]["finish"]["description"],
+        "enum": list(read_finishes()),
+    }
+    entry["oneOf"] = [{"required": ["fractal_roughness"]}, {"required": ["roughness_average"]}]
+    entry["anyOf"] = [{"required": ["finish"]}, {"required": entry.pop("required")}]
+    entry["dependentRequired"] = {
+        name: ["roughness_average"] for name in ("partner_roughness_average", "cut_off")
+    }

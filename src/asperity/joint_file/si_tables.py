@@ -20,8 +20,16 @@ from asperity.joint_file.section import EachContact, Section
 Values = dict[str, Any]
 
 _CONTACTS = tuple(EachContact.model_fields)
-_PAIRS = (("hardness", "hardness_factor"), ("preload", "interference"))
-_COUNTERPARTS = {**dict(_PAIRS), **{second: first for first, second in _PAIRS}}
+_PAIRS = (
+    ("hardness", "hardness_factor"),
+    ("preload", "interference"),
+    ("fractal_roughness", "roughness_average"),
+)
+_COUNTERPARTS: dict[str, tuple[str, ...]] = {
+    **{first: (second,) for first, second in _PAIRS},
+    **{second: (first,) for first, second in _PAIRS},
+    "fractal_roughness": ("roughness_average", "partner_roughness_average", "cut_off"),
+}
 _ONE_OR_FIVE = ("drive.contact_length", "load.friction_coefficient", "rolling.skew", "surface")
 
 
@@ -220,12 +228,13 @@ def _set(tables: Values, steps: tuple[str, ...], value: Any) -> None:
         if steps[0] == "materials" and step not in table:
             raise InputError(f"{'.'.join(steps)}: there is no material '{step}'{nearest(step, table)}")
         table = table.setdefault(step, {})
-    table.pop(counterpart(steps[-1]), None)
+    for other in counterparts(steps[-1]):
+        table.pop(other, None)
     table[steps[-1]] = value
 
 
-def counterpart(name: str) -> str:
-    """The key that a key replaces, because a file states exactly one of them.
+def counterparts(name: str) -> tuple[str, ...]:
+    """The keys that a key replaces, because a file states exactly one of them; those of Ra go with it.
 
     Parameters
     ----------
@@ -234,10 +243,10 @@ def counterpart(name: str) -> str:
 
     Returns
     -------
-    str
-        Name of the other key; empty if there is none.
+    tuple of str
+        Names of the other keys.
     """
-    return _COUNTERPARTS.get(name, "")
+    return _COUNTERPARTS.get(name, ())
 
 
 def check_values(changes: Mapping[str, Any]) -> None:

@@ -6,7 +6,6 @@ Each entry states its reference; values without a traceable reference are not in
 from __future__ import annotations
 
 import contextlib
-import math
 import tomllib
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
@@ -15,6 +14,7 @@ from typing import Any
 
 from asperity.errors import InputError, quoted
 from asperity.reading import read_toml
+from asperity.surface.roughness_average import fractal_roughness_from_average
 from asperity.unit_table import Dimension
 from asperity.units import parse_quantity
 
@@ -22,13 +22,9 @@ __all__ = [
     "Finish",
     "LibraryMaterial",
     "fill_in_materials",
-    "fractal_roughness_from_ra",
     "read_finishes",
     "read_materials",
 ]
-
-#: Root mean square over Ra of normally distributed heights.
-RMS_OVER_RA = math.sqrt(math.pi / 2.0)
 
 #: Frequency ratio gamma for which the fractal roughness of finishes is stated.
 FREQUENCY_RATIO = 1.5
@@ -80,11 +76,14 @@ class Finish:
     roughness_average : tuple of float
         Lowest and highest Ra [m].
     sampling_length : float
-        Length over which Ra is taken [m].
+        Length over which Ra is taken, the cut-off of the profile filter [m].
     fractal_dimension : tuple of float
-        Lowest and highest D [-]; equal where the source gives one value.
+        Lowest and highest D [-] for which G is stated; equal where the source gives one value.
     fractal_roughness : tuple of float
-        Lowest and highest G [m], from Ra by :func:`fractal_roughness_from_ra`.
+        Lowest and highest G [m], from Ra by
+        :func:`asperity.surface.roughness_average.fractal_roughness_from_average`.
+    published_dimension : tuple of float
+        Lowest and highest D [-] that publications give for such surfaces: what is known of D where only Ra is.
     """
 
     name: str
@@ -95,58 +94,16 @@ class Finish:
     sampling_length: float
     fractal_dimension: tuple[float, float]
     fractal_roughness: tuple[float, float]
+    published_dimension: tuple[float, float]
 
     @property
     def ranges(self) -> dict[str, tuple[float, float]]:
         """Keys of a surface section of a joint file → lowest and highest value [SI]."""
-        return {"fractal_dimension": self.fractal_dimension, "fractal_roughness": self.fractal_roughness}
-
-
-def fractal_roughness_from_ra(
-    *, roughness_average: float, sampling_length: float, fractal_dimension: float, frequency_ratio: float
-) -> float:
-    r"""Fractal roughness G of the Weierstrass–Mandelbrot profile (6) that has a given Ra.
-
-    .. math::
-        \sigma^2 = \tfrac12 L^2 \left(\frac GL\right)^{2(D-1)} \ln\gamma \sum_{n=0}^\infty \gamma^{2(D-2)n}
-        = \frac{L^2 \ln\gamma}{2\,(1 - \gamma^{2(D-2)})} \left(\frac GL\right)^{2(D-1)},
-        \qquad \sigma = \sqrt{\pi/2}\; R_a
-
-    Parameters
-    ----------
-    roughness_average : float
-        Ra [m].
-    sampling_length : float
-        Length L over which it is taken, the longest wavelength of the profile [m].
-    fractal_dimension : float
-        D [-].
-    frequency_ratio : float
-        gamma [-].
-
-    Returns
-    -------
-    float
-        G [m].
-
-    Notes
-    -----
-    Assumes normally distributed heights and a spectrum that extends far below L; 1 < D < 2.
-
-    References
-    ----------
-    Variance of equation (6) of :doc:`/equations` with random phases; Ra of a normal distribution.
-
-    Examples
-    --------
-    >>> g = fractal_roughness_from_ra(roughness_average=0.1e-6, sampling_length=0.8e-3,
-    ...                               fractal_dimension=1.5, frequency_ratio=1.5)
-    >>> f"{g * 1e3:.2e} mm"
-    '3.23e-08 mm'
-    """
-    exponent = 2.0 * (fractal_dimension - 1.0)
-    series = math.log(frequency_ratio) / (2.0 * (1.0 - frequency_ratio ** (2.0 * (fractal_dimension - 2.0))))
-    variance = (RMS_OVER_RA * roughness_average) ** 2
-    return float(sampling_length * (variance / (sampling_length**2 * series)) ** (1.0 / exponent))
+        return {
+            "fractal_dimension": self.fractal_dimension,
+            "fractal_roughness": self.fractal_roughness,
+            "roughness_average": self.roughness_average,
+        }
 
 
 def _tables(name: str, extension: str | Path | None) -> dict[str, dict[str, Any]]:
@@ -260,7 +217,7 @@ def read_finishes(extension: str | Path | None = None) -> dict[str, Finish]:
     InputError
         If an entry is incomplete, has an unknown key, or a number that cannot be read.
     """
-    known = ("roughness_average", "sampling_length", "fractal_dimension", *_WORDS)
+    known = ("roughness_average", "sampling_length", "fractal_dimension", "published_dimension", *_WORDS)
     found = {}
     tables = _tables("finishes_library.toml", extension)
     with _naming(extension):
@@ -277,17 +234,17 @@ def read_finishes(extension: str | Path | None = None) -> dict[str, Finish]:
             average = _range(name, "roughness_average", entry["roughness_average"], Dimension.LENGTH)
             length = _range(name, "sampling_length", entry["sampling_length"], Dimension.LENGTH)[0]
             dimension = _range(name, "fractal_dimension", entry["fractal_dimension"], Dimension.DIMENSIONLESS)
-            if not 1.0 < dimension[0] <= dimension[1] < 2.0:
-                raise InputError(
-                    f"library entry {name}: fractal_dimension must be between 1 and 2, got {dimension}"
-                )
+            published = _range(
+                name,
+                "published_dimension",
+                entry.get("published_dimension", list(dimension)),
+                Dimension.DIMENSIONLESS,
+            )
+            for key, pair in (("fractal_dimension", dimension), ("published_dimension", published)):
+                if not 1.0 < pair[0] <= pair[1] < 2.0:
+                    raise InputError(f"library entry {name}: {key} must be between 1 and 2, got {pair}")
             corners = [
-                fractal_roughness_from_ra(
-                    roughness_average=each,
-                    sampling_length=length,
-                    fractal_dimension=d,
-                    frequency_ratio=FREQUENCY_RATIO,
-                )
+                fractal_roughness_from_average(roughness_average=each, cut_off=length, fractal_dimension=d)
                 for each in average
                 for d in dimension
             ]
@@ -297,6 +254,7 @@ def read_finishes(extension: str | Path | None = None) -> dict[str, Finish]:
                 sampling_length=length,
                 fractal_dimension=dimension,
                 fractal_roughness=(min(corners), max(corners)),
+                published_dimension=published,
                 **words,
             )
     return found

@@ -6,7 +6,7 @@ import hashlib
 import math
 import platform
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from importlib.metadata import version
 from typing import Any
 
@@ -24,12 +24,14 @@ from asperity.joint.windup import Windup
 from asperity.joint.windup_document import examined_windup, windup_document, windup_onsets
 from asperity.joint_file.assumptions import assumptions
 from asperity.joint_file.build import joint_from_case
+from asperity.joint_file.drawn_surface import drawn_interval
 from asperity.joint_file.model import Case
 from asperity.joint_file.si_tables import si_values
-from asperity.report import load_tables, result_tables, rolling_tables
+from asperity.report import load_tables, result_tables, rolling_tables, surface_tables
 from asperity.report.content import Block, Bullets, Heading, Listing, Paragraph, Picture, Report, Table
 from asperity.report.figures import report_pictures
 from asperity.report.input_tables import choices_table, inputs_table
+from asperity.report.study_sections import ReportStudies, study_files, study_sections
 from asperity.surface.measurement import SurfaceMeasurement, measurement_document
 
 _PACKAGES = ("jax", "jaxlib", "numpy", "scipy", "equinox", "matplotlib")
@@ -55,6 +57,8 @@ class ReportSource:
         Texts of the files of the measurement.
     date : str
         Date for the title block; empty for none, so that the same input makes the same report.
+    studies : ReportStudies
+        Studies of the joint that the report shows as well.
     """
 
     name: str
@@ -63,6 +67,7 @@ class ReportSource:
     measurement: SurfaceMeasurement | None = None
     measurement_texts: tuple[str, ...] = ()
     date: str = ""
+    studies: ReportStudies = field(default_factory=ReportStudies)
 
 
 def joint_report(source: ReportSource) -> Report:
@@ -117,6 +122,7 @@ def joint_report(source: ReportSource) -> Report:
         Heading("Stiffness"),
         *result_tables.stiffness(document),
         *_measured(joint, source),
+        surface_tables.averages(document),
         Picture("Stiffness budget and levels of the model", pictures["budget"]),
         Heading("Forces and contacts"),
         *result_tables.contacts(document),
@@ -133,6 +139,7 @@ def joint_report(source: ReportSource) -> Report:
         *_windup(found, pictures),
         Heading("The joint in rolling"),
         *_rolling(document, found, pictures),
+        *study_sections(source.studies),
         Heading("Versions"),
         _versions(),
         *_appendix(source),
@@ -207,16 +214,19 @@ def _rolling(document: dict[str, Any], found: _Examined, pictures: dict[str, str
 
 
 def _measured(joint: Joint, source: ReportSource) -> Iterator[Block]:
-    """The interval of the stiffness from the uncertainty of a measured surface."""
-    if source.measurement is not None:
-        measured = measurement_document(measurement=source.measurement)
-        interval = stiffness_interval(joint, source.measurement)
-        yield from result_tables.measured_stiffness(measured, interval)
+    """The interval of stiffness and drift from the uncertainty of a measured surface, or of one stated by its Ra."""
+    if source.measurement is None:
+        yield from surface_tables.drawn_stiffness(drawn_interval(source.case))
+        return
+    measured = measurement_document(measurement=source.measurement)
+    yield from surface_tables.measured_stiffness(measured, stiffness_interval(joint, source.measurement))
 
 
 def _appendix(source: ReportSource) -> Iterator[Block]:
     """The files from which the report can be made again."""
-    option = " --surface" * len(source.measurement_texts)
+    option = "".join(
+        f" {each}" for each in (*source.studies.options, *["--surface"] * len(source.measurement_texts))
+    )
     yield Heading("Joint file")
     yield Paragraph(
         f"This report follows from the file below: save it and run 'asperity report{option}' on it. SHA-256 of its "
@@ -229,6 +239,7 @@ def _appendix(source: ReportSource) -> Iterator[Block]:
             f"It takes the place of the surfaces of the joint file. SHA-256 of its text: {_digest(text)}"
         )
         yield Listing(text)
+    yield from study_files(source.studies)
 
 
 def _versions() -> Table:

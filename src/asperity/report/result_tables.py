@@ -12,7 +12,7 @@ from asperity.units import format_quantity
 
 Document = dict[str, Any]
 
-_LEVELS = (
+LEVELS = (
     ("assembly", "assembled: asperities, bodies, floating planets, structure"),
     ("series_with_bulk", "asperities and bodies in series, centres held"),
     ("published", "as published, equation (25): asperities alone, an upper bound"),
@@ -166,7 +166,7 @@ def stiffness(document: Document) -> Iterator[Block]:
     yield Table(
         "Torsional stiffness",
         ("level of the model", "sun\nN·m/rad", "output\nN·m/rad", "output\nN·m/arcmin"),
-        [(words, *(number(found[level][key]) for key in keys)) for level, words in _LEVELS],
+        [(words, *(number(found[level][key]) for key in keys)) for level, words in LEVELS],
     )
     if document["stiffness_unknown_because"]:
         yield Paragraph(f"No value: {document['stiffness_unknown_because']}.")
@@ -181,39 +181,6 @@ def stiffness(document: Document) -> Iterator[Block]:
         ("spring", "share %"),
         [(words, number(value, 100.0)) for words, value in shares],
     )
-
-
-def measured_stiffness(measured: Document, interval: Document) -> Iterator[Block]:
-    """Interval of the stiffness that follows from the uncertainty of a measured surface.
-
-    Parameters
-    ----------
-    measured : dict
-        As :func:`asperity.surface.measurement.measurement_document` makes it.
-    interval : dict
-        As :func:`asperity.joint.measured_surface.stiffness_interval` makes it.
-
-    Yields
-    ------
-    Block
-        A table, and a sentence on draws that are left out.
-    """
-    ends = ("low_Nm_per_rad", "high_Nm_per_rad")
-    title = (
-        f"{percent(interval['confidence'])} interval from the measured surface, D = "
-        f"{number(measured['fractal_dimension'])}, G = {quantity(measured['fractal_roughness_m'], 'mm')}"
-    )
-    yield Table(
-        title,
-        ("level of the model", "output from\nN·m/rad", "output to\nN·m/rad"),
-        [(words, *(number(interval[level][end]) for end in ends)) for level, words in _LEVELS],
-    )
-    if interval["outside"] or interval["unsolved"] or interval["all_plastic"]:
-        yield Paragraph(
-            f"Of {number(interval['draws'])} draws of D and G, {interval['outside']} had a D outside 1 to 2, "
-            f"{interval['unsolved']} had no solution and {interval['all_plastic']} had plastic spots only, where the "
-            "contact law has no stiffness. These are left out."
-        )
 
 
 def contacts(document: Document) -> Iterator[Block]:

@@ -86,7 +86,7 @@ def plain_title(text: str) -> str:
 
 
 def mark_few_decades(axis: Axis, low: float, high: float) -> None:
-    """Write numbers at 1, 2 and 5 where powers of ten alone would mark a logarithmic axis at one place.
+    """Write numbers at 1, 2 and 5, or in even steps, where powers of ten mark a logarithmic axis at one place or none.
 
     Parameters
     ----------
@@ -95,12 +95,33 @@ def mark_few_decades(axis: Axis, low: float, high: float) -> None:
     low, high : float
         Its range.
     """
-    from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
+    from matplotlib.ticker import FuncFormatter, LogLocator, MaxNLocator, NullFormatter, NullLocator
 
     axis.set_minor_formatter(NullFormatter())
     if high < 100.0 * low:
-        axis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
-        axis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
+        few = high < 5.0 * low
+        if few:
+            axis.set_minor_locator(NullLocator())
+        axis.set_major_locator(MaxNLocator(5, steps=[1, 2, 5, 10]) if few else LogLocator(subs=(1.0, 2.0, 5.0)))
+        axis.set_major_formatter(FuncFormatter(plain_number))
+
+
+def plain_number(value: float, _: object = None) -> str:
+    """A round number for a tick or a contour.
+
+    Parameters
+    ----------
+    value : float
+        The number.
+    _ : object, optional
+        Place of the tick, which makes no difference.
+
+    Returns
+    -------
+    str
+        40000 rather than 4e+04, and 1e-9 rather than 1e-09.
+    """
+    return f"{value:.6g}".replace("e+0", "e").replace("e-0", "e-").replace("e+", "e")
 
 
 def torque_colors(count: int) -> list[Any]:

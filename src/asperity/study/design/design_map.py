@@ -9,7 +9,7 @@ import numpy as np
 from asperity.errors import InputError
 from asperity.joint.results import RESULTS
 from asperity.joint_file.si_tables import key_at
-from asperity.show.style import mark_few_decades
+from asperity.show.style import mark_few_decades, plain_number
 from asperity.study.design.design_evaluation import DesignEvaluator, exists
 from asperity.study.design.design_problem import Constraint, DesignProblem
 from asperity.study.design.design_result import DesignResult
@@ -131,7 +131,7 @@ def design_map(result: DesignResult, *, over: tuple[str, str] | None = None) -> 
         keys.append(Patch(facecolor="#cfe3f1", edgecolor="0.5", label="all limits met"))
     if np.nanmin(values, initial=np.inf) < np.nanmax(values, initial=-np.inf):
         lines = axes.contour(x, y, values.reshape(count, count), levels=8, colors="0.55", linewidths=0.8)
-        axes.clabel(lines, fontsize="x-small")
+        axes.clabel(lines, fmt=plain_number, fontsize="x-small")
         label = f"{RESULTS[goal.name].label} [{_shown(unit)}]"
         keys.append(Line2D([], [], color="0.55", linewidth=0.8, label=label))
     drawn = 0

@@ -22,13 +22,15 @@ if TYPE_CHECKING:
 _POINTS = 31
 
 
-def design_figure(result: DesignResult) -> Figure:
+def design_figure(result: DesignResult, *, width: float | None = None) -> Figure:
     """The objective along each variable through the design: where all limits are met, and where no joint exists.
 
     Parameters
     ----------
     result : DesignResult
         What :func:`asperity.study.design.design.design` returns.
+    width : float, optional
+        Width of the figure [in]; two panels then stand in a row.
 
     Returns
     -------
@@ -41,9 +43,10 @@ def design_figure(result: DesignResult) -> Figure:
     evaluator = DesignEvaluator(problem)
     goal, count = problem.objectives[0], len(problem.variables)
     objective = RESULTS[goal.name]
-    columns = min(4, count)
+    columns = min(4 if width is None else 2, count)
     lines = -(-count // columns)
-    figure = Figure(figsize=(3.4 * columns + 1.0, 4.6 * lines + 0.5), layout="constrained")
+    line_height = 4.6 if width is None else 3.8
+    figure = Figure(figsize=(width or 3.4 * columns + 1.0, line_height * lines + 0.5), layout="constrained")
     grid = figure.add_gridspec(2 * lines, columns, height_ratios=[3.0, 1.6] * lines)
     centre = evaluator.scaled(result.point)
     for index, variable in enumerate(problem.variables):

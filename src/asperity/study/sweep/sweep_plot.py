@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -9,8 +10,10 @@ import numpy as np
 from asperity.errors import InputError
 from asperity.joint.results import RESULTS
 from asperity.joint_file.si_tables import key_at
+from asperity.show.style import mark_few_decades
 from asperity.study.datasets import rows_of
 from asperity.study.parameters import long_name
+from asperity.study.sweep.sweep_map import MapLimit, draw_map, limits_of_the_model
 from asperity.units import from_si
 
 if TYPE_CHECKING:
@@ -32,7 +35,9 @@ _LOG_RATIO = 30.0
 _FINEST = 400  # values along an axis of a plot; more cannot be seen
 
 
-def sweep_figure(dataset: xarray.Dataset, *, result: str | None = None) -> Figure:
+def sweep_figure(
+    dataset: xarray.Dataset, *, result: str | None = None, limits: Sequence[MapLimit] = ()
+) -> Figure:
     """Draw a sweep.
 
     Parameters
@@ -41,12 +46,15 @@ def sweep_figure(dataset: xarray.Dataset, *, result: str | None = None) -> Figur
         What :func:`asperity.study.sweep.sweep.sweep` returns.
     result : str, optional
         Which result; by default the fullest model's stiffness at the output among those there.
+    limits : sequence of MapLimit, optional
+        Limits whose lines a map shows; by default those of the model for the results that are there.
 
     Returns
     -------
     matplotlib.figure.Figure
-        Curves over one axis, with all three levels of stiffness; a map over two; curves in panels over three and
-        more, at values that the titles and the legend state. Failed points are left white and counted.
+        Curves over one axis, with all three levels of stiffness; a map over two, with contours, limits, and hatched
+        regions without a solution; curves in panels over three and more, at values that the titles and the legend
+        state. Failed points are counted.
 
     Raises
     ------
@@ -65,7 +73,7 @@ def sweep_figure(dataset: xarray.Dataset, *, result: str | None = None) -> Figur
     if len(axes) == 1:
         _curves(figure.subplots(), data, axes[0], name)
     elif len(axes) == 2 and min(data.sizes[dim] for dim in axes) > _CURVES and len(rows_of(data, name)) == 1:
-        _map(figure, data, axes, name)
+        _map(figure, data, axes, name, limits)
     else:
         _panels(figure, data, axes, name)
     failed, count = int((dataset["status"] != 0).sum()), dataset["status"].size
@@ -162,20 +170,25 @@ def _log_if_wide(axes: Axes, values: np.ndarray) -> None:
         axes.set_yscale("log")
 
 
-def _map(figure: Figure, data: xarray.Dataset, axes: list[str], name: str) -> None:
-    from matplotlib.colors import LogNorm, Normalize
-
-    panel = figure.subplots()
+def _map(
+    figure: Figure, data: xarray.Dataset, axes: list[str], name: str, limits: Sequence[MapLimit]
+) -> None:
     x, y = (_in_unit(path, data[path].values) for path in axes)
-    z = data[name].transpose(axes[1], axes[0]).values
-    known = z[np.isfinite(z)]
-    wide = known.size and known.min() > 0.0 and known.max() > _LOG_RATIO * known.min()
-    norm = LogNorm() if wide else Normalize()
-    drawn = panel.pcolormesh(x, y, np.ma.masked_invalid(z), shading="nearest", norm=norm, rasterized=True)
-    panel.set_facecolor("white")
+    figure.set_size_inches(8.0, 6.4)
+    panel = draw_map(
+        figure,
+        data.transpose(*axes, ...),
+        x=x,
+        y=y,
+        values=data[name].transpose(axes[1], axes[0]).values,
+        label=_label_of_result(name),
+        limits=limits or limits_of_the_model(data),
+    )
     _scale(panel, axes[0], x)
     _scale(panel, axes[1], y, vertical=True)
-    figure.colorbar(drawn, ax=panel, label=_label_of_result(name))
+    for path_values, axis in ((x, panel.xaxis), (y, panel.yaxis)):
+        if _is_log(path_values):
+            mark_few_decades(axis, float(path_values.min()), float(path_values.max()))
 
 
 def _panels(figure: Figure, data: xarray.Dataset, axes: list[str], name: str) -> None:

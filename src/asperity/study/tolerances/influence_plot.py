@@ -6,7 +6,9 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from asperity.joint.results import RESULTS
 from asperity.study.tolerances.sensitivity import ranking
+from asperity.units import from_si
 
 if TYPE_CHECKING:
     import xarray
@@ -21,7 +23,13 @@ def _shown(unit: str) -> str:
     return "-" if unit == "1" else unit.replace("*", "·")
 
 
-def tornado_figure(sensitivities: xarray.Dataset, *, result: str) -> Figure:
+def tornado_figure(
+    sensitivities: xarray.Dataset,
+    *,
+    result: str,
+    panels: tuple[str, ...] = _PANELS,
+    width: float | None = None,
+) -> Figure:
     """Elasticities as bars, the largest on top.
 
     Parameters
@@ -29,7 +37,11 @@ def tornado_figure(sensitivities: xarray.Dataset, *, result: str) -> Figure:
     sensitivities : xarray.Dataset
         What :func:`asperity.study.tolerances.sensitivity.sensitivity` returns.
     result : str
-        Which result orders the inputs; others stand beside it in the same order.
+        Which result orders the inputs.
+    panels : tuple of str, optional
+        Results that stand beside it in the same order.
+    width : float, optional
+        Width of the figure [in]; by default it grows with the number of panels.
 
     Returns
     -------
@@ -45,9 +57,11 @@ def tornado_figure(sensitivities: xarray.Dataset, *, result: str) -> Figure:
 
     ranked = ranking(sensitivities, result)
     order = ranked["input"].values[:_BARS]
-    panels = [result, *(name for name in _PANELS if name != result)]
-    figure = Figure(figsize=(4.5 + 3.0 * len(panels), 1.6 + 0.32 * len(order)), layout="constrained")
-    for panel, name in zip(figure.subplots(1, len(panels), sharey=True), panels, strict=True):
+    shown = [result, *(name for name in panels if name != result)]
+    bar = 0.32 if width is None else 0.22
+    figure = Figure(figsize=(width or 4.5 + 3.0 * len(shown), 1.6 + bar * len(order)), layout="constrained")
+    drawn = figure.subplots(1, len(shown), sharey=True, squeeze=False)[0]
+    for panel, name in zip(drawn, shown, strict=True):
         one = sensitivities.sel(result=name, input=order)
         lengths = np.nan_to_num(one["elasticity"].values)
         colours = [_POSITIVE if length > 0.0 else _NEGATIVE for length in lengths]
@@ -60,13 +74,19 @@ def tornado_figure(sensitivities: xarray.Dataset, *, result: str) -> Figure:
         panel.set_xticks([-t for t in reversed(ticks)] + [0.0, *ticks])
         panel.xaxis.set_major_formatter(lambda value, _: f"{value:g}")
         panel.xaxis.set_minor_locator(_none())
-        value, unit = float(one["result_value"]), _shown(str(one["result_unit"].item()))
-        panel.set_title(f"{name.replace('_', ' ')}\n{value:.4g} {unit}", fontsize=9)
+        unit = _display_unit(name, str(one["result_unit"].item()))
+        value = from_si(float(one["result_value"]), unit)
+        panel.set_title(f"{name.replace('_', ' ')}\n{value:.4g} {_shown(unit)}", fontsize=9)
         panel.set_xlabel("% of result per % of input [-]", fontsize=9)
         panel.grid(axis="x", alpha=0.3)
         panel.set_yticks(np.arange(len(order)), one["input_name"].values)
     panel.invert_yaxis()
     return figure
+
+
+def _display_unit(name: str, otherwise: str) -> str:
+    """Unit in which a result is shown; rows of a result have that of SI."""
+    return RESULTS[name].display_unit if name in RESULTS else otherwise
 
 
 def _none() -> object:
@@ -75,7 +95,7 @@ def _none() -> object:
     return NullLocator()
 
 
-def uncertainty_figure(spread: xarray.Dataset, *, result: str) -> Figure:
+def uncertainty_figure(spread: xarray.Dataset, *, result: str, width: float | None = None) -> Figure:
     """Histogram of one result with its interval, and what its variance is made of.
 
     Parameters
@@ -84,6 +104,8 @@ def uncertainty_figure(spread: xarray.Dataset, *, result: str) -> Figure:
         What :func:`asperity.study.tolerances.uncertainty.uncertainty` returns.
     result : str
         Which result.
+    width : float, optional
+        Width of the figure [in], whose panels then stand above each other.
 
     Returns
     -------
@@ -93,15 +115,18 @@ def uncertainty_figure(spread: xarray.Dataset, *, result: str) -> Figure:
     from matplotlib.figure import Figure
 
     one = spread.sel(result=result)
-    figure = Figure(figsize=(10.0, 4.2), layout="constrained")
-    left, right = figure.subplots(1, 2)
-    solved = one["samples"].values[spread["status"].values == 0]
+    figure = Figure(figsize=(10.0, 4.2) if width is None else (width, 0.7 * width), layout="constrained")
+    left, right = figure.subplots(*((1, 2) if width is None else (2, 1)))
+    unit = _display_unit(result, str(one["unit"].item()))
+    factor = from_si(1.0, unit)
+    solved = factor * one["samples"].values[spread["status"].values == 0]
     left.hist(solved, bins=80, color=_POSITIVE, alpha=0.6)
-    low, _, high = one["quantiles"].values
+    low, _, high = factor * one["quantiles"].values
+    nominal = factor * float(one["nominal"])
     for value, told in ((low, "2.5 %"), (high, "97.5 %")):
         left.axvline(value, color="black", linestyle="--", linewidth=1.0, label=f"{told}: {value:.5g}")
-    left.axvline(float(one["nominal"]), color=_NEGATIVE, label=f"nominal: {float(one['nominal']):.5g}")
-    left.set_xlabel(f"{result.replace('_', ' ')} [{_shown(str(one['unit'].item()))}]")
+    left.axvline(nominal, color=_NEGATIVE, label=f"nominal: {nominal:.5g}")
+    left.set_xlabel(f"{result.replace('_', ' ')} [{_shown(unit)}]")
     left.set_ylabel(f"samples [-] (of {solved.size})")
     left.legend(fontsize=8)
     order = np.argsort(-np.nan_to_num(one["total_order"].values))[:_BARS]

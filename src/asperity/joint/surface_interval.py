@@ -1,0 +1,53 @@
+"""Ends of stiffness and drift over many surfaces of one joint."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from asperity.joint.evaluation import JointResult
+
+
+def result_ends(
+    result: JointResult, *, shape: tuple[int, ...], percentiles: tuple[float, float], least_usable: float
+) -> dict[str, Any]:
+    """Lower and upper end of the stiffness at every level of the model, and of the drift.
+
+    Parameters
+    ----------
+    result : JointResult
+        One joint with many surfaces.
+    shape : tuple of int
+        Shape of the batch.
+    percentiles : tuple of float
+        Which percentiles are the ends; 0 and 100 for the smallest and the largest value.
+    least_usable : float
+        Share of the batch that must be solved and have a stiffness; below it both ends are None.
+
+    Returns
+    -------
+    dict
+        ``published``, ``series_with_bulk``, ``assembly`` → ``low_Nm_per_rad`` and ``high_Nm_per_rad`` at the output;
+        ``drift`` → ``low_rad_per_output_turn`` and ``high_rad_per_output_turn``; ``unsolved`` and ``all_plastic``, the
+        numbers of surfaces that are left out.
+    """
+    solved = np.broadcast_to(result.solved, shape)
+    plastic = solved & ~np.broadcast_to(result.contact_law_holds, shape)
+    usable = solved & ~plastic
+    known = np.count_nonzero(usable) >= least_usable * usable.size
+
+    def ends(values: Any, unit: str) -> dict[str, float | None]:
+        kept = np.broadcast_to(values, shape)[usable]
+        finite = known and bool(np.isfinite(kept).all())
+        pair = [float(each) for each in np.percentile(kept, percentiles)] if finite else [None, None]
+        return dict(zip((f"low_{unit}", f"high_{unit}"), pair, strict=True))
+
+    return {
+        "unsolved": int(np.count_nonzero(~solved)),
+        "all_plastic": int(np.count_nonzero(plastic)),
+        "published": ends(result.published.output, "Nm_per_rad"),
+        "series_with_bulk": ends(result.series_with_bulk.output, "Nm_per_rad"),
+        "assembly": ends(result.assembly.stiffness.output, "Nm_per_rad"),
+        "drift": ends(result.rolling.drift_per_output_turn, "rad_per_output_turn"),
+    }

@@ -1,0 +1,134 @@
+"""A joint whose surfaces are known by their Ra: how far D, which Ra leaves open, lets its results range."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Any
+
+import numpy as np
+
+from asperity.compilation import compile_fast
+from asperity.joint.evaluation import evaluate
+from asperity.joint.surface_interval import result_ends
+from asperity.joint_file.build import with_values
+from asperity.joint_file.material_entries import SurfaceEntry
+from asperity.joint_file.model import Case
+from asperity.joint_file.section import EachContact
+from asperity.surface.roughness_average import CUT_OFFS_EVALUATED, scatter_of_average, standard_cut_off
+from asperity.units import format_quantity
+
+#: Values of D between the ends of its range, and of Ra between the ends of its scatter.
+DIMENSIONS, AVERAGES = 15, 5
+_NORMAL_95 = 1.959963984540054
+
+
+def surfaces_by_average(case: Case) -> dict[str, SurfaceEntry]:
+    """The surfaces of a joint file that are stated by their Ra.
+
+    Parameters
+    ----------
+    case : Case
+        The joint file.
+
+    Returns
+    -------
+    dict
+        Dotted path → the entry.
+    """
+    return {path: entry for path, entry in _entries(case) if entry.roughness_average is not None}
+
+
+def _entries(case: Case) -> Iterator[tuple[str, SurfaceEntry]]:
+    if isinstance(case.surface, EachContact):
+        names = EachContact.model_fields
+        yield from (
+            (f"surface.{name}", entry) for name, entry in zip(names, case.surface.entries(), strict=True)
+        )
+    else:
+        yield "surface", case.surface
+
+
+def drawn_interval(case: Case) -> dict[str, Any] | None:
+    r"""Intervals of stiffness and drift over what the Ra of a drawing leaves open.
+
+    Parameters
+    ----------
+    case : Case
+        The joint file.
+
+    Returns
+    -------
+    dict or None
+        As :func:`asperity.joint.measured_surface.stiffness_interval`, with the smallest and the largest value in place
+        of percentiles; ``surfaces``: path → the ranges of D and Ra; and ``words``, the same in sentences.
+        None where no surface is stated by its Ra.
+
+    Notes
+    -----
+    D runs over its tolerance in the file, which a finish fills in, and Ra over its own; an Ra without a tolerance is
+    taken for the measurement over one evaluation length of five cut-offs, which scatters by about 10 %. The surfaces
+    of all contacts move together. The contact law and the filter's cut-off stay.
+    """
+    entries = surfaces_by_average(case)
+    if not entries:
+        return None
+    across, along = np.meshgrid(np.linspace(-1.0, 1.0, DIMENSIONS), np.linspace(-1.0, 1.0, AVERAGES))
+    changes: dict[str, Any] = {}
+    surfaces = {}
+    for path, entry in entries.items():
+        average = entry.roughness_average
+        assert average is not None
+        dimension = entry.fractal_dimension.value + entry.fractal_dimension.tolerance * across.ravel()
+        spread = _spread(entry, dimension)
+        factor = 1.0 + spread * along.ravel()
+        cut_off = entry.cut_off.value if entry.cut_off else standard_cut_off(roughness_average=average.value)
+        changes[f"{path}.fractal_dimension"] = dimension
+        changes[f"{path}.roughness_average"] = average.value * factor
+        changes[f"{path}.cut_off"] = cut_off
+        if entry.partner_roughness_average is not None:
+            changes[f"{path}.partner_roughness_average"] = entry.partner_roughness_average.value * factor
+        surfaces[path] = {
+            "finish": entry.finish,
+            "fractal_dimension": [float(dimension.min()), float(dimension.max())],
+            "roughness_average_m": [
+                float(average.value * factor.min()),
+                float(average.value * factor.max()),
+            ],
+            "cut_off_m": float(cut_off),
+        }
+    batch = with_values(case, changes)
+    result = compile_fast(evaluate, batch)(batch)
+    interval = {
+        "states": DIMENSIONS * AVERAGES,
+        **result_ends(result, shape=across.ravel().shape, percentiles=(0.0, 100.0), least_usable=1.0),
+        "surfaces": surfaces,
+    }
+    return {**interval, "words": _words(interval)}
+
+
+def _words(interval: dict[str, Any]) -> str:
+    """The ranges of D and Ra over which an interval is taken."""
+    told = []
+    for path, entry in interval["surfaces"].items():
+        (low, high), averages = entry["fractal_dimension"], entry["roughness_average_m"]
+        smooth, rough = (format_quantity(each, "um", 3) for each in averages)
+        finish = f" ({entry['finish']})" if entry["finish"] else ""
+        told.append(
+            f"{path}{finish}: D from {low:.4g} to {high:.4g}, Ra of a body from {smooth} to {rough} at the cut-off "
+            f"{format_quantity(entry['cut_off_m'], 'mm')}."
+        )
+    lost = interval["unsolved"] + interval["all_plastic"]
+    if lost:
+        told.append(f"{lost} of {interval['states']} states have no solution or no stiffness: no interval.")
+    return " ".join([*told, "All other values are those of the middle."])
+
+
+def _spread(entry: SurfaceEntry, dimension: np.ndarray) -> Any:
+    """Relative half-width of Ra: its tolerance, or the scatter of one evaluation length for each D."""
+    average = entry.roughness_average
+    assert average is not None
+    if average.tolerance > 0.0:
+        return average.tolerance / average.value
+    return _NORMAL_95 * np.array(
+        [scatter_of_average(fractal_dimension=d, cut_offs=CUT_OFFS_EVALUATED) for d in dimension]
+    )

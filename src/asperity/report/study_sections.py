@@ -1,0 +1,291 @@
+"""Sections of a report on studies of the joint: sensitivities, tolerances, and a design of it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from asperity.joint.results import RESULTS
+from asperity.joint_file.si_tables import key_at, numeric_keys
+from asperity.report.content import Block, Heading, Listing, Paragraph, Picture, Table
+from asperity.report.figures import figure_svg
+from asperity.report.result_tables import number, quantity
+from asperity.study.design.design_problem import SUMMARY
+from asperity.study.design.design_result import DesignResult, conflict
+from asperity.units import from_si
+
+if TYPE_CHECKING:
+    import xarray
+
+#: Results of the sections on sensitivities and tolerances.
+STUDIED = ("assembly_stiffness_output", "torque_capacity", "drift", "efficiency", "life_hours")
+#: Of them those with a picture.
+DRAWN = ("assembly_stiffness_output", "drift")
+_ROWS = 20
+_WIDTH = 7.0  # of a picture on a page [in]
+
+
+@dataclass(frozen=True)
+class ReportStudies:
+    """Studies that a report shows; each may be absent.
+
+    Parameters
+    ----------
+    sensitivities : xarray.Dataset or None
+        What :func:`asperity.study.tolerances.sensitivity.sensitivity` says of :data:`STUDIED`.
+    spread : xarray.Dataset or None
+        What :func:`asperity.study.tolerances.uncertainty.uncertainty` says of them.
+    design : DesignResult or None
+        A design of the joint.
+    design_name, design_text : str
+        Name and text of the design file.
+    options : tuple of str
+        Options of the command that made them.
+    """
+
+    sensitivities: xarray.Dataset | None = None
+    spread: xarray.Dataset | None = None
+    design: DesignResult | None = None
+    design_name: str = ""
+    design_text: str = ""
+    options: tuple[str, ...] = ()
+
+
+def study_sections(studies: ReportStudies) -> Iterator[Block]:
+    """The sections of the studies that were made.
+
+    Parameters
+    ----------
+    studies : ReportStudies
+        Studies of one joint.
+
+    Yields
+    ------
+    Block
+        Headings, tables and pictures.
+    """
+    if studies.sensitivities is not None:
+        yield from sensitivity_section(studies.sensitivities)
+    if studies.spread is not None:
+        yield from tolerance_section(studies.spread)
+    if studies.design is not None:
+        yield from design_section(studies.design, name=studies.design_name)
+
+
+def sensitivity_section(found: xarray.Dataset) -> Iterator[Block]:
+    """Elasticities of the results, largest influence on the stiffness first.
+
+    Parameters
+    ----------
+    found : xarray.Dataset
+        Sensitivities of :data:`STUDIED`.
+
+    Yields
+    ------
+    Block
+        Heading, table, picture.
+    """
+    from asperity.study.tolerances.influence_plot import tornado_figure
+    from asperity.study.tolerances.sensitivity import ranking
+
+    yield Heading("Sensitivities")
+    ranked = ranking(found, STUDIED[0])["input"].values.tolist()
+    shown, rest = ranked[:_ROWS], len(ranked) - _ROWS
+    left_out = f" Of the file's {len(ranked)} numbers, the {_ROWS} of most influence." if rest > 0 else ""
+    yield Paragraph(
+        "Elasticities: by how many per cent a result changes for one per cent more of a number of the joint file. "
+        f"Exact derivatives at the file's values.{left_out}"
+    )
+    rows = []
+    for path in shown:
+        one = found.sel(input=path)
+        cells = (number(float(one["elasticity"].sel(result=name))) for name in STUDIED)
+        rows.append((path, quantity(float(one["value"]), key_at(path).unit), *cells))
+    yield Table(
+        f"Elasticities, ordered by those of the {RESULTS[STUDIED[0]].label}",
+        ("number of the file", "value", *(_short(name) for name in STUDIED)),
+        rows,
+    )
+    figure = tornado_figure(found, result=DRAWN[0], panels=DRAWN[1:], width=_WIDTH)
+    yield Picture("Elasticities of stiffness and drift", figure_svg(figure))
+
+
+def tolerance_section(spread: xarray.Dataset) -> Iterator[Block]:
+    """Intervals of the results under the tolerances of the file, and what each tolerance contributes.
+
+    Parameters
+    ----------
+    spread : xarray.Dataset
+        Samples of :data:`STUDIED`.
+
+    Yields
+    ------
+    Block
+        Heading, tables, pictures.
+    """
+    from asperity.study.tolerances.influence_plot import uncertainty_figure
+
+    yield Heading("Tolerances")
+    solved, samples = int((spread["status"] == 0).sum()), int(spread.sizes["sample"])
+    lost = "" if solved == samples else f" {samples - solved} of them have no solution and are left out."
+    yield Paragraph(
+        f"{samples} joints drawn from the tolerances of the joint file, seed {spread.attrs['seed']}.{lost} The shares "
+        "of the variance are Sobol indices: first order for a tolerance alone, total with all its interactions."
+    )
+    rows = []
+    for name in STUDIED:
+        one, unit = spread.sel(result=name), RESULTS[name].display_unit
+        low, _, high = one["quantiles"].values
+        numbers = (one["nominal"], one["mean"], one["standard_deviation"], low, high)
+        rows.append(
+            (_titled(name), *(number(from_si(float(each), unit)) for each in numbers)),
+        )
+    yield Table(
+        "95 % of the drawn joints",
+        ("result", "as stated", "mean", "standard\ndeviation", "2.5 %", "97.5 %"),
+        rows,
+    )
+    yield Table(
+        "Shares of the variance, total order",
+        ("tolerance", "± value", "distribution", *(_short(name) for name in STUDIED)),
+        _shares(spread),
+        words=(0, 2),
+    )
+    for name in DRAWN:
+        yield Picture(
+            f"Scatter of the {RESULTS[name].label}, and the shares of its variance",
+            figure_svg(uncertainty_figure(spread, result=name, width=_WIDTH)),
+        )
+
+
+def _shares(spread: xarray.Dataset) -> list[tuple[str, ...]]:
+    """Total Sobol indices of every toleranced number, the largest for the stiffness first."""
+    order = np.argsort(-np.nan_to_num(spread["total_order"].sel(result=STUDIED[0]).values), kind="stable")
+    rows = []
+    for place in order:
+        one = spread.isel(input=int(place))
+        path = str(one["input"].item())
+        shares = (number(float(one["total_order"].sel(result=name))) for name in STUDIED)
+        tolerance = quantity(float(one["tolerance"]), key_at(path).unit, 3)
+        rows.append((path, tolerance, str(one["distribution"].item()), *shares))
+    return rows
+
+
+def design_section(result: DesignResult, *, name: str) -> Iterator[Block]:
+    """A design of the joint: before and after, and how it stands to its limits.
+
+    Parameters
+    ----------
+    result : DesignResult
+        The design.
+    name : str
+        Name of the design file.
+
+    Yields
+    ------
+    Block
+        Heading, tables, picture.
+    """
+    from asperity.study.design.design_plot import design_figure
+
+    goal = result.problem.objectives[0]
+    unit = RESULTS[goal.name].display_unit
+    before, after = (quantity(each, unit) for each in (result.objective_before, result.objective_after))
+    yield Heading("Design")
+    yield Paragraph(
+        f"{name} asks for the {goal.text} over {max(1, len(result.problem.worst_case.torques))} torques, each result "
+        f"at its worst: {before} before, {after} as designed."
+    )
+    yield Paragraph(
+        "All limits are met." if result.feasible else f"{_sentence(conflict(result))}.", strong=True
+    )
+    stated = numeric_keys(result.problem.case)
+    rows = []
+    for each in result.problem.variables:
+        shown = key_at(each.path).unit
+        old = quantity(stated[each.path].value, shown) if each.path in stated else "–"
+        numbers = (quantity(value, shown) for value in (result.point[each.path], each.lower, each.upper))
+        rows.append((each.path, old, *numbers, result.at_bound.get(each.path, "")))
+    yield Table(
+        "Free numbers",
+        ("number of the file", "before", "design", "from", "to", "at bound"),
+        rows,
+        words=(0, 5),
+    )
+    yield Table("Before and design", ("result", "before", "design"), list(_summary(result)))
+    yield Table(
+        "Limits of the design, each where it is closest",
+        ("result", "value", "limit", "at torque", "state"),
+        list(_limits(result)),
+        words=(0, 4),
+    )
+    yield Picture(
+        "The objective along each free number through the design, and the smallest margin of the limits",
+        figure_svg(design_figure(result, width=_WIDTH)),
+    )
+
+
+def _summary(result: DesignResult) -> Iterator[tuple[str, str, str]]:
+    for name, which in SUMMARY.items():
+        shown = RESULTS[name]
+        pair = (result.summary_before[name], result.summary_after[name])
+        label = shown.label if which == "nominal" else f"{shown.label}, {which}"
+        before, after = (quantity(value, shown.display_unit) for value in pair)
+        yield label, before, after
+
+
+def _limits(result: DesignResult) -> Iterator[tuple[str, ...]]:
+    for limit in result.limits:
+        shown = RESULTS[limit.name]
+        state = (
+            f"{number(limit.missed_by, 100.0)} % off" if limit.missed_by > 0.0 else "active" * limit.active
+        )
+        yield (
+            ", ".join(filter(None, (shown.label, limit.row.replace("_", " ")))),
+            quantity(limit.value, shown.display_unit),
+            f"{'≤' if limit.at_most else '≥'} {quantity(limit.limit, shown.display_unit)}",
+            quantity(limit.output_torque, "N*m"),
+            state or "met",
+        )
+
+
+def study_files(studies: ReportStudies) -> Iterator[Block]:
+    """The design file and the designed joint, from which the section on the design follows.
+
+    Parameters
+    ----------
+    studies : ReportStudies
+        Studies of one joint.
+
+    Yields
+    ------
+    Block
+        Headings and listings; nothing without a design.
+    """
+    if studies.design is not None:
+        yield Heading("Design file")
+        yield Listing(studies.design_text)
+        yield Heading("Designed joint as a joint file")
+        yield Listing(studies.design.joint_text)
+
+
+def _short(name: str) -> str:
+    """Head of a narrow column."""
+    heads = {
+        "assembly_stiffness_output": "stiffness,\nassembled",
+        "torque_capacity": "torque\ncapacity",
+        "life_hours": "life",
+    }
+    return heads.get(name, name)
+
+
+def _titled(name: str) -> str:
+    unit = RESULTS[name].display_unit
+    return RESULTS[name].label if unit == "1" else f"{RESULTS[name].label}, {unit.replace('*', '·')}"
+
+
+def _sentence(text: str) -> str:
+    return text[:1].upper() + text[1:]

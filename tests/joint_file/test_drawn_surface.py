@@ -1,0 +1,96 @@
+"""Surfaces stated by their Ra: the interval over D and Ra holds the joints at its ends."""
+
+import math
+
+import numpy as np
+import pytest
+
+from asperity.joint_file.assumptions import assumptions
+from asperity.joint_file.build import joint_from_case, with_values
+from asperity.joint_file.drawn_surface import drawn_interval, surfaces_by_average
+from asperity.joint_file.reader import parse_case
+from asperity.surface.roughness_average import roughness_average, scatter_of_average
+
+SURFACE = '[surface]\nfinish = "ground"\nroughness_average = "0.2 um"\n'
+
+
+@pytest.fixture(scope="module")
+def head(example_text):
+    return example_text[: example_text.index("[surface]")]
+
+
+@pytest.fixture(scope="module")
+def drawn_case(head):
+    return parse_case(head + SURFACE, source="a.toml")
+
+
+@pytest.fixture(scope="module")
+def interval(drawn_case):
+    return drawn_interval(drawn_case)
+
+
+def test_the_surface_of_the_joint_has_the_ra_of_both_bodies(head):
+    text = SURFACE + 'partner_roughness_average = "0.15 um"\n'
+    (surface,) = joint_from_case(parse_case(head + text, source="a.toml")).surfaces
+    back = roughness_average(
+        fractal_dimension=surface.fractal_dimension,
+        fractal_roughness=surface.fractal_roughness,
+        cut_off=0.8e-3,
+    )
+    assert back == pytest.approx(0.25e-6)
+
+
+def test_joints_at_the_ends_lie_inside(drawn_case, interval, evaluated_together):
+    half = 1.959964 * np.array([scatter_of_average(fractal_dimension=d, cut_offs=5) for d in (1.15, 1.5)])
+    corners = {
+        "surface.fractal_dimension": np.array([1.15, 1.15, 1.5, 1.5, 1.325]),
+        "surface.roughness_average": 0.2e-6 * (1.0 + np.array([-half[0], half[0], -half[1], half[1], 0.0])),
+        "surface.cut_off": 0.8e-3,
+    }
+    result = evaluated_together(with_values(drawn_case, corners))
+    for name, values, unit in (
+        ("assembly", result.assembly.stiffness.output, "Nm_per_rad"),
+        ("published", result.published.output, "Nm_per_rad"),
+        ("drift", result.rolling.drift_per_output_turn, "rad_per_output_turn"),
+    ):
+        low, high = interval[name][f"low_{unit}"], interval[name][f"high_{unit}"]
+        assert low == pytest.approx(np.min(values), rel=1e-6), name
+        assert high == pytest.approx(np.max(values), rel=1e-6), name
+        assert low < values[-1] < high
+    assert interval["unsolved"] == interval["all_plastic"] == 0
+
+
+def test_the_interval_says_over_what_it_is_taken(interval):
+    entry = interval["surfaces"]["surface"]
+    assert entry["fractal_dimension"] == pytest.approx([1.15, 1.5])
+    assert entry["cut_off_m"] == 0.8e-3
+    assert "surface (ground): D from 1.15 to 1.5, Ra of a body from" in interval["words"]
+
+
+def test_a_file_with_d_and_g_has_no_such_interval(example_case):
+    assert surfaces_by_average(example_case) == {}
+    assert drawn_interval(example_case) is None
+
+
+def test_assumptions_name_what_ra_leaves_open(head):
+    told = " ".join(
+        assumptions(
+            parse_case(head + SURFACE.replace("0.2 um", "3.2 um"), source="a.toml"),
+        )
+    )
+    assert "both bodies have the same Ra" in told
+    assert "not the upper limit that a drawing states" in told
+    assert "3.2 um lies outside the 0.1 um to 1.6 um that are published for ground surfaces" in told
+    tolerated = assumptions(
+        parse_case(head + SURFACE.replace("0.2 um", "0.2 um +- 0.05 um"), source="a.toml")
+    )
+    assert not any("upper limit" in each for each in tolerated)
+
+
+def test_ra_is_a_number_like_any_other(example_case):
+    """A study may vary Ra where the file states G; the cut-off is then that of the standard for each Ra."""
+    joint = with_values(example_case, {"surface.roughness_average": np.array([0.05e-6, 0.2e-6])})
+    g = np.asarray(joint.surfaces[0].fractal_roughness)
+    for average, cut_off, each in zip((0.05e-6, 0.2e-6), (0.25e-3, 0.8e-3), g, strict=True):
+        back = roughness_average(fractal_dimension=1.4, fractal_roughness=each, cut_off=cut_off)
+        assert back == pytest.approx(math.sqrt(2.0) * average)
