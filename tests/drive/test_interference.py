@@ -132,10 +132,9 @@ def test_exact_bodies_and_a_ring_that_carries_itself(paper_joint):
     assert free - held == pytest.approx(force * (2.43827e-8 - 2.71043e-9), rel=0.01)
 
 
-def test_the_torque_does_not_change_the_interference(paper_joint):
+def test_the_torque_does_not_change_the_interference(paper_joint, evaluated_together):
     """It is that of the joint at rest, although the matrix of the bodies is found under load."""
-    found = jax.jit(lambda joint: evaluate(joint).interference)
-    values = np.asarray(found(paper_joint(output_torque=np.array([1e-6, 5.0, 12.0]))))
+    values = evaluated_together(paper_joint(output_torque=np.array([1e-6, 5.0, 12.0]))).interference
     assert values == pytest.approx(np.full(3, values[0]), rel=2e-5)
 
 

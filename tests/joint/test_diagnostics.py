@@ -2,24 +2,21 @@
 
 import math
 
-import equinox as eqx
 import numpy as np
 import pytest
-
-from asperity.joint.evaluation import evaluate
 
 MODULUS = 206e9 / (2 * 0.91)
 RADII = [(4e-3, 13.5e-3, 1), (13.5e-3, 5e-3, 1), (13.5e-3, 5e-3, 1), (5e-3, 40e-3, -1), (5e-3, 40e-3, -1)]
 
 
 @pytest.fixture(scope="module")
-def paper(paper_joint):
-    return eqx.filter_jit(evaluate)(paper_joint())
+def paper(paper_joint, evaluated_together):
+    return evaluated_together(paper_joint())
 
 
 @pytest.fixture(scope="module")
-def lifted(paper_joint):
-    return eqx.filter_jit(evaluate)(paper_joint(output_torque=80.0))
+def lifted(paper_joint, evaluated_together):
+    return evaluated_together(paper_joint(output_torque=80.0))
 
 
 def half_widths(normal):

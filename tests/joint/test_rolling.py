@@ -3,7 +3,6 @@
 import dataclasses
 import math
 
-import equinox as eqx
 import jax
 import jax.numpy as jnp
 import numpy as np
@@ -19,14 +18,23 @@ SMOOTH = {
     "fractal_dimension": 1.9,
     "fractal_roughness": 1e-16,
 }  # asperities a thousand times stiffer than the bodies
-compiled = eqx.filter_jit(evaluate)
 
 
 @pytest.fixture(scope="module")
-def rolled(paper_joint):
+def rolled(paper_joint, evaluated_together):
     def result(conditions=PLAIN_ROLLING, **changes):
-        joint = dataclasses.replace(paper_joint(**changes), rolling=conditions)
-        return compiled(jax.tree.map(jnp.asarray, joint)).rolling
+        return evaluated_together(dataclasses.replace(paper_joint(**changes), rolling=conditions)).rolling
+
+    return result
+
+
+@pytest.fixture(scope="module")
+def traced(paper_joint):
+    """As ``rolled``, as a part of a program that asks for derivatives."""
+
+    def result(conditions, **changes):
+        joint = dataclasses.replace(paper_joint(), rolling=conditions)
+        return evaluate(dataclasses.replace(jax.tree.map(jnp.asarray, joint), **changes)).rolling
 
     return result
 
@@ -251,6 +259,7 @@ def test_duty_of_one_load_is_that_load(rolled):
     assert float(found.duty_life_turns) == pytest.approx(float(found.life_turns.drive), rel=1e-9)
 
 
+@pytest.mark.slow
 def test_miners_sum_over_a_duty(rolled):
     """A load that leaves the standing drive unharmed half of the time doubles the hours; braking counts too."""
     loads = [(8.0, 100.0, 0.3), (-2.0, 50.0, 0.2), (3.0, 0.0, 0.5)]
@@ -276,6 +285,7 @@ def test_miners_sum_over_a_duty(rolled):
     assert np.isnan(float(rolled().duty_life_hours))
 
 
+@pytest.mark.slow
 def test_damage_of_a_load_is_what_its_duration_takes_from_the_life(rolled):
     """D_j = -d ln(life)/d ln(time at load j), by differences; a drive that stands is not damaged."""
 
@@ -337,12 +347,12 @@ def test_nothing_is_said_of_a_contact_that_slips_or_has_no_stiffness(rolled, cha
 
 @pytest.mark.slow
 @pytest.mark.parametrize("speed", [0.0, 100.0])
-def test_gradients_are_finite_and_right(rolled, speed):
+def test_gradients_are_finite_and_right(traced, speed):
     given = conditions(skew=(5e-4,) * 5)
 
     @jax.jit
     def numbers(torque):
-        found = rolled(given, output_torque=torque, sun_speed=speed)
+        found = traced(given, output_torque=torque, sun_speed=speed)
         timed = found.power.efficiency if speed else found.drift_per_output_turn
         return jnp.stack([found.speed_loss, jnp.log(found.life_turns.drive), found.axial_force[0], timed])
 

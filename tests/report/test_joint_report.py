@@ -36,14 +36,6 @@ def test_sections_in_the_order_of_a_review(made):
     assert [block.sheet for block in made.blocks if isinstance(block, Picture)].count(True) == 1
 
 
-def test_inputs_have_units_and_choices_are_listed(made):
-    inputs = dict(row[:2] for row in tables(made)["Numbers of the joint file"].rows)
-    assert inputs["drive.planet_radius"] == "13.5 mm"
-    assert inputs["load.output_torque"] == "5 N·m"
-    assert inputs["surface.fractal_roughness"] == "1e-8 mm"
-    assert ("model.closure", "elastic") in tables(made)["Choices of the joint file"].rows
-
-
 def test_margins_are_required_actual_and_pass(made):
     rows = {row[0]: row[1:] for row in tables(made)["Safety margins"].rows}
     # T/(mu N) = 46.3/(0.12 * 1001) at the sun; tan(beta/2)/mu with beta = 13.158 deg
@@ -57,11 +49,6 @@ def test_margins_are_required_actual_and_pass(made):
     assert said[0].startswith(
         "Requirements of function and strength that are not met or not known: Hertz pressure over first yield"
     )
-
-
-def test_drift_stands_beside_the_stiffness(made):
-    rows = [row[0] for row in tables(made)["Position of the output: drift beside stiffness"].rows]
-    assert rows[:3] == ["drift per output turn", "speed loss", "stiffness at rest"]
 
 
 def test_every_row_has_as_many_cells_as_the_table_has_columns(made):

@@ -1,12 +1,16 @@
 """Recovery of known D and G, and refusals."""
 
+from types import SimpleNamespace
+
 import numpy as np
 import pytest
 from scipy.stats import binom
 
 from asperity.errors import InputError, NoSolutionError
+from asperity.surface import fractal_fit as module
 from asperity.surface import synthesis
 from asperity.surface.fractal_fit import fractal_fit
+from asperity.surface.line_spectrum import LineFit
 from asperity.surface.weierstrass import weierstrass_mandelbrot_profile
 
 G, SPACING, POINTS = 1e-10, 1e-7, 10_000
@@ -294,3 +298,51 @@ def test_arguments_are_checked():
             frequency_ratio=1.0,
             rows_of_a_map=False,
         )
+
+
+def test_level_of_a_spectrum_is_a_roughness_with_its_covariance():
+    """P = G^(2D-2) f^(2D-5)/2 at the reference frequency; derivatives of (D, ln G) by differences."""
+    f, D, G = 2e4, 1.37, 3e-10
+    fit = SimpleNamespace(reference_frequency=f, usable_band=(1e3, 1e6))
+    names = (
+        "frequency_ratio",
+        "profiles",
+        "points",
+        "noise_density",
+        "roll_off_wavelength",
+        "height_step",
+        "misfit",
+    )
+    common = dict.fromkeys((*names, "reduced_chi_square"))
+
+    def result(dimension, level, covariance=None):
+        return module._result(
+            dimension, level, np.eye(2) if covariance is None else covariance, fit, "x", common
+        )
+
+    level = np.log(0.5 * G ** (2 * D - 2) * f ** (2 * D - 5))
+    given = np.array([[4e-4, 3e-4], [3e-4, 9e-4]])
+    found = result(D, level, given)
+    assert found.fractal_roughness == pytest.approx(G, rel=1e-12)
+    assert (found.shortest_wavelength, found.longest_wavelength) == pytest.approx((1e-6, 1e-3), rel=1e-12)
+    steps = 1e-6 * np.eye(2)
+    slopes = np.array(
+        [
+            (result(D + s[0], level + s[1]).log_roughness - result(D - s[0], level - s[1]).log_roughness)
+            / 2e-6
+            for s in steps
+        ]
+    )
+    jacobian = np.array([[1.0, 0.0], slopes])
+    np.testing.assert_allclose(found.covariance, jacobian @ given @ jacobian.T, rtol=1e-6)
+
+
+def test_the_band_of_lines_is_in_wavelengths_and_a_refusal_tells_the_step_of_heights(monkeypatch):
+    lines = LineFit(1.4, np.log(1e-10), np.eye(2), low=1e3, high=4e5, lines=9, misfit=0.1, explained=0.99)
+    monkeypatch.setattr(module, "fit_lines", lambda **_: lines)
+    found = module._from_lines(np.zeros((2, 100)), 1e-7, 1.5)
+    assert (found.shortest_wavelength, found.longest_wavelength) == pytest.approx((2.5e-6, 1e-3), rel=1e-12)
+    assert (found.profiles, found.points, found.misfit, found.frequency_ratio) == (2, 100, 0.1, 1.5)
+    said = str(module._refusal("a reason", 2.5e-9))
+    assert said.endswith("so no D and G: a reason; the heights are quantised in steps of 0.0025 um")
+    assert str(module._refusal("a reason", None)).endswith("so no D and G: a reason")

@@ -4,7 +4,12 @@ import numpy as np
 import pytest
 
 from asperity.errors import InputError
-from asperity.surface.spectrum import binned_spectrum, power_spectral_densities
+from asperity.surface.spectrum import (
+    _independent_ordinates,
+    binned_spectrum,
+    power_spectral_densities,
+    without_line,
+)
 
 
 def test_parseval_for_a_boxcar_window():
@@ -145,3 +150,20 @@ def test_rows_that_resemble_each_other_count_as_fewer(differenced):
     ]  # fmt: skip
     assert shares[0] / shares[1] == pytest.approx(5.375, rel=0.1)
     assert shares[1] == pytest.approx(1.07 if differenced else 35 / 18, rel=0.15)
+
+
+def test_a_line_is_removed_by_least_squares():
+    z = np.random.default_rng(9).standard_normal((3, 101)) + 0.4 * np.arange(101)
+    expected = [row - np.polyval(np.polyfit(np.arange(101), row, 1), np.arange(101)) for row in z]
+    np.testing.assert_allclose(without_line(z), expected, atol=1e-11)
+
+
+def test_independent_ordinates_of_a_bin_count_its_own_powers():
+    """2 (sum p)^2 / sum p^2 over the ordinates of the bin and the frequencies across the rows, at least one."""
+    random = np.random.default_rng(10)
+    spectra = random.standard_normal((6, 12)) + 1j * random.standard_normal((6, 12))
+    power = np.abs(np.fft.fft(spectra, axis=0)) ** 2
+    parts = [power[:, 0:2], power[:, 2:5], power[:, 5:12]]  # ordinates 1 and 2, 3 to 5, 6 to 12
+    expected = [max(2 * part.sum() ** 2 / (part**2).sum(), 1.0) for part in parts]
+    found = _independent_ordinates(spectra.astype(np.complex64), np.array([1, 3, 6, 13]))
+    np.testing.assert_allclose(found, expected, rtol=1e-5)

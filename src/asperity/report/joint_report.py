@@ -27,7 +27,7 @@ from asperity.joint_file.build import joint_from_case
 from asperity.joint_file.drawn_surface import drawn_interval
 from asperity.joint_file.model import Case
 from asperity.joint_file.si_tables import si_values
-from asperity.report import load_tables, result_tables, rolling_tables, surface_tables
+from asperity.report import limit_tables, load_tables, result_tables, rolling_tables, surface_tables
 from asperity.report.content import Block, Bullets, Heading, Listing, Paragraph, Picture, Report, Table
 from asperity.report.figures import report_pictures
 from asperity.report.input_tables import choices_table, inputs_table
@@ -131,10 +131,10 @@ def joint_report(source: ReportSource) -> Report:
         Heading("Loads of the structure"),
         *load_tables.loads(loads_document(joint, load_cases(joint, solution), document["bearings"])),
         Heading("Safety margins"),
-        *result_tables.margins_table(margins(solved)),
+        *limit_tables.margins_table(margins(solved)),
         Picture("Shares of the limits that are used", pictures["margins"]),
         Heading("Warnings"),
-        *result_tables.warnings(document),
+        *limit_tables.warnings(document),
         Heading("Wind-up"),
         *_windup(found, pictures),
         Heading("The joint in rolling"),

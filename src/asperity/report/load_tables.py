@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Any
 
+from asperity.report.cells import number, quantity
 from asperity.report.content import Block, Bullets, Table
-from asperity.report.result_tables import number, quantity
 from asperity.units import from_si
 
 Document = dict[str, Any]

@@ -6,7 +6,8 @@ from collections.abc import Iterator
 from typing import Any
 
 from asperity.report.content import Block, Paragraph, Table
-from asperity.report.result_tables import LEVELS, number, percent, quantity
+from asperity.report.cells import number, percent, quantity
+from asperity.report.result_tables import LEVELS
 
 Document = dict[str, Any]
 

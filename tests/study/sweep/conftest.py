@@ -1,5 +1,7 @@
 """A small sweep and its store."""
 
+import shutil
+
 import numpy as np
 import pytest
 
@@ -28,11 +30,18 @@ def written():
     return write
 
 
-@pytest.fixture
-def filled(case, tmp_path, axes, written):
-    """A store of three finished blocks, the second of them without any result."""
+@pytest.fixture(scope="session")
+def filled_once(case, tmp_path_factory, axes, written):
     plan = make_plan(case, axes, ("published_stiffness_output", "slip_ratio"), block_points=4)
-    prepare_store(tmp_path / "s.zarr", plan)
+    path = tmp_path_factory.mktemp("filled") / "s.zarr"
+    prepare_store(path, plan)
     for index, value in enumerate((7.0, np.nan, 9.0)):
-        written(tmp_path / "s.zarr", plan, index, value)
-    return tmp_path / "s.zarr", plan
+        written(path, plan, index, value)
+    return path, plan
+
+
+@pytest.fixture
+def filled(filled_once, tmp_path):
+    """A store of three finished blocks, the second of them without any result: a copy to be damaged."""
+    path, plan = filled_once
+    return shutil.copytree(path, tmp_path / "s.zarr"), plan

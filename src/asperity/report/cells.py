@@ -1,0 +1,61 @@
+"""Numbers as a table of a report shows them; a dash where there is none."""
+
+from __future__ import annotations
+
+import math
+
+from asperity.units import format_quantity
+
+
+def quantity(value: float | None, unit: str, digits: int = 4) -> str:
+    """A quantity with its unit; a dash where there is none.
+
+    Parameters
+    ----------
+    value : float or None
+        The value [SI].
+    unit : str
+        The unit to show; ``"1"`` for a number.
+    digits : int, optional
+        Significant digits.
+
+    Returns
+    -------
+    str
+        Number and unit.
+    """
+    return "–" if value is None or math.isnan(value) else format_quantity(value, unit, digits)
+
+
+def number(value: float | None, factor: float = 1.0) -> str:
+    """A number without its unit; a dash where there is none.
+
+    Parameters
+    ----------
+    value : float or None
+        The value.
+    factor : float, optional
+        What it is multiplied by.
+
+    Returns
+    -------
+    str
+        The number with four digits.
+    """
+    return "–" if value is None else quantity(value * factor, "1")
+
+
+def percent(value: float | None) -> str:
+    """A share in percent; a dash where there is none.
+
+    Parameters
+    ----------
+    value : float or None
+        The share [-].
+
+    Returns
+    -------
+    str
+        Number and sign.
+    """
+    return "–" if value is None else f"{number(value, 100.0)} %"

@@ -1,0 +1,90 @@
+"""Limits of a joint in a report: what is required and reached, and what is crossed."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+from typing import Any
+
+from asperity.joint.margins import Margin
+from asperity.report.cells import number, quantity
+from asperity.report.content import Block, Bullets, Paragraph, Table
+
+Document = dict[str, Any]
+
+_WARNINGS_ABOUT = {
+    "function": "the joint does not work",
+    "damage": "the joint is damaged",
+    "accuracy": "the numbers cannot be trusted",
+    "model": "outside the range of the contact law",
+}
+
+
+def margins_table(found: Sequence[Margin]) -> Iterator[Block]:
+    """Required and actual values.
+
+    Parameters
+    ----------
+    found : sequence of Margin
+        As :func:`asperity.joint.margins.margins` gives them.
+
+    Yields
+    ------
+    Block
+        A sentence and a table.
+    """
+    yield Paragraph(
+        "Each requirement at the contact or clearance where it is met worst, the most serious first. A requirement of "
+        "the model that is not met says that the published contact law is outside its range, not that the joint fails."
+    )
+    rows = []
+    for each in found:
+        unit = each.result.display_unit
+        bounds = [f"> {quantity(each.lowest, unit)}"] if math.isfinite(each.lowest) else []
+        bounds += [f"< {quantity(each.highest, unit)}"] if math.isfinite(each.highest) else []
+        if each.result.limit is not None and each.result.limit.inclusive:
+            bounds = [bound.replace("<", "≤").replace(">", "≥") for bound in bounds]
+        rows.append(
+            (
+                each.result.label,
+                each.severity,
+                each.place.replace("_", " "),
+                " and ".join(bounds),
+                quantity(each.actual, unit),
+                "pass" if each.passes else "unknown" if math.isnan(each.actual) else "FAIL",
+            )
+        )
+    head = ("requirement", "concerns", "where", "required", "actual", "result")
+    yield Table("Safety margins", head, rows, words=(0, 1, 2))
+
+
+def warnings(document: Document) -> Iterator[Block]:
+    """Every limit that is crossed, with its meaning and what to do.
+
+    Parameters
+    ----------
+    document : dict
+        As :func:`asperity.joint.document.joint_document` makes it.
+
+    Yields
+    ------
+    Block
+        A table, or a sentence if there is no warning.
+    """
+    crossed: dict[str, list[Document]] = {}
+    for entry in document["diagnostics"]:
+        if not entry["ok"]:
+            crossed.setdefault(entry["name"], []).append(entry)
+    if not crossed:
+        yield Paragraph("No warnings: every limit of the model is kept.")
+        return
+    items = []
+    for entries in crossed.values():
+        first = entries[0]
+        values = ", ".join(f"{number(each['value'])} {each['contact'] or ''}".strip() for each in entries)
+        meanings = "; ".join(dict.fromkeys(each["meaning"] for each in entries))
+        items.append(
+            f"{first['label']}: {values} (limit {number(first['limit'])}; {_WARNINGS_ABOUT[first['severity']]}). "
+            f"Meaning: {meanings}. What to do: {first['remedy']}."
+        )
+    yield Bullets(items)

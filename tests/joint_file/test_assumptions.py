@@ -1,0 +1,34 @@
+"""What a joint file leaves out, in words."""
+
+import re
+
+from asperity.joint_file.assumptions import assumptions
+from asperity.joint_file.reader import parse_case
+
+
+def test_what_the_file_leaves_out_is_told(joint_text):
+    sentences = assumptions(parse_case(joint_text, source="x"))
+    for section in ("bearings", "compliance", "play"):
+        assert any(sentence.startswith(f"no section [{section}]") for sentence in sentences)
+    partly = parse_case(joint_text + '[compliance]\npin_stiffness = "100 N/um"\n', source="x")
+    assert any("input_shaft_stiffness" in sentence for sentence in assumptions(partly))
+    unstated = parse_case(joint_text.replace("ring_support =", "# ring_support ="), source="x")
+    assert any("a rigid housing holds the outer rim" in sentence for sentence in assumptions(unstated))
+    assert not any("rigid housing" in sentence for sentence in assumptions(partly))
+    assert not any("plane strain" in sentence for sentence in assumptions(partly))
+    of_before = parse_case(re.sub(r"\n(bodies|plane_state) = .*", "", joint_text), source="x")
+    assert any("plane elasticity" in sentence for sentence in assumptions(of_before))
+    assert any("plane strain" in sentence for sentence in assumptions(of_before))
+
+
+def test_a_tolerance_that_does_not_move_the_preload_is_named(joint_text):
+    loose = joint_text.replace('planet_radius = "13.5 mm"', 'planet_radius = "13.5 mm +- 5 um"')
+    (note,) = (
+        each for each in assumptions(parse_case(loose, source="x")) if "load.preload is a force" in each
+    )
+    assert "drive.planet_radius, up to 5 µm" in note
+    assert not any(
+        "load.preload is a force" in each for each in assumptions(parse_case(joint_text, source="x"))
+    )
+    free = parse_case(loose.replace('preload = "1000 N"', 'interference = "13 um"'), source="x")
+    assert not any("load.preload is a force" in each for each in assumptions(free))

@@ -1,0 +1,23 @@
+"""Numbers with and without their unit, and the dash where there is none."""
+
+import math
+
+from asperity.report.cells import number, percent, quantity
+
+
+def test_quantities_numbers_and_shares():
+    assert quantity(1.4e-5, "um") == "14 um"
+    assert quantity(0.4363323, "deg", 3) == "25 deg"
+    assert number(2.5e-3, 1e3) == "2.5"
+    assert percent(0.125) == "12.5 %"
+
+
+def test_what_is_absent_is_a_dash():
+    absent = (
+        quantity(None, "N"),
+        quantity(math.nan, "N"),
+        number(None, 1e6),
+        number(math.nan),
+        percent(None),
+    )
+    assert set(absent) == {"–"}

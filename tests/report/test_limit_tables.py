@@ -1,0 +1,62 @@
+"""Requirements and crossed limits in words, for margins and diagnostics that are written out here."""
+
+import math
+
+from asperity.joint.margins import Margin
+from asperity.joint.results import Limit, Result
+from asperity.report.content import Bullets, Paragraph, Table
+from asperity.report.limit_tables import margins_table, warnings
+from asperity.unit_table import Dimension
+
+
+def margin(name, place, actual, *, lowest=-math.inf, highest=math.inf, passes=True, inclusive=False):
+    limit = Limit(
+        "function", "kept", "crossed", "remedy", lowest=lowest, highest=highest, inclusive=inclusive
+    )
+    result = Result(name, f"label of {name}", Dimension.DIMENSIONLESS, "1", "a", limit=limit)
+    return Margin(result, place, actual, lowest, highest, passes, "function")
+
+
+def test_required_actual_and_result_of_each_margin():
+    found = (
+        margin("a", "sp", 1.25, highest=1.0, passes=False),
+        margin("b", "roller_in_ring", 0.5, lowest=0.125),
+        margin("c", "", 1.5, lowest=1.0, highest=2.0, inclusive=True),
+        margin("d", "", math.nan, highest=1.0, passes=False),
+    )
+    sentence, table = margins_table(found)
+    assert isinstance(sentence, Paragraph)
+    assert isinstance(table, Table)
+    assert [tuple(row) for row in table.rows] == [
+        ("label of a", "function", "sp", "< 1", "1.25", "FAIL"),
+        ("label of b", "function", "roller in ring", "> 0.125", "0.5", "pass"),
+        ("label of c", "function", "", "≥ 1 and ≤ 2", "1.5", "pass"),
+        ("label of d", "function", "", "< 1", "–", "unknown"),
+    ]
+
+
+def entry(name, contact, value, ok, meaning):
+    return {
+        "name": name, "label": f"label of {name}", "contact": contact, "value": value, "limit": 1.0, "ok": ok,
+        "severity": "damage", "meaning": meaning, "remedy": "less load",
+    }  # fmt: skip
+
+
+def test_contacts_that_cross_one_limit_share_a_sentence():
+    crossed = [
+        entry("pressure", "sp", 2.0, False, "it yields"),
+        entry("pressure", "pwr", 1.5, False, "it yields"),
+        entry("pressure", "pwl", 0.5, True, ""),
+        entry("angle", None, 3.0, False, "it slips"),
+    ]
+    (bullets,) = warnings({"diagnostics": crossed})
+    assert isinstance(bullets, Bullets)
+    assert list(bullets.items) == [
+        "label of pressure: 2 sp, 1.5 pwr (limit 1; the joint is damaged). Meaning: it yields. What to do: less load.",
+        "label of angle: 3 (limit 1; the joint is damaged). Meaning: it slips. What to do: less load.",
+    ]
+
+
+def test_no_warning_is_a_sentence():
+    (said,) = warnings({"diagnostics": [entry("pressure", "sp", 0.5, True, "")]})
+    assert said.text == "No warnings: every limit of the model is kept."

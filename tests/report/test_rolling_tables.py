@@ -1,0 +1,90 @@
+"""Tables of a joint that turns, from a document whose numbers are written out here."""
+
+import math
+
+from asperity.report.content import Bullets, Paragraph, Table
+from asperity.report.rolling_tables import rolling
+
+TURN_AN_ARCMINUTE = math.pi / 180.0 / 60.0
+
+
+def document(**changes):
+    contact = {
+        "creepage": 1.5e-3, "creepage_share": 0.6, "traction_coefficient": 0.046, "life_output_turns": 2e6,
+        "axial_force_N": 0.0, "losses_W": {"creep": 1.0, "skew": 0.0, "hysteresis": None, "oil": None, "total": 1.0},
+    }  # fmt: skip
+    found = {
+        "unknown_because": [], "contacts": {"sp": contact}, "axial_thrust_N": {"sun": 0.0, "planet": 0.0},
+        "drift_rad_per_output_turn": 40.0 * TURN_AN_ARCMINUTE, "speed_loss": 1.85e-3, "efficiency": 0.98,
+        "input_power_W": 50.0, "output_power_W": 49.0, "reliability": 0.9,
+        "losses_W": {"creep": 1.0, "skew": 0.0, "hysteresis": None, "oil": None, "bearings": 0.25, "total": 1.25},
+        "life_hours": 1e4, "life_output_turns": 4e6, "body_life_hours": {"loading_roller": 2e4},
+        "body_life_output_turns": {"loading_roller": 8e6}, "duty_life_hours": 3e4, "duty_life_output_turns": 5e6,
+    }  # fmt: skip
+    found |= changes
+    return {
+        "rolling": found,
+        "torsional_stiffness": {"assembly": {"output_Nm_per_rad": 2.0 / TURN_AN_ARCMINUTE}},
+        "forces": {"output_torque_Nm": 5.0},
+        "contacts": {"sp": {"shakedown_ratio": 0.9}},
+        "input": {},
+    }
+
+
+def tables(blocks):
+    return {block.title: [tuple(row) for row in block.rows] for block in blocks if isinstance(block, Table)}
+
+
+def test_drift_stands_beside_the_stiffness():
+    """5 N·m on 2 N·m/arcmin are 2.5 arcmin that come back; 40 arcmin a turn do not."""
+    rows = tables(rolling(document(), capacity=12.5))["Position of the output: drift beside stiffness"]
+    assert [row[:2] for row in rows] == [
+        ("drift per output turn", "40 arcmin"),
+        ("speed loss", "0.185 %"),
+        ("stiffness at rest", "2 N·m/arcmin"),
+        ("torque over stiffness", "2.5 arcmin"),
+        ("torque capacity, rolling", "12.5 N·m"),
+    ]
+
+
+def test_losses_by_contact_and_in_all():
+    found = tables(rolling(document(), capacity=None))
+    (title,) = (each for each in found if each.startswith("Losses"))
+    assert title == "Losses, W; efficiency 98 %, power in 50 W, out 49 W"
+    assert found[title] == [
+        ("sp", "1", "0", "–", "–", "1"),
+        ("bearings and pins", "", "", "", "", "0.25"),
+        ("all", "1", "0", "–", "–", "1.25"),
+    ]
+    assert found["Contacts in rolling"] == [("sp", "1.5", "60", "0.046", "0.9", "2e6")]
+
+
+def test_lives_of_drive_and_bodies_and_under_a_duty():
+    found = document()
+    title = "Fatigue life that 90 % of the drives reach"
+    rows = tables(rolling(found, capacity=None))[title]
+    assert [row[0] for row in rows] == ["the drive", "loading roller"]
+    found["input"]["duty"] = [{}]
+    assert tables(rolling(found, capacity=None))[title][-1][0] == "the drive under its duty"
+    assert not any(
+        isinstance(block, Paragraph) and "not to be relied on" in block.text
+        for block in rolling(found, capacity=None)
+    )
+    found["contacts"]["sp"]["shakedown_ratio"] = 1.1
+    (said,) = (
+        b.text for b in rolling(found, capacity=None) if isinstance(b, Paragraph) and "relied" in b.text
+    )
+    assert said.endswith("the shakedown limit is exceeded at sp.")
+
+
+def test_thrust_only_where_axes_are_skewed_and_reasons_first():
+    parallel = list(rolling(document(), capacity=None))
+    assert any(
+        isinstance(block, Paragraph) and block.text.startswith("Axial thrust: none") for block in parallel
+    )
+    skewed = document(unknown_because=["the sun stands"], axial_thrust_N={"sun": -30.0, "planet": 10.0})
+    skewed["rolling"]["contacts"]["sp"]["axial_force_N"] = 10.0
+    blocks = list(rolling(skewed, capacity=None))
+    assert isinstance(blocks[0], Bullets)
+    assert list(blocks[0].items) == ["the sun stands."]
+    assert tables(blocks)["Axial thrust on each body, N"] == [("-30", "10")]
