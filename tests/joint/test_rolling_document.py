@@ -17,7 +17,10 @@ def result(*, residual=1e-12, slip=(0.4,) * 5, holds=True, efficiency=0.98, duty
         residual=residual, power=SimpleNamespace(efficiency=efficiency), duty_life_hours=duty_life_hours
     )
     diagnostics = SimpleNamespace(slip_ratio=np.array(slip))
-    return SimpleNamespace(rolling=rolling, diagnostics=diagnostics, contact_law_holds=holds)
+    names = ("sp", "pwr", "pwl", "wro", "wlo")
+    return SimpleNamespace(
+        rolling=rolling, diagnostics=diagnostics, contact_law_holds=holds, contact_names=names
+    )
 
 
 def test_nothing_is_missing_from_a_joint_that_turns():

@@ -3,7 +3,7 @@
 import math
 
 from asperity.report.content import Paragraph, Table
-from asperity.report.result_tables import measured_stiffness, stiffness, windup
+from asperity.report.result_tables import stiffness, windup
 
 ARCMINUTE = math.pi / 180.0 / 60.0
 
@@ -55,18 +55,3 @@ def test_shares_of_the_compliance_are_sorted_and_named():
     assert found["Stiffness budget: shares of the compliance of the assembled joint"] == [
         ("sp asperity", "50"), ("bodies", "25"), ("pins", "12.5"),
     ]  # fmt: skip
-
-
-def test_interval_of_a_measured_surface_says_which_draws_are_left_out():
-    ends = {"low_Nm_per_rad": 2e4, "high_Nm_per_rad": 3e4}
-    interval = dict.fromkeys(("assembly", "series_with_bulk", "published"), ends)
-    interval |= {"confidence": 0.95, "draws": 200, "outside": 1, "unsolved": 2, "all_plastic": 3}
-    measured = {"fractal_dimension": 1.5, "fractal_roughness_m": 1e-9}
-    table, said = measured_stiffness(measured, interval)
-    assert table.title == "95 % interval from the measured surface, D = 1.5, G = 1e-6 mm"
-    assert [tuple(row[1:]) for row in table.rows] == [("20000", "30000")] * 3
-    assert said.text.startswith(
-        "Of 200 draws of D and G, 1 had a D outside 1 to 2, 2 had no solution and 3 had plastic"
-    )
-    none = interval | {"outside": 0, "unsolved": 0, "all_plastic": 0}
-    assert len(list(measured_stiffness(measured, none))) == 1

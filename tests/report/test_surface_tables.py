@@ -32,3 +32,20 @@ def test_the_ra_of_every_surface():
     }
     (row,) = surface_tables.averages({"surfaces": [entry]}).rows
     assert row == ("sp, pwr", "1.4", "1e-8", "0.8", "0.2", "0.15 to 0.25")
+
+
+def test_interval_of_a_measured_surface_says_which_draws_are_left_out():
+    ends = {"low_Nm_per_rad": 2e4, "high_Nm_per_rad": 3e4}
+    interval = dict.fromkeys(("assembly", "series_with_bulk", "published"), ends)
+    interval["drift"] = INTERVAL["drift"]
+    interval |= {"confidence": 0.95, "draws": 200, "outside": 1, "unsolved": 2, "all_plastic": 3}
+    measured = {"fractal_dimension": 1.5, "fractal_roughness_m": 1e-9}
+    table, drift, said = surface_tables.measured_stiffness(measured, interval)
+    assert table.title == "95 % interval from the measured surface, D = 1.5, G = 1e-6 mm"
+    assert [tuple(row[1:]) for row in table.rows] == [("20000", "30000")] * 3
+    assert drift.text.startswith("Drift from 10 arcmin")
+    assert said.text.startswith(
+        "Of 200 draws of D and G, 1 had a D outside 1 to 2, 2 had no solution and 3 had plastic"
+    )
+    none = interval | {"outside": 0, "unsolved": 0, "all_plastic": 0}
+    assert len(list(surface_tables.measured_stiffness(measured, none))) == 2

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Any
 
-from asperity.report.content import Block, Paragraph, Table
 from asperity.report.cells import number, percent, quantity
+from asperity.report.content import Block, Paragraph, Table
 from asperity.report.result_tables import LEVELS
 
 Document = dict[str, Any]
