@@ -96,7 +96,8 @@ def fmu_parts(content: ExportContent) -> FmuParts:
         raise InputError(
             f"the joint has no steady rolling at {np.min(np.abs(torque)):.4g} N*m"
             + (f" ({content.no_drift_because[0]})" if content.no_drift_because else "")
-            + "; an FMU needs its drift at every torque: lower --torque, or export to a table"
+            + "; an FMU needs its drift at every torque: lower the largest torque, or export to a table",
+            options=["torque"],
         )
     law = SeriesLaw(content.windup, content.play)
     slip = slip_elements(law, elements=ELEMENTS)

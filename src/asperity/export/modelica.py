@@ -38,7 +38,8 @@ def modelica_file(content: ExportContent, fitted: FittedElements) -> bytes:
     if not all(np.all(np.isfinite(each)) for each in drifts):
         raise InputError(
             "the joint has no steady rolling at some torques, and a Modelica model needs its drift at every torque: "
-            "lower --torque, or export to a table"
+            "lower the largest torque, or export to a table",
+            options=["torque"],
         )
     name = package_name(content.source)
     friction = content.parts.friction if np.isfinite(content.parts.friction) else 0.0
