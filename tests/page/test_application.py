@@ -274,6 +274,10 @@ def test_the_description_covers_every_number_of_the_file(client):
     assert keys["rolling.reliability"]["default"] == "0.9 if absent"
     assert keys["materials.*.youngs_modulus"]["meaning"] == "Young's modulus E."
     assert keys["drive.sun_radius"]["required"]
+    ring = next(each for each in described["choices"] if each["key"] == "drive.ring_support")
+    assert ring["default"] == "A rigid housing if absent"
+    assert not ring["required"]
+    assert "slip_ratio_sp" in {each["name"] for each in client.get("/api/results").json()}
     assert not keys["load.preload"]["required"]  # an interference can take its place
     sections = {group["name"] for group in described["groups"]} | {
         each["group"] for each in described["choices"]

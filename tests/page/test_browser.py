@@ -177,6 +177,22 @@ def test_files_are_opened_and_wrong_ones_refused(page, tmp_path):
     assert page.locator("#error").is_hidden()
 
 
+def test_choices_of_the_library_and_of_the_ring(page):
+    do(page, lambda: page.locator("#value-bodies-sun").select_option("440C"))
+    assert "stainless bearing steel" in page.locator("#value-bodies-sun-help").text_content()
+    do(page, lambda: page.locator("#value-finish").select_option("honed finest"))
+    assert field(page, "surface.fractal_roughness").input_value().startswith("3.228")
+    assert page.locator("#value-finish").input_value() == "honed finest"
+    # a ring in an elastic housing needs the stiffness of the housing: both fields are marked, then it is given
+    do(page, lambda: page.locator("#value-drive-ring_support").select_option("elastic_housing"))
+    assert field(page, "compliance.ring_housing_stiffness").get_attribute("aria-invalid") == "true"
+    write(page, "compliance.ring_housing_stiffness", "20 GPa/m")
+    assert page.locator("#error").is_hidden()
+    for _ in range(4):
+        do(page, lambda: page.get_by_role("button", name="Undo").click())
+    assert page.locator("#value-bodies-sun").input_value() == "52100"
+
+
 def charted(page, action):
     """Do something and wait until the free chart has been drawn."""
     before = int(page.evaluate("document.querySelector('#chart').dataset.drawn || '0'"))

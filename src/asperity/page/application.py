@@ -19,7 +19,7 @@ from asperity.errors import AsperityError, InputError, NoSolutionError, printabl
 from asperity.joint_file.reader import parse_case
 from asperity.joint_file.schema import joint_schema
 from asperity.page.answer import joint_answer, stated_values
-from asperity.page.chart import chart_answer, chart_request
+from asperity.page.chart import chart_answer, chart_request, chart_results
 from asperity.page.computation import BusyError, Computations, KeptAnswers
 from asperity.page.description import description
 from asperity.page.guard import App, Guard
@@ -33,7 +33,17 @@ ASSETS: dict[str, tuple[str, str]] = {
     "/page.css": ("page.css", "text/css; charset=utf-8"),
     **{
         f"/{name}.js": (f"{name}.js", "text/javascript; charset=utf-8")
-        for name in ("main", "state", "controls", "results", "plots", "chart", "drawing", "numbers")
+        for name in (
+            "main",
+            "state",
+            "controls",
+            "choices",
+            "results",
+            "plots",
+            "chart",
+            "drawing",
+            "numbers",
+        )
     },
     "/icon.svg": ("icon.svg", "image/svg+xml"),
 }
@@ -100,6 +110,9 @@ def application(
     async def interface(request: Request) -> Response:
         return JSONResponse(openapi())
 
+    async def results(request: Request) -> Response:
+        return JSONResponse(chart_results())
+
     async def schema(request: Request) -> Response:
         return JSONResponse(joint_schema())
 
@@ -161,6 +174,7 @@ def application(
         *(Route(path, asset, methods=["GET"]) for path in ASSETS),
         Route("/openapi.json", interface, methods=["GET"]),
         Route("/api/description", describe, methods=["GET"]),
+        Route("/api/results", results, methods=["GET"]),
         Route("/api/schema", schema, methods=["GET"]),
         Route("/api/joint", joint, methods=["POST"]),
         Route("/api/chart", chart, methods=["POST"]),

@@ -45,6 +45,7 @@ def openapi() -> Schema:
         "paths": {
             "/api/description": {"get": _get("Parameters of a joint file: meaning, unit, range, default.")},
             "/api/schema": {"get": _get("JSON schema of a joint file.")},
+            "/api/results": {"get": _get("Results that charts can show: name, label, unit, group.", "array")},
             "/api/joint": {"post": _joint()},
             "/api/chart": {"post": _chart()},
             "/api/joint/{id}/joint.{kind}": {"get": _download()},
@@ -69,8 +70,8 @@ def _ref(name: str) -> Schema:
     return {"$ref": f"#/components/schemas/{name}"}
 
 
-def _get(summary: str) -> Schema:
-    return {"summary": summary, "responses": {"200": _json({"type": "object"}, summary)}}
+def _get(summary: str, kind: str = "object") -> Schema:
+    return {"summary": summary, "responses": {"200": _json({"type": kind}, summary)}}
 
 
 _PROBLEMS = {
@@ -115,7 +116,7 @@ def _chart_schema() -> Schema:
             "to": text,
             "points": {"type": "integer", "minimum": 2, "maximum": MOST_POINTS},
             "scale": {"enum": ["linear", "log"]},
-            "result": {"type": "string", "description": "One of 'results' of /api/description."},
+            "result": {"type": "string", "description": "A name of /api/results."},
             "family": {
                 "type": "object",
                 "properties": family,

@@ -80,7 +80,8 @@ async function askOnce(state) {
       setTimeout(ask, 500);
     } else {
       page.dataset.state = "error";
-      const keys = Object.keys(found.keys).length || lastPath === null ? found.keys : { [lastPath]: found.error };
+      const named = Object.keys(found.keys).length ? found.keys : controls.named(found.error);
+      const keys = Object.keys(named).length || lastPath === null ? named : { [lastPath]: found.error };
       controls.showErrors(keys);
       showError(found.error);
       say("No result: see the message. The results shown are those of the last valid joint.");
@@ -133,6 +134,14 @@ function changed(path, value, moving = false) {
   else changes[path] = value;
   history.add({ ...history.state, changes }, moving ? path : null);
   lastPath = path;
+  refresh();
+}
+
+/** New values of several keys in one step, in place of the changes below some sections. */
+function changedTogether(values, instead = []) {
+  const kept = Object.entries(history.state.changes).filter(([path]) => !instead.some((section) => path.startsWith(`${section}.`)));
+  history.add({ ...history.state, changes: { ...Object.fromEntries(kept), ...values } });
+  lastPath = null;
   refresh();
 }
 
@@ -232,9 +241,9 @@ async function begin() {
   }
   const described = await (await fetch("/api/description")).json();
   const linked = location.hash.startsWith("#joint=") ? await unpacked(location.hash.slice(7)) : null;
-  controls = new Controls(get("controls"), described, changed);
+  controls = new Controls(get("controls"), described, changed, changedTogether);
   controls.build(described.start);
-  chart = new Chart(get("chart"), described, controls, post);
+  chart = new Chart(get("chart"), controls, post);
   history = new History(linked || { name: described.start.name, toml: described.start.toml, changes: {} });
   connect();
   refresh();
