@@ -11,7 +11,7 @@ pytest.importorskip("httpx2")
 from starlette.testclient import TestClient
 
 from asperity.joint_file.model import Case
-from asperity.page.application import ASSETS, application, errors_by_key
+from asperity.page.application import ASSETS, application
 from asperity.page.computation import Computations
 from asperity.page.joint_request import JointRequest
 
@@ -169,7 +169,7 @@ def test_bodies_that_make_no_sense_get_one_sentence(client, body):
 
 
 def test_forms_of_other_sites_have_the_wrong_type(client, joint_text):
-    for path in ("/api/joint", "/api/chart", "/api/file"):
+    for path in ("/api/joint", "/api/chart", "/api/file", "/api/open", "/api/jobs"):
         for kind in ("text/plain", "application/x-www-form-urlencoded", "multipart/form-data; boundary=x"):
             response = client.post(path, content=b"{}", headers={"content-type": kind})
             assert response.status_code == 415
@@ -303,13 +303,3 @@ def test_the_interface_describes_its_answers(client, solve):
     assert set(answer["curves"]) == set(schemas["Answer"]["properties"]["curves"]["properties"])
     assert set(answer["windup"]) == set(schemas["Answer"]["properties"]["windup"]["properties"])
     jsonschema.validate(solve(load__preload="x").json(), schemas["Error"])
-
-
-def test_messages_are_found_by_key():
-    message = "a.toml: 2 errors\n  load.preload: bad\n  bodies.sun, bodies.ring: there is no material 'x'"
-    assert errors_by_key(message, source="a.toml") == {
-        "load.preload": "bad",
-        "bodies.sun": "there is no material 'x'",
-        "bodies.ring": "there is no material 'x'",
-    }
-    assert errors_by_key("the output torque is too large: lower it", source="a.toml") == {}

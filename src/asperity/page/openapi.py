@@ -8,6 +8,7 @@ import asperity
 from asperity.page.chart import MOST_CURVES, MOST_POINTS
 from asperity.page.computation import MOST_KEPT
 from asperity.page.guard import LARGEST_BODY
+from asperity.page.openapi_work import job_schema, work_paths
 
 Schema = dict[str, Any]
 
@@ -50,6 +51,7 @@ def openapi() -> Schema:
             "/api/chart": {"post": _chart()},
             "/api/joint/{id}/joint.{kind}": {"get": _download()},
             "/api/file": {"post": _file()},
+            **work_paths(_PROBLEMS, _request_schema()),
         },
         "components": {
             "schemas": {
@@ -57,6 +59,7 @@ def openapi() -> Schema:
                 "Request": _request_schema(),
                 "Answer": _answer_schema(),
                 "Chart": _chart_answer_schema(),
+                "Job": job_schema(),
             }
         },
     }

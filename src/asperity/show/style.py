@@ -102,7 +102,9 @@ def mark_few_decades(axis: Axis, low: float, high: float) -> None:
         few = high < 5.0 * low
         if few:
             axis.set_minor_locator(NullLocator())
-        axis.set_major_locator(MaxNLocator(5, steps=[1, 2, 5, 10]) if few else LogLocator(subs=(1.0, 2.0, 5.0)))
+        axis.set_major_locator(
+            MaxNLocator(5, steps=[1, 2, 5, 10]) if few else LogLocator(subs=(1.0, 2.0, 5.0))
+        )
         axis.set_major_formatter(FuncFormatter(plain_number))
 
 

@@ -30,8 +30,8 @@ export function choiceRows(controls, group, stated) {
 }
 
 /** The word of an answer, and for a material of the library what it is and where its numbers come from. */
-export function showChoice(row, stated) {
-  const word = stated.choices[row.path] || "";
+export function showChoice(row, stated, changes) {
+  const word = changes[row.path] ?? stated.choices[row.path] ?? "";
   row.input.value = word;
   const material = row.materials.find((each) => each.name === word);
   const more = material ? ` ${word}: ${material.description}. Source: ${material.reference}.` : "";

@@ -188,7 +188,7 @@ export class Controls {
     for (const row of this.rows.values()) {
       const changed = row.path in changes;
       if (row.choice) {
-        showChoice(row, stated);
+        showChoice(row, stated, changes);
         continue;
       }
       row.node.classList.toggle("changed", changed);

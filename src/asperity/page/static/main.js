@@ -2,8 +2,10 @@
 
 import { Chart } from "/chart.js";
 import { Controls } from "/controls.js";
+import { JobList } from "/jobs.js";
 import { showAnswer } from "/results.js";
 import { History, packed, unpacked } from "/state.js";
+import { Uploads } from "/upload.js";
 
 const get = (id) => document.getElementById(id);
 const page = document.documentElement;
@@ -12,6 +14,8 @@ const RETRY = 2000; // ms
 let history = null;
 let controls = null;
 let chart = null;
+let jobs = null;
+let uploads = null;
 let answer = null; // of the joint on the screen
 let baseline = null;
 let shown = null; // state of the joint on the screen
@@ -67,7 +71,7 @@ async function askOnce(state) {
       answer = found;
       if (state.toml !== shownText) controls.build(found); // another file
       shownText = state.toml;
-      controls.show(found, state.changes);
+      controls.show(found, history.state.changes);
       controls.showErrors({});
       showError("");
       showAnswer(found, baseline);
@@ -101,6 +105,7 @@ async function askOnce(state) {
 
 /** What is computed beside the joint follows it. */
 function followed() {
+  jobs.follow(shown);
   chart.follow(shown, answer, baseline ? { answer: baseline, state: baselineState } : null);
 }
 
@@ -153,24 +158,17 @@ function step(count) {
   }
 }
 
-async function open(file) {
-  let ok;
-  let found;
-  try {
-    [ok, found] = await post(`/api/file?name=${encodeURIComponent(file.name)}`, await file.arrayBuffer(), "application/octet-stream");
-  } catch {
-    showError(`${file.name}: the server does not answer, or refused the file because of its size.`);
-    return;
-  }
-  if (!ok) {
-    showError(found.error);
-    say("The file was not opened; the joint on the page is unchanged.");
-    page.dataset.refused = file.name;
-    return;
-  }
+/** Another joint on the page, as a new state. */
+function takeJoint({ name, toml }) {
   lastPath = null;
-  history.add({ name: found.name, toml: found.toml, changes: {} });
+  history.add({ name, toml, changes: {} });
   refresh();
+}
+
+function refused(text, name) {
+  showError(text);
+  say("The file was not opened; the joint on the page is unchanged.");
+  page.dataset.refused = name;
 }
 
 function pin() {
@@ -198,7 +196,7 @@ function connect() {
   get("open-file").addEventListener("change", (event) => {
     const [file] = event.target.files;
     event.target.value = "";
-    if (file) open(file);
+    if (file) uploads.open(file);
   });
   get("copy-link").addEventListener("click", async () => {
     try {
@@ -219,7 +217,7 @@ function connect() {
   document.addEventListener("drop", (event) => {
     event.preventDefault();
     const [file] = event.dataTransfer.files;
-    if (file) open(file);
+    if (file) uploads.open(file);
   });
   window.addEventListener("hashchange", async () => {
     if (location.hash === ownHash) return;
@@ -243,6 +241,15 @@ async function begin() {
   const linked = location.hash.startsWith("#joint=") ? await unpacked(location.hash.slice(7)) : null;
   controls = new Controls(get("controls"), described, changed, changedTogether);
   controls.build(described.start);
+  jobs = new JobList(get("jobs"), post, takeJoint);
+  uploads = new Uploads(get("measured"), {
+    post,
+    say,
+    joint: takeJoint,
+    design: (found) => jobs.offerDesign(found),
+    surface: (changes) => changedTogether(changes, ["surface"]),
+    fail: refused,
+  });
   chart = new Chart(get("chart"), controls, post);
   history = new History(linked || { name: described.start.name, toml: described.start.toml, changes: {} });
   connect();
