@@ -256,6 +256,15 @@ def test_a_study_shows_its_progress_its_result_and_can_be_stopped(page, tmp_path
     assert document["inputs"]["load.preload"]["tolerance"] == 50.0
 
 
+def test_a_report_is_saved_as_html_and_pdf(page, tmp_path):
+    for name, ending, begins in (("Save report", "html", b"<!doctype html"), ("Save PDF", "pdf", b"%PDF-")):
+        with page.expect_download(timeout=300_000) as waiting:
+            page.get_by_role("button", name=name).click()
+        assert waiting.value.suggested_filename == f"tutorial_joint.{ending}"
+        waiting.value.save_as(tmp_path / f"report.{ending}")
+        assert (tmp_path / f"report.{ending}").read_bytes().lower().startswith(begins.lower())
+
+
 def test_every_control_has_a_name_and_the_page_fits_400_px(page):
     unnamed = page.evaluate(
         """[...document.querySelectorAll("input, select, button, a")].filter((each) => !(each.labels?.length

@@ -1,13 +1,16 @@
 """Files are recognised by content; a wrong one gets the message of the command."""
 
+import asyncio
 import io
 import json
+import threading
 
 import numpy as np
 import pytest
 
 from asperity.errors import InputError
 from asperity.page import upload
+from asperity.page.child import StoppedError
 from asperity.page.job_process import run_job
 from asperity.page.upload import measured_upload, opened_design, opened_joint, recognised
 from asperity.surface.measurement import SCHEMA
@@ -114,6 +117,35 @@ def test_a_wrong_file_gets_the_message_of_the_command(tmp_path, monkeypatch):
     with pytest.raises(InputError) as page:
         measured_upload(content, "../../words.csv", {})
     assert str(page.value) == str(command.value)
+
+
+def test_the_end_of_the_server_ends_a_measurement(monkeypatch):
+    class Waiting:
+        def __init__(self, kind, files, options):
+            self.begun, self.end = threading.Event(), threading.Event()
+            children.append(self)
+
+        def run(self, longest):
+            self.begun.set()
+            self.end.wait(30)
+            raise StoppedError("stopped")
+
+        def stop(self):
+            self.end.set()
+
+    children = []
+    monkeypatch.setattr(upload, "Child", Waiting)
+    measurements = upload.Measurements()
+
+    async def measure():
+        task = asyncio.ensure_future(measurements.run(b"1", "p.csv", {}))
+        while not children or not children[0].begun.is_set():
+            await asyncio.sleep(0.005)
+        measurements.close()
+        await task
+
+    with pytest.raises(StoppedError):
+        asyncio.run(measure())
 
 
 def test_a_spacing_needs_its_unit():

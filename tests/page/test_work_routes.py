@@ -12,9 +12,9 @@ from starlette.testclient import TestClient
 
 from asperity.errors import AsperityError
 from asperity.page import jobs as jobs_module
-from asperity.page.computation import Computations
 from asperity.page.jobs import Jobs
 from asperity.page.problems import problem
+from asperity.page.upload import Measurements
 from asperity.page.work_routes import work_routes
 
 KIND = {"content-type": "application/octet-stream"}
@@ -37,7 +37,7 @@ class Done:
 @pytest.fixture
 def client(monkeypatch):
     monkeypatch.setattr(jobs_module, "Child", Done)
-    jobs, measurements = Jobs(), Computations(longest=60.0)
+    jobs, measurements = Jobs(), Measurements()
 
     async def wrong(request, error):
         return problem(error, source="")

@@ -26,7 +26,7 @@ from asperity.page.jobs import Jobs
 from asperity.page.joint_request import JointRequest, joint_request
 from asperity.page.openapi import openapi
 from asperity.page.problems import parsed, problem, refusal, require_type
-from asperity.page.upload import LARGEST_SURFACE, LONGEST_MEASUREMENT
+from asperity.page.upload import LARGEST_SURFACE, Measurements
 from asperity.page.work_routes import work_routes
 
 #: Address → file of the package and its type. Nothing else can be read, whatever a request says.
@@ -53,7 +53,12 @@ ASSETS: dict[str, tuple[str, str]] = {
 }
 
 #: What can be downloaded of a joint, and its type: joint file, JSON document, report.
-DOWNLOADS = {"toml": "application/toml", "json": "application/json", "html": "text/html; charset=utf-8"}
+DOWNLOADS = {
+    "toml": "application/toml",
+    "json": "application/json",
+    "html": "text/html; charset=utf-8",
+    "pdf": "application/pdf",
+}
 
 #: Time that a request waits for its computation [s]; the first one of an installation compiles.
 LONGEST_ANSWER = 300.0
@@ -87,8 +92,7 @@ def application(
     callable
         ASGI application behind a :class:`asperity.page.guard.Guard`.
     """
-    kept, jobs = KeptAnswers(), Jobs()
-    measurements = Computations(longest=2.0 * LONGEST_MEASUREMENT)
+    kept, jobs, measurements = KeptAnswers(), Jobs(), Measurements()
     described = {
         **description(),
         "start": {"name": start.name, "toml": start.text, **stated_values(start.case())},
@@ -142,10 +146,10 @@ def application(
             return refusal(404, "this joint is no longer kept; change a value and download again", "refused")
         asked, answer = found
         end = request.path_params["kind"]
-        text = await computations.run(_downloaded, end, asked, answer["document"])
+        content = await computations.run(_downloaded, end, asked, answer["document"])
         name = re.sub(r"[^A-Za-z0-9._-]", "_", asked.name.removesuffix(".toml")) or "joint"
         disposition = f'attachment; filename="{name}.{end}"'
-        return Response(text, media_type=DOWNLOADS[end], headers={"content-disposition": disposition})
+        return Response(content, media_type=DOWNLOADS[end], headers={"content-disposition": disposition})
 
     @contextlib.asynccontextmanager
     async def life(app: Starlette) -> AsyncIterator[None]:
@@ -191,13 +195,17 @@ async def _failed(request: Request, error: Exception) -> Response:
     return refusal(500, "the server failed; its terminal says why", "failed")
 
 
-def _downloaded(kind: str, asked: JointRequest, document: dict[str, Any]) -> str:
+def _downloaded(kind: str, asked: JointRequest, document: dict[str, Any]) -> bytes:
     if kind == "json":
-        return json.dumps(document, indent=2, allow_nan=False) + "\n"
+        return (json.dumps(document, indent=2, allow_nan=False) + "\n").encode()
     text = asked.file_text()
     if kind == "toml":
-        return text
+        return text.encode()
     from asperity.report.html import report_html
     from asperity.report.joint_report import ReportSource, joint_report
+    from asperity.report.pdf import report_pdf, require_typst
 
-    return report_html(joint_report(ReportSource(name=asked.name, text=text, case=asked.case())))
+    if kind == "pdf":
+        require_typst()  # before the work
+    report = joint_report(ReportSource(name=asked.name, text=text, case=asked.case()))
+    return report_pdf(report) if kind == "pdf" else report_html(report).encode()

@@ -122,7 +122,11 @@ class Child:
                 raise StoppedError("stopped")
             # -P: nothing is imported from the folder in which it runs
             self._process = subprocess.Popen(
-                [sys.executable, "-P", "-c", _PROGRAM], stdin=subprocess.PIPE, stdout=subprocess.PIPE
+                [sys.executable, "-P", "-c", _PROGRAM],
+                stdin=subprocess.PIPE,
+                stdout=subprocess.PIPE,
+                # what a reader says of a file that somebody sent does not belong on the terminal
+                stderr=subprocess.DEVNULL if self._kind == "measure" else None,
             )
         assert self._process.stdin is not None
         try:

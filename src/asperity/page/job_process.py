@@ -11,6 +11,7 @@ import json
 import os
 import sys
 import threading
+import traceback
 from collections.abc import Callable
 from typing import Any
 
@@ -38,7 +39,7 @@ def main() -> None:
     def tell(answer: dict[str, Any]) -> None:
         print(json.dumps(answer, allow_nan=False), file=answers, flush=True)
 
-    from asperity.errors import AsperityError, NoSolutionError
+    from asperity.errors import AsperityError, NoSolutionError, printable
 
     try:
         result = run_job(request, lambda done, total: tell({"done": done, "total": total}))
@@ -48,6 +49,10 @@ def main() -> None:
         tell({"error": str(error), "kind": kind})
     except MemoryError:
         tell({"error": "this needs more memory than is allowed here", "kind": "input"})
+    except Exception as error:  # a mistake of ours or of a reader: say so rather than nothing
+        traceback.print_exc()
+        said = printable(f"{type(error).__name__}: {error}")[:300]
+        tell({"error": f"the computation failed unexpectedly: {said}", "kind": "input"})
     answers.flush()
     os._exit(0)
 

@@ -163,14 +163,25 @@ def _download() -> Schema:
         "summary": f"Joint file, JSON document or report of one of the latest {MOST_KEPT} joints.",
         "parameters": [
             {"name": "id", "in": "path", "required": True, "schema": {"type": "string"}},
-            {"name": "kind", "in": "path", "required": True, "schema": {"enum": ["toml", "json", "html"]}},
+            {
+                "name": "kind",
+                "in": "path",
+                "required": True,
+                "schema": {"enum": ["toml", "json", "html", "pdf"]},
+            },
         ],
         "responses": {
             "200": {
                 "description": "The file.",
-                "content": {"application/toml": {}, "application/json": {}, "text/html": {}},
+                "content": {
+                    "application/toml": {},
+                    "application/json": {},
+                    "text/html": {},
+                    "application/pdf": {},
+                },
             },
             "404": _json(_ref("Error"), "This joint is no longer kept."),
+            "422": _json(_ref("Error"), "A PDF needs the extra 'report'."),
         },
     }
 

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from typing import Any, Literal
 
 from asperity.errors import InputError, printable
 from asperity.joint_file.reader import parse_case
 from asperity.page.answer import stated_values
 from asperity.page.child import Child, file_name
+from asperity.page.computation import Computations
 from asperity.page.joint_request import LONGEST_NAME, refuse_named_files
 from asperity.reading import LARGEST_FILE, parse_toml
 from asperity.surface.measurement import SCHEMA
@@ -123,7 +124,46 @@ def _text(content: bytes, name: str) -> str:
         raise InputError(f"{name}: this is not a text file in UTF-8 (byte {error.start})") from None
 
 
-def measured_upload(content: bytes, name: str, units: Mapping[str, str]) -> dict[str, Any]:
+class Measurements:
+    """Measurements of files, one after the other, which end with the server."""
+
+    def __init__(self) -> None:
+        self._waiting = Computations(longest=2.0 * LONGEST_MEASUREMENT)
+        self._child: Child | None = None
+
+    async def run(self, content: bytes, name: str, units: Mapping[str, str]) -> dict[str, Any]:
+        """Wait for :func:`measured_upload`.
+
+        Parameters
+        ----------
+        content, name, units
+            As there.
+
+        Returns
+        -------
+        dict
+            As there.
+
+        Raises
+        ------
+        AsperityError
+            As there, or if too many files wait.
+        """
+        return await self._waiting.run(measured_upload, content, name, units, self._begun)
+
+    def _begun(self, child: Child) -> None:
+        self._child = child
+
+    def close(self) -> None:
+        """End the measurement that runs, and drop those that wait."""
+        self._waiting.close()
+        if self._child is not None:
+            self._child.stop()
+
+
+def measured_upload(
+    content: bytes, name: str, units: Mapping[str, str], begun: Callable[[Child], Any] = lambda child: None
+) -> dict[str, Any]:
     """D and G of the file of an instrument, or those of a measurement that was made before.
 
     Parameters
@@ -134,6 +174,8 @@ def measured_upload(content: bytes, name: str, units: Mapping[str, str]) -> dict
         Its name.
     units : mapping
         ``position_unit``, ``height_unit`` and ``spacing``, where the file does not say them.
+    begun : callable
+        Called with the process that measures.
 
     Returns
     -------
@@ -150,7 +192,9 @@ def measured_upload(content: bytes, name: str, units: Mapping[str, str]) -> dict
         options["spacing"] = parse_quantity(options["spacing"], Dimension.LENGTH)
     options["document"] = recognised(content, "") == "measurement"
     safe = file_name(name, otherwise="surface")
-    document = Child("measure", {safe: content}, options).run(longest=LONGEST_MEASUREMENT)
+    child = Child("measure", {safe: content}, options)
+    begun(child)
+    document = child.run(longest=LONGEST_MEASUREMENT)
     return {"name": safe, "document": document, "changes": _changes(document)}
 
 

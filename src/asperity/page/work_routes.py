@@ -14,24 +14,23 @@ from starlette.responses import JSONResponse, Response, StreamingResponse
 from starlette.routing import Route
 
 from asperity.errors import AsperityError
-from asperity.page.computation import Computations
 from asperity.page.jobs import ENDED, Job, Jobs, job_request
 from asperity.page.problems import parsed, problem, require_type
-from asperity.page.upload import measured_upload, opened_design, opened_joint, recognised, shown_name
+from asperity.page.upload import Measurements, opened_design, opened_joint, recognised, shown_name
 
 #: Pause between two looks at a job that is watched [s], and the longest silence towards the browser [s].
 LOOK, SILENCE = 0.1, 10.0
 
 
-def work_routes(jobs: Jobs, measurements: Computations) -> list[Route]:
+def work_routes(jobs: Jobs, measurements: Measurements) -> list[Route]:
     """The addresses.
 
     Parameters
     ----------
     jobs : Jobs
         The queue of jobs.
-    measurements : Computations
-        What waits for measurements.
+    measurements : Measurements
+        What measures surfaces.
 
     Returns
     -------
@@ -43,7 +42,7 @@ def work_routes(jobs: Jobs, measurements: Computations) -> list[Route]:
         units = {
             key: request.query_params.get(key, "")[:40] for key in ("position_unit", "height_unit", "spacing")
         }
-        found = await measurements.run(measured_upload, content, name, units)
+        found = await measurements.run(content, name, units)
         return JSONResponse({"kind": "measurement", **found})
 
     async def open_file(request: Request) -> Response:

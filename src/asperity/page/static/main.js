@@ -110,7 +110,39 @@ function followed() {
 }
 
 function links() {
-  for (const kind of ["toml", "json", "html"]) get(`save-${kind}`).href = `/api/joint/${answer.id}/joint.${kind}`;
+  for (const kind of ["toml", "json"]) get(`save-${kind}`).href = `/api/joint/${answer.id}/joint.${kind}`;
+}
+
+/** A report takes some seconds, and may not be possible: then the page says why. */
+async function saveReport(kind) {
+  const button = get(`save-${kind}`);
+  if (!answer || button.disabled) return;
+  button.disabled = true;
+  say("Making the report…");
+  try {
+    const response = await fetch(`/api/joint/${answer.id}/joint.${kind}`);
+    if (!response.ok) {
+      notice((await response.json()).error);
+      say("There is no report: see the message.");
+      return;
+    }
+    const link = document.createElement("a");
+    link.href = URL.createObjectURL(await response.blob());
+    link.download = `${answer.name.replace(/\.toml$/, "")}.${kind}`;
+    link.click();
+    setTimeout(() => URL.revokeObjectURL(link.href), 60000);
+    say("The report is saved.");
+  } catch {
+    say("The server does not answer.");
+  } finally {
+    button.disabled = false;
+  }
+}
+
+/** A message that is not about the values: the results stay as they are. */
+function notice(text) {
+  get("error").hidden = false;
+  get("error").textContent = text;
 }
 
 async function address() {
@@ -166,7 +198,7 @@ function takeJoint({ name, toml }) {
 }
 
 function refused(text, name) {
-  showError(text);
+  notice(text);
   say("The file was not opened; the joint on the page is unchanged.");
   page.dataset.refused = name;
 }
@@ -198,6 +230,7 @@ function connect() {
     event.target.value = "";
     if (file) uploads.open(file);
   });
+  for (const kind of ["html", "pdf"]) get(`save-${kind}`).addEventListener("click", () => saveReport(kind));
   get("copy-link").addEventListener("click", async () => {
     try {
       await navigator.clipboard.writeText(location.href);
