@@ -4,7 +4,6 @@ import numpy as np
 import pytest
 
 from asperity.cli.study_output import (
-    number_or_null,
     show_points,
     show_status,
     status_counts,
@@ -63,11 +62,6 @@ def test_points_are_shown_in_the_unit_of_the_key(found, capsys):
         ["800", "13.5", "4e+06"],
         ["800", "13.6", "-", "beyond", "torque", "capacity"],
     ]
-
-
-def test_numbers_for_json():
-    assert number_or_null(np.float64(1.5)) == 1.5
-    assert [number_or_null(value) for value in (np.nan, np.inf, -np.inf)] == [None] * 3
 
 
 def test_results_of_contacts_have_a_column_each_and_contacts_their_names(capsys):

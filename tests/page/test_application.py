@@ -11,7 +11,7 @@ pytest.importorskip("httpx2")
 from starlette.testclient import TestClient
 
 from asperity.joint_file.model import Case
-from asperity.page.application import ASSETS, application, errors_by_key
+from asperity.page.application import ASSETS, application
 from asperity.page.computation import Computations
 from asperity.page.joint_request import JointRequest
 
@@ -169,7 +169,7 @@ def test_bodies_that_make_no_sense_get_one_sentence(client, body):
 
 
 def test_forms_of_other_sites_have_the_wrong_type(client, joint_text):
-    for path in ("/api/joint", "/api/chart", "/api/file"):
+    for path in ("/api/joint", "/api/chart", "/api/file", "/api/open", "/api/jobs"):
         for kind in ("text/plain", "application/x-www-form-urlencoded", "multipart/form-data; boundary=x"):
             response = client.post(path, content=b"{}", headers={"content-type": kind})
             assert response.status_code == 415
@@ -262,6 +262,17 @@ def test_the_report_is_that_of_the_joint(client, solve):
     assert "1100 N" in report.text
 
 
+def test_a_pdf_without_its_package_says_how_to_get_it(client, solve, monkeypatch):
+    import sys
+
+    answer = solve().json()
+    monkeypatch.setitem(sys.modules, "typst", None)
+    response = client.get(f"/api/joint/{answer['id']}/joint.pdf")
+    assert response.status_code == 422
+    assert "typst" in response.json()["error"]
+    assert "[report]" in response.json()["error"]
+
+
 def test_the_description_covers_every_number_of_the_file(client):
     described = client.get("/api/description").json()
     keys = {each["key"]: each for group in described["groups"] for each in group["parameters"]}
@@ -274,11 +285,15 @@ def test_the_description_covers_every_number_of_the_file(client):
     assert keys["rolling.reliability"]["default"] == "0.9 if absent"
     assert keys["materials.*.youngs_modulus"]["meaning"] == "Young's modulus E."
     assert keys["drive.sun_radius"]["required"]
+    ring = next(each for each in described["choices"] if each["key"] == "drive.ring_support")
+    assert ring["default"] == "A rigid housing if absent"
+    assert not ring["required"]
+    assert "slip_ratio_sp" in {each["name"] for each in client.get("/api/results").json()}
     assert not keys["load.preload"]["required"]  # an interference can take its place
     sections = {group["name"] for group in described["groups"]} | {
         each["group"] for each in described["choices"]
     }
-    assert sections == set(Case.model_fields)
+    assert sections == set(Case.model_fields) - {"type"}  # the kind of drive is no section
 
 
 def test_a_chart_that_cannot_be_drawn_is_said_at_its_key(client, joint_text):
@@ -299,13 +314,3 @@ def test_the_interface_describes_its_answers(client, solve):
     assert set(answer["curves"]) == set(schemas["Answer"]["properties"]["curves"]["properties"])
     assert set(answer["windup"]) == set(schemas["Answer"]["properties"]["windup"]["properties"])
     jsonschema.validate(solve(load__preload="x").json(), schemas["Error"])
-
-
-def test_messages_are_found_by_key():
-    message = "a.toml: 2 errors\n  load.preload: bad\n  bodies.sun, bodies.ring: there is no material 'x'"
-    assert errors_by_key(message, source="a.toml") == {
-        "load.preload": "bad",
-        "bodies.sun": "there is no material 'x'",
-        "bodies.ring": "there is no material 'x'",
-    }
-    assert errors_by_key("the output torque is too large: lower it", source="a.toml") == {}

@@ -3,6 +3,7 @@
 import json
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 from asperity.joint.solve import solve
@@ -177,6 +178,22 @@ def test_files_are_opened_and_wrong_ones_refused(page, tmp_path):
     assert page.locator("#error").is_hidden()
 
 
+def test_choices_of_the_library_and_of_the_ring(page):
+    do(page, lambda: page.locator("#value-bodies-sun").select_option("440C"))
+    assert "stainless bearing steel" in page.locator("#value-bodies-sun-help").text_content()
+    do(page, lambda: page.locator("#value-finish").select_option("honed finest"))
+    assert field(page, "surface.fractal_roughness").input_value().startswith("3.228")
+    assert page.locator("#value-finish").input_value() == "honed finest"
+    # a ring in an elastic housing needs the stiffness of the housing: both fields are marked, then it is given
+    do(page, lambda: page.locator("#value-drive-ring_support").select_option("elastic_housing"))
+    assert field(page, "compliance.ring_housing_stiffness").get_attribute("aria-invalid") == "true"
+    write(page, "compliance.ring_housing_stiffness", "20 GPa/m")
+    assert page.locator("#error").is_hidden()
+    for _ in range(4):
+        do(page, lambda: page.get_by_role("button", name="Undo").click())
+    assert page.locator("#value-bodies-sun").input_value() == "52100"
+
+
 def charted(page, action):
     """Do something and wait until the free chart has been drawn."""
     before = int(page.evaluate("document.querySelector('#chart').dataset.drawn || '0'"))
@@ -203,6 +220,49 @@ def test_a_chart_of_any_number_shows_where_there_is_no_result_and_why(page):
     page.locator("#chart-from").fill("3 mm")
     charted(page, lambda: page.locator("#chart-from").press("Enter"))
     assert "expected a torque" in page.locator("#chart-message").inner_text()
+
+
+def test_a_surface_is_measured_and_put_into_the_joint(page, tmp_path):
+    heights = np.cumsum(np.random.default_rng(1).normal(size=4096)) * 1e-9
+    rows = "".join(f"{2e-7 * i:.9g},{z:.9g}\n" for i, z in enumerate(heights))
+    (tmp_path / "profile.csv").write_text("x [m],z [m]\n" + rows)
+    page.locator("#open-file").set_input_files(tmp_path / "profile.csv")
+    page.wait_for_selector("#use-surface", timeout=300_000)
+    said = page.locator("#measured").inner_text()
+    assert "fractal dimension D" in said
+    assert " to " in said  # the intervals
+    do(page, page.locator("#use-surface").click)
+    assert float(field(page, "surface.fractal_dimension").input_value()) == pytest.approx(1.5, abs=0.03)
+    assert page.locator("#error").is_hidden()
+
+
+def test_a_study_shows_its_progress_its_result_and_can_be_stopped(page, tmp_path):
+    page.locator("#jobs summary").click()
+    page.locator("#begin-uncertainty").click()
+    page.wait_for_selector("#job-message:not(:empty)", timeout=60_000)
+    assert "states a tolerance but not its distribution" in page.locator("#job-message").inner_text()
+    write(page, "load.preload", "1000 N +- 50 N")
+    page.locator("#job-distribution").select_option("uniform")
+    page.locator("#begin-uncertainty").click()
+    page.locator("#begin-sensitivity").click()
+    page.locator(".job[data-kind=sensitivity]").get_by_role("button", name="Stop").click()
+    page.wait_for_selector(".job[data-kind=sensitivity][data-state=stopped]", timeout=300_000)
+    page.wait_for_selector(".job[data-kind=uncertainty][data-state=done] .job-result a", timeout=300_000)
+    assert "2.5 %" in page.locator(".job[data-state=done]").inner_text()
+    with page.expect_download() as waiting:
+        page.locator(".job[data-state=done]").get_by_role("link", name="Save JSON").click()
+    waiting.value.save_as(tmp_path / "found.json")
+    document = json.loads((tmp_path / "found.json").read_text(encoding="utf-8"))
+    assert document["inputs"]["load.preload"]["tolerance"] == 50.0
+
+
+def test_a_report_is_saved_as_html_and_pdf(page, tmp_path):
+    for name, ending, begins in (("Save report", "html", b"<!doctype html"), ("Save PDF", "pdf", b"%PDF-")):
+        with page.expect_download(timeout=300_000) as waiting:
+            page.get_by_role("button", name=name).click()
+        assert waiting.value.suggested_filename == f"tutorial_joint.{ending}"
+        waiting.value.save_as(tmp_path / f"report.{ending}")
+        assert (tmp_path / f"report.{ending}").read_bytes().lower().startswith(begins.lower())
 
 
 def test_every_control_has_a_name_and_the_page_fits_400_px(page):

@@ -137,6 +137,15 @@ def test_the_largest_body_is_read(guard, counting):
     assert answer(guard, method="POST", headers=[("host", HOST)], parts=[b"x" * 100])[0] == 200
 
 
+def test_an_address_may_take_a_larger_body(counting):
+    guard = Guard(counting, hosts=[HOST], largest_body=100, larger_bodies={"/upload": 200})
+    send = {"method": "POST", "headers": [("host", HOST)]}
+    assert answer(guard, path="/upload", parts=[b"x" * 100, b"x" * 100], **send)[0] == 200
+    assert answer(guard, path="/upload", parts=[b"x" * 100, b"x" * 101], **send)[0] == 413
+    assert answer(guard, path="/other", parts=[b"x" * 101], **send)[0] == 413
+    assert len(counting.bodies) == 1
+
+
 def test_a_slow_body_is_refused(guard, counting):
     status, _, body = answer(guard, method="POST", headers=[("host", HOST)], parts=[b"x"] * 20, pause=0.05)
     assert status == 408

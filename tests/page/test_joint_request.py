@@ -51,14 +51,55 @@ def test_the_same_content_has_the_same_identity(joint_text):
     assert JointRequest("a", "x", one).identity != JointRequest("b", "x", one).identity
 
 
-def test_the_choices_are_those_of_the_model():
+def test_the_choices_are_those_of_the_file():
     assert CHOICES["model.closure"] == ("elastic", "constant_pin_force")
-    assert {path for path in CHOICES if path.startswith("bodies.")} == {
+    assert CHOICES["model.bodies"] == ("exact", "springs")  # optional
+    assert CHOICES["drive.ring_support"] == ("rigid_housing", "free", "elastic_housing")
+    assert CHOICES["pin_bearing.type"] == ("ball", "roller")
+    assert {path for path, words in CHOICES.items() if not words} == {
         "bodies.sun",
         "bodies.planet",
         "bodies.loading_roller",
         "bodies.ring",
     }
+
+
+def test_a_ring_in_an_elastic_housing_needs_its_stiffness(joint_text):
+    support = {"drive.ring_support": "elastic_housing"}
+    with pytest.raises(InputError, match="belong together"):
+        JointRequest("a.toml", joint_text, support).case()
+    both = JointRequest("a.toml", joint_text, {**support, "compliance.ring_housing_stiffness": "20 GPa/m"})
+    assert both.case().drive.ring_support == "elastic_housing"
+    assert JointRequest("a.toml", both.file_text()).case() == both.case()
+    # and both leave again
+    neither = {"drive.ring_support": "", "compliance.ring_housing_stiffness": ""}
+    again = JointRequest("a.toml", both.file_text(), neither).case()
+    assert again.drive.ring_support is None
+    assert again.compliance.ring_housing_stiffness is None
+
+
+def test_an_optional_key_can_be_left_out_and_a_needed_one_not(joint_text):
+    bore = {"drive.planet_bore_diameter": "8 mm"}
+    text = JointRequest("a.toml", joint_text, bore).file_text()
+    assert (
+        JointRequest("a.toml", text, {"drive.planet_bore_diameter": ""}).case().drive.planet_bore_diameter
+        is None
+    )
+    with pytest.raises(InputError, match="sun_radius"):
+        JointRequest("a.toml", joint_text, {"drive.sun_radius": ""}).case()
+
+
+def test_a_section_that_is_begun_says_what_it_needs(joint_text):
+    begun = {
+        "pin_bearing.type": "roller",
+        "pin_bearing.dynamic_rating": "5 kN",
+        "pin_bearing.static_rating": "6 kN",
+    }
+    with pytest.raises(InputError, match=r"pin_bearing\.count: .*missing"):
+        JointRequest("a.toml", joint_text, begun).case()
+    whole = JointRequest("a.toml", joint_text, {**begun, "pin_bearing.count": 2})
+    assert whole.case().pin_bearing.type == "roller"
+    assert JointRequest("a.toml", whole.file_text()).case() == whole.case()
 
 
 def test_a_file_that_names_another_file_is_refused(joint_text, tmp_path):

@@ -108,7 +108,9 @@ def design(
     if as_json:
         import json
 
-        click.echo(json.dumps(_document(result), indent=2, allow_nan=False))
+        from asperity.study.design.design_document import design_document
+
+        click.echo(json.dumps(design_document(result), indent=2, allow_nan=False))
     else:
         _show(result)
     if not result.feasible:
@@ -186,44 +188,6 @@ def _show_front(problem: DesignProblem, front: Any, names: list[str]) -> None:
             *(f"{from_si(float(front[n].values[index]), u):.5g}" for n, u in zip(names, units, strict=True))
         )
     target.print(rows)
-
-
-def _document(result: DesignResult) -> dict[str, Any]:
-    from dataclasses import asdict
-
-    from asperity.cli.study_output import number_or_null
-
-    def plain(node: Any) -> Any:
-        if isinstance(node, dict):
-            return {key: plain(value) for key, value in node.items()}
-        if isinstance(node, list | tuple):
-            return [plain(each) for each in node]
-        return number_or_null(node) if isinstance(node, float) else node
-
-    goal = result.problem.objectives[0]
-    document: dict[str, Any] = plain(
-        {
-            "objective": {
-                "result": goal.name,
-                "sense": "minimise" if goal.sign > 0 else "maximise",
-                "before": result.objective_before,
-                "after": result.objective_after,
-                "unrounded": result.objective_unrounded,
-            },
-            "feasible": result.feasible,
-            "violation": result.violation,
-            "optimality_residual": result.optimality_residual,
-            "variables": result.point,
-            "at_bound": result.at_bound,
-            "before": result.summary_before,
-            "after": result.summary_after,
-            "limits": [asdict(limit) for limit in result.limits],
-            "starts": [asdict(start) for start in result.starts],
-            "nominal": {name: value.tolist() for name, value in result.nominal.items()},
-            "evaluations": result.evaluations,
-        }
-    )
-    return document
 
 
 def _show(result: DesignResult) -> None:

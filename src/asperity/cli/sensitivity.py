@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import click
 import numpy as np
@@ -55,6 +55,8 @@ def sensitivity(file: str, result: str, as_json: bool, plot: str | None) -> None
     if as_json:
         import json
 
+        from asperity.study.tolerances.documents import sensitivity_document
+
         click.echo(json.dumps(sensitivity_document(found), indent=2, allow_nan=False))
     else:
         _show(ranking(found, result))
@@ -63,49 +65,6 @@ def sensitivity(file: str, result: str, as_json: bool, plot: str | None) -> None
 
         write_image(tornado_figure(found, result=result), plot)
         say_written(plot)
-
-
-def sensitivity_document(found: xarray.Dataset) -> dict[str, Any]:
-    """The sensitivities as plain data; what has no value is null.
-
-    Parameters
-    ----------
-    found : xarray.Dataset
-        What :func:`asperity.study.tolerances.sensitivity.sensitivity` returns.
-
-    Returns
-    -------
-    dict
-        ``inputs`` and ``results``, each result with ``derivative`` and ``elasticity`` by input.
-    """
-    from asperity.cli.study_output import number_or_null
-
-    inputs = found["input"].values.tolist()
-    return {
-        "inputs": {
-            name: {"value": float(value), "unit": str(unit)}
-            for name, value, unit in zip(
-                inputs, found["value"].values, found["input_unit"].values, strict=True
-            )
-        },
-        "results": {
-            name: {
-                "value": number_or_null(one["result_value"]),
-                "unit": str(one["result_unit"].item()),
-                "description": str(one["result_name"].item()),
-                "derivative": {
-                    i: number_or_null(value)
-                    for i, value in zip(inputs, one["derivative"].values, strict=True)
-                },
-                "elasticity": {
-                    i: number_or_null(value)
-                    for i, value in zip(inputs, one["elasticity"].values, strict=True)
-                },
-            }
-            for name in found["result"].values.tolist()
-            for one in (found.sel(result=name),)
-        },
-    }
 
 
 def _show(ranked: xarray.Dataset) -> None:

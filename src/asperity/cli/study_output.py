@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import click
 import numpy as np
@@ -20,23 +20,6 @@ _SHOWN = (
     "torque_capacity",
 )
 _MOST_COLUMNS = 10
-
-
-def number_or_null(value: Any) -> float | None:
-    """A number for a JSON document; None for nan and infinities, which JSON does not know.
-
-    Parameters
-    ----------
-    value : float or array
-        One number.
-
-    Returns
-    -------
-    float or None
-        The number.
-    """
-    number = float(value)
-    return number if np.isfinite(number) else None
 
 
 def show_status(found: xarray.Dataset) -> None:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import click
 import numpy as np
@@ -88,6 +88,8 @@ def uncertainty(
     if as_json:
         import json
 
+        from asperity.study.tolerances.documents import uncertainty_document
+
         click.echo(json.dumps(uncertainty_document(found), indent=2, allow_nan=False))
     else:
         _show(found)
@@ -134,57 +136,6 @@ def _unlike_branches(
         f"{found['share_with_a_loose_branch']:.1%} and slips under the torque of the file in "
         f"{found['share_that_slips_under_the_torque']:.1%} of the drives"
     )
-
-
-def uncertainty_document(found: xarray.Dataset) -> dict[str, Any]:
-    """The intervals and indices as plain data, without the samples; what has no value is null.
-
-    Parameters
-    ----------
-    found : xarray.Dataset
-        What :func:`asperity.study.tolerances.uncertainty.uncertainty` returns.
-
-    Returns
-    -------
-    dict
-        ``samples``, ``solved``, ``seed``, ``inputs``, ``results``.
-    """
-    from asperity.cli.study_output import number_or_null
-
-    inputs = found["input"].values.tolist()
-    indices = ("first_order", "first_order_half_width", "total_order", "total_order_half_width")
-
-    def told(one: xarray.Dataset) -> dict[str, Any]:
-        low, median, high = one["quantiles"].values
-        return {
-            "unit": str(one["unit"].item()),
-            "description": str(one["result_name"].item()),
-            "nominal": number_or_null(one["nominal"]),
-            "mean": number_or_null(one["mean"]),
-            "standard_deviation": number_or_null(one["standard_deviation"]),
-            "quantile_0.025": number_or_null(low),
-            "median": number_or_null(median),
-            "quantile_0.975": number_or_null(high),
-            "sobol": {
-                name: {key: number_or_null(one[key].values[k]) for key in indices}
-                for k, name in enumerate(inputs)
-            },
-        }
-
-    return {
-        "samples": int(found.sizes["sample"]),
-        "solved": int((found["status"] == 0).sum()),
-        "seed": int(found.attrs["seed"]),
-        "inputs": {
-            name: {
-                "tolerance": float(found["tolerance"].values[k]),
-                "unit": str(found["input_unit"].values[k]),
-                "distribution": str(found["distribution"].values[k]),
-            }
-            for k, name in enumerate(inputs)
-        },
-        "results": {name: told(found.sel(result=name)) for name in found["result"].values.tolist()},
-    }
 
 
 def _show(found: xarray.Dataset) -> None:

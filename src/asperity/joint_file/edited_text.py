@@ -9,6 +9,7 @@ from typing import Any
 import tomlkit
 from pydantic import BaseModel
 
+from asperity.joint_file.messages import keys_by_path
 from asperity.joint_file.model import Case
 from asperity.joint_file.quantity_key import Key, Quantity
 from asperity.joint_file.reader import parse_case
@@ -122,7 +123,8 @@ def set_texts(document: Any, written: Mapping[str, float | str]) -> None:
         The tables as the file states them: tomlkit's document, or nested dictionaries. They are changed in place.
     written : mapping
         Dotted path of a number → its new value as it stands in a file, text with its unit. A section that the file
-        leaves out is added; all keys that it needs are 0. An entry for all contacts is split if a path names one.
+        leaves out is added; the numbers that it needs are 0 where they may be. An entry for all contacts is split if a
+        path names one.
 
     Raises
     ------
@@ -138,14 +140,53 @@ def set_texts(document: Any, written: Mapping[str, float | str]) -> None:
             _set(document, steps, value)
 
 
+def set_words(document: Any, written: Mapping[str, str]) -> None:
+    """Change words in the tables of a joint file before they are checked, such as ``drive.ring_support``.
+
+    Parameters
+    ----------
+    document : mapping
+        As for :func:`set_texts`.
+    written : mapping
+        Dotted path of a key in a section → its word; empty to leave the key out.
+    """
+    for path, word in written.items():
+        section, name = path.split(".")
+        if not word:
+            leave_out(document, path)
+            continue
+        if section not in document:
+            document[section] = _new_section(section)
+        document[section][name] = word
+
+
+def leave_out(document: Any, path: str) -> None:
+    """Remove a key from the tables of a joint file; one that is not there is left alone.
+
+    Parameters
+    ----------
+    document : mapping
+        As for :func:`set_texts`.
+    path : str
+        Its dotted path.
+    """
+    *above, name = path.split(".")
+    table = document
+    for step in above:
+        table = table[int(step) - 1] if isinstance(table, list) else table.get(step, {})
+    if name in table:
+        del table[name]
+
+
 def _new_section(section: str) -> Any:
-    """A section that the file left out, in which all keys that it needs are 0."""
+    """A section that the file left out, in which the numbers that it needs are 0 where they may be."""
     table = tomlkit.table()
     annotation = Case.model_fields[section].annotation
     (model,) = [each for each in annotation.__args__ if issubclass(each, BaseModel)]  # type: ignore[union-attr]
     for name, field in model.model_fields.items():
-        if field.is_required():
-            table[name] = _written(key_at(f"{section}.{name}"), 0.0, None)
+        path = f"{section}.{name}"
+        if field.is_required() and path in keys_by_path() and key_at(path).admits(0.0):
+            table[name] = _written(key_at(path), 0.0, None)
     return table
 
 

@@ -76,12 +76,13 @@ def stated_values(case: Case) -> Answer:
     Returns
     -------
     dict
-        ``numbers``: dotted path → value in the unit of display, and in SI; ``choices``: dotted path → word.
+        ``numbers``: dotted path → value in the unit of display, and in SI; ``choices``: dotted path → word, empty
+        where the file leaves it out.
     """
     choices = {}
     for path in CHOICES:
         section, key = path.split(".")
-        choices[path] = getattr(getattr(case, section), key)
+        choices[path] = getattr(getattr(case, section), key, None) or ""
     return {
         "numbers": {
             path: {"value": _shown(entry.value, entry.key), "si": entry.value, "tolerance": entry.tolerance}

@@ -15,17 +15,19 @@ from starlette.requests import Request
 from starlette.responses import JSONResponse, Response
 from starlette.routing import Route
 
-from asperity.errors import AsperityError, InputError, NoSolutionError, printable
-from asperity.joint_file.reader import parse_case
+from asperity.errors import AsperityError
 from asperity.joint_file.schema import joint_schema
 from asperity.page.answer import joint_answer, stated_values
-from asperity.page.chart import chart_answer, chart_request
-from asperity.page.computation import BusyError, Computations, KeptAnswers
+from asperity.page.chart import chart_answer, chart_request, chart_results
+from asperity.page.computation import Computations, KeptAnswers
 from asperity.page.description import description
 from asperity.page.guard import App, Guard
-from asperity.page.joint_request import LONGEST_NAME, JointRequest, joint_request, refuse_named_files
+from asperity.page.jobs import Jobs
+from asperity.page.joint_request import JointRequest, joint_request
 from asperity.page.openapi import openapi
-from asperity.reading import parse_toml
+from asperity.page.problems import parsed, problem, refusal, require_type
+from asperity.page.upload import LARGEST_SURFACE, Measurements
+from asperity.page.work_routes import work_routes
 
 #: Address → file of the package and its type. Nothing else can be read, whatever a request says.
 ASSETS: dict[str, tuple[str, str]] = {
@@ -33,19 +35,33 @@ ASSETS: dict[str, tuple[str, str]] = {
     "/page.css": ("page.css", "text/css; charset=utf-8"),
     **{
         f"/{name}.js": (f"{name}.js", "text/javascript; charset=utf-8")
-        for name in ("main", "state", "controls", "results", "plots", "chart", "drawing", "numbers")
+        for name in (
+            "main",
+            "state",
+            "controls",
+            "choices",
+            "results",
+            "plots",
+            "chart",
+            "upload",
+            "jobs",
+            "drawing",
+            "numbers",
+        )
     },
     "/icon.svg": ("icon.svg", "image/svg+xml"),
 }
 
 #: What can be downloaded of a joint, and its type: joint file, JSON document, report.
-DOWNLOADS = {"toml": "application/toml", "json": "application/json", "html": "text/html; charset=utf-8"}
+DOWNLOADS = {
+    "toml": "application/toml",
+    "json": "application/json",
+    "html": "text/html; charset=utf-8",
+    "pdf": "application/pdf",
+}
 
 #: Time that a request waits for its computation [s]; the first one of an installation compiles.
 LONGEST_ANSWER = 300.0
-
-_KEY = r"[A-Za-z0-9_-]+(?:\.[A-Za-z0-9_-]+)+"
-_KEYED = re.compile(rf"^({_KEY}(?:, {_KEY})*): (.+)$", re.DOTALL)
 
 
 def application(
@@ -76,7 +92,7 @@ def application(
     callable
         ASGI application behind a :class:`asperity.page.guard.Guard`.
     """
-    kept = KeptAnswers()
+    kept, jobs, measurements = KeptAnswers(), Jobs(), Measurements()
     described = {
         **description(),
         "start": {"name": start.name, "toml": start.text, **stated_values(start.case())},
@@ -100,52 +116,40 @@ def application(
     async def interface(request: Request) -> Response:
         return JSONResponse(openapi())
 
+    async def results(request: Request) -> Response:
+        return JSONResponse(chart_results())
+
     async def schema(request: Request) -> Response:
         return JSONResponse(joint_schema())
 
     async def joint(request: Request) -> Response:
-        _require_type(request, "application/json")
-        asked = joint_request(_parsed(await request.body()))
+        require_type(request, "application/json")
+        asked = joint_request(parsed(await request.body()))
         try:
             return JSONResponse(await computations.run(answered, asked))
         except AsperityError as error:
-            return _problem(error, source=asked.name)
+            return problem(error, source=asked.name)
 
     async def chart(request: Request) -> Response:
-        _require_type(request, "application/json")
-        asked = chart_request(_parsed(await request.body()))
+        require_type(request, "application/json")
+        asked = chart_request(parsed(await request.body()))
         try:
             return JSONResponse(await charts.run(chart_answer, asked))
         except AsperityError as error:
-            return _problem(error, source=asked.joint.name)
-
-    async def file(request: Request) -> Response:
-        _require_type(request, "application/octet-stream", "application/toml")
-        name = printable(request.query_params.get("name", "joint.toml"))[:LONGEST_NAME] or "joint.toml"
-        content = await request.body()
-        try:
-            text = content.decode("utf-8-sig")
-        except UnicodeDecodeError as error:
-            raise InputError(f"{name}: this is not a text file in UTF-8 (byte {error.start})") from None
-        try:
-            refuse_named_files(parse_toml(text, source=name), source=name)
-            case = parse_case(text, source=name)
-        except AsperityError as error:
-            return _problem(error, source=name)
-        return JSONResponse({"name": name, "toml": text, **stated_values(case)})
+            return problem(error, source=asked.joint.name)
 
     async def download(request: Request) -> Response:
         found = kept.get(request.path_params["identity"])
         if request.path_params["kind"] not in DOWNLOADS:
             raise HTTPException(404)
         if found is None:
-            return _error(404, "this joint is no longer kept; change a value and download again", "refused")
+            return refusal(404, "this joint is no longer kept; change a value and download again", "refused")
         asked, answer = found
         end = request.path_params["kind"]
-        text = await computations.run(_downloaded, end, asked, answer["document"])
+        content = await computations.run(_downloaded, end, asked, answer["document"])
         name = re.sub(r"[^A-Za-z0-9._-]", "_", asked.name.removesuffix(".toml")) or "joint"
         disposition = f'attachment; filename="{name}.{end}"'
-        return Response(text, media_type=DOWNLOADS[end], headers={"content-disposition": disposition})
+        return Response(content, media_type=DOWNLOADS[end], headers={"content-disposition": disposition})
 
     @contextlib.asynccontextmanager
     async def life(app: Starlette) -> AsyncIterator[None]:
@@ -156,96 +160,52 @@ def application(
         yield
         computations.close()
         charts.close()
+        measurements.close()
+        jobs.close()
 
     routes = [
         *(Route(path, asset, methods=["GET"]) for path in ASSETS),
         Route("/openapi.json", interface, methods=["GET"]),
         Route("/api/description", describe, methods=["GET"]),
+        Route("/api/results", results, methods=["GET"]),
         Route("/api/schema", schema, methods=["GET"]),
         Route("/api/joint", joint, methods=["POST"]),
         Route("/api/chart", chart, methods=["POST"]),
         Route("/api/joint/{identity:str}/joint.{kind}", download, methods=["GET"]),
-        Route("/api/file", file, methods=["POST"]),
+        *work_routes(jobs, measurements),
     ]
     handlers: dict[Any, Any] = {AsperityError: _wrong, HTTPException: _not_here, Exception: _failed}
     app = Starlette(routes=routes, exception_handlers=handlers, lifespan=life)
     limits = {} if longest_body is None else {"longest_body": longest_body}
-    return Guard(app, hosts=hosts, **limits)  # type: ignore[arg-type]
+    large = {"/api/measure": LARGEST_SURFACE, "/api/open": LARGEST_SURFACE}
+    return Guard(app, hosts=hosts, larger_bodies=large, **limits)  # type: ignore[arg-type]
 
 
 # handlers that are no coroutines would run in threads of their own
 async def _wrong(request: Request, error: AsperityError) -> Response:
-    return _problem(error, source="")
+    return problem(error, source="")
 
 
 async def _not_here(request: Request, error: HTTPException) -> Response:
     absent = "there is nothing at this address; /openapi.json lists all addresses"
-    return _error(error.status_code, absent if error.status_code == 404 else str(error.detail), "refused")
+    return refusal(error.status_code, absent if error.status_code == 404 else str(error.detail), "refused")
 
 
 async def _failed(request: Request, error: Exception) -> Response:
-    return _error(500, "the server failed; its terminal says why", "failed")
+    return refusal(500, "the server failed; its terminal says why", "failed")
 
 
-def _downloaded(kind: str, asked: JointRequest, document: dict[str, Any]) -> str:
+def _downloaded(kind: str, asked: JointRequest, document: dict[str, Any]) -> bytes:
     if kind == "json":
-        return json.dumps(document, indent=2, allow_nan=False) + "\n"
+        return (json.dumps(document, indent=2, allow_nan=False) + "\n").encode()
     text = asked.file_text()
     if kind == "toml":
-        return text
+        return text.encode()
     from asperity.report.html import report_html
     from asperity.report.joint_report import ReportSource, joint_report
+    from asperity.report.pdf import report_pdf, require_typst
 
-    return report_html(joint_report(ReportSource(name=asked.name, text=text, case=asked.case())))
-
-
-def _require_type(request: Request, *allowed: str) -> None:
-    """Refuse the types that a form of another site can send without asking first."""
-    stated = request.headers.get("content-type", "").split(";")[0].strip().lower()
-    if stated not in allowed:
-        raise HTTPException(415, f"the Content-Type must be {' or '.join(allowed)}")
-
-
-def _parsed(body: bytes) -> Any:
-    try:
-        return json.loads(body, parse_constant=_no_constant)
-    except (ValueError, RecursionError) as error:
-        raise InputError(f"the body is not valid JSON: {error}") from None
-
-
-def _no_constant(name: str) -> None:
-    raise ValueError(f"{name} is not a number of JSON")
-
-
-def errors_by_key(message: str, *, source: str) -> dict[str, str]:
-    """The errors of a message by the key of the joint file that they are about.
-
-    Parameters
-    ----------
-    message : str
-        A message about a joint file: one sentence, or a list of them.
-    source : str
-        Name of the file at its beginning.
-
-    Returns
-    -------
-    dict
-        Dotted path → what is wrong. Sentences that name no key are absent.
-    """
-    found = {}
-    for line in message.removeprefix(f"{source}: ").split("\n  "):
-        keyed = _KEYED.match(line)
-        if keyed:
-            found.update(dict.fromkeys(keyed.group(1).split(", "), keyed.group(2)))
-    return found
-
-
-def _problem(error: AsperityError, *, source: str) -> JSONResponse:
-    if isinstance(error, BusyError):
-        return _error(503, str(error), "busy")
-    kind = "no_solution" if isinstance(error, NoSolutionError) else "input"
-    return _error(422, str(error), kind, errors_by_key(str(error), source=source))
-
-
-def _error(status: int, message: str, kind: str, keys: dict[str, str] | None = None) -> JSONResponse:
-    return JSONResponse({"error": message, "kind": kind, "keys": keys or {}}, status_code=status)
+    if kind == "pdf":
+        require_typst()  # before the work
+    report = joint_report(ReportSource(name=asked.name, text=text, case=asked.case()))
+    return report_pdf(report) if kind == "pdf" else report_html(report).encode()

@@ -8,12 +8,10 @@ from typing import Any
 from pydantic import BaseModel
 
 import asperity
-from asperity.joint_file.material_entries import BodyMaterials
 from asperity.joint_file.messages import keys_by_path, models_of
-from asperity.joint_file.model import Case, ModelChoice
+from asperity.joint_file.model import Case
 from asperity.joint_file.quantity_key import Key
-from asperity.library import read_finishes, read_materials
-from asperity.page.chart import chart_results
+from asperity.library import FREQUENCY_RATIO, read_finishes, read_materials
 from asperity.page.joint_request import CHOICES
 from asperity.units import from_si, parse_quantity
 
@@ -43,7 +41,7 @@ def description() -> dict[str, Any]:
     Returns
     -------
     dict
-        ``groups`` of parameters, ``results`` for charts, ``choices``, ``materials`` and ``finishes`` of the library.
+        ``groups`` of parameters, ``choices``, ``materials`` and ``finishes`` of the library.
     """
     return {
         "asperity_version": asperity.__version__,
@@ -51,7 +49,6 @@ def description() -> dict[str, Any]:
             {"name": name, "heading": heading, "parameters": _parameters(name)}
             for name, heading in HEADINGS.items()
         ],
-        "results": chart_results(),
         "choices": [_choice(path) for path in CHOICES],
         "materials": [
             {"name": name, "description": entry.description, "reference": entry.reference}
@@ -62,8 +59,10 @@ def description() -> dict[str, Any]:
                 "name": name,
                 "description": entry.description,
                 "reference": entry.reference,
+                "roughness_average_um": [float(f"{1e6 * each:.6g}") for each in entry.roughness_average],
                 "fractal_dimension": list(entry.fractal_dimension),
                 "fractal_roughness_mm": [1e3 * each for each in entry.fractal_roughness],
+                "frequency_ratio": FREQUENCY_RATIO,
             }
             for name, entry in read_finishes().items()
         ],
@@ -129,11 +128,15 @@ def _field(path: str) -> tuple[type[BaseModel], str]:
 
 
 def _choice(path: str) -> dict[str, Any]:
-    section, name = path.split(".")
-    model: type[BaseModel] = ModelChoice if section == "model" else BodyMaterials
+    model, name = _field(path)
+    field = model.model_fields[name]
+    meaning = " ".join((field.description or "").split())
+    section = path.split(".")[0]
     return {
         "key": path,
         "group": section,
-        "meaning": " ".join((model.model_fields[name].description or "").split()),
+        "meaning": meaning,
         "words": list(CHOICES[path]),
+        "required": field.is_required() and Case.model_fields[section].is_required(),
+        "default": _default(meaning),
     }

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import asyncio
 import json
-from collections.abc import Awaitable, Callable, Iterable, MutableMapping
+from collections.abc import Awaitable, Callable, Iterable, Mapping, MutableMapping
 from typing import Any
 
 Scope = MutableMapping[str, Any]
@@ -67,6 +67,8 @@ class Guard:
         Values of the ``Host`` header that are answered, with their port.
     largest_body : int
         Largest body [byte].
+    larger_bodies : mapping, optional
+        Address → largest body, where it is another.
     longest_body : float
         Time in which a body must arrive [s].
     """
@@ -77,11 +79,13 @@ class Guard:
         *,
         hosts: Iterable[str],
         largest_body: int = LARGEST_BODY,
+        larger_bodies: Mapping[str, int] | None = None,
         longest_body: float = LONGEST_BODY,
     ) -> None:
         self._app = app
         self._hosts = frozenset(host.lower() for host in hosts)
         self._largest, self._longest = largest_body, longest_body
+        self._larger = dict(larger_bodies or {})
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
         """Answer one request, or refuse it."""
@@ -101,7 +105,7 @@ class Guard:
         try:
             headers = _headers(scope)
             self._check(scope, headers)
-            body = await self._body(headers, receive)
+            body = await self._body(headers, receive, self._larger.get(scope["path"], self._largest))
         except RefusedError as refused:
             await _refuse(guarded_send, refused)
             return
@@ -125,15 +129,14 @@ class Guard:
         if foreign or (calls and across):
             raise RefusedError(403, "requests from other web sites are refused")
 
-    async def _body(self, headers: dict[str, list[str]], receive: Receive) -> bytes:
+    async def _body(self, headers: dict[str, list[str]], receive: Receive, largest: int) -> bytes:
         """All of the body, which must be small and arrive in time."""
-        too_large = RefusedError(
-            413, f"the request is too large; at most {self._largest} bytes are read here"
-        )
+        too_large = RefusedError(413, f"the request is too large; at most {largest} bytes are read here")
         stated = headers.get("content-length", ["0"])[0]
-        if not stated.isdigit() or len(stated) > 18 or int(stated) > self._largest:
+        if not stated.isdigit() or len(stated) > 18 or int(stated) > largest:
             raise too_large
         parts: list[bytes] = []
+        size = 0
         try:
             async with asyncio.timeout(self._longest):
                 while True:
@@ -141,7 +144,8 @@ class Guard:
                     if message["type"] != "http.request":
                         raise RefusedError(400, "the request ended before its body was complete")
                     parts.append(message.get("body", b""))
-                    if sum(map(len, parts)) > self._largest:
+                    size += len(parts[-1])
+                    if size > largest:
                         raise too_large
                     if not message.get("more_body", False):
                         return b"".join(parts)

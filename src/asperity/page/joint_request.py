@@ -12,10 +12,12 @@ from typing import Any, Literal, get_args, get_origin
 import tomlkit
 
 from asperity.errors import InputError, quoted
-from asperity.joint_file.edited_text import set_texts
+from asperity.joint_file.edited_text import leave_out, set_texts, set_words
 from asperity.joint_file.material_entries import BodyMaterials
-from asperity.joint_file.model import Case, ModelChoice
+from asperity.joint_file.messages import models_of
+from asperity.joint_file.model import Case
 from asperity.joint_file.reader import case_from_tables
+from asperity.joint_file.si_tables import key_at
 from asperity.reading import parse_toml
 
 MOST_CHANGES = 400
@@ -23,13 +25,24 @@ MOST_LOADS = 50
 LONGEST_VALUE = 200
 LONGEST_NAME = 120
 
+
+def _words(annotation: Any) -> tuple[str, ...]:
+    """The words that an annotation allows."""
+    if get_origin(annotation) is Literal:
+        return get_args(annotation)
+    return tuple(word for part in get_args(annotation) for word in _words(part))
+
+
 #: Dotted path of a choice → the words that it offers; none where a name of a material stands.
 CHOICES: dict[str, tuple[str, ...]] = {
-    **{
-        f"model.{name}": get_args(field.annotation) if get_origin(field.annotation) is Literal else ()
-        for name, field in ModelChoice.model_fields.items()
-    },
     **{f"bodies.{name}": () for name in BodyMaterials.model_fields},
+    **{
+        f"{section}.{name}": _words(field.annotation)
+        for section, above in Case.model_fields.items()
+        for model in models_of(above.annotation)
+        for name, field in model.model_fields.items()
+        if not models_of(field.annotation) and _words(field.annotation)
+    },
 }
 
 
@@ -90,15 +103,25 @@ class JointRequest:
 
 def _apply(tables: Any, changes: Mapping[str, Any]) -> None:
     try:
-        set_texts(tables, {path: value for path, value in changes.items() if path not in CHOICES})
-        for path, value in changes.items():
-            if path in CHOICES:
-                section, key = path.split(".")
-                tables[section][key] = value
+        numbers = {path: value for path, value in changes.items() if path not in CHOICES}
+        empty = [path for path, value in numbers.items() if value == "" and _may_be_absent(path)]
+        for path in empty:
+            leave_out(tables, path)
+            del numbers[path]
+        set_texts(tables, numbers)
+        set_words(tables, {path: str(value) for path, value in changes.items() if path in CHOICES})
     except (AttributeError, IndexError, KeyError, TypeError, ValueError) as error:
         if isinstance(error, InputError):
             raise
         raise InputError("the changes do not fit the sections of this joint file") from None
+
+
+def _may_be_absent(path: str) -> bool:
+    """Whether a number of the joint file is optional."""
+    key_at(path)
+    section, *_, name = path.split(".")
+    models = models_of(Case.model_fields[section].annotation)
+    return any(name in model.model_fields and not model.model_fields[name].is_required() for model in models)
 
 
 def refuse_named_files(tables: Mapping[str, Any], *, source: str) -> None:

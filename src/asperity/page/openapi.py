@@ -8,6 +8,7 @@ import asperity
 from asperity.page.chart import MOST_CURVES, MOST_POINTS
 from asperity.page.computation import MOST_KEPT
 from asperity.page.guard import LARGEST_BODY
+from asperity.page.openapi_work import job_schema, work_paths
 
 Schema = dict[str, Any]
 
@@ -45,10 +46,12 @@ def openapi() -> Schema:
         "paths": {
             "/api/description": {"get": _get("Parameters of a joint file: meaning, unit, range, default.")},
             "/api/schema": {"get": _get("JSON schema of a joint file.")},
+            "/api/results": {"get": _get("Results that charts can show: name, label, unit, group.", "array")},
             "/api/joint": {"post": _joint()},
             "/api/chart": {"post": _chart()},
             "/api/joint/{id}/joint.{kind}": {"get": _download()},
             "/api/file": {"post": _file()},
+            **work_paths(_PROBLEMS, _request_schema()),
         },
         "components": {
             "schemas": {
@@ -56,6 +59,7 @@ def openapi() -> Schema:
                 "Request": _request_schema(),
                 "Answer": _answer_schema(),
                 "Chart": _chart_answer_schema(),
+                "Job": job_schema(),
             }
         },
     }
@@ -69,8 +73,8 @@ def _ref(name: str) -> Schema:
     return {"$ref": f"#/components/schemas/{name}"}
 
 
-def _get(summary: str) -> Schema:
-    return {"summary": summary, "responses": {"200": _json({"type": "object"}, summary)}}
+def _get(summary: str, kind: str = "object") -> Schema:
+    return {"summary": summary, "responses": {"200": _json({"type": kind}, summary)}}
 
 
 _PROBLEMS = {
@@ -115,7 +119,7 @@ def _chart_schema() -> Schema:
             "to": text,
             "points": {"type": "integer", "minimum": 2, "maximum": MOST_POINTS},
             "scale": {"enum": ["linear", "log"]},
-            "result": {"type": "string", "description": "One of 'results' of /api/description."},
+            "result": {"type": "string", "description": "A name of /api/results."},
             "family": {
                 "type": "object",
                 "properties": family,
@@ -159,14 +163,25 @@ def _download() -> Schema:
         "summary": f"Joint file, JSON document or report of one of the latest {MOST_KEPT} joints.",
         "parameters": [
             {"name": "id", "in": "path", "required": True, "schema": {"type": "string"}},
-            {"name": "kind", "in": "path", "required": True, "schema": {"enum": ["toml", "json", "html"]}},
+            {
+                "name": "kind",
+                "in": "path",
+                "required": True,
+                "schema": {"enum": ["toml", "json", "html", "pdf"]},
+            },
         ],
         "responses": {
             "200": {
                 "description": "The file.",
-                "content": {"application/toml": {}, "application/json": {}, "text/html": {}},
+                "content": {
+                    "application/toml": {},
+                    "application/json": {},
+                    "text/html": {},
+                    "application/pdf": {},
+                },
             },
             "404": _json(_ref("Error"), "This joint is no longer kept."),
+            "422": _json(_ref("Error"), "A PDF needs the extra 'report'."),
         },
     }
 

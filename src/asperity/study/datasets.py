@@ -226,3 +226,20 @@ def common_attributes(title: str) -> dict[str, str]:
         Title, source, conventions.
     """
     return {"title": title, "source": f"asperity {__version__}", "Conventions": "CF-1.11"}
+
+
+def number_or_null(value: Any) -> float | None:
+    """A number for a JSON document; None for nan and infinities, which JSON does not know.
+
+    Parameters
+    ----------
+    value : float or array
+        One number.
+
+    Returns
+    -------
+    float or None
+        The number.
+    """
+    number = float(value)
+    return number if np.isfinite(number) else None

@@ -28,18 +28,22 @@ export function stretches(x, curves, reasons) {
 
 export class Chart {
   /** `post(path, body)` asks the server; `controls` knows the ends of the sliders. */
-  constructor(panel, description, controls, post) {
+  constructor(panel, controls, post) {
     this.panel = panel;
     this.controls = controls;
     this.post = post;
-    this.results = description.results;
     this.wanted = null;
     this.ghosts = new Map(); // of the baseline, by request
-    this.build();
-    panel.addEventListener("toggle", () => panel.open && this.now());
+    panel.addEventListener("toggle", () => panel.open && this.opened());
   }
 
-  build() {
+  async opened() {
+    if (!this.over) this.build(await (await fetch("/api/results")).json());
+    this.list();
+    this.now();
+  }
+
+  build(results) {
     const field = (name, ...parts) => element("div", { class: "field" }, element("label", { for: `chart-${name}` }, words(name)), ...parts);
     const input = (name, attributes) => element("input", { type: "text", id: `chart-${name}`, spellcheck: "false", ...attributes });
     this.over = element("select", { id: "chart-over" });
@@ -51,7 +55,7 @@ export class Chart {
     this.spacing = element("select", { id: "chart-spacing" }, element("option", { value: "linear" }, "even"), element("option", { value: "log" }, "logarithmic"));
     this.values = input("values", { placeholder: "up to five, separated by commas" });
     const groups = new Map();
-    for (const each of this.results) {
+    for (const each of results) {
       if (!groups.has(each.group)) groups.set(each.group, element("optgroup", { label: words(each.group) }));
       const unit = each.unit === "1" ? "" : `, ${each.unit.replaceAll("*", "·")}`;
       groups.get(each.group).append(element("option", { value: each.name }, `${each.label}${unit}`));
@@ -86,20 +90,23 @@ export class Chart {
 
   /** A new joint is on the screen; the chart follows when the sliders rest. */
   follow(state, answer, baseline) {
-    this.listNumbers(Object.keys(answer.numbers).filter((path) => this.controls.sliderOf(path)));
-    this.wanted = { state, baseline };
-    if (!this.panel.open) return;
+    this.wanted = { state, baseline, answer };
+    if (!this.panel.open || !this.over) return;
+    this.list();
     clearTimeout(this.timer);
     this.timer = setTimeout(() => this.ask(), PAUSE);
   }
 
   now() {
-    if (!this.wanted || !this.panel.open) return;
+    if (!this.wanted || !this.panel.open || !this.over) return;
     clearTimeout(this.timer);
     this.ask();
   }
 
-  listNumbers(paths) {
+  /** The numbers of the joint in the lists. */
+  list() {
+    if (!this.wanted) return;
+    const paths = Object.keys(this.wanted.answer.numbers).filter((path) => this.controls.sliderOf(path));
     if (this.listed === paths.join()) return;
     this.listed = paths.join();
     const groups = (first) => {

@@ -1,5 +1,6 @@
 // The parameters: one row a number with slider and field; choices as lists. Errors stand at their field.
 
+import { choiceRows, finishRow, showChoice } from "/choices.js";
 import { element, number, unitText } from "/numbers.js";
 
 const OPEN = ["drive", "load", "surface", "bodies"];
@@ -59,9 +60,13 @@ function scale(kind, low, high, step = 0) {
 }
 
 export class Controls {
-  /** `changed(path, text, moving)` is called for each new value; null puts back that of the file. */
-  constructor(form, description, changed) {
+  /**
+   * `changed(path, text, moving)` is called for each new value; null puts back that of the file. `together(values,
+   * sections)` sets several keys in one step.
+   */
+  constructor(form, description, changed, together) {
     this.form = form;
+    this.together = together;
     this.description = description;
     this.changed = changed;
     this.rows = new Map();
@@ -78,8 +83,10 @@ export class Controls {
     const groups = this.description.groups.map((group) => [group.name, group.heading]);
     groups.splice(3, 0, ["bodies", "Bodies"]);
     groups.push(["model", "Model"]);
+    this.finish = null;
     for (const [name, heading] of groups) {
-      const rows = name === "bodies" || name === "model" ? this.choiceRows(name, stated) : this.numberRows(name, stated);
+      const rows = [...choiceRows(this, name, stated), ...this.numberRows(name, stated)];
+      if (name === "surface") rows.unshift(finishRow(this));
       if (!rows.length) continue;
       const details = element("details", { "data-group": name }, element("summary", {}, heading), ...rows);
       details.open = first ? OPEN.includes(name) : open.has(name);
@@ -114,7 +121,7 @@ export class Controls {
       id,
       "aria-describedby": `${id}-help ${id}-error`,
       spellcheck: "false",
-      placeholder: entry ? parameter.example : (parameter.default || "not in the file").replace("if absent, ", ""),
+      placeholder: (parameter.default || (entry ? parameter.example : "not in the file")).replace("if absent, ", ""),
       autocapitalize: "off",
     });
     const slider = element("input", { type: "range", "aria-label": `${name}, slider`, min: 0, step: 1, tabindex: "0" });
@@ -171,43 +178,17 @@ export class Controls {
     row.slider.value = row.scale.place(value);
   }
 
-  choiceRows(group, stated) {
-    const library = this.description.materials.map((each) => each.name);
-    const own = Object.keys(stated.numbers).filter((path) => path.startsWith("materials.")).map((path) => path.split(".")[1]);
-    return this.description.choices
-      .filter((choice) => choice.group === group)
-      .map((choice) => {
-        const id = `value-${choice.key.replaceAll(".", "-")}`;
-        const words = choice.words.length ? choice.words : [...new Set([...own, ...library])];
-        const select = element(
-          "select",
-          { id, "aria-describedby": `${id}-help ${id}-error` },
-          ...words.map((word) => element("option", { value: word }, word.replaceAll("_", " "))),
-        );
-        const error = element("p", { class: "field-error", id: `${id}-error` });
-        select.addEventListener("change", () => this.changed(choice.key, select.value));
-        this.rows.set(choice.key, { path: choice.key, input: select, error, choice });
-        return element(
-          "div",
-          { class: "row choice", "data-path": choice.key },
-          element("label", { for: id }, label(choice.key)),
-          select,
-          element("p", { class: "help", id: `${id}-help` }, choice.meaning),
-          error,
-        );
-      });
-  }
-
   /** Show the values of an answer; what the user has typed stays as typed. */
   show(stated, changes) {
     const wanted = (path) => path in stated.numbers || path in stated.choices;
     const missing = Object.keys(stated.numbers).some((path) => !this.rows.has(path) && this.isShown(path, stated));
     if (missing || this.materials !== this.used(stated)) this.build(stated);
     this.materials = this.used(stated);
+    if (this.finish) this.finish.show(stated);
     for (const row of this.rows.values()) {
       const changed = row.path in changes;
       if (row.choice) {
-        row.input.value = stated.choices[row.path];
+        showChoice(row, stated, changes);
         continue;
       }
       row.node.classList.toggle("changed", changed);
@@ -239,6 +220,13 @@ export class Controls {
 
   used(stated) {
     return Object.entries(stated.choices).filter(([key]) => key.startsWith("bodies.")).map((each) => each[1]).join();
+  }
+
+  /** The fields that a message about several keys names. */
+  named(message) {
+    const paths = [...this.rows.keys()].filter((path) => message.includes(path));
+    const longest = paths.filter((path) => !paths.some((other) => other !== path && other.startsWith(`${path}_`) && !message.replaceAll(other, "").includes(path)));
+    return Object.fromEntries(longest.map((path) => [path, message]));
   }
 
   /** Mark the fields that a message is about; the last changed one where it names none. */

@@ -2,8 +2,10 @@
 
 import { Chart } from "/chart.js";
 import { Controls } from "/controls.js";
+import { JobList } from "/jobs.js";
 import { showAnswer } from "/results.js";
 import { History, packed, unpacked } from "/state.js";
+import { Uploads } from "/upload.js";
 
 const get = (id) => document.getElementById(id);
 const page = document.documentElement;
@@ -12,6 +14,8 @@ const RETRY = 2000; // ms
 let history = null;
 let controls = null;
 let chart = null;
+let jobs = null;
+let uploads = null;
 let answer = null; // of the joint on the screen
 let baseline = null;
 let shown = null; // state of the joint on the screen
@@ -67,7 +71,7 @@ async function askOnce(state) {
       answer = found;
       if (state.toml !== shownText) controls.build(found); // another file
       shownText = state.toml;
-      controls.show(found, state.changes);
+      controls.show(found, history.state.changes);
       controls.showErrors({});
       showError("");
       showAnswer(found, baseline);
@@ -80,7 +84,8 @@ async function askOnce(state) {
       setTimeout(ask, 500);
     } else {
       page.dataset.state = "error";
-      const keys = Object.keys(found.keys).length || lastPath === null ? found.keys : { [lastPath]: found.error };
+      const named = Object.keys(found.keys).length ? found.keys : controls.named(found.error);
+      const keys = Object.keys(named).length || lastPath === null ? named : { [lastPath]: found.error };
       controls.showErrors(keys);
       showError(found.error);
       say("No result: see the message. The results shown are those of the last valid joint.");
@@ -100,11 +105,44 @@ async function askOnce(state) {
 
 /** What is computed beside the joint follows it. */
 function followed() {
+  jobs.follow(shown);
   chart.follow(shown, answer, baseline ? { answer: baseline, state: baselineState } : null);
 }
 
 function links() {
-  for (const kind of ["toml", "json", "html"]) get(`save-${kind}`).href = `/api/joint/${answer.id}/joint.${kind}`;
+  for (const kind of ["toml", "json"]) get(`save-${kind}`).href = `/api/joint/${answer.id}/joint.${kind}`;
+}
+
+/** A report takes some seconds, and may not be possible: then the page says why. */
+async function saveReport(kind) {
+  const button = get(`save-${kind}`);
+  if (!answer || button.disabled) return;
+  button.disabled = true;
+  say("Making the report…");
+  try {
+    const response = await fetch(`/api/joint/${answer.id}/joint.${kind}`);
+    if (!response.ok) {
+      notice((await response.json()).error);
+      say("There is no report: see the message.");
+      return;
+    }
+    const link = document.createElement("a");
+    link.href = URL.createObjectURL(await response.blob());
+    link.download = `${answer.name.replace(/\.toml$/, "")}.${kind}`;
+    link.click();
+    setTimeout(() => URL.revokeObjectURL(link.href), 60000);
+    say("The report is saved.");
+  } catch {
+    say("The server does not answer.");
+  } finally {
+    button.disabled = false;
+  }
+}
+
+/** A message that is not about the values: the results stay as they are. */
+function notice(text) {
+  get("error").hidden = false;
+  get("error").textContent = text;
 }
 
 async function address() {
@@ -136,6 +174,14 @@ function changed(path, value, moving = false) {
   refresh();
 }
 
+/** New values of several keys in one step, in place of the changes below some sections. */
+function changedTogether(values, instead = []) {
+  const kept = Object.entries(history.state.changes).filter(([path]) => !instead.some((section) => path.startsWith(`${section}.`)));
+  history.add({ ...history.state, changes: { ...Object.fromEntries(kept), ...values } });
+  lastPath = null;
+  refresh();
+}
+
 function step(count) {
   if (history.move(count)) {
     lastPath = null;
@@ -144,24 +190,17 @@ function step(count) {
   }
 }
 
-async function open(file) {
-  let ok;
-  let found;
-  try {
-    [ok, found] = await post(`/api/file?name=${encodeURIComponent(file.name)}`, await file.arrayBuffer(), "application/octet-stream");
-  } catch {
-    showError(`${file.name}: the server does not answer, or refused the file because of its size.`);
-    return;
-  }
-  if (!ok) {
-    showError(found.error);
-    say("The file was not opened; the joint on the page is unchanged.");
-    page.dataset.refused = file.name;
-    return;
-  }
+/** Another joint on the page, as a new state. */
+function takeJoint({ name, toml }) {
   lastPath = null;
-  history.add({ name: found.name, toml: found.toml, changes: {} });
+  history.add({ name, toml, changes: {} });
   refresh();
+}
+
+function refused(text, name) {
+  notice(text);
+  say("The file was not opened; the joint on the page is unchanged.");
+  page.dataset.refused = name;
 }
 
 function pin() {
@@ -189,8 +228,9 @@ function connect() {
   get("open-file").addEventListener("change", (event) => {
     const [file] = event.target.files;
     event.target.value = "";
-    if (file) open(file);
+    if (file) uploads.open(file);
   });
+  for (const kind of ["html", "pdf"]) get(`save-${kind}`).addEventListener("click", () => saveReport(kind));
   get("copy-link").addEventListener("click", async () => {
     try {
       await navigator.clipboard.writeText(location.href);
@@ -210,7 +250,7 @@ function connect() {
   document.addEventListener("drop", (event) => {
     event.preventDefault();
     const [file] = event.dataTransfer.files;
-    if (file) open(file);
+    if (file) uploads.open(file);
   });
   window.addEventListener("hashchange", async () => {
     if (location.hash === ownHash) return;
@@ -232,9 +272,18 @@ async function begin() {
   }
   const described = await (await fetch("/api/description")).json();
   const linked = location.hash.startsWith("#joint=") ? await unpacked(location.hash.slice(7)) : null;
-  controls = new Controls(get("controls"), described, changed);
+  controls = new Controls(get("controls"), described, changed, changedTogether);
   controls.build(described.start);
-  chart = new Chart(get("chart"), described, controls, post);
+  jobs = new JobList(get("jobs"), post, takeJoint);
+  uploads = new Uploads(get("measured"), {
+    post,
+    say,
+    joint: takeJoint,
+    design: (found) => jobs.offerDesign(found),
+    surface: (changes) => changedTogether(changes, ["surface"]),
+    fail: refused,
+  });
+  chart = new Chart(get("chart"), controls, post);
   history = new History(linked || { name: described.start.name, toml: described.start.toml, changes: {} });
   connect();
   refresh();

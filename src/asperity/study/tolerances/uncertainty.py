@@ -109,6 +109,7 @@ def uncertainty(
     distribution: Distribution | None = None,
     samples: int = 100_000,
     seed: int = 0,
+    block: int | None = None,
     report: Callable[[int, int], Any] | None = None,
 ) -> xarray.Dataset:
     """Intervals of a joint's results under its tolerances, and each tolerance's share in their variance.
@@ -125,6 +126,8 @@ def uncertainty(
         Monte-Carlo samples; about the same number is added for the Sobol indices.
     seed : int, optional
         Of the random numbers: the same seed, the same sample.
+    block : int, optional
+        Points after which progress is reported, at most; by default as many as run fastest.
     report : callable, optional
         Called with the number of points done and of all points.
 
@@ -181,7 +184,7 @@ def uncertainty(
     points = {
         path: quantiles(entry, spread, cube[:, k]) for k, (path, (entry, spread)) in enumerate(inputs.items())
     }
-    codes, found = evaluate_points(tables, points, names, report=count)
+    codes, found = evaluate_points(tables, points, names, batch=block, report=count)
     table = np.concatenate([np.atleast_2d(found[name]) for name in names])
     refuse_failed(case, int(codes[0]))
     mine = slice(1, 1 + samples)

@@ -1,0 +1,264 @@
+"""Long jobs of the page: a queue with one worker, progress, and a way to stop each of them."""
+
+from __future__ import annotations
+
+import secrets
+import threading
+import time
+from collections import OrderedDict
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+from asperity.errors import AsperityError, InputError, quoted
+from asperity.joint_file.distribution import parse_distribution
+from asperity.page.child import Child, StoppedError, file_name
+from asperity.page.computation import BusyError
+from asperity.page.joint_request import JointRequest, joint_request
+from asperity.reading import parse_toml
+from asperity.study.tolerances.uncertainty import toleranced_inputs
+
+#: Jobs that may wait or run at the same time.
+MOST_JOBS = 6
+#: Jobs whose results are kept.
+MOST_KEPT_JOBS = 24
+#: Samples of an uncertainty.
+FEWEST_SAMPLES, MOST_SAMPLES = 100, 1_000_000
+KINDS = ("sensitivity", "uncertainty", "design")
+#: States in which nothing more happens.
+ENDED = ("done", "failed", "stopped")
+
+
+@dataclass
+class Job:
+    """One job.
+
+    Parameters
+    ----------
+    identity, kind, name : str
+        Its name for requests, what it does, and the joint it is about.
+    child : Child
+        The process that does it.
+    """
+
+    identity: str
+    kind: str
+    name: str
+    child: Child
+    state: str = "waiting"
+    done: int = 0
+    total: int = 0
+    message: str = ""
+    result: dict[str, Any] | None = None
+    version: int = 0
+    started: float | None = None
+    ended: float | None = None
+
+    def told(self) -> dict[str, Any]:
+        """Its state for the page, without the result."""
+        now = self.ended if self.ended is not None else time.monotonic()
+        return {
+            "id": self.identity,
+            "kind": self.kind,
+            "name": self.name,
+            "state": self.state,
+            "done": self.done,
+            "total": self.total,
+            "seconds": round(now - self.started, 1) if self.started is not None else 0.0,
+            "message": self.message,
+        }
+
+    def progressed(self, done: int, total: int) -> None:
+        """What is done, of all that is to be done."""
+        self.change(done=done, total=total)
+
+    def change(self, **values: Any) -> None:
+        """New values, and a new version for those who watch."""
+        for name, value in values.items():
+            setattr(self, name, value)
+        self.version += 1
+
+
+class Jobs:
+    """The queue, with one worker that lives as long as there is something to do."""
+
+    def __init__(self) -> None:
+        self._jobs: OrderedDict[str, Job] = OrderedDict()
+        self._lock = threading.Lock()
+        self._working = False
+        self._closed = False
+
+    def begin(self, kind: str, name: str, files: Mapping[str, bytes], options: Mapping[str, Any]) -> Job:
+        """Put a job at the end of the queue.
+
+        Parameters
+        ----------
+        kind, name : str
+            What it does, and the name of the joint.
+        files : mapping
+            Name → content of its files.
+        options : mapping
+            Its options.
+
+        Returns
+        -------
+        Job
+            The job.
+
+        Raises
+        ------
+        BusyError
+            If the queue is full.
+        """
+        with self._lock:
+            if self._closed or sum(job.state not in ENDED for job in self._jobs.values()) >= MOST_JOBS:
+                raise BusyError(f"{MOST_JOBS} jobs are waiting already; stop one, or wait for its end")
+            job = Job(secrets.token_hex(8), kind, name, Child(kind, files, options))
+            self._jobs[job.identity] = job
+            for old in [each for each in self._jobs.values() if each.state in ENDED][
+                : max(len(self._jobs) - MOST_KEPT_JOBS, 0)
+            ]:
+                del self._jobs[old.identity]
+            if not self._working:
+                self._working = True
+                threading.Thread(target=self._work, name="asperity-jobs", daemon=True).start()
+        return job
+
+    def get(self, identity: str) -> Job | None:
+        """A job; None if there is none of this name.
+
+        Parameters
+        ----------
+        identity : str
+            Its name.
+
+        Returns
+        -------
+        Job or None
+            The job.
+        """
+        return self._jobs.get(identity)
+
+    def stop(self, job: Job) -> None:
+        """End a job at once, whether it waits or runs.
+
+        Parameters
+        ----------
+        job : Job
+            The job.
+        """
+        with self._lock:
+            if job.state == "waiting":
+                job.change(state="stopped", message="stopped before it began")
+        job.child.stop()
+
+    def close(self) -> None:
+        """End all jobs."""
+        with self._lock:
+            self._closed = True
+            jobs = list(self._jobs.values())
+        for job in jobs:
+            if job.state not in ENDED:
+                self.stop(job)
+
+    def _next(self) -> Job | None:
+        with self._lock:
+            for job in self._jobs.values():
+                if job.state == "waiting":
+                    job.change(state="running", started=time.monotonic())
+                    return job
+            self._working = False
+            return None
+
+    def _work(self) -> None:
+        while (job := self._next()) is not None:
+            try:
+                result = job.child.run(report=job.progressed)
+                job.change(state="done", result=result, ended=time.monotonic())
+            except StoppedError:
+                job.change(state="stopped", message="stopped", ended=time.monotonic())
+            except AsperityError as error:
+                job.change(state="failed", message=str(error), ended=time.monotonic())
+            except Exception:
+                job.change(
+                    state="failed", message="the job failed; the terminal says why", ended=time.monotonic()
+                )
+                raise
+
+
+def job_request(body: Any) -> tuple[str, JointRequest, dict[str, bytes], dict[str, Any]]:
+    """Check the JSON body of a request for a job.
+
+    Parameters
+    ----------
+    body : object
+        As for :func:`asperity.page.joint_request.joint_request`, and ``job``: ``kind``, and where it takes them
+        ``samples``, ``seed`` and ``distribution``, or ``design``, the text of a design file, and its name ``file``.
+
+    Returns
+    -------
+    kind : str
+        What the job does.
+    joint : JointRequest
+        The joint.
+    files : dict
+        Name → content of the files; the first one is that of the job.
+    options : dict
+        Its options.
+
+    Raises
+    ------
+    InputError
+        If an entry is missing, unknown or of the wrong kind, or the joint file is wrong.
+    """
+    if not isinstance(body, dict) or not isinstance(body.get("job"), dict):
+        raise InputError("the body must be a JSON object with a joint and an object 'job'")
+    joint = joint_request({name: value for name, value in body.items() if name != "job"})
+    job = dict(body["job"])
+    kind = job.pop("kind", None)
+    if kind not in KINDS:
+        raise InputError(f"job.kind: {quoted(kind)} is not one of {', '.join(KINDS)}")
+    allowed = {
+        "sensitivity": (),
+        "uncertainty": ("samples", "seed", "distribution"),
+        "design": ("design", "file"),
+    }
+    unknown = sorted(set(job) - set(allowed[kind]))
+    if unknown:
+        raise InputError(f"job: a {kind} has no entry {quoted(unknown[0])}")
+    case = joint.case()  # says at once what is wrong
+    text = joint.file_text().encode()
+    if kind == "sensitivity":
+        return kind, joint, {file_name(joint.name, otherwise="joint.toml"): text}, {}
+    if kind == "design":
+        return kind, joint, _design_files(job, text), {}
+    samples, seed, distribution = job.get("samples", 1000), job.get("seed", 0), job.get("distribution", "")
+    for name, value, low, high in (
+        ("samples", samples, FEWEST_SAMPLES, MOST_SAMPLES),
+        ("seed", seed, 0, 2**31),
+    ):
+        if isinstance(value, bool) or not isinstance(value, int) or not low <= value <= high:
+            raise InputError(
+                f"job.{name}: a whole number from {low} to {high} is needed, got {quoted(value)}"
+            )
+    if not isinstance(distribution, str) or len(distribution) > 80:
+        raise InputError("job.distribution: a text such as 'uniform' is needed")
+    # refuses at once what the job would refuse once it runs
+    toleranced_inputs(case, otherwise=parse_distribution(distribution) if distribution else None)
+    options = {"samples": samples, "seed": seed, "distribution": distribution}
+    return kind, joint, {file_name(joint.name, otherwise="joint.toml"): text}, options
+
+
+def _design_files(job: dict[str, Any], joint_text: bytes) -> dict[str, bytes]:
+    """The design file, whose joint is replaced by that of the page, and the joint file."""
+    import tomlkit
+
+    text, name = job.get("design"), job.get("file", "design.toml")
+    if not isinstance(text, str) or not isinstance(name, str):
+        raise InputError("job.design: the text of a design file is needed")
+    name = file_name(name, otherwise="design.toml")
+    parse_toml(text, source=name)
+    document = tomlkit.parse(text)
+    own = "page-joint.toml" if name != "page-joint.toml" else "joint.toml"
+    document["joint"] = own
+    return {name: tomlkit.dumps(document).encode(), own: joint_text}

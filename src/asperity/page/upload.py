@@ -1,0 +1,209 @@
+"""Files that a user opens on the page: recognised by content, measured in a process with limited time and memory."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Mapping
+from typing import Any, Literal
+
+from asperity.errors import InputError, printable
+from asperity.joint_file.reader import parse_case
+from asperity.page.answer import stated_values
+from asperity.page.child import Child, file_name
+from asperity.page.computation import Computations
+from asperity.page.joint_request import LONGEST_NAME, refuse_named_files
+from asperity.reading import LARGEST_FILE, parse_toml
+from asperity.surface.measurement import SCHEMA
+from asperity.surface.read_instrument import text_format
+from asperity.unit_table import Dimension
+from asperity.units import parse_quantity
+
+#: Largest file of a surface [byte], and the time in which it must be measured [s].
+LARGEST_SURFACE = 64 * 1024**2
+LONGEST_MEASUREMENT = 120.0
+
+Kind = Literal["joint", "design", "measurement", "surface"]
+
+#: A line of TOML: the head of a table, or a key with a value.
+_TOML_LINE = re.compile(
+    rb"^[ \t]*(\[\[?[^\]\n]+\]\]?[ \t]*(#.*)?|[A-Za-z_][\w.\"-]*[ \t]*=[^=].*)\r?$", re.MULTILINE
+)
+
+
+def recognised(content: bytes, name: str) -> Kind:
+    """What a file is, by its content; the ending ``.toml`` is taken at its word.
+
+    Parameters
+    ----------
+    content : bytes
+        The file.
+    name : str
+        Its name.
+
+    Returns
+    -------
+    {"joint", "design", "measurement", "surface"}
+        What it is read as.
+    """
+    beginning = content[:4096].removeprefix(b"\xef\xbb\xbf")
+    text = b"\0" not in beginning
+    if name.lower().endswith(".toml") or (
+        text and text_format(beginning) is None and _TOML_LINE.search(beginning)
+    ):
+        return "design" if re.search(rb"^\s*\[variables[\].]", content, re.MULTILINE) else "joint"
+    if text and beginning.lstrip().startswith(b"{"):
+        return "measurement"
+    return "surface"
+
+
+def opened_joint(content: bytes, name: str) -> dict[str, Any]:
+    """A joint file with what it states.
+
+    Parameters
+    ----------
+    content : bytes
+        The file.
+    name : str
+        Its name.
+
+    Returns
+    -------
+    dict
+        ``name``, ``toml`` and what :func:`asperity.page.answer.stated_values` says.
+
+    Raises
+    ------
+    InputError
+        If it is not a joint file.
+    """
+    name = shown_name(name)
+    text = _text(content, name)
+    refuse_named_files(parse_toml(text, source=name), source=name)
+    return {"name": name, "toml": text, **stated_values(parse_case(text, source=name))}
+
+
+def opened_design(content: bytes, name: str) -> dict[str, Any]:
+    """The text of a design file; it is checked when the design begins.
+
+    Parameters
+    ----------
+    content : bytes
+        The file.
+    name : str
+        Its name.
+
+    Returns
+    -------
+    dict
+        ``name`` and ``design``.
+
+    Raises
+    ------
+    InputError
+        If it is not TOML.
+    """
+    name = shown_name(name)
+    text = _text(content, name)
+    parse_toml(text, source=name)
+    return {"name": name, "design": text}
+
+
+def shown_name(name: str) -> str:
+    """The name of a joint file as messages show it."""
+    return printable(name)[:LONGEST_NAME] or "joint.toml"
+
+
+def _text(content: bytes, name: str) -> str:
+    if len(content) > LARGEST_FILE:
+        raise InputError(
+            f"{name}: this file has {len(content)} bytes; at most {LARGEST_FILE} bytes are read here"
+        )
+    try:
+        return content.decode("utf-8-sig")
+    except UnicodeDecodeError as error:
+        raise InputError(f"{name}: this is not a text file in UTF-8 (byte {error.start})") from None
+
+
+class Measurements:
+    """Measurements of files, one after the other, which end with the server."""
+
+    def __init__(self) -> None:
+        self._waiting = Computations(longest=2.0 * LONGEST_MEASUREMENT)
+        self._child: Child | None = None
+
+    async def run(self, content: bytes, name: str, units: Mapping[str, str]) -> dict[str, Any]:
+        """Wait for :func:`measured_upload`.
+
+        Parameters
+        ----------
+        content, name, units
+            As there.
+
+        Returns
+        -------
+        dict
+            As there.
+
+        Raises
+        ------
+        AsperityError
+            As there, or if too many files wait.
+        """
+        return await self._waiting.run(measured_upload, content, name, units, self._begun)
+
+    def _begun(self, child: Child) -> None:
+        self._child = child
+
+    def close(self) -> None:
+        """End the measurement that runs, and drop those that wait."""
+        self._waiting.close()
+        if self._child is not None:
+            self._child.stop()
+
+
+def measured_upload(
+    content: bytes, name: str, units: Mapping[str, str], begun: Callable[[Child], Any] = lambda child: None
+) -> dict[str, Any]:
+    """D and G of the file of an instrument, or those of a measurement that was made before.
+
+    Parameters
+    ----------
+    content : bytes
+        The file.
+    name : str
+        Its name.
+    units : mapping
+        ``position_unit``, ``height_unit`` and ``spacing``, where the file does not say them.
+    begun : callable
+        Called with the process that measures.
+
+    Returns
+    -------
+    dict
+        ``document`` is that of ``asperity surface measure --json``; ``changes`` put it into the joint file.
+
+    Raises
+    ------
+    InputError
+        As the command, or if the file takes too long.
+    """
+    options: dict[str, Any] = {key: value for key, value in units.items() if value}
+    if "spacing" in options:
+        options["spacing"] = parse_quantity(options["spacing"], Dimension.LENGTH)
+    options["document"] = recognised(content, "") == "measurement"
+    safe = file_name(name, otherwise="surface")
+    child = Child("measure", {safe: content}, options)
+    begun(child)
+    document = child.run(longest=LONGEST_MEASUREMENT)
+    return {"name": safe, "document": document, "changes": _changes(document)}
+
+
+def _changes(document: Mapping[str, Any]) -> dict[str, float | str]:
+    """What puts a measurement into the joint file; nothing if there is no power law."""
+    if document.get("schema") != SCHEMA or "refused" in document:
+        return {}
+    return {
+        "surface.fractal_dimension": document["fractal_dimension"],
+        "surface.fractal_roughness": f"{document['fractal_roughness_m']!r} m",
+        "surface.frequency_ratio": document["frequency_ratio"],
+    }

@@ -1,0 +1,100 @@
+"""Sensitivities and intervals as plain data, which commands print and the page sends."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from asperity.study.datasets import number_or_null
+
+if TYPE_CHECKING:
+    import xarray
+
+
+def sensitivity_document(found: xarray.Dataset) -> dict[str, Any]:
+    """The sensitivities as plain data; what has no value is null.
+
+    Parameters
+    ----------
+    found : xarray.Dataset
+        What :func:`asperity.study.tolerances.sensitivity.sensitivity` returns.
+
+    Returns
+    -------
+    dict
+        ``inputs`` and ``results``, each result with ``derivative`` and ``elasticity`` by input.
+    """
+    inputs = found["input"].values.tolist()
+    return {
+        "inputs": {
+            name: {"value": float(value), "unit": str(unit)}
+            for name, value, unit in zip(
+                inputs, found["value"].values, found["input_unit"].values, strict=True
+            )
+        },
+        "results": {
+            name: {
+                "value": number_or_null(one["result_value"]),
+                "unit": str(one["result_unit"].item()),
+                "description": str(one["result_name"].item()),
+                "derivative": {
+                    i: number_or_null(value)
+                    for i, value in zip(inputs, one["derivative"].values, strict=True)
+                },
+                "elasticity": {
+                    i: number_or_null(value)
+                    for i, value in zip(inputs, one["elasticity"].values, strict=True)
+                },
+            }
+            for name in found["result"].values.tolist()
+            for one in (found.sel(result=name),)
+        },
+    }
+
+
+def uncertainty_document(found: xarray.Dataset) -> dict[str, Any]:
+    """The intervals and indices as plain data, without the samples; what has no value is null.
+
+    Parameters
+    ----------
+    found : xarray.Dataset
+        What :func:`asperity.study.tolerances.uncertainty.uncertainty` returns.
+
+    Returns
+    -------
+    dict
+        ``samples``, ``solved``, ``seed``, ``inputs``, ``results``.
+    """
+    inputs = found["input"].values.tolist()
+    indices = ("first_order", "first_order_half_width", "total_order", "total_order_half_width")
+
+    def told(one: xarray.Dataset) -> dict[str, Any]:
+        low, median, high = one["quantiles"].values
+        return {
+            "unit": str(one["unit"].item()),
+            "description": str(one["result_name"].item()),
+            "nominal": number_or_null(one["nominal"]),
+            "mean": number_or_null(one["mean"]),
+            "standard_deviation": number_or_null(one["standard_deviation"]),
+            "quantile_0.025": number_or_null(low),
+            "median": number_or_null(median),
+            "quantile_0.975": number_or_null(high),
+            "sobol": {
+                name: {key: number_or_null(one[key].values[k]) for key in indices}
+                for k, name in enumerate(inputs)
+            },
+        }
+
+    return {
+        "samples": int(found.sizes["sample"]),
+        "solved": int((found["status"] == 0).sum()),
+        "seed": int(found.attrs["seed"]),
+        "inputs": {
+            name: {
+                "tolerance": float(found["tolerance"].values[k]),
+                "unit": str(found["input_unit"].values[k]),
+                "distribution": str(found["distribution"].values[k]),
+            }
+            for k, name in enumerate(inputs)
+        },
+        "results": {name: told(found.sel(result=name)) for name in found["result"].values.tolist()},
+    }

@@ -1,0 +1,37 @@
+"""The page examined by axe-core, if it is installed: NODE_PATH or AXE_CORE names the folder of axe.min.js.
+
+Install it anywhere with ``npm install axe-core`` and run with ``AXE_CORE=…/node_modules/axe-core``.
+"""
+
+import os
+from pathlib import Path
+
+import pytest
+
+pytestmark = pytest.mark.slow
+
+
+@pytest.fixture(scope="module")
+def axe():
+    places = [os.environ.get("AXE_CORE", "")]
+    places += [
+        str(Path(each, "axe-core")) for each in os.environ.get("NODE_PATH", "").split(os.pathsep) if each
+    ]
+    files = [Path(place, "axe.min.js") for place in places if place]
+    found = next(filter(Path.is_file, files), None)
+    if found is None:
+        pytest.skip("axe-core is not installed: npm install axe-core, and name its folder in AXE_CORE")
+    return found.read_text(encoding="utf-8")
+
+
+@pytest.mark.parametrize("theme", ["light", "dark"])
+@pytest.mark.parametrize("width", [400, 1400])
+def test_no_rule_is_broken(page, axe, theme, width):
+    page.set_viewport_size({"width": width, "height": 900})
+    page.locator("#theme").select_option(theme)
+    for panel in ("#chart", "#jobs"):
+        page.locator(f"{panel} summary").click()
+    page.wait_for_selector("#chart[data-drawn]", timeout=300_000)
+    page.evaluate(axe)
+    found = page.evaluate("async () => (await axe.run()).violations")
+    assert [(each["id"], each["help"], each["nodes"][0]["html"]) for each in found] == []

@@ -1,0 +1,153 @@
+"""Files are recognised by content; a wrong one gets the message of the command."""
+
+import asyncio
+import io
+import json
+import threading
+
+import numpy as np
+import pytest
+
+from asperity.errors import InputError
+from asperity.page import upload
+from asperity.page.child import StoppedError
+from asperity.page.job_process import run_job
+from asperity.page.upload import measured_upload, opened_design, opened_joint, recognised
+from asperity.surface.measurement import SCHEMA
+from asperity.surface.read import read_surface
+
+DESIGN = b'joint = "a.toml"\n[variables]\n"load.preload" = {lower = "1 N", upper = "2 N"}\n'
+
+
+def profile(*, seed=1, points=4096):
+    """A Brownian profile: D = 1.5, whose spectrum falls with the square of the frequency."""
+    heights = np.cumsum(np.random.default_rng(seed).normal(size=points)) * 1e-9
+    text = io.BytesIO()
+    np.savetxt(
+        text,
+        np.stack([np.arange(points) * 2e-7, heights], 1),
+        delimiter=",",
+        header="x [m],z [m]",
+        comments="",
+    )
+    return text.getvalue()
+
+
+@pytest.mark.parametrize(
+    ("content", "name", "kind"),
+    [
+        (b"# a joint\n[drive]\nplanets = 3\n", "what.txt", "joint"),
+        (b'\xef\xbb\xbfschema = "x"\n', "joint", "joint"),
+        (DESIGN, "mine", "design"),
+        (b"\x89PNG\r\n\x1a\n", "picture.toml", "joint"),
+        (b'  {"schema": "' + SCHEMA.encode() + b'"}', "m.json", "measurement"),
+        (b"x [m],z [m]\n0,1\n", "p.csv", "surface"),
+        (b"1.0 2.0\n", "p", "surface"),
+        (b"aISO-1.0\r\nManufID = NanoFocus\r\n", "p.sdf", "surface"),
+        (b"[DataSet]\nVersion=1\n", "p.ezd", "surface"),
+        (b"PK\x03\x04 a = 1\n", "p.x3p", "surface"),
+        (b"\x89HDF\r\n", "p.opdx", "surface"),
+        (b"", "empty", "surface"),
+    ],
+)
+def test_files_are_recognised(content, name, kind):
+    assert recognised(content, name) == kind
+
+
+def test_a_joint_is_opened_with_its_values(joint_text):
+    found = opened_joint(joint_text.encode(), "a.toml")
+    assert found["numbers"]["drive.sun_radius"]["value"] == 4.0
+    with pytest.raises(InputError, match="opens no other files"):
+        opened_joint(
+            joint_text.encode() + b'\n[materials.x]\nlibrary = "x"\nfile = "/etc/passwd"\n', "a.toml"
+        )
+
+
+def test_a_design_is_text():
+    assert opened_design(DESIGN, "d.toml") == {"name": "d.toml", "design": DESIGN.decode()}
+    with pytest.raises(InputError, match=r"d\.toml: not valid TOML"):
+        opened_design(b"[variables", "d.toml")
+
+
+def test_a_profile_of_a_known_dimension_is_measured(tmp_path, monkeypatch):
+    """In this process, to save the start of another; D of Brownian heights is 1.5."""
+    started = []
+
+    class Here:
+        def __init__(self, kind, files, options):
+            started.append(kind)
+            ((self.name, content),) = files.items()
+            (tmp_path / self.name).write_bytes(content)
+            self.options = options
+
+        def run(self, longest):
+            assert longest == upload.LONGEST_MEASUREMENT
+            monkeypatch.chdir(tmp_path)
+            return run_job({"kind": "measure", "file": self.name, "options": self.options}, lambda *_: None)
+
+    monkeypatch.setattr(upload, "Child", Here)
+    monkeypatch.setattr("resource.setrlimit", lambda *_: None)
+    found = measured_upload(
+        profile(), "../pro file.csv", {"position_unit": "", "height_unit": "", "spacing": ""}
+    )
+    low, high = found["document"]["fractal_dimension_interval_95"]
+    assert low < 1.5 < high
+    assert found["changes"]["surface.fractal_dimension"] == found["document"]["fractal_dimension"]
+    # the document of the measurement is opened as well, and says the same
+    again = measured_upload(json.dumps(found["document"]).encode(), "m.json", {})
+    assert again["changes"] == found["changes"]
+    # a smooth surface has no power law, and nothing to put into the joint
+    x = np.arange(2000) * 1e-6
+    smooth = np.stack([x, 1e-7 * np.sin(2 * np.pi * x / 1e-3)], 1)
+    text = io.BytesIO()
+    np.savetxt(text, smooth, delimiter=",", header="x [m],z [m]", comments="")
+    refused = measured_upload(text.getvalue(), "smooth.csv", {})
+    assert refused["document"]["refused"]
+    assert refused["changes"] == {}
+    assert started == ["measure"] * 3
+
+
+def test_a_wrong_file_gets_the_message_of_the_command(tmp_path, monkeypatch):
+    """By the process that also the page starts."""
+    content = b"hello, no numbers\n"
+    (tmp_path / "words.csv").write_bytes(content)
+    monkeypatch.chdir(tmp_path)
+    with pytest.raises(InputError) as command:
+        read_surface(path="words.csv")
+    with pytest.raises(InputError) as page:
+        measured_upload(content, "../../words.csv", {})
+    assert str(page.value) == str(command.value)
+
+
+def test_the_end_of_the_server_ends_a_measurement(monkeypatch):
+    class Waiting:
+        def __init__(self, kind, files, options):
+            self.begun, self.end = threading.Event(), threading.Event()
+            children.append(self)
+
+        def run(self, longest):
+            self.begun.set()
+            self.end.wait(30)
+            raise StoppedError("stopped")
+
+        def stop(self):
+            self.end.set()
+
+    children = []
+    monkeypatch.setattr(upload, "Child", Waiting)
+    measurements = upload.Measurements()
+
+    async def measure():
+        task = asyncio.ensure_future(measurements.run(b"1", "p.csv", {}))
+        while not children or not children[0].begun.is_set():
+            await asyncio.sleep(0.005)
+        measurements.close()
+        await task
+
+    with pytest.raises(StoppedError):
+        asyncio.run(measure())
+
+
+def test_a_spacing_needs_its_unit():
+    with pytest.raises(InputError, match="length"):
+        measured_upload(b"1\n2\n", "p.csv", {"spacing": "3"})
