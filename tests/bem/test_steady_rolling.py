@@ -45,6 +45,7 @@ def contact():
     return line_contact()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("q", [0.1, 0.25, 0.5, 0.8, 0.95])
 def test_carters_creepage_and_its_convergence(q):
     errors = []
@@ -154,6 +155,7 @@ def test_both_creepages_at_once_obey_coulomb(contact):
 COMBINATION = [(0.5, 0.023), (1.0, 0.09)]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("reach", "error"), COMBINATION)
 def test_the_rule_that_combines_both_creepages(reach, error):
     """1 - (1 - |zeta|)^2 of mu N along zeta: the size is right, the direction off by 5 degrees at most (nu = 0.3)."""

@@ -149,6 +149,7 @@ def test_largest_tension_is_found_on_both_rims():
     assert float(peak.loaded_rim) == pytest.approx(614.45 * 547.0 / 5e-3, rel=2e-3)
 
 
+@pytest.mark.slow
 def test_slopes_are_finite():
     def peak(p):
         body = Annulus(p[0], p[1], 5e-3, E, NU, 0.0, 0.0, "inner", "plane_strain")

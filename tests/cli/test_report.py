@@ -41,6 +41,7 @@ def test_refusals_write_nothing(call, joint_file, tmp_path, monkeypatch, change,
     assert not list(tmp_path.glob("r.*"))
 
 
+@pytest.mark.slow
 def test_a_measured_surface_takes_the_place_of_the_files_and_is_part_of_the_report(
     call, joint_file, tmp_path
 ):

@@ -69,6 +69,7 @@ def test_stored_coefficients_are_those_of_the_field():
     np.testing.assert_allclose(MISES, mises, atol=1e-9)
 
 
+@pytest.mark.slow
 def test_surface_overtakes_every_tabulated_peak_within_the_table():
     """At the largest tabulated friction the surface is more stressed than the peak, and the peak's lead only falls."""
     assert 1 / float(shear_peak(friction_coefficient=SHEAR_FRICTION).stress) > 1 / SHEAR_FRICTION

@@ -38,6 +38,7 @@ def test_points_are_joints_solved_alone(joint, found):
         assert drift == pytest.approx(float(alone.rolling.drift_per_output_turn), rel=1e-8)
 
 
+@pytest.mark.slow
 def test_the_output_gives_way_to_the_torque_in_both_senses(found):
     for drift in (found.driving_drift, found.braking_drift):
         np.testing.assert_array_equal(np.sign(drift), np.sign(TORQUES))

@@ -38,6 +38,7 @@ def limit_of(found):
     return LIMIT_KINDS[int(found.limit)], LIMITING_CONTACTS[contact]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("mu", [0.05, 0.12, 0.2])
 def test_at_capacity_one_contact_is_at_its_limit_and_none_beyond(paper_joint, mu):
     found = capacity(paper_joint(friction_coefficient=mu), 1.0)

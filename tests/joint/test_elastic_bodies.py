@@ -58,6 +58,7 @@ def test_the_papers_joint_over_the_wall_of_its_ring(joint, load_example, support
     assert found == pytest.approx(expected, rel=1e-6)
 
 
+@pytest.mark.slow
 def test_the_matrix_of_the_machine_is_the_sum_of_those_of_its_bodies(joint):
     """Every body summed mode by mode with the Bessel functions of its contacts; hollow rollers and a free ring."""
     made = with_one_rank(
@@ -131,6 +132,7 @@ def test_shear_follows_the_logarithm_of_the_traction(joint):
     assert compliance(0.6) - compliance(0.0) == pytest.approx(np.full(5, added), rel=5e-3)
 
 
+@pytest.mark.slow
 def test_a_housing_lies_between_a_free_ring_and_a_rigid_housing(joint, output):
     housing = np.array([0.0, 1e6, 1e10, 1e11, 1e12, 1e13])
     found = output(
@@ -162,6 +164,7 @@ def test_a_ring_with_its_own_spring_keeps_the_spring(joint, solved):
     )
 
 
+@pytest.mark.slow
 def test_springs_and_exact_bodies_agree_for_a_ring_in_a_rigid_housing(joint, output):
     walls = np.array([6e-3, 10e-3, 20e-3, 60e-3])
     springs, exact = (
@@ -245,6 +248,7 @@ def test_the_number_of_planets_may_differ_within_a_batch(joint, output):
     assert batch == pytest.approx(np.array(alone), rel=1e-12)
 
 
+@pytest.mark.slow
 def test_a_wall_too_thin_for_exact_bodies_is_refused(joint):
     thin = joint(ring_wall_thickness=0.4e-3)
     with pytest.raises(

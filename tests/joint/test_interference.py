@@ -50,6 +50,7 @@ def test_a_spring_of_the_ring_takes_its_own_compression(by_length, evaluated_tog
     assert float(soft.interference - stiff.interference) == pytest.approx(normal / 25e6, rel=1e-9)
 
 
+@pytest.mark.slow
 def test_many_at_once_and_derivatives(by_length):
     case = by_length()
     lengths = np.array([5e-6, 10e-6, 20e-6])

@@ -27,6 +27,7 @@ def pressed(paper_joint):
     return joint, program(joint), program(held)
 
 
+@pytest.mark.slow
 def test_forces_creep_and_life_are_those_of_the_preload_at_the_torque(pressed):
     _, with_cam, held = pressed
     assert np.asarray(with_cam.forces.normal) == pytest.approx(np.asarray(held.forces.normal), rel=1e-12)

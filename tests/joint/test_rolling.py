@@ -77,6 +77,7 @@ def test_creep_of_every_contact_is_carters_times_its_factor(rolled):
     np.testing.assert_allclose(found.stick_fraction, np.sqrt(1 - tangential / (0.12 * normal)), rtol=1e-12)
 
 
+@pytest.mark.slow
 def test_skew_takes_from_the_zone_that_sticks(rolled):
     """The whole traction counts, the axial part with the tangential one; where it is all of friction nothing sticks."""
     found = rolled(conditions(skew=(1e-3, 5e-4, -3e-4, 8e-4, -1e-3)))

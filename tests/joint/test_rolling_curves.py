@@ -70,6 +70,7 @@ def test_curves_over_torque_and_the_map_are_the_joint_at_that_load(curves, joint
     assert curves.efficiency[3, place] == pytest.approx(float(there.power.efficiency), rel=1e-9)
 
 
+@pytest.mark.slow
 def test_a_standing_sun_has_no_map_and_no_hours(joint):
     standing = dataclasses.replace(joint, sun_speed=0.0)
     found = rolling_curves(joint=standing, result=solve(standing).result, torque_capacity=math.inf)

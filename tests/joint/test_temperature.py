@@ -76,6 +76,7 @@ def test_a_loose_joint_is_refused_with_its_temperature(case_of):
     refuse_loose(joint_from_case(case_of()))
 
 
+@pytest.mark.slow
 def test_studies_follow_the_temperature_and_say_where_it_is_loose(case_of):
     values = si_values(case_of())
     temperatures = np.array([-20.0, 0.0, 20.0, 40.0, 60.0])

@@ -67,6 +67,7 @@ def test_the_report_follows_from_the_file_that_it_contains(made):
     assert typst_source(again, pictures=names) == typst_source(made, pictures=names)
 
 
+@pytest.mark.slow
 def test_a_joint_without_torque_has_a_report_that_says_what_is_absent():
     text = TEXT.replace('"5 N*m"', '"0 N*m"').replace('"6000 rpm"', '"0 rpm"')
     report = report_of(text, date="2026-03-01")

@@ -27,6 +27,7 @@ def test_states_are_solved_and_balanced(drives, solved, name):
         np.testing.assert_allclose(force + matrices.pins.T @ state.pin_force, 0.0, atol=1e-8)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", NAMES)
 def test_power_lost_is_the_power_of_creep(drives, solved, name):
     _, found = solved(name, TORQUE[name])
