@@ -6,6 +6,7 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
+from asperity.drive.geometry import CONTACT_NAMES
 from asperity.joint import margins as module
 from asperity.joint.margins import margins
 from asperity.joint.results import Limit, Result
@@ -36,7 +37,12 @@ ROWS = (
 @pytest.fixture
 def found(monkeypatch):
     monkeypatch.setattr(module, "RESULTS", {each.name: each for each in ROWS})
-    solved = SimpleNamespace(a=np.array([0.5, 1.5, 0.2, 1.0, 0.4]), b=2.0, gaps=np.arange(8.0) - 1.0)
+    solved = SimpleNamespace(
+        a=np.array([0.5, 1.5, 0.2, 1.0, 0.4]),
+        b=2.0,
+        gaps=np.arange(8.0) - 1.0,
+        row_names=lambda axis: CONTACT_NAMES,
+    )
     return {each.result.name: each for each in margins(solved)}
 
 

@@ -18,6 +18,7 @@ from asperity.units import from_si, parse_quantity
 #: Section of a joint file → heading of its group, in the order of the page.
 HEADINGS = {
     "drive": "Drive",
+    "branch": "Branches of unlike sizes",
     "load": "Load",
     "temperature": "Temperature",
     "surface": "Surfaces",
