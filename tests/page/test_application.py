@@ -278,7 +278,9 @@ def test_the_description_covers_every_number_of_the_file(client):
     keys = {each["key"]: each for group in described["groups"] for each in group["parameters"]}
     for path in described["start"]["numbers"]:
         parts = path.split(".")
-        generic = ".".join([parts[0], "*", *parts[2:]] if parts[0] in ("materials", "duty") else parts)
+        generic = ".".join(
+            [parts[0], "*", *parts[2:]] if parts[0] in ("materials", "duty", "branch") else parts
+        )
         assert keys[generic]["meaning"]
         assert keys[generic]["unit"]
     assert keys["compliance.pin_stiffness"]["default"] == "rigid if absent"

@@ -31,6 +31,7 @@ HEADINGS = {
     "rolling": "Rolling",
     "lubrication": "Lubrication",
     "duty": "Duty",
+    "branch": "Branches",
     "dynamics": "Dynamics",
 }
 

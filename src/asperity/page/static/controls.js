@@ -10,7 +10,7 @@ const STEPS = 400;
 /** The key of a description for a path of a file: any material, any load of the duty. */
 export function generic(path) {
   const parts = path.split(".");
-  if ((parts[0] === "materials" || parts[0] === "duty") && parts.length > 2) parts[1] = "*";
+  if (["materials", "duty", "branch"].includes(parts[0]) && parts.length > 2) parts[1] = "*";
   return parts.join(".");
 }
 
