@@ -32,6 +32,7 @@ HEADINGS = {
     "rolling": "Rolling",
     "lubrication": "Lubrication",
     "duty": "Duty",
+    "branch": "Branches",
     "dynamics": "Dynamics",
 }
 
