@@ -66,10 +66,10 @@ def test_two_axes_are_a_map_with_the_first_to_the_right():
     data = swept({"mass": values}, f"{TORQUE}=0 N*m:7 N*m:8", f"{PRELOAD}=100 N:700 N:7")
     figure = sweep_figure(data)
     axes = figure.axes[0]
-    (mesh,) = axes.collections
+    mesh = axes.collections[0]  # below the contours
     np.testing.assert_allclose(mesh.get_array(), values.T)
-    assert axes.get_xlim() == pytest.approx((-0.5, 7.5))
-    assert axes.get_ylim() == pytest.approx((50.0, 750.0))
+    assert axes.get_xlim() == pytest.approx((0.0, 7.0))
+    assert axes.get_ylim() == pytest.approx((100.0, 700.0))
     assert (axes.get_xlabel()[-5:], axes.get_ylabel()[-3:]) == ("[N·m]", "[N]")
 
 
