@@ -69,7 +69,8 @@ def test_share_of_the_limit_that_is_used(found):
 
 def test_what_is_not_known_does_not_pass(monkeypatch):
     monkeypatch.setattr(module, "RESULTS", {"slip": ROWS[1]})
-    (found,) = margins(SimpleNamespace(a=np.array([0.5, np.nan, 0.2, 5.0, 0.4])))
+    values = np.array([0.5, np.nan, 0.2, 5.0, 0.4])
+    (found,) = margins(SimpleNamespace(a=values, row_names=lambda axis: CONTACT_NAMES))
     assert (found.place, found.passes) == ("pwr", False)
 
 
