@@ -32,7 +32,6 @@ HEADINGS = {
     "rolling": "Rolling",
     "lubrication": "Lubrication",
     "duty": "Duty",
-    "branch": "Branches",
     "dynamics": "Dynamics",
 }
 
