@@ -9,6 +9,7 @@ import pytest
 from asperity.joint.solve import solve
 from asperity.joint_file.build import joint_from_case, with_values
 from asperity.joint_file.reader import parse_case, read_case
+from asperity.library import read_finishes
 from asperity.units import format_quantity
 
 pytestmark = pytest.mark.slow
@@ -181,9 +182,12 @@ def test_files_are_opened_and_wrong_ones_refused(page, tmp_path):
 def test_choices_of_the_library_and_of_the_ring(page):
     do(page, lambda: page.locator("#value-bodies-sun").select_option("440C"))
     assert "stainless bearing steel" in page.locator("#value-bodies-sun-help").text_content()
-    do(page, lambda: page.locator("#value-finish").select_option("honed finest"))
-    assert field(page, "surface.fractal_roughness").input_value().startswith("3.228")
-    assert page.locator("#value-finish").input_value() == "honed finest"
+    do(page, lambda: page.locator("#value-finish").select_option("honed coarsest"))
+    coarsest = read_finishes()["honed"].fractal_roughness[1]
+    assert field(page, "surface.fractal_roughness").input_value() == f"{1e3 * finest:.5g} mm".replace(
+        "e-08", "e-8"
+    )
+    assert page.locator("#value-finish").input_value() == "honed coarsest"
     # a ring in an elastic housing needs the stiffness of the housing: both fields are marked, then it is given
     do(page, lambda: page.locator("#value-drive-ring_support").select_option("elastic_housing"))
     assert field(page, "compliance.ring_housing_stiffness").get_attribute("aria-invalid") == "true"

@@ -95,6 +95,7 @@ def test_the_queue_and_the_memory_are_bounded(jobs):
         begin(jobs)
     for job in started:
         jobs.stop(job)
+        until(job, "stopped")
     for _ in range(MOST_KEPT_JOBS + 2):
         job = begin(jobs)
         jobs.stop(job)

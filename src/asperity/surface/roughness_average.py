@@ -115,7 +115,7 @@ def roughness_average(*, fractal_dimension: Any, fractal_roughness: Any, cut_off
     --------
     >>> ra = roughness_average(fractal_dimension=1.4, fractal_roughness=1e-11, cut_off=0.8e-3)
     >>> f"{ra * 1e6:.2f} um"
-    '0.28 um'
+    '0.26 um'
     """
     d = fractal_dimension
     square = 0.5 * fractal_roughness ** (2.0 * (d - 1.0)) * cut_off ** (4.0 - 2.0 * d)

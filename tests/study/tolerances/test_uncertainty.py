@@ -72,7 +72,7 @@ def test_moments_and_indices_of_a_product(spread):
         assert float(at["total_order"]) == pytest.approx(total, abs=error)
 
 
-def product(values, points, results, report):
+def product(values, points, results, *, batch, report):
     """Mass of a planet by hand, in the place of the joint."""
     rho, radius = points["materials.steel.density"], points["drive.planet_radius"]
     mass = math.pi * rho * radius**2 * points["drive.contact_length"]
@@ -122,7 +122,7 @@ def test_quantiles_are_those_of_the_distribution(toleranced, monkeypatch):
 
 
 def test_a_contact_has_no_mean(toleranced, monkeypatch):
-    def slips(values, points, results, report):
+    def slips(values, points, results, *, batch, report):
         count = points["drive.planet_radius"].size
         return np.zeros(count, dtype=np.int8), {"limiting_contact": np.arange(count) % 2.0}
 
