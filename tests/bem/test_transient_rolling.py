@@ -112,6 +112,7 @@ def test_a_prescribed_creepage_leads_to_carters_force(contact):
     assert float(found.shear.stick_fraction[-1]) == pytest.approx(0.6, abs=0.011)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("with_pressure", [False, True])
 def test_a_layer_and_unlike_bodies_end_in_the_state_of_the_steady_solver(with_pressure):
     pair = ElasticPair(contact_modulus=2.0, antiplane_modulus=0.7, dundurs_constant=0.1)
@@ -167,6 +168,7 @@ def test_steady_rolling_dissipates_force_times_creepage():
     assert missing[0] / missing[1] == pytest.approx(2.0, rel=0.05)
 
 
+@pytest.mark.slow
 def test_a_short_stroke_back_and_forth_comes_to_rest_and_a_long_one_creeps():
     """Shakedown: what lies between the two turning points never leaves the contact."""
     contact = line_contact(100)
@@ -203,6 +205,7 @@ def test_unlike_bodies_roll_on_a_strip_only():
         rolled((half_space, pressure), [1], tangential_force=[1.0])
 
 
+@pytest.mark.slow
 def test_an_unconverged_step_is_an_error(contact):
     with pytest.raises(NoSolutionError, match=r"rolling: not converged after 2 iterations"):
         rolled(contact, [1], tangential_force=[0.5], max_iterations=2)

@@ -66,6 +66,7 @@ def radial_only(matrix, tangential):
 RADIAL = np.array([32397.0, 30594.0, 27395.0, 23302.0, 15142.0, 5823.0, 2129.0])
 
 
+@pytest.mark.slow
 def test_stiffness_over_the_wall_with_radial_coupling(joint, free):
     widths = joint.half_widths(joint.rest_forces(1000.0))
     springs = np.stack([joint.springs(widths, wall) for wall in WALLS], axis=-1)

@@ -130,6 +130,7 @@ def test_statics_of_a_ring_under_unlike_loads():
     assert moment[1:] - moment[0] == pytest.approx(axial[1:] - axial[0] - 0.5, abs=2e-3)
 
 
+@pytest.mark.slow
 def test_largest_tension_is_found_on_both_rims():
     body = Annulus(40e-3, 50e-3, 5e-3, E, NU, 0.0, 0.0, "inner", "plane_strain")
     polar = math.radians(13.9248)

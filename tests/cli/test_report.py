@@ -17,6 +17,7 @@ def test_html_is_written(call, joint_file, tmp_path):
     assert str(tmp_path) not in text  # a report says nothing about the machine's folders
 
 
+@pytest.mark.slow
 def test_pdf_is_written(call, joint_file, tmp_path):
     pytest.importorskip("typst", reason="the extra 'report' is not installed")
     assert call("report", joint_file(), "--out", tmp_path / "r.pdf").code == 0

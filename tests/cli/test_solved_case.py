@@ -38,6 +38,7 @@ def test_options_of_the_papers_drive_are_refused(call, tmp_path):
         assert "is not available for drives of type 'planetary', only for the paper's" in outcome.err
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["planetary", "planetary_hollow", "multiroller", "stepped_planet", "planar"])
 def test_every_type_is_written_and_drawn(call, tmp_path, name):
     file = tmp_path / f"{name}.toml"

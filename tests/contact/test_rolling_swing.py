@@ -47,6 +47,7 @@ def share_of_last(shift, stroke, q, factor=1.0):
     return (shift[-1] - shift[-1 - 2 * stroke]) / (2 * stroke * PIXEL * steady)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("q", "stroke"), [(0.15, 82), (0.15, 130), (0.36, 62), (0.36, 100), (0.65, 34), (0.65, 75), (0.86, 30)]
 )

@@ -84,6 +84,7 @@ def test_traction_turns_from_the_scaled_creepage_to_the_slip():
     assert float(large[0] / large[1]) == pytest.approx(0.7, rel=1e-5)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("share", "angle"), [(0.4, 30.0), (0.8, 60.0), (0.95, 45.0), (1.1, 40.0), (1.6, 55.0)]
 )

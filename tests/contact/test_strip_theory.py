@@ -97,6 +97,7 @@ def test_approach_against_bisection(crown, tilt):
     assert bool(found.solved)
 
 
+@pytest.mark.slow
 def test_no_force_and_lifted_contacts_in_a_batch():
     found = jax.vmap(lambda force: loads(force))(jnp.array([N, 0.0, -5.0]))
     assert bool(jnp.all(found.solved))

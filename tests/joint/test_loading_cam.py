@@ -58,6 +58,7 @@ def capacity():
     return jax.jit(torque_capacity)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("direction", [1.0, -1.0])
 def test_capacity_is_that_of_the_preload_which_it_makes(paper_joint, capacity, direction):
     plain = dataclasses.replace(paper_joint(preload=LEAST), body_model="springs")

@@ -95,6 +95,7 @@ def work_over_torque(joint, shifts, steps):
     return rolled, work / float(joint.output_torque)
 
 
+@pytest.mark.slow
 def test_lag_is_the_work_of_the_contacts_over_the_torque(joint, onset, shifts):
     """Energy: what the output loses under its torque is what all contacts take up, each by boundary elements."""
     rolled, expected = work_over_torque(joint, shifts, np.ones(STEPS, dtype=int))

@@ -205,6 +205,7 @@ def test_an_asymmetric_joint_has_two_directions_that_swap_with_its_sides(paper_j
         assert float(other.hysteresis) == pytest.approx(float(curve.hysteresis), rel=1e-9)
 
 
+@pytest.mark.slow
 def test_stiffness_of_both_directions_is_that_of_the_solver(paper_joint):
     """With a constant pin force the paper's joint is stiffer at plus than at minus 8 N·m."""
     curve = windup(

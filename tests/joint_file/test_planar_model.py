@@ -135,6 +135,7 @@ def test_assumptions_name_what_is_left_out(name):
     assert "no rolling.hysteresis_factor" in told
 
 
+@pytest.mark.slow
 def test_every_type_has_its_contacts_and_bodies():
     for kind in PLANAR_CASES:
         joint = planar_joint_from_case(read(kind))

@@ -80,6 +80,7 @@ def test_levels_of_stiffness(values):
     assert np.all(found["assembly_stiffness_output"] < 0.2 * found["series_with_bulk_stiffness_output"])
 
 
+@pytest.mark.slow
 def test_derived_results_are_what_their_names_say(values):
     _, found, _ = derivatives_at(values, changes(POINT), NAMES)
     stiffness, mass = found["assembly_stiffness_output"], found["mass"]

@@ -118,6 +118,7 @@ def test_intervals_hold_the_truth_or_there_are_none(kind, estimator, repeats):
         assert len(covered) >= 20
 
 
+@pytest.mark.slow
 def test_rows_of_a_map_without_cross_frequencies_above_the_sampling_limit():
     """Isotropic synthesis: D of the rows, without excluding their short waves."""
     covered = []

@@ -31,6 +31,7 @@ def elastic_regime():
     return found
 
 
+@pytest.mark.slow
 def test_persson_meets_the_boundary_elements_within_its_known_error(elastic_regime):
     """Area 10-20 % low in the literature, plus the rim of the pixels; mean stiffness of two small maps to 25 %."""
     found = elastic_regime

@@ -45,6 +45,7 @@ def test_beyond_slip_the_tangent_goes_on():
     assert math.isfinite(float(jax.grad(slip)(1.2 * LIMIT)))
 
 
+@pytest.mark.slow
 def test_rest_forces_of_the_drives_by_statics(drives):
     wedge = rest_forces(drive=drives["wedge"], pattern=jnp.array([0.0, 0.0, 0.0, 1.0, 1.0]))
     theta, beta = math.radians(27.0831), math.radians(13.1582)

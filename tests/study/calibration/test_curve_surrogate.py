@@ -28,6 +28,7 @@ def model(zou_file):
     return CurveModel(case=case, measurement=data, unknowns=unknowns, level="assembly", history="virgin")
 
 
+@pytest.mark.slow
 def test_prediction(model):
     centre = np.array([model.unknowns[0].to_unit(900.0), model.unknowns[1].to_unit(0.14), 0.3, 0.4, 0.5, 0.6])
     spread = 0.01 * np.eye(6)[:, :6]
