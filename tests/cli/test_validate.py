@@ -31,6 +31,13 @@ def test_json_and_both_files(tmp_path):
     assert json.loads(data.read_text(encoding="utf-8"))["valid"] is True
 
 
+def test_a_pdf_is_written(tmp_path):
+    pytest.importorskip("typst", reason="the extra 'report' is not installed")
+    out = tmp_path / "validation.pdf"
+    assert CliRunner().invoke(asperity, ["validate", "--out", str(out)]).exit_code == 0
+    assert out.read_bytes().startswith(b"%PDF-")
+
+
 def test_any_failure_is_exit_code_1(monkeypatch):
     monkeypatch.setattr(contact_checks.hertz_line, "peak_pressure", lambda **given: 1e9)
     found = CliRunner().invoke(asperity, ["validate"])
@@ -42,4 +49,4 @@ def test_any_failure_is_exit_code_1(monkeypatch):
 def test_other_endings_are_refused(tmp_path):
     found = CliRunner().invoke(asperity, ["validate", "--out", str(tmp_path / "validation.txt")])
     assert isinstance(found.exception, InputError)
-    assert "must end in .html or .json" in str(found.exception)
+    assert "must end in .pdf, .html or .json" in str(found.exception)

@@ -13,7 +13,7 @@ import click
     "--out",
     type=click.Path(),
     metavar="FILE",
-    help="Also write the evidence to a file: .html, to read and print, or .json.",
+    help="Also write the evidence to a file: .pdf or .html, to read and print, or .json.",
 )
 @click.pass_context
 def validate(context: click.Context, as_json: bool, out: str | None) -> None:
@@ -28,11 +28,16 @@ def validate(context: click.Context, as_json: bool, out: str | None) -> None:
 
     from asperity.cli.progress import progress_bar
     from asperity.errors import InputError
-    from asperity.writing import check_file, write_text
+    from asperity.writing import check_file, replacing, write_text
 
-    if out is not None and Path(out).suffix.lower() not in {".html", ".json"}:
-        raise InputError(f"--out {out}: the name must end in .html or .json")
+    suffix = Path(out).suffix.lower() if out is not None else ""
+    if out is not None and suffix not in {".pdf", ".html", ".json"}:
+        raise InputError(f"--out {out}: the name must end in .pdf, .html or .json")
     check_file(out)
+    if suffix == ".pdf":
+        from asperity.report.pdf import require_typst
+
+        require_typst()
     from asperity.precision import use_compilation_cache, use_double_precision
 
     use_double_precision()
@@ -44,9 +49,17 @@ def validate(context: click.Context, as_json: bool, out: str | None) -> None:
     text = json.dumps(document, indent=2, allow_nan=False, ensure_ascii=False)
     if out is not None:
         from asperity.cli.terminal import say_written
-        from asperity.validation.page import validation_page
 
-        write_text(text + "\n" if out.lower().endswith(".json") else validation_page(document), out)
+        if suffix == ".pdf":
+            from asperity.report.pdf import report_pdf
+            from asperity.report.validation_report import validation_report
+
+            with replacing(out) as part:
+                part.write_bytes(report_pdf(validation_report(document)))
+        else:
+            from asperity.validation.page import validation_page
+
+            write_text(text + "\n" if suffix == ".json" else validation_page(document), out)
         say_written(out)
     if as_json:
         click.echo(text)

@@ -1,0 +1,60 @@
+"""The evidence of ``asperity validate`` as a report."""
+
+from __future__ import annotations
+
+from itertools import groupby
+from typing import Any
+
+from asperity.report.content import Block, Heading, Paragraph, Report, Table
+
+_HEAD = ("quantity", "reference", "values", "unit", "expected", "found", "deviation", "tolerance", "result")
+
+
+def validation_report(document: dict[str, Any]) -> Report:
+    """A report of the checks, one table for each model.
+
+    Parameters
+    ----------
+    document : dict
+        As :func:`asperity.validation.run.validation_document` returns it.
+
+    Returns
+    -------
+    Report
+        With versions, platform and checksum of the installation in front.
+    """
+    packages = ", ".join(f"{name} {version}" for name, version in document["packages"].items())
+    total = document["passed"] + document["failed"]
+    passed = f"All {total} checks passed."
+    blocks: list[Block] = [
+        Paragraph(
+            passed if document["valid"] else f"{document['failed']} of {total} checks failed.", strong=True
+        ),
+        Paragraph(f"Python {document['python']} on {document['platform']}; {packages}."),
+        Paragraph(f"SHA-256 of the installed source and data: {document['source_sha256']}"),
+        Paragraph(
+            "Of several values the pair that differs most is shown. A deviation is relative unless it has a unit."
+        ),
+    ]
+    for model, rows in groupby(document["checks"], key=lambda row: row["model"]):
+        blocks += [Heading(model), Table(model, _HEAD, [_row(row) for row in rows], words=(0, 1, 3, 8))]
+    return Report(f"Validation of asperity {document['asperity_version']}", tuple(blocks))
+
+
+def _row(row: dict[str, Any]) -> tuple[str, ...]:
+    unit = f" {row['unit']}" if row["absolute"] and row["unit"] != "-" else ""
+    return (
+        row["quantity"] + (f": {row['note']}" if row["note"] else ""),
+        row["reference"],
+        str(row["values"]),
+        row["unit"],
+        _shown(row["expected"], 8),
+        _shown(row["found"], 8),
+        _shown(row["deviation"], 2) + unit,
+        _shown(row["tolerance"], 2) + unit,
+        "pass" if row["passed"] else "FAIL",
+    )
+
+
+def _shown(value: float | None, digits: int) -> str:
+    return "–" if value is None else f"{value:.{digits}g}"
