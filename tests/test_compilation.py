@@ -30,7 +30,7 @@ def test_a_compiled_function_computes_the_same_and_is_kept():
 
 
 def test_a_compiler_without_the_options_is_no_obstacle(monkeypatch):
-    monkeypatch.setattr(compilation, "_COMPILE_FAST", {"xla_option_of_another_release": True})
+    monkeypatch.setattr(compilation, "_COMPILE_FAST", ({"xla_option_of_another_release": True}, {}))
     assert compile_fast(_twice, {"c": np.float64(2.0)})({"c": np.float64(2.0)})["c"] == 4.0
 
 

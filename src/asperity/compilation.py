@@ -27,7 +27,12 @@ import jax.numpy as jnp
 import numpy as np
 
 #: XLA's CPU compiler spends four fifths of its time on fusions and optimisations that pay off in millions of points.
-_COMPILE_FAST: dict[str, Any] = {"xla_backend_optimization_level": 0, "xla_cpu_use_fusion_emitters": False}
+#: The first of these that the installed release of XLA knows.
+_COMPILE_FAST: tuple[dict[str, Any], ...] = (
+    {"xla_backend_optimization_level": 0, "xla_cpu_use_fusion_emitters": False},
+    {"xla_backend_optimization_level": 0},
+    {},
+)
 
 _Kinds = tuple[tuple[tuple[int, ...], np.dtype[Any]], ...]
 
@@ -116,12 +121,13 @@ def _without_garbage_collection() -> Iterator[None]:
 
 def _built(jitted: Any, *arguments: Any) -> Callable[..., Any]:
     lowered = jitted.lower(*arguments)
-    try:
-        return lowered.compile(compiler_options=_COMPILE_FAST)
-    except (
-        jax.errors.JaxRuntimeError
-    ):  # a release of XLA without these options: the same program, compiled slowly
-        return lowered.compile()
+    *preferred, last = _COMPILE_FAST
+    for options in preferred:
+        try:
+            return lowered.compile(compiler_options=options)
+        except jax.errors.JaxRuntimeError:  # a release of XLA without one of these options
+            continue
+    return lowered.compile(compiler_options=last)
 
 
 def _kept_program(

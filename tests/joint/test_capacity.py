@@ -58,7 +58,11 @@ def test_lift_off_is_found_whatever_the_rounding(paper_joint, options):
     """At mu = 0.3 the left roller lifts off first; beyond, its force is nothing but rounding, of either sign."""
     joint = paper_joint(friction_coefficient=0.3)
     program = jax.jit(torque_capacity, static_argnames="direction").lower(joint, direction=1.0)
-    found = program.compile(compiler_options=options)(joint)
+    try:
+        found = program.compile(compiler_options=options)(joint)
+    except jax.errors.JaxRuntimeError as error:
+        assert "No such compile option" in str(error)
+        pytest.skip("this release of XLA has no such option")
     assert limit_of(found) == ("lift_off", "pwl")
     torque = float(found.output_torque)
     near = solved(paper_joint(friction_coefficient=0.3, output_torque=torque * (1.0 - 1e-6))).forces.normal
