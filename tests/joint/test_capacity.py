@@ -61,7 +61,8 @@ def test_lift_off_is_found_whatever_the_rounding(paper_joint, options):
     try:
         found = program.compile(compiler_options=options)(joint)
     except jax.errors.JaxRuntimeError as error:
-        assert "No such compile option" in str(error)
+        if "No such compile option" not in str(error):
+            raise
         pytest.skip("this release of XLA has no such option")
     assert limit_of(found) == ("lift_off", "pwl")
     torque = float(found.output_torque)

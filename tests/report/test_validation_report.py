@@ -1,6 +1,6 @@
 """The evidence as a report says the same as the document that it is made of."""
 
-from asperity.report.content import Heading, Paragraph, Table
+from asperity.report.content import Paragraph, Table
 from asperity.report.validation_report import validation_report
 
 
@@ -43,23 +43,18 @@ def test_one_table_for_each_model_with_versions_in_front():
     assert report.blocks[0] == Paragraph("All 2 checks passed.", strong=True)
     words = " ".join(block.text for block in report.blocks if isinstance(block, Paragraph))
     assert all(part in words for part in ("Python 3.12.1 on Linux; jax 0.10.2.", "ab" * 32))
-    assert [block.text for block in report.blocks if isinstance(block, Heading)] == [
-        "Hertz line contact",
-        "Creep",
-    ]
-    first, second = (block.rows for block in report.blocks if isinstance(block, Table))
+    tables = [block for block in report.blocks if isinstance(block, Table)]
+    assert [table.title for table in tables] == ["Hertz line contact", "Creep"]
+    first, second = (table.rows for table in tables)
     assert first == [
-        ("half-width", "Johnson 1985", "1", "µm", "122.47", "122.47449", "3.7e-05", "0.0001", "pass")
+        ("half-width [µm]: Johnson 1985", "1", "122.47", "122.47449", "3.7e-05", "0.0001", "pass")
     ]
-    assert second[0][6:] == ("3.7e-05 mm", "0.0001 mm", "pass")
+    assert second[0][4:] == ("3.7e-05 mm", "0.0001 mm", "pass")
 
 
 def test_what_fails_is_said_first_and_what_was_not_found_has_its_reason():
     report = validation_report(document(check(True), check(False, found=None, note="not a number")))
     assert report.blocks[0].text == "1 of 2 checks failed."
     (table,) = (block for block in report.blocks if isinstance(block, Table))
-    assert (table.rows[1][0], table.rows[1][5], table.rows[1][-1]) == (
-        "half-width: not a number",
-        "–",
-        "FAIL",
-    )
+    assert table.rows[1][0] == "half-width [µm]: Johnson 1985; not a number"
+    assert (table.rows[1][3], table.rows[1][-1]) == ("–", "FAIL")

@@ -5,9 +5,9 @@ from __future__ import annotations
 from itertools import groupby
 from typing import Any
 
-from asperity.report.content import Block, Heading, Paragraph, Report, Table
+from asperity.report.content import Block, Paragraph, Report, Table
 
-_HEAD = ("quantity", "reference", "values", "unit", "expected", "found", "deviation", "tolerance", "result")
+_HEAD = ("quantity: reference", "values", "expected", "found", "deviation", "tolerance", "result")
 
 
 def validation_report(document: dict[str, Any]) -> Report:
@@ -37,17 +37,17 @@ def validation_report(document: dict[str, Any]) -> Report:
         ),
     ]
     for model, rows in groupby(document["checks"], key=lambda row: row["model"]):
-        blocks += [Heading(model), Table(model, _HEAD, [_row(row) for row in rows], words=(0, 1, 3, 8))]
+        blocks.append(Table(model, _HEAD, [_row(row) for row in rows]))
     return Report(f"Validation of asperity {document['asperity_version']}", tuple(blocks))
 
 
 def _row(row: dict[str, Any]) -> tuple[str, ...]:
     unit = f" {row['unit']}" if row["absolute"] and row["unit"] != "-" else ""
+    quantity = row["quantity"] + (f" [{row['unit']}]" if row["unit"] != "-" else "")
+    note = f"; {row['note']}" if row["note"] else ""
     return (
-        row["quantity"] + (f": {row['note']}" if row["note"] else ""),
-        row["reference"],
+        f"{quantity}: {row['reference']}{note}",
         str(row["values"]),
-        row["unit"],
         _shown(row["expected"], 8),
         _shown(row["found"], 8),
         _shown(row["deviation"], 2) + unit,
