@@ -12,6 +12,7 @@ loaded share s of the length, and the slices carry the load.
 
 from __future__ import annotations
 
+import functools
 import math
 
 import equinox as eqx
@@ -29,9 +30,8 @@ SLICES = 8
 
 _POWER = 4  # of the smooth minimum of the free length of contact and the length of the rollers
 _NEWTON_STEPS = 3
-_LEAST_TARGET = 2.2 - math.log(
-    2.2
-)  # of the middle slice: below, the contact is less than twice as long as wide
+# of the middle slice: below, the contact is less than twice as long as wide
+_LEAST_TARGET = 2.2 - math.log(2.2)
 _RESIDUAL = 1e-11
 
 
@@ -143,10 +143,6 @@ def _carried(approach: Array, crown: Array) -> tuple[Array, Array]:
     return share * load, share * (slope + jnp.where(free, 0.5 * load, 0.0))
 
 
-def _is_zero(tangent: object) -> bool:
-    return isinstance(tangent, SymbolicZero)
-
-
 @jax.custom_jvp
 def _approach(load: Array, crown: Array) -> Array:
     """Approach eta under a load: Newton's method on the nearly straight ln load over ln eta."""
@@ -167,8 +163,8 @@ def _approach_jvp(primals: tuple[Array, Array], tangents: tuple[Array, Array]) -
     (load, crown), (load_dot, crown_dot) = primals, tangents
     found = _approach(load, crown)
     _, slope = _carried(found, crown)
-    rate = jnp.zeros_like(load) if _is_zero(load_dot) else load_dot
-    if not _is_zero(crown_dot):
+    rate = jnp.zeros_like(load) if isinstance(load_dot, SymbolicZero) else load_dot
+    if not isinstance(crown_dot, SymbolicZero):
         rate = rate - jax.jvp(lambda rho: _carried(found, rho)[0], (crown,), (crown_dot,))[1]
     return found, rate * found / slope
 
@@ -223,8 +219,7 @@ def crowned_line(
     -----
     Slices do not interact except through the loaded length. Compared with Hertz's ellipse, the peak pressure is 1 to
     2 % too high for contacts more than four times as long as wide, 3 % at three times and 5 % at twice; shorter ones
-    are not solved. At ends that are loaded no concentration of stress is included. A crown of infinite radius
-    gives the even line load to rounding.
+    are not solved. Loaded ends have no concentration of stress. Infinite radius gives the even load to rounding.
 
     References
     ----------
@@ -297,14 +292,17 @@ def crown_compression(
 
     References
     ----------
-    K. L. Johnson, Contact Mechanics, 1985, equations (4.25)–(4.28) for the ellipse; equation (B12) of
-    :doc:`/equations`.
+    K. L. Johnson, Contact Mechanics, 1985, (4.25)–(4.28) for the ellipse; equation (B12) of :doc:`/equations`.
     """
-    load, crown = _scaled(normal_force, crown_curvature, contact_length, effective_radius, contact_modulus)
+    return _compression(crown_curvature, contact_length, effective_radius, contact_modulus, normal_force)
+
+
+def _compression(crown_curvature: Real, length: Real, radius: Real, modulus: Real, force: Real) -> Array:
+    load, crown = _scaled(force, crown_curvature, length, radius, modulus)
     approach = _approach(load, crown)
     even = load * (2.0 * math.log(2.0) - 2.0 - jnp.log(load))
     added = (approach - even) + 3.0 * load * (1.0 / _spread(approach, crown) - 1.0)
-    return added * contact_length**2 / (4.0 * effective_radius)
+    return added * length**2 / (4.0 * radius)
 
 
 def crown_compliance(
@@ -340,17 +338,8 @@ def crown_compliance(
     Equation (B12) of :doc:`/equations`.
     """
     force = jnp.asarray(normal_force, dtype=float)
-
-    def compression(force: Array) -> Array:
-        return crown_compression(
-            normal_force=force,
-            crown_curvature=crown_curvature,
-            contact_length=contact_length,
-            effective_radius=effective_radius,
-            contact_modulus=contact_modulus,
-        )
-
-    return jax.jvp(compression, (force,), (jnp.ones_like(force),))[1]
+    others = (crown_curvature, contact_length, effective_radius, contact_modulus)
+    return jax.jvp(functools.partial(_compression, *others), (force,), (jnp.ones_like(force),))[1]
 
 
 def crown_shear_compliance(

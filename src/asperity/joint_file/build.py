@@ -11,8 +11,6 @@ from typing import Any
 import jax.numpy as jnp
 import numpy as np
 
-from asperity.contact.asperity import AsperityBase
-from asperity.contact.fractal import Surface
 from asperity.drive.assembly import IDEAL_STRUCTURE, StructureSprings
 from asperity.drive.bearing_life import RatedBearing
 from asperity.drive.geometry import DriveGeometry, triangle
@@ -26,15 +24,10 @@ from asperity.joint.interference import joint_preload
 from asperity.joint.play import NO_PLAY, Play
 from asperity.joint.rolling_conditions import PLAIN_ROLLING, DutyPoint, RollingConditions
 from asperity.joint.temperature import thermal_interference
+from asperity.joint_file.material_build import material_of, surface_of
 from asperity.joint_file.model import Case
 from asperity.joint_file.section import EachContact
 from asperity.joint_file.si_tables import Values, check_values, replace_values, si_values
-from asperity.materials import Material, hardness
-from asperity.surface.roughness_average import (
-    fractal_roughness_from_average,
-    pair_average,
-    standard_cut_off,
-)
 from asperity.types import Real
 
 
@@ -165,34 +158,6 @@ def _crowns(drive: Values) -> Crowns | None:
     if all(radius is None for radius in radii.values()):
         return None
     return Crowns(**{body: 0.0 if radius is None else 1.0 / radius for body, radius in radii.items()})
-
-
-def surface_of(entry: Values, *, asperity_base: AsperityBase) -> Surface:
-    """The equivalent surface of both bodies of a contact.
-
-    Parameters
-    ----------
-    entry : dict
-        An entry of the section ``surface`` in SI units, with G or with the Ra of each body.
-    asperity_base : {"majumdar_bhushan_1991", "circular_spot"}
-        Variant of the base length of an asperity.
-
-    Returns
-    -------
-    Surface
-        In SI units.
-    """
-    dimension, roughness = entry["fractal_dimension"], entry.get("fractal_roughness")
-    if roughness is None:
-        average = entry["roughness_average"]
-        roughness = fractal_roughness_from_average(
-            roughness_average=pair_average(
-                first=average, second=entry.get("partner_roughness_average", average)
-            ),
-            cut_off=entry["cut_off"] if "cut_off" in entry else standard_cut_off(roughness_average=average),
-            fractal_dimension=dimension,
-        )
-    return Surface(dimension, roughness, entry["frequency_ratio"], asperity_base)
 
 
 def _fit(temperature: Values, joint: Joint, interference: Real) -> Fit:
@@ -369,35 +334,3 @@ def _longest(lengths: tuple[Real, ...]) -> Real:
     if all(isinstance(length, float) for length in lengths):
         return max(lengths)
     return functools.reduce(jnp.maximum, lengths)
-
-
-def material_of(entry: Values) -> Material:
-    """A material from its table.
-
-    Parameters
-    ----------
-    entry : dict
-        Its numbers in SI units, with ``hardness`` or ``hardness_factor``.
-
-    Returns
-    -------
-    Material
-        The material.
-    """
-    elastic = {name: entry[name] for name in ("youngs_modulus", "poisson_ratio", "density", "yield_strength")}
-    return Material(
-        **elastic,
-        hardness=_hardness(entry),
-        thermal_conductivity=entry.get("thermal_conductivity"),
-        specific_heat_capacity=entry.get("specific_heat_capacity"),
-        thermal_expansion=entry.get("thermal_expansion"),
-        fatigue_strength=entry.get("fatigue_strength"),
-        tensile_strength=entry.get("tensile_strength"),
-    )
-
-
-def _hardness(entry: Values) -> Real:
-    if "hardness" in entry:
-        stated: Real = entry["hardness"]
-        return stated
-    return hardness(hardness_factor=entry["hardness_factor"], yield_strength=entry["yield_strength"])

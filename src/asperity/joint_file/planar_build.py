@@ -6,7 +6,8 @@ import math
 from typing import Any
 
 from asperity.joint.planar.description import PlanarJoint
-from asperity.joint_file.build import material_of, rolling_conditions, surface_of
+from asperity.joint_file.build import rolling_conditions
+from asperity.joint_file.material_build import material_of, surface_of
 from asperity.joint_file.planar_model import PlanarCase
 from asperity.joint_file.planar_parts import layout_of
 from asperity.joint_file.si_tables import Values, si_values
