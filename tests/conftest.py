@@ -32,7 +32,8 @@ jax.config.update("jax_numpy_dtype_promotion", "strict")
 jax.config.update("jax_disable_most_optimizations", True)
 use_compilation_cache()
 
-_LARGEST_MEMORY = 3e9  # of one worker [bytes]
+# of one worker [bytes]: two of them leave a third of the machine to others
+_LARGEST_MEMORY = os.sysconf("SC_PAGE_SIZE") * os.sysconf("SC_PHYS_PAGES") / 3
 
 
 @pytest.fixture(scope="module", autouse=True)

@@ -86,7 +86,7 @@ def call_compiled(function: Callable[..., Any], *arguments: Any) -> Any:
     return jax.tree.map(np.asarray, compile_fast(function, *numbers)(*numbers))
 
 
-@functools.lru_cache(maxsize=16)
+@functools.lru_cache(maxsize=64)
 def _compiled(
     function: Callable[..., Any], options: tuple[Any, ...], structure: Any, kinds: _Kinds
 ) -> Callable[..., Any]:
@@ -186,8 +186,16 @@ def _fingerprint(
     asked = (*name, options, str(structure), kinds, jax.default_backend())
     below = (platform.python_version(), *(version(name) for name in ("jax", "jaxlib", "equinox", "numpy")))
     digest = hashlib.sha256(repr((asked, below)).encode())
+    digest.update(_source_digest())
+    return digest.hexdigest()[:32]
+
+
+@functools.cache
+def _source_digest() -> bytes:
+    """One for all files of this package."""
+    digest = hashlib.sha256()
     package = Path(__file__).parent
     for source in sorted(package.rglob("*.py")):
         digest.update(str(source.relative_to(package)).encode())
         digest.update(source.read_bytes())
-    return digest.hexdigest()[:32]
+    return digest.digest()
