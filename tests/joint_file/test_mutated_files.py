@@ -223,7 +223,9 @@ def failures(
         if time.perf_counter() - start > LONGEST_SECONDS:
             problem += " time"
         if problem:
-            wrong.append(f"{index}: {problem}: {code} {out[-300:]!r} {err[:600]!r}\n{changed(content, example)}")
+            wrong.append(
+                f"{index}: {problem}: {code} {out[-300:]!r} {err[:600]!r}\n{changed(content, example)}"
+            )
     return codes, wrong
 
 

@@ -116,7 +116,9 @@ def general_layout(values: Values) -> tuple[PlanarDrive, tuple[BodyShape, ...], 
 
 def _track(contacts: Iterable[Values], roller: str, radius: Any) -> str:
     """Name of a track: its number among the different radii of its roller, so that other radii need no new program."""
-    radii = [each[f"{side}_radius"] for each in contacts for side in ("first", "second") if each[side] == roller]
+    radii = [
+        each[f"{side}_radius"] for each in contacts for side in ("first", "second") if each[side] == roller
+    ]
     written = dict.fromkeys(f"{float(each):.12g}" for each in radii)
     return str([*written].index(f"{float(radius):.12g}"))
 
