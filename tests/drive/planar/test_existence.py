@@ -18,6 +18,15 @@ def test_bodies_that_do_not_touch_are_named(drives):
         refuse_impossible(larger)
 
 
+def test_gaps_are_judged_by_the_size_of_the_drive(drives):
+    """A nanometre is 2e-8 of the ring's radius: a gap. In a drive a million times smaller all is as before."""
+    drive = drives["planetary"]
+    with pytest.raises(InputError, match=r"do not touch \(gap 1e-06 mm\)"):
+        refuse_impossible(dataclasses.replace(drive, second_radius=drive.second_radius.at[1].add(1e-9)))
+    small = {name: getattr(drive, name) * 1e-6 for name in ("centres", "first_radius", "second_radius")}
+    refuse_impossible(dataclasses.replace(drive, **small))
+
+
 def test_overlapping_planets_are_named(drives):
     drive = dataclasses.replace(drives["planetary"], sectors=8)
     with pytest.raises(
