@@ -2,7 +2,10 @@ from pathlib import Path
 
 import pytest
 
-EXAMPLE = Path(__file__).parents[2] / "examples" / "zou2025.toml"
+from asperity.joint_file.reader import parse_any_case
+
+EXAMPLES = Path(__file__).parents[2] / "examples"
+EXAMPLE = EXAMPLES / "zou2025.toml"
 
 
 @pytest.fixture(scope="session")
@@ -15,3 +18,17 @@ def example_case(example_text):
     from asperity.joint_file.reader import parse_case
 
     return parse_case(example_text, source="zou2025.toml")
+
+
+@pytest.fixture(scope="session")
+def planar_case():
+    """Case of an example with another drive, with replaced pieces of its text."""
+
+    def case(name, *replaced):
+        text = (EXAMPLES / f"{name}.toml").read_text(encoding="utf-8")
+        for old, new in replaced:
+            assert old in text, old
+            text = text.replace(old, new)
+        return parse_any_case(text, source="mine.toml")
+
+    return case

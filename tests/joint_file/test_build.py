@@ -18,12 +18,6 @@ def test_the_example_is_the_joint_of_the_paper(example_case, paper_joint):
     np.testing.assert_allclose(jax.tree.leaves(ours), jax.tree.leaves(papers), rtol=1e-15)
 
 
-def test_hardness_is_the_factor_times_the_yield_strength_unless_stated(example_case, example_text):
-    assert joint_from_case(example_case).bodies.sun.hardness == 2.8 * 450e6
-    stated = parse_case(example_text.replace("hardness_factor = 2.8", 'hardness = "7 GPa"'), source="x")
-    assert joint_from_case(stated).bodies.ring.hardness == 7e9
-
-
 def test_rollers_without_a_length_are_as_long_as_their_longest_contact_line(example_case):
     joint = with_values(example_case, {"drive.contact_length.sp": 0.009, "drive.contact_length.wlo": 0.007})
     assert (joint.planet_length, joint.loading_roller_length) == (0.009, 0.007)

@@ -164,25 +164,3 @@ def test_a_case_without_a_text_is_written_from_its_tables(zou_file):
     again = joint_file_text(case, {"drive.contact_length.sp": 0.006}, comment="")
     assert content(again)["drive.contact_length.sp"] == pytest.approx(0.006)
     assert si_values(parse_case(again, source="x"))["bodies"] == si_values(case)["bodies"]
-
-
-def test_a_measured_surface_is_written_instead_of_the_files(zou_file):
-    import jax.numpy as jnp
-
-    from asperity.joint_file.measured_surface import with_measured_surface
-    from asperity.surface.measurement import SurfaceMeasurement
-
-    numbers = {"fractal_dimension": 1.25, "fractal_roughness": 3e-13, "frequency_ratio": 1.5}
-    measured = SurfaceMeasurement(
-        **{name: jnp.asarray(value) for name, value in numbers.items()},
-        covariance=jnp.eye(2) * 1e-4,
-        shortest_wavelength=jnp.asarray(1e-6),
-        longest_wavelength=jnp.asarray(1e-3),
-        estimator="test",
-        profiles=1,
-        source="test",
-    )
-    case = with_measured_surface(read_case(zou_file), measured)
-    found = content(joint_file_text(case, {"load.preload": 900.0}, comment=""))
-    assert {name: found[f"surface.{name}"] for name in numbers} == pytest.approx(numbers, rel=1e-14)
-    assert found["load.preload"] == 900.0

@@ -6,16 +6,10 @@ import pytest
 from pydantic import ValidationError
 
 from asperity.errors import InputError
-from asperity.joint_file.material_entries import MaterialEntry, SurfaceEntry
+from asperity.joint_file.material_entries import SurfaceEntry
 from asperity.joint_file.model import Case
 from asperity.joint_file.section import EachContact
 
-STEEL = {
-    "youngs_modulus": "206 GPa",
-    "poisson_ratio": 0.3,
-    "density": "7850 kg/m^3",
-    "yield_strength": "450 MPa",
-}
 SURFACE = {"fractal_dimension": 1.4, "fractal_roughness": "1e-8 mm", "frequency_ratio": 1.5}
 CONTACTS = ("sp", "pwr", "pwl", "wro", "wlo")
 
@@ -30,25 +24,6 @@ def test_units_are_converted_once_and_here(tables):
     assert case.drive.sun_radius.value == pytest.approx(4e-3, rel=1e-15)
     assert case.load.sun_speed.value == pytest.approx(6000.0 * 3.141592653589793 / 30.0, rel=1e-12)
     assert case.load.preload.text == "1000 N"
-
-
-def test_a_section_is_frozen_and_has_no_room_for_unknown_keys(tables):
-    case = Case.model_validate(tables)
-    with pytest.raises(ValidationError, match="frozen"):
-        case.drive.planets = case.drive.sun_radius
-    with pytest.raises(ValidationError, match="Extra inputs are not permitted"):
-        MaterialEntry.model_validate({**STEEL, "hardness": "1 GPa", "colour": "blue"})
-
-
-@pytest.mark.parametrize(
-    ("hardnesses", "found"),
-    [({}, "neither"), ({"hardness": "1 GPa", "hardness_factor": 2.8}, "both")],
-)
-def test_a_material_has_one_hardness(hardnesses, found):
-    with pytest.raises(
-        ValidationError, match=f"exactly one of 'hardness' and 'hardness_factor'.*got {found}"
-    ):
-        MaterialEntry.model_validate({**STEEL, **hardnesses})
 
 
 def test_one_surface_for_all_contacts_or_one_for_each(tables):

@@ -1,6 +1,6 @@
 """Joint files with random mistakes: the command answers each with results or with one message.
 
-The suite runs a small, fixed sample. For a long run: python tests/joint_file/test_mutated_files.py 100000 SEED
+The suite runs a small, fixed sample. For a long run: python tests/joint_file/test_mutated_files.py 100000 SEED [TYPE]
 """
 
 import contextlib
@@ -10,7 +10,10 @@ import sys
 import time
 from pathlib import Path
 
-EXAMPLE = (Path(__file__).parents[2] / "examples" / "zou2025.toml").read_text(encoding="utf-8")
+import pytest
+
+EXAMPLES = Path(__file__).parents[2] / "examples"
+TYPES = ("zou2025", "planetary", "planetary_hollow", "multiroller", "stepped_planet", "planar")
 LONGEST_MESSAGE, LONGEST_SECONDS = 6000, 60.0
 
 NUMBERS = "0 -0 1 -1 5 1e-300 1e300 1e400 -1e9 nan inf -inf 1_000 0x10 true 1e-8 2.0 1.9999 0.5 100 9999999999999999999"
@@ -90,6 +93,7 @@ NAMES = [
     "play",
     '"\\u001b"',
 ]
+NAMES += ["roller", "contact", "surface.pr", "surface.sr"]
 KEYS = [
     "planets",
     "pin_stiffness",
@@ -102,6 +106,8 @@ KEYS = [
     "a b",
     "bodies",
 ]
+KEYS += ["type", "ring_wall_thickness", "interference", "first", "place", "orbit", "internal", "grounded"]
+TEXTS += ["ring", "carrier", "free", "axis", "pin", "rigid_housing", "springs", "planetary", "planar"]
 
 
 def some_value(rng: random.Random) -> str:
@@ -114,9 +120,9 @@ def some_value(rng: random.Random) -> str:
     return f'"{rng.choice(TEXTS)}"' if kind == 3 else rng.choice(TABLES)
 
 
-def mutated(rng: random.Random) -> bytes:
+def mutated(rng: random.Random, example: str) -> bytes:
     """The example after one to three random mistakes."""
-    lines = EXAMPLE.splitlines()
+    lines = example.splitlines()
     for _ in range(rng.choice((1, 1, 1, 2, 3))):
         stated = [i for i, line in enumerate(lines) if "=" in line.partition("#")[0]]
         heads = [i for i, line in enumerate(lines) if line.startswith("[")]
@@ -190,51 +196,61 @@ def complaint(code: int, out: str, err: str, path: Path, only_read: bool) -> str
     return ", ".join(what for what, holds in expected.items() if not holds)
 
 
-def changed(content: bytes) -> str:
+def changed(content: bytes, example: str) -> str:
     """The lines that differ from the example."""
-    same = {line.encode() for line in EXAMPLE.splitlines()}
+    same = {line.encode() for line in example.splitlines()}
     return "".join(f"    {line!r}\n" for line in content.split(b"\n") if line not in same)
 
 
-def failures(count: int, seed: int, folder: Path, *, only_read: bool) -> tuple[dict[int, int], list[str]]:
+def failures(
+    count: int, seed: int, folder: Path, *, kind: str, only_read: bool
+) -> tuple[dict[int, int], list[str]]:
     """How often each exit code came, and what went wrong."""
+    example = (EXAMPLES / f"{kind}.toml").read_text(encoding="utf-8")
     rng, codes, wrong = random.Random(seed), {0: 0, 2: 0, 3: 0}, []
     path = folder / "joint.toml"
     for index in range(count):
-        content = mutated(rng)
+        content = mutated(rng, example)
         path.write_bytes(content)
         start = time.perf_counter()
         try:
             code, out, err = answer(path)
         except Exception as error:
-            wrong.append(f"{index}: {type(error).__name__}: {error}\n{changed(content)}")
+            wrong.append(f"{index}: {type(error).__name__}: {error}\n{changed(content, example)}")
             continue
         codes[code] = codes.get(code, 0) + 1
         problem = complaint(code, out, err, path, only_read)
         if time.perf_counter() - start > LONGEST_SECONDS:
             problem += " time"
         if problem:
-            wrong.append(f"{index}: {problem}: {code} {out[-300:]!r} {err[:600]!r}\n{changed(content)}")
+            wrong.append(
+                f"{index}: {problem}: {code} {out[-300:]!r} {err[:600]!r}\n{changed(content, example)}"
+            )
     return codes, wrong
 
 
-def test_any_mistake_is_answered(tmp_path, monkeypatch):
+@pytest.mark.parametrize("kind", TYPES)
+def test_any_mistake_is_answered(tmp_path, monkeypatch, kind):
     # reading alone: the numbers of a joint have tests of their own
     monkeypatch.setattr("asperity.joint.solve.solve", lambda joint: joint)
     monkeypatch.setattr("asperity.joint.document.joint_document", lambda **_: {})
+    monkeypatch.setattr("asperity.joint.planar.solve.solve_planar", lambda joint: joint)
+    monkeypatch.setattr("asperity.joint.planar.document.planar_document", lambda **_: {})
     monkeypatch.setattr(
         "asperity.cli.joint_table.show_joint", lambda target, *_, **__: target.print("N·m/rad")
     )
-    codes, wrong = failures(400, 1, tmp_path, only_read=True)
+    count = 400 if kind == "zou2025" else 80
+    codes, wrong = failures(count, 1, tmp_path, kind=kind, only_read=True)
     assert wrong == []
-    assert codes[2] > 200
-    assert codes[0] > 20
+    assert codes[2] > count // 2
+    assert codes[0] > count // 20
 
 
 if __name__ == "__main__":
     import tempfile
 
     with tempfile.TemporaryDirectory() as made:
-        found, problems = failures(int(sys.argv[1]), int(sys.argv[2]), Path(made), only_read=False)
+        kind = sys.argv[3] if len(sys.argv) > 3 else "zou2025"
+        found, problems = failures(int(sys.argv[1]), int(sys.argv[2]), Path(made), kind=kind, only_read=False)
     print(found, f"{len(problems)} problems", *problems[:20], sep="\n")
     sys.exit(bool(problems))

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections import Counter
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from typing import Any
 
 import jax.numpy as jnp
@@ -89,7 +89,10 @@ def general_layout(values: Values) -> tuple[PlanarDrive, tuple[BodyShape, ...], 
                 each["second"],
                 internal=each["internal"],
                 sector=each["sector"],
-                tracks=(f"{float(each['first_radius']):.12g}", f"{float(each['second_radius']):.12g}"),
+                tracks=(
+                    _track(contacts, each["first"], each["first_radius"]),
+                    _track(contacts, each["second"], each["second_radius"]),
+                ),
             )
             for each in contacts
         ),
@@ -109,6 +112,15 @@ def general_layout(values: Values) -> tuple[PlanarDrive, tuple[BodyShape, ...], 
         tuple(_shape(roller) for roller in rollers),
         tuple(1.0 if each["internal"] else 0.0 for each in contacts),
     )
+
+
+def _track(contacts: Iterable[Values], roller: str, radius: Any) -> str:
+    """Name of a track: its number among the different radii of its roller, so that other radii need no new program."""
+    radii = [
+        each[f"{side}_radius"] for each in contacts for side in ("first", "second") if each[side] == roller
+    ]
+    written = dict.fromkeys(f"{float(each):.12g}" for each in radii)
+    return str([*written].index(f"{float(radius):.12g}"))
 
 
 def _centre(roller: Values) -> Any:

@@ -1,4 +1,4 @@
-"""Slip of contacts that stand: the integral of their incremental compliance, and rest forces by statics."""
+"""Slip of contacts that stand: the integral of their incremental compliance."""
 
 import math
 
@@ -8,7 +8,6 @@ import numpy as np
 import pytest
 
 from asperity.drive.mechanism import NormalSprings
-from asperity.drive.planar.equal_springs import rest_forces
 from asperity.drive.planar.state import ContactLaws, slip_at_rest
 from asperity.drive.rolling_state import CreepLaw
 
@@ -43,15 +42,3 @@ def test_beyond_slip_the_tangent_goes_on():
 
     assert float(slip(1.5 * LIMIT)) > float(slip(LIMIT)) > float(slip(0.999 * LIMIT))
     assert math.isfinite(float(jax.grad(slip)(1.2 * LIMIT)))
-
-
-@pytest.mark.slow
-def test_rest_forces_of_the_drives_by_statics(drives):
-    wedge = rest_forces(drive=drives["wedge"], pattern=jnp.array([0.0, 0.0, 0.0, 1.0, 1.0]))
-    theta, beta = math.radians(27.0831), math.radians(13.1582)
-    side = 0.5 / math.cos(theta)
-    np.testing.assert_allclose(
-        wedge, [1.0, side, side, side * math.cos(beta), side * math.cos(beta)], rtol=1e-5
-    )
-    planetary = rest_forces(drive=drives["planetary"], pattern=jnp.array([0.0, 1.0]))
-    np.testing.assert_allclose(planetary, 1.0, rtol=1e-12)

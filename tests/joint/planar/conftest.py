@@ -4,6 +4,8 @@ from pathlib import Path
 
 import pytest
 
+from asperity.cli.solved_case import solved_planar
+from asperity.joint_file.planar_build import planar_joint_from_case
 from asperity.joint_file.reader import parse_any_case
 
 EXAMPLES = Path(__file__).parents[3] / "examples"
@@ -21,3 +23,15 @@ def planar_case():
         return parse_any_case(text, source=f"{name}.toml")
 
     return case
+
+
+@pytest.fixture(scope="session")
+def planar_joint(planar_case):
+    """Joint of an example, with replaced pieces of its text."""
+    return lambda name, replaced=None: planar_joint_from_case(planar_case(name, replaced=replaced or {}))
+
+
+@pytest.fixture(scope="session")
+def planetary(planar_case):
+    """The planetary example: joint, solution and document."""
+    return solved_planar(planar_case("planetary"))

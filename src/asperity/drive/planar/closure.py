@@ -4,7 +4,10 @@ from __future__ import annotations
 
 import dataclasses
 
+import equinox as eqx
+import jax
 import jax.numpy as jnp
+from jaxtyping import Array
 
 from asperity.drive.planar.layout import PlanarDrive, gaps, incidence
 
@@ -12,6 +15,7 @@ _STEPS = 30
 _LONGEST_STEP = 0.2  # over the smallest radius
 
 
+@eqx.filter_jit
 def closed(drive: PlanarDrive) -> PlanarDrive:
     r"""Move the centres of a drive as little as possible until all contacts just touch.
 
@@ -37,8 +41,11 @@ def closed(drive: PlanarDrive) -> PlanarDrive:
     """
     floating = jnp.array(drive.floating, dtype=int)
     longest = _LONGEST_STEP * jnp.minimum(jnp.min(drive.first_radius), jnp.min(drive.second_radius))
-    for _ in range(_STEPS):
-        moved, *_ = jnp.linalg.lstsq(incidence(drive).approach, gaps(drive))
+
+    def nearer(_: int, centres: Array) -> Array:
+        there = dataclasses.replace(drive, centres=centres)
+        moved, *_rest = jnp.linalg.lstsq(incidence(there).approach, gaps(there))
         moved = moved * jnp.minimum(1.0, longest / jnp.maximum(jnp.max(jnp.abs(moved)), 1e-300))
-        drive = dataclasses.replace(drive, centres=drive.centres.at[floating].add(moved.reshape(-1, 2)))
-    return drive
+        return centres.at[floating].add(moved.reshape(-1, 2))
+
+    return dataclasses.replace(drive, centres=jax.lax.fori_loop(0, _STEPS, nearer, drive.centres))

@@ -1,7 +1,5 @@
 """Every number of a joint's result is a row of the one table, with unit, needs and, where it is judged, its words."""
 
-import math
-
 import equinox as eqx
 import jax
 import numpy as np
@@ -87,76 +85,9 @@ def test_units_measure_the_dimension():
         assert np.isfinite(from_si(1.0, result.si_unit))
 
 
-def test_limits_say_what_they_mean_and_what_to_do():
-    judged = [result for result in RESULTS.values() if result.limit is not None]
-    assert len(judged) >= 11
-    for result in judged:
-        limit = result.limit
-        assert limit.kept != limit.crossed
-        assert limit.remedy
-        assert math.isfinite(limit.lowest) or math.isfinite(limit.highest)
-        assert not limit.is_kept(math.nan)
-
-
-def test_both_sides_of_a_limit():
-    slip, dimension = RESULTS["slip_ratio"].limit, RESULTS["fractal_dimension"].limit
-    lifted = RESULTS["normal_force_over_preload"].limit
-    assert [slip.is_kept(value) for value in (0.5, 1.0, math.inf)] == [True, False, False]
-    assert [lifted.is_kept(value) for value in (0.5, 0.0)] == [True, False]
-    assert [dimension.is_kept(value) for value in (1.01, 1.02, 1.5, 1.99, 1.995)] == [
-        False,
-        True,
-        True,
-        True,
-        False,
-    ]
-    assert (slip.nearer_bound(9.0), lifted.nearer_bound(9.0)) == (1.0, 0.0)
-    assert [dimension.nearer_bound(value) for value in (1.01, 1.995)] == [1.02, 1.99]
-
-
 def test_names_of_rows_and_levels():
     assert row_name("slip_ratio", RESULTS["slip_ratio"].row_names[0]) == "slip_ratio_sp"
     assert row_name("mass", "") == "mass"
     assert name_at_level("stiffness", "published") == "published_stiffness_output"
     assert name_at_level("stiffness_per_mass", "assembly") == "assembly_stiffness_per_mass"
     assert name_at_level("hertz_pressure", "assembly") == "hertz_pressure"
-
-
-def test_limits_of_ratios_are_those_of_their_meaning():
-    """What is, over what is allowed, ends at 1; "at least ten times softer" is 0.1."""
-    for name in (
-        "slip_ratio",
-        "self_locking_ratio",
-        "pressure_over_first_yield",
-        "critical_over_largest_spot",
-        "real_area_over_hertz_area",
-        "largest_spot_over_hertz_area",
-    ):
-        assert RESULTS[name].limit.highest == 1.0, name
-    assert RESULTS["asperity_over_bulk_stiffness"].limit.highest == 0.1
-    assert RESULTS["slip_ratio"].highest_limit == 1.0
-    assert RESULTS["slip_safety"].lowest_limit == RESULTS["torque_safety"].lowest_limit == 1.0
-
-
-def test_rows_that_a_joint_does_not_have_are_not_judged():
-    """Bearings without ratings have no row; a joint without any computes nothing."""
-    from types import SimpleNamespace
-
-    safety = RESULTS["bearing_static_safety"]
-    some = SimpleNamespace(
-        has_bearings=(True, False, False, True),
-        bearings=SimpleNamespace(static_safety=np.array([2.0, np.nan, np.nan, 0.5])),
-    )
-    assert safety.rows_of(some) == {"right_pin": 2.0, "carrier": 0.5}
-    assert safety.rows_of(SimpleNamespace(has_bearings=(False,) * 4)) == {}
-    assert RESULTS["mass"].rows_of(SimpleNamespace(size=SimpleNamespace(mass=3.0))) == {"": 3.0}
-
-
-def test_a_joint_without_ratings_has_no_lives(case):
-    from types import SimpleNamespace
-
-    from asperity.joint.results import SolvedJoint
-
-    solved = SolvedJoint(joint_from_case(case), SimpleNamespace(solved=np.array([True, True])))
-    assert RESULTS["bearing_life"].of(solved).shape == (4, 2)
-    assert np.all(np.isnan(np.asarray(RESULTS["bearing_static_safety"].of(solved))))

@@ -1,0 +1,97 @@
+"""Layouts that cannot exist are refused with their numbers."""
+
+import dataclasses
+
+import jax.numpy as jnp
+import pytest
+
+from asperity.drive.planar.drives import two_row_multiroller
+from asperity.drive.planar.existence import refuse_impossible
+from asperity.drive.planar.layout import CARRIER, Body, Contact
+from asperity.errors import InputError
+
+
+def test_bodies_that_do_not_touch_are_named(drives):
+    drive = drives["planetary"]
+    larger = dataclasses.replace(drive, second_radius=drive.second_radius.at[1].add(1e-4))
+    with pytest.raises(InputError, match=r"contact pr: planet and ring do not touch \(gap 0\.1 mm\)"):
+        refuse_impossible(larger)
+
+
+def test_gaps_are_judged_by_the_size_of_the_drive(drives):
+    """A nanometre is 2e-8 of the ring's radius: a gap. In a drive a million times smaller all is as before."""
+    drive = drives["planetary"]
+    with pytest.raises(InputError, match=r"do not touch \(gap 1e-06 mm\)"):
+        refuse_impossible(dataclasses.replace(drive, second_radius=drive.second_radius.at[1].add(1e-9)))
+    small = {name: getattr(drive, name) * 1e-6 for name in ("centres", "first_radius", "second_radius")}
+    refuse_impossible(dataclasses.replace(drive, **small))
+
+
+def test_overlapping_planets_are_named(drives):
+    drive = dataclasses.replace(drives["planetary"], sectors=8)
+    with pytest.raises(
+        InputError, match=r"planet and planet overlap by \d.*reduce their radii or the number of sectors"
+    ):
+        refuse_impossible(drive)
+
+
+def test_degrees_of_freedom_are_counted(drives):
+    drive = drives["planetary"]
+    loose = dataclasses.replace(
+        drive,
+        bodies=(*drive.bodies, Body("idle", "axis")),
+        centres=jnp.concatenate([drive.centres, jnp.zeros((1, 2))]),
+    )
+    with pytest.raises(InputError, match="2 degrees of freedom; it must have 1: ground another member"):
+        refuse_impossible(loose)
+    with pytest.raises(InputError, match="there is no member 'rim'"):
+        refuse_impossible(dataclasses.replace(drive, grounded="rim"))
+
+
+def test_sizes_and_places_decide_the_overlap(drives):
+    """Neighbouring planets: centres 2 * 30 mm * sin(180 deg / n) apart, 42.43 mm for four, 35.27 mm for five."""
+    refuse_impossible(dataclasses.replace(drives["planetary"], sectors=4))
+    with pytest.raises(InputError, match=r"planet and planet overlap by 4\.7328\d mm"):
+        refuse_impossible(dataclasses.replace(drives["planetary"], sectors=5))
+
+
+def test_rollers_without_a_place_are_named():
+    """Three rollers on 32 mm: neighbours 2 * 32 mm * sin(60 deg) = 55.4 mm apart, more than 2 * 27 mm."""
+    apart = two_row_multiroller(
+        sun_radius=10e-3, first_row_radii=(22e-3, 9e-3), second_row_radii=(18e-3, 14e-3), roller_count=3
+    )
+    with pytest.raises(InputError, match="no place for second_row"):
+        refuse_impossible(apart)
+
+
+def test_contacts_that_block_each_other(drives):
+    """Between two planets that touch there is no rolling: both turn in one sense."""
+    radius = 10e-3 / (
+        1.0 / jnp.sin(jnp.pi / 4.0) - 1.0
+    )  # four planets that just touch: sin 45 deg = p/(s + p)
+    drive = drives["planetary"]
+    locked = dataclasses.replace(
+        drive,
+        contacts=(*drive.contacts, Contact("pp", "planet", "planet", sector=1)),
+        first_radius=jnp.array([10e-3, radius, radius]),
+        second_radius=jnp.array([radius, 10e-3 + 2.0 * radius, radius]),
+        centres=drive.centres.at[1, 1].set(10e-3 + radius),
+        sectors=4,
+    )
+    with pytest.raises(
+        InputError, match="0 degrees of freedom; it must have 1: the contacts block each other"
+    ):
+        refuse_impossible(locked)
+
+
+def test_a_cage_that_nothing_carries_is_no_freedom(drives):
+    """Planets on the ring and the sun alone, held by no pin: the carrier has no say in their speeds."""
+    drive = drives["planetary"]
+    free = dataclasses.replace(
+        drive,
+        bodies=(drive.bodies[0], Body("planet", "free"), drive.bodies[2]),
+        push_angles=jnp.zeros(0),
+        output="ring",
+        grounded=CARRIER,
+    )
+    refuse_impossible(free)

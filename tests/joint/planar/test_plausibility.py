@@ -1,0 +1,38 @@
+"""Notes on the sizes of planar joints."""
+
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+
+from asperity.joint.planar.plausibility import planar_plausibility
+
+
+def test_each_contact_has_its_own_numbers(planar_joint):
+    """Length over diameter: 10/(2 * 10) at the sun, 50/(2 * 20) in the ring, by the smaller roller."""
+    table = {
+        'contact_length = "10 mm"': 'contact_length = { sp = "10 mm", pr = "50 mm" }',
+        "friction_coefficient = 0.08": "friction_coefficient = { sp = 0.08, pr = 0.4 }",
+    }
+    found = planar_plausibility(
+        joint := planar_joint("planetary", table),
+        SimpleNamespace(
+            rolling=SimpleNamespace(film_ratio=np.array([np.nan, 5.0])), contact_names=joint.contact_names
+        ),
+    )
+    values = [(note.value, note.ok) for note in found]
+    assert [value for value, _ in values] == pytest.approx([0.08, 0.5, 0.4, 1.25, 5.0])
+    assert values[0][1]
+    assert not values[2][1]  # above what clean dry steel reaches
+    assert not values[4][1]  # a full film
+
+
+def test_the_printed_factor_has_a_range_of_sizes(planar_joint):
+    printed = planar_joint("planetary", {'contact_factor = "unity"': 'contact_factor = "printed"'})
+    result = SimpleNamespace(
+        rolling=SimpleNamespace(film_ratio=np.full(2, np.nan)), contact_names=("sp", "pr")
+    )
+    assert (
+        len(planar_plausibility(printed, result))
+        == len(planar_plausibility(planar_joint("planetary"), result)) + 2
+    )

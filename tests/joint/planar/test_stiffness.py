@@ -1,0 +1,65 @@
+"""Torsional stiffness of planar joints on its three levels, by hand."""
+
+import dataclasses
+
+import pytest
+
+from asperity.joint.contacts import LoadedContacts
+from asperity.joint.planar.description import planar_contacts
+from asperity.joint.planar.stiffness import stiffness_levels
+
+ORBIT, COUNT = 30e-3, 3  # of the planetary example
+
+
+def in_series(*stiffness):
+    return 1.0 / sum(1.0 / each for each in stiffness)
+
+
+def test_stiffness_of_the_planetary_by_hand(planetary):
+    """Slips T/k of sun and ring contact turn the carrier by their sum over twice the orbit."""
+    _, _, document = planetary
+    contacts, levels = document["contacts"], document["torsional_stiffness"]
+
+    def output(*names):
+        springs = [
+            in_series(*(contact[f"{name}_stiffness_N_per_m"] for name in names))
+            for contact in contacts.values()
+        ]
+        return (2.0 * ORBIT) ** 2 * COUNT * in_series(*springs)
+
+    bodies = output("asperity_tangential", "bulk_tangential")
+    assert levels["series_with_bulk"]["output_Nm_per_rad"] == pytest.approx(bodies, rel=1e-9)
+    assert levels["published"]["output_Nm_per_rad"] == pytest.approx(output("asperity_tangential"), rel=1e-9)
+    # the free ring bends: the assembly is softer
+    assert levels["assembly"]["output_Nm_per_rad"] < bodies
+    assert levels["assembly"]["sun_Nm_per_rad"] == pytest.approx(
+        levels["assembly"]["output_Nm_per_rad"] / 36.0, rel=1e-12
+    )
+    shares = document["stiffness_budget"]
+    total = sum(sum(s.values()) if isinstance(s, dict) else s for s in shares.values())
+    assert total == pytest.approx(1.0, rel=1e-9)
+
+
+def test_shafts_are_in_series_with_the_whole(planetary):
+    """1/k = 1/k_drive + 1/(ratio^2 k_input) + 1/k_output, and so are their shares; the levels below have no shafts."""
+    joint, solution, _ = planetary
+    springs, forces = dataclasses.replace(joint, body_model="springs"), solution.result.forces
+    contacts = planar_contacts(springs)
+    loaded = LoadedContacts(
+        half_width=contacts.pairs.half_width(forces.normal),
+        traction=abs(forces.tangential) / (0.08 * forces.normal),
+        rough=solution.result.contacts,
+        interfaces=solution.result.interfaces,
+    )
+    published, held, alone = stiffness_levels(springs, contacts, loaded)
+    rigid = float(alone.stiffness.output)
+    # a planet on a rigid pin moves radially only: free centres change nothing
+    assert rigid == pytest.approx(float(held.output), rel=1e-9)
+    entry, out = rigid / 36.0, 4.0 * rigid
+    shafts = dataclasses.replace(springs, input_shaft_stiffness=entry, output_shaft_stiffness=out)
+    same, _, whole = stiffness_levels(shafts, contacts, loaded)
+    assert float(whole.stiffness.output) == pytest.approx(rigid / 2.25, rel=1e-9)
+    assert float(whole.input_shaft_share) == pytest.approx(1.0 / 2.25, rel=1e-9)
+    assert float(whole.output_shaft_share) == pytest.approx(0.25 / 2.25, rel=1e-9)
+    assert float(sum(whole.tangential_share)) == pytest.approx(1.0 / 2.25, rel=1e-9)
+    assert float(published.output) == float(same.output)

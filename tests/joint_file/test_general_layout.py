@@ -1,0 +1,100 @@
+"""Any planar drive from the rollers and contacts that a joint file lists."""
+
+from pathlib import Path
+
+import jax
+import numpy as np
+import pytest
+
+from asperity.drive.planar.existence import refuse_impossible
+from asperity.drive.planar.layout import gaps, speed_ratio
+from asperity.errors import InputError
+from asperity.joint_file.planar_build import planar_joint_from_case
+from asperity.joint_file.reader import parse_any_case
+
+TEXT = (Path(__file__).parents[2] / "examples" / "planar.toml").read_text(encoding="utf-8")
+
+
+def read(*replaced):
+    text = TEXT
+    for old, new in replaced:
+        assert old in text
+        text = text.replace(old, new)
+    return parse_any_case(text, source="mine.toml")
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "message"),
+    [
+        (
+            'second = "planet"',
+            'second = "planets"',
+            "contact sp: second: there is no roller 'planets'",
+        ),
+        ('grounded = "ring"', 'grounded = "sun"', "must be three different members"),
+        (
+            'output = "carrier"',
+            'output = "planet"',
+            "drive.output: 'planet' is neither a roller on the axis",
+        ),
+        ('wall_thickness = "20 mm"', "", "roller ring: it needs a wall_thickness"),
+        ('orbit = "17.5 mm"', "", "roller planet: place = 'free' needs an orbit"),
+        ('name = "pwl"', 'name = "pwr"', "contact: there is more than one 'pwr'"),
+        (
+            'name = "left"',
+            'name = "carrier"',
+            "roller: 'carrier' is the name of the member that carries the pins",
+        ),
+        (
+            'place = "axis"\n\n',
+            'place = "axis"\norbit = "1 mm"\n\n',
+            "roller sun: place = 'axis' must not have an orbit",
+        ),
+        (
+            'place = "free" ',
+            'push_angle = "1 deg"\nplace = "free" ',
+            "roller planet: push_angle is for rollers on a pin",
+        ),
+        ('place = "pin"', 'place = "free"', "no roller is on a pin, so that nothing turns the carrier"),
+    ],
+)
+def test_rollers_and_contacts_that_do_not_fit_together_are_told(old, new, message):
+    with pytest.raises(InputError) as caught:
+        read((old, new))
+    assert message in str(caught.value)
+
+
+def test_other_radii_need_no_other_program():
+    """Only which tracks are one is part of the program; 5.0 mm is the track of 5 mm."""
+    one, other, stepped = (
+        jax.tree.structure(planar_joint_from_case(read(*replaced)))
+        for replaced in (
+            (),
+            (('first_radius = "4 mm"', 'first_radius = "3.9 mm"'),),
+            (
+                (
+                    'second_radius = "40 mm"\ninternal = true                    #',
+                    'second_radius = "39 mm"\ninternal = true #',
+                ),
+            ),
+        )
+    )
+    assert one == other
+    assert one != stepped
+
+
+def test_a_listed_drive_closes_its_gaps_and_has_the_ratio_of_its_formula():
+    near = (('"76.1 deg"', '"74 deg"'), ('orbit = "17.5 mm"', 'orbit = "17 mm"'))
+    drive = planar_joint_from_case(read(*near)).drive
+    np.testing.assert_allclose(gaps(drive), 0.0, atol=1e-14)
+    refuse_impossible(drive)
+    assert float(speed_ratio(drive)) == pytest.approx(-(40.0 / 4.0 - 1.0), rel=1e-9)
+    orbits = np.hypot(*np.asarray(drive.centres).T)
+    np.testing.assert_allclose(orbits, [0.0, 17.5e-3, 35e-3, 35e-3, 0.0], atol=1e-12)
+
+
+def test_radii_that_cannot_close_are_refused_with_the_gap():
+    """Planet and roller reach 15.5 + 18.5 = 34 mm, the ring is 1 mm farther: three gaps in a row share it."""
+    loose = planar_joint_from_case(read(('first_radius = "4 mm"', 'first_radius = "2 mm"')))
+    with pytest.raises(InputError, match=r"contact sp: sun and planet do not touch \(gap 0\.\d+ mm\)"):
+        refuse_impossible(loose.drive)

@@ -1,0 +1,62 @@
+"""Materials and surfaces of a joint file: what they need, and what excludes what."""
+
+import pytest
+from pydantic import ValidationError
+
+from asperity.joint_file.material_entries import MaterialEntry, SurfaceEntry
+
+STEEL = {
+    "youngs_modulus": "206 GPa",
+    "poisson_ratio": 0.3,
+    "density": "7850 kg/m^3",
+    "yield_strength": "450 MPa",
+}
+GROUND = {"fractal_dimension": 1.4, "frequency_ratio": 1.5}
+
+
+@pytest.mark.parametrize(
+    ("hardnesses", "found"),
+    [({}, "neither"), ({"hardness": "1 GPa", "hardness_factor": 2.8}, "both")],
+)
+def test_a_material_has_one_hardness(hardnesses, found):
+    with pytest.raises(
+        ValidationError, match=f"exactly one of 'hardness' and 'hardness_factor'.*got {found}"
+    ):
+        MaterialEntry.model_validate({**STEEL, **hardnesses})
+
+
+def test_numbers_are_in_si():
+    entry = MaterialEntry.model_validate({**STEEL, "hardness": "1.26 GPa", "thermal_expansion": "12 um/m/K"})
+    assert entry.youngs_modulus.value == pytest.approx(206e9, rel=1e-15)
+    assert entry.hardness.value == pytest.approx(1.26e9, rel=1e-15)
+    assert entry.thermal_expansion.value == pytest.approx(12e-6, rel=1e-15)
+    assert entry.fatigue_strength is None
+
+
+@pytest.mark.parametrize(
+    ("given", "found"),
+    [({}, "neither"), ({"fractal_roughness": "1e-8 mm", "roughness_average": "0.1 um"}, "both")],
+)
+def test_a_surface_has_one_roughness(given, found):
+    with pytest.raises(
+        ValidationError, match=f"exactly one of 'fractal_roughness' and 'roughness_average'.*got {found}"
+    ):
+        SurfaceEntry.model_validate(GROUND | given)
+
+
+@pytest.mark.parametrize(
+    ("given", "names"),
+    [
+        ({"cut_off": "0.8 mm"}, "cut_off"),
+        ({"partner_roughness_average": "0.2 um"}, "partner_roughness_average"),
+        (
+            {"cut_off": "0.8 mm", "partner_roughness_average": "0.2 um"},
+            "partner_roughness_average and cut_off",
+        ),
+    ],
+)
+def test_what_belongs_to_an_average_is_refused_without_it(given, names):
+    with pytest.raises(ValidationError, match=f"{names}: only with roughness_average"):
+        SurfaceEntry.model_validate(GROUND | {"fractal_roughness": "1e-8 mm"} | given)
+    stated = SurfaceEntry.model_validate(GROUND | {"roughness_average": "0.1 um"} | given)
+    assert stated.roughness_average.value == pytest.approx(1e-7)

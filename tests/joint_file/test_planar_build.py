@@ -1,0 +1,64 @@
+"""Joints of other drives from their files."""
+
+import math
+
+import numpy as np
+import pytest
+
+from asperity.joint_file.planar_build import planar_joint_from_case
+from asperity.surface.roughness_average import roughness_average
+
+
+def test_the_joint_has_the_sizes_of_the_file(planar_case):
+    joint = planar_joint_from_case(planar_case("planetary_hollow"))
+    assert joint.contact_names == ("sp", "pr")
+    assert [shape.kind for shape in joint.shapes] == ["solid", "hollow", "ring"]
+    assert (float(joint.shapes[1].size), float(joint.shapes[2].size)) == pytest.approx((26e-3, 30e-3))
+    np.testing.assert_allclose(joint.drive.second_radius, [20e-3, 50e-3])
+    assert joint.preload is None
+    assert float(joint.interference) == pytest.approx(30e-6)
+
+
+def test_numbers_for_each_contact(planar_case):
+    case = planar_case(
+        "planetary", ('contact_length = "10 mm"', 'contact_length = { sp = "10 mm", pr = "12 mm" }')
+    )
+    assert planar_joint_from_case(case).contact_lengths == pytest.approx((10e-3, 12e-3))
+
+
+def test_surfaces_for_each_contact(planar_case):
+    one = 'fractal_dimension = 1.5\nfractal_roughness = "1.3e-7 mm"    # superfinished, towards the rough end'
+    text = "[surface]\n" + one + "\nfrequency_ratio = 1.5"
+    tables = "".join(
+        f'[surface.{name}]\nfractal_dimension = {d}\nfractal_roughness = "1e-8 mm"\nfrequency_ratio = 1.5\n'
+        for name, d in (("pr", 1.3), ("sp", 1.6))
+    )
+    surfaces = planar_joint_from_case(planar_case("planetary", (text, tables))).surfaces
+    assert [surface.fractal_dimension for surface in surfaces] == [1.6, 1.3]
+
+
+def test_springs_of_the_structure_are_rigid_unless_stated(planar_case):
+    rigid = planar_joint_from_case(planar_case("planetary"))
+    assert (rigid.pin_stiffness, rigid.input_shaft_stiffness) == (math.inf, math.inf)
+    stated = planar_joint_from_case(
+        planar_case("planetary", ("# [compliance]", "[compliance]"), ("# pin_stiffness", "pin_stiffness"))
+    )
+    assert stated.pin_stiffness == pytest.approx(1e8)
+    assert stated.output_shaft_stiffness == math.inf
+
+
+def test_a_surface_may_be_stated_by_its_ra(planar_case):
+    """Two bodies of one Ra: the equivalent surface has the square root of two times as much."""
+    given = (
+        'fractal_dimension = 1.5\nfractal_roughness = "1.3e-7 mm"    # superfinished, towards the rough end\n'
+    )
+    average = 'finish = "superfinished"\nroughness_average = "0.1 um"\n'
+    case = planar_case("planetary", (given + "frequency_ratio = 1.5\n", average))
+    assert case.surface.fractal_dimension.tolerance > 0.0
+    (surface,) = planar_joint_from_case(case).surfaces
+    found = roughness_average(
+        fractal_dimension=surface.fractal_dimension,
+        fractal_roughness=surface.fractal_roughness,
+        cut_off=0.25e-3,
+    )
+    assert found == pytest.approx(math.sqrt(2.0) * 0.1e-6)

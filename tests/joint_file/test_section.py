@@ -1,0 +1,56 @@
+"""What every section of a joint file is, and entries that differ from contact to contact."""
+
+import pytest
+from pydantic import ValidationError
+
+from asperity.joint_file.model import Case
+from asperity.joint_file.section import (
+    ONE_FOR_ALL,
+    ONE_FOR_EACH,
+    EachContact,
+    Section,
+    number_or_table,
+    table_or_tables,
+)
+
+FIVE = dict(zip(("wlo", "wro", "pwl", "pwr", "sp"), range(5), strict=True))
+
+
+class Colour(Section):
+    name: str
+
+
+def test_a_section_is_frozen_and_has_no_room_for_unknown_keys():
+    blue = Colour.model_validate({"name": "blue"})
+    with pytest.raises(ValidationError, match="frozen"):
+        blue.name = "red"
+    with pytest.raises(ValidationError, match="Extra inputs are not permitted"):
+        Colour.model_validate({"name": "blue", "shade": 3})
+
+
+def test_the_sections_of_a_joint_file_are_frozen(example_case):
+    assert isinstance(example_case, Case)
+    with pytest.raises(ValidationError, match="frozen"):
+        example_case.drive.planets = example_case.drive.sun_radius
+
+
+def test_entries_are_in_the_order_of_the_contacts_and_all_there():
+    assert EachContact[int].model_validate(FIVE).entries() == (4, 3, 2, 1, 0)
+    with pytest.raises(ValidationError, match="sp"):
+        EachContact[int].model_validate({name: 1 for name in FIVE if name != "sp"})
+
+
+def test_one_for_all_or_one_for_each():
+    each = EachContact[int].model_validate(FIVE)
+    assert [number_or_table(written) for written in (3.0, "3 mm", {"sp": 1}, each)] == [
+        ONE_FOR_ALL,
+        ONE_FOR_ALL,
+        ONE_FOR_EACH,
+        ONE_FOR_EACH,
+    ]
+    assert [table_or_tables(written) for written in ({"D": 1.4}, {"sp": {"D": 1.4}}, each, 3.0)] == [
+        ONE_FOR_ALL,
+        ONE_FOR_EACH,
+        ONE_FOR_EACH,
+        ONE_FOR_ALL,
+    ]
