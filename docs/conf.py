@@ -64,7 +64,15 @@ def _escape_shapes(app: Any, what: str, name: str, thing: Any, options: Any, lin
     lines[:] = [re.sub(r"(?<=[( ])\*(?=[\w-]+[),])", r"\\*", line) for line in lines]
 
 
+def _short_navigation(app: Any, page: str, template: str, context: dict[str, Any], doctree: Any) -> None:
+    """List the pages and the rooms of the package beside every page, but not each of its hundreds of modules."""
+    tree = context.get("toctree")
+    if tree is not None:
+        context["toctree"] = lambda **options: tree(**(options | {"collapse": True, "maxdepth": 2}))
+
+
 def setup(app: Any) -> None:
-    """Connect both to autodoc; the shapes before numpydoc sees them."""
+    """Connect all three: the shapes before numpydoc sees them, the navigation before the theme asks for it."""
+    app.connect("html-page-context", _short_navigation, priority=100)
     app.connect("autodoc-skip-member", _skip)
     app.connect("autodoc-process-docstring", _escape_shapes, priority=100)
