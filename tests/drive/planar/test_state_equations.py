@@ -44,7 +44,9 @@ def machine(drives):
 def state(machine):
     """State from forces, speeds beyond those without slip, and rotations."""
 
-    def of(kind, *, tangential=0.0, torque=0.0, turn=(0.0, 0.0), interference=(ONE + TWO) * NORMAL):
+    def of(
+        kind, *, tangential=0.0, torque=0.0, turn=(0.0, 0.0), interference=(ONE + TWO) * NORMAL, force=None
+    ):
         unknowns = Unknowns(
             normal=jnp.full(2, NORMAL / REFERENCE),
             tangential=jnp.array([1.0, -1.0]) * tangential / (FRICTION * REFERENCE),
@@ -54,7 +56,8 @@ def state(machine):
             interference=jnp.array([interference]) / LENGTH,
         )
         drive = machine.drive
-        task = Task(kind, jnp.asarray(interference), DriveLoad(jnp.asarray(torque)), no_displacement(drive))
+        load = DriveLoad(jnp.asarray(torque), force)
+        task = Task(kind, jnp.asarray(interference), load, no_displacement(drive))
         if kind == STANDING:  # slip counts from the assembled drive
             task = task._replace(origin=unknowns.displacement * LENGTH)
         return state_of(machine, task, unknowns)
@@ -128,6 +131,12 @@ def test_a_wrong_torque_is_a_residual_of_its_size(state):
     turn = (planet + 0.25, carrier - 1.0 / 6.0)
     found = state(ROLLING, tangential=TANGENTIAL, torque=1.01 * TORQUE, turn=turn)
     assert float(found.worst) == pytest.approx(0.01 * TORQUE / (RING * REFERENCE), rel=1e-6)
+
+
+def test_a_force_without_balance_is_a_residual_of_its_size(state):
+    """5 N on the planet over the largest force."""
+    found = state(ASSEMBLED, force=jnp.array([[3.0, -5.0]]))
+    assert float(found.worst) == pytest.approx(5.0 / REFERENCE, rel=1e-9)
 
 
 def test_slip_and_lift_off_are_not_carried(state):
