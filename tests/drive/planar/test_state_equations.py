@@ -123,6 +123,7 @@ def test_rolling(state):
     np.testing.assert_allclose(found.creepage, creepage() * np.array([1.0, -1.0]), rtol=1e-12)
     assert float(found.speed_loss) == pytest.approx(1.0 - 6.0 * carrier, rel=1e-9)
     np.testing.assert_allclose(found.pin_force, [-2.0 * TANGENTIAL])
+    np.testing.assert_array_equal(found.rotation, 0.0)  # a rotation of members that stand
 
 
 def test_a_wrong_torque_is_a_residual_of_its_size(state):
