@@ -3,6 +3,7 @@
 import pytest
 
 from asperity.joint_file import limits
+from asperity.library import read_finishes
 from asperity.page.description import HEADINGS, description
 from asperity.units import from_si, parse_quantity
 
@@ -57,5 +58,10 @@ def test_the_library_is_listed(described):
     for finish in described["finishes"]:
         low, high = finish["fractal_dimension"]
         assert 1.0 < low <= high < 2.0
+        library = read_finishes()[finish["name"]]
+        assert finish["fractal_roughness_mm"] == pytest.approx([g / 1e-3 for g in library.fractal_roughness])
+        assert finish["roughness_average_um"] == pytest.approx(
+            [ra / 1e-6 for ra in library.roughness_average]
+        )
         assert finish["roughness_average_um"][0] <= finish["roughness_average_um"][-1] < 100.0
         assert finish["frequency_ratio"] == 1.5
