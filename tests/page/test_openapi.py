@@ -63,3 +63,13 @@ def test_states_of_a_job():
     jsonschema.validate({"id": "a", "state": "running", "done": 3, "total": 10, "result": None}, schema)
     with pytest.raises(jsonschema.ValidationError):
         jsonschema.validate({"state": "lost"}, schema)
+
+
+def test_limits_are_told(described):
+    """Surfaces of 64 MiB measured within two minutes; other bodies of a megabyte."""
+    opened = described["paths"]["/api/open"]["post"]
+    assert "within 120 s" in opened["summary"]
+    body = opened["requestBody"]["content"]["application/octet-stream"]["schema"]
+    assert body["maxLength"] == 67_108_864
+    refused = described["paths"]["/api/joint"]["post"]["responses"]["413"]["description"]
+    assert refused == "The body is larger than 1000000 bytes."
