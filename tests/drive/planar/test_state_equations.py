@@ -14,8 +14,10 @@ from asperity.drive.planar.state_equations import (
     STANDING,
     Task,
     Unknowns,
+    assembled_guess,
     machine_of,
     no_displacement,
+    solved,
     started_from,
     state_of,
 )
@@ -156,3 +158,12 @@ def test_a_known_state_is_where_a_search_starts(machine, state, kind):
         dataclasses.astuple(known), dataclasses.astuple(state_of(machine, task, again)), strict=True
     ):
         np.testing.assert_allclose(one, two, rtol=1e-12, atol=1e-13)
+
+
+@pytest.mark.parametrize(("by_force", "size"), [(True, 700.0), (False, (ONE + TWO) * 700.0)])
+def test_a_preload_or_an_interference_is_found_again(machine, by_force, size):
+    """Both make 700 N at both contacts of the planet."""
+    task = Task(ASSEMBLED, jnp.asarray(size), DriveLoad(jnp.zeros(())), no_displacement(machine.drive))
+    found = state_of(machine, task, solved(machine, task, assembled_guess(machine), by_force=by_force))
+    np.testing.assert_allclose(found.normal, 700.0, rtol=1e-12)
+    assert float(found.interference[1]) == pytest.approx((ONE + TWO) * 700.0, rel=1e-12)
