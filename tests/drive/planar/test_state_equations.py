@@ -142,6 +142,12 @@ def test_a_force_without_balance_is_a_residual_of_its_size(state):
     assert float(found.worst) == pytest.approx(5.0 / REFERENCE, rel=1e-9)
 
 
+def test_members_that_do_not_follow_their_slip_are_a_residual_of_its_size(state):
+    """Nothing turns, although the ring's contact slips by c T: over the approach at the reference."""
+    found = state(STANDING, tangential=TANGENTIAL, torque=TORQUE)
+    assert float(found.worst) == pytest.approx(TWO * TANGENTIAL / LENGTH, rel=1e-9)
+
+
 def test_slip_and_lift_off_are_not_carried(state):
     assert not bool(state(STANDING, tangential=1.01 * FRICTION * NORMAL).carried)
     assert not np.isfinite(state(STANDING, tangential=1.01 * FRICTION * NORMAL).residual)
