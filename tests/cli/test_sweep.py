@@ -1,9 +1,7 @@
 """The commands for studies: what they print and write, and how they refuse."""
 
-import json
 from pathlib import Path
 
-import numpy as np
 import pytest
 from click.testing import CliRunner
 
@@ -72,58 +70,3 @@ def test_help_shows_its_examples_line_by_line():
     shown = run("sweep", "--help").output
     assert "\\b" not in shown
     assert '\n  asperity sweep joint.toml --over "load.output_torque=0 N*m:5 N*m:11" --plot\n' in shown
-
-
-def test_uncertainty_needs_tolerances_and_distributions(tmp_path):
-    with pytest.raises(InputError, match="no tolerances"):
-        run("uncertainty", FILE)
-    text = Path(FILE).read_text().replace('"13.5 mm"', '"13.5 mm +- 5 um"')
-    (tmp_path / "t.toml").write_text(text)
-    with pytest.raises(InputError, match="not its distribution"):
-        run("uncertainty", "t.toml")
-    with pytest.raises(InputError, match="distributed as"):
-        run("uncertainty", "t.toml", "--distribution", "gauss")
-    arguments = [
-        "--distribution",
-        "uniform",
-        "--samples",
-        "500",
-        "--results",
-        "planet_mass",
-        "--json",
-        "--plot",
-        "u.svg",
-    ]
-    done = run("uncertainty", "t.toml", *arguments)
-    document = json.loads(done.stdout)
-    mass = document["results"]["planet_mass"]
-    # m = pi rho R^2 B of a solid steel roller
-    assert mass["nominal"] == pytest.approx(np.pi * 7850.0 * 0.0135**2 * 0.005, rel=1e-12)
-    # a uniform radius of half-width 5 um: relative standard deviation of m is 2 * 5 um / (sqrt(3) * 13.5 mm)
-    assert mass["standard_deviation"] / mass["mean"] == pytest.approx(
-        2.0 * 5e-6 / (3**0.5 * 13.5e-3), rel=0.1
-    )
-    assert document["inputs"]["drive.planet_radius"]["distribution"] == "uniform"
-    assert (tmp_path / "u.svg").stat().st_size > 5_000
-
-
-@pytest.mark.slow
-def test_sensitivity_document_and_table(tmp_path, monkeypatch):
-    from asperity.joint_file.reader import read_case
-    from asperity.study.tolerances import sensitivity as module
-
-    found = module.sensitivity(read_case(FILE))
-    monkeypatch.setattr(
-        module, "sensitivity", lambda case, results: found
-    )  # compiled once for three commands
-    document = json.loads(run("sensitivity", FILE, "--json", "--plot").stdout)
-    elasticity = document["results"]["torque_capacity"]["elasticity"]
-    assert elasticity["drive.planets"] == pytest.approx(1.0, abs=1e-9)
-    assert document["inputs"]["drive.sun_radius"] == {"value": 0.004, "unit": "m"}
-    assert (tmp_path / "sensitivity.png").stat().st_size > 10_000
-    table = run("sensitivity", FILE, "--result", "torque_capacity").output.splitlines()
-    ranks = [line.split()[0] for line in table if line.startswith((" drive.", " load.", "drive.", "load."))]
-    assert ranks[0] == "drive.ring_radius"
-    assert set(ranks[1:4]) == {"load.friction_coefficient", "load.preload", "drive.planets"}
-    with pytest.raises(InputError, match="there is no result 'weight'; the page 'Results'"):
-        run("sensitivity", FILE, "--result", "weight")

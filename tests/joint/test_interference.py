@@ -9,7 +9,8 @@ import numpy as np
 import pytest
 
 from asperity.errors import InputError
-from asperity.joint.interference import joint_preload
+from asperity.joint.contacts import joint_contacts
+from asperity.joint.interference import joint_preload, logarithmic_decrease
 from asperity.joint_file.build import joint_from_case, joint_from_values, with_nominal_sizes, with_values
 from asperity.joint_file.reader import parse_case
 from asperity.joint_file.si_tables import replace_values, si_values
@@ -25,6 +26,22 @@ def by_length(joint_text):
         return parse_case(text, source="x")
 
     return of
+
+
+@pytest.mark.parametrize(
+    ("body_model", "plane_state", "width"),
+    [
+        ("exact", "plane_strain", 1.0 - 0.3**2),
+        ("exact", "plane_stress", 1.0),  # thin bodies give way sideways
+        ("springs", "plane_stress", 1.0 - 0.3**2),  # springs are those of long cylinders
+    ],
+)
+def test_logarithm_of_both_bodies(paper_joint, body_model, plane_state, width):
+    """Each body of a strip adds (1 - nu^2)/(pi E B) ln(1/N) in plane strain, 1/(pi E B) ln(1/N) in plane stress."""
+    found = logarithmic_decrease(
+        contacts=joint_contacts(paper_joint()), body_model=body_model, plane_state=plane_state
+    )
+    np.testing.assert_allclose(found, 2.0 * width / (np.pi * 206e9 * 5e-3), rtol=1e-12)
 
 
 @pytest.mark.parametrize(("bodies", "rel"), [("springs", 1e-12), ("exact", 2e-5)])

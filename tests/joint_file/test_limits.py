@@ -49,3 +49,27 @@ def test_every_range_is_one_and_is_told_in_words(name):
 def test_the_law_is_verified_inside_what_is_accepted():
     low, high = VERIFIED_FRACTAL_DIMENSIONS
     assert limits.FRACTAL_DIMENSION.lower < low < high < limits.FRACTAL_DIMENSION.upper
+
+
+#: Bounds that mean something: whole drives, angles of a turn, absolute zero, incompressible bodies.
+MEANT = {
+    "PLANETS": (2, 100),
+    "PUSH_ANGLE": (-60.0, 60.0),
+    "POLAR_ANGLE": (-360.0, 360.0),
+    "PLAY_ANGLE": (0.0, 360.0 * 60.0),
+    "TEMPERATURE": (-273.15, 1000.0),
+    "THERMAL_EXPANSION": (-100.0, 500.0),
+    "POISSON_RATIO": (-1.0, 0.5),
+    "FRACTAL_DIMENSION": (1.0, 2.0),
+}
+
+
+@pytest.mark.parametrize("name", KEYS)
+def test_bounds_that_catch_typing_errors_are_powers_of_ten(name):
+    key = KEYS[name]
+    if name in MEANT:
+        assert (key.lower, key.upper) == MEANT[name]
+        return
+    for bound in (key.lower, key.upper):
+        power = 0.0 if bound == 0.0 else math.log10(abs(bound))
+        assert power == pytest.approx(round(power), abs=1e-12)

@@ -33,10 +33,16 @@ def test_what_is_stated_is_no_assumption(planar_case):
     assert "[compliance] without input_shaft_stiffness, output_shaft_stiffness: rigid" in stated
 
 
-def test_a_surface_by_its_ra_leaves_d_open(planar_case):
+@pytest.mark.parametrize(
+    ("dimension", "told"),
+    [("1.5", "those of the value in the file"), ('"1.4 +- 0.1"', "those of the middle of its range")],
+)
+def test_a_surface_by_its_ra_leaves_d_open(planar_case, dimension, told):
     average = planar_case(
         "planetary",
+        ("fractal_dimension = 1.5", f"fractal_dimension = {dimension}"),
         ('fractal_roughness = "1.3e-7 mm"', 'roughness_average = "0.1 um"'),
     )
-    assert any("Ra leaves D open" in told for told in planar_assumptions(average))
-    assert not any("Ra leaves D open" in told for told in planar_assumptions(planar_case("planetary")))
+    (said,) = [each for each in planar_assumptions(average) if "Ra leaves D open" in each]
+    assert told in said
+    assert not any("Ra leaves D open" in each for each in planar_assumptions(planar_case("planetary")))

@@ -114,6 +114,16 @@ def test_the_end_of_the_server_ends_all(jobs):
         begin(jobs)
 
 
+def test_seconds_count_from_the_start_to_the_end(monkeypatch):
+    job = module.Job("a", "design", "a.toml", Slow("design", {}, {}))
+    assert job.told()["seconds"] == 0.0
+    job.started = 100.0
+    monkeypatch.setattr(module.time, "monotonic", lambda: 102.54)
+    assert job.told()["seconds"] == 2.5
+    job.ended = 101.0
+    assert job.told()["seconds"] == 1.0
+
+
 def test_requests_become_files_and_options(joint_text):
     kind, joint, files, options = job_request(
         {
@@ -147,6 +157,7 @@ def test_a_design_takes_the_joint_of_the_page(joint_text):
         ({"kind": "uncertainty", "samples": 3}, "from 100 to 1000000"),
         ({"kind": "uncertainty", "samples": True}, "job.samples"),
         ({"kind": "uncertainty", "seed": -1}, "job.seed"),
+        ({"kind": "uncertainty", "seed": 2147483649}, "from 0 to 2147483648"),
         ({"kind": "uncertainty", "distribution": 3}, "job.distribution"),
         ({"kind": "uncertainty"}, "states no tolerances"),
         ({"kind": "uncertainty", "distribution": "flat"}, "flat"),

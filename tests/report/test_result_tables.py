@@ -3,7 +3,7 @@
 import math
 
 from asperity.report.content import Paragraph, Table
-from asperity.report.result_tables import stiffness, windup
+from asperity.report.result_tables import contacts, drive, stiffness, windup
 
 ARCMINUTE = math.pi / 180.0 / 60.0
 
@@ -55,3 +55,51 @@ def test_shares_of_the_compliance_are_sorted_and_named():
     assert found["Stiffness budget: shares of the compliance of the assembled joint"] == [
         ("sp asperity", "50"), ("bodies", "25"), ("pins", "12.5"),
     ]  # fmt: skip
+
+
+def test_contacts_are_in_the_units_of_their_heads():
+    """Half-width of 25 um: a strip of 0.05 mm; 750 MPa, 0.2 mm2, N/um."""
+    contact = {
+        "hertz_half_width_m": 25e-6,
+        "hertz_pressure_Pa": 750e6,
+        "real_contact_area_m2": 0.2e-6,
+        "asperity_tangential_stiffness_N_per_m": 123e6,
+        "bulk_tangential_stiffness_N_per_m": 456e6,
+        "asperity_normal_stiffness_N_per_m": None,
+        "bulk_normal_stiffness_N_per_m": 321e6,
+    }
+    document = {
+        "forces": {"normal_N": {"sp": 1000.0}, "tangential_N": {"sp": 46.3}},
+        "diagnostics": [
+            {"name": "slip_ratio", "contact": "sp", "value": 0.386},
+            {"name": "fractal_dimension", "contact": "sp", "value": 1.4},
+        ],
+        "contacts": {"sp": contact},
+    }
+    found = rows_of(contacts(document))
+    assert found["Contact forces at rest"] == [("sp", "1000", "46.3", "0.386", "0.05", "750", "0.2")]
+    assert found["Contact stiffness, N/µm"] == [("sp", "123", "456", "–", "321")]
+
+
+def test_the_drive_in_degrees_grams_and_millimetres():
+    document = {
+        "geometry": {
+            "alpha_rad": math.pi / 12.0,
+            "theta_rad": math.pi / 6.0,
+            "wedge_angle_rad": math.pi / 12.0,
+            "speed_ratio": -9.0,
+            "clearances": [{"name": "planet_to_ring", "gap_m": 3e-3}],
+        },
+        "forces": {
+            "input_torque_Nm": 0.5,
+            "output_torque_Nm": 5.0,
+            "pin_N": {"left": 111.0, "right": 222.0},
+            "planet_mass_kg": 0.0225,
+            "loading_roller_mass_kg": 0.003,
+        },
+    }
+    values = dict(rows_of(drive(document))["Drive"])
+    assert list(values.values()) == [
+        "15 deg", "30 deg", "15 deg", "-9", "0.5 N·m", "5 N·m", "111 N", "222 N", "22.5 g", "3 g", "3 mm",
+    ]  # fmt: skip
+    assert "clearance, planet to ring" in values

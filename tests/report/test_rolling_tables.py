@@ -70,7 +70,7 @@ def test_lives_of_drive_and_bodies_and_under_a_duty():
         isinstance(block, Paragraph) and "not to be relied on" in block.text
         for block in rolling(found, capacity=None)
     )
-    found["contacts"]["sp"]["shakedown_ratio"] = 1.1
+    found["contacts"]["sp"]["shakedown_ratio"] = 1.01
     (said,) = (
         b.text for b in rolling(found, capacity=None) if isinstance(b, Paragraph) and "relied" in b.text
     )

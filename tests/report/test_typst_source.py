@@ -51,3 +51,11 @@ def test_lines_of_a_listing_stay_on_the_page_and_keep_their_letters():
     lines = text.split("\\u{a}")
     assert max(map(len, lines)) <= 128
     assert "".join(lines).replace("\\u{9}", "\t") == "x" * 300 + "end\tb"
+
+
+def test_short_tables_stay_on_one_page_and_long_ones_may_break():
+    short, long = (
+        typst_source(Report("a", (Table("b", ("c",), [("d",)] * rows),)), pictures=[]) for rows in (3, 200)
+    )
+    assert "breakable: false" in short
+    assert "breakable: true" in long

@@ -34,6 +34,21 @@ def test_arrowheads_point_outwards_at_both_ends():
     assert arrowheads(Line(((0.0, 0.0), (0.0, 0.0)), arrows="end"), length=1.0) == []
 
 
+def test_heads_are_a_third_as_wide_as_long_of_forces_two_thirds():
+    """On a line at an angle of 3, 4, 5."""
+    for style, half in (("thin", 5.0 / 6.0), ("force", 5.0 / 3.0)):
+        ((tip, one, other),) = arrowheads(Line(((0.0, 0.0), (6.0, 8.0)), style, "start"), length=5.0)
+        assert tip == (0.0, 0.0)
+        assert one == pytest.approx((3.0 - 0.8 * half, 4.0 + 0.6 * half))
+        assert other == pytest.approx((3.0 + 0.8 * half, 4.0 - 0.6 * half))
+
+
+def test_capital_letters_have_their_height():
+    """2.5 mm of capitals, which are 0.729 of the size of DejaVu Sans."""
+    (axes,) = sheet_figure(SHEET).axes
+    assert axes.texts[0].get_fontsize() == pytest.approx(2.5 / 0.729 / 25.4 * 72.0)
+
+
 @pytest.mark.parametrize("suffix", ["svg", "pdf", "png"])
 def test_the_same_sheet_makes_the_same_file(tmp_path, suffix):
     for name in "ab":

@@ -11,21 +11,42 @@ from asperity.show.windup_figure import windup_figure
 ARCSECOND = math.pi / (180.0 * 3600.0)
 
 
-@pytest.fixture
-def panels():
+def loop_of(**changes):
     torque = np.linspace(-4.0, 4.0, 9)
     straight, bow = 1e-4 * torque, 2e-6 * (16.0 - torque**2)
-    curve = SimpleNamespace(
+    return SimpleNamespace(
         torque=torque,
         stiffness=np.full(9, 1e4),
         angle=straight,
         unloading_angle=straight + bow,
         reloading_angle=straight - bow,
         stage_torque=np.array([0.0, 1.0, 2.0, 4.0]),
-        stage_stiffness=np.full(3, 1e4),
-        reverse_stage_stiffness=np.full(3, 1e4),
+        stage_stiffness=np.array([1e4, 2e4, 3e4]),
+        reverse_stage_stiffness=np.array([4e4, 5e4, 6e4]),
     )
-    return windup_figure(curve, title="a joint").axes
+
+
+@pytest.fixture
+def panels():
+    return windup_figure(loop_of(), title="a joint").axes
+
+
+@pytest.fixture
+def turning():
+    """The sun turns 9 rad for each of the output; 0.002 rad of drift in a turn, 1e-4 rad of wind-up."""
+    onset = SimpleNamespace(
+        contacts=SimpleNamespace(sun_angle=9.0, drift_per_output_turn=2e-3 * math.pi),
+        angle=np.array([0.0, 0.1, 0.2]),
+        lag=np.array([0.0, 2e-4, 4e-4]),
+        windup=3e-4,
+        missing_angle=1e-4,
+        static_angle=0.02,
+        steady_angle=0.15,
+        still_angle=0.05,
+        creep_share=0.01,
+        swing_drift=np.array([0.0, 0.0, 3e-4]),
+    )
+    return windup_figure(loop_of(), onset, title="a joint").axes[3:]
 
 
 def test_deviation_shows_the_hysteresis_that_the_loop_hides(panels):
@@ -41,3 +62,45 @@ def test_loop_and_stiffness_are_in_arcminutes(panels):
     loop, _, stiffness = panels
     assert loop.lines[0].get_xdata()[-1] == pytest.approx(4e-4 / (60.0 * ARCSECOND))
     assert stiffness.lines[0].get_ydata()[0] == pytest.approx(1e4 * 60.0 * ARCSECOND)
+    steps = [patch.get_data() for patch in stiffness.patches]
+    minutes = 60.0 * ARCSECOND
+    np.testing.assert_allclose(steps[0].values, np.array([1e4, 2e4, 3e4]) * minutes)
+    np.testing.assert_allclose(steps[0].edges, [0.0, 1.0, 2.0, 4.0])
+    np.testing.assert_allclose(steps[1].values, np.array([6e4, 5e4, 4e4]) * minutes)
+    np.testing.assert_allclose(steps[1].edges, [-4.0, -2.0, -1.0, 0.0])
+
+
+def test_a_joint_that_turns(turning):
+    """Sun: 9 * 0.1 rad is 51.57 degrees; drift of 1e-3 rad for each radian of the output."""
+    beyond, _ = turning
+    lines = {line.get_label(): line for line in beyond.lines}
+    minutes = 60.0 * ARCSECOND
+    assert lines["static curve: wind-up"].get_ydata()[0] == pytest.approx(3e-4 / minutes)
+    behind = lines["angle behind"]
+    np.testing.assert_allclose(behind.get_xdata(), np.degrees([0.0, 0.9, 1.8]))
+    np.testing.assert_allclose(behind.get_ydata(), np.array([0.0, 2e-4, 4e-4]) / minutes)
+    steady = lines["drift of steady rolling"]
+    np.testing.assert_allclose(steady.get_ydata(), np.array([2e-4, 3e-4, 4e-4]) / minutes)
+    assert lines["all contacts rolled 2a"].get_xdata()[0] == pytest.approx(math.degrees(1.35))
+    assert beyond.patches[0].get_width() == pytest.approx(math.degrees(0.18))
+    assert beyond.get_title() == "turning under 4 N·m; shaded: creep below 1 %"
+    assert beyond.get_xlim() == pytest.approx((0.0, math.degrees(1.8)))
+
+
+def test_a_joint_that_swings(turning):
+    """Steady drift counts the way there and the way back."""
+    _, swings = turning
+    lines = {line.get_label(): line for line in swings.lines}
+    minutes = 60.0 * ARCSECOND
+    np.testing.assert_allclose(
+        lines["steady drift, both ways"].get_ydata(), 2.0 * np.array([0.0, 1e-4, 2e-4]) / minutes
+    )
+    np.testing.assert_allclose(lines["lost per swing"].get_ydata(), np.array([0.0, 0.0, 3e-4]) / minutes)
+    assert lines["no drift up to here"].get_xdata()[0] == pytest.approx(math.degrees(0.45))
+
+
+def test_panels_below_each_other():
+    """Three panels on a narrow page, four and five no taller than the page."""
+    figure = windup_figure(loop_of(), title="a joint", stacked=True)
+    assert figure.get_size_inches() == pytest.approx([7.0, 6.81])
+    assert len(figure.axes) == 3

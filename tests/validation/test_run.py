@@ -1,13 +1,10 @@
-"""The installation passes; one in which anything is corrupted does not."""
+"""The installation passes; a check that ends in an error does not."""
 
-import dataclasses
 import json
 
-import numpy as np
 import pytest
 
-from asperity.contact import carter, hertz_line, rolling_fatigue
-from asperity.validation import contact_checks, drive_checks
+from asperity.validation import contact_checks
 from asperity.validation.run import GROUPS, run_checks, source_checksum, validation_document
 
 
@@ -36,33 +33,6 @@ def test_every_check_names_its_reference(checks):
     assert all(0.0 < check.tolerance <= 0.02 for check in checks)
 
 
-@pytest.mark.parametrize(
-    ("module", "name", "group"),
-    [
-        (carter, "creepage", contact_checks.creep),
-        (hertz_line, "half_width", contact_checks.hertz),
-        (hertz_line, "peak_pressure", contact_checks.hertz),
-        (rolling_fatigue, "line_contact_life", contact_checks.fatigue),
-        (drive_checks, "speed_ratio", drive_checks.ratios),
-    ],
-)
-def test_a_function_that_is_off_by_a_thousandth_is_found(monkeypatch, module, name, group):
-    honest = getattr(module, name)
-    monkeypatch.setattr(module, name, lambda *args, **given: honest(*args, **given) * 1.001)
-    assert not all(check.passed for check in group())
-
-
-def test_a_corrupted_table_is_found(monkeypatch, tmp_path):
-    text = contact_checks.CONTACT_LAW_TABLE.read_text(encoding="utf-8")
-    last = text.strip().splitlines()[-1].split(",")[-1]
-    other = tmp_path / "contact_law.csv"
-    other.write_text(text.replace(last, str(float(last) * 1.00001)), encoding="utf-8")
-    monkeypatch.setattr(contact_checks, "CONTACT_LAW_TABLE", other)
-    assert [check.quantity for check in contact_checks.contact_law() if not check.passed] == [
-        "normal stiffness"
-    ]
-
-
 def test_an_error_is_a_failed_check(monkeypatch):
     def broken():
         raise RuntimeError("no such number")
@@ -79,9 +49,3 @@ def test_the_checksum_is_that_of_the_installed_files():
     checksum = source_checksum()
     assert len(checksum) == 64
     assert checksum == source_checksum()
-
-
-def test_the_contact_law_compares_every_pair():
-    check = next(iter(contact_checks.contact_law()))
-    assert check.values == 40
-    assert np.isfinite(dataclasses.astuple(check)[4])

@@ -5,7 +5,6 @@ import pytest
 
 from asperity.errors import InputError
 from asperity.verify.comparison import Sample, compare
-from asperity.verify.figure import comparison_figure
 
 STEEL = {"youngs_modulus": 206e9, "poisson_ratio": 0.3, "hardness": 1.26e9}
 
@@ -60,13 +59,6 @@ def test_elastic_solutions_know_no_hardness():
     found = compare(sample(1.3), seeds=1, relative_pressures=[0.1], elastic=True)
     capped = compare(sample(1.3), seeds=1, relative_pressures=[0.1])
     assert float(found.real_contact_area[0, 0]) < float(capped.real_contact_area[0, 0])
-
-
-def test_figure_has_units_on_every_axis(elastic_regime, tmp_path):
-    figure = comparison_figure([sample(1.7)], [elastic_regime])
-    labels = [a.get_ylabel() for a in figure.axes] + [a.get_xlabel() for a in figure.axes[3:]]
-    assert all("[" in label for label in labels)
-    figure.savefig(tmp_path / "figure.png")
 
 
 @pytest.mark.parametrize(("seeds", "pressures"), [(0, [0.1]), (1, []), (1, [0.2, 0.1]), (1, [1.5])])

@@ -53,11 +53,18 @@ def planar_assumptions(case: PlanarCase) -> tuple[str, ...]:
         told.append("no model.plane_state: plane strain; plane stress is the bound for thin bodies")
     told.append("standing: forces from the slip of the contacts on one loading from rest")
     entries = case.surface.values() if isinstance(case.surface, dict) else [case.surface]
-    if any(entry.roughness_average is not None for entry in entries):
-        told.append(
-            "roughness_average: Ra leaves D open, and all results are those of the middle of its range; compare its "
-            "ends, e.g. by fractal_dimension = 1.15 and 1.5"
-        )
+    for ranged, which in (
+        (True, "middle of its range"),
+        (False, "value in the file, which Ra does not confirm"),
+    ):
+        if any(
+            entry.roughness_average is not None and (entry.fractal_dimension.tolerance > 0.0) == ranged
+            for entry in entries
+        ):
+            told.append(
+                f"roughness_average: Ra leaves D open, and all results are those of the {which}; compare the ends of "
+                "the range, e.g. by fractal_dimension = 1.15 and 1.5"
+            )
     told += rolling_model_assumptions()
     if case.rolling is None or case.rolling.hysteresis_factor is None:
         told.append("no rolling.hysteresis_factor: the bodies lose no work as they roll")

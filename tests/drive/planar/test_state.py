@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from asperity.drive.mechanism import NormalSprings
-from asperity.drive.planar.state import ContactLaws, slip_at_rest
+from asperity.drive.planar.state import ContactLaws, slip_at_rest, surface_speeds
 from asperity.drive.rolling_state import CreepLaw
 
 NORMAL = jnp.array([800.0])
@@ -36,7 +36,26 @@ def test_slip_is_the_integral_of_the_incremental_compliance(share):
     assert float(back[0]) == -float(found[0])
 
 
-def test_beyond_slip_the_tangent_goes_on():
+def test_beyond_999_thousandths_the_tangent_goes_on():
+    """The slope there is the incremental compliance at 0.999 of friction, bodies and asperities."""
+
+    def slip(force):
+        return slip_at_rest(laws=laws(), normal=NORMAL, tangential=jnp.array([force]))[0]
+
+    expected = 4.2e-9 - 0.8e-9 * math.log(1e-3) + 2e-10 * 1e-3 ** (-1.0 / 3.0)
+    for share in (0.9989999, 1.0, 1.5):
+        assert float(jax.grad(slip)(share * LIMIT)) == pytest.approx(expected, rel=1e-3)
+    assert float(slip(1.5 * LIMIT) - slip(1.2 * LIMIT)) == pytest.approx(0.3 * LIMIT * expected, rel=1e-9)
+
+
+def test_surface_speeds_are_relative_to_the_carrier(drives):
+    """Sun at 1, carrier at 1/6: 10 mm * 5/6 on both sides, and on the ring 50 mm / 6."""
+    one, two = surface_speeds(drive=drives["planetary"], speed=jnp.array([1.0, -0.25, 0.0, 1.0 / 6.0]))
+    np.testing.assert_allclose(one, [10e-3 * 5.0 / 6.0, 20e-3 * 5.0 / 12.0], rtol=1e-12)
+    np.testing.assert_allclose(two, [20e-3 * 5.0 / 12.0, 50e-3 / 6.0], rtol=1e-12)
+
+
+def test_beyond_slip_the_slip_grows():
     def slip(force):
         return slip_at_rest(laws=laws(None), normal=NORMAL, tangential=jnp.array([force]))[0]
 

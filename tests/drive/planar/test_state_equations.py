@@ -14,8 +14,10 @@ from asperity.drive.planar.state_equations import (
     STANDING,
     Task,
     Unknowns,
+    assembled_guess,
     machine_of,
     no_displacement,
+    solved,
     started_from,
     state_of,
 )
@@ -44,7 +46,9 @@ def machine(drives):
 def state(machine):
     """State from forces, speeds beyond those without slip, and rotations."""
 
-    def of(kind, *, tangential=0.0, torque=0.0, turn=(0.0, 0.0), interference=(ONE + TWO) * NORMAL):
+    def of(
+        kind, *, tangential=0.0, torque=0.0, turn=(0.0, 0.0), interference=(ONE + TWO) * NORMAL, force=None
+    ):
         unknowns = Unknowns(
             normal=jnp.full(2, NORMAL / REFERENCE),
             tangential=jnp.array([1.0, -1.0]) * tangential / (FRICTION * REFERENCE),
@@ -54,7 +58,8 @@ def state(machine):
             interference=jnp.array([interference]) / LENGTH,
         )
         drive = machine.drive
-        task = Task(kind, jnp.asarray(interference), DriveLoad(jnp.asarray(torque)), no_displacement(drive))
+        load = DriveLoad(jnp.asarray(torque), force)
+        task = Task(kind, jnp.asarray(interference), load, no_displacement(drive))
         if kind == STANDING:  # slip counts from the assembled drive
             task = task._replace(origin=unknowns.displacement * LENGTH)
         return state_of(machine, task, unknowns)
@@ -120,6 +125,7 @@ def test_rolling(state):
     np.testing.assert_allclose(found.creepage, creepage() * np.array([1.0, -1.0]), rtol=1e-12)
     assert float(found.speed_loss) == pytest.approx(1.0 - 6.0 * carrier, rel=1e-9)
     np.testing.assert_allclose(found.pin_force, [-2.0 * TANGENTIAL])
+    np.testing.assert_array_equal(found.rotation, 0.0)  # a rotation of members that stand
 
 
 def test_a_wrong_torque_is_a_residual_of_its_size(state):
@@ -128,6 +134,18 @@ def test_a_wrong_torque_is_a_residual_of_its_size(state):
     turn = (planet + 0.25, carrier - 1.0 / 6.0)
     found = state(ROLLING, tangential=TANGENTIAL, torque=1.01 * TORQUE, turn=turn)
     assert float(found.worst) == pytest.approx(0.01 * TORQUE / (RING * REFERENCE), rel=1e-6)
+
+
+def test_a_force_without_balance_is_a_residual_of_its_size(state):
+    """5 N on the planet over the largest force."""
+    found = state(ASSEMBLED, force=jnp.array([[3.0, -5.0]]))
+    assert float(found.worst) == pytest.approx(5.0 / REFERENCE, rel=1e-9)
+
+
+def test_members_that_do_not_follow_their_slip_are_a_residual_of_its_size(state):
+    """Nothing turns, although the ring's contact slips by c T: over the approach at the reference."""
+    found = state(STANDING, tangential=TANGENTIAL, torque=TORQUE)
+    assert float(found.worst) == pytest.approx(TWO * TANGENTIAL / LENGTH, rel=1e-9)
 
 
 def test_slip_and_lift_off_are_not_carried(state):
@@ -146,3 +164,12 @@ def test_a_known_state_is_where_a_search_starts(machine, state, kind):
         dataclasses.astuple(known), dataclasses.astuple(state_of(machine, task, again)), strict=True
     ):
         np.testing.assert_allclose(one, two, rtol=1e-12, atol=1e-13)
+
+
+@pytest.mark.parametrize(("by_force", "size"), [(True, 700.0), (False, (ONE + TWO) * 700.0)])
+def test_a_preload_or_an_interference_is_found_again(machine, by_force, size):
+    """Both make 700 N at both contacts of the planet."""
+    task = Task(ASSEMBLED, jnp.asarray(size), DriveLoad(jnp.zeros(())), no_displacement(machine.drive))
+    found = state_of(machine, task, solved(machine, task, assembled_guess(machine), by_force=by_force))
+    np.testing.assert_allclose(found.normal, 700.0, rtol=1e-12)
+    assert float(found.interference[1]) == pytest.approx((ONE + TWO) * 700.0, rel=1e-12)

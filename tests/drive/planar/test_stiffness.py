@@ -71,3 +71,11 @@ def test_shafts_are_in_series():
     assert float(found) == pytest.approx(1.0 / (1.0 / 3000.0 + 1.0 / 3600.0), rel=1e-12)
     assert float(entry) == pytest.approx(3000.0 / 6600.0, rel=1e-12)
     assert float(out) == 0.0
+    found, entry, out = with_shafts(
+        stiffness=jnp.asarray(3000.0), ratio=6.0, input_shaft_stiffness=100.0, output_shaft_stiffness=6000.0
+    )
+    compliance = 1.0 / 3000.0 + 1.0 / 3600.0 + 1.0 / 6000.0
+    assert float(found) == pytest.approx(1.0 / compliance, rel=1e-12)
+    assert (float(entry), float(out)) == pytest.approx(
+        (1.0 / 3600.0 / compliance, 1.0 / 6000.0 / compliance), rel=1e-12
+    )

@@ -5,15 +5,9 @@ import json
 import numpy as np
 import pytest
 
-from asperity.study.datasets import number_or_null
 from asperity.study.tolerances.documents import sensitivity_document
 
 xarray = pytest.importorskip("xarray")
-
-
-def test_numbers_for_json():
-    assert number_or_null(np.float64(1.5)) == 1.5
-    assert [number_or_null(value) for value in (np.nan, np.inf, -np.inf)] == [None] * 3
 
 
 def test_a_derivative_without_a_value_is_null():

@@ -12,6 +12,7 @@ from asperity.units import from_si
 
 if TYPE_CHECKING:
     import xarray
+    from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
 _BARS = 14
@@ -63,12 +64,13 @@ def tornado_figure(
     drawn = figure.subplots(1, len(shown), sharey=True, squeeze=False)[0]
     for panel, name in zip(drawn, shown, strict=True):
         one = sensitivities.sel(result=name, input=order)
-        lengths = np.nan_to_num(one["elasticity"].values)
+        lengths = one["elasticity"].values
         colours = [_POSITIVE if length > 0.0 else _NEGATIVE for length in lengths]
         panel.barh(np.arange(len(order)), lengths, color=colours)
+        _mark_unknown(panel, lengths)
         panel.axvline(0.0, color="black", linewidth=0.8)
         panel.set_xscale("symlog", linthresh=0.1)
-        reach = max(1.0, 2.0 * float(np.abs(lengths).max(initial=0.0)))
+        reach = max(1.0, 2.0 * float(np.nanmax(np.abs(lengths), initial=0.0)))
         ticks = [t for t in (0.1, 1.0, 10.0, 100.0) if t <= reach]
         panel.set_xlim(-reach, reach)
         panel.set_xticks([-t for t in reversed(ticks)] + [0.0, *ticks])
@@ -82,6 +84,12 @@ def tornado_figure(
         panel.set_yticks(np.arange(len(order)), one["input_name"].values)
     panel.invert_yaxis()
     return figure
+
+
+def _mark_unknown(panel: Axes, lengths: np.ndarray) -> None:
+    """Say where there is no number, which is not the same as a bar of length zero."""
+    for place in np.flatnonzero(np.isnan(lengths)):
+        panel.text(0.0, float(place), " not known", va="center", fontsize=7)
 
 
 def _display_unit(name: str, otherwise: str) -> str:
@@ -137,12 +145,13 @@ def uncertainty_figure(spread: xarray.Dataset, *, result: str, width: float | No
     ):
         right.barh(
             place + shift,
-            np.nan_to_num(one[name].values[order]),
+            one[name].values[order],
             height=0.38,
-            xerr=np.nan_to_num(one[f"{name}_half_width"].values[order]),
+            xerr=one[f"{name}_half_width"].values[order],
             color=colour,
             label=told,
         )
+    _mark_unknown(right, one["total_order"].values[order])
     labels = [
         f"{n}\n({d})" for n, d in zip(one["input_name"].values, one["distribution"].values, strict=True)
     ]

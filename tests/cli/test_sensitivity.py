@@ -1,0 +1,44 @@
+"""``asperity sensitivity``: elasticities that follow from scaling, and the order of the table."""
+
+import json
+from pathlib import Path
+
+import pytest
+from click.testing import CliRunner
+
+from asperity.cli import asperity
+from asperity.errors import InputError
+
+FILE = str(Path(__file__).parents[2] / "examples" / "zou2025.toml")
+
+
+@pytest.fixture(autouse=True)
+def _no_cache(monkeypatch, tmp_path):
+    monkeypatch.setenv("ASPERITY_CACHE_DIR", "")
+    monkeypatch.chdir(tmp_path)
+
+
+def run(*arguments):
+    return CliRunner().invoke(asperity, list(arguments), catch_exceptions=False)
+
+
+@pytest.mark.slow
+def test_sensitivity_document_and_table(tmp_path, monkeypatch):
+    from asperity.joint_file.reader import read_case
+    from asperity.study.tolerances import sensitivity as module
+
+    found = module.sensitivity(read_case(FILE))
+    monkeypatch.setattr(
+        module, "sensitivity", lambda case, results: found
+    )  # compiled once for three commands
+    document = json.loads(run("sensitivity", FILE, "--json", "--plot").stdout)
+    elasticity = document["results"]["torque_capacity"]["elasticity"]
+    assert elasticity["drive.planets"] == pytest.approx(1.0, abs=1e-9)
+    assert document["inputs"]["drive.sun_radius"] == {"value": 0.004, "unit": "m"}
+    assert (tmp_path / "sensitivity.png").stat().st_size > 10_000
+    table = run("sensitivity", FILE, "--result", "torque_capacity").output.splitlines()
+    ranks = [line.split()[0] for line in table if line.startswith((" drive.", " load.", "drive.", "load."))]
+    assert ranks[0] == "drive.ring_radius"
+    assert set(ranks[1:4]) == {"load.friction_coefficient", "load.preload", "drive.planets"}
+    with pytest.raises(InputError, match="there is no result 'weight'; the page 'Results'"):
+        run("sensitivity", FILE, "--result", "weight")

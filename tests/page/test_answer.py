@@ -1,0 +1,91 @@
+"""What the page is told of a joint beside its document: the file's values, and why there is no wind-up."""
+
+import math
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+
+from asperity.joint_file.build import joint_from_case
+from asperity.joint_file.reader import parse_case
+from asperity.page import answer
+from asperity.page.answer import _curves, _windup, plain_numbers, stated_values
+
+
+def test_numbers_for_json():
+    assert plain_numbers(np.array([1.5, np.nan, np.inf, -np.inf, 0.0])) == [1.5, None, None, None, 0.0]
+
+
+def test_values_are_in_the_unit_of_display_and_in_si(joint_text):
+    text = joint_text.replace('"13.5 mm"', '"0.0135 m +- 5 um, uniform"')
+    numbers = stated_values(parse_case(text, source="x"))["numbers"]
+    assert numbers["drive.planet_radius"] == {
+        "value": 13.5,
+        "si": pytest.approx(0.0135, rel=1e-15),
+        "tolerance": pytest.approx(5e-6, rel=1e-12),
+    }
+    assert numbers["load.sun_speed"]["value"] == 6000.0
+    assert numbers["load.sun_speed"]["si"] == pytest.approx(6000.0 * math.pi / 30.0, rel=1e-15)
+    assert numbers["materials.steel.youngs_modulus"]["value"] == 206.0
+
+
+def test_a_choice_that_the_file_leaves_out_is_empty(case, joint_text):
+    choices = stated_values(case)["choices"]
+    assert choices["model.contact_factor"] == "printed" or choices["model.contact_factor"] == "unity"
+    assert choices["model.bodies"] == "exact"
+    lines = [line for line in joint_text.splitlines() if not line.startswith("bodies =")]
+    assert stated_values(parse_case("\n".join(lines), source="x"))["choices"]["model.bodies"] == ""
+
+
+def test_without_a_torque_there_is_no_windup(joint_text):
+    joint = joint_from_case(parse_case(joint_text.replace('"5 N*m"', '"0 N*m"'), source="x"))
+    assert _windup(joint) == {"unknown_because": "no torque, no wind-up: set an output torque"}
+
+
+@pytest.mark.parametrize(("torque", "capacity"), [("5 N*m", 13.0), ("-5 N*m", 11.0)])
+def test_the_curves_go_up_to_the_capacity_in_the_direction_of_the_torque(
+    monkeypatch, joint_text, torque, capacity
+):
+    joint = joint_from_case(parse_case(joint_text.replace('"5 N*m"', f'"{torque}"'), source="x"))
+    solution = SimpleNamespace(
+        capacity=SimpleNamespace(output_torque=13.0), reverse_capacity=SimpleNamespace(output_torque=11.0)
+    )
+
+    def curves(*, joint, torque_capacity):
+        names = (
+            "published",
+            "series_with_bulk",
+            "assembly",
+            "drift_per_output_turn",
+            "efficiency",
+            "slip_ratio",
+        )
+        return SimpleNamespace(
+            torque=np.array([0.0, torque_capacity]), **dict.fromkeys(names, np.array([1.0, np.nan]))
+        )
+
+    monkeypatch.setattr(answer, "torque_curves", curves)
+    found = _curves(joint, solution)
+    assert found["torque_Nm"] == [0.0, capacity]
+    assert found["largest_slip_ratio"] == [1.0, None]
+
+
+def test_the_windup_is_that_of_the_assembly_up_to_the_torque_in_thirds(monkeypatch, joint_text):
+    asked = {}
+
+    def windup(joint, **given):
+        asked.update(given)
+        return SimpleNamespace(hysteresis=1e-4, lost_motion=2e-4, dissipated_energy=3e-4)
+
+    monkeypatch.setattr(answer, "windup", windup)
+    monkeypatch.setattr(answer, "windup_columns", lambda curve: {"torque_Nm": np.array([0.0, 5.0])})
+    joint = joint_from_case(parse_case(joint_text.replace('"5 N*m"', '"-5 N*m"'), source="x"))
+    assert _windup(joint) == {
+        "unknown_because": None,
+        "hysteresis_rad": 1e-4,
+        "lost_motion_rad": 2e-4,
+        "dissipated_energy_J": 3e-4,
+        "torque_Nm": [0.0, 5.0],
+    }
+    assert (asked["largest_torque"], asked["level"]) == (5.0, "assembly")
+    assert asked["stage_shares"] == pytest.approx((1.0 / 3.0, 2.0 / 3.0), rel=1e-15)

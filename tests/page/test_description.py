@@ -1,0 +1,67 @@
+"""What can be set on the page: every number and choice of the model, in the units of its range."""
+
+import pytest
+
+from asperity.joint_file import limits
+from asperity.library import read_finishes
+from asperity.page.description import HEADINGS, description
+from asperity.units import from_si, parse_quantity
+
+
+@pytest.fixture(scope="module")
+def described():
+    return description()
+
+
+@pytest.fixture(scope="module")
+def keys(described):
+    return {each["key"]: each for group in described["groups"] for each in group["parameters"]}
+
+
+def test_groups_are_in_the_order_of_the_page(described):
+    assert [group["name"] for group in described["groups"]] == list(HEADINGS)
+    assert all(group["parameters"] for group in described["groups"])
+
+
+def test_ranges_are_those_of_the_file(keys):
+    friction, push = keys["load.friction_coefficient"], keys["drive.right_push_angle"]
+    assert (friction["lowest"], friction["highest"]) == (
+        limits.FRICTION_COEFFICIENT.lower,
+        limits.FRICTION_COEFFICIENT.upper,
+    )
+    assert (friction["lowest_included"], friction["highest_included"]) == (False, True)
+    assert (push["lowest"], push["highest"], push["unit"]) == (-60.0, 60.0, "deg")
+    assert keys["drive.planets"]["whole"]
+    assert not keys["drive.sun_radius"]["whole"]
+
+
+def test_examples_are_in_the_unit_of_the_range_and_inside_it(keys):
+    for path, each in keys.items():
+        assert each["lowest"] <= each["example_value"] <= each["highest"], path
+        assert each["meaning"], path
+    key = limits.SPRING
+    spring = keys["compliance.pin_stiffness"]
+    assert spring["example_value"] == pytest.approx(
+        from_si(parse_quantity(key.typical, key.dimension), key.unit), rel=1e-12
+    )
+
+
+def test_what_is_taken_for_a_key_that_is_absent(keys):
+    assert keys["compliance.pin_stiffness"]["default"] == "rigid if absent"
+    assert keys["rolling.reliability"]["default"] == "0.9 if absent"
+    assert keys["drive.sun_radius"]["default"] is None
+
+
+def test_the_library_is_listed(described):
+    steels = {each["name"]: each for each in described["materials"]}
+    assert "62 HRC" in steels["52100"]["description"]
+    for finish in described["finishes"]:
+        low, high = finish["fractal_dimension"]
+        assert 1.0 < low <= high < 2.0
+        library = read_finishes()[finish["name"]]
+        assert finish["fractal_roughness_mm"] == pytest.approx([g / 1e-3 for g in library.fractal_roughness])
+        assert finish["roughness_average_um"] == pytest.approx(
+            [ra / 1e-6 for ra in library.roughness_average]
+        )
+        assert finish["roughness_average_um"][0] <= finish["roughness_average_um"][-1] < 100.0
+        assert finish["frequency_ratio"] == 1.5

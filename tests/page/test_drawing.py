@@ -1,0 +1,50 @@
+"""The shapes of a drive for the browser: centres by the law of cosines, forces where the bodies touch."""
+
+import math
+
+import numpy as np
+import pytest
+
+from asperity.drive.force_balance import DriveForces
+from asperity.page.drawing import drive_shapes
+
+NORMAL = np.array([1000.0, 600.0, 500.0, 590.0, 490.0])
+TANGENTIAL = np.array([46.0, 26.0, 20.0, 26.0, 20.0])
+
+
+@pytest.fixture(scope="module")
+def shapes(paper_joint):
+    joint = paper_joint()
+    names = DriveForces.__annotations__
+    numbers = {name: np.zeros(()) for name in names} | {"normal": NORMAL, "tangential": TANGENTIAL}
+    return drive_shapes(joint, DriveForces(**numbers))
+
+
+def test_every_roller_in_its_place(shapes):
+    rollers = shapes["rollers"]
+    counts = {name: sum(each["body"] == name for each in rollers) for name in ("sun", "planet")}
+    assert counts == {"sun": 1, "planet": 3}
+    assert len(rollers) == 10
+    orbit = {"sun": 0.0, "planet": 17.5e-3}
+    for each in rollers:
+        expected = orbit.get(each["body"], 35e-3)
+        assert math.hypot(each["x_m"], each["y_m"]) == pytest.approx(expected, abs=1e-12)
+    assert shapes["ring"] == {"inner_radius_m": 40e-3, "wall_m": 10e-3}
+
+
+def test_forces_act_where_the_bodies_touch(shapes):
+    forces = {each["contact"]: each for each in shapes["forces"]}
+    assert list(forces) == ["sp", "pwr", "pwl", "wro", "wlo"]
+    assert (forces["sp"]["x_m"], forces["sp"]["y_m"]) == pytest.approx((0.0, 4e-3), abs=1e-12)
+    for name in ("wro", "wlo"):  # on the ring
+        assert math.hypot(forces[name]["x_m"], forces[name]["y_m"]) == pytest.approx(40e-3, rel=1e-9)
+        assert forces[name]["on"].endswith("loading roller")
+    # the sun presses the planet outwards; every normal and tangential force has its size
+    np.testing.assert_allclose(forces["sp"]["normal_N"], [0.0, 1000.0], atol=1e-9)
+    for name, normal, tangential in zip(forces, NORMAL, TANGENTIAL, strict=True):
+        assert math.hypot(*forces[name]["normal_N"]) == pytest.approx(normal, rel=1e-12)
+        assert math.hypot(*forces[name]["tangential_N"]) == pytest.approx(tangential, rel=1e-12)
+        assert np.dot(forces[name]["normal_N"], forces[name]["tangential_N"]) == pytest.approx(0.0, abs=1e-6)
+    # the ring presses the loading rollers inwards
+    right = forces["wro"]
+    assert np.dot(right["normal_N"], [right["x_m"], right["y_m"]]) < 0.0

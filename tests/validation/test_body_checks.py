@@ -1,0 +1,20 @@
+"""The check of discs passes, and finds a compliance that is off."""
+
+import math
+
+import pytest
+
+from asperity.validation import body_checks
+
+
+def test_a_compliance_that_is_off_by_a_thousandth_is_found(monkeypatch):
+    (check,) = body_checks.discs()
+    assert check.passed
+    # Johnson's approach of a roller between two flats, in micrometres for a kilonewton
+    by_hand = 2.0 * 0.91 / (math.pi * 206e9 * 5e-3) * (2.0 * math.log(4.0 * 13.5 / 0.08) - 2.0) * 1e9
+    assert check.expected == pytest.approx(by_hand, rel=1e-12)
+    honest = body_checks._matrix
+    monkeypatch.setattr(body_checks, "_matrix", lambda *args, **given: honest(*args, **given) * 1.001)
+    (check,) = body_checks.discs()
+    assert not check.passed
+    assert check.deviation == pytest.approx(1e-3, rel=0.5)
