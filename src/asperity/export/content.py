@@ -12,9 +12,9 @@ from asperity.errors import printable
 from asperity.joint.both_senses import BothSenses, both_senses
 from asperity.joint.description import Joint
 from asperity.joint.dynamics import Inertias, body_inertias
+from asperity.joint.either_kind import AnySolution
 from asperity.joint.play import Play
 from asperity.joint.rolling_document import unknown_because
-from asperity.joint.solve import Solution
 from asperity.joint.windup import StiffnessLevel, Windup
 from asperity.joint.windup_document import examined_windup
 from asperity.units import format_quantity
@@ -149,7 +149,7 @@ def export_content(
     return ExportContent(source, joint, level, curve, curves, parts, tuple(because))
 
 
-def _moving_parts(joint: Joint, inertias: Inertias | None, solution: Solution) -> MovingParts:
+def _moving_parts(joint: Joint, inertias: Inertias | None, solution: AnySolution) -> MovingParts:
     sun, moving = (float(np.asarray(each)) for each in body_inertias(joint))
     power, speed = solution.result.rolling.power, abs(float(joint.sun_speed))
     lost = float(np.asarray(power.loss)) - float(
