@@ -5,19 +5,21 @@ import dataclasses
 import numpy as np
 import pytest
 
+from asperity.joint.both_senses import both_senses
+from asperity.joint.dynamics import Inertias, dynamics
 from asperity.joint.either_kind import under_torque
+from asperity.joint.planar.inertias import planar_inertias
 from asperity.joint.planar.solve import solve_planar
 from asperity.joint.rolling_onset import rolling_onset
 from asperity.joint.windup import windup
 from asperity.joint_file.build import joint_from_case
-from asperity.joint_file.planar_build import planar_joint_from_case
 
 STAGES = (1.0 / 3.0, 2.0 / 3.0)
 
 
 @pytest.fixture(scope="module")
-def joint(planar_case):
-    return planar_joint_from_case(planar_case("planetary"))
+def joint(planar_joint):
+    return planar_joint("planetary")
 
 
 def curve_of(joint, torque):
@@ -68,6 +70,33 @@ def test_the_drift_begins_as_that_of_its_rolling(joint, curve):
     # the sun turns six times as far; the planet rolls 50 mm of the ring in a radian of the carrier
     assert float(one.sun_angle) == pytest.approx(6.0, rel=1e-2)
     assert float(one.distance[1]) == pytest.approx(50e-3, rel=1e-3)
+
+
+def test_creep_damps_as_the_slope_of_the_lost_speed(joint):
+    found = dynamics(joint, Inertias(2e-5, 0.05, 0.0))
+    at, torques = found.at_torque, np.array([9.995, 10.005])
+    assert float(at.stiffness) == pytest.approx(
+        float(solve_planar(joint).result.assembly.stiffness.output), rel=1e-9
+    )
+    output_speed = 1500.0 * np.pi / 30.0 / 6.0
+    lost = [
+        float(solve_planar(under_torque(joint, torque)).result.rolling.speed_loss) * output_speed
+        for torque in torques
+    ]
+    assert float(at.creep_damping) == pytest.approx(np.diff(torques)[0] / np.diff(lost)[0], rel=1e-5)
+    sun, _ = planar_inertias(joint)
+    assert float(at.input_inertia) == pytest.approx(36.0 * (2e-5 + float(sun)), rel=1e-9)
+    expected = np.sqrt(at.stiffness / at.output_inertia) / (2.0 * np.pi)
+    assert float(at.locked_frequency) == pytest.approx(float(expected), rel=1e-9)
+
+
+def test_both_senses_of_rotation(joint):
+    """The drift has the sign of the torque, and is nearly the same with and against it."""
+    found = both_senses(joint=joint, torque=np.array([-10.0, 10.0]))
+    drift = float(solve_planar(joint).result.rolling.drift_per_output_turn)
+    np.testing.assert_allclose(found.driving_drift, [-drift, drift], rtol=1e-6)
+    np.testing.assert_allclose(found.braking_drift, found.driving_drift, rtol=3e-3)
+    assert np.all(np.abs(found.braking_drift) < np.abs(found.driving_drift))
 
 
 @pytest.mark.slow
