@@ -39,12 +39,15 @@ def test_every_body_and_the_whole_drive_are_in_balance(drives, solved, name, tor
 
 
 def test_a_planet_of_a_planetary_by_hand(drives):
-    """7 N at sun and ring push the pin with 14 N; 5 N outward press the ring, and leave the pin alone."""
+    """7 N at sun and ring push the pin with 14 N; 5 N outward press the ring, and leave the pin alone.
+
+    The planet turns against the sun.
+    """
     drive = drives["planetary"]
     found = planar_loads(
         drive=drive,
         normal=jnp.array([100.0, 105.0]),
-        tangential=jnp.array([7.0, 7.0]),
+        tangential=jnp.array([7.0, -7.0]),
         body_force=5.0 * drive.centres[1:2] / jnp.linalg.norm(drive.centres[1]),
     )
     np.testing.assert_allclose(np.abs(found.pin), [14.0], rtol=1e-12)
