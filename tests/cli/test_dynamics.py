@@ -44,3 +44,15 @@ def test_a_joint_that_stands(call, joint_file):
     assert outcome.code == 0
     assert "The sun stands: creep does not act." in outcome.out
     assert "loss_factor" not in outcome.out
+
+
+@pytest.mark.slow
+def test_a_drive_of_another_type(call, zou_file, tmp_path):
+    file, picture = zou_file.with_name("multiroller.toml"), tmp_path / "response.svg"
+    outcome = call("dynamics", file, "--plot", picture, "--json")
+    assert outcome.code == 0
+    at = json.loads(outcome.out)["at_torque"]
+    expected = np.sqrt(at["stiffness_output_Nm_per_rad"] / at["output_inertia_kg_m2"]) / (2 * np.pi)
+    assert at["locked_frequency_Hz"] == pytest.approx(expected, rel=1e-12)
+    assert at["corner_frequency_Hz"] > 0.0
+    assert picture.stat().st_size > 10_000

@@ -77,3 +77,17 @@ def test_targets_are_those_of_the_room():
     from asperity.export.targets import SUFFIXES
 
     assert tuple(SUFFIXES) == TARGETS
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    ("to", "name"), [("table", "a.csv"), ("mujoco", "a.xml"), ("fmu", "a.fmu"), ("modelica", "a.mo")]
+)
+def test_a_drive_of_another_type(call, zou_file, tmp_path, to, name):
+    outcome = call("export", zou_file.with_name("multiroller.toml"), "--to", to, "--out", tmp_path / name)
+    assert outcome.code == 0
+    assert "Drift per output turn at 10 N*m, steady rolling" in outcome.out
+    if to == "mujoco":  # sun and ring turn the same way
+        text = (tmp_path / name).read_text()
+        assert '<joint name="motor" type="hinge" axis="0 0 1"' in text
+        assert "motor: the sun, in its own angles; output: the ring." in text

@@ -44,3 +44,13 @@ def test_every_load_of_the_duty_is_a_column(call, joint_file, tmp_path):
     speed = next(row for row in rows if row[0] == "sun bearing" and row[2] == "speed in the housing")
     assert [float(cell) for cell in speed[4:]] == pytest.approx([0.0, 6000.0, 3000.0])
     assert speed[3] == "rpm"
+
+
+@pytest.mark.slow
+def test_a_drive_of_another_type(call, zou_file):
+    """Input, output and grounded member hold each other about the axis."""
+    document = json.loads(call("loads", zou_file.with_name("multiroller.toml"), "--json").out)
+    torques = [row["values"] for row in document["loads"] if row["unit"] == "N*m"]
+    assert len(torques) == 3
+    assert sum(values[1] for values in torques) == pytest.approx(0.0, abs=1e-9)
+    assert max(values[1] for values in torques) == pytest.approx(10.0)

@@ -161,3 +161,22 @@ def test_a_torque_beyond_rolling_has_no_drift(call, tmp_path):
     refused = call("windup", file, "--torque", "13.8 N*m", "--rolling-csv", tmp_path / "r.csv")
     assert (refused.code, refused.out) == (2, "")
     assert "--rolling-csv: no steady rolling" in refused.err
+
+
+@pytest.mark.slow
+def test_a_drive_of_another_type(call, zou_file, tmp_path):
+    file, table = zou_file.with_name("multiroller.toml"), tmp_path / "w.csv"
+    found = json.loads(call("windup", file, "--csv", table, "--json").out)
+    solved = json.loads(call("joint", file, "--json").out)
+    assert found["torque_capacity"]["limiting_contact"] == solved["torque_capacity"]["limiting_contact"]
+    rows = list(csv.DictReader(table.read_text().splitlines()))
+    stiffness = solved["torsional_stiffness"]["assembly"]["output_Nm_per_rad"]
+    assert float(rows[-1]["incremental_stiffness_Nm_per_rad"]) == pytest.approx(stiffness, rel=1e-9)
+    drift = solved["rolling"]["drift_rad_per_output_turn"]
+    assert found["rolling"]["drift_rad_per_output_turn"] == pytest.approx(drift, rel=1e-9)
+    shares = [contact["share_of_drift"] for contact in found["rolling"]["contacts"].values()]
+    assert sum(shares) == pytest.approx(1.0)
+    assert call("windup", file, "--plot", tmp_path / "w.svg").code == 0
+    refused = call("windup", file, "--torque", "90 N*m")
+    assert (refused.code, refused.out) == (2, "")
+    assert "--torque: the output torque 90 N·m is beyond the torque capacity" in refused.err

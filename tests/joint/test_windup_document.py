@@ -5,6 +5,7 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
+from asperity.drive.geometry import CONTACT_NAMES
 from asperity.errors import InputError
 from asperity.joint import windup_document as module
 from asperity.joint.windup_document import examined_windup, rolling_columns, windup_columns, windup_document
@@ -15,8 +16,8 @@ CAPACITIES = {"forward": {"output_torque_Nm": 13.0}, "reverse": {"output_torque_
 @pytest.fixture
 def document(monkeypatch):
     """12 N·m turn the output by 1.2 mrad; backwards the first stage is half as stiff."""
-    monkeypatch.setattr(module, "capacity_document", CAPACITIES.get)
-    monkeypatch.setattr(module, "unknown_because", lambda joint, result: [f"no {result}"])
+    monkeypatch.setattr(module, "capacity_document", lambda capacity, contacts: CAPACITIES[capacity])
+    monkeypatch.setattr(module, "unknown_because", lambda joint, result: [f"no {result.name}"])
     torque = np.linspace(-12.0, 12.0, 5)
     curve = SimpleNamespace(
         torque=torque, angle=1e-4 * torque, hysteresis=2e-5, lost_motion=3e-5, dissipated_energy=4e-3,
@@ -34,7 +35,11 @@ def document(monkeypatch):
         still_angle=3e-3, width_angle=1e-2 * np.arange(1.0, 6.0),
     )  # fmt: skip
     solutions = tuple(
-        SimpleNamespace(capacity="forward", reverse_capacity="reverse", result=name)
+        SimpleNamespace(
+            capacity="forward",
+            reverse_capacity="reverse",
+            result=SimpleNamespace(name=name, contact_names=CONTACT_NAMES),
+        )
         for name in ("one", "other")
     )
     return windup_document(None, curve, solutions, (onset, None), level="assembly")

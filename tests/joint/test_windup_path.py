@@ -20,7 +20,8 @@ from asperity.drive.geometry import triangle
 from asperity.joint.contacts import joint_contacts, loaded_contacts
 from asperity.joint.description import with_one_rank
 from asperity.joint.evaluation import evaluate
-from asperity.joint.windup import at_standstill, windup, without_slip
+from asperity.joint.standing import at_standstill, without_slip
+from asperity.joint.windup import windup
 from asperity.zou2025.preset import operating_grid, table_2_joint
 
 ELEMENTS, STEPS, MU = 120, 60, 0.12

@@ -5,7 +5,7 @@ from pathlib import Path
 
 import pytest
 
-from asperity.joint_file.reader import parse_case
+from asperity.joint_file.reader import parse_any_case, parse_case
 from asperity.report.content import Heading, Listing, Paragraph, Picture, Table
 from asperity.report.html import report_html
 from asperity.report.joint_report import ReportSource, joint_report
@@ -82,3 +82,32 @@ def test_loads_of_the_structure_are_those_of_the_balance(made):
     assert rows["carrier, on the axis", "torque of all pins"] == ("0", "5", "N·m")
     assert rows["carrier pin, left roller", "resultant force"][0] == "127.8"  # 1000 N/(2 cos theta) sin beta
     assert "Hoop stress of bodies that bend, and their safety" not in tables(made)
+
+
+@pytest.mark.slow
+def test_a_drive_of_another_type_has_all_sections():
+    file = Path(__file__).parents[2] / "examples" / "multiroller.toml"
+    text = file.read_text(encoding="utf-8")
+    case = parse_any_case(text, source=file.name)
+    report = joint_report(ReportSource(file.name, text, case))
+    assert report.sections == (
+        "Summary", "Inputs", "Assumptions", "Drawing", "Stiffness", "Forces and contacts", "Loads of the structure",
+        "Safety margins", "Warnings", "Wind-up", "The joint in rolling", "Versions", "Joint file",
+    )  # fmt: skip
+    found = tables(report)
+    assert len(found["Numbers of the joint file"].rows) > 20
+    rows = dict(found["Drive"].rows)
+    assert (rows["output member"], rows["speed ratio, input over output"]) == ("ring", "14.98")
+    assert dict(found["Summary"].rows)["sectors"] == "4"
+    assert [row[0] for row in found["Contacts in rolling"].rows] == ["sf", "fsl", "fsr", "sr"]
+    assert {row[-1] for row in found["Safety margins"].rows if row[1] in ("function", "damage")} == {"pass"}
+    assert "slip" in report_html(report)
+
+
+@pytest.mark.slow
+def test_unequal_branches_have_tables_of_their_own():
+    file = Path(__file__).parents[2] / "examples" / "zou2025.toml"
+    branches = "".join(f'\n[[branch]]\nplanet_deviation = "{size} um"\n' for size in (1.0, 0.0, -1.0))
+    report = report_of(file.read_text(encoding="utf-8") + branches)
+    assert "Branches by their own sizes" in report.sections
+    assert [row[1] for row in tables(report)["Branches"].rows] == ["1", "0", "-1"]

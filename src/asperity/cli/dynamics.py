@@ -34,12 +34,13 @@ def dynamics(file: str, plot_file: str | None, csv_file: str | None, as_json: bo
     The section [dynamics] of FILE gives the inertias of motor and load. The joint is linear about its output torque.
     While it turns, creep acts as a damper in series with its spring.
     """
-    from asperity.joint_file.reader import read_case
+    from asperity.joint_file.reader import read_any_case
 
     check_image(plot_file)
     check_file(csv_file, file)
-    case = read_case(file)
-    from asperity.joint_file.build import inertias_from_case, joint_from_case
+    case = read_any_case(file)
+    from asperity.joint_file.build import inertias_from_case
+    from asperity.joint_file.planar_build import any_joint_from_case
     from asperity.precision import use_compilation_cache, use_double_precision
 
     use_double_precision()
@@ -48,7 +49,7 @@ def dynamics(file: str, plot_file: str | None, csv_file: str | None, as_json: bo
     from asperity.joint.dynamics import dynamics as solved_dynamics
     from asperity.joint.dynamics import dynamics_document, response_columns
 
-    found = solved_dynamics(joint_from_case(case), inertias)
+    found = solved_dynamics(any_joint_from_case(case), inertias)
     if csv_file:
         write_columns(response_columns(found), csv_file)
         say_written(csv_file)

@@ -51,10 +51,10 @@ def export(file: str, to: str, out: str, torque: str | None, level: str) -> None
     """
     from asperity.errors import InputError
     from asperity.export.targets import check_target
-    from asperity.joint_file.reader import read_case
+    from asperity.joint_file.reader import read_any_case
 
     check_target(to, out, file)
-    case = read_case(file)
+    case = read_any_case(file)
     from asperity.precision import use_compilation_cache, use_double_precision
     from asperity.units import Dimension, parse_quantity
 
@@ -66,11 +66,12 @@ def export(file: str, to: str, out: str, torque: str | None, level: str) -> None
     use_compilation_cache()
     from asperity.export.content import export_content, heading
     from asperity.export.targets import exported, write_exported
-    from asperity.joint_file.build import inertias_from_case, joint_from_case
+    from asperity.joint_file.build import inertias_from_case
+    from asperity.joint_file.planar_build import any_joint_from_case
 
     try:
         content = export_content(
-            joint_from_case(case),
+            any_joint_from_case(case),
             inertias=None if case.dynamics is None else inertias_from_case(case),
             source=Path(file).name,
             largest_torque=asked,

@@ -49,7 +49,7 @@ def joint(file: str, as_json: bool, surfaces: tuple[str, ...], plot_file: str | 
     use_double_precision()
     use_compilation_cache()
     if isinstance(case, PlanarCase):
-        _planar(case, file, as_json, {"--surface": bool(surfaces), "--plot": plot_file is not None})
+        _planar(case, file, as_json, {"--surface": bool(surfaces)}, plot_file)
         return
     from asperity.joint.document import joint_document
     from asperity.joint.solve import solve
@@ -112,12 +112,22 @@ def joint(file: str, as_json: bool, surfaces: tuple[str, ...], plot_file: str | 
         show_branches(console(), document["branches"])
 
 
-def _planar(case: PlanarCase, file: str, as_json: bool, options: dict[str, bool]) -> None:
+def _planar(
+    case: PlanarCase, file: str, as_json: bool, options: dict[str, bool], plot_file: str | None
+) -> None:
     """The joint with another drive than the paper's."""
     from asperity.cli.solved_case import refuse_options, solved_planar
 
     refuse_options(case, file, options)
-    _, _, document = solved_planar(case)
+    described, solution, document = solved_planar(case)
+    if plot_file:
+        from asperity.joint.planar.document import solved_planar_joint
+        from asperity.show.compliance_figure import joint_figure
+        from asperity.show.style import plain_title
+
+        solved = solved_planar_joint(described, solution)
+        write_image(joint_figure(solved, title=plain_title(file)), plot_file)
+        say_written(plot_file)
     _show(document, file, as_json)
 
 

@@ -3,12 +3,16 @@
 from __future__ import annotations
 
 import csv
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import click
 
 from asperity.cli.terminal import say_written
 from asperity.writing import check_file, replacing
+
+if TYPE_CHECKING:
+    from asperity.joint_file.model import Case
+    from asperity.joint_file.planar_model import PlanarCase
 
 Document = dict[str, Any]
 
@@ -27,24 +31,16 @@ def loads(file: str, csv_file: str | None, as_json: bool) -> None:
 
     One column each: at rest, under the working torque, and under every load [[duty]] of FILE.
     """
-    from asperity.joint_file.reader import read_case
+    from asperity.joint_file.planar_model import PlanarCase
+    from asperity.joint_file.reader import read_any_case
 
     check_file(csv_file, file)
-    case = read_case(file)
+    case = read_any_case(file)
     from asperity.precision import use_compilation_cache, use_double_precision
 
     use_double_precision()
     use_compilation_cache()
-    from asperity.joint.loads_document import load_cases, loads_document
-    from asperity.joint.results import SolvedJoint
-    from asperity.joint.solve import solve
-    from asperity.joint.strength_document import bearing_entries
-    from asperity.joint_file.build import joint_from_case
-
-    joint = joint_from_case(case)
-    solution = solve(joint)
-    solved = SolvedJoint(joint, solution.result, solution.capacity)
-    document = loads_document(joint, load_cases(joint, solution), bearing_entries(solved))
+    document = _of_planar_drive(case) if isinstance(case, PlanarCase) else _of_the_papers_drive(case)
     if csv_file:
         _write(document, csv_file)
         say_written(csv_file)
@@ -54,6 +50,28 @@ def loads(file: str, csv_file: str | None, as_json: bool) -> None:
         click.echo(json.dumps(document, indent=2, allow_nan=False))
         return
     _show(document, file)
+
+
+def _of_the_papers_drive(case: Case) -> Document:
+    from asperity.joint.loads_document import load_cases, loads_document
+    from asperity.joint.results import SolvedJoint
+    from asperity.joint.solve import solve
+    from asperity.joint.strength_document import bearing_entries
+    from asperity.joint_file.build import joint_from_case
+
+    joint = joint_from_case(case)
+    solution = solve(joint)
+    solved = SolvedJoint(joint, solution.result, solution.capacity)
+    return loads_document(joint, load_cases(joint, solution), bearing_entries(solved))
+
+
+def _of_planar_drive(case: PlanarCase) -> Document:
+    from asperity.joint.planar.loads_document import planar_loads_document
+    from asperity.joint.planar.solve import solve_planar
+    from asperity.joint_file.planar_build import planar_joint_from_case
+
+    joint = planar_joint_from_case(case)
+    return planar_loads_document(joint, solve_planar(joint))
 
 
 def _column(case: Document, line: str) -> str:

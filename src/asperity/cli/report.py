@@ -70,7 +70,8 @@ def report(
     made again. The same input gives the same report, letter by letter. HTML is one file without scripts; PDF needs the
     optional package typst.
     """
-    from asperity.joint_file.reader import parse_case
+    from asperity.joint_file.planar_model import PlanarCase
+    from asperity.joint_file.reader import parse_any_case
     from asperity.reading import read_text
 
     suffix = Path(out).suffix.lower()
@@ -84,7 +85,7 @@ def report(
 
         require_typst()
     text = read_text(file, hint="'asperity init' writes an example")
-    case = parse_case(text, source=file, folder=Path(file).parent)
+    case = parse_any_case(text, source=file, folder=Path(file).parent)
     from asperity.precision import use_compilation_cache, use_double_precision
 
     use_double_precision()
@@ -92,27 +93,34 @@ def report(
     from asperity.cli.progress import progress_bar
     from asperity.report.joint_report import ReportSource, joint_report
 
-    measured = None
-    texts: tuple[str, ...] = ()
-    if surfaces:
-        from asperity.joint.measured_surface import measured_surface
-        from asperity.joint_file.measured_surface import with_measured_surface
-
-        measured = measured_surface(surfaces)
-        texts = tuple(read_text(each) for each in surfaces)
-        case = with_measured_surface(case, measured)
     if distribution is not None and not tolerances:
         raise InputError("--distribution belongs to --tolerances")
-    studies = _studies(file, case, sensitivity, tolerances, distribution, design_file)
-    source = ReportSource(
-        name=Path(file).name,
-        text=text,
-        case=case,
-        measurement=measured,
-        measurement_texts=texts,
-        date=date,
-        studies=studies,
-    )
+    if isinstance(case, PlanarCase):
+        from asperity.cli.solved_case import refuse_options
+
+        asked = {"--surface": surfaces, "--sensitivity": sensitivity, "--tolerances": tolerances}
+        asked["--design"] = design_file
+        refuse_options(case, file, {option: bool(value) for option, value in asked.items()})
+        source = ReportSource(name=Path(file).name, text=text, case=case, date=date)
+    else:
+        measured = None
+        texts: tuple[str, ...] = ()
+        if surfaces:
+            from asperity.joint.measured_surface import measured_surface
+            from asperity.joint_file.measured_surface import with_measured_surface
+
+            measured = measured_surface(surfaces)
+            texts = tuple(read_text(each) for each in surfaces)
+            case = with_measured_surface(case, measured)
+        source = ReportSource(
+            name=Path(file).name,
+            text=text,
+            case=case,
+            measurement=measured,
+            measurement_texts=texts,
+            date=date,
+            studies=_studies(file, case, sensitivity, tolerances, distribution, design_file),
+        )
     with progress_bar("the report") as done:
         done(0, 2)
         made = joint_report(source)

@@ -77,12 +77,12 @@ def windup(
     the second table says from which angle on, and by how much. 'asperity roll' has more on the drift.
     """
     from asperity.errors import InputError
-    from asperity.joint_file.reader import read_case
+    from asperity.joint_file.reader import read_any_case
 
     check_file(csv_file, file)
     check_file(rolling_file, file)
     check_image(plot_file)
-    case = read_case(file)
+    case = read_any_case(file)
     from asperity.precision import use_compilation_cache, use_double_precision
     from asperity.units import Dimension, parse_quantity
 
@@ -104,9 +104,9 @@ def windup(
         windup_document,
         windup_onsets,
     )
-    from asperity.joint_file.build import joint_from_case
+    from asperity.joint_file.planar_build import any_joint_from_case
 
-    joint = joint_from_case(case)
+    joint = any_joint_from_case(case)
     source = "load.output_torque" if asked is None else "--torque"
     try:
         curve, solutions = examined_windup(

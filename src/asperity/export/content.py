@@ -8,13 +8,14 @@ import numpy as np
 
 import asperity
 from asperity.drive.geometry import speed_ratio
+from asperity.drive.planar.layout import speed_ratio as planar_speed_ratio
 from asperity.errors import printable
 from asperity.joint.both_senses import BothSenses, both_senses
-from asperity.joint.description import Joint
 from asperity.joint.dynamics import Inertias, body_inertias
-from asperity.joint.play import Play
+from asperity.joint.either_kind import AnyJoint, AnySolution
+from asperity.joint.planar.description import PlanarJoint
+from asperity.joint.play import NO_PLAY, Play
 from asperity.joint.rolling_document import unknown_because
-from asperity.joint.solve import Solution
 from asperity.joint.windup import StiffnessLevel, Windup
 from asperity.joint.windup_document import examined_windup
 from asperity.units import format_quantity
@@ -56,7 +57,7 @@ class ExportContent:
     ----------
     source : str
         Name of the joint file.
-    joint : Joint
+    joint : Joint or PlanarJoint
         The joint.
     level : {"published", "series_with_bulk", "assembly"}
         Which stiffness was integrated into the wind-up.
@@ -71,7 +72,7 @@ class ExportContent:
     """
 
     source: str
-    joint: Joint
+    joint: AnyJoint
     level: StiffnessLevel
     windup: Windup
     curves: BothSenses
@@ -94,18 +95,38 @@ class ExportContent:
         return float(self.curves.driving_drift[-1])
 
     @property
+    def speed_ratio(self) -> float:
+        """Turns of the input in one turn of the output; negative where they turn opposite ways [-]."""
+        if isinstance(self.joint, PlanarJoint):
+            return float(np.asarray(planar_speed_ratio(self.joint.drive)))
+        return float(np.asarray(speed_ratio(self.joint.geometry)))
+
+    @property
     def reduction(self) -> float:
-        """Turns of the sun in one turn of the output, without sign [-]."""
-        return abs(float(np.asarray(speed_ratio(self.joint.geometry))))
+        """Turns of the input in one turn of the output, without sign [-]."""
+        return abs(self.speed_ratio)
+
+    @property
+    def ends(self) -> tuple[str, str]:
+        """Names of the members at the input and at the output."""
+        if isinstance(self.joint, PlanarJoint):
+            drive = self.joint.drive
+            return drive.input.replace("_", " "), drive.output.replace("_", " ")
+        return "sun", "carrier"
+
+    @property
+    def rollers(self) -> str:
+        """The rollers between the two ends, in words."""
+        return "the other rollers" if isinstance(self.joint, PlanarJoint) else "planets with loading rollers"
 
     @property
     def play(self) -> Play:
         """Play of the joint."""
-        return self.joint.play
+        return NO_PLAY if isinstance(self.joint, PlanarJoint) else self.joint.play
 
 
 def export_content(
-    joint: Joint,
+    joint: AnyJoint,
     *,
     inertias: Inertias | None,
     source: str,
@@ -116,7 +137,7 @@ def export_content(
 
     Parameters
     ----------
-    joint : Joint
+    joint : Joint or PlanarJoint
         One joint.
     inertias : Inertias or None
         Motor and load; None if the joint file has none.
@@ -149,7 +170,7 @@ def export_content(
     return ExportContent(source, joint, level, curve, curves, parts, tuple(because))
 
 
-def _moving_parts(joint: Joint, inertias: Inertias | None, solution: Solution) -> MovingParts:
+def _moving_parts(joint: AnyJoint, inertias: Inertias | None, solution: AnySolution) -> MovingParts:
     sun, moving = (float(np.asarray(each)) for each in body_inertias(joint))
     power, speed = solution.result.rolling.power, abs(float(joint.sun_speed))
     lost = float(np.asarray(power.loss)) - float(

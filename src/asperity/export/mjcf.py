@@ -45,6 +45,7 @@ def mjcf_file(content: ExportContent, fitted: FittedElements) -> bytes:
     if math.isfinite(parts.friction) and parts.friction > 0.0:
         friction = f' frictionloss="{parts.friction:.9g}"'
     name = quoteattr(Path(content.source).stem)
+    axis = math.copysign(1.0, content.speed_ratio)
     lines = [
         f"<mujoco model={name}>",
         *_comment([*heading(content, what="MuJoCo model"), *fitted.sentences, *_said(content)]),
@@ -52,7 +53,7 @@ def mjcf_file(content: ExportContent, fitted: FittedElements) -> bytes:
         f'  <option timestep="{_time_step(content):.1g}" gravity="0 0 0"/>',
         "  <worldbody>",
         '    <body name="motor">',
-        f'      <joint name="motor" type="hinge" axis="0 0 -1"{friction}/>',
+        f'      <joint name="motor" type="hinge" axis="0 0 {axis:.0f}"{friction}/>',
         *_inertial(parts.sun),
         "    </body>",
         '    <body name="output">',
@@ -77,23 +78,28 @@ def mjcf_file(content: ExportContent, fitted: FittedElements) -> bytes:
 
 def _said(content: ExportContent) -> list[str]:
     parts = content.parts
+    entry, out = content.ends
+    ways = (
+        "They turn opposite ways in space: the axis of the motor is reversed, so that both angles grow together."
+        if content.speed_ratio < 0.0
+        else "They turn the same way in space."
+    )
     lines = [
         "The drift is not part of this model: no spring of MuJoCo creeps as its hinge turns.",
-        f"motor: the sun, in sun angles; output: the carrier. {content.reduction:.9g} turns of the motor make one of "
-        "the output. They turn opposite ways in space: the axis of the motor is reversed, so that both angles grow "
-        "together.",
+        f"motor: the {entry}, in its own angles; output: the {out}. {content.reduction:.9g} turns of the motor make "
+        f"one of the output. {ways}",
         "The length of each tendon is the wind-up, motor/reduction - output; a positive output torque, which resists "
         "the motion, makes it positive.",
     ]
     if parts.coupled:
-        lines.append("Inertias: motor with sun, load with planets and loading rollers.")
+        lines.append(f"Inertias: motor with {entry}, load with {content.rollers}.")
     else:
         lines.append(
-            "Inertias: sun, and planets with loading rollers. The joint file has no section [dynamics]: add those of "
+            f"Inertias: {entry}, and {content.rollers}. The joint file has no section [dynamics]: add those of "
             "motor and load, and enlarge the time step."
         )
     if not math.isfinite(parts.friction):
-        lines.append("Friction at the motor: unknown, because the sun stands in the joint file.")
+        lines.append(f"Friction at the motor: unknown, because the {entry} stands in the joint file.")
     elif parts.friction > 0.0:
         lines.append(
             "frictionloss: torque that bearings, rolling and skew take from the motor at the largest torque and the "

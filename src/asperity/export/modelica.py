@@ -87,7 +87,7 @@ _SAID = (
     "Iwan's model.",
     "Drift grows as the motor turns, at once as in steady rolling. In the joint it is half as large over the first "
     "contact width, and short swings to and fro hardly drift.",
-    "Angles of motor and output grow together: in space they turn opposite ways, and each is counted in its own sense.",
+    "Angles of motor and output grow together: each is counted in its own sense.",
     "Spring needs no library. Joint needs the Modelica Standard Library for its flanges; inertias are outside.",
 )
 

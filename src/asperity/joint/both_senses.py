@@ -14,6 +14,9 @@ from asperity.compilation import compile_fast
 from asperity.drive.rolling_state import speed_loss
 from asperity.joint.description import Joint
 from asperity.joint.evaluation import evaluate
+from asperity.joint.planar.description import PlanarJoint
+from asperity.joint.planar.over_torque import over_torque
+from asperity.joint.standing import LEVELS, NO_SLIP_FRICTION
 
 
 class BothSenses(eqx.Module):
@@ -42,12 +45,12 @@ class BothSenses(eqx.Module):
     braking_drift: Array
 
 
-def both_senses(*, joint: Joint, torque: Array) -> BothSenses:
+def both_senses(*, joint: Joint | PlanarJoint, torque: Array) -> BothSenses:
     """Stiffness and drift of a joint at given torques.
 
     Parameters
     ----------
-    joint : Joint
+    joint : Joint or PlanarJoint
         One joint, without batch axes; its torque and the sense of its speed are replaced.
     torque : Array
         Output torques of either sign, shape (n,) [N·m].
@@ -57,6 +60,8 @@ def both_senses(*, joint: Joint, torque: Array) -> BothSenses:
     BothSenses
         The stiffness is that of a joint that begins to move with its torque, as in a wind-up.
     """
+    if isinstance(joint, PlanarJoint):
+        return _planar(joint, torque)
     numbers: Joint = jax.tree.map(lambda leaf: np.asarray(leaf, dtype=float), joint)
     numbers = dataclasses.replace(numbers, rolling=dataclasses.replace(numbers.rolling, duty=()))
     torques = jnp.asarray(torque)
@@ -67,6 +72,24 @@ def both_senses(*, joint: Joint, torque: Array) -> BothSenses:
         found.append(jax.tree.map(np.asarray, compile_fast(_at_torques, points)(points)))
     published, series, assembly, slip, driving, _ = found[0]
     return BothSenses(torques, published, series, assembly, slip, driving, braking_drift=found[1][-1])
+
+
+def _planar(joint: PlanarJoint, torque: Array) -> BothSenses:
+    found = over_torque(joint, torque, no_slip_friction=NO_SLIP_FRICTION)
+    slip = np.max(np.asarray(found.slip_ratio), axis=1)
+    solved = np.asarray(found.solved)
+    levels = {
+        name: jnp.asarray(np.where(solved & (slip < 1.0), np.asarray(getattr(found, name))[:, 0], np.nan))
+        for name in LEVELS
+    }
+    driving, braking = jnp.asarray(found.drift).T
+    return BothSenses(
+        torque=jnp.asarray(torque),
+        **levels,
+        slip_ratio=jnp.asarray(np.where(solved, slip, np.nan)),
+        driving_drift=driving,
+        braking_drift=braking,
+    )
 
 
 def _at_torques(joint: Joint) -> tuple[Array, ...]:

@@ -20,10 +20,15 @@ from asperity.drive.dynamics import (
     roller_inertia,
 )
 from asperity.drive.geometry import carrier_speed, speed_ratio
+from asperity.drive.planar.layout import speed_ratio as planar_speed_ratio
 from asperity.errors import InputError
 from asperity.joint.description import Joint, with_one_rank
+from asperity.joint.either_kind import AnyJoint, solve_any
 from asperity.joint.evaluation import evaluate, loading_roller_mass, planet_mass, roller_mass
-from asperity.joint.solve import solve
+from asperity.joint.planar.description import PlanarJoint
+from asperity.joint.planar.inertias import planar_inertias
+from asperity.joint.planar.over_torque import over_torque
+from asperity.joint.standing import NO_SLIP_FRICTION
 from asperity.types import Real
 
 _FREQUENCIES = 400
@@ -120,8 +125,15 @@ def joint_dynamics(joint: Joint, inertias: Inertias) -> JointDynamics:
 
     torque = jnp.asarray(joint.output_torque)
     _, slope, stiffness = jax.jvp(lost_speed, (torque,), (jnp.ones_like(torque),), has_aux=True)
-    sun, moving = body_inertias(joint)
-    input_inertia = speed_ratio(geometry) ** 2 * (inertias.input + sun)
+    return _between_inertias(torque, stiffness, slope, speed_ratio(geometry), body_inertias(joint), inertias)
+
+
+def _between_inertias(
+    torque: Array, stiffness: Array, slope: Array, ratio: Real, bodies: tuple[Real, Real], inertias: Inertias
+) -> JointDynamics:
+    """A joint from its stiffness, and from the speed that creep takes over the torque."""
+    sun, moving = bodies
+    input_inertia = ratio**2 * (inertias.input + sun)
     output_inertia = inertias.output + moving
     frequencies = natural_frequencies(
         stiffness=stiffness, input_inertia=input_inertia, output_inertia=output_inertia
@@ -143,13 +155,31 @@ def joint_dynamics(joint: Joint, inertias: Inertias) -> JointDynamics:
     )
 
 
-def body_inertias(joint: Joint) -> tuple[Real, Real]:
+def _planar_dynamics(joint: PlanarJoint, inertias: Inertias, torques: np.ndarray) -> JointDynamics:
+    """A joint with a planar drive about each of the torques, as NumPy arrays."""
+    found = over_torque(joint, jnp.asarray(torques), no_slip_friction=NO_SLIP_FRICTION)
+    stiffness = np.where(found.solved, np.asarray(found.assembly)[:, 0], np.nan)
+    ratio = float(np.asarray(planar_speed_ratio(joint.drive)))
+    slope = np.asarray(found.lost_speed_slope) * abs(float(joint.input_speed) / ratio)
+    made = _between_inertias(
+        jnp.asarray(torques),
+        jnp.asarray(stiffness),
+        jnp.asarray(slope),
+        ratio,
+        body_inertias(joint),
+        inertias,
+    )
+    numbers: JointDynamics = jax.tree.map(np.asarray, made)
+    return numbers
+
+
+def body_inertias(joint: AnyJoint) -> tuple[Real, Real]:
     """Inertias of a joint's own bodies.
 
     Parameters
     ----------
-    joint : Joint
-        One joint, or many along trailing batch axes.
+    joint : Joint or PlanarJoint
+        One joint; of the paper's drive also many along trailing batch axes.
 
     Returns
     -------
@@ -160,6 +190,8 @@ def body_inertias(joint: Joint) -> tuple[Real, Real]:
     ----------
     Equation (D1) of :doc:`/equations`.
     """
+    if isinstance(joint, PlanarJoint):
+        return planar_inertias(joint)
     geometry, bodies = joint.geometry, joint.bodies
     sun_mass = roller_mass(
         density=bodies.sun.density, radius=geometry.sun_radius, length=joint.contact_lengths[0], bore=0.0
@@ -210,12 +242,12 @@ class Dynamics(eqx.Module):
     turning_load: Array
 
 
-def dynamics(joint: Joint, inertias: Inertias) -> Dynamics:
+def dynamics(joint: AnyJoint, inertias: Inertias) -> Dynamics:
     """Natural frequencies over torque, and the frequency response at the joint's torque.
 
     Parameters
     ----------
-    joint : Joint
+    joint : Joint or PlanarJoint
         One joint.
     inertias : Inertias
         What is coupled to it.
@@ -232,20 +264,22 @@ def dynamics(joint: Joint, inertias: Inertias) -> Dynamics:
     NoSolutionError
         If the force balance does not close, or a contact has no stiffness.
     """
-    solution = solve(joint)
+    solution = solve_any(joint)
     if not float(solution.result.assembly.stiffness.output) > 0.0:
         raise InputError("the assembled joint has no stiffness, so that it has no natural frequency")
-    numbers: Joint = jax.tree.map(lambda leaf: np.asarray(leaf, dtype=float), joint)
+    numbers: AnyJoint = jax.tree.map(lambda leaf: np.asarray(leaf, dtype=float), joint)
     coupled: Inertias = jax.tree.map(lambda leaf: np.asarray(leaf, dtype=float), inertias)
     own = float(numbers.output_torque)
     found = solution.reverse_capacity if own < 0.0 else solution.capacity
     limit = float(found.output_torque)
     largest = np.copysign(_NEAR_CAPACITY * limit, own) if np.isfinite(limit) else own
     torques = np.append(np.linspace(0.0, largest, _TORQUES), own)
-    points = dataclasses.replace(numbers, output_torque=jnp.asarray(torques))
-    over: JointDynamics = jax.tree.map(
-        np.asarray, compile_fast(joint_dynamics, points, coupled)(points, coupled)
-    )
+    over: JointDynamics
+    if isinstance(numbers, PlanarJoint):
+        over = _planar_dynamics(numbers, coupled, torques)
+    else:
+        points = dataclasses.replace(numbers, output_torque=jnp.asarray(torques))
+        over = jax.tree.map(np.asarray, compile_fast(joint_dynamics, points, coupled)(points, coupled))
     at = jax.tree.map(lambda values: values[-1], over)
     spread = np.geomspace(at.locked_frequency / 100.0, 10.0 * at.free_frequency, _FREQUENCIES)
     own_frequencies = np.array([at.locked_frequency, at.free_frequency])

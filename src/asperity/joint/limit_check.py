@@ -12,7 +12,8 @@ from asperity.joint.planar.evaluation import PlanarResult
 from asperity.joint.results import RESULTS, SEVERITIES, Limit, Result, SolvedJoint
 
 #: Groups of results that only the paper's drive has.
-_PAPERS_GROUPS = ("bearings", "loads", "stresses")
+#: Groups of results that joints with other drives than the paper's do not have.
+PAPERS_GROUPS = ("bearings", "loads", "stresses")
 
 
 @dataclass(frozen=True, slots=True)
@@ -73,7 +74,7 @@ def checked_limits(joint: Joint | PlanarJoint, result: JointResult | PlanarResul
         One for each judged result of :data:`asperity.joint.results.RESULTS` and each of its rows.
     """
     solved = SolvedJoint(joint, result)
-    absent = _PAPERS_GROUPS if isinstance(joint, PlanarJoint) else ()
+    absent = PAPERS_GROUPS if isinstance(joint, PlanarJoint) else ()
     judged = [row for row in RESULTS.values() if row.limit is not None and row.group not in absent]
     judged.sort(key=lambda row: SEVERITIES.index(row.limit.severity))  # type: ignore[union-attr]
     return tuple(

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import dataclasses
 import math
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from typing import Any
 
@@ -21,6 +21,7 @@ from asperity.joint.solve import Solution, solve_program
 from asperity.joint.working_loads import BearingSpeeds, bearing_speeds, loads_at_rest, working_loads
 
 Document = dict[str, Any]
+Row = tuple[str, str, str, str, Any]
 
 _RATED = (
     "Bearings: ISO 281 basic rating life, which nine in ten reach, by radial load and relative speed. Lubrication and "
@@ -127,18 +128,68 @@ def loads_document(joint: Joint, cases: tuple[LoadCase, ...], bearings: list[Doc
         The cases, and rows of one value for each of them in SI units; None where a value is not known or infinite.
     """
     supported = float(joint.structure.planet_support_stiffness) > 0.0
+    notes = [*_NOTES, *([_SUPPORTED] if supported else []), *([_RATED] if bearings else [])]
+    heads = [
+        case_entry(case.name, case.output_torque, case.sun_speed, case.share, case.unknown_because)
+        for case in cases
+    ]
+    return document_of_rows(heads, _rows(joint, cases, supported), bearings=bearings, notes=notes)
+
+
+def case_entry(
+    name: str, output_torque: float, sun_speed: float, share: float | None, unknown_because: str | None
+) -> Document:
+    """One load of the joint as an entry of the document.
+
+    Parameters
+    ----------
+    name : str
+        What it is called.
+    output_torque, sun_speed : float
+        Torque at the output [N·m] and speed of the input [rad/s].
+    share : float or None
+        Share of the time; None outside a duty.
+    unknown_because : str or None
+        Why there are no loads; None where there are.
+
+    Returns
+    -------
+    dict
+        With units at the end of its keys.
+    """
+    return {
+        "name": name,
+        "output_torque_Nm": output_torque,
+        "sun_speed_rad_per_s": sun_speed,
+        "share": share,
+        "unknown_because": unknown_because,
+    }
+
+
+def document_of_rows(
+    cases: list[Document], rows: Iterable[Row], *, bearings: list[Document], notes: list[str]
+) -> Document:
+    """The document of loads, whatever the drive.
+
+    Parameters
+    ----------
+    cases : list of dict
+        From :func:`case_entry`.
+    rows : iterable of tuple
+        Part, position, quantity, SI unit, and one value for each case or one for all.
+    bearings : list of dict
+        Rolling bearings.
+    notes : list of str
+        What the numbers mean.
+
+    Returns
+    -------
+    dict
+        None where a value is not known or infinite.
+    """
     return {
         "asperity_version": asperity.__version__,
-        "cases": [
-            {
-                "name": case.name,
-                "output_torque_Nm": case.output_torque,
-                "sun_speed_rad_per_s": case.sun_speed,
-                "share": case.share,
-                "unknown_because": case.unknown_because,
-            }
-            for case in cases
-        ],
+        "cases": cases,
         "loads": [
             {
                 "part": part,
@@ -147,19 +198,16 @@ def loads_document(joint: Joint, cases: tuple[LoadCase, ...], bearings: list[Doc
                 "unit": unit,
                 "values": [_plain(value) for value in np.broadcast_to(values, (len(cases),))],
             }
-            for part, position, quantity, unit, values in _rows(joint, cases, supported)
+            for part, position, quantity, unit, values in rows
         ],
         "bearings": bearings,
-        "notes": [*_NOTES, *([_SUPPORTED] if supported else []), *([_RATED] if bearings else [])],
+        "notes": notes,
     }
 
 
 def _plain(value: Any) -> float | None:
     number = float(value)
     return (number or 0.0) if math.isfinite(number) else None
-
-
-Row = tuple[str, str, str, str, Any]
 
 
 def _rows(joint: Joint, cases: tuple[LoadCase, ...], supported: bool) -> Iterator[Row]:

@@ -22,11 +22,15 @@ from asperity.compilation import compile_fast
 from asperity.contact.rolling_in import rolling_in_lag, rolling_in_shift
 from asperity.contact.rolling_swing import still_stroke, swing_drift_share
 from asperity.drive.geometry import DriveGeometry
+from asperity.drive.planar.creeping import creeping_speeds
+from asperity.drive.planar.layout import PlanarDrive
 from asperity.drive.rolling_speeds import rolling_speeds
 from asperity.drive.rolling_state import lost_speed, speed_loss
 from asperity.errors import InputError
 from asperity.joint.description import Joint
 from asperity.joint.evaluation import JointResult
+from asperity.joint.planar.description import PlanarJoint
+from asperity.joint.planar.evaluation import PlanarResult, driving_sense
 from asperity.joint.rolling import RollingResult
 from asperity.types import Real
 
@@ -40,13 +44,14 @@ class ContactsInSeries(eqx.Module):
     Parameters
     ----------
     half_width : Array
-        Half-widths of the contacts, shape (5,) [m].
+        Half-widths of the contacts, shape (contacts,) [m].
     slip_ratio : Array
-        Share of each contact's width that slips in Carter's sense, 1 − (c/a)², shape (5,) [-]; T/(mu N) without skew.
+        Share of each contact's width that slips in Carter's sense, 1 − (c/a)², shape (contacts,) [-]; T/(mu N) without
+        skew.
     share : Array
-        Share of each contact in the drift, shape (5,) [-]; they add up to 1.
+        Share of each contact in the drift, shape (contacts,) [-]; they add up to 1.
     distance : Array
-        Distance that each contact rolls per angle of the output, shape (5,) [m/rad].
+        Distance that each contact rolls per angle of the output, shape (contacts,) [m/rad].
     sun_angle : Array
         Angle of the sun per angle of the output [-].
     drift_per_output_turn : Array
@@ -75,7 +80,7 @@ class RollingOnset(eqx.Module):
     static_angle : Array
         Angle turned by then [rad].
     width_angle : Array
-        Angle in which each contact rolls its own width 2a, shape (5,) [rad].
+        Angle in which each contact rolls its own width 2a, shape (contacts,) [rad].
     steady_angle : Array
         The largest of them, from which the creep of the joint is steady [rad].
     missing_angle : Array
@@ -147,6 +152,54 @@ def contacts_in_series(
         share=weight / jnp.sum(weight, axis=0),
         distance=unit.rolling / unit.carrier,
         sun_angle=1.0 / unit.carrier,
+        drift_per_output_turn=2.0 * jnp.pi * loss / (1.0 - loss),
+    )
+
+
+def contacts_of_planar_drive(
+    *, drive: PlanarDrive, rolling: RollingResult, half_width: Array
+) -> ContactsInSeries:
+    r"""Shares of the contacts in the drift of a joint with a planar drive.
+
+    .. math:: c_k = \frac{T_k s_k}{\sum_j T_j s_j}, \qquad s_k = \xi_k V_k
+
+    Parameters
+    ----------
+    drive : PlanarDrive
+        The drive.
+    rolling : RollingResult
+        Its steady rolling; its creepages and forces count with the sense of the drive, as in a joint's result.
+    half_width : Array
+        Half-widths of its contacts in rolling, shape (contacts,) [m].
+
+    Returns
+    -------
+    ContactsInSeries
+        Where the torque drives the rotation: of the rotation that the same forces resist.
+
+    Notes
+    -----
+    The speed that the output loses times its torque is the power of the creep, contact by contact.
+
+    References
+    ----------
+    Equations (B1), (B10) and (M3) of :doc:`/equations`.
+    """
+    resisted = jnp.where(rolling.speed_loss < 0.0, -1.0, 1.0)
+    sense = driving_sense(drive)
+    creepage = resisted * sense * rolling.creepage
+    speed, rolled = creeping_speeds(drive=drive, creepage=creepage)
+    work = jnp.abs(rolling.tangential * rolling.creepage) * rolled
+    out = drive.members.index(drive.output)
+    ideal, _ = creeping_speeds(drive=drive, creepage=jnp.zeros_like(creepage))
+    loss = 1.0 - speed[out] / ideal[out]
+    turned = jnp.abs(speed[out])
+    return ContactsInSeries(
+        half_width=half_width,
+        slip_ratio=1.0 - jnp.asarray(rolling.stick_fraction) ** 2,
+        share=work / jnp.sum(work),
+        distance=rolled / turned,
+        sun_angle=1.0 / turned,
         drift_per_output_turn=2.0 * jnp.pi * loss / (1.0 - loss),
     )
 
@@ -235,15 +288,15 @@ def swing_drift(*, contacts: ContactsInSeries, angle: Real) -> Array:
 
 
 def rolling_onset(
-    *, joint: Joint, result: JointResult, windup: Real, creep_share: float
+    *, joint: Joint | PlanarJoint, result: JointResult | PlanarResult, windup: Real, creep_share: float
 ) -> RollingOnset | None:
     """Up to which angles of a joint that turns its wind-up holds, and the curve beyond.
 
     Parameters
     ----------
-    joint : Joint
+    joint : Joint or PlanarJoint
         One joint.
-    result : JointResult
+    result : JointResult or PlanarResult
         Its result under the torque of the step.
     windup : Real
         Angle of its static curve at that torque, without sign [rad].
@@ -272,16 +325,29 @@ def rolling_onset(
     width = np.asarray(result.diagnostics.hertz_half_width) * grown
     numbers = jax.tree.map(
         lambda leaf: np.asarray(leaf, dtype=float),
-        (joint.geometry, result.rolling, width, windup, creep_share),
+        (
+            joint.drive if isinstance(joint, PlanarJoint) else joint.geometry,
+            result.rolling,
+            width,
+            windup,
+            creep_share,
+        ),
     )
     found: RollingOnset = jax.tree.map(np.asarray, compile_fast(_onset, *numbers)(*numbers))
     return found
 
 
 def _onset(
-    geometry: DriveGeometry, rolling: RollingResult, half_width: Array, windup: Array, creep_share: Array
+    drive: DriveGeometry | PlanarDrive,
+    rolling: RollingResult,
+    half_width: Array,
+    windup: Array,
+    creep_share: Array,
 ) -> RollingOnset:
-    contacts = contacts_in_series(geometry=geometry, rolling=rolling, half_width=half_width)
+    if isinstance(drive, PlanarDrive):
+        contacts = contacts_of_planar_drive(drive=drive, rolling=rolling, half_width=half_width)
+    else:
+        contacts = contacts_in_series(geometry=drive, rolling=rolling, half_width=half_width)
     allowed = creep_share * windup
     drift = contacts.drift_per_output_turn / (2.0 * jnp.pi)
 

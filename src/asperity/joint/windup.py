@@ -19,7 +19,6 @@ reversible. The unloading branch from :math:`T_m` is
 
 from __future__ import annotations
 
-import dataclasses
 from collections.abc import Callable
 from typing import Literal
 
@@ -29,12 +28,12 @@ import jax.numpy as jnp
 import numpy as np
 from jax import Array
 
-from asperity.compilation import compile_fast
 from asperity.drive.geometry import CONTACT_NAMES
 from asperity.errors import InputError, NoSolutionError
 from asperity.joint.description import Joint
-from asperity.joint.evaluation import JointResult, evaluate
-from asperity.joint.play import Play, play_angle, play_compliance
+from asperity.joint.planar.description import PlanarJoint
+from asperity.joint.play import NO_PLAY, Play, play_angle, play_compliance
+from asperity.joint.standing import standing_at
 from asperity.precision import require_double_precision
 from asperity.types import Real
 from asperity.units import format_quantity
@@ -43,9 +42,6 @@ StiffnessLevel = Literal["published", "series_with_bulk", "assembly"]
 
 #: Share of the largest torque at which makers of reducers read the lost motion.
 LOST_MOTION_TORQUE_SHARE = 0.03
-
-#: Friction coefficient under which no contact slips at all: T/(mu N) is lost in the rounding of 1 − T/(mu N).
-NO_SLIP_FRICTION = 1e30
 
 _PANELS = 40
 _NODES = 4
@@ -223,49 +219,6 @@ def windup_of(
     )
 
 
-def without_slip(joint: Joint) -> Joint:
-    """The same joint with so much friction that no contact slips; its normal forces do not change.
-
-    Parameters
-    ----------
-    joint : Joint
-        One joint, or many along trailing batch axes.
-
-    Returns
-    -------
-    Joint
-        The joint with :data:`NO_SLIP_FRICTION` in every contact.
-    """
-    return dataclasses.replace(
-        joint,
-        friction_coefficients=tuple(
-            NO_SLIP_FRICTION + 0.0 * jnp.asarray(friction) for friction in joint.friction_coefficients
-        ),
-    )
-
-
-def at_standstill(joint: Joint, output_torque: Array) -> Joint:
-    """The joint at given torques with its bearing friction against the motion that each torque drives.
-
-    Parameters
-    ----------
-    joint : Joint
-        One joint.
-    output_torque : Array
-        Output torques of either sign, shape (points,) [N·m].
-
-    Returns
-    -------
-    Joint
-        A batch of joints; the sun's speed has the sign of the torque.
-    """
-    return dataclasses.replace(
-        joint,
-        output_torque=output_torque,
-        sun_speed=jnp.where(output_torque < 0.0, -1.0, 1.0) * jnp.abs(jnp.asarray(joint.sun_speed)),
-    )
-
-
 def is_symmetric(joint: Joint) -> bool:
     """Whether a joint behaves alike in both directions of torque.
 
@@ -293,7 +246,7 @@ def is_symmetric(joint: Joint) -> bool:
 
 
 def windup(
-    joint: Joint,
+    joint: Joint | PlanarJoint,
     *,
     largest_torque: Real,
     level: StiffnessLevel,
@@ -303,7 +256,7 @@ def windup(
 
     Parameters
     ----------
-    joint : Joint
+    joint : Joint or PlanarJoint
         One joint; its own output torque is replaced.
     largest_torque : Real
         Largest output torque T_m [N·m], below the capacity of both directions; its sign does not matter.
@@ -336,37 +289,27 @@ def windup(
     """
     require_double_precision()
     largest = abs(float(largest_torque))
+    names, play = (
+        (joint.contact_names, NO_PLAY) if isinstance(joint, PlanarJoint) else (CONTACT_NAMES, joint.play)
+    )
 
     def compliances(torques: Array) -> tuple[Array, Array]:
-        batch = at_standstill(joint, torques)
-        solved, slip_ratio, levels, levels_without_slip = compile_fast(_at_torques, batch)(batch)
-        _refuse(np.asarray(solved), np.asarray(slip_ratio), np.asarray(torques), largest)
-        real, elastic = levels[level], levels_without_slip[level]
-        if not bool(jnp.all(real > 0.0)):
+        found = standing_at(joint, torques)
+        _refuse(found.solved, found.slip_ratio, np.asarray(torques), largest, names)
+        real, elastic = found.levels[level], found.levels_without_slip[level]
+        if not np.all(real > 0.0):
             raise InputError(
                 f"the joint has no {level} stiffness at every torque up to {format_quantity(largest, 'N*m')}: all "
                 "contact spots of a contact are plastic; choose smoother surfaces or a higher preload"
             )
-        return 1.0 / real, 1.0 / elastic
+        return jnp.asarray(1.0 / real), jnp.asarray(1.0 / elastic)
 
-    return windup_of(compliances, largest_torque=largest, stage_shares=stage_shares, play=joint.play)
-
-
-def _at_torques(joint: Joint) -> tuple[Real, Real, dict[str, Array], dict[str, Array]]:
-    """Whether the balance closes, T/(mu N), and the stiffness on every level, as it is and without slip."""
-    result, elastic = evaluate(joint), evaluate(without_slip(joint))
-    return result.solved, result.diagnostics.slip_ratio, _levels(result), _levels(elastic)
+    return windup_of(compliances, largest_torque=largest, stage_shares=stage_shares, play=play)
 
 
-def _levels(result: JointResult) -> dict[str, Array]:
-    return {
-        "published": jnp.asarray(result.published.output),
-        "series_with_bulk": jnp.asarray(result.series_with_bulk.output),
-        "assembly": jnp.asarray(result.assembly.stiffness.output),
-    }
-
-
-def _refuse(solved: np.ndarray, ratio: np.ndarray, values: np.ndarray, largest: float) -> None:
+def _refuse(
+    solved: np.ndarray, ratio: np.ndarray, values: np.ndarray, largest: float, names: tuple[str, ...]
+) -> None:
     """Refuse torques at which the force balance does not close or a contact slips."""
     shown = format_quantity(largest, "N*m")
     if not np.all(solved):
@@ -378,7 +321,7 @@ def _refuse(solved: np.ndarray, ratio: np.ndarray, values: np.ndarray, largest: 
     slips = np.any(ratio >= 1.0, axis=0)
     if np.any(slips):
         first = np.abs(np.where(slips, values, np.inf)).argmin()
-        contact = CONTACT_NAMES[int(ratio[:, first].argmax())]
+        contact = names[int(ratio[:, first].argmax())]
         raise InputError(
             f"the largest torque {shown} is beyond the torque capacity: contact {contact} slips at "
             f"{format_quantity(values[first], 'N*m')} or less; lower the torque, or raise preload or friction"

@@ -2,33 +2,30 @@
 
 from __future__ import annotations
 
-import dataclasses
 from typing import Any
 
 import numpy as np
 
-from asperity.drive.geometry import CONTACT_NAMES
 from asperity.errors import InputError
 from asperity.joint.capacity import capacity_document
-from asperity.joint.description import Joint
+from asperity.joint.either_kind import AnyJoint, AnySolution, solve_any, under_torque
 from asperity.joint.rolling_document import unknown_because
 from asperity.joint.rolling_onset import RollingOnset, rolling_onset
-from asperity.joint.solve import Solution, solve
 from asperity.joint.windup import StiffnessLevel, Windup, windup
 
 
 def examined_windup(
-    joint: Joint,
+    joint: AnyJoint,
     *,
     largest_torque: float | None,
     level: StiffnessLevel,
     stage_shares: tuple[float, float],
-) -> tuple[Windup, tuple[Solution, Solution]]:
+) -> tuple[Windup, tuple[AnySolution, AnySolution]]:
     """Wind-up of a joint in both directions, and its solution at the largest torque of each.
 
     Parameters
     ----------
-    joint : Joint
+    joint : Joint or PlanarJoint
         One joint.
     largest_torque : float or None
         Largest torque of the curve, of either sign [N·m]; None for the joint's own output torque.
@@ -53,27 +50,25 @@ def examined_windup(
     if largest == 0.0:
         hint = "" if largest_torque is not None else "; state another one with --torque"
         raise InputError(f"a wind-up needs a torque that is not zero{hint}")
-    speed = float(joint.sun_speed)
     forward, reverse = (  # refuses rollers that do not fit and a torque beyond the capacity of its direction
-        solve(dataclasses.replace(joint, output_torque=sense * largest, sun_speed=sense * speed))
-        for sense in (1.0, -1.0)
+        solve_any(under_torque(joint, torque)) for torque in (largest, -largest)
     )
     curve = windup(joint, largest_torque=largest, level=level, stage_shares=stage_shares)
     return curve, (forward, reverse)
 
 
 def windup_onsets(
-    joint: Joint, curve: Windup, solutions: tuple[Solution, Solution], *, creep_share: float
+    joint: AnyJoint, curve: Windup, solutions: tuple[AnySolution, AnySolution], *, creep_share: float
 ) -> tuple[RollingOnset | None, RollingOnset | None]:
     """What becomes of both ends of a wind-up when the joint turns under its largest torque.
 
     Parameters
     ----------
-    joint : Joint
+    joint : Joint or PlanarJoint
         The joint.
     curve : Windup
         Its wind-up.
-    solutions : tuple of Solution
+    solutions : tuple of Solution or PlanarSolution
         The joint at the largest torque in the positive and in the negative direction.
     creep_share : float
         Creep over wind-up up to which the static curve is said to hold [-], above 0.
@@ -96,9 +91,9 @@ def windup_onsets(
 
 
 def windup_document(
-    joint: Joint,
+    joint: AnyJoint,
     curve: Windup,
-    solutions: tuple[Solution, Solution],
+    solutions: tuple[AnySolution, AnySolution],
     onsets: tuple[RollingOnset | None, RollingOnset | None],
     *,
     level: StiffnessLevel,
@@ -107,11 +102,11 @@ def windup_document(
 
     Parameters
     ----------
-    joint : Joint
+    joint : Joint or PlanarJoint
         The joint.
     curve : Windup
         Curves and figures.
-    solutions : tuple of Solution
+    solutions : tuple of Solution or PlanarSolution
         The joint at the largest torque in the positive and in the negative direction.
     onsets : tuple of RollingOnset or None
         What becomes of both when the joint turns.
@@ -128,8 +123,8 @@ def windup_document(
     return {
         "level": level,
         "torque_capacity": {
-            **capacity_document(forward.capacity),
-            "reverse": capacity_document(reverse.reverse_capacity),
+            **capacity_document(forward.capacity, contacts=forward.result.contact_names),
+            "reverse": capacity_document(reverse.reverse_capacity, contacts=reverse.result.contact_names),
         },
         "largest_torque_Nm": float(curve.torque[-1]),
         "windup_rad": float(curve.angle[-1]),
@@ -154,7 +149,7 @@ def windup_document(
     }
 
 
-def _rolling(joint: Joint, solution: Solution, onset: RollingOnset | None) -> dict[str, Any]:
+def _rolling(joint: AnyJoint, solution: AnySolution, onset: RollingOnset | None) -> dict[str, Any]:
     if onset is None:
         return {"unknown_because": unknown_because(joint, solution.result)}
     contacts = onset.contacts
@@ -176,7 +171,7 @@ def _rolling(joint: Joint, solution: Solution, onset: RollingOnset | None) -> di
                 "rolls_its_width_in": both(np.asarray(onset.width_angle)[k]),
                 "share_of_drift": float(np.asarray(contacts.share)[k]),
             }
-            for k, name in enumerate(CONTACT_NAMES)
+            for k, name in enumerate(solution.result.contact_names)
         },
     }
 

@@ -26,6 +26,7 @@ from asperity.joint.rolling_conditions import PLAIN_ROLLING, DutyPoint, RollingC
 from asperity.joint.temperature import thermal_interference
 from asperity.joint_file.material_build import material_of, surface_of
 from asperity.joint_file.model import Case
+from asperity.joint_file.planar_model import PlanarCase
 from asperity.joint_file.section import EachContact
 from asperity.joint_file.si_tables import Values, check_values, replace_values, si_values
 from asperity.types import Real
@@ -249,12 +250,12 @@ def branches_from_case(case: Case) -> tuple[float, BranchSizes]:
     return nominal, BranchSizes(planet, right, left, support)
 
 
-def inertias_from_case(case: Case) -> Inertias:
+def inertias_from_case(case: Case | PlanarCase) -> Inertias:
     """What a joint file couples to its joint.
 
     Parameters
     ----------
-    case : Case
+    case : Case or PlanarCase
         The joint file.
 
     Returns

@@ -5,12 +5,30 @@ from __future__ import annotations
 import math
 from typing import Any
 
+from asperity.joint.description import Joint
 from asperity.joint.planar.description import PlanarJoint
-from asperity.joint_file.build import rolling_conditions
+from asperity.joint_file.build import joint_from_case, rolling_conditions
 from asperity.joint_file.material_build import material_of, surface_of
+from asperity.joint_file.model import Case
 from asperity.joint_file.planar_model import PlanarCase
 from asperity.joint_file.planar_parts import layout_of
 from asperity.joint_file.si_tables import Values, si_values
+
+
+def any_joint_from_case(case: Case | PlanarCase) -> Joint | PlanarJoint:
+    """The joint that a file describes, whatever its type of drive.
+
+    Parameters
+    ----------
+    case : Case or PlanarCase
+        The joint file.
+
+    Returns
+    -------
+    Joint or PlanarJoint
+        In SI units.
+    """
+    return planar_joint_from_case(case) if isinstance(case, PlanarCase) else joint_from_case(case)
 
 
 def planar_joint_from_case(case: PlanarCase) -> PlanarJoint:

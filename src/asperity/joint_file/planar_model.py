@@ -9,7 +9,7 @@ from pydantic import Discriminator, Field, PrivateAttr, StringConstraints, Tag, 
 from asperity.errors import InputError
 from asperity.joint_file import limits
 from asperity.joint_file.material_entries import MaterialEntry, MaterialName, SurfaceEntry
-from asperity.joint_file.model import ContactLength, Friction, Length, Lubrication
+from asperity.joint_file.model import ContactLength, DynamicsEntry, Friction, Length, Lubrication
 from asperity.joint_file.quantity_key import Quantity
 from asperity.joint_file.section import ONE_FOR_ALL, ONE_FOR_EACH, Section
 
@@ -182,6 +182,8 @@ class PlanarCase(Section):
     """Hysteresis and reliability of the joint that turns."""
     lubrication: Lubrication | None = None
     """The oil; dry if the section is absent."""
+    dynamics: DynamicsEntry | None = None
+    """Inertias of motor and load, for `asperity dynamics`."""
     model: PlanarModelChoice
     """Variants of the model."""
     materials: Annotated[dict[MaterialName, MaterialEntry], Field(min_length=1)]

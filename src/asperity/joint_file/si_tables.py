@@ -13,6 +13,7 @@ from asperity.errors import InputError
 from asperity.joint_file.distribution import Distribution
 from asperity.joint_file.messages import keys_by_path, nearest
 from asperity.joint_file.model import Case
+from asperity.joint_file.planar_model import PlanarCase
 from asperity.joint_file.quantity_key import Key, Quantity
 from asperity.joint_file.section import EachContact, Section
 
@@ -95,13 +96,15 @@ def _quantities(node: Any, path: str) -> Iterator[tuple[str, Quantity]]:
             yield from _quantities(value, f"{path}.{name}" if path else name)
 
 
-def key_at(path: str) -> Key:
+def key_at(path: str, model: type[Section] = Case) -> Key:
     """What a dotted path of a joint file measures, and its range.
 
     Parameters
     ----------
     path : str
         For example ``materials.steel.youngs_modulus``.
+    model : type, optional
+        The class of the joint file; that of the paper's drive if not given.
 
     Returns
     -------
@@ -114,23 +117,21 @@ def key_at(path: str) -> Key:
         If a joint file has no such number.
     """
     parts = path.split(".")
-    known = keys_by_path()
-    generic = ".".join(
-        [parts[0], "*", *parts[2:]]
-        if parts[0] in ("materials", "duty", "branch") and len(parts) > 2
-        else parts
-    )
-    if generic not in known:
-        raise InputError(f"a joint file has no number '{path}'{nearest(generic, known)}")
-    return known[generic]
+    known = keys_by_path(model)
+    named = parts[0] in ("materials", "duty", "branch", "roller", "contact") and len(parts) > 2
+    generic = ".".join([parts[0], "*", *parts[2:]] if named else parts)
+    for each in (generic, *(".".join([*parts[:i], "*", *parts[i + 1 :]]) for i in range(1, len(parts)))):
+        if each in known:
+            return known[each]
+    raise InputError(f"a joint file has no number '{path}'{nearest(generic, known)}")
 
 
-def numeric_keys(case: Case) -> dict[str, NumericKey]:
+def numeric_keys(case: Case | PlanarCase) -> dict[str, NumericKey]:
     """Every number that a joint file states.
 
     Parameters
     ----------
-    case : Case
+    case : Case or PlanarCase
         The joint file.
 
     Returns
@@ -139,7 +140,9 @@ def numeric_keys(case: Case) -> dict[str, NumericKey]:
         Dotted path → the number, in the order of the file's sections.
     """
     return {
-        path: NumericKey(path, quantity.value, quantity.tolerance, key_at(path), quantity.distribution)
+        path: NumericKey(
+            path, quantity.value, quantity.tolerance, key_at(path, type(case)), quantity.distribution
+        )
         for path, quantity in _quantities(case, "")
     }
 

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 from asperity.joint.description import Joint
 from asperity.joint.margins import margins
+from asperity.joint.planar.description import PlanarJoint
 from asperity.joint.results import SolvedJoint
 from asperity.joint.rolling_curves import rolling_curves
 from asperity.joint.rolling_onset import RollingOnset
@@ -15,6 +16,7 @@ from asperity.joint.windup import Windup
 from asperity.show.compliance_figure import draw_budget, draw_levels
 from asperity.show.drive_sheet import drive_sheet, forces_sheet
 from asperity.show.margins_figure import draw_margins, drawn_margins
+from asperity.show.planar_sheet import planar_sheet
 from asperity.show.rolling_figure import rolling_figure
 from asperity.show.sheet_figure import sheet_figure
 from asperity.show.windup_figure import windup_figure
@@ -26,7 +28,7 @@ _WIDTH = 7.0  # of a picture on a page [in]
 
 
 def report_pictures(
-    joint: Joint,
+    joint: Joint | PlanarJoint,
     solved: SolvedJoint,
     windup: Windup | None,
     onset: RollingOnset | None,
@@ -38,7 +40,7 @@ def report_pictures(
 
     Parameters
     ----------
-    joint : Joint
+    joint : Joint or PlanarJoint
         One joint.
     solved : SolvedJoint
         The same with its results.
@@ -54,14 +56,16 @@ def report_pictures(
     Returns
     -------
     dict
-        Name → SVG. ``windup`` and ``rolling`` are absent where the joint has none.
+        Name → SVG. ``windup`` and ``rolling`` are absent where the joint has none; ``forces`` and ``rolling`` are for
+        the paper's drive.
     """
     from matplotlib.figure import Figure
 
-    found = {
-        "drive": figure_svg(sheet_figure(drive_sheet(joint, name=name))),
-        "forces": figure_svg(sheet_figure(forces_sheet(joint, solved.result.forces))),
-    }
+    if isinstance(joint, PlanarJoint):
+        sheets = {"drive": planar_sheet(joint, name=name)}
+    else:
+        sheets = {"drive": drive_sheet(joint, name=name), "forces": forces_sheet(joint, solved.result.forces)}
+    found = {which: figure_svg(sheet_figure(sheet)) for which, sheet in sheets.items()}
     budget = Figure(figsize=(_WIDTH, 0.65 * _WIDTH), layout="constrained")
     shares, levels = budget.subplots(2, 1, height_ratios=(2.2, 1.0))
     draw_budget(shares, solved)
@@ -73,7 +77,7 @@ def report_pictures(
     found["margins"] = figure_svg(bars)
     if windup is not None:
         found["windup"] = figure_svg(windup_figure(windup, onset, title="", stacked=True))
-    if math.isfinite(float(solved.result.rolling.residual)):
+    if not isinstance(joint, PlanarJoint) and math.isfinite(float(solved.result.rolling.residual)):
         curves = rolling_curves(joint=joint, result=solved.result, torque_capacity=rolling_capacity)
         found["rolling"] = figure_svg(
             rolling_figure(curves, solved.result.rolling, joint=joint, title="", width=_WIDTH)

@@ -12,22 +12,32 @@ from typing import Any
 
 import asperity
 from asperity.errors import AsperityError
+from asperity.joint.branch_document import branch_document
+from asperity.joint.branches import BranchedJoint
 from asperity.joint.description import Joint
 from asperity.joint.document import joint_document
+from asperity.joint.either_kind import AnyJoint
 from asperity.joint.loads_document import load_cases, loads_document
 from asperity.joint.margins import margins
 from asperity.joint.measured_surface import stiffness_interval
+from asperity.joint.planar.document import planar_document, solved_planar_joint
+from asperity.joint.planar.loads_document import planar_loads_document
+from asperity.joint.planar.solve import solve_planar
 from asperity.joint.results import SolvedJoint
 from asperity.joint.rolling_onset import RollingOnset
 from asperity.joint.solve import solve
 from asperity.joint.windup import Windup
 from asperity.joint.windup_document import examined_windup, windup_document, windup_onsets
 from asperity.joint_file.assumptions import assumptions
-from asperity.joint_file.build import joint_from_case
+from asperity.joint_file.build import branches_from_case, joint_from_case
 from asperity.joint_file.drawn_surface import drawn_interval
 from asperity.joint_file.model import Case
+from asperity.joint_file.planar_assumptions import planar_assumptions
+from asperity.joint_file.planar_build import planar_joint_from_case
+from asperity.joint_file.planar_model import PlanarCase
 from asperity.joint_file.si_tables import si_values
 from asperity.report import limit_tables, load_tables, result_tables, rolling_tables, surface_tables
+from asperity.report.branch_tables import branch_tables
 from asperity.report.content import Block, Bullets, Heading, Listing, Paragraph, Picture, Report, Table
 from asperity.report.figures import report_pictures
 from asperity.report.input_tables import choices_table, inputs_table
@@ -49,7 +59,7 @@ class ReportSource:
         Name of the joint file.
     text : str
         Its text.
-    case : Case
+    case : Case or PlanarCase
         Its content.
     measurement : SurfaceMeasurement, optional
         The measured surface that has replaced the surfaces of the file in ``case``.
@@ -63,7 +73,7 @@ class ReportSource:
 
     name: str
     text: str
-    case: Case
+    case: Case | PlanarCase
     measurement: SurfaceMeasurement | None = None
     measurement_texts: tuple[str, ...] = ()
     date: str = ""
@@ -90,19 +100,16 @@ def joint_report(source: ReportSource) -> Report:
     NoSolutionError
         If the force balance does not close.
     """
-    joint = joint_from_case(source.case)
-    solution = solve(joint)
-    document = joint_document(
-        joint=joint, solution=solution, inputs=si_values(source.case), assumptions=assumptions(source.case)
-    )
-    found = _examined(joint, document)
-    solved = SolvedJoint(joint, solution.result, solution.capacity)
+    case = source.case
+    parts = _planar_parts(case) if isinstance(case, PlanarCase) else _papers_parts(source, case)
+    document, solved = parts.document, parts.solved
+    found = _examined(parts.joint, document)
     pictures = report_pictures(
-        joint,
+        parts.joint,
         solved,
         found.windup,
         found.onset,
-        math.copysign(found.rolling_capacity, float(joint.output_torque)),
+        math.copysign(found.rolling_capacity, float(parts.joint.output_torque)),
         name=source.name,
     )
     blocks = (
@@ -117,19 +124,22 @@ def joint_report(source: ReportSource) -> Report:
         Paragraph(
             "Dimensions in mm. The drive's sheet is A4: printed in full size, it has the scale that it states."
         ),
-        Picture("Forces on the bodies of one branch, centrifugal forces not drawn", pictures["forces"]),
+        *(
+            [Picture("Forces on the bodies of one branch, centrifugal forces not drawn", pictures["forces"])]
+            if "forces" in pictures
+            else []
+        ),
         Picture("The drive to scale", pictures["drive"], sheet=True),
         Heading("Stiffness"),
         *result_tables.stiffness(document),
-        *_measured(joint, source),
-        surface_tables.averages(document),
+        *parts.surfaces,
         Picture("Stiffness budget and levels of the model", pictures["budget"]),
         Heading("Forces and contacts"),
         *result_tables.contacts(document),
-        *result_tables.drive(document),
-        *load_tables.rims(document),
+        *parts.drive,
+        *parts.branches,
         Heading("Loads of the structure"),
-        *load_tables.loads(loads_document(joint, load_cases(joint, solution), document["bearings"])),
+        *load_tables.loads(parts.loads),
         Heading("Safety margins"),
         *limit_tables.margins_table(margins(solved)),
         Picture("Shares of the limits that are used", pictures["margins"]),
@@ -148,6 +158,57 @@ def joint_report(source: ReportSource) -> Report:
 
 
 @dataclass(frozen=True)
+class _Parts:
+    """A solved joint, and the blocks that belong to its kind of drive."""
+
+    joint: AnyJoint
+    solved: SolvedJoint
+    document: dict[str, Any]
+    loads: dict[str, Any]
+    surfaces: tuple[Block, ...]
+    drive: tuple[Block, ...]
+    branches: tuple[Block, ...] = ()
+
+
+def _papers_parts(source: ReportSource, case: Case) -> _Parts:
+    joint = joint_from_case(case)
+    solution = solve(joint)
+    document = joint_document(
+        joint=joint, solution=solution, inputs=si_values(case), assumptions=assumptions(case)
+    )
+    branches: tuple[Block, ...] = ()
+    if case.branch is not None:
+        interference, sizes = branches_from_case(case)
+        found = branch_document(BranchedJoint(joint, interference).branches(sizes), sizes)
+        branches = tuple(branch_tables(found))
+    return _Parts(
+        joint,
+        SolvedJoint(joint, solution.result, solution.capacity),
+        document,
+        loads_document(joint, load_cases(joint, solution), document["bearings"]),
+        surfaces=(*_measured(joint, source, case), surface_tables.averages(document)),
+        drive=(*result_tables.drive(document), *load_tables.rims(document)),
+        branches=branches,
+    )
+
+
+def _planar_parts(case: PlanarCase) -> _Parts:
+    joint = planar_joint_from_case(case)
+    solution = solve_planar(joint)
+    document = planar_document(
+        joint=joint, solution=solution, inputs=si_values(case), assumptions=planar_assumptions(case)
+    )
+    return _Parts(
+        joint,
+        solved_planar_joint(joint, solution),
+        document,
+        planar_loads_document(joint, solution),
+        surfaces=(),
+        drive=tuple(result_tables.planar_drive(document)),
+    )
+
+
+@dataclass(frozen=True)
 class _Examined:
     """What needs more than the solution, or why it does not exist."""
 
@@ -158,7 +219,7 @@ class _Examined:
     rolling_capacity: float
 
 
-def _examined(joint: Joint, document: dict[str, Any]) -> _Examined:
+def _examined(joint: AnyJoint, document: dict[str, Any]) -> _Examined:
     capacity = document["rolling"]["torque_capacity_Nm"]
     capacity = math.inf if capacity is None else float(capacity)
     try:
@@ -213,10 +274,10 @@ def _rolling(document: dict[str, Any], found: _Examined, pictures: dict[str, str
         yield Picture("Creep, efficiency, drift and life", pictures["rolling"])
 
 
-def _measured(joint: Joint, source: ReportSource) -> Iterator[Block]:
+def _measured(joint: Joint, source: ReportSource, case: Case) -> Iterator[Block]:
     """The interval of stiffness and drift from the uncertainty of a measured surface, or of one stated by its Ra."""
     if source.measurement is None:
-        yield from surface_tables.drawn_stiffness(drawn_interval(source.case))
+        yield from surface_tables.drawn_stiffness(drawn_interval(case))
         return
     measured = measurement_document(measurement=source.measurement)
     yield from surface_tables.measured_stiffness(measured, stiffness_interval(joint, source.measurement))

@@ -7,6 +7,7 @@ from typing import Any
 
 from asperity.report.cells import number, percent, quantity
 from asperity.report.content import Block, Paragraph, Table
+from asperity.show.compliance_figure import NO_SHARE
 
 Document = dict[str, Any]
 
@@ -30,13 +31,17 @@ def summary(document: Document) -> Table:
     Table
         One row a number.
     """
-    load, drive = document["input"]["load"], document["input"]["drive"]
+    load, geometry = document["input"]["load"], document["geometry"]
+    count = geometry["sectors"] if "sectors" in geometry else document["input"]["drive"]["planets"]
     stiffness = document["torsional_stiffness"]["assembly"]["output_Nm_per_rad"]
     rows = [
-        ("planets", number(drive["planets"])),
+        ("sectors" if "sectors" in geometry else "planets", number(count)),
         ("output torque", quantity(load["output_torque"], "N*m")),
         ("speed of the sun", quantity(load["sun_speed"], "rpm")),
-        ("preload between sun and planet", quantity(document["preload"]["force_N"], "N")),
+        (
+            f"preload, {'contact ' + next(iter(document['contacts'])) if 'sectors' in geometry else 'sun and planet'}",
+            quantity(document["preload"]["force_N"], "N"),
+        ),
         ("interference that makes it", quantity(document["preload"]["interference_m"], "um")),
         *_at_assembly(document),
         *_loading_cam(document),
@@ -112,7 +117,11 @@ def stiffness(document: Document) -> Iterator[Block]:
     for name, share in document["stiffness_budget"].items():
         words = name.removesuffix("_share").replace("_", " ")
         each = share if isinstance(share, dict) else {"": share}
-        shares += [(f"{place} {words}".strip(), value) for place, value in each.items() if value]
+        shares += [
+            (f"{place} {words}".strip(), value)
+            for place, value in each.items()
+            if value and abs(value) > NO_SHARE
+        ]
     shares.sort(key=lambda entry: -entry[1])
     yield Table(
         "Stiffness budget: shares of the compliance of the assembled joint",
@@ -208,6 +217,39 @@ def drive(document: Document) -> Iterator[Block]:
     rows += [
         (f"clearance, {each['name'].replace('_', ' ')}", quantity(each["gap_m"], "mm"))
         for each in geometry["clearances"]
+    ]
+    yield Table("Drive", ("quantity", "value"), rows)
+
+
+def planar_drive(document: Document) -> Iterator[Block]:
+    """Ratio, torques, pin forces and masses of a planar drive.
+
+    Parameters
+    ----------
+    document : dict
+        As :func:`asperity.joint.planar.document.planar_document` makes it.
+
+    Yields
+    ------
+    Block
+        A table.
+    """
+    geometry, forces = document["geometry"], document["forces"]
+
+    def words(name: str) -> str:
+        return name.replace("_", " ")
+
+    rows = [
+        *((f"{role} member", words(geometry[role])) for role in ("input", "output", "grounded")),
+        ("speed ratio, input over output", number(geometry["speed_ratio"])),
+        ("speed of the output", quantity(abs(forces["output_speed_rad_per_s"]), "rpm")),
+        ("torque at the input", quantity(forces["input_torque_Nm"], "N*m")),
+        ("torque at the output", quantity(forces["output_torque_Nm"], "N*m")),
+        *(
+            (f"force of the pin of {words(name)}, at rest", quantity(force, "N"))
+            for name, force in forces["pin_N"].items()
+        ),
+        *((f"mass of {words(name)}", quantity(mass, "g")) for name, mass in forces["body_mass_kg"].items()),
     ]
     yield Table("Drive", ("quantity", "value"), rows)
 

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from asperity.joint.margins import margins
+from asperity.joint.planar.description import PlanarJoint
 from asperity.joint.results import LEVELS, RESULTS, SolvedJoint
 from asperity.joint.temperature_curves import temperature_curves
 from asperity.show.branch_figure import draw_size_errors
@@ -21,6 +22,10 @@ if TYPE_CHECKING:
     from asperity.joint.size_errors import SizeErrorCurves
 
 _PER_ARCMINUTE = np.pi / 10800.0
+
+
+#: Below this share of the compliance a spring is only the rounding of the others.
+NO_SHARE = 1e-12
 
 
 def compliance_shares(solved: SolvedJoint) -> dict[str, float]:
@@ -40,10 +45,12 @@ def compliance_shares(solved: SolvedJoint) -> dict[str, float]:
     for name, row in RESULTS.items():
         if row.group == "assembly" and name.endswith("_share"):
             words = name.removesuffix("_share").replace("_", " ")
-            for place, share in zip(row.row_names, np.atleast_1d(np.asarray(row.of(solved))), strict=True):
-                shares[f"{place} {words}".strip()] = float(share)
+            for place, share in row.rows_of(solved).items():
+                shares[f"{place} {words}".strip()] = share
     return {
-        words: share for words, share in sorted(shares.items(), key=lambda each: -each[1]) if share != 0.0
+        words: share
+        for words, share in sorted(shares.items(), key=lambda each: -each[1])
+        if abs(share) > NO_SHARE
     }
 
 
@@ -94,7 +101,7 @@ def joint_figure(solved: SolvedJoint, *, title: str, size_errors: SizeErrorCurve
     """
     from matplotlib.figure import Figure
 
-    fit = solved.joint.fit
+    fit = None if isinstance(solved.joint, PlanarJoint) else solved.joint.fit
     rows = 2 + (fit is not None) + (size_errors is not None)
     figure = Figure(figsize=(10.0, 3.7 * rows), layout="constrained")
     upper, lower, *further = figure.subfigures(rows, 1, squeeze=False)[:, 0]

@@ -1,10 +1,13 @@
 """Joint files of every type of planar drive."""
 
+import math
 from pathlib import Path
 
 import pytest
 
 from asperity.cli.solved_case import solved_planar
+from asperity.drive.planar.drives import wedge_drive
+from asperity.joint.planar.description import SOLID, BodyShape, PlanarJoint
 from asperity.joint_file.planar_build import planar_joint_from_case
 from asperity.joint_file.reader import parse_any_case
 
@@ -35,3 +38,40 @@ def planar_joint(planar_case):
 def planetary(planar_case):
     """The planetary example: joint, solution and document."""
     return solved_planar(planar_case("planetary"))
+
+
+@pytest.fixture(scope="session")
+def as_planar():
+    """The paper's joint as bodies, contacts and pins."""
+
+    def described(joint):
+        bodies = joint.bodies
+        return PlanarJoint(
+            type="zou2025",
+            drive=wedge_drive(joint.geometry, planet_count=3),
+            shapes=(
+                SOLID,
+                SOLID,
+                SOLID,
+                SOLID,
+                BodyShape("ring", joint.ring_wall_thickness, "rigid_housing"),
+            ),
+            materials=(bodies.sun, bodies.planet, bodies.loading_roller, bodies.loading_roller, bodies.ring),
+            surfaces=joint.surfaces,
+            contact_lengths=joint.contact_lengths,
+            friction_coefficients=joint.friction_coefficients,
+            pattern=(0.0, 0.0, 0.0, 1.0, 1.0),
+            preload=joint.preload,
+            interference=None,
+            output_torque=joint.output_torque,
+            input_speed=joint.sun_speed,
+            pin_stiffness=math.inf,
+            input_shaft_stiffness=math.inf,
+            output_shaft_stiffness=math.inf,
+            contact_factor_model=joint.contact_factor_model,
+            body_model=joint.body_model,
+            plane_state=joint.plane_state,
+            rolling=joint.rolling,
+        )
+
+    return described

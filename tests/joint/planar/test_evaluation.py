@@ -9,39 +9,11 @@ import numpy as np
 import pytest
 
 from asperity.compilation import compile_fast
-from asperity.drive.planar.drives import wedge_drive
 from asperity.joint.evaluation import evaluate
-from asperity.joint.planar.description import SOLID, BodyShape, PlanarJoint
 from asperity.joint.planar.evaluation import evaluate_planar
 from asperity.joint_file.build import joint_from_case
 
 pytestmark = pytest.mark.slow
-
-
-def as_planar(joint):
-    """The paper's joint as bodies, contacts and pins."""
-    bodies = joint.bodies
-    return PlanarJoint(
-        type="zou2025",
-        drive=wedge_drive(joint.geometry, planet_count=3),
-        shapes=(SOLID, SOLID, SOLID, SOLID, BodyShape("ring", joint.ring_wall_thickness, "rigid_housing")),
-        materials=(bodies.sun, bodies.planet, bodies.loading_roller, bodies.loading_roller, bodies.ring),
-        surfaces=joint.surfaces,
-        contact_lengths=joint.contact_lengths,
-        friction_coefficients=joint.friction_coefficients,
-        pattern=(0.0, 0.0, 0.0, 1.0, 1.0),
-        preload=joint.preload,
-        interference=None,
-        output_torque=joint.output_torque,
-        input_speed=joint.sun_speed,
-        pin_stiffness=math.inf,
-        input_shaft_stiffness=math.inf,
-        output_shaft_stiffness=math.inf,
-        contact_factor_model=joint.contact_factor_model,
-        body_model=joint.body_model,
-        plane_state=joint.plane_state,
-        rolling=joint.rolling,
-    )
 
 
 def solved(function, joint):
@@ -50,7 +22,7 @@ def solved(function, joint):
 
 
 @pytest.fixture(scope="module")
-def both(case):
+def both(case, as_planar):
     joint = joint_from_case(case)
     return solved(evaluate, joint), solved(evaluate_planar, as_planar(joint))
 
@@ -95,7 +67,7 @@ def test_every_state_satisfies_the_published_balance(both):
     assert beta > 0.0
 
 
-def test_derivatives_are_those_of_differences(case):
+def test_derivatives_are_those_of_differences(case, as_planar):
     joint = as_planar(joint_from_case(case))
     joint = dataclasses.replace(joint, body_model="springs", input_speed=0.0)
 

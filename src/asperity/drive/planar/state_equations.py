@@ -8,7 +8,8 @@ import jax.numpy as jnp
 from jax import Array
 
 from asperity.drive.mechanism import compression
-from asperity.drive.planar.layout import CARRIER, Incidence, PlanarDrive, incidence, speeds
+from asperity.drive.planar.layout import Incidence, PlanarDrive, incidence, speeds
+from asperity.drive.planar.loads import member_moments
 from asperity.drive.planar.newton import damped_root
 from asperity.drive.planar.state import ContactLaws, DriveLoad, PlanarState, slip_at_rest, surface_speeds
 from asperity.drive.rolling_state import creepages
@@ -290,7 +291,7 @@ def _equations(machine: Machine, task: Task, by_force: bool, x: Unknowns) -> Unk
     slip = slip_at_rest(laws=laws, normal=normal, tangential=tangential)
     standing = slip - matrices.sliding @ (moved - task.origin) - matrices.turning @ turned
     force = matrices.approach.T @ normal + matrices.sliding.T @ tangential + matrices.pins.T @ pin
-    moments = _moments(drive, matrices, tangential, pin)
+    moments = member_moments(drive, matrices, tangential, pin)
     out = drive.members.index(drive.output)
     moments = moments.at[out].add(-jnp.sign(machine.ideal[out]) * task.load.output_torque)
     moments = moments[jnp.array(_turning(drive))] / (lever * largest)
@@ -376,7 +377,7 @@ def state_of(machine: Machine, task: Task, x: Unknowns) -> PlanarState:
         speed=speed,
         creepage=rolls * creepages(law=laws.creep, normal=normal, tangential=tangential),
         interference=machine.pattern * x.interference * machine.length,
-        input_torque=-drive.sense * _moments(drive, machine.matrices, tangential, pin)[entry],
+        input_torque=-drive.sense * member_moments(drive, machine.matrices, tangential, pin)[entry],
         speed_loss=1.0 - speed[out] / machine.ideal[out],
         worst=worst,
         carried=carried,
@@ -387,13 +388,3 @@ def _rolled(drive: PlanarDrive, speed: Array) -> Array:
     """Rolling speed of each contact relative to the carrier, the mean of its surface speeds [m]."""
     one, two = surface_speeds(drive=drive, speed=speed)
     return 0.5 * (one + two)
-
-
-def _moments(drive: PlanarDrive, matrices: Incidence, tangential: Array, pin: Array) -> Array:
-    """Moments of contacts and pins on the members, those on the axis from all sectors, shape (members,) [N·m]."""
-    members = drive.members
-    carrier = members.index(CARRIER)
-    moments = -(matrices.turning.at[:, carrier].set(0.0).T @ tangential)
-    moments = moments.at[carrier].set(jnp.sum(matrices.levers * pin))
-    copies = [drive.sectors if body.place == "axis" else 1 for body in drive.bodies] + [drive.sectors]
-    return moments * jnp.array(copies, dtype=float)

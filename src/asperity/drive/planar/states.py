@@ -205,13 +205,56 @@ def loaded_state(
     ----------
     Equation (M3) of :doc:`/equations`.
     """
+    kinds = jnp.stack([jnp.asarray(STANDING), jnp.where(rolls, ROLLING, STANDING)])
+    states = _loaded(drive, laws, rest, load, kinds, creep_of)
+    last: PlanarState = jax.tree.map(lambda leaf: leaf[-1], states)
+    return last
+
+
+def loaded_states(
+    *, drive: PlanarDrive, laws: ContactLaws, rest: PlanarState, load: DriveLoad, creep_of: CreepOf
+) -> tuple[PlanarState, PlanarState]:
+    """A drive under a torque, standing and rolling, from its assembled state.
+
+    Parameters
+    ----------
+    drive : PlanarDrive
+        The drive.
+    laws : ContactLaws
+        Its contacts.
+    rest : PlanarState
+        Its assembled state.
+    load : DriveLoad
+        Torque, forces on the bodies, and pins.
+    creep_of : callable
+        Creep law of contacts under the normal and tangential forces of the drive at rest.
+
+    Returns
+    -------
+    tuple of PlanarState
+        Standing and rolling, each as of :func:`loaded_state`.
+
+    References
+    ----------
+    Equation (M3) of :doc:`/equations`.
+    """
+    states = _loaded(drive, laws, rest, load, jnp.array([STANDING, ROLLING]), creep_of)
+    standing, rolling = (jax.tree.map(lambda leaf, i=i: leaf[i], states) for i in range(2))
+    return standing, rolling
+
+
+def _loaded(
+    drive: PlanarDrive,
+    laws: ContactLaws,
+    rest: PlanarState,
+    load: DriveLoad,
+    kinds: Array,
+    creep_of: CreepOf | None,
+) -> PlanarState:
     size = jnp.max(rest.interference)
     machine = machine_of(drive, laws, rest.interference / size)
     start = _Carry(started_from(machine, rest, size), size, rest.displacement.ravel())
-    kinds = jnp.stack([jnp.asarray(STANDING), jnp.where(rolls, ROLLING, STANDING)])
-    states = _states(machine, load, start, kinds, creep_of, by_force=False)
-    last: PlanarState = jax.tree.map(lambda leaf: leaf[-1], states)
-    return last
+    return _states(machine, load, start, kinds, creep_of, by_force=False)
 
 
 class _Carry(NamedTuple):

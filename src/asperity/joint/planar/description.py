@@ -238,8 +238,36 @@ def tracks_of(joint: PlanarJoint, body: int) -> list[tuple[Array, list[int]]]:
     return list(found.values())
 
 
+def cylinders(joint: PlanarJoint, body: int) -> list[tuple[Real, Real, Real]]:
+    """The cylinders that make a body, one for each of its tracks.
+
+    Parameters
+    ----------
+    joint : PlanarJoint
+        The joint.
+    body : int
+        Number of the body.
+
+    Returns
+    -------
+    list of tuple
+        Mass [kg], outer radius and diameter of the bore [m]; every track is as long as its longest contact.
+    """
+    lengths = each_contact(joint, joint.contact_lengths)
+    shape, material = joint.shapes[body], joint.materials[body]
+    found: list[tuple[Real, Real, Real]] = []
+    for radius, contacts in tracks_of(joint, body):
+        outer: Real = radius
+        bore: Real = 0.0 if shape.size is None else shape.size
+        if shape.kind == "ring" and shape.size is not None:
+            outer, bore = radius + shape.size, 2.0 * radius
+        length = jnp.max(lengths[np.array(contacts)])
+        found.append((material.density * jnp.pi * (outer**2 - 0.25 * bore**2) * length, outer, bore))
+    return found
+
+
 def body_masses(joint: PlanarJoint) -> list[Real]:
-    r"""Mass of each body, :math:`\rho \pi \sum (R^2 - R_i^2) L` over its tracks.
+    r"""Mass of each body, :math:`\rho \pi \sum (R^2 - d^2/4) L` over its tracks.
 
     Parameters
     ----------
@@ -249,21 +277,6 @@ def body_masses(joint: PlanarJoint) -> list[Real]:
     Returns
     -------
     list of Real
-        Masses [kg]; every track is as long as its longest contact.
+        Masses [kg].
     """
-    lengths = each_contact(joint, joint.contact_lengths)
-    masses = []
-    for number, (shape, material) in enumerate(zip(joint.shapes, joint.materials, strict=True)):
-        mass: Real = 0.0
-        for radius, contacts in tracks_of(joint, number):
-            length = jnp.max(lengths[np.array(contacts)])
-            area = radius**2
-            if shape.size is not None:
-                area = (
-                    (radius + shape.size) ** 2 - radius**2
-                    if shape.kind == "ring"
-                    else radius**2 - 0.25 * shape.size**2
-                )
-            mass = mass + material.density * jnp.pi * area * length
-        masses.append(mass)
-    return masses
+    return [sum(mass for mass, _, _ in cylinders(joint, body)) for body in range(len(joint.shapes))]

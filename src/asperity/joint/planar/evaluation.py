@@ -13,17 +13,13 @@ from jax import Array
 from asperity.contact.fractal import FractalContact
 from asperity.contact.interface import Interface
 from asperity.drive.assembly import Assembly
-from asperity.drive.planar.layout import CARRIER, speed_ratio, speeds
+from asperity.drive.planar.layout import CARRIER, PlanarDrive, speed_ratio, speeds
 from asperity.drive.planar.state import STATE_TOLERANCE, ContactLaws, PlanarState, surface_speeds
 from asperity.drive.planar.states import drive_states
 from asperity.drive.rolling_speeds import BodiesOfContacts, RollingSpeeds
 from asperity.drive.torsional_stiffness import TorsionalStiffness, contact_torsional_stiffness
-from asperity.joint.contacts import (
-    JointContacts,
-    loaded_contacts,
-)
+from asperity.joint.contacts import JointContacts
 from asperity.joint.diagnostics import Diagnostics, diagnose
-from asperity.joint.planar.bodies import walls_known
 from asperity.joint.planar.description import (
     PlanarJoint,
     bodies_of_contacts,
@@ -32,7 +28,7 @@ from asperity.joint.planar.description import (
     planar_contacts,
 )
 from asperity.joint.planar.laws import contact_laws, creep_law, drive_load
-from asperity.joint.planar.stiffness import stiffness_levels
+from asperity.joint.planar.stiffness import loaded_stiffness
 from asperity.joint.rolling import RollingResult, turning_result
 from asperity.joint.rolling_creep import ContactCreep
 
@@ -126,13 +122,13 @@ class PlanarResult(eqx.Module):
         return self.bodies.names
 
 
-def driving_sense(joint: PlanarJoint) -> Array:
+def driving_sense(drive: PlanarDrive) -> Array:
     """Sign that makes tangential forces and creepages positive where the first body of a contact drives the second.
 
     Parameters
     ----------
-    joint : PlanarJoint
-        The joint.
+    drive : PlanarDrive
+        The drive.
 
     Returns
     -------
@@ -143,7 +139,6 @@ def driving_sense(joint: PlanarJoint) -> Array:
     ----------
     The sign convention of Zou et al. 2025 for a torque that resists the rotation.
     """
-    drive = joint.drive
     first, _ = places(drive)
     speed = speeds(drive)
     return jnp.sign(speed[jnp.array(first)] - speed[drive.members.index(CARRIER)])
@@ -201,19 +196,13 @@ def evaluated_with_laws(joint: PlanarJoint) -> tuple[PlanarResult, ContactLaws]:
         creep_of=lambda normal, tangential: creep_law(contacts, normal, tangential).law,
     )
     creep = creep_law(contacts, states.standing.normal, states.standing.tangential)
-    sense = driving_sense(joint)
+    sense = driving_sense(drive)
     standing, rolling = (
         dataclasses.replace(state, tangential=sense * state.tangential, creepage=sense * state.creepage)
         for state in (states.standing, states.rolling)
     )
-    loaded = loaded_contacts(
-        contacts=contacts, normal_force=standing.normal, tangential_force=standing.tangential
-    )
-    published, series, assembly = stiffness_levels(joint, contacts, loaded)
-    law_holds = jnp.all((loaded.rough.normal_stiffness > 0.0) | (standing.normal <= 0.0))
-    walls = walls_known(joint=joint, half_width=loaded.half_width)
-    published, series = jax.tree.map(lambda value: jnp.where(law_holds, value, jnp.nan), (published, series))
-    assembly = jax.tree.map(lambda value: jnp.where(law_holds & walls, value, jnp.nan), assembly)
+    stiffness = loaded_stiffness(joint, contacts, standing.normal, standing.tangential)
+    loaded = stiffness.contacts
     inside = np.array([contact.internal for contact in drive.contacts])
     ideal = speeds(drive)
     found = PlanarResult(
@@ -241,9 +230,9 @@ def evaluated_with_laws(joint: PlanarJoint) -> tuple[PlanarResult, ContactLaws]:
             )
         ),
         interfaces=loaded.interfaces,
-        published=published,
-        series_with_bulk=series,
-        assembly=assembly,
+        published=stiffness.published,
+        series_with_bulk=stiffness.series_with_bulk,
+        assembly=stiffness.assembly,
         diagnostics=diagnose(
             pairs=contacts.pairs,
             normal_force=standing.normal,
@@ -252,9 +241,9 @@ def evaluated_with_laws(joint: PlanarJoint) -> tuple[PlanarResult, ContactLaws]:
             rest_force=states.rest.normal,
             self_locking_ratio=None,
         ),
-        rolling=_turning(joint, contacts, creep, rolling),
-        contact_law_holds=law_holds,
-        walls_hold=walls,
+        rolling=turning(joint, contacts, creep, rolling),
+        contact_law_holds=stiffness.contact_law_holds,
+        walls_hold=stiffness.walls_hold,
         solved=(standing.residual < STATE_TOLERANCE) & (states.rest.residual < STATE_TOLERANCE),
         bodies=bodies_of_contacts(drive),
         contact_names=joint.contact_names,
@@ -262,10 +251,31 @@ def evaluated_with_laws(joint: PlanarJoint) -> tuple[PlanarResult, ContactLaws]:
     return found, laws
 
 
-def _turning(
+def turning(
     joint: PlanarJoint, contacts: JointContacts, creep: ContactCreep, state: PlanarState
 ) -> RollingResult:
-    """The joint that turns, from its rolling state."""
+    """The joint that turns, from its rolling state.
+
+    Parameters
+    ----------
+    joint : PlanarJoint
+        One joint.
+    contacts : JointContacts
+        Its contacts.
+    creep : ContactCreep
+        Their creep under the forces at rest.
+    state : PlanarState
+        The rolling state, its tangential forces and creepages with the sense of the drive.
+
+    Returns
+    -------
+    RollingResult
+        Drift, losses and life.
+
+    References
+    ----------
+    Equations (B1) and (M3) of :doc:`/equations`.
+    """
     drive = joint.drive
     first, second = places(drive)
     carrier = state.speed[drive.members.index(CARRIER)]

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from typing import NamedTuple
+
+import jax
 import jax.numpy as jnp
 from jax import Array
 
@@ -9,11 +12,66 @@ from asperity.drive.assembly import Assembly
 from asperity.drive.planar.layout import speed_ratio
 from asperity.drive.planar.stiffness import planar_stiffness, with_shafts
 from asperity.drive.torsional_stiffness import TorsionalStiffness
-from asperity.joint.contacts import JointContacts, LoadedContacts
+from asperity.joint.contacts import JointContacts, LoadedContacts, loaded_contacts
 from asperity.joint.elastic_bodies import springs_of_compliance, widths_of_bodies
-from asperity.joint.planar.bodies import body_compliance
+from asperity.joint.planar.bodies import body_compliance, walls_known
 from asperity.joint.planar.description import PlanarJoint
 from asperity.types import Real
+
+
+class LoadedStiffness(NamedTuple):
+    """Contacts of a joint under their forces, and its stiffness.
+
+    Parameters
+    ----------
+    contacts : LoadedContacts
+        The contacts.
+    published, series_with_bulk : TorsionalStiffness
+        Of the asperities alone, and with the bodies in series; the centres of all rollers held.
+    assembly : Assembly
+        The fullest model.
+    contact_law_holds, walls_hold : Array
+        Whether every loaded contact has an elastic spot, and every wall a known compliance.
+    """
+
+    contacts: LoadedContacts
+    published: TorsionalStiffness
+    series_with_bulk: TorsionalStiffness
+    assembly: Assembly
+    contact_law_holds: Array
+    walls_hold: Array
+
+
+def loaded_stiffness(
+    joint: PlanarJoint, contacts: JointContacts, normal_force: Array, tangential_force: Array
+) -> LoadedStiffness:
+    """Stiffness of a joint under given forces; nan where a law does not hold.
+
+    Parameters
+    ----------
+    joint : PlanarJoint
+        The joint.
+    contacts : JointContacts
+        Its contacts.
+    normal_force, tangential_force : Array
+        Their forces, positive where the first body drives the second, shape (contacts,) [N].
+
+    Returns
+    -------
+    LoadedStiffness
+        On three levels.
+
+    References
+    ----------
+    Equations (A8) and (M4) of :doc:`/equations`.
+    """
+    loaded = loaded_contacts(contacts=contacts, normal_force=normal_force, tangential_force=tangential_force)
+    published, series, assembly = stiffness_levels(joint, contacts, loaded)
+    law_holds = jnp.all((loaded.rough.normal_stiffness > 0.0) | (normal_force <= 0.0))
+    walls = walls_known(joint=joint, half_width=loaded.half_width)
+    published, series = jax.tree.map(lambda value: jnp.where(law_holds, value, jnp.nan), (published, series))
+    assembly = jax.tree.map(lambda value: jnp.where(law_holds & walls, value, jnp.nan), assembly)
+    return LoadedStiffness(loaded, published, series, assembly, law_holds, walls)
 
 
 def stiffness_levels(

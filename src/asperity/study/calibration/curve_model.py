@@ -15,7 +15,8 @@ import numpy as np
 from asperity.errors import InputError
 from asperity.joint.play import play_compliance
 from asperity.joint.results import name_at_level
-from asperity.joint.windup import NO_SLIP_FRICTION, StiffnessLevel, is_symmetric
+from asperity.joint.standing import NO_SLIP_FRICTION
+from asperity.joint.windup import StiffnessLevel, is_symmetric
 from asperity.joint_file.build import joint_from_values
 from asperity.joint_file.model import Case
 from asperity.joint_file.si_tables import numeric_keys, replace_values, si_values

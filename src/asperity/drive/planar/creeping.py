@@ -1,0 +1,54 @@
+"""Speeds of a planar drive whose contacts creep."""
+
+from __future__ import annotations
+
+import jax.numpy as jnp
+from jax import Array
+
+from asperity.drive.planar.layout import CARRIER, PlanarDrive, incidence, speeds
+
+
+def creeping_speeds(*, drive: PlanarDrive, creepage: Array) -> tuple[Array, Array]:
+    r"""Angular velocities of all members with given creepages, per angular velocity of the input.
+
+    .. math:: W \omega = \xi \, V\omega, \qquad \omega_{in} = \pm 1, \quad \omega_{grounded} = 0
+
+    Parameters
+    ----------
+    drive : PlanarDrive
+        The drive.
+    creepage : Array
+        Creepages of the contacts, counter-clockwise as in :class:`asperity.drive.planar.state.PlanarState`, shape
+        (contacts,) [-].
+
+    Returns
+    -------
+    tuple of Array
+        Speeds of the members, shape (members,) [-], and the rolling speeds of the contacts relative to the carrier,
+        shape (contacts,) [m].
+
+    Notes
+    -----
+    Creepages of a rolling state satisfy all equations; others in the sense of least squares.
+
+    References
+    ----------
+    The definition of creepage: difference of the surface speeds over their mean. Equations (B1) and (M2) of
+    :doc:`/equations`.
+    """
+    turning, members = incidence(drive).turning, drive.members
+    ideal, carrier = speeds(drive), members.index(CARRIER)
+    first = jnp.array([members.index(contact.first) for contact in drive.contacts])
+    second = jnp.array([members.index(contact.second) for contact in drive.contacts])
+    contacts = jnp.arange(len(drive.contacts))
+    rolled = jnp.zeros_like(turning)
+    for body, radius in ((first, drive.first_radius), (second, drive.second_radius)):
+        half = 0.5 * radius * jnp.sign(ideal[body] - ideal[carrier])
+        rolled = rolled.at[contacts, body].add(half).at[:, carrier].add(-half)
+    known = [members.index(drive.input), members.index(drive.grounded)]
+    free = jnp.array([i for i in range(len(members)) if i not in known])
+    matrix = turning - creepage[:, None] * rolled
+    scale = jnp.max(jnp.abs(turning))
+    found, *_ = jnp.linalg.lstsq(matrix[:, free] / scale, -drive.sense * matrix[:, known[0]] / scale)
+    speed = jnp.zeros(len(members)).at[known[0]].set(float(drive.sense)).at[free].set(found)
+    return speed, rolled @ speed

@@ -1,0 +1,94 @@
+r"""Loads that the contacts of a planar drive put on its pins, shafts and housing.
+
+Sectors are equal: the forces on bodies on the axis and on the carrier balance, and their bearings carry a torque only.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import jax.numpy as jnp
+from jax import Array
+
+from asperity.drive.planar.layout import CARRIER, Incidence, PlanarDrive, incidence
+
+
+class PlanarLoads(NamedTuple):
+    """Loads of the structure of a drive in one state. SI units.
+
+    Parameters
+    ----------
+    pin : Array
+        Force of each roller on its pin along the push, positive outward from the clockwise tangent, shape (pins,) [N].
+    unbalanced : Array
+        Force that no pin takes up, shape (floating, 2) [N]; 0 in a balanced state but for its residual.
+    moments : Array
+        Moments of contacts and pins on the members, all sectors together, counter-clockwise, shape (members,) [N·m].
+    """
+
+    pin: Array
+    unbalanced: Array
+    moments: Array
+
+
+def planar_loads(*, drive: PlanarDrive, normal: Array, tangential: Array, body_force: Array) -> PlanarLoads:
+    r"""Loads of the structure from the forces of the contacts.
+
+    .. math:: F = P\,(Z - A^\mathsf{T} N - S^\mathsf{T} T)
+
+    Parameters
+    ----------
+    drive : PlanarDrive
+        The drive.
+    normal, tangential : Array
+        Forces of the contacts, counter-clockwise as in :class:`asperity.drive.planar.state.PlanarState`, shape
+        (contacts,) [N].
+    body_force : Array
+        Forces Z on the floating bodies, shape (floating, 2) [N].
+
+    Returns
+    -------
+    PlanarLoads
+        A pin takes the force along its push.
+
+    References
+    ----------
+    Balance of each body; equation (M1) of :doc:`/equations`.
+    """
+    matrices = incidence(drive)
+    left = body_force.ravel() - matrices.approach.T @ normal - matrices.sliding.T @ tangential
+    pin = matrices.pins @ left
+    return PlanarLoads(
+        pin=pin,
+        unbalanced=(left - matrices.pins.T @ pin).reshape(-1, 2),
+        moments=member_moments(drive, matrices, tangential, pin),
+    )
+
+
+def member_moments(drive: PlanarDrive, matrices: Incidence, tangential: Array, pin: Array) -> Array:
+    """Moments of contacts and pins on the members, those on the axis from all sectors.
+
+    Parameters
+    ----------
+    drive : PlanarDrive
+        The drive.
+    matrices : Incidence
+        Its matrices.
+    tangential, pin : Array
+        Tangential forces of the contacts, shape (contacts,), and forces of the pins, shape (pins,) [N].
+
+    Returns
+    -------
+    Array
+        Counter-clockwise, shape (members,) [N·m].
+
+    References
+    ----------
+    Equation (M1) of :doc:`/equations`.
+    """
+    members = drive.members
+    carrier = members.index(CARRIER)
+    moments = -(matrices.turning.at[:, carrier].set(0.0).T @ tangential)
+    moments = moments.at[carrier].set(jnp.sum(matrices.levers * pin))
+    copies = [drive.sectors if body.place == "axis" else 1 for body in drive.bodies] + [drive.sectors]
+    return moments * jnp.array(copies, dtype=float)

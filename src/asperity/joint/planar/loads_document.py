@@ -1,0 +1,159 @@
+"""Loads of pins, bearings, shafts and housing of a joint with a planar drive, as rows for their supplier."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Any
+
+import jax
+import jax.numpy as jnp
+import numpy as np
+
+from asperity.drive.planar.layout import CARRIER, speeds
+from asperity.drive.planar.loads import PlanarLoads, planar_loads
+from asperity.joint.loads_document import Document, Row, case_entry, document_of_rows
+from asperity.joint.planar.description import PlanarJoint, tracks_of
+from asperity.joint.planar.evaluation import PlanarResult, driving_sense
+from asperity.joint.planar.laws import drive_load
+from asperity.joint.planar.solve import PlanarSolution
+from asperity.joint.rolling_document import unknown_because
+
+_NOTES = (
+    "Radial is away from the drive's axis, tangential along the carrier's circle in the sense in which the input "
+    "turns; torques count in the same sense. Forces act on the part that is named.",
+    "All sectors are equal: the forces of the rollers on the bodies on the axis and on the carrier balance, and their "
+    "bearings carry a torque only. Weights, forces from outside and unequal sectors are not counted.",
+    "Where the input turns the forces are those of steady rolling, otherwise those of the joint at rest.",
+)
+_FREE = "Rollers without a pin are held by their contacts alone."
+_IN_ONE_PLANE = (
+    "The tracks of stepped rollers are taken in one plane: where they are not arranged symmetrically, their bearings "
+    "also carry a tilting moment."
+)
+
+
+def working_planar_loads(joint: PlanarJoint, result: PlanarResult) -> PlanarLoads:
+    """Loads of the structure of a joint under its torque.
+
+    Parameters
+    ----------
+    joint : PlanarJoint
+        One joint.
+    result : PlanarResult
+        Its result.
+
+    Returns
+    -------
+    PlanarLoads
+        Of steady rolling where the input turns, of the state at rest where it stands; nan where there is none.
+
+    References
+    ----------
+    Equations (M1) and (M3) of :doc:`/equations`.
+    """
+    turns = float(joint.input_speed) > 0.0
+    forces: Any = result.rolling if turns else result.forces
+    sense = driving_sense(joint.drive)
+    known = np.isfinite(np.asarray(result.rolling.residual)) if turns else np.asarray(result.solved)
+    load = drive_load(joint, [result.masses[k] for k in range(len(joint.shapes))], joint.output_torque)
+    found = planar_loads(
+        drive=joint.drive,
+        normal=jnp.asarray(forces.normal),
+        tangential=sense * forces.tangential,
+        body_force=jnp.zeros((0, 2)) if load.body_force is None else load.body_force,
+    )
+    numbers: PlanarLoads = jax.tree.map(lambda leaf: np.where(known, np.asarray(leaf), np.nan), found)
+    return numbers
+
+
+def planar_loads_at_rest(joint: PlanarJoint, result: PlanarResult) -> PlanarLoads:
+    """Loads of the structure of an assembled joint without torque.
+
+    Parameters
+    ----------
+    joint : PlanarJoint
+        One joint.
+    result : PlanarResult
+        Its result.
+
+    Returns
+    -------
+    PlanarLoads
+        From the preload alone.
+
+    References
+    ----------
+    Equations (M1) and (M3) of :doc:`/equations`.
+    """
+    rest = result.rest
+    found = planar_loads(
+        drive=joint.drive,
+        normal=jnp.asarray(rest.normal),
+        tangential=jnp.asarray(rest.tangential),
+        body_force=jnp.zeros((len(joint.drive.floating), 2)),
+    )
+    numbers: PlanarLoads = jax.tree.map(np.asarray, found)
+    return numbers
+
+
+def planar_loads_document(joint: PlanarJoint, solution: PlanarSolution) -> Document:
+    """Loads of the structure as a document, ready for :func:`json.dumps`.
+
+    Parameters
+    ----------
+    joint : PlanarJoint
+        The joint.
+    solution : PlanarSolution
+        What it does under its working torque.
+
+    Returns
+    -------
+    dict
+        Two cases, at rest and under the working torque; None where a value is not known.
+    """
+    result = solution.result
+    loads = planar_loads_at_rest(joint, result), working_planar_loads(joint, result)
+    why = None
+    if bool(np.any(np.isnan(loads[1].moments))):
+        why = unknown_because(joint, result)[0]
+    torque, speed = float(joint.output_torque), float(joint.input_speed)
+    cases = [
+        case_entry("at rest", 0.0, 0.0, None, None),
+        case_entry("working torque", torque, speed, None, why),
+    ]
+    drive = joint.drive
+    stepped = any(len(tracks_of(joint, number)) > 1 for number in drive.floating)
+    notes = [*_NOTES]
+    if len(drive.pinned) < len(drive.floating):
+        notes.append(_FREE)
+    if stepped:
+        notes.append(_IN_ONE_PLANE)
+    return document_of_rows(cases, _rows(joint, loads), bearings=[], notes=notes)
+
+
+def _rows(joint: PlanarJoint, loads: tuple[PlanarLoads, PlanarLoads]) -> Iterator[Row]:
+    """Part, position, quantity, SI unit, and a value for each case."""
+    drive, members = joint.drive, joint.drive.members
+    turned = np.abs(np.asarray(speeds(drive))) * float(joint.input_speed)
+    relative = np.abs(np.asarray(speeds(drive) - speeds(drive)[members.index(CARRIER)])) * float(
+        joint.input_speed
+    )
+    push = np.asarray(drive.push_angles)
+    for k, body in enumerate(drive.pinned):
+        part = ("carrier pin", drive.bodies[body].name.replace("_", " "))
+        force = np.array([load.pin[k] for load in loads])
+        yield *part, "radial force", "N", force * np.sin(push[k])
+        yield *part, "tangential force", "N", -drive.sense * force * np.cos(push[k])
+        yield *part, "resultant force", "N", np.abs(force)
+        yield *part, "speed, roller on pin", "rad/s", np.array([0.0, relative[body]])
+    for number, name in enumerate(members):
+        if name != CARRIER and drive.bodies[number].place != "axis":
+            continue
+        if name == CARRIER and not drive.pinned:
+            continue
+        role = {drive.input: "input", drive.output: "output", drive.grounded: "grounded"}.get(name, "idle")
+        part = (name.replace("_", " "), f"on the axis, {role}")
+        moment = drive.sense * np.array([load.moments[number] for load in loads])
+        yield *part, "torque of the rollers" if name != CARRIER else "torque of all pins", "N*m", moment
+        yield *part, "resultant force", "N", 0.0
+        yield *part, "speed in the housing", "rad/s", np.array([0.0, turned[number]])

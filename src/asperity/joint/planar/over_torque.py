@@ -1,0 +1,177 @@
+"""A joint with a planar drive over its output torque: stiffness at rest with and without slip, drift in rolling."""
+
+from __future__ import annotations
+
+import dataclasses
+from typing import NamedTuple
+
+import jax
+import jax.numpy as jnp
+import numpy as np
+from jax import Array
+
+from asperity.compilation import compile_fast
+from asperity.drive.capacity import slip_ratio
+from asperity.drive.planar.creeping import creeping_speeds
+from asperity.drive.planar.state import STATE_TOLERANCE, PlanarState
+from asperity.drive.planar.states import loaded_states
+from asperity.joint.planar.description import PlanarJoint, body_masses, planar_contacts
+from asperity.joint.planar.evaluation import driving_sense, turning
+from asperity.joint.planar.laws import contact_laws, creep_law, drive_load
+from asperity.joint.planar.solve import solve_planar_program
+from asperity.joint.planar.stiffness import loaded_stiffness
+from asperity.types import Real
+
+#: Torques of one call: one program serves curves of any number of points.
+_BATCH = 64
+
+
+class OverTorque(NamedTuple):
+    """A joint at torques of either sign. SI units, torques along the first axis.
+
+    Parameters
+    ----------
+    solved : Array
+        Whether the forces of the joint that stands balance.
+    slip_ratio : Array
+        Its T/(mu N), shape (torques, contacts) [-].
+    published, series_with_bulk, assembly : Array
+        Incremental stiffness at the output: as it is, and under the same normal forces with so much friction that no
+        contact slips, shape (torques, 2) [N·m/rad].
+    drift : Array
+        Angle by which the output gives way to the torque in one turn of its own, with the sign of the torque, in
+        rolling with the torque and against it, shape (torques, 2) [rad]; nan where there is no steady rolling.
+    efficiency : Array
+        Output power over input power, as the input turns [-].
+    lost_speed_slope : Array
+        Change of the lost share of the output speed with the torque [1/(N·m)].
+    """
+
+    solved: Array
+    slip_ratio: Array
+    published: Array
+    series_with_bulk: Array
+    assembly: Array
+    drift: Array
+    efficiency: Array
+    lost_speed_slope: Array
+
+
+def over_torque(joint: PlanarJoint, torques: Array, *, no_slip_friction: float) -> OverTorque:
+    """What a joint does at torques, as NumPy arrays.
+
+    Parameters
+    ----------
+    joint : PlanarJoint
+        One joint; its own output torque is replaced.
+    torques : Array
+        Output torques of either sign, shape (torques,) [N·m].
+    no_slip_friction : float
+        A friction coefficient under which no contact slips [-].
+
+    Returns
+    -------
+    OverTorque
+        Results of states that do not balance have no meaning.
+    """
+    numbers: PlanarJoint = jax.tree.map(lambda leaf: np.asarray(leaf, dtype=float), joint)
+    rest = jax.tree.map(np.asarray, compile_fast(solve_planar_program, numbers)(numbers)[0].rest)
+    asked = np.asarray(torques, dtype=float)
+    filled = np.concatenate([asked, np.full(-asked.size % _BATCH, asked[-1])])
+    friction = np.asarray(no_slip_friction)
+    found = []
+    for part in filled.reshape(-1, _BATCH):
+        arguments = (numbers, rest, part, friction)
+        found.append(jax.tree.map(np.asarray, compile_fast(over_torque_program, *arguments)(*arguments)))
+    whole: OverTorque = jax.tree.map(lambda *leaves: np.concatenate(leaves)[: asked.size], *found)
+    return whole
+
+
+def over_torque_program(
+    joint: PlanarJoint, rest: PlanarState, torques: Array, no_slip_friction: Real
+) -> OverTorque:
+    """What is compiled to follow a joint over its torque.
+
+    Parameters
+    ----------
+    joint : PlanarJoint
+        One joint.
+    rest : PlanarState
+        Its assembled state.
+    torques : Array
+        Output torques, shape (torques,) [N·m].
+    no_slip_friction : Real
+        A friction coefficient under which no contact slips [-].
+
+    Returns
+    -------
+    OverTorque
+        At these torques.
+
+    References
+    ----------
+    Equations (A9), (B3) and (M4) of :doc:`/equations`.
+    """
+    drive, contacts, sense = joint.drive, planar_contacts(joint), driving_sense(joint.drive)
+    laws = contact_laws(joint, contacts)
+    unloaded = drive_load(joint, body_masses(joint), 0.0)
+    own = jnp.broadcast_to(contacts.pairs.friction_coefficient, sense.shape)
+    frictions = jnp.stack([own, jnp.full_like(own, no_slip_friction)])
+    out = drive.members.index(drive.output)
+
+    def at(torque: Array) -> OverTorque:
+        def lost(torque: Array) -> tuple[Array, tuple[PlanarState, PlanarState]]:
+            standing, rolling = loaded_states(
+                drive=drive,
+                laws=laws,
+                rest=rest,
+                load=dataclasses.replace(unloaded, output_torque=torque),
+                creep_of=lambda normal, tangential: creep_law(contacts, normal, tangential).law,
+            )
+            return rolling.speed_loss, (standing, rolling)
+
+        _, slope, (state, rolls) = jax.jvp(lost, (torque,), (jnp.ones_like(torque),), has_aux=True)
+        creep = creep_law(contacts, state.normal, state.tangential)
+        shown = dataclasses.replace(
+            rolls, tangential=sense * rolls.tangential, creepage=sense * rolls.creepage
+        )
+        turned = turning(dataclasses.replace(joint, output_torque=torque), contacts, creep, shown)
+
+        def levels(friction: Array) -> tuple[Array, Array, Array]:
+            pairs = dataclasses.replace(contacts.pairs, friction_coefficient=friction)
+            found = loaded_stiffness(
+                joint, dataclasses.replace(contacts, pairs=pairs), state.normal, sense * state.tangential
+            )
+            return (
+                jnp.asarray(found.published.output),
+                jnp.asarray(found.series_with_bulk.output),
+                jnp.asarray(found.assembly.stiffness.output),
+            )
+
+        def drift(creepage: Array) -> Array:
+            """Angle lost in one turn of the output, (B3); negative where the creep runs ahead."""
+            ideal, speed = (
+                jnp.abs(creeping_speeds(drive=drive, creepage=each)[0][out])
+                for each in (jnp.zeros_like(creepage), creepage)
+            )
+            return 2.0 * jnp.pi * (ideal / speed - 1.0)
+
+        with_torque = jnp.where(torque < 0.0, -1.0, 1.0)
+        both = jnp.stack([drift(way * with_torque * rolls.creepage) * way for way in (1.0, -1.0)])
+        works = rolls.residual < STATE_TOLERANCE
+        slip = slip_ratio(
+            normal_force=state.normal, tangential_force=state.tangential, friction_coefficient=own
+        )
+        published, series, assembly = jax.vmap(levels)(frictions)
+        return OverTorque(
+            solved=state.residual < STATE_TOLERANCE,
+            slip_ratio=slip,
+            published=published,
+            series_with_bulk=series,
+            assembly=assembly,
+            drift=jnp.where(works, with_torque * both, jnp.nan),
+            efficiency=jnp.where(works, turned.power.efficiency, jnp.nan),
+            lost_speed_slope=jnp.where(works, slope, jnp.nan),
+        )
+
+    return jax.vmap(at)(torques)

@@ -1,0 +1,124 @@
+"""A joint that stands under torques of either sign: its stiffness on every level, as it is and without slip."""
+
+from __future__ import annotations
+
+import dataclasses
+from typing import NamedTuple
+
+import jax
+import jax.numpy as jnp
+import numpy as np
+from jax import Array
+
+from asperity.compilation import compile_fast
+from asperity.joint.description import Joint
+from asperity.joint.evaluation import JointResult, evaluate
+from asperity.joint.planar.description import PlanarJoint
+from asperity.joint.planar.over_torque import over_torque
+from asperity.types import Real
+
+#: Levels of the stiffness, from the simplest.
+LEVELS = ("published", "series_with_bulk", "assembly")
+
+#: Friction coefficient under which no contact slips at all: T/(mu N) is lost in the rounding of 1 − T/(mu N).
+NO_SLIP_FRICTION = 1e30
+
+
+class Standing(NamedTuple):
+    """A joint at torques, as NumPy arrays. SI units.
+
+    Parameters
+    ----------
+    solved : ndarray
+        Whether the forces balance, shape (torques,).
+    slip_ratio : ndarray
+        T/(mu N) of each contact, shape (contacts, torques) [-].
+    levels, levels_without_slip : dict
+        Name of a level → incremental stiffness at the output, shape (torques,) [N·m/rad]: as the joint is, and under
+        the same normal forces with so much friction that no contact slips.
+    """
+
+    solved: np.ndarray
+    slip_ratio: np.ndarray
+    levels: dict[str, np.ndarray]
+    levels_without_slip: dict[str, np.ndarray]
+
+
+def standing_at(joint: Joint | PlanarJoint, torques: Array) -> Standing:
+    """What a wind-up needs to know of a joint with any type of drive.
+
+    Parameters
+    ----------
+    joint : Joint or PlanarJoint
+        One joint; its own output torque is replaced.
+    torques : Array
+        Output torques of either sign, shape (torques,) [N·m].
+
+    Returns
+    -------
+    Standing
+        Play is left out.
+    """
+    if isinstance(joint, PlanarJoint):
+        found = over_torque(joint, torques, no_slip_friction=NO_SLIP_FRICTION)
+        own, without = ({name: np.asarray(getattr(found, name))[:, k] for name in LEVELS} for k in range(2))
+        return Standing(np.asarray(found.solved), np.asarray(found.slip_ratio).T, own, without)
+    batch = at_standstill(joint, torques)
+    return Standing(*jax.tree.map(np.asarray, compile_fast(_at_torques, batch)(batch)))
+
+
+def without_slip(joint: Joint) -> Joint:
+    """The same joint with so much friction that no contact slips; its normal forces do not change.
+
+    Parameters
+    ----------
+    joint : Joint
+        One joint, or many along trailing batch axes.
+
+    Returns
+    -------
+    Joint
+        The joint with :data:`NO_SLIP_FRICTION` in every contact.
+    """
+    return dataclasses.replace(
+        joint,
+        friction_coefficients=tuple(
+            NO_SLIP_FRICTION + 0.0 * jnp.asarray(friction) for friction in joint.friction_coefficients
+        ),
+    )
+
+
+def at_standstill(joint: Joint, output_torque: Array) -> Joint:
+    """The joint at given torques with its bearing friction against the motion that each torque drives.
+
+    Parameters
+    ----------
+    joint : Joint
+        One joint.
+    output_torque : Array
+        Output torques of either sign, shape (points,) [N·m].
+
+    Returns
+    -------
+    Joint
+        A batch of joints; the sun's speed has the sign of the torque.
+    """
+    return dataclasses.replace(
+        joint,
+        output_torque=output_torque,
+        sun_speed=jnp.where(output_torque < 0.0, -1.0, 1.0) * jnp.abs(jnp.asarray(joint.sun_speed)),
+    )
+
+
+def _at_torques(joint: Joint) -> tuple[Real, Real, dict[str, Array], dict[str, Array]]:
+    """Whether the balance closes, T/(mu N), and the stiffness on every level, as it is and without slip."""
+    result, elastic = evaluate(joint), evaluate(without_slip(joint))
+    return result.solved, result.diagnostics.slip_ratio, _levels(result), _levels(elastic)
+
+
+def _levels(result: JointResult) -> dict[str, Array]:
+    return {
+        "published": jnp.asarray(result.published.output),
+        "series_with_bulk": jnp.asarray(result.series_with_bulk.output),
+        "assembly": jnp.asarray(result.assembly.stiffness.output),
+    }

@@ -1,0 +1,80 @@
+"""Unequal branches of a joint as tables of a report."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from typing import Any
+
+from asperity.report.cells import number, quantity
+from asperity.report.content import Block, Heading, Paragraph, Table
+
+Document = dict[str, Any]
+
+
+def branch_tables(found: Document) -> Iterator[Block]:
+    """What unequal branches do to a joint.
+
+    Parameters
+    ----------
+    found : dict
+        As :func:`asperity.joint.branch_document.branch_document` makes it.
+
+    Yields
+    ------
+    Block
+        A heading, a sentence and two tables.
+    """
+    states = (found["standing"], found["rolling"])
+
+    def of(state: Document | None, name: str, index: int, factor: float = 1.0) -> str:
+        return number(None if state is None else state[name][index], factor)
+
+    yield Heading("Branches by their own sizes")
+    yield Paragraph("All other tables are for equal branches of nominal size.")
+    yield Table(
+        "Branches",
+        (
+            "planet",
+            "planet\ndeviation µm",
+            "right roller\nµm",
+            "left roller\nµm",
+            "interference\nµm",
+            "preload\nN",
+            "share\nat rest %",
+            "share\nrolling %",
+            "slip at rest\nT/(mu N)",
+        ),
+        [
+            (
+                str(index + 1),
+                *(
+                    number(entry[f"{body}_deviation_m"], 1e6)
+                    for body in ("planet", "right_roller", "left_roller")
+                ),
+                number(entry["interference_m"], 1e6),
+                number(entry["preload_N"]),
+                *(of(state, "share", index, 100.0) for state in states),
+                of(states[0], "slip_ratio", index),
+            )
+            for index, entry in enumerate(found["branches"])
+        ],
+    )
+    sun = (states[0] or found["without_torque"])["sun"]
+    rows = [
+        ("force on the bearings of the sun", quantity(math.hypot(*sun["force_N"]), "N")),
+        ("displacement of the sun", quantity(math.hypot(*sun["displacement_m"]), "um")),
+    ]
+    for words, entry in (
+        ("torque capacity", found["torque_capacity"]),
+        ("torque capacity, rolling", found["rolling_torque_capacity"]),
+    ):
+        rows += [
+            (
+                f"{words}: contact {entry['first_contact']} of planet {entry['first_branch']} slips first",
+                quantity(entry["first_slip_Nm"], "N*m"),
+            ),
+            (f"{words}: all branches slip", quantity(entry["all_slip_Nm"], "N*m")),
+            (f"{words} of equal branches", quantity(entry["equal_branches_Nm"], "N*m")),
+        ]
+    yield Table("Sun and capacity with unequal branches", ("quantity", "value"), rows)

@@ -1,0 +1,110 @@
+"""A planar drive that stands under torques: the stiffness of its solution, no loop without slip, the paper's drive."""
+
+import dataclasses
+
+import numpy as np
+import pytest
+
+from asperity.joint.both_senses import both_senses
+from asperity.joint.dynamics import Inertias, dynamics
+from asperity.joint.either_kind import under_torque
+from asperity.joint.planar.inertias import planar_inertias
+from asperity.joint.planar.solve import solve_planar
+from asperity.joint.rolling_onset import rolling_onset
+from asperity.joint.windup import windup
+from asperity.joint_file.build import joint_from_case
+
+STAGES = (1.0 / 3.0, 2.0 / 3.0)
+
+
+@pytest.fixture(scope="module")
+def joint(planar_joint):
+    return planar_joint("planetary")
+
+
+def curve_of(joint, torque):
+    return windup(joint, largest_torque=torque, level="assembly", stage_shares=STAGES)
+
+
+@pytest.fixture(scope="module")
+def curve(joint):
+    return curve_of(joint, 10.0)
+
+
+def test_the_slope_of_the_curve_is_the_stiffness_of_the_solution_there(joint, curve):
+    torque, angle = np.asarray(curve.torque), np.asarray(curve.angle)
+    for k in (10, 50, -10):
+        found = float(solve_planar(under_torque(joint, torque[k])).result.assembly.stiffness.output)
+        assert float(curve.stiffness[k]) == pytest.approx(found, rel=1e-9)
+        slope = (angle[k + 1] - angle[k - 1]) / (torque[k + 1] - torque[k - 1])
+        assert 1.0 / slope == pytest.approx(found, rel=1e-3)
+    assert angle[torque.size // 2] == 0.0
+
+
+def test_no_slip_no_loop_and_the_same_forces(joint, curve):
+    """A millionfold friction: T/(mu N) is below 1e-6, and so is what is left of the loop."""
+    sticking = dataclasses.replace(joint, friction_coefficients=(1e6,))
+    held = curve_of(sticking, 10.0)
+    assert abs(float(held.hysteresis)) < 1e-6 * float(curve.hysteresis)
+    assert float(held.dissipated_energy) < 1e-6 * float(curve.dissipated_energy)
+    assert float(held.angle[-1]) < float(curve.angle[-1])
+    middle = len(curve.torque) // 2
+    assert float(held.stiffness[middle]) == pytest.approx(float(curve.stiffness[middle]), rel=1e-9)
+
+
+def test_the_drift_begins_as_that_of_its_rolling(joint, curve):
+    """The torque that drives loses as much as the one that is driven; both contacts by their power."""
+    forward, reverse = (solve_planar(under_torque(joint, torque)).result for torque in (10.0, -10.0))
+    both = [
+        rolling_onset(joint=joint, result=result, windup=curve.angle[-1], creep_share=0.05)
+        for result in (forward, reverse)
+    ]
+    one, other = (onset.contacts for onset in both)
+    assert float(one.drift_per_output_turn) == pytest.approx(
+        float(forward.rolling.drift_per_output_turn), rel=1e-9
+    )
+    assert float(other.drift_per_output_turn) == pytest.approx(float(one.drift_per_output_turn), rel=1e-6)
+    # equal forces on sun and ring: by their creepages
+    creep = np.asarray(forward.rolling.creepage)
+    np.testing.assert_allclose(one.share, creep / creep.sum(), rtol=1e-3)
+    # the sun turns six times as far; the planet rolls 50 mm of the ring in a radian of the carrier
+    assert float(one.sun_angle) == pytest.approx(6.0, rel=1e-2)
+    assert float(one.distance[1]) == pytest.approx(50e-3, rel=1e-3)
+
+
+def test_creep_damps_as_the_slope_of_the_lost_speed(joint):
+    found = dynamics(joint, Inertias(2e-5, 0.05, 0.0))
+    at, torques = found.at_torque, np.array([9.995, 10.005])
+    assert float(at.stiffness) == pytest.approx(
+        float(solve_planar(joint).result.assembly.stiffness.output), rel=1e-9
+    )
+    output_speed = 1500.0 * np.pi / 30.0 / 6.0
+    lost = [
+        float(solve_planar(under_torque(joint, torque)).result.rolling.speed_loss) * output_speed
+        for torque in torques
+    ]
+    assert float(at.creep_damping) == pytest.approx(np.diff(torques)[0] / np.diff(lost)[0], rel=1e-5)
+    sun, _ = planar_inertias(joint)
+    assert float(at.input_inertia) == pytest.approx(36.0 * (2e-5 + float(sun)), rel=1e-9)
+    expected = np.sqrt(at.stiffness / at.output_inertia) / (2.0 * np.pi)
+    assert float(at.locked_frequency) == pytest.approx(float(expected), rel=1e-9)
+
+
+def test_both_senses_of_rotation(joint):
+    """The drift has the sign of the torque, and is nearly the same with and against it."""
+    found = both_senses(joint=joint, torque=np.array([-10.0, 10.0]))
+    drift = float(solve_planar(joint).result.rolling.drift_per_output_turn)
+    np.testing.assert_allclose(found.driving_drift, [-drift, drift], rtol=1e-6)
+    np.testing.assert_allclose(found.braking_drift, found.driving_drift, rtol=3e-3)
+    assert np.all(np.abs(found.braking_drift) < np.abs(found.driving_drift))
+
+
+@pytest.mark.slow
+def test_the_papers_drive_agrees_with_its_own_chain(case, as_planar):
+    """Its own chain shares the traction equally between both sides of a planet, the general one by the springs."""
+    own = joint_from_case(case)
+    expected, found = (curve_of(each, 5.0) for each in (own, as_planar(own)))
+    np.testing.assert_allclose(found.stiffness, expected.stiffness, rtol=5e-3)
+    np.testing.assert_allclose(found.angle, expected.angle, rtol=5e-3, atol=1e-12)
+    np.testing.assert_allclose(found.stage_stiffness, expected.stage_stiffness, rtol=5e-3)
+    assert float(found.lost_motion) == pytest.approx(float(expected.lost_motion), rel=5e-3)

@@ -1,0 +1,24 @@
+"""Both kinds of joints asked alike."""
+
+from types import SimpleNamespace
+
+import pytest
+
+from asperity.joint import either_kind
+from asperity.joint.either_kind import solve_any, under_torque
+from asperity.joint_file.planar_build import any_joint_from_case
+from asperity.joint_file.reader import read_any_case
+
+
+def test_each_kind_has_its_solver_and_its_sense_of_rotation(zou_file, monkeypatch):
+    planar, own = (
+        any_joint_from_case(read_any_case(zou_file.with_name(f"{name}.toml")))
+        for name in ("planetary", "zou2025")
+    )
+    monkeypatch.setattr(either_kind, "solve", lambda joint: SimpleNamespace(kind="own"))
+    monkeypatch.setattr(either_kind, "solve_planar", lambda joint: SimpleNamespace(kind="planar"))
+    assert [solve_any(joint).kind for joint in (planar, own)] == ["planar", "own"]
+    for joint, sense in ((planar, 1.0), (own, -1.0)):
+        turned = under_torque(joint, -3.0)
+        assert float(turned.output_torque) == -3.0
+        assert float(turned.sun_speed) == pytest.approx(sense * float(joint.sun_speed))

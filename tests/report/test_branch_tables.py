@@ -1,0 +1,46 @@
+"""Tables of unequal branches."""
+
+from asperity.report.branch_tables import branch_tables
+from asperity.report.content import Heading, Table
+
+CAPACITY = {
+    "first_slip_Nm": 11.0,
+    "first_branch": 2,
+    "first_contact": "sp",
+    "all_slip_Nm": 12.5,
+    "equal_branches_Nm": 13.0,
+}
+SUN = {"displacement_m": [3e-6, 4e-6], "force_N": [0.0, 0.0]}
+
+
+def state(share):
+    return {"share": share, "preload_N": [900.0, 1000.0], "slip_ratio": [0.4, None], "sun": SUN}
+
+
+def test_shares_sun_and_capacity():
+    found = {
+        "sun_support_stiffness_N_per_m": None,
+        "branches": [
+            {
+                "planet_deviation_m": size,
+                "right_roller_deviation_m": 0.0,
+                "left_roller_deviation_m": 0.0,
+                "interference_m": 10e-6 + size,
+                "preload_N": 950.0,
+            }
+            for size in (1e-6, -1e-6)
+        ],
+        "without_torque": {"sun": SUN},
+        "standing": state([0.45, 0.55]),
+        "rolling": None,
+        "torque_capacity": CAPACITY,
+        "rolling_torque_capacity": CAPACITY,
+    }
+    blocks = list(branch_tables(found))
+    assert blocks[0] == Heading("Branches by their own sizes")
+    branches, sun = (block for block in blocks if isinstance(block, Table))
+    assert branches.rows[0] == ("1", "1", "0", "0", "11", "950", "45", "-", "0.4")
+    assert branches.rows[1][-1] == "-"
+    rows = dict(sun.rows)
+    assert rows["displacement of the sun"] == "5 µm"
+    assert rows["torque capacity: contact sp of planet 2 slips first"] == "11 N·m"
