@@ -95,6 +95,7 @@ LAYER = [
 ]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("ratio", "uniform", "by_pressure"), LAYER)
 def test_a_layer_adds_to_the_creepage(contact, ratio, uniform, by_pressure):
     layers = [(uniform, ratio), (by_pressure, ratio * 0.25 * np.pi / contact[1])]

@@ -119,6 +119,7 @@ def test_the_tables_name_their_units_and_warn(call, joint_file):
     assert max(map(len, outcome.out.splitlines())) <= 100
 
 
+@pytest.mark.slow
 def test_numbers_without_a_value_are_null_and_the_diagnostics_say_why(call, joint_file):
     """A planet thrown off the sun by its own centrifugal force: no contact, no torque, no stiffness."""
     fast = joint_file(

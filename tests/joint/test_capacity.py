@@ -51,6 +51,7 @@ def test_at_capacity_one_contact_is_at_its_limit_and_none_beyond(paper_joint, mu
     assert limit_of(found) == ("gross_slip", CONTACT_NAMES[int(ratio.argmax())])
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "options", [{}, {"xla_backend_optimization_level": 0, "xla_cpu_use_fusion_emitters": False}]
 )
@@ -109,6 +110,7 @@ def test_a_steep_enough_friction_ends_in_lift_off(paper_joint):
     assert normal[1] == pytest.approx(1e-2 * normal[0], rel=0.2)
 
 
+@pytest.mark.slow
 def test_a_contact_that_grows_too_wide_is_the_limit_and_the_refusal_agrees(paper_joint):
     """Before this, the capacity was a torque at which the joint was refused for another reason."""
     joint = paper_joint(preload=1e5, friction_coefficient=0.24, ring_wall_thickness=1.1e-3, sun_speed=0.0)
@@ -137,6 +139,7 @@ def test_directions_of_a_symmetric_joint_are_alike_and_of_another_are_not(paper_
     assert float(other[1].output_torque) < 0.2 * float(other[0].output_torque)
 
 
+@pytest.mark.slow
 def test_a_batch_is_as_one_by_one(paper_joint):
     """Preloads from 10 N to 1e5 N times friction coefficients, and both directions, in one call."""
     preload = np.repeat([10.0, 1e3, 1e5], 3)

@@ -93,6 +93,7 @@ def _approaches(joint, radius, normal):
     return np.asarray(line * normal + crown)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("place", [2, 4])
 def test_closure_and_interference_by_their_definition(springs_joint, crowned, place):
     """(A3) with approaches written anew; the interference is the virtual work of the forces at rest."""

@@ -91,6 +91,7 @@ def test_the_matrix_of_the_machine_is_the_sum_of_those_of_its_bodies(joint):
     assert np.asarray(total) == pytest.approx(expected, rel=1e-9, abs=1e-9 * expected.max())
 
 
+@pytest.mark.slow
 def test_bodies_of_unequal_contacts(joint):
     """A contact half as long as its body compresses its surroundings on half the length; the body bends as a whole."""
     made = with_one_rank(joint())
@@ -199,6 +200,7 @@ def test_published_series_assembled_in_this_order(joint, solved):
     assert np.all((levels[1] > 2.0 * levels[2])[works])
 
 
+@pytest.mark.slow
 def test_held_planets_may_exceed_the_series(joint, solved):
     """Where planets do not float, contacts that move along with their neighbours are stiffer than springs in series."""
     from asperity.drive.assembly import IDEAL_STRUCTURE

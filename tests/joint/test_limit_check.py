@@ -56,6 +56,7 @@ def test_the_facts_about_the_paper_s_joint(paper):
         assert all(entry.ok for entry in by_name(paper, name).values()), name
 
 
+@pytest.mark.slow
 def test_an_undefined_value_is_not_ok(paper_joint):
     """Spinning so fast that the planets leave the sun: no contact there, hence no stiffness to compare."""
     joint = paper_joint(output_torque=0.0, sun_speed=2e5, closure="constant_pin_force")

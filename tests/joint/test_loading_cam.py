@@ -72,6 +72,7 @@ def test_capacity_is_that_of_the_preload_which_it_makes(paper_joint, capacity, d
     assert torque > 2.0 * float(capacity(plain, direction=direction).output_torque)
 
 
+@pytest.mark.slow
 def test_a_strong_cam_never_slips_and_ends_with_another_limit(paper_joint, capacity):
     plain = dataclasses.replace(paper_joint(preload=LEAST), body_model="springs")
     found = capacity(dataclasses.replace(plain, cam_force_per_torque=np.asarray(150.0)), direction=1.0)

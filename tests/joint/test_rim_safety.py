@@ -60,6 +60,7 @@ def test_ring_at_rest_as_by_finite_elements(found):
     assert float(found.ring.stress_at_rest[0]) == pytest.approx(614.45 * roller / 5e-3, rel=2e-3)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("name", "member"), [("ring", 4), ("planet", 1)])
 def test_stress_by_another_sum(joint, result, found, name, member):
     """Signs of the forces from vectors: pushes along the line of centres, drags that drive each body."""

@@ -40,6 +40,7 @@ def test_the_surface_of_the_joint_has_the_ra_of_both_bodies(head):
     assert back == pytest.approx(0.25e-6)
 
 
+@pytest.mark.slow
 def test_joints_at_the_ends_lie_inside(drawn_case, interval, evaluated_together):
     half = 1.959964 * np.array([scatter_of_average(fractal_dimension=d, cut_offs=5) for d in (1.15, 1.5)])
     corners = {

@@ -93,6 +93,7 @@ def test_derived_results_are_what_their_names_say(values):
     np.testing.assert_allclose(found["yield_safety"], 1.67 * 450e6 / found["hertz_pressure"], rtol=3e-3)
 
 
+@pytest.mark.slow
 def test_slopes_are_the_derivatives(values):
     _, found, slopes = derivatives_at(values, changes(POINT), NAMES, PATHS)
     for index, value in enumerate(POINT):

@@ -83,6 +83,7 @@ def test_interference_grows_with_preload_as_the_logarithmic_law(solved):
     assert 3.5 < ratio < 4.0  # a little less than four times the load: the strips grow wider
 
 
+@pytest.mark.slow
 def test_drift_is_odd_in_the_torque(solved):
     for name in NAMES:
         _, one = solved(name, 0.2 * TORQUE[name])

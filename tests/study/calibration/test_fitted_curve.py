@@ -88,7 +88,7 @@ def test_each_curve_is_seen_by_its_own_unknowns(case, exact):
     assert np.all(slopes[:, 0] != 0.0)
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_intervals_and_errors_hold_as_often_as_they_say(case, exact):
     """Forty pairs of curves: the counts of five binomial variables, and the errors of each curve by chi-squared."""
     count, rng = 40, np.random.default_rng(11)

@@ -35,6 +35,7 @@ def values(zou_file):
     return si_values(parse_case(zou_file.read_text(), source="test"))
 
 
+@pytest.mark.long
 def test_best_dimension_against_exhaustive_search(zou_file, values):
     found = run(
         zou_file,
