@@ -11,7 +11,6 @@ from asperity.joint.planar.description import PlanarJoint
 from asperity.joint.planar.evaluation import PlanarResult
 from asperity.joint.results import RESULTS, SEVERITIES, Limit, Result, SolvedJoint
 
-#: Groups of results that only the paper's drive has.
 #: Groups of results that joints with other drives than the paper's do not have.
 PAPERS_GROUPS = ("bearings", "loads", "stresses")
 

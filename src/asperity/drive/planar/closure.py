@@ -7,7 +7,7 @@ import dataclasses
 import equinox as eqx
 import jax
 import jax.numpy as jnp
-from jaxtyping import Array
+from jax import Array
 
 from asperity.drive.planar.layout import PlanarDrive, gaps, incidence
 
