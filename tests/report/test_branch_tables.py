@@ -39,8 +39,8 @@ def test_shares_sun_and_capacity():
     blocks = list(branch_tables(found))
     assert blocks[0] == Heading("Branches by their own sizes")
     branches, sun = (block for block in blocks if isinstance(block, Table))
-    assert branches.rows[0] == ("1", "1", "0", "0", "11", "950", "45", "-", "0.4")
-    assert branches.rows[1][-1] == "-"
+    assert branches.rows[0] == ("1", "1", "0", "0", "11", "950", "45", "–", "0.4")
+    assert branches.rows[1][-1] == "–"
     rows = dict(sun.rows)
-    assert rows["displacement of the sun"] == "5 µm"
+    assert rows["displacement of the sun"] == "5 um"
     assert rows["torque capacity: contact sp of planet 2 slips first"] == "11 N·m"

@@ -108,6 +108,7 @@ def test_a_drive_of_another_type_has_all_sections():
 def test_unequal_branches_have_tables_of_their_own():
     file = Path(__file__).parents[2] / "examples" / "zou2025.toml"
     branches = "".join(f'\n[[branch]]\nplanet_deviation = "{size} um"\n' for size in (1.0, 0.0, -1.0))
-    report = report_of(file.read_text(encoding="utf-8") + branches)
+    text = file.read_text(encoding="utf-8").replace('preload = "1000 N"', 'interference = "13 um"')
+    report = report_of(text + branches)
     assert "Branches by their own sizes" in report.sections
     assert [row[1] for row in tables(report)["Branches"].rows] == ["1", "0", "-1"]
