@@ -7,7 +7,7 @@ import pytest
 
 from asperity.joint_file.assumptions import assumptions
 from asperity.joint_file.build import joint_from_case, with_values
-from asperity.joint_file.drawn_surface import drawn_interval, surfaces_by_average
+from asperity.joint_file.drawn_surface import _words, drawn_interval, surfaces_by_average
 from asperity.joint_file.reader import parse_case
 from asperity.surface.roughness_average import roughness_average, scatter_of_average
 
@@ -66,6 +66,12 @@ def test_the_interval_says_over_what_it_is_taken(interval):
     assert entry["fractal_dimension"] == pytest.approx([1.15, 1.5])
     assert entry["cut_off_m"] == 0.8e-3
     assert "surface (ground): D from 1.15 to 1.5, Ra of a body from" in interval["words"]
+
+
+def test_states_without_a_result_are_counted(interval):
+    lost = _words(interval | {"unsolved": 2, "all_plastic": 3, "states": 75})
+    assert "5 of 75 states have no solution or no stiffness: no interval." in lost
+    assert "no interval" not in interval["words"]
 
 
 def test_a_file_with_d_and_g_has_no_such_interval(example_case):

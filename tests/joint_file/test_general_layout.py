@@ -98,3 +98,9 @@ def test_radii_that_cannot_close_are_refused_with_the_gap():
     loose = planar_joint_from_case(read(('first_radius = "4 mm"', 'first_radius = "2 mm"')))
     with pytest.raises(InputError, match=r"contact sp: sun and planet do not touch \(gap 0\.\d+ mm\)"):
         refuse_impossible(loose.drive)
+
+
+def test_a_roller_without_an_angle_lies_above_the_axis_and_rings_have_the_interference():
+    joint = planar_joint_from_case(read(('angle = "90 deg"\n', "")))
+    np.testing.assert_allclose(joint.drive.centres[1], [0.0, 17.5e-3], atol=1e-12)
+    assert joint.pattern == (0.0, 0.0, 0.0, 1.0, 1.0)

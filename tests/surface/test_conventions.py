@@ -86,3 +86,8 @@ def test_topothesy_and_wavenumber_density_and_dimensions():
 def test_impossible_values_are_refused(D, G):
     with pytest.raises(InputError):
         c.validated_fractal(fractal_dimension=D, fractal_roughness=G)
+
+
+@pytest.mark.parametrize(("D", "G"), [*CASES, (1.0 + 1e-9, 1e-60), (2.0 - 1e-9, 1.0)])
+def test_possible_values_are_passed_on(D, G):
+    assert c.validated_fractal(fractal_dimension=D, fractal_roughness=G) == (D, G)

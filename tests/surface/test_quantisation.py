@@ -13,6 +13,14 @@ def test_step_is_found_under_a_tilt_and_absent_without_rounding():
     assert height_step(profiles=rounded) == pytest.approx(0.7, rel=0.02)
 
 
+def test_many_small_moves_are_no_step():
+    """Nine in ten moves are tiny and the others of any size: the tiny ones are multiples of nothing."""
+    random = np.random.default_rng(3)
+    tiny, large = 1e-4 * random.standard_normal(4000), random.uniform(0.5, 3.0, 4000)
+    moves = np.where(random.random(4000) < 0.9, tiny, large * random.choice([-1.0, 1.0], 4000))
+    assert height_step(profiles=np.cumsum(moves)[None]) is None
+
+
 def test_staircase_with_rare_steps():
     z = np.cumsum(np.cumsum(np.random.default_rng(1).standard_normal((1, 20000)), axis=1), axis=1)
     step = 1e-2 * z.std()

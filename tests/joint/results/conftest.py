@@ -11,7 +11,9 @@ def solved(case):
 
     joint = joint_from_case(case)
     found = solve(joint)
-    return SolvedJoint(joint, found.result, found.capacity)
+    solved = SolvedJoint(joint, found.result, found.capacity)
+    solved.capacity_of_direction = found.capacity  # the torque is positive
+    return solved
 
 
 @pytest.fixture(scope="session")

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from asperity.study.design.design_problem import Variable
+from asperity.study.design.design_problem import Objective, Variable
 
 LINEAR = Variable("load.preload", 200.0, 1000.0, False)
 LOGARITHMIC = Variable("surface.fractal_roughness", 1e-12, 1e-8, True)
@@ -21,3 +21,8 @@ def test_slope_is_that_of_the_value(variable):
     place = np.array([0.1, 0.5, 0.8])
     difference = (variable.from_unit(place + 1e-6) - variable.from_unit(place - 1e-6)) / 2e-6
     np.testing.assert_allclose(variable.slope(variable.from_unit(place)), difference, rtol=1e-8)
+
+
+def test_an_objective_is_the_smallest_or_the_largest():
+    texts = [Objective("mass", sign).text for sign in (1.0, -1.0)]
+    assert texts == ["smallest mass of the rolling parts", "largest mass of the rolling parts"]
