@@ -11,13 +11,11 @@ from asperity.errors import InputError, UnsupportedDriveError, quoted
 from asperity.joint_file.finish_in_surface import fill_in_finishes
 from asperity.joint_file.messages import explained, listed, nearest
 from asperity.joint_file.model import Case
+from asperity.joint_file.part_names import WEDGE_TYPE
 from asperity.joint_file.planar_model import PlanarCase
 from asperity.joint_file.planar_types import PLANAR_CASES
 from asperity.library import fill_in_materials
 from asperity.reading import parse_toml, read_text
-
-#: Type of the drive of Zou et al. 2025, that of a file without a type.
-WEDGE_TYPE = "zou2025"
 
 
 def read_case(path: str | Path) -> Case:
@@ -39,7 +37,7 @@ def read_case(path: str | Path) -> Case:
         If the file cannot be read, is not valid TOML, contains something that is not allowed, or describes another
         drive than the paper's.
     """
-    return _of_the_paper(read_any_case(path), str(path))
+    return paper_case(read_any_case(path), str(path))
 
 
 def read_any_case(path: str | Path) -> Case | PlanarCase:
@@ -65,7 +63,26 @@ def read_any_case(path: str | Path) -> Case | PlanarCase:
     return parse_any_case(text, source=str(path), folder=file.parent)
 
 
-def _of_the_paper(case: Case | PlanarCase, source: str) -> Case:
+def paper_case(case: Case | PlanarCase, source: str) -> Case:
+    """The case itself, if it describes the drive of Zou et al. 2025.
+
+    Parameters
+    ----------
+    case : Case or PlanarCase
+        A joint file.
+    source : str
+        Its name, for the message.
+
+    Returns
+    -------
+    Case
+        The same.
+
+    Raises
+    ------
+    UnsupportedDriveError
+        If it describes another drive.
+    """
     if isinstance(case, PlanarCase):
         raise UnsupportedDriveError(source, case.type)
     return case
@@ -93,7 +110,7 @@ def parse_case(text: str, *, source: str, folder: Path | None = None) -> Case:
     InputError
         If it is not valid TOML, or contains something that is not allowed.
     """
-    return _of_the_paper(parse_any_case(text, source=source, folder=folder), source)
+    return paper_case(parse_any_case(text, source=source, folder=folder), source)
 
 
 def parse_any_case(text: str, *, source: str, folder: Path | None = None) -> Case | PlanarCase:
@@ -144,7 +161,7 @@ def case_from_tables(tables: dict[str, Any], *, source: str, folder: Path | None
     InputError
         If they contain something that is not allowed; all errors are listed.
     """
-    return _of_the_paper(any_case_from_tables(tables, source=source, folder=folder), source)
+    return paper_case(any_case_from_tables(tables, source=source, folder=folder), source)
 
 
 def any_case_from_tables(
@@ -193,4 +210,20 @@ def _model_of(kind: object, source: str) -> type[Case] | type[PlanarCase]:
         raise InputError(
             f"{source}: type: {quoted(kind)} is not a type of drive{hint or '; known are ' + ', '.join(known)}"
         )
+    return model_of_type(kind)
+
+
+def model_of_type(kind: str) -> type[Case] | type[PlanarCase]:
+    """Model of the joint file of a type of drive.
+
+    Parameters
+    ----------
+    kind : str
+        Type of the drive.
+
+    Returns
+    -------
+    type
+        A class of pydantic.
+    """
     return PLANAR_CASES.get(kind, Case)
