@@ -63,8 +63,10 @@ def uncertainty(
     Tolerances are written in the file, with a distribution behind a comma: planet_radius = "13.5 mm +- 5 um, uniform",
     preload = "1000 N +- 50 N, normal 2 sigma".
     """
+    from asperity.cli.solved_case import refuse_options
     from asperity.joint_file.distribution import parse_distribution
-    from asperity.joint_file.reader import paper_case, read_any_case
+    from asperity.joint_file.planar_model import PlanarCase
+    from asperity.joint_file.reader import read_any_case
 
     case = read_any_case(file)
     otherwise = None if distribution is None else parse_distribution(distribution)
@@ -77,7 +79,10 @@ def uncertainty(
 
     check_image(plot)
     if branches is not None:
-        _unlike_branches(paper_case(case, file), otherwise, branches, seed, as_json)
+        if isinstance(case, PlanarCase):
+            refuse_options(case, file, {"--branches": True})
+        else:
+            _unlike_branches(case, otherwise, branches, seed, as_json)
         return
     names = None if results is None else [n.strip() for n in results.split(",") if n.strip()]
     with progress_bar("samples") as report:

@@ -5,11 +5,11 @@ from __future__ import annotations
 import math
 from typing import Any
 
-from asperity.joint.description import Joint
 import jax.numpy as jnp
 from jax import Array
 
 from asperity.drive.planar.layout import PlanarDrive
+from asperity.joint.description import Joint
 from asperity.joint.planar.description import PlanarJoint
 from asperity.joint_file.build import joint_from_case, rolling_conditions
 from asperity.joint_file.material_build import material_of, surface_of

@@ -37,7 +37,7 @@ def read_case(path: str | Path) -> Case:
         If the file cannot be read, is not valid TOML, contains something that is not allowed, or describes another
         drive than the paper's.
     """
-    return paper_case(read_any_case(path), str(path))
+    return _of_the_paper(read_any_case(path), str(path))
 
 
 def read_any_case(path: str | Path) -> Case | PlanarCase:
@@ -63,26 +63,7 @@ def read_any_case(path: str | Path) -> Case | PlanarCase:
     return parse_any_case(text, source=str(path), folder=file.parent)
 
 
-def paper_case(case: Case | PlanarCase, source: str) -> Case:
-    """The case itself, if it describes the drive of Zou et al. 2025.
-
-    Parameters
-    ----------
-    case : Case or PlanarCase
-        A joint file.
-    source : str
-        Its name, for the message.
-
-    Returns
-    -------
-    Case
-        The same.
-
-    Raises
-    ------
-    UnsupportedDriveError
-        If it describes another drive.
-    """
+def _of_the_paper(case: Case | PlanarCase, source: str) -> Case:
     if isinstance(case, PlanarCase):
         raise UnsupportedDriveError(source, case.type)
     return case
@@ -110,7 +91,7 @@ def parse_case(text: str, *, source: str, folder: Path | None = None) -> Case:
     InputError
         If it is not valid TOML, or contains something that is not allowed.
     """
-    return paper_case(parse_any_case(text, source=source, folder=folder), source)
+    return _of_the_paper(parse_any_case(text, source=source, folder=folder), source)
 
 
 def parse_any_case(text: str, *, source: str, folder: Path | None = None) -> Case | PlanarCase:
@@ -161,7 +142,7 @@ def case_from_tables(tables: dict[str, Any], *, source: str, folder: Path | None
     InputError
         If they contain something that is not allowed; all errors are listed.
     """
-    return paper_case(any_case_from_tables(tables, source=source, folder=folder), source)
+    return _of_the_paper(any_case_from_tables(tables, source=source, folder=folder), source)
 
 
 def any_case_from_tables(
