@@ -108,8 +108,8 @@ class UnsupportedDriveError(InputError):
     def __init__(self, source: str, kind: str) -> None:
         super().__init__(
             f"{source}: {RUNNING.get()} does not work for drives of type {kind!r}, only for the paper's (a file "
-            "without 'type'); 'asperity joint', 'roll', 'windup', 'dynamics', 'loads', 'export', 'report' and 'draw' "
-            "work for every type"
+            "without 'type'); 'asperity joint', 'roll', 'windup', 'dynamics', 'loads', 'export', 'report', 'draw', "
+            "'sweep', 'sensitivity' and 'uncertainty' work for every type"
         )
 
 

@@ -9,11 +9,7 @@ EXAMPLES = Path(__file__).parents[2] / "examples"
 
 @pytest.mark.parametrize(
     "arguments",
-    [
-        ("sensitivity",),
-        ("uncertainty",),
-        ("sweep", "--over", "load.output_torque=1 N*m:2 N*m:2"),
-    ],
+    [("calibrate", "x.csv", "--free", "load.preload")],
 )
 def test_other_commands_refuse_other_drives_by_name(call, arguments):
     command, *others = arguments
@@ -29,10 +25,30 @@ def test_options_of_the_papers_drive_are_refused(call, tmp_path):
         ("roll", "--plot", tmp_path / "x.png"),
         ("draw", "--forces", "--out", tmp_path / "x.svg"),
         ("report", "--sensitivity", "--out", tmp_path / "x.html"),
+        ("uncertainty", "--branches", "10"),
     ):
         outcome = call(arguments[0], EXAMPLES / "planetary.toml", *arguments[1:])
         assert outcome.code == 2
         assert "is not available for drives of type 'planetary', only for the paper's" in outcome.err
+
+
+@pytest.mark.parametrize(
+    ("arguments", "said"),
+    [
+        (("sweep", "--over", "drive.ring_radius=1 mm:2 mm:2"), "of a drive of type planetary has no number"),
+        (("sweep", "--over", "surface.wro.fractal_dimension=1.4:1.5:2"), "this drive has no contact 'wro'"),
+        (
+            ("sweep", "--over", "load.output_torque=1 N*m:2 N*m:2", "--results", "wedge_angle"),
+            "no result 'wedge_angle': only that of Zou et al. 2025 has it",
+        ),
+        (("sensitivity", "--result", "self_locking_ratio"), "no result 'self_locking_ratio': only that of"),
+    ],
+)
+def test_what_the_drive_has_not_is_refused_by_name(call, arguments, said):
+    command, *others = arguments
+    outcome = call(command, EXAMPLES / "planetary.toml", *others)
+    assert (outcome.code, outcome.err.count("\n")) == (2, 1)
+    assert said in outcome.err
 
 
 @pytest.mark.slow

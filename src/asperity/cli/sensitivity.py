@@ -37,21 +37,26 @@ def sensitivity(file: str, result: str, as_json: bool, plot: str | None) -> None
 
     An elasticity of 2 says that one per cent more of the number makes about two per cent more of the result.
     """
-    from asperity.joint_file.reader import read_case
+    from asperity.joint_file.reader import read_any_case
 
-    case = read_case(file)
+    case = read_any_case(file)
     from asperity.precision import use_compilation_cache, use_double_precision
 
     use_double_precision()
     use_compilation_cache()
     from asperity.joint.results import known_result
+    from asperity.joint_file.any_joint import results_of
+    from asperity.joint_file.si_tables import si_values
     from asperity.study.tolerances.sensitivity import DEFAULT_RESULTS, differentiable_rows, ranking
     from asperity.study.tolerances.sensitivity import sensitivity as differentiate
 
-    rows = differentiable_rows()
+    table = results_of(si_values(case))
+    rows = differentiable_rows(table)
     asked = rows[known_result(result, among=tuple(rows))]
     check_image(plot)
-    found = differentiate(case, tuple(dict.fromkeys((*DEFAULT_RESULTS, asked))))
+    found = differentiate(
+        case, tuple(dict.fromkeys((*(name for name in DEFAULT_RESULTS if name in table), asked)))
+    )
     if as_json:
         import json
 

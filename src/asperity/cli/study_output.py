@@ -102,7 +102,7 @@ def show_points(found: xarray.Dataset) -> None:
         at = dict(zip(axes, place, strict=True))
         coordinates = [f"{from_si(float(found[path][at[path]]), units[path]):.6g}" for path in axes]
         code = int(found["status"][place])
-        values = [_cell(float(values.isel(at)), result) for _, result, values in columns]
+        values = [_cell(values.isel(at), result) for _, result, values in columns]
         shown.add_row(*coordinates, *values, STATUS_NAMES[code].replace("_", " ") if code else "")
     target.print(shown)
     more = found["status"].size - _MOST_ROWS
@@ -116,12 +116,13 @@ def _unit(unit: str) -> str:
     return "" if unit == "1" else f" [{unit.replace('*', '·')}]"
 
 
-def _cell(value: float, result: Result) -> str:
+def _cell(one: xarray.DataArray, result: Result) -> str:
     """A value in the unit of the column; a category by its name."""
     from asperity.units import from_si
 
+    value = float(one)
     if np.isnan(value):
         return "-"
     if result.categories:
-        return result.categories[int(value)]
+        return str(one.attrs["categories"]).split(" ")[int(value)]
     return f"{from_si(value, result.display_unit):.5g}"

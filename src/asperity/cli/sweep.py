@@ -12,7 +12,11 @@ from asperity.errors import InputError
 from asperity.writing import check_image, write_image
 
 if TYPE_CHECKING:
+    from collections.abc import Mapping
+
     import xarray
+
+    from asperity.joint.results import Result
 
 
 @click.command()
@@ -92,30 +96,34 @@ def sweep(
     asperity sweep joint.toml --over "surface.fractal_roughness=1e-10 mm:1e-8 mm:50:log" \\
         --over "load.preload=500 N:2000 N:40" --results stiffness,slip_ratio --out sweep.nc
     """  # noqa: D301 (click's mark for lines that are not wrapped is the character itself)
-    from asperity.joint_file.reader import read_case
+    from asperity.joint_file.reader import read_any_case
 
-    case = read_case(file)
+    case = read_any_case(file)
     from asperity.precision import use_compilation_cache, use_double_precision
 
     use_double_precision()
     use_compilation_cache()
     from asperity.cli.progress import progress_bar
+    from asperity.joint_file.any_joint import results_of
+    from asperity.joint_file.part_names import WEDGE_TYPE
+    from asperity.joint_file.si_tables import si_values
     from asperity.study.parameters import parse_axis
     from asperity.study.sweep.sweep import sweep as evaluate_sweep
     from asperity.study.sweep.sweep_map import parse_limit
     from asperity.study.sweep.tables import check_table_path, write_table
 
-    grid = [parse_axis(axis) for axis in axes]
+    kind, table = case.type or WEDGE_TYPE, results_of(si_values(case))
+    grid = [parse_axis(axis, kind=kind) for axis in axes]
     names = [name.strip() for name in results.split(",") if name.strip()]
     streamed = out is not None and Path(out).suffix == ".zarr"
     if out is not None and not streamed:
         check_table_path(out, overwrite=overwrite)
     check_image(plot)
     if plot_result is not None:
-        _check_plot_result(plot_result, names, drawn=plot is not None)
+        _check_plot_result(plot_result, names, table, drawn=plot is not None)
     drawn = [parse_limit(text) for text in limits]
     for limit in drawn:
-        _check_plot_result(limit.name, names, drawn=plot is not None, option="--limit")
+        _check_plot_result(limit.name, names, table, drawn=plot is not None, option="--limit")
     if drawn and len(grid) != 2:
         raise InputError("--limit draws lines in the map of two axes; curves have none")
     if (scheduler is not None or workers) and not streamed:
@@ -149,14 +157,16 @@ def sweep(
     _show(found, out)
 
 
-def _check_plot_result(name: str, asked: list[str], *, drawn: bool, option: str = "--plot-result") -> None:
+def _check_plot_result(
+    name: str, asked: list[str], table: Mapping[str, Result], *, drawn: bool, option: str = "--plot-result"
+) -> None:
     """Refuse a result that cannot be drawn before anything is computed."""
     from asperity.joint.results import chosen_results
 
     if not drawn:
         raise InputError(f"{option} needs --plot, the picture to draw '{name}' in")
-    chosen_results([name])  # raises if there is no such result
-    computed = chosen_results(asked)
+    chosen_results([name], table=table)  # raises if there is no such result
+    computed = chosen_results(asked, table=table)
     if name not in computed:
         raise InputError(
             f"{option} '{name}' is not among the results that are computed, {', '.join(computed)}; ask for it "

@@ -63,24 +63,28 @@ def uncertainty(
     Tolerances are written in the file, with a distribution behind a comma: planet_radius = "13.5 mm +- 5 um, uniform",
     preload = "1000 N +- 50 N, normal 2 sigma".
     """
+    from asperity.cli.solved_case import refuse_options
     from asperity.joint_file.distribution import parse_distribution
-    from asperity.joint_file.reader import read_case
+    from asperity.joint_file.planar_model import PlanarCase
+    from asperity.joint_file.reader import read_any_case
 
-    case = read_case(file)
+    case = read_any_case(file)
     otherwise = None if distribution is None else parse_distribution(distribution)
     from asperity.precision import use_compilation_cache, use_double_precision
 
     use_double_precision()
     use_compilation_cache()
     from asperity.cli.progress import progress_bar
-    from asperity.study.tolerances.uncertainty import DEFAULT_RESULTS
     from asperity.study.tolerances.uncertainty import uncertainty as propagate
 
     check_image(plot)
     if branches is not None:
-        _unlike_branches(case, otherwise, branches, seed, as_json)
+        if isinstance(case, PlanarCase):
+            refuse_options(case, file, {"--branches": True})
+        else:
+            _unlike_branches(case, otherwise, branches, seed, as_json)
         return
-    names = DEFAULT_RESULTS if results is None else [n.strip() for n in results.split(",") if n.strip()]
+    names = None if results is None else [n.strip() for n in results.split(",") if n.strip()]
     with progress_bar("samples") as report:
         found = propagate(
             case, results=names, distribution=otherwise, samples=samples, seed=seed, report=report
@@ -141,7 +145,6 @@ def _unlike_branches(
 def _show(found: xarray.Dataset) -> None:
     from asperity.cli.study_output import show_status
     from asperity.cli.terminal import console, table
-    from asperity.joint.results import RESULTS
 
     show_status(found)
     target, named = console(), []
@@ -150,8 +153,8 @@ def _show(found: xarray.Dataset) -> None:
     )
     for name in found["result"].values.tolist():
         one = found.sel(result=name)
-        if name in RESULTS and RESULTS[name].categories:
-            named.append(f"{RESULTS[name].label}: {_shares(found, name)}")
+        if one["categories"].item():
+            named.append(f"{one['result_name'].item()}: {_shares(found, name)}")
             continue
         low, _, high = one["quantiles"].values
         numbers = (one["nominal"], one["mean"], one["standard_deviation"], low, high)
@@ -180,11 +183,8 @@ def _show(found: xarray.Dataset) -> None:
 
 def _shares(found: xarray.Dataset, name: str) -> str:
     """How often each category of a result that is not a quantity occurs."""
-    from asperity.joint.results import RESULTS
-
+    categories = str(found["categories"].sel(result=name).item()).split(" ")
     solved = found["samples"].sel(result=name).values[found["status"].values == 0]
     codes, counts = np.unique(solved.astype(int), return_counts=True)
     pairs = sorted(zip(counts.tolist(), codes.tolist(), strict=True), reverse=True)
-    return ", ".join(
-        f"{RESULTS[name].categories[code]} in {count / solved.size:.2%}" for count, code in pairs
-    )
+    return ", ".join(f"{categories[code]} in {count / solved.size:.2%}" for count, code in pairs)

@@ -10,11 +10,11 @@ import tomlkit
 from pydantic import BaseModel
 
 from asperity.joint_file.messages import keys_by_path
-from asperity.joint_file.model import Case
+from asperity.joint_file.part_names import paths_of_track, type_of
 from asperity.joint_file.quantity_key import Key, Quantity
-from asperity.joint_file.reader import parse_case
-from asperity.joint_file.section import EachContact
+from asperity.joint_file.reader import model_of_type, parse_any_case
 from asperity.joint_file.si_tables import (
+    AnyCase,
     NumericKey,
     change_targets,
     counterparts,
@@ -55,12 +55,12 @@ def exact_text(value_si: float, unit: str) -> str:
     return number if unit == "1" else f"{number} {unit}"
 
 
-def joint_file_text(case: Case, changes: Mapping[str, float], *, comment: str) -> str:
+def joint_file_text(case: AnyCase, changes: Mapping[str, float], *, comment: str) -> str:
     """The text of a joint file with some numbers replaced.
 
     Parameters
     ----------
-    case : Case
+    case : Case or PlanarCase
         The joint file to start from.
     changes : mapping
         Dotted path → new value [SI]. A number that has a tolerance keeps it, with its distribution.
@@ -73,9 +73,14 @@ def joint_file_text(case: Case, changes: Mapping[str, float], *, comment: str) -
         TOML with the comments of the original file. An entry of a library file of the user's is replaced by its
         numbers, because its path would be wrong in another folder.
     """
-    stated = numeric_keys(case)
-    written = {path: _written(key_at(path), value, stated.get(path)) for path, value in changes.items()}
-    wanted = replace_values(si_values(case), changes)
+    stated, values = numeric_keys(case), si_values(case)
+    kind = type_of(values)
+    written = {
+        each: _written(key_at(path, kind), value, stated.get(each))
+        for path, value in changes.items()
+        for each in paths_of_track(values, path)
+    }
+    wanted = replace_values(values, changes)
     original = case.text or tomlkit.dumps(_texts(case))
     text = _edited(original, case, written)
     if not _says(text, wanted):  # a layout that cannot be edited in place: the same content without comments
@@ -103,7 +108,7 @@ def _written(key: Key, value: float, stated: NumericKey | None) -> float | str:
     return f"{text} +- {exact_text(tolerance, key.unit)}{distribution}"
 
 
-def _edited(text: str, case: Case, written: Mapping[str, float | str]) -> str:
+def _edited(text: str, case: AnyCase, written: Mapping[str, float | str]) -> str:
     document = tomlkit.parse(text)
     for name, entry in document.get("materials", {}).items():
         if "file" in entry:
@@ -132,10 +137,10 @@ def set_texts(document: Any, written: Mapping[str, float | str]) -> None:
         If a path is not that of a number of a joint file.
     """
     for path, value in written.items():
-        key_at(path)
+        key_at(path, type_of(document))
         section = path.split(".")[0]
         if section not in document and section != "materials":
-            document[section] = _new_section(section)
+            document[section] = _new_section(section, type_of(document))
         for steps in change_targets(document, path, split=_split):
             _set(document, steps, value)
 
@@ -156,7 +161,7 @@ def set_words(document: Any, written: Mapping[str, str]) -> None:
             leave_out(document, path)
             continue
         if section not in document:
-            document[section] = _new_section(section)
+            document[section] = _new_section(section, type_of(document))
         document[section][name] = word
 
 
@@ -178,26 +183,30 @@ def leave_out(document: Any, path: str) -> None:
         del table[name]
 
 
-def _new_section(section: str) -> Any:
+def _new_section(section: str, kind: str) -> Any:
     """A section that the file left out, in which the numbers that it needs are 0 where they may be."""
     table = tomlkit.table()
-    annotation = Case.model_fields[section].annotation
+    annotation = model_of_type(kind).model_fields[section].annotation
     (model,) = [each for each in annotation.__args__ if issubclass(each, BaseModel)]  # type: ignore[union-attr]
     for name, field in model.model_fields.items():
         path = f"{section}.{name}"
-        if field.is_required() and path in keys_by_path() and key_at(path).admits(0.0):
-            table[name] = _written(key_at(path), 0.0, None)
+        if (
+            field.is_required()
+            and path in keys_by_path(model_of_type(kind))
+            and key_at(path, kind).admits(0.0)
+        ):
+            table[name] = _written(key_at(path, kind), 0.0, None)
     return table
 
 
-def _split(entry: Any) -> Any:
+def _split(entry: Any, contacts: tuple[str, ...]) -> Any:
     """An entry for all contacts as a table with an entry for each."""
     plain = entry.unwrap() if hasattr(entry, "unwrap") else entry
     if plain == 0.0:  # only the skew may be absent
         plain = "0 mrad"
     inline = not isinstance(plain, dict)
     table = tomlkit.inline_table() if inline else tomlkit.table(is_super_table=True)
-    for name in EachContact.model_fields:
+    for name in contacts:
         table[name] = tomlkit.item(plain)
     return table
 
@@ -224,7 +233,7 @@ def _set(document: Any, steps: tuple[str, ...], value: float | str) -> None:
 
 def _says(text: str, wanted: Any) -> bool:
     """Whether a file contains these numbers, and nothing else."""
-    found = si_values(parse_case(text, source="the edited joint file"))
+    found = si_values(parse_any_case(text, source="the edited joint file"))
     used = set(wanted["bodies"].values()) & set(wanted["materials"])
     for tables in (found, wanted):
         tables["materials"] = {name: entry for name, entry in tables["materials"].items() if name in used}

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections import Counter
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
 from typing import Any
 
 import jax.numpy as jnp
@@ -14,6 +14,7 @@ from asperity.drive.planar.layout import CARRIER, Body, Contact, PlanarDrive
 from asperity.joint.planar.description import SOLID, BodyShape
 from asperity.joint_file.general_model import GeneralCase
 from asperity.joint_file.messages import nearest
+from asperity.joint_file.part_names import track_of
 from asperity.joint_file.si_tables import Values
 
 
@@ -87,12 +88,9 @@ def general_layout(values: Values) -> tuple[PlanarDrive, tuple[BodyShape, ...], 
                 each["name"],
                 each["first"],
                 each["second"],
-                internal=each["internal"],
-                sector=each["sector"],
-                tracks=(
-                    _track(contacts, each["first"], each["first_radius"]),
-                    _track(contacts, each["second"], each["second_radius"]),
-                ),
+                internal=bool(each["internal"]),
+                sector=int(each["sector"]),
+                tracks=(track_of(contacts, each, "first"), track_of(contacts, each, "second")),
             )
             for each in contacts
         ),
@@ -102,7 +100,7 @@ def general_layout(values: Values) -> tuple[PlanarDrive, tuple[BodyShape, ...], 
         push_angles=jnp.array(
             [roller.get("push_angle", 0.0) for roller in rollers if roller["place"] == "pin"], dtype=float
         ),
-        sectors=round(drive["sectors"]),
+        sectors=drive["sectors"],
         input=drive["input"],
         output=drive["output"],
         grounded=drive["grounded"],
@@ -114,18 +112,9 @@ def general_layout(values: Values) -> tuple[PlanarDrive, tuple[BodyShape, ...], 
     )
 
 
-def _track(contacts: Iterable[Values], roller: str, radius: Any) -> str:
-    """Name of a track: its number among the different radii of its roller, so that other radii need no new program."""
-    radii = [
-        each[f"{side}_radius"] for each in contacts for side in ("first", "second") if each[side] == roller
-    ]
-    written = dict.fromkeys(f"{float(each):.12g}" for each in radii)
-    return str([*written].index(f"{float(radius):.12g}"))
-
-
 def _centre(roller: Values) -> Any:
-    angle = roller.get("angle", 0.5 * math.pi)
-    return roller.get("orbit", 0.0) * jnp.array([math.cos(angle), math.sin(angle)])
+    angle = jnp.asarray(roller.get("angle", 0.5 * math.pi))
+    return roller.get("orbit", 0.0) * jnp.stack([jnp.cos(angle), jnp.sin(angle)])
 
 
 def _shape(roller: Values) -> BodyShape:

@@ -5,11 +5,16 @@ from __future__ import annotations
 import math
 from typing import Any
 
+import jax.numpy as jnp
+from jax import Array
+
+from asperity.drive.planar.layout import PlanarDrive
 from asperity.joint.description import Joint
 from asperity.joint.planar.description import PlanarJoint
 from asperity.joint_file.build import joint_from_case, rolling_conditions
 from asperity.joint_file.material_build import material_of, surface_of
 from asperity.joint_file.model import Case
+from asperity.joint_file.part_names import CONTACTS
 from asperity.joint_file.planar_model import PlanarCase
 from asperity.joint_file.planar_parts import layout_of
 from asperity.joint_file.si_tables import Values, si_values
@@ -63,6 +68,8 @@ def planar_joint_from_values(values: Values) -> PlanarJoint:
     drive, shapes, pattern = layout_of(values)
     load, model, springs = values["load"], values["model"], values.get("compliance", {})
     names = [contact.name for contact in drive.contacts]
+    if "nominal" in values:  # the rings have their nominal radii, whatever the rollers have
+        pattern = tuple(jnp.asarray(pattern) + _grown(values, drive) / load["interference"])
     materials = {name: material_of(entry) for name, entry in values["materials"].items()}
     return PlanarJoint(
         type=values["type"],
@@ -88,6 +95,34 @@ def planar_joint_from_values(values: Values) -> PlanarJoint:
         plane_state=model.get("plane_state", "plane_strain"),
         rolling=rolling_conditions(values),
     )
+
+
+def with_nominal_sizes(values: Values) -> Values:
+    """Tables in which changes of the radii are deviations from their present values.
+
+    Parameters
+    ----------
+    values : dict
+        Tables in SI units.
+
+    Returns
+    -------
+    dict
+        Tables of which :func:`planar_joint_from_values` adds to the interference by how much the rollers have grown
+        against their rings; unchanged where the preload is stated as a force, and for type ``planar``, whose rings have
+        radii of their own.
+    """
+    if "interference" not in values["load"] or values["type"] not in CONTACTS:
+        return values
+    radii = {name: size for name, size in values["drive"].items() if name.endswith("_radius")}
+    return values | {"nominal": radii}
+
+
+def _grown(values: Values, drive: PlanarDrive) -> Array:
+    """By how much the rings of finished parts are smaller than those that would just touch, beyond the nominal, [m]."""
+    nominal, *_ = layout_of(values | {"drive": values["drive"] | values["nominal"]})
+    inside = jnp.array([contact.internal for contact in drive.contacts])
+    return jnp.where(inside, drive.second_radius - nominal.second_radius, 0.0)
 
 
 def _entries(entry: Any, names: list[str]) -> tuple[Any, ...]:

@@ -12,43 +12,12 @@ from asperity.joint.planar.description import SOLID, BodyShape
 from asperity.joint_file.general_layout import general_layout, misdescribed
 from asperity.joint_file.general_model import GeneralCase
 from asperity.joint_file.messages import nearest
+from asperity.joint_file.part_names import CONTACTS, bodies_of_type
 from asperity.joint_file.planar_model import PlanarCase
 from asperity.joint_file.si_tables import Values
 
 #: A drive, what its bodies are, and the share of its interference at each contact.
 Layout = tuple[PlanarDrive, tuple[BodyShape, ...], tuple[float, ...]]
-
-#: Contacts of each type with the bodies that they join.
-CONTACTS: dict[str, dict[str, tuple[str, str]]] = {
-    "planetary": {"sp": ("sun", "planet"), "pr": ("planet", "ring")},
-    "multiroller": {
-        "sf": ("sun", "first_row"),
-        "fsl": ("first_row", "second_row"),
-        "fsr": ("first_row", "second_row"),
-        "sr": ("second_row", "ring"),
-    },
-    "stepped_planet": {
-        "sp": ("sun", "planet"),
-        "pr1": ("planet", "held_ring"),
-        "pr2": ("planet", "driven_ring"),
-    },
-}
-
-
-def bodies_of_type(kind: str) -> tuple[str, ...]:
-    """Names of the bodies of a type.
-
-    Parameters
-    ----------
-    kind : str
-        Type of the drive.
-
-    Returns
-    -------
-    tuple of str
-        In the order of the drive.
-    """
-    return tuple(dict.fromkeys(body for pair in CONTACTS[kind].values() for body in pair))
 
 
 def misnamed_parts(case: PlanarCase) -> list[str]:
@@ -101,7 +70,7 @@ def _planetary(values: Values) -> Layout:
     made = planetary_drive(
         sun_radius=drive["sun_radius"],
         planet_radius=drive["planet_radius"],
-        planet_count=round(drive["planets"]),
+        planet_count=drive["planets"],
     )
     if drive.get("output") == "ring":
         made = dataclasses.replace(made, output="ring", grounded=CARRIER)
@@ -117,7 +86,7 @@ def _multiroller(values: Values) -> Layout:
         sun_radius=drive["sun_radius"],
         first_row_radii=(drive["first_row_radius"], drive["first_row_small_radius"]),
         second_row_radii=(drive["second_row_radius"], drive["second_row_small_radius"]),
-        roller_count=round(drive["rollers_per_row"]),
+        roller_count=drive["rollers_per_row"],
     )
     ring = _ring(drive["ring_wall_thickness"], drive.get("ring_support"))
     return made, (SOLID, SOLID, SOLID, ring), (0.0, 0.0, 0.0, 1.0)
@@ -128,7 +97,7 @@ def _stepped_planet(values: Values) -> Layout:
     made = stepped_planet_drive(
         sun_radius=drive["sun_radius"],
         planet_radii=(drive["planet_radius"], drive["planet_second_radius"]),
-        planet_count=round(drive["planets"]),
+        planet_count=drive["planets"],
     )
     rings = (
         _ring(drive["ring_wall_thickness"], drive.get("ring_support")),

@@ -11,13 +11,11 @@ from asperity.errors import InputError, UnsupportedDriveError, quoted
 from asperity.joint_file.finish_in_surface import fill_in_finishes
 from asperity.joint_file.messages import explained, listed, nearest
 from asperity.joint_file.model import Case
+from asperity.joint_file.part_names import WEDGE_TYPE
 from asperity.joint_file.planar_model import PlanarCase
 from asperity.joint_file.planar_types import PLANAR_CASES
 from asperity.library import fill_in_materials
 from asperity.reading import parse_toml, read_text
-
-#: Type of the drive of Zou et al. 2025, that of a file without a type.
-WEDGE_TYPE = "zou2025"
 
 
 def read_case(path: str | Path) -> Case:
@@ -193,4 +191,20 @@ def _model_of(kind: object, source: str) -> type[Case] | type[PlanarCase]:
         raise InputError(
             f"{source}: type: {quoted(kind)} is not a type of drive{hint or '; known are ' + ', '.join(known)}"
         )
+    return model_of_type(kind)
+
+
+def model_of_type(kind: str) -> type[Case] | type[PlanarCase]:
+    """Model of the joint file of a type of drive.
+
+    Parameters
+    ----------
+    kind : str
+        Type of the drive.
+
+    Returns
+    -------
+    type
+        A class of pydantic.
+    """
     return PLANAR_CASES.get(kind, Case)

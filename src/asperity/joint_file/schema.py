@@ -6,8 +6,8 @@ from typing import Any
 
 from asperity.joint_file.material_entries import BodyMaterials, MaterialEntry, SurfaceEntry
 from asperity.joint_file.model import Case
+from asperity.joint_file.part_names import WEDGE_TYPE
 from asperity.joint_file.planar_types import PLANAR_CASES
-from asperity.joint_file.reader import WEDGE_TYPE
 from asperity.library import read_finishes, read_materials
 
 Schema = dict[str, Any]

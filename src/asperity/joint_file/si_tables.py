@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from typing import Any
@@ -13,14 +14,17 @@ from asperity.errors import InputError
 from asperity.joint_file.distribution import Distribution
 from asperity.joint_file.messages import keys_by_path, nearest
 from asperity.joint_file.model import Case
+from asperity.joint_file.part_names import WEDGE_TYPE, contacts_of, paths_of_track, type_of
 from asperity.joint_file.planar_model import PlanarCase
+from asperity.joint_file.planar_types import PLANAR_CASES
 from asperity.joint_file.quantity_key import Key, Quantity
-from asperity.joint_file.section import EachContact, Section
+from asperity.joint_file.section import Section
 
 #: Nested tables like those of the file; leaves are SI numbers (or arrays of them) and names.
 Values = dict[str, Any]
+#: A joint file of any type of drive.
+AnyCase = Case | PlanarCase
 
-_CONTACTS = tuple(EachContact.model_fields)
 _PAIRS = (
     ("hardness", "hardness_factor"),
     ("preload", "interference"),
@@ -31,7 +35,8 @@ _COUNTERPARTS: dict[str, tuple[str, ...]] = {
     **{second: (first,) for first, second in _PAIRS},
     "fractal_roughness": ("roughness_average", "partner_roughness_average", "cut_off"),
 }
-_ONE_OR_FIVE = ("drive.contact_length", "load.friction_coefficient", "rolling.skew", "surface")
+_NAMED = ("materials", "duty", "branch", "roller", "contact")
+_ONE_OR_EACH = ("drive.contact_length", "load.friction_coefficient", "rolling.skew", "surface")
 
 
 @dataclass(frozen=True, slots=True)
@@ -96,15 +101,15 @@ def _quantities(node: Any, path: str) -> Iterator[tuple[str, Quantity]]:
             yield from _quantities(value, f"{path}.{name}" if path else name)
 
 
-def key_at(path: str, model: type[Section] = Case) -> Key:
+def key_at(path: str, kind: str | None = None) -> Key:
     """What a dotted path of a joint file measures, and its range.
 
     Parameters
     ----------
     path : str
         For example ``materials.steel.youngs_modulus``.
-    model : type, optional
-        The class of the joint file; that of the paper's drive if not given.
+    kind : str, optional
+        Type of the drive; any of them if not given.
 
     Returns
     -------
@@ -117,16 +122,28 @@ def key_at(path: str, model: type[Section] = Case) -> Key:
         If a joint file has no such number.
     """
     parts = path.split(".")
-    known = keys_by_path(model)
-    named = parts[0] in ("materials", "duty", "branch", "roller", "contact") and len(parts) > 2
-    generic = ".".join([parts[0], "*", *parts[2:]] if named else parts)
-    for each in (generic, *(".".join([*parts[:i], "*", *parts[i + 1 :]]) for i in range(1, len(parts)))):
-        if each in known:
-            return known[each]
-    raise InputError(f"a joint file has no number '{path}'{nearest(generic, known)}")
+    known = _keys(kind)
+    for generic in (path, *(".".join([*parts[:i], "*", *parts[i + 1 :]]) for i in range(1, len(parts)))):
+        if generic in known and parts[0] != "*":
+            return known[generic]
+    whose = "a joint file" if kind in (None, WEDGE_TYPE) else f"the joint file of a drive of type {kind}"
+    named = parts[0] in _NAMED and len(parts) > 2
+    near = nearest(".".join([parts[0], "*", *parts[2:]]) if named else path, known)
+    raise InputError(f"{whose} has no number '{path}'{near}")
 
 
-def numeric_keys(case: Case | PlanarCase) -> dict[str, NumericKey]:
+@functools.cache
+def _keys(kind: str | None) -> dict[str, Key]:
+    """Numeric keys of joint files, with ``*`` for the names of materials, entries and parts."""
+    if kind == WEDGE_TYPE:
+        return keys_by_path()
+    if kind is not None:
+        return keys_by_path(PLANAR_CASES[kind])
+    others = [key for name in PLANAR_CASES for key in _keys(name).items()]
+    return {**dict(others), **_keys(WEDGE_TYPE)}
+
+
+def numeric_keys(case: AnyCase) -> dict[str, NumericKey]:
     """Every number that a joint file states.
 
     Parameters
@@ -139,10 +156,9 @@ def numeric_keys(case: Case | PlanarCase) -> dict[str, NumericKey]:
     dict
         Dotted path → the number, in the order of the file's sections.
     """
+    kind = getattr(case, "type", None) or WEDGE_TYPE
     return {
-        path: NumericKey(
-            path, quantity.value, quantity.tolerance, key_at(path, type(case)), quantity.distribution
-        )
+        path: NumericKey(path, quantity.value, quantity.tolerance, key_at(path, kind), quantity.distribution)
         for path, quantity in _quantities(case, "")
     }
 
@@ -156,7 +172,8 @@ def replace_values(values: Values, changes: Mapping[str, Any]) -> Values:
         Tables as :func:`si_values` makes them.
     changes : mapping
         Dotted path → SI number or array. A path to one contact (``surface.sp.fractal_dimension``) splits an entry
-        that stood for all; a path without a contact (``surface.fractal_dimension``) sets all five.
+        that stood for all; a path without a contact (``surface.fractal_dimension``) sets all of them. The radius of
+        a track of a drive of type ``planar`` is that of all contacts on it.
 
     Returns
     -------
@@ -170,9 +187,10 @@ def replace_values(values: Values, changes: Mapping[str, Any]) -> Values:
     """
     tables: Values = _copied(values)
     for path, value in changes.items():
-        key_at(path)
-        for steps in change_targets(tables, path):
-            _set(tables, steps, value)
+        key_at(path, type_of(tables))
+        for each in paths_of_track(tables, path):
+            for steps in change_targets(tables, each):
+                _set(tables, steps, value)
     return tables
 
 
@@ -181,12 +199,12 @@ def _copied(node: Any) -> Any:
     return {name: _copied(below) for name, below in node.items()} if isinstance(node, dict) else node
 
 
-def _for_each_contact(entry: Any) -> Values:
-    return {name: _copied(entry) for name in _CONTACTS}
+def _for_each_contact(entry: Any, contacts: tuple[str, ...]) -> Values:
+    return {name: _copied(entry) for name in contacts}
 
 
 def change_targets(
-    tables: Any, path: str, *, split: Callable[[Any], Any] = _for_each_contact
+    tables: Any, path: str, *, split: Callable[[Any, tuple[str, ...]], Any] = _for_each_contact
 ) -> list[tuple[str, ...]]:
     """Where a change of a number goes in nested tables.
 
@@ -197,14 +215,19 @@ def change_targets(
     path : str
         Dotted path of the number.
     split : callable, optional
-        Makes an entry for each contact from one for all.
+        Makes an entry for each contact from one for all and the names of the contacts.
 
     Returns
     -------
     list of tuple of str
         Names of the tables on the way to each number, and its own.
+
+    Raises
+    ------
+    InputError
+        If the drive has no such contact.
     """
-    for place in _ONE_OR_FIVE:
+    for place in _ONE_OR_EACH:
         if path == place or path.startswith(f"{place}."):
             break
     else:
@@ -215,18 +238,44 @@ def change_targets(
     for step in head[:-1]:
         parent = parent.setdefault(step, {})
     entry = parent.get(head[-1], 0.0)  # only the skew may be absent: parallel
-    for_each = isinstance(entry, dict) and "sp" in entry
-    if rest and rest[0] in _CONTACTS:
+    contacts = contacts_of(tables)
+    for_each = isinstance(entry, dict) and contacts[0] in entry
+    if contact_in(path) is not None:
+        if rest[0] not in contacts:
+            raise InputError(
+                f"{path}: this drive has no contact '{rest[0]}'"
+                f"{nearest(rest[0], contacts) or '; it has ' + ', '.join(contacts)}"
+            )
         if not for_each:
-            parent[head[-1]] = split(entry)
+            parent[head[-1]] = split(entry, contacts)
         return [head + rest]
-    return [(*head, name, *rest) for name in _CONTACTS] if for_each else [head + rest]
+    return [(*head, name, *rest) for name in contacts] if for_each else [head + rest]
+
+
+def contact_in(path: str) -> str | None:
+    """The contact that a dotted path names, if the number may be stated for each contact.
+
+    Parameters
+    ----------
+    path : str
+        Dotted path of a number.
+
+    Returns
+    -------
+    str or None
+        Its name; None where the path stands for all contacts, or for a number that has none.
+    """
+    for place in _ONE_OR_EACH:
+        rest = path.removeprefix(f"{place}.").split(".")
+        if path.startswith(f"{place}.") and len(rest) == (2 if place == "surface" else 1):
+            return rest[0]
+    return None
 
 
 def _set(tables: Values, steps: tuple[str, ...], value: Any) -> None:
     table = tables
     for step in steps[:-1]:
-        if steps[0] in ("duty", "branch") and step not in table:
+        if steps[0] in ("duty", "branch", "roller", "contact") and step not in table:
             raise InputError(f"{'.'.join(steps)}: the file has no section {step} in [[{steps[0]}]]")
         if steps[0] == "materials" and step not in table:
             raise InputError(f"{'.'.join(steps)}: there is no material '{step}'{nearest(step, table)}")

@@ -52,7 +52,7 @@ def planar_sheet(joint: PlanarJoint, *, name: str) -> Sheet:
 
     items: list[Item] = []
     for number, body in enumerate(drive.bodies):
-        copies = 1 if body.place == "axis" else drive.sectors
+        copies = 1 if body.place == "axis" else round(float(drive.sectors))
         for sector in range(copies):
             items += _body(joint, number, sector, rings, scale)
     items += _contact_labels(joint, scale)
@@ -94,7 +94,7 @@ def _reach(joint: PlanarJoint) -> float:
 
 def _copy(joint: PlanarJoint, number: int, sector: int) -> Point:
     x, y = (1e3 * float(each) for each in np.asarray(joint.drive.centres)[number])
-    turn = 2.0 * math.pi * sector / joint.drive.sectors
+    turn = 2.0 * math.pi * sector / float(joint.drive.sectors)
     return x * math.cos(turn) - y * math.sin(turn), x * math.sin(turn) + y * math.cos(turn)
 
 
@@ -179,10 +179,10 @@ def _sizes(joint: PlanarJoint, rings: dict[int, _Ring]) -> list[str]:
         lines.append(
             f"{words}: {sizes}"
             if body.place == "axis"
-            else f"{drive.sectors} × {words}: {sizes}, axes on ⌀{dimension(2.0 * float(orbits[number]))}"
+            else f"{round(float(drive.sectors))} × {words}: {sizes}, axes on ⌀{dimension(2.0 * float(orbits[number]))}"
         )
         if body.place != "axis":
-            gap = 2.0 * float(orbits[number]) * math.sin(math.pi / drive.sectors) - 2.0 * max(radii)
+            gap = 2.0 * float(orbits[number]) * math.sin(math.pi / float(drive.sectors)) - 2.0 * max(radii)
             lines.append(f"  clearance between neighbours {gap:.4g}")
     if any(body.place == "pin" for body in drive.bodies) and drive.grounded != CARRIER:
         pinned = ", ".join(drive.bodies[body].name.replace("_", " ") for body in drive.pinned)

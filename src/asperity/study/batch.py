@@ -20,11 +20,10 @@ import numpy as np
 from jax import Array
 
 from asperity.compilation import compile_fast
-from asperity.joint.description import with_one_rank
-from asperity.joint.evaluation import evaluate
-from asperity.joint.results import GROUPS, RESULTS, result_values
-from asperity.joint.status import OUT_OF_RANGE, has_value, joint_status
-from asperity.joint_file.build import joint_from_values
+from asperity.joint.results import GROUPS, RESULTS
+from asperity.joint.status import OUT_OF_RANGE, has_value
+from asperity.joint_file.any_joint import evaluated_points, results_of
+from asperity.joint_file.part_names import type_of, with_tracks
 from asperity.joint_file.quantity_key import Key
 from asperity.joint_file.si_tables import Values, key_at, replace_values
 from asperity.joint_file.table_numbers import Numbers, numbers, table_structure, with_numbers
@@ -41,18 +40,6 @@ ASSEMBLY_BATCH = 4_096
 QUICK_POINTS = 20_000
 #: Points of one call of the program with derivatives; more points are more calls.
 DERIVATIVE_BATCH = 64
-
-
-def _evaluated(tables: Values, points: tuple[int, ...], results: tuple[str, ...]) -> Found:
-    """Status and results of the joints that tables of SI numbers and arrays describe, one for each point."""
-    joint = with_one_rank(joint_from_values(tables))
-    found = evaluate(joint)
-    # where only the springs of the structure vary, one status serves all points
-    status = jnp.broadcast_to(joint_status(joint, found), points)
-    return status, {
-        name: jnp.broadcast_to(value, (*RESULTS[name].row_shape, *points))
-        for name, value in result_values(results, joint, found).items()
-    }
 
 
 def _masked(status: Array, found: dict[str, Array]) -> dict[str, Array]:
@@ -73,7 +60,7 @@ def point_kernel(values: Values, paths: tuple[str, ...], results: tuple[str, ...
     paths : tuple of str
         Dotted paths of the varied numbers.
     results : tuple of str
-        Names of :data:`asperity.joint.results.RESULTS`.
+        Names of :func:`asperity.joint_file.any_joint.results_of`.
 
     Returns
     -------
@@ -86,7 +73,7 @@ def point_kernel(values: Values, paths: tuple[str, ...], results: tuple[str, ...
     def kernel(base: Numbers, *arrays: Array) -> Found:
         tables = replace_values(with_numbers(values, base), dict(zip(paths, arrays, strict=True)))
         points = jnp.broadcast_shapes(*(jnp.shape(array) for array in arrays))
-        status, found = _evaluated(tables, points, results)
+        status, found = evaluated_points(tables, points, results)
         return status, _masked(status, found)
 
     return kernel
@@ -146,7 +133,7 @@ def evaluate_points(
     points : mapping
         Dotted path → values in SI units, all of shape (n,).
     results : tuple of str
-        Names of :data:`asperity.joint.results.RESULTS`.
+        Names of :func:`asperity.joint_file.any_joint.results_of`.
     quick : bool, optional
         Whether to compile fast and run slowly; by default up to :data:`QUICK_POINTS` points.
     batch : int, optional
@@ -167,7 +154,7 @@ def evaluate_points(
         If JAX is in single precision.
     """
     require_double_precision()
-    paths = tuple(points)
+    values, paths = with_tracks(values), tuple(points)
     columns = {path: np.asarray(column, dtype=float) for path, column in points.items()}
     count = next(iter(columns.values())).size
     quick = count <= QUICK_POINTS if quick is None else quick
@@ -176,10 +163,11 @@ def evaluate_points(
     base = tuple(np.float64(number) for number in numbers(values))
     outside = np.zeros(count, dtype=bool)
     for path, column in columns.items():
-        outside |= _outside(key_at(path), column)
+        outside |= _outside(key_at(path, type_of(values)), column)
 
     status = np.empty(count, dtype=np.int8)
-    found = {name: np.empty((*RESULTS[name].row_shape, count), dtype=float) for name in results}
+    table = results_of(values)
+    found = {name: np.empty((*table[name].row_shape, count), dtype=float) for name in results}
     for start in range(0, count, size):
         part = slice(start, min(start + size, count))
         missing = size - (part.stop - start)
@@ -211,7 +199,7 @@ def _directional(
     tables = json.loads(structure)
 
     def found(rows: Array) -> tuple[dict[str, Array], Array]:
-        status, values = _evaluated(with_numbers(tables, rows), rows.shape[1:], results)
+        status, values = evaluated_points(with_numbers(tables, rows), rows.shape[1:], results)
         return values, status
 
     values, slopes, status = jax.jvp(found, (table,), (directions,), has_aux=True)
@@ -230,7 +218,7 @@ def derivatives_at(
     changes : mapping
         Dotted path → numbers [SI], shape (points,); must contain the variables.
     results : tuple of str
-        Names of :data:`asperity.joint.results.RESULTS`.
+        Names of :func:`asperity.joint_file.any_joint.results_of`.
     variables : tuple of str, optional
         Dotted paths by which to differentiate.
 
@@ -247,7 +235,7 @@ def derivatives_at(
     Forward-mode automatic differentiation; the points are repeated once for each variable along the batch axis.
     """
     points = max((np.size(value) for value in changes.values()), default=1)
-    filled = replace_values(values, changes)
+    filled = replace_values(with_tracks(values), changes)
     table = np.stack([np.broadcast_to(np.asarray(each, float), (points,)) for each in numbers(filled)])
     nothing = with_numbers(filled, itertools.repeat(0.0))
     count = max(len(variables), 1)

@@ -9,7 +9,7 @@ import numpy as np
 
 from asperity import __version__
 from asperity.extras import optional_module
-from asperity.joint.results import RESULTS, ROW_NAMES, row_name
+from asperity.joint.results import RESULTS, Result, row_name
 from asperity.joint.status import flag_attributes
 from asperity.joint_file.si_tables import key_at
 from asperity.study.parameters import SweepAxis, long_name
@@ -71,29 +71,30 @@ def key_attributes(path: str) -> dict[str, str]:
     return {"units": key_at(path).dimension.si_unit, "long_name": long_name(path)}
 
 
-def result_attributes(name: str) -> dict[str, str]:
+def result_attributes(result: Result) -> dict[str, str]:
     """Attributes of a result.
 
     Parameters
     ----------
-    name : str
-        A name of :data:`asperity.joint.results.RESULTS`.
+    result : Result
+        A row of the table of results.
 
     Returns
     -------
     dict
-        ``units`` and ``long_name``.
+        ``units`` and ``long_name``; ``categories`` where its values number them.
     """
-    return {"units": RESULTS[name].si_unit, "long_name": RESULTS[name].label}
+    attributes = {"units": result.si_unit, "long_name": result.label}
+    return attributes | ({"categories": " ".join(result.categories)} if result.categories else {})
 
 
-def result_rows(names: Iterable[str]) -> list[tuple[str, str, str]]:
+def result_rows(results: Iterable[Result]) -> list[tuple[str, str, str]]:
     """Every number that some results have: one, or one for each contact or clearance.
 
     Parameters
     ----------
-    names : iterable of str
-        Names of :data:`asperity.joint.results.RESULTS`.
+    results : iterable of Result
+        Rows of the table of results.
 
     Returns
     -------
@@ -101,55 +102,55 @@ def result_rows(names: Iterable[str]) -> list[tuple[str, str, str]]:
         Name such as ``slip_ratio_sp``, SI unit and label of each number.
     """
     return [
-        (row_name(name, row), RESULTS[name].si_unit, f"{RESULTS[name].label}, {row}".removesuffix(", "))
-        for name in names
-        for row in RESULTS[name].row_names
+        (row_name(result.name, row), result.si_unit, f"{result.label}, {row}".removesuffix(", "))
+        for result in results
+        for row in result.row_names
     ]
 
 
 _ROW_COORDINATES = {
-    "contact": "contact of a branch: sun-planet, planet-rollers, rollers-ring",
+    "contact": "contact of a branch",
     "clearance": "clearance between two rollers",
-    "body": "body of a branch; sun and ring are shared by all branches",
+    "body": "body of a branch; those on the axis are shared by all branches",
     "pin": "carrier pin, named after its loading roller",
     "bearing": "rolling bearing",
     "rim": "rim of a ring or of a hollow roller",
 }
 
 
-def row_dimensions(name: str) -> tuple[str, ...]:
+def row_dimensions(result: Result) -> tuple[str, ...]:
     """Dimensions in front of those of the points: none, or what its rows stand for.
 
     Parameters
     ----------
-    name : str
-        A name of :data:`asperity.joint.results.RESULTS`.
+    result : Result
+        A row of the table of results.
 
     Returns
     -------
     tuple of str
         At most one name.
     """
-    return () if RESULTS[name].axis == "one" else (RESULTS[name].axis,)
+    return () if result.axis == "one" else (result.axis,)
 
 
-def row_coordinates(names: Iterable[str]) -> dict[str, tuple[tuple[str], np.ndarray, dict[str, str]]]:
+def row_coordinates(results: Iterable[Result]) -> dict[str, tuple[tuple[str], np.ndarray, dict[str, str]]]:
     """Coordinates of the contacts and clearances, where results have one number for each.
 
     Parameters
     ----------
-    names : iterable of str
-        Names of :data:`asperity.joint.results.RESULTS`.
+    results : iterable of Result
+        Rows of the table of results.
 
     Returns
     -------
     dict
         Dimension → dimensions, values, attributes.
     """
-    needed = dict.fromkeys(dimension for name in names for dimension in row_dimensions(name))
+    needed = {dimension: result.row_names for result in results for dimension in row_dimensions(result)}
     return {
-        each: ((each,), np.array(ROW_NAMES[each], dtype="U"), {"long_name": _ROW_COORDINATES[each]})
-        for each in needed
+        each: ((each,), np.array(names, dtype="U"), {"long_name": _ROW_COORDINATES[each]})
+        for each, names in needed.items()
     }
 
 
@@ -181,6 +182,7 @@ def dataset(
     coordinates: Mapping[str, Any],
     status: np.ndarray,
     found: Mapping[str, np.ndarray],
+    table: Mapping[str, Result] = RESULTS,
     attributes: Mapping[str, Any],
 ) -> xarray.Dataset:
     """A dataset of evaluated points.
@@ -195,6 +197,8 @@ def dataset(
         Codes of the points.
     found : mapping
         Name of a result → values, with the axis of its rows first if there is one.
+    table : mapping, optional
+        The table of results of the drive; that of the paper's by default.
     attributes : mapping
         Attributes of the whole.
 
@@ -206,8 +210,8 @@ def dataset(
     xr = require("xarray")
     variables: dict[str, Any] = {"status": (dimensions, status, flag_attributes())}
     for name, value in found.items():
-        variables[name] = ((*row_dimensions(name), *dimensions), value, result_attributes(name))
-    coords = {**coordinates, **row_coordinates(found)}
+        variables[name] = ((*row_dimensions(table[name]), *dimensions), value, result_attributes(table[name]))
+    coords = {**coordinates, **row_coordinates(table[name] for name in found)}
     made: xarray.Dataset = xr.Dataset(variables, coords=coords, attrs=dict(attributes))
     return made
 

@@ -9,10 +9,9 @@ from typing import Any, Literal
 
 import numpy as np
 
-from asperity.drive.geometry import CONTACT_NAMES
 from asperity.errors import InputError
-from asperity.joint_file.model import Case
-from asperity.joint_file.si_tables import check_values, key_at, replace_values, si_values
+from asperity.joint_file.part_names import paths_of_track
+from asperity.joint_file.si_tables import AnyCase, check_values, contact_in, key_at, replace_values, si_values
 from asperity.units import format_quantity, parse_quantity
 
 Scale = Literal["linear", "log"]
@@ -108,13 +107,15 @@ def axis_from_dict(plain: dict[str, Any]) -> SweepAxis:
     return ListedAxis(**plain) if "listed" in plain else Axis(**plain)
 
 
-def parse_axis(text: str) -> Axis:
+def parse_axis(text: str, *, kind: str | None = None) -> Axis:
     """Read an axis from text.
 
     Parameters
     ----------
     text : str
         ``KEY=start:stop:count`` or ``KEY=start:stop:count:log``; start and stop carry their units.
+    kind : str, optional
+        Type of the drive that must have this number; any of them if not given.
 
     Returns
     -------
@@ -138,7 +139,7 @@ def parse_axis(text: str) -> Axis:
         raise InputError(f"cannot read the axis '{text}'; write {_FORM}")
     if len(parts) == 4 and parts[3] != "log":
         raise InputError(f"{path}: the only spacing besides even steps is 'log', got '{parts[3]}'")
-    key = key_at(path)
+    key = key_at(path, kind)
     ends = []
     for which, written in zip(("start", "stop"), parts, strict=False):
         try:
@@ -206,12 +207,12 @@ def check_axis(axis: SweepAxis) -> None:
     check_values({axis.path: values})
 
 
-def check_axes(case: Case, axes: Sequence[SweepAxis]) -> None:
+def check_axes(case: AnyCase, axes: Sequence[SweepAxis]) -> None:
     """Raise unless a sweep of a joint file over these axes makes sense.
 
     Parameters
     ----------
-    case : Case
+    case : Case or PlanarCase
         The joint file.
     axes : sequence of Axis
         The axes.
@@ -228,12 +229,12 @@ def check_axes(case: Case, axes: Sequence[SweepAxis]) -> None:
     check_paths(case, [axis.path for axis in axes])
 
 
-def check_paths(case: Case, paths: Sequence[str]) -> None:
+def check_paths(case: AnyCase, paths: Sequence[str]) -> None:
     """Raise unless these numbers of a joint file can be varied independently.
 
     Parameters
     ----------
-    case : Case
+    case : Case or PlanarCase
         The joint file.
     paths : sequence of str
         Dotted paths.
@@ -247,7 +248,7 @@ def check_paths(case: Case, paths: Sequence[str]) -> None:
     seen: list[tuple[str, str, str | None]] = []
     for path in paths:
         replace_values(values, {path: 1.0})  # raises if this joint has no such number
-        generic, contact = _generic(path)
+        generic, contact = _generic(paths_of_track(values, path)[0])
         for other, other_generic, other_contact in seen:
             if generic == other_generic and (
                 contact == other_contact or contact is None or other_contact is None
@@ -260,7 +261,7 @@ def check_paths(case: Case, paths: Sequence[str]) -> None:
 def _generic(path: str) -> tuple[str, str | None]:
     """A path without its contact, and the contact; hardness and its factor are one number."""
     parts = path.split(".")
-    contact = next((part for part in parts[1:] if part in CONTACT_NAMES and parts[0] != "materials"), None)
+    contact = contact_in(path)
     kept = [part for part in parts if part != contact]
     if parts[0] == "materials" and parts[-1] == "hardness_factor":
         kept[-1] = "hardness"

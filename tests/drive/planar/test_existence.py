@@ -1,12 +1,14 @@
 """Layouts that cannot exist are refused with their numbers."""
 
 import dataclasses
+import math
 
+import jax
 import jax.numpy as jnp
 import pytest
 
-from asperity.drive.planar.drives import two_row_multiroller
-from asperity.drive.planar.existence import refuse_impossible
+from asperity.drive.planar.drives import planetary_drive, two_row_multiroller
+from asperity.drive.planar.existence import neighbour_gaps, refuse_impossible
 from asperity.drive.planar.layout import CARRIER, Body, Contact
 from asperity.errors import InputError
 
@@ -95,3 +97,35 @@ def test_a_cage_that_nothing_carries_is_no_freedom(drives):
         grounded=CARRIER,
     )
     refuse_impossible(free)
+
+
+def test_gaps_between_neighbours(drives):
+    # planets of 20 mm on an orbit of 30 mm, three of them
+    chord = 2.0 * 30e-3 * math.sin(math.pi / 3.0)
+    assert neighbour_gaps(drives["planetary"]) == {
+        ("planet", "planet"): pytest.approx(chord - 40e-3, rel=1e-12)
+    }
+    # the paper's joint by its radii: centres of the loading rollers at 35 mm from the axis, 18.5 mm from the planet's
+    found = neighbour_gaps(drives["wedge"])
+    sun, planet, roller, orbit = 4e-3, 13.5e-3, 5e-3, 35e-3
+    cosine = ((sun + planet) ** 2 + orbit**2 - (planet + roller) ** 2) / (2.0 * (sun + planet) * orbit)
+    apart = math.acos(cosine)
+    between = 2.0 * orbit * math.sin(apart)
+    assert found["right", "left"] == pytest.approx(between - 2.0 * roller, rel=1e-9)
+    assert found["sun", "right"] == pytest.approx(orbit - sun - roller, rel=1e-9)
+    assert found["planet", "planet"] == pytest.approx(
+        2.0 * (sun + planet) * math.sin(math.pi / 3.0) - 2.0 * planet
+    )
+
+
+def test_one_planet_alone_has_no_neighbour(drives):
+    refuse_impossible(dataclasses.replace(drives["planetary"], sectors=1))
+
+
+def test_the_number_of_planets_may_vary():
+    def gap(count):
+        drive = planetary_drive(sun_radius=10e-3, planet_radius=20e-3, planet_count=count)
+        return neighbour_gaps(drive)["planet", "planet"]
+
+    slope = -2.0 * 30e-3 * math.cos(math.pi / 4.0) * math.pi / 16.0
+    assert jax.grad(gap)(4.0) == pytest.approx(slope, rel=1e-12)

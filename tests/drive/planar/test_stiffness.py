@@ -1,5 +1,8 @@
 """Stiffness of planar drives with given springs: by hand, by virtual work, and with shafts."""
 
+import math
+
+import jax
 import jax.numpy as jnp
 import numpy as np
 import pytest
@@ -79,3 +82,11 @@ def test_shafts_are_in_series():
     assert (float(entry), float(out)) == pytest.approx(
         (1.0 / 3600.0 / compliance, 1.0 / 6000.0 / compliance), rel=1e-12
     )
+
+
+def test_a_rigid_shaft_has_finite_derivatives():
+    def stiffness(ratio):
+        rigid = {"input_shaft_stiffness": math.inf, "output_shaft_stiffness": math.inf}
+        return with_shafts(stiffness=jnp.asarray(1e5), ratio=ratio, **rigid)[0]
+
+    assert jax.value_and_grad(stiffness)(6.0) == (pytest.approx(1e5), 0.0)

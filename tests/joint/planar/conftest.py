@@ -1,7 +1,6 @@
 """Joint files of every type of planar drive."""
 
 import math
-from pathlib import Path
 
 import pytest
 
@@ -9,23 +8,6 @@ from asperity.cli.solved_case import solved_planar
 from asperity.drive.planar.drives import wedge_drive
 from asperity.joint.planar.description import SOLID, BodyShape, PlanarJoint
 from asperity.joint_file.planar_build import planar_joint_from_case
-from asperity.joint_file.reader import parse_any_case
-
-EXAMPLES = Path(__file__).parents[3] / "examples"
-
-
-@pytest.fixture(scope="session")
-def planar_case():
-    """Case of an example, with replaced pieces of its text."""
-
-    def case(name, **changes):
-        text = (EXAMPLES / f"{name}.toml").read_text(encoding="utf-8")
-        for old, new in changes.get("replaced", {}).items():
-            assert old in text, old
-            text = text.replace(old, new)
-        return parse_any_case(text, source=f"{name}.toml")
-
-    return case
 
 
 @pytest.fixture(scope="session")

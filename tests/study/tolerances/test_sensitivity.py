@@ -120,3 +120,19 @@ def test_any_result_with_derivatives_can_be_asked_for(homogeneous):
     assert slope == pytest.approx(-1.0 / 4e-3, rel=1e-12)
     with pytest.raises(InputError, match="no differentiable result 'limiting_contact'"):
         sensitivity(homogeneous, ("limiting_contact",))
+
+
+@pytest.mark.slow
+def test_a_planetary_by_hand(planar_case):
+    found = sensitivity(planar_case("planetary"), ("interference", "speed_ratio", "slip_ratio", "mass"))
+    derivative, elasticity = found["derivative"], found["elasticity"]
+    # finished parts in the ring of its nominal radius
+    assert derivative.sel(result="interference", input="drive.sun_radius").item() == pytest.approx(1.0)
+    assert derivative.sel(result="interference", input="drive.planet_radius").item() == pytest.approx(2.0)
+    # i = 2 + 2 R_p/R_s
+    assert derivative.sel(result="speed_ratio", input="drive.planet_radius").item() == pytest.approx(200.0)
+    assert elasticity.sel(result="slip_ratio_sp", input="load.friction_coefficient").item() == pytest.approx(
+        -1.0
+    )
+    assert elasticity.sel(result="mass", input="materials.52100.density").item() == pytest.approx(1.0)
+    assert "drive.ring_radius" not in found["input"].values

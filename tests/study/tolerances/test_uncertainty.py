@@ -213,3 +213,22 @@ def test_a_distribution_is_never_guessed(toleranced, case):
         uncertainty(toleranced, distribution=Distribution("uniform", 0.0), samples=10)
     with pytest.raises(InputError, match=r"1000000000000 samples of .* need too much memory"):
         uncertainty(toleranced, distribution=Distribution("uniform", 0.0), samples=10**12)
+
+
+def test_radii_of_finished_parts_make_the_interference_of_a_planetary(planar_case):
+    toleranced = {
+        'sun_radius = "10 mm"': 'sun_radius = "10 mm +- 2 um, uniform"',
+        'planet_radius = "20 mm"': 'planet_radius = "20 mm +- 2 um, uniform"',
+        'output_torque = "10 N*m"': 'output_torque = "2 N*m"',
+    }
+    found = uncertainty(
+        planar_case("planetary", replaced=toleranced), results=("interference",), samples=2000
+    )
+    assert found["status"].values.tolist() == [0] * 2000
+    # in the ring of its nominal radius: 30 um + d_sun + 2 d_planet
+    one = found.sel(result="interference")
+    assert float(one["nominal"]) == pytest.approx(30e-6, rel=1e-9)
+    assert float(one["mean"]) == pytest.approx(30e-6, rel=0.01)
+    assert float(one["standard_deviation"]) == pytest.approx(2e-6 * math.sqrt(5.0 / 3.0), rel=0.05)
+    shares = dict(zip(one["input"].values.tolist(), one["first_order"].values.tolist(), strict=True))
+    assert shares == pytest.approx({"drive.sun_radius": 0.2, "drive.planet_radius": 0.8}, abs=0.03)

@@ -11,14 +11,14 @@ from asperity.drive.planar.layout import CARRIER, Body, Contact, PlanarDrive
 from asperity.types import Real
 
 
-def wedge_drive(geometry: DriveGeometry, *, planet_count: int) -> PlanarDrive:
+def wedge_drive(geometry: DriveGeometry, *, planet_count: Real) -> PlanarDrive:
     """The planetary drive of Zou et al. 2025: two loading rollers in the wedges between each planet and the ring.
 
     Parameters
     ----------
     geometry : DriveGeometry
         Radii and push angles.
-    planet_count : int
+    planet_count : Real
         Number of planets.
 
     Returns
@@ -79,14 +79,14 @@ def wedge_drive(geometry: DriveGeometry, *, planet_count: int) -> PlanarDrive:
     )
 
 
-def planetary_drive(*, sun_radius: Real, planet_radius: Real, planet_count: int) -> PlanarDrive:
+def planetary_drive(*, sun_radius: Real, planet_radius: Real, planet_count: Real) -> PlanarDrive:
     """The simple planetary drive: planets between a sun and a ring that presses them together.
 
     Parameters
     ----------
     sun_radius, planet_radius : Real
         Radii [m]; the ring's is the sun's and twice the planets'.
-    planet_count : int
+    planet_count : Real
         Number of planets.
 
     Returns
@@ -119,7 +119,7 @@ def two_row_multiroller(
     sun_radius: Real,
     first_row_radii: tuple[Real, Real],
     second_row_radii: tuple[Real, Real],
-    roller_count: int,
+    roller_count: Real,
 ) -> PlanarDrive:
     """The multiroller drive with two rows of stepped rollers between sun and ring.
 
@@ -130,7 +130,7 @@ def two_row_multiroller(
     first_row_radii, second_row_radii : tuple of Real
         Large and small radius x and y of each row's rollers [m]: the sun drives x of the first row, whose y drives x
         of the second, whose y drives the ring.
-    roller_count : int
+    roller_count : Real
         Rollers in each row; each second-row roller lies between two of the first row.
 
     Returns
@@ -150,10 +150,10 @@ def two_row_multiroller(
         for row in (first_row_radii, second_row_radii)
     )
     orbit = sun + x_1
-    half = math.pi / roller_count
-    far = orbit * math.cos(half) + jnp.sqrt((y_1 + x_2) ** 2 - (orbit * math.sin(half)) ** 2)
+    half = jnp.asarray(math.pi / roller_count)
+    far = orbit * jnp.cos(half) + jnp.sqrt((y_1 + x_2) ** 2 - (orbit * jnp.sin(half)) ** 2)
     origin = jnp.zeros(2)
-    second_centre = far * jnp.array([-math.sin(half), math.cos(half)])
+    second_centre = far * jnp.stack([-jnp.sin(half), jnp.cos(half)])
     return PlanarDrive(
         bodies=(
             Body("sun", "axis"),
@@ -179,7 +179,7 @@ def two_row_multiroller(
 
 
 def stepped_planet_drive(
-    *, sun_radius: Real, planet_radii: tuple[Real, Real], planet_count: int
+    *, sun_radius: Real, planet_radii: tuple[Real, Real], planet_count: Real
 ) -> PlanarDrive:
     """A drive of high ratio: stepped planets roll in a fixed ring and in a driven ring of slightly different radii.
 
@@ -189,7 +189,7 @@ def stepped_planet_drive(
         Radius s [m].
     planet_radii : tuple of Real
         Radii p_1 of the track in the fixed ring, which also touches the sun, and p_2 of that in the driven one [m].
-    planet_count : int
+    planet_count : Real
         Number of planets.
 
     Returns

@@ -5,9 +5,11 @@ from __future__ import annotations
 import itertools
 import math
 
+import jax.numpy as jnp
 import numpy as np
+from jax import Array
 
-from asperity.drive.planar.layout import CARRIER, PlanarDrive, gaps, incidence, sector_rotation
+from asperity.drive.planar.layout import CARRIER, PlanarDrive, gaps, incidence
 from asperity.errors import InputError
 
 #: Largest distance between the bodies of a contact, relative to their radii, that is accepted.
@@ -67,33 +69,59 @@ def _driven(drive: PlanarDrive) -> np.ndarray:
     return np.vstack([free, np.eye(free.shape[1])[-1]])  # the carrier supports nothing: it is taken as fixed
 
 
-def _refuse_overlap(drive: PlanarDrive) -> None:
-    """Raise if discs without a common contact overlap.
+def neighbour_gaps(drive: PlanarDrive) -> dict[tuple[str, str], Array]:
+    r"""Clearances between discs that have no contact with each other.
 
-    Neighbours of one kind are taken with their largest track, others, whose tracks may lie in different planes, with
-    their smallest.
+    .. math:: \sqrt{r_i^2 + r_j^2 - 2 r_i r_j \cos\varphi} - R_i - R_j
+
+    with the orbits r of their centres and the smallest angle φ between any two of their copies.
+
+    Parameters
+    ----------
+    drive : PlanarDrive
+        The drive.
+
+    Returns
+    -------
+    dict
+        Names of the two bodies → clearance [m], negative where they overlap. Neighbours of one kind are taken with
+        their largest track, others, whose tracks may lie in different planes, with their smallest.
+
+    References
+    ----------
+    Law of cosines.
     """
-    smallest: dict[str, float] = {}
-    largest: dict[str, float] = {}
+    radii: dict[str, list[Array]] = {}
     for k, contact in enumerate(drive.contacts):
-        for name, radius in (
-            (contact.first, drive.first_radius[k]),
-            (contact.second, drive.second_radius[k]),
-        ):
-            smallest[name] = min(smallest.get(name, math.inf), float(radius))
-            largest[name] = max(largest.get(name, 0.0), float(radius))
+        radii.setdefault(contact.first, []).append(drive.first_radius[k])
+        radii.setdefault(contact.second, []).append(drive.second_radius[k])
     inside = {contact.second for contact in drive.contacts if contact.internal}
     touching = {frozenset((contact.first, contact.second)) for contact in drive.contacts}
-    discs = [(i, b) for i, b in enumerate(drive.bodies) if b.name in smallest and b.name not in inside]
-    for (i, one), (j, two), sector in itertools.product(discs, discs, range(drive.sectors)):
-        same = i == j and (sector == 0 or one.place == "axis")
-        if same or frozenset((one.name, two.name)) in touching:
+    discs = [(i, b) for i, b in enumerate(drive.bodies) if b.name in radii and b.name not in inside]
+    step = 2.0 * math.pi / jnp.asarray(drive.sectors, dtype=float)
+    x, y = drive.centres[:, 0], drive.centres[:, 1]
+    orbit = jnp.sqrt(x**2 + y**2)
+    found = {}
+    for (i, one), (j, two) in itertools.combinations_with_replacement(discs, 2):
+        if (i == j and one.place == "axis") or frozenset((one.name, two.name)) in touching:
             continue
-        copy = sector_rotation(drive, sector)
-        between = copy @ np.asarray(drive.centres[j]) - np.asarray(drive.centres[i])
-        size = largest if i == j else smallest
-        gap = float(np.hypot(*between)) - size[one.name] - size[two.name]
-        if gap < 0.0:
+        if i == j:
+            turned, size = step, 2.0 * jnp.max(jnp.stack(radii[one.name]))
+        else:
+            apart = jnp.mod(jnp.arctan2(y[j], x[j]) - jnp.arctan2(y[i], x[i]), step)
+            turned = jnp.minimum(apart, step - apart)
+            size = jnp.min(jnp.stack(radii[one.name])) + jnp.min(jnp.stack(radii[two.name]))
+        squared = orbit[i] ** 2 + orbit[j] ** 2 - 2.0 * orbit[i] * orbit[j] * jnp.cos(turned)
+        gap = jnp.sqrt(jnp.maximum(squared, 0.0)) - size
+        alone = (i == j) & (jnp.asarray(drive.sectors) < 2.0)
+        found[one.name, two.name] = jnp.where(alone, jnp.inf, gap)
+    return found
+
+
+def _refuse_overlap(drive: PlanarDrive) -> None:
+    """Raise if discs without a common contact overlap."""
+    for (one, two), gap in neighbour_gaps(drive).items():
+        if float(gap) < 0.0:
             raise InputError(
-                f"{one.name} and {two.name} overlap by {-gap * 1e3:.6g} mm; reduce their radii or the number of sectors"
+                f"{one} and {two} overlap by {-float(gap) * 1e3:.6g} mm; reduce their radii or the number of sectors"
             )

@@ -14,7 +14,6 @@ from typing import Literal
 
 import equinox as eqx
 import jax.numpy as jnp
-import numpy as np
 from jax import Array
 
 from asperity.types import Real
@@ -82,8 +81,8 @@ class PlanarDrive(eqx.Module):
     push_angles : Array
         Direction of each pin's push from the clockwise tangent, outward, one for each body on a pin, shape (pins,)
         [rad].
-    sectors : int
-        Number of sectors of the drive.
+    sectors : Real
+        Number of sectors of the drive, whole; formulas take it as continuous.
     input, output, grounded : str
         Names of members: bodies on the axis, or :data:`CARRIER`.
     sense : int
@@ -96,7 +95,7 @@ class PlanarDrive(eqx.Module):
     first_radius: Array
     second_radius: Array
     push_angles: Array
-    sectors: int = eqx.field(static=True)
+    sectors: Real
     input: str = eqx.field(static=True)
     output: str = eqx.field(static=True)
     grounded: str = eqx.field(static=True)
@@ -144,7 +143,28 @@ class Incidence(eqx.Module):
     levers: Array
 
 
-def sector_rotation(drive: PlanarDrive, sector: int) -> np.ndarray:
+def sectors_of_members(drive: PlanarDrive) -> Array:
+    """In how many sectors the contacts of each member lie: all for those on the axis, one for the others.
+
+    Parameters
+    ----------
+    drive : PlanarDrive
+        The drive.
+
+    Returns
+    -------
+    Array
+        Numbers, shape (members,) [-].
+
+    References
+    ----------
+    Elementary.
+    """
+    on_axis = jnp.array([*(body.place == "axis" for body in drive.bodies), True])
+    return jnp.where(on_axis, jnp.asarray(drive.sectors, dtype=float), 1.0)
+
+
+def sector_rotation(drive: PlanarDrive, sector: int) -> Array:
     r"""Rotation from the first sector of a drive to another.
 
     Parameters
@@ -156,15 +176,16 @@ def sector_rotation(drive: PlanarDrive, sector: int) -> np.ndarray:
 
     Returns
     -------
-    ndarray
+    Array
         Matrix of :math:`2\pi k/n`, shape (2, 2) [-].
 
     References
     ----------
     Elementary.
     """
-    angle = 2.0 * math.pi * sector / drive.sectors
-    return np.array([[math.cos(angle), -math.sin(angle)], [math.sin(angle), math.cos(angle)]])
+    angle = jnp.asarray(2.0 * math.pi * sector / drive.sectors)
+    cosine, sine = jnp.cos(angle), jnp.sin(angle)
+    return jnp.stack([jnp.stack([cosine, -sine]), jnp.stack([sine, cosine])])
 
 
 def _normals(drive: PlanarDrive) -> list[tuple[Array, Array]]:
@@ -172,7 +193,7 @@ def _normals(drive: PlanarDrive) -> list[tuple[Array, Array]]:
     index = {name: i for i, name in enumerate(drive.members)}
     found = []
     for contact in drive.contacts:
-        copy = jnp.asarray(sector_rotation(drive, contact.sector))
+        copy = sector_rotation(drive, contact.sector)
         outward = -1.0 if contact.internal else 1.0
         between = outward * (
             copy @ drive.centres[index[contact.second]] - drive.centres[index[contact.first]]
@@ -274,7 +295,7 @@ def gaps(drive: PlanarDrive) -> Array:
     index = {body.name: i for i, body in enumerate(drive.bodies)}
     found = []
     for k, contact in enumerate(drive.contacts):
-        copy = jnp.asarray(sector_rotation(drive, contact.sector))
+        copy = sector_rotation(drive, contact.sector)
         between = copy @ drive.centres[index[contact.second]] - drive.centres[index[contact.first]]
         distance = jnp.sqrt(jnp.sum(between**2))
         one, two = drive.first_radius[k], drive.second_radius[k]

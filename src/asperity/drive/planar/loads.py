@@ -10,7 +10,7 @@ from typing import NamedTuple
 import jax.numpy as jnp
 from jax import Array
 
-from asperity.drive.planar.layout import CARRIER, Incidence, PlanarDrive, incidence
+from asperity.drive.planar.layout import CARRIER, Incidence, PlanarDrive, incidence, sectors_of_members
 
 
 class PlanarLoads(NamedTuple):
@@ -90,5 +90,4 @@ def member_moments(drive: PlanarDrive, matrices: Incidence, tangential: Array, p
     carrier = members.index(CARRIER)
     moments = -(matrices.turning.at[:, carrier].set(0.0).T @ tangential)
     moments = moments.at[carrier].set(jnp.sum(matrices.levers * pin))
-    copies = [drive.sectors if body.place == "axis" else 1 for body in drive.bodies] + [drive.sectors]
-    return moments * jnp.array(copies, dtype=float)
+    return moments * sectors_of_members(drive)

@@ -13,7 +13,7 @@ from typing import NamedTuple
 import jax.numpy as jnp
 from jax import Array
 
-from asperity.drive.planar.layout import CARRIER, PlanarDrive, incidence
+from asperity.drive.planar.layout import CARRIER, PlanarDrive, incidence, sectors_of_members
 from asperity.types import Real
 
 
@@ -80,10 +80,7 @@ def planar_stiffness(
     turning = [i for i, name in enumerate(members) if name not in (drive.input, drive.grounded)]
     turns_at = jnp.array(turning)
     out = members.index(drive.output)
-    copies = jnp.array(
-        [drive.sectors if body.place == "axis" else 1 for body in drive.bodies] + [drive.sectors],
-        dtype=float,
-    )
+    copies = sectors_of_members(drive)
     floats = normal_compliance is not None
     compliance = [tangential_compliance]
     rotating = matrices.turning.at[:, carrier].set(0.0)
@@ -151,7 +148,9 @@ def with_shafts(
     ----------
     Elementary: the angle of the input shaft divided by the ratio, under the torque divided by the ratio.
     """
-    at_input = 1.0 / (ratio**2 * jnp.asarray(input_shaft_stiffness, dtype=float))
+    at_input = (
+        1.0 / jnp.asarray(input_shaft_stiffness, dtype=float) / ratio**2
+    )  # derivatives of a rigid shaft: 0
     at_output = 1.0 / jnp.asarray(output_shaft_stiffness, dtype=float)
     whole = 1.0 / stiffness + at_input + at_output
     return 1.0 / whole, at_input / whole, at_output / whole

@@ -60,7 +60,7 @@ def exact_bodies(joint: PlanarJoint) -> list[BodyInMachine]:
         else:
             solid = Disc(radius, *elastic, joint.plane_state)
         angles = [at_first[k] if first[k] == number else at_second[k] for k in contacts]
-        sectors = float(joint.drive.sectors) if body.place == "axis" else None
+        sectors = joint.drive.sectors if body.place == "axis" else None
         found.append(BodyInMachine(solid, tuple(contacts), jnp.stack(angles), sectors))
     return found
 

@@ -60,7 +60,7 @@ class PlanarJoint(eqx.Module):
         Fractal roughness.
     contact_lengths, friction_coefficients : tuple of Real
         Lengths B [m] and friction coefficients mu [-].
-    pattern : tuple of float
+    pattern : tuple of Real
         Interference of each contact over that of the drive [-].
     preload, interference : Real or None
         Normal force of the first contact at rest [N], or the interference of the drive [m]; one of them.
@@ -89,7 +89,7 @@ class PlanarJoint(eqx.Module):
     surfaces: tuple[Surface, ...]
     contact_lengths: tuple[Real, ...]
     friction_coefficients: tuple[Real, ...]
-    pattern: tuple[float, ...] = eqx.field(static=True)
+    pattern: tuple[Real, ...]
     preload: Real | None
     interference: Real | None
     output_torque: Real

@@ -81,7 +81,7 @@ def planar_document(
             "assumptions": list(assumptions),
             "geometry": {
                 "speed_ratio": result.speed_ratio,
-                "sectors": drive.sectors,
+                "sectors": round(float(drive.sectors)),
                 "input": drive.input,
                 "output": drive.output,
                 "grounded": drive.grounded,

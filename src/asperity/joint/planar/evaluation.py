@@ -291,7 +291,7 @@ def turning(
         conditions=joint.rolling,
         materials=[(joint.materials[a], joint.materials[b]) for a, b in zip(first, second, strict=True)],
         bodies=bodies_of_contacts(drive),
-        branches=float(drive.sectors),
+        branches=jnp.asarray(drive.sectors),
         creep=creep,
         state=state,
         unit_speeds=unit,

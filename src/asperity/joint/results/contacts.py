@@ -8,7 +8,6 @@ from typing import Any
 
 import jax.numpy as jnp
 
-from asperity.joint.description import preload_at
 from asperity.joint.results.result import Result, SolvedJoint
 from asperity.unit_table import Dimension
 
@@ -40,7 +39,13 @@ def _crowned(name: str, label: str, path: str, note: str) -> Result:
         return jnp.full_like(solved.result.forces.normal, jnp.nan) if found is None else found
 
     return _contact(
-        name, label, _NUMBER, "1", value, note=f"{note}; nan where no roller of the joint is crowned"
+        name,
+        label,
+        _NUMBER,
+        "1",
+        value,
+        note=f"{note}; nan where no roller of the joint is crowned",
+        wedge_only=True,
     )
 
 
@@ -50,9 +55,9 @@ ROWS = (
         "preload between sun and planet",
         _FORCE,
         "N",
-        lambda solved: preload_at(solved.joint, solved.joint.output_torque),
+        "preload",
         needs="geometry",
-        note="with a loading cam, that under the output torque",
+        note="with a loading cam, that under the output torque; of other drives the force of the first contact at rest",
     ),
     _force(
         "interference",
@@ -73,6 +78,7 @@ ROWS = (
         positive=False,
         note="by the working temperature, to that at the assembly; 0 without [temperature], or where load.preload is a "
         "force",
+        wedge_only=True,
     ),
     _force(
         "cam_angle",
@@ -83,6 +89,7 @@ ROWS = (
         needs="geometry",
         positive=False,
         note="of a cam without friction; 0 without one",
+        wedge_only=True,
     ),
     _force(
         "normal_force", "normal force of the contact", _FORCE, "N", "result.forces.normal", axis="contact"
@@ -103,6 +110,7 @@ ROWS = (
         "N",
         "result.forces.pin_left",
         positive=False,
+        wedge_only=True,
     ),
     _force(
         "right_pin_force",
@@ -111,6 +119,7 @@ ROWS = (
         "N",
         "result.forces.pin_right",
         positive=False,
+        wedge_only=True,
     ),
     _force("input_torque", "torque at the sun", _TORQUE, "N*m", "result.forces.input_torque", positive=False),
     _force(
@@ -120,6 +129,7 @@ ROWS = (
         "N*m",
         "result.forces.left_bearing_torque",
         positive=False,
+        wedge_only=True,
     ),
     _force(
         "right_bearing_torque",
@@ -128,6 +138,7 @@ ROWS = (
         "N*m",
         "result.forces.right_bearing_torque",
         positive=False,
+        wedge_only=True,
     ),
     _elastic(
         "asperity_tangential_stiffness",

@@ -15,7 +15,12 @@ _ANGLE, _LENGTH, _MASS = Dimension.ANGLE, Dimension.LENGTH, Dimension.MASS
 
 ROWS = (
     _geometry(
-        "polar_angle", "angle alpha between planet and loading roller", _ANGLE, "deg", "result.angles.polar"
+        "polar_angle",
+        "angle alpha between planet and loading roller",
+        _ANGLE,
+        "deg",
+        "result.angles.polar",
+        wedge_only=True,
     ),
     _geometry(
         "direction_angle",
@@ -23,8 +28,9 @@ ROWS = (
         _ANGLE,
         "deg",
         "result.angles.direction",
+        wedge_only=True,
     ),
-    _geometry("wedge_angle", "wedge angle beta", _ANGLE, "deg", "result.angles.wedge"),
+    _geometry("wedge_angle", "wedge angle beta", _ANGLE, "deg", "result.angles.wedge", wedge_only=True),
     _geometry(
         "speed_ratio",
         "speed ratio, sun over carrier",
@@ -53,13 +59,35 @@ ROWS = (
         positive=False,
         lowest_limit=0.0,
         note="free distance between two rollers; the joint exists where all are positive",
+        wedge_only=True,
     ),
     _size("envelope_diameter", "outer diameter of the ring", _LENGTH, "mm", "size.envelope_diameter"),
-    _size("envelope_length", "length of the rolling parts", _LENGTH, "mm", "size.envelope_length"),
-    _size("envelope_volume", "volume of the envelope", Dimension.VOLUME, "cm^3", "size.envelope_volume"),
+    _size(
+        "envelope_length",
+        "length of the rolling parts",
+        _LENGTH,
+        "mm",
+        "size.envelope_length",
+        wedge_only=True,
+    ),
+    _size(
+        "envelope_volume",
+        "volume of the envelope",
+        Dimension.VOLUME,
+        "cm^3",
+        "size.envelope_volume",
+        wedge_only=True,
+    ),
     _size("mass", "mass of the rolling parts", _MASS, "kg", "size.mass"),
-    _size("planet_mass", "mass of one planet", _MASS, "g", "result.planet_mass"),
-    _size("loading_roller_mass", "mass of one loading roller", _MASS, "g", "result.loading_roller_mass"),
+    _size("planet_mass", "mass of one planet", _MASS, "g", "result.planet_mass", wedge_only=True),
+    _size(
+        "loading_roller_mass",
+        "mass of one loading roller",
+        _MASS,
+        "g",
+        "result.loading_roller_mass",
+        wedge_only=True,
+    ),
     *(
         row
         for prefix, words in (("", "positive"), ("reverse_", "negative"))

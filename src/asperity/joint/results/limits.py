@@ -58,6 +58,7 @@ ROWS = (
         "self-locking ratio tan(beta/2)/mu",
         value="result.diagnostics.self_locking_ratio",
         needs="geometry",
+        wedge_only=True,
         limit=Limit(
             "function",
             "the wedge holds itself by friction",

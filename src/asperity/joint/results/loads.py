@@ -11,7 +11,7 @@ from asperity.drive.structure_loads import pin_bending_moment, pin_bending_stres
 from asperity.joint.results.result import Result, SolvedJoint
 from asperity.unit_table import Dimension
 
-_load = functools.partial(Result, group="loads")
+_load = functools.partial(Result, group="loads", wedge_only=True)
 _FORCE, _TORQUE = Dimension.FORCE, Dimension.TORQUE
 _STATE = "in rolling where the sun turns, at rest where it stands"
 

@@ -18,7 +18,7 @@ from asperity.drive.rolling_speeds import BODY_NAMES
 from asperity.drive.structure_loads import PIN_NAMES, StructureLoads
 from asperity.joint.bearing_lives import BEARING_NAMES, BearingLives, bearing_lives, rated_bearings
 from asperity.joint.capacity import TorqueCapacity, torque_capacity
-from asperity.joint.description import Joint
+from asperity.joint.description import Joint, preload_at
 from asperity.joint.evaluation import JointResult
 from asperity.joint.planar.description import PlanarJoint
 from asperity.joint.planar.evaluation import PlanarResult
@@ -107,6 +107,11 @@ class SolvedJoint:
         """Largest negative output torque under which the joint rolls, as a positive number [N·m]."""
         rolling = rolling_torque_capacity(self.joint, direction=-1.0)
         return jnp.minimum(rolling, self.reverse_capacity.output_torque)
+
+    @property
+    def preload(self) -> Any:
+        """Normal force of the first contact at rest [N]."""
+        return preload_at(self.joint, self.joint.output_torque)
 
     @functools.cached_property
     def size(self) -> JointSize:
@@ -228,6 +233,10 @@ class Result:
         What else has to be said about it.
     present : callable or None
         Which of its rows a joint has; the others are not judged. None: all of them.
+    wedge_only : bool
+        Whether only the drive of Zou et al. 2025 has it.
+    rows : tuple of str or None
+        Names of its rows where they are not those of :data:`ROW_NAMES`, :mod:`asperity.joint.results.drive_table`.
     """
 
     name: str
@@ -247,6 +256,8 @@ class Result:
     categories: tuple[str, ...] = ()
     note: str = ""
     present: Callable[[SolvedJoint], tuple[bool, ...]] | None = None
+    wedge_only: bool = False
+    rows: tuple[str, ...] | None = None
 
     @property
     def si_unit(self) -> str:
@@ -256,7 +267,7 @@ class Result:
     @property
     def row_names(self) -> tuple[str, ...]:
         """Names of its rows; one empty text for a single number."""
-        return ROW_NAMES[self.axis]
+        return ROW_NAMES[self.axis] if self.rows is None else self.rows
 
     @property
     def row_shape(self) -> tuple[int, ...]:
@@ -265,8 +276,7 @@ class Result:
 
     def rows_of(self, solved: SolvedJoint) -> dict[str, float]:
         """Name → value [SI] of the rows that one joint has, without batch axes."""
-        own = self.axis in ("contact", "body")  # these belong to the type of the drive
-        names = solved.row_names(self.axis) if own else self.row_names
+        names = solved.row_names(self.axis) if self.axis in ("contact", "body") else self.row_names
         present = (True,) * len(names) if self.present is None else self.present(solved)
         found = self.of(solved) if any(present) else None
         if found is None:

@@ -42,6 +42,7 @@ ROWS = (
         "result.rolling.creepage_share",
         positive=False,
         note="sp, pwr and wro add up to 1, and so do sp, pwl and wlo",
+        wedge_only=True,
     ),
     _each(
         "traction_coefficient",
@@ -103,6 +104,7 @@ ROWS = (
         "1",
         _crown_factor,
         note="nan where no roller of the joint is crowned",
+        wedge_only=True,
     ),
     _each(
         "skew_creepage_factor",
@@ -110,6 +112,7 @@ ROWS = (
         _NUMBER,
         "1",
         "result.rolling.skew_creepage_factor",
+        wedge_only=True,
     ),
     _each(
         "capacity_loss",
@@ -118,6 +121,7 @@ ROWS = (
         "1",
         "result.rolling.capacity_loss",
         positive=False,
+        wedge_only=True,
     ),
     _each(
         "axial_force",
@@ -126,6 +130,7 @@ ROWS = (
         "N",
         "result.rolling.axial_force",
         positive=False,
+        wedge_only=True,
     ),
     _roll(
         "axial_thrust",
@@ -136,6 +141,7 @@ ROWS = (
         axis="body",
         positive=False,
         note="on sun and ring from all branches",
+        wedge_only=True,
     ),
     _roll(
         "speed_loss",
@@ -253,6 +259,7 @@ ROWS = (
         "power lost in bearings and pins",
         value="result.rolling.power.bearings",
         positive=False,
+        wedge_only=True,
     ),
     Result(
         "life_hours",
@@ -308,11 +315,13 @@ ROWS = (
         lambda solved: 3600.0 * solved.result.rolling.duty_life_hours,
         group="life",
         note="nan without a duty",
+        wedge_only=True,
     ),
     _life(
         "duty_life_turns",
         "fatigue life of the drive under its duty in turns of the output",
         value="result.rolling.duty_life_turns",
         note="nan without a duty",
+        wedge_only=True,
     ),
 )

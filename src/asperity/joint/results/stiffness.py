@@ -46,6 +46,7 @@ def _rows(level: StiffnessLevel, path: str, words: str, note: str) -> tuple[Resu
             group=_GROUPS[level],
             level=level,
             note=note,
+            wedge_only=name == "stiffness_per_volume",
         )
 
     torsional = Dimension.TORSIONAL_STIFFNESS
@@ -75,6 +76,7 @@ def _share(name: str, words: str) -> Result:
         axis="contact" if name in ("tangential", "normal") else "one",
         group="assembly",
         positive=False,
+        wedge_only=name in ("ring_bending", "planet_support", "loading_cam"),
     )
 
 
@@ -93,6 +95,7 @@ ROWS = (
         _held,
         group="assembly",
         note="for torques too small to move the cam against the friction of its ramps; without a cam the assembly's",
+        wedge_only=True,
     ),
     _share("tangential", "the contact's tangential spring"),
     _share("normal", "the contact's normal spring (floating planet)"),

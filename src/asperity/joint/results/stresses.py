@@ -9,9 +9,17 @@ from asperity.joint.results.result import Limit, Result, SolvedJoint
 from asperity.unit_table import Dimension
 
 _stress = functools.partial(
-    Result, group="stresses", dimension=Dimension.PRESSURE, display_unit="MPa", axis="rim", positive=False
+    Result,
+    group="stresses",
+    dimension=Dimension.PRESSURE,
+    display_unit="MPa",
+    axis="rim",
+    positive=False,
+    wedge_only=True,
 )
-_safety = functools.partial(Result, group="stresses", dimension=Dimension.DIMENSIONLESS, display_unit="1")
+_safety = functools.partial(
+    Result, group="stresses", dimension=Dimension.DIMENSIONLESS, display_unit="1", wedge_only=True
+)
 _BODIES = (("ring", "the ring"), ("planet", "a hollow planet"), ("loading_roller", "a hollow loading roller"))
 
 

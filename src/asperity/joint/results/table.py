@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 import difflib
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING
 
 import jax.numpy as jnp
 from jax import Array
 
 from asperity.errors import InputError
-from asperity.joint.evaluation import Joint, JointResult
 from asperity.joint.results import (
     bearings,
     contacts,
@@ -102,14 +101,23 @@ def known_result(name: object, *, among: Sequence[str] = (), what: str = "result
     InputError
         If there is no such result: with its new name where it was renamed, or the nearest one.
     """
-    known = among or tuple(RESULTS)
+    known = tuple(among) or tuple(RESULTS)
     if not isinstance(name, str):
         raise InputError(f"expected the name of a {what} as text, got {name!r}")
     if name in known:
         return name
+    if what.endswith("result"):
+        _refuse_for_the_drive(name)
     listed = f"known are {', '.join(known)}" if len(known) <= _MOST_LISTED else _WHERE_LISTED
     hint = _hint(name, known) or f"; {listed}"
     raise InputError(f"there is no {what} '{name}'{hint}")
+
+
+def _refuse_for_the_drive(name: str) -> None:
+    """Raise if only the drive of Zou et al. has these results; called where another drive lacks them."""
+    rows = [RESULTS[each] for each in GROUPS.get(name, (name,)) if each in RESULTS]
+    if rows and all(row.wedge_only for row in rows):
+        raise InputError(f"a drive of this type has no result '{name}': only that of Zou et al. 2025 has it")
 
 
 def _hint(name: str, known: Sequence[str]) -> str:
@@ -121,13 +129,15 @@ def _hint(name: str, known: Sequence[str]) -> str:
     return f"; did you mean '{near[0]}'?" if near else ""
 
 
-def chosen_results(names: Iterable[str]) -> tuple[str, ...]:
+def chosen_results(names: Iterable[str], *, table: Mapping[str, Result] = RESULTS) -> tuple[str, ...]:
     """Names of single results from names of results and groups.
 
     Parameters
     ----------
     names : iterable of str
-        Results, or the groups of :data:`GROUPS`.
+        Results, or the groups of :data:`GROUPS`, which stand for those of their results that the drive has.
+    table : mapping, optional
+        Results of the drive; :data:`RESULTS` by default.
 
     Returns
     -------
@@ -141,10 +151,13 @@ def chosen_results(names: Iterable[str]) -> tuple[str, ...]:
     """
     wanted: dict[str, None] = {}
     for name in names:
-        if name not in GROUPS and name not in RESULTS:
-            hint = _hint(name, [*GROUPS, *RESULTS])
-            raise InputError(f"there is no result '{name}'{hint} (groups: {', '.join(GROUPS)})")
-        wanted.update(dict.fromkeys(GROUPS.get(name, (name,))))
+        group = tuple(each for each in GROUPS.get(name, (name,)) if each in table)
+        if not group:
+            _refuse_for_the_drive(name)
+            groups = [each for each, members in GROUPS.items() if any(member in table for member in members)]
+            hint = _hint(name, [*groups, *table])
+            raise InputError(f"there is no result '{name}'{hint} (groups: {', '.join(groups)})")
+        wanted.update(dict.fromkeys(group))
     if not wanted:
         raise InputError(f"no results are asked for; choose among {', '.join(GROUPS)}")
     return tuple(wanted)
@@ -188,24 +201,21 @@ def row_name(name: str, row: str) -> str:
     return f"{name}_{row}" if row else name
 
 
-def result_values(names: Sequence[str], joint: Joint, result: JointResult) -> dict[str, Array]:
+def result_values(names: Sequence[str], solved: SolvedJoint) -> dict[str, Array]:
     """The chosen results of a solved joint; the rest costs nothing, because the compiler drops it.
 
     Parameters
     ----------
     names : sequence of str
         Names of :data:`RESULTS`.
-    joint : Joint
+    solved : SolvedJoint
         One joint, or many along trailing batch axes.
-    result : JointResult
-        What :func:`asperity.joint.evaluation.evaluate` says about it.
 
     Returns
     -------
     dict
         Name → float array that broadcasts to the batch shape, with the axis of the rows first where there are several.
     """
-    solved = SolvedJoint(joint, result)
     found = {}
     for name in names:
         value = RESULTS[name].of(solved)

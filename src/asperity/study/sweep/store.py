@@ -18,7 +18,6 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from asperity.errors import InputError
-from asperity.joint.results import RESULTS
 from asperity.study.datasets import require
 from asperity.study.parameters import axis_from_dict
 from asperity.study.sweep.store_integrity import damaged_blocks, same_values, unfinished_blocks
@@ -112,7 +111,7 @@ def write_block(
     try:
         arrays["status"][region] = status
         for name, value in found.items():
-            arrays[name][(*(slice(None),) * len(RESULTS[name].row_shape), *region)] = value
+            arrays[name][(..., *region)] = value
         arrays[MARKS][index] = 1
     except OSError as error:
         raise cannot_write(path, error) from None

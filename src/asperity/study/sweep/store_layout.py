@@ -10,7 +10,6 @@ from typing import Any
 import numpy as np
 
 from asperity import __version__
-from asperity.joint.results import ROW_NAMES
 from asperity.joint.status import flag_attributes
 from asperity.study.datasets import (
     common_attributes,
@@ -111,8 +110,14 @@ def build_store(folder: Path, plan: Plan) -> None:
         made[...] = values
         made.attrs.update(attrs)
 
-    def add_empty(name: str, rows: tuple[str, ...], dtype: str, fill: float, attrs: dict[str, Any]) -> None:
-        row_shape = tuple(len(ROW_NAMES[row]) for row in rows)
+    def add_empty(
+        name: str,
+        rows: tuple[str, ...],
+        row_shape: tuple[int, ...],
+        dtype: str,
+        fill: float,
+        attrs: dict[str, Any],
+    ) -> None:
         made = group.create_array(
             name,
             shape=row_shape + plan.shape,
@@ -126,9 +131,9 @@ def build_store(folder: Path, plan: Plan) -> None:
 
     for name, dimensions, values, attributes in store_coordinates(plan):
         add(name, dimensions, values, attributes)
-    add_empty("status", (), "int8", -1, flag_attributes())
-    for name in plan.results:
-        add_empty(name, row_dimensions(name), "float64", np.nan, result_attributes(name))
+    add_empty("status", (), (), "int8", -1, flag_attributes())
+    for row in plan.rows:
+        add_empty(row.name, row_dimensions(row), row.row_shape, "float64", np.nan, result_attributes(row))
     count = plan.block_count
     group.create_array(MARKS, shape=(count,), chunks=(1,), dtype="uint8", fill_value=0, compressors=None)
     group.attrs.update({**common_attributes("sweep of a joint"), PLAN: json.dumps(plan_identity(plan))})
@@ -149,5 +154,5 @@ def store_coordinates(plan: Plan) -> Iterator[tuple[str, tuple[str, ...], np.nda
     """
     for axis in plan.axes:
         yield axis.path, *coordinate(axis)
-    for row, (dimensions, names, attrs) in row_coordinates(plan.results).items():
+    for row, (dimensions, names, attrs) in row_coordinates(plan.rows).items():
         yield row, dimensions, names.astype(np.dtypes.StringDType()), attrs

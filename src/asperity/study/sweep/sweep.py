@@ -11,7 +11,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from asperity.errors import InputError
-from asperity.joint_file.model import Case
+from asperity.joint_file.any_joint import results_of
+from asperity.joint_file.si_tables import AnyCase
 from asperity.precision import require_double_precision
 from asperity.study.batch import QUICK_POINTS
 from asperity.study.datasets import common_attributes, coordinate, dataset
@@ -36,7 +37,7 @@ Report = Callable[[int, int], Any]
 
 
 def sweep(
-    case: Case,
+    case: AnyCase,
     axes: Sequence[SweepAxis],
     *,
     results: Sequence[str],
@@ -52,7 +53,7 @@ def sweep(
 
     Parameters
     ----------
-    case : Case
+    case : Case or PlanarCase
         The joint file.
     axes : sequence of Axis or ListedAxis
         What is varied, a dimension for each; :func:`asperity.study.parameters.parse_axis` reads them from text.
@@ -174,5 +175,6 @@ def _in_memory(
         coordinates={axis.path: coordinate(axis) for axis in plan.axes},
         status=status,
         found=found,
+        table=results_of(plan.values),
         attributes={**common_attributes("sweep of a joint"), "asperity_sweep": json.dumps(plan.as_dict())},
     )

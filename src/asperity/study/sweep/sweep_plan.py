@@ -10,9 +10,9 @@ from typing import Any
 
 import numpy as np
 
-from asperity.joint.results import RESULTS, chosen_results
-from asperity.joint_file.model import Case
-from asperity.joint_file.si_tables import Values, si_values
+from asperity.joint.results import Result, chosen_results
+from asperity.joint_file.any_joint import results_of
+from asperity.joint_file.si_tables import AnyCase, Values, si_values
 from asperity.study.batch import evaluate_points
 from asperity.study.parameters import SweepAxis, check_axes
 
@@ -33,7 +33,7 @@ class Plan:
     axes : tuple of Axis or ListedAxis
         What is varied; a dimension for each.
     results : tuple of str
-        Names of :data:`asperity.joint.results.RESULTS`.
+        Names of results of the drive, :func:`asperity.joint_file.any_joint.results_of`.
     block_shape : tuple of int
         Points of a block along each axis.
     """
@@ -96,9 +96,15 @@ class Plan:
         return tuple(int(place) for place in np.unravel_index(index, self._block_grid))
 
     @property
+    def rows(self) -> tuple[Result, ...]:
+        """The rows of the table of results that are computed."""
+        table = results_of(self.values)
+        return tuple(table[name] for name in self.results)
+
+    @property
     def bytes(self) -> int:
         """Size of all results in memory, and about their size on disk."""
-        return self.points * (1 + 8 * sum(len(RESULTS[name].row_names) for name in self.results))
+        return self.points * (1 + 8 * sum(len(row.row_names) for row in self.rows))
 
     def as_dict(self) -> dict[str, Any]:
         """Everything that the results depend on, as plain data."""
@@ -115,13 +121,13 @@ class Plan:
 
 
 def make_plan(
-    case: Case, axes: Sequence[SweepAxis], results: Sequence[str], *, block_points: int | None = None
+    case: AnyCase, axes: Sequence[SweepAxis], results: Sequence[str], *, block_points: int | None = None
 ) -> Plan:
     """Check a sweep and divide its grid into blocks.
 
     Parameters
     ----------
-    case : Case
+    case : Case or PlanarCase
         The joint file.
     axes : sequence of Axis
         What is varied.
@@ -141,10 +147,12 @@ def make_plan(
         If the axes or the results are not usable.
     """
     check_axes(case, axes)
-    names = chosen_results(results)
-    numbers = sum(len(RESULTS[name].row_names) for name in names)
+    values = si_values(case)
+    table = results_of(values)
+    names = chosen_results(results, table=table)
+    numbers = sum(len(table[name].row_names) for name in names)
     most = block_points or max(min(BLOCK_POINTS, _BLOCK_NUMBERS // numbers), 1)
-    return Plan(si_values(case), tuple(axes), names, block_shape(tuple(axis.count for axis in axes), most))
+    return Plan(values, tuple(axes), names, block_shape(tuple(axis.count for axis in axes), most))
 
 
 def block_shape(shape: tuple[int, ...], most: int) -> tuple[int, ...]:

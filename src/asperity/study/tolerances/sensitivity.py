@@ -8,19 +8,17 @@ An elasticity of 2 says that one per cent more of x makes about two per cent mor
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from asperity.errors import InputError, NoSolutionError
 from asperity.joint.document import stiffness_unknown_because
-from asperity.joint.results import LEVELS, RESULTS, known_result, row_name
-from asperity.joint.solve import solve
+from asperity.joint.results import LEVELS, Result, known_result, row_name
 from asperity.joint.status import ALL_PLASTIC, STATUS_MEANINGS, UNBALANCED
-from asperity.joint_file.build import joint_from_case, with_nominal_sizes
-from asperity.joint_file.model import Case
-from asperity.joint_file.si_tables import numeric_keys, si_values
+from asperity.joint_file.any_joint import results_of, solved_case, with_nominal_sizes
+from asperity.joint_file.si_tables import AnyCase, numeric_keys, si_values
 from asperity.precision import require_double_precision
 from asperity.study.batch import derivatives_at
 from asperity.study.datasets import common_attributes, require, result_rows
@@ -29,7 +27,7 @@ from asperity.study.parameters import long_name
 if TYPE_CHECKING:
     import xarray
 
-#: Results that are differentiated unless others are asked for.
+#: Results that are differentiated unless others are asked for, where the drive has them.
 DEFAULT_RESULTS = (
     *(f"{level}_stiffness_output" for level in LEVELS),
     "torque_capacity",
@@ -39,8 +37,13 @@ DEFAULT_RESULTS = (
 )
 
 
-def differentiable_rows() -> dict[str, str]:
+def differentiable_rows(table: Mapping[str, Result]) -> dict[str, str]:
     """Everything that can be differentiated.
+
+    Parameters
+    ----------
+    table : mapping
+        Results of the drive, :func:`asperity.joint_file.any_joint.results_of`.
 
     Returns
     -------
@@ -49,22 +52,22 @@ def differentiable_rows() -> dict[str, str]:
     """
     return {
         row_name(name, row): name
-        for name, result in RESULTS.items()
+        for name, result in table.items()
         if result.differentiable
         for row in result.row_names
     }
 
 
-def sensitivity(case: Case, results: Sequence[str] = DEFAULT_RESULTS) -> xarray.Dataset:
+def sensitivity(case: AnyCase, results: Sequence[str] | None = None) -> xarray.Dataset:
     """Derivatives and elasticities of results with respect to every number of a joint file.
 
     Parameters
     ----------
-    case : Case
+    case : Case or PlanarCase
         The joint file.
     results : sequence of str, optional
-        Names of :data:`asperity.joint.results.RESULTS`; by default the stiffness at the output on three levels, the
-        torque capacity, slip, pressure and self-locking.
+        Names of results of the drive, :func:`asperity.joint_file.any_joint.results_of`; by default
+        those of :data:`DEFAULT_RESULTS` that the drive has.
 
     Returns
     -------
@@ -91,17 +94,20 @@ def sensitivity(case: Case, results: Sequence[str] = DEFAULT_RESULTS) -> xarray.
     """
     require_double_precision()
     xr = require("xarray")
-    allowed = [name for name, result in RESULTS.items() if result.differentiable]
-    names = tuple(known_result(name, among=allowed, what="differentiable result") for name in results)
+    tables = si_values(case)
+    table = results_of(tables)
+    allowed = [name for name, result in table.items() if result.differentiable]
+    asked = [name for name in DEFAULT_RESULTS if name in table] if results is None else results
+    names = tuple(known_result(name, among=allowed, what="differentiable result") for name in asked)
     inputs = numeric_keys(case)
     x = np.array([entry.value for entry in inputs.values()])
     point = {path: np.array([entry.value]) for path, entry in inputs.items()}
-    status, values, slopes = derivatives_at(with_nominal_sizes(si_values(case)), point, names, tuple(inputs))
+    status, values, slopes = derivatives_at(with_nominal_sizes(tables), point, names, tuple(inputs))
     y = np.concatenate([values[name][:, 0] for name in names])
     if status[0] != ALL_PLASTIC or np.isnan(y).any():
         refuse_failed(case, int(status[0]))
     jacobian = np.concatenate([slopes[name][:, 0] for name in names])
-    rows = result_rows(names)
+    rows = result_rows(table[name] for name in names)
     finite = np.isfinite(y)[:, None]
     derivative = np.where(finite, jacobian, np.nan)
     nonzero = np.where(y == 0.0, np.nan, y)[:, None]
@@ -131,12 +137,12 @@ def sensitivity(case: Case, results: Sequence[str] = DEFAULT_RESULTS) -> xarray.
     return made
 
 
-def refuse_failed(case: Case, status: int) -> None:
+def refuse_failed(case: AnyCase, status: int) -> None:
     """Raise if a joint itself has no result, with all the numbers.
 
     Parameters
     ----------
-    case : Case
+    case : Case or PlanarCase
         The joint file.
     status : int
         Its code, an index into :data:`asperity.joint.status.STATUSES`.
@@ -150,7 +156,7 @@ def refuse_failed(case: Case, status: int) -> None:
     """
     if status == 0:
         return
-    result = solve(joint_from_case(case)).result  # says it with the numbers
+    result = solved_case(case).result  # says it with the numbers
     reason = stiffness_unknown_because(result) or STATUS_MEANINGS[status]
     if status in (UNBALANCED, ALL_PLASTIC):
         raise NoSolutionError(reason)

@@ -12,12 +12,12 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from asperity.errors import InputError
-from asperity.joint.results import LEVELS, RESULTS, chosen_results
+from asperity.joint.results import LEVELS, chosen_results
 from asperity.joint.status import STATUS_NAMES
-from asperity.joint_file.build import with_nominal_sizes
+from asperity.joint_file.any_joint import results_of, with_nominal_sizes
 from asperity.joint_file.distribution import FORMS, Distribution
-from asperity.joint_file.model import Case
-from asperity.joint_file.si_tables import NumericKey, numeric_keys, si_values
+from asperity.joint_file.part_names import paths_of_track
+from asperity.joint_file.si_tables import AnyCase, NumericKey, numeric_keys, si_values
 from asperity.study.batch import evaluate_points
 from asperity.study.datasets import common_attributes, require, result_rows
 from asperity.study.parameters import long_name
@@ -26,7 +26,7 @@ from asperity.study.tolerances.sensitivity import refuse_failed
 if TYPE_CHECKING:
     import xarray
 
-#: Results that are followed unless others are asked for.
+#: Results that are followed unless others are asked for, where the drive has them.
 DEFAULT_RESULTS = (*(f"{level}_stiffness_output" for level in LEVELS), "slip_ratio", "self_locking_ratio")
 #: Share of the samples within the stated intervals.
 COVERAGE = 0.95
@@ -37,13 +37,13 @@ _MOST_NUMBERS = 200_000_000
 
 
 def toleranced_inputs(
-    case: Case, *, otherwise: Distribution | None
+    case: AnyCase, *, otherwise: Distribution | None
 ) -> dict[str, tuple[NumericKey, Distribution]]:
     """The numbers of a joint file that have a tolerance, with their distributions.
 
     Parameters
     ----------
-    case : Case
+    case : Case or PlanarCase
         The joint file.
     otherwise : Distribution or None
         Distribution of those whose distribution the file does not state.
@@ -58,7 +58,12 @@ def toleranced_inputs(
     InputError
         If there is none, or the distribution of one is stated nowhere.
     """
-    found = {path: entry for path, entry in numeric_keys(case).items() if entry.tolerance > 0.0}
+    values = si_values(case)
+    found = {
+        path: entry
+        for path, entry in numeric_keys(case).items()
+        if entry.tolerance > 0.0 and path == paths_of_track(values, path)[0]
+    }
     if not found:
         raise InputError(
             'the joint file states no tolerances; write them as in sun_radius = "4 mm +- 5 um, uniform"'
@@ -103,9 +108,9 @@ def quantiles(entry: NumericKey, distribution: Distribution, shares: np.ndarray)
 
 
 def uncertainty(
-    case: Case,
+    case: AnyCase,
     *,
-    results: Sequence[str] = DEFAULT_RESULTS,
+    results: Sequence[str] | None = None,
     distribution: Distribution | None = None,
     samples: int = 100_000,
     seed: int = 0,
@@ -116,10 +121,10 @@ def uncertainty(
 
     Parameters
     ----------
-    case : Case
+    case : Case or PlanarCase
         The joint file, with tolerances.
     results : sequence of str, optional
-        Results or groups of them; stiffness on three levels, slip and self-locking by default.
+        Results or groups of them; by default those of :data:`DEFAULT_RESULTS` that the drive has.
     distribution : Distribution, optional
         For the tolerances whose distribution the file does not state.
     samples : int, optional
@@ -157,11 +162,14 @@ def uncertainty(
     Socio-Environ. Syst. Model. 4 (2022) 18155 (SALib).
     """
     xr, sampler, analyser = (require(m) for m in ("xarray", "SALib.sample.sobol", "SALib.analyze.sobol"))
-    names, inputs = chosen_results(results), toleranced_inputs(case, otherwise=distribution)
+    values = si_values(case)
+    table = results_of(values)
+    asked = [name for name in DEFAULT_RESULTS if name in table] if results is None else results
+    names, inputs = chosen_results(asked, table=table), toleranced_inputs(case, otherwise=distribution)
     if samples < _FEWEST:
         raise InputError(f"{samples} samples are too few for 95 % intervals; at least {_FEWEST} are needed")
-    tables = with_nominal_sizes(si_values(case))
-    rows = result_rows(names)
+    tables = with_nominal_sizes(values)
+    rows = result_rows(table[name] for name in names)
     most = _MOST_NUMBERS // (2 * (len(rows) + len(inputs)))
     if samples > most:
         raise InputError(
@@ -185,11 +193,11 @@ def uncertainty(
         path: quantiles(entry, spread, cube[:, k]) for k, (path, (entry, spread)) in enumerate(inputs.items())
     }
     codes, found = evaluate_points(tables, points, names, batch=block, report=count)
-    table = np.concatenate([np.atleast_2d(found[name]) for name in names])
+    numbers = np.concatenate([np.atleast_2d(found[name]) for name in names])
     refuse_failed(case, int(codes[0]))
     mine = slice(1, 1 + samples)
-    nominal, sampled, status = table[:, 0], table[:, mine], codes[mine]
-    indices = np.stack([_sobol(analyser, problem, row, seed) for row in table[:, 1 + samples :]])
+    nominal, sampled, status = numbers[:, 0], numbers[:, mine], codes[mine]
+    indices = np.stack([_sobol(analyser, problem, row, seed) for row in numbers[:, 1 + samples :]])
 
     shares = np.array([0.5 * (1.0 - COVERAGE), 0.5, 0.5 * (1.0 + COVERAGE)])
     solved = sampled[:, status == 0]
@@ -198,7 +206,7 @@ def uncertainty(
             f"only {solved.shape[1]} of {samples} samples have a result: the tolerances are too wide"
         )
     # a category, such as the contact that slips first, has samples, but no mean, no quantiles and no variance
-    numbered = np.array([not RESULTS[name].categories for name in names for _ in RESULTS[name].row_names])
+    numbered = np.array([not table[name].categories for name in names for _ in table[name].row_names])
     quantity = np.where(numbered[:, None], solved, np.nan)
     indices[~numbered], nominal = np.nan, np.where(numbered, nominal, np.nan)
     with_unit = {"units": "unit"}
@@ -237,6 +245,10 @@ def uncertainty(
             "result": [name for name, _, _ in rows],
             "unit": ("result", [unit for _, unit, _ in rows]),
             "result_name": ("result", [words for _, _, words in rows]),
+            "categories": (
+                "result",
+                [" ".join(table[n].categories) for n in names for _ in table[n].row_names],
+            ),
             "share": shares,
             "input": list(inputs),
             "input_unit": ("input", [entry.key.dimension.si_unit for entry, _ in inputs.values()]),

@@ -1,0 +1,120 @@
+"""A solved joint with a planar drive, with what is worth computing only when it is asked for."""
+
+from __future__ import annotations
+
+import functools
+from typing import Any
+
+import equinox as eqx
+import jax
+import jax.numpy as jnp
+from jax import Array
+
+from asperity.drive.planar.layout import sectors_of_members
+from asperity.drive.planar.state import ContactLaws
+from asperity.joint.capacity import TorqueCapacity
+from asperity.joint.planar.capacity import PlanarCapacity, planar_capacity
+from asperity.joint.planar.description import PlanarJoint, tracks_of
+from asperity.joint.planar.evaluation import PlanarResult
+from asperity.joint.results.result import SolvedJoint
+
+
+class PlanarSize(eqx.Module):
+    """Size and mass of a planar drive. How far its tracks lie apart along the axis is not part of its description.
+
+    Parameters
+    ----------
+    envelope_diameter : Array
+        Outer diameter of the largest body on the axis [m].
+    mass : Array
+        Mass of all rolling parts [kg].
+    """
+
+    envelope_diameter: Array
+    mass: Array
+
+
+def planar_size(joint: PlanarJoint, result: PlanarResult) -> PlanarSize:
+    """Size and mass of the rolling parts.
+
+    Parameters
+    ----------
+    joint : PlanarJoint
+        One joint.
+    result : PlanarResult
+        Its result.
+
+    Returns
+    -------
+    PlanarSize
+        Diameter [m] and mass [kg]; every track is as long as its longest contact.
+    """
+    outer = []
+    for number, shape in enumerate(joint.shapes):
+        if joint.drive.bodies[number].place == "axis":
+            wall = 0.0 if shape.kind != "ring" or shape.size is None else shape.size
+            outer += [radius + wall for radius, _ in tracks_of(joint, number)]
+    copies = jnp.asarray(joint.drive.sectors) / sectors_of_members(joint.drive)[:-1]
+    return PlanarSize(2.0 * jnp.max(jnp.stack(outer)), jnp.sum(copies * result.masses))
+
+
+class SolvedPlanarJoint(SolvedJoint):
+    """A solved joint with a planar drive.
+
+    Parameters
+    ----------
+    joint : PlanarJoint
+        One joint.
+    result : PlanarResult
+        What :func:`asperity.joint.planar.evaluation.evaluated_with_laws` says about it.
+    laws : ContactLaws
+        Likewise.
+    """
+
+    def __init__(self, joint: PlanarJoint, result: PlanarResult, laws: ContactLaws) -> None:
+        super().__init__(joint, result)
+        self._laws = laws
+
+    @functools.cached_property
+    def _capacities(self) -> PlanarCapacity:
+        return planar_capacity(self.joint, self.result.rest, self._laws)
+
+    def _capacity(self, *, rolls: bool, index: Any) -> TorqueCapacity:
+        both = self._capacities.rolling if rolls else self._capacities.standing
+        return jax.tree.map(lambda leaf: leaf[index], both)
+
+    @functools.cached_property
+    def capacity(self) -> TorqueCapacity:
+        """Torque capacity of positive torques, and what limits it."""
+        return self._capacity(rolls=False, index=0)
+
+    @functools.cached_property
+    def reverse_capacity(self) -> TorqueCapacity:
+        """Torque capacity of negative torques, and what limits it."""
+        return self._capacity(rolls=False, index=1)
+
+    @functools.cached_property
+    def capacity_of_direction(self) -> TorqueCapacity:
+        """Torque capacity in the direction of the output torque."""
+        backwards = (jnp.asarray(self.joint.output_torque) < 0.0).astype(int)
+        return self._capacity(rolls=False, index=backwards)
+
+    @functools.cached_property
+    def rolling_capacity(self) -> Any:
+        """Largest positive output torque under which the joint rolls [N·m]."""
+        return self._capacity(rolls=True, index=0).output_torque
+
+    @functools.cached_property
+    def reverse_rolling_capacity(self) -> Any:
+        """Largest negative output torque under which the joint rolls, as a positive number [N·m]."""
+        return self._capacity(rolls=True, index=1).output_torque
+
+    @property
+    def preload(self) -> Any:
+        """Normal force of the first contact at rest [N]."""
+        return self.result.preload
+
+    @functools.cached_property
+    def size(self) -> Any:
+        """Size and mass of the rolling parts."""
+        return planar_size(self.joint, self.result)

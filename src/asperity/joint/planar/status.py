@@ -1,0 +1,52 @@
+"""Status of a joint with a planar drive in a study: whether it has results, and if not, why."""
+
+from __future__ import annotations
+
+import jax.numpy as jnp
+from jax import Array
+
+from asperity.drive.planar.existence import TOUCH_TOLERANCE, neighbour_gaps
+from asperity.drive.planar.layout import gaps
+from asperity.drive.planar.state import STATE_TOLERANCE
+from asperity.joint.planar.capacity import smaller_sizes
+from asperity.joint.planar.description import PlanarJoint
+from asperity.joint.planar.evaluation import PlanarResult
+from asperity.joint.status import ALL_PLASTIC, LOOSE, NO_ROOM, SLIPS, TOO_WIDE, UNBALANCED
+
+
+def planar_status(joint: PlanarJoint, result: PlanarResult) -> Array:
+    """Status code of one joint.
+
+    Parameters
+    ----------
+    joint : PlanarJoint
+        One joint.
+    result : PlanarResult
+        What :func:`asperity.joint.planar.evaluation.evaluate_planar` says about it.
+
+    Returns
+    -------
+    Array
+        Code, an index into :data:`asperity.joint.status.STATUSES`, 8-bit; the first reason that applies.
+    """
+    drive, residual = joint.drive, result.forces.balance_residual
+    touch = jnp.abs(gaps(drive)) <= TOUCH_TOLERANCE * drive.second_radius
+    fits = jnp.all(jnp.stack([*touch, *(gap >= 0.0 for gap in neighbour_gaps(drive).values())]))
+    at_rest = jnp.all(result.rest.normal > 0.0) & (result.rest.residual < STATE_TOLERANCE)
+    wide = result.diagnostics.hertz_half_width >= smaller_sizes(joint)
+    loose = jnp.asarray(False)
+    if joint.interference is not None:  # a force is always above 0
+        loose = jnp.max(jnp.asarray(joint.pattern)) * joint.interference <= 0.0
+    carried = jnp.isfinite(residual) | ~jnp.all(jnp.isfinite(result.forces.normal))
+    code = jnp.zeros((), dtype=jnp.int8)
+    for condition, value in (
+        (~fits, NO_ROOM),
+        (loose, LOOSE),
+        (~at_rest, UNBALANCED),
+        (jnp.any(wide) | ~result.walls_hold, TOO_WIDE),
+        (~carried, SLIPS),
+        (~(residual < STATE_TOLERANCE), UNBALANCED),
+        (~result.contact_law_holds, ALL_PLASTIC),
+    ):
+        code = jnp.where((code == 0) & condition, jnp.asarray(value, dtype=jnp.int8), code)
+    return code

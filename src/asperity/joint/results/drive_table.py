@@ -1,0 +1,55 @@
+"""The table of results of another drive than that of Zou et al.: the rows that it has, with its names."""
+
+from __future__ import annotations
+
+import dataclasses
+import functools
+import math
+
+from asperity.joint.capacity import LIMITING_CONTACTS
+from asperity.joint.results.result import Result
+from asperity.joint.results.table import RESULTS
+
+_LABELS = {
+    "preload": "normal force of the first contact at rest",
+    "speed_ratio": "speed ratio, input over output",
+    "carrier_speed": "angular velocity of the output",
+    "input_torque": "torque at the input",
+    "rolling_carrier_speed": "angular velocity of the output in rolling",
+    "envelope_diameter": "outer diameter of the largest body",
+}
+
+
+@functools.lru_cache(maxsize=32)
+def results_of_drive(contacts: tuple[str, ...], bodies: tuple[str, ...]) -> dict[str, Result]:
+    """Every result that a planar drive has.
+
+    Parameters
+    ----------
+    contacts, bodies : tuple of str
+        Names of its contacts and bodies.
+
+    Returns
+    -------
+    dict
+        Name → the row of :data:`asperity.joint.results.RESULTS`, with the names of this drive; without those that only
+        the drive of Zou et al. 2025 has.
+    """
+    return {
+        name: _named(row, {"contact": contacts, "body": bodies})
+        for name, row in RESULTS.items()
+        if not row.wedge_only
+    }
+
+
+def _named(row: Result, names: dict[str, tuple[str, ...]]) -> Result:
+    if row.name == "speed_ratio":  # of either sign
+        row = dataclasses.replace(
+            row, highest_limit=math.inf, note="negative: they turn in opposite directions"
+        )
+    if row.categories is LIMITING_CONTACTS:
+        places = (*names["contact"], LIMITING_CONTACTS[-1])
+        row = dataclasses.replace(
+            row, categories=places, note=f"its number in the order {', '.join(places)}, from 0"
+        )
+    return dataclasses.replace(row, label=_LABELS.get(row.name, row.label), rows=names.get(row.axis))

@@ -1,0 +1,147 @@
+"""Joints of every type of drive from the tables of their files: solved, with status, and with the results they have."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+import jax
+import jax.numpy as jnp
+from jax import Array
+
+from asperity.joint.description import with_one_rank
+from asperity.joint.evaluation import evaluate
+from asperity.joint.planar.evaluation import evaluated_with_laws
+from asperity.joint.planar.solve import PlanarSolution, solve_planar
+from asperity.joint.planar.solved import SolvedPlanarJoint
+from asperity.joint.planar.status import planar_status
+from asperity.joint.results import RESULTS, Result, SolvedJoint, result_values
+from asperity.joint.results.drive_table import results_of_drive
+from asperity.joint.solve import Solution, solve
+from asperity.joint.status import joint_status
+from asperity.joint_file import build, planar_build
+from asperity.joint_file.build import joint_from_case, joint_from_values
+from asperity.joint_file.part_names import WEDGE_TYPE, bodies_of, contacts_of, type_of
+from asperity.joint_file.planar_build import planar_joint_from_case, planar_joint_from_values
+from asperity.joint_file.planar_model import PlanarCase
+from asperity.joint_file.si_tables import AnyCase, Values
+from asperity.joint_file.table_numbers import numbers, with_numbers
+
+
+def results_of(tables: Mapping[str, Any]) -> dict[str, Result]:
+    """The table of results of the drive of a joint file: the rows that it has, with the names of its parts.
+
+    Parameters
+    ----------
+    tables : mapping
+        Tables of the joint file, of which type and names matter.
+
+    Returns
+    -------
+    dict
+        Name → row; :data:`asperity.joint.results.RESULTS` for the drive of Zou et al. 2025.
+    """
+    if type_of(tables) == WEDGE_TYPE:
+        return RESULTS
+    return results_of_drive(contacts_of(tables), bodies_of(tables))
+
+
+def solved_case(case: AnyCase) -> Solution | PlanarSolution:
+    """Solve the joint of a file, whatever its type.
+
+    Parameters
+    ----------
+    case : Case or PlanarCase
+        The joint file.
+
+    Returns
+    -------
+    Solution or PlanarSolution
+        What came out.
+
+    Raises
+    ------
+    InputError
+        If the joint cannot exist, or its torque is beyond its capacity.
+    NoSolutionError
+        If its forces do not balance.
+    """
+    if isinstance(case, PlanarCase):
+        return solve_planar(planar_joint_from_case(case))
+    return solve(joint_from_case(case))
+
+
+def with_nominal_sizes(values: Values) -> Values:
+    """Tables in which changes of the radii are deviations of finished parts from their present values.
+
+    Parameters
+    ----------
+    values : dict
+        Tables in SI units.
+
+    Returns
+    -------
+    dict
+        Tables for :func:`evaluated_points`, which then adds to the interference what the deviations make of it;
+        unchanged where the preload is stated as a force, and for type ``planar``, where radii are those of another
+        drive with the same interference.
+    """
+    if type_of(values) == WEDGE_TYPE:
+        return build.with_nominal_sizes(values)
+    return planar_build.with_nominal_sizes(values)
+
+
+def evaluated_points(
+    values: Values, points: tuple[int, ...], results: tuple[str, ...]
+) -> tuple[Array, dict[str, Array]]:
+    """Status and results of the joints that tables of SI numbers and arrays describe; pure.
+
+    Parameters
+    ----------
+    values : dict
+        Tables in SI units; varied numbers are arrays that broadcast to the points.
+    points : tuple of int
+        Shape of the points.
+    results : tuple of str
+        Names of :func:`results_of`.
+
+    Returns
+    -------
+    Array, dict of Array
+        Codes, shape (points); name → values, shape (points), or (rows, points).
+    """
+    if type_of(values) == WEDGE_TYPE:
+        joint = with_one_rank(joint_from_values(values))
+        found = evaluate(joint)
+        status, named = joint_status(joint, found), result_values(results, SolvedJoint(joint, found))
+    else:
+        status, named = _each_planar(values, points, results)
+    table = results_of(values)
+    # where only the springs of the structure vary, one status serves all points
+    return jnp.broadcast_to(status, points), {
+        name: jnp.broadcast_to(value, (*table[name].row_shape, *points)) for name, value in named.items()
+    }
+
+
+def _each_planar(
+    values: Values, points: tuple[int, ...], results: tuple[str, ...]
+) -> tuple[Array, dict[str, Array]]:
+    """The chain of a planar drive, which is written for one joint, at every point."""
+    leaves = [jnp.asarray(leaf, dtype=float) for leaf in numbers(values)]
+    varied = [0 if leaf.ndim else None for leaf in leaves]
+    flat = [jnp.broadcast_to(leaf, points).reshape(-1) if leaf.ndim else leaf for leaf in leaves]
+
+    def one(*each: Array) -> tuple[Array, dict[str, Array]]:
+        joint = planar_joint_from_values(with_numbers(values, each))
+        found, laws = evaluated_with_laws(joint)
+        return planar_status(joint, found), result_values(results, SolvedPlanarJoint(joint, found, laws))
+
+    if not any(leaf.ndim for leaf in leaves):
+        status, named = one(*leaves)
+        return status, {
+            name: value.reshape(*value.shape, *(1 for _ in points)) for name, value in named.items()
+        }
+    status, named = jax.vmap(one, in_axes=varied, out_axes=-1)(*flat)
+    return status.reshape(points), {
+        name: value.reshape(*value.shape[:-1], *points) for name, value in named.items()
+    }

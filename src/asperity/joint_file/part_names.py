@@ -1,0 +1,188 @@
+"""Names of the bodies and contacts of each type of drive, from the tables of its joint file."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from typing import Any
+
+from asperity.joint_file.section import EachContact
+
+#: Type of the drive of Zou et al. 2025, that of a file without a type.
+WEDGE_TYPE = "zou2025"
+
+#: Contacts of each type with the bodies that they join.
+CONTACTS: dict[str, dict[str, tuple[str, str]]] = {
+    "planetary": {"sp": ("sun", "planet"), "pr": ("planet", "ring")},
+    "multiroller": {
+        "sf": ("sun", "first_row"),
+        "fsl": ("first_row", "second_row"),
+        "fsr": ("first_row", "second_row"),
+        "sr": ("second_row", "ring"),
+    },
+    "stepped_planet": {
+        "sp": ("sun", "planet"),
+        "pr1": ("planet", "held_ring"),
+        "pr2": ("planet", "driven_ring"),
+    },
+}
+
+
+def type_of(tables: Mapping[str, Any]) -> str:
+    """Type of the drive of a joint file.
+
+    Parameters
+    ----------
+    tables : mapping
+        Its tables, as the file states them or in SI units.
+
+    Returns
+    -------
+    str
+        :data:`WEDGE_TYPE` where the file states none.
+    """
+    return str(tables.get("type", WEDGE_TYPE))
+
+
+def bodies_of_type(kind: str) -> tuple[str, ...]:
+    """Names of the bodies of a type.
+
+    Parameters
+    ----------
+    kind : str
+        Type of the drive.
+
+    Returns
+    -------
+    tuple of str
+        In the order of the drive.
+    """
+    return tuple(dict.fromkeys(body for pair in CONTACTS[kind].values() for body in pair))
+
+
+def contacts_of(tables: Mapping[str, Any]) -> tuple[str, ...]:
+    """Names of the contacts of a joint file.
+
+    Parameters
+    ----------
+    tables : mapping
+        Its tables, as the file states them or in SI units.
+
+    Returns
+    -------
+    tuple of str
+        In the order of the drive.
+    """
+    kind = type_of(tables)
+    if kind == WEDGE_TYPE:
+        return tuple(EachContact.model_fields)
+    return tuple(CONTACTS[kind]) if kind in CONTACTS else _listed(tables["contact"])
+
+
+def bodies_of(tables: Mapping[str, Any]) -> tuple[str, ...]:
+    """Names of the bodies of a joint file of another drive than that of Zou et al.
+
+    Parameters
+    ----------
+    tables : mapping
+        Its tables, as the file states them or in SI units.
+
+    Returns
+    -------
+    tuple of str
+        In the order of the drive.
+    """
+    kind = type_of(tables)
+    return bodies_of_type(kind) if kind in CONTACTS else _listed(tables["roller"])
+
+
+def with_tracks(tables: dict[str, Any]) -> dict[str, Any]:
+    """Tables in SI units whose contacts name what belongs to the structure of the drive, so that numbers may vary.
+
+    Parameters
+    ----------
+    tables : dict
+        Tables in SI units with their numbers.
+
+    Returns
+    -------
+    dict
+        The same tables; those of type ``planar`` with the names of the tracks, and with words in place of the truth
+        values and sectors of the contacts.
+    """
+    if not isinstance(tables.get("contact"), Mapping):
+        return tables
+    contacts = tables["contact"].values()
+    named = {
+        index: entry
+        | {
+            "tracks": {side: track_of(contacts, entry, side) for side in _SIDES},
+            "internal": "yes" if entry["internal"] else "",
+            "sector": str(entry["sector"]),
+        }
+        for index, entry in tables["contact"].items()
+    }
+    return tables | {"contact": named}
+
+
+def track_of(contacts: Iterable[Mapping[str, Any]], entry: Mapping[str, Any], side: str) -> str:
+    """Name of the track of a roller on which a contact of a drive of type ``planar`` lies.
+
+    Parameters
+    ----------
+    contacts : iterable of mapping
+        All contacts of the drive in SI units.
+    entry : mapping
+        One of them.
+    side : {"first", "second"}
+        Which of its rollers.
+
+    Returns
+    -------
+    str
+        Its number among the different radii of its roller, so that other radii need no new program; or the name that
+        :func:`with_tracks` has given it.
+    """
+    if "tracks" in entry:
+        return str(entry["tracks"][side])
+    radii = [each[f"{one}_radius"] for each in contacts for one in _SIDES if each[one] == entry[side]]
+    written = dict.fromkeys(f"{float(radius):.12g}" for radius in radii)
+    return str([*written].index(f"{float(entry[f'{side}_radius']):.12g}"))
+
+
+def paths_of_track(tables: Mapping[str, Any], path: str) -> list[str]:
+    """All numbers of a joint file that are the radius of the same track as a given one.
+
+    Parameters
+    ----------
+    tables : mapping
+        Tables in SI units.
+    path : str
+        Dotted path of a number.
+
+    Returns
+    -------
+    list of str
+        The path itself, and where it is the radius of a contact of type ``planar``, those of the roller's other
+        contacts on the same track.
+    """
+    steps = path.split(".")
+    side = steps[-1].removesuffix("_radius")
+    if steps[0] != "contact" or side not in _SIDES or steps[1] not in tables.get("contact", {}):
+        return [path]
+    own, contacts = tables["contact"][steps[1]], tables["contact"].values()
+    mine = (own[side], track_of(contacts, own, side))
+    return [
+        f"contact.{index}.{each}_radius"
+        for index, entry in tables["contact"].items()
+        for each in _SIDES
+        if (entry[each], track_of(contacts, entry, each)) == mine
+    ]
+
+
+_SIDES = ("first", "second")
+
+
+def _listed(entries: Any) -> tuple[str, ...]:
+    """Names of sections [[roller]] or [[contact]]: a list, or tables by their numbers."""
+    each = entries.values() if isinstance(entries, Mapping) else entries
+    return tuple(str(entry["name"]) for entry in each)

@@ -1,0 +1,187 @@
+"""Joints of other types at many points: against solutions of single files, differences, and formulas by hand."""
+
+import jax
+import jax.numpy as jnp
+import numpy as np
+import pytest
+
+from asperity.errors import InputError
+from asperity.joint.planar.solve import solve_planar
+from asperity.joint.results import GROUPS, RESULTS, chosen_results, known_result
+from asperity.joint.status import NO_ROOM, SLIPS
+from asperity.joint_file.any_joint import evaluated_points, results_of
+from asperity.joint_file.part_names import with_tracks
+from asperity.joint_file.planar_build import planar_joint_from_values
+from asperity.joint_file.si_tables import replace_values, si_values
+from asperity.study.batch import derivatives_at
+
+#: One program for all numbers: stiffness on every level, and one result of every kind of rows.
+NAMES = (
+    "assembly_stiffness_output",
+    "series_with_bulk_stiffness_output",
+    "published_stiffness_output",
+    "assembly_stiffness_per_mass",
+    "slip_ratio",
+    "hertz_pressure",
+    "preload",
+    "speed_loss",
+    "life_hours",
+    "body_life_hours",
+    "mass",
+    "envelope_diameter",
+    "speed_ratio",
+)
+CAPACITIES = ("torque_capacity", "rolling_torque_capacity", "torque_safety")
+VARIABLES = ("load.output_torque", "drive.planet_radius", "load.interference", "surface.fractal_dimension")
+TORQUES = [5.0, 10.0, -10.0, 13.0, 10.0]
+PLANETS = [3.0, 3.0, 3.0, 3.0, 5.0]
+
+
+@pytest.fixture(scope="module")
+def values(planar_case):
+    return si_values(planar_case("planetary"))
+
+
+def at_points(values, names):
+    changes = {"load.output_torque": np.array(TORQUES), "drive.planets": np.array(PLANETS)}
+    changes |= {path: np.full(5, _at(values, path)) for path in VARIABLES[1:]}
+    return derivatives_at(values, changes, names, VARIABLES)
+
+
+@pytest.fixture(scope="module")
+def found(values):
+    return at_points(values, NAMES)
+
+
+def _at(values, path):
+    section, name = path.split(".")
+    return values[section][name]
+
+
+def single(values, changes):
+    return solve_planar(planar_joint_from_values(replace_values(values, changes)))
+
+
+def numbers_of(solution):
+    result = solution.result
+    return {
+        "assembly_stiffness_output": result.assembly.stiffness.output,
+        "series_with_bulk_stiffness_output": result.series_with_bulk.output,
+        "published_stiffness_output": result.published.output,
+        "slip_ratio": result.diagnostics.slip_ratio,
+        "hertz_pressure": result.diagnostics.hertz_pressure,
+        "preload": result.preload,
+        "speed_loss": result.rolling.speed_loss,
+        "life_hours": 3600.0 * result.rolling.life_hours.drive,
+        "speed_ratio": result.speed_ratio,
+        "torque_capacity": solution.capacity.output_torque,
+        "rolling_torque_capacity": solution.rolling_capacity.output_torque,
+    }
+
+
+def test_points_are_the_solutions_of_their_files(values, found):
+    status, numbers, _ = found
+    # five planets of 20 mm do not fit around a sun of 10 mm
+    assert status.tolist() == [0, 0, 0, SLIPS, NO_ROOM]
+    _same_as_single_files(values, numbers)
+
+
+@pytest.mark.slow
+def test_capacities_and_their_slopes(values):
+    _, numbers, slopes = at_points(values, CAPACITIES)
+    _same_as_single_files(values, numbers)
+    safety, capacity = numbers["torque_safety"][0], numbers["torque_capacity"][0]
+    np.testing.assert_allclose(safety[:2] * TORQUES[:2], capacity[:2], rtol=1e-12)
+    # the same both ways: the drive is symmetric
+    assert safety[2] == pytest.approx(safety[1], rel=1e-9)
+    _same_as_differences(values, slopes)
+
+
+def _same_as_single_files(values, numbers):
+    for index in (0, 1, 2):
+        alone = numbers_of(single(values, {"load.output_torque": TORQUES[index]}))
+        for name in alone.keys() & numbers.keys():
+            np.testing.assert_allclose(numbers[name][:, index], alone[name], rtol=1e-9, err_msg=name)
+
+
+def test_size_and_mass_by_hand(values, found):
+    _, numbers, _ = found
+    density = values["materials"]["52100"]["density"]
+    areas = 10e-3**2 + 3.0 * 20e-3**2 + (58e-3**2 - 50e-3**2)
+    mass = density * np.pi * areas * 10e-3
+    assert numbers["mass"][0, 0] == pytest.approx(mass, rel=1e-12)
+    assert numbers["envelope_diameter"][0, 0] == pytest.approx(2 * 58e-3, rel=1e-12)
+    stiffness = numbers["assembly_stiffness_output"][0, :3]
+    np.testing.assert_allclose(numbers["assembly_stiffness_per_mass"][0, :3], stiffness / mass, rtol=1e-12)
+
+
+def test_slopes_are_differences_of_solutions(values, found):
+    _same_as_differences(values, found[2])
+
+
+def _same_as_differences(values, slopes):
+    middle = numbers_of(single(values, {}))
+    for index, path in enumerate(VARIABLES):
+        value = _at(values, path)
+        step = 1e-5 * value
+        up, down = (numbers_of(single(values, {path: value + sign * step})) for sign in (1.0, -1.0))
+        for name in up.keys() & slopes.keys():
+            difference = (np.asarray(up[name]) - np.asarray(down[name])) / (2.0 * step)
+            size = np.max(np.abs(np.asarray(middle[name]))) / value
+            np.testing.assert_allclose(
+                slopes[name][:, 1, index], difference, rtol=2e-5, atol=1e-6 * size, err_msg=f"{name} {path}"
+            )
+
+
+@pytest.mark.parametrize(
+    ("name", "contacts", "bodies"),
+    [
+        ("multiroller", ["sf", "fsl", "fsr", "sr"], 4),
+        ("stepped_planet", ["sp", "pr1", "pr2"], 4),
+        ("planar", ["sp", "pwr", "pwl", "wro", "wlo"], 5),
+    ],
+)
+def test_every_type_has_the_results_of_its_own_parts(planar_case, name, contacts, bodies):
+    table = results_of(si_values(planar_case(name)))
+    assert list(table["slip_ratio"].row_names) == contacts
+    assert len(table["body_life_hours"].row_names) == bodies
+    assert table["limiting_contact"].categories == (*contacts, "none")
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    ("name", "path"),
+    [
+        ("multiroller", "drive.first_row_radius"),
+        ("stepped_planet", "drive.driven_ring_wall_thickness"),
+        ("planar", "contact.2.first_radius"),
+    ],
+)
+def test_every_type_can_be_evaluated_at_points(planar_case, name, path):
+    values = with_tracks(si_values(planar_case(name)))
+    names = tuple(results_of(values))
+
+    def at(column):
+        return evaluated_points(replace_values(values, {path: column}), (4,), names)
+
+    status, found = jax.eval_shape(at, jax.ShapeDtypeStruct((4,), jnp.float64))
+    assert status.shape == (4,)
+    shapes = {each: (*row.row_shape, 4) for each, row in results_of(values).items()}
+    assert {each: value.shape for each, value in found.items()} == shapes
+
+
+def test_results_of_the_papers_drive_alone_are_refused_by_name(values):
+    table = results_of(values)
+    only = {name for name, row in RESULTS.items() if row.wedge_only}
+    assert set(table) == set(RESULTS) - only
+    assert {"wedge_angle", "self_locking_ratio", "clearance", "cam_angle", "pin_load"} <= only
+    for name in ("wedge_angle", "loads"):
+        with pytest.raises(InputError, match=f"no result '{name}': only that of Zou et al"):
+            chosen_results([name], table=table)
+    with pytest.raises(InputError, match="no result 'wedge_angle': only that of Zou et al"):
+        known_result("wedge_angle", among=tuple(table))
+    with pytest.raises(InputError, match="did you mean 'slip_ratio'"):
+        chosen_results(["slip_rato"], table=table)
+    everything = chosen_results(["all"], table=table)
+    assert set(everything) == set(GROUPS["all"]) - only
+    assert chosen_results(["forces"], table=table) == tuple(n for n in GROUPS["forces"] if n not in only)

@@ -1,0 +1,41 @@
+"""Names of bodies, contacts and tracks from the tables of a joint file, as it states them and in SI units."""
+
+import tomlkit
+
+from asperity.joint_file.part_names import (
+    bodies_of,
+    bodies_of_type,
+    contacts_of,
+    paths_of_track,
+    track_of,
+    type_of,
+    with_tracks,
+)
+from asperity.joint_file.si_tables import replace_values, si_values
+
+
+def test_names_are_the_same_in_the_file_and_in_si_units(planar_case):
+    for name, bodies in (("planar", ("sun", "planet", "right", "left", "ring")), ("planetary", None)):
+        case = planar_case(name)
+        for tables in (tomlkit.parse(case.text), si_values(case)):
+            assert type_of(tables) == name
+            assert bodies_of(tables) == (bodies or bodies_of_type(name))
+    assert contacts_of(si_values(planar_case("planar"))) == ("sp", "pwr", "pwl", "wro", "wlo")
+    assert contacts_of({}) == ("sp", "pwr", "pwl", "wro", "wlo")  # no type: the paper's drive
+
+
+def test_one_track_is_one_number(planar_case):
+    values = si_values(planar_case("planar"))
+    # the planet's track of 13.5 mm touches the sun and both loading rollers
+    expected = ["contact.1.second_radius", "contact.2.first_radius", "contact.3.first_radius"]
+    assert paths_of_track(values, "contact.2.first_radius") == expected
+    assert paths_of_track(values, "load.preload") == ["load.preload"]
+    named = with_tracks(values)
+    changed = replace_values(named, {"contact.2.first_radius": 0.014})
+    for index, side in (("1", "second"), ("2", "first"), ("3", "first")):
+        assert changed["contact"][index][f"{side}_radius"] == 0.014
+        # its only track, whatever its size
+        assert track_of(changed["contact"].values(), changed["contact"][index], side) == "0"
+    assert changed["contact"]["1"]["first_radius"] == 0.004
+    assert values["contact"]["1"]["second_radius"] == 0.0135
+    assert with_tracks({"drive": {}}) == {"drive": {}}
