@@ -38,6 +38,7 @@ ROWS = (
 def found(monkeypatch):
     monkeypatch.setattr(module, "RESULTS", {each.name: each for each in ROWS})
     solved = SimpleNamespace(
+        joint=None,
         a=np.array([0.5, 1.5, 0.2, 1.0, 0.4]),
         b=2.0,
         gaps=np.arange(8.0) - 1.0,
@@ -70,11 +71,11 @@ def test_share_of_the_limit_that_is_used(found):
 def test_what_is_not_known_does_not_pass(monkeypatch):
     monkeypatch.setattr(module, "RESULTS", {"slip": ROWS[1]})
     values = np.array([0.5, np.nan, 0.2, 5.0, 0.4])
-    (found,) = margins(SimpleNamespace(a=values, row_names=lambda axis: CONTACT_NAMES))
+    (found,) = margins(SimpleNamespace(joint=None, a=values, row_names=lambda axis: CONTACT_NAMES))
     assert (found.place, found.passes) == ("pwr", False)
 
 
 def test_an_infinite_safety_factor_passes(monkeypatch):
     monkeypatch.setattr(module, "RESULTS", {"torque_safety": ROWS[5]})
-    (found,) = margins(SimpleNamespace(b=math.inf))
+    (found,) = margins(SimpleNamespace(joint=None, b=math.inf))
     assert (found.actual, found.passes, found.utilisation) == (math.inf, True, 0.0)

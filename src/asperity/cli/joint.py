@@ -121,7 +121,7 @@ def _planar(
     refuse_options(case, file, options)
     described, solution, document = solved_planar(case)
     if plot_file:
-        from asperity.joint.planar.document import solved_planar_joint
+        from asperity.joint.planar.solved import solved_planar_joint
         from asperity.show.compliance_figure import joint_figure
         from asperity.show.style import plain_title
 

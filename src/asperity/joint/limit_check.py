@@ -11,9 +11,6 @@ from asperity.joint.planar.description import PlanarJoint
 from asperity.joint.planar.evaluation import PlanarResult
 from asperity.joint.results import RESULTS, SEVERITIES, Limit, Result, SolvedJoint
 
-#: Groups of results that joints with other drives than the paper's do not have.
-PAPERS_GROUPS = ("bearings", "loads", "stresses")
-
 
 @dataclass(frozen=True, slots=True)
 class LimitCheck:
@@ -73,8 +70,7 @@ def checked_limits(joint: Joint | PlanarJoint, result: JointResult | PlanarResul
         One for each judged result of :data:`asperity.joint.results.RESULTS` and each of its rows.
     """
     solved = SolvedJoint(joint, result)
-    absent = PAPERS_GROUPS if isinstance(joint, PlanarJoint) else ()
-    judged = [row for row in RESULTS.values() if row.limit is not None and row.group not in absent]
+    judged = [row for row in RESULTS.values() if row.limit is not None and row.belongs_to(joint)]
     judged.sort(key=lambda row: SEVERITIES.index(row.limit.severity))  # type: ignore[union-attr]
     return tuple(
         LimitCheck(row, name or None, value) for row in judged for name, value in row.rows_of(solved).items()

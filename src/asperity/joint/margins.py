@@ -7,8 +7,6 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from asperity.joint.limit_check import PAPERS_GROUPS
-from asperity.joint.planar.description import PlanarJoint
 from asperity.joint.results import RESULTS, SEVERITIES, Result, Severity, SolvedJoint
 
 #: Results without a limit of their own that must nevertheless exceed a bound for the joint to exist.
@@ -66,9 +64,11 @@ def margins(solved: SolvedJoint) -> tuple[Margin, ...]:
     tuple of Margin
         One for each judged result that the joint has, at its worst row.
     """
-    judged = [row for row in RESULTS.values() if row.limit or row.name in _MUST_EXCEED]
-    if isinstance(solved.joint, PlanarJoint):
-        judged = [row for row in judged if row.group not in PAPERS_GROUPS and row.axis != "clearance"]
+    judged = [
+        row
+        for row in RESULTS.values()
+        if (row.limit or row.name in _MUST_EXCEED) and row.belongs_to(solved.joint)
+    ]
     found = [_worst(row, rows) for row in judged if (rows := row.rows_of(solved))]
     return tuple(sorted(found, key=lambda each: SEVERITIES.index(each.severity)))
 

@@ -1,4 +1,4 @@
-"""Joints of every type of drive from the tables of their files: solved, with status, and with the results they have."""
+"""Joints of every type of drive from the tables of their files, with status and the results that they have."""
 
 from __future__ import annotations
 
@@ -12,19 +12,16 @@ from jax import Array
 from asperity.joint.description import with_one_rank
 from asperity.joint.evaluation import evaluate
 from asperity.joint.planar.evaluation import evaluated_with_laws
-from asperity.joint.planar.solve import PlanarSolution, solve_planar
 from asperity.joint.planar.solved import SolvedPlanarJoint
 from asperity.joint.planar.status import planar_status
 from asperity.joint.results import RESULTS, Result, SolvedJoint, result_values
 from asperity.joint.results.drive_table import results_of_drive
-from asperity.joint.solve import Solution, solve
 from asperity.joint.status import joint_status
 from asperity.joint_file import build, planar_build
-from asperity.joint_file.build import joint_from_case, joint_from_values
+from asperity.joint_file.build import joint_from_values
 from asperity.joint_file.part_names import WEDGE_TYPE, bodies_of, contacts_of, type_of
-from asperity.joint_file.planar_build import planar_joint_from_case, planar_joint_from_values
-from asperity.joint_file.planar_model import PlanarCase
-from asperity.joint_file.si_tables import AnyCase, Values
+from asperity.joint_file.planar_build import planar_joint_from_values
+from asperity.joint_file.si_tables import Values
 from asperity.joint_file.table_numbers import numbers, with_numbers
 
 
@@ -44,31 +41,6 @@ def results_of(tables: Mapping[str, Any]) -> dict[str, Result]:
     if type_of(tables) == WEDGE_TYPE:
         return RESULTS
     return results_of_drive(contacts_of(tables), bodies_of(tables))
-
-
-def solved_case(case: AnyCase) -> Solution | PlanarSolution:
-    """Solve the joint of a file, whatever its type.
-
-    Parameters
-    ----------
-    case : Case or PlanarCase
-        The joint file.
-
-    Returns
-    -------
-    Solution or PlanarSolution
-        What came out.
-
-    Raises
-    ------
-    InputError
-        If the joint cannot exist, or its torque is beyond its capacity.
-    NoSolutionError
-        If its forces do not balance.
-    """
-    if isinstance(case, PlanarCase):
-        return solve_planar(planar_joint_from_case(case))
-    return solve(joint_from_case(case))
 
 
 def with_nominal_sizes(values: Values) -> Values:

@@ -20,9 +20,10 @@ from asperity.joint.either_kind import AnyJoint
 from asperity.joint.loads_document import load_cases, loads_document
 from asperity.joint.margins import margins
 from asperity.joint.measured_surface import stiffness_interval
-from asperity.joint.planar.document import planar_document, solved_planar_joint
+from asperity.joint.planar.document import planar_document
 from asperity.joint.planar.loads_document import planar_loads_document
 from asperity.joint.planar.solve import solve_planar
+from asperity.joint.planar.solved import solved_planar_joint
 from asperity.joint.results import SolvedJoint
 from asperity.joint.rolling_onset import RollingOnset
 from asperity.joint.solve import solve

@@ -27,28 +27,6 @@ from asperity.joint.rolling_document import losses, rolling_document
 Document = dict[str, Any]
 
 
-def solved_planar_joint(joint: PlanarJoint, solution: PlanarSolution) -> SolvedJoint:
-    """A solved joint with its capacities, for the table of results.
-
-    Parameters
-    ----------
-    joint : PlanarJoint
-        The joint that was solved.
-    solution : PlanarSolution
-        What came out.
-
-    Returns
-    -------
-    SolvedJoint
-        For margins and figures.
-    """
-    solved = SolvedJoint(joint, solution.result, solution.capacity)
-    solved.reverse_capacity = solution.reverse_capacity
-    reverse = float(joint.output_torque) < 0.0
-    solved.capacity_of_direction = solution.reverse_capacity if reverse else solution.capacity
-    return solved
-
-
 def planar_document(
     *, joint: PlanarJoint, solution: PlanarSolution, inputs: Document, assumptions: tuple[str, ...]
 ) -> Document:

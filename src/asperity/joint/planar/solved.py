@@ -16,6 +16,7 @@ from asperity.joint.capacity import TorqueCapacity
 from asperity.joint.planar.capacity import PlanarCapacity, planar_capacity
 from asperity.joint.planar.description import PlanarJoint, tracks_of
 from asperity.joint.planar.evaluation import PlanarResult
+from asperity.joint.planar.solve import PlanarSolution
 from asperity.joint.results.result import SolvedJoint
 
 
@@ -67,16 +68,17 @@ class SolvedPlanarJoint(SolvedJoint):
         One joint.
     result : PlanarResult
         What :func:`asperity.joint.planar.evaluation.evaluated_with_laws` says about it.
-    laws : ContactLaws
-        Likewise.
+    laws : ContactLaws or None
+        Likewise; None where the capacities are known.
     """
 
-    def __init__(self, joint: PlanarJoint, result: PlanarResult, laws: ContactLaws) -> None:
+    def __init__(self, joint: PlanarJoint, result: PlanarResult, laws: ContactLaws | None) -> None:
         super().__init__(joint, result)
         self._laws = laws
 
     @functools.cached_property
     def _capacities(self) -> PlanarCapacity:
+        assert self._laws is not None
         return planar_capacity(self.joint, self.result.rest, self._laws)
 
     def _capacity(self, *, rolls: bool, index: Any) -> TorqueCapacity:
@@ -118,3 +120,31 @@ class SolvedPlanarJoint(SolvedJoint):
     def size(self) -> Any:
         """Size and mass of the rolling parts."""
         return planar_size(self.joint, self.result)
+
+
+def solved_planar_joint(joint: PlanarJoint, solution: PlanarSolution) -> SolvedPlanarJoint:
+    """A joint whose capacities are known already, for the table of results.
+
+    Parameters
+    ----------
+    joint : PlanarJoint
+        The joint that was solved.
+    solution : PlanarSolution
+        What came out.
+
+    Returns
+    -------
+    SolvedPlanarJoint
+        For margins and figures.
+    """
+    solved = SolvedPlanarJoint(joint, solution.result, None)
+    solved._capacities = PlanarCapacity(
+        *(
+            jax.tree.map(lambda *leaves: jnp.stack(leaves), *both)
+            for both in (
+                (solution.capacity, solution.reverse_capacity),
+                (solution.rolling_capacity, solution.reverse_rolling_capacity),
+            )
+        )
+    )
+    return solved

@@ -15,9 +15,11 @@ import numpy as np
 
 from asperity.errors import InputError, NoSolutionError
 from asperity.joint.document import stiffness_unknown_because
+from asperity.joint.either_kind import solve_any
 from asperity.joint.results import LEVELS, Result, known_result, row_name
 from asperity.joint.status import ALL_PLASTIC, STATUS_MEANINGS, UNBALANCED
-from asperity.joint_file.any_joint import results_of, solved_case, with_nominal_sizes
+from asperity.joint_file.any_joint import results_of, with_nominal_sizes
+from asperity.joint_file.planar_build import any_joint_from_case
 from asperity.joint_file.si_tables import AnyCase, numeric_keys, si_values
 from asperity.precision import require_double_precision
 from asperity.study.batch import derivatives_at
@@ -156,7 +158,7 @@ def refuse_failed(case: AnyCase, status: int) -> None:
     """
     if status == 0:
         return
-    result = solved_case(case).result  # says it with the numbers
+    result = solve_any(any_joint_from_case(case)).result  # says it with the numbers
     reason = stiffness_unknown_because(result) or STATUS_MEANINGS[status]
     if status in (UNBALANCED, ALL_PLASTIC):
         raise NoSolutionError(reason)
