@@ -9,7 +9,7 @@ EXAMPLES = Path(__file__).parents[2] / "examples"
 
 @pytest.mark.parametrize(
     "arguments",
-    [("calibrate", "x.csv", "--free", "load.preload")],
+    [("calibrate", "x.csv", "--unknown", "load.preload")],
 )
 def test_other_commands_refuse_other_drives_by_name(call, arguments):
     command, *others = arguments

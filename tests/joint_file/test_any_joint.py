@@ -30,6 +30,7 @@ NAMES = (
     "mass",
     "envelope_diameter",
     "speed_ratio",
+    "clearance",
 )
 CAPACITIES = ("torque_capacity", "rolling_torque_capacity", "torque_safety")
 VARIABLES = ("load.output_torque", "drive.planet_radius", "load.interference", "surface.fractal_dimension")
@@ -111,6 +112,9 @@ def test_size_and_mass_by_hand(values, found):
     mass = density * np.pi * areas * 10e-3
     assert numbers["mass"][0, 0] == pytest.approx(mass, rel=1e-12)
     assert numbers["envelope_diameter"][0, 0] == pytest.approx(2 * 58e-3, rel=1e-12)
+    # three planets, or five, on an orbit of 30 mm
+    gaps = [60e-3 * np.sin(np.pi / count) - 40e-3 for count in PLANETS]
+    np.testing.assert_allclose(numbers["clearance"][0], gaps, rtol=1e-12)
     stiffness = numbers["assembly_stiffness_output"][0, :3]
     np.testing.assert_allclose(numbers["assembly_stiffness_per_mass"][0, :3], stiffness / mass, rtol=1e-12)
 
@@ -145,6 +149,9 @@ def test_every_type_has_the_results_of_its_own_parts(planar_case, name, contacts
     table = results_of(si_values(planar_case(name)))
     assert list(table["slip_ratio"].row_names) == contacts
     assert len(table["body_life_hours"].row_names) == bodies
+    if name == "multiroller":
+        pairs = ("sun_to_second_row", "first_row_to_first_row", "second_row_to_second_row")
+        assert table["clearance"].row_names == pairs
     assert table["limiting_contact"].categories == (*contacts, "none")
 
 
@@ -174,7 +181,7 @@ def test_results_of_the_papers_drive_alone_are_refused_by_name(values):
     table = results_of(values)
     only = {name for name, row in RESULTS.items() if row.wedge_only}
     assert set(table) == set(RESULTS) - only
-    assert {"wedge_angle", "self_locking_ratio", "clearance", "cam_angle", "pin_load"} <= only
+    assert {"wedge_angle", "self_locking_ratio", "cam_angle", "pin_load"} <= only
     for name in ("wedge_angle", "loads"):
         with pytest.raises(InputError, match=f"no result '{name}': only that of Zou et al"):
             chosen_results([name], table=table)

@@ -246,13 +246,14 @@ def _show_variables(target: Console, result: DesignResult) -> None:
 
 def _show_summary(target: Console, result: DesignResult) -> None:
     from asperity.cli.terminal import table
-    from asperity.joint.results import RESULTS
     from asperity.study.design.design_problem import SUMMARY
     from asperity.units import format_quantity
 
     rows = table(target, "Before and design", "result", "before", "design")
     for name, which in SUMMARY.items():
-        shown = RESULTS[name]
+        if name not in result.summary_before:
+            continue
+        shown = result.problem.table[name]
         values = (result.summary_before[name], result.summary_after[name])
         label = shown.label if which == "nominal" else f"{shown.label}, {which}"
         rows.add_row(label, *("-" if v != v else format_quantity(v, shown.display_unit) for v in values))

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import functools
+import json
 from collections.abc import Mapping
 from typing import Any
 
@@ -9,6 +11,7 @@ import jax
 import jax.numpy as jnp
 from jax import Array
 
+from asperity.drive.planar.existence import neighbours
 from asperity.joint.description import with_one_rank
 from asperity.joint.evaluation import evaluate
 from asperity.joint.planar.evaluation import evaluated_with_laws
@@ -19,10 +22,11 @@ from asperity.joint.results.drive_table import results_of_drive
 from asperity.joint.status import joint_status
 from asperity.joint_file import build, planar_build
 from asperity.joint_file.build import joint_from_values
-from asperity.joint_file.part_names import WEDGE_TYPE, bodies_of, contacts_of, type_of
+from asperity.joint_file.part_names import WEDGE_TYPE, bodies_of, contacts_of, type_of, with_tracks
 from asperity.joint_file.planar_build import planar_joint_from_values
+from asperity.joint_file.planar_parts import layout_of
 from asperity.joint_file.si_tables import Values
-from asperity.joint_file.table_numbers import numbers, with_numbers
+from asperity.joint_file.table_numbers import numbers, table_structure, with_numbers
 
 
 def results_of(tables: Mapping[str, Any]) -> dict[str, Result]:
@@ -40,7 +44,16 @@ def results_of(tables: Mapping[str, Any]) -> dict[str, Result]:
     """
     if type_of(tables) == WEDGE_TYPE:
         return RESULTS
-    return results_of_drive(contacts_of(tables), bodies_of(tables))
+    return _planar_results(table_structure(with_tracks(dict(tables))))
+
+
+@functools.lru_cache(maxsize=32)
+def _planar_results(structure: str) -> dict[str, Result]:
+    values = json.loads(structure)
+    shapes = [jax.ShapeDtypeStruct((), jnp.float64) for _ in numbers(values)]
+    drive = jax.eval_shape(lambda *each: layout_of(with_numbers(values, each))[0], *shapes)
+    pairs = tuple("_to_".join(pair) for pair in neighbours(drive))
+    return results_of_drive(contacts_of(values), bodies_of(values), pairs)
 
 
 def with_nominal_sizes(values: Values) -> Values:

@@ -109,17 +109,17 @@ def with_tracks(tables: dict[str, Any]) -> dict[str, Any]:
         The same tables; those of type ``planar`` with the names of the tracks, and with words in place of the truth
         values and sectors of the contacts.
     """
-    if not isinstance(tables.get("contact"), Mapping):
+    contacts = tables.get("contact")
+    if not isinstance(contacts, Mapping) or any("tracks" in entry for entry in contacts.values()):
         return tables
-    contacts = tables["contact"].values()
     named = {
         index: entry
         | {
-            "tracks": {side: track_of(contacts, entry, side) for side in _SIDES},
+            "tracks": {side: track_of(contacts.values(), entry, side) for side in _SIDES},
             "internal": "yes" if entry["internal"] else "",
             "sector": str(entry["sector"]),
         }
-        for index, entry in tables["contact"].items()
+        for index, entry in contacts.items()
     }
     return tables | {"contact": named}
 

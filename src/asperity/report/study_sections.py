@@ -230,6 +230,8 @@ def design_section(result: DesignResult, *, name: str) -> Iterator[Block]:
 
 def _summary(result: DesignResult) -> Iterator[tuple[str, str, str]]:
     for name, which in SUMMARY.items():
+        if name not in result.summary_before:
+            continue
         shown = RESULTS[name]
         pair = (result.summary_before[name], result.summary_after[name])
         label = shown.label if which == "nominal" else f"{shown.label}, {which}"

@@ -95,27 +95,58 @@ def neighbour_gaps(drive: PlanarDrive) -> dict[tuple[str, str], Array]:
     for k, contact in enumerate(drive.contacts):
         radii.setdefault(contact.first, []).append(drive.first_radius[k])
         radii.setdefault(contact.second, []).append(drive.second_radius[k])
-    inside = {contact.second for contact in drive.contacts if contact.internal}
-    touching = {frozenset((contact.first, contact.second)) for contact in drive.contacts}
-    discs = [(i, b) for i, b in enumerate(drive.bodies) if b.name in radii and b.name not in inside]
     step = 2.0 * math.pi / jnp.asarray(drive.sectors, dtype=float)
     x, y = drive.centres[:, 0], drive.centres[:, 1]
-    orbit = jnp.sqrt(x**2 + y**2)
+    squares = x**2 + y**2
+    orbit = jnp.where(squares > 0.0, jnp.sqrt(jnp.where(squares > 0.0, squares, 1.0)), 0.0)
     found = {}
-    for (i, one), (j, two) in itertools.combinations_with_replacement(discs, 2):
-        if (i == j and one.place == "axis") or frozenset((one.name, two.name)) in touching:
-            continue
+    for one, two in neighbours(drive):
+        i, j = (drive.members.index(name) for name in (one, two))
         if i == j:
-            turned, size = step, 2.0 * jnp.max(jnp.stack(radii[one.name]))
+            turned, size = step, 2.0 * jnp.max(jnp.stack(radii[one]))
         else:
-            apart = jnp.mod(jnp.arctan2(y[j], x[j]) - jnp.arctan2(y[i], x[i]), step)
+            apart = jnp.mod(_polar(x[j], y[j]) - _polar(x[i], y[i]), step)
             turned = jnp.minimum(apart, step - apart)
-            size = jnp.min(jnp.stack(radii[one.name])) + jnp.min(jnp.stack(radii[two.name]))
+            size = jnp.min(jnp.stack(radii[one])) + jnp.min(jnp.stack(radii[two]))
         squared = orbit[i] ** 2 + orbit[j] ** 2 - 2.0 * orbit[i] * orbit[j] * jnp.cos(turned)
-        gap = jnp.sqrt(jnp.maximum(squared, 0.0)) - size
+        gap = jnp.sqrt(squared) - size
         alone = (i == j) & (jnp.asarray(drive.sectors) < 2.0)
-        found[one.name, two.name] = jnp.where(alone, jnp.inf, gap)
+        found[one, two] = jnp.where(alone, jnp.inf, gap)
     return found
+
+
+def _polar(x: Array, y: Array) -> Array:
+    """Polar angle; 0 for the axis itself."""
+    there = (x != 0.0) | (y != 0.0)
+    return jnp.where(there, jnp.arctan2(y, jnp.where(there, x, 1.0)), 0.0)
+
+
+def neighbours(drive: PlanarDrive) -> tuple[tuple[str, str], ...]:
+    """Pairs of discs that have no contact with each other and must not overlap.
+
+    Parameters
+    ----------
+    drive : PlanarDrive
+        The drive; its numbers do not matter.
+
+    Returns
+    -------
+    tuple of tuple of str
+        Names of two bodies; twice the same for the copies of one in different sectors.
+
+    References
+    ----------
+    Elementary.
+    """
+    joined = {frozenset((contact.first, contact.second)) for contact in drive.contacts}
+    touched = frozenset().union(*joined)
+    rings = {contact.second for contact in drive.contacts if contact.internal}
+    discs = [body for body in drive.bodies if body.name in touched and body.name not in rings]
+    return tuple(
+        (one.name, two.name)
+        for one, two in itertools.combinations_with_replacement(discs, 2)
+        if not (one is two and one.place == "axis") and frozenset((one.name, two.name)) not in joined
+    )
 
 
 def _refuse_overlap(drive: PlanarDrive) -> None:

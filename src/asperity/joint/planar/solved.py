@@ -10,6 +10,7 @@ import jax
 import jax.numpy as jnp
 from jax import Array
 
+from asperity.drive.planar.existence import neighbour_gaps, neighbours
 from asperity.drive.planar.layout import sectors_of_members
 from asperity.drive.planar.state import ContactLaws
 from asperity.joint.capacity import TorqueCapacity
@@ -115,6 +116,17 @@ class SolvedPlanarJoint(SolvedJoint):
     def preload(self) -> Any:
         """Normal force of the first contact at rest [N]."""
         return self.result.preload
+
+    def row_names(self, axis: str) -> tuple[str, ...]:
+        """Names of the contacts, bodies or clearances of this joint's drive."""
+        if axis == "clearance":
+            return tuple("_to_".join(pair) for pair in neighbours(self.joint.drive))
+        return super().row_names(axis)
+
+    @functools.cached_property
+    def clearances(self) -> list[Any]:
+        """Clearances between rollers that must not touch [m]."""
+        return list(neighbour_gaps(self.joint.drive).values())
 
     @functools.cached_property
     def size(self) -> Any:

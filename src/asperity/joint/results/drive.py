@@ -59,7 +59,6 @@ ROWS = (
         positive=False,
         lowest_limit=0.0,
         note="free distance between two rollers; the joint exists where all are positive",
-        wedge_only=True,
     ),
     _size("envelope_diameter", "outer diameter of the ring", _LENGTH, "mm", "size.envelope_diameter"),
     _size(

@@ -21,13 +21,15 @@ _LABELS = {
 
 
 @functools.lru_cache(maxsize=32)
-def results_of_drive(contacts: tuple[str, ...], bodies: tuple[str, ...]) -> dict[str, Result]:
+def results_of_drive(
+    contacts: tuple[str, ...], bodies: tuple[str, ...], neighbours: tuple[str, ...]
+) -> dict[str, Result]:
     """Every result that a planar drive has.
 
     Parameters
     ----------
-    contacts, bodies : tuple of str
-        Names of its contacts and bodies.
+    contacts, bodies, neighbours : tuple of str
+        Names of its contacts and bodies, and of the pairs of bodies that must not touch.
 
     Returns
     -------
@@ -35,11 +37,9 @@ def results_of_drive(contacts: tuple[str, ...], bodies: tuple[str, ...]) -> dict
         Name → the row of :data:`asperity.joint.results.RESULTS`, with the names of this drive; without those that only
         the drive of Zou et al. 2025 has.
     """
-    return {
-        name: _named(row, {"contact": contacts, "body": bodies})
-        for name, row in RESULTS.items()
-        if not row.wedge_only
-    }
+    names = {"contact": contacts, "body": bodies, "clearance": neighbours}
+    rows = {name: _named(row, names) for name, row in RESULTS.items() if not row.wedge_only}
+    return {name: row for name, row in rows.items() if row.row_names}
 
 
 def _named(row: Result, names: dict[str, tuple[str, ...]]) -> Result:

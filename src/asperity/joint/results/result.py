@@ -280,7 +280,8 @@ class Result:
 
     def rows_of(self, solved: SolvedJoint) -> dict[str, float]:
         """Name → value [SI] of the rows that one joint has, without batch axes."""
-        names = solved.row_names(self.axis) if self.axis in ("contact", "body") else self.row_names
+        own = ("contact", "body", *(("clearance",) if isinstance(solved.joint, PlanarJoint) else ()))
+        names = solved.row_names(self.axis) if self.axis in own else self.row_names
         present = (True,) * len(names) if self.present is None else self.present(solved)
         found = self.of(solved) if any(present) else None
         if found is None:

@@ -11,7 +11,7 @@ from asperity.errors import InputError, NoSolutionError
 from asperity.joint.results import RESULTS
 from asperity.joint.status import ALL_PLASTIC, UNBALANCED, has_value
 from asperity.joint_file.edited_text import joint_file_text
-from asperity.joint_file.reader import parse_case
+from asperity.joint_file.reader import parse_any_case
 from asperity.joint_file.si_tables import si_values
 from asperity.precision import require_double_precision
 from asperity.study.batch import derivatives_at
@@ -123,7 +123,7 @@ def _refuse_what_cannot_exist(evaluator: DesignEvaluator, found: EvaluatedDesign
             worst.setdefault(evaluator.rows[index].constraint.name, int(index))
     parts = []
     for name, index in worst.items():
-        row, result = evaluator.rows[index], RESULTS[name]
+        row, result = evaluator.rows[index], evaluator.problem.table[name]
         value = format_quantity(float(found.values[name][row.row, row.scenario]), result.display_unit)
         torque = format_quantity(float(evaluator.scenarios.torques[row.scenario]), "N*m")
         allowed = "at most 1" if row.constraint.at_most else "at least 0"
@@ -218,6 +218,8 @@ def _summary(
 ) -> dict[str, float]:
     summary = {}
     for name, which in SUMMARY.items():
+        if name not in values:
+            continue
         table = np.where(has_value(status, RESULTS[name].needs), values[name], np.nan)
         counted = table[:, evaluator.counted]
         summary[name] = float(
@@ -234,14 +236,14 @@ def nominal_results(joint_text: str, results: tuple[str, ...]) -> dict[str, np.n
     joint_text : str
         TOML.
     results : tuple of str
-        Names of :data:`asperity.joint.results.RESULTS`.
+        Names of results of the drive.
 
     Returns
     -------
     dict
         Name → shape (rows,) [SI].
     """
-    values = si_values(parse_case(joint_text, source="the designed joint"))
+    values = si_values(parse_any_case(joint_text, source="the designed joint"))
     torque = np.array([values["load"]["output_torque"]])
     _, found, _ = derivatives_at(values, {"load.output_torque": torque}, results)
     return {name: value[:, 0] for name, value in found.items()}
@@ -260,7 +262,7 @@ def _limits(evaluator: DesignEvaluator, found: EvaluatedDesign, multipliers: np.
         reports.append(
             LimitReport(
                 name=constraint.name,
-                row=RESULTS[constraint.name].row_names[row.row],
+                row=evaluator.problem.table[constraint.name].row_names[row.row],
                 at_most=constraint.at_most,
                 limit=constraint.limit,
                 value=value,

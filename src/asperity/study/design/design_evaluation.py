@@ -73,6 +73,13 @@ class EvaluatedDesign:
         return max(0.0, -float(self.margins.min()))
 
 
+def _largest_radius(problem: DesignProblem) -> float:
+    """The ring's radius where the file states it, otherwise the largest radius of a roller [m]."""
+    stated = numeric_keys(problem.case)
+    rollers = [key.value for path, key in stated.items() if path.endswith("_radius") and "crown" not in path]
+    return stated["drive.ring_radius"].value if "drive.ring_radius" in stated else max(rollers)
+
+
 class DesignEvaluator:
     """Evaluates designs of one problem; keeps the last one, which the search asks for several times.
 
@@ -90,7 +97,7 @@ class DesignEvaluator:
         self.variables = problem.variables
         self.paths = tuple(variable.path for variable in problem.variables)
         self.counted = np.flatnonzero(self.scenarios.counted)
-        self._ring_radius = numeric_keys(problem.case)["drive.ring_radius"].value
+        self._largest_radius = _largest_radius(problem)
         self.rows = tuple(
             MarginRow(constraint, row, int(scenario))
             for constraint in problem.constraints
@@ -156,7 +163,7 @@ class DesignEvaluator:
         """What differences from a limit are divided by: the limit itself, or where that is 0 a size of the joint."""
         if constraint.limit != 0.0:
             return abs(constraint.limit)
-        return self._ring_radius if RESULTS[constraint.name].axis == "clearance" else 1.0
+        return self._largest_radius if RESULTS[constraint.name].axis == "clearance" else 1.0
 
     def _margins(self, constraint: Constraint, value: np.ndarray) -> np.ndarray:
         sign = -1.0 if constraint.at_most else 1.0

@@ -12,10 +12,12 @@ from asperity.errors import InputError
 from asperity.joint.bearing_lives import BEARING_NAMES
 from asperity.joint.results import LEVELS, RESULTS, Result, known_result, name_at_level
 from asperity.joint.windup import StiffnessLevel
+from asperity.joint_file.any_joint import results_of
 from asperity.joint_file.messages import nearest
-from asperity.joint_file.model import Case
-from asperity.joint_file.reader import read_case
-from asperity.joint_file.si_tables import key_at, numeric_keys
+from asperity.joint_file.part_names import WEDGE_TYPE, type_of
+from asperity.joint_file.planar_model import PlanarCase
+from asperity.joint_file.reader import read_any_case
+from asperity.joint_file.si_tables import AnyCase, key_at, numeric_keys, si_values
 from asperity.library import read_finishes
 from asperity.reading import read_toml
 from asperity.study.design.design_problem import (
@@ -115,11 +117,13 @@ def design_from_tables(tables: Mapping[str, Any], *, folder: Path) -> DesignProb
             errors.found.append(f"{name}: this key is missing")
     errors.refuse()
     rated: tuple[int, ...] = tuple(range(len(BEARING_NAMES)))
+    kind, known = WEDGE_TYPE, RESULTS
     with errors.gathered():
         if not isinstance(tables["joint"], str):
             raise InputError(f"joint: expected the path of a joint file as text, got {tables['joint']!r}")
-        case = read_case(folder / tables["joint"])
-        rated = _rated(case)
+        case = read_any_case(folder / tables["joint"])
+        values = si_values(case)
+        kind, known, rated = type_of(values), results_of(values), _rated(case)
     level = tables.get("level", "assembly")
     if level not in LEVELS:
         errors.found.append(f"level: {level!r} is not one of {', '.join(LEVELS)}")
@@ -128,16 +132,16 @@ def design_from_tables(tables: Mapping[str, Any], *, folder: Path) -> DesignProb
     with errors.gathered():
         for path, entry in _flat(_table(tables["variables"], "variables"), ""):
             with errors.gathered():
-                variables.append(_variable(path, entry))
+                variables.append(_variable(path, entry, kind))
         _check_count(variables if not errors.found else [None])
     objectives: tuple[Objective, ...] = ()
     with errors.gathered():
-        objectives = _objectives(_table(tables["objective"], "objective"), level)
+        objectives = _objectives(_table(tables["objective"], "objective"), level, known)
     constraints: list[Constraint] = []
     with errors.gathered():
         for name, entry in _table(tables.get("constraints", {}), "constraints").items():
             with errors.gathered():
-                constraints.extend(_constraint(name, entry, level, rated))
+                constraints.extend(_constraint(name, entry, level, rated, known))
     worst_case, starts, seed = WorstCase((), "none", 1, 0), 1, 0
     with errors.gathered():
         worst_case = _worst_case(_table(tables.get("worst_case", {}), "worst_case"))
@@ -153,7 +157,7 @@ def design_from_tables(tables: Mapping[str, Any], *, folder: Path) -> DesignProb
         level=level,
         variables=tuple(variables),
         objectives=objectives,
-        constraints=(*constraints, *_implied(constraints)),
+        constraints=(*constraints, *_implied(constraints, known)),
         worst_case=worst_case,
         starts=starts,
         seed=seed,
@@ -207,10 +211,10 @@ def _check_count(variables: Sequence[object]) -> None:
         raise InputError(f"variables: at most {MOST_STEPPED} variables may have a step, got {stepped}")
 
 
-def _variable(path: str, entry: dict[str, Any]) -> Variable:
+def _variable(path: str, entry: dict[str, Any], kind: str) -> Variable:
     where = f"variables.{path}"
     try:
-        key = key_at(path)
+        key = key_at(path, kind)
     except InputError as error:
         raise InputError(f"{where}: {error}") from None
     _only(entry, ("lower", "upper", "scale", "finish", "step"), where)
@@ -266,14 +270,16 @@ def _finish_bounds(name: Any, path: str) -> tuple[float, float]:
     return lower, upper
 
 
-def _objectives(table: dict[str, Any], level: StiffnessLevel) -> tuple[Objective, ...]:
+def _objectives(
+    table: dict[str, Any], level: StiffnessLevel, results: Mapping[str, Result]
+) -> tuple[Objective, ...]:
     _only(table, ("maximise", "minimise"), "objective")
     found = []
     for word, sign in (("maximise", -1.0), ("minimise", 1.0)):
         listed = table.get(word, [])
         for name in listed if isinstance(listed, list) else [listed]:
-            full = _result(name, level, f"objective.{word}")
-            limit = RESULTS[full].limit
+            full = _result(name, level, f"objective.{word}", results)
+            limit = results[full].limit
             if limit is not None and math.isinf(limit.lowest if sign < 0.0 else limit.highest):
                 other = "minimised (its largest value counts)" if sign < 0.0 else "maximised"
                 raise InputError(f"objective.{word}: {name} can only be {other}")
@@ -285,28 +291,32 @@ def _objectives(table: dict[str, Any], level: StiffnessLevel) -> tuple[Objective
     return tuple(found)
 
 
-def _result(name: Any, level: StiffnessLevel, where: str) -> str:
+def _result(name: Any, level: StiffnessLevel, where: str, results: Mapping[str, Result]) -> str:
     """The full name of a result in a design file."""
     short = tuple(
-        each.removeprefix(f"{level}_") for each in RESULTS if each.startswith(f"{level}_stiffness_per")
+        each.removeprefix(f"{level}_") for each in results if each.startswith(f"{level}_stiffness_per")
     )
-    known = ("stiffness", *short, *(each for each, row in RESULTS.items() if row.differentiable))
+    known = ("stiffness", *short, *(each for each, row in results.items() if row.differentiable))
     try:
         return name_at_level(known_result(name, among=known), level)
     except InputError as error:
         raise InputError(f"{where}: {error}") from None
 
 
-def _rated(case: Case) -> tuple[int, ...]:
+def _rated(case: AnyCase) -> tuple[int, ...]:
     """Rows of the bearings that a joint file rates."""
+    if isinstance(case, PlanarCase):
+        return ()
     sections = (case.pin_bearing, case.pin_bearing, case.sun_bearing, case.carrier_bearing)
     return tuple(index for index, section in enumerate(sections) if section is not None)
 
 
-def _constraint(name: str, table: Any, level: StiffnessLevel, rated: tuple[int, ...]) -> Iterator[Constraint]:
+def _constraint(
+    name: str, table: Any, level: StiffnessLevel, rated: tuple[int, ...], results: Mapping[str, Result]
+) -> Iterator[Constraint]:
     where = f"constraints.{name}"
-    full = _result(name, level, where)
-    result, entry = RESULTS[full], _table(table, where)
+    full = _result(name, level, where, results)
+    result, entry = results[full], _table(table, where)
     plural = _PLURALS.get(result.axis, "contacts")
     _only(entry, ("at_most", "at_least", plural), where)
     if "at_most" not in entry and "at_least" not in entry:
@@ -347,10 +357,12 @@ def _check_limit(result: Result, limit: float, written: str) -> None:
         raise InputError(f"{written} is not allowed; it must be {' and '.join(words)}{note}")
 
 
-def _implied(stated: Sequence[Constraint]) -> Iterator[Constraint]:
+def _implied(stated: Sequence[Constraint], results: Mapping[str, Result]) -> Iterator[Constraint]:
     """What holds for every joint that exists, unless the same limit is stated for all contacts."""
     for (name, at_most), bound in EXISTENCE.items():
-        rows = tuple(range(len(RESULTS[name].row_names)))
+        if name not in results:
+            continue
+        rows = tuple(range(len(results[name].row_names)))
         if not any(each.name == name and each.at_most == at_most and each.rows == rows for each in stated):
             yield Constraint(name, at_most, bound, rows, implied=True)
 

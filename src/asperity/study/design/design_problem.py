@@ -6,9 +6,11 @@ import math
 from dataclasses import dataclass
 from typing import Any, Literal
 
-from asperity.joint.results import GROUPS, RESULTS
+from asperity.joint.results import GROUPS, RESULTS, Result
 from asperity.joint.windup import StiffnessLevel
-from asperity.joint_file.model import Case
+from asperity.joint_file.any_joint import results_of
+from asperity.joint_file.part_names import WEDGE_TYPE, type_of
+from asperity.joint_file.si_tables import AnyCase, si_values
 
 
 @dataclass(frozen=True)
@@ -122,7 +124,7 @@ class WorstCase:
 class DesignProblem:
     """A design task, checked. ``starts`` and ``seed`` control the search."""
 
-    case: Case
+    case: AnyCase
     joint_file: str
     level: StiffnessLevel
     variables: tuple[Variable, ...]
@@ -131,6 +133,11 @@ class DesignProblem:
     worst_case: WorstCase
     starts: int
     seed: int
+
+    @property
+    def table(self) -> dict[str, Result]:
+        """The table of results of the drive."""
+        return results_of(si_values(self.case))
 
 
 #: What a report shows of every design beside objective and limits: at the joint's own torque, or at its largest or
@@ -145,7 +152,8 @@ SUMMARY: dict[str, Literal["nominal", "largest", "smallest"]] = {
     "slip_ratio": "largest",
     "assembly_stiffness_output": "smallest",
 }
-#: Results that take as much as many force balances, or that few designs ask for: computed only on request.
+#: Results that take as much as many force balances, or that few designs ask for: computed only on request. Of planar
+#: drives every capacity is a search of its own.
 _COSTLY = ("torque_capacity", "torque_safety", *GROUPS["loads"], *GROUPS["bearings"], *GROUPS["stresses"])
 
 
@@ -160,12 +168,13 @@ def design_results(problem: DesignProblem) -> tuple[str, ...]:
     Returns
     -------
     tuple of str
-        Names of :data:`asperity.joint.results.RESULTS`: all that have derivatives, the costly ones only if they are
+        Names of results of the drive: all that have derivatives, the costly ones only if they are
         asked for.
     """
     asked = {goal.name for goal in problem.objectives} | {limit.name for limit in problem.constraints}
+    costly = _COSTLY if type_of(si_values(problem.case)) == WEDGE_TYPE else GROUPS["capacity"] + _COSTLY
     return tuple(
         name
-        for name, result in RESULTS.items()
-        if result.differentiable and (name in asked or name not in _COSTLY)
+        for name, result in problem.table.items()
+        if result.differentiable and (name in asked or name not in costly)
     )

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from asperity.errors import InputError
-from asperity.joint_file.si_tables import numeric_keys
+from asperity.joint_file.si_tables import contact_in, numeric_keys
 from asperity.study.design.design_problem import DesignProblem
 
 #: More toleranced numbers have too many corners; they are sampled instead.
@@ -132,8 +132,8 @@ def _refuse_overlap(toleranced: str, variables: list[str]) -> None:
         if path == toleranced:
             continue
         short, long = sorted((path.split("."), toleranced.split(".")), key=len)
-        without = [part for part in long if part not in ("sp", "pwr", "pwl", "wro", "wlo")]
-        if len(short) < len(long) and short == without:
+        contact = contact_in(".".join(long))
+        if len(short) < len(long) and short == [part for part in long if part != contact]:
             raise InputError(
                 f"variables.{path} overlaps the tolerance of {toleranced}; free and toleranced numbers must be named "
                 "alike, contact by contact or for all contacts"
