@@ -1,5 +1,6 @@
 """The commands for studies: what they print and write, and how they refuse."""
 
+import re
 from pathlib import Path
 
 import pytest
@@ -7,6 +8,7 @@ from click.testing import CliRunner
 
 from asperity.cli import asperity
 from asperity.errors import InputError
+from asperity.joint.results.table import GROUPS
 
 FILE = str(Path(__file__).parents[2] / "examples" / "zou2025.toml")
 TORQUE = ["--over", "load.output_torque=0 N*m:20 N*m:3"]
@@ -20,6 +22,12 @@ def _no_cache(monkeypatch, tmp_path):
 
 def run(*arguments):
     return CliRunner().invoke(asperity, list(arguments), catch_exceptions=False)
+
+
+def test_help_names_every_group_of_results():
+    shown = " ".join(run("sweep", "--help").output.split())
+    listed = shown[shown.index("separated by commas: ") : shown.index("Only these are computed")]
+    assert set(re.findall(r"\w+", listed)) >= set(GROUPS)
 
 
 def test_small_sweep_is_printed_drawn_and_written(tmp_path):

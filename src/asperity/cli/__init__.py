@@ -68,7 +68,7 @@ COMMANDS: dict[str, tuple[str, str, str]] = {
     "validate": (
         "asperity.cli.validate",
         "validate",
-        "Evidence that this installation computes right.",
+        "Evidence that this installation computes correctly.",
     ),
     "verify-contact": (
         "asperity.cli.verify_contact",

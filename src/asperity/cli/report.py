@@ -67,7 +67,7 @@ def report(
     """Write one document about the joint described in FILE: inputs, drawing, results, margins and warnings.
 
     The report contains everything that a design review asks for, and the joint file itself, from which it can be
-    made again. The same input gives the same report, letter by letter. HTML is one file without scripts; PDF needs the
+    made again. The same input gives the same report, byte for byte. HTML is one file without scripts; PDF needs the
     optional package typst.
     """
     from asperity.joint_file.planar_model import PlanarCase

@@ -1,4 +1,4 @@
-"""``asperity validate``: evidence that this installation computes right."""
+"""``asperity validate``: evidence that this installation computes correctly."""
 
 from __future__ import annotations
 
