@@ -1,4 +1,4 @@
-"""Do the solvers always find the joint, or say that they did not? A million random joints and random planar drives.
+"""Do the solvers always find the joint, or say that they did not? A million random joints of the paper's drive.
 
     python benchmarks/random_joints.py [--joints 1e6]
 

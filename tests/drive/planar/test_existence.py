@@ -8,7 +8,7 @@ import jax.numpy as jnp
 import pytest
 
 from asperity.drive.planar.drives import planetary_drive, two_row_multiroller
-from asperity.drive.planar.existence import neighbour_gaps, refuse_impossible
+from asperity.drive.planar.existence import neighbour_gaps, pulling_contacts, refuse_impossible
 from asperity.drive.planar.layout import CARRIER, Body, Contact
 from asperity.errors import InputError
 
@@ -129,3 +129,29 @@ def test_the_number_of_planets_may_vary():
 
     slope = -2.0 * 30e-3 * math.cos(math.pi / 4.0) * math.pi / 16.0
     assert jax.grad(gap)(4.0) == pytest.approx(slope, rel=1e-12)
+
+
+@pytest.mark.parametrize(("count", "radius"), [(4, 16e-3), (4, 22e-3), (5, 16e-3)])
+def test_rows_that_push_the_first_one_outward_are_refused(count, radius):
+    """By hand: the second row presses the first one onto the sun where y_1 + x_2 > (s + x_1) tan(pi/n)."""
+    limit = (10e-3 + radius) * math.tan(math.pi / count) - 9e-3
+    for second, pulling in ((1.001 * limit, ()), (0.999 * limit, ("sf",))):
+        drive = two_row_multiroller(
+            sun_radius=10e-3,
+            first_row_radii=(radius, 9e-3),
+            second_row_radii=(second, 9e-3),
+            roller_count=count,
+        )
+        assert pulling_contacts(drive) == pulling
+
+
+def test_a_contact_that_would_have_to_pull_is_named(drives):
+    for drive in drives.values():
+        assert pulling_contacts(drive) == ()
+    drive = two_row_multiroller(
+        sun_radius=10e-3, first_row_radii=(16e-3, 12e-3), second_row_radii=(12e-3, 9e-3), roller_count=4
+    )
+    with pytest.raises(
+        InputError, match="no interference presses all contacts of this drive: sf would have to pull"
+    ):
+        refuse_impossible(drive)

@@ -57,6 +57,44 @@ def refuse_impossible(drive: PlanarDrive) -> None:
             f"with {drive.grounded} grounded the drive has {freedom} degrees of freedom; it must have 1: "
             + ("ground another member" if freedom > 1 else "the contacts block each other")
         )
+    pulling = pulling_contacts(drive)
+    if pulling:
+        raise InputError(
+            f"no interference presses all contacts of this drive: {' and '.join(pulling)} would have to pull, because "
+            "the other contacts push a roller away there; change the radii so that each roller is held between others"
+        )
+
+
+def pulling_contacts(drive: PlanarDrive) -> tuple[str, ...]:
+    r"""Contacts that would have to pull for the normal forces of the assembled drive to balance.
+
+    .. math:: A^\mathsf{T} N + P^\mathsf{T} Q = 0
+
+    Parameters
+    ----------
+    drive : PlanarDrive
+        The drive, with concrete (not traced) values.
+
+    Returns
+    -------
+    tuple of str
+        Their names; none where the forces N of all contacts can press, or where the balance leaves several ratios of
+        forces.
+
+    References
+    ----------
+    Balance of every floating body under the normal forces N of its contacts and the push Q of its pin; friction does
+    not act before the drive carries a torque. Equation (M1) of :doc:`/equations`.
+    """
+    matrices = incidence(drive)
+    balance = np.concatenate([np.asarray(matrices.approach), np.asarray(matrices.pins)]).T
+    _, values, rows = np.linalg.svd(balance)
+    unknown = balance.shape[1] - int(np.sum(values > 1e-9 * values.max(initial=0.0)))
+    if unknown != 1:
+        return ()
+    normal = rows[-1, : len(drive.contacts)]
+    normal = normal * np.sign(np.sum(np.sign(normal)) or 1.0) / np.max(np.abs(normal))
+    return tuple(contact.name for contact, force in zip(drive.contacts, normal, strict=True) if force < 1e-9)
 
 
 def _driven(drive: PlanarDrive) -> np.ndarray:
