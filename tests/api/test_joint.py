@@ -77,3 +77,24 @@ def test_unknown_numbers_and_files_are_refused(joint, tmp_path):
         joint["bearings.sun_torque"]
     with pytest.raises(InputError, match=r"there is no such file; 'asperity init' writes an example"):
         asperity.load(tmp_path / "none.toml")
+
+
+def test_a_joint_with_another_drive(zou_file):
+    joint = asperity.load(zou_file.parent / "planetary.toml")
+    assert "planetary.toml: 3 planets, interference 30 um" in joint.summary
+    changed = joint.with_values({"drive.planets": 4, "surface.sp.fractal_dimension": 1.45})
+    assert changed["surface.sp.fractal_dimension"].value == 1.45
+    assert changed["surface.pr.fractal_dimension"].value == 1.5
+    assert joint["drive.planets"].value == 3.0
+    assert any("pins and shafts are rigid" in each for each in joint.assumptions)
+    with pytest.raises(InputError, match=r"type planetary has no number 'drive.ring_radius'"):
+        joint.with_values({"drive.ring_radius": "50 mm"})
+    with pytest.raises(InputError, match="only for the paper's"):
+        joint.paper_case  # noqa: B018
+
+
+def test_one_track_of_a_listed_drive_is_one_number(zou_file):
+    joint = asperity.load(zou_file.parent / "planar.toml").with_values({"contact.1.second_radius": "13.6 mm"})
+    assert [joint[f"contact.{place}_radius"].value for place in ("1.second", "2.first", "3.first")] == [
+        13.6
+    ] * 3

@@ -1,8 +1,11 @@
 """A solution against the document that the command prints for the same file."""
 
+import math
+
 import numpy as np
 import pytest
 
+import asperity
 from asperity.errors import InputError
 from asperity.joint.results import RESULTS
 
@@ -98,3 +101,20 @@ def test_unknown_results_are_refused(solution, asked, says):
 def test_a_torque_beyond_the_capacity_is_one_message(joint):
     with pytest.raises(InputError, match=r"beyond the torque capacity 13\.16 N·m"):
         joint.with_values({"load.output_torque": "40 N*m"}).solve()
+
+
+def test_a_planetary_by_its_own_names(zou_file):
+    solution = asperity.load(zou_file.parent / "planetary.toml").solve()
+    assert solution["speed_ratio"].si == pytest.approx(6.0)
+    assert solution["slip_ratio"].rows == ("sp", "pr")
+    assert solution["slip_ratio_pr"].value == solution["slip_ratio"]["pr"].value
+    assert solution["clearance"]["planet_to_planet"].si == pytest.approx(
+        60e-3 * math.sin(math.pi / 3.0) - 40e-3
+    )
+    assert solution["torque_safety"].si == pytest.approx(solution["torque_capacity"].si / 10.0)
+    assert solution.document["geometry"]["sectors"] == 3
+    with pytest.raises(InputError, match="no result 'wedge_angle': only that of Zou et al"):
+        solution["wedge_angle"]
+    text = str(solution)
+    assert "efficiency" in text
+    assert "\npr " in text

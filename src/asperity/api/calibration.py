@@ -77,15 +77,16 @@ def calibrate(
     known_result(history, among=("virgin", "cycled"), what="history")
     if isinstance(unknowns, str):
         raise InputError(f"the unknowns are a list, e.g. ['{unknowns}']")
-    ratio = float(speed_ratio(joint_from_case(joint.case).geometry))
+    case = joint.paper_case
+    ratio = float(speed_ratio(joint_from_case(case).geometry))
     files = [data] if isinstance(data, str | Path) else list(data)
     if not files:
         raise InputError("no data: name at least one CSV file")
     measurements = tuple(read_measurement(each, unloaded_ratio=ratio) for each in files)
     found = fit(
-        case=joint.case,
+        case=case,
         measurements=measurements,
-        unknowns=read_unknowns(unknowns, case=joint.case, measurements=measurements),
+        unknowns=read_unknowns(unknowns, case=case, measurements=measurements),
         level=level,
         history=history,
         starts=starts,
@@ -113,7 +114,7 @@ class CalibratedJoint(Shown):
     def joint(self) -> DescribedJoint:
         """The joint with the estimates in place of its numbers."""
         changes = {path: each.value for path, each in self._estimates.items() if of_joint_file(path)}
-        if "play.angle" in changes and self.start.case.play is None:  # a section [play] has both keys
+        if "play.angle" in changes and self.start.paper_case.play is None:  # a section [play] has both keys
             changes.setdefault("play.take_up_torque", 0.0)
         return self.start.edited(joint_file_text(self.start.case, changes, comment=""))
 

@@ -9,9 +9,11 @@ from typing import TYPE_CHECKING, Any
 
 from asperity.api.named_quantity import NamedQuantity, si_number
 from asperity.api.shown import Shown, Table, frame
-from asperity.errors import InputError, quoted
+from asperity.errors import InputError, UnsupportedDriveError, quoted
 from asperity.joint_file.model import Case
-from asperity.joint_file.reader import parse_case, read_case
+from asperity.joint_file.planar_model import PlanarCase
+from asperity.joint_file.reader import parse_any_case, read_any_case
+from asperity.joint_file.si_tables import AnyCase
 from asperity.precision import use_compilation_cache, use_double_precision
 from asperity.units import format_quantity
 
@@ -20,6 +22,7 @@ if TYPE_CHECKING:
     from asperity.surface.measurement import SurfaceMeasurement
 
 #: Keys of the file that its one-line summary names.
+_COUNTS = ("drive.planets", "drive.rollers_per_row", "drive.sectors")
 _SUMMARY = ("load.preload", "load.interference", "load.output_torque", "load.sun_speed")
 
 
@@ -47,7 +50,7 @@ def load(path: str | Path) -> DescribedJoint:
     """
     use_double_precision()
     use_compilation_cache()
-    return DescribedJoint(read_case(path), str(path))
+    return DescribedJoint(read_any_case(path), str(path))
 
 
 @dataclass(frozen=True, repr=False)
@@ -56,13 +59,13 @@ class DescribedJoint(Shown):
 
     Parameters
     ----------
-    case : Case
+    case : Case or PlanarCase
         The checked content of the joint file.
     source : str
         Where it comes from, for titles and messages.
     """
 
-    case: Case
+    case: AnyCase
     source: str
 
     @property
@@ -78,11 +81,12 @@ class DescribedJoint(Shown):
 
     def __getitem__(self, path: str) -> NamedQuantity:
         """One number of the file, such as ``load.preload``."""
+        from asperity.joint_file.part_names import WEDGE_TYPE
         from asperity.joint_file.si_tables import key_at
 
         numbers = self.numbers
         if path not in numbers:
-            key_at(path)  # raises if no joint file has such a number
+            key_at(path, self.case.type or WEDGE_TYPE)  # raises if no joint file has such a number
             raise InputError(f"{self.source} does not state '{path}'; it states {', '.join(numbers)}")
         return numbers[path]
 
@@ -92,9 +96,20 @@ class DescribedJoint(Shown):
     @property
     def assumptions(self) -> tuple[str, ...]:
         """What the file leaves out and what is assumed instead, one sentence each."""
+        if isinstance(self.case, PlanarCase):
+            from asperity.joint_file.planar_assumptions import planar_assumptions
+
+            return planar_assumptions(self.case)
         from asperity.joint_file.assumptions import assumptions
 
         return assumptions(self.case)
+
+    @property
+    def paper_case(self) -> Case:
+        """The content of the file, where it describes the drive of Zou et al. 2025; others are refused."""
+        if isinstance(self.case, PlanarCase):
+            raise UnsupportedDriveError(self.source, self.case.type)
+        return self.case
 
     def with_values(self, changes: Mapping[str, Any]) -> DescribedJoint:
         """The same joint with other numbers.
@@ -117,12 +132,14 @@ class DescribedJoint(Shown):
             If there is no such number, its unit is missing or wrong, or it is outside its range.
         """
         from asperity.joint_file.edited_text import joint_file_text
+        from asperity.joint_file.part_names import WEDGE_TYPE
         from asperity.joint_file.si_tables import check_values, key_at
 
         if not isinstance(changes, Mapping):
             raise InputError(f"expected changes such as {{'load.preload': '1200 N'}}, got {quoted(changes)}")
+        kind = self.case.type or WEDGE_TYPE
         numbers = {
-            path: si_number(given, key_at(path).dimension, name=path) for path, given in changes.items()
+            path: si_number(given, key_at(path, kind).dimension, name=path) for path, given in changes.items()
         }
         check_values(numbers)
         return self.edited(joint_file_text(self.case, numbers, comment=""))
@@ -147,7 +164,7 @@ class DescribedJoint(Shown):
         """
         from asperity.joint_file.measured_surface import with_measured_surface
 
-        return DescribedJoint(with_measured_surface(self.case, measurement), self.source)
+        return DescribedJoint(with_measured_surface(self.paper_case, measurement), self.source)
 
     def edited(self, text: str) -> DescribedJoint:
         """The joint of another text of its file.
@@ -162,7 +179,7 @@ class DescribedJoint(Shown):
         DescribedJoint
             A new joint.
         """
-        return DescribedJoint(parse_case(text, source=self.source), self.source)
+        return DescribedJoint(parse_any_case(text, source=self.source), self.source)
 
     def save(self, path: str | Path) -> None:
         """Write the joint as a joint file.
@@ -223,7 +240,9 @@ class DescribedJoint(Shown):
     def summary(self) -> str:
         """The joint in one line."""
         stated = ", ".join(f"{self[path].label} {self[path]}" for path in _SUMMARY if path in self.numbers)
-        return f"{self.source}: {self['drive.planets'].si:g} planets, {stated}"
+        count = next(self[path] for path in _COUNTS if path in self.numbers)
+        what = count.label if isinstance(self.case, PlanarCase) else "planets"
+        return f"{self.source}: {count.si:g} {what}, {stated}"
 
     def _parts(self) -> list[str | Table]:
         rows = [(path, format_quantity(each.si, each.unit, 6)) for path, each in self.numbers.items()]

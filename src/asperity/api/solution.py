@@ -11,13 +11,18 @@ import numpy as np
 from asperity.api.joint import DescribedJoint
 from asperity.api.named_quantity import NamedQuantity
 from asperity.api.shown import Shown, Table, displayed, frame, pandas
-from asperity.drive.geometry import CONTACT_NAMES
 from asperity.joint.description import Joint
 from asperity.joint.document import joint_document
+from asperity.joint.either_kind import AnyJoint, AnySolution, solve_any
+from asperity.joint.planar.description import PlanarJoint
+from asperity.joint.planar.document import planar_document
+from asperity.joint.planar.solve import PlanarSolution
+from asperity.joint.planar.solved import solved_planar_joint
 from asperity.joint.results import LEVELS, RESULTS, Result, SolvedJoint, known_result, name_at_level
 from asperity.joint.rolling_refusal import rolling_capacity_of
-from asperity.joint.solve import Solution, solve
-from asperity.joint_file.build import joint_from_case
+from asperity.joint.solve import Solution
+from asperity.joint_file.any_joint import results_of
+from asperity.joint_file.planar_build import any_joint_from_case
 from asperity.joint_file.si_tables import si_values
 from asperity.units import format_quantity
 
@@ -61,7 +66,7 @@ def solution(joint: DescribedJoint) -> JointSolution:
     NoSolutionError
         If the force balance does not close.
     """
-    return JointSolution(joint, solve(joint_from_case(joint.case)))
+    return JointSolution(joint, solve_any(any_joint_from_case(joint.case)))
 
 
 class _Solved(SolvedJoint):
@@ -80,6 +85,15 @@ class _Solved(SolvedJoint):
         return rolling_capacity_of(self.joint, self._solution, direction=-1.0)
 
 
+def _solved(joint: AnyJoint, solution: AnySolution) -> SolvedJoint:
+    """One solved joint, whose capacities come from the program that solved it."""
+    if isinstance(joint, PlanarJoint):
+        assert isinstance(solution, PlanarSolution)
+        return solved_planar_joint(joint, solution)
+    assert isinstance(solution, Solution)
+    return _Solved(joint, solution)
+
+
 class JointSolution(Shown):
     """A solved joint: ``solution["stiffness"]`` is a number with its unit, and so is every other result.
 
@@ -87,13 +101,14 @@ class JointSolution(Shown):
     ----------
     joint : DescribedJoint
         What was solved.
-    solution : Solution
+    solution : Solution or PlanarSolution
         What came out.
     """
 
-    def __init__(self, joint: DescribedJoint, solution: Solution) -> None:
+    def __init__(self, joint: DescribedJoint, solution: AnySolution) -> None:
         self.joint, self.solution = joint, solution
-        self._solved = _Solved(joint_from_case(joint.case), solution)
+        self._solved = _solved(any_joint_from_case(joint.case), solution)
+        self._table = results_of(si_values(joint.case))
 
     def __getitem__(self, asked: str | tuple[str, StiffnessLevel]) -> NamedQuantity:
         """One result.
@@ -104,14 +119,14 @@ class JointSolution(Shown):
         name, level = asked if isinstance(asked, tuple) and len(asked) == 2 else (asked, LEVELS[0])
         if isinstance(asked, tuple):
             known_result(level, among=LEVELS, what="level of the stiffness")
-        if isinstance(name, str) and name not in RESULTS:
+        if isinstance(name, str) and name not in self._table:
             full = name_at_level(name, level)
-            name = full if full in RESULTS else name
-            for row in RESULTS.values():
+            name = full if full in self._table else name
+            for row in self._table.values():
                 for contact in filter(None, row.row_names):
                     if name == f"{row.name}_{contact}":
                         return self._quantity(row)[contact]
-        return self._quantity(RESULTS[known_result(name, among=("stiffness", *RESULTS))])
+        return self._quantity(self._table[known_result(name, among=("stiffness", *self._table))])
 
     def _quantity(self, row: Result) -> NamedQuantity:
         found = row.of(self._solved)
@@ -129,20 +144,20 @@ class JointSolution(Shown):
         )
 
     def __iter__(self) -> Iterator[str]:
-        return iter(RESULTS)
+        return iter(self._table)
 
     def __len__(self) -> int:
-        return len(RESULTS)
+        return len(self._table)
 
     def __contains__(self, name: object) -> bool:
-        return name in RESULTS
+        return name in self._table
 
     def keys(self) -> list[str]:
         """Names of all results."""
-        return list(RESULTS)
+        return list(self._table)
 
     def _ipython_key_completions_(self) -> list[str]:
-        return ["stiffness", *RESULTS]
+        return ["stiffness", *self._table]
 
     @property
     def limits(self) -> list[dict[str, Any]]:
@@ -153,12 +168,14 @@ class JointSolution(Shown):
     @functools.cached_property
     def document(self) -> dict[str, Any]:
         """The document that ``asperity joint --json`` prints, in SI units."""
-        return joint_document(
-            joint=self._solved.joint,
-            solution=self.solution,
-            inputs=si_values(self.joint.case),
-            assumptions=self.joint.assumptions,
-        )
+        told: dict[str, Any] = {
+            "joint": self._solved.joint,
+            "inputs": si_values(self.joint.case),
+            "assumptions": self.joint.assumptions,
+        }
+        if isinstance(self.solution, PlanarSolution):
+            return planar_document(solution=self.solution, **told)
+        return joint_document(solution=self.solution, **told)
 
     def to_frame(self) -> Any:
         """Every number as a row of a pandas data frame: label, value, unit, SI value, SI unit, level."""
@@ -223,17 +240,17 @@ class JointSolution(Shown):
         )
 
     def _result_table(self) -> Table:
-        drift = [name for name, row in RESULTS.items() if "drift" in name and row.axis == "one"]
-        rows = [(self[name].label, str(self[name])) for name in (*drift, *_PRINTED) if name in RESULTS]
+        drift = [name for name, row in self._table.items() if "drift" in name and row.axis == "one"]
+        rows = [(self[name].label, str(self[name])) for name in (*drift, *_PRINTED) if name in self._table]
         return Table(("result", "value"), rows)
 
     def _contact_table(self) -> Table:
-        drift = [name for name, row in RESULTS.items() if "drift" in name and row.axis == "contact"]
+        drift = [name for name, row in self._table.items() if "drift" in name and row.axis == "contact"]
         shown = [self[name] for name in (*_PRINTED_CONTACTS, *drift)]
         head = ("contact", *(_titled(each) for each in shown))
         rows = [
             (contact, *(format_quantity(_number(each, contact), "1") for each in shown))
-            for contact in CONTACT_NAMES
+            for contact in self._solved.row_names("contact")
         ]
         return Table(head, rows)
 

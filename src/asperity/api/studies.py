@@ -11,6 +11,7 @@ from asperity.api.joint import DescribedJoint, require_joint
 from asperity.api.named_quantity import NamedQuantity, si_number
 from asperity.api.shown import displayed
 from asperity.errors import InputError, quoted
+from asperity.joint_file.part_names import WEDGE_TYPE
 from asperity.joint_file.si_tables import key_at
 from asperity.study.datasets import require
 from asperity.study.parameters import ListedAxis, SweepAxis, parse_axis
@@ -55,14 +56,15 @@ def sweep(
     require("xarray")
     if not isinstance(over, Mapping) or not over:
         raise InputError(f"expected axes such as {{'load.preload': ['500 N', '1000 N']}}, got {quoted(over)}")
+    kind = joint.case.type or WEDGE_TYPE
     names = [results] if isinstance(results, str) else list(results)
-    return evaluated(joint.case, [_axis(path, values) for path, values in over.items()], results=names)
+    return evaluated(joint.case, [_axis(path, values, kind) for path, values in over.items()], results=names)
 
 
-def _axis(path: str, values: Any) -> SweepAxis:
-    key = key_at(path)
+def _axis(path: str, values: Any, kind: str) -> SweepAxis:
+    key = key_at(path, kind)
     if isinstance(values, str):
-        return parse_axis(f"{path}={values}")
+        return parse_axis(f"{path}={values}", kind=kind)
     if (
         isinstance(values, tuple)
         and len(values) == 2

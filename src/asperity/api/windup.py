@@ -20,7 +20,7 @@ from asperity.joint.windup_document import (
     windup_document,
     windup_onsets,
 )
-from asperity.joint_file.build import joint_from_case
+from asperity.joint_file.planar_build import any_joint_from_case
 from asperity.unit_table import Dimension
 
 if TYPE_CHECKING:
@@ -89,7 +89,7 @@ def windup(
     require_joint(joint)
     known_result(level, among=LEVELS, what="level of the stiffness")
     largest = None if torque is None else si_number(torque, Dimension.TORQUE, name="torque")
-    described = joint_from_case(joint.case)
+    described = any_joint_from_case(joint.case)
     curve, solutions = examined_windup(described, largest_torque=largest, level=level, stage_shares=stages)
     onsets = windup_onsets(described, curve, solutions, creep_share=creep_share)
     document = windup_document(described, curve, solutions, onsets, level=level)

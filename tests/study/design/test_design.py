@@ -12,9 +12,9 @@ from asperity.errors import NoSolutionError
 from asperity.joint_file.build import joint_from_values
 from asperity.joint_file.reader import parse_case
 from asperity.joint_file.si_tables import si_values
-from asperity.study.batch import derivatives_at
+from asperity.study.batch import derivatives_at, evaluate_points
 from asperity.study.design.design import design, nominal_results
-from asperity.study.design.design_file import design_from_tables
+from asperity.study.design.design_file import design_from_tables, read_design
 from asperity.study.design.design_result import conflict
 
 pytestmark = pytest.mark.slow
@@ -228,3 +228,29 @@ def test_a_surface_of_plastic_spots_only_has_no_design_for_stiffness(zou_file, t
     found = design(design_from_tables(tomllib.loads(problem + "[search]\nstarts = 1"), folder=plastic.parent))
     assert found.point["drive.contact_length"] == pytest.approx(4e-3)
     assert np.isfinite(found.summary_after["slip_ratio"])
+
+
+def test_the_lightest_planetary_is_that_of_an_exhaustive_search(zou_file):
+    problem = read_design(zou_file.parent / "design_planetary.toml")
+    found = design(problem)
+    assert found.feasible
+    wall, length = (found.point[f"drive.{name}"] for name in ("ring_wall_thickness", "contact_length"))
+    # every pair of 41 walls and 15 lengths; the mass of a drive falls with both
+    walls, lengths = np.meshgrid(np.linspace(4e-3, 14e-3, 41), np.linspace(6e-3, 20e-3, 15))
+    points = {"drive.ring_wall_thickness": walls.ravel(), "drive.contact_length": lengths.ravel()}
+    status, at_points = evaluate_points(
+        si_values(problem.case), points, ("mass", "slip_ratio", "hertz_pressure")
+    )
+    allowed = (
+        (status == 0)
+        & (at_points["slip_ratio"].max(axis=0) <= 0.8)
+        & (at_points["hertz_pressure"].max(axis=0) <= 1.4e9)
+    )
+    best = np.flatnonzero(allowed)[np.argmin(at_points["mass"][allowed])]
+    assert found.objective_after <= at_points["mass"][best] * (1.0 + 1e-9)
+    assert (wall, length) == pytest.approx(
+        (points["drive.ring_wall_thickness"][best], points["drive.contact_length"][best]), abs=0.25e-3
+    )
+    limits = {(each.name, each.row): each for each in found.limits}
+    assert limits["slip_ratio", "sp"].value == pytest.approx(0.8, rel=1e-6)
+    assert limits["clearance", "planet_to_planet"].value == pytest.approx(60e-3 * np.sin(np.pi / 3.0) - 40e-3)

@@ -188,3 +188,25 @@ def np_rows(deviations):
     import numpy as np
 
     return np.stack([deviations["drive.planet_radius"], deviations["load.preload"]], axis=1).round(12)
+
+
+def test_limits_of_another_drive_have_its_names(zou_file):
+    problem = read_design(zou_file.parent / "design_planetary.toml")
+    assert problem.table["slip_ratio"].row_names == ("sp", "pr")
+    assert {each.name: each.rows for each in problem.constraints} == {
+        "slip_ratio": (0, 1),
+        "hertz_pressure": (0, 1),
+        "clearance": (0,),
+        "normal_force_over_preload": (0, 1),
+    }
+    bounds = '{ lower = "4 mm", upper = "14 mm" }'
+    text = f'joint = "planetary.toml"\n[variables]\n"VARIABLE" = {bounds}\n[objective]\nminimise = "GOAL"'
+    for variable, goal, says in (
+        ("drive.ring_radius", "mass", "of a drive of type planetary has no number 'drive.ring_radius'"),
+        ("drive.sun_radius", "self_locking_ratio", "only that of Zou et al. 2025 has it"),
+    ):
+        with pytest.raises(InputError, match=says):
+            design_from_tables(
+                tomllib.loads(text.replace("VARIABLE", variable).replace("GOAL", goal)),
+                folder=zou_file.parent,
+            )
