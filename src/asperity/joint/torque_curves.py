@@ -14,6 +14,9 @@ from jax import Array
 from asperity.compilation import compile_fast
 from asperity.joint.description import Joint
 from asperity.joint.evaluation import evaluate
+from asperity.joint.planar.description import PlanarJoint
+from asperity.joint.planar.over_torque import over_torque
+from asperity.joint.standing import LEVELS, NO_SLIP_FRICTION
 
 _TORQUES = 49
 _OVER_TORQUE = 2.0  # end of the axis over the joint's own torque, where there is no capacity
@@ -45,12 +48,12 @@ class TorqueCurves(eqx.Module):
     slip_ratio: Array
 
 
-def torque_curves(*, joint: Joint, torque_capacity: float) -> TorqueCurves:
+def torque_curves(*, joint: Joint | PlanarJoint, torque_capacity: float) -> TorqueCurves:
     """Stiffness, drift and efficiency of a joint from no torque to its capacity.
 
     Parameters
     ----------
-    joint : Joint
+    joint : Joint or PlanarJoint
         One joint, without batch axes.
     torque_capacity : float
         Capacity in the direction of the joint's torque, without sign; not finite if friction does not limit it [N·m].
@@ -60,17 +63,36 @@ def torque_curves(*, joint: Joint, torque_capacity: float) -> TorqueCurves:
     TorqueCurves
         In the direction of the joint's torque; up to twice the torque, or 1 N·m, if there is no capacity.
     """
-    numbers: Joint = jax.tree.map(lambda leaf: np.asarray(leaf, dtype=float), joint)
-    numbers = dataclasses.replace(numbers, rolling=dataclasses.replace(numbers.rolling, duty=()))
-    own = float(numbers.output_torque)
+    own = float(joint.output_torque)
     limited = math.isfinite(torque_capacity) and torque_capacity > 0.0
     largest = torque_capacity if limited else _OVER_TORQUE * abs(own) or 1.0
     towards = np.linspace(0.0, 1.0, _TORQUES)
     # the curves are steep near gross slip
     torque = math.copysign(largest, own) * (towards * (2.0 - towards) if limited else towards)
+    if isinstance(joint, PlanarJoint):
+        return _planar(joint, torque)
+    numbers: Joint = jax.tree.map(lambda leaf: np.asarray(leaf, dtype=float), joint)
+    numbers = dataclasses.replace(numbers, rolling=dataclasses.replace(numbers.rolling, duty=()))
     points = dataclasses.replace(numbers, output_torque=jnp.asarray(torque))
     found = jax.tree.map(np.asarray, compile_fast(_over_torque, points)(points))
     return TorqueCurves(jnp.asarray(torque), *found)
+
+
+def _planar(joint: PlanarJoint, torque: np.ndarray) -> TorqueCurves:
+    found = over_torque(joint, jnp.asarray(torque), no_slip_friction=NO_SLIP_FRICTION)
+    slip = np.max(np.asarray(found.slip_ratio), axis=1)
+    holds = np.asarray(found.solved) & (slip < 1.0)
+    levels = {
+        name: jnp.asarray(np.where(holds, np.asarray(getattr(found, name))[:, 0], np.nan)) for name in LEVELS
+    }
+    with_torque, against = np.asarray(found.drift).T
+    return TorqueCurves(
+        torque=jnp.asarray(torque),
+        **levels,
+        drift_per_output_turn=jnp.asarray(np.where(torque < 0.0, against, with_torque)),
+        efficiency=jnp.asarray(found.efficiency),
+        slip_ratio=jnp.asarray(np.where(found.solved, slip, np.nan)),
+    )
 
 
 def _over_torque(joint: Joint) -> tuple[Array, ...]:

@@ -10,6 +10,10 @@ import numpy as np
 from asperity.errors import AsperityError
 from asperity.joint.description import Joint
 from asperity.joint.document import joint_document
+from asperity.joint.either_kind import AnyJoint, AnySolution
+from asperity.joint.planar.description import PlanarJoint
+from asperity.joint.planar.document import planar_document
+from asperity.joint.planar.solve import PlanarSolution, solve_planar
 from asperity.joint.solve import Solution, solve
 from asperity.joint.torque_curves import torque_curves
 from asperity.joint.windup import windup
@@ -17,10 +21,14 @@ from asperity.joint.windup_document import windup_columns
 from asperity.joint_file.assumptions import assumptions
 from asperity.joint_file.build import joint_from_case
 from asperity.joint_file.model import Case
+from asperity.joint_file.planar_assumptions import planar_assumptions
+from asperity.joint_file.planar_build import planar_joint_from_case
+from asperity.joint_file.planar_model import PlanarCase
 from asperity.joint_file.quantity_key import Key
 from asperity.joint_file.si_tables import numeric_keys, si_values
-from asperity.page.drawing import drive_shapes
-from asperity.page.joint_request import CHOICES, JointRequest
+from asperity.page.description import form_of
+from asperity.page.drawing import drive_shapes, planar_shapes
+from asperity.page.joint_request import JointRequest, choices_of_case
 from asperity.units import from_si
 
 Answer = dict[str, Any]
@@ -49,41 +57,59 @@ def joint_answer(request: JointRequest) -> Answer:
         If the force balance does not close.
     """
     case = request.case()
-    joint = joint_from_case(case)
-    solution = solve(joint)
-    document = joint_document(
-        joint=joint, solution=solution, inputs=si_values(case), assumptions=assumptions(case)
-    )
+    joint, solution, document, drawing = _planar(case) if isinstance(case, PlanarCase) else _papers(case)
     return {
         "id": request.identity,
         "name": request.name,
         **stated_values(case),
         "document": document,
-        "drawing": drive_shapes(joint, solution.result.forces),
+        "drawing": drawing,
         "curves": _curves(joint, solution),
         "windup": _windup(joint),
     }
 
 
-def stated_values(case: Case) -> Answer:
+def _papers(case: Case) -> tuple[Joint, Solution, Answer, Answer]:
+    joint = joint_from_case(case)
+    solution = solve(joint)
+    document = joint_document(
+        joint=joint, solution=solution, inputs=si_values(case), assumptions=assumptions(case)
+    )
+    return joint, solution, document, drive_shapes(joint, solution.result.forces)
+
+
+def _planar(case: PlanarCase) -> tuple[PlanarJoint, PlanarSolution, Answer, Answer]:
+    joint = planar_joint_from_case(case)
+    solution = solve_planar(joint)
+    document = planar_document(
+        joint=joint, solution=solution, inputs=si_values(case), assumptions=planar_assumptions(case)
+    )
+    return joint, solution, document, planar_shapes(joint, solution.result)
+
+
+def stated_values(case: Case | PlanarCase) -> Answer:
     """What a joint file states, for the fields of the page.
 
     Parameters
     ----------
-    case : Case
+    case : Case or PlanarCase
         The joint file.
 
     Returns
     -------
     dict
         ``numbers``: dotted path → value in the unit of display, and in SI; ``choices``: dotted path → word, empty
-        where the file leaves it out.
+        where the file leaves it out; ``form``: what can be set in a file with another drive than the paper's, None
+        for the paper's, whose form is that of the page.
     """
     choices = {}
-    for path in CHOICES:
+    for path in choices_of_case(case):
         section, key = path.split(".")
-        choices[path] = getattr(getattr(case, section), key, None) or ""
+        above = getattr(case, section)
+        word = above.get(key) if isinstance(above, dict) else getattr(above, key, None)
+        choices[path] = word or ""
     return {
+        "form": form_of(case) if isinstance(case, PlanarCase) else None,
         "numbers": {
             path: {"value": _shown(entry.value, entry.key), "si": entry.value, "tolerance": entry.tolerance}
             for path, entry in numeric_keys(case).items()
@@ -113,7 +139,7 @@ def plain_numbers(values: Any) -> list[float | None]:
     return [number if math.isfinite(number) else None for number in np.asarray(values, dtype=float).tolist()]
 
 
-def _curves(joint: Joint, solution: Solution) -> Answer:
+def _curves(joint: AnyJoint, solution: AnySolution) -> Answer:
     reverse = float(joint.output_torque) < 0.0
     capacity = solution.reverse_capacity if reverse else solution.capacity
     found = torque_curves(joint=joint, torque_capacity=float(capacity.output_torque))
@@ -128,7 +154,7 @@ def _curves(joint: Joint, solution: Solution) -> Answer:
     }
 
 
-def _windup(joint: Joint) -> Answer:
+def _windup(joint: AnyJoint) -> Answer:
     """The loop at the joint's torque, or why there is none."""
     torque = abs(float(joint.output_torque))
     if torque == 0.0:

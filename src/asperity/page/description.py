@@ -10,9 +10,10 @@ from pydantic import BaseModel
 import asperity
 from asperity.joint_file.messages import keys_by_path, models_of
 from asperity.joint_file.model import Case
+from asperity.joint_file.planar_model import PlanarCase
 from asperity.joint_file.quantity_key import Key
 from asperity.library import FREQUENCY_RATIO, read_finishes, read_materials
-from asperity.page.joint_request import CHOICES
+from asperity.page.joint_request import CHOICES, choices_of_case
 from asperity.units import from_si, parse_quantity
 
 #: Section of a joint file → heading of its group, in the order of the page.
@@ -23,6 +24,8 @@ HEADINGS = {
     "temperature": "Temperature",
     "surface": "Surfaces",
     "materials": "Materials",
+    "roller": "Rollers",
+    "contact": "Contacts",
     "compliance": "Structure",
     "play": "Play",
     "bearings": "Bearing friction",
@@ -46,11 +49,7 @@ def description() -> dict[str, Any]:
     """
     return {
         "asperity_version": asperity.__version__,
-        "groups": [
-            {"name": name, "heading": heading, "parameters": _parameters(name)}
-            for name, heading in HEADINGS.items()
-        ],
-        "choices": [_choice(path) for path in CHOICES],
+        **_form(Case, CHOICES),
         "materials": [
             {"name": name, "description": entry.description, "reference": entry.reference}
             for name, entry in read_materials().items()
@@ -70,11 +69,36 @@ def description() -> dict[str, Any]:
     }
 
 
-def _parameters(section: str) -> list[dict[str, Any]]:
+def form_of(case: Case | PlanarCase) -> dict[str, Any]:
+    """What can be set in one joint file.
+
+    Parameters
+    ----------
+    case : Case or PlanarCase
+        The joint file.
+
+    Returns
+    -------
+    dict
+        ``groups`` of parameters and ``choices``.
+    """
+    return _form(type(case), choices_of_case(case))
+
+
+def _form(whole: type[Case] | type[PlanarCase], choices: dict[str, tuple[str, ...]]) -> dict[str, Any]:
+    groups = [
+        {"name": name, "heading": heading, "parameters": _parameters(whole, name)}
+        for name, heading in HEADINGS.items()
+        if name in whole.model_fields
+    ]
+    return {"groups": groups, "choices": [_choice(whole, path, words) for path, words in choices.items()]}
+
+
+def _parameters(whole: type[BaseModel], section: str) -> list[dict[str, Any]]:
     found = []
-    for path, key in keys_by_path().items():
+    for path, key in keys_by_path(whole).items():
         if path.split(".")[0] == section:
-            model, name = _field(path)
+            model, name = _field(whole, path)
             field = model.model_fields[name]
             meaning = " ".join((field.description or "").split())
             found.append(
@@ -111,9 +135,9 @@ def _default(meaning: str) -> str | None:
     return said.group(0).strip() if said else None
 
 
-def _field(path: str) -> tuple[type[BaseModel], str]:
+def _field(whole: type[BaseModel], path: str) -> tuple[type[BaseModel], str]:
     """The model and the name of the field that describe a path best: for one contact, that of the whole entry."""
-    model: type[BaseModel] = Case
+    model: type[BaseModel] = whole
     name = ""
     for part in path.split("."):
         if part == "*":
@@ -128,8 +152,8 @@ def _field(path: str) -> tuple[type[BaseModel], str]:
     return model, name
 
 
-def _choice(path: str) -> dict[str, Any]:
-    model, name = _field(path)
+def _choice(whole: type[BaseModel], path: str, words: tuple[str, ...]) -> dict[str, Any]:
+    model, name = _field(whole, path)
     field = model.model_fields[name]
     meaning = " ".join((field.description or "").split())
     section = path.split(".")[0]
@@ -137,7 +161,7 @@ def _choice(path: str) -> dict[str, Any]:
         "key": path,
         "group": section,
         "meaning": meaning,
-        "words": list(CHOICES[path]),
-        "required": field.is_required() and Case.model_fields[section].is_required(),
+        "words": list(words),
+        "required": field.is_required() and whole.model_fields[section].is_required(),
         "default": _default(meaning),
     }

@@ -5,7 +5,7 @@ from __future__ import annotations
 import copy
 import hashlib
 import json
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from typing import Any, Literal, get_args, get_origin
 
@@ -16,7 +16,10 @@ from asperity.joint_file.edited_text import leave_out, set_texts, set_words
 from asperity.joint_file.material_entries import BodyMaterials
 from asperity.joint_file.messages import models_of
 from asperity.joint_file.model import Case
-from asperity.joint_file.reader import case_from_tables
+from asperity.joint_file.part_names import WEDGE_TYPE, type_of
+from asperity.joint_file.planar_model import PlanarCase
+from asperity.joint_file.planar_types import PLANAR_CASES
+from asperity.joint_file.reader import any_case_from_tables, model_of_type
 from asperity.joint_file.si_tables import key_at
 from asperity.reading import parse_toml
 
@@ -33,17 +36,58 @@ def _words(annotation: Any) -> tuple[str, ...]:
     return tuple(word for part in get_args(annotation) for word in _words(part))
 
 
-#: Dotted path of a choice → the words that it offers; none where a name of a material stands.
-CHOICES: dict[str, tuple[str, ...]] = {
-    **{f"bodies.{name}": () for name in BodyMaterials.model_fields},
-    **{
-        f"{section}.{name}": _words(field.annotation)
-        for section, above in Case.model_fields.items()
-        for model in models_of(above.annotation)
-        for name, field in model.model_fields.items()
-        if not models_of(field.annotation) and _words(field.annotation)
-    },
-}
+def choices_of(model: type[Case] | type[PlanarCase], bodies: Iterable[str]) -> dict[str, tuple[str, ...]]:
+    """The choices that a joint file offers.
+
+    Parameters
+    ----------
+    model : type
+        The class of the joint file.
+    bodies : iterable of str
+        Names of its bodies.
+
+    Returns
+    -------
+    dict
+        Dotted path → the words that it offers; none where a name of a material stands.
+    """
+    return {
+        **{f"bodies.{name}": () for name in bodies},
+        **{
+            f"{section}.{name}": _words(field.annotation)
+            for section, above in model.model_fields.items()
+            if not _is_list(above.annotation)
+            for below in models_of(above.annotation)
+            for name, field in below.model_fields.items()
+            if not models_of(field.annotation) and _words(field.annotation)
+        },
+    }
+
+
+def _is_list(annotation: Any) -> bool:
+    return annotation is not None and (
+        get_origin(annotation) is tuple or any(_is_list(part) for part in get_args(annotation))
+    )
+
+
+#: The choices of a joint file with the paper's drive.
+CHOICES = choices_of(Case, BodyMaterials.model_fields)
+
+
+def choices_of_case(case: Case | PlanarCase) -> dict[str, tuple[str, ...]]:
+    """The choices of one joint file.
+
+    Parameters
+    ----------
+    case : Case or PlanarCase
+        The joint file.
+
+    Returns
+    -------
+    dict
+        As :func:`choices_of`.
+    """
+    return choices_of(type(case), case.bodies) if isinstance(case, PlanarCase) else CHOICES
 
 
 @dataclass(frozen=True)
@@ -73,7 +117,7 @@ class JointRequest:
         content = json.dumps([self.name, self.text, self.changes, self.tables], sort_keys=True)
         return hashlib.sha256(content.encode("utf-8", "surrogatepass")).hexdigest()[:32]
 
-    def case(self) -> Case:
+    def case(self) -> Case | PlanarCase:
         """The checked joint file.
 
         Raises
@@ -92,7 +136,27 @@ class JointRequest:
             raise InputError(
                 f"{self.name}: the page takes at most {MOST_LOADS} loads in [[duty]], got {len(loads)}"
             )
-        return case_from_tables(tables, source=self.name)
+        return any_case_from_tables(tables, source=self.name)
+
+    def papers_case(self, what: str) -> Case:
+        """The checked joint file, which must describe the paper's drive.
+
+        Parameters
+        ----------
+        what : str
+            What is asked for, in the plural.
+
+        Raises
+        ------
+        InputError
+            As :meth:`case`, or if it describes another drive.
+        """
+        case = self.case()
+        if isinstance(case, PlanarCase):
+            raise InputError(
+                f"{self.name}: the page makes no {what} of drives of type '{case.type}', only of the paper's"
+            )
+        return case
 
     def file_text(self) -> str:
         """The joint file with its changes, with the comments and the layout of the original text."""
@@ -103,24 +167,28 @@ class JointRequest:
 
 def _apply(tables: Any, changes: Mapping[str, Any]) -> None:
     try:
-        numbers = {path: value for path, value in changes.items() if path not in CHOICES}
-        empty = [path for path, value in numbers.items() if value == "" and _may_be_absent(path)]
+        kind = type_of(tables)
+        model = model_of_type(kind) if kind in (WEDGE_TYPE, *PLANAR_CASES) else Case
+        bodies = tables.get("bodies", {}) if issubclass(model, PlanarCase) else BodyMaterials.model_fields
+        choices = choices_of(model, bodies)
+        numbers = {path: value for path, value in changes.items() if path not in choices}
+        empty = [path for path, value in numbers.items() if value == "" and _may_be_absent(path, model, kind)]
         for path in empty:
             leave_out(tables, path)
             del numbers[path]
         set_texts(tables, numbers)
-        set_words(tables, {path: str(value) for path, value in changes.items() if path in CHOICES})
+        set_words(tables, {path: str(value) for path, value in changes.items() if path in choices})
     except (AttributeError, IndexError, KeyError, TypeError, ValueError) as error:
         if isinstance(error, InputError):
             raise
         raise InputError("the changes do not fit the sections of this joint file") from None
 
 
-def _may_be_absent(path: str) -> bool:
+def _may_be_absent(path: str, model: type[Case] | type[PlanarCase], kind: str) -> bool:
     """Whether a number of the joint file is optional."""
-    key_at(path)
+    key_at(path, kind)
     section, *_, name = path.split(".")
-    models = models_of(Case.model_fields[section].annotation)
+    models = models_of(model.model_fields[section].annotation)
     return any(name in model.model_fields and not model.model_fields[name].is_required() for model in models)
 
 

@@ -7,17 +7,11 @@ const OPEN = ["drive", "load", "surface", "bodies"];
 const EACH = ["sp", "pwr", "pwl", "wro", "wlo"];
 const STEPS = 400;
 
-/** The key of a description for a path of a file: any material, any load of the duty, any branch. */
-export function generic(path) {
-  const parts = path.split(".");
-  if (["materials", "duty", "branch"].includes(parts[0]) && parts.length > 2) parts[1] = "*";
-  return parts.join(".");
-}
-
 /** What a number is called on the page. */
 export function label(path) {
   const parts = path.split(".").slice(1);
   if (path.startsWith("materials.")) return `${parts[1].replaceAll("_", " ")}, ${parts[0]}`;
+  if (/^(roller|contact)\./.test(path)) return `${parts[1].replaceAll("_", " ")}, ${path.split(".")[0]} ${parts[0]}`;
   const contact = parts.find((part) => EACH.includes(part));
   const words = parts.filter((part) => part !== contact).join(" ").replaceAll("_", " ");
   return contact ? `${words}, ${contact}` : words;
@@ -70,12 +64,27 @@ export class Controls {
     this.description = description;
     this.changed = changed;
     this.rows = new Map();
-    this.parameters = new Map(description.groups.flatMap((group) => group.parameters.map((each) => [each.key, each])));
+    this.own = description;
+    this.take(null);
     form.addEventListener("submit", (event) => event.preventDefault());
+  }
+
+  /** What can be set: in a file of the paper's drive (null), or in one of another drive. */
+  take(form) {
+    this.description = { ...this.own, ...form };
+    this.parameters = new Map(this.description.groups.flatMap((group) => group.parameters.map((each) => [each.key, each])));
+  }
+
+  /** The key of a description for a path of a file: any material, any load, branch, roller or contact. */
+  generic(path) {
+    const parts = path.split(".");
+    const wild = parts.map((_, at) => [...parts.slice(0, at), "*", ...parts.slice(at + 1)].join(".")).slice(1);
+    return [path, ...wild].find((key) => this.parameters.has(key)) || path;
   }
 
   /** Build the rows for the numbers and choices that a joint file has. */
   build(stated) {
+    this.take(stated.form || null);
     const open = new Set([...this.form.querySelectorAll("details[open]")].map((each) => each.dataset.group));
     const first = this.rows.size === 0;
     this.form.replaceChildren();
@@ -99,19 +108,19 @@ export class Controls {
     const paths = Object.keys(stated.numbers).filter(
       (path) => path.startsWith(`${group}.`) && (group !== "materials" || used.has(path.split(".")[1])),
     );
-    const present = new Set(paths.map(generic));
+    const present = new Set(paths.map((path) => this.generic(path)));
     for (const [key] of this.parameters) {
       const parts = key.split(".");
       const single = parts.length === 2 && !key.includes("*");
       const split = [...present].some((path) => path.startsWith(`${key}.`));
-      const partOfSplit = group === "surface" && [...present].some((path) => EACH.includes(path.split(".")[1]));
+      const partOfSplit = group === "surface" && paths.some((path) => path.split(".").length > 2);
       if (parts[0] === group && single && !present.has(key) && !split && !partOfSplit) paths.push(key);
     }
     return paths.map((path) => this.numberRow(path, stated.numbers[path]));
   }
 
   numberRow(path, entry) {
-    const parameter = this.parameters.get(generic(path));
+    const parameter = this.parameters.get(this.generic(path));
     const id = `value-${path.replaceAll(".", "-")}`;
     const name = label(path);
     const unit = parameter.unit === "1" ? "" : ` ${parameter.unit}`;

@@ -6,6 +6,7 @@ const LONGEST_WALL = 0.35; // of the inner radius; a thicker wall is broken off
 const LONGEST_ARROW = 0.24; // of the inner radius
 
 export function driveDrawing(drawing, document_) {
+  if (drawing.rings) return planarDrawing(drawing, document_);
   const inner = 1e3 * drawing.ring.inner_radius_m;
   const wall = 1e3 * drawing.ring.wall_m;
   const shown = Math.min(wall, LONGEST_WALL * inner);
@@ -28,33 +29,84 @@ export function driveDrawing(drawing, document_) {
   ];
 }
 
+/** Any planar drive: circles of all tracks, with the contact forces of its first sector. */
+function planarDrawing(drawing, document_) {
+  const rings = drawing.rings.map((ring) => ({ inner: 1e3 * ring.inner_radius_m, wall: 1e3 * ring.wall_m }));
+  const rollers = drawing.rollers.map((roller) => 1e3 * (Math.hypot(roller.x_m, roller.y_m) + roller.radius_m));
+  const shown = rings.map(({ inner, wall }) => ({ inner, wall, outer: inner + Math.min(wall, LONGEST_WALL * inner) }));
+  shown.sort((one, other) => other.outer - one.outer);
+  const reach = Math.max(...rollers, ...shown.map((ring) => ring.outer));
+  const half = reach * 1.04;
+  const largest = Math.max(...drawing.forces.map((force) => Math.hypot(...force.normal_N)), 1e-300);
+  const names = [...new Set([...drawing.rings, ...drawing.rollers].map((each) => each.body))];
+  const picture = svg("svg", { viewBox: `${-half} ${-half} ${2 * half} ${2.14 * half}`, role: "img", class: "drive", "aria-label": `Drive to scale: ${names.join(", ")}. ${forcesDescribed(document_)}` });
+  picture.append(svg("defs", {}, marker("normal"), marker("tangential")));
+  for (const ring of shown) {
+    picture.append(svg("circle", { class: ring.outer < ring.inner + ring.wall ? "ring broken" : "ring", r: ring.outer }), svg("circle", { class: "bore", r: ring.inner }));
+  }
+  picture.append(...circles(drawing.rollers, reach), ...arrows(drawing, reach, largest, 0.05 * reach), ...scaleBar(-half * 0.97, half * 1.1, reach, 0.07 * reach));
+  return [
+    element("div", { class: "drawings" }, picture),
+    element(
+      "p",
+      { class: "note" },
+      "One sector with the ",
+      element("span", { class: "key normal" }, "→ normal"),
+      " and ",
+      element("span", { class: "key tangential" }, "→ tangential"),
+      ` forces on the first body of each contact, to one scale (longest ${number(largest)} N). A thick wall of a ring is drawn thinner (dashed edge).`,
+    ),
+  ];
+}
+
 /** Ring and rollers, y upwards. */
 function bodies(drawing, inner, shown, wall) {
   const found = [
     svg("circle", { class: shown < wall ? "ring broken" : "ring", r: inner + shown }),
     svg("circle", { class: "bore", r: inner }),
   ];
-  const mark = 0.03 * inner;
-  for (const roller of drawing.rollers) {
+  return [...found, ...circles(drawing.rollers, inner)];
+}
+
+/** Rollers with the marks of their axes. */
+function circles(rollers, size) {
+  const mark = 0.03 * size;
+  return rollers.flatMap((roller) => {
     const [x, y] = [1e3 * roller.x_m, -1e3 * roller.y_m];
     const kind = `roller ${roller.body.split(" ").pop()} ${roller.body.split(" ")[0]}`;
-    found.push(
+    return [
       svg("circle", { class: kind, cx: x, cy: y, r: 1e3 * roller.radius_m }),
       svg("path", { class: "axis-mark", d: `M${x - mark},${y}h${2 * mark}M${x},${y - mark}v${2 * mark}` }),
-    );
-  }
-  return found;
+    ];
+  });
+}
+
+function marker(name) {
+  return svg(
+    "marker",
+    { id: `head-${name}`, viewBox: "0 0 10 10", refX: 9, refY: 5, markerWidth: 5, markerHeight: 5, orient: "auto-start-reverse" },
+    svg("path", { d: "M0,0L10,5L0,10z", class: `head ${name}` }),
+  );
+}
+
+/** Contact forces as arrows, with the names of the contacts. */
+function arrows(drawing, size, largest, font, longest = LONGEST_ARROW * size) {
+  return drawing.forces.flatMap((force) => {
+    const [x, y] = [1e3 * force.x_m, -1e3 * force.y_m];
+    const factor = longest / largest;
+    const [nx, ny] = [force.normal_N[0] * factor, -force.normal_N[1] * factor];
+    const [tx, ty] = [force.tangential_N[0] * factor, -force.tangential_N[1] * factor];
+    return [
+      svg("line", { class: "force normal", x1: x - nx, y1: y - ny, x2: x, y2: y, "marker-end": "url(#head-normal)" }),
+      svg("line", { class: "force tangential", x1: x, y1: y, x2: x + tx, y2: y + ty, "marker-end": "url(#head-tangential)" }),
+      svg("text", { class: "force-name", x: x - nx - 0.3 * ny, y: y - ny + 0.3 * nx + 0.35 * font, "font-size": font, "text-anchor": "middle" }, force.contact),
+    ];
+  });
 }
 
 /** The first branch, enlarged, with its forces. */
 function branch(drawing, document_, inner, shown, wall, largest) {
   const longest = LONGEST_ARROW * inner;
-  const marker = (name) =>
-    svg(
-      "marker",
-      { id: `head-${name}`, viewBox: "0 0 10 10", refX: 9, refY: 5, markerWidth: 5, markerHeight: 5, orient: "auto-start-reverse" },
-      svg("path", { d: "M0,0L10,5L0,10z", class: `head ${name}` }),
-    );
   const reach = Math.max(...drawing.rollers.slice(0, 4).map((roller) => 1e3 * (Math.abs(roller.x_m) + roller.radius_m)));
   const half = Math.max(reach * 1.1, 0.62 * inner);
   const sun = 1e3 * drawing.rollers[0].radius_m;

@@ -10,7 +10,6 @@ const LEVELS = [
   ["published", "as published", "asperities alone: an upper bound"],
 ];
 const SEVERITIES = { function: "Does not work", damage: "Damage", accuracy: "Numbers uncertain", model: "Outside the published model" };
-const CONTACTS = ["sp", "pwr", "pwl", "wro", "wlo"];
 const SPRINGS = {
   tangential: "contacts, tangential",
   normal: "contacts, normal (floating planets)",
@@ -177,14 +176,16 @@ function margins(found) {
       verdict(each.ok),
     ];
   });
-  const gap = found.geometry.clearances.reduce((one, other) => (other.gap_m < one.gap_m ? other : one));
-  rows.push([
-    element("span", {}, "smallest clearance", element("small", {}, gap.name.replaceAll("_", " "))),
-    `${number(1e3 * gap.gap_m, 3)} mm`,
-    "above 0",
-    "",
-    verdict(gap.gap_m > 0),
-  ]);
+  if (found.geometry.clearances) {
+    const gap = found.geometry.clearances.reduce((one, other) => (other.gap_m < one.gap_m ? other : one));
+    rows.push([
+      element("span", {}, "smallest clearance", element("small", {}, gap.name.replaceAll("_", " "))),
+      `${number(1e3 * gap.gap_m, 3)} mm`,
+      "above 0",
+      "",
+      verdict(gap.gap_m > 0),
+    ]);
+  }
   return table("Safety margins", ["limit", "actual", "required", hidden("share of the limit"), "result"], rows);
 }
 
@@ -230,8 +231,7 @@ function contacts(found) {
   return table(
     "Contacts",
     headings,
-    CONTACTS.map((name) => {
-      const each = found.contacts[name];
+    Object.entries(found.contacts).map(([name, each]) => {
       return [
         name,
         number(found.forces.normal_N[name]),
