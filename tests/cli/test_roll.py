@@ -61,7 +61,7 @@ def test_table_of_a_standing_sun(call, joint_file):
     assert 35.3 < float(drift.split()[4]) < 60.0
     assert "arcmin" in drift
     assert any(line.startswith("stiffness at rest") and "N·m/arcmin" in line for line in lines)
-    assert any(line.startswith("the sun stands: nothing per time") for line in lines)
+    assert any(line.startswith("the sun stands: drift and life are given per turn") for line in lines)
     assert "Axial thrust: none, the axes are parallel" in lines
     (drive,) = [line for line in lines if line.startswith("the drive")]
     assert drive.split()[2] == "-"

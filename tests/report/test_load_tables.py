@@ -38,6 +38,8 @@ def test_units_reasons_and_dashes():
     table, bearings, notes = loads(DOCUMENT)
     assert table.head[:3] == ("part", "load", "at rest")
     assert table.rows == [("carrier pin, left roller", "bending stress", "20", "–", "MPa")]
+    # the load is that of the working torque, P/C the largest of it and the duty
+    assert bearings.head[4:6] == ("load\nN", "largest P/C")
     assert bearings.rows[0][:4] == ("left pin", "roller", "1500", "1200")
     assert bearings.rows[0][-2:] == ("–", "16.5")
     assert isinstance(notes, Bullets)

@@ -132,7 +132,7 @@ def _show_bearings(entries: list[Document]) -> None:
         "C\nN",
         "C_0\nN",
         "load\nN",
-        "P/C\n-",
+        "largest P/C\n-",
         "life L10\nh",
         "under the duty\nh",
         "static safety\n-",

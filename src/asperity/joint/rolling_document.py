@@ -175,8 +175,8 @@ def unknown_because(joint: Joint | PlanarJoint, result: JointResult | PlanarResu
     reasons = []
     if not float(np.asarray(joint.sun_speed)) > 0.0:
         reasons.append(
-            "the sun stands: nothing per time, neither drift nor life, and no powers, efficiency, temperatures or oil "
-            "film; the drift per turn and the lives in turns are those of a slow turn"
+            "the sun stands: drift and life are given per turn, for slow rolling; there is nothing per time, and no "
+            "powers, efficiency, temperatures or oil film"
         )
     elif not bool(np.isfinite(np.asarray(found.power.efficiency))):
         reasons.append("no efficiency: the output torque drives the rotation, but less than the losses take")

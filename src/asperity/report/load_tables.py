@@ -63,7 +63,7 @@ def _bearings(entries: list[Document]) -> Table:
             "C\nN",
             "C_0\nN",
             "load\nN",
-            "P/C",
+            "largest P/C",
             "life L10\nh",
             "under duty\nh",
             "static safety",
