@@ -4,19 +4,19 @@ import pytest
 
 from asperity.joint.diagnostics import Diagnostics
 from asperity.joint.limit_check import checked_limits
-from asperity.joint.results import SEVERITIES
+from asperity.joint.results import SEVERITIES, SolvedJoint
 from asperity.joint.solve import solve
 
 
 @pytest.fixture(scope="module")
 def solved(paper_joint):
     joint = paper_joint()
-    return joint, solve(joint).result
+    return SolvedJoint(joint, solve(joint).result)
 
 
 @pytest.fixture(scope="module")
 def paper(solved):
-    return checked_limits(*solved)
+    return checked_limits(solved)
 
 
 def by_name(entries, name):
@@ -25,7 +25,7 @@ def by_name(entries, name):
 
 def test_every_limit_is_listed_for_every_contact(solved, paper):
     names = {entry.result.name for entry in paper}
-    near = solved[1].diagnostics
+    near = solved.result.diagnostics
     there = {name for name in Diagnostics.__dataclass_fields__ if getattr(near, name) is not None}
     without_limit = {"hertz_half_width", "hertz_pressure"}
     others = {"balance_residual", "closure_residual", "fractal_dimension", "shakedown_ratio"}
@@ -60,7 +60,7 @@ def test_the_facts_about_the_paper_s_joint(paper):
 def test_an_undefined_value_is_not_ok(paper_joint):
     """Spinning so fast that the planets leave the sun: no contact there, hence no stiffness to compare."""
     joint = paper_joint(output_torque=0.0, sun_speed=2e5, closure="constant_pin_force")
-    entries = checked_limits(joint, solve(joint).result)
+    entries = checked_limits(SolvedJoint(joint, solve(joint).result))
     lifted = by_name(entries, "normal_force_over_preload")["sp"]
     assert (lifted.value, lifted.ok) == (0.0, False)
     undefined = by_name(entries, "asperity_over_bulk_stiffness")["sp"]

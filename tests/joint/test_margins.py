@@ -36,7 +36,7 @@ ROWS = (
 
 @pytest.fixture
 def found(monkeypatch):
-    monkeypatch.setattr(module, "RESULTS", {each.name: each for each in ROWS})
+    monkeypatch.setattr(module, "results_of_joint", lambda solved: {each.name: each for each in ROWS})
     solved = SimpleNamespace(
         joint=None,
         a=np.array([0.5, 1.5, 0.2, 1.0, 0.4]),
@@ -69,13 +69,13 @@ def test_share_of_the_limit_that_is_used(found):
 
 
 def test_what_is_not_known_does_not_pass(monkeypatch):
-    monkeypatch.setattr(module, "RESULTS", {"slip": ROWS[1]})
+    monkeypatch.setattr(module, "results_of_joint", lambda solved: {"slip": ROWS[1]})
     values = np.array([0.5, np.nan, 0.2, 5.0, 0.4])
     (found,) = margins(SimpleNamespace(joint=None, a=values, row_names=lambda axis: CONTACT_NAMES))
     assert (found.place, found.passes) == ("pwr", False)
 
 
 def test_an_infinite_safety_factor_passes(monkeypatch):
-    monkeypatch.setattr(module, "RESULTS", {"torque_safety": ROWS[5]})
+    monkeypatch.setattr(module, "results_of_joint", lambda solved: {"torque_safety": ROWS[5]})
     (found,) = margins(SimpleNamespace(joint=None, b=math.inf))
     assert (found.actual, found.passes, found.utilisation) == (math.inf, True, 0.0)

@@ -264,7 +264,7 @@ def _of_another_type(document: Document) -> tuple[Rows, Rows]:
     )
     return (
         (("members", members), ("speed", f"ratio {number(geometry['speed_ratio'])}, output {speed}")),
-        (*((("pin force", pins),) if pins else ()), ("mass", masses)),
+        (*((("pin force", pins),) if pins else ()), *_strength(document), ("mass", masses)),
     )
 
 

@@ -82,7 +82,7 @@ def joint_document(
             ),
         },
         "diagnostics": [
-            *(limit_document(entry) for entry in checked_limits(joint, result)),
+            *(limit_document(entry) for entry in checked_limits(solved)),
             *(dataclasses.asdict(note) for note in plausibility(joint, result, solution.sizes)),
         ],
     }

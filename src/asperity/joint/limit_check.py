@@ -5,11 +5,8 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
-from asperity.joint.description import Joint
-from asperity.joint.evaluation import JointResult
-from asperity.joint.planar.description import PlanarJoint
-from asperity.joint.planar.evaluation import PlanarResult
-from asperity.joint.results import RESULTS, SEVERITIES, Limit, Result, SolvedJoint
+from asperity.joint.results import SEVERITIES, Limit, Result, SolvedJoint
+from asperity.joint.results.drive_table import results_of_joint
 
 
 @dataclass(frozen=True, slots=True)
@@ -54,23 +51,20 @@ class LimitCheck:
         return self.rule.kept if self.ok else self.rule.crossed
 
 
-def checked_limits(joint: Joint | PlanarJoint, result: JointResult | PlanarResult) -> tuple[LimitCheck, ...]:
+def checked_limits(solved: SolvedJoint) -> tuple[LimitCheck, ...]:
     """Every limit of one solved joint, contact by contact, the most serious first.
 
     Parameters
     ----------
-    joint : Joint or PlanarJoint
+    solved : SolvedJoint
         One joint, without batch axes.
-    result : JointResult or PlanarResult
-        What came out.
 
     Returns
     -------
     tuple of LimitCheck
-        One for each judged result of :data:`asperity.joint.results.RESULTS` and each of its rows.
+        One for each judged result of the joint and each of its rows.
     """
-    solved = SolvedJoint(joint, result)
-    judged = [row for row in RESULTS.values() if row.limit is not None and row.belongs_to(joint)]
+    judged = [row for row in results_of_joint(solved).values() if row.limit is not None]
     judged.sort(key=lambda row: SEVERITIES.index(row.limit.severity))  # type: ignore[union-attr]
     return tuple(
         LimitCheck(row, name or None, value) for row in judged for name, value in row.rows_of(solved).items()

@@ -7,7 +7,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from asperity.joint.results import RESULTS, SEVERITIES, Result, Severity, SolvedJoint
+from asperity.joint.results import SEVERITIES, Result, Severity, SolvedJoint
+from asperity.joint.results.drive_table import results_of_joint
 
 #: Results without a limit of their own that must nevertheless exceed a bound for the joint to exist.
 _MUST_EXCEED = ("clearance", "torque_safety")
@@ -64,11 +65,7 @@ def margins(solved: SolvedJoint) -> tuple[Margin, ...]:
     tuple of Margin
         One for each judged result that the joint has, at its worst row.
     """
-    judged = [
-        row
-        for row in RESULTS.values()
-        if (row.limit or row.name in _MUST_EXCEED) and row.belongs_to(solved.joint)
-    ]
+    judged = [row for row in results_of_joint(solved).values() if row.limit or row.name in _MUST_EXCEED]
     found = [_worst(row, rows) for row in judged if (rows := row.rows_of(solved))]
     return tuple(sorted(found, key=lambda each: SEVERITIES.index(each.severity)))
 

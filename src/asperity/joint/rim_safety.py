@@ -99,24 +99,47 @@ def joint_rims(joint: Joint, result: JointResult) -> JointRims:
     _, planet, right, left, ring = machine_bodies(joint, sides)
     bodies = joint.bodies
     rollers = [
-        _body(member, bodies.loading_roller, states, width, turns)
+        body_rims(member, bodies.loading_roller, states, width, turns)
         for member, turns in ((right, _TURNS[1]), (left, _TURNS[2]))
     ]
     return JointRims(
-        ring=_body(ring, bodies.ring, states, width, _TURNS[3]),
-        planet=_body(planet, bodies.planet, states, width, _TURNS[0]),
+        ring=body_rims(ring, bodies.ring, states, width, _TURNS[3]),
+        planet=body_rims(planet, bodies.planet, states, width, _TURNS[0]),
         loading_roller=_worse(*rollers),
     )
 
 
-def _body(
+def body_rims(
     member: BodyInMachine,
     material: Material,
     states: tuple[tuple[Array, Array], ...],
     width: Array,
     turns: tuple[float, ...],
 ) -> BodyRims:
-    """Stresses of one body under the torque, the first state, and at rest."""
+    """Stresses of one body under the torque and at rest.
+
+    Parameters
+    ----------
+    member : BodyInMachine
+        The body and its contacts.
+    material : Material
+        What it is made of.
+    states : tuple of tuple
+        Normal and tangential forces of all contacts, under the torque and at rest, shape (contacts, ...) [N].
+    width : Array
+        Half-widths of all contacts, shape (contacts, ...) [m].
+    turns : tuple of float
+        Sign that makes the tangential force of each contact of the body one that acts on it counter-clockwise.
+
+    Returns
+    -------
+    BodyRims
+        nan for a solid body.
+
+    References
+    ----------
+    Equation (L3) of :doc:`/equations`.
+    """
     batch = width.shape[1:]
     if not isinstance(member.body, Annulus):
         nothing = jnp.full(batch, jnp.nan)

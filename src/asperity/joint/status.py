@@ -30,13 +30,14 @@ STATUSES: dict[str, str] = {
     "all_spots_plastic": "every spot of a loaded contact is plastic, where the contact law gives it no stiffness",
     "no_interference_left": "sizes or temperature leave no interference: the drive is loose and carries no torque",
     "no_place_for_rollers": "the rollers do not fit: they overlap, or have no place where they touch",
+    "output_stands_still": "the output stands still whatever the input does: the ratio is infinite",
 }
 
 #: Short names and meanings in the order of the codes.
 STATUS_NAMES, STATUS_MEANINGS = tuple(STATUSES), tuple(STATUSES.values())
 
 LOCKED = STATUS_NAMES.index("pin_too_thick_or_locked")
-TOO_WIDE, SLIPS, UNBALANCED, OUT_OF_RANGE, ALL_PLASTIC, LOOSE, NO_ROOM = range(LOCKED + 1, LOCKED + 8)
+TOO_WIDE, SLIPS, UNBALANCED, OUT_OF_RANGE, ALL_PLASTIC, LOOSE, NO_ROOM, IDLE = range(LOCKED + 1, LOCKED + 9)
 
 
 def has_value(status: ArrayLike, needs: Needs) -> Any:
@@ -58,7 +59,7 @@ def has_value(status: ArrayLike, needs: Needs) -> Any:
     code = status if isinstance(status, Array) else np.asarray(status)
     operates = (code == 0) | (code == ALL_PLASTIC)
     if needs == "geometry":
-        return operates | ((code >= LOCKED) & (code != NO_ROOM))
+        return operates | ((code >= LOCKED) & (code < NO_ROOM))
     return operates | (code == SLIPS) if needs == "balance" else operates
 
 

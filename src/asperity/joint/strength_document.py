@@ -10,7 +10,7 @@ import numpy as np
 from asperity.joint.bearing_lives import BEARING_NAMES, rated_bearings
 from asperity.joint.description import Joint
 from asperity.joint.results import RESULTS, SolvedJoint
-from asperity.joint.rim_safety import RIM_NAMES
+from asperity.joint.rim_safety import RIM_NAMES, BodyRims
 
 Document = dict[str, Any]
 
@@ -86,16 +86,31 @@ def rim_entries(solved: SolvedJoint) -> dict[str, Document]:
         present = RESULTS[f"{body}_yield_safety"].present
         if present is None or not present(solved)[0]:
             continue
-        found = getattr(solved.rims, body)
-        entries[body] = {
-            **{
-                f"{name}_Pa": dict(zip(RIM_NAMES, map(_plain, np.asarray(getattr(found, name))), strict=True))
-                for name in ("stress", "stress_at_rest", "mean", "amplitude")
-            },
-            "yield_safety": _plain(found.yield_safety),
-            "fatigue_safety": _plain(found.fatigue_safety),
-        }
+        entries[body] = rim_entry(getattr(solved.rims, body))
     return entries
+
+
+def rim_entry(found: BodyRims) -> Document:
+    """Stresses and safeties of one body, ready for :func:`json.dumps`.
+
+    Parameters
+    ----------
+    found : BodyRims
+        What its rims bear.
+
+    Returns
+    -------
+    dict
+        Stresses by rim in Pa, tension positive, and safeties; None where there is none.
+    """
+    return {
+        **{
+            f"{name}_Pa": dict(zip(RIM_NAMES, map(_plain, np.asarray(getattr(found, name))), strict=True))
+            for name in ("stress", "stress_at_rest", "mean", "amplitude")
+        },
+        "yield_safety": _plain(found.yield_safety),
+        "fatigue_safety": _plain(found.fatigue_safety),
+    }
 
 
 def _plain(value: Any) -> float | None:

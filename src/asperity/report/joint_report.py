@@ -205,7 +205,7 @@ def _planar_parts(case: PlanarCase) -> _Parts:
         document,
         planar_loads_document(joint, solution),
         surfaces=(),
-        drive=tuple(result_tables.planar_drive(document)),
+        drive=(*result_tables.planar_drive(document), *load_tables.rims(document)),
     )
 
 

@@ -7,9 +7,15 @@ import jax
 import jax.numpy as jnp
 import pytest
 
-from asperity.drive.planar.drives import planetary_drive, two_row_multiroller
-from asperity.drive.planar.existence import neighbour_gaps, pulling_contacts, refuse_impossible
-from asperity.drive.planar.layout import CARRIER, Body, Contact
+from asperity.drive.planar.drives import planetary_drive, stepped_planet_drive, two_row_multiroller
+from asperity.drive.planar.existence import (
+    LEAST_OUTPUT_SHARE,
+    neighbour_gaps,
+    output_share,
+    pulling_contacts,
+    refuse_impossible,
+)
+from asperity.drive.planar.layout import CARRIER, Body, Contact, speeds
 from asperity.errors import InputError
 
 
@@ -155,3 +161,15 @@ def test_a_contact_that_would_have_to_pull_is_named(drives):
         InputError, match="no interference presses all contacts of this drive: sf would have to pull"
     ):
         refuse_impossible(drive)
+
+
+def test_an_output_that_stands_still_is_refused(drives):
+    """Both tracks of the planets are alike: the driven ring stands as the grounded one does."""
+    still = stepped_planet_drive(sun_radius=10e-3, planet_radii=(20e-3, 20e-3), planet_count=3)
+    assert float(output_share(still)) < LEAST_OUTPUT_SHARE
+    with pytest.raises(InputError, match="driven_ring, the output, stands still whatever sun does"):
+        refuse_impossible(still)
+    drive = drives["stepped"]
+    fastest = float(jnp.max(jnp.abs(speeds(drive))))
+    ratio = (1.0 + 50.0 / 10.0) / (1.0 - 50.0 * 18.0 / (48.0 * 20.0))  # of the sun to the driven ring, by hand
+    assert float(output_share(drive)) == pytest.approx(1.0 / ratio / fastest, rel=1e-9)

@@ -9,11 +9,14 @@ import jax.numpy as jnp
 import numpy as np
 from jax import Array
 
-from asperity.drive.planar.layout import CARRIER, PlanarDrive, gaps, incidence
+from asperity.drive.planar.layout import CARRIER, PlanarDrive, gaps, incidence, speeds
 from asperity.errors import InputError
 
 #: Largest distance between the bodies of a contact, relative to their radii, that is accepted.
 TOUCH_TOLERANCE = 1e-9
+
+#: Smallest speed of the output, relative to the fastest member, that is more than rounding.
+LEAST_OUTPUT_SHARE = 1e-9
 
 
 def refuse_impossible(drive: PlanarDrive) -> None:
@@ -57,12 +60,34 @@ def refuse_impossible(drive: PlanarDrive) -> None:
             f"with {drive.grounded} grounded the drive has {freedom} degrees of freedom; it must have 1: "
             + ("ground another member" if freedom > 1 else "the contacts block each other")
         )
+    if float(output_share(drive)) < LEAST_OUTPUT_SHARE:
+        raise InputError(
+            f"{drive.output}, the output, stands still whatever {drive.input} does: the ratio is infinite; change a "
+            "radius, or choose another output"
+        )
     pulling = pulling_contacts(drive)
     if pulling:
         raise InputError(
             f"no interference presses all contacts of this drive: {' and '.join(pulling)} would have to pull, because "
             "the other contacts push a roller away there; change the radii so that each roller is held between others"
         )
+
+
+def output_share(drive: PlanarDrive) -> Array:
+    """Speed of the output over that of the fastest member.
+
+    Parameters
+    ----------
+    drive : PlanarDrive
+        The drive.
+
+    Returns
+    -------
+    Array
+        Without sign [-]; below :data:`LEAST_OUTPUT_SHARE` it is rounding, and the output stands still.
+    """
+    speed = jnp.abs(speeds(drive))
+    return speed[drive.members.index(drive.output)] / jnp.max(speed)
 
 
 def pulling_contacts(drive: PlanarDrive) -> tuple[str, ...]:

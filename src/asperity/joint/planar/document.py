@@ -5,6 +5,7 @@ from __future__ import annotations
 import dataclasses
 from typing import Any
 
+import jax
 import numpy as np
 
 import asperity
@@ -20,9 +21,11 @@ from asperity.joint.document import (
 from asperity.joint.limit_check import checked_limits
 from asperity.joint.planar.description import PlanarJoint
 from asperity.joint.planar.plausibility import planar_plausibility
+from asperity.joint.planar.rims import bends
 from asperity.joint.planar.solve import PlanarSolution
-from asperity.joint.results import SolvedJoint
+from asperity.joint.planar.solved import SolvedPlanarJoint, solved_planar_joint
 from asperity.joint.rolling_document import losses, rolling_document
+from asperity.joint.strength_document import rim_entry
 
 Document = dict[str, Any]
 
@@ -50,6 +53,7 @@ def planar_document(
     """
     result, drive = solution.result, joint.drive
     forward = float(joint.output_torque) >= 0.0
+    solved = solved_planar_joint(joint, solution)
     pinned = [drive.bodies[body].name for body in drive.pinned]
     names = result.contact_names
     return plain_document(
@@ -97,7 +101,9 @@ def planar_document(
                 "closure_residual": result.forces.closure_residual,
             },
             "torque_capacity": _both(solution.capacity, solution.reverse_capacity, names),
-            "contacts": contact_documents(SolvedJoint(joint, result)),
+            "contacts": contact_documents(solved),
+            "bearings": [],
+            "rims": _rims(solved),
             "torsional_stiffness": torsional_stiffness_document(result),
             "stiffness_unknown_because": stiffness_unknown_because(result),
             "stiffness_budget": stiffness_budget(result),
@@ -113,7 +119,7 @@ def planar_document(
                 ).output_torque,
             },
             "diagnostics": [
-                *(limit_document(entry) for entry in checked_limits(joint, result)),
+                *(limit_document(entry) for entry in checked_limits(solved)),
                 *(dataclasses.asdict(note) for note in planar_plausibility(joint, result)),
             ],
         }
@@ -124,4 +130,14 @@ def _both(capacity: TorqueCapacity, reverse: TorqueCapacity, names: tuple[str, .
     return {
         **capacity_document(capacity, contacts=names),
         "reverse": capacity_document(reverse, contacts=names),
+    }
+
+
+def _rims(solved: SolvedPlanarJoint) -> Document:
+    """Stresses and safeties of the rings and hollow rollers that bend, by the name of the body."""
+    names, found = solved.row_names("body"), solved.rims
+    return {
+        names[number]: rim_entry(jax.tree.map(lambda leaf, number=number: leaf[..., number], found))
+        for number, acts in enumerate(bends(solved.joint))
+        if acts
     }

@@ -10,6 +10,7 @@ import jax
 import jax.numpy as jnp
 from jax import Array
 
+from asperity.compilation import call_compiled
 from asperity.drive.planar.existence import neighbour_gaps, neighbours
 from asperity.drive.planar.layout import sectors_of_members
 from asperity.drive.planar.state import ContactLaws
@@ -17,6 +18,7 @@ from asperity.joint.capacity import TorqueCapacity
 from asperity.joint.planar.capacity import PlanarCapacity, planar_capacity
 from asperity.joint.planar.description import PlanarJoint, tracks_of
 from asperity.joint.planar.evaluation import PlanarResult
+from asperity.joint.planar.rims import planar_rims
 from asperity.joint.planar.solve import PlanarSolution
 from asperity.joint.results.result import SolvedJoint
 
@@ -111,6 +113,11 @@ class SolvedPlanarJoint(SolvedJoint):
     def reverse_rolling_capacity(self) -> Any:
         """Largest negative output torque under which the joint rolls, as a positive number [N·m]."""
         return self._capacity(rolls=True, index=1).output_torque
+
+    @functools.cached_property
+    def rims(self) -> Any:
+        """Stresses of the rings and hollow rollers that bend, the bodies along the last axis."""
+        return call_compiled(planar_rims, self.joint, self.result)
 
     @property
     def preload(self) -> Any:

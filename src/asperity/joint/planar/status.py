@@ -5,13 +5,13 @@ from __future__ import annotations
 import jax.numpy as jnp
 from jax import Array
 
-from asperity.drive.planar.existence import TOUCH_TOLERANCE, neighbour_gaps
+from asperity.drive.planar.existence import LEAST_OUTPUT_SHARE, TOUCH_TOLERANCE, neighbour_gaps, output_share
 from asperity.drive.planar.layout import gaps
 from asperity.drive.planar.state import STATE_TOLERANCE
 from asperity.joint.planar.capacity import smaller_sizes
 from asperity.joint.planar.description import PlanarJoint
 from asperity.joint.planar.evaluation import PlanarResult
-from asperity.joint.status import ALL_PLASTIC, LOOSE, NO_ROOM, SLIPS, TOO_WIDE, UNBALANCED
+from asperity.joint.status import ALL_PLASTIC, IDLE, LOOSE, NO_ROOM, SLIPS, TOO_WIDE, UNBALANCED
 
 
 def planar_status(joint: PlanarJoint, result: PlanarResult) -> Array:
@@ -41,6 +41,7 @@ def planar_status(joint: PlanarJoint, result: PlanarResult) -> Array:
     code = jnp.zeros((), dtype=jnp.int8)
     for condition, value in (
         (~fits, NO_ROOM),
+        (output_share(drive) < LEAST_OUTPUT_SHARE, IDLE),
         (loose, LOOSE),
         (~at_rest, UNBALANCED),
         (jnp.any(wide) | ~result.walls_hold, TOO_WIDE),

@@ -7,7 +7,9 @@ import functools
 import math
 
 from asperity.joint.capacity import LIMITING_CONTACTS
-from asperity.joint.results.result import Result
+from asperity.joint.planar.description import PlanarJoint
+from asperity.joint.results import planar_stresses
+from asperity.joint.results.result import Result, SolvedJoint
 from asperity.joint.results.table import RESULTS
 
 _LABELS = {
@@ -35,11 +37,30 @@ def results_of_drive(
     -------
     dict
         Name → the row of :data:`asperity.joint.results.RESULTS`, with the names of this drive; without those that only
-        the drive of Zou et al. 2025 has.
+        the drive of Zou et al. 2025 has, and with those of its rings and hollow rollers.
     """
     names = {"contact": contacts, "body": bodies, "clearance": neighbours}
-    rows = {name: _named(row, names) for name, row in RESULTS.items() if not row.wedge_only}
-    return {name: row for name, row in rows.items() if row.row_names}
+    rows = [_named(row, names) for row in RESULTS.values() if not row.wedge_only]
+    rows += [_named(row, names) for row in planar_stresses.ROWS]
+    return {row.name: row for row in rows if row.row_names}
+
+
+def results_of_joint(solved: SolvedJoint) -> dict[str, Result]:
+    """Every result that a solved joint has.
+
+    Parameters
+    ----------
+    solved : SolvedJoint
+        The joint.
+
+    Returns
+    -------
+    dict
+        Name → row.
+    """
+    if isinstance(solved.joint, PlanarJoint):
+        return results_of_drive(*(solved.row_names(axis) for axis in ("contact", "body", "clearance")))
+    return RESULTS
 
 
 def _named(row: Result, names: dict[str, tuple[str, ...]]) -> Result:

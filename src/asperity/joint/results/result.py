@@ -274,10 +274,6 @@ class Result:
         """Shape of its rows: nothing for a single number."""
         return () if self.axis == "one" else (len(self.row_names),)
 
-    def belongs_to(self, joint: Joint | PlanarJoint) -> bool:
-        """Whether joints with this one's drive have it."""
-        return not (self.wedge_only and isinstance(joint, PlanarJoint))
-
     def rows_of(self, solved: SolvedJoint) -> dict[str, float]:
         """Name → value [SI] of the rows that one joint has, without batch axes."""
         own = ("contact", "body", *(("clearance",) if isinstance(solved.joint, PlanarJoint) else ()))

@@ -151,7 +151,8 @@ def chosen_results(names: Iterable[str], *, table: Mapping[str, Result] = RESULT
     """
     wanted: dict[str, None] = {}
     for name in names:
-        group = tuple(each for each in GROUPS.get(name, (name,)) if each in table)
+        own = (row.name for row in table.values() if row.group == name)
+        group = tuple(each for each in (*GROUPS.get(name, (name,)), *own) if each in table)
         if not group:
             _refuse_for_the_drive(name)
             groups = [each for each, members in GROUPS.items() if any(member in table for member in members)]
