@@ -11,6 +11,7 @@ import pytest
 from asperity.errors import InputError
 from asperity.joint.contacts import joint_contacts
 from asperity.joint.interference import joint_preload, logarithmic_decrease
+from asperity.joint.solve import solve
 from asperity.joint_file.build import joint_from_case, joint_from_values, with_nominal_sizes, with_values
 from asperity.joint_file.reader import parse_case
 from asperity.joint_file.si_tables import replace_values, si_values
@@ -26,6 +27,15 @@ def by_length(joint_text):
         return parse_case(text, source="x")
 
     return of
+
+
+def test_an_interference_without_a_preload_is_no_loose_joint(by_length):
+    """100 mm would press the contacts wider than their rollers: no number, and no joint without interference."""
+    joint = joint_from_case(by_length("100 mm"))
+    assert np.isnan(float(joint.preload))
+    with pytest.raises(InputError, match="choose less interference"):
+        solve(joint)
+    assert float(joint_preload(joint, 0.0)) == 0.0
 
 
 @pytest.mark.parametrize(

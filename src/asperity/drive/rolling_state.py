@@ -161,6 +161,27 @@ def lost_speed(creepage: Array) -> Array:
     return 2.0 * jnp.arctanh(0.5 * creepage)
 
 
+def drift_per_turn(loss: Real) -> Array:
+    r"""Angle that the output falls behind in one of its turns, :math:`2\pi s/(1-s)`.
+
+    Parameters
+    ----------
+    loss : Real
+        Speed loss s of the drive [-].
+
+    Returns
+    -------
+    Array
+        Angle [rad]; negative where the creep runs ahead.
+
+    References
+    ----------
+    Equation (B3) of :doc:`/equations`.
+    """
+    share = jnp.asarray(loss)
+    return 2.0 * jnp.pi * share / (1.0 - share)
+
+
 def speed_loss(*, geometry: DriveGeometry, creepage: Array) -> Array:
     r"""Exact share of the output speed that is lost by creep.
 

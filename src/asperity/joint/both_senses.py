@@ -11,7 +11,7 @@ import numpy as np
 from jax import Array
 
 from asperity.compilation import compile_fast
-from asperity.drive.rolling_state import speed_loss
+from asperity.drive.rolling_state import drift_per_turn, speed_loss
 from asperity.joint.description import Joint
 from asperity.joint.evaluation import evaluate
 from asperity.joint.planar.description import PlanarJoint
@@ -109,5 +109,4 @@ def _at_torques(joint: Joint) -> tuple[Array, ...]:
 
 def _drift(joint: Joint, creepage: Array) -> Array:
     """Angle lost in one turn of the output, (B3); negative where the creep runs ahead."""
-    loss = speed_loss(geometry=joint.geometry, creepage=creepage)
-    return 2.0 * jnp.pi * loss / (1.0 - loss)
+    return drift_per_turn(speed_loss(geometry=joint.geometry, creepage=creepage))

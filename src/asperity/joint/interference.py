@@ -136,7 +136,8 @@ def joint_preload(joint: Joint, interference: Real) -> Array:
     Returns
     -------
     Array
-        Normal force between sun and planet at rest [N]; 0 without interference.
+        Normal force between sun and planet at rest [N]; 0 without interference, nan where the contacts would be as wide
+        as their bodies.
 
     Notes
     -----
@@ -191,5 +192,5 @@ def _joint_preload(joint: Joint, interference: Real) -> Array:
             joint=dataclasses.replace(there, body_model=model), contacts=contacts, rest=rest, springs=springs
         )
         found = preload_of_interference(compliance=compliance, interference=interference)
-        found = jnp.where(found > 0.0, found, 0.0) if model == joint.body_model else found
+        found = jnp.where(found <= 0.0, 0.0, found) if model == joint.body_model else found
     return found

@@ -104,6 +104,11 @@ def refuse_bad_numbers(joint: Joint) -> None:
     ):
         if entries not in (1, len(CONTACT_NAMES)):
             raise InputError(f"{name}: {entries} entries; give one for all contacts, or {len(CONTACT_NAMES)}")
+    if math.isnan(_single("preload", joint.preload)):
+        raise InputError(
+            "the interference would press the contacts until they are as wide as their bodies: there is no such "
+            "preload; choose less interference (load.interference)"
+        )
     checks = [(path, operator.attrgetter(path)(joint), bounds) for path, bounds in _RANGES.items()]
     for name, bounds in _PER_CONTACT.items():
         checks += [(f"{name}[{index}]", value, bounds) for index, value in enumerate(getattr(joint, name))]

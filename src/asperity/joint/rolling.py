@@ -19,7 +19,7 @@ from asperity.drive.geometry import CONTACT_BODIES
 from asperity.drive.mechanism import Mechanism
 from asperity.drive.planar.state import PlanarState
 from asperity.drive.rolling_speeds import WEDGE_DRIVE, BodiesOfContacts, RollingSpeeds, rolling_speeds
-from asperity.drive.rolling_state import ROLLING_TOLERANCE, RollingState, rolling_state
+from asperity.drive.rolling_state import ROLLING_TOLERANCE, RollingState, drift_per_turn, rolling_state
 from asperity.joint.contacts import JointContacts
 from asperity.joint.description import Joint
 from asperity.joint.rolling_conditions import RollingConditions
@@ -282,7 +282,7 @@ def turning_result(
         axial_force(friction_coefficient=friction, normal_force=normal, lateral_slip_ratio=lateral[0])
     )
     turns = jnp.asarray(input_speed) > 0.0
-    drift = 2.0 * jnp.pi * state.speed_loss / (1.0 - state.speed_loss)
+    drift = drift_per_turn(state.speed_loss)
     per_turn = cycle_rates(bodies=bodies, speeds=unit_speeds, planet_count=branches) * (
         2.0 * jnp.pi / unit_speeds.carrier
     )

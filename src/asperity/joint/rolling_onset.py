@@ -25,7 +25,7 @@ from asperity.drive.geometry import DriveGeometry
 from asperity.drive.planar.creeping import creeping_speeds
 from asperity.drive.planar.layout import PlanarDrive
 from asperity.drive.rolling_speeds import rolling_speeds
-from asperity.drive.rolling_state import lost_speed, speed_loss
+from asperity.drive.rolling_state import drift_per_turn, lost_speed, speed_loss
 from asperity.errors import InputError
 from asperity.joint.description import Joint
 from asperity.joint.evaluation import JointResult
@@ -152,7 +152,7 @@ def contacts_in_series(
         share=weight / jnp.sum(weight, axis=0),
         distance=unit.rolling / unit.carrier,
         sun_angle=1.0 / unit.carrier,
-        drift_per_output_turn=2.0 * jnp.pi * loss / (1.0 - loss),
+        drift_per_output_turn=drift_per_turn(loss),
     )
 
 
@@ -200,7 +200,7 @@ def contacts_of_planar_drive(
         share=work / jnp.sum(work),
         distance=rolled / turned,
         sun_angle=1.0 / turned,
-        drift_per_output_turn=2.0 * jnp.pi * loss / (1.0 - loss),
+        drift_per_output_turn=drift_per_turn(loss),
     )
 
 

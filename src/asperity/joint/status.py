@@ -92,6 +92,7 @@ def joint_status(joint: Joint, result: JointResult) -> Array:
     pins = pin_lock(geometry=geometry, bearings=bearings)
     code = mark(code, pins.too_thick | pins.locks, LOCKED)
     code = mark(code, jnp.asarray(joint.preload) <= 0.0, LOOSE)
+    code = mark(code, jnp.isnan(jnp.asarray(joint.preload)), TOO_WIDE)  # of an interference
     code = mark(code, ~result.solved, UNBALANCED)
     wide = too_wide(
         half_width=result.diagnostics.hertz_half_width,

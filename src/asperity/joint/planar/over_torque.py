@@ -15,6 +15,7 @@ from asperity.drive.capacity import slip_ratio
 from asperity.drive.planar.creeping import creeping_speeds
 from asperity.drive.planar.state import STATE_TOLERANCE, PlanarState
 from asperity.drive.planar.states import loaded_states
+from asperity.drive.rolling_state import drift_per_turn
 from asperity.joint.planar.description import PlanarJoint, body_masses, planar_contacts
 from asperity.joint.planar.evaluation import driving_sense, turning
 from asperity.joint.planar.laws import contact_laws, creep_law, drive_load
@@ -154,7 +155,7 @@ def over_torque_program(
                 jnp.abs(creeping_speeds(drive=drive, creepage=each)[0][out])
                 for each in (jnp.zeros_like(creepage), creepage)
             )
-            return 2.0 * jnp.pi * (ideal / speed - 1.0)
+            return drift_per_turn(1.0 - speed / ideal)
 
         with_torque = jnp.where(torque < 0.0, -1.0, 1.0)
         both = jnp.stack([drift(way * with_torque * rolls.creepage) * way for way in (1.0, -1.0)])
