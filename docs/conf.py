@@ -36,7 +36,7 @@ myst_enable_extensions = ["colon_fence", "deflist", "dollarmath"]
 myst_heading_anchors = 3
 nb_execution_mode = "cache"  # a page that computes runs once, and again only after it has changed
 nb_execution_raise_on_error = True
-nb_execution_timeout = 120
+nb_execution_timeout = 600  # a slow machine compiles for minutes
 nb_merge_streams = True
 
 autosummary_generate = True
