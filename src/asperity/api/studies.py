@@ -61,7 +61,7 @@ def sweep(
     return evaluated(joint.case, [_axis(path, values, kind) for path, values in over.items()], results=names)
 
 
-def _axis(path: str, values: Any, kind: str) -> SweepAxis:
+def _axis(path: str, values: Any, kind: str | None = None) -> SweepAxis:
     key = key_at(path, kind)
     if isinstance(values, str):
         return parse_axis(f"{path}={values}", kind=kind)
