@@ -109,7 +109,7 @@ class UnsupportedDriveError(InputError):
         super().__init__(
             f"{source}: {RUNNING.get()} does not work for drives of type {kind!r}, only for the paper's (a file "
             "without 'type'); 'asperity joint', 'roll', 'windup', 'dynamics', 'loads', 'export', 'report', 'draw', "
-            "'sweep', 'sensitivity', 'uncertainty' and 'design' work for every type"
+            "'serve', 'sweep', 'sensitivity', 'uncertainty' and 'design' work for every type"
         )
 
 

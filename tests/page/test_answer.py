@@ -1,5 +1,6 @@
 """What the page is told of a joint beside its document: the file's values, and why there is no wind-up."""
 
+import json
 import math
 from types import SimpleNamespace
 
@@ -9,7 +10,8 @@ import pytest
 from asperity.joint_file.build import joint_from_case
 from asperity.joint_file.reader import parse_case
 from asperity.page import answer
-from asperity.page.answer import _curves, _windup, plain_numbers, stated_values
+from asperity.page.answer import _curves, _windup, joint_answer, plain_numbers, stated_values
+from asperity.page.joint_request import JointRequest
 
 
 def test_numbers_for_json():
@@ -89,3 +91,22 @@ def test_the_windup_is_that_of_the_assembly_up_to_the_torque_in_thirds(monkeypat
     }
     assert (asked["largest_torque"], asked["level"]) == (5.0, "assembly")
     assert asked["stage_shares"] == pytest.approx((1.0 / 3.0, 2.0 / 3.0), rel=1e-15)
+
+
+@pytest.mark.slow
+def test_a_joint_with_another_drive(zou_file):
+    text = zou_file.with_name("multiroller.toml").read_text(encoding="utf-8")
+    found = joint_answer(JointRequest("m.toml", text, {"load.output_torque": "-8 N*m"}))
+    json.dumps(found, allow_nan=False)
+    assert found["document"]["forces"]["output_torque_Nm"] == -8.0
+    curves = found["curves"]
+    assert curves["torque_Nm"][-1] == pytest.approx(
+        -found["document"]["torque_capacity"]["reverse"]["output_torque_Nm"]
+    )
+    # a torque that drives: the output runs ahead
+    assert curves["drift_rad_per_output_turn"][10] < 0.0
+    stiffness = found["document"]["torsional_stiffness"]["assembly"]["output_Nm_per_rad"]
+    here = np.interp(8.0, -np.array(curves["torque_Nm"][:-1]), curves["assembly_Nm_per_rad"][:-1])
+    assert here == pytest.approx(stiffness, rel=1e-4)
+    assert found["windup"]["hysteresis_rad"] > 0.0
+    assert set(found["document"]["contacts"]) == {each["contact"] for each in found["drawing"]["forces"]}

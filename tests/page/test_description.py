@@ -4,8 +4,9 @@ import pytest
 
 from asperity.joint_file import limits
 from asperity.joint_file.model import Case
+from asperity.joint_file.reader import read_any_case
 from asperity.library import read_finishes
-from asperity.page.description import HEADINGS, description
+from asperity.page.description import HEADINGS, description, form_of
 from asperity.units import from_si, parse_quantity
 
 
@@ -68,3 +69,16 @@ def test_the_library_is_listed(described):
         )
         assert finish["roughness_average_um"][0] <= finish["roughness_average_um"][-1] < 100.0
         assert finish["frequency_ratio"] == 1.5
+
+
+def test_the_form_of_another_drive_has_its_own_keys(zou_file):
+    form = form_of(read_any_case(zou_file.with_name("planar.toml")))
+    names = [group["name"] for group in form["groups"]]
+    assert names == [
+        "drive", "load", "surface", "materials", "roller", "contact", "compliance", "rolling",
+        "lubrication", "dynamics",
+    ]  # fmt: skip
+    keys = {each["key"]: each for group in form["groups"] for each in group["parameters"]}
+    assert keys["contact.*.first_radius"]["meaning"].startswith("Radius of the track of the first roller")
+    assert "drive.loading_roller_radius" not in keys
+    assert {"bodies.left", "model.bodies"} <= {each["key"] for each in form["choices"]}

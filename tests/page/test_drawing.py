@@ -1,12 +1,15 @@
 """The shapes of a drive for the browser: centres by the law of cosines, forces where the bodies touch."""
 
 import math
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
 
 from asperity.drive.force_balance import DriveForces
-from asperity.page.drawing import drive_shapes
+from asperity.joint_file.planar_build import planar_joint_from_case
+from asperity.joint_file.reader import read_any_case
+from asperity.page.drawing import drive_shapes, planar_shapes
 
 NORMAL = np.array([1000.0, 600.0, 500.0, 590.0, 490.0])
 TANGENTIAL = np.array([46.0, 26.0, 20.0, 26.0, 20.0])
@@ -48,3 +51,27 @@ def test_forces_act_where_the_bodies_touch(shapes):
     # the ring presses the loading rollers inwards
     right = forces["wro"]
     assert np.dot(right["normal_N"], [right["x_m"], right["y_m"]]) < 0.0
+
+
+def test_circles_and_forces_of_another_drive(zou_file):
+    """A planetary: sun 10 mm, three planets of 20 mm, a ring of 50 mm with a wall of 8 mm."""
+    joint = planar_joint_from_case(read_any_case(zou_file.with_name("planetary.toml")))
+    forces = SimpleNamespace(normal=np.array([1000.0, 1100.0]), tangential=np.array([50.0, 60.0]))
+    found = planar_shapes(joint, SimpleNamespace(forces=forces))
+    assert found["rings"] == [{"body": "ring", "inner_radius_m": pytest.approx(50e-3), "wall_m": 8e-3}]
+    rollers = [(each["body"], round(1e3 * each["radius_m"], 9)) for each in found["rollers"]]
+    assert rollers == [("sun", 10.0)] + 3 * [("planet", 20.0)]
+    for each in found["rollers"][1:]:
+        assert math.hypot(each["x_m"], each["y_m"]) == pytest.approx(30e-3)
+    sun, ring = found["forces"]
+    assert (sun["on"], ring["on"]) == ("sun", "planet")
+    planet = found["rollers"][1]
+    outward = np.array([planet["x_m"], planet["y_m"]]) / 30e-3
+    np.testing.assert_allclose([sun["x_m"], sun["y_m"]], 10e-3 * outward, atol=1e-12)
+    np.testing.assert_allclose([ring["x_m"], ring["y_m"]], 50e-3 * outward, atol=1e-12)
+    np.testing.assert_allclose(sun["normal_N"], -1000.0 * outward, atol=1e-9)
+    np.testing.assert_allclose(ring["normal_N"], -1100.0 * outward, atol=1e-9)
+    # the sun turns counter-clockwise: the planet holds it back; sun and ring push the planet the way the carrier goes
+    clockwise = np.array([outward[1], -outward[0]])
+    np.testing.assert_allclose(sun["tangential_N"], 50.0 * clockwise, atol=1e-9)
+    np.testing.assert_allclose(ring["tangential_N"], -60.0 * clockwise, atol=1e-9)

@@ -3,7 +3,7 @@
 import pytest
 
 from asperity.errors import InputError
-from asperity.page.joint_request import CHOICES, JointRequest, joint_request
+from asperity.page.joint_request import CHOICES, JointRequest, choices_of_case, joint_request
 
 
 def test_changes_are_those_of_the_file(joint_text):
@@ -132,3 +132,37 @@ def test_the_number_of_loads_is_bounded(joint_text):
 def test_bodies_that_are_refused(body, said):
     with pytest.raises(InputError, match=said):
         joint_request(body)
+
+
+@pytest.fixture
+def planetary_text(zou_file):
+    return zou_file.with_name("planetary.toml").read_text(encoding="utf-8")
+
+
+def test_a_joint_with_another_drive_has_its_own_choices(planetary_text):
+    changes = {"drive.output": "ring", "bodies.planet": "440C", "drive.planet_radius": "21 mm"}
+    request = JointRequest("p.toml", planetary_text, changes)
+    case = request.case()
+    assert (case.drive.output, case.bodies["planet"]) == ("ring", "440C")
+    assert case.drive.planet_radius.value == pytest.approx(21e-3)
+    assert JointRequest("p.toml", request.file_text()).case() == case
+    choices = choices_of_case(case)
+    assert choices["drive.output"] == ("carrier", "ring")
+    assert [path for path in choices if path.startswith("bodies.")] == [
+        "bodies.sun",
+        "bodies.planet",
+        "bodies.ring",
+    ]
+    assert not any(path.startswith(("roller.", "contact.")) for path in choices)
+
+
+def test_an_optional_number_of_another_drive_can_be_left_out(planetary_text):
+    wanted = JointRequest("p.toml", planetary_text, {"drive.planet_bore_diameter": "20 mm"})
+    assert wanted.case().drive.planet_bore_diameter.value == pytest.approx(20e-3)
+    without = JointRequest("p.toml", wanted.file_text(), {"drive.planet_bore_diameter": ""})
+    assert without.case().drive.planet_bore_diameter is None
+
+
+def test_a_chart_of_another_drive_is_refused_with_the_command_that_makes_it(planetary_text):
+    with pytest.raises(InputError, match=r"no free chart of drives of type 'planetary'.*'asperity sweep'"):
+        JointRequest("p.toml", planetary_text).papers_case()

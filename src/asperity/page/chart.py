@@ -178,7 +178,7 @@ def chart_answer(request: ChartRequest) -> dict[str, Any]:
     Every number of the file is an argument of the compiled program. One program therefore serves all charts of one
     result, whichever number varies and whatever the others are.
     """
-    case = request.joint.papers_case("charts")
+    case = request.joint.papers_case()
     rows = result_rows()
     name, row = rows[known_result(request.result, among=tuple(rows))]
     result = RESULTS[name]

@@ -138,13 +138,8 @@ class JointRequest:
             )
         return any_case_from_tables(tables, source=self.name)
 
-    def papers_case(self, what: str) -> Case:
-        """The checked joint file, which must describe the paper's drive.
-
-        Parameters
-        ----------
-        what : str
-            What is asked for, in the plural.
+    def papers_case(self) -> Case:
+        """The checked joint file for a chart, which must describe the paper's drive.
 
         Raises
         ------
@@ -154,7 +149,8 @@ class JointRequest:
         case = self.case()
         if isinstance(case, PlanarCase):
             raise InputError(
-                f"{self.name}: the page makes no {what} of drives of type '{case.type}', only of the paper's"
+                f"{self.name}: no free chart of drives of type '{case.type}', only of the paper's; 'asperity sweep' "
+                "computes any result over any number of the file"
             )
         return case
 
