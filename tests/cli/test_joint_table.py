@@ -134,6 +134,25 @@ def test_numbers_are_converted_to_the_units_of_the_heads(document, shown):
         assert text in lines, text
 
 
+def test_a_held_cam_has_its_own_stiffness(document, shown):
+    """At the sun by the square of the ratio of 9; an arcminute is pi/10800."""
+    document["preload"]["loading_cam"] = {
+        "least_preload_N": 500.0,
+        "force_per_torque_N_per_Nm": 100.0,
+        "angle_rad": math.radians(0.1),
+        "held_stiffness_output_Nm_per_rad": 8100.0,
+    }
+    (row,) = [line.split() for line in shown(document) if "cam held by its friction" in line]
+    assert row[-3:] == ["100", "8100", f"{8100.0 * math.pi / 10800.0:.4g}"]
+
+
+def test_crowned_contacts_have_a_table_of_their_own(document, shown):
+    for contact in document["contacts"].values():
+        contact |= {"loaded_length_share": 0.75, "peak_line_load_ratio": 1.4, "end_line_load_ratio": 0.0}
+    rows = [line.split() for line in shown(document)]
+    assert ["sp", "75", "1.4", "0"] in rows
+
+
 def test_warnings_are_gathered_by_limit(document, shown):
     lines = shown(document)
     place = lines.index("  Slip ratio 1.25 at pwr, 1.5 at wro, - at wlo (limit 1)")

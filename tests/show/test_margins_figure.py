@@ -30,5 +30,11 @@ def test_bars_are_percent_and_say_pass_or_fail():
     assert [bar.get_width() for bar in bars] == [200.0, 40.0]
     assert [to_hex(bar.get_facecolor()) for bar in bars] == [FAIL_COLOUR, PASS_COLOUR]
     assert [text.get_text() for text in axes.texts] == ["200 %, FAIL", "40 %, pass"]
+    for bar, text in zip(
+        bars, axes.texts, strict=True
+    ):  # beside the end of its bar, at the middle of its height
+        assert text.xy == (bar.get_width(), bar.get_y() + bar.get_height() / 2.0)
+    assert axes.yaxis_inverted()
+    assert axes.get_xlim()[1] > 1.2 * 200.0
     assert axes.lines[0].get_xdata()[0] == 100.0
     assert axes.get_xlim()[0] == 0.0

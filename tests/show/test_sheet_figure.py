@@ -35,12 +35,12 @@ def test_arrowheads_point_outwards_at_both_ends():
 
 
 def test_heads_are_a_third_as_wide_as_long_of_forces_two_thirds():
-    """On a line at an angle of 3, 4, 5."""
+    """On a line at an angle of 3, 4, 5, which starts at (1, 2)."""
     for style, half in (("thin", 5.0 / 6.0), ("force", 5.0 / 3.0)):
-        ((tip, one, other),) = arrowheads(Line(((0.0, 0.0), (6.0, 8.0)), style, "start"), length=5.0)
-        assert tip == (0.0, 0.0)
-        assert one == pytest.approx((3.0 - 0.8 * half, 4.0 + 0.6 * half))
-        assert other == pytest.approx((3.0 + 0.8 * half, 4.0 - 0.6 * half))
+        ((tip, one, other),) = arrowheads(Line(((1.0, 2.0), (7.0, 10.0)), style, "start"), length=5.0)
+        assert tip == (1.0, 2.0)
+        assert one == pytest.approx((4.0 - 0.8 * half, 6.0 + 0.6 * half))
+        assert other == pytest.approx((4.0 + 0.8 * half, 6.0 - 0.6 * half))
 
 
 def test_capital_letters_have_their_height():

@@ -146,7 +146,9 @@ def test_roll_off_wavelength_is_reported():
     random = np.random.default_rng(0)
     z = np.array([rolled_off(1.5, "K-correlation", random, 4096) for _ in range(10)])
     assert fit(z).roll_off_wavelength == pytest.approx(40e-6, rel=0.25)
-    assert fit(noise(1.5, random)).roll_off_wavelength is None
+    plain = fit(noise(1.5, random))
+    assert plain.roll_off_wavelength is None
+    assert 0.5 < plain.reduced_chi_square < 2.0  # heights as the model has them scatter as it says
 
 
 def test_all_estimators_refuse_the_same_band():
@@ -325,6 +327,13 @@ def test_level_of_a_spectrum_is_a_roughness_with_its_covariance():
     given = np.array([[4e-4, 3e-4], [3e-4, 9e-4]])
     found = result(D, level, given)
     assert found.fractal_roughness == pytest.approx(G, rel=1e-12)
+    # 95 % of a normal distribution lie within 1.959964 standard deviations, 0.02 of D
+    assert found.dimension_interval(confidence=0.95) == pytest.approx(
+        (D - 0.0391993, D + 0.0391993), rel=1e-6
+    )
+    low, high = found.roughness_interval(confidence=0.95)
+    assert low * high == pytest.approx(G**2, rel=1e-9)
+    assert np.log(high / G) == pytest.approx(1.959964 * found.covariance[1, 1] ** 0.5, rel=1e-6)
     assert (found.shortest_wavelength, found.longest_wavelength) == pytest.approx((1e-6, 1e-3), rel=1e-12)
     steps = 1e-6 * np.eye(2)
     slopes = np.array(

@@ -28,7 +28,7 @@ def test_band_stops_where_the_power_law_stops(exact):
 @pytest.mark.parametrize(
     ("density", "says"),
     [
-        (lambda f: 1e-8 * f**-3.6, "falls as"),
+        (lambda f: 1e-8 * f**-3.6, "falls as frequency^-3.6"),
         (lambda f: 1e-8 * f**-2.0 * (1 + 0.7 * np.sin(5 * np.log(f))), "departs from a power law by"),
     ],
 )

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from asperity.errors import InputError
-from asperity.study.calibration.torque_history import curve_operator
+from asperity.study.calibration.torque_history import curve_operator, cycled_before
 
 A, B = 1e-5, 2e-8
 
@@ -114,3 +114,12 @@ def test_a_history_of_one_direction_asks_nothing_of_the_other():
     assert np.all(operator.torque > 0.0)
     assert found[1] == pytest.approx(reversible(2.0) + slip(6.0) - 2.0 * slip(2.0), rel=1e-11)
     assert asymmetric([1.0, 6.0])[0].slips.all()  # no reversal: the curve without slip is not needed
+
+
+@pytest.mark.parametrize(
+    ("torques", "before"),
+    [([], []), ([1.0, 3.0, -2.0], [3.0, -3.0]), ([3.0, 3.0, 1.0], [-3.0, 3.0]), ([2.0], [2.0, -2.0])],
+)
+def test_a_cycled_history_begins_on_the_branch_that_leads_on(torques, before):
+    """A curve that first rises comes from the negative end, one that first falls from the positive one."""
+    assert cycled_before(np.array(torques)) == before
