@@ -31,8 +31,8 @@ _RATED = (
 _NOTES = (
     "Radial is away from the drive's axis, tangential along the carrier's circle in the sense in which a positive "
     "output torque is driven. Forces act on the part that is named.",
-    "All branches are equal: the forces of the planets on sun, carrier and ring balance, and their bearings carry a "
-    "torque only. Weights, forces from outside and unequal branches are not counted.",
+    "All branches are equal: the forces of the planets on sun, carrier and ring balance, and a torque remains, so that "
+    "their bearings carry no force. Weights, forces from outside and unequal branches are not counted.",
     "Where the sun turns the forces are those of steady rolling, otherwise those of the joint at rest.",
 )
 _SUPPORTED = (

@@ -1,6 +1,6 @@
 r"""Loads that the contacts of a planar drive put on its pins, shafts and housing.
 
-Sectors are equal: the forces on bodies on the axis and on the carrier balance, and their bearings carry a torque only.
+Sectors are equal: the forces on bodies on the axis and on the carrier balance, a torque remains.
 """
 
 from __future__ import annotations

@@ -21,8 +21,9 @@ from asperity.joint.rolling_document import unknown_because
 _NOTES = (
     "Radial is away from the drive's axis, tangential along the carrier's circle in the sense in which the input "
     "turns; torques count in the same sense. Forces act on the part that is named.",
-    "All sectors are equal: the forces of the rollers on the bodies on the axis and on the carrier balance, and their "
-    "bearings carry a torque only. Weights, forces from outside and unequal sectors are not counted.",
+    "All sectors are equal: the forces of the rollers on the bodies on the axis and on the carrier balance, and a "
+    "torque remains, so that their bearings carry no force. Weights, forces from outside and unequal sectors are not "
+    "counted.",
     "Where the input turns the forces are those of steady rolling, otherwise those of the joint at rest.",
 )
 _FREE = "Rollers without a pin are held by their contacts alone."
