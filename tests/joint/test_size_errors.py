@@ -39,6 +39,6 @@ def test_only_the_first_planet_changes():
     np.testing.assert_allclose(found.rolling_share.sum(axis=1), 1.0, rtol=1e-12)
     np.testing.assert_allclose(found.first_slip, [1.5, 3.0, 3.3], rtol=1e-12)
     np.testing.assert_allclose(found.all_slip, 1e-3 * total, rtol=1e-12)
-    # where all slip there is no share at rest, and the force on the sun is that without torque
+    # where all slip there is neither a share nor a force on the sun under the torque
     assert np.all(np.isnan(found.standing_share[0]))
-    np.testing.assert_allclose(found.sun_force, [1.0, 5.0, 5.0], rtol=1e-12)
+    np.testing.assert_allclose(found.sun_force, [np.nan, 5.0, 5.0], rtol=1e-12)

@@ -32,3 +32,12 @@ def test_a_tolerance_that_does_not_move_the_preload_is_named(joint_text):
     )
     free = parse_case(loose.replace('preload = "1000 N"', 'interference = "13 um"'), source="x")
     assert not any("load.preload is a force" in each for each in assumptions(free))
+
+
+def test_what_holds_the_sun_between_unequal_branches_is_told(joint_text):
+    text = joint_text.replace('preload = "1000 N"', 'interference = "13 um"') + 3 * "\n[[branch]]\n"
+    held = "without compliance.sun_support_stiffness: the sun is held rigidly"
+    assert any(held in each for each in assumptions(parse_case(text, source="x")))
+    stated = text + '\n[compliance]\nsun_support_stiffness = "50 N/um"\n'
+    assert not any(held in each for each in assumptions(parse_case(stated, source="x")))
+    assert not any("branch" in each for each in assumptions(parse_case(joint_text, source="x")))

@@ -69,5 +69,7 @@ def size_error_curves(drive: BranchedJoint, sizes: BranchSizes, deviation: np.nd
         rolling_share=shares([each.rolling for each in found]),
         first_slip=np.array([each.capacity.first_slip for each in found]),
         all_slip=np.array([each.capacity.all_slip for each in found]),
-        sun_force=np.array([np.hypot(*(each.standing or each.rest).sun_force) for each in found]),
+        sun_force=np.array(
+            [np.nan if each.standing is None else np.hypot(*each.standing.sun_force) for each in found]
+        ),
     )

@@ -63,6 +63,11 @@ def assumptions(case: Case) -> tuple[str, ...]:
             "[[branch]]: ring and carrier are centred; at rest the drive is loaded after it has rolled without torque; "
             "only the section on branches, or 'branches' of the JSON document, knows their sizes"
         )
+        if case.compliance is None or case.compliance.sun_support_stiffness is None:
+            told.append(
+                "[[branch]] without compliance.sun_support_stiffness: the sun is held rigidly on the axis; a sun that "
+                "floats (0) shares the load among the branches"
+            )
     told += _surfaces(case)
     told += _temperature(case)
     for roller in ("planet", "loading_roller"):
