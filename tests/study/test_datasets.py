@@ -52,14 +52,14 @@ def test_rows_come_first_and_have_names(found):
 def test_everything_has_its_unit(found):
     assert found["load.output_torque"].attrs["units"] == "N*m"
     assert found["mass"].attrs == {"units": "kg", "long_name": RESULTS["mass"].label}
-    assert result_attributes("drift")["units"] == "rad"
+    assert result_attributes(RESULTS["drift"])["units"] == "rad"
     assert key_attributes("drive.sun_radius")["units"] == "m"
     # codes of the status are told in the file itself
     assert len(found["status"].attrs["flag_meanings"].split()) == len(found["status"].attrs["flag_values"])
 
 
 def test_names_of_all_numbers_of_some_results():
-    rows = result_rows(["mass", "slip_ratio", "axial_thrust"])
+    rows = result_rows(RESULTS[name] for name in ("mass", "slip_ratio", "axial_thrust"))
     assert rows[0] == ("mass", "kg", "mass of the rolling parts")
     assert [name for name, _, _ in rows[1:6]] == [
         f"slip_ratio_{c}" for c in ("sp", "pwr", "pwl", "wro", "wlo")
@@ -69,9 +69,9 @@ def test_names_of_all_numbers_of_some_results():
 
 
 def test_every_axis_has_a_coordinate_with_a_meaning():
-    for name, result in RESULTS.items():
-        for dimension in row_dimensions(name):
-            (dims, values, attributes) = row_coordinates([name])[dimension]
+    for result in RESULTS.values():
+        for dimension in row_dimensions(result):
+            (dims, values, attributes) = row_coordinates([result])[dimension]
             assert dims == (dimension,)
             assert values.shape == result.row_shape
             assert attributes["long_name"]

@@ -31,12 +31,13 @@ def test_rows_that_a_joint_does_not_have_are_not_judged():
     """Bearings without ratings have no row; a joint without any computes nothing."""
     safety = RESULTS["bearing_static_safety"]
     some = SimpleNamespace(
+        joint=None,
         has_bearings=(True, False, False, True),
         bearings=SimpleNamespace(static_safety=np.array([2.0, np.nan, np.nan, 0.5])),
     )
     assert safety.rows_of(some) == {"right_pin": 2.0, "carrier": 0.5}
-    assert safety.rows_of(SimpleNamespace(has_bearings=(False,) * 4)) == {}
-    assert RESULTS["mass"].rows_of(SimpleNamespace(size=SimpleNamespace(mass=3.0))) == {"": 3.0}
+    assert safety.rows_of(SimpleNamespace(joint=None, has_bearings=(False,) * 4)) == {}
+    assert RESULTS["mass"].rows_of(SimpleNamespace(joint=None, size=SimpleNamespace(mass=3.0))) == {"": 3.0}
 
 
 def test_limits_say_what_they_mean_and_what_to_do():
@@ -64,7 +65,7 @@ def test_the_nearer_bound(lowest, highest, nearer):
 
 
 def test_a_value_is_a_path_or_a_function():
-    solved = SimpleNamespace(result=SimpleNamespace(mass=3.0), row_names=lambda axis: ("a", "b"))
+    solved = SimpleNamespace(joint=None, result=SimpleNamespace(mass=3.0), row_names=lambda axis: ("a", "b"))
     path = Result("mass", "mass", Dimension.MASS, "kg", "result.mass")
     twice = Result("twice", "twice", Dimension.MASS, "kg", lambda s: 2.0 * s.result.mass, axis="body")
     assert (path.of(solved), twice.of(solved)) == (3.0, 6.0)

@@ -36,6 +36,9 @@ def test_bars_are_ordered_by_the_first_result(sensitivities):
     assert [bar.get_width() for bar in second.patches] == [0.25, 1.0, 1.0]
     assert [label.get_text() for label in first.get_yticklabels()] == ["sun radius", "preload", "planets"]
     assert first.yaxis_inverted()
+    # room for twice the longest bar, with powers of ten inside it
+    assert first.get_xlim() == pytest.approx((-4.0, 4.0))
+    assert first.get_xticks() == pytest.approx([-1.0, -0.1, 0.0, 0.1, 1.0])
     # one arcminute, and newton metres
     assert first.get_title() == "drift\n1 arcmin"
     assert second.get_title() == "torque capacity\n13 N·m"
