@@ -46,7 +46,7 @@ function planarDrawing(drawing, document_) {
   }
   picture.append(...circles(drawing.rollers, reach), ...arrows(drawing, reach, largest, 0.05 * reach), ...scaleBar(-half * 0.97, half * 1.1, reach, 0.07 * reach));
   return [
-    element("div", { class: "drawings" }, picture),
+    element("div", { class: "drawings single" }, picture),
     element(
       "p",
       { class: "note" },
@@ -89,18 +89,25 @@ function marker(name) {
   );
 }
 
-/** Contact forces as arrows, with the names of the contacts. */
-function arrows(drawing, size, largest, font, longest = LONGEST_ARROW * size) {
+/** A contact force on paper: its place, the arrow of the normal force, and both arrows as lines. */
+function arrow(force, factor, shortest) {
+  const [x, y] = [1e3 * force.x_m, -1e3 * force.y_m];
+  const [nx, ny] = [force.normal_N[0] * factor, -force.normal_N[1] * factor];
+  const [tx, ty] = [force.tangential_N[0] * factor, -force.tangential_N[1] * factor];
+  // normal forces end at the contact, tangential ones begin there
+  const lines = [svg("line", { class: "force normal", x1: x - nx, y1: y - ny, x2: x, y2: y, "marker-end": "url(#head-normal)" })];
+  if (Math.hypot(tx, ty) > shortest) {
+    lines.push(svg("line", { class: "force tangential", x1: x, y1: y, x2: x + tx, y2: y + ty, "marker-end": "url(#head-tangential)" }));
+  }
+  return { x, y, nx, ny, lines };
+}
+
+/** The forces of a drive with the names of their contacts. */
+function arrows(drawing, size, largest, font) {
   return drawing.forces.flatMap((force) => {
-    const [x, y] = [1e3 * force.x_m, -1e3 * force.y_m];
-    const factor = longest / largest;
-    const [nx, ny] = [force.normal_N[0] * factor, -force.normal_N[1] * factor];
-    const [tx, ty] = [force.tangential_N[0] * factor, -force.tangential_N[1] * factor];
-    return [
-      svg("line", { class: "force normal", x1: x - nx, y1: y - ny, x2: x, y2: y, "marker-end": "url(#head-normal)" }),
-      svg("line", { class: "force tangential", x1: x, y1: y, x2: x + tx, y2: y + ty, "marker-end": "url(#head-tangential)" }),
-      svg("text", { class: "force-name", x: x - nx - 0.3 * ny, y: y - ny + 0.3 * nx + 0.35 * font, "font-size": font, "text-anchor": "middle" }, force.contact),
-    ];
+    const { x, y, nx, ny, lines } = arrow(force, (LONGEST_ARROW * size) / largest, 0.004 * size);
+    const place = { x: x - nx - 0.3 * ny, y: y - ny + 0.3 * nx + 0.35 * font };
+    return [...lines, svg("text", { class: "force-name", ...place, "font-size": font, "text-anchor": "middle" }, force.contact)];
   });
 }
 
@@ -116,19 +123,8 @@ function branch(drawing, document_, inner, shown, wall, largest) {
   const picture = svg("svg", { viewBox: `${-half} ${top} ${2 * half} ${height}`, role: "img", class: "drive branch", "aria-label": forcesDescribed(document_) });
   picture.append(svg("defs", {}, marker("normal"), marker("tangential")), ...bodies(drawing, inner, shown, wall));
   for (const force of drawing.forces) {
-    const [x, y] = [1e3 * force.x_m, -1e3 * force.y_m];
-    const factor = longest / largest;
-    const [nx, ny] = [force.normal_N[0] * factor, -force.normal_N[1] * factor];
-    const [tx, ty] = [force.tangential_N[0] * factor, -force.tangential_N[1] * factor];
-    // normal forces end at the contact, tangential ones begin there
-    picture.append(
-      svg("line", { class: "force normal", x1: x - nx, y1: y - ny, x2: x, y2: y, "marker-end": "url(#head-normal)" }),
-    );
-    if (Math.hypot(tx, ty) > 0.004 * inner) {
-      picture.append(
-        svg("line", { class: "force tangential", x1: x, y1: y, x2: x + tx, y2: y + ty, "marker-end": "url(#head-tangential)" }),
-      );
-    }
+    const { x, y, nx, ny, lines } = arrow(force, longest / largest, 0.004 * inner);
+    picture.append(...lines);
     const side = Math.abs(x) < 0.05 * inner ? 0 : Math.sign(x);
     const [px, py] = force.contact.startsWith("p") ? [x + side * 0.42 * sun, y - ny * 0.2] : [x - nx * 1.1, y - ny];
     const anchor = side === 0 ? "middle" : side > 0 ? "start" : "end";
