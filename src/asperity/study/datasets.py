@@ -108,9 +108,11 @@ def result_rows(results: Iterable[Result]) -> list[tuple[str, str, str]]:
     ]
 
 
+#: Dimensions that are not called after what their rows stand for: a result has that name.
+_DIMENSIONS = {"clearance": "rollers"}
 _ROW_COORDINATES = {
     "contact": "contact of a branch",
-    "clearance": "clearance between two rollers",
+    "rollers": "rollers between which a clearance is",
     "body": "body of a branch; those on the axis are shared by all branches",
     "pin": "carrier pin, named after its loading roller",
     "bearing": "rolling bearing",
@@ -131,7 +133,7 @@ def row_dimensions(result: Result) -> tuple[str, ...]:
     tuple of str
         At most one name.
     """
-    return () if result.axis == "one" else (result.axis,)
+    return () if result.axis == "one" else (_DIMENSIONS.get(result.axis, result.axis),)
 
 
 def row_coordinates(results: Iterable[Result]) -> dict[str, tuple[tuple[str], np.ndarray, dict[str, str]]]:

@@ -6,7 +6,9 @@ import numpy as np
 import pytest
 
 from asperity.errors import InputError
-from asperity.study.datasets import dataset
+from asperity.joint.results import RESULTS
+from asperity.study.datasets import coordinate, dataset, rows_of
+from asperity.study.parameters import parse_axis
 from asperity.study.sweep.tables import check_table_path, write_table
 
 
@@ -78,3 +80,18 @@ def test_refusals(tmp_path):
     (tmp_path / "d.csv").mkdir()
     with pytest.raises(InputError, match="exists already"):
         check_table_path(tmp_path / "d.csv", overwrite=True)
+
+
+def test_clearances_are_a_result_and_have_rows():
+    axis = parse_axis("load.output_torque=0 N*m:5 N*m:2")
+    gaps = np.arange(16.0).reshape(8, 2)
+    found = dataset(
+        dimensions=(axis.path,),
+        coordinates={axis.path: coordinate(axis)},
+        status=np.zeros(2, dtype=np.int8),
+        found={"clearance": gaps},
+        attributes={},
+    )
+    rows = rows_of(found, "clearance")
+    assert list(rows) == list(RESULTS["clearance"].row_names)
+    np.testing.assert_array_equal(np.stack([each.values for each in rows.values()]), gaps)

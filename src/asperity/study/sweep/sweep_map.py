@@ -12,6 +12,7 @@ import numpy as np
 from asperity.errors import InputError, quoted
 from asperity.joint.results import RESULTS, known_result
 from asperity.show.style import plain_number
+from asperity.study.datasets import row_dimensions
 from asperity.units import format_quantity, parse_quantity
 
 if TYPE_CHECKING:
@@ -236,9 +237,9 @@ def _draw_limits(
     drawn = 0
     for limit in limits:
         values = data[limit.name]
-        axis = RESULTS[limit.name].axis
-        if axis != "one" and axis in values.dims:
-            values = values.max(axis) if limit.at_most else values.min(axis)
+        rows = [name for name in row_dimensions(RESULTS[limit.name]) if name in values.dims]
+        if rows:
+            values = values.max(rows) if limit.at_most else values.min(rows)
         ordered = values.transpose(*data["status"].dims).values
         margin = np.where(solved, (1.0 if limit.at_most else -1.0) * (limit.limit - ordered), np.nan).T
         if not np.nanmin(margin, initial=np.inf) < 0.0 < np.nanmax(margin, initial=-np.inf):

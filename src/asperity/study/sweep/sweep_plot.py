@@ -11,7 +11,7 @@ from asperity.errors import InputError
 from asperity.joint.results import RESULTS
 from asperity.joint_file.si_tables import key_at
 from asperity.show.style import mark_few_decades
-from asperity.study.datasets import rows_of
+from asperity.study.datasets import row_dimensions, rows_of
 from asperity.study.parameters import long_name
 from asperity.study.sweep.sweep_map import MapLimit, draw_map, limits_of_the_model
 from asperity.units import from_si
@@ -208,7 +208,7 @@ def _panels(figure: Figure, data: xarray.Dataset, axes: list[str], name: str) ->
             curve = chosen[name].isel({axes[1]: second})
             told = f"{_in_unit(axes[1], chosen[axes[1]].values[[second]])[0]:.4g}"
             if RESULTS[name].axis != "one":
-                curve = curve.max(RESULTS[name].axis)
+                curve = curve.max(row_dimensions(RESULTS[name]))
                 told += f" (largest of the {RESULTS[name].axis}s)"
             panel.plot(x, curve.values, marker=".", label=told)
         if len(axes) > 2:
