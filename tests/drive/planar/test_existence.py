@@ -171,5 +171,7 @@ def test_an_output_that_stands_still_is_refused(drives):
         refuse_impossible(still)
     drive = drives["stepped"]
     fastest = float(jnp.max(jnp.abs(speeds(drive))))
-    ratio = (1.0 + 50.0 / 10.0) / (1.0 - 50.0 * 18.0 / (48.0 * 20.0))  # of the sun to the driven ring, by hand
+    ratio = (1.0 + 50.0 / 10.0) / (
+        1.0 - 50.0 * 18.0 / (48.0 * 20.0)
+    )  # of the sun to the driven ring, by hand
     assert float(output_share(drive)) == pytest.approx(1.0 / ratio / fastest, rel=1e-9)
