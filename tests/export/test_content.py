@@ -7,6 +7,11 @@ import pytest
 
 import asperity
 from asperity.export.content import export_content, heading
+from asperity.export.elements import fitted_elements
+from asperity.export.fmu import fmu_parts
+from asperity.export.mjcf import mjcf_file
+from asperity.export.modelica import modelica_file
+from asperity.export.table import csv_file
 from asperity.joint.play import Play
 from asperity.joint.solve import solve
 
@@ -39,6 +44,48 @@ def test_heading_says_what_is_unknown_and_the_play(made_content):
     assert "Drift per output turn at 5 N*m: unknown; no creep: all plastic" in text
     sudden = made_content(play=Play(angle=2.0 * ARCMINUTE, take_up_torque=0.0))
     assert "taken up at zero torque" in "\n".join(heading(sudden, what="T"))
+
+
+@pytest.mark.parametrize(
+    ("friction", "because", "expected"),
+    [
+        (
+            float("nan"),
+            (),
+            "unknown, because the sun stands in the joint file; a model has none.",
+        ),
+        (
+            float("nan"),
+            ("no creep: all plastic",),
+            "unknown, no creep: all plastic; a model has none.",
+        ),
+        (0.0, (), "none in the joint file."),
+        (
+            0.01,
+            (),
+            "0.01 N*m, which bearings, rolling and skew take from it at 5 N*m and the speed of "
+            "the joint file; constant in a model.",
+        ),
+    ],
+)
+def test_heading_says_what_the_friction_at_the_motor_is(content, friction, because, expected):
+    parts = dataclasses.replace(content.parts, friction=friction)
+    lines = heading(dataclasses.replace(content, parts=parts, no_drift_because=because), what="FMU")
+    assert f"Friction at the motor: {expected}" in lines
+
+
+def test_every_target_says_that_the_friction_is_unknown(content):
+    unknown = dataclasses.replace(content, parts=dataclasses.replace(content.parts, friction=float("nan")))
+    fitted = fitted_elements(unknown, program="model")
+    parts = fmu_parts(unknown)
+    for text in (
+        csv_file(unknown).decode(),
+        mjcf_file(unknown, fitted).decode(),
+        modelica_file(unknown, fitted).decode(),
+        parts.description,
+    ):
+        assert text.count("Friction at the motor: unknown, because the sun stands in the joint file") == 1
+    assert unknown.friction == 0.0
 
 
 def test_name_of_a_file_cannot_leave_its_line(content):

@@ -47,10 +47,15 @@ def test_shares_of_the_compliance_are_sorted_and_named():
     budget = {"bodies_share": 0.25, "asperity_share": {"sp": 0.5, "wro": 0.0}, "pins_share": 0.125}
     document = {
         "torsional_stiffness": levels, "stiffness_unknown_because": "it slips", "stiffness_budget": budget,
+        "geometry": {"speed_ratio": -9.0},
+        "preload": {"loading_cam": {"held_stiffness_output_Nm_per_rad": 10800.0 * 0.81}},
     }  # fmt: skip
     blocks = list(stiffness(document))
     found = rows_of(blocks)
     assert found["Torsional stiffness"][0][1:] == ("10", "810", "0.25")
+    held = found["Torsional stiffness"][3]
+    assert held[0] == "assembled, the loading cam held by its friction"
+    assert held[1:] == ("108", "8748", "2.545")  # over 9²; times pi/10 800
     assert [b.text for b in blocks if isinstance(b, Paragraph)] == ["No value: it slips."]
     assert found["Stiffness budget: shares of the compliance of the assembled joint"] == [
         ("sp asperity", "50"), ("bodies", "25"), ("pins", "12.5"),

@@ -16,18 +16,13 @@ from asperity.cli.document_text import (
     show_warnings,
 )
 from asperity.cli.terminal import table
+from asperity.joint.document import LEVEL_WORDS, stiffness_rows
 
 if TYPE_CHECKING:
     from rich.console import Console
 
 Document = dict[str, Any]
 Rows = tuple[tuple[str, str], ...]
-
-_MODELS = (
-    ("assembly", "assembled: asperities, bodies, floating planets, structure"),
-    ("series_with_bulk", "asperities and bodies in series, centres held"),
-    ("published", "as published, equation (25): asperities alone, an upper bound"),
-)
 
 
 def show_joint(target: Console, document: Document, *, source: str) -> None:
@@ -56,23 +51,10 @@ def _show_stiffness(target: Console, document: Document) -> None:
     shown = table(
         target, "Torsional stiffness", "model", "sun\nN·m/rad", "output\nN·m/rad", "output\nN·m/arcmin"
     )
-    for name, meaning in _MODELS:
-        entry = document["torsional_stiffness"][name]
+    for words, found in stiffness_rows(document):
         shown.add_row(
-            meaning,
-            number(entry["sun_Nm_per_rad"]),
-            number(entry["output_Nm_per_rad"]),
-            number(entry["output_Nm_per_arcmin"]),
-        )
-    cam = document["preload"]["loading_cam"]
-    if cam is not None:
-        held = cam["held_stiffness_output_Nm_per_rad"]
-        squared = document["geometry"]["speed_ratio"] ** 2
-        shown.add_row(
-            "assembled, the loading cam held by its friction",
-            number(None if held is None else held / squared),
-            number(held),
-            scaled(held, math.pi / 10800.0),
+            words,
+            *(number(found[key]) for key in ("sun_Nm_per_rad", "output_Nm_per_rad", "output_Nm_per_arcmin")),
         )
     target.print(shown)
     if document["stiffness_unknown_because"]:
@@ -87,7 +69,7 @@ def _show_stiffness(target: Console, document: Document) -> None:
         "output from\nN·m/rad",
         "output to\nN·m/rad",
     )
-    for name, meaning in _MODELS:
+    for name, meaning in LEVEL_WORDS:
         spread.add_row(
             meaning, number(interval[name]["low_Nm_per_rad"]), number(interval[name]["high_Nm_per_rad"])
         )

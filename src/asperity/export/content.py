@@ -120,6 +120,11 @@ class ExportContent:
         return "the other rollers" if isinstance(self.joint, PlanarJoint) else "planets with loading rollers"
 
     @property
+    def friction(self) -> float:
+        """Friction torque at the motor in a model, 0 where it is unknown [N·m]."""
+        return self.parts.friction if np.isfinite(self.parts.friction) else 0.0
+
+    @property
     def play(self) -> Play:
         """Play of the joint."""
         return NO_PLAY if isinstance(self.joint, PlanarJoint) else self.joint.play
@@ -214,6 +219,7 @@ def heading(content: ExportContent, *, what: str) -> list[str]:
         f"{format_quantity(float(content.windup.angle[0]), 'arcmin')}; width of the loop at zero torque: "
         f"{format_quantity(float(content.windup.hysteresis), 'arcmin')}",
         play_sentence(content),
+        friction_sentence(content),
         "Stiffness and drift are two regimes: the wind-up of a joint that stands comes back, the drift of a joint "
         "that turns does not.",
         f"Range: -{torque} to {torque}; beyond it nothing was computed.",
@@ -263,6 +269,32 @@ def play_sentence(content: ExportContent) -> str:
     return (
         f"Play: {format_quantity(angle, 'arcmin')} from side to side, taken up {taken_up}; it is part of the angles "
         "and not of the stiffness."
+    )
+
+
+def friction_sentence(content: ExportContent) -> str:
+    """The friction at the motor, or why it is unknown.
+
+    Parameters
+    ----------
+    content : ExportContent
+        What is exported.
+
+    Returns
+    -------
+    str
+        One sentence.
+    """
+    friction = content.parts.friction
+    if not np.isfinite(friction):
+        stands = f"because the {content.ends[0]} stands in the joint file"
+        why = content.no_drift_because[0] if content.no_drift_because else stands
+        return f"Friction at the motor: unknown, {why}; a model has none."
+    if friction == 0.0:
+        return "Friction at the motor: none in the joint file."
+    return (
+        f"Friction at the motor: {format_quantity(friction, 'N*m')}, which bearings, rolling and skew take from it at "
+        f"{format_quantity(content.largest_torque, 'N*m')} and the speed of the joint file; constant in a model."
     )
 
 

@@ -170,7 +170,7 @@ def _sentences(content: ExportContent, slip: SlipElements) -> tuple[str, ...]:
 
 def _variables(content: ExportContent, law: SeriesLaw, slip: SlipElements) -> list[_Variable]:
     """All variables in the order of their value references, which is that of the enumeration in the source."""
-    play, friction = content.play, content.parts.friction
+    play = content.play
     torque = np.asarray(content.windup.torque)
     made = [_Variable(name, "input", *said, 0.0) for name, said in _INPUTS.items()]
     made += [_Variable(name, "output", *said, None) for name, said in _OUTPUTS.items()]
@@ -180,7 +180,7 @@ def _variables(content: ExportContent, law: SeriesLaw, slip: SlipElements) -> li
         "slip_factor": ("factor of the slip; 0 for no hysteresis", "1", 1.0),
         "drift_factor": ("factor of the drift; 0 for a joint without creep", "1", 1.0),
         "damping": ("viscous damping beside the spring", "N.m.s/rad", 0.0),
-        "friction": ("friction torque at the motor", "N.m", friction if np.isfinite(friction) else 0.0),
+        "friction": ("friction torque at the motor", "N.m", content.friction),
         "friction_speed": ("motor speed over which the friction changes sign", "rad/s", _FRICTION_SPEED),
         "play_angle": ("play from side to side", "rad", float(play.angle)),
         "take_up_torque": (

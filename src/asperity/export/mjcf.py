@@ -42,8 +42,8 @@ def mjcf_file(content: ExportContent, fitted: FittedElements) -> bytes:
     ]
     old = _tendon(content, "spring", stiffness=np.array([fitted.linear_stiffness]), damping=damping)
     friction = ""
-    if math.isfinite(parts.friction) and parts.friction > 0.0:
-        friction = f' frictionloss="{parts.friction:.9g}"'
+    if content.friction > 0.0:
+        friction = f' frictionloss="{content.friction:.9g}"'
     name = quoteattr(Path(content.source).stem)
     axis = math.copysign(1.0, content.speed_ratio)
     lines = [
@@ -98,15 +98,6 @@ def _said(content: ExportContent) -> list[str]:
             f"Inertias: {entry}, and {content.rollers}. The joint file has no section [dynamics]: add those of "
             "motor and load, and enlarge the time step."
         )
-    if not math.isfinite(parts.friction):
-        lines.append(f"Friction at the motor: unknown, because the {entry} stands in the joint file.")
-    elif parts.friction > 0.0:
-        lines.append(
-            "frictionloss: torque that bearings, rolling and skew take from the motor at the largest torque and the "
-            "speed of the joint file; constant here."
-        )
-    else:
-        lines.append("Friction at the motor: none in the joint file.")
     lines.append("Masses are placeholders: they sit on the axis.")
     return lines
 

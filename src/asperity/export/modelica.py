@@ -42,7 +42,6 @@ def modelica_file(content: ExportContent, fitted: FittedElements) -> bytes:
             options=["torque"],
         )
     name = package_name(content.source)
-    friction = content.parts.friction if np.isfinite(content.parts.friction) else 0.0
     lines = [
         *(f"// {line}" for line in (*heading(content, what="Modelica package"), *fitted.sentences, *_SAID)),
         f'package {name} "Traction-drive joint"',
@@ -57,7 +56,7 @@ def modelica_file(content: ExportContent, fitted: FittedElements) -> bytes:
         f'    parameter Real driftBraking[{drifts[0].size}](each unit="rad") = {_array(drifts[1])} "Per output turn";',
         *_spring_equations(elements.stiffness.size),
         "  end Spring;",
-        *_joint(friction),
+        *_joint(content.friction),
         f"end {name};",
     ]
     return ("\n".join(lines) + "\n").encode("ascii")

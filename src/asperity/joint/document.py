@@ -26,6 +26,13 @@ from asperity.joint.temperature import assembly_document
 
 Document = dict[str, Any]
 
+#: Levels of the torsional stiffness, the fullest model first, in words that are true for every type of drive.
+LEVEL_WORDS = (
+    ("assembly", "assembled: asperities, bodies, rollers free to move, structure"),
+    ("series_with_bulk", "asperities and bodies in series, roller centres held"),
+    ("published", "as in Zou et al. 2025: asperities alone, an upper bound"),
+)
+
 
 def joint_document(
     *, joint: Joint, solution: Solution, inputs: Document, assumptions: tuple[str, ...]
@@ -216,6 +223,34 @@ def torsional_stiffness_document(result: JointResult | PlanarResult) -> Document
         "series_with_bulk": _stiffness(result.series_with_bulk),
         "assembly": _stiffness(result.assembly.stiffness),
     }
+
+
+def stiffness_rows(document: Document) -> list[tuple[str, Document]]:
+    """Torsional stiffness of a joint, of any type of drive, as rows to show.
+
+    Parameters
+    ----------
+    document : dict
+        As :func:`joint_document` or :func:`asperity.joint.planar.document.planar_document` makes it.
+
+    Returns
+    -------
+    list of tuple
+        Words and stiffness of each level (keys as in :func:`torsional_stiffness_document`), the fullest first; of a
+        joint with a loading cam also of the assembly whose cam is held by its friction.
+    """
+    rows = [(words, document["torsional_stiffness"][level]) for level, words in LEVEL_WORDS]
+    cam = document["preload"]["loading_cam"]
+    if cam is not None:
+        output = cam["held_stiffness_output_Nm_per_rad"]
+        squared = document["geometry"]["speed_ratio"] ** 2
+        held = {
+            "sun_Nm_per_rad": None if output is None else output / squared,
+            "output_Nm_per_rad": output,
+            "output_Nm_per_arcmin": None if output is None else output * math.pi / 10800.0,
+        }
+        rows.append(("assembled, the loading cam held by its friction", held))
+    return rows
 
 
 def stiffness_unknown_because(result: JointResult | PlanarResult) -> str | None:

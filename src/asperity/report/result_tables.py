@@ -5,17 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Any
 
+from asperity.joint.document import stiffness_rows
 from asperity.report.cells import number, percent, quantity
 from asperity.report.content import Block, Paragraph, Table
 from asperity.show.compliance_figure import NO_SHARE
 
 Document = dict[str, Any]
-
-LEVELS = (
-    ("assembly", "assembled: asperities, bodies, floating planets, structure"),
-    ("series_with_bulk", "asperities and bodies in series, centres held"),
-    ("published", "as published, equation (25): asperities alone, an upper bound"),
-)
 
 
 def summary(document: Document) -> Table:
@@ -104,12 +99,11 @@ def stiffness(document: Document) -> Iterator[Block]:
     Block
         Tables.
     """
-    found = document["torsional_stiffness"]
     keys = ("sun_Nm_per_rad", "output_Nm_per_rad", "output_Nm_per_arcmin")
     yield Table(
         "Torsional stiffness",
         ("level of the model", "sun\nN·m/rad", "output\nN·m/rad", "output\nN·m/arcmin"),
-        [(words, *(number(found[level][key]) for key in keys)) for level, words in LEVELS],
+        [(words, *(number(found[key]) for key in keys)) for words, found in stiffness_rows(document)],
     )
     if document["stiffness_unknown_because"]:
         yield Paragraph(f"No value: {document['stiffness_unknown_because']}.")

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Any
 
+from asperity.joint.document import LEVEL_WORDS
 from asperity.report.cells import number, percent, quantity
 from asperity.report.content import Block, Paragraph, Table
-from asperity.report.result_tables import LEVELS
 
 Document = dict[str, Any]
 
@@ -63,7 +63,10 @@ def _interval(title: str, interval: Document) -> Iterator[Block]:
     yield Table(
         title,
         ("level of the model", "output from\nN·m/rad", "output to\nN·m/rad"),
-        [(words, *(number(interval[level][f"{end}_Nm_per_rad"]) for end in ends)) for level, words in LEVELS],
+        [
+            (words, *(number(interval[level][f"{end}_Nm_per_rad"]) for end in ends))
+            for level, words in LEVEL_WORDS
+        ],
     )
     low, high = (quantity(interval["drift"][f"{end}_rad_per_output_turn"], "arcmin") for end in ends)
     yield Paragraph(f"Drift from {low} to {high} per output turn.")

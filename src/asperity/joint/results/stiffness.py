@@ -18,7 +18,7 @@ _LEVELS: tuple[tuple[StiffnessLevel, str, str, str], ...] = (
         "assembly",
         "assembly.stiffness",
         "assembly",
-        "the fullest model: asperities, bodies, floating planets and structure",
+        "the fullest model: asperities, bodies, rollers free to move, structure",
     ),
     (
         "series_with_bulk",
@@ -26,7 +26,7 @@ _LEVELS: tuple[tuple[StiffnessLevel, str, str, str], ...] = (
         "bodies in series",
         "asperities and bodies in series, roller centres held",
     ),
-    ("published", "published", "as published", "asperities alone, equation (25): an upper bound"),
+    ("published", "published", "as published", "as in Zou et al. 2025: asperities alone, an upper bound"),
 )
 _GROUPS = {"assembly": "assembly", "series_with_bulk": "series", "published": "published"}
 
@@ -98,7 +98,7 @@ ROWS = (
         wedge_only=True,
     ),
     _share("tangential", "the contact's tangential spring"),
-    _share("normal", "the contact's normal spring (floating planet)"),
+    _share("normal", "the contact's normal spring (rollers free to move)"),
     _share("ring_bending", "the ring's bending"),
     _share("pin", "the carrier pins"),
     _share("planet_support", "the planet supports"),

@@ -5,14 +5,14 @@ import { arcmin, element, number, scaled, table } from "/numbers.js";
 import { linePlot } from "/plots.js";
 
 const LEVELS = [
-  ["assembly", "assembled", "asperities, bodies, floating planets, structure"],
-  ["series_with_bulk", "bodies in series", "asperities and bodies; planets held"],
+  ["assembly", "assembled", "asperities, bodies, rollers free to move, structure"],
+  ["series_with_bulk", "bodies in series", "asperities and bodies; roller centres held"],
   ["published", "as published", "asperities alone: an upper bound"],
 ];
 const SEVERITIES = { function: "Does not work", damage: "Damage", accuracy: "Numbers uncertain", model: "Outside the published model" };
 const SPRINGS = {
   tangential: "contacts, tangential",
-  normal: "contacts, normal (floating planets)",
+  normal: "contacts, normal (rollers free to move)",
   ring_bending: "ring, bending",
   pin: "carrier pins",
   planet_support: "planet supports",
