@@ -7,6 +7,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from asperity.joint.branch_limits import branch_checks
+from asperity.joint.limit_check import LimitCheck
 from asperity.joint.results import RESULTS, SEVERITIES, Result, Severity, SolvedJoint
 
 #: Results without a limit of their own that must nevertheless exceed a bound for the joint to exist.
@@ -62,7 +64,7 @@ def margins(solved: SolvedJoint) -> tuple[Margin, ...]:
     Returns
     -------
     tuple of Margin
-        One for each judged result that the joint has, at its worst row.
+        One for each judged result that the joint has, at its worst row; and those of unequal branches.
     """
     judged = [
         row
@@ -70,7 +72,16 @@ def margins(solved: SolvedJoint) -> tuple[Margin, ...]:
         if (row.limit or row.name in _MUST_EXCEED) and row.belongs_to(solved.joint)
     ]
     found = [_worst(row, rows) for row in judged if (rows := row.rows_of(solved))]
+    if solved.branches is not None:
+        turns = float(solved.joint.sun_speed) != 0.0
+        found += [_of_a_branch(check) for check in branch_checks(solved.branches, turns=turns)]
     return tuple(sorted(found, key=lambda each: SEVERITIES.index(each.severity)))
+
+
+def _of_a_branch(check: LimitCheck) -> Margin:
+    rule = check.rule
+    place = check.contact or ""
+    return Margin(check.result, place, check.value, rule.lowest, rule.highest, check.ok, rule.severity)
 
 
 def _worst(row: Result, rows: dict[str, float]) -> Margin:
