@@ -253,6 +253,39 @@ def evaluated_directly(case):
     return evaluated
 
 
+@pytest.fixture(scope="session")
+def unequal_branches():
+    """Three branches by hand under 5 N·m: the third loose, the first pressed 1.1 times as hard as equal ones."""
+    from asperity.joint.branch_results import BranchCapacity, BranchState, UnequalBranches
+    from asperity.joint.branch_sizes import BranchSizes
+
+    def of(support=5e7, **changes):
+        state = {
+            "preload": np.array([1100.0, 900.0, 0.0]),
+            "torque": np.array([3.0, 2.0, 0.0]),
+            "slip_ratio": np.array([0.4, 0.5, np.nan]),
+            "sun_displacement": np.array([-3e-6, 4e-6]),
+            "sun_force": np.array([-150.0, 200.0]),
+        }
+        falling = np.outer(np.linspace(1.0, 0.6, 5), [1.2, 1.1, np.nan])
+        capacity = BranchCapacity(first_slip=8.0, branch=1, contact=0, all_slip=12.5, equal=13.0)
+        known = {
+            "sizes": BranchSizes(np.array([1e-6, 0.0, -7e-6]), np.zeros(3), np.zeros(3), support),
+            "torque": 5.0,
+            "own_preload": 1000.0,
+            "interference": np.array([14e-6, 12e-6, -1e-6]),
+            "preload": np.array([1100.0, 900.0, 0.0]),
+            "rest": BranchState(**state | {"torque": np.zeros(3)}),
+            "standing": BranchState(**state, limits={"pressure_over_first_yield": falling}),
+            "rolling": None,
+            "capacity": capacity,
+            "rolling_capacity": capacity,
+        }
+        return UnequalBranches(**known | changes)
+
+    return of
+
+
 @pytest.fixture
 def saved_figures(monkeypatch):
     """The figures that are saved during a test, in their order, so that the test can look at what is drawn."""

@@ -23,7 +23,12 @@ class FakeLaws(BranchLaws):
 
     def states(self, preload, torque):
         slip = np.where(preload > 0.0, torque / (PER_NEWTON * np.maximum(preload, 1e-9)), np.nan)
-        return {name: np.tile(slip, (5, 1)) for name in ("slip_ratio", "rolling_slip_ratio")}
+        pressure = np.where(preload > 0.0, np.sqrt(preload / 1000.0), np.nan)
+        return {
+            **{name: np.tile(slip, (5, 1)) for name in ("slip_ratio", "rolling_slip_ratio")},
+            **{name: np.tile(pressure, (5, 1)) for name in ("pressure_over_first_yield", "shakedown_ratio")},
+            "life_hours": np.where(preload > 0.0, 1.0 / np.maximum(preload, 1e-9), np.nan),
+        }
 
 
 def spring_law(rigid_in_preload):
@@ -174,9 +179,17 @@ def test_equal_branches_are_the_joint(real):
 
 @pytest.mark.slow
 def test_five_micrometres_by_the_published_numbers(real):
-    """±5 um on a planet make 218 and 1854 N, computed independently."""
+    """±5 um on a planet make 218 and 1854 N, computed independently; the pressure of a line grows as the root."""
     found = real.branches(sizes([5e-6, 0.0, -5e-6]))
     assert found.preload == pytest.approx([1854.0, 1000.0, 218.0], abs=1.0)
+    pressure = found.rest.limits["pressure_over_first_yield"]
+    force = real.laws.states(found.rest.preload, np.zeros(3))["normal"]
+    assert pressure / pressure[:, 1:2] == pytest.approx(np.sqrt(force / force[:, 1:2]), rel=1e-6)
+    lives = found.rolling.limits["life_hours"]
+    # Lundberg and Palmgren: the life of a line falls with the fourth power of its force
+    assert lives[0] / lives[1] == pytest.approx((1000.0 / 1854.0) ** 4, rel=0.05)
+    shakedown = found.rolling.limits["shakedown_ratio"][0]
+    assert shakedown[0] / shakedown[1] == pytest.approx(math.sqrt(1.854), rel=0.02)
 
 
 @pytest.mark.slow

@@ -23,13 +23,14 @@ def solution(text):
     return solve(joint_from_case(parse_case(text, source="x")))
 
 
-def document_of(text, solution):
+def document_of(text, solution, branches=None):
     case = parse_case(text, source="x")
     return joint_document(
         joint=joint_from_case(case),
         solution=solution,
         inputs=si_values(case),
         assumptions=assumptions(case),
+        branches=branches,
     )
 
 
@@ -113,3 +114,17 @@ def test_rolling_is_in_the_document(paper_joint):
     assert found["losses_W"]["total"] == pytest.approx(sum(found["losses_W"][cause] for cause in causes))
     assert found["losses_W"]["oil"] is None
     assert rolling["unknown_because"] == []
+
+
+@pytest.mark.slow
+def test_unequal_branches_are_judged_among_the_diagnostics(text, solution, unequal_branches):
+    """The first of the warnings: one of the branches slips at 8 N·m, below the torque."""
+    document = document_of(text, solution, unequal_branches(torque=10.0))
+    json.dumps(document, allow_nan=False)
+    crossed = [entry for entry in document["diagnostics"] if not entry["ok"]]
+    assert (crossed[0]["name"], crossed[0]["severity"]) == ("branch_slip", "function")
+    assert crossed[0]["value"] == pytest.approx(1.25)
+    assert (
+        type(document["branches"]["torque_capacity"]["first_branch"]) is int
+    )  # a number of a planet, not 2.0
+    assert "branches" not in document_of(text, solution)

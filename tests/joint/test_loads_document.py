@@ -75,3 +75,18 @@ def test_skew_and_pins_add_rows(case):
     assert row_of(document, "carrier pin", "right roller", "bending stress")[1] == pytest.approx(stress)
     assert row_of(document, "planet", "its own axis", "resultant force") == [None, None, None]
     assert any("supports" in note for note in document["notes"])
+
+
+def test_unequal_branches_load_the_bearings_of_the_sun(case, unequal_branches):
+    """What is not computed is None, never 0."""
+    branches = unequal_branches()
+    rolling = dataclasses.replace(branches.standing, sun_force=np.array([30.0, 40.0]))
+    document = loads_document(joint_from_case(case), CASES, [], unequal_branches(rolling=rolling))
+    assert row_of(document, "sun bearing", "on the axis", "resultant force") == [250.0, 50.0, None]
+    for part in ("carrier bearing", "ring in its housing"):
+        assert row_of(document, part, "on the axis", "resultant force") == [None] * 3
+    notes = " ".join(document["notes"])
+    assert "All branches are equal" not in notes
+    assert "planet 1 is pressed 1.1 times as hard" in notes
+    unknown = loads_document(joint_from_case(case), CASES, [], branches)
+    assert row_of(unknown, "sun bearing", "on the axis", "resultant force") == [250.0, None, None]

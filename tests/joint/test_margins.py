@@ -39,6 +39,7 @@ def found(monkeypatch):
     monkeypatch.setattr(module, "results_of_joint", lambda solved: {each.name: each for each in ROWS})
     solved = SimpleNamespace(
         joint=None,
+        branches=None,
         a=np.array([0.5, 1.5, 0.2, 1.0, 0.4]),
         b=2.0,
         gaps=np.arange(8.0) - 1.0,
@@ -71,11 +72,25 @@ def test_share_of_the_limit_that_is_used(found):
 def test_what_is_not_known_does_not_pass(monkeypatch):
     monkeypatch.setattr(module, "results_of_joint", lambda solved: {"slip": ROWS[1]})
     values = np.array([0.5, np.nan, 0.2, 5.0, 0.4])
-    (found,) = margins(SimpleNamespace(joint=None, a=values, row_names=lambda axis: CONTACT_NAMES))
+    (found,) = margins(
+        SimpleNamespace(joint=None, branches=None, a=values, row_names=lambda axis: CONTACT_NAMES)
+    )
     assert (found.place, found.passes) == ("pwr", False)
 
 
 def test_an_infinite_safety_factor_passes(monkeypatch):
     monkeypatch.setattr(module, "results_of_joint", lambda solved: {"torque_safety": ROWS[5]})
-    (found,) = margins(SimpleNamespace(joint=None, b=math.inf))
+    (found,) = margins(SimpleNamespace(joint=None, branches=None, b=math.inf))
     assert (found.actual, found.passes, found.utilisation) == (math.inf, True, 0.0)
+
+
+def test_unequal_branches_are_required_to_hold(monkeypatch, unequal_branches):
+    monkeypatch.setattr(module, "results_of_joint", lambda solved: {})
+    for torque, passes in ((5.0, True), (8.5, False)):
+        found = margins(
+            SimpleNamespace(joint=SimpleNamespace(sun_speed=0.0), branches=unequal_branches(torque=torque))
+        )
+        assert [each.severity for each in found] == ["function", "damage"]
+        slip = found[0]
+        assert (slip.place, slip.passes, slip.highest) == ("planet 2", passes, 1.0)
+        assert slip.utilisation == pytest.approx(torque / 8.0)

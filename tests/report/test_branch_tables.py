@@ -1,7 +1,7 @@
 """Tables of unequal branches."""
 
-from asperity.report.branch_tables import branch_tables
-from asperity.report.content import Heading, Table
+from asperity.report.branch_tables import branch_tables, equal_branches
+from asperity.report.content import Heading, Paragraph, Table
 
 CAPACITY = {
     "first_slip_Nm": 11.0,
@@ -19,6 +19,7 @@ def state(share):
 
 def test_shares_sun_and_capacity():
     found = {
+        "note": "Of equal branches; planet 1 is pressed 1.1 times as hard.",
         "sun_support_stiffness_N_per_m": None,
         "branches": [
             {
@@ -38,6 +39,9 @@ def test_shares_sun_and_capacity():
     }
     blocks = list(branch_tables(found))
     assert blocks[0] == Heading("Branches by their own sizes")
+    assert blocks[1] == Paragraph(found["note"])
+    assert list(equal_branches({"branches": found})) == [blocks[1]]
+    assert list(equal_branches({})) == []
     branches, sun = (block for block in blocks if isinstance(block, Table))
     assert branches.rows[0] == ("1", "1", "0", "0", "11", "950", "45", "–", "0.4")
     assert branches.rows[1][-1] == "–"

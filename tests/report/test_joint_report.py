@@ -112,3 +112,12 @@ def test_unequal_branches_have_tables_of_their_own():
     report = report_of(text + branches)
     assert "Branches by their own sizes" in report.sections
     assert [row[1] for row in tables(report)["Branches"].rows] == ["1", "0", "-1"]
+    assert "planet 1 is pressed" in report_html(report)
+    summary = dict(tables(report)["Summary"].rows)
+    assert "planet 3" in summary["torque capacity of these branches"]
+    required = {row[0]: row for row in tables(report)["Safety margins"].rows}
+    assert required["torque over first slip of a branch, at rest"][-1] == "pass"
+    loads = next(
+        row for row in tables(report)["Loads of the structure"].rows if row[0].startswith("sun bearing")
+    )
+    assert float(loads[2]) > 100.0

@@ -27,7 +27,7 @@ def show_branches(target: Console, found: Document) -> None:
     standing, rolling = found["standing"], found["rolling"]
     shown = table(
         target,
-        "\nBranches by their own sizes (all tables above are for equal ones of nominal size)",
+        "\nBranches by their own sizes",
         "planet",
         "deviation planet,\nrollers µm",
         "interference\nµm",
@@ -46,6 +46,7 @@ def show_branches(target: Console, found: Document) -> None:
             ", ".join(_of(state, "slip_ratio", index, 1.0) for state in (standing, rolling)),
         )
     target.print(shown)
+    print_wrapped(target, f"  {found['note']}", indent=2)
     for label, text in (
         ("sun", _sun(found, standing)),
         ("capacity", _capacity(found["torque_capacity"])),

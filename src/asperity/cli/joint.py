@@ -67,18 +67,21 @@ def joint(file: str, as_json: bool, surfaces: tuple[str, ...], plot_file: str | 
         case = with_measured_surface(case, measured)
     described = joint_from_case(case)
     solution = solve(described)
-    document = joint_document(
-        joint=described, solution=solution, inputs=si_values(case), assumptions=assumptions(case)
-    )
-    branched = None
+    branched = branches = None
     if case.branch is not None:
-        from asperity.joint.branch_document import branch_document
         from asperity.joint.branches import BranchedJoint
         from asperity.joint_file.build import branches_from_case
 
         interference, sizes = branches_from_case(case)
         branched = BranchedJoint(described, interference)
-        document["branches"] = branch_document(branched.branches(sizes), sizes)
+        branches = branched.branches(sizes)
+    document = joint_document(
+        joint=described,
+        solution=solution,
+        inputs=si_values(case),
+        assumptions=assumptions(case),
+        branches=branches,
+    )
     if measured is None:
         from asperity.joint_file.drawn_surface import drawn_interval
 
@@ -93,7 +96,7 @@ def joint(file: str, as_json: bool, surfaces: tuple[str, ...], plot_file: str | 
         from asperity.show.compliance_figure import joint_figure
         from asperity.show.style import plain_title
 
-        solved = SolvedJoint(described, solution.result, solution.capacity)
+        solved = SolvedJoint(described, solution.result, solution.capacity, branches)
         errors = None
         if branched is not None:
             import numpy as np

@@ -191,14 +191,23 @@ def _show_drive(target: Console, document: Document) -> None:
     )
     common = (
         ("torque", torque),
-        ("capacity", capacity_text(capacity)),
-        ("rolling", _rolling_capacity(document)),
+        ("capacity", _first_slip(document, "torque_capacity") + capacity_text(capacity)),
+        ("rolling", _first_slip(document, "rolling_torque_capacity") + _rolling_capacity(document)),
     )
     own = _of_the_paper if "wedge_angle_rad" in document["geometry"] else _of_another_type
     before, after = own(document)
     target.print("Drive", style="bold")
     for label, text in (*before, *common, *after):
         print_wrapped(target, f"  {label:<10} {text}", indent=13)
+
+
+def _first_slip(document: Document, name: str) -> str:
+    """What unequal branches make of a capacity, before that of equal ones; or nothing."""
+    from asperity.joint.branch_limits import capacity_words
+
+    if "branches" not in document:
+        return ""
+    return f"{capacity_words(document['branches'][name])}; equal branches: "
 
 
 def _of_the_paper(document: Document) -> tuple[Rows, Rows]:

@@ -57,12 +57,13 @@ def _of_the_papers_drive(case: Case) -> Document:
     from asperity.joint.results import SolvedJoint
     from asperity.joint.solve import solve
     from asperity.joint.strength_document import bearing_entries
-    from asperity.joint_file.build import joint_from_case
+    from asperity.joint_file.build import joint_from_case, unequal_branches
 
     joint = joint_from_case(case)
     solution = solve(joint)
     solved = SolvedJoint(joint, solution.result, solution.capacity)
-    return loads_document(joint, load_cases(joint, solution), bearing_entries(solved))
+    branches = unequal_branches(case, joint, slip=False)
+    return loads_document(joint, load_cases(joint, solution), bearing_entries(solved), branches)
 
 
 def _of_planar_drive(case: PlanarCase) -> Document:

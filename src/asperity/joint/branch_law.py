@@ -103,8 +103,9 @@ class BranchLaws:
         Returns
         -------
         dict
-            Normal and tangential forces and slip ratios at rest and in rolling, shape (5, n); speed loss and
-            compliance at the output [rad/(N·m)], shape (n,). nan where a branch is loose.
+            Normal and tangential forces and slip ratios at rest and in rolling, Hertz pressure over first yield and
+            over the shakedown limit, shape (5, n); speed loss, life [h] and compliance at the output [rad/(N·m)], shape
+            (n,). nan where a branch is loose.
         """
         shape = (_PRELOADS, _STEPS)
         most = shape[0] * shape[1]
@@ -262,6 +263,9 @@ def _states(joint: Joint) -> dict[str, Array]:
         "rolling_normal": rolling.normal,
         "rolling_tangential": rolling.tangential,
         "rolling_slip_ratio": rolling.slip_ratio,
+        "pressure_over_first_yield": result.diagnostics.pressure_over_first_yield,
+        "shakedown_ratio": rolling.shakedown_ratio,
+        "life_hours": rolling.life_hours.drive,
         "speed_loss": rolling.speed_loss,
         "compliance": jnp.asarray((1.0 - shafts) / assembly.stiffness.output),
     }

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 
 from asperity.drive.geometry import CONTACT_NAMES
+from asperity.joint.branch_sizes import BranchSizes
 
 
 @dataclass(frozen=True)
@@ -24,6 +25,10 @@ class BranchState:
     sun_displacement, sun_force : ndarray
         Displacement of the sun [m], and the force of the planets on it [N], shape (2,); the first planet lies on the
         first axis.
+    limits : dict
+        By the names of the table of results: at rest the Hertz pressure over first yield, in rolling that over the
+        shakedown limit, of each contact of each branch, shape (5, n) [-]; and ``life_hours`` at the joint's torque, as
+        if all branches were like this one, shape (n,) [h]. Empty where slip was not asked for.
     """
 
     preload: np.ndarray
@@ -31,6 +36,7 @@ class BranchState:
     slip_ratio: np.ndarray
     sun_displacement: np.ndarray
     sun_force: np.ndarray
+    limits: dict[str, np.ndarray] = field(default_factory=dict)
 
     @property
     def share(self) -> np.ndarray:
@@ -74,6 +80,10 @@ class UnequalBranches:
 
     Parameters
     ----------
+    sizes : BranchSizes
+        Sizes of the branches.
+    torque, own_preload : float
+        Torque of the joint, without sign, and the preload of equal branches [N·m], [N].
     interference, preload : ndarray
         Of each branch without torque, the sun where its bearings let it be, shape (n,) [m], [N].
     rest : BranchState
@@ -84,6 +94,9 @@ class UnequalBranches:
         At rest and in rolling.
     """
 
+    sizes: BranchSizes
+    torque: float
+    own_preload: float
     interference: np.ndarray
     preload: np.ndarray
     rest: BranchState

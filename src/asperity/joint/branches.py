@@ -113,6 +113,9 @@ class BranchedJoint:
             )
         torque = abs(float(self.joint.output_torque))
         return UnequalBranches(
+            sizes=sizes,
+            torque=torque,
+            own_preload=self.own_preload,
             interference=standing.lengths(rest.sun_displacement),
             preload=rest.preload,
             rest=rest,
@@ -221,20 +224,28 @@ class _Solver:
         moved = self.displacement(common)
         preload, share, force = self._loads(self._demands(common, moved), moved)
         torque = self.law.torque(preload, share)
-        ratio = np.max(self._slip_ratios(preload, torque * (1.0 - 1e-9)), axis=0)
+        found = self._contacts(preload, torque * (1.0 - 1e-9))
+        ratio = np.max(found.pop("slip_ratio"), axis=0)
         return BranchState(
             preload=preload,
             torque=torque / self.drive.count,
             slip_ratio=np.where(preload > 0.0, np.where(share >= 1.0, 1.0, ratio), np.nan),
             sun_displacement=moved,
             sun_force=force,
+            limits=found,
         )
 
-    def _slip_ratios(self, preload: np.ndarray, torque: np.ndarray) -> np.ndarray:
-        """Of all contacts, without the tables, shape (5, n)."""
+    def _contacts(self, preload: np.ndarray, torque: np.ndarray) -> dict[str, np.ndarray]:
+        """Slip ratios of all contacts, shape (5, n), and what else limits the branches, without the tables."""
         if not self.slip:
-            return np.full((len(CONTACT_NAMES), self.drive.count), np.nan)
-        return self.drive.laws.states(preload, torque)["rolling_slip_ratio" if self.turns else "slip_ratio"]
+            return {"slip_ratio": np.full((len(CONTACT_NAMES), self.drive.count), np.nan)}
+        found = self.drive.laws.states(preload, torque)
+        if self.turns:
+            return {
+                "slip_ratio": found["rolling_slip_ratio"],
+                **{name: found[name] for name in ("shakedown_ratio", "life_hours")},
+            }
+        return {name: found[name] for name in ("slip_ratio", "pressure_over_first_yield")}
 
     def _used(self, common: float) -> float:
         """How far the branch nearest to slip is wound up or creeps, over that at which it slips."""
@@ -256,7 +267,7 @@ class _Solver:
         )
         branch = int(np.argmax(over))
         almost = np.minimum(over, 1.0) * (1.0 - 1e-9)
-        slips = self._slip_ratios(preload, self.law.torque(preload, almost))[:, branch]
+        slips = self._contacts(preload, self.law.torque(preload, almost))["slip_ratio"][:, branch]
         return BranchCapacity(
             first_slip=self.total(first),
             branch=branch,

@@ -10,13 +10,16 @@ import numpy as np
 
 import asperity
 from asperity.drive.torsional_stiffness import TorsionalStiffness
+from asperity.joint.branch_document import branch_document
+from asperity.joint.branch_limits import branch_checks
+from asperity.joint.branch_results import UnequalBranches
 from asperity.joint.capacity import capacity_document
 from asperity.joint.description import Joint, preload_at
 from asperity.joint.evaluation import JointResult
 from asperity.joint.limit_check import LimitCheck, checked_limits
 from asperity.joint.planar.evaluation import PlanarResult
 from asperity.joint.plausibility import plausibility
-from asperity.joint.results import GROUPS, RESULTS, SolvedJoint
+from asperity.joint.results import GROUPS, RESULTS, SEVERITIES, SolvedJoint
 from asperity.joint.rolling_document import contact_results, losses, rolling_document
 from asperity.joint.rolling_refusal import rolling_capacity_of
 from asperity.joint.solve import Solution
@@ -35,7 +38,12 @@ LEVEL_WORDS = (
 
 
 def joint_document(
-    *, joint: Joint, solution: Solution, inputs: Document, assumptions: tuple[str, ...]
+    *,
+    joint: Joint,
+    solution: Solution,
+    inputs: Document,
+    assumptions: tuple[str, ...],
+    branches: UnequalBranches | None = None,
 ) -> Document:
     """Everything that is known about a joint, ready for :func:`json.dumps`.
 
@@ -49,6 +57,8 @@ def joint_document(
         Tables of the joint file in SI units.
     assumptions : tuple of str
         What the file leaves out, one sentence each.
+    branches : UnequalBranches, optional
+        Its branches, if their sizes differ.
 
     Returns
     -------
@@ -57,6 +67,10 @@ def joint_document(
     """
     result = solution.result
     solved = SolvedJoint(joint, result)
+    checks = checked_limits(solved)
+    if branches is not None:
+        checks += branch_checks(branches, turns=float(joint.sun_speed) != 0.0)
+        checks = tuple(sorted(checks, key=lambda entry: SEVERITIES.index(entry.rule.severity)))
     document = {
         "asperity_version": asperity.__version__,
         "input": inputs,
@@ -89,11 +103,12 @@ def joint_document(
             ),
         },
         "diagnostics": [
-            *(limit_document(entry) for entry in checked_limits(solved)),
+            *(limit_document(entry) for entry in checks),
             *(dataclasses.asdict(note) for note in plausibility(joint, result, solution.sizes)),
         ],
     }
-    return plain_document(document)
+    unequal = {} if branches is None else {"branches": branch_document(branches)}
+    return plain_document(document) | unequal
 
 
 def _loading_cam(joint: Joint, result: JointResult) -> Document | None:

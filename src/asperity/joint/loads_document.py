@@ -14,6 +14,8 @@ import numpy as np
 import asperity
 from asperity.compilation import compile_fast
 from asperity.drive.structure_loads import PIN_NAMES, StructureLoads, pin_bending_moment, pin_bending_stress
+from asperity.joint.branch_limits import pressed
+from asperity.joint.branch_results import UnequalBranches
 from asperity.joint.description import Joint
 from asperity.joint.evaluation import JointResult
 from asperity.joint.rolling_document import unknown_because
@@ -34,6 +36,11 @@ _NOTES = (
     "All branches are equal: the forces of the planets on sun, carrier and ring balance, and a torque remains, so that "
     "their bearings carry no force. Weights, forces from outside and unequal branches are not counted.",
     "Where the sun turns the forces are those of steady rolling, otherwise those of the joint at rest.",
+)
+_UNEQUAL = (
+    "Branches of unequal sizes, [[branch]]: the sun's bearings carry what the branches leave unbalanced at rest and "
+    "under the working torque. Under the loads of the duty it is not computed, nor are the forces on the bearings of "
+    "the carrier and on the housing anywhere. Weights and forces from outside are not counted."
 )
 _SUPPORTED = (
     "The planets have supports: the balance of the forces takes them as floating, so that the share that the supports "
@@ -110,7 +117,12 @@ def _case(name: str, joint: Joint, result: JointResult, share: float | None) -> 
     )
 
 
-def loads_document(joint: Joint, cases: tuple[LoadCase, ...], bearings: list[Document]) -> Document:
+def loads_document(
+    joint: Joint,
+    cases: tuple[LoadCase, ...],
+    bearings: list[Document],
+    branches: UnequalBranches | None = None,
+) -> Document:
     """Loads of the structure as a document, ready for :func:`json.dumps`.
 
     Parameters
@@ -121,6 +133,8 @@ def loads_document(joint: Joint, cases: tuple[LoadCase, ...], bearings: list[Doc
         Its loads.
     bearings : list of dict
         Its :func:`asperity.joint.strength_document.bearing_entries`.
+    branches : UnequalBranches, optional
+        Its branches, if their sizes differ.
 
     Returns
     -------
@@ -128,12 +142,14 @@ def loads_document(joint: Joint, cases: tuple[LoadCase, ...], bearings: list[Doc
         The cases, and rows of one value for each of them in SI units; None where a value is not known or infinite.
     """
     supported = float(joint.structure.planet_support_stiffness) > 0.0
-    notes = [*_NOTES, *([_SUPPORTED] if supported else []), *([_RATED] if bearings else [])]
+    sense, balanced, rolling = _NOTES
+    middle = [balanced] if branches is None else [_UNEQUAL, _unequal_pins(branches)]
+    notes = [sense, *middle, rolling, *([_SUPPORTED] if supported else []), *([_RATED] if bearings else [])]
     heads = [
         case_entry(case.name, case.output_torque, case.sun_speed, case.share, case.unknown_because)
         for case in cases
     ]
-    return document_of_rows(heads, _rows(joint, cases, supported), bearings=bearings, notes=notes)
+    return document_of_rows(heads, _rows(joint, cases, supported, branches), bearings=bearings, notes=notes)
 
 
 def case_entry(
@@ -210,7 +226,27 @@ def _plain(value: Any) -> float | None:
     return (number or 0.0) if math.isfinite(number) else None
 
 
-def _rows(joint: Joint, cases: tuple[LoadCase, ...], supported: bool) -> Iterator[Row]:
+def _unequal_pins(branches: UnequalBranches) -> str:
+    """What the other loads leave out."""
+    return (
+        f"Loads of the pins and lives of the bearings are those of equal branches; {pressed(branches)}, and the life "
+        "of the sun's bearings does not count the force of the branches."
+    )
+
+
+def _sun_forces(cases: tuple[LoadCase, ...], branches: UnequalBranches | None) -> np.ndarray:
+    """Force of the planets on the sun in each case [N]; nan where it is not known."""
+    if branches is None:
+        return np.zeros(len(cases))
+    turning = cases[1].sun_speed != 0.0
+    states = (branches.rest, branches.rolling if turning else branches.standing)
+    known = [math.nan if state is None else math.hypot(*state.sun_force) for state in states]
+    return np.array(known + [math.nan] * (len(cases) - len(known)))
+
+
+def _rows(
+    joint: Joint, cases: tuple[LoadCase, ...], supported: bool, branches: UnequalBranches | None
+) -> Iterator[Row]:
     """Part, position, quantity, SI unit, and a value for each case."""
     stacked = jax.tree.map(
         lambda *leaves: np.stack([np.asarray(leaf) for leaf in leaves], axis=-1),
@@ -240,17 +276,17 @@ def _rows(joint: Joint, cases: tuple[LoadCase, ...], supported: bool) -> Iterato
                 stress = pin_bending_stress(moment=moment, diameter=joint.bearings.pin_diameter)
                 yield *part, "bending stress", "Pa", stress
         yield *part, "speed, roller on pin", "rad/s", speeds[side]
-    centre = ("on the axis",)
+    centre, unbalanced = ("on the axis",), 0.0 if branches is None else math.nan
     yield "planet", "its own axis", "resultant force", "N", math.nan if supported else 0.0
-    yield "sun bearing", *centre, "resultant force", "N", 0.0
+    yield "sun bearing", *centre, "resultant force", "N", _sun_forces(cases, branches)
     if joint.rolling.skew is not None:
         yield "sun bearing", *centre, "axial force", "N", _thrust(cases, 0)
     yield "sun bearing", *centre, "speed in the housing", "rad/s", speeds["sun"]
     yield "sun", *centre, "torque of its shaft", "N*m", stacked.sun_torque
-    yield "carrier bearing", *centre, "resultant force", "N", 0.0
+    yield "carrier bearing", *centre, "resultant force", "N", unbalanced
     yield "carrier bearing", *centre, "speed in the housing", "rad/s", speeds["carrier"]
     yield "carrier", *centre, "torque of all pins", "N*m", stacked.carrier_torque
-    yield "ring in its housing", *centre, "resultant force", "N", 0.0
+    yield "ring in its housing", *centre, "resultant force", "N", unbalanced
     if joint.rolling.skew is not None:
         yield "ring in its housing", *centre, "axial force", "N", _thrust(cases, 4)
     yield "ring in its housing", *centre, "torque", "N*m", stacked.housing_torque

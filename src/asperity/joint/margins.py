@@ -7,6 +7,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from asperity.joint.branch_limits import branch_checks
+from asperity.joint.limit_check import LimitCheck
 from asperity.joint.results import SEVERITIES, Result, Severity, SolvedJoint
 from asperity.joint.results.drive_table import results_of_joint
 
@@ -63,11 +65,20 @@ def margins(solved: SolvedJoint) -> tuple[Margin, ...]:
     Returns
     -------
     tuple of Margin
-        One for each judged result that the joint has, at its worst row.
+        One for each judged result that the joint has, at its worst row; and those of unequal branches.
     """
     judged = [row for row in results_of_joint(solved).values() if row.limit or row.name in _MUST_EXCEED]
     found = [_worst(row, rows) for row in judged if (rows := row.rows_of(solved))]
+    if solved.branches is not None:
+        turns = float(solved.joint.sun_speed) != 0.0
+        found += [_of_a_branch(check) for check in branch_checks(solved.branches, turns=turns)]
     return tuple(sorted(found, key=lambda each: SEVERITIES.index(each.severity)))
+
+
+def _of_a_branch(check: LimitCheck) -> Margin:
+    rule = check.rule
+    place = check.contact or ""
+    return Margin(check.result, place, check.value, rule.lowest, rule.highest, check.ok, rule.severity)
 
 
 def _worst(row: Result, rows: dict[str, float]) -> Margin:

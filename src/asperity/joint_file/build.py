@@ -17,6 +17,7 @@ from asperity.drive.geometry import DriveGeometry, triangle
 from asperity.drive.interference import interference_of_sizes
 from asperity.drive.mechanism import Bearings, rest_state
 from asperity.errors import InputError
+from asperity.joint.branch_results import UnequalBranches
 from asperity.joint.branch_sizes import BranchSizes
 from asperity.joint.description import Bodies, Crowns, Fit, Joint, PinBeam
 from asperity.joint.dynamics import Inertias
@@ -248,6 +249,31 @@ def branches_from_case(case: Case) -> tuple[float, BranchSizes]:
     fit = joint_from_values(values).fit
     nominal = values["load"]["interference"] if fit is None else float(fit.interference + fit.thermal_change)
     return nominal, BranchSizes(planet, right, left, support)
+
+
+def unequal_branches(case: Case, joint: Joint, *, slip: bool = True) -> UnequalBranches | None:
+    """What the sections ``[[branch]]`` of a joint file do to its joint.
+
+    Parameters
+    ----------
+    case : Case
+        The joint file.
+    joint : Joint
+        Its joint.
+    slip : bool, optional
+        Whether slip ratios, pressures and lives of the branches are wanted, which take most of the time.
+
+    Returns
+    -------
+    UnequalBranches or None
+        None where there are no such sections.
+    """
+    if case.branch is None:
+        return None
+    from asperity.joint.branches import BranchedJoint
+
+    interference, sizes = branches_from_case(case)
+    return BranchedJoint(joint, interference).branches(sizes, slip=slip)
 
 
 def inertias_from_case(case: Case | PlanarCase) -> Inertias:

@@ -12,6 +12,23 @@ from asperity.report.content import Block, Heading, Paragraph, Table
 Document = dict[str, Any]
 
 
+def equal_branches(document: Document) -> Iterator[Block]:
+    """What of a joint holds for equal branches only.
+
+    Parameters
+    ----------
+    document : dict
+        As :func:`asperity.joint.document.joint_document` makes it.
+
+    Yields
+    ------
+    Block
+        A paragraph, if the branches of the joint differ.
+    """
+    if "branches" in document:
+        yield Paragraph(document["branches"]["note"])
+
+
 def branch_tables(found: Document) -> Iterator[Block]:
     """What unequal branches do to a joint.
 
@@ -31,7 +48,7 @@ def branch_tables(found: Document) -> Iterator[Block]:
         return number(None if state is None else state[name][index], factor)
 
     yield Heading("Branches by their own sizes")
-    yield Paragraph("All other tables are for equal branches of nominal size.")
+    yield Paragraph(found["note"])
     yield Table(
         "Branches",
         (

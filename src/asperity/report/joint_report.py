@@ -12,8 +12,6 @@ from typing import Any
 
 import asperity
 from asperity.errors import AsperityError
-from asperity.joint.branch_document import branch_document
-from asperity.joint.branches import BranchedJoint
 from asperity.joint.description import Joint
 from asperity.joint.document import joint_document
 from asperity.joint.either_kind import AnyJoint
@@ -30,7 +28,7 @@ from asperity.joint.solve import solve
 from asperity.joint.windup import Windup
 from asperity.joint.windup_document import examined_windup, windup_document, windup_onsets
 from asperity.joint_file.assumptions import assumptions
-from asperity.joint_file.build import branches_from_case, joint_from_case
+from asperity.joint_file.build import joint_from_case, unequal_branches
 from asperity.joint_file.drawn_surface import drawn_interval
 from asperity.joint_file.model import Case
 from asperity.joint_file.planar_assumptions import planar_assumptions
@@ -38,7 +36,7 @@ from asperity.joint_file.planar_build import planar_joint_from_case
 from asperity.joint_file.planar_model import PlanarCase
 from asperity.joint_file.si_tables import si_values
 from asperity.report import limit_tables, load_tables, result_tables, rolling_tables, surface_tables
-from asperity.report.branch_tables import branch_tables
+from asperity.report.branch_tables import branch_tables, equal_branches
 from asperity.report.content import Block, Bullets, Heading, Listing, Paragraph, Picture, Report, Table
 from asperity.report.figures import report_pictures
 from asperity.report.input_tables import choices_table, inputs_table
@@ -174,22 +172,22 @@ class _Parts:
 def _papers_parts(source: ReportSource, case: Case) -> _Parts:
     joint = joint_from_case(case)
     solution = solve(joint)
+    branches = unequal_branches(case, joint)
     document = joint_document(
-        joint=joint, solution=solution, inputs=si_values(case), assumptions=assumptions(case)
+        joint=joint,
+        solution=solution,
+        inputs=si_values(case),
+        assumptions=assumptions(case),
+        branches=branches,
     )
-    branches: tuple[Block, ...] = ()
-    if case.branch is not None:
-        interference, sizes = branches_from_case(case)
-        found = branch_document(BranchedJoint(joint, interference).branches(sizes), sizes)
-        branches = tuple(branch_tables(found))
     return _Parts(
         joint,
-        SolvedJoint(joint, solution.result, solution.capacity),
+        SolvedJoint(joint, solution.result, solution.capacity, branches),
         document,
-        loads_document(joint, load_cases(joint, solution), document["bearings"]),
+        loads_document(joint, load_cases(joint, solution), document["bearings"], branches),
         surfaces=(*_measured(joint, source, case), surface_tables.averages(document)),
         drive=(*result_tables.drive(document), *load_tables.rims(document)),
-        branches=branches,
+        branches=() if branches is None else tuple(branch_tables(document["branches"])),
     )
 
 
@@ -241,6 +239,7 @@ def _title_block(source: ReportSource) -> Iterator[Block]:
 def _summary(document: dict[str, Any], solved: SolvedJoint) -> Iterator[Block]:
     yield Heading("Summary")
     yield result_tables.summary(document)
+    yield from equal_branches(document)
     failed = [each for each in margins(solved) if not each.passes and each.severity in ("function", "damage")]
     names = ", ".join(f"{each.result.label} ({each.place or 'drive'})" for each in failed)
     yield Paragraph(
@@ -270,6 +269,7 @@ def _windup(found: _Examined, pictures: dict[str, str]) -> Iterator[Block]:
 
 def _rolling(document: dict[str, Any], found: _Examined, pictures: dict[str, str]) -> Iterator[Block]:
     capacity = found.rolling_capacity
+    yield from equal_branches(document)
     yield from rolling_tables.rolling(document, capacity=capacity if math.isfinite(capacity) else None)
     if "rolling" in pictures:
         yield Picture("Creep, efficiency, drift and life", pictures["rolling"])

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Any
 
+from asperity.joint.branch_limits import capacity_words
 from asperity.joint.document import stiffness_rows
 from asperity.report.cells import number, percent, quantity
 from asperity.report.content import Block, Paragraph, Table
@@ -29,6 +30,7 @@ def summary(document: Document) -> Table:
     load, geometry = document["input"]["load"], document["geometry"]
     count = geometry["sectors"] if "sectors" in geometry else document["input"]["drive"]["planets"]
     stiffness = document["torsional_stiffness"]["assembly"]["output_Nm_per_rad"]
+    equal = " of equal branches" if "branches" in document else ""
     rows = [
         ("sectors" if "sectors" in geometry else "planets", number(count)),
         ("output torque", quantity(load["output_torque"], "N*m")),
@@ -45,11 +47,12 @@ def summary(document: Document) -> Table:
             "drift of the output in one turn of its own",
             quantity(document["drift_rad_per_output_turn"], "arcmin"),
         ),
-        ("torque capacity", _capacity(document["torque_capacity"])),
-        ("torque capacity, negative torques", _capacity(document["torque_capacity"]["reverse"])),
+        *_first_slip(document),
+        (f"torque capacity{equal}", _capacity(document["torque_capacity"])),
+        (f"torque capacity{equal}, negative torques", _capacity(document["torque_capacity"]["reverse"])),
         ("efficiency", percent(document["efficiency"])),
-        ("fatigue life in hours", number(document["life_hours"])),
-        ("fatigue life in turns of the output", number(document["rolling"]["life_output_turns"])),
+        (f"fatigue life in hours{equal}", number(document["life_hours"])),
+        (f"fatigue life in turns of the output{equal}", number(document["rolling"]["life_output_turns"])),
     ]
     return Table("Summary", ("quantity", "value"), rows, words=(0, 1))
 
@@ -78,6 +81,17 @@ def _loading_cam(document: Document) -> list[tuple[str, str]]:
         ("preload without torque", quantity(cam["least_preload_N"], "N")),
         ("loading cam, force per torque", quantity(cam["force_per_torque_N_per_Nm"], "N/Nm")),
         ("angle of the loading cam at the output", quantity(cam["angle_rad"], "arcmin")),
+    ]
+
+
+def _first_slip(document: Document) -> list[tuple[str, str]]:
+    """Torques at which the worst of unequal branches slips."""
+    if "branches" not in document:
+        return []
+    found = document["branches"]
+    return [
+        ("torque capacity of these branches", capacity_words(found["torque_capacity"])),
+        ("torque capacity of these branches, rolling", capacity_words(found["rolling_torque_capacity"])),
     ]
 
 

@@ -17,6 +17,7 @@ from asperity.drive.geometry import CLEARANCE_CONDITIONS, CONTACT_NAMES, clearan
 from asperity.drive.rolling_speeds import BODY_NAMES
 from asperity.drive.structure_loads import PIN_NAMES, StructureLoads
 from asperity.joint.bearing_lives import BEARING_NAMES, BearingLives, bearing_lives, rated_bearings
+from asperity.joint.branch_results import UnequalBranches
 from asperity.joint.capacity import TorqueCapacity, torque_capacity
 from asperity.joint.description import Joint, preload_at
 from asperity.joint.evaluation import JointResult
@@ -67,6 +68,8 @@ class SolvedJoint:
         capacity, size and clearances.
     capacity : TorqueCapacity, optional
         Its torque capacity, if that is known already.
+    branches : UnequalBranches, optional
+        Its branches, if their sizes differ; all results are those of equal ones.
     """
 
     def __init__(
@@ -74,9 +77,11 @@ class SolvedJoint:
         joint: Joint | PlanarJoint,
         result: JointResult | PlanarResult,
         capacity: TorqueCapacity | None = None,
+        branches: UnequalBranches | None = None,
     ) -> None:
         self.joint: Any = joint
         self.result: Any = result
+        self.branches = branches
         if capacity is not None:
             self.capacity = capacity
 

@@ -1,0 +1,160 @@
+"""Requirements that the worst of unequal branches has to meet, and what of a joint holds for equal branches only."""
+
+from __future__ import annotations
+
+import dataclasses
+import math
+from typing import Any
+
+import numpy as np
+
+from asperity.drive.geometry import CONTACT_NAMES
+from asperity.joint.branch_results import BranchCapacity, BranchState, UnequalBranches
+from asperity.joint.limit_check import LimitCheck
+from asperity.joint.results import RESULTS, Limit, Result
+from asperity.unit_table import Dimension
+from asperity.units import format_quantity
+
+
+def branch_checks(found: UnequalBranches, *, turns: bool) -> tuple[LimitCheck, ...]:
+    """What unequal branches have to meet, each where it is met worst.
+
+    Parameters
+    ----------
+    found : UnequalBranches
+        The branches of a joint, with their slip.
+    turns : bool
+        Whether the joint turns; the limits in rolling hold for no other.
+
+    Returns
+    -------
+    tuple of LimitCheck
+        First slip and Hertz pressure over first yield at rest; first slip and Hertz pressure over the shakedown limit
+        in rolling. A value that does not exist is nan.
+    """
+    checks = [
+        _slip(found, found.capacity, found.standing, "at rest"),
+        _worst("pressure_over_first_yield", found.standing or found.rest),
+    ]
+    if turns:
+        checks.insert(1, _slip(found, found.rolling_capacity, found.rolling, "in rolling"))
+        checks.append(_worst("shakedown_ratio", found.rolling))
+    return tuple(checks)
+
+
+def _slip(
+    found: UnequalBranches, capacity: BranchCapacity, state: BranchState | None, when: str
+) -> LimitCheck:
+    """The torque over that at which the first branch slips."""
+    slips = format_quantity(capacity.first_slip, "N*m", 4)
+    first = f"contact {capacity.contact_name} of planet {capacity.branch + 1} slips first, at {slips}"
+    if state is None:
+        used = f"all branches slip at {format_quantity(capacity.all_slip, 'N*m', 4)}"
+    else:
+        used = f"under the torque T/(mu N) of the worst branch is {np.nanmax(state.slip_ratio):.3g}"
+    name = "branch_slip" if when == "at rest" else "branch_slip_in_rolling"
+    row = Result(
+        name,
+        f"torque over first slip of a branch, {when}",
+        Dimension.DIMENSIONLESS,
+        "1",
+        name,
+        limit=Limit(
+            "function",
+            f"no branch slips under the torque: {first}; {used}",
+            f"a branch slips under the torque: {first}; {used}; "
+            f"equal branches pass {format_quantity(capacity.equal, 'N*m', 4)}",
+            "tighten the sizes of the rollers, let the sun float (compliance.sun_support_stiffness), raise the "
+            "interference, or lower the torque",
+            highest=1.0,
+        ),
+    )
+    return LimitCheck(row, f"planet {capacity.branch + 1}", found.torque / capacity.first_slip)
+
+
+def _worst(name: str, state: BranchState | None) -> LimitCheck:
+    """A limit of the contacts at the contact and branch where it is nearest or crossed most."""
+    known = RESULTS[name]
+    row = dataclasses.replace(known, name=f"branch_{name}", label=f"{known.label}, worst branch")
+    values = np.array([]) if state is None else state.limits.get(name, np.array([]))
+    if not np.any(np.isfinite(values)):
+        return LimitCheck(row, None, math.nan)
+    contact, branch = np.unravel_index(int(np.nanargmax(values)), values.shape)
+    place = f"{CONTACT_NAMES[int(contact)]} of planet {int(branch) + 1}"
+    return LimitCheck(row, place, float(values[contact, branch]))
+
+
+def pressed(found: UnequalBranches) -> str:
+    """How much harder the most loaded branch is pressed than equal ones, in words.
+
+    Parameters
+    ----------
+    found : UnequalBranches
+        The branches of a joint.
+
+    Returns
+    -------
+    str
+        A clause without a full stop.
+    """
+    branch = int(np.argmax(found.preload))
+    return f"planet {branch + 1} is pressed {found.preload[branch] / found.own_preload:.3g} times as hard"
+
+
+def equal_branches_note(found: UnequalBranches) -> str:
+    """What of a joint is that of equal branches, and by how much the most loaded branch differs.
+
+    Parameters
+    ----------
+    found : UnequalBranches
+        The branches of a joint.
+
+    Returns
+    -------
+    str
+        Sentences.
+    """
+    note = (
+        "Forces, pressures, stiffness, drift, losses and lives outside the section on branches are those of equal "
+        f"branches; {pressed(found)}."
+    )
+    life = least_life(found)
+    if math.isfinite(life):
+        note += f" Were all loaded like the worst branch, the fatigue life under the torque would be {life:.4g} h."
+    return note
+
+
+def capacity_words(entry: dict[str, Any]) -> str:
+    """Torque at which the worst branch slips, as the first words about the capacity of a joint.
+
+    Parameters
+    ----------
+    entry : dict
+        Torque capacity of the branches, from :func:`asperity.joint.branch_document.branch_document`.
+
+    Returns
+    -------
+    str
+        With the planet and its contact.
+    """
+    return (
+        f"first slip {format_quantity(entry['first_slip_Nm'], 'N*m', 4)}, planet {entry['first_branch']} "
+        f"(contact {entry['first_contact']})"
+    )
+
+
+def least_life(found: UnequalBranches) -> float:
+    """Life of a drive all of whose branches are loaded like the one that lives shortest.
+
+    Parameters
+    ----------
+    found : UnequalBranches
+        The branches of a joint.
+
+    Returns
+    -------
+    float
+        Life under the joint's torque [h]; nan where it is not known.
+    """
+    lives = np.array([]) if found.rolling is None else found.rolling.limits.get("life_hours", np.array([]))
+    return float(np.nanmin(lives)) if np.any(np.isfinite(lives)) else math.nan

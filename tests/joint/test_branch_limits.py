@@ -1,0 +1,79 @@
+"""Requirements that the worst of unequal branches has to meet, from branches made by hand."""
+
+import dataclasses
+import math
+
+import numpy as np
+import pytest
+
+from asperity.joint.branch_limits import (
+    branch_checks,
+    capacity_words,
+    equal_branches_note,
+    least_life,
+    pressed,
+)
+
+SLIPS_EARLY = {"first_slip": 3.598, "branch": 2, "contact": 0}
+
+
+def checks_of(found, **changes):
+    return {each.result.name: each for each in branch_checks(found, **{"turns": False} | changes)}
+
+
+def test_a_branch_that_slips_under_the_torque_does_not_work(unequal_branches):
+    found = unequal_branches()
+    check = checks_of(found)["branch_slip"]
+    assert check.ok
+    assert check.value == pytest.approx(5.0 / 8.0)
+    assert "no branch slips" in check.meaning
+    early = dataclasses.replace(found.capacity, **SLIPS_EARLY)
+    slip = np.array([0.26, 0.45, 1.0])
+    found = unequal_branches(capacity=early, standing=dataclasses.replace(found.standing, slip_ratio=slip))
+    check = checks_of(found)["branch_slip"]
+    assert not check.ok
+    assert (check.rule.severity, check.contact) == ("function", "planet 3")
+    assert check.value == pytest.approx(5.0 / 3.598)
+    for words in ("contact sp of planet 3 slips first, at 3.598 N·m", "of the worst branch is 1;", "13 N·m"):
+        assert words in check.meaning
+
+
+def test_more_than_all_branches_pass(unequal_branches):
+    found = unequal_branches(torque=14.0, standing=None)
+    slip, pressure = branch_checks(found, turns=False)
+    assert not slip.ok
+    assert "all branches slip at 12.5 N·m" in slip.meaning
+    assert math.isnan(pressure.value)  # by hand the state without torque has no pressure
+    assert not pressure.ok
+
+
+def test_pressures_are_those_of_the_worst_contact_of_the_worst_branch(unequal_branches):
+    shakedown = np.full((5, 3), 0.5)
+    shakedown[3, 1] = 0.9
+    rolling = dataclasses.replace(
+        unequal_branches().standing,
+        limits={"shakedown_ratio": shakedown, "life_hours": np.array([400.0, 900.0, np.nan])},
+    )
+    found = unequal_branches(rolling=rolling)
+    checks = checks_of(found, turns=True)
+    yields, shakes = checks["branch_pressure_over_first_yield"], checks["branch_shakedown_ratio"]
+    assert (yields.contact, yields.value, yields.ok) == ("sp of planet 1", 1.2, False)
+    assert (shakes.contact, shakes.value, shakes.ok) == ("wro of planet 2", 0.9, True)
+    assert least_life(found) == 400.0
+    assert "life under the torque would be 400 h" in equal_branches_note(found)
+    assert checks["branch_slip_in_rolling"].ok
+
+
+def test_a_joint_that_stands_has_no_requirement_in_rolling(unequal_branches):
+    assert list(checks_of(unequal_branches())) == ["branch_slip", "branch_pressure_over_first_yield"]
+    unknown = checks_of(unequal_branches(), turns=True)["branch_shakedown_ratio"]
+    assert math.isnan(unknown.value)
+    assert not unknown.ok
+    assert math.isnan(least_life(unequal_branches()))
+
+
+def test_words_name_the_planet_and_how_hard_it_is_pressed(unequal_branches):
+    assert pressed(unequal_branches()) == "planet 1 is pressed 1.1 times as hard"
+    assert equal_branches_note(unequal_branches()).endswith("planet 1 is pressed 1.1 times as hard.")
+    entry = {"first_slip_Nm": 3.598, "first_branch": 3, "first_contact": "sp"}
+    assert capacity_words(entry) == "first slip 3.598 N·m, planet 3 (contact sp)"
