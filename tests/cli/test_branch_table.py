@@ -25,3 +25,7 @@ def test_the_table_says_shares_and_what_slips_first(unequal_branches):
     )
     assert "250 N on its bearings, which hold it" in text(unequal_branches(math.inf))
     assert "planet 1 is pressed 1.1 times as hard." in said
+
+
+def test_beyond_what_all_branches_pass_the_force_is_that_without_torque(unequal_branches):
+    assert "5 um off centre, 250 N without torque on its bearings" in text(unequal_branches(standing=None))

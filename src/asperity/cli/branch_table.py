@@ -62,7 +62,7 @@ def _of(state: Document | None, name: str, index: int, factor: float) -> str:
 
 def _sun(found: Document, standing: Document | None) -> str:
     sun = (standing or found["without_torque"])["sun"]
-    force = in_unit(math.hypot(*sun["force_N"]), "N")
+    force = in_unit(math.hypot(*sun["force_N"]), "N") + ("" if standing else " without torque")
     if found["sun_support_stiffness_N_per_m"] is None:
         return f"{force} on its bearings, which hold it"
     return f"{in_unit(math.hypot(*sun['displacement_m']), 'um')} off centre, {force} on its bearings"

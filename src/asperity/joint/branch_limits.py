@@ -51,7 +51,9 @@ def _slip(
     if state is None:
         used = f"all branches slip at {format_quantity(capacity.all_slip, 'N*m', 4)}"
     else:
+        slipping = ", ".join(str(index + 1) for index in np.flatnonzero(state.slip_ratio >= 1.0))
         used = f"under the torque T/(mu N) of the worst branch is {np.nanmax(state.slip_ratio):.3g}"
+        used += f" (planets that slip: {slipping})" if slipping else ""
     name = "branch_slip" if when == "at rest" else "branch_slip_in_rolling"
     row = Result(
         name,

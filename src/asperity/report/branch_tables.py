@@ -78,9 +78,10 @@ def branch_tables(found: Document) -> Iterator[Block]:
         ],
     )
     sun = (states[0] or found["without_torque"])["sun"]
+    when = "" if states[0] else " without torque"
     rows = [
-        ("force on the bearings of the sun", quantity(math.hypot(*sun["force_N"]), "N")),
-        ("displacement of the sun", quantity(math.hypot(*sun["displacement_m"]), "um")),
+        (f"force on the bearings of the sun{when}", quantity(math.hypot(*sun["force_N"]), "N")),
+        (f"displacement of the sun{when}", quantity(math.hypot(*sun["displacement_m"]), "um")),
     ]
     for words, entry in (
         ("torque capacity", found["torque_capacity"]),
