@@ -44,7 +44,7 @@ def test_a_branch_that_slips_under_the_torque_does_not_work(unequal_branches):
 
 def test_more_than_all_branches_pass(unequal_branches):
     found = unequal_branches(torque=14.0, standing=None)
-    slip, pressure = branch_checks(found, turns=False)
+    slip, _, pressure = branch_checks(found, turns=False)
     assert not slip.ok
     assert "all branches slip at 12.5 N·m" in slip.meaning
     assert math.isnan(pressure.value)  # by hand the state without torque has no pressure
@@ -69,7 +69,11 @@ def test_pressures_are_those_of_the_worst_contact_of_the_worst_branch(unequal_br
 
 
 def test_a_joint_that_stands_has_no_requirement_in_rolling(unequal_branches):
-    assert list(checks_of(unequal_branches())) == ["branch_slip", "branch_pressure_over_first_yield"]
+    assert list(checks_of(unequal_branches())) == [
+        "branch_slip",
+        "branch_preload",
+        "branch_pressure_over_first_yield",
+    ]
     unknown = checks_of(unequal_branches(), turns=True)["branch_shakedown_ratio"]
     assert math.isnan(unknown.value)
     assert not unknown.ok
@@ -77,7 +81,17 @@ def test_a_joint_that_stands_has_no_requirement_in_rolling(unequal_branches):
 
 
 def test_words_name_the_planet_and_how_hard_it_is_pressed(unequal_branches):
-    assert pressed(unequal_branches()) == "planet 1 is pressed 1.1 times as hard"
-    assert equal_branches_note(unequal_branches()).endswith("planet 1 is pressed 1.1 times as hard.")
+    assert pressed(unequal_branches()) == "planet 1 is pressed 1.1 times as hard, and loose is planet 3"
+    tight = unequal_branches(preload=np.array([1100.0, 900.0, 950.0]))
+    assert pressed(tight) == "planet 1 is pressed 1.1 times as hard"
+    assert equal_branches_note(tight).endswith("planet 1 is pressed 1.1 times as hard.")
     entry = {"first_slip_Nm": 3.598, "first_branch": 3, "first_contact": "sp"}
     assert capacity_words(entry) == "first slip 3.598 N·m, planet 3 (contact sp)"
+
+
+def test_a_loose_branch_is_a_requirement_that_is_not_met(unequal_branches):
+    check = checks_of(unequal_branches())["branch_preload"]
+    assert (check.contact, check.value, check.ok, check.rule.severity) == ("planet 3", 0.0, False, "function")
+    tight = unequal_branches(preload=np.array([1100.0, 900.0, 950.0]))
+    check = checks_of(tight)["branch_preload"]
+    assert (check.contact, check.value, check.ok) == ("planet 2", 0.9, True)

@@ -29,11 +29,12 @@ def branch_checks(found: UnequalBranches, *, turns: bool) -> tuple[LimitCheck, .
     Returns
     -------
     tuple of LimitCheck
-        First slip and Hertz pressure over first yield at rest; first slip and Hertz pressure over the shakedown limit
-        in rolling. A value that does not exist is nan.
+        First slip, preload of the loosest branch and Hertz pressure over first yield at rest; first slip and Hertz
+        pressure over the shakedown limit in rolling. A value that does not exist is nan.
     """
     checks = [
         _slip(found, found.capacity, found.standing, "at rest"),
+        _looseness(found),
         _worst("pressure_over_first_yield", found.standing or found.rest),
     ]
     if turns:
@@ -74,6 +75,27 @@ def _slip(
     return LimitCheck(row, f"planet {capacity.branch + 1}", found.torque / capacity.first_slip)
 
 
+def _looseness(found: UnequalBranches) -> LimitCheck:
+    """The preload of the loosest branch over that of equal ones."""
+    name = "branch_preload"
+    row = Result(
+        name,
+        "preload of a branch over that of equal ones",
+        Dimension.DIMENSIONLESS,
+        "1",
+        name,
+        limit=Limit(
+            "function",
+            "every branch has an interference",
+            "a branch is loose and passes no torque: the others pass its share",
+            "tighten the sizes of the rollers, or raise the interference",
+            lowest=0.0,
+        ),
+    )
+    branch = int(np.argmin(found.preload))
+    return LimitCheck(row, f"planet {branch + 1}", float(found.preload[branch]) / found.own_preload)
+
+
 def _worst(name: str, state: BranchState | None) -> LimitCheck:
     """A limit of the contacts at the contact and branch where it is nearest or crossed most."""
     known = RESULTS[name]
@@ -100,7 +122,10 @@ def pressed(found: UnequalBranches) -> str:
         A clause without a full stop.
     """
     branch = int(np.argmax(found.preload))
-    return f"planet {branch + 1} is pressed {found.preload[branch] / found.own_preload:.3g} times as hard"
+    loose = ", ".join(str(index + 1) for index in np.flatnonzero(found.preload <= 0.0))
+    return f"planet {branch + 1} is pressed {found.preload[branch] / found.own_preload:.3g} times as hard" + (
+        f", and loose is planet {loose}" if loose else ""
+    )
 
 
 def equal_branches_note(found: UnequalBranches) -> str:
