@@ -72,7 +72,7 @@ def test_results_of_contacts_have_a_column_each_and_contacts_their_names(capsys)
         {
             "status": (dims, np.zeros(2, dtype=np.int8)),
             "hertz_pressure": (("contact", *dims), pressure),
-            "limiting_contact": (dims, np.array([0.0, 4.0])),
+            "limiting_contact": (dims, np.array([0.0, 4.0]), {"categories": "sp pwr pwl wro wlo none"}),
         },
         coords={"load.preload": [800.0, 1000.0], "contact": contacts},
     )

@@ -2,6 +2,7 @@ import types
 
 import pytest
 
+from asperity.drive.geometry import CONTACT_NAMES
 from asperity.joint.results import SolvedJoint
 from asperity.show.compliance_figure import compliance_figure, compliance_shares
 
@@ -26,6 +27,7 @@ def solved():
         assembly=types.SimpleNamespace(stiffness=level(1e3), **SHARES),
         series_with_bulk=level(2e4),
         published=level(3e5),
+        contact_names=CONTACT_NAMES,
     )
     return SolvedJoint(None, result)
 

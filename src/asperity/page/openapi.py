@@ -265,6 +265,10 @@ def _answer_schema() -> Schema:
             "id": {"type": "string", "description": "For downloads."},
             "name": {"type": "string"},
             **_STATED,
+            "form": {
+                "type": ["object", "null"],
+                "description": "Groups of numbers and choices of another drive than the paper's; null for the paper's.",
+            },
             "document": {"type": "object", "description": "As 'asperity joint FILE --json' prints it."},
             "drawing": {"type": "object", "description": "Circles and contact forces of the drive."},
             "curves": {"type": "object", "properties": dict.fromkeys(curves, _NUMBERS)},
