@@ -29,11 +29,11 @@ def branch_checks(found: UnequalBranches, *, turns: bool) -> tuple[LimitCheck, .
     Returns
     -------
     tuple of LimitCheck
-        First slip and Hertz pressure over first yield at rest; first slip and Hertz pressure over the shakedown limit
+        First slip and Hertz pressure over first yield, standing; first slip and Hertz pressure over the shakedown limit
         in rolling. A value that does not exist is nan.
     """
     checks = [
-        _slip(found, found.capacity, found.standing, "at rest"),
+        _slip(found, found.capacity, found.standing, "standing"),
         _worst("pressure_over_first_yield", found.standing or found.rest),
     ]
     if turns:
@@ -52,7 +52,7 @@ def _slip(
         used = f"all branches slip at {format_quantity(capacity.all_slip, 'N*m', 4)}"
     else:
         used = f"under the torque T/(mu N) of the worst branch is {np.nanmax(state.slip_ratio):.3g}"
-    name = "branch_slip" if when == "at rest" else "branch_slip_in_rolling"
+    name = "branch_slip" if when == "standing" else "branch_slip_in_rolling"
     row = Result(
         name,
         f"torque over first slip of a branch, {when}",
