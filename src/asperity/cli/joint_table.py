@@ -121,7 +121,7 @@ def _show_contacts(target: Console, document: Document) -> None:
     }
     shown = table(
         target,
-        "Contact forces",
+        "Contact forces, standing under the torque",
         "contact",
         "normal\nN",
         "tangential\nN",
@@ -186,9 +186,15 @@ def _show_crowns(target: Console, contacts: Document) -> None:
 
 def _show_drive(target: Console, document: Document) -> None:
     forces, capacity = document["forces"], document["torque_capacity"]
-    torque = (
-        f"in {in_unit(forces['input_torque_Nm'], 'N*m')}, out {in_unit(forces['output_torque_Nm'], 'N*m')}"
+    ends = (
+        in_unit(torque, "N*m")
+        for torque in (
+            forces["output_torque_Nm"],
+            forces["input_torque_Nm"],
+            document["rolling"]["input_torque_Nm"],
+        )
     )
+    torque = "out {}; in {} without losses in rolling, {} with all losses".format(*ends)
     common = (
         ("torque", torque),
         ("capacity", _first_slip(document, "torque_capacity") + capacity_text(capacity)),
@@ -251,7 +257,9 @@ def _of_another_type(document: Document) -> tuple[Rows, Rows]:
         f"{name.replace('_', ' ')} {in_unit(mass, 'g')}" for name, mass in forces["body_mass_kg"].items()
     )
     pins = ", ".join(
-        f"{name.replace('_', ' ')} {in_unit(force, 'N')}" for name, force in forces["pin_N"].items()
+        f"{name.replace('_', ' ')} radial {in_unit(force['radial'], 'N')}, tangential "
+        f"{in_unit(force['tangential'], 'N')}"
+        for name, force in forces["pin_N"].items()
     )
     return (
         (("members", members), ("speed", f"ratio {number(geometry['speed_ratio'])}, output {speed}")),

@@ -57,7 +57,8 @@ ROWS = (
         "N",
         "preload",
         needs="geometry",
-        note="with a loading cam, that under the output torque; of other drives the force of the first contact at rest",
+        note="with a loading cam, that under the output torque; of other drives the force of the first contact "
+        "without torque",
     ),
     _force(
         "interference",
@@ -121,7 +122,15 @@ ROWS = (
         positive=False,
         wedge_only=True,
     ),
-    _force("input_torque", "torque at the sun", _TORQUE, "N*m", "result.forces.input_torque", positive=False),
+    _force(
+        "input_torque",
+        "torque at the sun",
+        _TORQUE,
+        "N*m",
+        "result.forces.input_torque",
+        positive=False,
+        note="without losses in rolling",
+    ),
     _force(
         "left_bearing_torque",
         "friction torque of one bearing of the left loading roller",
