@@ -1,6 +1,7 @@
 """A solution against the document that the command prints for the same file."""
 
 import math
+import sys
 
 import numpy as np
 import pytest
@@ -118,3 +119,11 @@ def test_a_planetary_by_its_own_names(zou_file):
     text = str(solution)
     assert "efficiency" in text
     assert "\npr " in text
+
+
+def test_the_document_judges_unequal_branches(solution, unequal_branches, monkeypatch):
+    module = sys.modules[type(solution).__module__]
+    monkeypatch.setattr(module, "unequal_branches", lambda case, joint: unequal_branches(torque=10.0))
+    document = type(solution).document.func(solution)
+    assert document["branches"]["torque_capacity"]["first_slip_Nm"] == 8.0
+    assert not next(each for each in document["diagnostics"] if each["name"] == "branch_slip")["ok"]

@@ -110,3 +110,12 @@ def test_a_joint_with_another_drive(zou_file):
     assert here == pytest.approx(stiffness, rel=1e-4)
     assert found["windup"]["hysteresis_rad"] > 0.0
     assert set(found["document"]["contacts"]) == {each["contact"] for each in found["drawing"]["forces"]}
+
+
+def test_the_document_of_the_page_judges_unequal_branches(monkeypatch, case):
+    solution = SimpleNamespace(result=SimpleNamespace(forces=None))
+    monkeypatch.setattr(answer, "solve", lambda joint: solution)
+    monkeypatch.setattr(answer, "drive_shapes", lambda joint, forces: {})
+    monkeypatch.setattr(answer, "unequal_branches", lambda case, joint: "the branches of the file")
+    monkeypatch.setattr(answer, "joint_document", lambda **told: {"branches": told["branches"]})
+    assert answer._papers(case)[2] == {"branches": "the branches of the file"}

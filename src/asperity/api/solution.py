@@ -22,7 +22,9 @@ from asperity.joint.results import LEVELS, RESULTS, Result, SolvedJoint, known_r
 from asperity.joint.rolling_refusal import rolling_capacity_of
 from asperity.joint.solve import Solution
 from asperity.joint_file.any_joint import results_of
+from asperity.joint_file.build import unequal_branches
 from asperity.joint_file.planar_build import any_joint_from_case
+from asperity.joint_file.planar_model import PlanarCase
 from asperity.joint_file.si_tables import si_values
 from asperity.units import format_quantity
 
@@ -168,14 +170,16 @@ class JointSolution(Shown):
     @functools.cached_property
     def document(self) -> dict[str, Any]:
         """The document that ``asperity joint --json`` prints, in SI units."""
+        case = self.joint.case
         told: dict[str, Any] = {
             "joint": self._solved.joint,
-            "inputs": si_values(self.joint.case),
+            "inputs": si_values(case),
             "assumptions": self.joint.assumptions,
         }
         if isinstance(self.solution, PlanarSolution):
             return planar_document(solution=self.solution, **told)
-        return joint_document(solution=self.solution, **told)
+        branches = None if isinstance(case, PlanarCase) else unequal_branches(case, self._solved.joint)
+        return joint_document(solution=self.solution, branches=branches, **told)
 
     def to_frame(self) -> Any:
         """Every number as a row of a pandas data frame: label, value, unit, SI value, SI unit, level."""

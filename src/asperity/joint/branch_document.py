@@ -63,7 +63,7 @@ def _state(state: BranchState | None) -> Document | None:
     if state is None:
         return None
     return {
-        "share": [float(each) for each in state.share],
+        "share": _numbers(state.share),
         "preload_N": [float(each) for each in state.preload],
         "slip_ratio": _numbers(state.slip_ratio),
         "contacts": {

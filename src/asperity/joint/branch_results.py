@@ -40,8 +40,9 @@ class BranchState:
 
     @property
     def share(self) -> np.ndarray:
-        """Share of each branch in the torque [-]; 1/n for equal branches."""
-        return self.torque / self.torque.sum()
+        """Share of each branch in the torque [-]; 1/n for equal branches, nan without a torque."""
+        whole = self.torque.sum()
+        return self.torque / whole if whole else np.full_like(self.torque, np.nan)
 
 
 @dataclass(frozen=True)

@@ -19,7 +19,7 @@ from asperity.joint.torque_curves import torque_curves
 from asperity.joint.windup import windup
 from asperity.joint.windup_document import windup_columns
 from asperity.joint_file.assumptions import assumptions
-from asperity.joint_file.build import joint_from_case
+from asperity.joint_file.build import joint_from_case, unequal_branches
 from asperity.joint_file.model import Case
 from asperity.joint_file.planar_assumptions import planar_assumptions
 from asperity.joint_file.planar_build import planar_joint_from_case
@@ -73,7 +73,11 @@ def _papers(case: Case) -> tuple[Joint, Solution, Answer, Answer]:
     joint = joint_from_case(case)
     solution = solve(joint)
     document = joint_document(
-        joint=joint, solution=solution, inputs=si_values(case), assumptions=assumptions(case)
+        joint=joint,
+        solution=solution,
+        inputs=si_values(case),
+        assumptions=assumptions(case),
+        branches=unequal_branches(case, joint),
     )
     return joint, solution, document, drive_shapes(joint, solution.result.forces)
 
