@@ -114,6 +114,10 @@ def test_rolling_is_in_the_document(paper_joint):
     assert found["losses_W"]["total"] == pytest.approx(sum(found["losses_W"][cause] for cause in causes))
     assert found["losses_W"]["oil"] is None
     assert rolling["unknown_because"] == []
+    assert rolling["input_torque_Nm"] == pytest.approx(
+        rolling["input_power_W"] / float(joint.sun_speed), rel=1e-12
+    )
+    assert rolling["input_torque_Nm"] > found["forces"]["input_torque_Nm"]
 
 
 @pytest.mark.slow

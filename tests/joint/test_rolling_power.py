@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from asperity.joint.rolling_conditions import PLAIN_ROLLING
-from asperity.joint.rolling_power import bearing_power, rolling_power
+from asperity.joint.rolling_power import bearing_power, rolling_input_torque, rolling_power
 
 NORMAL = jnp.array([1000.0, 660.0, 465.0, 647.0, 449.0])
 TANGENTIAL = jnp.array([46.0, 25.0, 21.0, 25.0, 21.0])
@@ -108,3 +108,22 @@ def test_oil_of_a_contact_that_stands_or_is_open_takes_no_power():
     standing = budget(rolling=ROLLING.at[1].set(0.0), viscosity=0.03)
     assert float(standing.oil[1]) == 0.0
     assert np.all(np.asarray(standing.oil)[[0, 2, 3, 4]] > 0.0)
+
+
+def test_the_motor_feeds_or_is_fed_all_that_passes_the_input():
+    """Power at the input over its speed, of either sign; a torque too small to drive the losses needs the motor."""
+    for output_torque, sign in ((5.0, 1.0), (-5.0, -1.0)):
+        power = budget(output_torque=output_torque)
+        at_input = power.input if sign > 0.0 else power.output
+        found = rolling_input_torque(
+            power=power, output_torque=output_torque, output_speed=-CARRIER, input_speed=SUN
+        )
+        assert float(found) == pytest.approx(sign * float(at_input) / SUN, rel=1e-12)
+    weak = -0.01
+    power = budget(output_torque=weak)
+    assert np.isnan(power.output)
+    speeds = {"output_speed": CARRIER, "input_speed": SUN}
+    found = rolling_input_torque(power=power, output_torque=weak, **speeds)
+    assert float(found) == pytest.approx((float(power.loss) - 0.01 * CARRIER) / SUN, rel=1e-12)
+    still = rolling_input_torque(power=power, output_torque=5.0, output_speed=0.0, input_speed=0.0)
+    assert np.isnan(still)

@@ -88,6 +88,7 @@ def test_contacts_are_in_the_units_of_their_heads():
 
 def test_the_drive_in_degrees_grams_and_millimetres():
     document = {
+        "rolling": {"input_torque_Nm": 0.55},
         "geometry": {
             "alpha_rad": math.pi / 12.0,
             "theta_rad": math.pi / 6.0,
@@ -105,6 +106,7 @@ def test_the_drive_in_degrees_grams_and_millimetres():
     }
     values = dict(rows_of(drive(document))["Drive"])
     assert list(values.values()) == [
-        "15 deg", "30 deg", "15 deg", "-9", "0.5 N·m", "5 N·m", "111 N", "222 N", "22.5 g", "3 g", "3 mm",
+        "15 deg", "30 deg", "15 deg", "-9", "0.5 N·m", "0.55 N·m", "5 N·m", "111 N", "222 N", "22.5 g", "3 g", "3 mm",
     ]  # fmt: skip
+    assert values["torque at the sun in rolling, all losses counted"] == "0.55 N·m"
     assert "clearance, planet to ring" in values

@@ -186,9 +186,15 @@ def _show_crowns(target: Console, contacts: Document) -> None:
 
 def _show_drive(target: Console, document: Document) -> None:
     forces, capacity = document["forces"], document["torque_capacity"]
-    torque = (
-        f"in {in_unit(forces['input_torque_Nm'], 'N*m')}, out {in_unit(forces['output_torque_Nm'], 'N*m')}"
+    ends = (
+        in_unit(torque, "N*m")
+        for torque in (
+            forces["output_torque_Nm"],
+            forces["input_torque_Nm"],
+            document["rolling"]["input_torque_Nm"],
+        )
     )
+    torque = "out {}; in {} without losses in rolling, {} with all losses".format(*ends)
     common = (
         ("torque", torque),
         ("capacity", _first_slip(document, "torque_capacity") + capacity_text(capacity)),

@@ -12,6 +12,7 @@ from asperity.joint.planar.description import PlanarJoint
 from asperity.joint.planar.evaluation import PlanarResult
 from asperity.joint.rolling import RollingResult
 from asperity.joint.rolling_life import DriveLives
+from asperity.joint.rolling_power import rolling_input_torque
 
 Document = dict[str, Any]
 
@@ -39,6 +40,12 @@ def rolling_document(joint: Joint | PlanarJoint, result: JointResult | PlanarRes
         "drift_rad_per_hour": 3600.0 * found.drift_rate,
         "carrier_speed_rad_per_s": found.carrier_speed,
         "efficiency": found.power.efficiency,
+        "input_torque_Nm": rolling_input_torque(
+            power=found.power,
+            output_torque=joint.output_torque,
+            output_speed=found.carrier_speed,
+            input_speed=joint.sun_speed,
+        ),
         "input_power_W": found.power.input,
         "output_power_W": found.power.output,
         "losses_W": losses(found),

@@ -191,6 +191,37 @@ def rolling_power(
     )
 
 
+def rolling_input_torque(
+    *, power: RollingPower, output_torque: Real, output_speed: Real, input_speed: Real
+) -> Array:
+    r"""Torque at the input in rolling, all losses counted: what a motor needs.
+
+    .. math:: T_{in} = \frac{T_{out}\,\omega_{out} + P_{loss}}{\omega_{in}}
+
+    Parameters
+    ----------
+    power : RollingPower
+        Losses of the joint.
+    output_torque : Real
+        Torque at the output [N·m].
+    output_speed, input_speed : Real
+        Angular velocities of output, reduced by creep, and input; only their sizes count [rad/s].
+
+    Returns
+    -------
+    Array
+        In the sense of rotation; negative where the output torque drives the input [N·m]. nan where the input stands.
+
+    References
+    ----------
+    Balance of powers; the losses are those of equations (B3) and (B9) of :doc:`/equations`.
+    """
+    speed = jnp.abs(jnp.asarray(input_speed))
+    turns = speed > 0.0
+    entering = output_torque * jnp.abs(output_speed) + power.loss
+    return jnp.where(turns, entering / jnp.where(turns, speed, 1.0), jnp.nan)
+
+
 def _oil(
     pairs: RollerPairs,
     viscosity: Real,

@@ -215,7 +215,7 @@ def drive(document: Document) -> Iterator[Block]:
         ("angle theta, direction to loading roller", quantity(geometry["theta_rad"], "deg", 6)),
         ("wedge angle beta", quantity(geometry["wedge_angle_rad"], "deg", 6)),
         ("speed ratio, sun over carrier", number(geometry["speed_ratio"])),
-        ("torque at the sun", quantity(forces["input_torque_Nm"], "N*m")),
+        *_input_torques(document, "sun"),
         ("torque at the carrier", quantity(forces["output_torque_Nm"], "N*m")),
         ("force of the left pin", quantity(forces["pin_N"]["left"], "N")),
         ("force of the right pin", quantity(forces["pin_N"]["right"], "N")),
@@ -227,6 +227,20 @@ def drive(document: Document) -> Iterator[Block]:
         for each in geometry["clearances"]
     ]
     yield Table("Drive", ("quantity", "value"), rows)
+
+
+def _input_torques(document: Document, end: str) -> list[tuple[str, str]]:
+    """The balance of forces knows no losses of rolling contacts; a motor has to overcome them too."""
+    return [
+        (
+            f"torque at the {end}, without losses in rolling",
+            quantity(document["forces"]["input_torque_Nm"], "N*m"),
+        ),
+        (
+            f"torque at the {end} in rolling, all losses counted",
+            quantity(document["rolling"]["input_torque_Nm"], "N*m"),
+        ),
+    ]
 
 
 def planar_drive(document: Document) -> Iterator[Block]:
@@ -251,7 +265,7 @@ def planar_drive(document: Document) -> Iterator[Block]:
         *((f"{role} member", words(geometry[role])) for role in ("input", "output", "grounded")),
         ("speed ratio, input over output", number(geometry["speed_ratio"])),
         ("speed of the output", quantity(abs(forces["output_speed_rad_per_s"]), "rpm")),
-        ("torque at the input", quantity(forces["input_torque_Nm"], "N*m")),
+        *_input_torques(document, "input"),
         ("torque at the output", quantity(forces["output_torque_Nm"], "N*m")),
         *(
             (f"force of the pin of {words(name)}, at rest", quantity(force, "N"))

@@ -52,6 +52,9 @@ def test_drift_and_power_of_the_planetary(planetary):
     turns = rolling["output_power_W"] / 10.0 / (2.0 * math.pi)
     assert rolling["life_hours"] * 3600.0 * turns == pytest.approx(rolling["life_output_turns"], rel=1e-9)
     assert list(rolling["body_life_hours"]) == ["sun", "planet", "ring"]
+    # the motor feeds all of it: without losses 10 N·m/6, over the efficiency and the speed that creep takes
+    share = rolling["efficiency"] / (1.0 - rolling["speed_loss"])
+    assert rolling["input_torque_Nm"] == pytest.approx(10.0 / 6.0 / share, rel=1e-9)
 
 
 def test_the_tables_name_contacts_members_and_bodies(planetary, tmp_path):

@@ -121,7 +121,15 @@ ROWS = (
         positive=False,
         wedge_only=True,
     ),
-    _force("input_torque", "torque at the sun", _TORQUE, "N*m", "result.forces.input_torque", positive=False),
+    _force(
+        "input_torque",
+        "torque at the sun",
+        _TORQUE,
+        "N*m",
+        "result.forces.input_torque",
+        positive=False,
+        note="without losses in rolling",
+    ),
     _force(
         "left_bearing_torque",
         "friction torque of one bearing of the left loading roller",
