@@ -13,7 +13,7 @@ def test_table_and_json_agree_with_the_joint(call, zou_file):
     assert shown.code == 0
     for text in (
         "carrier pin, right roller",
-        "at rest",
+        "without torque",
         "working torque",
         "6000 rpm",
         "All branches are equal",
@@ -35,7 +35,7 @@ def test_every_load_of_the_duty_is_a_column(call, joint_file, tmp_path):
         "position",
         "load",
         "unit",
-        "at rest",
+        "without torque",
         "working torque, 5 N·m, 6000 rpm",
         "duty 1, 3 N·m, 3000 rpm",
     ]

@@ -60,7 +60,7 @@ def test_table_of_a_standing_sun(call, joint_file):
     (drift,) = [line for line in lines if line.startswith("drift per output turn")]
     assert 35.3 < float(drift.split()[4]) < 60.0
     assert "arcmin" in drift
-    assert any(line.startswith("stiffness at rest") and "N·m/arcmin" in line for line in lines)
+    assert any(line.startswith("stiffness, standing") and "N·m/arcmin" in line for line in lines)
     assert any(line.startswith("the sun stands: drift and life are given per turn") for line in lines)
     assert "Axial thrust: none, the axes are parallel" in lines
     (drive,) = [line for line in lines if line.startswith("the drive")]

@@ -107,7 +107,7 @@ def test_position_of_the_output(document):
     assert row(shown, "speed loss")[:2] == ["0.2", "%"]
     assert row(shown, "torque over stiffness")[:2] == ["6", "arcmin"]
     assert row(shown, "torque capacity, rolling")[:2] == ["11.5", "N·m"]
-    assert any("at rest: 12.5 N·m" in line for line in shown)
+    assert any("standing: 12.5 N·m" in line for line in shown)
     assert row(shown, "sp 0.54 60 ") == ["0.05", "0.12", "750", "0.9", "0.5"]
 
 
@@ -145,7 +145,7 @@ def test_a_duty_and_the_reverse_direction(document):
     shown = lines(document)
     assert row(shown, "1 -5 N·m") == ["3000", "rpm", "25", "%", "100", "%", "500"]
     assert row(shown, "the drive under its duty")[0] == "2000"
-    assert any("at rest: not limited by friction" in line for line in shown)
+    assert any("standing: not limited by friction" in line for line in shown)
 
 
 def test_a_sun_that_stands_has_no_losses(document):

@@ -28,7 +28,7 @@ def case_of(name, factor, speed):
 
 
 CASES = (
-    dataclasses.replace(case_of("at rest", 0.0, 0.0), result=None, speeds=None),
+    dataclasses.replace(case_of("without torque", 0.0, 0.0), result=None, speeds=None),
     case_of("working torque", 1.0, 1.0),
     dataclasses.replace(case_of("duty 1", np.nan, 2.0), unknown_because="slips"),
 )
@@ -48,7 +48,7 @@ def test_rows_and_units(case):
     joint = joint_from_case(case)
     document = loads_document(joint, CASES, [])
     json.dumps(document, allow_nan=False)
-    assert [each["name"] for each in document["cases"]] == ["at rest", "working torque", "duty 1"]
+    assert [each["name"] for each in document["cases"]] == ["without torque", "working torque", "duty 1"]
     assert row_of(document, "carrier pin", "right roller", "resultant force") == [0.0, 50.0, None]
     assert row_of(document, "carrier pin", "left roller", "tangential force") == [0.0, 40.0, None]
     assert row_of(document, "carrier pin", "left roller", "speed, roller on pin") == [0.0, 8.0, 16.0]

@@ -242,7 +242,7 @@ def test_downloads_say_the_same_again(client, solve, joint_text):
     answer = solve(load__preload="1200 N", bodies__sun="52100", model__closure="constant_pin_force").json()
     text = client.get(f"/api/joint/{answer['id']}/joint.toml")
     assert text.headers["content-disposition"] == 'attachment; filename="my.toml"'
-    assert "# ours: normal force between sun and planet at rest" in text.text  # comments stay
+    assert "# ours: normal force between sun and planet without torque" in text.text  # comments stay
     again = client.post("/api/joint", json={"toml": text.text, "name": "my.toml"}).json()
     assert again["document"] == answer["document"]
     document = client.get(f"/api/joint/{answer['id']}/joint.json")

@@ -116,7 +116,7 @@ def test_unequal_branches_have_tables_of_their_own():
     summary = dict(tables(report)["Summary"].rows)
     assert "planet 3" in summary["torque capacity of these branches"]
     required = {row[0]: row for row in tables(report)["Safety margins"].rows}
-    assert required["torque over first slip of a branch, at rest"][-1] == "pass"
+    assert required["torque over first slip of a branch, standing"][-1] == "pass"
     loads = next(
         row for row in tables(report)["Loads of the structure"].rows if row[0].startswith("sun bearing")
     )

@@ -17,7 +17,12 @@ BEARING = {
 }
 DOCUMENT = {
     "cases": [
-        {"name": "at rest", "output_torque_Nm": 0.0, "sun_speed_rad_per_s": 0.0, "unknown_because": None},
+        {
+            "name": "without torque",
+            "output_torque_Nm": 0.0,
+            "sun_speed_rad_per_s": 0.0,
+            "unknown_because": None,
+        },
         {"name": "duty 1", "output_torque_Nm": 9.0, "sun_speed_rad_per_s": 1.0, "unknown_because": "slips"},
     ],
     "loads": [
@@ -36,7 +41,7 @@ DOCUMENT = {
 
 def test_units_reasons_and_dashes():
     table, bearings, notes = loads(DOCUMENT)
-    assert table.head[:3] == ("part", "load", "at rest")
+    assert table.head[:3] == ("part", "load", "without torque")
     assert table.rows == [("carrier pin, left roller", "bending stress", "20", "–", "MPa")]
     # the load is that of the working torque, P/C the largest of it and the duty
     assert bearings.head[4:6] == ("load\nN", "largest P/C")

@@ -82,7 +82,9 @@ def test_contacts_are_in_the_units_of_their_heads():
         "contacts": {"sp": contact},
     }
     found = rows_of(contacts(document))
-    assert found["Contact forces at rest"] == [("sp", "1000", "46.3", "0.386", "0.05", "750", "0.2")]
+    assert found["Contact forces, standing under the torque"] == [
+        ("sp", "1000", "46.3", "0.386", "0.05", "750", "0.2")
+    ]
     assert found["Contact stiffness, N/µm"] == [("sp", "123", "456", "–", "321")]
 
 

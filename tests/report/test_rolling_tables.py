@@ -41,7 +41,7 @@ def test_drift_stands_beside_the_stiffness():
     assert [row[:2] for row in rows] == [
         ("drift per output turn", "40 arcmin"),
         ("speed loss", "0.185 %"),
-        ("stiffness at rest", "2 N·m/arcmin"),
+        ("stiffness, standing", "2 N·m/arcmin"),
         ("torque over stiffness", "2.5 arcmin"),
         ("torque capacity, rolling", "12.5 N·m"),
     ]

@@ -32,8 +32,8 @@ def show_branches(target: Console, found: Document) -> None:
         "deviation planet,\nrollers µm",
         "interference\nµm",
         "preload\nN",
-        "share at rest,\nrolling %",
-        "slip at rest,\nrolling -",
+        "share standing,\nrolling %",
+        "slip standing,\nrolling -",
     )
     for index, entry in enumerate(found["branches"]):
         sizes = [entry[f"{name}_deviation_m"] for name in ("planet", "right_roller", "left_roller")]

@@ -121,7 +121,7 @@ def _show_contacts(target: Console, document: Document) -> None:
     }
     shown = table(
         target,
-        "Contact forces",
+        "Contact forces, standing under the torque",
         "contact",
         "normal\nN",
         "tangential\nN",
@@ -257,7 +257,9 @@ def _of_another_type(document: Document) -> tuple[Rows, Rows]:
         f"{name.replace('_', ' ')} {in_unit(mass, 'g')}" for name, mass in forces["body_mass_kg"].items()
     )
     pins = ", ".join(
-        f"{name.replace('_', ' ')} {in_unit(force, 'N')}" for name, force in forces["pin_N"].items()
+        f"{name.replace('_', ' ')} radial {in_unit(force['radial'], 'N')}, tangential "
+        f"{in_unit(force['tangential'], 'N')}"
+        for name, force in forces["pin_N"].items()
     )
     return (
         (("members", members), ("speed", f"ratio {number(geometry['speed_ratio'])}, output {speed}")),

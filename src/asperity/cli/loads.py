@@ -29,7 +29,7 @@ _SHOWN = {"N": "N", "N*m": "N*m", "Pa": "MPa", "rad/s": "rpm"}
 def loads(file: str, csv_file: str | None, as_json: bool) -> None:
     """Forces and torques on pins, bearings, shafts and housing of the joint described in FILE, for their supplier.
 
-    One column each: at rest, under the working torque, and under every load [[duty]] of FILE.
+    One column each: without torque, under the working torque, and under every load [[duty]] of FILE.
     """
     from asperity.joint_file.planar_model import PlanarCase
     from asperity.joint_file.reader import read_any_case
@@ -79,7 +79,7 @@ def _column(case: Document, line: str) -> str:
     """Title of a column: the load, its torque and the speed of the sun."""
     from asperity.units import format_quantity
 
-    if case["name"] == "at rest":
+    if case["name"] == "without torque":
         return str(case["name"])
     torque = format_quantity(case["output_torque_Nm"], "N*m")
     return f"{case['name']}{line}{torque}{line}{format_quantity(case['sun_speed_rad_per_s'], 'rpm')}"

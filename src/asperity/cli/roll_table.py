@@ -62,7 +62,7 @@ def _show_output(target: Console, document: Document) -> None:
         "speed loss", f"{scaled(rolling['speed_loss'], 100.0)} %", "the same, as a share of the output speed"
     )
     shown.add_row(
-        "stiffness at rest",
+        "stiffness, standing",
         f"{number(stiffness['output_Nm_per_arcmin'])} N·m/arcmin",
         "assembled, at this torque",
     )
@@ -75,12 +75,12 @@ def _show_output(target: Console, document: Document) -> None:
     shown.add_row(
         "torque capacity, rolling",
         "not limited" if capacity is None else in_unit(capacity, "N*m"),
-        f"beyond, a contact slips; at rest: {_capacity_at_rest(document)}",
+        f"beyond, a contact slips; standing: {_standing_capacity(document)}",
     )
     target.print(shown)
 
 
-def _capacity_at_rest(document: Document) -> str:
+def _standing_capacity(document: Document) -> str:
     capacity = document["torque_capacity"]
     reverse = document["forces"]["output_torque_Nm"] < 0.0
     found = (capacity["reverse"] if reverse else capacity)["output_torque_Nm"]

@@ -125,10 +125,10 @@ def _unlike_branches(
         target, f"{draws} drives with branches of their own sizes", "", "unit", "2.5 %", "median", "97.5 %"
     )
     for name, words, unit, factor in (
-        ("first_slip_Nm", "first branch slips, at rest", "N·m", 1.0),
-        ("all_slip_Nm", "all branches slip, at rest", "N·m", 1.0),
+        ("first_slip_Nm", "first branch slips, standing", "N·m", 1.0),
+        ("all_slip_Nm", "all branches slip, standing", "N·m", 1.0),
         ("rolling_first_slip_Nm", "first branch slips, rolling", "N·m", 1.0),
-        ("largest_share", "largest share of a branch, at rest", "%", 100.0),
+        ("largest_share", "largest share of a branch, standing", "%", 100.0),
         ("largest_rolling_share", "largest share of a branch, rolling", "%", 100.0),
         ("sun_force_N", "force on the sun's bearings", "N", 1.0),
     ):

@@ -21,7 +21,7 @@ _COLUMNS = (
     "  slip: share of the loading angle that is lost to slip; it follows Masing's rule, the rest is reversible.",
     "  drift_driving, drift_braking: angle by which the output gives way to the torque in one turn of its own in "
     "steady rolling, if the drive turns with the torque or against it.",
-    "  largest_slip_ratio: the largest T/(mu N) of all contacts at rest.",
+    "  largest_slip_ratio: the largest T/(mu N) of all contacts, standing under the torque.",
 )
 
 

@@ -29,11 +29,11 @@ def branch_checks(found: UnequalBranches, *, turns: bool) -> tuple[LimitCheck, .
     Returns
     -------
     tuple of LimitCheck
-        First slip, preload of the loosest branch and Hertz pressure over first yield at rest; first slip and Hertz
+        First slip, preload of the loosest branch and Hertz pressure over first yield, standing; first slip and Hertz
         pressure over the shakedown limit in rolling. A value that does not exist is nan.
     """
     checks = [
-        _slip(found, found.capacity, found.standing, "at rest"),
+        _slip(found, found.capacity, found.standing, "standing"),
         _looseness(found),
         _worst("pressure_over_first_yield", found.standing or found.rest),
     ]
@@ -55,7 +55,7 @@ def _slip(
         slipping = ", ".join(str(index + 1) for index in np.flatnonzero(state.slip_ratio >= 1.0))
         used = f"under the torque T/(mu N) of the worst branch is {np.nanmax(state.slip_ratio):.3g}"
         used += f" (planets that slip: {slipping})" if slipping else ""
-    name = "branch_slip" if when == "at rest" else "branch_slip_in_rolling"
+    name = "branch_slip" if when == "standing" else "branch_slip_in_rolling"
     row = Result(
         name,
         f"torque over first slip of a branch, {when}",

@@ -35,12 +35,13 @@ _NOTES = (
     "output torque is driven. Forces act on the part that is named.",
     "All branches are equal: the forces of the planets on sun, carrier and ring balance, and a torque remains, so that "
     "their bearings carry no force. Weights, forces from outside and unequal branches are not counted.",
-    "Where the sun turns the forces are those of steady rolling, otherwise those of the joint at rest.",
+    "Where the sun turns the forces are those of steady rolling, otherwise those of the joint standing under the "
+    "torque.",
 )
 _UNEQUAL = (
-    "Branches of unequal sizes, [[branch]]: the sun's bearings carry what the branches leave unbalanced at rest and "
-    "under the working torque. Under the loads of the duty it is not computed, nor are the forces on the bearings of "
-    "the carrier and on the housing anywhere. Weights and forces from outside are not counted."
+    "Branches of unequal sizes, [[branch]]: the sun's bearings carry what the branches leave unbalanced without torque "
+    "and under the working torque. Under the loads of the duty it is not computed, nor are the forces on the bearings "
+    "of the carrier and on the housing anywhere. Weights and forces from outside are not counted."
 )
 _SUPPORTED = (
     "The planets have supports: the balance of the forces takes them as floating, so that the share that the supports "
@@ -61,11 +62,11 @@ class LoadCase:
     share : float or None
         Share of the time; None outside the duty.
     result : JointResult or None
-        What the joint does under it; None at rest.
+        What the joint does under it; None without torque.
     loads : StructureLoads
         Loads of the structure.
     speeds : BearingSpeeds or None
-        Speeds of the bearings; None at rest.
+        Speeds of the bearings; None without torque.
     unknown_because : str or None
         Why there are no loads; None where there are.
     """
@@ -81,7 +82,7 @@ class LoadCase:
 
 
 def load_cases(joint: Joint, solution: Solution) -> tuple[LoadCase, ...]:
-    """The joint at rest, under its working torque, and under every load of its duty.
+    """The joint without torque, under its working torque, and under every load of its duty.
 
     Parameters
     ----------
@@ -96,7 +97,7 @@ def load_cases(joint: Joint, solution: Solution) -> tuple[LoadCase, ...]:
         In this order.
     """
     numbers: Joint = jax.tree.map(lambda leaf: np.asarray(leaf, dtype=float), joint)
-    cases = [LoadCase("at rest", 0.0, 0.0, None, None, loads_at_rest(numbers), None, None)]
+    cases = [LoadCase("without torque", 0.0, 0.0, None, None, loads_at_rest(numbers), None, None)]
     cases.append(_case("working torque", numbers, solution.result, None))
     if joint.rolling.duty:
         program = compile_fast(solve_program, numbers)

@@ -330,7 +330,7 @@ def refuse_pulled_rollers(joint: Joint, result: JointResult) -> None:
         rest = rest_state(geometry=geometry, sides=triangle(geometry), preload=joint.preload)
         force = float(rest.normal_force[contact])
         raise InputError(
-            f"{side}_push_angle {format_quantity(angle, 'deg')} pulls the {side} loading roller off the ring: at rest "
-            f"the contact {CONTACT_NAMES[contact]} would have to carry {force:.3g} N; the angle must be above "
+            f"{side}_push_angle {format_quantity(angle, 'deg')} pulls the {side} loading roller off the ring: without "
+            f"torque the contact {CONTACT_NAMES[contact]} would have to carry {force:.3g} N; the angle must be above "
             f"{format_quantity(wedge - 0.5 * math.pi, 'deg')}, the wedge angle less 90 deg"
         )

@@ -95,8 +95,8 @@ def _refuse_plastic_springs(joint: Joint) -> None:
 
 def _no_asperity_springs(contacts: list[str], ratio: float) -> NoReturn:
     raise NoSolutionError(
-        f'closure_springs = "bulk_and_asperities" has no solution: at rest every spot of {", ".join(contacts)} is '
-        f"plastic (critical over largest spot {ratio:.3g}, it must be below 1), where the contact law gives the "
+        f'closure_springs = "bulk_and_asperities" has no solution: without torque every spot of {", ".join(contacts)} '
+        f"is plastic (critical over largest spot {ratio:.3g}, it must be below 1), where the contact law gives the "
         'asperities no stiffness; use closure_springs = "bulk", or a surface of larger fractal_dimension or smaller '
         "fractal_roughness"
     )

@@ -46,8 +46,8 @@ def working_forces(joint: Joint, result: JointResult) -> tuple[Array, Array]:
     Returns
     -------
     normal, tangential : Array
-        Of the rolling state where the sun turns, of the state at rest where it stands, shape (5, ...) [N]; nan where a
-        contact slips or the equations are not solved.
+        Of the rolling state where the sun turns, else of the state standing under the torque, shape (5, ...) [N];
+        nan where a contact slips or the equations are not solved.
 
     References
     ----------

@@ -83,7 +83,7 @@ class Load(Section):
     """What acts on the drive."""
 
     preload: Annotated[Quantity, limits.PRELOAD] | None = None
-    """Normal force N_0 between sun and planet at rest; either this or interference."""
+    """Normal force N_0 between sun and planet without torque; either this or interference."""
     interference: Annotated[Quantity, limits.INTERFERENCE] | None = None
     """Interference that makes the preload: by how much the ring's inner radius lies below the radius at which all
     contacts just touch."""

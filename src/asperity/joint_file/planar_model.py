@@ -116,7 +116,7 @@ class PlanarLoad(Section):
     """What acts on the drive."""
 
     preload: Annotated[Quantity, limits.PRELOAD] | None = None
-    """Normal force of the first contact, that of the sun, at rest; either this or interference."""
+    """Normal force of the first contact, that of the sun, without torque; either this or interference."""
     interference: Annotated[Quantity, limits.INTERFERENCE] | None = None
     """Interference that makes the preload: by how much the inner radius of every ring lies below that at which all
     contacts just touch."""

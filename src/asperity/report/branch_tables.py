@@ -58,9 +58,9 @@ def branch_tables(found: Document) -> Iterator[Block]:
             "left roller\nµm",
             "interference\nµm",
             "preload\nN",
-            "share\nat rest %",
+            "share\nstanding %",
             "share\nrolling %",
-            "slip at rest\nT/(mu N)",
+            "slip standing\nT/(mu N)",
         ),
         [
             (

@@ -46,7 +46,7 @@ def loads(document: Document) -> Iterator[Block]:
 
 
 def _column(case: Document) -> str:
-    if case["name"] == "at rest":
+    if case["name"] == "without torque":
         return str(case["name"])
     torque = quantity(case["output_torque_Nm"], "N*m")
     return f"{case['name']}\n{torque}\n{quantity(case['sun_speed_rad_per_s'], 'rpm')}"
@@ -108,7 +108,7 @@ def rims(document: Document) -> Iterator[Block]:
         for rim in ("inner", "outer")
     ]
     if rows:
-        head = ("body", "rim", "at rest\nMPa", "under torque\nMPa", "mean\nMPa", "amplitude\nMPa")
+        head = ("body", "rim", "without torque\nMPa", "under torque\nMPa", "mean\nMPa", "amplitude\nMPa")
         yield Table(
             "Hoop stress of bodies that bend, and their safety",
             (*head, "safety against\nyield", "safety against\nfatigue"),

@@ -156,7 +156,7 @@ def contacts(document: Document) -> Iterator[Block]:
         each["contact"]: each["value"] for each in document["diagnostics"] if each["name"] == "slip_ratio"
     }
     yield Table(
-        "Contact forces at rest",
+        "Contact forces, standing under the torque",
         (
             "contact",
             "normal\nN",
@@ -244,7 +244,7 @@ def _input_torques(document: Document, end: str) -> list[tuple[str, str]]:
 
 
 def planar_drive(document: Document) -> Iterator[Block]:
-    """Ratio, torques, pin forces and masses of a planar drive.
+    """Ratio, torques and masses of a planar drive.
 
     Parameters
     ----------
@@ -267,10 +267,6 @@ def planar_drive(document: Document) -> Iterator[Block]:
         ("speed of the output", quantity(abs(forces["output_speed_rad_per_s"]), "rpm")),
         *_input_torques(document, "input"),
         ("torque at the output", quantity(forces["output_torque_Nm"], "N*m")),
-        *(
-            (f"force of the pin of {words(name)}, at rest", quantity(force, "N"))
-            for name, force in forces["pin_N"].items()
-        ),
         *((f"mass of {words(name)}", quantity(mass, "g")) for name, mass in forces["body_mass_kg"].items()),
     ]
     yield Table("Drive", ("quantity", "value"), rows)

@@ -56,7 +56,7 @@ def _position(document: Document, capacity: float | None) -> Table:
             "adds up with every turn and does not come back",
         ),
         ("speed loss", percent(found["speed_loss"]), "the same, as a share of the output speed"),
-        ("stiffness at rest", quantity(spring, "N*m/arcmin"), "assembled, at this torque"),
+        ("stiffness, standing", quantity(spring, "N*m/arcmin"), "assembled, at this torque"),
         (
             "torque over stiffness",
             quantity(torque / spring if spring else None, "arcmin"),

@@ -26,7 +26,7 @@ def draw_size_errors(axes: Sequence[Axes], curves: SizeErrorCurves) -> None:
     x = 1e6 * curves.deviation
     shares, capacity, sun = axes
     for name, values, style in (
-        ("at rest", curves.standing_share, "-"),
+        ("standing", curves.standing_share, "-"),
         ("rolling", curves.rolling_share, "--"),
     ):
         shares.plot(x, 100.0 * values[:, 0], style, color=ACCENT, label=f"first planet, {name}")
@@ -36,7 +36,7 @@ def draw_size_errors(axes: Sequence[Axes], curves: SizeErrorCurves) -> None:
     shares.legend(frameon=False, fontsize="x-small")
     capacity.plot(x, curves.first_slip, color=ACCENT, label="weakest branch slips")
     capacity.plot(x, curves.all_slip, "--", color=MARK, label="all branches slip")
-    capacity.set(ylabel="torque at rest [N·m]")
+    capacity.set(ylabel="torque, standing [N·m]")
     capacity.legend(frameon=False, fontsize="x-small")
     sun.plot(x, curves.sun_force, color=ACCENT)
     sun.set(ylabel="force on the sun's bearings [N]")

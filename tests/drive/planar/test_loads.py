@@ -1,10 +1,12 @@
 """Loads of the structure against the states that they belong to, and by hand."""
 
+import dataclasses
+
 import jax.numpy as jnp
 import numpy as np
 import pytest
 
-from asperity.drive.planar.loads import planar_loads
+from asperity.drive.planar.loads import pin_components, planar_loads
 
 
 @pytest.mark.parametrize(
@@ -53,3 +55,23 @@ def test_a_planet_of_a_planetary_by_hand(drives):
     np.testing.assert_allclose(np.abs(found.pin), [14.0], rtol=1e-12)
     np.testing.assert_allclose(found.unbalanced, 0.0, atol=1e-9)
     np.testing.assert_allclose(np.abs(found.moments), 3.0 * np.array([0.07, 0.0, 0.35, 0.42]), atol=1e-12)
+
+
+@pytest.mark.parametrize("name", ["wedge", "planetary", "stepped"])
+@pytest.mark.parametrize("sense", [1, -1])
+def test_tangential_forces_turn_the_carrier_and_count_in_the_sense_of_the_input(drives, name, sense):
+    """Whatever the contacts do: force times distance from the axis, by any push angle."""
+    drive = dataclasses.replace(drives[name], sense=sense)
+    normal = jnp.linspace(90.0, 110.0, len(drive.contacts))
+    found = planar_loads(
+        drive=drive,
+        normal=normal,
+        tangential=0.1 * normal[::-1],
+        body_force=jnp.zeros((len(drive.floating), 2)),
+    )
+    radial, tangential = pin_components(drive=drive, force=found.pin)
+    np.testing.assert_allclose(np.hypot(radial, tangential), np.abs(found.pin), rtol=1e-12)
+    arms = np.linalg.norm(np.asarray(drive.centres)[list(drive.pinned)], axis=1)
+    carrier = drive.members.index("carrier")
+    moment = sense * float(drive.sectors) * np.sum(np.asarray(tangential) * arms)
+    assert moment == pytest.approx(float(found.moments[carrier]), rel=1e-9, abs=1e-9)

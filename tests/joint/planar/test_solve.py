@@ -21,7 +21,10 @@ def test_forces_of_the_planetary_by_hand(planetary):
     # the carrier pushes each planet; sun and ring take half of it each
     each = torque / (COUNT * ORBIT) / 2.0
     np.testing.assert_allclose(result.forces.tangential, [each, each], rtol=1e-12)
-    assert abs(document["forces"]["pin_N"]["planet"]) == pytest.approx(2.0 * each, rel=1e-12)
+    # the planet pushes its pin in the sense in which the sun turns
+    assert document["forces"]["pin_N"]["planet"] == pytest.approx(
+        {"radial": 0.0, "tangential": 2.0 * each}, rel=1e-12, abs=1e-9
+    )
     assert document["forces"]["input_torque_Nm"] == pytest.approx(torque / 6.0, rel=1e-12)
     # at rest the planet is pressed alike from both sides; turning, the ring holds it on its orbit
     np.testing.assert_allclose(*result.rest.normal, rtol=1e-12)
@@ -146,7 +149,7 @@ def test_the_multiroller_by_hand(planar_case):
     assert tangential["sr"] == pytest.approx(10.0 / (4.0 * ring * 1e-3), rel=1e-9)
     assert tangential["sf"] == pytest.approx(10.0 / ratio / (4.0 * 10e-3), rel=1e-9)
     # at rest the first row is pressed by two rollers against the sun, the second row by the ring between two
-    rest = forces["normal_at_rest_N"]
+    rest = forces["normal_without_torque_N"]
     lean = math.asin(orbit * math.sin(half) / 28.0)  # at the second row, from its radius to the first row
     assert rest["fsl"] == pytest.approx(rest["fsr"], rel=1e-9)
     assert rest["sr"] == pytest.approx(2.0 * rest["fsl"] * math.cos(lean), rel=1e-9)
@@ -164,8 +167,8 @@ def test_stepped_planets_by_hand(planar_case):
     assert abs(tangential["pr2"]) == pytest.approx(ring, rel=1e-9)
     # the free cage takes no torque: the forces on a planet balance by themselves
     assert abs(tangential["pr1"]) == pytest.approx(ring - sun, rel=1e-9)
-    assert forces["pin_N"]["planet"] == pytest.approx(0.0, abs=1e-9)
-    rest = forces["normal_at_rest_N"]
+    assert forces["pin_N"]["planet"] == pytest.approx({"radial": 0.0, "tangential": 0.0}, abs=1e-9)
+    rest = forces["normal_without_torque_N"]
     assert rest["sp"] == pytest.approx(rest["pr1"] + rest["pr2"], rel=1e-9)
 
 
@@ -184,7 +187,7 @@ def test_the_papers_drive_as_a_list_of_rollers(planar_case):
     _, _, document = solved_planar(planar_case("planar"))
     theta, beta = math.radians(27.083145), math.radians(13.158247)
     side = 500.0 / math.cos(theta)
-    rest = document["forces"]["normal_at_rest_N"]
+    rest = document["forces"]["normal_without_torque_N"]
     by_hand = [1000.0, side, side, side * math.cos(beta), side * math.cos(beta)]
     np.testing.assert_allclose(list(rest.values()), by_hand, rtol=1e-6)
     assert document["geometry"]["speed_ratio"] == pytest.approx(-9.0, rel=1e-9)

@@ -1,1 +1,1 @@
-"""Any planar roller drive: bodies, contacts and pins as data; kinematics, state at rest and rolling state from them."""
+"""Any planar roller drive: bodies, contacts and pins as data; kinematics, standing and rolling state from them."""

@@ -19,7 +19,7 @@ class PlanarLoads(NamedTuple):
     Parameters
     ----------
     pin : Array
-        Force of each roller on its pin along the push, positive outward from the clockwise tangent, shape (pins,) [N].
+        Force of each roller on its pin along the push, shape (pins,) [N].
     unbalanced : Array
         Force that no pin takes up, shape (floating, 2) [N]; 0 in a balanced state but for its residual.
     moments : Array
@@ -63,6 +63,30 @@ def planar_loads(*, drive: PlanarDrive, normal: Array, tangential: Array, body_f
         unbalanced=(left - matrices.pins.T @ pin).reshape(-1, 2),
         moments=member_moments(drive, matrices, tangential, pin),
     )
+
+
+def pin_components(*, drive: PlanarDrive, force: Array) -> tuple[Array, Array]:
+    """Components of the forces on the pins, with the signs of every table of loads.
+
+    Parameters
+    ----------
+    drive : PlanarDrive
+        The drive.
+    force : Array
+        Force of each roller on its pin along the push, shape (pins,) [N].
+
+    Returns
+    -------
+    tuple of Array
+        Radial, positive away from the axis, and tangential, positive in the sense in which the input turns, shape
+        (pins,) [N].
+
+    References
+    ----------
+    The push angle is counted from the clockwise tangent, outward.
+    """
+    push = jnp.asarray(drive.push_angles)
+    return force * jnp.sin(push), -drive.sense * force * jnp.cos(push)
 
 
 def member_moments(drive: PlanarDrive, matrices: Incidence, tangential: Array, pin: Array) -> Array:

@@ -16,10 +16,10 @@ from asperity.types import Real
 #: Largest relative residual of a state that is accepted as solved.
 STATE_TOLERANCE = 1e-9
 
-#: Creep law of contacts from their normal and tangential forces at rest.
+#: Creep law of contacts from their normal and tangential forces of the standing drive.
 CreepOf = Callable[[Array, Array], CreepLaw]
 
-_NEAR_SLIP = 0.999  # the slip at rest is continued as a line above this share of friction
+_NEAR_SLIP = 0.999  # the slip of a standing contact is continued as a line above this share of friction
 
 
 class ContactLaws(eqx.Module):
@@ -74,7 +74,7 @@ class PlanarState(eqx.Module):
         Forces of the contacts, shape (contacts,) [N]; a positive tangential force opposes a first surface that moves
         counter-clockwise around its body faster than the second.
     pin_force : Array
-        Forces of the pins on their bodies, against the push direction, shape (pins,) [N].
+        Force of each roller on its pin along the push, shape (pins,) [N].
     displacement : Array
         Displacements of the floating centres from first contact, shape (floating, 2) [m].
     rotation : Array

@@ -142,11 +142,11 @@ def drive_states(
     pattern : Array
         Interference of each contact over the interference of the drive, shape (contacts,) [-].
     preload, interference : Real or None
-        Normal force of the first contact at rest [N], or the interference of the drive [m]; one of them.
+        Normal force of the first contact without torque [N], or the interference of the drive [m]; one of them.
     load : DriveLoad
         Torque, forces on the bodies, and pins.
     creep_of : callable or None, optional
-        Creep law of contacts under the normal and tangential forces of the drive at rest; None for that of the laws.
+        Creep law of contacts under the normal and tangential forces of the standing drive; None for that of the laws.
 
     Returns
     -------
@@ -194,7 +194,7 @@ def loaded_state(
     rolls : Array
         Whether it rolls.
     creep_of : callable or None, optional
-        Creep law of contacts under the normal and tangential forces of the drive at rest; None for that of the laws.
+        Creep law of contacts under the normal and tangential forces of the standing drive; None for that of the laws.
 
     Returns
     -------
@@ -227,7 +227,7 @@ def loaded_states(
     load : DriveLoad
         Torque, forces on the bodies, and pins.
     creep_of : callable
-        Creep law of contacts under the normal and tangential forces of the drive at rest.
+        Creep law of contacts under the normal and tangential forces of the standing drive.
 
     Returns
     -------

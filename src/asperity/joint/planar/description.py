@@ -63,7 +63,7 @@ class PlanarJoint(eqx.Module):
     pattern : tuple of Real
         Interference of each contact over that of the drive [-].
     preload, interference : Real or None
-        Normal force of the first contact at rest [N], or the interference of the drive [m]; one of them.
+        Normal force of the first contact without torque [N], or the interference of the drive [m]; one of them.
     output_torque : Real
         Torque at the output, of either sign [N·m]; positive where it resists the rotation.
     input_speed : Real

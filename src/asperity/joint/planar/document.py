@@ -9,6 +9,7 @@ import jax
 import numpy as np
 
 import asperity
+from asperity.drive.planar.loads import pin_components
 from asperity.joint.capacity import TorqueCapacity, capacity_document
 from asperity.joint.document import (
     contact_documents,
@@ -89,10 +90,15 @@ def planar_document(
                 "loading_cam": None,
             },
             "forces": {
-                "normal_at_rest_N": dict(zip(names, np.asarray(result.rest.normal), strict=True)),
+                "normal_without_torque_N": dict(zip(names, np.asarray(result.rest.normal), strict=True)),
                 "normal_N": dict(zip(names, np.asarray(result.forces.normal), strict=True)),
                 "tangential_N": dict(zip(names, np.asarray(result.forces.tangential), strict=True)),
-                "pin_N": dict(zip(pinned, np.asarray(result.forces.pins), strict=True)),
+                "pin_N": {
+                    name: {"radial": radial, "tangential": tangential}
+                    for name, radial, tangential in zip(
+                        pinned, *pin_components(drive=drive, force=result.forces.pins), strict=True
+                    )
+                },
                 "input_torque_Nm": result.forces.input_torque,
                 "output_torque_Nm": result.forces.output_torque,
                 "body_mass_kg": dict(zip(result.body_names, np.asarray(result.masses), strict=True)),

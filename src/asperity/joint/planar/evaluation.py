@@ -41,7 +41,7 @@ class PlanarForces(eqx.Module):
     normal, tangential : Array
         Of the contacts, shape (contacts,) [N]; a tangential force is positive where the first body drives the second.
     pins : Array
-        Of the pins, shape (pins,) [N].
+        Force of each roller on its pin along the push, shape (pins,) [N].
     input_torque, output_torque : Array
         Torques [N·m].
     balance_residual, closure_residual : Array
@@ -71,7 +71,7 @@ class PlanarResult(eqx.Module):
     masses : Array
         Of one of each body, shape (bodies,) [kg].
     preload, interference : Array
-        Normal force of the first contact at rest [N], and the interference that makes it [m].
+        Normal force of the first contact without torque [N], and the interference that makes it [m].
     rest : PlanarState
         The assembled drive.
     forces : PlanarForces
@@ -263,7 +263,7 @@ def turning(
     contacts : JointContacts
         Its contacts.
     creep : ContactCreep
-        Their creep under the forces at rest.
+        Their creep under the forces of the standing drive.
     state : PlanarState
         The rolling state, its tangential forces and creepages with the sense of the drive.
 

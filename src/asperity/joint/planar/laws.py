@@ -23,7 +23,7 @@ _REFERENCE_STEPS = 4
 
 
 def contact_laws(joint: PlanarJoint, contacts: JointContacts) -> ContactLaws:
-    """Laws of the contacts of a joint around their forces at rest.
+    """Laws of the contacts of a joint around their forces without torque.
 
     Parameters
     ----------
@@ -95,7 +95,7 @@ def _approach(
 
 
 def creep_law(contacts: JointContacts, normal_force: Array, tangential_force: Array) -> ContactCreep:
-    """Creep of the contacts of a drive with the factor of their asperities under its forces at rest.
+    """Creep of the contacts of a drive with the factor of their asperities under its standing forces.
 
     Parameters
     ----------

@@ -10,7 +10,7 @@ import jax.numpy as jnp
 import numpy as np
 
 from asperity.drive.planar.layout import CARRIER, speeds
-from asperity.drive.planar.loads import PlanarLoads, planar_loads
+from asperity.drive.planar.loads import PlanarLoads, pin_components, planar_loads
 from asperity.joint.loads_document import Document, Row, case_entry, document_of_rows
 from asperity.joint.planar.description import PlanarJoint, tracks_of
 from asperity.joint.planar.evaluation import PlanarResult, driving_sense
@@ -24,7 +24,8 @@ _NOTES = (
     "All sectors are equal: the forces of the rollers on the bodies on the axis and on the carrier balance, and a "
     "torque remains, so that their bearings carry no force. Weights, forces from outside and unequal sectors are not "
     "counted.",
-    "Where the input turns the forces are those of steady rolling, otherwise those of the joint at rest.",
+    "Where the input turns the forces are those of steady rolling, otherwise those of the joint standing under the "
+    "torque.",
 )
 _FREE = "Rollers without a pin are held by their contacts alone."
 _IN_ONE_PLANE = (
@@ -46,7 +47,7 @@ def working_planar_loads(joint: PlanarJoint, result: PlanarResult) -> PlanarLoad
     Returns
     -------
     PlanarLoads
-        Of steady rolling where the input turns, of the state at rest where it stands; nan where there is none.
+        Of steady rolling where the input turns, else of the state standing under the torque; nan where there is none.
 
     References
     ----------
@@ -67,7 +68,7 @@ def working_planar_loads(joint: PlanarJoint, result: PlanarResult) -> PlanarLoad
     return numbers
 
 
-def planar_loads_at_rest(joint: PlanarJoint, result: PlanarResult) -> PlanarLoads:
+def planar_loads_without_torque(joint: PlanarJoint, result: PlanarResult) -> PlanarLoads:
     """Loads of the structure of an assembled joint without torque.
 
     Parameters
@@ -110,16 +111,16 @@ def planar_loads_document(joint: PlanarJoint, solution: PlanarSolution) -> Docum
     Returns
     -------
     dict
-        Two cases, at rest and under the working torque; None where a value is not known.
+        Two cases, without torque and under the working torque; None where a value is not known.
     """
     result = solution.result
-    loads = planar_loads_at_rest(joint, result), working_planar_loads(joint, result)
+    loads = planar_loads_without_torque(joint, result), working_planar_loads(joint, result)
     why = None
     if bool(np.any(np.isnan(loads[1].moments))):
         why = unknown_because(joint, result)[0]
     torque, speed = float(joint.output_torque), float(joint.input_speed)
     cases = [
-        case_entry("at rest", 0.0, 0.0, None, None),
+        case_entry("without torque", 0.0, 0.0, None, None),
         case_entry("working torque", torque, speed, None, why),
     ]
     drive = joint.drive
@@ -139,13 +140,13 @@ def _rows(joint: PlanarJoint, loads: tuple[PlanarLoads, PlanarLoads]) -> Iterato
     relative = np.abs(np.asarray(speeds(drive) - speeds(drive)[members.index(CARRIER)])) * float(
         joint.input_speed
     )
-    push = np.asarray(drive.push_angles)
+    pins = [pin_components(drive=drive, force=load.pin) for load in loads]
     for k, body in enumerate(drive.pinned):
         part = ("carrier pin", drive.bodies[body].name.replace("_", " "))
-        force = np.array([load.pin[k] for load in loads])
-        yield *part, "radial force", "N", force * np.sin(push[k])
-        yield *part, "tangential force", "N", -drive.sense * force * np.cos(push[k])
-        yield *part, "resultant force", "N", np.abs(force)
+        radial, tangential = (np.array([float(each[way][k]) for each in pins]) for way in (0, 1))
+        yield *part, "radial force", "N", radial
+        yield *part, "tangential force", "N", tangential
+        yield *part, "resultant force", "N", np.hypot(radial, tangential)
         yield *part, "speed, roller on pin", "rad/s", np.array([0.0, relative[body]])
     for number, name in enumerate(members):
         if name != CARRIER and drive.bodies[number].place != "axis":

@@ -27,7 +27,7 @@ class PlanarSolution(eqx.Module):
     result : PlanarResult
         Forces, contacts, stiffness, diagnostics and rolling.
     capacity, reverse_capacity : TorqueCapacity
-        Largest positive and largest negative output torque at rest [N·m], and what limits them.
+        Largest positive and largest negative output torque, standing [N·m], and what limits them.
     rolling_capacity, reverse_rolling_capacity : TorqueCapacity
         The same in rolling.
     """

@@ -121,7 +121,7 @@ class SolvedPlanarJoint(SolvedJoint):
 
     @property
     def preload(self) -> Any:
-        """Normal force of the first contact at rest [N]."""
+        """Normal force of the first contact without torque [N]."""
         return self.result.preload
 
     def row_names(self, axis: str) -> tuple[str, ...]:

@@ -45,7 +45,7 @@ ROWS = (
         "1",
         "bearings.static_safety",
         lowest_limit=0.0,
-        note=f"C_0 over the largest load at rest, under the torque and under the duty; {_NEEDS}",
+        note=f"C_0 over the largest load without torque, under the torque and under the duty; {_NEEDS}",
         limit=Limit(
             "damage",
             "the raceways of the bearing keep their shape",

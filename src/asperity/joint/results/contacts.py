@@ -57,7 +57,8 @@ ROWS = (
         "N",
         "preload",
         needs="geometry",
-        note="with a loading cam, that under the output torque; of other drives the force of the first contact at rest",
+        note="with a loading cam, that under the output torque; of other drives the force of the first contact "
+        "without torque",
     ),
     _force(
         "interference",

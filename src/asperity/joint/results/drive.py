@@ -128,7 +128,7 @@ ROWS = (
                 "N*m",
                 f"{prefix}rolling_capacity",
                 note=f"the largest {words} output torque under which the joint rolls without gross slip; below the "
-                "capacity at rest where equal creep loads the weaker side of a planet more",
+                "capacity standing where equal creep loads the weaker side of a planet more",
             ),
         )
     ),

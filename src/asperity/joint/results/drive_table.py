@@ -13,7 +13,7 @@ from asperity.joint.results.result import Result, SolvedJoint
 from asperity.joint.results.table import RESULTS
 
 _LABELS = {
-    "preload": "normal force of the first contact at rest",
+    "preload": "normal force of the first contact without torque",
     "speed_ratio": "speed ratio, input over output",
     "carrier_speed": "angular velocity of the output",
     "input_torque": "torque at the input",

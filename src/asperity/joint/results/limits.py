@@ -76,7 +76,7 @@ ROWS = (
         axis="contact",
         positive=False,
         lowest_limit=0.0,
-        note="each contact's normal force over its value at rest",
+        note="each contact's normal force over its value without torque",
         limit=Limit(
             "function",
             "the contact is loaded",

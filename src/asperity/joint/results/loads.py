@@ -13,7 +13,7 @@ from asperity.unit_table import Dimension
 
 _load = functools.partial(Result, group="loads", wedge_only=True)
 _FORCE, _TORQUE = Dimension.FORCE, Dimension.TORQUE
-_STATE = "in rolling where the sun turns, at rest where it stands"
+_STATE = "in rolling where the sun turns, standing under the torque where it stands"
 
 
 def _bending_moment(solved: SolvedJoint) -> Any:

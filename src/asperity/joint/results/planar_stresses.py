@@ -55,7 +55,7 @@ ROWS = (
         "rim_yield_safety",
         "safety of a ring or hollow roller against yield",
         value="rims.yield_safety",
-        note="yield strength over the largest Mises stress of both rims, at rest and under the torque; nan for bodies "
+        note="yield strength over the largest Mises stress of both rims, without torque and under it; nan for bodies "
         "that do not bend",
         present=lambda solved: bends(solved.joint),
         limit=Limit(

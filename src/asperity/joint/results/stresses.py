@@ -73,7 +73,7 @@ def _rows(body: str, words: str) -> tuple[Result, ...]:
             f"{body}_yield_safety",
             f"safety of {words} against yield",
             value=f"rims.{body}.yield_safety",
-            note=f"{absent}yield strength over the largest Mises stress of both rims, at rest and under the torque",
+            note=f"{absent}yield strength over the largest Mises stress of both rims, without torque and under it",
             present=lambda solved: (bends(solved),),
             limit=Limit(
                 "damage",
