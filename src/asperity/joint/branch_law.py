@@ -103,7 +103,7 @@ class BranchLaws:
         Returns
         -------
         dict
-            Normal and tangential forces and slip ratios at rest and in rolling, Hertz pressure over first yield and
+            Normal and tangential forces and slip ratios, standing and in rolling, Hertz pressure over first yield and
             over the shakedown limit, shape (5, n); speed loss, life [h] and compliance at the output [rad/(N·m)], shape
             (n,). nan where a branch is loose.
         """

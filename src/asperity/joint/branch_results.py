@@ -12,7 +12,7 @@ from asperity.joint.branch_sizes import BranchSizes
 
 @dataclass(frozen=True)
 class BranchState:
-    """The branches of a joint under a torque, at rest or in rolling. SI units; branches last, shape (..., n).
+    """The branches of a joint under a torque, standing or in rolling. SI units; branches last, shape (..., n).
 
     Parameters
     ----------
@@ -26,7 +26,7 @@ class BranchState:
         Displacement of the sun [m], and the force of the planets on it [N], shape (2,); the first planet lies on the
         first axis.
     limits : dict
-        By the names of the table of results: at rest the Hertz pressure over first yield, in rolling that over the
+        By the names of the table of results: standing the Hertz pressure over first yield, in rolling that over the
         shakedown limit, of each contact of each branch, shape (5, n) [-]; and ``life_hours`` at the joint's torque, as
         if all branches were like this one, shape (n,) [h]. Empty where slip was not asked for.
     """
@@ -46,7 +46,7 @@ class BranchState:
 
 @dataclass(frozen=True)
 class BranchCapacity:
-    """How much torque unequal branches pass together, at rest or in rolling.
+    """How much torque unequal branches pass together, standing or in rolling.
 
     Parameters
     ----------

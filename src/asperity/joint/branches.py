@@ -132,7 +132,7 @@ class BranchedJoint:
 
 
 class _Solver:
-    """Branches of given sizes at rest or in rolling: one common angle or speed loss decides everything."""
+    """Branches of given sizes, standing or in rolling: one common angle or speed loss decides everything."""
 
     def __init__(
         self, drive: BranchedJoint, sizes: BranchSizes, law: BranchLaw, *, turns: bool, slip: bool

@@ -23,7 +23,7 @@ class SizeErrorCurves:
     standing_share, rolling_share : ndarray
         Shares of the branches in the torque [-]; nan where all slip.
     first_slip, all_slip : ndarray
-        Torques at rest at which the weakest branch and all of them slip [N·m].
+        Torques of the standing joint at which the weakest branch and all of them slip [N·m].
     sun_force : ndarray
         Force of the planets on the sun under the torque at rest [N].
     """

@@ -32,16 +32,16 @@ class BranchScatter:
     Parameters
     ----------
     first_slip, all_slip, rolling_first_slip : ndarray
-        Torques at which the weakest branch slips at rest, all do, and the weakest does in rolling [N·m]; 0 where every
+        Torques at which the weakest branch slips standing, all do, and the weakest does in rolling [N·m]; 0 where every
         branch is loose.
     largest_share, largest_rolling_share : ndarray
-        Largest share of a branch in the torque, at rest and in rolling [-]; nan where they do not pass it.
+        Largest share of a branch in the torque, standing and in rolling [-]; nan where they do not pass it.
     sun_force : ndarray
         Force of the planets on the sun's bearings [N].
     loose : ndarray of bool
         Whether a branch is loose.
     equal : float
-        Capacity at rest of equal branches of nominal size [N·m].
+        Capacity, standing, of equal branches of nominal size [N·m].
     torque : float
         The joint's torque [N·m].
     seed : int
