@@ -52,6 +52,10 @@ def planar_assumptions(case: PlanarCase) -> tuple[str, ...]:
     if case.model.bodies != "springs" and case.model.plane_state is None:
         told.append("no model.plane_state: plane strain; plane stress is the bound for thin bodies")
     told.append("standing: forces from the slip of the contacts on one loading from rest")
+    told.append(
+        "torque capacity: the torque at which the first contact slips or lifts off while the drive stands; where "
+        "several contacts share a load, the others may still hold"
+    )
     entries = case.surface.values() if isinstance(case.surface, dict) else [case.surface]
     for ranged, which in (
         (True, "middle of its range"),
