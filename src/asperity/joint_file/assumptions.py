@@ -155,8 +155,8 @@ def _fatigue(case: Case) -> list[str]:
         "loading_roller": case.drive.loading_roller_bore_diameter is not None,
     }
     return [
-        f"no fatigue_strength of material {name}: the {body.replace('_', ' ')} bends, and its safety against fatigue is "
-        "not computed"
+        f"no fatigue_strength of material {name}: the {body.replace('_', ' ')} bends, and its safety against fatigue "
+        "is not computed"
         for body, name in case.bodies
         if bends.get(body, False) and case.materials[name].fatigue_strength is None
     ]
