@@ -6,6 +6,7 @@ import jax.numpy as jnp
 from jax import Array
 
 from asperity.drive.planar.layout import CARRIER, PlanarDrive, incidence, speeds
+from asperity.drive.planar.linear import least_squares
 
 
 def creeping_speeds(*, drive: PlanarDrive, creepage: Array) -> tuple[Array, Array]:
@@ -49,6 +50,6 @@ def creeping_speeds(*, drive: PlanarDrive, creepage: Array) -> tuple[Array, Arra
     free = jnp.array([i for i in range(len(members)) if i not in known])
     matrix = turning - creepage[:, None] * rolled
     scale = jnp.max(jnp.abs(turning))
-    found, *_ = jnp.linalg.lstsq(matrix[:, free] / scale, -drive.sense * matrix[:, known[0]] / scale)
+    found = least_squares(matrix[:, free] / scale, -drive.sense * matrix[:, known[0]] / scale)
     speed = jnp.zeros(len(members)).at[known[0]].set(float(drive.sense)).at[free].set(found)
     return speed, rolled @ speed

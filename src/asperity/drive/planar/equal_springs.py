@@ -6,6 +6,7 @@ import jax.numpy as jnp
 from jax import Array
 
 from asperity.drive.planar.layout import PlanarDrive, incidence
+from asperity.drive.planar.linear import solve
 
 
 def rest_forces(*, drive: PlanarDrive, pattern: Array) -> Array:
@@ -40,4 +41,4 @@ def rest_forces(*, drive: PlanarDrive, pattern: Array) -> Array:
             [jnp.eye(1, contacts), none((1, pins)), none((1, moves)), none((1, 1))],
         ]
     )
-    return jnp.linalg.solve(system, jnp.zeros(system.shape[0]).at[-1].set(1.0))[:contacts]
+    return solve(system, jnp.zeros(system.shape[0]).at[-1].set(1.0))[:contacts]

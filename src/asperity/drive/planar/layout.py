@@ -16,6 +16,7 @@ import equinox as eqx
 import jax.numpy as jnp
 from jax import Array
 
+from asperity.drive.planar.linear import least_squares
 from asperity.types import Real
 
 #: The member that carries the pins; it has no contacts of its own.
@@ -328,7 +329,7 @@ def speeds(drive: PlanarDrive) -> Array:
     free = [i for i in range(len(members)) if i not in known]
     matrix, right = turning[:, jnp.array(free)], -drive.sense * turning[:, known[0]]
     scale = jnp.max(jnp.abs(turning))
-    found, *_ = jnp.linalg.lstsq(matrix / scale, right / scale)
+    found = least_squares(matrix / scale, right / scale)
     return jnp.zeros(len(members)).at[known[0]].set(float(drive.sense)).at[jnp.array(free)].set(found)
 
 

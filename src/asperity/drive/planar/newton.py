@@ -10,6 +10,8 @@ import jax.flatten_util
 import jax.numpy as jnp
 from jax import Array
 
+from asperity.drive.planar.linear import solve as linear_solve
+
 _NEWTON_BUDGET = 60
 _SMALLEST_SHARE = 0.2  # a step leaves at least this share of each positive unknown
 
@@ -59,7 +61,7 @@ def damped_root(equations: Callable[[Any], Any], first: Any, *, positive: int) -
         return x
 
     def tangent_solve(linear, right_side: Array) -> Array:  # type: ignore[no-untyped-def]
-        return jnp.linalg.solve(jax.jacfwd(linear)(right_side), right_side)
+        return linear_solve(jax.jacfwd(linear)(right_side), right_side)
 
     found = jax.lax.custom_root(residual, flat, lambda _, x: solve(_, x), tangent_solve)
     return shape(found)

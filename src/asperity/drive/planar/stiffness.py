@@ -14,6 +14,7 @@ import jax.numpy as jnp
 from jax import Array
 
 from asperity.drive.planar.layout import CARRIER, PlanarDrive, incidence, sectors_of_members
+from asperity.drive.planar.linear import solve
 from asperity.types import Real
 
 
@@ -110,7 +111,7 @@ def planar_stiffness(
     system = jnp.block([[stiff / scale, -kinematic], [static.T, jnp.zeros((unknown, unknown))]])
     place = unknown - len(turning) + turning.index(out)
     load = jnp.zeros(system.shape[0]).at[stiff.shape[0] + place].set(-1.0 / length)
-    found = jnp.linalg.solve(system, load)
+    found = solve(system, load)
     force = found[: stiff.shape[0]]
     turned = jnp.abs(found[stiff.shape[0] + place]) * scale / length
     shares = drive.sectors * force * (stiff @ force) / turned
