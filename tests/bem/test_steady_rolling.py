@@ -68,6 +68,7 @@ def test_carters_traction(contact):
     assert float(found.stick_fraction) == pytest.approx(0.5, abs=0.011)
 
 
+@pytest.mark.slow
 def test_the_line_deck_of_contact():
     """Deck carter2d: steel on steel, R 500 mm, 178.9 N/mm, mu 0.3, creepage 2.4e-4; in closed form q = 0.639995."""
     young = 2.0 * 82e9 * 1.28
@@ -123,6 +124,7 @@ def test_skew_alone_is_carter_in_anti_plane_shear(contact):
     assert abs(float(found.tangential_force[0])) < 1e-10
 
 
+@pytest.mark.slow
 def test_without_lateral_contraction_friction_knows_no_direction():
     """nu = 0: the surface is as stiff both ways, so Carter holds along any creepage."""
     contact = line_contact(100, poisson_ratio=0.0)

@@ -80,6 +80,7 @@ CONTACT_ONSET_OF_ROLLING = [1.824, 1.882, 1.955, 2.050, 2.140, 2.221, 2.334, 2.4
                             3.101, 3.101, 3.101, 3.101]  # fmt: skip
 
 
+@pytest.mark.slow
 def test_the_onset_of_rolling_of_a_ball_as_contact_computes_it():
     """Traction along the force alone, CONTACT has both components: 1 % of the creepage."""
     pair = elastic_pair(
@@ -154,6 +155,7 @@ def test_a_contact_that_stands_slips_as_in_partial_slip(contact):
     np.testing.assert_allclose(found.shear.friction_work, same.friction_work, rtol=1e-6)
 
 
+@pytest.mark.slow
 def test_steady_rolling_dissipates_force_times_creepage():
     """Slip is taken at the end of each step: an error of first order in the pixel."""
     missing = []

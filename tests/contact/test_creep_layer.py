@@ -49,6 +49,7 @@ def test_factors_of_an_independent_solver(factor, ratio, expected):
     np.testing.assert_allclose(found, expected, rtol=8e-3)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("with_pressure", LAWS)
 @pytest.mark.parametrize(("i", "j"), [(0, 0), (2, 3), (4, 5), (6, 8), (8, 10)])
 def test_entries_of_the_table_recomputed(boundary_elements, with_pressure, i, j):

@@ -231,6 +231,7 @@ def values_and_slopes():
     return jax.jit(jax.vmap(lambda *x: (values_of(*x), jax.jacfwd(values_of, range(9))(*x))))
 
 
+@pytest.mark.slow
 def test_values_and_gradients_are_finite_over_the_whole_domain(values_and_slopes):
     point = domain()
     values, slopes = values_and_slopes(*arguments(point))

@@ -77,6 +77,7 @@ def test_by_hand_the_sun_slips_near_mu_times_the_preload(paper_joint):
     assert by_hand < float(capacity(paper_joint(), 1.0).output_torque) < 1.05 * by_hand
 
 
+@pytest.mark.slow
 def test_the_weak_contact_is_named_in_either_direction(paper_joint):
     joint = dataclasses.replace(
         paper_joint(), friction_coefficients=tuple(map(np.asarray, (0.2, 0.2, 0.05, 0.2, 0.2)))

@@ -109,6 +109,7 @@ def test_closure_and_interference_by_their_definition(springs_joint, crowned, pl
     assert crowned.interference[place] == pytest.approx(work, rel=1e-11)
 
 
+@pytest.mark.slow
 def test_preload_and_interference_are_inverse(springs_joint, crowned):
     for place in (2, 4):
         joint = planets_crowned(springs_joint, RADII[place])

@@ -46,6 +46,7 @@ def joint(paper_joint):
     return make
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("support", ["free", "rigid_housing"])
 def test_the_papers_joint_over_the_wall_of_its_ring(joint, load_example, support, output):
     """With asperities too stiff to count, against the bodies alone of examples/ring_wall.py: one matrix a body."""

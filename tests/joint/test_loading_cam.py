@@ -42,6 +42,7 @@ def test_forces_creep_and_life_are_those_of_the_preload_at_the_torque(pressed):
     assert np.all(np.asarray(held.assembly.loading_cam_share) == 0.0)
 
 
+@pytest.mark.slow
 def test_the_cam_adds_its_turning_to_the_compliance(pressed):
     """Its angle over the torque, by central differences, is what the stiffness loses."""
     _, with_cam, held = pressed

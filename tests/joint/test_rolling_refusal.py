@@ -10,6 +10,7 @@ from asperity.joint.rolling_refusal import _largest, refuse_no_rolling, rolling_
 from asperity.joint.solve import solve
 
 
+@pytest.mark.slow
 def test_at_the_capacity_one_contact_is_at_its_limit(wedged):
     solution = solve(wedged)
     capacity = rolling_capacity_of(wedged, solution, direction=1.0)

@@ -9,7 +9,7 @@ from asperity.show.sheet_figure import sheet_figure
 
 
 @pytest.mark.parametrize("forces", [False, True])
-@pytest.mark.parametrize("name", ["zou2025", "tutorial_joint"])
+@pytest.mark.parametrize("name", ["zou2025", pytest.param("tutorial_joint", marks=pytest.mark.slow)])
 def test_every_text_is_inside_the_frame_and_covers_no_other(joint_of, name, forces):
     joint = joint_of(name)
     found = solve(joint).result.forces if forces else None

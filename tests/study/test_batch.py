@@ -109,6 +109,7 @@ def test_slopes_are_the_derivatives(values):
             assert slopes[name][..., index] == pytest.approx(difference, rel=1e-5, abs=1e-7 * scale), name
 
 
+@pytest.mark.slow
 def test_both_ways_give_the_same_numbers_where_the_joint_exists(values):
     torque = {"load.output_torque": np.array([0.0, 5.0, 20.0])}
     names = ("assembly_stiffness_output", "slip_ratio", "clearance")

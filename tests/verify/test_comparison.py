@@ -40,6 +40,7 @@ def test_persson_meets_the_boundary_elements_within_its_known_error(elastic_regi
     assert np.all((stiffness > 0.75) & (stiffness < 1.25))
 
 
+@pytest.mark.slow
 def test_tangential_over_normal_is_mindlins_ratio(elastic_regime):
     ratio = np.asarray(elastic_regime.tangential_stiffness / elastic_regime.normal_stiffness)
     np.testing.assert_allclose(ratio, 2.0 * 0.7 / 1.7, rtol=0.02)

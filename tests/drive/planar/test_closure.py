@@ -10,6 +10,7 @@ from asperity.drive.planar.closure import closed
 from asperity.drive.planar.layout import gaps
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["wedge", "multiroller"])
 def test_displaced_centres_return(drives, name):
     """The centres that close the gaps are those of the formulas, apart from a rotation about the axis."""
