@@ -37,16 +37,15 @@ def results_of_drive(
     -------
     dict
         Name → the row of :data:`asperity.joint.results.RESULTS`, with the names of this drive; without those that only
-        the drive of Zou et al. 2025 has, and with those of its rings and hollow rollers.
+        the drive of Zou et al. 2025 has.
     """
     names = {"contact": contacts, "body": bodies, "clearance": neighbours}
     rows = [_named(row, names) for row in RESULTS.values() if not row.wedge_only]
-    rows += [_named(row, names) for row in planar_stresses.ROWS]
     return {row.name: row for row in rows if row.row_names}
 
 
 def results_of_joint(solved: SolvedJoint) -> dict[str, Result]:
-    """Every result that a solved joint has.
+    """Every result that a single solved joint has.
 
     Parameters
     ----------
@@ -56,11 +55,13 @@ def results_of_joint(solved: SolvedJoint) -> dict[str, Result]:
     Returns
     -------
     dict
-        Name → row.
+        Name → row; also the stresses of rings and hollow rollers of a planar drive, which studies do not compute.
     """
-    if isinstance(solved.joint, PlanarJoint):
-        return results_of_drive(*(solved.row_names(axis) for axis in ("contact", "body", "clearance")))
-    return RESULTS
+    if not isinstance(solved.joint, PlanarJoint):
+        return RESULTS
+    contacts, bodies, clearances = (solved.row_names(axis) for axis in ("contact", "body", "clearance"))
+    stresses = {row.name: _named(row, {"body": bodies}) for row in planar_stresses.ROWS}
+    return results_of_drive(contacts, bodies, clearances) | stresses
 
 
 def _named(row: Result, names: dict[str, tuple[str, ...]]) -> Result:

@@ -151,8 +151,7 @@ def chosen_results(names: Iterable[str], *, table: Mapping[str, Result] = RESULT
     """
     wanted: dict[str, None] = {}
     for name in names:
-        own = (row.name for row in table.values() if row.group == name)
-        group = tuple(each for each in (*GROUPS.get(name, (name,)), *own) if each in table)
+        group = tuple(each for each in GROUPS.get(name, (name,)) if each in table)
         if not group:
             _refuse_for_the_drive(name)
             groups = [each for each, members in GROUPS.items() if any(member in table for member in members)]
