@@ -42,7 +42,7 @@ def changes(point):
     return {**numbers, "load.output_torque": np.array([1e-6, 5.0]), "load.sun_speed": np.zeros(2)}
 
 
-@pytest.mark.slow
+@pytest.mark.long
 @pytest.mark.parametrize(
     "path",
     [

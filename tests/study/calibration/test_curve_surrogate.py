@@ -28,7 +28,7 @@ def model(zou_file):
     return CurveModel(case=case, measurement=data, unknowns=unknowns, level="assembly", history="virgin")
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_prediction(model):
     centre = np.array([model.unknowns[0].to_unit(900.0), model.unknowns[1].to_unit(0.14), 0.3, 0.4, 0.5, 0.6])
     spread = 0.01 * np.eye(6)[:, :6]
@@ -47,7 +47,7 @@ def test_prediction(model):
     assert np.all(np.diff(lower) > 0.0)
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_joint_that_hardly_exists(model):
     slips = np.array([0.0, 0.0, 0.3, 0.4, 0.5, 0.6])  # 300 N and mu = 0.09
     assert np.all(np.isnan(model.predictions(slips[None])))

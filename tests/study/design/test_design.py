@@ -17,7 +17,7 @@ from asperity.study.design.design import design, nominal_results
 from asperity.study.design.design_file import design_from_tables, read_design
 from asperity.study.design.design_result import conflict
 
-pytestmark = pytest.mark.slow
+pytestmark = pytest.mark.long
 
 
 def run(zou_file, text):
@@ -35,7 +35,6 @@ def values(zou_file):
     return si_values(parse_case(zou_file.read_text(), source="test"))
 
 
-@pytest.mark.long
 def test_best_dimension_against_exhaustive_search(zou_file, values):
     found = run(
         zou_file,
