@@ -63,8 +63,24 @@ def standing_at(joint: Joint | PlanarJoint, torques: Array) -> Standing:
         found = over_torque(joint, torques, no_slip_friction=NO_SLIP_FRICTION)
         own, without = ({name: np.asarray(getattr(found, name))[:, k] for name in LEVELS} for k in range(2))
         return Standing(np.asarray(found.solved), np.asarray(found.slip_ratio).T, own, without)
-    batch = at_standstill(joint, torques)
-    return Standing(*jax.tree.map(np.asarray, compile_fast(_at_torques, batch)(batch)))
+    # one program evaluates both: two assemblies that run side by side can wait for each other for ever (LAPACK in XLA)
+    batch = at_standstill(joint, jnp.tile(torques, 2))
+    slips = np.arange(2 * torques.size) < torques.size
+    batch = dataclasses.replace(
+        batch,
+        friction_coefficients=tuple(
+            jnp.where(slips, own, none)
+            for own, none in zip(
+                batch.friction_coefficients, without_slip(batch).friction_coefficients, strict=True
+            )
+        ),
+    )
+    solved, slip_ratio, levels = jax.tree.map(np.asarray, compile_fast(_at_torques, batch)(batch))
+    own, without = (
+        {name: values[half] for name, values in levels.items()}
+        for half in (slice(torques.size), slice(torques.size, None))
+    )
+    return Standing(solved[: torques.size], slip_ratio[:, : torques.size], own, without)
 
 
 def without_slip(joint: Joint) -> Joint:
@@ -110,10 +126,10 @@ def at_standstill(joint: Joint, output_torque: Array) -> Joint:
     )
 
 
-def _at_torques(joint: Joint) -> tuple[Real, Real, dict[str, Array], dict[str, Array]]:
-    """Whether the balance closes, T/(mu N), and the stiffness on every level, as it is and without slip."""
-    result, elastic = evaluate(joint), evaluate(without_slip(joint))
-    return result.solved, result.diagnostics.slip_ratio, _levels(result), _levels(elastic)
+def _at_torques(joint: Joint) -> tuple[Real, Real, dict[str, Array]]:
+    """Whether the balance closes, T/(mu N), and the stiffness on every level."""
+    result = evaluate(joint)
+    return result.solved, result.diagnostics.slip_ratio, _levels(result)
 
 
 def _levels(result: JointResult) -> dict[str, Array]:
