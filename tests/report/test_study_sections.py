@@ -1,14 +1,13 @@
 """Sections of a report on sensitivities, tolerances and a design."""
 
 import dataclasses
-from types import SimpleNamespace
 
 import numpy as np
 import pytest
 
 from asperity.report.content import Heading, Listing, Paragraph, Picture, Table
 from asperity.report.study_sections import STUDIED, ReportStudies, study_files, study_sections
-from asperity.study.design.design_problem import SUMMARY, Objective, Variable, WorstCase
+from asperity.study.design.design_problem import SUMMARY, DesignProblem, Objective, Variable, WorstCase
 from asperity.study.design.design_result import DesignResult, LimitReport
 
 xarray = pytest.importorskip("xarray", reason="the extra 'study' is not installed")
@@ -30,6 +29,7 @@ def sensitivities():
             "input": PATHS,
             "result_unit": ("result", ["1"] * len(STUDIED)),
             "input_name": ("input", ["preload", "sun radius"]),
+            "result_name": ("result", [f"{name} of this drive" for name in STUDIED]),
         },
     )
 
@@ -57,6 +57,7 @@ def spread():
             "input": PATHS,
             "distribution": ("input", ["uniform", "normal 2 sigma"]),
             "input_name": ("input", ["preload", "sun radius"]),
+            "result_name": ("result", [f"{name} of this drive" for name in STUDIED]),
             "unit": ("result", ["1"] * count),
         },
         attrs={"seed": 0},
@@ -70,15 +71,20 @@ def designed(case, monkeypatch):
     monkeypatch.setattr(
         "asperity.study.design.design_plot.design_figure", lambda result, width: Figure(figsize=(width, 2.0))
     )
-    problem = SimpleNamespace(
+    problem = DesignProblem(
         case=case,
+        joint_file="joint.toml",
+        level="assembly",
         variables=(Variable("load.preload", 500.0, 2000.0, logarithmic=True),),
         objectives=(Objective("assembly_stiffness_output", -1.0),),
+        constraints=(),
         worst_case=WorstCase((0.0, 5.0), "none", 0, 0),
+        starts=1,
+        seed=0,
     )
     limit = LimitReport(
-        name="slip_ratio", row="sp", at_most=True, limit=0.8, value=0.8, missed_by=0.0, active=True,
-        multiplier=0.1, implied=False, output_torque=5.0,
+        name="slip_ratio", label="slip ratio T/(mu N)", row="sp", at_most=True, limit=0.8, value=0.8, missed_by=0.0,
+        active=True, multiplier=0.1, implied=False, output_torque=5.0,
     )  # fmt: skip
     return DesignResult(
         problem=problem,

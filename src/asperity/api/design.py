@@ -126,7 +126,7 @@ class DesignedJoint(Shown):
             for path in self.keys()
         ]
         return [
-            f"{goal.text} (worst case): {before} -> {after}; all limits are met",
+            f"{result.problem.goal} (worst case): {before} -> {after}; all limits are met",
             Table(("free number", "design", "at bound"), numbers),
             "\n".join(limit.text for limit in result.limits),
         ]

@@ -202,7 +202,7 @@ def _show(result: DesignResult) -> None:
     if problem.worst_case.tolerances != "none":
         worst += f" and the {problem.worst_case.tolerances} of the tolerances"
     before, after = (format_quantity(v, unit) for v in (result.objective_before, result.objective_after))
-    target.print(f"{goal.text}{worst}:")
+    target.print(f"{problem.goal}{worst}:")
     target.print(
         f"  {before} in {problem.joint_file} -> {after} ({'all limits met' if result.feasible else 'limits missed'})"
     )
@@ -279,7 +279,7 @@ def _show_limits(target: Console, result: DesignResult) -> None:
         shown = RESULTS[limit.name]
         state = f"{100.0 * limit.missed_by:.3g} % off" if limit.missed_by > 0.0 else "active" * limit.active
         limits.add_row(
-            ", ".join(filter(None, (shown.label, limit.row.replace("_", " ")))),
+            ", ".join(filter(None, (limit.label, limit.row.replace("_", " ")))),
             format_quantity(limit.value, shown.display_unit),
             f"{'<=' if limit.at_most else '>='} {format_quantity(limit.limit, shown.display_unit)}",
             format_quantity(limit.output_torque, "N*m"),

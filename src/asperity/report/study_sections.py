@@ -191,13 +191,14 @@ def design_section(result: DesignResult, *, name: str) -> Iterator[Block]:
     """
     from asperity.study.design.design_plot import design_figure
 
-    goal = result.problem.objectives[0]
+    problem = result.problem
+    goal = problem.objectives[0]
     unit = RESULTS[goal.name].display_unit
     before, after = (quantity(each, unit) for each in (result.objective_before, result.objective_after))
     yield Heading("Design")
     yield Paragraph(
-        f"{name} asks for the {goal.text} over {max(1, len(result.problem.worst_case.torques))} torques, each result "
-        f"at its worst: {before} before, {after} as designed."
+        f"{name} asks for the {problem.goal} over {max(1, len(problem.worst_case.torques))} torques, each result at "
+        f"its worst: {before} before, {after} as designed."
     )
     yield Paragraph(
         "All limits are met." if result.feasible else f"{_sentence(conflict(result))}.", strong=True
@@ -232,7 +233,7 @@ def _summary(result: DesignResult) -> Iterator[tuple[str, str, str]]:
     for name, which in SUMMARY.items():
         if name not in result.summary_before:
             continue
-        shown = RESULTS[name]
+        shown = result.problem.table[name]
         pair = (result.summary_before[name], result.summary_after[name])
         label = shown.label if which == "nominal" else f"{shown.label}, {which}"
         before, after = (quantity(value, shown.display_unit) for value in pair)
@@ -246,7 +247,7 @@ def _limits(result: DesignResult) -> Iterator[tuple[str, ...]]:
             f"{number(limit.missed_by, 100.0)} % off" if limit.missed_by > 0.0 else "active" * limit.active
         )
         yield (
-            ", ".join(filter(None, (shown.label, limit.row.replace("_", " ")))),
+            ", ".join(filter(None, (limit.label, limit.row.replace("_", " ")))),
             quantity(limit.value, shown.display_unit),
             f"{'≤' if limit.at_most else '≥'} {quantity(limit.limit, shown.display_unit)}",
             quantity(limit.output_torque, "N*m"),

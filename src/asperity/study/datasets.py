@@ -108,6 +108,24 @@ def result_rows(results: Iterable[Result]) -> list[tuple[str, str, str]]:
     ]
 
 
+def result_words(data: xarray.Dataset, name: str) -> str:
+    """What a result is called for the drive whose points a dataset has.
+
+    Parameters
+    ----------
+    data : xarray.Dataset
+        Evaluated points.
+    name : str
+        One of its variables.
+
+    Returns
+    -------
+    str
+        Its label.
+    """
+    return str(data[name].attrs["long_name"])
+
+
 #: Dimensions that are not called after what their rows stand for: a result has that name.
 _DIMENSIONS = {"clearance": "rollers"}
 _ROW_COORDINATES = {

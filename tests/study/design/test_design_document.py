@@ -12,10 +12,13 @@ from asperity.study.design.design_result import DesignResult, LimitReport, Start
 
 
 def design(sign, **changes):
-    limit = LimitReport("slip_ratio", "sp", True, 0.5, 0.55, 0.1, True, 0.5, False, 5.0)
+    limit = LimitReport("slip_ratio", "slip ratio", "sp", True, 0.5, 0.55, 0.1, True, 0.5, False, 5.0)
     start = dict.fromkeys(StartReport.__dataclass_fields__, 0.0)
     numbers = {
-        "problem": SimpleNamespace(objectives=[SimpleNamespace(name="mass", sign=sign)]),
+        "problem": SimpleNamespace(
+            objectives=[SimpleNamespace(name="mass", sign=sign)],
+            table={"mass": SimpleNamespace(label="mass of two discs")},
+        ),
         "feasible": False,
         "point": {"load.preload": 900.0},
         "at_bound": {"load.preload": "lower"},
@@ -39,6 +42,7 @@ def test_plain_data(sign, sense):
     document = json.loads(json.dumps(design_document(design(sign)), allow_nan=False))
     assert document["objective"] == {
         "result": "mass",
+        "label": "mass of two discs",
         "sense": sense,
         "before": 2.0,
         "after": 1.5,
@@ -49,6 +53,7 @@ def test_plain_data(sign, sense):
     assert document["before"] == {"drift": None}
     assert document["nominal"] == {"slip_ratio": [0.4, None]}
     assert document["limits"][0]["value"] == 0.55
+    assert document["limits"][0]["label"] == "slip ratio"
     assert document["evaluations"] == 12
 
 

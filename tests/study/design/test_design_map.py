@@ -1,14 +1,19 @@
 """The map of a design: a case that is known without a search, lines of its limits, and the side of their ticks."""
 
+import dataclasses
+from pathlib import Path
 from types import SimpleNamespace
 
 import numpy as np
 import pytest
 
 from asperity.errors import InputError
+from asperity.joint_file.reader import read_any_case
 from asperity.study.design import design_evaluation
 from asperity.study.design.design_map import design_map, limit_text, mapped_variables
 from asperity.study.design.design_problem import Constraint, DesignProblem, Objective, Variable, WorstCase
+
+ROOT = Path(__file__).parents[3]
 
 
 @pytest.fixture
@@ -112,4 +117,17 @@ def test_a_design_of_one_variable_has_no_map(result):
 
 
 def test_limits_in_words(result):
-    assert limit_text(result.problem.constraints[1]) == "mass of the rolling parts ≤ 1 kg"
+    problem = result.problem
+    assert limit_text(problem.constraints[1], problem.table) == "mass of the rolling parts ≤ 1 kg"
+
+
+def test_the_map_of_another_drive_has_its_words(result):
+    """The case that is known without a search, with the words of a planetary."""
+    planetary = read_any_case(ROOT / "examples" / "planetary.toml")
+    result.problem = dataclasses.replace(result.problem, case=planetary)
+    figure = design_map(result)
+    labels = [text.get_text() for text in figure.legends[0].get_texts()]
+    assert "normal force of the first contact without torque ≥ 400 N" in labels
+    assert "normal force of the first contact without torque [N]" in labels  # contours of the objective
+    assert figure.get_suptitle().startswith("smallest normal force of the first contact")
+    assert not any("sun" in label for label in labels)

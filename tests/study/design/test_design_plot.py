@@ -129,9 +129,12 @@ def front():
         "drive.planet_radius": [0.0134, 0.0135, 0.0136],
         "margin": [0.1, 0.2, 0.0],
     }
-    return xarray.Dataset(
-        {name: ("design", np.array(values)) for name, values in data.items()}, attrs={"level": "assembly"}
-    )
+    words = {"envelope_diameter": "outer diameter of the largest body"}
+    variables = {
+        name: ("design", np.array(values), {"long_name": words.get(name, name)})
+        for name, values in data.items()
+    }
+    return xarray.Dataset(variables, attrs={"level": "assembly"})
 
 
 def test_a_front_of_two_objectives(front):
@@ -154,4 +157,4 @@ def test_the_third_objective_is_the_colour(front):
     figure = pareto_figure(front, ("assembly_stiffness_output", "preload", "envelope_diameter"))
     (points,) = figure.axes[0].collections
     np.testing.assert_allclose(points.get_array(), [100.0, 110.0, 120.0], rtol=1e-12)
-    assert "outer diameter of the ring [mm]" in [axes.get_ylabel() for axes in figure.axes]
+    assert "outer diameter of the largest body [mm]" in [axes.get_ylabel() for axes in figure.axes]

@@ -1,9 +1,14 @@
 """Scaling of a free number to 0…1 and back, by hand and by differences."""
 
+from pathlib import Path
+
 import numpy as np
 import pytest
 
-from asperity.study.design.design_problem import Objective, Variable
+from asperity.joint_file.reader import read_any_case
+from asperity.study.design.design_problem import DesignProblem, Objective, Variable, WorstCase
+
+ROOT = Path(__file__).parents[3]
 
 LINEAR = Variable("load.preload", 200.0, 1000.0, False)
 LOGARITHMIC = Variable("surface.fractal_roughness", 1e-12, 1e-8, True)
@@ -23,6 +28,22 @@ def test_slope_is_that_of_the_value(variable):
     np.testing.assert_allclose(variable.slope(variable.from_unit(place)), difference, rtol=1e-8)
 
 
-def test_an_objective_is_the_smallest_or_the_largest():
-    texts = [Objective("mass", sign).text for sign in (1.0, -1.0)]
-    assert texts == ["smallest mass of the rolling parts", "largest mass of the rolling parts"]
+def problem(case, *objectives):
+    return DesignProblem(case, "", "assembly", (), objectives, (), WorstCase((), "none", 0, 0), 1, 0)
+
+
+def test_the_goal_is_the_smallest_or_the_largest(case):
+    goals = [problem(case, Objective("mass", sign)).goal for sign in (1.0, -1.0)]
+    assert goals == ["smallest mass of the rolling parts", "largest mass of the rolling parts"]
+
+
+def test_the_goal_of_another_drive_has_its_own_words(case):
+    """A planetary's first contact need not be one of a sun, and its outer body need not be a ring."""
+    planetary = read_any_case(ROOT / "examples" / "planetary.toml")
+    for name, papers, own in (
+        ("preload", "preload between sun and planet", "normal force of the first contact without torque"),
+        ("envelope_diameter", "outer diameter of the ring", "outer diameter of the largest body"),
+    ):
+        goal = Objective(name, 1.0)
+        assert problem(case, goal).goal == f"smallest {papers}"
+        assert problem(planetary, goal).goal == f"smallest {own}"

@@ -23,8 +23,8 @@ def swept():
     return xarray.Dataset(
         {
             "status": (AXES, status, flag_attributes()),
-            "assembly_stiffness_output": (AXES, stiffness),
-            "slip_ratio": (("contact", *AXES), slip),
+            "assembly_stiffness_output": (AXES, stiffness, {"long_name": "stiffness"}),
+            "slip_ratio": (("contact", *AXES), slip, {"long_name": "friction used"}),
         },
         coords={AXES[0]: preload, AXES[1]: roughness},
     )
@@ -58,7 +58,7 @@ def test_each_reason_of_failure_has_its_hatch_and_sentence(swept):
 
 def test_a_limit_is_a_line_where_the_largest_contact_reaches_it(swept):
     figure = sweep_figure(swept, limits=[parse_limit("slip_ratio<0.2"), parse_limit("slip_ratio>=0.9")])
-    assert legend(figure)[2:] == ["slip ratio T/(mu N) ≤ 0.2"]  # the other is not crossed
+    assert legend(figure)[2:] == ["friction used ≤ 0.2"]  # the other is not crossed
     line = figure.axes[0].collections[-1]
     x = np.concatenate([path.vertices[:, 0] for path in line.get_paths()])
     assert x == pytest.approx(2000.0, rel=2e-3)
@@ -89,4 +89,8 @@ def test_what_is_no_limit_is_refused(text, message):
 
 def test_limits_have_units():
     assert parse_limit(" mass >= 1200 g ") == MapLimit("mass", False, pytest.approx(1.2))
-    assert parse_limit("mass<=1.2 kg").text == "mass of the rolling parts ≤ 1.2 kg"
+
+
+def test_a_limit_has_the_words_of_the_drive_that_was_swept(swept):
+    assert parse_limit("slip_ratio<0.2").text_of(swept) == "friction used ≤ 0.2"
+    assert parse_limit("slip_ratio>=0.2").text_of(swept) == "friction used ≥ 0.2"

@@ -1,17 +1,24 @@
 """Plots of sweeps against datasets that are written out here: places, units, failed points, logarithms."""
 
+from pathlib import Path
+
 import numpy as np
 import pytest
 
 from asperity.errors import InputError
+from asperity.joint.results import RESULTS
+from asperity.joint_file.any_joint import results_of
+from asperity.joint_file.reader import read_any_case
+from asperity.joint_file.si_tables import si_values
 from asperity.study.datasets import coordinate, dataset
 from asperity.study.parameters import parse_axis
 from asperity.study.sweep.sweep_plot import _spread, _with_margin, sweep_figure
 
+ROOT = Path(__file__).parents[3]
 TORQUE, PRELOAD, SPEED = "load.output_torque", "load.preload", "load.sun_speed"
 
 
-def swept(found, *specifications, failed=()):
+def swept(found, *specifications, failed=(), table=RESULTS):
     axes = [parse_axis(each) for each in specifications]
     status = np.zeros(tuple(axis.values.size for axis in axes), dtype=np.int8)
     for place in failed:
@@ -21,6 +28,7 @@ def swept(found, *specifications, failed=()):
         coordinates={axis.path: coordinate(axis) for axis in axes},
         status=status,
         found=found,
+        table=table,
         attributes={},
     )
 
@@ -92,6 +100,19 @@ def test_few_values_of_the_second_axis_are_curves_and_the_third_panels():
         drawn["900 (largest of the contacts)"].T,
         [[0.0, 2.0, 4.0, 6.0], 0.5 + 0.1 + 0.2 + 0.01 * np.arange(4)],
     )
+
+
+def test_axes_have_the_words_of_the_drive_that_was_swept():
+    """A planetary's input need not be a sun; a drive of this type has two contacts."""
+    table = results_of(si_values(read_any_case(ROOT / "examples" / "planetary.toml")))
+    name = "assembly_stiffness_sun"
+    data = swept({name: np.array([1.0, 2.0, 3.0])}, f"{TORQUE}=0 N*m:2 N*m:3", table=table)
+    (axes,) = sweep_figure(data, result=name).axes
+    assert axes.get_ylabel() == "torsional stiffness at the input, assembly [N·m/rad]"
+    papers = swept({name: np.array([1.0, 2.0, 3.0])}, f"{TORQUE}=0 N*m:2 N*m:3")
+    assert sweep_figure(papers).axes[0].get_ylabel() == "torsional stiffness at the sun, assembly [N·m/rad]"
+    slip = swept({"slip_ratio": np.ones((2, 3))}, f"{TORQUE}=0 N*m:2 N*m:3", table=table)
+    assert set(lines(sweep_figure(slip).axes[0])) == {"sp", "pr"}
 
 
 def test_a_result_that_was_not_computed_is_refused():

@@ -24,6 +24,7 @@ def sensitivities():
             "result": results,
             "input": INPUTS,
             "result_unit": ("result", ["rad", "N*m"]),
+            "result_name": ("result", ["drift", "largest torque that the drive at hand can carry"]),
             "input_name": ("input", ["preload", "sun radius", "planets"]),
         },
     )
@@ -41,7 +42,7 @@ def test_bars_are_ordered_by_the_first_result(sensitivities):
     assert first.get_xticks() == pytest.approx([-1.0, -0.1, 0.0, 0.1, 1.0])
     # one arcminute, and newton metres
     assert first.get_title() == "drift\n1 arcmin"
-    assert second.get_title() == "torque capacity\n13 N·m"
+    assert second.get_title() == "largest torque that the drive\nat hand can carry\n13 N·m"
 
 
 def test_an_unknown_influence_is_no_bar_of_length_zero(sensitivities):
@@ -71,6 +72,7 @@ def spread():
             "input_name": ("input", ["preload", "sun radius", "planets"]),
             "distribution": ("input", ["normal 2 sigma", "uniform", "uniform"]),
             "unit": ("result", ["N*m"]),
+            "result_name": ("result", ["capacity of this drive"]),
         },
     )
 
@@ -78,7 +80,7 @@ def spread():
 def test_histogram_and_sobol_indices(spread):
     left, right = uncertainty_figure(spread, result="torque_capacity").axes
     assert left.get_ylabel() == "samples [-] (of 51)"  # those that are solved
-    assert left.get_xlabel() == "torque capacity [N·m]"
+    assert left.get_xlabel() == "capacity of this drive [N·m]"
     assert sorted(line.get_xdata()[0] for line in left.lines) == [10.5, 12.0, 14.5]
     assert [bar.get_width() for bar in right.patches if np.isfinite(bar.get_width())] == [
         0.7,

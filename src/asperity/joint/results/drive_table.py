@@ -20,6 +20,8 @@ _LABELS = {
     "rolling_carrier_speed": "angular velocity of the output in rolling",
     "envelope_diameter": "outer diameter of the largest body",
 }
+#: What is said of the paper's sun holds for the input of any drive.
+_OF_THE_SUN = (("at the sun", "at the input"), ("where the sun stands", "where the input stands"))
 
 
 @functools.lru_cache(maxsize=32)
@@ -74,4 +76,7 @@ def _named(row: Result, names: dict[str, tuple[str, ...]]) -> Result:
         row = dataclasses.replace(
             row, categories=places, note=f"its number in the order {', '.join(places)}, from 0"
         )
-    return dataclasses.replace(row, label=_LABELS.get(row.name, row.label), rows=names.get(row.axis))
+    label, note = _LABELS.get(row.name, row.label), row.note
+    for papers, any_drive in _OF_THE_SUN:
+        label, note = label.replace(papers, any_drive), note.replace(papers, any_drive)
+    return dataclasses.replace(row, label=label, note=note, rows=names.get(row.axis))

@@ -150,7 +150,7 @@ def _result(
         problem.case,
         point,
         comment=(
-            f"Designed by asperity from {Path(problem.joint_file).name}: {goal.text}.\n"
+            f"Designed by asperity from {Path(problem.joint_file).name}: {problem.goal}.\n"
             + (
                 "All limits are met."
                 if feasible
@@ -262,6 +262,7 @@ def _limits(evaluator: DesignEvaluator, found: EvaluatedDesign, multipliers: np.
         reports.append(
             LimitReport(
                 name=constraint.name,
+                label=evaluator.problem.table[constraint.name].label,
                 row=evaluator.problem.table[constraint.name].row_names[row.row],
                 at_most=constraint.at_most,
                 limit=constraint.limit,

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from asperity.errors import InputError
-from asperity.joint.results import RESULTS
+from asperity.joint.results import Result
 from asperity.joint_file.si_tables import key_at
 from asperity.show.style import mark_few_decades, plain_number
 from asperity.study.design.design_evaluation import DesignEvaluator, exists
@@ -107,7 +108,7 @@ def design_map(result: DesignResult, *, over: tuple[str, str] | None = None) -> 
         for variable in (problem.variables[first], problem.variables[second])
     )
     goal = problem.objectives[0]
-    unit = RESULTS[goal.name].display_unit
+    unit = problem.table[goal.name].display_unit
     values = np.full(count * count, np.nan)
     shown = joint.ravel()
     values[shown] = [from_si(float(v), unit) for v in goal.sign * objectives[shown, 0]]
@@ -132,7 +133,7 @@ def design_map(result: DesignResult, *, over: tuple[str, str] | None = None) -> 
     if np.nanmin(values, initial=np.inf) < np.nanmax(values, initial=-np.inf):
         lines = axes.contour(x, y, values.reshape(count, count), levels=8, colors="0.55", linewidths=0.8)
         axes.clabel(lines, fmt=plain_number, fontsize="x-small")
-        label = f"{RESULTS[goal.name].label} [{_shown(unit)}]"
+        label = f"{problem.table[goal.name].label} [{_shown(unit)}]"
         keys.append(Line2D([], [], color="0.55", linewidth=0.8, label=label))
     drawn = 0
     for constraint, margin in zip(problem.constraints, by_limit, strict=True):
@@ -143,7 +144,16 @@ def design_map(result: DesignResult, *, over: tuple[str, str] | None = None) -> 
         drawn += 1
         found = axes.contour(x, y, field, levels=[0.0], colors=[colour], linestyles=[line], linewidths=2.0)
         found.set_path_effects([withTickedStroke(angle=_FORBIDDEN_SIDE, spacing=9.0, length=0.6)])
-        keys.append(Line2D([], [], color=colour, linestyle=line, linewidth=2.0, label=limit_text(constraint)))
+        keys.append(
+            Line2D(
+                [],
+                [],
+                color=colour,
+                linestyle=line,
+                linewidth=2.0,
+                label=limit_text(constraint, problem.table),
+            )
+        )
     judged = "all limits met" if result.feasible else "a limit is violated"
     keys.append(
         Line2D([], [], color="C3", marker="o", markersize=8, linestyle="none", label=f"design: {judged}")
@@ -161,25 +171,28 @@ def design_map(result: DesignResult, *, over: tuple[str, str] | None = None) -> 
             mark_few_decades(axis, float(values_along.min()), float(values_along.max()))
     figure.legend(handles=keys, loc="outside lower center", ncols=2, fontsize="small", frameon=False)
     figure.suptitle(
-        f"{goal.text}, other variables as designed; ticks point where a limit is violated", fontsize="medium"
+        f"{problem.goal}, other variables as designed; ticks point where a limit is violated",
+        fontsize="medium",
     )
     return figure
 
 
-def limit_text(constraint: Constraint) -> str:
+def limit_text(constraint: Constraint, table: Mapping[str, Result]) -> str:
     """A limit in words.
 
     Parameters
     ----------
     constraint : Constraint
         The limit.
+    table : mapping
+        The table of results of the drive.
 
     Returns
     -------
     str
         Result, sign and limit with its unit.
     """
-    shown = RESULTS[constraint.name]
+    shown = table[constraint.name]
     sign = "≤" if constraint.at_most else "≥"
     return f"{shown.label} {sign} {format_quantity(constraint.limit, shown.display_unit)}"
 

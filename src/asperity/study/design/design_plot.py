@@ -42,7 +42,7 @@ def design_figure(result: DesignResult, *, width: float | None = None) -> Figure
     problem = result.problem
     evaluator = DesignEvaluator(problem)
     goal, count = problem.objectives[0], len(problem.variables)
-    objective = RESULTS[goal.name]
+    objective = problem.table[goal.name]
     columns = min(4 if width is None else 2, count)
     lines = -(-count // columns)
     line_height = 4.6 if width is None else 3.8
@@ -101,7 +101,7 @@ def design_figure(result: DesignResult, *, width: float | None = None) -> Figure
         if index == 0:
             axes.fill_between([], [], color="0.9", label="no joint exists")
             axes.legend(fontsize="small")
-    figure.suptitle(f"{goal.text}, at its worst scenario", fontsize="medium")
+    figure.suptitle(f"{problem.goal}, at its worst scenario", fontsize="medium")
     return figure
 
 
@@ -130,7 +130,10 @@ def pareto_figure(front: xarray.Dataset, objectives: tuple[str, ...]) -> Figure:
     from matplotlib.figure import Figure
 
     shown = {name: _in_unit(front[name].values, RESULTS[name].display_unit) for name in objectives}
-    labels = {name: f"{RESULTS[name].label} [{_shown(RESULTS[name].display_unit)}]" for name in objectives}
+    labels = {
+        name: f"{front[name].attrs['long_name']} [{_shown(RESULTS[name].display_unit)}]"
+        for name in objectives
+    }
     variables = [str(name) for name in front.data_vars if name not in (*objectives, "margin")]
     figure = Figure(figsize=(9.0, 4.2 + 1.3 * len(variables)), layout="constrained")
     grid = figure.add_gridspec(1 + len(variables), 1, height_ratios=[3.0] + [1.0] * len(variables))

@@ -6,7 +6,7 @@ import math
 from dataclasses import dataclass
 from typing import Any, Literal
 
-from asperity.joint.results import GROUPS, RESULTS, Result
+from asperity.joint.results import GROUPS, Result
 from asperity.joint.windup import StiffnessLevel
 from asperity.joint_file.any_joint import results_of
 from asperity.joint_file.part_names import WEDGE_TYPE, type_of
@@ -69,11 +69,6 @@ class Objective:
     name: str
     sign: float
 
-    @property
-    def text(self) -> str:
-        """Readable text."""
-        return f"{'smallest' if self.sign > 0 else 'largest'} {RESULTS[self.name].label}"
-
 
 @dataclass(frozen=True)
 class Constraint:
@@ -82,7 +77,7 @@ class Constraint:
     Parameters
     ----------
     name : str
-        The result, a name of :data:`asperity.joint.results.RESULTS`.
+        The result, a name of :attr:`DesignProblem.table`.
     at_most : bool
         Whether the limit is an upper one.
     limit : float
@@ -138,6 +133,12 @@ class DesignProblem:
     def table(self) -> dict[str, Result]:
         """The table of results of the drive."""
         return results_of(si_values(self.case))
+
+    @property
+    def goal(self) -> str:
+        """The first objective in words."""
+        first = self.objectives[0]
+        return f"{'smallest' if first.sign > 0 else 'largest'} {self.table[first.name].label}"
 
 
 #: What a report shows of every design beside objective and limits: at the joint's own torque, or at its largest or

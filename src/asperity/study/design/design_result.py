@@ -17,8 +17,8 @@ class LimitReport:
 
     Parameters
     ----------
-    name, row : str
-        The result and, if it has several rows, which one is closest to the limit.
+    name, label, row : str
+        The result, what it is called, and, if it has several rows, which one is closest to the limit.
     at_most : bool
         Whether the limit is an upper one.
     limit, value : float
@@ -37,6 +37,7 @@ class LimitReport:
     """
 
     name: str
+    label: str
     row: str
     at_most: bool
     limit: float
@@ -55,7 +56,7 @@ class LimitReport:
         sense = "at most" if self.at_most else "at least"
         missed = f", {100.0 * self.missed_by:.3g} % off" if self.missed_by > 0.0 else ""
         return (
-            f"{result.label}{where} {sense} {format_quantity(self.limit, result.display_unit)} "
+            f"{self.label}{where} {sense} {format_quantity(self.limit, result.display_unit)} "
             f"(reached {format_quantity(self.value, result.display_unit)}{missed}, "
             f"at {format_quantity(self.output_torque, 'N*m')})"
         )

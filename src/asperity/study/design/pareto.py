@@ -9,7 +9,6 @@ import numpy as np
 
 from asperity.errors import InputError, NoSolutionError
 from asperity.extras import optional_module
-from asperity.joint.results import RESULTS
 from asperity.precision import require_double_precision
 from asperity.study.datasets import key_attributes, result_attributes
 from asperity.study.design.design_evaluation import DesignEvaluator, exists
@@ -126,7 +125,7 @@ def pareto_front(
     order = np.argsort(values[:, 0])
     data = {}
     for index, goal in enumerate(problem.objectives):
-        data[goal.name] = ("design", values[order, index], result_attributes(RESULTS[goal.name]))
+        data[goal.name] = ("design", values[order, index], result_attributes(problem.table[goal.name]))
     for index, variable in enumerate(problem.variables):
         taken = variable.from_unit(scaled[order, index])
         data[variable.path] = ("design", taken, key_attributes(variable.path))

@@ -12,7 +12,7 @@ import numpy as np
 from asperity.errors import InputError, quoted
 from asperity.joint.results import RESULTS, known_result
 from asperity.show.style import plain_number
-from asperity.study.datasets import row_dimensions
+from asperity.study.datasets import result_words, row_dimensions
 from asperity.units import format_quantity, parse_quantity
 
 if TYPE_CHECKING:
@@ -52,13 +52,10 @@ class MapLimit:
     at_most: bool
     limit: float
 
-    @property
-    def text(self) -> str:
-        """The limit in words."""
-        shown = RESULTS[self.name]
-        return (
-            f"{shown.label} {'≤' if self.at_most else '≥'} {format_quantity(self.limit, shown.display_unit)}"
-        )
+    def text_of(self, data: xarray.Dataset) -> str:
+        """The limit in words, as they are for the drive of a sweep."""
+        sign, unit = "≤" if self.at_most else "≥", RESULTS[self.name].display_unit
+        return f"{result_words(data, self.name)} {sign} {format_quantity(self.limit, unit)}"
 
 
 def parse_limit(text: str) -> MapLimit:
@@ -248,4 +245,4 @@ def _draw_limits(
         drawn += 1
         line = panel.contour(x, y, margin, levels=[0.0], colors=[colour], linestyles=[style], linewidths=2.0)
         line.set_path_effects([withTickedStroke(angle=_FORBIDDEN_SIDE, spacing=9.0, length=0.6)])
-        yield Line2D([], [], color=colour, linestyle=style, linewidth=2.0, label=limit.text)
+        yield Line2D([], [], color=colour, linestyle=style, linewidth=2.0, label=limit.text_of(data))

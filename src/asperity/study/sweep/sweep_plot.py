@@ -11,7 +11,7 @@ from asperity.errors import InputError
 from asperity.joint.results import RESULTS
 from asperity.joint_file.si_tables import key_at
 from asperity.show.style import mark_few_decades
-from asperity.study.datasets import row_dimensions, rows_of
+from asperity.study.datasets import result_words, row_dimensions, rows_of
 from asperity.study.parameters import long_name
 from asperity.study.sweep.sweep_map import MapLimit, draw_map, limits_of_the_model
 from asperity.units import from_si
@@ -78,7 +78,7 @@ def sweep_figure(
         _panels(figure, data, axes, name)
     failed, count = int((dataset["status"] != 0).sum()), dataset["status"].size
     told = f"{count} points" + (f", {failed} without a result" if failed else "")
-    heading = told if len(axes) == 1 and name in _PREFERRED[:3] else f"{_words(name)}\n{told}"
+    heading = told if len(axes) == 1 and name in _PREFERRED[:3] else f"{_words(dataset, name)}\n{told}"
     figure.suptitle(heading, fontsize=10)
     return figure
 
@@ -92,8 +92,8 @@ def _spread(count: int, most: int) -> np.ndarray:
     return np.unique(np.linspace(0, count - 1, min(count, most)).round().astype(int))
 
 
-def _words(name: str) -> str:
-    return f"{RESULTS[name].label} [{_shown(RESULTS[name].si_unit)}]"
+def _words(data: xarray.Dataset, name: str) -> str:
+    return f"{result_words(data, name)} [{_shown(RESULTS[name].si_unit)}]"
 
 
 def _shown(unit: str) -> str:
@@ -135,7 +135,7 @@ def _curves(axes: Axes, data: xarray.Dataset, path: str, name: str) -> None:
             label = row or level.replace("_stiffness_output", "")
             axes.plot(x, drawn[-1], marker=".", label=label.replace("_", " "))
     _scale(axes, path, x)
-    axes.set_ylabel(_label_of_result(name))
+    axes.set_ylabel(_label_of_result(data, name))
     axes.set_xlim(*_with_margin(x, log=_is_log(x)))
     failed = data["status"].values != 0
     for place in np.flatnonzero(failed):
@@ -150,9 +150,10 @@ def _curves(axes: Axes, data: xarray.Dataset, path: str, name: str) -> None:
         axes.legend()
 
 
-def _label_of_result(name: str) -> str:
-    what = "torsional stiffness at the output" if name in _PREFERRED[:3] else name.replace("_", " ")
-    return f"{what} [{_shown(RESULTS[name].si_unit)}]"
+def _label_of_result(data: xarray.Dataset, name: str) -> str:
+    if name not in _PREFERRED[:3]:
+        return _words(data, name)
+    return f"torsional stiffness at the output [{_shown(RESULTS[name].si_unit)}]"
 
 
 def _with_margin(x: np.ndarray, *, log: bool) -> tuple[float, float]:
@@ -181,7 +182,7 @@ def _map(
         x=x,
         y=y,
         values=data[name].transpose(axes[1], axes[0]).values,
-        label=_label_of_result(name),
+        label=_label_of_result(data, name),
         limits=limits or limits_of_the_model(data),
     )
     _scale(panel, axes[0], x)
@@ -218,7 +219,7 @@ def _panels(figure: Figure, data: xarray.Dataset, axes: list[str], name: str) ->
     for panel in grid[-1]:
         _scale(panel, axes[0], x)
     for panel in grid[:, 0]:
-        panel.set_ylabel(_label_of_result(name))
+        panel.set_ylabel(_label_of_result(data, name))
         _log_if_wide(panel, np.asarray(values).ravel())
     for panel in list(grid.flat)[len(thirds) :]:
         panel.set_axis_off()

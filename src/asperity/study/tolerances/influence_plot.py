@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import textwrap
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -16,6 +17,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 _BARS = 14
+_TITLE = 30  # characters in a line above a panel
 _PANELS = ("assembly_stiffness_output", "published_stiffness_output", "torque_capacity")
 _POSITIVE, _NEGATIVE = "#2f6fb0", "#c8553d"
 
@@ -78,7 +80,9 @@ def tornado_figure(
         panel.xaxis.set_minor_locator(_none())
         unit = _display_unit(name, str(one["result_unit"].item()))
         value = from_si(float(one["result_value"]), unit)
-        panel.set_title(f"{name.replace('_', ' ')}\n{value:.4g} {_shown(unit)}", fontsize=9)
+        panel.set_title(
+            f"{textwrap.fill(str(one['result_name'].item()), _TITLE)}\n{value:.4g} {_shown(unit)}", fontsize=9
+        )
         panel.set_xlabel("% of result per % of input [-]", fontsize=9)
         panel.grid(axis="x", alpha=0.3)
         panel.set_yticks(np.arange(len(order)), one["input_name"].values)
@@ -134,7 +138,7 @@ def uncertainty_figure(spread: xarray.Dataset, *, result: str, width: float | No
     for value, told in ((low, "2.5 %"), (high, "97.5 %")):
         left.axvline(value, color="black", linestyle="--", linewidth=1.0, label=f"{told}: {value:.5g}")
     left.axvline(nominal, color=_NEGATIVE, label=f"nominal: {nominal:.5g}")
-    left.set_xlabel(f"{result.replace('_', ' ')} [{_shown(unit)}]")
+    left.set_xlabel(f"{one['result_name'].item()} [{_shown(unit)}]")
     left.set_ylabel(f"samples [-] (of {solved.size})")
     left.legend(fontsize=8)
     order = np.argsort(-np.nan_to_num(one["total_order"].values))[:_BARS]

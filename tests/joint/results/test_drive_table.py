@@ -1,0 +1,36 @@
+"""The table of results of other drives: their parts, and no words of the paper's drive alone."""
+
+import math
+import re
+
+import pytest
+
+from asperity.joint.results import RESULTS
+from asperity.joint.results.drive_table import results_of_drive
+
+
+@pytest.fixture(scope="module")
+def table():
+    return results_of_drive(("ab", "bc"), ("wheel", "disc", "hoop"), ("disc_to_disc",))
+
+
+def test_rows_are_the_parts_of_the_drive(table):
+    assert table["slip_ratio"].row_names == ("ab", "bc")
+    assert table["body_life_hours"].row_names == ("wheel", "disc", "hoop")
+    assert table["clearance"].row_names == ("disc_to_disc",)
+    assert table["limiting_contact"].categories == ("ab", "bc", "none")
+    assert "0" in table["limiting_contact"].note
+    assert table["speed_ratio"].highest_limit == math.inf
+
+
+def test_no_label_names_a_part_that_the_drive_may_not_have(table):
+    said = {name: row.label for name, row in table.items() if re.search(r"\b(sun|planet|ring)\b", row.label)}
+    assert said == {}
+    assert table["published_stiffness_sun"].label == "torsional stiffness at the input, as published"
+    assert "where the input stands" in table["efficiency"].note
+
+
+def test_the_papers_drive_keeps_its_words():
+    assert RESULTS["published_stiffness_sun"].label == "torsional stiffness at the sun, as published"
+    assert "where the sun stands" in RESULTS["efficiency"].note
+    assert not any(row.wedge_only for row in results_of_drive(("a",), ("b",), ("c",)).values())
