@@ -128,7 +128,8 @@ def test_numbers_are_converted_to_the_units_of_the_heads(document, shown):
         "  pin force  left 111 N, right 222 N",
         "  mass       planet 22.47 g, loading roller 3.083 g",
         "  clearance  at least 0.5 mm: near",
-        "  contacts 75.0 %, pins 25.0 %",
+        "  contacts 75.0 % (sp 50.0 %, pwr 25.0 %)",
+        "  pins 25.0 %",
         "  no section [bearings]: the bearings have no friction",
     ):
         assert text in lines, text

@@ -16,7 +16,7 @@ from asperity.cli.document_text import (
     show_warnings,
 )
 from asperity.cli.terminal import table
-from asperity.joint.document import LEVEL_WORDS, stiffness_rows
+from asperity.joint.document import LEVEL_WORDS, NO_SHARE, stiffness_rows
 
 if TYPE_CHECKING:
     from rich.console import Console
@@ -337,7 +337,20 @@ def _show_budget(target: Console, document: Document) -> None:
     for name, share in document["stiffness_budget"].items():
         total = sum(share.values()) if isinstance(share, dict) and None not in share.values() else share
         if isinstance(total, float) and total > 0.0:
-            shares.append((total, name.removesuffix("_share").replace("_", " ")))
-    listed = ", ".join(f"{name} {100.0 * total:.1f} %" for total, name in sorted(shares, reverse=True))
+            where = share if isinstance(share, dict) else {}
+            shares.append((total, name.removesuffix("_share").replace("_", " "), where))
     target.print("\nCompliance of the assembly, by spring", style="bold")
-    print_wrapped(target, f"  {listed or 'none: the joint passes no torque'}", indent=2)
+    for total, name, where in sorted(shares, key=lambda entry: -entry[0]):
+        parts = sorted(((part, contact) for contact, part in where.items() if part > NO_SHARE), reverse=True)
+        each = (
+            f" ({', '.join(f'{contact} {100.0 * part:.1f} %' for part, contact in parts)})" if parts else ""
+        )
+        print_wrapped(target, f"  {name} {100.0 * total:.1f} %{each}", indent=4)
+    if not shares:
+        target.print("  none: the joint passes no torque")
+    elif (document["input"].get("model") or {}).get("bodies") != "springs":
+        print_wrapped(
+            target,
+            "  the springs of a contact include how its bodies deform as a whole: a free ring's bending, for example",
+            indent=2,
+        )

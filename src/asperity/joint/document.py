@@ -29,6 +29,9 @@ from asperity.joint.temperature import assembly_document
 
 Document = dict[str, Any]
 
+#: Below this share of the compliance a spring is only the rounding of the others.
+NO_SHARE = 1e-12
+
 #: Levels of the torsional stiffness, the fullest model first, in words that are true for every type of drive.
 LEVEL_WORDS = (
     ("assembly", "assembled: asperities, bodies, rollers free to move, structure"),
@@ -313,13 +316,13 @@ def stiffness_budget(result: JointResult | PlanarResult) -> Document:
     Returns
     -------
     dict
-        Spring → share.
+        Spring → share; springs that only the paper's drive has are left out for other drives.
     """
     shares = vars(result.assembly).items()
     return {
         name: dict(zip(result.contact_names, np.asarray(share), strict=True)) if np.ndim(share) else share
         for name, share in shares
-        if name.endswith("_share")
+        if name.endswith("_share") and (isinstance(result, JointResult) or not RESULTS[name].wedge_only)
     }
 
 

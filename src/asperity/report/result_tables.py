@@ -6,10 +6,9 @@ from collections.abc import Iterator
 from typing import Any
 
 from asperity.joint.branch_limits import capacity_words
-from asperity.joint.document import stiffness_rows
+from asperity.joint.document import NO_SHARE, stiffness_rows
 from asperity.report.cells import number, percent, quantity
 from asperity.report.content import Block, Paragraph, Table
-from asperity.show.compliance_figure import NO_SHARE
 
 Document = dict[str, Any]
 

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from asperity.joint.document import NO_SHARE
 from asperity.joint.margins import margins
 from asperity.joint.planar.description import PlanarJoint
 from asperity.joint.results import LEVELS, RESULTS, SolvedJoint
@@ -22,10 +23,6 @@ if TYPE_CHECKING:
     from asperity.joint.size_errors import SizeErrorCurves
 
 _PER_ARCMINUTE = np.pi / 10800.0
-
-
-#: Below this share of the compliance a spring is only the rounding of the others.
-NO_SHARE = 1e-12
 
 
 def compliance_shares(solved: SolvedJoint) -> dict[str, float]:

@@ -99,7 +99,7 @@ ROWS = (
     ),
     _share("tangential", "the contact's tangential spring"),
     _share("normal", "the contact's normal spring (rollers free to move)"),
-    _share("ring_bending", "the ring's bending"),
+    _share("ring_bending", "the spring compliance.ring_bending_stiffness"),
     _share("pin", "the carrier pins"),
     _share("planet_support", "the planet supports"),
     _share("input_shaft", "the input shaft"),
