@@ -318,3 +318,24 @@ def test_importing_loads_nothing_heavy():
     code = f"import sys, asperity.units; print(sorted({heavy} & set(sys.modules)))"
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
     assert done.stdout.strip() == "[]"
+
+
+@pytest.mark.parametrize("unit", ["1/min", "/min", "min^-1", "min**-1", "min⁻¹", " 1 / min"])
+def test_speeds_per_minute_are_turns_per_minute(unit):
+    assert parse_quantity(f"1500 {unit}", Dimension.ANGULAR_VELOCITY) == pytest.approx(
+        50.0 * math.pi, rel=1e-15
+    )
+    assert parse_quantity(f"1500 {unit}", Dimension.FREQUENCY) == pytest.approx(25.0, rel=1e-15)
+
+
+@pytest.mark.parametrize("text", ["30 cSt", "30 mm^2/s"])
+def test_a_kinematic_viscosity_is_refused_with_what_to_do(text):
+    with pytest.raises(InputError, match=r"kinematic viscosity; multiply it by the density.*26\.1 mPa\*s"):
+        parse_quantity(text, Dimension.VISCOSITY)
+    assert 30 * by_pint("1 cSt") * 870 == pytest.approx(
+        parse_quantity("26.1 mPa*s", Dimension.VISCOSITY), rel=1e-12
+    )
+
+
+def test_centipoise_is_a_viscosity():
+    assert parse_quantity("30 cP", Dimension.VISCOSITY) == pytest.approx(by_pint("30 cP"), rel=1e-15)

@@ -106,6 +106,8 @@ def unit_table() -> dict[str, Unit]:
         ("rpm", (2, 60, 1, (0, 0, -1, 1, 0))),
         ("K kelvin kelvins", (1, 1, 0, (0, 0, 0, 0, 1))),
         ("degC celsius °C ℃", (1, 1, 0, (0, 0, 0, 0, 1))),  # as a difference; units.py knows the zero
+        ("cP centipoise", (1, 1000, 0, (-1, 1, -1, 0, 0))),
+        ("cSt centistokes", (1, 10**6, 0, (2, 0, -1, 0, 0))),
         ("percent %", (1, 100, 0, number)),
         ("ppm", (1, 10**6, 0, number)),
         ("1 dimensionless", (1, 1, 0, number)),

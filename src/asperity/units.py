@@ -23,6 +23,12 @@ _SAME = str.maketrans("−μ·⋅×∙\u00a0\u202f", "-µ****  ")
 _NUMBER = r"(?a:([+-]?)(\d+\.?\d*|\.\d+)(?:[eE]([+-]?\d+))?(?![\d.]))"
 _TERM = r"\s*([*/]?)\s*(1(?=\s*/|\s*$)|[^\W\d]+|°C|[%°℃])(?:\s*(?:\^|\*\*)\s*([+-]?(?a:\d)+))?"
 _PLUS_MINUS = r"±|\+\s?/?\s?-"
+_PER_MINUTE = r"\s*(1?\s*/\s*min|min\s*((\^|\*\*)\s*-1|⁻¹))\s*"
+#: Dimension asked, exponents of what is often written instead → what to do.
+_REMEDIES: dict[tuple[Dimension, Exponents], str] = {
+    (Dimension.VISCOSITY, (2, 0, -1, 0, 0)): "this is a kinematic viscosity; multiply it by the density: "
+    "30 cSt of an oil of 870 kg/m^3 are 26.1 mPa*s",
+}
 # The patterns are kept as text: re compiles each on first use and caches it, so that importing costs nothing.
 
 
@@ -195,9 +201,14 @@ def parse_quantity(text: object, dimension: Dimension, *, example: str | None = 
     numerator, denominator, pi_power, exponents = _parse_unit(unit_text)
     if dimension is Dimension.TEMPERATURE and re.search(r"\b(K|kelvins?)\b", unit_text):
         top, bottom = 100 * top - 27315 * bottom, 100 * bottom  # 0 degC is 273.15 K
+    if dimension is Dimension.ANGULAR_VELOCITY and re.fullmatch(_PER_MINUTE, unit_text):
+        numerator, pi_power, exponents = 2 * numerator, pi_power + 1, dimension.exponents  # turns per minute
     if exponents != dimension.exponents:
         measured = f"{_dimension_of(exponents)} '{unit_text.strip(' */')}'"
-        raise InputError(f"expected {dimension.label} ({example}), got {measured} in '{text}'")
+        remedy = _REMEDIES.get((dimension, exponents))
+        raise InputError(
+            f"expected {dimension.label} ({example}), got {measured} in '{text}'{f'; {remedy}' if remedy else ''}"
+        )
     try:
         value = (top * numerator) / (bottom * denominator) * math.pi**pi_power
     except OverflowError:
