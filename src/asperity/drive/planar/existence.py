@@ -36,7 +36,7 @@ def refuse_impossible(drive: PlanarDrive) -> None:
         if not np.all(np.isfinite(centre)):
             raise InputError(
                 f"there is no place for {body.name} where it touches all the rollers that it has to touch: they are "
-                "too far apart; make it or them larger, or increase the number of sectors"
+                "too far apart; make it or them larger, or arrange more of them around the axis"
             )
     for contact, gap, size in zip(
         drive.contacts, np.asarray(gaps(drive)), np.asarray(drive.second_radius), strict=True
@@ -216,6 +216,8 @@ def _refuse_overlap(drive: PlanarDrive) -> None:
     """Raise if discs without a common contact overlap."""
     for (one, two), gap in neighbour_gaps(drive).items():
         if float(gap) < 0.0:
+            pair = f"neighbours of {one}" if one == two else f"{one} and {two}"
             raise InputError(
-                f"{one} and {two} overlap by {-float(gap) * 1e3:.6g} mm; reduce their radii or the number of sectors"
+                f"the rollers do not fit: {pair} overlap by {-float(gap) * 1e3:.6g} mm; reduce their radii, or how "
+                "many there are around the axis"
             )
