@@ -66,4 +66,4 @@ def test_an_impossible_drive_is_not_drawn(call, tmp_path):
     (tmp_path / "many.toml").write_text(text, encoding="utf-8")
     outcome = call("draw", tmp_path / "many.toml", "--out", tmp_path / "x.svg")
     assert outcome.code == 2
-    assert "planet and planet overlap by" in outcome.err
+    assert "neighbours of planet overlap by" in outcome.err

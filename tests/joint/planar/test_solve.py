@@ -98,7 +98,7 @@ def test_bodies_that_do_not_fit_are_refused(planar_case):
         InputError, match="at which contact sp lifts off; raise the preload, or lower the speed"
     ):
         solved_planar(fast)
-    with pytest.raises(InputError, match=r"planet and planet overlap by 10 mm"):
+    with pytest.raises(InputError, match=r"neighbours of planet overlap by 10 mm"):
         solved_planar(planar_case("planetary", replaced={"planets = 3": "planets = 6"}))
     with pytest.raises(InputError, match=r"the bore of planet, 45 mm, leaves no wall in a roller of 40 mm"):
         solved_planar(planar_case("planetary_hollow", replaced={'"26 mm"': '"45 mm"'}))
