@@ -95,6 +95,7 @@ def first_limit(*, excesses: Callable[[Array], Array], first_guess: Real) -> Fir
     Equation (A9) of :doc:`/equations`.
     """
     start = jnp.asarray(first_guess)
+    excesses = jax.jit(excesses)  # traced once for the search and for the derivative
 
     def unfinished(state: _Search) -> Array:
         wide = (state.upper - state.lower > SEARCH_TOLERANCE * state.upper) & (

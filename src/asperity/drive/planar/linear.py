@@ -12,6 +12,7 @@ import jax.numpy as jnp
 from jax import Array
 
 
+@jax.jit  # traced once for each size
 def solve(matrix: Array, right_side: Array) -> Array:
     r"""Solve :math:`A x = b` by Gauss-Jordan elimination with partial pivoting.
 
@@ -40,6 +41,7 @@ def solve(matrix: Array, right_side: Array) -> Array:
     )
 
 
+@jax.jit
 def least_squares(matrix: Array, right_side: Array) -> Array:
     r"""The x that makes :math:`|A x - b|` smallest, by the normal equations, refined once.
 
