@@ -68,12 +68,13 @@ def test_a_loose_joint_is_refused_with_its_temperature(case_of):
     joint = joint_from_case(case_of(working="60 degC"))
     assert float(joint.preload) == 0.0
     with pytest.raises(InputError, match=r"loose .* 60 degC.*13 um.*40 K take 19.2 um.*above 47.08 degC"):
-        refuse_loose(joint)
+        refuse_loose(joint.fit)
     cold = joint_from_case(case_of(working="-60 degC", ring="0.5e-6 1/K"))
     assert float(loose_temperature(cold.fit)) < 0.0
     with pytest.raises(InputError, match="is left below"):
-        refuse_loose(cold)
-    refuse_loose(joint_from_case(case_of()))
+        refuse_loose(cold.fit)
+    refuse_loose(joint_from_case(case_of()).fit)
+    refuse_loose(None)
 
 
 @pytest.mark.slow

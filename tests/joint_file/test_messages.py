@@ -1,4 +1,8 @@
+import pytest
+
+from asperity.errors import InputError
 from asperity.joint_file.messages import keys_by_path, nearest
+from asperity.joint_file.reader import parse_case
 from asperity.unit_table import Dimension
 
 
@@ -16,3 +20,26 @@ def test_every_number_of_a_joint_file_has_a_path():
     assert keys["compliance.pin_stiffness"].dimension is Dimension.STIFFNESS
     assert keys["bearings.pin_diameter"].dimension is Dimension.LENGTH
     assert "model.closure" not in keys
+
+
+@pytest.mark.parametrize(
+    ("path", "section"),
+    [
+        ("branch", '[[branch]]\nplanet_deviation = "1 um"'),
+        ("bearings", '[bearings]\nsun_torque = "0.001 N*m"'),
+        ("rolling.skew", '[rolling]\nskew = "1 mrad"'),
+    ],
+)
+def test_what_only_the_papers_drive_has_says_so(planar_case, path, section):
+    with pytest.raises(InputError) as refused:
+        planar_case("planetary", ("[model]", f"{section}\n\n[model]"))
+    assert (
+        str(refused.value) == f'mine.toml: {path}: only for the paper\'s drive (type = "zou2025", or no type)'
+    )
+
+
+def test_what_only_other_drives_have_names_them(planar_case, example_text):
+    with pytest.raises(InputError, match=r'roller: only for drives of type "planar"$'):
+        parse_case(example_text + '\n[[roller]]\nname = "x"\n', source="mine.toml")
+    with pytest.raises(InputError, match=r'bore_diameter: only for drives of type "zou2025", "planetary"$'):
+        planar_case("multiroller", ("[load]", 'planet_bore_diameter = "2 mm"\n\n[load]'))

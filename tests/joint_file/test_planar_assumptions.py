@@ -46,3 +46,18 @@ def test_a_surface_by_its_ra_leaves_d_open(planar_case, dimension, told):
     (said,) = [each for each in planar_assumptions(average) if "Ra leaves D open" in each]
     assert told in said
     assert not any("Ra leaves D open" in each for each in planar_assumptions(planar_case("planetary")))
+
+
+def test_temperatures_and_what_they_would_do_to_a_preload_by_force(planar_case):
+    """11 um/m/K of difference, 50 mm, 30 K."""
+    section = '[temperature]\nassembly = "20 degC"\nworking = "50 degC"\n\n[model]'
+    ring = ('ring = "52100"', 'ring = "6061-T6"')
+    by_interference = planar_assumptions(planar_case("planetary", ("[model]", section), ring))
+    assert any(told.startswith("temperature: the same in all bodies") for told in by_interference)
+    assert not any("housing_expansion" in told for told in by_interference)  # the ring is free
+    held = ('ring_support = "free" ', 'ring_support = "rigid_housing" ')
+    housed = planar_assumptions(planar_case("planetary", ("[model]", section), ring, held))
+    assert "no temperature.housing_expansion: the housing expands as the ring does" in housed
+    force = ('interference = "30 um"', 'preload = "1000 N"')
+    told = "\n".join(planar_assumptions(planar_case("planetary", ("[model]", section), ring, force)))
+    assert "load.preload is a force: -16.5 µm of interference by temperature does not move it" in told

@@ -43,3 +43,37 @@ def test_wrong_units_are_told(joint_text):
         read(joint_text, section=SECTION.replace("20 °C", "20 mm"))
     with pytest.raises(InputError, match=r"at least -273\.1 degC"):
         read(joint_text, section=SECTION.replace("20 °C", "-300 °C"))
+
+
+def test_other_drives_have_the_same_section(planar_case):
+    by_section = ("[model]", SECTION + "[model]")
+    case = planar_case("planetary", by_section)
+    assert si_values(case)["temperature"] == {"assembly": 20.0, "working": 60.0}
+    own = '[materials.mine]\nyoungs_modulus = "206 GPa"\npoisson_ratio = 0.3\ndensity = "7850 kg/m^3"\n'
+    own += 'yield_strength = "450 MPa"\nhardness_factor = 2.8\n\n'
+    with pytest.raises(InputError, match="thermal_expansion of every material: give it for mine"):
+        planar_case(
+            "planetary", by_section, ("[surface]", own + "[surface]"), ('planet = "52100"', 'planet = "mine"')
+        )
+
+
+@pytest.mark.parametrize(
+    ("name", "held", "said"),
+    [
+        (
+            "planetary",
+            ('ring_support = "free" ', 'ring_support = "rigid_housing" '),
+            r'drive\.ring_support = "free"',
+        ),
+        ("planar", ('ring_support = "free" ', 'ring_support = "rigid_housing" '), "whose rings all have"),
+    ],
+)
+def test_other_drives_without_a_housing(planar_case, name, held, said):
+    housing = SECTION.rstrip() + '\nhousing_expansion = "23e-6 1/K"\n\n'
+    with_it = ("[model]", housing + "[model]")
+    free, rigid = held
+    here = (rigid, free) if name == "planar" else ("ring_support", "ring_support")
+    with pytest.raises(InputError, match=f"{said}.* has no housing: leave out temperature"):
+        planar_case(name, with_it, here)
+    back = ("ring_support", "ring_support") if name == "planar" else (free, rigid)
+    assert planar_case(name, with_it, back).temperature.housing_expansion is not None

@@ -104,7 +104,7 @@ def solve(joint: Joint) -> Solution:
     require_double_precision()
     refuse_unknown_variants(joint)
     numbers: Joint = jax.tree.map(lambda leaf: np.asarray(leaf, dtype=float), joint)
-    refuse_loose(numbers)
+    refuse_loose(numbers.fit)
     refuse_bad_numbers(numbers)
     program = compile_fast(solve_program, numbers)
     result, gaps, capacities, sizes = jax.tree.map(np.asarray, program(numbers))

@@ -101,20 +101,19 @@ def loose_temperature(fit: Fit) -> Array:
     return jnp.asarray(fit.assembly_temperature + rise)
 
 
-def refuse_loose(joint: Joint) -> None:
+def refuse_loose(fit: Fit | None) -> None:
     """Refuse a joint whose working temperature has left no interference.
 
     Parameters
     ----------
-    joint : Joint
-        One joint.
+    fit : Fit or None
+        How it was assembled; None where its preload does not depend on temperature.
 
     Raises
     ------
     InputError
         With what the temperature takes from the interference, and where the joint comes loose.
     """
-    fit = joint.fit
     if fit is None or float(fit.interference) + float(fit.thermal_change) > 0.0:
         return
     loose = float(loose_temperature(fit))
@@ -140,15 +139,32 @@ def assembly_document(joint: Joint) -> dict[str, Any] | None:
     Returns
     -------
     dict or None
-        Forces, interferences and temperatures; None where the preload does not depend on temperature. The temperature
-        from which the joint is loose is None if there is none.
+        As :func:`fit_document`; None where the preload does not depend on temperature.
     """
     fit = joint.fit
     if fit is None:
         return None
+    return fit_document(fit, joint_preload(dataclasses.replace(joint, fit=None), fit.interference))
+
+
+def fit_document(fit: Fit, preload: Real) -> dict[str, Any]:
+    """How a drive was assembled, for a JSON document.
+
+    Parameters
+    ----------
+    fit : Fit
+        Interferences and temperatures.
+    preload : Real
+        Preload at the assembly [N].
+
+    Returns
+    -------
+    dict
+        Forces, interferences and temperatures; the temperature from which the joint is loose is None if there is none.
+    """
     loose = float(loose_temperature(fit))
     return {
-        "force_N": float(joint_preload(dataclasses.replace(joint, fit=None), fit.interference)),
+        "force_N": float(preload),
         "interference_m": float(fit.interference),
         "temperature_degC": float(fit.assembly_temperature),
         "working_temperature_degC": float(fit.working_temperature),

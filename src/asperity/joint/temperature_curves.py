@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+import math
 
 import equinox as eqx
 import jax
@@ -16,6 +17,8 @@ from asperity.joint.capacity import torque_capacity
 from asperity.joint.description import Joint
 from asperity.joint.evaluation import evaluate
 from asperity.joint.interference import joint_preload
+from asperity.joint.planar.description import PlanarJoint
+from asperity.joint.planar.temperature import solved_at
 
 _TEMPERATURES = 41
 _LEAST_MARGIN = 20.0  # of the axis beyond the temperatures of the file [K]
@@ -42,12 +45,12 @@ class TemperatureCurves(eqx.Module):
     torque_capacity: Array
 
 
-def temperature_curves(joint: Joint) -> TemperatureCurves:
+def temperature_curves(joint: Joint | PlanarJoint) -> TemperatureCurves:
     """Preload, assembled stiffness and torque capacity of a joint around the temperatures of its file.
 
     Parameters
     ----------
-    joint : Joint
+    joint : Joint or PlanarJoint
         One joint with a :class:`asperity.joint.description.Fit`.
 
     Returns
@@ -64,6 +67,36 @@ def temperature_curves(joint: Joint) -> TemperatureCurves:
     ends = sorted((float(fit.assembly_temperature), float(fit.working_temperature)))
     margin = max(_LEAST_MARGIN, 0.5 * (ends[1] - ends[0]))
     temperature = np.linspace(ends[0] - margin, ends[1] + margin, _TEMPERATURES)
+    if isinstance(joint, PlanarJoint):
+        found = _of_planar_drive(joint, temperature)
+    else:
+        found = _of_the_papers_drive(joint, temperature)
+    return TemperatureCurves(*map(jnp.asarray, (temperature, *found)))
+
+
+def _of_planar_drive(joint: PlanarJoint, temperature: np.ndarray) -> tuple[np.ndarray, ...]:
+    """Preload, assembled stiffness and torque capacity, one temperature after the other."""
+    backwards = int(float(joint.output_torque) < 0.0)
+    rows = []
+    for each in temperature:
+        result, capacity = solved_at(joint, each)
+        limit = capacity.standing.output_torque[backwards]
+        assembled = bool(np.all(result.rest.normal > 0.0)) and bool(np.isfinite(result.rest.residual))
+        holds = assembled and bool(result.solved) and abs(float(joint.output_torque)) < float(limit)
+        rows.append(
+            (
+                float(result.preload) if assembled else 0.0,
+                float(result.assembly.stiffness.output) if holds else math.nan,
+                float(limit) if assembled else math.nan,
+            )
+        )
+    return tuple(np.array(rows).T)
+
+
+def _of_the_papers_drive(joint: Joint, temperature: np.ndarray) -> tuple[np.ndarray, ...]:
+    """Preload, assembled stiffness and torque capacity at all temperatures at once."""
+    fit = joint.fit
+    assert fit is not None
     length = float(fit.interference) + float(fit.change_per_kelvin) * (
         temperature - float(fit.assembly_temperature)
     )
@@ -72,8 +105,7 @@ def temperature_curves(joint: Joint) -> TemperatureCurves:
     numbers = jax.tree.map(lambda leaf: np.asarray(leaf, dtype=float), plain)
     touching = np.where(preload > 0.0, preload, np.nan)
     points = dataclasses.replace(numbers, preload=touching)
-    found = [np.asarray(each) for each in compile_fast(_over_preload, points)(points)]
-    return TemperatureCurves(jnp.asarray(temperature), jnp.asarray(preload), *map(jnp.asarray, found))
+    return preload, *map(np.asarray, compile_fast(_over_preload, points)(points))
 
 
 def _over_preload(joint: Joint) -> tuple[Array, Array]:

@@ -7,6 +7,7 @@ from collections.abc import Mapping
 from asperity.joint_file.drawn_surface import surfaces_by_average
 from asperity.joint_file.material_entries import MaterialEntry
 from asperity.joint_file.model import Case, Lubrication
+from asperity.joint_file.planar_model import PlanarCase
 from asperity.joint_file.temperature_section import without_expansion
 from asperity.library import read_finishes
 from asperity.units import format_quantity
@@ -70,7 +71,7 @@ def assumptions(case: Case) -> tuple[str, ...]:
                 "floats (0) shares the load among the branches"
             )
     told += _surfaces(case)
-    told += _temperature(case)
+    told += temperature_assumptions(case, housed=case.drive.ring_support != "free")
     for roller in ("planet", "loading_roller"):
         if getattr(case.drive, f"{roller}_length") is None:
             told.append(f"no drive.{roller}_length: as long as the longest contact line on it")
@@ -110,15 +111,28 @@ def _surfaces(case: Case) -> list[str]:
     return told
 
 
-def _temperature(case: Case) -> list[str]:
-    """What is taken for the temperatures."""
+def temperature_assumptions(case: Case | PlanarCase, *, housed: bool) -> list[str]:
+    """What is taken for the temperatures.
+
+    Parameters
+    ----------
+    case : Case or PlanarCase
+        The joint file.
+    housed : bool
+        Whether a housing holds a ring.
+
+    Returns
+    -------
+    list of str
+        One sentence each.
+    """
     if case.temperature is None:
         return []
     told = [
         "temperature: the same in all bodies; elastic moduli, friction and the oil's viscosity stay those of the file"
     ]
     if case.load.preload is not None:
-        unknown = without_expansion(case.bodies, case.materials)
+        unknown = without_expansion(dict(case.bodies), case.materials)
         change = (
             f"the thermal_expansion of {', '.join(unknown)}, which the file does not state,"
             if unknown
@@ -128,17 +142,21 @@ def _temperature(case: Case) -> list[str]:
             f"load.preload is a force: {change} does not move it, as if a spring or a weight made it; give "
             "load.interference if the sizes make the preload"
         )
-    elif case.temperature.housing_expansion is None and case.drive.ring_support != "free":
+    elif case.temperature.housing_expansion is None and housed:
         told.append("no temperature.housing_expansion: the housing expands as the ring does")
     return told
 
 
-def _thermal_interference(case: Case) -> float:
+def _thermal_interference(case: Case | PlanarCase) -> float:
     from asperity.joint.temperature import thermal_interference
     from asperity.joint_file.build import joint_from_case
+    from asperity.joint_file.planar_build import thermal_change_of
     from asperity.joint_file.si_tables import si_values
 
-    given = si_values(case)["temperature"]
+    values = si_values(case)
+    if isinstance(case, PlanarCase):
+        return thermal_change_of(values)
+    given = values["temperature"]
     change = thermal_interference(
         joint_from_case(case),
         temperature_rise=given["working"] - given["assembly"],

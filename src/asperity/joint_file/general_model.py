@@ -83,3 +83,10 @@ class GeneralCase(PlanarCase):
     """Rollers and rings of one sector."""
     contact: Annotated[tuple[ContactEntry, ...], Field(min_length=1)]
     """Contacts of one sector; the internal ones have the interference."""
+
+    def without_housing(self) -> str:
+        """What the file says where no housing holds a ring; empty where one does."""
+        held = any(
+            roller.wall_thickness is not None and roller.ring_support != "free" for roller in self.roller
+        )
+        return "" if held else 'a drive whose rings all have ring_support = "free"'

@@ -216,11 +216,26 @@ def _unknown_key(
     for each in absent:
         if each[-1] == name:
             return f"{path}: unknown {what}; it belongs in [{'.'.join(each[:-1])}]", each
+    others = _drives_with(parts)
+    if others:
+        return f"{path}: {others}", None
     known = _known_names(table, model)
     sections = sorted({each.split(".")[0] for each in keys_by_path(model) if each.split(".")[-1] == name})
     if sections and name not in known:
         return f"{path}: unknown {what}; it belongs in [{sections[0]}]", None
     return f"{path}: unknown {what}{nearest(name, known) or '; known here are ' + ', '.join(known)}", None
+
+
+def _drives_with(parts: Parts) -> str:
+    """Which drives a key is for that the file's own drive does not have; empty where none has it."""
+    from asperity.joint_file.planar_types import PLANAR_CASES
+
+    kinds = {"zou2025": Case} | PLANAR_CASES
+    having = [kind for kind, other in kinds.items() if parts[-1] in _known_names(parts[:-1], other)]
+    if having == ["zou2025"]:
+        return 'only for the paper\'s drive (type = "zou2025", or no type)'
+    named = ", ".join(f'"{kind}"' for kind in having)
+    return f"only for drives of type {named}" if having else ""
 
 
 def _missing_sections(sections: list[Parts], model: type[BaseModel]) -> str:

@@ -13,7 +13,7 @@ from asperity.joint_file.bearing_entries import HeldBearing, PinBearing
 from asperity.joint_file.material_entries import BodyMaterials, MaterialEntry, MaterialName, Surfaces
 from asperity.joint_file.quantity_key import Quantity
 from asperity.joint_file.section import ONE_FOR_ALL, ONE_FOR_EACH, EachContact, Section, number_or_table
-from asperity.joint_file.temperature_section import TemperatureEntry, without_expansion
+from asperity.joint_file.temperature_section import TemperatureEntry, refuse_temperature
 
 Length = Annotated[Quantity, limits.ROLLER_RADIUS]
 ContactLength = Annotated[Quantity, limits.CONTACT_LENGTH]
@@ -359,18 +359,13 @@ class Case(Section):
 
     @model_validator(mode="after")
     def _known_expansion(self) -> Case:
-        if self.temperature is None:
-            return self
-        unknown = without_expansion(self.bodies, self.materials)
-        if self.load.interference is not None and unknown:
-            raise InputError(
-                f"[temperature] with load.interference needs the thermal_expansion of every material: give it for "
-                f'{", ".join(unknown)}, e.g. thermal_expansion = "11.5e-6 1/K", or take a material of the library'
-            )
-        if self.temperature.housing_expansion is not None and self.drive.ring_support == "free":
-            raise InputError(
-                'drive.ring_support = "free" has no housing: leave out temperature.housing_expansion'
-            )
+        refuse_temperature(
+            self.temperature,
+            by_interference=self.load.interference is not None,
+            bodies=dict(self.bodies),
+            materials=self.materials,
+            without_housing='drive.ring_support = "free"' if self.drive.ring_support == "free" else "",
+        )
         return self
 
     @model_validator(mode="after")

@@ -4,7 +4,11 @@ from __future__ import annotations
 
 from typing import Any
 
-from asperity.joint_file.assumptions import lubrication_assumptions, rolling_model_assumptions
+from asperity.joint_file.assumptions import (
+    lubrication_assumptions,
+    rolling_model_assumptions,
+    temperature_assumptions,
+)
 from asperity.joint_file.general_model import GeneralCase
 from asperity.joint_file.planar_model import PlanarCase
 
@@ -69,6 +73,7 @@ def planar_assumptions(case: PlanarCase) -> tuple[str, ...]:
                 f"roughness_average: Ra leaves D open, and all results are those of the {which}; compare the ends of "
                 "the range, e.g. by fractal_dimension = 1.15 and 1.5"
             )
+    told += temperature_assumptions(case, housed=not case.without_housing())
     told += rolling_model_assumptions()
     if case.rolling is None or case.rolling.hysteresis_factor is None:
         told.append("no rolling.hysteresis_factor: the bodies lose no work as they roll")

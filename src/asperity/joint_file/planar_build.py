@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 import math
 from typing import Any
 
@@ -11,6 +12,7 @@ from jax import Array
 from asperity.drive.planar.layout import PlanarDrive
 from asperity.joint.description import Joint
 from asperity.joint.planar.description import PlanarJoint
+from asperity.joint.planar.temperature import planar_fit
 from asperity.joint_file.build import joint_from_case, rolling_conditions
 from asperity.joint_file.material_build import material_of, surface_of
 from asperity.joint_file.model import Case
@@ -71,7 +73,7 @@ def planar_joint_from_values(values: Values) -> PlanarJoint:
     if "nominal" in values:  # the rings have their nominal radii, whatever the rollers have
         pattern = tuple(jnp.asarray(pattern) + _grown(values, drive) / load["interference"])
     materials = {name: material_of(entry) for name, entry in values["materials"].items()}
-    return PlanarJoint(
+    joint = PlanarJoint(
         type=values["type"],
         drive=drive,
         shapes=shapes,
@@ -95,6 +97,35 @@ def planar_joint_from_values(values: Values) -> PlanarJoint:
         plane_state=model.get("plane_state", "plane_strain"),
         rolling=rolling_conditions(values),
     )
+    if "temperature" not in values or "interference" not in load:
+        return joint
+    temperature = values["temperature"]
+    fit = planar_fit(
+        joint,
+        assembly_temperature=temperature["assembly"],
+        working_temperature=temperature["working"],
+        housing_expansion=temperature.get("housing_expansion"),
+    )
+    return dataclasses.replace(joint, fit=fit)
+
+
+def thermal_change_of(values: Values) -> float:
+    """Interference that the temperatures of a file add to that of its drive, whatever makes its preload.
+
+    Parameters
+    ----------
+    values : dict
+        Tables in SI units with temperatures; the expansions of all materials are known.
+
+    Returns
+    -------
+    float
+        Interference [m].
+    """
+    load = {name: value for name, value in values["load"].items() if name != "preload"}
+    fit = planar_joint_from_values(values | {"load": load | {"interference": 1.0}}).fit
+    assert fit is not None
+    return float(fit.thermal_change)
 
 
 def with_nominal_sizes(values: Values) -> Values:

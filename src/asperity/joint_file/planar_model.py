@@ -12,6 +12,7 @@ from asperity.joint_file.material_entries import MaterialEntry, MaterialName, Su
 from asperity.joint_file.model import ContactLength, DynamicsEntry, Friction, Length, Lubrication
 from asperity.joint_file.quantity_key import Quantity
 from asperity.joint_file.section import ONE_FOR_ALL, ONE_FOR_EACH, Section
+from asperity.joint_file.temperature_section import TemperatureEntry, refuse_temperature
 
 #: The name of a roller or a contact.
 PartName = Annotated[str, StringConstraints(pattern=r"^[A-Za-z][A-Za-z0-9_-]{0,59}$")]
@@ -176,6 +177,8 @@ class PlanarCase(Section):
     """Type of the drive."""
     load: PlanarLoad
     """Preload, torque, speed, friction."""
+    temperature: TemperatureEntry | None = None
+    """Temperature of the drive; that of the assembly if the section is absent."""
     compliance: PlanarCompliance | None = None
     """Springs of pins and shafts; ideal if the section is absent."""
     rolling: PlanarRolling | None = None
@@ -252,6 +255,22 @@ class PlanarCase(Section):
                     "of rings in a rigid housing, in plane strain"
                 )
         return self
+
+    @model_validator(mode="after")
+    def _known_expansion(self) -> Self:
+        refuse_temperature(
+            self.temperature,
+            by_interference=self.load.interference is not None,
+            bodies=self.bodies,
+            materials=self.materials,
+            without_housing=self.without_housing(),
+        )
+        return self
+
+    def without_housing(self) -> str:
+        """What the file says where no housing holds a ring; empty where one does."""
+        drive: Any = self.drive  # type: ignore[attr-defined]
+        return 'drive.ring_support = "free"' if drive.ring_support == "free" else ""
 
     @model_validator(mode="after")
     def _known_parts(self) -> Self:

@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Annotated
 
+from asperity.errors import InputError
 from asperity.joint_file import limits
-from asperity.joint_file.material_entries import BodyMaterials, MaterialEntry
+from asperity.joint_file.material_entries import MaterialEntry
 from asperity.joint_file.quantity_key import Quantity
 from asperity.joint_file.section import Section
 
@@ -23,13 +24,53 @@ class TemperatureEntry(Section):
     absent."""
 
 
-def without_expansion(bodies: BodyMaterials, materials: Mapping[str, MaterialEntry]) -> list[str]:
+def refuse_temperature(
+    temperature: TemperatureEntry | None,
+    *,
+    by_interference: bool,
+    bodies: Mapping[str, str],
+    materials: Mapping[str, MaterialEntry],
+    without_housing: str,
+) -> None:
+    """Refuse temperatures for which something is not known, or is known of nothing.
+
+    Parameters
+    ----------
+    temperature : TemperatureEntry or None
+        The section; None where the file has none.
+    by_interference : bool
+        Whether an interference makes the preload.
+    bodies : mapping
+        Body → name of its material.
+    materials : mapping
+        Materials by name.
+    without_housing : str
+        What the file says where no housing holds a ring; empty where one does.
+
+    Raises
+    ------
+    InputError
+        With the materials, or the key to leave out.
+    """
+    if temperature is None:
+        return
+    unknown = without_expansion(bodies, materials)
+    if by_interference and unknown:
+        raise InputError(
+            f"[temperature] with load.interference needs the thermal_expansion of every material: give it for "
+            f'{", ".join(unknown)}, e.g. thermal_expansion = "11.5e-6 1/K", or take a material of the library'
+        )
+    if temperature.housing_expansion is not None and without_housing:
+        raise InputError(f"{without_housing} has no housing: leave out temperature.housing_expansion")
+
+
+def without_expansion(bodies: Mapping[str, str], materials: Mapping[str, MaterialEntry]) -> list[str]:
     """Materials of bodies whose thermal expansion is not known.
 
     Parameters
     ----------
-    bodies : BodyMaterials
-        Which material each body is made of.
+    bodies : mapping
+        Body → name of its material.
     materials : mapping
         Materials by name.
 
@@ -38,5 +79,5 @@ def without_expansion(bodies: BodyMaterials, materials: Mapping[str, MaterialEnt
     list of str
         Their names.
     """
-    used = dict.fromkeys(name for _, name in bodies)
+    used = dict.fromkeys(bodies.values())
     return [name for name in used if name in materials and materials[name].thermal_expansion is None]

@@ -8,7 +8,6 @@ import numpy as np
 
 from asperity.joint.document import NO_SHARE
 from asperity.joint.margins import margins
-from asperity.joint.planar.description import PlanarJoint
 from asperity.joint.results import LEVELS, RESULTS, SolvedJoint
 from asperity.joint.temperature_curves import temperature_curves
 from asperity.show.branch_figure import draw_size_errors
@@ -98,7 +97,7 @@ def joint_figure(solved: SolvedJoint, *, title: str, size_errors: SizeErrorCurve
     """
     from matplotlib.figure import Figure
 
-    fit = None if isinstance(solved.joint, PlanarJoint) else solved.joint.fit
+    fit = solved.joint.fit
     rows = 2 + (fit is not None) + (size_errors is not None)
     figure = Figure(figsize=(10.0, 3.7 * rows), layout="constrained")
     upper, lower, *further = figure.subfigures(rows, 1, squeeze=False)[:, 0]

@@ -68,8 +68,9 @@ def wedge_drive(geometry: DriveGeometry, *, planet_count: Real) -> PlanarDrive:
         ),
         first_radius=jnp.stack([sun, planet, planet, roller, roller]),
         second_radius=jnp.stack([planet, roller, roller, ring, ring]),
+        # the right pin pushes counter-clockwise, so that outward is the other way round from the clockwise tangent
         push_angles=jnp.stack(
-            [jnp.asarray(geometry.right_push_angle), jnp.asarray(geometry.left_push_angle)]
+            [-jnp.asarray(geometry.right_push_angle), jnp.asarray(geometry.left_push_angle)]
         ),
         sectors=planet_count,
         input="sun",

@@ -16,7 +16,7 @@ from asperity.contact.roller_pairs import roller_pairs
 from asperity.drive.planar.layout import PlanarDrive
 from asperity.drive.rolling_speeds import BodiesOfContacts
 from asperity.joint.contacts import JointContacts, elastic_material
-from asperity.joint.description import BodyModel, per_contact
+from asperity.joint.description import BodyModel, Fit, per_contact
 from asperity.joint.rolling_conditions import RollingConditions
 from asperity.materials import Material, pair
 from asperity.types import Real
@@ -43,6 +43,21 @@ class BodyShape(eqx.Module):
 SOLID = BodyShape("solid")
 
 
+class PlanarFit(Fit):
+    """How a planar drive was assembled, and what temperature does to each of its contacts.
+
+    Parameters
+    ----------
+    interference, change_per_kelvin, assembly_temperature, working_temperature : Real
+        Of the drive, as in :class:`asperity.joint.description.Fit`: the interference of its rings that does the same
+        work.
+    contact_change_per_kelvin : Array
+        Interference that a kelvin adds to each contact, shape (contacts,) [m/K].
+    """
+
+    contact_change_per_kelvin: Array
+
+
 class PlanarJoint(eqx.Module):
     """A joint with a planar roller drive. SI units; what differs between contacts is a tuple of one entry or one each.
 
@@ -61,7 +76,7 @@ class PlanarJoint(eqx.Module):
     contact_lengths, friction_coefficients : tuple of Real
         Lengths B [m] and friction coefficients mu [-].
     pattern : tuple of Real
-        Interference of each contact over that of the drive [-].
+        Interference of each contact over that of the drive at the assembly [-].
     preload, interference : Real or None
         Normal force of the first contact without torque [N], or the interference of the drive [m]; one of them.
     output_torque : Real
@@ -80,6 +95,8 @@ class PlanarJoint(eqx.Module):
         Of the exact bodies.
     rolling : RollingConditions
         Losses, oil and reliability of the joint that turns.
+    fit : PlanarFit or None, optional
+        What temperature adds to the interference; None where the preload does not depend on it.
     """
 
     type: str = eqx.field(static=True)
@@ -101,6 +118,16 @@ class PlanarJoint(eqx.Module):
     body_model: BodyModel = eqx.field(static=True)
     plane_state: PlaneState = eqx.field(static=True)
     rolling: RollingConditions
+    fit: PlanarFit | None = None
+
+    @property
+    def working_pattern(self) -> Array:
+        """Interference of each contact at the working temperature over that of the drive at the assembly [-]."""
+        pattern = jnp.asarray(self.pattern)
+        if self.fit is None:
+            return pattern
+        added = self.fit.contact_change_per_kelvin * self.fit.temperature_rise
+        return pattern + added / jnp.asarray(self.interference)
 
     @property
     def sun_speed(self) -> Real:

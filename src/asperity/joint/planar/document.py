@@ -25,6 +25,7 @@ from asperity.joint.planar.plausibility import planar_plausibility
 from asperity.joint.planar.rims import bends
 from asperity.joint.planar.solve import PlanarSolution
 from asperity.joint.planar.solved import SolvedPlanarJoint, solved_planar_joint
+from asperity.joint.planar.temperature import planar_assembly_document
 from asperity.joint.rolling_document import losses, rolling_document
 from asperity.joint.strength_document import rim_entry
 
@@ -86,7 +87,7 @@ def planar_document(
             "preload": {
                 "force_N": result.preload,
                 "interference_m": result.interference,
-                "at_assembly": None,
+                "at_assembly": planar_assembly_document(joint),
                 "loading_cam": None,
             },
             "forces": {

@@ -13,6 +13,7 @@ from jax import Array
 from asperity.contact.fractal import FractalContact
 from asperity.contact.interface import Interface
 from asperity.drive.assembly import Assembly
+from asperity.drive.planar.expansion import ring_interference
 from asperity.drive.planar.layout import CARRIER, PlanarDrive, speed_ratio, speeds
 from asperity.drive.planar.state import STATE_TOLERANCE, ContactLaws, PlanarState, surface_speeds
 from asperity.drive.planar.states import drive_states
@@ -189,7 +190,7 @@ def evaluated_with_laws(joint: PlanarJoint) -> tuple[PlanarResult, ContactLaws]:
     states = drive_states(
         drive=drive,
         laws=laws,
-        pattern=jnp.asarray(joint.pattern),
+        pattern=joint.working_pattern,
         preload=joint.preload,
         interference=joint.interference,
         load=load,
@@ -211,7 +212,9 @@ def evaluated_with_laws(joint: PlanarJoint) -> tuple[PlanarResult, ContactLaws]:
         carrier_speed=ideal[drive.members.index(drive.output)] * joint.input_speed,
         masses=jnp.stack([jnp.asarray(mass) for mass in masses]),
         preload=states.rest.normal[0],
-        interference=jnp.max(states.rest.interference),
+        interference=ring_interference(
+            drive=drive, forces=laws.reference_force, interference=states.rest.interference
+        ),
         rest=states.rest,
         forces=PlanarForces(
             normal=standing.normal,

@@ -68,7 +68,7 @@ def _expected_preload(joint: PlanarJoint, contacts: JointContacts, forces: Array
     young, length = joint.materials[0].youngs_modulus, jnp.asarray(contacts.pairs.contact_length)[0]
     small = _SMALL_FORCE * young * length * jnp.asarray(joint.interference)
     springs, coupling = _approach(joint, contacts, small * forces)
-    share = jnp.sum(jnp.asarray(joint.pattern) * forces) * jnp.asarray(joint.interference)
+    share = jnp.sum(joint.working_pattern * forces) * jnp.asarray(joint.interference)
     work = jnp.sum(springs.secant_compliance * forces**2)
     work = work if coupling is None else work + forces @ coupling @ forces
     # the work falls by this for each e-fold of the force

@@ -15,6 +15,7 @@ from asperity.joint.capacity import LIMIT_KINDS, TorqueCapacity, limit_words
 from asperity.joint.planar.capacity import PlanarCapacity, planar_capacity
 from asperity.joint.planar.description import PlanarJoint, tracks_of
 from asperity.joint.planar.evaluation import PlanarResult, evaluated_with_laws
+from asperity.joint.temperature import refuse_loose
 from asperity.precision import require_double_precision
 from asperity.units import format_quantity
 
@@ -81,6 +82,7 @@ def solve_planar(joint: PlanarJoint) -> PlanarSolution:
     require_double_precision()
     numbers: PlanarJoint = jax.tree.map(lambda leaf: np.asarray(leaf, dtype=float), joint)
     refuse_impossible(numbers.drive)
+    refuse_loose(numbers.fit)
     refuse_bores(numbers)
     program = compile_fast(solve_planar_program, numbers)
     result, capacity = jax.tree.map(np.asarray, program(numbers))
@@ -119,7 +121,14 @@ def refuse_bores(joint: PlanarJoint) -> None:
 def _refuse_unsolved(joint: PlanarJoint, solution: PlanarSolution) -> None:
     result, torque = solution.result, float(joint.output_torque)
     if not float(result.rest.worst) < np.inf or not np.all(np.asarray(result.rest.normal) > 0.0):
-        raise NoSolutionError("no balance of the assembled drive was found; check radii, walls and preload")
+        warm = (
+            f", and what {format_quantity(float(joint.fit.working_temperature), 'degC')} leave of it at every ring"
+            if joint.fit is not None
+            else ""
+        )
+        raise NoSolutionError(
+            f"no balance of the assembled drive was found; check radii, walls and preload{warm}"
+        )
     if not bool(result.walls_hold):
         raise InputError(
             "a ring or a hollow roller has a wall thinner than five half-widths of its contacts or about 2 % of its "

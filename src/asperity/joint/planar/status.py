@@ -36,7 +36,10 @@ def planar_status(joint: PlanarJoint, result: PlanarResult) -> Array:
     wide = result.diagnostics.hertz_half_width >= smaller_sizes(joint)
     loose = jnp.asarray(False)
     if joint.interference is not None:  # a force is always above 0
-        loose = jnp.max(jnp.asarray(joint.pattern)) * joint.interference <= 0.0
+        left = jnp.max(jnp.asarray(joint.pattern)) * joint.interference
+        if joint.fit is not None:
+            left = jnp.asarray(joint.fit.interference + joint.fit.thermal_change)
+        loose = left <= 0.0
     carried = jnp.isfinite(residual) | ~jnp.all(jnp.isfinite(result.forces.normal))
     code = jnp.zeros((), dtype=jnp.int8)
     for condition, value in (

@@ -79,7 +79,6 @@ ROWS = (
         positive=False,
         note="by the working temperature, to that at the assembly; 0 without [temperature], or where load.preload is a "
         "force",
-        wedge_only=True,
     ),
     _force(
         "cam_angle",

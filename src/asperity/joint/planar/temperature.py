@@ -1,0 +1,155 @@
+"""A joint with a planar drive at its working temperature: what temperature adds to the interference of its contacts."""
+
+from __future__ import annotations
+
+import dataclasses
+import math
+from typing import Any
+
+import jax
+import jax.numpy as jnp
+import numpy as np
+from jax import Array
+
+from asperity.compilation import compile_fast
+from asperity.drive.planar.equal_springs import rest_forces
+from asperity.drive.planar.expansion import interference_of_strains, ring_interference
+from asperity.drive.thermal_expansion import ring_expansion
+from asperity.joint.planar.capacity import PlanarCapacity
+from asperity.joint.planar.description import PlanarFit, PlanarJoint, places
+from asperity.joint.planar.evaluation import PlanarResult
+from asperity.joint.planar.solve import solve_planar_program
+from asperity.joint.temperature import fit_document
+from asperity.types import Real
+
+
+def contact_expansion(joint: PlanarJoint, *, housing_expansion: Real | None) -> Array:
+    """Interference that a kelvin adds to each contact of a joint.
+
+    Parameters
+    ----------
+    joint : PlanarJoint
+        The joint; the thermal expansion of all its materials is known.
+    housing_expansion : Real or None
+        Expansion coefficient of the housing that holds rings [1/K]; None for that of each ring.
+
+    Returns
+    -------
+    Array
+        Interference over temperature, shape (contacts,) [m/K].
+
+    Notes
+    -----
+    The carrier expands like its first roller on a pin, which matters only where pins push outwards or inwards: along
+    the tangent they leave the rollers free to follow the contacts.
+
+    References
+    ----------
+    Equation (I2) of :doc:`/equations`.
+    """
+    drive = joint.drive
+    own = [jnp.asarray(material.thermal_expansion) for material in joint.materials]
+    first, second = places(drive)
+    outer = []
+    for contact, body in enumerate(second):
+        shape, material = joint.shapes[body], joint.materials[body]
+        expansion: Any = own[body]
+        if housing_expansion is not None and shape.kind == "ring" and shape.support == "rigid_housing":
+            assert shape.size is not None
+            expansion = ring_expansion(
+                ring=expansion,
+                housing=housing_expansion,
+                inner_radius=drive.second_radius[contact],
+                wall_thickness=shape.size,
+                youngs_modulus=material.youngs_modulus,
+                poisson_ratio=material.poisson_ratio,
+                housing_stiffness=math.inf,
+                plane_state=joint.plane_state,
+            )
+        outer.append(expansion)
+    inner = jnp.stack([own[body] for body in first])
+    carrier = own[drive.pinned[0]] if drive.pinned else own[0]
+    return interference_of_strains(drive=drive, strains=(inner, jnp.stack(outer)), carrier=carrier)
+
+
+def planar_fit(
+    joint: PlanarJoint,
+    *,
+    assembly_temperature: Real,
+    working_temperature: Real,
+    housing_expansion: Real | None,
+) -> PlanarFit:
+    """How a drive was assembled, and what temperature does to it.
+
+    Parameters
+    ----------
+    joint : PlanarJoint
+        The joint with an interference and its pattern at the assembly.
+    assembly_temperature, working_temperature : Real
+        Temperatures of the whole drive [degC].
+    housing_expansion : Real or None
+        Expansion coefficient of the housing that holds rings [1/K]; None for that of each ring.
+
+    Returns
+    -------
+    PlanarFit
+        For the joint.
+
+    References
+    ----------
+    Equation (I2) of :doc:`/equations`.
+    """
+    drive, pattern = joint.drive, jnp.asarray(joint.pattern)
+    forces = rest_forces(drive=drive, pattern=pattern)
+    change = contact_expansion(joint, housing_expansion=housing_expansion)
+    assembled = pattern * jnp.asarray(joint.interference)
+    return PlanarFit(
+        interference=ring_interference(drive=drive, forces=forces, interference=assembled),
+        change_per_kelvin=ring_interference(drive=drive, forces=forces, interference=change),
+        assembly_temperature=assembly_temperature,
+        working_temperature=working_temperature,
+        contact_change_per_kelvin=change,
+    )
+
+
+def solved_at(joint: PlanarJoint, temperature: float) -> tuple[PlanarResult, PlanarCapacity]:
+    """What the same joint does at another working temperature.
+
+    Parameters
+    ----------
+    joint : PlanarJoint
+        One joint with a fit.
+    temperature : float
+        Working temperature [degC].
+
+    Returns
+    -------
+    PlanarResult, PlanarCapacity
+        With the numbers as NumPy arrays; without meaning where the joint is loose.
+    """
+    assert joint.fit is not None
+    there = dataclasses.replace(joint, fit=dataclasses.replace(joint.fit, working_temperature=temperature))
+    numbers = jax.tree.map(lambda leaf: np.asarray(leaf, dtype=float), there)
+    found: tuple[PlanarResult, PlanarCapacity] = jax.tree.map(
+        np.asarray, compile_fast(solve_planar_program, numbers)(numbers)
+    )
+    return found
+
+
+def planar_assembly_document(joint: PlanarJoint) -> dict[str, Any] | None:
+    """Preload and interference at the assembly, and what temperature does to them, for a JSON document.
+
+    Parameters
+    ----------
+    joint : PlanarJoint
+        One joint.
+
+    Returns
+    -------
+    dict or None
+        As :func:`asperity.joint.temperature.assembly_document`.
+    """
+    if joint.fit is None:
+        return None
+    result, _ = solved_at(joint, float(joint.fit.assembly_temperature))
+    return fit_document(joint.fit, result.preload)
