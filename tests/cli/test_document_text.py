@@ -37,11 +37,12 @@ def test_numbers_have_four_digits_and_what_is_absent_is_a_dash():
 def test_the_heading_states_the_load_in_its_units():
     document = {
         "input": {"drive": {"planets": 3}, "load": {"sun_speed": 628.3185307179587, "output_torque": 5.0}},
+        "geometry": {"input": "driving_ring"},
         "preload": {"force_N": 1000.0, "interference_m": 1.25e-6, "at_assembly": None, "loading_cam": None},
     }
     assert shown(show_heading, document, "joint.toml", width=200).splitlines()[:2] == [
         "joint.toml",
-        "3 planets, sun at 6000 rpm, preload 1000 N (1.25 um of interference), output torque 5 N·m",
+        "3 planets, driving ring at 6000 rpm, preload 1000 N (1.25 um of interference), output torque 5 N·m",
     ]
     document["preload"]["at_assembly"] = {
         "force_N": 1500.0,

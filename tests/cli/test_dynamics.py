@@ -42,7 +42,7 @@ def test_a_joint_that_stands(call, joint_file):
     file = joint_file(("[surface]", f"{SECTION}loss_factor = 0.01\n[surface]"), ('"6000 rpm"', '"0 rpm"'))
     outcome = call("dynamics", file)
     assert outcome.code == 0
-    assert "The sun stands: creep does not act." in outcome.out
+    assert "The input stands: creep does not act." in outcome.out
     assert "loss_factor" not in outcome.out
 
 

@@ -25,7 +25,7 @@ def test_the_document_has_every_key_in_si(document):
         "input_torque_Nm",
         "planet_mass_kg",
         "loading_roller_mass_kg",
-        "carrier_speed_rad_per_s",
+        "output_speed_rad_per_s",
     }
     for contact in document["contacts"].values():
         assert set(contact) >= {
@@ -61,7 +61,7 @@ def test_the_numbers_of_the_issue(document):
     assert document["geometry"]["theta_rad"] == pytest.approx(0.472689, abs=1e-6)  # 27.0831 deg
     assert document["geometry"]["wedge_angle_rad"] == pytest.approx(0.229654, abs=1e-6)  # 13.1582 deg
     assert document["geometry"]["speed_ratio"] == pytest.approx(-9.0, rel=1e-15)
-    assert document["forces"]["carrier_speed_rad_per_s"] == pytest.approx(-69.81317, rel=1e-6)
+    assert document["forces"]["output_speed_rad_per_s"] == pytest.approx(-69.81317, rel=1e-6)
     assert document["forces"]["planet_mass_kg"] == pytest.approx(
         7850 * 3.14159265 * 13.5e-3**2 * 5e-3, rel=1e-8
     )

@@ -58,6 +58,7 @@ def document():
             "theta_rad": np.pi / 6.0,
             "wedge_angle_rad": np.pi / 12.0,
             "speed_ratio": -9.0,
+            "input": "sun",
             "clearances": [{"condition": "far", "gap_m": 3e-3}, {"condition": "near", "gap_m": 0.5e-3}],
         },
         "forces": {
@@ -68,7 +69,7 @@ def document():
             "output_torque_Nm": 5.0,
             "planet_mass_kg": 0.02247,
             "loading_roller_mass_kg": 0.003083,
-            "carrier_speed_rad_per_s": -np.pi,
+            "output_speed_rad_per_s": -np.pi,
         },
         "torque_capacity": {
             "output_torque_Nm": 12.5,

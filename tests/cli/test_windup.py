@@ -157,7 +157,7 @@ def test_a_torque_beyond_rolling_has_no_drift(call, tmp_path):
     (reason,) = json.loads(outcome.out)["rolling"]["unknown_because"]
     assert "no steady rolling" in reason
     shown = call("windup", file, "--torque", "13.8 N*m", "--plot", tmp_path / "w.png")
-    assert "When the sun turns under 13.8 N·m: no steady rolling" in shown.out.replace("\n", " ")
+    assert "When the input turns under 13.8 N·m: no steady rolling" in shown.out.replace("\n", " ")
     refused = call("windup", file, "--torque", "13.8 N*m", "--rolling-csv", tmp_path / "r.csv")
     assert (refused.code, refused.out) == (2, "")
     assert "--rolling-csv: no steady rolling" in refused.err

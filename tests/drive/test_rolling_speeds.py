@@ -16,7 +16,7 @@ CREEPAGE[4] = 2 * np.tanh(sum(np.arctanh(CREEPAGE[[1, 3]] / 2)) - np.arctanh(CRE
 def test_without_creep_the_drive_turns_by_its_radii():
     found = rolling_speeds(geometry=GEOMETRY, creepage=np.zeros(5), sun_speed=SUN_SPEED)
     carrier = SUN_SPEED * 4 / 36
-    assert float(found.carrier) == pytest.approx(carrier, rel=1e-14)
+    assert float(found.output) == pytest.approx(carrier, rel=1e-14)
     np.testing.assert_allclose(found.driving, 40e-3 * carrier, rtol=1e-14)
     np.testing.assert_allclose(found.driven, 40e-3 * carrier, rtol=1e-14)
     np.testing.assert_allclose(found.body, carrier * 40 / np.array([4, 13.5, 5, 5, 40]), rtol=1e-14)
@@ -31,7 +31,7 @@ def test_creepage_is_the_difference_of_the_surface_speeds_over_their_mean():
 
 def test_every_body_turns_with_its_surfaces_in_the_frame_of_the_carrier():
     found = rolling_speeds(geometry=GEOMETRY, creepage=CREEPAGE, sun_speed=SUN_SPEED)
-    carrier, driving, driven = float(found.carrier), np.asarray(found.driving), np.asarray(found.driven)
+    carrier, driving, driven = float(found.output), np.asarray(found.driving), np.asarray(found.driven)
     sun, planet, right, left, ring = np.asarray(found.body) * np.array([4e-3, 13.5e-3, 5e-3, 5e-3, 40e-3])
     # the carrier turns against the sun, the ring stands
     assert sun == pytest.approx(4e-3 * (SUN_SPEED + carrier), rel=1e-14)

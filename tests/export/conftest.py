@@ -53,7 +53,7 @@ def made_content(paper_joint):
         curves = BothSenses(
             torque, 100.0 * stiffness, 10.0 * stiffness, stiffness, jnp.abs(torque) / 13.0, drift, 0.9 * drift
         )
-        parts = MovingParts(sun=2e-6, output=0.05, loss_factor=0.02, coupled=True, friction=0.01)
+        parts = MovingParts(input=2e-6, output=0.05, loss_factor=0.02, coupled=True, friction=0.01)
         return ExportContent("made.toml", joint, "assembly", windup, curves, parts, ())
 
     return make

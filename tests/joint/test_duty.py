@@ -21,7 +21,7 @@ class Lives(NamedTuple):
 class Rolled(NamedTuple):
     cycles: object
     cycles_per_turn: object
-    carrier_speed: object
+    output_speed: object
     life_hours: Lives
 
 
@@ -38,7 +38,7 @@ def rolled(torque, speed):
     return Rolled(
         cycles=cycles,
         cycles_per_turn=jnp.ones((2, 5)),
-        carrier_speed=carrier,
+        output_speed=carrier,
         life_hours=Lives(hours),
     )
 

@@ -241,7 +241,7 @@ def test_single_precision_is_refused(paper_joint):
 
 def test_carrier_turns_the_other_way_with_the_published_ratio(paper_joint):
     found = solve(paper_joint()).result
-    assert float(found.carrier_speed) == pytest.approx(-69.81317007977317)
+    assert float(found.output_speed) == pytest.approx(-69.81317007977317)
     assert float(found.speed_ratio) == pytest.approx(-9.0)
     assert math.degrees(float(found.angles.direction)) == pytest.approx(27.0831, abs=6e-5)
 

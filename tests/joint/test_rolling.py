@@ -129,14 +129,14 @@ def test_creep_and_bearings_are_what_is_missing_at_the_output(rolled, torque):
         * 3.0
         * float(found.tangential[1] - found.tangential[3] + found.tangential[2] - found.tangential[4])
     )
-    assert ours == pytest.approx(missing + braking * float(found.carrier_speed), rel=1e-9)
+    assert ours == pytest.approx(missing + braking * float(found.output_speed), rel=1e-9)
     assert float(power.loss) == pytest.approx(ours, rel=1e-13)
     if torque > 0.0:
-        output = torque * float(found.carrier_speed)
+        output = torque * float(found.output_speed)
         assert float(power.efficiency) == pytest.approx(output / (output + lost), rel=1e-9)
         assert output + lost == pytest.approx(power_in, rel=0.1)
     else:  # the output drives: what leaves at the sun over what enters at the carrier
-        entering = -torque * float(found.carrier_speed)
+        entering = -torque * float(found.output_speed)
         assert float(power.efficiency) == pytest.approx((entering - lost) / entering, rel=1e-9)
 
 
@@ -270,7 +270,7 @@ def test_miners_sum_over_a_duty(rolled):
         if speed > 0.0:
             alone = rolled(output_torque=torque, sun_speed=speed)
             # every track by itself: Miner's sum is linear
-            seconds = alone.cycles / (alone.cycles_per_turn * alone.carrier_speed / TURN)
+            seconds = alone.cycles / (alone.cycles_per_turn * alone.output_speed / TURN)
             damage = damage + share / np.asarray(seconds)
     tracks = damage * 3600.0
     times = np.array([[1, 3, 3, 3, 3], [3, 3, 3, 1, 1]])

@@ -8,8 +8,9 @@ import pytest
 from asperity.joint.rolling_document import losses, unknown_because
 
 
-def joint(sun_speed=100.0, duty=()):
-    return SimpleNamespace(sun_speed=sun_speed, rolling=SimpleNamespace(duty=duty))
+def joint(sun_speed=100.0, duty=(), skew=None):
+    rolling = SimpleNamespace(duty=duty, skew=skew)
+    return SimpleNamespace(sun_speed=sun_speed, rolling=rolling, ends=("first ring", "carrier"))
 
 
 def result(*, residual=1e-12, slip=(0.4,) * 5, holds=True, efficiency=0.98, duty_life_hours=np.nan):
@@ -33,7 +34,7 @@ def test_nothing_is_missing_from_a_joint_that_turns():
     [
         ({"slip": (0.4, 1.2, 0.4, np.nan, 0.4)}, "no steady rolling: pwr, wro slips or has lifted off"),
         ({"holds": False}, "no creep: every spot of a contact is plastic"),
-        ({}, "no steady rolling: with equal creep on both sides of a planet"),
+        ({}, "no steady rolling: a contact slips or lifts off when the creepages share the torque"),
     ],
 )
 def test_a_joint_that_does_not_roll_has_one_reason(found, said):
@@ -41,9 +42,18 @@ def test_a_joint_that_does_not_roll_has_one_reason(found, said):
     assert reason.startswith(said)
 
 
+def test_skew_is_a_possible_cause_where_rollers_are_skewed():
+    unsolved = result(residual=np.nan)
+    (straight,), (skewed,) = (
+        unknown_because(joint(), unsolved),
+        unknown_because(joint(skew=(1e-3,)), unsolved),
+    )
+    assert skewed == straight + ", or skew alone makes it slip"
+
+
 def test_what_needs_time_power_or_a_duty_is_named():
     (still,) = unknown_because(joint(sun_speed=0.0), result(efficiency=np.nan))
-    assert still.startswith("the sun stands")
+    assert still.startswith("the first ring stands")
     (driven,) = unknown_because(joint(), result(efficiency=np.nan))
     assert driven.startswith("no efficiency: the output torque drives the rotation")
     (duty,) = unknown_because(joint(duty=(1,)), result())

@@ -34,6 +34,29 @@ def test_what_is_stated_is_no_assumption(planar_case):
 
 
 @pytest.mark.parametrize(
+    ("name", "bent"),
+    [
+        ("planetary", ["ring"]),  # free
+        ("planetary_hollow", ["planet"]),  # its ring is held
+        ("stepped_planet", ["held ring", "driven ring"]),
+        ("planar", []),
+    ],
+)
+def test_bodies_that_bend_without_a_fatigue_strength_are_named(planar_case, name, bent):
+    told = [each for each in planar_assumptions(planar_case(name)) if "fatigue_strength" in each]
+    assert told == [
+        f"no fatigue_strength of material 52100: the safety against fatigue of the {body}, which bends, is not computed"
+        for body in bent
+    ]
+
+
+def test_a_body_with_a_fatigue_strength_is_not_named(planar_case):
+    stated = '[materials."52100"]\nlibrary = "52100"\nfatigue_strength = "400 MPa"\n\n[bodies]'
+    told = planar_assumptions(planar_case("planetary", ("[bodies]", stated)))
+    assert not any("fatigue_strength" in each for each in told)
+
+
+@pytest.mark.parametrize(
     ("dimension", "told"),
     [("1.5", "those of the value in the file"), ('"1.4 +- 0.1"', "those of the middle of its range")],
 )

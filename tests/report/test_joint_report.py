@@ -47,7 +47,7 @@ def test_margins_are_required_actual_and_pass(made):
     assert rows["fractal dimension D"][2] == "≥ 1.02 and ≤ 1.99"
     said = [block.text for block in made.blocks if isinstance(block, Paragraph) and block.strong]
     assert said[0].startswith(
-        "Requirements of function and strength that are not met or not known: Hertz pressure over first yield"
+        "Requirements of function and strength that are not met: Hertz pressure over first yield"
     )
 
 

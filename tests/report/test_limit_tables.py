@@ -5,7 +5,7 @@ import math
 from asperity.joint.margins import Margin
 from asperity.joint.results import Limit, Result
 from asperity.report.content import Bullets, Paragraph, Table
-from asperity.report.limit_tables import margins_table, warnings
+from asperity.report.limit_tables import margins_table, verdict, warnings
 from asperity.unit_table import Dimension
 
 
@@ -33,6 +33,22 @@ def test_required_actual_and_result_of_each_margin():
         ("label of c", "function", "", "≥ 1 and ≤ 2", "1.5", "pass"),
         ("label of d", "function", "", "< 1", "–", "unknown"),
     ]
+
+
+def test_the_verdict_names_what_fails_and_what_is_not_known():
+    kept, failed = margin("a", "sp", 0.5, highest=1.0), margin("b", "sp", 2.0, highest=1.0, passes=False)
+    open_ = margin("c", "", math.nan, highest=1.0, passes=False)
+    steel, library = (
+        {"held_ring": {"yield_safety": 3.0, "fatigue_safety": safety}} for safety in (1.5, None)
+    )
+    start = "Requirements of function and strength that are not"
+    ring = "safety of the held ring against fatigue (no fatigue_strength of its material)"
+    assert verdict([kept], steel) == "All requirements of function and strength are met."
+    assert verdict([kept], library) == f"{start} known: {ring}. All others are met."
+    assert verdict([kept, failed], steel) == f"{start} met: label of b (sp)."
+    assert verdict([failed, open_], library) == (
+        f"{start} met: label of b (sp); not known: label of c (drive), {ring}."
+    )
 
 
 def entry(name, contact, value, ok, meaning):

@@ -47,7 +47,7 @@ def test_shares_of_the_compliance_are_sorted_and_named():
     budget = {"bodies_share": 0.25, "asperity_share": {"sp": 0.5, "wro": 0.0}, "pins_share": 0.125}
     document = {
         "torsional_stiffness": levels, "stiffness_unknown_because": "it slips", "stiffness_budget": budget,
-        "geometry": {"speed_ratio": -9.0},
+        "geometry": {"speed_ratio": -9.0, "input": "driving_ring"},
         "preload": {"loading_cam": {"held_stiffness_output_Nm_per_rad": 10800.0 * 0.81}},
     }  # fmt: skip
     blocks = list(stiffness(document))

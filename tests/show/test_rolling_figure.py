@@ -89,7 +89,7 @@ def test_map_over_torque_and_speed():
 
 def test_a_standing_sun_has_lives_in_turns_and_no_map():
     _, none, _, life = panels(sheet(standing=True))
-    assert none.texts[0].get_text() == "no map: the sun stands,\nno power is passed"
+    assert none.texts[0].get_text() == "no map: the input stands,\nno power is passed"
     assert life.get_ylabel() == "life [million output turns]"
     np.testing.assert_allclose(data(life)[1], [[6.0, 94.0]])
 

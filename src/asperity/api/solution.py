@@ -240,7 +240,9 @@ class JointSolution(Shown):
             numbers = (sun.si, output.si, output.to("N*m/arcmin"))
             rows.append((words, *(format_quantity(number, "1") for number in numbers)))
         return Table(
-            ("model", "sun N·m/rad", "output N·m/rad", "output N·m/arcmin"), rows, "Torsional stiffness"
+            ("model", f"{self._solved.joint.ends[0]} N·m/rad", "output N·m/rad", "output N·m/arcmin"),
+            rows,
+            "Torsional stiffness",
         )
 
     def _result_table(self) -> Table:

@@ -42,12 +42,12 @@ _FIGURES = (
 
 #: Figures of the same joint when it turns under the largest torque.
 _ROLLING_FIGURES = (
-    ("static_sun_angle", "static curve holds up to, sun", Dimension.ANGLE, "deg"),
+    ("static_sun_angle", "static curve holds up to, input", Dimension.ANGLE, "deg"),
     ("static_output_angle", "static curve holds up to, output", Dimension.ANGLE, "deg"),
-    ("steady_sun_angle", "steady creep from, sun", Dimension.ANGLE, "deg"),
+    ("steady_sun_angle", "steady creep from, input", Dimension.ANGLE, "deg"),
     ("steady_output_angle", "steady creep from, output", Dimension.ANGLE, "deg"),
     ("drift_per_output_turn", "drift per output turn", Dimension.ANGLE, "arcmin"),
-    ("swing_without_drift_sun_angle", "swing without drift, sun", Dimension.ANGLE, "deg"),
+    ("swing_without_drift_sun_angle", "swing without drift, input", Dimension.ANGLE, "deg"),
 )
 
 
@@ -59,7 +59,7 @@ def windup(
     stages: tuple[float, float] = (1.0 / 3.0, 2.0 / 3.0),
     creep_share: float = 0.05,
 ) -> JointWindup:
-    """Torque–angle curve at the output against the locked sun, and the angle behind once the sun turns.
+    """Torque–angle curve at the output against the locked input, and the angle behind once the input turns.
 
     Parameters
     ----------
@@ -72,7 +72,7 @@ def windup(
     stages : tuple of float, optional
         Bounds of the stages K1, K2, K3 as shares of the largest torque.
     creep_share : float, optional
-        Creep over wind-up up to which the static curve is said to hold for a sun that turns.
+        Creep over wind-up up to which the static curve is said to hold for an input that turns.
 
     Returns
     -------
@@ -172,7 +172,7 @@ class JointWindup(Shown):
         return frame({name: np.asarray(column) for name, column in rolling_columns(self.onset).items()})
 
     def plot(self) -> Figure:
-        """Draw the torque–angle loop, the incremental stiffness, and the angle behind when the sun turns.
+        """Draw the torque–angle loop, the incremental stiffness, and the angle behind when the input turns.
 
         Returns
         -------
@@ -192,5 +192,5 @@ class JointWindup(Shown):
         for each in self._figures.values():
             limited = np.isfinite(each.si)
             rows.append((each.label, str(each) if limited else "not limited by friction"))
-        title = f"{self.joint.source}: wind-up at the output, sun locked, {self.level} stiffness"
+        title = f"{self.joint.source}: wind-up at the output, input locked, {self.level} stiffness"
         return [title, Table(("figure", "value"), rows)]

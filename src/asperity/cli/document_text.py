@@ -6,6 +6,7 @@ import textwrap
 from collections import Counter
 from typing import TYPE_CHECKING, Any
 
+from asperity.joint.document import input_member
 from asperity.units import format_quantity
 
 if TYPE_CHECKING:
@@ -50,7 +51,7 @@ def show_heading(target: Console, document: Document, source: str) -> None:
         size = count(drive["sectors"], "sector")
     else:
         size = f"{count(document['geometry']['sectors'], 'roller')} in each row"
-    kind, entry = document["input"].get("type"), document.get("geometry", {}).get("input", "sun")
+    kind, entry = document["input"].get("type"), input_member(document)
     title = source if kind is None else f"{source}: {kind.replace('_', ' ')} drive"
     target.print(
         f"{title}\n{size}, {entry} at {in_unit(load['sun_speed'], 'rpm')}, preload "

@@ -83,7 +83,7 @@ def _show(document: dict[str, Any], file: str, *, damped: bool) -> None:
         "torsional stiffness at the output, assembled", f"{number(at['stiffness_output_Nm_per_rad'])} N·m/rad"
     )
     shown.add_row(
-        "inertia of motor and sun, at the output", f"{number(at['input_inertia_at_output_kg_m2'])} kg·m²"
+        "inertia of motor and input, at the output", f"{number(at['input_inertia_at_output_kg_m2'])} kg·m²"
     )
     shown.add_row("inertia of load, planets and rollers", f"{number(at['output_inertia_kg_m2'])} kg·m²")
     shown.add_row(
@@ -111,7 +111,7 @@ def _show(document: dict[str, Any], file: str, *, damped: bool) -> None:
     said = (
         "Below the creep corner frequency a joint that turns yields like a damper, above it like its spring. "
         if at["creep_damping_Nms_per_rad"] is not None
-        else "The sun stands: creep does not act. "
+        else "The input stands: creep does not act. "
     )
     if not damped:
         said += (

@@ -16,7 +16,7 @@ from asperity.cli.document_text import (
     show_warnings,
 )
 from asperity.cli.terminal import table
-from asperity.joint.document import LEVEL_WORDS, NO_SHARE, stiffness_rows
+from asperity.joint.document import LEVEL_WORDS, NO_SHARE, input_member, stiffness_rows
 
 if TYPE_CHECKING:
     from rich.console import Console
@@ -49,7 +49,12 @@ def show_joint(target: Console, document: Document, *, source: str) -> None:
 
 def _show_stiffness(target: Console, document: Document) -> None:
     shown = table(
-        target, "Torsional stiffness", "model", "sun\nN·m/rad", "output\nN·m/rad", "output\nN·m/arcmin"
+        target,
+        "Torsional stiffness",
+        "model",
+        f"{input_member(document)}\nN·m/rad",
+        "output\nN·m/rad",
+        "output\nN·m/arcmin",
     )
     for words, found in stiffness_rows(document):
         shown.add_row(
@@ -228,7 +233,7 @@ def _of_the_paper(document: Document) -> tuple[Rows, Rows]:
         ),
         (
             "speed",
-            f"ratio {number(geometry['speed_ratio'])}, carrier {in_unit(forces['carrier_speed_rad_per_s'], 'rpm')}",
+            f"ratio {number(geometry['speed_ratio'])}, carrier {in_unit(forces['output_speed_rad_per_s'], 'rpm')}",
         ),
     )
     after = (
@@ -252,7 +257,9 @@ def _of_another_type(document: Document) -> tuple[Rows, Rows]:
     """Rows of any other drive."""
     geometry, forces = document["geometry"], document["forces"]
     speed = in_unit(forces["output_speed_rad_per_s"], "rpm")
-    members = f"{geometry['input']} in, {geometry['output']} out, {geometry['grounded']} grounded"
+    members = "{} in, {} out, {} grounded".format(
+        *(geometry[role].replace("_", " ") for role in ("input", "output", "grounded"))
+    )
     masses = ", ".join(
         f"{name.replace('_', ' ')} {in_unit(mass, 'g')}" for name, mass in forces["body_mass_kg"].items()
     )

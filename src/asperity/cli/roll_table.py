@@ -14,6 +14,7 @@ from asperity.cli.document_text import (
     show_warnings,
 )
 from asperity.cli.terminal import table
+from asperity.joint.document import input_member
 
 if TYPE_CHECKING:
     from rich.console import Console
@@ -230,7 +231,7 @@ def _show_life(target: Console, document: Document) -> None:
             "Duty (damage adds up by Miner's rule)",
             "load",
             "output torque",
-            "sun",
+            input_member(document),
             "share\nof the time",
             "share\nof the damage",
             "life under it\nalone, hours",

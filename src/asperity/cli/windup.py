@@ -39,7 +39,7 @@ LEVELS = ("assembly", "series_with_bulk", "published")
     type=float,
     default=0.05,
     show_default=True,
-    help="For a sun that turns: creep over wind-up up to which the static curve is said to hold.",
+    help="For an input that turns: creep over wind-up up to which the static curve is said to hold.",
 )
 @click.option("--csv", "csv_file", type=click.Path(dir_okay=False), help="Write the curves to this CSV file.")
 @click.option(
@@ -73,7 +73,7 @@ def windup(
     The output turns against the locked sun, play included. The loop runs between plus and minus the largest torque. It
     is an estimate, because the normal forces change with the torque.
 
-    Stiffness holds for a sun that stands. Once the sun turns under torque, the contacts creep and the output drifts:
+    Stiffness holds for an input that stands. Once it turns under torque, the contacts creep and the output drifts:
     the second table says from which angle on, and by how much. 'asperity roll' has more on the drift.
     """
     from asperity.errors import InputError
@@ -153,7 +153,7 @@ def _show(document: dict[str, Any], file: str) -> None:
         return format_quantity(document[key], "arcmin")
 
     target = console()
-    target.print(f"{file}: wind-up at the output, sun locked, {document['level']} stiffness\n")
+    target.print(f"{file}: wind-up at the output, input locked, {document['level']} stiffness\n")
     same = math.isclose(document["windup_rad"], document["reverse_windup_rad"], rel_tol=1e-9)
     summary = table(target, "Figures", "quantity", "value")
     summary.add_row("torque capacity", capacity_text(document["torque_capacity"]))
@@ -190,11 +190,13 @@ def _show_rolling(document: dict[str, Any], same: bool) -> None:
     target, found = console(), document["rolling"]
     torque = format_quantity(document["largest_torque_Nm"], "N*m")
     if found["unknown_because"]:
-        print_wrapped(target, f"When the sun turns under {torque}: {found['unknown_because'][0]}.", indent=0)
+        print_wrapped(
+            target, f"When the input turns under {torque}: {found['unknown_because'][0]}.", indent=0
+        )
         return
-    columns = ["", "sun", "output"] + ([] if same else ["sun, reverse", "output, reverse"])
+    columns = ["", "input", "output"] + ([] if same else ["input, reverse", "output, reverse"])
     ways = [found] if same or found["reverse"]["unknown_because"] else [found, found["reverse"]]
-    shown = table(target, f"When the sun turns under {torque}", *columns[: 1 + 2 * len(ways)])
+    shown = table(target, f"When the input turns under {torque}", *columns[: 1 + 2 * len(ways)])
     share = f"{100.0 * found['creep_share_of_windup']:.3g} %"
     for key, words in (
         ("static_curve_up_to", f"static curve holds up to (creep {share} of the wind-up)"),
@@ -207,7 +209,7 @@ def _show_rolling(document: dict[str, Any], same: bool) -> None:
     shown.add_row("drift per output turn in steady rolling", *(cell for each in drift for cell in ("", each)))
     target.print(shown)
     rolled = table(
-        target, "Contacts", "contact", "width", "rolled by it after, sun", "output", "share of the drift"
+        target, "Contacts", "contact", "width", "rolled by it after, input", "output", "share of the drift"
     )
     for name, contact in found["contacts"].items():
         after = contact["rolls_its_width_in"]

@@ -51,14 +51,14 @@ class RollingSpeeds(eqx.Module):
     body : Array
         Angular velocities of the bodies of :data:`BODY_NAMES` relative to the carrier, shape (5, ...) [rad/s];
         positive.
-    carrier : Array
-        Angular velocity of the carrier relative to the ring, reduced by creep [rad/s]; positive.
+    output : Array
+        Angular velocity of the output relative to the ground, reduced by creep [rad/s]; positive.
     """
 
     driving: Array
     driven: Array
     body: Array
-    carrier: Array
+    output: Array
 
     @property
     def rolling(self) -> Array:
@@ -111,5 +111,5 @@ def rolling_speeds(*, geometry: DriveGeometry, creepage: Array, sun_speed: Real)
                 first / sun, planet / geometry.planet_radius, right / roller, left / roller, carrier
             )
         ),
-        carrier=carrier,
+        output=carrier,
     )

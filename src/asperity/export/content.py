@@ -30,19 +30,20 @@ class MovingParts:
 
     Parameters
     ----------
-    sun : float
-        Moment of inertia at the sun: the sun roller, and the motor if the joint file has one [kg·m^2].
+    input : float
+        Moment of inertia at the input: its roller, and the motor if the joint file has one [kg·m^2].
     output : float
-        Moment of inertia at the output: planets and loading rollers, and the load if the joint file has one [kg·m^2].
+        Moment of inertia at the output: the other rollers, and the load if the joint file has one [kg·m^2].
     loss_factor : float
         Loss factor of the joint's spring [-].
     coupled : bool
         Whether the joint file has motor and load.
     friction : float
-        Torque that all losses but creep take from the sun at the largest torque [N·m]; nan where the sun stands.
+        Torque that all losses but creep take from the input at the largest torque [N·m]; nan where the input
+        stands.
     """
 
-    sun: float
+    input: float
     output: float
     loss_factor: float
     coupled: bool
@@ -109,10 +110,7 @@ class ExportContent:
     @property
     def ends(self) -> tuple[str, str]:
         """Names of the members at the input and at the output."""
-        if isinstance(self.joint, PlanarJoint):
-            drive = self.joint.drive
-            return drive.input.replace("_", " "), drive.output.replace("_", " ")
-        return "sun", "carrier"
+        return self.joint.ends
 
     @property
     def rollers(self) -> str:
@@ -176,16 +174,16 @@ def export_content(
 
 
 def _moving_parts(joint: AnyJoint, inertias: Inertias | None, solution: AnySolution) -> MovingParts:
-    sun, moving = (float(np.asarray(each)) for each in body_inertias(joint))
+    entry, moving = (float(np.asarray(each)) for each in body_inertias(joint))
     power, speed = solution.result.rolling.power, abs(float(joint.sun_speed))
     lost = float(np.asarray(power.loss)) - float(
         np.sum(np.asarray(power.creep))
     )  # creep takes speed, not torque
     friction = lost / speed if speed > 0.0 else float("nan")
     if inertias is None:
-        return MovingParts(sun, moving, 0.0, False, friction)
+        return MovingParts(entry, moving, 0.0, False, friction)
     return MovingParts(
-        sun + float(inertias.input),
+        entry + float(inertias.input),
         moving + float(inertias.output),
         float(inertias.loss_factor),
         True,
@@ -212,7 +210,7 @@ def heading(content: ExportContent, *, what: str) -> list[str]:
     lines = [
         f"{what} of the joint in {printable(content.source)}, written by asperity {asperity.__version__}",
         "SI units: N*m, rad, kg*m^2, s. Angles and torques are those of the output unless a name says otherwise.",
-        f"Stiffness at {torque}, sun locked, level {content.level}: {content.stiffness:.6g} N*m/rad "
+        f"Stiffness at {torque}, {content.ends[0]} locked, level {content.level}: {content.stiffness:.6g} N*m/rad "
         f"({format_quantity(content.stiffness, 'N*m/arcmin')})",
         drift_sentence(content),
         f"Wind-up at {torque}: {format_quantity(float(content.windup.angle[-1]), 'arcmin')}, at minus this torque "

@@ -14,8 +14,8 @@ from asperity.units import format_quantity
 
 #: What the loop is worth, for every model that has one.
 MASING = (
-    "The loop itself is an estimate by Masing's rule, which has an error of its own: for the paper's joint 1 to 15 % "
-    "of the loop's width, up to half of it with a constant pin force."
+    "The loop itself is an estimate by Masing's rule, which has an error of its own: for the joint of "
+    "Zou et al. 2025 1 to 15 % of the loop's width, up to half of it with a constant pin force."
 )
 #: Elasto-plastic elements in an exported model.
 ELEMENTS = 8

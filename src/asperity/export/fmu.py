@@ -27,7 +27,7 @@ _FRICTION_SPEED = 0.1
 _OLDEST_DATE = (1980, 1, 1, 0, 0, 0)  # of a ZIP file
 
 _INPUTS = {
-    "motor_angle": ("angle of the motor at the sun", "rad"),
+    "motor_angle": ("angle of the motor at the {}", "rad"),
     "output_angle": ("angle of the output, counted in its own sense", "rad"),
     "motor_speed": ("speed of the motor, for damping and friction", "rad/s"),
     "output_speed": ("speed of the output, for damping", "rad/s"),
@@ -172,7 +172,10 @@ def _variables(content: ExportContent, law: SeriesLaw, slip: SlipElements) -> li
     """All variables in the order of their value references, which is that of the enumeration in the source."""
     play = content.play
     torque = np.asarray(content.windup.torque)
-    made = [_Variable(name, "input", *said, 0.0) for name, said in _INPUTS.items()]
+    entry = content.ends[0]
+    made = [
+        _Variable(name, "input", words.format(entry), unit, 0.0) for name, (words, unit) in _INPUTS.items()
+    ]
     made += [_Variable(name, "output", *said, None) for name, said in _OUTPUTS.items()]
     scalars: dict[str, tuple[str, str, float]] = {
         "reduction": ("turns of the motor in one turn of the output", "1", content.reduction),

@@ -54,7 +54,7 @@ def mjcf_file(content: ExportContent, fitted: FittedElements) -> bytes:
         "  <worldbody>",
         '    <body name="motor">',
         f'      <joint name="motor" type="hinge" axis="0 0 {axis:.0f}"{friction}/>',
-        *_inertial(parts.sun),
+        *_inertial(parts.input),
         "    </body>",
         '    <body name="output">',
         '      <joint name="output" type="hinge" axis="0 0 1"/>',
@@ -133,7 +133,7 @@ def _tendon(
 
 def _fastest(content: ExportContent) -> float:
     """Angular frequency of the joint between motor and output, both free [rad/s]."""
-    motor = content.parts.sun * content.reduction**2
+    motor = content.parts.input * content.reduction**2
     joined = motor * content.parts.output / (motor + content.parts.output)
     return math.sqrt(float(np.max(np.asarray(content.windup.stiffness))) / joined)
 

@@ -203,6 +203,11 @@ class Joint(eqx.Module):
     carrier_bearing: RatedBearing | None = None
     cam_force_per_torque: Real | None = None
 
+    @property
+    def ends(self) -> tuple[str, str]:
+        """Names of input and output."""
+        return "sun", "carrier"
+
 
 def preload_at(joint: Joint, output_torque: Real) -> Real:
     """Preload of a joint under a torque.

@@ -17,8 +17,9 @@ from asperity.joint.capacity import capacity_document
 from asperity.joint.description import Joint, preload_at
 from asperity.joint.evaluation import JointResult
 from asperity.joint.limit_check import LimitCheck, checked_limits
+from asperity.joint.loss_note import loss_notes
 from asperity.joint.planar.evaluation import PlanarResult
-from asperity.joint.plausibility import plausibility
+from asperity.joint.plausibility import Note, plausibility
 from asperity.joint.results import GROUPS, RESULTS, SEVERITIES, SolvedJoint
 from asperity.joint.rolling_document import contact_results, losses, rolling_document
 from asperity.joint.rolling_refusal import rolling_capacity_of
@@ -73,7 +74,6 @@ def joint_document(
     checks = checked_limits(solved)
     if branches is not None:
         checks += branch_checks(branches, turns=float(joint.sun_speed) != 0.0)
-        checks = tuple(sorted(checks, key=lambda entry: SEVERITIES.index(entry.rule.severity)))
     document = {
         "asperity_version": asperity.__version__,
         "input": inputs,
@@ -105,10 +105,13 @@ def joint_document(
                 joint, solution, direction=math.copysign(1.0, float(joint.output_torque))
             ),
         },
-        "diagnostics": [
-            *(limit_document(entry) for entry in checks),
-            *(dataclasses.asdict(note) for note in plausibility(joint, result, solution.sizes)),
-        ],
+        "diagnostics": diagnostic_documents(
+            checks,
+            (
+                *plausibility(joint, result, solution.sizes),
+                *loss_notes(result.rolling, result.contact_names),
+            ),
+        ),
     }
     unequal = {} if branches is None else {"branches": branch_document(branches)}
     return plain_document(document) | unequal
@@ -127,19 +130,27 @@ def _loading_cam(joint: Joint, result: JointResult) -> Document | None:
     }
 
 
-def limit_document(entry: LimitCheck) -> Document:
-    """One limit of a joint, kept or crossed.
+def diagnostic_documents(checks: tuple[LimitCheck, ...], notes: tuple[Note, ...]) -> list[Document]:
+    """All limits of a joint and all notes on it, the most serious first.
 
     Parameters
     ----------
-    entry : LimitCheck
-        The limit.
+    checks : tuple of LimitCheck
+        Its limits.
+    notes : tuple of Note
+        What is usual, and what is not.
 
     Returns
     -------
-    dict
-        Its value, limit and words.
+    list of dict
+        One entry each, with the same keys.
     """
+    entries = [*map(_limit_document, checks), *map(dataclasses.asdict, notes)]
+    return sorted(entries, key=lambda entry: SEVERITIES.index(entry["severity"]))
+
+
+def _limit_document(entry: LimitCheck) -> Document:
+    """Value, limit and words of one limit of a joint, kept or crossed."""
     return {
         "name": entry.result.name,
         "label": entry.result.label,
@@ -160,6 +171,9 @@ def _geometry(solution: Solution) -> Document:
         "theta_rad": angles.direction,
         "wedge_angle_rad": angles.wedge,
         "speed_ratio": solution.result.speed_ratio,
+        "input": "sun",
+        "output": "carrier",
+        "grounded": "ring",
         "clearances": [
             {"name": gap.name, "condition": gap.condition, "gap_m": gap.gap} for gap in solution.clearances
         ],
@@ -177,7 +191,7 @@ def _forces(result: JointResult) -> Document:
         "bearing_torque_Nm": {"left": forces.left_bearing_torque, "right": forces.right_bearing_torque},
         "planet_mass_kg": result.planet_mass,
         "loading_roller_mass_kg": result.loading_roller_mass,
-        "carrier_speed_rad_per_s": result.carrier_speed,
+        "output_speed_rad_per_s": result.output_speed,
         "balance_residual": forces.balance_residual,
         "closure_residual": forces.closure_residual,
     }
@@ -241,6 +255,22 @@ def torsional_stiffness_document(result: JointResult | PlanarResult) -> Document
         "series_with_bulk": _stiffness(result.series_with_bulk),
         "assembly": _stiffness(result.assembly.stiffness),
     }
+
+
+def input_member(document: Document) -> str:
+    """Name of the member that drives, in words.
+
+    Parameters
+    ----------
+    document : dict
+        As :func:`joint_document` or :func:`asperity.joint.planar.document.planar_document` makes it.
+
+    Returns
+    -------
+    str
+        Such as "sun".
+    """
+    return str(document["geometry"]["input"]).replace("_", " ")
 
 
 def stiffness_rows(document: Document) -> list[tuple[str, Document]]:

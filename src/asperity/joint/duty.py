@@ -79,7 +79,7 @@ def duty_life(
     """
     points = per_contact(conditions.duty)
     found = jax.vmap(rolled)(points.output_torque, points.sun_speed)
-    turns_a_second = found.carrier_speed / (2.0 * jnp.pi)
+    turns_a_second = found.output_speed / (2.0 * jnp.pi)
     spectrum = {
         "lives": found.cycles,
         "cycle_rates": found.cycles_per_turn * turns_a_second[:, None, None],

@@ -52,8 +52,8 @@ class JointResult(eqx.Module):
         alpha, theta and the wedge angle [rad].
     speed_ratio : Real
         Sun over carrier speed [-].
-    carrier_speed : Real
-        Angular velocity of the carrier [rad/s].
+    output_speed : Real
+        Angular velocity of the output, the carrier [rad/s].
     planet_mass, loading_roller_mass : Real
         Masses of one planet and of one loading roller [kg].
     forces : DriveForces
@@ -90,7 +90,7 @@ class JointResult(eqx.Module):
 
     angles: DriveAngles
     speed_ratio: Real
-    carrier_speed: Real
+    output_speed: Real
     planet_mass: Real
     loading_roller_mass: Real
     forces: DriveForces
@@ -314,7 +314,7 @@ def evaluate(joint: Joint) -> JointResult:
     return JointResult(
         angles=angles(drive.sides),
         speed_ratio=speed_ratio(geometry),
-        carrier_speed=drive.carrier_speed,
+        output_speed=drive.carrier_speed,
         planet_mass=drive.planet_mass,
         loading_roller_mass=drive.loading_roller_mass,
         forces=forces,

@@ -78,8 +78,8 @@ class RollingResult(eqx.Module):
         shape (5, ...); nan where the sun stands or the joint lacks a number for them.
     shakedown_ratio : Array
         Peak pressure over the shakedown limit at the contact's traction coefficient, shape (5, ...) [-].
-    carrier_speed : Array
-        Angular velocity of the carrier, creep taken off [rad/s]; without its sign.
+    output_speed : Array
+        Angular velocity of the output, creep taken off [rad/s]; without its sign.
     cycles : Array
         Life of the tracks of driving and driven bodies at 90 % survival, in stress cycles, shape (2, 5, ...) [-].
     cycles_per_turn : Array
@@ -120,7 +120,7 @@ class RollingResult(eqx.Module):
     film_thickness: Array
     film_ratio: Array
     shakedown_ratio: Array
-    carrier_speed: Array
+    output_speed: Array
     cycles: Array
     cycles_per_turn: Array
     life_turns: DriveLives
@@ -246,7 +246,7 @@ def turning_result(
     state : RollingState or PlanarState
         Forces, creepages and speed loss of one branch.
     unit_speeds : RollingSpeeds
-        Speeds for one unit of the input's speed; ``carrier`` stands for the output.
+        Speeds for one unit of the input's speed.
     input_speed : Real
         Angular velocity of the input, not negative [rad/s].
     creepage_in_series : Array
@@ -284,14 +284,14 @@ def turning_result(
     turns = jnp.asarray(input_speed) > 0.0
     drift = drift_per_turn(state.speed_loss)
     per_turn = cycle_rates(bodies=bodies, speeds=unit_speeds, planet_count=branches) * (
-        2.0 * jnp.pi / unit_speeds.carrier
+        2.0 * jnp.pi / unit_speeds.output
     )
     lives = drive_lives(
         bodies=bodies,
         tracks=life_at_reliability(life=strips.tracks, reliability=conditions.reliability) / per_turn,
         planet_count=branches,
     )
-    turns_an_hour = 3600.0 * speeds.carrier / (2.0 * jnp.pi)
+    turns_an_hour = 3600.0 * speeds.output / (2.0 * jnp.pi)
     power = rolling_power(
         branches=branches,
         pairs=pairs,
@@ -339,7 +339,7 @@ def turning_result(
         axial_thrust=_thrust(bodies, axial, branches),
         speed_loss=state.speed_loss,
         drift_per_output_turn=drift,
-        drift_rate=_where(turns, drift * speeds.carrier / (2.0 * jnp.pi)),
+        drift_rate=_where(turns, drift * speeds.output / (2.0 * jnp.pi)),
         power=_where(turns, power),
         flash_temperature=flash_temperatures(
             materials=materials,
@@ -351,7 +351,7 @@ def turning_result(
         film_thickness=film,
         film_ratio=film_over_roughness,
         shakedown_ratio=strips.shakedown_ratio,
-        carrier_speed=speeds.carrier,
+        output_speed=speeds.output,
         cycles=strips.tracks,
         cycles_per_turn=per_turn,
         life_turns=lives,

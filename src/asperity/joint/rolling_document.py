@@ -38,12 +38,12 @@ def rolling_document(joint: Joint | PlanarJoint, result: JointResult | PlanarRes
         "speed_loss": found.speed_loss,
         "drift_rad_per_output_turn": found.drift_per_output_turn,
         "drift_rad_per_hour": 3600.0 * found.drift_rate,
-        "carrier_speed_rad_per_s": found.carrier_speed,
+        "output_speed_rad_per_s": found.output_speed,
         "efficiency": found.power.efficiency,
         "input_torque_Nm": rolling_input_torque(
             power=found.power,
             output_torque=joint.output_torque,
-            output_speed=found.carrier_speed,
+            output_speed=found.output_speed,
             input_speed=joint.sun_speed,
         ),
         "input_power_W": found.power.input,
@@ -176,14 +176,14 @@ def unknown_because(joint: Joint | PlanarJoint, result: JointResult | PlanarResu
                 "no creep: every spot of a contact is plastic, where the contact law gives it no stiffness"
             ]
         return [
-            "no steady rolling: with equal creep on both sides of a planet a contact slips or lifts off, or skew alone "
-            "makes it slip"
+            "no steady rolling: a contact slips or lifts off when the creepages share the torque between the contacts"
+            + ("" if joint.rolling.skew is None else ", or skew alone makes it slip")
         ]
     reasons = []
     if not float(np.asarray(joint.sun_speed)) > 0.0:
         reasons.append(
-            "the sun stands: drift and life are given per turn, for slow rolling; there is nothing per time, and no "
-            "powers, efficiency, temperatures or oil film"
+            f"the {joint.ends[0]} stands: drift and life are given per turn, for slow rolling; there is nothing per "
+            "time, and no powers, efficiency, temperatures or oil film"
         )
     elif not bool(np.isfinite(np.asarray(found.power.efficiency))):
         reasons.append("no efficiency: the output torque drives the rotation, but less than the losses take")

@@ -150,8 +150,8 @@ def contacts_in_series(
         half_width=half_width,
         slip_ratio=1.0 - jnp.asarray(rolling.stick_fraction) ** 2,
         share=weight / jnp.sum(weight, axis=0),
-        distance=unit.rolling / unit.carrier,
-        sun_angle=1.0 / unit.carrier,
+        distance=unit.rolling / unit.output,
+        sun_angle=1.0 / unit.output,
         drift_per_output_turn=drift_per_turn(loss),
     )
 

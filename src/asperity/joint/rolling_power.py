@@ -87,7 +87,7 @@ def bearing_power(
         + 2.0
         * count
         * (state.right_bearing_torque * speeds.body[2] + state.left_bearing_torque * speeds.body[3])
-        + 2.0 * bearings.carrier_torque * speeds.carrier
+        + 2.0 * bearings.carrier_torque * speeds.output
     )
 
 
@@ -172,10 +172,10 @@ def rolling_power(
         oil = count * _oil(pairs, conditions.viscosity, state.normal, rolling, lines)
         counted = counted + oil
     loss = jnp.sum(counted, axis=0) + bearing_power
-    at_carrier = output_torque * speeds.carrier
-    drives = at_carrier >= 0.0
-    entering = jnp.where(drives, at_carrier + loss, -at_carrier)
-    leaving = jnp.where(drives, at_carrier, -at_carrier - loss)
+    at_output = output_torque * speeds.output
+    drives = at_output >= 0.0
+    entering = jnp.where(drives, at_output + loss, -at_output)
+    leaving = jnp.where(drives, at_output, -at_output - loss)
     works = (leaving >= 0.0) & (entering > 0.0)
     return RollingPower(
         creep=creep,

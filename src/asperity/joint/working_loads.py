@@ -148,5 +148,5 @@ def bearing_speeds(joint: Joint, result: JointResult) -> BearingSpeeds:
         return jnp.where(stands, 0.0, speed)
 
     return jax.tree.map(
-        still, BearingSpeeds(speeds.body[2:4], jnp.asarray(joint.sun_speed, dtype=float), speeds.carrier)
+        still, BearingSpeeds(speeds.body[2:4], jnp.asarray(joint.sun_speed, dtype=float), speeds.output)
     )

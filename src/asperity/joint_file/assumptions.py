@@ -165,6 +165,25 @@ def _thermal_interference(case: Case | PlanarCase) -> float:
     return float(change)
 
 
+def fatigue_unknown(body: str, material: str) -> str:
+    """Says that the safety of a body against fatigue is not computed.
+
+    Parameters
+    ----------
+    body, material : str
+        A body that bends, and the name of its material, which has no fatigue strength.
+
+    Returns
+    -------
+    str
+        One sentence.
+    """
+    return (
+        f"no fatigue_strength of material {material}: the safety against fatigue of the {body.replace('_', ' ')}, "
+        "which bends, is not computed"
+    )
+
+
 def _fatigue(case: Case) -> list[str]:
     """Which bending bodies have no safety against fatigue."""
     bends = {
@@ -173,8 +192,7 @@ def _fatigue(case: Case) -> list[str]:
         "loading_roller": case.drive.loading_roller_bore_diameter is not None,
     }
     return [
-        f"no fatigue_strength of material {name}: the {body.replace('_', ' ')} bends, and its safety against fatigue "
-        "is not computed"
+        fatigue_unknown(body, name)
         for body, name in case.bodies
         if bends.get(body, False) and case.materials[name].fatigue_strength is None
     ]

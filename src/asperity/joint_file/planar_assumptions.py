@@ -4,12 +4,15 @@ from __future__ import annotations
 
 from typing import Any
 
+from asperity.joint.planar.rims import bends
 from asperity.joint_file.assumptions import (
+    fatigue_unknown,
     lubrication_assumptions,
     rolling_model_assumptions,
     temperature_assumptions,
 )
 from asperity.joint_file.general_model import GeneralCase
+from asperity.joint_file.planar_build import planar_joint_from_case
 from asperity.joint_file.planar_model import PlanarCase
 
 _STEPPED = {"multiroller": "the rollers of both rows", "stepped_planet": "the planets"}
@@ -83,4 +86,10 @@ def planar_assumptions(case: PlanarCase) -> tuple[str, ...]:
         case.lubrication,
         materials={name: case.materials[name] for name in dict.fromkeys(case.bodies.values())},
     )
+    joint = planar_joint_from_case(case)
+    told += [
+        fatigue_unknown(body.name, case.bodies[body.name])
+        for body, bent, material in zip(joint.drive.bodies, bends(joint), joint.materials, strict=True)
+        if bent and material.fatigue_strength is None
+    ]
     return tuple(told)

@@ -240,14 +240,7 @@ def _summary(document: dict[str, Any], solved: SolvedJoint) -> Iterator[Block]:
     yield Heading("Summary")
     yield result_tables.summary(document)
     yield from equal_branches(document)
-    failed = [each for each in margins(solved) if not each.passes and each.severity in ("function", "damage")]
-    names = ", ".join(f"{each.result.label} ({each.place or 'drive'})" for each in failed)
-    yield Paragraph(
-        f"Requirements of function and strength that are not met or not known: {names}."
-        if failed
-        else "All requirements of function and strength are met.",
-        strong=True,
-    )
+    yield Paragraph(limit_tables.verdict(margins(solved), document["rims"]), strong=True)
     doubtful = [
         each["label"] for each in document["diagnostics"] if not each["ok"] and each["severity"] == "accuracy"
     ]

@@ -13,11 +13,49 @@ from asperity.report.content import Block, Bullets, Paragraph, Table
 Document = dict[str, Any]
 
 _WARNINGS_ABOUT = {
-    "function": "the joint does not work",
+    "function": "the joint does not work as it should",
     "damage": "the joint is damaged",
     "accuracy": "the numbers cannot be trusted",
     "model": "outside the range of the contact law",
 }
+
+
+def verdict(found: Sequence[Margin], rims: Document) -> str:
+    """Whether the requirements of function and strength are met, and which are not known.
+
+    Parameters
+    ----------
+    found : sequence of Margin
+        As :func:`asperity.joint.margins.margins` gives them.
+    rims : dict
+        Entry ``rims`` of the joint's document: a body without a fatigue strength has no such requirement in the table.
+
+    Returns
+    -------
+    str
+        One sentence.
+    """
+    judged = [each for each in found if not each.passes and each.severity in ("function", "damage")]
+    failed, unknown = (
+        [
+            f"{each.result.label} ({each.place or 'drive'})"
+            for each in judged
+            if math.isnan(each.actual) == open_
+        ]
+        for open_ in (False, True)
+    )
+    unknown += [
+        f"safety of the {name.replace('_', ' ')} against fatigue (no fatigue_strength of its material)"
+        for name, each in rims.items()
+        if each["yield_safety"] is not None and each["fatigue_safety"] is None
+    ]
+    if not failed and not unknown:
+        return "All requirements of function and strength are met."
+    start = "Requirements of function and strength that are not"
+    if not failed:
+        return f"{start} known: {', '.join(unknown)}. All others are met."
+    rest = f"; not known: {', '.join(unknown)}" if unknown else ""
+    return f"{start} met: {', '.join(failed)}{rest}."
 
 
 def margins_table(found: Sequence[Margin]) -> Iterator[Block]:

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from typing import Any
 
 from asperity.joint.branch_limits import capacity_words
-from asperity.joint.document import NO_SHARE, stiffness_rows
+from asperity.joint.document import NO_SHARE, input_member, stiffness_rows
 from asperity.report.cells import number, percent, quantity
 from asperity.report.content import Block, Paragraph, Table
 
@@ -33,7 +33,7 @@ def summary(document: Document) -> Table:
     rows = [
         ("sectors" if "sectors" in geometry else "planets", number(count)),
         ("output torque", quantity(load["output_torque"], "N*m")),
-        ("speed of the sun", quantity(load["sun_speed"], "rpm")),
+        (f"speed of the {input_member(document)}", quantity(load["sun_speed"], "rpm")),
         (
             f"preload, {'contact ' + next(iter(document['contacts'])) if 'sectors' in geometry else 'sun and planet'}",
             quantity(document["preload"]["force_N"], "N"),
@@ -115,7 +115,7 @@ def stiffness(document: Document) -> Iterator[Block]:
     keys = ("sun_Nm_per_rad", "output_Nm_per_rad", "output_Nm_per_arcmin")
     yield Table(
         "Torsional stiffness",
-        ("level of the model", "sun\nN·m/rad", "output\nN·m/rad", "output\nN·m/arcmin"),
+        ("level of the model", f"{input_member(document)}\nN·m/rad", "output\nN·m/rad", "output\nN·m/arcmin"),
         [(words, *(number(found[key]) for key in keys)) for words, found in stiffness_rows(document)],
     )
     if document["stiffness_unknown_because"]:
@@ -285,7 +285,7 @@ def windup(found: Document) -> Iterator[Block]:
         Tables.
     """
     yield Paragraph(
-        "At the output with the sun locked, assembled stiffness, up to the output torque of the file."
+        "At the output with the input locked, assembled stiffness, up to the output torque of the file."
     )
     rows = [
         ("largest torque of the curve", quantity(found["largest_torque_Nm"], "N*m")),

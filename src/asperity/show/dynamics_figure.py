@@ -64,6 +64,6 @@ def dynamics_figure(found: Dynamics, *, title: str) -> Figure:
         corner.plot(own.output_torque, own.corner_frequency, "o", color="tab:purple")
         corner.set_ylim(bottom=0.0)
     else:
-        corner.text(0.5, 0.5, "the sun stands: no creep", ha="center", transform=corner.transAxes)
+        corner.text(0.5, 0.5, "the input stands: no creep", ha="center", transform=corner.transAxes)
     figure.suptitle(title)
     return figure

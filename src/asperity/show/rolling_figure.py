@@ -121,7 +121,7 @@ def draw_creep(axes: Axes, curves: RollingCurves, rolling: RollingResult, *, joi
 
 
 def draw_efficiency(axes: Axes, curves: RollingCurves, *, joint: Joint) -> None:
-    """Map of the efficiency over torque and speed, with the joint's own point; a note where the sun stands.
+    """Map of the efficiency over torque and speed, with the joint's own point; a note where the input stands.
 
     Parameters
     ----------
@@ -140,7 +140,7 @@ def draw_efficiency(axes: Axes, curves: RollingCurves, *, joint: Joint) -> None:
         axes.text(
             0.5,
             0.5,
-            "no map: the sun stands,\nno power is passed",
+            "no map: the input stands,\nno power is passed",
             horizontalalignment="center",
             transform=axes.transAxes,
         )
@@ -157,7 +157,7 @@ def draw_efficiency(axes: Axes, curves: RollingCurves, *, joint: Joint) -> None:
     axes.plot(
         float(joint.output_torque), _RPM * float(joint.sun_speed), "o", color="white", markeredgecolor="black"
     )
-    axes.set(xlabel=_TORQUE, ylabel="speed of the sun [rpm]")
+    axes.set(xlabel=_TORQUE, ylabel="speed of the input [rpm]")
     _finish(axes)
 
 
@@ -183,7 +183,7 @@ def draw_drift(axes: Axes, curves: RollingCurves, rolling: RollingResult, *, joi
 
 
 def draw_life(axes: Axes, curves: RollingCurves, rolling: RollingResult, *, joint: Joint) -> None:
-    """Life of the drive over torque: hours at the joint's speed, turns of the output where the sun stands.
+    """Life of the drive over torque: hours at the joint's speed, turns of the output where the input stands.
 
     Parameters
     ----------

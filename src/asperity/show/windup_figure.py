@@ -85,7 +85,7 @@ def windup_figure(
 
 
 def _draw_beyond(panel: Axes, onset: RollingOnset, *, torque: float) -> None:
-    """Angle behind over the angle that the sun has turned since the torque was applied."""
+    """Angle behind over the angle that the input has turned since the torque was applied."""
     contacts = onset.contacts
     sun = _DEGREES * float(contacts.sun_angle)
     windup = _ARCMINUTES * float(onset.windup)
@@ -99,7 +99,7 @@ def _draw_beyond(panel: Axes, onset: RollingOnset, *, torque: float) -> None:
     panel.axvspan(0.0, sun * float(onset.static_angle), color="0.93", zorder=0)
     panel.axvline(sun * float(onset.steady_angle), color="0.6", linewidth=0.8, label="all contacts rolled 2a")
     panel.set(
-        xlabel="angle turned by the sun [°]",
+        xlabel="angle turned by the input [°]",
         ylabel="angle behind at the output [arcmin]",
         title=f"turning under {torque:.4g} N·m; shaded: creep below {100.0 * float(onset.creep_share):.3g} %",
         xlim=(0.0, sun * float(onset.angle[-1])),
@@ -109,7 +109,7 @@ def _draw_beyond(panel: Axes, onset: RollingOnset, *, torque: float) -> None:
 
 
 def _draw_swings(panel: Axes, onset: RollingOnset) -> None:
-    """Angle lost in each swing to and fro over the stroke of the sun."""
+    """Angle lost in each swing to and fro over the stroke of the input."""
     sun = _DEGREES * float(onset.contacts.sun_angle)
     steady = 2.0 * onset.angle * float(onset.contacts.drift_per_output_turn) / (2.0 * np.pi)
     panel.plot(
@@ -122,7 +122,7 @@ def _draw_swings(panel: Axes, onset: RollingOnset) -> None:
     panel.plot(sun * onset.angle, _ARCMINUTES * onset.swing_drift, color="tab:blue", label="lost per swing")
     panel.axvline(sun * float(onset.still_angle), color="0.6", linewidth=0.8, label="no drift up to here")
     panel.set(
-        xlabel="stroke of the sun, to and fro [°]",
+        xlabel="stroke of the input, to and fro [°]",
         ylabel="angle lost per swing, output [arcmin]",
         title="swinging under the same torque",
         xlim=(0.0, sun * float(onset.angle[-1])),

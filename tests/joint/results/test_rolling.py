@@ -27,7 +27,7 @@ def test_creep_from_sun_to_ring(value):
 def test_drift_is_the_speed_that_creep_takes(value):
     loss = value("speed_loss")
     speed = INPUT / 9.0 * (1.0 - loss)
-    assert value("rolling_carrier_speed") == pytest.approx(speed, rel=1e-12)
+    assert value("rolling_output_speed") == pytest.approx(speed, rel=1e-12)
     # in one turn of its own the output would have turned 1/(1 - loss) of it without creep
     assert value("drift") == pytest.approx(2.0 * math.pi * loss / (1.0 - loss), rel=1e-9)
     assert value("drift_rate") == pytest.approx(INPUT / 9.0 * loss, rel=1e-9)
@@ -35,7 +35,7 @@ def test_drift_is_the_speed_that_creep_takes(value):
 
 def test_power(value):
     out, into = value("output_power"), value("input_power")
-    assert out == pytest.approx(5.0 * value("rolling_carrier_speed"), rel=1e-12)
+    assert out == pytest.approx(5.0 * value("rolling_output_speed"), rel=1e-12)
     assert value("efficiency") == pytest.approx(out / into, rel=1e-12)
     assert into - out == pytest.approx(value("total_loss"), rel=1e-9)
     assert np.sum(value("contact_loss")) + value("bearing_loss") == pytest.approx(
@@ -51,7 +51,7 @@ def test_power(value):
 
 def test_lives(value):
     """Hours and turns by the output's speed; the drive fails by its weakest parts, Weibull's slope 10/9 or 9/8."""
-    turns_per_second = value("rolling_carrier_speed") / (2.0 * math.pi)
+    turns_per_second = value("rolling_output_speed") / (2.0 * math.pi)
     for name in ("life", "contact_life", "body_life"):
         np.testing.assert_allclose(
             value(f"{name}_turns"), value(f"{name}_hours") * turns_per_second, rtol=1e-9

@@ -8,10 +8,11 @@ from scipy.stats import t as student
 
 from asperity.errors import InputError, NoSolutionError
 from asperity.joint_file.reader import read_case
-from asperity.study.calibration.calibrate import calibrate
+from asperity.study.calibration.calibrate import calibrate, known_within
 from asperity.study.calibration.curve_model import CurveModel
 from asperity.study.calibration.measurement import Measurement
 from asperity.study.calibration.unknowns import read_unknowns
+from asperity.study.design.design_problem import Variable
 
 PLAY, DRIFT, OFFSETS = 2e-5, 3e-9, (1e-5, -2e-5)
 
@@ -125,6 +126,22 @@ def test_misfit_shows_in_the_residuals(case, curve):
     texts = ("load.preload", "load.friction_coefficient", "offset=-1 arcmin:1 arcmin")
     found = fitted(case, *curve, texts=texts)
     assert found.curves[0].durbin_watson < 1.0
+
+
+@pytest.mark.parametrize(
+    ("unknown", "half_width", "words"),
+    [
+        (
+            Variable("load.preload", 100.0, 10000.0, True),
+            0.25,
+            "load.preload to a factor of 3.16",
+        ),  # 10^(1/2)
+        (Variable("load.preload", 100.0, 10000.0, True), 0.0021610686, "load.preload to ±1 %"),  # lg 1.01 / 2
+        (Variable("drift", -2e-7, 2e-7, False), 0.125, "drift to ±5e-08 rad/s"),
+    ],
+)
+def test_how_well_an_unknown_is_known(unknown, half_width, words):
+    assert known_within(unknown, half_width) == words
 
 
 def test_what_cannot_be_told_apart_is_named(case, curve):

@@ -135,6 +135,11 @@ class PlanarJoint(eqx.Module):
         return self.input_speed
 
     @property
+    def ends(self) -> tuple[str, str]:
+        """Names of input and output, in words."""
+        return self.drive.input.replace("_", " "), self.drive.output.replace("_", " ")
+
+    @property
     def contact_names(self) -> tuple[str, ...]:
         """Names of the contacts."""
         return tuple(contact.name for contact in self.drive.contacts)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import dataclasses
 from typing import Any
 
 import jax
@@ -13,13 +12,14 @@ from asperity.drive.planar.loads import pin_components
 from asperity.joint.capacity import TorqueCapacity, capacity_document
 from asperity.joint.document import (
     contact_documents,
-    limit_document,
+    diagnostic_documents,
     plain_document,
     stiffness_budget,
     stiffness_unknown_because,
     torsional_stiffness_document,
 )
 from asperity.joint.limit_check import checked_limits
+from asperity.joint.loss_note import loss_notes
 from asperity.joint.planar.description import PlanarJoint
 from asperity.joint.planar.plausibility import planar_plausibility
 from asperity.joint.planar.rims import bends
@@ -103,7 +103,7 @@ def planar_document(
                 "input_torque_Nm": result.forces.input_torque,
                 "output_torque_Nm": result.forces.output_torque,
                 "body_mass_kg": dict(zip(result.body_names, np.asarray(result.masses), strict=True)),
-                "output_speed_rad_per_s": result.carrier_speed,
+                "output_speed_rad_per_s": result.output_speed,
                 "balance_residual": result.forces.balance_residual,
                 "closure_residual": result.forces.closure_residual,
             },
@@ -125,10 +125,10 @@ def planar_document(
                     solution.rolling_capacity if forward else solution.reverse_rolling_capacity
                 ).output_torque,
             },
-            "diagnostics": [
-                *(limit_document(entry) for entry in checked_limits(solved)),
-                *(dataclasses.asdict(note) for note in planar_plausibility(joint, result)),
-            ],
+            "diagnostics": diagnostic_documents(
+                checked_limits(solved),
+                (*planar_plausibility(joint, result), *loss_notes(result.rolling, names)),
+            ),
         }
     )
 

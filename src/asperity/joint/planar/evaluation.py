@@ -67,7 +67,7 @@ class PlanarResult(eqx.Module):
         Input over output speed [-].
     speeds : Array
         Angular velocities of the members without creep over that of the input, shape (members,) [-].
-    carrier_speed : Array
+    output_speed : Array
         Angular velocity of the output [rad/s].
     masses : Array
         Of one of each body, shape (bodies,) [kg].
@@ -97,7 +97,7 @@ class PlanarResult(eqx.Module):
 
     speed_ratio: Array
     speeds: Array
-    carrier_speed: Array
+    output_speed: Array
     masses: Array
     preload: Array
     interference: Array
@@ -209,7 +209,7 @@ def evaluated_with_laws(joint: PlanarJoint) -> tuple[PlanarResult, ContactLaws]:
     found = PlanarResult(
         speed_ratio=jnp.asarray(speed_ratio(drive)),
         speeds=ideal,
-        carrier_speed=ideal[drive.members.index(drive.output)] * joint.input_speed,
+        output_speed=ideal[drive.members.index(drive.output)] * joint.input_speed,
         masses=jnp.stack([jnp.asarray(mass) for mass in masses]),
         preload=states.rest.normal[0],
         interference=ring_interference(
@@ -287,7 +287,7 @@ def turning(
         driving=one,
         driven=two,
         body=jnp.abs(state.speed[:-1] - carrier),
-        carrier=jnp.abs(state.speed[drive.members.index(drive.output)]),
+        output=jnp.abs(state.speed[drive.members.index(drive.output)]),
     )
     return turning_result(
         contacts=contacts,

@@ -42,11 +42,11 @@ ROWS = (
         note="negative: carrier and sun turn in opposite directions",
     ),
     _geometry(
-        "carrier_speed",
-        "angular velocity of the carrier",
+        "output_speed",
+        "angular velocity of the output",
         Dimension.ANGULAR_VELOCITY,
         "rpm",
-        "result.carrier_speed",
+        "result.output_speed",
         positive=False,
     ),
     _geometry(

@@ -15,9 +15,6 @@ from asperity.joint.results.table import RESULTS
 _LABELS = {
     "preload": "normal force of the first contact without torque",
     "speed_ratio": "speed ratio, input over output",
-    "carrier_speed": "angular velocity of the output",
-    "input_torque": "torque at the input",
-    "rolling_carrier_speed": "angular velocity of the output in rolling",
     "envelope_diameter": "outer diameter of the largest body",
 }
 #: What is said of the paper's sun holds for the input of any drive.

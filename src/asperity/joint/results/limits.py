@@ -197,14 +197,15 @@ ROWS = (
         "balance_residual",
         "residual of the force balance",
         value="result.forces.balance_residual",
-        note="equations (1) to (5), relative to the largest force",
+        note="of the forces and torques on every body, relative to the largest force; equations (1) to (5) of the "
+        "paper's drive",
         limit=_UNSOLVED(),
     ),
     _residual(
         "closure_residual",
         "residual of the closure",
         value="result.forces.closure_residual",
-        note="equation (A3), relative",
+        note="of the lengths that the preload presses together, relative; equation (A3) of the paper's drive",
         limit=_UNSOLVED(),
     ),
 )

@@ -36,8 +36,8 @@ if TYPE_CHECKING:
 #: contact slips.
 Needs = Literal["geometry", "balance", "operation"]
 
-#: How serious it is that a limit is crossed: the joint does not work; it is damaged; the numbers cannot be trusted; the
-#: published model is used outside its range, which is so for most joints.
+#: How serious it is that a limit is crossed: the joint does not work as it should; it is damaged; the numbers cannot be
+#: trusted; the published model is used outside its range, which is so for most joints.
 Severity = Literal["function", "damage", "accuracy", "model"]
 
 #: Severities, the most serious first.

@@ -81,7 +81,7 @@ ROWS = (
         "N",
         "result.rolling.tangential",
         positive=False,
-        note="the split that equal creep on both sides of a planet decides",
+        note="the split that the creepages decide",
     ),
     _each(
         "layer_ratio",
@@ -170,11 +170,11 @@ ROWS = (
         note=_STANDING,
     ),
     _roll(
-        "rolling_carrier_speed",
-        "angular velocity of the carrier less creep",
+        "rolling_output_speed",
+        "angular velocity of the output less creep",
         Dimension.ANGULAR_VELOCITY,
         "rpm",
-        "result.rolling.carrier_speed",
+        "result.rolling.output_speed",
         positive=False,
         note="without its sign",
     ),

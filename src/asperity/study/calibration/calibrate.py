@@ -26,6 +26,9 @@ NAMED_SHARE = 0.1
 #: Durbin–Watson statistic below which neighbouring residuals are clearly alike.
 CORRELATED = 1.5
 
+# factor by which an unknown may be off from which on it is stated as a factor, not in per cent
+_LARGE_FACTOR = 1.2
+
 # rounds in which the sizes of the errors of two curves must settle, and their relative change when they have
 _MOST_ROUNDS, _SETTLED = 50, 1e-4
 
@@ -257,11 +260,11 @@ def _conclude(curves: JoinedCurves, scaled_values: np.ndarray, starts: tuple[flo
     covariance = (rows.T * np.minimum(along, 1e6) ** 2) @ rows
     points = sum(each.residual.size for each in fitted)
     unknowns = curves.unknowns
+    quantile = float(student.ppf(0.975, points - len(unknowns)))
     directions = tuple(
-        _direction(unknowns, rows[k], float(along[k]), float(singular[k]) / np.sqrt(points))
+        _direction(unknowns, rows[k], float(along[k]), float(singular[k]) / np.sqrt(points), quantile)
         for k in reversed(range(len(along)))
     )
-    quantile = float(student.ppf(0.975, points - len(unknowns)))
     estimates = []
     for index, unknown in enumerate(unknowns):
         lost = any(not d.determined and abs(d.shares[unknown.path]) > NAMED_SHARE for d in directions)
@@ -290,7 +293,11 @@ def _conclude(curves: JoinedCurves, scaled_values: np.ndarray, starts: tuple[flo
 
 
 def _direction(
-    unknowns: tuple[Variable, ...], row: np.ndarray, along: float, change_by_scatter: float
+    unknowns: tuple[Variable, ...],
+    row: np.ndarray,
+    along: float,
+    change_by_scatter: float,
+    quantile: float,
 ) -> Direction:
     """A singular vector of the slopes in words, for a step that changes its strongest unknown by a tenth."""
     strongest = int(np.argmax(np.abs(row)))
@@ -312,13 +319,39 @@ def _direction(
             )
     effect = abs(step) * change_by_scatter
     determined = bool(along < UNINFORMED)
-    verdict = "identifiable" if determined else "NOT identifiable"
+    verdict = "NOT identifiable"
+    if determined:
+        verdict = f"identifiable, {known_within(lead, quantile * along * abs(row[strongest]))} (95 %)"
     return Direction(
         shares={unknown.path: float(value) for unknown, value in zip(unknowns, row, strict=True)},
         standard_deviation=along,
         determined=determined,
         words=f"{' together with '.join(parts)} moves the curve by {effect:.3g} of its scatter (rms): {verdict}",
     )
+
+
+def known_within(unknown: Variable, half_width: float) -> str:
+    """How well an unknown is known, in words.
+
+    Parameters
+    ----------
+    unknown : Variable
+        The unknown.
+    half_width : float
+        Half the interval of its scaled value [-].
+
+    Returns
+    -------
+    str
+        A factor, a share of its value, or a difference in its unit.
+    """
+    if not unknown.logarithmic:
+        half = half_width * (unknown.upper - unknown.lower)
+        return f"{unknown.path} to ±{half:.2g}{_unit(unknown.path)}"
+    factor = float((unknown.upper / unknown.lower) ** half_width)
+    if factor < _LARGE_FACTOR:
+        return f"{unknown.path} to ±{100.0 * (factor - 1.0):.2g} %"
+    return f"{unknown.path} to a factor of {factor:.3g}"
 
 
 def _unit(path: str) -> str:
