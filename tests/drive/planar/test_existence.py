@@ -97,6 +97,10 @@ def test_a_cage_that_nothing_carries_is_no_freedom(drives):
         grounded=CARRIER,
     )
     refuse_impossible(free)
+    sun, planet, ring, carrier = speeds(free)
+    assert [float(each / sun) for each in (planet, ring, carrier)] == pytest.approx(
+        [-10.0 / 20.0, -10.0 / 50.0, 0.0], abs=1e-12
+    )
 
 
 def test_gaps_between_neighbours(drives):
@@ -119,7 +123,9 @@ def test_gaps_between_neighbours(drives):
 
 
 def test_one_planet_alone_has_no_neighbour(drives):
-    refuse_impossible(dataclasses.replace(drives["planetary"], sectors=1))
+    alone = dataclasses.replace(drives["planetary"], sectors=1)
+    refuse_impossible(alone)
+    assert neighbour_gaps(alone) == {("planet", "planet"): math.inf}
 
 
 def test_the_number_of_planets_may_vary():

@@ -1,8 +1,9 @@
 """Small systems of linear equations by elimination, without LAPACK.
 
 XLA runs LAPACK on a batch in threads of its own and waits for them in one of them. On a machine with two cores two such
-calls that run at once wait for each other for ever (jaxlib 0.10). Only the steps of Newton's method, which follow each
-other, use LAPACK.
+calls that run at once wait for each other for ever (jaxlib 0.10). Only calls that cannot run at once use LAPACK: the
+steps of Newton's method, which follow each other, and the least squares of
+:func:`asperity.drive.planar.closure.closed`, a program of its own that ends before any other begins.
 """
 
 from __future__ import annotations
