@@ -1,7 +1,8 @@
 """The evidence as a report says the same as the document that it is made of."""
 
 from asperity.report.content import Paragraph, Table
-from asperity.report.validation_report import validation_report
+from asperity.report.html import report_html
+from asperity.report.validation_report import shown, validation_report
 
 
 def check(passed, **changes):
@@ -58,3 +59,19 @@ def test_what_fails_is_said_first_and_what_was_not_found_has_its_reason():
     (table,) = (block for block in report.blocks if isinstance(block, Table))
     assert table.rows[1][0] == "half-width [µm]: Johnson 1985; not a number"
     assert (table.rows[1][3], table.rows[1][-1]) == ("–", "FAIL")
+
+
+def test_the_page_of_a_report_without_sections_has_no_list_of_them():
+    page = report_html(validation_report(document(check(False, note="<b>no</b>"))))
+    assert "<nav" not in page
+    assert "&lt;b&gt;no&lt;/b&gt;" in page
+    assert "1 of 1 checks failed." in page
+
+
+def test_numbers_for_people():
+    assert [shown(None, 6), shown(2.0, 6), shown(1.23456789, 6), shown(1e-10, 2)] == [
+        "–",
+        "2",
+        "1.23457",
+        "1e-10",
+    ]

@@ -42,6 +42,7 @@ def validate(context: click.Context, as_json: bool, out: str | None) -> None:
 
     use_double_precision()
     use_compilation_cache()
+    from asperity.report.validation_report import validation_report
     from asperity.validation.run import run_checks, validation_document
 
     with progress_bar("groups of checks") as report:
@@ -52,14 +53,13 @@ def validate(context: click.Context, as_json: bool, out: str | None) -> None:
 
         if suffix == ".pdf":
             from asperity.report.pdf import report_pdf
-            from asperity.report.validation_report import validation_report
 
             with replacing(out) as part:
                 part.write_bytes(report_pdf(validation_report(document)))
         else:
-            from asperity.validation.page import validation_page
+            from asperity.report.html import report_html
 
-            write_text(text + "\n" if suffix == ".json" else validation_page(document), out)
+            write_text(text + "\n" if suffix == ".json" else report_html(validation_report(document)), out)
         say_written(out)
     if as_json:
         click.echo(text)
@@ -76,7 +76,7 @@ def _show(document: dict[str, Any]) -> None:
     from rich.text import Text
 
     from asperity.cli.terminal import console
-    from asperity.validation.page import shown
+    from asperity.report.validation_report import shown
 
     target = console()
     for model, rows in groupby(document["checks"], key=lambda row: row["model"]):

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import html
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 
 from asperity.errors import printable
 from asperity.report.content import Block, Bullets, Heading, Listing, Paragraph, Picture, Report, Table
@@ -53,19 +53,35 @@ def report_html(report: Report) -> str:
         f'<li><a href="#s{number}">{_text(text)}</a></li>'
         for number, text in enumerate(report.sections, start=1)
     )
+    contents = f'<nav aria-label="Sections"><ul>{links}</ul></nav>' if links else ""
     parts = [
         "<!DOCTYPE html>",
         '<html lang="en"><head><meta charset="utf-8">',
         f'<meta http-equiv="Content-Security-Policy" content="{_POLICY}">',
         '<meta name="viewport" content="width=device-width, initial-scale=1">',
         f"<title>{title}</title><style>{_STYLE}</style></head><body>",
-        f'<h1>{title}</h1><nav aria-label="Sections"><ul>{links}</ul></nav><main>',
+        f"<h1>{title}</h1>{contents}<main>",
     ]
-    section = 0
-    for number, block in enumerate(report.blocks):
+    return "\n".join([*parts, blocks_html(report.blocks), "</main></body></html>\n"])
+
+
+def blocks_html(blocks: Sequence[Block]) -> str:
+    """Write blocks of a report as HTML that another page can hold.
+
+    Parameters
+    ----------
+    blocks : sequence of Block
+        Headings, sentences, tables, pictures and listings.
+
+    Returns
+    -------
+    str
+        HTML without head and body.
+    """
+    section, parts = 0, []
+    for number, block in enumerate(blocks):
         section += isinstance(block, Heading)
         parts.append(_block(block, number, section))
-    parts.append("</main></body></html>\n")
     return "\n".join(parts)
 
 

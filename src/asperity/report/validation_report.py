@@ -48,13 +48,27 @@ def _row(row: dict[str, Any]) -> tuple[str, ...]:
     return (
         f"{quantity}: {row['reference']}{note}",
         str(row["values"]),
-        _shown(row["expected"], 8),
-        _shown(row["found"], 8),
-        _shown(row["deviation"], 2) + unit,
-        _shown(row["tolerance"], 2) + unit,
+        shown(row["expected"], 8),
+        shown(row["found"], 8),
+        shown(row["deviation"], 2) + unit,
+        shown(row["tolerance"], 2) + unit,
         "pass" if row["passed"] else "FAIL",
     )
 
 
-def _shown(value: float | None, digits: int) -> str:
+def shown(value: float | None, digits: int) -> str:
+    """A number for people; a dash where there is none.
+
+    Parameters
+    ----------
+    value : float or None
+        The number.
+    digits : int
+        Significant digits.
+
+    Returns
+    -------
+    str
+        Its text.
+    """
     return "–" if value is None else f"{value:.{digits}g}"
