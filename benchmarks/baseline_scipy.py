@@ -44,7 +44,7 @@ PAPER = {  # SI; material, friction, preload and torque are assumptions, the pap
     "bearing_torque_sun": 0.0,  # T_Bs, T_Bw, T_Bc of (1), (3)-(5)
     "bearing_torque_loading_roller": 0.0,
     "bearing_torque_carrier": 0.0,
-    "bearing_friction": 0.0,  # mu_b and d: adds mu_b F_c d / 2 to T_Bw
+    "bearing_friction": 0.0,  # mu_b and d: each of two bearings adds mu_b (F_c / 2) (d / 2) to T_Bw
     "bearing_diameter": 0.0,
     "closure": "elastic",  # or constant_pin_force
     "normal_law": "tangent",  # dN/d(compression) at the preload; or secant: N/compression; or nonlinear
@@ -220,8 +220,8 @@ def force_balance(p):
     def residual(x):
         N_sp, N_pwr, N_pwl, N_wro, N_wlo, T_sp, T_pwr, T_pwl, T_wro, T_wlo, F_cl, F_cr, S_in = x[:13] * force
         T_in = S_in * Rs
-        T_Bl = p["bearing_torque_loading_roller"] + p["bearing_friction"] * F_cl * p["bearing_diameter"] / 2
-        T_Br = p["bearing_torque_loading_roller"] + p["bearing_friction"] * F_cr * p["bearing_diameter"] / 2
+        T_Bl = p["bearing_torque_loading_roller"] + p["bearing_friction"] * F_cl * p["bearing_diameter"] / 4
+        T_Br = p["bearing_torque_loading_roller"] + p["bearing_friction"] * F_cr * p["bearing_diameter"] / 4
         equations = [
             (T_in - 2 * p["bearing_torque_sun"] - n * T_sp * Rs) / Rs,
             T_sp + (T_pwr + T_pwl) * math.cos(th) + (N_pwl - N_pwr) * math.sin(th),

@@ -47,11 +47,11 @@ def test_a_pin_fits_into_its_roller(array):
 
 
 def test_a_pin_locks_where_friction_times_diameter_over_radius_reaches_the_cosine(array):
-    """mu_b 8 mm / 5 mm against cos 60 deg = 0.5, on whichever side the steeper push is: locks from mu_b = 0.3125."""
+    """mu_b 8 mm / 10 mm against cos 60 deg = 0.5, on whichever side the steeper push is: locks from mu_b = 0.625."""
     for name in ("left_push_angle", "right_push_angle"):
         found = pin_lock(
             geometry=geometry(array, **{name: -np.pi / 3.0}),
-            bearings=bearings(array, friction=[0.312, 0.313], diameter=8e-3),
+            bearings=bearings(array, friction=[0.624, 0.626], diameter=8e-3),
         )
         np.testing.assert_allclose(found.grip, [0.4992, 0.5008], rtol=1e-12)
         np.testing.assert_allclose(found.push, 0.5, rtol=1e-12)

@@ -157,9 +157,9 @@ def test_the_eleven_equations_written_anew(forces_of, closure, braking):
     assert f["balance"].max() < 1e-12
     assert f["closure"].max() < 1e-9
     np.testing.assert_allclose(f["T_out"], x["output_torque"])
-    # a pin's friction torque grows with its force
+    # Coulomb friction of a pin, mu F at the radius d/2, on two bearings
     for side in ("l", "r"):
-        friction = x["pin_friction_coefficient"] * np.abs(f[f"F_c{side}"]) * x["pin_diameter"] / 2
+        friction = x["pin_friction_coefficient"] * np.abs(f[f"F_c{side}"]) * x["pin_diameter"] / 4
         np.testing.assert_allclose(f[f"B_{side}"], x["loading_roller_torque"] + friction, rtol=1e-12)
 
 

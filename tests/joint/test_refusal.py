@@ -59,13 +59,13 @@ def test_frequencies_must_grow_and_springs_must_not_push(paper_joint):
 
 
 def test_a_pin_as_thick_as_its_roller_and_a_pin_that_grips(paper_joint):
-    """Rollers of 5 mm radius; a grip of 0.5 x 4/5 is harmless up to a push angle of acos 0.4 = 66.4 degrees."""
+    """Rollers of 5 mm radius; a grip of 1 x 4/10 is harmless up to a push angle of acos 0.4 = 66.4 degrees."""
     refuse_locked_pins(paper_joint(pin_diameter=9.9e-3))
     with pytest.raises(InputError, match=r"10\.1 mm must be below the diameter of the loading roller, 10 mm"):
         refuse_locked_pins(paper_joint(pin_diameter=10.1e-3))
-    pin = {"pin_diameter": 4e-3, "pin_friction_coefficient": 0.5}
+    pin = {"pin_diameter": 4e-3, "pin_friction_coefficient": 1.0}
     refuse_locked_pins(paper_joint(left_push_angle=math.radians(66.0), **pin))
-    with pytest.raises(InputError, match=r"radius is 0\.4, it must be below .* 0\.391"):
+    with pytest.raises(InputError, match=r"diameter of the loading roller is 0\.4, it must be below .* 0\.391"):
         refuse_locked_pins(paper_joint(left_push_angle=math.radians(67.0), **pin))
 
 

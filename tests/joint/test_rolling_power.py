@@ -30,7 +30,7 @@ def budget(*, output_torque=5.0, rolling=ROLLING, carrier=CARRIER, **conditions)
         left_bearing_torque=jnp.asarray(0.004),
     )
     speeds = SimpleNamespace(
-        rolling=rolling, body=jnp.array([660.0, 200.0, 540.0, 530.0, 60.0]), carrier=jnp.asarray(carrier)
+        rolling=rolling, body=jnp.array([660.0, 200.0, 540.0, 530.0, 60.0]), output=jnp.asarray(carrier)
     )
     return rolling_power(
         branches=COUNT,

@@ -31,7 +31,7 @@ FAILURES = [
     ),
     ({"bearings.pin_diameter": 0.0101}, "pin_too_thick_or_locked", "pin diameter"),
     (
-        {"bearings.pin_diameter": 0.004, "bearings.pin_friction_coefficient": 2.0},
+        {"bearings.pin_diameter": 0.004, "bearings.pin_friction_coefficient": 3.0},
         "pin_too_thick_or_locked",
         "lock",
     ),

@@ -63,7 +63,7 @@ def overlaps(*, gap: Real) -> Any:
 def pin_lock(*, geometry: DriveGeometry, bearings: Bearings) -> PinLock:
     r"""Whether the pins fit into the loading rollers and allow them to turn.
 
-    .. math:: d < 2 R_w, \qquad \mu_b \frac{d}{R_w} < \cos\gamma
+    .. math:: d < 2 R_w, \qquad \mu_b \frac{d}{2 R_w} < \cos\gamma
 
     Parameters
     ----------
@@ -79,13 +79,13 @@ def pin_lock(*, geometry: DriveGeometry, bearings: Bearings) -> PinLock:
 
     References
     ----------
-    Zou et al. 2025, equations (3) and (4), with the pin's friction torque mu_b d F/2 inserted: the pin force F is the
+    Zou et al. 2025, equations (3) and (4), with the pin's friction torque mu_b d F/2 of both bearings inserted: the pin force F is the
     push of the rollers divided by the cosine minus the grip.
     """
     left, right, roller = geometry.left_push_angle, geometry.right_push_angle, geometry.loading_roller_radius
     diameter, friction = bearings.pin_diameter, bearings.pin_friction_coefficient
     library = _library_of(left, right, roller, diameter, friction)
-    grip = friction * diameter / roller
+    grip = 0.5 * friction * diameter / roller
     push = library.cos(library.maximum(abs(left), abs(right)))
     return PinLock(too_thick=diameter >= 2.0 * roller, grip=grip, push=push, locks=grip >= push)
 

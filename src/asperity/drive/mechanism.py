@@ -20,14 +20,16 @@ _SMALL_LOAD = 1e-6
 
 
 class Bearings(eqx.Module):
-    r"""Friction torques of the bearings; a pin's is :math:`T_B + \tfrac12 \mu_b F_c d`.
+    r"""Friction torques of the bearings; a pin's is :math:`T_B + \tfrac14 \mu_b F_c d`.
+
+    Each roller has two bearings, which share the force F_c of its pin.
 
     Parameters
     ----------
     sun_torque, loading_roller_torque, carrier_torque : Real
         Constant friction torque of one sun, loading roller and carrier bearing [N·m]; each body has two.
     pin_friction_coefficient : Real
-        Friction coefficient mu_b of the loading rollers' pins [-].
+        Friction coefficient mu_b of the loading rollers' pins [-]: friction force mu_b F_c at their diameter.
     pin_diameter : Real
         Diameter d of the loading rollers' pins [m].
     """

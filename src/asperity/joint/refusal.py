@@ -301,7 +301,7 @@ def refuse_locked_pins(joint: Joint) -> None:
         )
     if pins.locks:
         raise InputError(
-            "the pins lock: pin friction coefficient times pin diameter over loading roller radius is "
+            "the pins lock: pin friction coefficient times pin diameter over the diameter of the loading roller is "
             f"{float(pins.grip):.3g}, it must be below the cosine of the push angle, {float(pins.push):.3g}; choose a "
             "thinner pin, less pin friction or a push angle nearer 0"
         )

@@ -115,7 +115,7 @@ class BearingFriction(Section):
     carrier_torque: BearingTorque
     """Friction torque of one of the two carrier bearings."""
     pin_friction_coefficient: Annotated[Quantity, limits.PIN_FRICTION_COEFFICIENT]
-    """Friction coefficient mu_b of the loading rollers' pins."""
+    """Friction coefficient mu_b of the loading rollers' pins: friction force over pin force, at the pin's diameter."""
     pin_diameter: Annotated[Quantity, limits.PIN_DIAMETER]
     """Diameter d of the loading rollers' pins."""
     pin_length: Annotated[Quantity, limits.PIN_LENGTH] | None = None
