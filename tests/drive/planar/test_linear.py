@@ -42,3 +42,11 @@ def test_a_batch_needs_no_lapack():
     systems = jnp.zeros((4, 5, 5))
     program = jax.jit(jax.vmap(solve)).lower(systems, jnp.zeros((4, 5))).as_text()
     assert "lapack" not in program
+
+
+def test_solving_again_compiles_nothing(caplog):
+    matrix, right = jnp.array([[2.0, 1.0], [0.0, 4.0]]), jnp.array([4.0, 8.0])
+    solve(matrix, right)
+    with jax.log_compiles():
+        assert solve(matrix, right).tolist() == [1.0, 2.0]
+    assert "ompiling" not in caplog.text
