@@ -2,7 +2,11 @@
 
 import re
 
+import pytest
+
+from asperity.joint.temperature import thermal_interference
 from asperity.joint_file.assumptions import assumptions
+from asperity.joint_file.build import joint_from_case
 from asperity.joint_file.reader import parse_case
 
 
@@ -41,3 +45,14 @@ def test_what_holds_the_sun_between_unequal_branches_is_told(joint_text):
     stated = text + '\n[compliance]\nsun_support_stiffness = "50 N/um"\n'
     assert not any(held in each for each in assumptions(parse_case(stated, source="x")))
     assert not any("branch" in each for each in assumptions(parse_case(joint_text, source="x")))
+
+
+def test_what_the_temperature_would_add_to_a_stated_preload_is_told_in_micrometres(joint_text):
+    section = '[temperature]\nassembly = "20 °C"\nworking = "60 °C"\nhousing_expansion = "23.6e-6 1/K"\n\n'
+    text = re.sub(r'= "steel"', '= "52100"', joint_text).replace("[model]", section + "[model]")
+    case = parse_case(text, source="x")
+    (note,) = (each for each in assumptions(case) if "by temperature" in each)
+    change = thermal_interference(joint_from_case(case), temperature_rise=40.0, housing_expansion=23.6e-6)
+    assert change < -1e-6  # aluminium around steel becomes loose
+    told = float(re.search(r"(\S+) µm of interference by temperature", note)[1])
+    assert told == pytest.approx(1e6 * float(change), rel=5e-3)

@@ -236,3 +236,17 @@ def test_edited_files_keep_the_duty():
     again = parse_case(text, source="again")
     assert again.duty[1].output_torque.value == 3.0
     assert again.rolling.skew.sp.value == pytest.approx(1e-3)
+
+
+def test_a_housing_that_expands_more_than_its_joint_takes_preload_away(example_text):
+    """Aluminium around bearing steel: looser where it is warm, tighter where it is cold."""
+
+    def preload(working):
+        section = f'[temperature]\nassembly = "20 °C"\nworking = "{working} °C"\nhousing_expansion = "23.6e-6 1/K"\n\n'
+        text = example_text.replace('preload = "1000 N"', 'interference = "13 um"')
+        text = text.replace('= "steel"', '= "52100"').replace("[model]", section + "[model]")
+        return float(joint_from_case(parse_case(text, source="x")).preload)
+
+    cold, same, warm = map(preload, (15, 20, 25))
+    assert 1.0 < warm < 0.95 * same
+    assert 1.05 * same < cold < 2.0 * same
