@@ -73,6 +73,12 @@ def test_examples_are_those_of_init_and_valid_for_editors(name):
             "drive.sectorial: unknown key; did you mean 'sectors'?",
         ),
         ("stepped_planet", 'bodies = "exact"', 'bodies = "springs"', "driven_ring_wall_thickness"),
+        (
+            "planetary",
+            "[model]",
+            '[[duty]]\noutput_torque = "1 N*m"\nsun_speed = "1 rpm"\nshare = 0.9\n\n[model]',
+            "the shares of [[duty]] must add up to 1, they add up to 0.9",
+        ),
     ],
 )
 def test_mistakes_are_told(name, old, new, message):

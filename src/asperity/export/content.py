@@ -14,7 +14,7 @@ from asperity.joint.both_senses import BothSenses, both_senses
 from asperity.joint.dynamics import Inertias, body_inertias
 from asperity.joint.either_kind import AnyJoint, AnySolution
 from asperity.joint.planar.description import PlanarJoint
-from asperity.joint.play import NO_PLAY, Play
+from asperity.joint.play import Play
 from asperity.joint.rolling_document import unknown_because
 from asperity.joint.windup import StiffnessLevel, Windup
 from asperity.joint.windup_document import examined_windup
@@ -125,7 +125,7 @@ class ExportContent:
     @property
     def play(self) -> Play:
         """Play of the joint."""
-        return NO_PLAY if isinstance(self.joint, PlanarJoint) else self.joint.play
+        return self.joint.play
 
 
 def export_content(

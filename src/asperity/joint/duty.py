@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 from collections.abc import Callable
 
 import equinox as eqx
@@ -36,6 +37,44 @@ class DutyLife(eqx.Module):
     turns: Array
     damage_shares: Array
     load_hours: Array
+
+
+def with_duty_life(
+    found: RollingResult,
+    *,
+    conditions: RollingConditions,
+    bodies: BodiesOfContacts,
+    planet_count: Real,
+    rolled: Callable[[Array, Array], RollingResult],
+) -> RollingResult:
+    """The joint that turns with its life under its duty, if it has one.
+
+    Parameters
+    ----------
+    found : RollingResult
+        The joint at its own torque and speed.
+    conditions, bodies, planet_count, rolled
+        As for :func:`duty_life`.
+
+    Returns
+    -------
+    RollingResult
+        The same without a duty.
+
+    References
+    ----------
+    Equation (B8) of :doc:`/equations`.
+    """
+    if not conditions.duty:
+        return found
+    life = duty_life(conditions=conditions, bodies=bodies, planet_count=planet_count, rolled=rolled)
+    return dataclasses.replace(
+        found,
+        duty_life_hours=life.hours,
+        duty_life_turns=life.turns,
+        duty_damage_shares=life.damage_shares,
+        duty_load_hours=life.load_hours,
+    )
 
 
 def duty_life(

@@ -33,7 +33,7 @@ from asperity.joint.contacts import (
 )
 from asperity.joint.description import Bodies, Joint, preload_at, sense_of_rotation, with_one_rank
 from asperity.joint.diagnostics import Diagnostics, diagnose, self_locking_ratio
-from asperity.joint.duty import duty_life
+from asperity.joint.duty import with_duty_life
 from asperity.joint.elastic_bodies import assembly_springs, walls_hold
 from asperity.joint.interference import joint_rest_compliance
 from asperity.joint.loading_cam import followed_by_cam
@@ -352,8 +352,6 @@ def _rolling(
     found = rolling_result(
         joint=joint, contacts=contacts, mechanism=drive, forces=forces, asperity_normal_stiffness=stiffness
     )
-    if not joint.rolling.duty:
-        return found
 
     def rolled(torque: Array, speed: Array) -> RollingResult:
         loaded = dataclasses.replace(joint, output_torque=torque, sun_speed=speed)
@@ -372,16 +370,10 @@ def _rolling(
             asperity_normal_stiffness=rough.normal_stiffness,
         )
 
-    life = duty_life(
+    return with_duty_life(
+        found,
         conditions=joint.rolling,
         bodies=WEDGE_DRIVE,
         planet_count=joint.geometry.planet_count,
         rolled=rolled,
-    )
-    return dataclasses.replace(
-        found,
-        duty_life_hours=life.hours,
-        duty_life_turns=life.turns,
-        duty_damage_shares=life.damage_shares,
-        duty_load_hours=life.load_hours,
     )

@@ -32,7 +32,7 @@ from asperity.drive.geometry import CONTACT_NAMES
 from asperity.errors import InputError, NoSolutionError
 from asperity.joint.description import Joint
 from asperity.joint.planar.description import PlanarJoint
-from asperity.joint.play import NO_PLAY, Play, play_angle, play_compliance
+from asperity.joint.play import Play, play_angle, play_compliance
 from asperity.joint.standing import standing_at
 from asperity.precision import require_double_precision
 from asperity.types import Real
@@ -289,9 +289,7 @@ def windup(
     """
     require_double_precision()
     largest = abs(float(largest_torque))
-    names, play = (
-        (joint.contact_names, NO_PLAY) if isinstance(joint, PlanarJoint) else (CONTACT_NAMES, joint.play)
-    )
+    names = joint.contact_names if isinstance(joint, PlanarJoint) else CONTACT_NAMES
 
     def compliances(torques: Array) -> tuple[Array, Array]:
         found = standing_at(joint, torques)
@@ -304,7 +302,7 @@ def windup(
             )
         return jnp.asarray(1.0 / real), jnp.asarray(1.0 / elastic)
 
-    return windup_of(compliances, largest_torque=largest, stage_shares=stage_shares, play=play)
+    return windup_of(compliances, largest_torque=largest, stage_shares=stage_shares, play=joint.play)
 
 
 def _refuse(

@@ -92,7 +92,6 @@ def joint_from_values(values: Values) -> Joint:
     """
     drive, load, model = values["drive"], values["load"], values["model"]
     bearings, compliance = values.get("bearings", {}), values.get("compliance", {})
-    play = values.get("play", {})
     materials = {name: material_of(entry) for name, entry in values["materials"].items()}
     lengths = _entries(drive["contact_length"])
     joint = Joint(
@@ -127,7 +126,7 @@ def joint_from_values(values: Values) -> Joint:
         structure=StructureSprings(
             **{name: compliance.get(name, ideal) for name, ideal in vars(IDEAL_STRUCTURE).items()}
         ),
-        play=Play(**{name: play.get(name, none) for name, none in vars(NO_PLAY).items()}),
+        play=play_of(values),
         closure=model["closure"],
         closure_springs=model["closure_springs"],
         contact_factor_model=model["contact_factor"],
@@ -152,6 +151,23 @@ def joint_from_values(values: Values) -> Joint:
     fit = _fit(values["temperature"], joint, assembled)
     working = joint_preload(joint, fit.interference + fit.thermal_change)
     return dataclasses.replace(joint, preload=working, fit=fit)
+
+
+def play_of(values: Values) -> Play:
+    """The play that the tables of a joint file state.
+
+    Parameters
+    ----------
+    values : dict
+        Tables in SI units.
+
+    Returns
+    -------
+    Play
+        :data:`asperity.joint.play.NO_PLAY` where they state none.
+    """
+    play = values.get("play", {})
+    return Play(**{name: play.get(name, none) for name, none in vars(NO_PLAY).items()})
 
 
 def _crowns(drive: Values) -> Crowns | None:

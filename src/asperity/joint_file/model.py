@@ -189,11 +189,32 @@ class DutyLoad(Section):
     """One load of the duty; write [[duty]] above each."""
 
     output_torque: Annotated[Quantity, limits.DUTY_TORQUE]
-    """Torque at the carrier; negative where it drives the rotation."""
+    """Torque at the output; negative where it drives the rotation."""
     sun_speed: Annotated[Quantity, limits.SUN_SPEED]
-    """Speed of the sun."""
+    """Speed of the sun, or of the input, whatever its name."""
     share: Annotated[float, Field(strict=True, gt=0.0, le=1.0)]
     """Share of the time; the shares of all loads add up to 1."""
+
+
+Duty = Annotated[tuple[DutyLoad, ...], Field(min_length=1)]
+
+
+def refuse_part_of_a_duty(duty: tuple[DutyLoad, ...] | None) -> None:
+    """Refuse a duty whose loads do not share the whole time.
+
+    Parameters
+    ----------
+    duty : tuple of DutyLoad or None
+        Its loads.
+
+    Raises
+    ------
+    InputError
+        With the sum of the shares.
+    """
+    total = math.fsum(load.share for load in duty or ())
+    if duty is not None and abs(total - 1.0) > 1e-9:
+        raise InputError(f"the shares of [[duty]] must add up to 1, they add up to {total:.10g}")
 
 
 class DynamicsEntry(Section):
@@ -259,7 +280,7 @@ class Case(Section):
     """Skew, hysteresis and reliability of the joint that turns."""
     lubrication: Lubrication | None = None
     """The oil; dry if the section is absent."""
-    duty: Annotated[tuple[DutyLoad, ...], Field(min_length=1)] | None = None
+    duty: Duty | None = None
     """Loads and their shares of the time, for the life under a duty: a section [[duty]] for each."""
     branch: Annotated[tuple[BranchEntry, ...], Field(min_length=2)] | None = None
     """Sizes of each planet and its loading rollers, where they differ: a section [[branch]] for each planet."""
@@ -306,9 +327,7 @@ class Case(Section):
 
     @model_validator(mode="after")
     def _whole_duty(self) -> Case:
-        total = math.fsum(load.share for load in self.duty or ())
-        if self.duty is not None and abs(total - 1.0) > 1e-9:
-            raise InputError(f"the shares of [[duty]] must add up to 1, they add up to {total:.10g}")
+        refuse_part_of_a_duty(self.duty)
         return self
 
     @model_validator(mode="after")

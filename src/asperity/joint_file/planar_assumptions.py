@@ -33,7 +33,9 @@ def planar_assumptions(case: PlanarCase) -> tuple[str, ...]:
     """
     kind = case.type
     drive: Any = case.drive  # type: ignore[attr-defined]
-    told = ["the bearings have no friction and no play; every track is as long as its longest contact line"]
+    told = ["the bearings have no friction; every track is as long as its longest contact line"]
+    if case.play is None:
+        told.append("no section [play]: the output has no play")
     if case.compliance is None:
         told.append("no section [compliance]: pins and shafts are rigid")
     else:

@@ -13,7 +13,7 @@ from asperity.drive.planar.layout import PlanarDrive
 from asperity.joint.description import Joint
 from asperity.joint.planar.description import PlanarJoint
 from asperity.joint.planar.temperature import planar_fit
-from asperity.joint_file.build import joint_from_case, rolling_conditions
+from asperity.joint_file.build import joint_from_case, play_of, rolling_conditions
 from asperity.joint_file.material_build import material_of, surface_of
 from asperity.joint_file.model import Case
 from asperity.joint_file.part_names import CONTACTS
@@ -96,6 +96,7 @@ def planar_joint_from_values(values: Values) -> PlanarJoint:
         body_model=model.get("bodies", "exact"),
         plane_state=model.get("plane_state", "plane_strain"),
         rolling=rolling_conditions(values),
+        play=play_of(values),
     )
     if "temperature" not in values or "interference" not in load:
         return joint

@@ -9,7 +9,16 @@ from pydantic import Discriminator, Field, PrivateAttr, StringConstraints, Tag, 
 from asperity.errors import InputError
 from asperity.joint_file import limits
 from asperity.joint_file.material_entries import MaterialEntry, MaterialName, SurfaceEntry
-from asperity.joint_file.model import ContactLength, DynamicsEntry, Friction, Length, Lubrication
+from asperity.joint_file.model import (
+    ContactLength,
+    Duty,
+    DynamicsEntry,
+    Friction,
+    Length,
+    Lubrication,
+    PlayEntry,
+    refuse_part_of_a_duty,
+)
 from asperity.joint_file.quantity_key import Quantity
 from asperity.joint_file.section import ONE_FOR_ALL, ONE_FOR_EACH, Section
 from asperity.joint_file.temperature_section import TemperatureEntry, refuse_temperature
@@ -185,8 +194,12 @@ class PlanarCase(Section):
     """Hysteresis and reliability of the joint that turns."""
     lubrication: Lubrication | None = None
     """The oil; dry if the section is absent."""
+    duty: Duty | None = None
+    """Loads and their shares of the time, for the life under a duty: a section [[duty]] for each."""
     dynamics: DynamicsEntry | None = None
     """Inertias of motor and load, for `asperity dynamics`."""
+    play: PlayEntry | None = None
+    """Play at the output; none if the section is absent."""
     model: PlanarModelChoice
     """Variants of the model."""
     materials: Annotated[dict[MaterialName, MaterialEntry], Field(min_length=1)]
@@ -254,6 +267,11 @@ class PlanarCase(Section):
                     f'{", ".join(exact)}: only for model.bodies = "exact"; the springs are those of solid rollers and '
                     "of rings in a rigid housing, in plane strain"
                 )
+        return self
+
+    @model_validator(mode="after")
+    def _whole_duty(self) -> Self:
+        refuse_part_of_a_duty(self.duty)
         return self
 
     @model_validator(mode="after")

@@ -11,7 +11,9 @@ import pytest
 from asperity.compilation import compile_fast
 from asperity.joint.evaluation import evaluate
 from asperity.joint.planar.evaluation import evaluate_planar
+from asperity.joint.rolling_conditions import DutyPoint
 from asperity.joint_file.build import joint_from_case
+from asperity.joint_file.planar_build import planar_joint_from_case
 
 pytestmark = pytest.mark.slow
 
@@ -80,3 +82,46 @@ def test_derivatives_are_those_of_differences(case, as_planar):
     step = 1e-4
     expected = (value(5.0 + step) - value(5.0 - step)) / (2.0 * step)
     np.testing.assert_allclose(compiled(5.0), expected, rtol=1e-5)
+
+
+def with_duty(joint, *loads):
+    points = tuple(DutyPoint(*map(float, load)) for load in loads)
+    return dataclasses.replace(joint, rolling=dataclasses.replace(joint.rolling, duty=points))
+
+
+def test_a_duty_of_a_planetary_drive(planar_case):
+    """Its loads as the joint that is solved under each; sizes of the springs alone make the program small."""
+    springs = {
+        'bodies = "exact"': 'bodies = "springs"',
+        'ring_support = "free" ': 'ring_support = "rigid_housing" ',
+    }
+    joint = planar_joint_from_case(planar_case("planetary", replaced=springs))
+    speed = float(joint.input_speed)
+    found, alike, braking = (
+        solved(evaluate_planar, with_duty(joint, *loads)).rolling
+        for loads in (
+            ((10.0, speed, 0.25), (20.0, 2.0 * speed, 0.75)),
+            ((10.0, speed, 0.5), (10.0, speed, 0.5)),
+            ((10.0, speed, 0.5), (-10.0, speed, 0.5)),
+        )
+    )
+    # a load that is the joint's own has its life, and so has a duty of nothing else
+    own = float(found.life_hours.drive)
+    assert float(found.duty_load_hours[0]) == pytest.approx(own, rel=1e-9)
+    assert float(alike.duty_life_hours) == pytest.approx(own, rel=1e-9)
+    assert np.asarray(alike.duty_damage_shares) == pytest.approx([0.5, 0.5], rel=1e-9)
+    turns = own * 3600.0 * float(found.output_speed) / (2.0 * math.pi)
+    assert float(alike.duty_life_turns) == pytest.approx(turns, rel=1e-9)
+    # the joint solved under the other load lives as long as the duty says
+    other = dataclasses.replace(joint, output_torque=20.0, input_speed=2.0 * speed)
+    alone = solved(evaluate_planar, with_duty(other, (10.0, speed, 0.5), (20.0, speed, 0.5))).rolling
+    assert float(found.duty_load_hours[1]) == pytest.approx(float(alone.life_hours.drive), rel=1e-9)
+    # Palmgren and Miner; sun and planets wear in one proportion, their tracks bear equal forces
+    miner = 1.0 / (0.25 / own + 0.75 / float(found.duty_load_hours[1]))
+    assert float(found.duty_life_hours) == pytest.approx(miner, rel=1e-3)
+    assert float(np.sum(found.duty_damage_shares)) == pytest.approx(1.0, rel=1e-12)
+    assert float(braking.duty_load_hours[1]) == pytest.approx(own, rel=2e-2)
+    # a load beyond the capacity has no life, and neither has the duty
+    beyond = solved(evaluate_planar, with_duty(joint, (10.0, speed, 0.5), (1e4, speed, 0.5))).rolling
+    assert np.isnan(float(beyond.duty_life_hours))
+    assert float(beyond.life_hours.drive) == pytest.approx(own, rel=1e-9)

@@ -5,6 +5,7 @@ import math
 import numpy as np
 import pytest
 
+from asperity.cli.solved_case import solved_planar
 from asperity.joint.planar.loads_document import planar_loads_document, working_planar_loads
 
 
@@ -33,6 +34,30 @@ def test_pins_and_torques_by_hand(values):
         assert found == pytest.approx([0.0, expected], rel=1e-9, abs=1e-9)
     speed, _ = values["carrier pin", "planet", "speed, roller on pin"]
     assert speed == pytest.approx([0.0, 1500.0 * math.pi / 30.0 / 6.0 * 2.5], rel=1e-9)
+
+
+@pytest.mark.slow
+def test_the_loads_of_a_duty_are_cases_of_their_own(planar_case):
+    """Torque of the ring over that of the carrier 5/6, at every load; speeds in proportion."""
+    duty = "".join(
+        f'[[duty]]\noutput_torque = "{torque} N*m"\nsun_speed = "{speed} rpm"\nshare = {share}\n\n'
+        for torque, speed, share in ((11, 3000, 0.25), (-5, 0, 0.75))
+    )
+    joint, solution, _ = solved_planar(planar_case("planetary", replaced={"[model]": duty + "[model]"}))
+    document = planar_loads_document(joint, solution)
+    assert [case["name"] for case in document["cases"]] == [
+        "without torque",
+        "working torque",
+        "duty 1",
+        "duty 2",
+    ]
+    assert [case["share"] for case in document["cases"]] == [None, None, 0.25, 0.75]
+    rows = {(row["part"], row["quantity"]): row["values"] for row in document["loads"]}
+    assert rows["ring", "torque of the rollers"] == pytest.approx(
+        [0.0, -50.0 / 6.0, -55.0 / 6.0, 25.0 / 6.0], rel=1e-9, abs=1e-9
+    )
+    one = 1500.0 * math.pi / 30.0
+    assert rows["sun", "speed in the housing"] == pytest.approx([0.0, one, 2.0 * one, 0.0], rel=1e-9)
 
 
 def test_nothing_is_left_over(planetary):

@@ -10,6 +10,7 @@ from asperity.joint.dynamics import Inertias, dynamics
 from asperity.joint.either_kind import under_torque
 from asperity.joint.planar.inertias import planar_inertias
 from asperity.joint.planar.solve import solve_planar
+from asperity.joint.play import Play
 from asperity.joint.rolling_onset import rolling_onset
 from asperity.joint.windup import windup
 from asperity.joint_file.build import joint_from_case
@@ -50,6 +51,15 @@ def test_no_slip_no_loop_and_the_same_forces(joint, curve):
     assert float(held.angle[-1]) < float(curve.angle[-1])
     middle = len(curve.torque) // 2
     assert float(held.stiffness[middle]) == pytest.approx(float(curve.stiffness[middle]), rel=1e-9)
+
+
+def test_play_at_once_is_its_angle_in_every_curve(joint, curve):
+    """Half of it on either side of zero torque: all of it in the lost motion, nothing in the loop's work."""
+    loose = curve_of(dataclasses.replace(joint, play=Play(angle=1e-4, take_up_torque=0.0)), 10.0)
+    torque = np.asarray(curve.torque)
+    np.testing.assert_allclose(loose.angle - curve.angle, 0.5e-4 * np.sign(torque), atol=1e-15)
+    assert float(loose.lost_motion - curve.lost_motion) == pytest.approx(1e-4, rel=1e-9)
+    assert float(loose.dissipated_energy) == pytest.approx(float(curve.dissipated_energy), rel=1e-9)
 
 
 def test_the_drift_begins_as_that_of_its_rolling(joint, curve):

@@ -17,6 +17,7 @@ from asperity.drive.planar.layout import PlanarDrive
 from asperity.drive.rolling_speeds import BodiesOfContacts
 from asperity.joint.contacts import JointContacts, elastic_material
 from asperity.joint.description import BodyModel, Fit, per_contact
+from asperity.joint.play import NO_PLAY, Play
 from asperity.joint.rolling_conditions import RollingConditions
 from asperity.materials import Material, pair
 from asperity.types import Real
@@ -95,6 +96,8 @@ class PlanarJoint(eqx.Module):
         Of the exact bodies.
     rolling : RollingConditions
         Losses, oil and reliability of the joint that turns.
+    play : Play, optional
+        Play at the output, part of every torque–angle curve; none by default.
     fit : PlanarFit or None, optional
         What temperature adds to the interference; None where the preload does not depend on it.
     """
@@ -118,6 +121,7 @@ class PlanarJoint(eqx.Module):
     body_model: BodyModel = eqx.field(static=True)
     plane_state: PlaneState = eqx.field(static=True)
     rolling: RollingConditions
+    play: Play = NO_PLAY
     fit: PlanarFit | None = None
 
     @property

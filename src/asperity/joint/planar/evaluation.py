@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+from collections.abc import Callable
 
 import equinox as eqx
 import jax
@@ -16,11 +17,12 @@ from asperity.drive.assembly import Assembly
 from asperity.drive.planar.expansion import ring_interference
 from asperity.drive.planar.layout import CARRIER, PlanarDrive, speed_ratio, speeds
 from asperity.drive.planar.state import STATE_TOLERANCE, ContactLaws, PlanarState, surface_speeds
-from asperity.drive.planar.states import drive_states
+from asperity.drive.planar.states import drive_states, loaded_states
 from asperity.drive.rolling_speeds import BodiesOfContacts, RollingSpeeds
 from asperity.drive.torsional_stiffness import TorsionalStiffness, contact_torsional_stiffness
 from asperity.joint.contacts import JointContacts
 from asperity.joint.diagnostics import Diagnostics, diagnose
+from asperity.joint.duty import with_duty_life
 from asperity.joint.planar.description import (
     PlanarJoint,
     bodies_of_contacts,
@@ -244,7 +246,13 @@ def evaluated_with_laws(joint: PlanarJoint) -> tuple[PlanarResult, ContactLaws]:
             rest_force=states.rest.normal,
             self_locking_ratio=None,
         ),
-        rolling=turning(joint, contacts, creep, rolling),
+        rolling=with_duty_life(
+            turning(joint, contacts, creep, rolling),
+            conditions=joint.rolling,
+            bodies=bodies_of_contacts(drive),
+            planet_count=jnp.asarray(drive.sectors),
+            rolled=_rolling_at(joint, contacts, laws, states.rest),
+        ),
         contact_law_holds=stiffness.contact_law_holds,
         walls_hold=stiffness.walls_hold,
         solved=(standing.residual < STATE_TOLERANCE) & (states.rest.residual < STATE_TOLERANCE),
@@ -252,6 +260,30 @@ def evaluated_with_laws(joint: PlanarJoint) -> tuple[PlanarResult, ContactLaws]:
         contact_names=joint.contact_names,
     )
     return found, laws
+
+
+def _rolling_at(
+    joint: PlanarJoint, contacts: JointContacts, laws: ContactLaws, rest: PlanarState
+) -> Callable[[Array, Array], RollingResult]:
+    """Steady rolling of an assembled joint at any torque [N·m] and input speed [rad/s]."""
+    masses, sense = body_masses(joint), driving_sense(joint.drive)
+
+    def rolled(torque: Array, speed: Array) -> RollingResult:
+        there = dataclasses.replace(joint, output_torque=torque, input_speed=speed)
+        standing, rolling = loaded_states(
+            drive=joint.drive,
+            laws=laws,
+            rest=rest,
+            load=drive_load(there, masses, torque),
+            creep_of=lambda normal, tangential: creep_law(contacts, normal, tangential).law,
+        )
+        creep = creep_law(contacts, standing.normal, standing.tangential)
+        seen = dataclasses.replace(
+            rolling, tangential=sense * rolling.tangential, creepage=sense * rolling.creepage
+        )
+        return turning(there, contacts, creep, seen)
+
+    return rolled
 
 
 def turning(

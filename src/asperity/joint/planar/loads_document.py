@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 from collections.abc import Iterator
 from typing import Any
 
@@ -9,13 +10,14 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 
-from asperity.drive.planar.layout import CARRIER, speeds
+from asperity.compilation import compile_fast
+from asperity.drive.planar.layout import CARRIER, PlanarDrive, speeds
 from asperity.drive.planar.loads import PlanarLoads, pin_components, planar_loads
 from asperity.joint.loads_document import Document, Row, case_entry, document_of_rows
 from asperity.joint.planar.description import PlanarJoint, tracks_of
 from asperity.joint.planar.evaluation import PlanarResult, driving_sense
 from asperity.joint.planar.laws import drive_load
-from asperity.joint.planar.solve import PlanarSolution
+from asperity.joint.planar.solve import PlanarSolution, solve_planar_program
 from asperity.joint.rolling_document import unknown_because
 
 _NOTES = (
@@ -111,18 +113,24 @@ def planar_loads_document(joint: PlanarJoint, solution: PlanarSolution) -> Docum
     Returns
     -------
     dict
-        Two cases, without torque and under the working torque; None where a value is not known.
+        Without torque, under the working torque, and under every load of the duty; None where a value is not known.
     """
     result = solution.result
-    loads = planar_loads_without_torque(joint, result), working_planar_loads(joint, result)
-    why = None
-    if bool(np.any(np.isnan(loads[1].moments))):
-        why = unknown_because(joint, result)[0]
-    torque, speed = float(joint.output_torque), float(joint.input_speed)
-    cases = [
-        case_entry("without torque", 0.0, 0.0, None, None),
-        case_entry("working torque", torque, speed, None, why),
+    cases = [case_entry("without torque", 0.0, 0.0, None, None)]
+    loads = [planar_loads_without_torque(joint, result)]
+    numbers: PlanarJoint = jax.tree.map(lambda leaf: np.asarray(leaf, dtype=float), joint)
+    loaded: list[tuple[str, float | None, PlanarJoint, PlanarResult]] = [
+        ("working torque", None, numbers, result)
     ]
+    for index, point in enumerate(numbers.rolling.duty, start=1):
+        there = dataclasses.replace(numbers, output_torque=point.output_torque, input_speed=point.sun_speed)
+        under: PlanarResult = jax.tree.map(np.asarray, compile_fast(solve_planar_program, there)(there)[0])
+        loaded.append((f"duty {index}", float(point.share), there, under))
+    for name, share, there, under in loaded:
+        loads.append(working_planar_loads(there, under))
+        unknown = bool(np.any(np.isnan(loads[-1].moments)))
+        why = unknown_because(there, under)[0] if unknown else None
+        cases.append(case_entry(name, float(there.output_torque), float(there.input_speed), share, why))
     drive = joint.drive
     stepped = any(len(tracks_of(joint, number)) > 1 for number in drive.floating)
     notes = [*_NOTES]
@@ -130,16 +138,15 @@ def planar_loads_document(joint: PlanarJoint, solution: PlanarSolution) -> Docum
         notes.append(_FREE)
     if stepped:
         notes.append(_IN_ONE_PLANE)
-    return document_of_rows(cases, _rows(joint, loads), bearings=[], notes=notes)
+    inputs = np.array([0.0, *(float(there.input_speed) for _, _, there, _ in loaded)])
+    return document_of_rows(cases, _rows(drive, loads, inputs), bearings=[], notes=notes)
 
 
-def _rows(joint: PlanarJoint, loads: tuple[PlanarLoads, PlanarLoads]) -> Iterator[Row]:
+def _rows(drive: PlanarDrive, loads: list[PlanarLoads], input_speeds: np.ndarray) -> Iterator[Row]:
     """Part, position, quantity, SI unit, and a value for each case."""
-    drive, members = joint.drive, joint.drive.members
-    turned = np.abs(np.asarray(speeds(drive))) * float(joint.input_speed)
-    relative = np.abs(np.asarray(speeds(drive) - speeds(drive)[members.index(CARRIER)])) * float(
-        joint.input_speed
-    )
+    members, speed = drive.members, np.asarray(speeds(drive))
+    turned = np.abs(speed)
+    relative = np.abs(speed - speed[members.index(CARRIER)])
     pins = [pin_components(drive=drive, force=load.pin) for load in loads]
     for k, body in enumerate(drive.pinned):
         part = ("carrier pin", drive.bodies[body].name.replace("_", " "))
@@ -147,7 +154,7 @@ def _rows(joint: PlanarJoint, loads: tuple[PlanarLoads, PlanarLoads]) -> Iterato
         yield *part, "radial force", "N", radial
         yield *part, "tangential force", "N", tangential
         yield *part, "resultant force", "N", np.hypot(radial, tangential)
-        yield *part, "speed, roller on pin", "rad/s", np.array([0.0, relative[body]])
+        yield *part, "speed, roller on pin", "rad/s", relative[body] * input_speeds
     for number, name in enumerate(members):
         if name != CARRIER and drive.bodies[number].place != "axis":
             continue
@@ -158,4 +165,4 @@ def _rows(joint: PlanarJoint, loads: tuple[PlanarLoads, PlanarLoads]) -> Iterato
         moment = drive.sense * np.array([load.moments[number] for load in loads])
         yield *part, "torque of the rollers" if name != CARRIER else "torque of all pins", "N*m", moment
         yield *part, "resultant force", "N", 0.0
-        yield *part, "speed in the housing", "rad/s", np.array([0.0, turned[number]])
+        yield *part, "speed in the housing", "rad/s", turned[number] * input_speeds

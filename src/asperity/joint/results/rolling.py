@@ -315,13 +315,11 @@ ROWS = (
         lambda solved: 3600.0 * solved.result.rolling.duty_life_hours,
         group="life",
         note="nan without a duty",
-        wedge_only=True,
     ),
     _life(
         "duty_life_turns",
         "fatigue life of the drive under its duty in turns of the output",
         value="result.rolling.duty_life_turns",
         note="nan without a duty",
-        wedge_only=True,
     ),
 )
