@@ -159,7 +159,7 @@ def _other_sections() -> Iterator[tuple[str, type[Section], str]]:
         model = next(p for p in _parts(field.annotation) if isinstance(p, type) and issubclass(p, Section))
         yield f'[[{name}]] of type = "planar"', model, field.description or ""
     common = next(iter(PLANAR_CASES.values()))
-    for name in ("load", "compliance", "rolling", "model"):
+    for name in ("load", "bearings", "compliance", "rolling", "model"):
         field = common.model_fields[name]
         model = next(p for p in _parts(field.annotation) if isinstance(p, type) and issubclass(p, Section))
         yield f"[{name}] of other drives", model, field.description or ""

@@ -26,7 +26,8 @@ def test_every_number_of_a_joint_file_has_a_path():
     ("path", "section"),
     [
         ("branch", '[[branch]]\nplanet_deviation = "1 um"'),
-        ("bearings", '[bearings]\nsun_torque = "0.001 N*m"'),
+        ("pin_bearing", '[pin_bearing]\ntype = "ball"'),
+        ("bearings.pin_length", '[bearings]\npin_length = "6 mm"'),
         ("rolling.skew", '[rolling]\nskew = "1 mrad"'),
     ],
 )

@@ -13,6 +13,8 @@ def test_assumptions_name_what_is_left_out(name, planar_case):
     assert "no section [compliance]: pins and shafts are rigid" in told
     assert ("in one plane" in told) == (planar_case(name).type != "planetary")
     assert "no rolling.hysteresis_factor" in told
+    assert "no section [bearings]: the bearings have no friction" in told
+    assert "no section [play]" in told
 
 
 def test_what_is_stated_is_no_assumption(planar_case):

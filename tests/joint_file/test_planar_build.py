@@ -62,3 +62,27 @@ def test_a_surface_may_be_stated_by_its_ra(planar_case):
         cut_off=0.25e-3,
     )
     assert found == pytest.approx(math.sqrt(2.0) * 0.1e-6)
+
+
+def test_bearings_play_and_duty(planar_case):
+    joint = planar_joint_from_case(planar_case("planetary"))
+    assert joint.bearings is None
+    assert (joint.play.angle, joint.rolling.duty) == (0.0, ())
+    sections = (
+        '[bearings]\ninput_torque = "1 N*mm"\nroller_torque = "2 N*mm"\n'
+        'pin_friction_coefficient = 0.01\npin_diameter = "4 mm"\n\n'
+        '[play]\nangle = "1 mrad"\ntake_up_torque = "0.1 N*m"\n\n'
+        '[[duty]]\noutput_torque = "1 N*m"\nsun_speed = "1 rad/s"\nshare = 1.0\n\n[model]'
+    )
+    joint = planar_joint_from_case(planar_case("planetary", ("[model]", sections)))
+    assert vars(joint.bearings) == {
+        "sun_torque": 1e-3,
+        "loading_roller_torque": 2e-3,
+        "carrier_torque": 0.0,
+        "pin_friction_coefficient": 0.01,
+        "pin_diameter": 4e-3,
+    }
+    assert (joint.play.angle, joint.play.take_up_torque) == (1e-3, 0.1)
+    assert [vars(point) for point in joint.rolling.duty] == [
+        {"output_torque": 1.0, "sun_speed": 1.0, "share": 1.0}
+    ]

@@ -76,6 +76,12 @@ def test_examples_are_those_of_init_and_valid_for_editors(name):
         (
             "planetary",
             "[model]",
+            '[bearings]\npin_diameter = "4 mm"\n\n[model]',
+            "bearings: pin_friction_coefficient and pin_diameter belong together",
+        ),
+        (
+            "planetary",
+            "[model]",
             '[[duty]]\noutput_torque = "1 N*m"\nsun_speed = "1 rpm"\nshare = 0.9\n\n[model]',
             "the shares of [[duty]] must add up to 1, they add up to 0.9",
         ),

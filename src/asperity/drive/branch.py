@@ -16,7 +16,7 @@ import jax.numpy as jnp
 from jax import Array
 
 from asperity.drive.geometry import Triangle
-from asperity.drive.mechanism import Mechanism, RestState
+from asperity.drive.mechanism import Mechanism, RestState, bearing_torque
 from asperity.types import Real
 
 
@@ -131,10 +131,7 @@ def branch_forces(
     f_cr = (push_r + constant) * jnp.where(
         push_r > -constant, 1.0 / (cos_r - pin_friction), 1.0 / (cos_r + pin_friction)
     )
-    # of each of two bearings, which share the force of the pin
-    pin_torque = 0.25 * bearings.pin_friction_coefficient * bearings.pin_diameter
-    b_l = bearings.loading_roller_torque + pin_torque * jnp.abs(f_cl)
-    b_r = bearings.loading_roller_torque + pin_torque * jnp.abs(f_cr)
+    b_l, b_r = (bearing_torque(bearings=bearings, pin_force=force) for force in (f_cl, f_cr))
     n_wro = (
         f_cr * sin_r + n_pwr * side.cos_wedge + t_pwr * side.sin_wedge + branch.roller_centrifugal
     )  # (4) r

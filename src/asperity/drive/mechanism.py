@@ -41,6 +41,30 @@ class Bearings(eqx.Module):
     pin_diameter: Real
 
 
+def bearing_torque(*, bearings: Bearings, pin_force: Array) -> Array:
+    r"""Friction torque of one of a roller's two bearings on its pin, :math:`T_B + \tfrac14 \mu_b |F| d`.
+
+    Parameters
+    ----------
+    bearings : Bearings
+        Friction of the bearings.
+    pin_force : Array
+        Force of the roller on its pin [N].
+
+    Returns
+    -------
+    Array
+        Torque [N·m].
+
+    References
+    ----------
+    Coulomb friction at the radius d/2 under half the pin force; the T_B of equations (3) and (4) of Zou et al. 2025, which
+    leave it open.
+    """
+    pin = 0.25 * bearings.pin_friction_coefficient * bearings.pin_diameter
+    return jnp.asarray(bearings.loading_roller_torque + pin * jnp.abs(pin_force))
+
+
 def opposed(*, bearings: Bearings, sense_of_rotation: Real) -> Bearings:
     """Bearing friction with the sign that opposes a rotation, as equations (1)–(5) take it.
 

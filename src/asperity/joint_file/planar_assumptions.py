@@ -33,7 +33,13 @@ def planar_assumptions(case: PlanarCase) -> tuple[str, ...]:
     """
     kind = case.type
     drive: Any = case.drive  # type: ignore[attr-defined]
-    told = ["the bearings have no friction; every track is as long as its longest contact line"]
+    told = ["every track is as long as its longest contact line"]
+    if case.bearings is None:
+        told.append("no section [bearings]: the bearings have no friction")
+    else:
+        told.append(
+            "[bearings]: their friction acts in rolling; the drive that stands is computed without it"
+        )
     if case.play is None:
         told.append("no section [play]: the output has no play")
     if case.compliance is None:

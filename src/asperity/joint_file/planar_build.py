@@ -9,6 +9,7 @@ from typing import Any
 import jax.numpy as jnp
 from jax import Array
 
+from asperity.drive.mechanism import Bearings
 from asperity.drive.planar.layout import PlanarDrive
 from asperity.joint.description import Joint
 from asperity.joint.planar.description import PlanarJoint
@@ -96,6 +97,7 @@ def planar_joint_from_values(values: Values) -> PlanarJoint:
         body_model=model.get("bodies", "exact"),
         plane_state=model.get("plane_state", "plane_strain"),
         rolling=rolling_conditions(values),
+        bearings=_bearings(values.get("bearings")),
         play=play_of(values),
     )
     if "temperature" not in values or "interference" not in load:
@@ -108,6 +110,18 @@ def planar_joint_from_values(values: Values) -> PlanarJoint:
         housing_expansion=temperature.get("housing_expansion"),
     )
     return dataclasses.replace(joint, fit=fit)
+
+
+def _bearings(entry: Values | None) -> Bearings | None:
+    if entry is None:
+        return None
+    return Bearings(
+        sun_torque=entry.get("input_torque", 0.0),
+        loading_roller_torque=entry.get("roller_torque", 0.0),
+        carrier_torque=entry.get("output_torque", 0.0),
+        pin_friction_coefficient=entry.get("pin_friction_coefficient", 0.0),
+        pin_diameter=entry.get("pin_diameter", 0.0),
+    )
 
 
 def thermal_change_of(values: Values) -> float:

@@ -10,6 +10,7 @@ from asperity.errors import InputError
 from asperity.joint_file import limits
 from asperity.joint_file.material_entries import MaterialEntry, MaterialName, SurfaceEntry
 from asperity.joint_file.model import (
+    BearingTorque,
     ContactLength,
     Duty,
     DynamicsEntry,
@@ -145,6 +146,30 @@ class PlanarLoad(Section):
         return self
 
 
+class PlanarBearings(Section):
+    """Friction of the bearings of a drive that turns; an absent key is no friction."""
+
+    input_torque: BearingTorque | None = None
+    """Friction torque of one of the two bearings of the input shaft."""
+    output_torque: BearingTorque | None = None
+    """Friction torque of one of the two bearings of the output shaft."""
+    roller_torque: BearingTorque | None = None
+    """Constant friction torque of one of the two bearings of a roller on a pin of the carrier."""
+    pin_friction_coefficient: Annotated[Quantity, limits.PIN_FRICTION_COEFFICIENT] | None = None
+    """Friction coefficient mu_b of these bearings: friction force over the force of the pin, at pin_diameter, which it
+    needs."""
+    pin_diameter: Annotated[Quantity, limits.PIN_DIAMETER] | None = None
+    """Diameter d at which the friction coefficient acts."""
+
+    @model_validator(mode="after")
+    def _coefficient_at_a_diameter(self) -> Self:
+        if (self.pin_friction_coefficient is None) != (self.pin_diameter is None):
+            raise InputError(
+                "pin_friction_coefficient and pin_diameter belong together: give both or neither"
+            )
+        return self
+
+
 class PlanarCompliance(Section):
     """Springs of the structure around the rollers; an absent key is the ideal its description names."""
 
@@ -188,6 +213,8 @@ class PlanarCase(Section):
     """Preload, torque, speed, friction."""
     temperature: TemperatureEntry | None = None
     """Temperature of the drive; that of the assembly if the section is absent."""
+    bearings: PlanarBearings | None = None
+    """Friction of the bearings in rolling; none if the section is absent."""
     compliance: PlanarCompliance | None = None
     """Springs of pins and shafts; ideal if the section is absent."""
     rolling: PlanarRolling | None = None

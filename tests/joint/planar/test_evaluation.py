@@ -125,3 +125,28 @@ def test_a_duty_of_a_planetary_drive(planar_case):
     beyond = solved(evaluate_planar, with_duty(joint, (10.0, speed, 0.5), (1e4, speed, 0.5))).rolling
     assert np.isnan(float(beyond.duty_life_hours))
     assert float(beyond.life_hours.drive) == pytest.approx(own, rel=1e-9)
+
+
+def test_bearings_of_the_papers_drive(case, as_planar):
+    """Shafts as in its own chain. Its equation (5) leaves out what the rollers' bearings do to the carrier."""
+    joint = joint_from_case(case)
+    shafts = dataclasses.replace(joint.bearings, sun_torque=2e-3, carrier_torque=2e-2)
+    with_it = dataclasses.replace(as_planar(joint), bearings=shafts)
+    own = solved(evaluate, dataclasses.replace(joint, bearings=shafts)).rolling
+    found = solved(evaluate_planar, with_it).rolling
+    assert float(found.power.bearings) == pytest.approx(float(own.power.bearings), rel=1e-4)
+    assert float(found.power.efficiency) == pytest.approx(float(own.power.efficiency), rel=1e-4)
+    np.testing.assert_allclose(found.tangential, own.tangential, rtol=3e-3)
+    rollers = dataclasses.replace(
+        shafts, loading_roller_torque=1e-3, pin_friction_coefficient=0.01, pin_diameter=4e-3
+    )
+    result = solved(evaluate_planar, dataclasses.replace(with_it, bearings=rollers))
+    rolled = result.rolling
+    power = rolled.power
+    own = solved(evaluate, dataclasses.replace(joint, bearings=rollers)).rolling
+    assert float(power.bearings) == pytest.approx(float(own.power.bearings), rel=1e-2)
+    # all that enters is the torque of the balance of forces: nothing is lost but by creep and bearings
+    lost = float(np.sum(power.creep)) + float(power.bearings)
+    assert float(power.loss) == pytest.approx(lost, rel=1e-12)
+    torque = (3.0 * float(rolled.tangential[0]) * 4e-3 + 2.0 * 2e-3) * float(joint.sun_speed)
+    assert float(power.input) == pytest.approx(torque, rel=1e-8)

@@ -8,7 +8,7 @@ import equinox as eqx
 import jax.numpy as jnp
 from jax import Array
 
-from asperity.drive.mechanism import NormalSprings
+from asperity.drive.mechanism import Bearings, NormalSprings
 from asperity.drive.planar.layout import CARRIER, PlanarDrive
 from asperity.drive.rolling_state import CreepLaw
 from asperity.types import Real
@@ -58,11 +58,14 @@ class DriveLoad(eqx.Module):
         Forces on the floating bodies, shape (floating, 2) [N]; None for none.
     pin_compliance : Real, optional
         Of each pin along its push [m/N].
+    bearings : Bearings or None, optional
+        Friction of the bearings of a drive that rolls, as in :mod:`asperity.drive.planar.bearings`; None for none.
     """
 
     output_torque: Real
     body_force: Array | None = None
     pin_compliance: Real = 0.0
+    bearings: Bearings | None = None
 
 
 class PlanarState(eqx.Module):

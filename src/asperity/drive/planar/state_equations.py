@@ -8,6 +8,7 @@ import jax.numpy as jnp
 from jax import Array
 
 from asperity.drive.mechanism import compression
+from asperity.drive.planar.bearings import friction_moments
 from asperity.drive.planar.layout import Incidence, PlanarDrive, incidence, speeds
 from asperity.drive.planar.loads import member_moments
 from asperity.drive.planar.newton import damped_root
@@ -291,7 +292,7 @@ def _equations(machine: Machine, task: Task, by_force: bool, x: Unknowns) -> Unk
     slip = slip_at_rest(laws=laws, normal=normal, tangential=tangential)
     standing = slip - matrices.sliding @ (moved - task.origin) - matrices.turning @ turned
     force = matrices.approach.T @ normal + matrices.sliding.T @ tangential + matrices.pins.T @ pin
-    moments = member_moments(drive, matrices, tangential, pin)
+    moments = _moments(machine, task, tangential, pin)
     out = drive.members.index(drive.output)
     moments = moments.at[out].add(-jnp.sign(machine.ideal[out]) * task.load.output_torque)
     moments = moments[jnp.array(_turning(drive))] / (lever * largest)
@@ -309,6 +310,17 @@ def _equations(machine: Machine, task: Task, by_force: bool, x: Unknowns) -> Unk
         (force - forces_on(drive, task.load).ravel()) / largest,
         jnp.where(kind == ASSEMBLED, x.turn, moments),
         size,
+    )
+
+
+def _moments(machine: Machine, task: Task, tangential: Array, pin: Array) -> Array:
+    """Moments of contacts and pins on the members, in rolling also of the bearings."""
+    moments = member_moments(machine.drive, machine.matrices, tangential, pin)
+    if task.load.bearings is None:
+        return moments
+    rolls = jnp.where(jnp.asarray(task.kind) == ROLLING, 1.0, 0.0)
+    return moments + rolls * friction_moments(
+        drive=machine.drive, bearings=task.load.bearings, pin_force=pin, ideal=machine.ideal
     )
 
 
@@ -377,7 +389,7 @@ def state_of(machine: Machine, task: Task, x: Unknowns) -> PlanarState:
         speed=speed,
         creepage=rolls * creepages(law=laws.creep, normal=normal, tangential=tangential),
         interference=machine.pattern * x.interference * machine.length,
-        input_torque=-drive.sense * member_moments(drive, machine.matrices, tangential, pin)[entry],
+        input_torque=-drive.sense * _moments(machine, task, tangential, pin)[entry],
         speed_loss=1.0 - speed[out] / machine.ideal[out],
         worst=worst,
         carried=carried,

@@ -284,6 +284,7 @@ def _states(
             output_torque=acts * load.output_torque,
             body_force=acts * forces_on(drive, load),
             pin_compliance=load.pin_compliance,
+            bearings=load.bearings,
         )
         here = machine
         if creep_of is not None:

@@ -13,6 +13,7 @@ from asperity.body.shapes import PlaneState
 from asperity.contact.fractal import Surface
 from asperity.contact.population import ContactFactorModel
 from asperity.contact.roller_pairs import roller_pairs
+from asperity.drive.mechanism import Bearings
 from asperity.drive.planar.layout import PlanarDrive
 from asperity.drive.rolling_speeds import BodiesOfContacts
 from asperity.joint.contacts import JointContacts, elastic_material
@@ -96,6 +97,9 @@ class PlanarJoint(eqx.Module):
         Of the exact bodies.
     rolling : RollingConditions
         Losses, oil and reliability of the joint that turns.
+    bearings : Bearings or None, optional
+        Friction of the bearings in rolling, ``sun_torque`` for the input and ``carrier_torque`` for the output; None
+        for none.
     play : Play, optional
         Play at the output, part of every torque–angle curve; none by default.
     fit : PlanarFit or None, optional
@@ -121,6 +125,7 @@ class PlanarJoint(eqx.Module):
     body_model: BodyModel = eqx.field(static=True)
     plane_state: PlaneState = eqx.field(static=True)
     rolling: RollingConditions
+    bearings: Bearings | None = None
     play: Play = NO_PLAY
     fit: PlanarFit | None = None
 

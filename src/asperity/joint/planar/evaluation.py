@@ -14,6 +14,7 @@ from jax import Array
 from asperity.contact.fractal import FractalContact
 from asperity.contact.interface import Interface
 from asperity.drive.assembly import Assembly
+from asperity.drive.planar.bearings import friction_moments, friction_power
 from asperity.drive.planar.expansion import ring_interference
 from asperity.drive.planar.layout import CARRIER, PlanarDrive, speed_ratio, speeds
 from asperity.drive.planar.state import STATE_TOLERANCE, ContactLaws, PlanarState, surface_speeds
@@ -262,6 +263,16 @@ def evaluated_with_laws(joint: PlanarJoint) -> tuple[PlanarResult, ContactLaws]:
     return found, laws
 
 
+def _bearing_power(joint: PlanarJoint, state: PlanarState) -> Array:
+    """Power lost in bearings and pins at the joint's speed [W]."""
+    if joint.bearings is None:
+        return jnp.zeros_like(state.speed_loss)
+    moments = friction_moments(
+        drive=joint.drive, bearings=joint.bearings, pin_force=state.pin_force, ideal=speeds(joint.drive)
+    )
+    return friction_power(drive=joint.drive, moments=moments, speed=state.speed * joint.input_speed)
+
+
 def _rolling_at(
     joint: PlanarJoint, contacts: JointContacts, laws: ContactLaws, rest: PlanarState
 ) -> Callable[[Array, Array], RollingResult]:
@@ -332,6 +343,6 @@ def turning(
         unit_speeds=unit,
         input_speed=joint.input_speed,
         creepage_in_series=jnp.zeros_like(state.speed_loss),  # no path of a general drive is a single series
-        bearing_power=jnp.zeros_like(state.speed_loss),
+        bearing_power=_bearing_power(joint, state),
         output_torque=jnp.asarray(joint.output_torque),
     )

@@ -156,4 +156,5 @@ def drive_load(joint: PlanarJoint, masses: list[Real], torque: Real) -> DriveLoa
         output_torque=jnp.asarray(torque, dtype=float),
         body_force=jnp.stack(forces) if forces else jnp.zeros((0, 2)),
         pin_compliance=1.0 / jnp.asarray(joint.pin_stiffness, dtype=float),
+        bearings=joint.bearings,
     )

@@ -35,6 +35,10 @@ _IN_ONE_PLANE = (
     "also carry a tilting moment."
 )
 
+_BEARINGS = (
+    "Torques are those of the rollers and pins; the friction torques of the bearings are not among them."
+)
+
 
 def working_planar_loads(joint: PlanarJoint, result: PlanarResult) -> PlanarLoads:
     """Loads of the structure of a joint under its torque.
@@ -139,6 +143,8 @@ def planar_loads_document(joint: PlanarJoint, solution: PlanarSolution) -> Docum
     if stepped:
         notes.append(_IN_ONE_PLANE)
     inputs = np.array([0.0, *(float(there.input_speed) for _, _, there, _ in loaded)])
+    if joint.bearings is not None:
+        notes.append(_BEARINGS)
     return document_of_rows(cases, _rows(drive, loads, inputs), bearings=[], notes=notes)
 
 

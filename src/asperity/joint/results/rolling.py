@@ -259,7 +259,6 @@ ROWS = (
         "power lost in bearings and pins",
         value="result.rolling.power.bearings",
         positive=False,
-        wedge_only=True,
     ),
     Result(
         "life_hours",

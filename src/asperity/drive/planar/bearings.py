@@ -1,0 +1,79 @@
+r"""Friction of the bearings of a planar drive that turns: moments on shafts and rollers on pins."""
+
+from __future__ import annotations
+
+import jax.numpy as jnp
+from jax import Array
+
+from asperity.drive.mechanism import Bearings, bearing_torque
+from asperity.drive.planar.layout import CARRIER, PlanarDrive, sectors_of_members
+
+
+def friction_moments(*, drive: PlanarDrive, bearings: Bearings, pin_force: Array, ideal: Array) -> Array:
+    r"""Moments of the bearings on the members of a drive that turns, those of all sectors together.
+
+    .. math::
+        M_b = -2\,T_B(F)\,\operatorname{sgn}(\omega_b - \omega_c), \qquad M_c = -n \sum_b M_b, \qquad
+        M_{in,out} = -2\,T_{in,out}\,\operatorname{sgn}\,\omega_{in,out}
+
+    Parameters
+    ----------
+    drive : PlanarDrive
+        The drive.
+    bearings : Bearings
+        Friction of the bearings: ``sun_torque`` of the input, ``carrier_torque`` of the output, and of every roller on
+        a pin.
+    pin_force : Array
+        Forces of the pins, shape (pins,) [N].
+    ideal : Array
+        Angular velocities of the members without creep, of which only the signs count, shape (members,) [-].
+
+    Returns
+    -------
+    Array
+        Counter-clockwise, shape (members,) [N·m]; those of bodies off the axis of one sector.
+
+    Notes
+    -----
+    Every bearing acts on both of its parts: the bearings of a roller also act on the carrier that holds its pin, which
+    equation (5) of Zou et al. 2025 leaves out.
+
+    References
+    ----------
+    Zou et al. 2025, equations (1) and (3)–(5): two bearings on each body.
+    """
+    carrier = drive.members.index(CARRIER)
+    moments = jnp.zeros(len(drive.members))
+    for member, torque in ((drive.input, bearings.sun_torque), (drive.output, bearings.carrier_torque)):
+        number = drive.members.index(member)
+        moments = moments.at[number].add(-2.0 * torque * jnp.sign(ideal[number]))
+    for pin, body in enumerate(drive.pinned):
+        torque = 2.0 * bearing_torque(bearings=bearings, pin_force=pin_force[pin])
+        braking = -torque * jnp.sign(ideal[body] - ideal[carrier])
+        moments = moments.at[body].add(braking).at[carrier].add(-drive.sectors * braking)
+    return moments
+
+
+def friction_power(*, drive: PlanarDrive, moments: Array, speed: Array) -> Array:
+    r"""Power that the bearings take, :math:`-\sum M \omega` over all members of all sectors.
+
+    Parameters
+    ----------
+    drive : PlanarDrive
+        The drive.
+    moments : Array
+        Of :func:`friction_moments`, shape (members,) [N·m].
+    speed : Array
+        Angular velocities of the members, shape (members,) [rad/s].
+
+    Returns
+    -------
+    Array
+        Power, all sectors together [W].
+
+    References
+    ----------
+    Moment times angular velocity.
+    """
+    copies = jnp.asarray(drive.sectors) / sectors_of_members(drive)
+    return -jnp.sum(copies * moments * speed)
