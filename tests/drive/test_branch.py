@@ -82,7 +82,7 @@ def test_slopes_by_finite_differences(branch):
 
 
 def test_a_pins_friction_opposes_the_push_in_either_direction(branch):
-    """(3): F_cl cos = push - 2 T_B/R with 2 T_B = 2 T_0 + mu |F| d/2, Coulomb, also where the torque alone turns the force round."""
+    """(3): F_cl cos = push - 2 T_B/R with 2 T_B = 2 T_0 + mu |F| d/2 (Coulomb), also where F turns round."""
     weak = branch_forces(branch, jnp.array([1e-3]), jnp.array([0.0]))
     bearings, geometry = branch.mechanism.bearings, branch.mechanism.geometry
     assert float(weak.pin_left[0]) < 0.0

@@ -65,7 +65,9 @@ def test_a_pin_as_thick_as_its_roller_and_a_pin_that_grips(paper_joint):
         refuse_locked_pins(paper_joint(pin_diameter=10.1e-3))
     pin = {"pin_diameter": 4e-3, "pin_friction_coefficient": 1.0}
     refuse_locked_pins(paper_joint(left_push_angle=math.radians(66.0), **pin))
-    with pytest.raises(InputError, match=r"diameter of the loading roller is 0\.4, it must be below .* 0\.391"):
+    with pytest.raises(
+        InputError, match=r"diameter of the loading roller is 0\.4, it must be below .* 0\.391"
+    ):
         refuse_locked_pins(paper_joint(left_push_angle=math.radians(67.0), **pin))
 
 

@@ -79,8 +79,8 @@ def pin_lock(*, geometry: DriveGeometry, bearings: Bearings) -> PinLock:
 
     References
     ----------
-    Zou et al. 2025, equations (3) and (4), with the pin's friction torque mu_b d F/2 of both bearings inserted: the pin force F is the
-    push of the rollers divided by the cosine minus the grip.
+    Zou et al. 2025, equations (3) and (4), with the pin's friction torque mu_b d F/2 of both bearings inserted: the pin
+    force F is the push of the rollers divided by the cosine minus the grip.
     """
     left, right, roller = geometry.left_push_angle, geometry.right_push_angle, geometry.loading_roller_radius
     diameter, friction = bearings.pin_diameter, bearings.pin_friction_coefficient

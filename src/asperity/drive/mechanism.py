@@ -58,7 +58,7 @@ def bearing_torque(*, bearings: Bearings, pin_force: Array) -> Array:
 
     References
     ----------
-    Coulomb friction at the radius d/2 under half the pin force; the T_B of equations (3) and (4) of Zou et al. 2025, which
+    Coulomb friction at the radius d/2 under half the pin force, as T_B of equations (3) and (4) of Zou et al. 2025, which
     leave it open.
     """
     pin = 0.25 * bearings.pin_friction_coefficient * bearings.pin_diameter

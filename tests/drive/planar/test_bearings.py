@@ -77,11 +77,11 @@ def rolled(drives):
 
 
 def test_the_forces_of_a_planetary_drive_by_hand(rolled):
-    """F (r + p) n = T + 2 T_c + n M, T_1 + T_2 = F, (T_1 - T_2) p = M with M = 2 T_r + mu d F."""
+    """F (r + p) n = T + 2 T_c + n M, T_1 + T_2 = F, (T_1 - T_2) p = M with M = 2 T_r + mu F d/2."""
     _, found, _ = rolled
     state = found.rolling
-    force = (10.0 + 0.1 + 3.0 * 0.04) / (3.0 * (30e-3 - 0.1 * 8e-3))
-    moment = 0.04 + 0.1 * 8e-3 * force
+    force = (10.0 + 0.1 + 3.0 * 0.04) / (3.0 * (30e-3 - 0.1 * 4e-3))
+    moment = 0.04 + 0.1 * 4e-3 * force
     one, two = 0.5 * (force + moment / 20e-3), 0.5 * (force - moment / 20e-3)
     assert abs(float(state.pin_force[0])) == pytest.approx(force, rel=1e-9)
     assert np.abs(np.asarray(state.tangential)) == pytest.approx([one, two], rel=1e-9)
