@@ -8,7 +8,9 @@ from asperity.cli.study_output import (
     show_status,
     status_counts,
 )
+from asperity.joint.results import RESULTS
 from asperity.joint.status import STATUS_NAMES
+from asperity.units import from_si
 
 xarray = pytest.importorskip("xarray")
 SLIPS = STATUS_NAMES.index("beyond_torque_capacity")
@@ -57,9 +59,9 @@ def test_points_are_shown_in_the_unit_of_the_key(found, capsys):
         assert text in [word.strip() for word in head]
     rows = [line.split() for line in lines if line.strip().startswith(("1000", "800"))]
     assert rows == [
-        ["1000", "13.5", "5e+06"],
-        ["1000", "13.6", "4.5e+06"],
-        ["800", "13.5", "4e+06"],
+        ["1000", "13.5", "5e6"],
+        ["1000", "13.6", "4.5e6"],
+        ["800", "13.5", "4e6"],
         ["800", "13.6", "-", "beyond", "torque", "capacity"],
     ]
 
@@ -80,3 +82,43 @@ def test_results_of_contacts_have_a_column_each_and_contacts_their_names(capsys)
     rows = [line.split() for line in capsys.readouterr().out.splitlines()]
     assert ["800", "100", "300", "500", "700", "900", "sp"] in rows  # MPa
     assert ["1000", "200", "400", "600", "800", "1000", "wlo"] in rows
+
+
+def test_no_number_is_cut_where_the_columns_do_not_fit(capsys):
+    """Twelve results of twelve letters take more than one table; each has the coordinates, the last one the status."""
+    dims = ("load.preload",)
+    names = [name for name, each in RESULTS.items() if each.axis == "one" and not each.categories][:12]
+    values = [-1.23456e-100 * (k + 1) for k in range(len(names))]
+    made = xarray.Dataset(
+        {"status": (dims, np.array([SLIPS], dtype=np.int8))}
+        | {name: (dims, np.array([value])) for name, value in zip(names, values, strict=True)},
+        coords={"load.preload": [800.0]},
+    )
+    show_points(made)
+    text = capsys.readouterr().out
+    assert "…" not in text
+    assert max(map(len, text.splitlines())) <= 100
+    rows = [line.split() for line in text.splitlines() if line.strip().startswith("800")]
+    assert len(rows) > 1
+    shown = [float(cell) for row in rows for cell in row[1:] if cell[0] == "-"]
+    expected = [from_si(value, RESULTS[name].display_unit) for name, value in zip(names, values, strict=True)]
+    np.testing.assert_allclose(shown, expected, rtol=1e-4)
+    assert "beyond" in rows[-1]
+    assert "beyond" not in rows[0]
+
+
+def test_results_that_are_not_shown_are_named(capsys):
+    dims = ("load.preload",)
+    contacts = [f"c{k}" for k in range(30)]
+    made = xarray.Dataset(
+        {
+            "status": (dims, np.zeros(1, dtype=np.int8)),
+            "torque_capacity": (dims, np.array([12.0])),
+            "hertz_pressure": (("contact", *dims), np.full((30, 1), 1e9)),
+        },
+        coords={"load.preload": [800.0], "contact": contacts},
+    )
+    show_points(made)
+    text = capsys.readouterr().out
+    assert "not shown: hertz_pressure; --out writes them all, --results chooses some" in text
+    assert "torque capacity" in text

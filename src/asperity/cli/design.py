@@ -172,7 +172,7 @@ def _show_front(problem: DesignProblem, front: Any, names: list[str]) -> None:
     from asperity.cli.terminal import console, table
     from asperity.joint.results import RESULTS
     from asperity.joint_file.si_tables import key_at
-    from asperity.units import from_si
+    from asperity.units import format_quantity, from_si
 
     target, size = console(), front.sizes["design"]
     units = [RESULTS[n].display_unit if n in RESULTS else key_at(n).unit for n in names]
@@ -185,7 +185,10 @@ def _show_front(problem: DesignProblem, front: Any, names: list[str]) -> None:
     )
     for index in shown:
         rows.add_row(
-            *(f"{from_si(float(front[n].values[index]), u):.5g}" for n, u in zip(names, units, strict=True))
+            *(
+                format_quantity(from_si(float(front[n].values[index]), u), "1", 5)
+                for n, u in zip(names, units, strict=True)
+            )
         )
     target.print(rows)
 

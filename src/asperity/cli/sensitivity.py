@@ -81,7 +81,7 @@ def _show(ranked: xarray.Dataset) -> None:
     shown_unit = "" if unit == "1" else unit.replace("*", "·")
     value = float(ranked["result_value"])
     target = console()
-    title = f"{ranked['result_name'].item()}: {value:.5g} {shown_unit}".rstrip()
+    title = f"{ranked['result_name'].item()}: {format_quantity(value, '1', 5)} {shown_unit}".rstrip()
     rows = table(
         target, title, "number of the file", "value", "elasticity", f"derivative [{shown_unit or '-'}]"
     )
@@ -98,7 +98,7 @@ def _show(ranked: xarray.Dataset) -> None:
             path,
             format_quantity(float(one["value"]), key.unit),
             "-" if np.isnan(elasticity) else f"{elasticity + 0.0:+.4f}",
-            "-" if np.isnan(derivative) else f"{derivative + 0.0:.5g}{per}",
+            "-" if np.isnan(derivative) else f"{format_quantity(derivative + 0.0, '1', 5)}{per}",
         )
     target.print(rows)
     if not np.isfinite(value):

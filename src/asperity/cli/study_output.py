@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import itertools
+from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 import click
@@ -19,7 +21,9 @@ _SHOWN = (
     "published_stiffness_output",
     "torque_capacity",
 )
-_MOST_COLUMNS = 10
+_MOST_COLUMNS = 24
+_MOST_NAMES = 8
+_GAP = 3  # between two columns
 
 
 def show_status(found: xarray.Dataset) -> None:
@@ -84,32 +88,75 @@ def show_points(found: xarray.Dataset) -> None:
 
     axes = [str(name) for name in found["status"].dims]
     asked = [str(name) for name in found.data_vars if name != "status"]
-    chosen = asked if len(asked) <= _MOST_COLUMNS else [name for name in _SHOWN if name in found] or asked[:1]
-    columns = [
-        (row_name(name, row), RESULTS[name], values)
-        for name in chosen
-        for row, values in rows_of(found, name).items()
-    ][:_MOST_COLUMNS]
+    of_result = {name: rows_of(found, name) for name in asked}
+    chosen = asked
+    if sum(map(len, of_result.values())) > _MOST_COLUMNS:
+        chosen = [name for name in _SHOWN if name in found] or asked[:1]
+    columns = [(name, row, values) for name in chosen for row, values in of_result[name].items()][
+        :_MOST_COLUMNS
+    ]
     units = {path: key_at(path).unit for path in axes}
+    places = list(itertools.islice(np.ndindex(found["status"].shape), _MOST_ROWS))
+    at = [dict(zip(axes, place, strict=True)) for place in places]
+    coordinates = {
+        f"{long_name(path)}{_unit(units[path])}": [
+            f"{from_si(float(found[path][each[path]]), units[path]):.6g}" for each in at
+        ]
+        for path in axes
+    }
+    cells = {
+        f"{row_name(name, row).replace('_', ' ')}{_unit(RESULTS[name].display_unit)}": [
+            _cell(values.isel(each), RESULTS[name]) for each in at
+        ]
+        for name, row, values in columns
+    }
+    codes = [int(found["status"][place]) for place in places]
+    cells["status"] = [STATUS_NAMES[code].replace("_", " ") if code else "" for code in codes]
     target = console()
-    headers = [f"{long_name(path)}{_unit(units[path])}" for path in axes]
-    headers += [f"{name.replace('_', ' ')}{_unit(result.display_unit)}" for name, result, _ in columns]
-    shown = table(target, "", *headers, "status")
-    for column in shown.columns:
-        column.no_wrap, column.justify = False, "right"
-    points = np.ndindex(found["status"].shape)
-    for _, place in zip(range(_MOST_ROWS), points, strict=False):
-        at = dict(zip(axes, place, strict=True))
-        coordinates = [f"{from_si(float(found[path][at[path]]), units[path]):.6g}" for path in axes]
-        code = int(found["status"][place])
-        values = [_cell(values.isel(at), result) for _, result, values in columns]
-        shown.add_row(*coordinates, *values, STATUS_NAMES[code].replace("_", " ") if code else "")
-    target.print(shown)
+    for block in _blocks(coordinates, cells, target.width):
+        shown = table(target, "", *block)
+        roomy = sum(_GAP + max(map(len, [header, *texts])) for header, texts in block.items()) <= target.width
+        for column, (header, texts) in zip(shown.columns, block.items(), strict=True):
+            column.no_wrap, column.justify = False, "right"
+            column.width = None if roomy else _width(header, texts)
+        for row in zip(*block.values(), strict=True):
+            shown.add_row(*row)
+        target.print(shown)
     more = found["status"].size - _MOST_ROWS
     if more > 0:
         click.echo(f"and {more} more point{'s' * (more != 1)}; --out writes them all")
-    elif len(columns) < sum(len(rows_of(found, name)) for name in asked):
-        click.echo(f"{len(asked)} results at each point; --out writes them all, --results chooses some")
+    shown_results = {name for name, *_ in columns}
+    left_out = [name for name in asked if name not in shown_results]
+    if left_out:
+        names = (
+            ", ".join(left_out)
+            if len(left_out) <= _MOST_NAMES
+            else f"{len(left_out)} of {len(asked)} results"
+        )
+        click.echo(f"not shown: {names}; --out writes them all, --results chooses some")
+
+
+def _blocks(
+    coordinates: dict[str, list[str]], results: dict[str, list[str]], width: int
+) -> Iterator[dict[str, list[str]]]:
+    """Columns in tables that fit the width, so that no number is cut; each begins with the coordinates."""
+    fixed = sum(_GAP + _width(header, column) for header, column in coordinates.items())
+    block: dict[str, list[str]] = {}
+    used = fixed
+    for header, column in results.items():
+        needed = _GAP + _width(header, column)
+        if block and used + needed > width:
+            yield coordinates | block
+            block, used = {}, fixed
+        block[header] = column
+        used += needed
+    yield coordinates | block
+
+
+def _width(header: str, column: list[str]) -> int:
+    """Letters of a column: its longest cell; headers and the status may break between words."""
+    cells = [word for text in column for word in text.split()] if header == "status" else column
+    return max(map(len, [*header.split(), *cells]))
 
 
 def _unit(unit: str) -> str:
@@ -118,11 +165,11 @@ def _unit(unit: str) -> str:
 
 def _cell(one: xarray.DataArray, result: Result) -> str:
     """A value in the unit of the column; a category by its name."""
-    from asperity.units import from_si
+    from asperity.units import format_quantity, from_si
 
     value = float(one)
     if np.isnan(value):
         return "-"
     if result.categories:
         return str(one.attrs["categories"]).split(" ")[int(value)]
-    return f"{from_si(value, result.display_unit):.5g}"
+    return format_quantity(from_si(value, result.display_unit), "1", 5)

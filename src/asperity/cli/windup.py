@@ -175,7 +175,8 @@ def _show(document: dict[str, Any], file: str) -> None:
     for stage in document["stages"]:
         cells = [stage["name"], f"{stage['from_Nm']:.4g}", f"{stage['to_Nm']:.4g}"]
         for key in ("stiffness_Nm_per_rad", "reverse_stiffness_Nm_per_rad")[: 1 if same else 2]:
-            cells += [f"{stage[key]:.5g}", format_quantity(stage[key], "N*m/arcmin").split(" ")[0]]
+            per_arcminute = format_quantity(stage[key], "N*m/arcmin").split(" ")[0]
+            cells += [format_quantity(stage[key], "1", 5), per_arcminute]
         stages.add_row(*cells)
     target.print(stages)
     _show_rolling(document, same)

@@ -58,8 +58,8 @@ def bearing_torque(*, bearings: Bearings, pin_force: Array) -> Array:
 
     References
     ----------
-    Coulomb friction at the radius d/2 under half the pin force, as T_B of equations (3) and (4) of Zou et al. 2025, which
-    leave it open.
+    Coulomb friction at the radius d/2 under half the pin force, for the T_B that equations (3) and (4) of Zou et al.
+    2025 leave open.
     """
     pin = 0.25 * bearings.pin_friction_coefficient * bearings.pin_diameter
     return jnp.asarray(bearings.loading_roller_torque + pin * jnp.abs(pin_force))

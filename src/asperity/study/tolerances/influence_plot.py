@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 import textwrap
 from typing import TYPE_CHECKING
 
@@ -9,7 +10,7 @@ import numpy as np
 
 from asperity.joint.results import RESULTS
 from asperity.study.tolerances.sensitivity import ranking
-from asperity.units import from_si
+from asperity.units import format_quantity, from_si
 
 if TYPE_CHECKING:
     import xarray
@@ -81,7 +82,8 @@ def tornado_figure(
         unit = _display_unit(name, str(one["result_unit"].item()))
         value = from_si(float(one["result_value"]), unit)
         panel.set_title(
-            f"{textwrap.fill(str(one['result_name'].item()), _TITLE)}\n{value:.4g} {_shown(unit)}", fontsize=9
+            f"{textwrap.fill(str(one['result_name'].item()), _TITLE)}\n{format_quantity(value, '1')} {_shown(unit)}",
+            fontsize=9,
         )
         panel.set_xlabel("% of result per % of input [-]", fontsize=9)
         panel.grid(axis="x", alpha=0.3)
@@ -135,12 +137,14 @@ def uncertainty_figure(spread: xarray.Dataset, *, result: str, width: float | No
     left.hist(solved, bins=80, color=_POSITIVE, alpha=0.6)
     low, _, high = factor * one["quantiles"].values
     nominal = factor * float(one["nominal"])
+    shown = functools.partial(format_quantity, unit="1")
     for value, told in ((low, "2.5 %"), (high, "97.5 %")):
-        left.axvline(value, color="black", linestyle="--", linewidth=1.0, label=f"{told}: {value:.5g}")
-    left.axvline(nominal, color=_NEGATIVE, label=f"nominal: {nominal:.5g}")
+        left.axvline(value, color="black", linestyle="--", linewidth=1.0, label=f"{told}: {shown(value)}")
+    left.axvline(nominal, color=_NEGATIVE, label=f"nominal: {shown(nominal)}")
     left.set_xlabel(f"{one['result_name'].item()} [{_shown(unit)}]")
     left.set_ylabel(f"samples [-] (of {solved.size})")
-    left.legend(fontsize=8)
+    above = {"loc": "lower center", "bbox_to_anchor": (0.5, 1.0), "frameon": False, "fontsize": 8}
+    left.legend(ncols=3, **above)
     order = np.argsort(-np.nan_to_num(one["total_order"].values))[:_BARS]
     place = np.arange(len(order))
     for shift, name, told, colour in (
@@ -163,5 +167,5 @@ def uncertainty_figure(spread: xarray.Dataset, *, result: str, width: float | No
     right.invert_yaxis()
     right.set_xlabel("Sobol index: share of the variance [-]")
     right.set_xlim(left=0.0)
-    right.legend(fontsize=8)
+    right.legend(ncols=2, **above)
     return figure
