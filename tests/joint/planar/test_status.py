@@ -1,0 +1,77 @@
+"""Status codes of a planetary joint in which one thing after the other goes wrong."""
+
+import operator
+
+import equinox as eqx
+import jax.numpy as jnp
+import pytest
+
+from asperity.joint.planar.status import planar_status
+from asperity.joint.status import STATUS_NAMES
+
+NAN = jnp.nan
+
+
+def changed(tree, leaves):
+    """A copy with other leaves, each named by its path."""
+    for path, value in leaves.items():
+        tree = eqx.tree_at(operator.attrgetter(path), tree, value, is_leaf=lambda leaf: leaf is None)
+    return tree
+
+
+def status(joint, result):
+    return STATUS_NAMES[int(planar_status(joint, result))]
+
+
+def test_a_joint_that_works_is_solved(planetary):
+    joint, solution, _ = planetary
+    assert status(joint, solution.result) == "solved"
+
+
+@pytest.mark.parametrize(
+    ("leaves", "expected"),
+    [
+        ({"rest.normal": jnp.array([100.0, 0.0])}, "unbalanced"),
+        ({"rest.worst": jnp.array(1e-3)}, "unbalanced"),
+        ({"diagnostics.hertz_half_width": jnp.array([1e-5, 30e-3])}, "contact_too_wide"),
+        ({"walls_hold": jnp.array(False)}, "contact_too_wide"),
+        # forces that are known, but balance with nothing, are a state beyond friction
+        (
+            {
+                "forces.balance_residual": jnp.array(NAN),
+                "forces.normal": jnp.array([100.0, 100.0]),
+            },
+            "beyond_torque_capacity",
+        ),
+        (
+            {
+                "forces.balance_residual": jnp.array(NAN),
+                "forces.normal": jnp.array([NAN, NAN]),
+            },
+            "unbalanced",
+        ),
+        ({"forces.balance_residual": jnp.array(1e-3)}, "unbalanced"),
+        ({"contact_law_holds": jnp.array(False)}, "all_spots_plastic"),
+        # the first reason that applies
+        ({"contact_law_holds": jnp.array(False), "walls_hold": jnp.array(False)}, "contact_too_wide"),
+    ],
+)
+def test_each_reason_has_its_code(planetary, leaves, expected):
+    joint, solution, _ = planetary
+    assert status(joint, changed(solution.result, leaves)) == expected
+
+
+@pytest.mark.parametrize(
+    ("sizes", "expected"),
+    [
+        ({"drive.sectors": 8}, "no_place_for_rollers"),
+        ({"drive.second_radius": jnp.array([20e-3, 50.1e-3])}, "no_place_for_rollers"),
+        ({"drive.second_radius": jnp.array([20e-3, 49.9e-3])}, "no_place_for_rollers"),
+        ({"interference": -1e-6}, "no_interference_left"),
+        ({"interference": 1e-6}, "solved"),
+        ({"interference": -1e-6, "preload": 500.0, "drive.sectors": 8}, "no_place_for_rollers"),
+    ],
+)
+def test_sizes_that_cannot_be_come_first(planetary, sizes, expected):
+    joint, solution, _ = planetary
+    assert status(changed(joint, sizes), solution.result) == expected
