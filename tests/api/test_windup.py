@@ -1,3 +1,4 @@
+import inspect
 from pathlib import Path
 
 import numpy as np
@@ -22,6 +23,12 @@ def test_values_are_those_of_the_command(curve, printed, zou_file):
         assert curve[name].value == pytest.approx(np.degrees(document[f"{name}_rad"]) * 60.0)
     assert curve["dissipated_energy"].value == document["dissipated_energy_J"]
     assert [curve[f"K{n}"].si for n in (1, 2, 3)] == [s["stiffness_Nm_per_rad"] for s in document["stages"]]
+
+
+def test_stages_are_thirds_and_the_static_curve_holds_to_a_twentieth_unless_stated():
+    stated = inspect.signature(asperity.windup).parameters
+    assert stated["stages"].default == pytest.approx((1.0 / 3.0, 2.0 / 3.0), rel=1e-12)
+    assert stated["creep_share"].default == 0.05
 
 
 def test_the_sun_turns(curve):
