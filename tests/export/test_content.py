@@ -1,6 +1,7 @@
 """Sentences at the head of exported files, and the numbers they state."""
 
 import dataclasses
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -106,3 +107,12 @@ def test_numbers_are_those_of_the_joint_solved_alone(paper_joint):
     assert made.largest_torque == 4.0
     assert made.stiffness == pytest.approx(float(alone.assembly.stiffness.output), rel=1e-9)
     assert made.drift == pytest.approx(float(alone.rolling.drift_per_output_turn), rel=1e-9)
+
+
+def test_texts_name_the_members_of_the_drive(content):
+    joint = SimpleNamespace(
+        ends=("driving ring", "cage"), play=content.joint.play, geometry=content.joint.geometry
+    )
+    other = dataclasses.replace(content, joint=joint)
+    assert "Stiffness at 5 N*m, driving ring locked" in "\n".join(heading(other, what="Table"))
+    assert "angle of the motor at the driving ring" in fmu_parts(other).description

@@ -85,7 +85,7 @@ def _show(document: dict[str, Any], file: str, *, damped: bool) -> None:
     shown.add_row(
         "inertia of motor and input, at the output", f"{number(at['input_inertia_at_output_kg_m2'])} kg·m²"
     )
-    shown.add_row("inertia of load, planets and rollers", f"{number(at['output_inertia_kg_m2'])} kg·m²")
+    shown.add_row("inertia of load and rollers", f"{number(at['output_inertia_kg_m2'])} kg·m²")
     shown.add_row(
         "natural frequency, motor locked (antiresonance)", f"{number(at['locked_frequency_Hz'])} Hz"
     )
