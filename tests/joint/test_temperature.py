@@ -1,5 +1,8 @@
 """A joint by interference at its working temperature."""
 
+import dataclasses
+import math
+
 import numpy as np
 import pytest
 
@@ -75,6 +78,15 @@ def test_a_loose_joint_is_refused_with_its_temperature(case_of):
         refuse_loose(cold.fit)
     refuse_loose(joint_from_case(case_of()).fit)
     refuse_loose(None)
+
+
+@pytest.mark.parametrize("rounding", [1e-22, -1e-22, -1e-9])
+def test_bodies_that_expand_alike_never_come_loose(case_of, rounding):
+    """13 um over 1e-22 m/K are 1e17 K; over -1e-9 m/K 13000 K: no temperature of a solid body."""
+    joint = joint_from_case(case_of())
+    alike = dataclasses.replace(joint, fit=dataclasses.replace(joint.fit, change_per_kelvin=rounding))
+    assert float(loose_temperature(alike.fit)) == math.inf
+    assert assembly_document(alike)["loose_temperature_degC"] is None
 
 
 @pytest.mark.slow

@@ -19,6 +19,9 @@ from asperity.joint.interference import joint_preload
 from asperity.types import Real
 from asperity.units import format_quantity
 
+#: Above this temperature no material of a roller is solid [degC].
+HOTTEST = 3000.0
+
 _BODIES = ("sun", "planet", "loading_roller", "ring")
 
 
@@ -95,10 +98,12 @@ def loose_temperature(fit: Fit) -> Array:
     Returns
     -------
     Array
-        Temperature [degC]; infinite where temperature does not change the interference.
+        Temperature [degC]; infinite where none between absolute zero and :data:`HOTTEST` takes the interference: bodies
+        that expand alike leave a change that is rounding.
     """
     rise = loosening_rise(interference=fit.interference, change_per_kelvin=fit.change_per_kelvin)
-    return jnp.asarray(fit.assembly_temperature + rise)
+    found = jnp.asarray(fit.assembly_temperature + rise)
+    return jnp.where((found >= -273.15) & (found <= HOTTEST), found, math.inf)
 
 
 def refuse_loose(fit: Fit | None) -> None:

@@ -56,7 +56,7 @@ def test_levels_of_stiffness_are_curves_over_one_axis_and_failed_points_are_shad
     assert axes.get_xlabel().endswith("[N·m]")
     assert axes.get_ylabel() == "torsional stiffness at the output [N·m/rad]"
     assert (axes.get_xscale(), axes.get_yscale()) == ("linear", "linear")
-    assert figure.get_suptitle() == "4 points, 1 without a result"
+    assert figure.get_suptitle() == "4 points, 1 not solved"
 
 
 def test_an_axis_even_in_its_logarithm_and_a_result_over_thirty_are_logarithmic():
@@ -125,3 +125,10 @@ def test_margins_and_thinning():
     assert _with_margin(np.array([2.0, 2.0]), log=False) == pytest.approx((1.0, 3.0))
     assert _spread(5, 10).tolist() == [0, 1, 2, 3, 4]
     assert _spread(9, 3).tolist() == [0, 4, 8]
+
+
+def test_a_result_that_exists_beyond_the_capacity_is_not_shaded():
+    data = swept({"torque_capacity": np.array([4.0, 5.0, 6.0])}, f"{PRELOAD}=100 N:300 N:3", failed=[0])
+    figure = sweep_figure(data)
+    assert not [patch for patch in figure.axes[0].patches if patch.get_width()]
+    assert figure.get_suptitle().endswith("3 points, 1 not solved")

@@ -77,7 +77,7 @@ def sweep_figure(
     else:
         _panels(figure, data, axes, name)
     failed, count = int((dataset["status"] != 0).sum()), dataset["status"].size
-    told = f"{count} points" + (f", {failed} without a result" if failed else "")
+    told = f"{count} points" + (f", {failed} not solved" if failed else "")
     heading = told if len(axes) == 1 and name in _PREFERRED[:3] else f"{_words(dataset, name)}\n{told}"
     figure.suptitle(heading, fontsize=10)
     return figure
@@ -137,7 +137,7 @@ def _curves(axes: Axes, data: xarray.Dataset, path: str, name: str) -> None:
     _scale(axes, path, x)
     axes.set_ylabel(_label_of_result(data, name))
     axes.set_xlim(*_with_margin(x, log=_is_log(x)))
-    failed = data["status"].values != 0
+    failed = np.all(np.isnan(drawn), axis=0)  # some results, such as the capacity, exist where others do not
     for place in np.flatnonzero(failed):
         middles = 0.5 * (x[1:] + x[:-1])
         edges = np.concatenate([x[:1], middles, x[-1:]])
