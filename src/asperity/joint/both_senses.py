@@ -79,8 +79,7 @@ def _planar(joint: PlanarJoint, torque: Array) -> BothSenses:
     slip = np.max(np.asarray(found.slip_ratio), axis=1)
     solved = np.asarray(found.solved)
     levels = {
-        name: jnp.asarray(np.where(solved & (slip < 1.0), np.asarray(getattr(found, name))[:, 0], np.nan))
-        for name in LEVELS
+        name: jnp.asarray(np.where(solved, np.asarray(getattr(found, name))[:, 0], np.nan)) for name in LEVELS
     }
     driving, braking = jnp.asarray(found.drift).T
     return BothSenses(

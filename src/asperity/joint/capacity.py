@@ -19,12 +19,15 @@ from asperity.joint.contacts import bulk_springs, joint_contacts
 from asperity.joint.description import Joint, with_one_rank
 from asperity.joint.evaluation import drive_under, mechanism
 from asperity.types import Real
+from asperity.units import format_quantity
 
 #: Kinds of limits, by the codes of :class:`TorqueCapacity`.
 LIMIT_KINDS = ("none", "pins_lock", "gross_slip", "lift_off", "contact_too_wide", "no_solution")
 
 # Share of its force at rest below which a contact has lifted off: beyond lift-off nothing but rounding is left of it.
 _LIFTED = 1e-12
+
+_SAME = 1e-6  # relative difference of torques that are said to be the same
 
 _PER_CONTACT = LIMIT_KINDS[2:5]  # these have a limit for each contact
 
@@ -178,7 +181,10 @@ def limit_words(capacity: TorqueCapacity, *, contacts: tuple[str, ...] = CONTACT
 
 
 def capacity_document(
-    capacity: TorqueCapacity, *, contacts: tuple[str, ...] = CONTACT_NAMES
+    capacity: TorqueCapacity,
+    *,
+    contacts: tuple[str, ...] = CONTACT_NAMES,
+    first_slip: TorqueCapacity | None = None,
 ) -> dict[str, Any]:
     """The capacity of one joint in one direction as a part of a JSON document.
 
@@ -188,16 +194,27 @@ def capacity_document(
         Of one joint and one direction.
     contacts : tuple of str, optional
         Names of the contacts.
+    first_slip : TorqueCapacity or None, optional
+        Where the first contact slides while others still hold; None where the first slip is the capacity.
 
     Returns
     -------
     dict
-        Torque [N·m] or None where it is unlimited, kind of limit, contact or None, and the limit in words.
+        Torque [N·m] or None where it is unlimited, kind of limit, contact or None, and the limit in words; with the
+        torque and the contact of a first slip below it.
     """
     torque, contact = float(capacity.output_torque), int(capacity.limiting_contact)
-    return {
+    found: dict[str, Any] = {
         "output_torque_Nm": torque if math.isfinite(torque) else None,
         "limit": LIMIT_KINDS[int(capacity.limit)],
         "limiting_contact": contacts[contact] if contact < len(contacts) else None,
         "meaning": limit_words(capacity, contacts=contacts),
     }
+    if first_slip is not None and LIMIT_KINDS[int(first_slip.limit)] == "gross_slip":
+        begins, slides = float(first_slip.output_torque), contacts[int(first_slip.limiting_contact)]
+        found["first_slip"] = {"output_torque_Nm": begins, "contact": slides}
+        if begins < (1.0 - _SAME) * torque:
+            found["meaning"] += (
+                f"; contact {slides} slips from {format_quantity(begins, 'N*m')} on and keeps the force of its friction"
+            )
+    return found

@@ -31,6 +31,8 @@ class Standing(NamedTuple):
     ----------
     solved : ndarray
         Whether the forces balance, shape (torques,).
+    holds : ndarray
+        Whether friction holds the torque, shape (torques,).
     slip_ratio : ndarray
         T/(mu N) of each contact, shape (contacts, torques) [-].
     levels, levels_without_slip : dict
@@ -39,6 +41,7 @@ class Standing(NamedTuple):
     """
 
     solved: np.ndarray
+    holds: np.ndarray
     slip_ratio: np.ndarray
     levels: dict[str, np.ndarray]
     levels_without_slip: dict[str, np.ndarray]
@@ -62,7 +65,8 @@ def standing_at(joint: Joint | PlanarJoint, torques: Array) -> Standing:
     if isinstance(joint, PlanarJoint):
         found = over_torque(joint, torques, no_slip_friction=NO_SLIP_FRICTION)
         own, without = ({name: np.asarray(getattr(found, name))[:, k] for name in LEVELS} for k in range(2))
-        return Standing(np.asarray(found.solved), np.asarray(found.slip_ratio).T, own, without)
+        holds, ratio = np.asarray(found.solved), np.asarray(found.slip_ratio).T
+        return Standing(np.asarray(found.balanced), holds, ratio, own, without)
     # one program evaluates both: two assemblies that run side by side can wait for each other for ever (LAPACK in XLA)
     batch = at_standstill(joint, jnp.tile(torques, 2))
     slips = np.arange(2 * torques.size) < torques.size
@@ -80,7 +84,8 @@ def standing_at(joint: Joint | PlanarJoint, torques: Array) -> Standing:
         {name: values[half] for name, values in levels.items()}
         for half in (slice(torques.size), slice(torques.size, None))
     )
-    return Standing(solved[: torques.size], slip_ratio[:, : torques.size], own, without)
+    ratio = slip_ratio[:, : torques.size]
+    return Standing(solved[: torques.size], ~np.any(ratio >= 1.0, axis=0), ratio, own, without)
 
 
 def without_slip(joint: Joint) -> Joint:

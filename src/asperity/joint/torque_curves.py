@@ -81,7 +81,7 @@ def torque_curves(*, joint: Joint | PlanarJoint, torque_capacity: float) -> Torq
 def _planar(joint: PlanarJoint, torque: np.ndarray) -> TorqueCurves:
     found = over_torque(joint, jnp.asarray(torque), no_slip_friction=NO_SLIP_FRICTION)
     slip = np.max(np.asarray(found.slip_ratio), axis=1)
-    holds = np.asarray(found.solved) & (slip < 1.0)
+    holds = np.asarray(found.solved)
     levels = {
         name: jnp.asarray(np.where(holds, np.asarray(getattr(found, name))[:, 0], np.nan)) for name in LEVELS
     }
@@ -91,7 +91,7 @@ def _planar(joint: PlanarJoint, torque: np.ndarray) -> TorqueCurves:
         **levels,
         drift_per_output_turn=jnp.asarray(np.where(torque < 0.0, against, with_torque)),
         efficiency=jnp.asarray(found.efficiency),
-        slip_ratio=jnp.asarray(np.where(found.solved, slip, np.nan)),
+        slip_ratio=jnp.asarray(np.where(holds, slip, np.nan)),
     )
 
 

@@ -33,7 +33,7 @@ from asperity.errors import InputError, NoSolutionError
 from asperity.joint.description import Joint
 from asperity.joint.planar.description import PlanarJoint
 from asperity.joint.play import Play, play_angle, play_compliance
-from asperity.joint.standing import standing_at
+from asperity.joint.standing import Standing, standing_at
 from asperity.precision import require_double_precision
 from asperity.types import Real
 from asperity.units import format_quantity
@@ -273,7 +273,7 @@ def windup(
     Raises
     ------
     InputError
-        If the torque or the stages are out of range, or a contact slips grossly below the largest torque.
+        If the torque or the stages are out of range, or beyond the torque capacity.
     NoSolutionError
         If the force balance does not close somewhere.
 
@@ -293,7 +293,7 @@ def windup(
 
     def compliances(torques: Array) -> tuple[Array, Array]:
         found = standing_at(joint, torques)
-        _refuse(found.solved, found.slip_ratio, np.asarray(torques), largest, names)
+        _refuse(found, np.asarray(torques), largest, names)
         real, elastic = found.levels[level], found.levels_without_slip[level]
         if not np.all(real > 0.0):
             raise InputError(
@@ -305,21 +305,18 @@ def windup(
     return windup_of(compliances, largest_torque=largest, stage_shares=stage_shares, play=joint.play)
 
 
-def _refuse(
-    solved: np.ndarray, ratio: np.ndarray, values: np.ndarray, largest: float, names: tuple[str, ...]
-) -> None:
-    """Refuse torques at which the force balance does not close or a contact slips."""
+def _refuse(found: Standing, values: np.ndarray, largest: float, names: tuple[str, ...]) -> None:
+    """Refuse torques at which the force balance does not close or friction does not hold."""
     shown = format_quantity(largest, "N*m")
-    if not np.all(solved):
-        failed = values[~solved]
+    if not np.all(found.solved):
+        failed = values[~found.solved]
         raise NoSolutionError(
             f"the force balance has no solution at {format_quantity(failed[np.abs(failed).argmin()], 'N*m')}, which "
             f"is within the largest torque of {shown}; check radii and preload"
         )
-    slips = np.any(ratio >= 1.0, axis=0)
-    if np.any(slips):
-        first = np.abs(np.where(slips, values, np.inf)).argmin()
-        contact = names[int(ratio[:, first].argmax())]
+    if not np.all(found.holds):
+        first = np.abs(np.where(found.holds, np.inf, values)).argmin()
+        contact = names[int(found.slip_ratio[:, first].argmax())]
         raise InputError(
             f"the largest torque {shown} is beyond the torque capacity: contact {contact} slips at "
             f"{format_quantity(values[first], 'N*m')} or less; lower the torque, or raise preload or friction"

@@ -9,6 +9,8 @@ import numpy as np
 from asperity.errors import InputError
 from asperity.joint.capacity import capacity_document
 from asperity.joint.either_kind import AnyJoint, AnySolution, solve_any, under_torque
+from asperity.joint.planar.document import planar_capacity_document
+from asperity.joint.planar.solve import PlanarSolution
 from asperity.joint.rolling_document import unknown_because
 from asperity.joint.rolling_onset import RollingOnset, rolling_onset
 from asperity.joint.windup import StiffnessLevel, Windup, windup
@@ -122,10 +124,7 @@ def windup_document(
     forward, reverse = solutions
     return {
         "level": level,
-        "torque_capacity": {
-            **capacity_document(forward.capacity, contacts=forward.result.contact_names),
-            "reverse": capacity_document(reverse.reverse_capacity, contacts=reverse.result.contact_names),
-        },
+        "torque_capacity": _capacity(*solutions),
         "largest_torque_Nm": float(curve.torque[-1]),
         "windup_rad": float(curve.angle[-1]),
         "reverse_windup_rad": -float(curve.angle[0]),
@@ -146,6 +145,16 @@ def windup_document(
             **_rolling(joint, forward, onsets[0]),
             "reverse": _rolling(joint, reverse, onsets[1]),
         },
+    }
+
+
+def _capacity(forward: AnySolution, reverse: AnySolution) -> dict[str, Any]:
+    if isinstance(forward, PlanarSolution) and isinstance(reverse, PlanarSolution):
+        return planar_capacity_document(forward, reverse)
+    names = forward.result.contact_names
+    return {
+        **capacity_document(forward.capacity, contacts=names),
+        "reverse": capacity_document(reverse.reverse_capacity, contacts=names),
     }
 
 

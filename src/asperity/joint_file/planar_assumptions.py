@@ -68,8 +68,8 @@ def planar_assumptions(case: PlanarCase) -> tuple[str, ...]:
         told.append("no model.plane_state: plane strain; plane stress is the bound for thin bodies")
     told.append("standing: forces from the slip of the contacts on one loading from rest")
     told.append(
-        "torque capacity: the torque at which the first contact slips or lifts off while the drive stands; where "
-        "several contacts share a load, the others may still hold"
+        "torque capacity, standing: a contact that slips keeps the force of its friction while others carry the rest; "
+        "it is the torque beyond which they cannot, or at which a contact lifts off. In rolling: the first gross slip"
     )
     entries = case.surface.values() if isinstance(case.surface, dict) else [case.surface]
     for ranged, which in (

@@ -48,6 +48,16 @@ def test_beyond_999_thousandths_the_tangent_goes_on():
     assert float(slip(1.5 * LIMIT) - slip(1.2 * LIMIT)) == pytest.approx(0.3 * LIMIT * expected, rel=1e-9)
 
 
+def test_without_a_force_the_slope_is_that_of_both_sides():
+    """It was 0, as if the contact were rigid: contacts side by side then had no unique share."""
+
+    def slip(force):
+        return slip_at_rest(laws=laws(), normal=NORMAL, tangential=jnp.array([force]))[0]
+
+    assert float(slip(0.0)) == 0.0
+    assert float(jax.grad(slip)(0.0)) == pytest.approx(4.2e-9 + 2e-10, rel=1e-12)
+
+
 def test_surface_speeds_are_relative_to_the_carrier(drives):
     """Sun at 1, carrier at 1/6: 10 mm * 5/6 on both sides, and on the ring 50 mm / 6."""
     one, two = surface_speeds(drive=drives["planetary"], speed=jnp.array([1.0, -0.25, 0.0, 1.0 / 6.0]))

@@ -14,13 +14,10 @@ from asperity.drive.planar.state_equations import (
     STANDING,
     Task,
     Unknowns,
-    assembled_guess,
     machine_of,
     no_displacement,
-    solved,
-    started_from,
-    state_of,
 )
+from asperity.drive.planar.state_search import assembled_guess, solved, started_from, state_of
 from asperity.drive.rolling_state import CreepLaw
 
 SUN, PLANET, RING, ORBIT = 10e-3, 20e-3, 50e-3, 30e-3
@@ -62,7 +59,7 @@ def state(machine):
         task = Task(kind, jnp.asarray(interference), load, no_displacement(drive))
         if kind == STANDING:  # slip counts from the assembled drive
             task = task._replace(origin=unknowns.displacement * LENGTH)
-        return state_of(machine, task, unknowns)
+        return state_of(machine, task, unknowns, jnp.zeros(2))
 
     return of
 
@@ -161,7 +158,9 @@ def test_a_known_state_is_where_a_search_starts(machine, state, kind):
     again = started_from(machine, known, jnp.asarray((ONE + TWO) * NORMAL))
     task = Task(kind, jnp.asarray((ONE + TWO) * NORMAL), DriveLoad(jnp.asarray(TORQUE)), jnp.zeros(2))
     for one, two in zip(
-        dataclasses.astuple(known), dataclasses.astuple(state_of(machine, task, again)), strict=True
+        dataclasses.astuple(known),
+        dataclasses.astuple(state_of(machine, task, again, jnp.zeros(2))),
+        strict=True,
     ):
         np.testing.assert_allclose(one, two, rtol=1e-12, atol=1e-13)
 
@@ -170,6 +169,6 @@ def test_a_known_state_is_where_a_search_starts(machine, state, kind):
 def test_a_preload_or_an_interference_is_found_again(machine, by_force, size):
     """Both make 700 N at both contacts of the planet."""
     task = Task(ASSEMBLED, jnp.asarray(size), DriveLoad(jnp.zeros(())), no_displacement(machine.drive))
-    found = state_of(machine, task, solved(machine, task, assembled_guess(machine), by_force=by_force))
+    found = state_of(machine, task, *solved(machine, task, assembled_guess(machine), by_force=by_force))
     np.testing.assert_allclose(found.normal, 700.0, rtol=1e-12)
     assert float(found.interference[1]) == pytest.approx((ONE + TWO) * 700.0, rel=1e-12)

@@ -2,6 +2,7 @@
 
 import dataclasses
 
+import jax.numpy as jnp
 import pytest
 
 from asperity.joint.contacts import LoadedContacts
@@ -55,13 +56,13 @@ def test_shafts_are_in_series_with_the_whole(planetary):
         rough=solution.result.contacts,
         interfaces=solution.result.interfaces,
     )
-    published, held, alone = stiffness_levels(springs, contacts, loaded)
+    published, held, alone = stiffness_levels(springs, contacts, loaded, jnp.zeros(2))
     rigid = float(alone.stiffness.output)
     # a planet on a rigid pin moves radially only: free centres change nothing
     assert rigid == pytest.approx(float(held.output), rel=1e-9)
     entry, out = rigid / 36.0, 4.0 * rigid
     shafts = dataclasses.replace(springs, input_shaft_stiffness=entry, output_shaft_stiffness=out)
-    same, _, whole = stiffness_levels(shafts, contacts, loaded)
+    same, _, whole = stiffness_levels(shafts, contacts, loaded, jnp.zeros(2))
     assert float(whole.stiffness.output) == pytest.approx(rigid / 2.25, rel=1e-9)
     assert float(whole.input_shaft_share) == pytest.approx(1.0 / 2.25, rel=1e-9)
     assert float(whole.output_shaft_share) == pytest.approx(0.25 / 2.25, rel=1e-9)

@@ -14,10 +14,11 @@ from asperity.drive.planar.linear import solve as linear_solve
 
 _NEWTON_BUDGET = 60
 _SMALLEST_SHARE = 0.2  # a step leaves at least this share of each positive unknown
+_LOST = 1e8  # a step this long is that of equations without a root
 
 
-def damped_root(equations: Callable[[Any], Any], first: Any, *, positive: int) -> Any:
-    r"""Root of as many equations as unknowns.
+def newton(equations: Callable[[Any], Any], first: Any, *, positive: int) -> tuple[Any, Array]:
+    r"""Root of as many equations as unknowns, without derivatives.
 
     .. math:: x \leftarrow x - \alpha\, J^{-1} r(x)
 
@@ -33,35 +34,60 @@ def damped_root(equations: Callable[[Any], Any], first: Any, *, positive: int) -
     Returns
     -------
     module of Array
-        The last iterate, with the derivatives of a root; its residual is for the caller to check.
+        The last iterate; its residual is for the caller to check.
+    Array
+        Largest change of an unknown in the last step, not shortened [-]: large, or nan, where the unknowns are not
+        determined.
 
     References
     ----------
-    Newton's method; the implicit function theorem for the derivatives, :func:`jax.lax.custom_root`.
+    Newton's method.
     """
-    flat, shape = jax.flatten_util.ravel_pytree(first)
+    start, shape = jax.flatten_util.ravel_pytree(first)
+    residual = _flat(equations, shape)
 
-    def residual(x: Array) -> Array:
-        return jax.flatten_util.ravel_pytree(equations(shape(x)))[0]
+    def unfinished(state: tuple[Array, Array, Array]) -> Array:
+        _, size, steps = state
+        return (size > 1e-13) & (size < _LOST) & (steps < _NEWTON_BUDGET)
 
-    def solve(_: object, start: Array) -> Array:
-        def unfinished(state: tuple[Array, Array, Array]) -> Array:
-            _, size, steps = state
-            return (size > 1e-13) & (steps < _NEWTON_BUDGET)
+    def improve(state: tuple[Array, Array, Array]) -> tuple[Array, Array, Array]:
+        x, _, steps = state
+        step = jnp.linalg.solve(jax.jacfwd(residual)(x), residual(x))
+        normal, falling = x[:positive], step[:positive]
+        room = jnp.where(falling > 0.0, (1.0 - _SMALLEST_SHARE) * normal / falling, jnp.inf)
+        share = jnp.minimum(1.0, jnp.min(room))
+        return x - share * step, jnp.max(jnp.abs(step)), steps + 1
 
-        def improve(state: tuple[Array, Array, Array]) -> tuple[Array, Array, Array]:
-            x, _, steps = state
-            step = jnp.linalg.solve(jax.jacfwd(residual)(x), residual(x))
-            normal, falling = x[:positive], step[:positive]
-            room = jnp.where(falling > 0.0, (1.0 - _SMALLEST_SHARE) * normal / falling, jnp.inf)
-            share = jnp.minimum(1.0, jnp.min(room))
-            return x - share * step, jnp.max(jnp.abs(step)), steps + 1
+    x, size, _ = jax.lax.while_loop(unfinished, improve, (start, jnp.asarray(1.0), jnp.asarray(0)))
+    return shape(x), size
 
-        x, *_ = jax.lax.while_loop(unfinished, improve, (start, jnp.asarray(1.0), jnp.asarray(0)))
-        return x
+
+def known_root(equations: Callable[[Any], Any], found: Any) -> Any:
+    """A root that is known already, with its derivatives.
+
+    Parameters
+    ----------
+    equations : callable
+        As of :func:`newton`.
+    found : module of Array
+        The root.
+
+    Returns
+    -------
+    module of Array
+        The same numbers, with the derivatives of a root.
+
+    References
+    ----------
+    The implicit function theorem, :func:`jax.lax.custom_root`.
+    """
+    flat, shape = jax.flatten_util.ravel_pytree(found)
 
     def tangent_solve(linear, right_side: Array) -> Array:  # type: ignore[no-untyped-def]
         return linear_solve(jax.jacfwd(linear)(right_side), right_side)
 
-    found = jax.lax.custom_root(residual, flat, lambda _, x: solve(_, x), tangent_solve)
-    return shape(found)
+    return shape(jax.lax.custom_root(_flat(equations, shape), flat, lambda _, x: x, tangent_solve))
+
+
+def _flat(equations: Callable[[Any], Any], shape: Callable[[Array], Any]) -> Callable[[Array], Array]:
+    return lambda x: jax.flatten_util.ravel_pytree(equations(shape(x)))[0]

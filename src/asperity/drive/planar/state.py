@@ -94,8 +94,12 @@ class PlanarState(eqx.Module):
         Share of the output speed lost by creep [-].
     worst : Array
         Largest relative residual of all equations [-].
+    slides : Array
+        Sign of the tangential force of contacts that slide as a whole while the drive stands and keep the force of
+        their friction, 0 for those that hold, shape (contacts,) [-].
     carried : Array
-        Whether every contact is loaded and does not slip; beyond, the laws are continued as lines.
+        Whether every contact is loaded and none bears more than its friction; beyond, the law of a contact is
+        continued as a line.
     """
 
     normal: Array
@@ -109,11 +113,12 @@ class PlanarState(eqx.Module):
     input_torque: Array
     speed_loss: Array
     worst: Array
+    slides: Array
     carried: Array
 
     @property
     def residual(self) -> Array:
-        """Largest relative residual of all equations [-]; infinite where a contact has lifted off or slips."""
+        """Largest relative residual of all equations [-]; infinite where a contact has lifted off or friction fails."""
         return jnp.where(self.carried, self.worst, jnp.inf)
 
 
@@ -145,7 +150,10 @@ def slip_at_rest(*, laws: ContactLaws, normal: Array, tangential: Array) -> Arra
     equation (24) of Zou et al. 2025, which falls as :math:`(1-q)^{1/3}`.
     """
     limit = laws.creep.friction_coefficient * jnp.where(normal > 0.0, normal, 1.0)
-    q = jnp.abs(tangential) / limit
+    sign = jnp.where(
+        tangential < 0.0, -1.0, 1.0
+    )  # without a force too, where the slope is that of both sides
+    q = sign * tangential / limit
     held = jnp.minimum(q, _NEAR_SLIP)
     left = 1.0 - held
     log = jnp.log(left)
@@ -158,7 +166,7 @@ def slip_at_rest(*, laws: ContactLaws, normal: Array, tangential: Array) -> Arra
     if laws.asperity_compliance is not None:
         slip = slip + 1.5 * laws.asperity_compliance * -jnp.expm1(log * (2.0 / 3.0))
         slope = slope + laws.asperity_compliance * jnp.exp(-log / 3.0)
-    return jnp.sign(tangential) * limit * (slip + slope * (q - held))
+    return sign * limit * (slip + slope * (q - held))
 
 
 def surface_speeds(*, drive: PlanarDrive, speed: Array) -> tuple[Array, Array]:

@@ -1,4 +1,4 @@
-"""The equations of a planar drive in any of its states, and their solution by Newton's method."""
+"""The equations of a planar drive in any of its states."""
 
 from __future__ import annotations
 
@@ -11,8 +11,7 @@ from asperity.drive.mechanism import compression
 from asperity.drive.planar.bearings import friction_moments
 from asperity.drive.planar.layout import Incidence, PlanarDrive, incidence, speeds
 from asperity.drive.planar.loads import member_moments
-from asperity.drive.planar.newton import damped_root
-from asperity.drive.planar.state import ContactLaws, DriveLoad, PlanarState, slip_at_rest, surface_speeds
+from asperity.drive.planar.state import ContactLaws, DriveLoad, slip_at_rest, surface_speeds
 from asperity.drive.rolling_state import creepages
 
 #: Kinds of states: assembled without torque, standing under one, rolling under one.
@@ -132,74 +131,44 @@ def machine_of(drive: PlanarDrive, laws: ContactLaws, pattern: Array) -> Machine
     )
 
 
-def assembled_guess(machine: Machine) -> Unknowns:
-    """An assembled drive with the reference forces, from which its state is sought.
+def turning_members(drive: PlanarDrive) -> list[int]:
+    """Members whose rotation is unknown.
 
     Parameters
     ----------
-    machine : Machine
+    drive : PlanarDrive
         The drive.
 
     Returns
     -------
-    Unknowns
-        Without displacement.
-
-    References
-    ----------
-    Equation (M3) of :doc:`/equations`.
+    list of int
+        Their numbers: all but the input and the grounded member.
     """
-    drive, reference = machine.drive, machine.laws.reference_force
-    return Unknowns(
-        jnp.ones_like(reference),
-        jnp.zeros_like(reference),
-        jnp.zeros(len(drive.pinned)),
-        no_displacement(drive),
-        jnp.zeros(len(_turning(drive))),
-        jnp.ones(1),
-    )
-
-
-def started_from(machine: Machine, state: PlanarState, size: Array) -> Unknowns:
-    """Unknowns at a known state.
-
-    Parameters
-    ----------
-    machine : Machine
-        The drive.
-    state : PlanarState
-        The state.
-    size : Array
-        Interference of the drive [m].
-
-    Returns
-    -------
-    Unknowns
-        From which another state is sought.
-
-    References
-    ----------
-    Equation (M3) of :doc:`/equations`.
-    """
-    reference = machine.laws.reference_force
-    return Unknowns(
-        state.normal / reference,
-        state.tangential / (machine.friction * reference),
-        state.pin_force / machine.largest,
-        state.displacement.ravel() / machine.length,
-        (state.speed - machine.ideal)[jnp.array(_turning(machine.drive))],
-        (size / machine.length)[None],
-    )
-
-
-def _turning(drive: PlanarDrive) -> list[int]:
-    """Members whose rotation is unknown."""
     return [i for i, name in enumerate(drive.members) if name not in (drive.input, drive.grounded)]
 
 
-def _speed(machine: Machine, x: Unknowns, kind: Any) -> tuple[Array, Array]:
-    """Speeds and rotations of all members."""
-    turning = jnp.array(_turning(machine.drive))
+def speeds_and_turns(machine: Machine, x: Unknowns, kind: Any) -> tuple[Array, Array]:
+    """Speeds and rotations of all members.
+
+    Parameters
+    ----------
+    machine : Machine
+        The drive.
+    x : Unknowns
+        The unknowns.
+    kind : Array
+        Kind of the state.
+
+    Returns
+    -------
+    tuple of Array
+        Speeds over that of the input [-], rotations [rad], shape (members,).
+
+    References
+    ----------
+    Equation (M3) of :doc:`/equations`.
+    """
+    turning = jnp.array(turning_members(machine.drive))
     rolls = jnp.where(jnp.asarray(kind) == ROLLING, 1.0, 0.0)
     nothing = jnp.zeros_like(machine.ideal)
     turned = nothing.at[turning].set((1.0 - rolls) * x.turn * machine.length / machine.lever)
@@ -271,14 +240,53 @@ def no_displacement(drive: PlanarDrive) -> Array:
     return jnp.zeros(2 * len(drive.floating))
 
 
-def _equations(machine: Machine, task: Task, by_force: bool, x: Unknowns) -> Unknowns:
-    """All equations, each relative to its scale."""
+class Misfits(NamedTuple):
+    """Residuals of a state, each relative to its scale.
+
+    Parameters
+    ----------
+    all : Unknowns
+        Of all equations [-].
+    held : Array
+        By how much the slip or the creep of each contact under its forces exceeds that of its bodies, shape (contacts,)
+        [-]; an equation where the contact does not slide.
+    """
+
+    all: Unknowns
+    held: Array
+
+
+def state_misfits(machine: Machine, task: Task, by_force: bool, slides: Array, x: Unknowns) -> Misfits:
+    """All equations of a state.
+
+    Parameters
+    ----------
+    machine : Machine
+        The drive.
+    task : Task
+        The state.
+    by_force : bool
+        Whether an assembled state has a given preload instead of a given interference.
+    slides : Array
+        Signs of the contacts that slide as a whole, shape (contacts,) [-].
+    x : Unknowns
+        The unknowns.
+
+    Returns
+    -------
+    Misfits
+        0 in a state.
+
+    References
+    ----------
+    Equation (M3) of :doc:`/equations`.
+    """
     drive, laws, matrices = machine.drive, machine.laws, machine.matrices
     length, largest, lever = machine.length, machine.largest, machine.lever
     reference = laws.reference_force
     normal, tangential = contact_forces(machine, x)
     pin, moved = x.pin * largest, x.displacement * length
-    speed, turned = _speed(machine, x, task.kind)
+    speed, turned = speeds_and_turns(machine, x, task.kind)
     kind = jnp.asarray(task.kind)
 
     approach = compression(springs=laws.springs, normal_force=normal, rest_force=reference) + (
@@ -292,107 +300,54 @@ def _equations(machine: Machine, task: Task, by_force: bool, x: Unknowns) -> Unk
     slip = slip_at_rest(laws=laws, normal=normal, tangential=tangential)
     standing = slip - matrices.sliding @ (moved - task.origin) - matrices.turning @ turned
     force = matrices.approach.T @ normal + matrices.sliding.T @ tangential + matrices.pins.T @ pin
-    moments = _moments(machine, task, tangential, pin)
+    moments = moments_of(machine, task, tangential, pin)
     out = drive.members.index(drive.output)
     moments = moments.at[out].add(-jnp.sign(machine.ideal[out]) * task.load.output_torque)
-    moments = moments[jnp.array(_turning(drive))] / (lever * largest)
+    moments = moments[jnp.array(turning_members(drive))] / (lever * largest)
     size = (x.interference * length - task.size) / length
     if by_force:
         size = jnp.where(kind == ASSEMBLED, (normal[:1] - task.size) / largest, size)
-    return Unknowns(
+    held = jnp.where(
+        kind == ROLLING, rolling / lever * 1e3, jnp.where(kind == STANDING, standing / length, x.tangential)
+    )
+    equations = Unknowns(
         misfit / length,
-        jnp.where(
-            kind == ROLLING,
-            rolling / lever * 1e3,
-            jnp.where(kind == STANDING, standing / length, x.tangential),
-        ),
+        jnp.where(slides == 0.0, held, x.tangential - slides * x.normal),
         (matrices.pins @ moved - task.load.pin_compliance * pin) / length,
         (force - forces_on(drive, task.load).ravel()) / largest,
         jnp.where(kind == ASSEMBLED, x.turn, moments),
         size,
     )
+    return Misfits(equations, held)
 
 
-def _moments(machine: Machine, task: Task, tangential: Array, pin: Array) -> Array:
-    """Moments of contacts and pins on the members, in rolling also of the bearings."""
+def moments_of(machine: Machine, task: Task, tangential: Array, pin: Array) -> Array:
+    """Moments of contacts and pins on the members, in rolling also of the bearings.
+
+    Parameters
+    ----------
+    machine : Machine
+        The drive.
+    task : Task
+        The state.
+    tangential, pin : Array
+        Tangential forces of the contacts, shape (contacts,), and forces of the pins, shape (pins,) [N].
+
+    Returns
+    -------
+    Array
+        Counter-clockwise, shape (members,) [N·m].
+
+    References
+    ----------
+    Equation (M1) of :doc:`/equations`; :mod:`asperity.drive.planar.bearings`.
+    """
     moments = member_moments(machine.drive, machine.matrices, tangential, pin)
     if task.load.bearings is None:
         return moments
     rolls = jnp.where(jnp.asarray(task.kind) == ROLLING, 1.0, 0.0)
     return moments + rolls * friction_moments(
         drive=machine.drive, bearings=task.load.bearings, pin_force=pin, ideal=machine.ideal
-    )
-
-
-def solved(machine: Machine, task: Task, start: Unknowns, *, by_force: bool) -> Unknowns:
-    """Unknowns of a state.
-
-    Parameters
-    ----------
-    machine : Machine
-        The drive.
-    task : Task
-        The state.
-    start : Unknowns
-        Where the search starts.
-    by_force : bool
-        Whether an assembled state has a given preload instead of a given interference.
-
-    Returns
-    -------
-    Unknowns
-        Root of all equations.
-
-    References
-    ----------
-    Equation (M3) of :doc:`/equations`.
-    """
-    return damped_root(lambda x: _equations(machine, task, by_force, x), start, positive=start.normal.size)
-
-
-def state_of(machine: Machine, task: Task, x: Unknowns) -> PlanarState:
-    """A state from its unknowns.
-
-    Parameters
-    ----------
-    machine : Machine
-        The drive.
-    task : Task
-        The state.
-    x : Unknowns
-        The unknowns.
-
-    Returns
-    -------
-    PlanarState
-        With its residual.
-
-    References
-    ----------
-    Equation (M3) of :doc:`/equations`.
-    """
-    drive, laws = machine.drive, machine.laws
-    normal, tangential = contact_forces(machine, x)
-    pin = x.pin * machine.largest
-    speed, turned = _speed(machine, x, task.kind)
-    rolls = jnp.where(jnp.asarray(task.kind) == ROLLING, 1.0, 0.0)
-    carried = jnp.all((normal > 0.0) & (jnp.abs(tangential) <= machine.friction * normal))
-    residuals = _equations(machine, task, False, x)._replace(interference=jnp.zeros(1))
-    worst = jnp.max(jnp.abs(jnp.concatenate(list(residuals))))
-    out, entry = drive.members.index(drive.output), drive.members.index(drive.input)
-    return PlanarState(
-        normal=normal,
-        tangential=tangential,
-        pin_force=pin,
-        displacement=(x.displacement * machine.length).reshape(-1, 2),
-        rotation=turned,
-        speed=speed,
-        creepage=rolls * creepages(law=laws.creep, normal=normal, tangential=tangential),
-        interference=machine.pattern * x.interference * machine.length,
-        input_torque=-drive.sense * _moments(machine, task, tangential, pin)[entry],
-        speed_loss=1.0 - speed[out] / machine.ideal[out],
-        worst=worst,
-        carried=carried,
     )
 
 

@@ -31,15 +31,12 @@ from asperity.drive.planar.state_equations import (
     Machine,
     Task,
     Unknowns,
-    assembled_guess,
     contact_forces,
     forces_on,
     machine_of,
     no_displacement,
-    solved,
-    started_from,
-    state_of,
 )
+from asperity.drive.planar.state_search import assembled_guess, solved, started_from, state_of
 from asperity.types import Real
 
 
@@ -83,7 +80,7 @@ def state_at_rest(*, drive: PlanarDrive, laws: ContactLaws, pattern: Array, prel
     """
     machine = machine_of(drive, laws, pattern)
     task = Task(ASSEMBLED, jnp.asarray(preload), DriveLoad(jnp.zeros(())), no_displacement(drive))
-    return state_of(machine, task, solved(machine, task, assembled_guess(machine), by_force=True))
+    return state_of(machine, task, *solved(machine, task, assembled_guess(machine), by_force=True))
 
 
 def rolling_state(
@@ -118,7 +115,7 @@ def rolling_state(
     machine = machine_of(drive, laws, interference / size)
     load = DriveLoad(jnp.asarray(output_torque))
     task = Task(ROLLING, size, load, no_displacement(drive))
-    return state_of(machine, task, solved(machine, task, started_from(machine, start, size), by_force=False))
+    return state_of(machine, task, *solved(machine, task, started_from(machine, start, size), by_force=False))
 
 
 def drive_states(
@@ -291,8 +288,8 @@ def _states(
             creep = creep_of(*contact_forces(machine, carry.unknowns))
             here = machine._replace(laws=dataclasses.replace(machine.laws, creep=creep))
         task = Task(kind, jnp.where(assembled, given, carry.size), borne, carry.origin)
-        found = solved(here, task, carry.unknowns, by_force=by_force)
-        state = state_of(here, task, found)
+        found, slides = solved(here, task, carry.unknowns, by_force=by_force)
+        state = state_of(here, task, found, slides)
         following = _Carry(
             found,
             jnp.where(assembled, found.interference[0] * machine.length, carry.size),

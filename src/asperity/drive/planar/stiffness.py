@@ -47,12 +47,14 @@ def planar_stiffness(
     tangential_compliance: Array,
     coupling: Array | None = None,
     pin_compliance: Real = 0.0,
+    sliding_friction: Array | None = None,
 ) -> PlanarStiffness:
     r"""Torsional stiffness at the output of a planar drive with springs at its contacts.
 
-    .. math:: K = 1/\psi_{out}, \qquad \text{share}_j = f_j (C f)_j / \psi_{out}
+    .. math:: K = 1/\psi_{out}, \qquad \text{share}_j = f_j (B\,(u, \psi))_j / \psi_{out}
 
-    under a unit torque at the output.
+    under a unit torque at the output. Where a contact slides as a whole, :math:`f_t = \pm\mu f_n` takes the place of
+    its tangential spring.
 
     Parameters
     ----------
@@ -66,6 +68,10 @@ def planar_stiffness(
         Further compliances between the normal, then the tangential springs, shape (2 contacts, 2 contacts) [m/N].
     pin_compliance : Real, optional
         Of each pin along its push [m/N].
+    sliding_friction : Array or None, optional
+        Tangential over normal force of the contacts that slide, counter-clockwise as in
+        :class:`asperity.drive.planar.state.PlanarState`, 0 for those that hold, shape (contacts,) [-]; None where all
+        hold.
 
     Returns
     -------
@@ -108,13 +114,24 @@ def planar_stiffness(
         moved = jnp.concatenate(moves)
         kinematic, static = (jnp.concatenate([moved, part], axis=1) for part in (kinematic, static))
     unknown = kinematic.shape[1]
-    system = jnp.block([[stiff / scale, -kinematic], [static.T, jnp.zeros((unknown, unknown))]])
+    laws, moved_by = stiff / scale, kinematic
+    slides = jnp.zeros(stiff.shape[0], dtype=bool)
+    if sliding_friction is not None:
+        first = count if floats else 0
+        slides = slides.at[first : first + count].set(sliding_friction != 0.0)
+        friction = jnp.eye(stiff.shape[0])
+        if floats:
+            friction = friction.at[count : 2 * count, :count].add(-jnp.diag(sliding_friction))
+        laws = jnp.where(slides[:, None], friction, laws)
+        moved_by = jnp.where(slides[:, None], 0.0, kinematic)
+    system = jnp.block([[laws, -moved_by], [static.T, jnp.zeros((unknown, unknown))]])
     place = unknown - len(turning) + turning.index(out)
     load = jnp.zeros(system.shape[0]).at[stiff.shape[0] + place].set(-1.0 / length)
     found = solve(system, load)
     force = found[: stiff.shape[0]]
     turned = jnp.abs(found[stiff.shape[0] + place]) * scale / length
-    shares = drive.sectors * force * (stiff @ force) / turned
+    longer = jnp.where(slides, kinematic @ found[stiff.shape[0] :] * scale, stiff @ force)
+    shares = drive.sectors * force * longer / turned
     return PlanarStiffness(
         output=1.0 / turned,
         tangential_share=shares[count : 2 * count] if floats else shares[:count],

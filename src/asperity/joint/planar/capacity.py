@@ -30,10 +30,14 @@ class PlanarCapacity(NamedTuple):
         At rest, positive and negative torque along the first axis.
     rolling : TorqueCapacity
         In rolling, likewise.
+    first_slip : TorqueCapacity or None
+        Torques at rest at which the first contact slides, while others may still hold, likewise; the capacity where
+        another limit comes first. None where it was not asked for.
     """
 
     standing: TorqueCapacity
     rolling: TorqueCapacity
+    first_slip: TorqueCapacity | None = None
 
 
 def smaller_sizes(joint: PlanarJoint) -> Array:
@@ -60,7 +64,9 @@ def smaller_sizes(joint: PlanarJoint) -> Array:
     return jnp.stack([jnp.asarray(size) for size in sizes])
 
 
-def planar_capacity(joint: PlanarJoint, rest: PlanarState, laws: ContactLaws) -> PlanarCapacity:
+def planar_capacity(
+    joint: PlanarJoint, rest: PlanarState, laws: ContactLaws, *, first_slip: bool = False
+) -> PlanarCapacity:
     """Largest output torque that keeps every limit: slip, lift-off, width of the strips, a solution of the equations.
 
     Parameters
@@ -71,6 +77,8 @@ def planar_capacity(joint: PlanarJoint, rest: PlanarState, laws: ContactLaws) ->
         Its assembled state.
     laws : ContactLaws
         Laws of its contacts.
+    first_slip : bool, optional
+        Whether the torque of the first slip is wanted too.
 
     Returns
     -------
@@ -79,7 +87,9 @@ def planar_capacity(joint: PlanarJoint, rest: PlanarState, laws: ContactLaws) ->
 
     Notes
     -----
-    Every torque of the search is a state of its own.
+    Every torque of the search is a state of its own. A contact that slides keeps the force of its friction, so that the
+    limit of slip is the one beyond which the others cannot hold the rest: there is no balance in which the contact
+    that limits slides too.
 
     References
     ----------
@@ -90,7 +100,7 @@ def planar_capacity(joint: PlanarJoint, rest: PlanarState, laws: ContactLaws) ->
     friction = contacts.pairs.friction_coefficient
     unloaded = drive_load(joint, masses, 0.0)
 
-    def excesses_of(torque: Array, rolls: Array) -> Array:
+    def excesses_of(torque: Array, rolls: Array, at_first: Array) -> Array:
         load = dataclasses.replace(unloaded, output_torque=torque)
         state = loaded_state(
             drive=drive,
@@ -104,6 +114,7 @@ def planar_capacity(joint: PlanarJoint, rest: PlanarState, laws: ContactLaws) ->
         slip = slip_ratio(
             normal_force=state.normal, tangential_force=state.tangential, friction_coefficient=friction
         )
+        slides = state.slides != 0.0
         width = half_width(
             normal_force=jnp.where(touching, state.normal, rest.normal),
             contact_length=contacts.pairs.contact_length,
@@ -113,34 +124,29 @@ def planar_capacity(joint: PlanarJoint, rest: PlanarState, laws: ContactLaws) ->
         return jnp.concatenate(
             [
                 -jnp.ones(1),  # pins without friction do not lock
-                jnp.where(touching, slip - 1.0, -1.0),
+                jnp.where(touching, jnp.where(slides, jnp.where(at_first, 0.0, -1.0), slip - 1.0), -1.0),
                 _LIFTED - state.normal / rest.normal,
                 jnp.where(touching, width / sizes - 1.0, -1.0),
                 jnp.where(state.worst < STATE_TOLERANCE, -1.0, 1.0)[None],
             ]
         )
 
-    direction = jnp.array([1.0, -1.0, 1.0, -1.0])
-    rolls = jnp.array([False, False, True, True])
+    searches = 6 if first_slip else 4
+    direction = jnp.array([1.0, -1.0, 1.0, -1.0, 1.0, -1.0])[:searches]
+    rolls = jnp.array([False, False, True, True, False, False])[:searches]
+    at_first = jnp.arange(searches) >= 4
 
     def excesses(torque: Array) -> Array:
-        return jax.vmap(excesses_of, out_axes=1)(direction * torque, rolls)
+        return jax.vmap(excesses_of, out_axes=1)(direction * torque, rolls, at_first)
 
     orbit = jnp.max(jnp.abs(drive.centres)) + jnp.max(drive.second_radius)
     guess = jnp.min(friction * rest.normal) * orbit * drive.sectors
-    found = first_limit(excesses=excesses, first_guess=jnp.full(4, guess))
-    count = len(drive.contacts)
-    both = [
-        named_capacity(FirstLimit(found.value[part], found.which[part]), contacts=count)
-        for part in (slice(0, 2), slice(2, 4))
-    ]
-    # what stands must not slip either before it rolls
-    less = both[0].output_torque < both[1].output_torque
-    rolling = dataclasses.replace(
-        both[1],
-        **{
-            name: jnp.where(less, getattr(both[0], name), getattr(both[1], name))
-            for name in ("output_torque", "limit", "limiting_contact")
-        },
+    found = first_limit(excesses=excesses, first_guess=jnp.full(searches, guess))
+    return PlanarCapacity(
+        *(
+            named_capacity(
+                FirstLimit(found.value[k : k + 2], found.which[k : k + 2]), contacts=len(drive.contacts)
+            )
+            for k in range(0, searches, 2)
+        )
     )
-    return PlanarCapacity(both[0], rolling)

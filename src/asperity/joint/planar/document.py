@@ -9,7 +9,7 @@ import numpy as np
 
 import asperity
 from asperity.drive.planar.loads import pin_components
-from asperity.joint.capacity import TorqueCapacity, capacity_document
+from asperity.joint.capacity import capacity_document
 from asperity.joint.document import (
     contact_documents,
     diagnostic_documents,
@@ -107,7 +107,7 @@ def planar_document(
                 "balance_residual": result.forces.balance_residual,
                 "closure_residual": result.forces.closure_residual,
             },
-            "torque_capacity": _both(solution.capacity, solution.reverse_capacity, names),
+            "torque_capacity": planar_capacity_document(solution, solution),
             "contacts": contact_documents(solved),
             "bearings": [],
             "rims": _rims(solved),
@@ -133,10 +133,25 @@ def planar_document(
     )
 
 
-def _both(capacity: TorqueCapacity, reverse: TorqueCapacity, names: tuple[str, ...]) -> Document:
+def planar_capacity_document(forward: PlanarSolution, reverse: PlanarSolution) -> Document:
+    """Torque capacity of a joint that stands, in both directions.
+
+    Parameters
+    ----------
+    forward, reverse : PlanarSolution
+        What the joint does under a positive and under a negative torque.
+
+    Returns
+    -------
+    dict
+        As :func:`asperity.joint.capacity.capacity_document` says them, with the torque of the first slip.
+    """
+    names = forward.result.contact_names
     return {
-        **capacity_document(capacity, contacts=names),
-        "reverse": capacity_document(reverse, contacts=names),
+        **capacity_document(forward.capacity, contacts=names, first_slip=forward.first_slip),
+        "reverse": capacity_document(
+            reverse.reverse_capacity, contacts=names, first_slip=reverse.reverse_first_slip
+        ),
     }
 
 

@@ -205,10 +205,19 @@ def evaluated_with_laws(joint: PlanarJoint) -> tuple[PlanarResult, ContactLaws]:
         dataclasses.replace(state, tangential=sense * state.tangential, creepage=sense * state.creepage)
         for state in (states.standing, states.rolling)
     )
-    stiffness = loaded_stiffness(joint, contacts, standing.normal, standing.tangential)
+    slides = standing.slides != 0.0
+    stiffness = loaded_stiffness(joint, contacts, standing.normal, standing.tangential, standing.slides)
     loaded = stiffness.contacts
     inside = np.array([contact.internal for contact in drive.contacts])
     ideal = speeds(drive)
+    diagnostics = diagnose(
+        pairs=contacts.pairs,
+        normal_force=standing.normal,
+        tangential_force=standing.tangential,
+        loaded=loaded,
+        rest_force=states.rest.normal,
+        self_locking_ratio=None,
+    )
     found = PlanarResult(
         speed_ratio=jnp.asarray(speed_ratio(drive)),
         speeds=ideal,
@@ -239,13 +248,8 @@ def evaluated_with_laws(joint: PlanarJoint) -> tuple[PlanarResult, ContactLaws]:
         published=stiffness.published,
         series_with_bulk=stiffness.series_with_bulk,
         assembly=stiffness.assembly,
-        diagnostics=diagnose(
-            pairs=contacts.pairs,
-            normal_force=standing.normal,
-            tangential_force=standing.tangential,
-            loaded=loaded,
-            rest_force=states.rest.normal,
-            self_locking_ratio=None,
+        diagnostics=dataclasses.replace(
+            diagnostics, slip_ratio=jnp.where(slides, 1.0, diagnostics.slip_ratio)
         ),
         rolling=with_duty_life(
             turning(joint, contacts, creep, rolling),

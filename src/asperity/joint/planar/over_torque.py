@@ -32,10 +32,12 @@ class OverTorque(NamedTuple):
 
     Parameters
     ----------
-    solved : Array
+    balanced : Array
         Whether the forces of the joint that stands balance.
+    solved : Array
+        Whether they also stay within friction.
     slip_ratio : Array
-        Its T/(mu N), shape (torques, contacts) [-].
+        Its T/(mu N), 1 where a contact slides while others hold, shape (torques, contacts) [-].
     published, series_with_bulk, assembly : Array
         Incremental stiffness at the output: as it is, and under the same normal forces with so much friction that no
         contact slips, shape (torques, 2) [N·m/rad].
@@ -48,6 +50,7 @@ class OverTorque(NamedTuple):
         Change of the lost share of the output speed with the torque [1/(N·m)].
     """
 
+    balanced: Array
     solved: Array
     slip_ratio: Array
     published: Array
@@ -141,7 +144,11 @@ def over_torque_program(
         def levels(friction: Array) -> tuple[Array, Array, Array]:
             pairs = dataclasses.replace(contacts.pairs, friction_coefficient=friction)
             found = loaded_stiffness(
-                joint, dataclasses.replace(contacts, pairs=pairs), state.normal, sense * state.tangential
+                joint,
+                dataclasses.replace(contacts, pairs=pairs),
+                state.normal,
+                sense * state.tangential,
+                jnp.where(friction == own, state.slides, 0.0),
             )
             return (
                 jnp.asarray(found.published.output),
@@ -165,8 +172,9 @@ def over_torque_program(
         )
         published, series, assembly = jax.vmap(levels)(frictions)
         return OverTorque(
+            balanced=state.worst < STATE_TOLERANCE,
             solved=state.residual < STATE_TOLERANCE,
-            slip_ratio=slip,
+            slip_ratio=jnp.where(state.slides == 0.0, slip, 1.0),
             published=published,
             series_with_bulk=series,
             assembly=assembly,

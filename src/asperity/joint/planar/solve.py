@@ -31,6 +31,8 @@ class PlanarSolution(eqx.Module):
         Largest positive and largest negative output torque, standing [N·m], and what limits them.
     rolling_capacity, reverse_rolling_capacity : TorqueCapacity
         The same in rolling.
+    first_slip, reverse_first_slip : TorqueCapacity
+        Output torques at which the first contact slides while the joint stands, likewise.
     """
 
     result: PlanarResult
@@ -38,6 +40,8 @@ class PlanarSolution(eqx.Module):
     reverse_capacity: TorqueCapacity
     rolling_capacity: TorqueCapacity
     reverse_rolling_capacity: TorqueCapacity
+    first_slip: TorqueCapacity
+    reverse_first_slip: TorqueCapacity
 
 
 def solve_planar_program(joint: PlanarJoint) -> tuple[PlanarResult, PlanarCapacity]:
@@ -54,7 +58,7 @@ def solve_planar_program(joint: PlanarJoint) -> tuple[PlanarResult, PlanarCapaci
         Its result, and its torque capacities in both directions.
     """
     result, laws = evaluated_with_laws(joint)
-    return result, planar_capacity(joint, result.rest, laws)
+    return result, planar_capacity(joint, result.rest, laws, first_slip=True)
 
 
 def solve_planar(joint: PlanarJoint) -> PlanarSolution:
@@ -86,11 +90,7 @@ def solve_planar(joint: PlanarJoint) -> PlanarSolution:
     refuse_bores(numbers)
     program = compile_fast(solve_planar_program, numbers)
     result, capacity = jax.tree.map(np.asarray, program(numbers))
-    both = [
-        jax.tree.map(lambda leaf, i=i: leaf[i], part)
-        for part in (capacity.standing, capacity.rolling)
-        for i in range(2)
-    ]
+    both = [jax.tree.map(lambda leaf, i=i: leaf[i], part) for part in capacity for i in range(2)]
     solution = PlanarSolution(result, *both)
     _refuse_unsolved(numbers, solution)
     return solution

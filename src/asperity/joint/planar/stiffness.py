@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 from typing import NamedTuple
 
 import jax
@@ -43,7 +44,7 @@ class LoadedStiffness(NamedTuple):
 
 
 def loaded_stiffness(
-    joint: PlanarJoint, contacts: JointContacts, normal_force: Array, tangential_force: Array
+    joint: PlanarJoint, contacts: JointContacts, normal_force: Array, tangential_force: Array, slides: Array
 ) -> LoadedStiffness:
     """Stiffness of a joint under given forces; nan where a law does not hold.
 
@@ -55,18 +56,39 @@ def loaded_stiffness(
         Its contacts.
     normal_force, tangential_force : Array
         Their forces, positive where the first body drives the second, shape (contacts,) [N].
+    slides : Array
+        Signs of those that slide as a whole, as in :class:`asperity.drive.planar.state.PlanarState`, shape (contacts,)
+        [-].
 
     Returns
     -------
     LoadedStiffness
-        On three levels.
+        On three levels. A contact that slides has no tangential stiffness: its force follows its normal force, all over
+        the strip.
 
     References
     ----------
     Equations (A8) and (M4) of :doc:`/equations`.
     """
-    loaded = loaded_contacts(contacts=contacts, normal_force=normal_force, tangential_force=tangential_force)
-    published, series, assembly = stiffness_levels(joint, contacts, loaded)
+    holds = slides == 0.0
+    loaded = loaded_contacts(
+        contacts=contacts,
+        normal_force=normal_force,
+        tangential_force=jnp.where(holds, tangential_force, 0.0),
+    )
+    friction = slides * contacts.pairs.friction_coefficient
+    published, series, assembly = stiffness_levels(joint, contacts, loaded, friction)
+    loaded = loaded._replace(
+        traction=jnp.where(holds, loaded.traction, 1.0),
+        rough=dataclasses.replace(
+            loaded.rough, tangential_stiffness=jnp.where(holds, loaded.rough.tangential_stiffness, 0.0)
+        ),
+        interfaces=dataclasses.replace(
+            loaded.interfaces,
+            asperity_tangential=jnp.where(holds, loaded.interfaces.asperity_tangential, 0.0),
+            bulk_tangential=jnp.where(holds, loaded.interfaces.bulk_tangential, 0.0),
+        ),
+    )
     law_holds = jnp.all((loaded.rough.normal_stiffness > 0.0) | (normal_force <= 0.0))
     walls = walls_known(joint=joint, half_width=loaded.half_width)
     published, series = jax.tree.map(lambda value: jnp.where(law_holds, value, jnp.nan), (published, series))
@@ -75,7 +97,7 @@ def loaded_stiffness(
 
 
 def stiffness_levels(
-    joint: PlanarJoint, contacts: JointContacts, loaded: LoadedContacts
+    joint: PlanarJoint, contacts: JointContacts, loaded: LoadedContacts, sliding_friction: Array
 ) -> tuple[TorsionalStiffness, TorsionalStiffness, Assembly]:
     """Torsional stiffness on three levels: asperities, asperities and bodies, the whole assembly.
 
@@ -87,6 +109,8 @@ def stiffness_levels(
         Its contacts.
     loaded : LoadedContacts
         Its contacts under their forces.
+    sliding_friction : Array
+        Of :func:`asperity.drive.planar.stiffness.planar_stiffness`.
 
     Returns
     -------
@@ -109,7 +133,10 @@ def stiffness_levels(
 
     held = [
         planar_stiffness(
-            drive=drive, normal_compliance=None, tangential_compliance=compliance(tangential)
+            drive=drive,
+            normal_compliance=None,
+            tangential_compliance=compliance(tangential),
+            sliding_friction=sliding_friction,
         ).output
         for tangential in (interfaces.asperity_tangential, interfaces.tangential)
     ]
@@ -131,6 +158,7 @@ def stiffness_levels(
         tangential_compliance=compliance(tangential),
         coupling=coupling,
         pin_compliance=1.0 / jnp.asarray(joint.pin_stiffness, dtype=float),
+        sliding_friction=sliding_friction,
     )
     output, input_share, output_share = with_shafts(
         stiffness=whole.output,

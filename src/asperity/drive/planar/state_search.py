@@ -1,0 +1,224 @@
+"""States of planar drives by Newton's method, and which of their contacts slide as a whole."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import jax
+import jax.numpy as jnp
+from jax import Array
+
+from asperity.drive.planar.newton import known_root, newton
+from asperity.drive.planar.state import STATE_TOLERANCE, PlanarState
+from asperity.drive.planar.state_equations import (
+    ROLLING,
+    STANDING,
+    Machine,
+    Misfits,
+    Task,
+    Unknowns,
+    contact_forces,
+    moments_of,
+    no_displacement,
+    speeds_and_turns,
+    state_misfits,
+    turning_members,
+)
+from asperity.drive.rolling_state import creepages
+
+# a state in which contacts slide: more than this, or a longer last step of Newton's method, is that of a mechanism
+_BALANCED, _DETERMINED = 1e-11, 1e-6
+
+
+def assembled_guess(machine: Machine) -> Unknowns:
+    """An assembled drive with the reference forces, from which its state is sought.
+
+    Parameters
+    ----------
+    machine : Machine
+        The drive.
+
+    Returns
+    -------
+    Unknowns
+        Without displacement.
+
+    References
+    ----------
+    Equation (M3) of :doc:`/equations`.
+    """
+    drive, reference = machine.drive, machine.laws.reference_force
+    return Unknowns(
+        jnp.ones_like(reference),
+        jnp.zeros_like(reference),
+        jnp.zeros(len(drive.pinned)),
+        no_displacement(drive),
+        jnp.zeros(len(turning_members(drive))),
+        jnp.ones(1),
+    )
+
+
+def started_from(machine: Machine, state: PlanarState, size: Array) -> Unknowns:
+    """Unknowns at a known state.
+
+    Parameters
+    ----------
+    machine : Machine
+        The drive.
+    state : PlanarState
+        The state.
+    size : Array
+        Interference of the drive [m].
+
+    Returns
+    -------
+    Unknowns
+        From which another state is sought.
+
+    References
+    ----------
+    Equation (M3) of :doc:`/equations`.
+    """
+    reference = machine.laws.reference_force
+    return Unknowns(
+        state.normal / reference,
+        state.tangential / (machine.friction * reference),
+        state.pin_force / machine.largest,
+        state.displacement.ravel() / machine.length,
+        (state.speed - machine.ideal)[jnp.array(turning_members(machine.drive))],
+        (size / machine.length)[None],
+    )
+
+
+class _Search(NamedTuple):
+    """The last balance that was found and the contacts that slide in it; those that slide in the next trial."""
+
+    found: Unknowns
+    slides: Array
+    trial: Array
+    going: Array
+    steps: Array
+
+
+def solved(machine: Machine, task: Task, start: Unknowns, *, by_force: bool) -> tuple[Unknowns, Array]:
+    """Unknowns of a state, and which contacts slide.
+
+    Parameters
+    ----------
+    machine : Machine
+        The drive.
+    task : Task
+        The state.
+    start : Unknowns
+        Where the search starts.
+    by_force : bool
+        Whether an assembled state has a given preload instead of a given interference.
+
+    Returns
+    -------
+    Unknowns
+        Root of all equations.
+    Array
+        Signs of the contacts that slide as a whole, of :class:`asperity.drive.planar.state.PlanarState`.
+
+    Notes
+    -----
+    In a standing drive a contact that would bear more than its friction slides: its tangential force follows its normal
+    force, and its slip is free. One contact after the other, the one most beyond its friction first; one whose slip
+    falls back holds again. Where no balance is left, the last contact holds on the line that continues its law, beyond
+    its friction. In rolling none slides: steady rolling ends at the first gross slip.
+
+    References
+    ----------
+    Equation (M3) of :doc:`/equations`.
+    """
+    fixed_machine, fixed_task, first = jax.lax.stop_gradient((machine, task, start))
+    stands = jnp.asarray(task.kind) == STANDING
+
+    def unfinished(state: _Search) -> Array:
+        return state.going
+
+    def improve(state: _Search) -> _Search:
+        def misfits(x: Unknowns) -> Misfits:
+            return state_misfits(fixed_machine, fixed_task, by_force, state.trial, x)
+
+        tried, last = newton(lambda x: misfits(x).all, state.found, positive=first.normal.size)
+        balanced = (_worst(misfits(tried).all) < _BALANCED) & (last < _DETERMINED)
+        kept = balanced | (state.steps == 0)
+        found, slides = jax.tree.map(
+            lambda new, old: jnp.where(kept, new, old), (tried, state.trial), (state.found, state.slides)
+        )
+        trial = _next_slides(found, slides, misfits(found).held)
+        going = balanced & stands & jnp.any(trial != slides) & (state.steps < 2 * slides.size)
+        return _Search(found, slides, trial, going, state.steps + 1)
+
+    nowhere = jnp.zeros_like(first.normal)
+    start_of = _Search(first, nowhere, nowhere, jnp.asarray(True), jnp.asarray(0))
+    end = jax.lax.while_loop(unfinished, improve, start_of)
+    found = known_root(lambda x: state_misfits(machine, task, by_force, end.slides, x).all, end.found)
+    return found, end.slides
+
+
+def _next_slides(x: Unknowns, slides: Array, held: Array) -> Array:
+    """Contacts that slide in the next trial: one that has fallen back holds, or else one beyond its friction slides."""
+    back = slides * held  # positive where the slip is less than that at which the contact begins to slide
+    over = jnp.where(slides == 0.0, jnp.abs(x.tangential) - x.normal, 0.0) / x.normal
+    returns = jnp.max(back) > STATE_TOLERANCE
+    place = jnp.where(returns, jnp.argmax(back), jnp.argmax(over))
+    sign = jnp.where(returns, 0.0, jnp.sign(x.tangential[place]))
+    return jnp.where(returns | (jnp.max(over) > 0.0), slides.at[place].set(sign), slides)
+
+
+def _worst(residuals: Unknowns) -> Array:
+    return jnp.max(jnp.abs(jnp.concatenate(list(residuals))))
+
+
+def state_of(machine: Machine, task: Task, x: Unknowns, slides: Array) -> PlanarState:
+    """A state from its unknowns.
+
+    Parameters
+    ----------
+    machine : Machine
+        The drive.
+    task : Task
+        The state.
+    x : Unknowns
+        The unknowns.
+    slides : Array
+        Signs of the contacts that slide as a whole, shape (contacts,) [-].
+
+    Returns
+    -------
+    PlanarState
+        With its residual.
+
+    References
+    ----------
+    Equation (M3) of :doc:`/equations`.
+    """
+    drive, laws = machine.drive, machine.laws
+    normal, tangential = contact_forces(machine, x)
+    pin = x.pin * machine.largest
+    speed, turned = speeds_and_turns(machine, x, task.kind)
+    rolls = jnp.where(jnp.asarray(task.kind) == ROLLING, 1.0, 0.0)
+    misfits = state_misfits(machine, task, False, slides, x)
+    within = jnp.abs(tangential) <= machine.friction * normal * (1.0 + STATE_TOLERANCE)
+    carried = jnp.all((normal > 0.0) & within)
+    worst = _worst(misfits.all._replace(interference=jnp.zeros(1)))
+    worst = jnp.maximum(worst, jnp.max(slides * misfits.held))  # what slides less than its law must hold
+    out, entry = drive.members.index(drive.output), drive.members.index(drive.input)
+    return PlanarState(
+        normal=normal,
+        tangential=tangential,
+        pin_force=pin,
+        displacement=(x.displacement * machine.length).reshape(-1, 2),
+        rotation=turned,
+        speed=speed,
+        creepage=rolls * creepages(law=laws.creep, normal=normal, tangential=tangential),
+        interference=machine.pattern * x.interference * machine.length,
+        input_torque=-drive.sense * moments_of(machine, task, tangential, pin)[entry],
+        speed_loss=1.0 - speed[out] / machine.ideal[out],
+        worst=worst,
+        slides=slides,
+        carried=carried,
+    )
