@@ -16,6 +16,7 @@ from asperity.cli.document_text import (
     show_warnings,
 )
 from asperity.cli.terminal import table
+from asperity.joint.capacity import first_slip_words
 from asperity.joint.document import LEVEL_WORDS, NO_SHARE, input_member, stiffness_rows
 
 if TYPE_CHECKING:
@@ -203,6 +204,7 @@ def _show_drive(target: Console, document: Document) -> None:
     common = (
         ("torque", torque),
         ("capacity", _first_slip(document, "torque_capacity") + capacity_text(capacity)),
+        *(("first slip", text) for text in first_slip_words(capacity)),
         ("rolling", _first_slip(document, "rolling_torque_capacity") + _rolling_capacity(document)),
     )
     own = _of_the_paper if "wedge_angle_rad" in document["geometry"] else _of_another_type

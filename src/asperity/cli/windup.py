@@ -147,6 +147,7 @@ def _show(document: dict[str, Any], file: str) -> None:
 
     from asperity.cli.joint_table import capacity_text
     from asperity.cli.terminal import console, table
+    from asperity.joint.capacity import first_slip_words
     from asperity.units import format_quantity
 
     def arcminutes(key: str) -> str:
@@ -157,6 +158,8 @@ def _show(document: dict[str, Any], file: str) -> None:
     same = math.isclose(document["windup_rad"], document["reverse_windup_rad"], rel_tol=1e-9)
     summary = table(target, "Figures", "quantity", "value")
     summary.add_row("torque capacity", capacity_text(document["torque_capacity"]))
+    for text in first_slip_words(document["torque_capacity"]):
+        summary.add_row("first slip", text)
     summary.add_row("largest torque of the curve", format_quantity(document["largest_torque_Nm"], "N*m"))
     if same:
         summary.add_row("angle at the largest torque", arcminutes("windup_rad"))

@@ -195,13 +195,13 @@ def capacity_document(
     contacts : tuple of str, optional
         Names of the contacts.
     first_slip : TorqueCapacity or None, optional
-        Where the first contact slides while others still hold; None where the first slip is the capacity.
+        Where the first contact slides, while others may still hold; None for drives in which none is said to hold.
 
     Returns
     -------
     dict
         Torque [N·m] or None where it is unlimited, kind of limit, contact or None, and the limit in words; with the
-        torque and the contact of a first slip below it.
+        torque and the contact of the first slip.
     """
     torque, contact = float(capacity.output_torque), int(capacity.limiting_contact)
     found: dict[str, Any] = {
@@ -211,10 +211,35 @@ def capacity_document(
         "meaning": limit_words(capacity, contacts=contacts),
     }
     if first_slip is not None and LIMIT_KINDS[int(first_slip.limit)] == "gross_slip":
-        begins, slides = float(first_slip.output_torque), contacts[int(first_slip.limiting_contact)]
-        found["first_slip"] = {"output_torque_Nm": begins, "contact": slides}
-        if begins < (1.0 - _SAME) * torque:
-            found["meaning"] += (
-                f"; contact {slides} slips from {format_quantity(begins, 'N*m')} on and keeps the force of its friction"
-            )
+        found["first_slip"] = {
+            "output_torque_Nm": float(first_slip.output_torque),
+            "contact": contacts[int(first_slip.limiting_contact)],
+        }
     return found
+
+
+def first_slip_words(both: dict[str, Any]) -> list[str]:
+    """Where a contact slips while others carry the rest, in words.
+
+    Parameters
+    ----------
+    both : dict
+        :func:`capacity_document` of positive torques, that of negative ones in its entry ``reverse``.
+
+    Returns
+    -------
+    list of str
+        One text; none where the first slip is the capacity.
+    """
+    early = [
+        (entry["first_slip"]["contact"], format_quantity(entry["first_slip"]["output_torque_Nm"], "N*m"))
+        for entry in (both, both["reverse"])
+        if "first_slip" in entry
+        and entry["first_slip"]["output_torque_Nm"]
+        < (1.0 - _SAME) * (math.inf if entry["output_torque_Nm"] is None else entry["output_torque_Nm"])
+    ]
+    if len(early) < 2:
+        return [f"{torque} at {contact}; others carry the rest" for contact, torque in early]
+    (contact, torque), (other, back) = early
+    at = f"{other})" if back == torque else f"{back} at {other})"
+    return [f"{torque} at {contact} (reverse {at}; others carry the rest"]

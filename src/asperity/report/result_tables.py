@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from typing import Any
 
 from asperity.joint.branch_limits import capacity_words
+from asperity.joint.capacity import first_slip_words
 from asperity.joint.document import NO_SHARE, input_member, stiffness_rows
 from asperity.report.cells import number, percent, quantity
 from asperity.report.content import Block, Paragraph, Table
@@ -49,6 +50,7 @@ def summary(document: Document) -> Table:
         *_first_slip(document),
         (f"torque capacity{equal}", _capacity(document["torque_capacity"])),
         (f"torque capacity{equal}, negative torques", _capacity(document["torque_capacity"]["reverse"])),
+        *(("first slip, standing", words) for words in first_slip_words(document["torque_capacity"])),
         ("efficiency", percent(document["efficiency"])),
         (f"fatigue life in hours{equal}", number(document["life_hours"])),
         (f"fatigue life in turns of the output{equal}", number(document["rolling"]["life_output_turns"])),
