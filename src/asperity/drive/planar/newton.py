@@ -52,7 +52,8 @@ def newton(equations: Callable[[Any], Any], first: Any, *, positive: int) -> tup
 
     def improve(state: tuple[Array, Array, Array]) -> tuple[Array, Array, Array]:
         x, _, steps = state
-        step = jnp.linalg.solve(jax.jacfwd(residual)(x), residual(x))
+        slopes, value = jax.jacfwd(lambda at: (residual(at),) * 2, has_aux=True)(x)
+        step = jnp.linalg.solve(slopes, value)
         normal, falling = x[:positive], step[:positive]
         room = jnp.where(falling > 0.0, (1.0 - _SMALLEST_SHARE) * normal / falling, jnp.inf)
         share = jnp.minimum(1.0, jnp.min(room))
@@ -90,4 +91,5 @@ def known_root(equations: Callable[[Any], Any], found: Any) -> Any:
 
 
 def _flat(equations: Callable[[Any], Any], shape: Callable[[Array], Any]) -> Callable[[Array], Array]:
-    return lambda x: jax.flatten_util.ravel_pytree(equations(shape(x)))[0]
+    # traced once for the value and its slopes
+    return jax.jit(lambda x: jax.flatten_util.ravel_pytree(equations(shape(x)))[0])
