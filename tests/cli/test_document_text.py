@@ -65,7 +65,7 @@ def test_kept_limits_give_no_warning():
 def test_contacts_of_one_limit_share_a_warning_and_limits_of_the_model_a_line():
     diagnostics = [
         entry("slip_ratio", 1.2, "function", "sp"),
-        entry("slip_ratio", 1.1, "function", "pwr"),
+        entry("slip_ratio", 1.1, "function", "right_pair"),
         entry("slip_ratio", 0.9, "function", "pwl", ok=True),
         *(entry("pressure", 2.0, "damage", contact) for contact in ("sp", "pwr", "pwl", "wro", "wlo")),
         entry("real_area", 6.54, "model", "sp"),
@@ -76,7 +76,7 @@ def test_contacts_of_one_limit_share_a_warning_and_limits_of_the_model_a_line():
     lines = [line.strip() for line in text.splitlines() if line.strip()]
     assert lines == [
         "Warnings, the most serious first",
-        "Slip ratio 1.2 at sp, 1.1 at pwr (limit 1)",
+        "Slip ratio 1.2 at sp, 1.1 at right pair (limit 1)",
         "meaning of slip_ratio",
         "What to do: remedy of slip_ratio",
         "Pressure 2 at every contact (limit 1)",

@@ -36,7 +36,7 @@ def test_required_actual_and_result_of_each_margin():
 
 
 def test_the_verdict_names_what_fails_and_what_is_not_known():
-    kept, failed = margin("a", "sp", 0.5, highest=1.0), margin("b", "sp", 2.0, highest=1.0, passes=False)
+    kept, failed = margin("a", "sp", 0.5, highest=1.0), margin("b", "held_ring", 2.0, highest=1.0, passes=False)
     open_ = margin("c", "", math.nan, highest=1.0, passes=False)
     steel, library = (
         {"held_ring": {"yield_safety": 3.0, "fatigue_safety": safety}} for safety in (1.5, None)
@@ -45,9 +45,9 @@ def test_the_verdict_names_what_fails_and_what_is_not_known():
     ring = "safety of the held ring against fatigue (no fatigue_strength of its material)"
     assert verdict([kept], steel) == "All requirements of function and strength are met."
     assert verdict([kept], library) == f"{start} known: {ring}. All others are met."
-    assert verdict([kept, failed], steel) == f"{start} met: label of b (sp)."
+    assert verdict([kept, failed], steel) == f"{start} met: label of b (held ring)."
     assert verdict([failed, open_], library) == (
-        f"{start} met: label of b (sp); not known: label of c (drive), {ring}."
+        f"{start} met: label of b (held ring); not known: label of c (drive), {ring}."
     )
 
 

@@ -140,7 +140,7 @@ def _values(entries: list[Document], contacts: int) -> str:
     if len(entries) == contacts and len(set(values)) == 1:
         return f"{values[0]} at every contact"
     return ", ".join(
-        f"{value} at {e['contact']}" if e["contact"] else value
+        f"{value} at {e['contact'].replace('_', ' ')}" if e["contact"] else value
         for value, e in zip(values, entries, strict=True)
     )
 

@@ -38,7 +38,7 @@ def verdict(found: Sequence[Margin], rims: Document) -> str:
     judged = [each for each in found if not each.passes and each.severity in ("function", "damage")]
     failed, unknown = (
         [
-            f"{each.result.label} ({each.place or 'drive'})"
+            f"{each.result.label} ({each.place.replace('_', ' ') or 'drive'})"
             for each in judged
             if math.isnan(each.actual) == open_
         ]
@@ -119,7 +119,9 @@ def warnings(document: Document) -> Iterator[Block]:
     items = []
     for entries in crossed.values():
         first = entries[0]
-        values = ", ".join(f"{number(each['value'])} {each['contact'] or ''}".strip() for each in entries)
+        values = ", ".join(
+            f"{number(each['value'])} {(each['contact'] or '').replace('_', ' ')}".strip() for each in entries
+        )
         meanings = "; ".join(dict.fromkeys(each["meaning"] for each in entries))
         items.append(
             f"{first['label']}: {values} (limit {number(first['limit'])}; {_WARNINGS_ABOUT[first['severity']]}). "
