@@ -36,7 +36,10 @@ def test_required_actual_and_result_of_each_margin():
 
 
 def test_the_verdict_names_what_fails_and_what_is_not_known():
-    kept, failed = margin("a", "sp", 0.5, highest=1.0), margin("b", "held_ring", 2.0, highest=1.0, passes=False)
+    kept, failed = (
+        margin("a", "sp", 0.5, highest=1.0),
+        margin("b", "held_ring", 2.0, highest=1.0, passes=False),
+    )
     open_ = margin("c", "", math.nan, highest=1.0, passes=False)
     steel, library = (
         {"held_ring": {"yield_safety": 3.0, "fatigue_safety": safety}} for safety in (1.5, None)

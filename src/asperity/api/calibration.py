@@ -16,9 +16,10 @@ from asperity.joint.windup import StiffnessLevel
 from asperity.joint_file.build import joint_from_case
 from asperity.joint_file.edited_text import joint_file_text
 from asperity.joint_file.si_tables import key_at
-from asperity.study.calibration.calibrate import CORRELATED, Calibration
+from asperity.study.calibration.calibrate import Calibration
 from asperity.study.calibration.calibrate import calibrate as fit
 from asperity.study.calibration.calibration_plot import calibration_figure, unit_of
+from asperity.study.calibration.fitted_curve import residual_sentences
 from asperity.study.calibration.measurement import read_measurement
 from asperity.study.calibration.torque_history import History
 from asperity.study.calibration.unknowns import CURVE_UNKNOWNS, of_joint_file, read_unknowns
@@ -190,16 +191,6 @@ class CalibratedJoint(Shown):
             f"{len(rows)} unknowns from {' and '.join(sources)}",
             Table(("unknown", "estimate", "95 % from", "to", ""), rows),
         ]
-        for curve in curves:
-            quantity = curve.measurement.quantity
-            of_curve = f" of the {quantity.name}" if len(curves) > 1 else ""
-            size = format_quantity(curve.standard_deviation, quantity.fine_unit)
-            parts.append(f"residual{of_curve}: {size} (standard deviation)")
-            if curve.durbin_watson < CORRELATED:
-                parts.append(
-                    f"Neighbouring residuals{of_curve} are correlated (Durbin–Watson {curve.durbin_watson:.2f}, "
-                    "independent residuals give 2): the model does not explain the curve fully, and the intervals are "
-                    "too narrow."
-                )
+        parts += residual_sentences(curves)
         worst = "\n".join(direction.words for direction in self.calibration.directions)
         return [*parts, f"Combinations of unknowns, the least well determined first:\n{worst}"]

@@ -212,8 +212,8 @@ def interval_digits(lower: float, upper: float) -> int:
 
 def _show(found: Calibration, drawn: Posterior | None) -> None:
     from asperity.cli.terminal import console, table
-    from asperity.study.calibration.calibrate import CORRELATED
     from asperity.study.calibration.calibration_plot import unit_of
+    from asperity.study.calibration.fitted_curve import residual_sentences
     from asperity.units import format_quantity
 
     target = console()
@@ -237,17 +237,8 @@ def _show(found: Calibration, drawn: Posterior | None) -> None:
             ", ".join(note for note in notes if note),
         )
     target.print(rows)
-    for curve in found.curves:
-        quantity = curve.measurement.quantity
-        of_curve = f" of the {quantity.name}" if len(found.curves) > 1 else ""
-        size = format_quantity(curve.standard_deviation, quantity.fine_unit)
-        target.print(f"residual{of_curve}: {size} (standard deviation)")
-        if curve.durbin_watson < CORRELATED:
-            target.print(
-                f"Neighbouring residuals{of_curve} are correlated (Durbin–Watson {curve.durbin_watson:.2f}, "
-                "independent residuals give 2): the model does not explain the curve fully, and the intervals are too "
-                "narrow."
-            )
+    for sentence in residual_sentences(found.curves):
+        target.print(sentence)
     target.print("Combinations of unknowns, the least well determined first:")
     for direction in found.directions:
         target.print(f"  {direction.words}", markup=False)

@@ -75,3 +75,9 @@ def test_each_reason_has_its_code(planetary, leaves, expected):
 def test_sizes_that_cannot_be_come_first(planetary, sizes, expected):
     joint, solution, _ = planetary
     assert status(changed(joint, sizes), solution.result) == expected
+
+
+def test_an_output_that_stands_still_has_a_code_of_its_own(planetary, monkeypatch):
+    joint, solution, _ = planetary
+    monkeypatch.setattr("asperity.joint.planar.status.output_share", lambda drive: jnp.array(1e-12))
+    assert status(joint, solution.result) == "output_stands_still"

@@ -1,5 +1,7 @@
 """Two curves fitted together: their errors and intervals on synthetic data, what one alone cannot tell, refusals."""
 
+from types import SimpleNamespace
+
 import numpy as np
 import pytest
 from scipy.stats import binom, chi2
@@ -8,7 +10,7 @@ from asperity.errors import InputError
 from asperity.joint_file.reader import read_case
 from asperity.study.calibration.calibrate import calibrate
 from asperity.study.calibration.curve_model import CurveModel
-from asperity.study.calibration.fitted_curve import JoinedCurves
+from asperity.study.calibration.fitted_curve import JoinedCurves, residual_sentences
 from asperity.study.calibration.measurement import Measurement
 from asperity.study.calibration.posterior import posterior
 from asperity.study.calibration.unknowns import OFFSET_OF_DRIFT, read_unknowns
@@ -35,6 +37,23 @@ def both(angle=None, drift=None):
         Measurement(LOOP, angle, None, None, zeros, "standing.csv"),
         Measurement(TURNING, None, None, None, np.zeros(TURNING.size), "turning.csv", drift),
     )
+
+
+def test_residuals_in_words():
+    def curve(measurement, deviation, durbin_watson):
+        return SimpleNamespace(
+            measurement=measurement, standard_deviation=deviation, durbin_watson=durbin_watson
+        )
+
+    standing, turning = both()
+    alone = residual_sentences([curve(standing, 0.5 * ARCMIN / 60.0, 1.51)])
+    assert alone == ["residual: 0.5 arcsec (standard deviation)"]
+    first, alike, second = residual_sentences(
+        [curve(standing, 0.5 * ARCMIN / 60.0, 1.49), curve(turning, 2.0 * ARCMIN / 60.0, 2.4)]
+    )
+    assert first.startswith("residual of the angle: 0.5 arcsec")
+    assert alike.startswith("Neighbouring residuals of the angle are correlated (Durbin–Watson 1.49,")
+    assert second.startswith("residual of the drift per output turn: 2 arcsec")
 
 
 def fitted(case, measurements, texts=TEXTS):

@@ -23,9 +23,6 @@ UNINFORMED = 1.0 / np.sqrt(12.0)
 #: Share of an unknown in a direction from which on it is named as part of it.
 NAMED_SHARE = 0.1
 
-#: Durbin–Watson statistic below which neighbouring residuals are clearly alike.
-CORRELATED = 1.5
-
 # factor by which an unknown may be off from which on it is stated as a factor, not in per cent
 _LARGE_FACTOR = 1.2
 

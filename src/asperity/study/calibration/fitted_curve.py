@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -14,6 +15,10 @@ from asperity.study.calibration.measurement import Measurement
 from asperity.study.calibration.torque_history import History
 from asperity.study.calibration.unknowns import of_measurement
 from asperity.study.design.design_problem import Variable
+from asperity.units import format_quantity
+
+#: Durbin–Watson statistic below which neighbouring residuals are clearly alike.
+CORRELATED = 1.5
 
 
 @dataclass(frozen=True)
@@ -44,6 +49,34 @@ class FittedCurve:
     def measurement(self) -> Measurement:
         """The data."""
         return self.model.measurement
+
+
+def residual_sentences(curves: Sequence[FittedCurve]) -> list[str]:
+    """How large the residuals of each curve are, and whether neighbours are alike.
+
+    Parameters
+    ----------
+    curves : sequence of FittedCurve
+        Each measurement with what was fitted to it.
+
+    Returns
+    -------
+    list of str
+        One sentence for each curve, and one more where its intervals are too narrow.
+    """
+    said = []
+    for curve in curves:
+        quantity = curve.measurement.quantity
+        of_curve = f" of the {quantity.name}" if len(curves) > 1 else ""
+        size = format_quantity(curve.standard_deviation, quantity.fine_unit)
+        said.append(f"residual{of_curve}: {size} (standard deviation)")
+        if curve.durbin_watson < CORRELATED:
+            said.append(
+                f"Neighbouring residuals{of_curve} are correlated (Durbin–Watson {curve.durbin_watson:.2f}, "
+                "independent residuals give 2): the model does not explain the curve fully, and the intervals are too "
+                "narrow."
+            )
+    return said
 
 
 class JoinedCurves:
