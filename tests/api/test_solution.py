@@ -44,7 +44,7 @@ def test_text_shows_stiffness_with_units_and_warnings(solution):
     assert "output N·m/arcmin" in text
     assert f"  {solution['stiffness'].to('N*m/arcmin'):.4g}\n" in text
     assert "Hertz pressure over first yield" in text
-    assert "sp pwr pwl wro wlo" in text
+    assert "sp, pwr, pwl, wro, wlo" in text
     assert "<caption>Torsional stiffness</caption>" in solution._repr_html_()
 
 
@@ -61,6 +61,16 @@ def test_a_joint_without_crossed_limits_says_so(solution):
     other = type(solution)(solution.joint, solution.solution)
     other.document = solution.document | {"diagnostics": kept}
     assert "Every limit of the model is kept." in repr(other)
+
+
+def test_a_warning_states_the_worst_of_its_values(solution, monkeypatch):
+    """Safeties of 0.9 and 0.5 that should be above 1: the smaller one is the worse."""
+    entry = {"name": "rim", "label": "wall", "limit": 1.0, "ok": False, "severity": "damage", "meaning": "m"}
+    crossed = [entry | {"contact": "held_ring", "value": 0.9}, entry | {"contact": "planet", "value": 0.5}]
+    monkeypatch.setattr(type(solution), "limits", crossed)
+    (row,) = (line for line in repr(solution).splitlines() if line.startswith("wall "))
+    assert row.split()[:3] == ["wall", "0.5", "1"]
+    assert "held ring, planet" in row
 
 
 def test_frame_and_series_carry_units(solution):

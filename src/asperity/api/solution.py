@@ -280,7 +280,7 @@ def _warning(checks: list[dict[str, Any]]) -> tuple[str, ...]:
     unknown = [each for each in checks if each["value"] is None]
     worst = unknown[0] if unknown else max(checks, key=lambda each: abs(each["value"] - each["limit"]))
     unit = RESULTS[worst["name"]].display_unit if worst["name"] in RESULTS else "1"
-    contacts = " ".join(each["contact"] for each in checks if each["contact"])
+    contacts = ", ".join(each["contact"].replace("_", " ") for each in checks if each["contact"])
     value, limit = ("-" if v is None else format_quantity(v, unit) for v in (worst["value"], worst["limit"]))
     return worst["label"], value, limit, contacts, worst["severity"]
 
