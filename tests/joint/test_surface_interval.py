@@ -1,11 +1,14 @@
-"""Ends over many surfaces of one joint."""
+"""Many surfaces of one joint, and ends over them."""
 
+import dataclasses
 from types import SimpleNamespace
 
 import numpy as np
 import pytest
 
-from asperity.joint.surface_interval import result_ends
+from asperity.joint.planar.solve import solve_planar
+from asperity.joint.surface_interval import over_surfaces, result_ends
+from asperity.joint_file.planar_build import planar_joint_from_case
 
 
 def result(unsolved=0, plastic=0):
@@ -32,3 +35,32 @@ def test_no_end_where_too_many_are_missing_or_one_is_not_finite():
     assert found["assembly"] == {"low_Nm_per_rad": None, "high_Nm_per_rad": None}
     found = result_ends(result(), shape=(11,), percentiles=(0.0, 100.0), least_usable=1.0)
     assert found["drift"] == {"low_rad_per_output_turn": None, "high_rad_per_output_turn": None}
+
+
+@pytest.mark.slow
+def test_many_surfaces_of_another_drive_are_the_joint_with_each(planar_case):
+    springs = {
+        'bodies = "exact"': 'bodies = "springs"',
+        'ring_support = "free" ': 'ring_support = "rigid_housing" ',
+    }
+    joint = planar_joint_from_case(planar_case("planetary", replaced=springs))
+    dimensions, roughnesses = (1.3, 1.5), (2e-11, 1.3e-10)
+
+    def surface(dimension, roughness):
+        return dataclasses.replace(
+            joint.surfaces[0], fractal_dimension=dimension, fractal_roughness=roughness, frequency_ratio=1.5
+        )
+
+    many = over_surfaces(joint, (surface(np.array(dimensions), np.array(roughnesses)),), shape=(2,))
+    for k, numbers in enumerate(zip(dimensions, roughnesses, strict=True)):
+        one = over_surfaces(joint, (surface(*map(float, numbers)),), shape=(2,))
+        alone = solve_planar(dataclasses.replace(joint, surfaces=(surface(*map(float, numbers)),))).result
+        for found, place in ((many, k), (one, 0), (one, 1)):
+            for level in ("published", "series_with_bulk"):
+                expected = float(getattr(alone, level).output)
+                assert float(getattr(found, level).output[place]) == pytest.approx(expected, rel=1e-9)
+            drift = float(found.rolling.drift_per_output_turn[place])
+            assert drift == pytest.approx(float(alone.rolling.drift_per_output_turn), rel=1e-9)
+    ends = result_ends(many, shape=(2,), percentiles=(0.0, 100.0), least_usable=1.0)
+    both = sorted(float(each) for each in many.assembly.stiffness.output)
+    assert list(ends["assembly"].values()) == pytest.approx(both, rel=1e-12)

@@ -5,9 +5,11 @@ import math
 import numpy as np
 import pytest
 
+from asperity.joint.planar.solve import solve_planar
 from asperity.joint_file.assumptions import assumptions
 from asperity.joint_file.build import joint_from_case, with_values
 from asperity.joint_file.drawn_surface import _words, drawn_interval, surfaces_by_average
+from asperity.joint_file.planar_build import planar_joint_from_case
 from asperity.joint_file.reader import parse_case
 from asperity.surface.roughness_average import roughness_average, scatter_of_average
 
@@ -101,3 +103,34 @@ def test_ra_is_a_number_like_any_other(example_case):
     for average, cut_off, each in zip((0.05e-6, 0.2e-6), (0.25e-3, 0.8e-3), g, strict=True):
         back = roughness_average(fractal_dimension=1.4, fractal_roughness=each, cut_off=cut_off)
         assert back == pytest.approx(math.sqrt(2.0) * average)
+
+
+def test_surfaces_of_other_drives_by_their_ra(planar_case):
+    text = (
+        "[surface]\nfractal_dimension = 1.5\n"
+        'fractal_roughness = "1.3e-7 mm"    # superfinished, towards the rough end\nfrequency_ratio = 1.5'
+    )
+    known = '[surface.pr]\nfractal_dimension = 1.4\nfractal_roughness = "1e-8 mm"\nfrequency_ratio = 1.5\n\n'
+    one = planar_case("planetary", (text, known + SURFACE.replace("[surface]", "[surface.sp]")))
+    assert list(surfaces_by_average(one)) == ["surface.sp"]
+    assert list(surfaces_by_average(planar_case("planetary", (text, SURFACE)))) == ["surface"]
+    assert drawn_interval(planar_case("planetary")) is None
+
+
+@pytest.mark.slow
+def test_what_leaves_nothing_open_is_the_joint_of_another_drive(planar_case):
+    """D without a tolerance, Ra within a millionth."""
+    exact = (
+        ('fractal_roughness = "1.3e-7 mm"', 'roughness_average = "0.2 um +- 2e-7 um"'),
+        ('bodies = "exact"', 'bodies = "springs"'),
+        ('ring_support = "free" ', 'ring_support = "rigid_housing" '),
+    )
+    case = planar_case("planetary", *exact)
+    found = drawn_interval(case)
+    result = solve_planar(planar_joint_from_case(case)).result
+    for level, value in (
+        ("published", result.published.output),
+        ("assembly", result.assembly.stiffness.output),
+    ):
+        assert list(found[level].values()) == pytest.approx([float(value)] * 2, rel=1e-5)
+    assert found["surfaces"]["surface"]["fractal_dimension"] == [1.5, 1.5]

@@ -43,3 +43,9 @@ def test_it_is_written_instead_of_the_files(example_case):
 def test_what_no_joint_file_may_have_is_refused(example_case):
     with pytest.raises((InputError, ValueError), match="fractal_dimension"):
         with_measured_surface(example_case, measured(fractal_dimension=2.1))
+
+
+def test_it_takes_the_place_of_those_of_other_drives(planar_case):
+    case = with_measured_surface(planar_case("planetary"), measured())
+    assert {name: getattr(case.surface, name).value for name in NUMBERS} == pytest.approx(NUMBERS, rel=1e-15)
+    assert case.type == "planetary"

@@ -164,7 +164,7 @@ class DescribedJoint(Shown):
         """
         from asperity.joint_file.measured_surface import with_measured_surface
 
-        return DescribedJoint(with_measured_surface(self.paper_case, measurement), self.source)
+        return DescribedJoint(with_measured_surface(self.case, measurement), self.source)
 
     def edited(self, text: str) -> DescribedJoint:
         """The joint of another text of its file.

@@ -10,7 +10,10 @@ from asperity.cli.terminal import say_written
 from asperity.writing import check_image, write_image
 
 if TYPE_CHECKING:
+    from asperity.joint.either_kind import AnyJoint
+    from asperity.joint_file.model import Case
     from asperity.joint_file.planar_model import PlanarCase
+    from asperity.surface.measurement import SurfaceMeasurement
 
 
 @click.command()
@@ -48,8 +51,15 @@ def joint(file: str, as_json: bool, surfaces: tuple[str, ...], plot_file: str | 
 
     use_double_precision()
     use_compilation_cache()
+    measured = None
+    if surfaces:
+        from asperity.joint.measured_surface import measured_surface
+        from asperity.joint_file.measured_surface import with_measured_surface
+
+        measured = measured_surface(surfaces)
+        case = with_measured_surface(case, measured)
     if isinstance(case, PlanarCase):
-        _planar(case, file, as_json, {"--surface": bool(surfaces)}, plot_file)
+        _planar(case, file, as_json, measured, plot_file)
         return
     from asperity.joint.document import joint_document
     from asperity.joint.solve import solve
@@ -57,14 +67,6 @@ def joint(file: str, as_json: bool, surfaces: tuple[str, ...], plot_file: str | 
     from asperity.joint_file.build import joint_from_case
     from asperity.joint_file.si_tables import si_values
 
-    measured = None
-    if surfaces:
-        from asperity.joint.measured_surface import measured_surface, stiffness_interval
-        from asperity.joint_file.measured_surface import with_measured_surface
-        from asperity.surface.measurement import measurement_document
-
-        measured = measured_surface(surfaces)
-        case = with_measured_surface(case, measured)
     described = joint_from_case(case)
     solution = solve(described)
     branched = branches = None
@@ -82,15 +84,7 @@ def joint(file: str, as_json: bool, surfaces: tuple[str, ...], plot_file: str | 
         assumptions=assumptions(case),
         branches=branches,
     )
-    if measured is None:
-        from asperity.joint_file.drawn_surface import drawn_interval
-
-        interval = drawn_interval(case)
-        if interval is not None:
-            document["stiffness_interval"] = interval
-    else:
-        document["measured_surface"] = measurement_document(measurement=measured)
-        document["stiffness_interval"] = stiffness_interval(described, measured)
+    document |= _interval(case, described, measured)
     if plot_file:
         from asperity.joint.results import SolvedJoint
         from asperity.show.compliance_figure import joint_figure
@@ -115,14 +109,32 @@ def joint(file: str, as_json: bool, surfaces: tuple[str, ...], plot_file: str | 
         show_branches(console(), document["branches"])
 
 
+def _interval(
+    case: Case | PlanarCase, described: AnyJoint, measured: SurfaceMeasurement | None
+) -> dict[str, Any]:
+    """Intervals of stiffness and drift from a measured surface, or from what the Ra of a file leaves open."""
+    if measured is None:
+        from asperity.joint_file.drawn_surface import drawn_interval
+
+        interval = drawn_interval(case)
+        return {} if interval is None else {"stiffness_interval": interval}
+    from asperity.joint.measured_surface import stiffness_interval
+    from asperity.surface.measurement import measurement_document
+
+    return {
+        "measured_surface": measurement_document(measurement=measured),
+        "stiffness_interval": stiffness_interval(described, measured),
+    }
+
+
 def _planar(
-    case: PlanarCase, file: str, as_json: bool, options: dict[str, bool], plot_file: str | None
+    case: PlanarCase, file: str, as_json: bool, measured: SurfaceMeasurement | None, plot_file: str | None
 ) -> None:
     """The joint with another drive than the paper's."""
-    from asperity.cli.solved_case import refuse_options, solved_planar
+    from asperity.cli.solved_case import solved_planar
 
-    refuse_options(case, file, options)
     described, solution, document = solved_planar(case)
+    document |= _interval(case, described, measured)
     if plot_file:
         from asperity.joint.planar.solved import solved_planar_joint
         from asperity.show.compliance_figure import joint_figure

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -95,32 +96,31 @@ def report(
 
     if distribution is not None and not tolerances:
         raise InputError("--distribution belongs to --tolerances")
+    measured = None
+    texts: tuple[str, ...] = ()
+    if surfaces:
+        from asperity.joint.measured_surface import measured_surface
+        from asperity.joint_file.measured_surface import with_measured_surface
+
+        measured = measured_surface(surfaces)
+        texts = tuple(read_text(each) for each in surfaces)
+        case = with_measured_surface(case, measured)
+    source = ReportSource(
+        name=Path(file).name,
+        text=text,
+        case=case,
+        measurement=measured,
+        measurement_texts=texts,
+        date=date,
+    )
     if isinstance(case, PlanarCase):
         from asperity.cli.solved_case import refuse_options
 
-        asked = {"--surface": surfaces, "--sensitivity": sensitivity, "--tolerances": tolerances}
-        asked["--design"] = design_file
+        asked = {"--sensitivity": sensitivity, "--tolerances": tolerances, "--design": design_file}
         refuse_options(case, file, {option: bool(value) for option, value in asked.items()})
-        source = ReportSource(name=Path(file).name, text=text, case=case, date=date)
     else:
-        measured = None
-        texts: tuple[str, ...] = ()
-        if surfaces:
-            from asperity.joint.measured_surface import measured_surface
-            from asperity.joint_file.measured_surface import with_measured_surface
-
-            measured = measured_surface(surfaces)
-            texts = tuple(read_text(each) for each in surfaces)
-            case = with_measured_surface(case, measured)
-        source = ReportSource(
-            name=Path(file).name,
-            text=text,
-            case=case,
-            measurement=measured,
-            measurement_texts=texts,
-            date=date,
-            studies=_studies(file, case, sensitivity, tolerances, distribution, design_file),
-        )
+        studies = _studies(file, case, sensitivity, tolerances, distribution, design_file)
+        source = dataclasses.replace(source, studies=studies)
     with progress_bar("the report") as done:
         done(0, 2)
         made = joint_report(source)

@@ -2,19 +2,16 @@
 
 from __future__ import annotations
 
-import dataclasses
 from pathlib import Path
 from typing import Any
 
 import jax.numpy as jnp
 import numpy as np
 
-from asperity.compilation import compile_fast
 from asperity.contact.fractal import Surface
 from asperity.errors import InputError
-from asperity.joint.description import Joint
-from asperity.joint.evaluation import evaluate
-from asperity.joint.surface_interval import result_ends
+from asperity.joint.either_kind import AnyJoint
+from asperity.joint.surface_interval import over_surfaces, result_ends
 from asperity.surface.equivalent import equivalent_surface
 from asperity.surface.measurement import CONFIDENCE, SurfaceMeasurement, read_measurement
 
@@ -52,12 +49,12 @@ def measured_surface(paths: tuple[str | Path, ...]) -> SurfaceMeasurement:
     return measured[0] if len(measured) == 1 else equivalent_surface(first=measured[0], second=measured[1])
 
 
-def stiffness_interval(joint: Joint, measurement: SurfaceMeasurement) -> dict[str, Any]:
+def stiffness_interval(joint: AnyJoint, measurement: SurfaceMeasurement) -> dict[str, Any]:
     r"""Intervals of output stiffness and drift from the uncertainty of the measured D and G.
 
     Parameters
     ----------
-    joint : Joint
+    joint : Joint or PlanarJoint
         One joint.
     measurement : SurfaceMeasurement
         Measured surface; its (D, ln G) are drawn together from their normal law.
@@ -92,8 +89,8 @@ def stiffness_interval(joint: Joint, measurement: SurfaceMeasurement) -> dict[st
         frequency_ratio=jnp.full(np.count_nonzero(inside), float(measurement.frequency_ratio)),
         asperity_base=joint.surfaces[0].asperity_base,
     )
-    batch = dataclasses.replace(joint, surfaces=(surface,))
-    result = compile_fast(evaluate, batch)(batch)
+    shape = np.shape(surface.fractal_dimension)
+    result = over_surfaces(joint, (surface,), shape=shape)
     tail = 50.0 * (1.0 - CONFIDENCE)
     return {
         "confidence": CONFIDENCE,
@@ -101,7 +98,7 @@ def stiffness_interval(joint: Joint, measurement: SurfaceMeasurement) -> dict[st
         "outside": int(np.count_nonzero(~inside)),
         **result_ends(
             result,
-            shape=np.shape(surface.fractal_dimension),
+            shape=shape,
             percentiles=(tail, 100.0 - tail),
             least_usable=0.95,
         ),

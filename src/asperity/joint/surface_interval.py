@@ -1,22 +1,72 @@
-"""Ends of stiffness and drift over many surfaces of one joint."""
+"""Many surfaces of one joint with any drive, and the ends of its stiffness and drift over them."""
 
 from __future__ import annotations
 
+import dataclasses
 from typing import Any
 
+import jax
 import numpy as np
 
-from asperity.joint.evaluation import JointResult
+from asperity.compilation import compile_fast
+from asperity.contact.fractal import Surface
+from asperity.joint.either_kind import AnyJoint
+from asperity.joint.evaluation import JointResult, evaluate
+from asperity.joint.planar.description import PlanarJoint
+from asperity.joint.planar.evaluation import PlanarResult, evaluate_planar
+
+
+def over_surfaces(
+    joint: AnyJoint, surfaces: tuple[Surface, ...], *, shape: tuple[int, ...]
+) -> JointResult | PlanarResult:
+    """One joint with many surfaces.
+
+    Parameters
+    ----------
+    joint : Joint or PlanarJoint
+        One joint; its own surfaces do not count.
+    surfaces : tuple of Surface
+        For all contacts or for each, as those of a joint; their numbers broadcast to the batch.
+    shape : tuple of int
+        Shape of the batch, of one axis.
+
+    Returns
+    -------
+    JointResult or PlanarResult
+        The batch is the last axis of the paper's drive and the first one of others; numbers of the whole joint have
+        only this one.
+    """
+    if not isinstance(joint, PlanarJoint):
+        batch = dataclasses.replace(joint, surfaces=surfaces)
+        result: JointResult = compile_fast(evaluate, batch)(batch)
+        return result
+    numbers = jax.tree.map(
+        lambda leaf: np.asarray(leaf, dtype=float), dataclasses.replace(joint, surfaces=())
+    )
+    each = jax.tree.map(lambda leaf: np.array(np.broadcast_to(leaf, shape), dtype=float), surfaces)
+    found: PlanarResult = compile_fast(_each_surface, numbers, each)(numbers, each)
+    return found
+
+
+def _each_surface(joint: PlanarJoint, surfaces: tuple[Surface, ...]) -> PlanarResult:
+    found: PlanarResult = jax.vmap(lambda one: evaluate_planar(dataclasses.replace(joint, surfaces=one)))(
+        surfaces
+    )
+    return found
 
 
 def result_ends(
-    result: JointResult, *, shape: tuple[int, ...], percentiles: tuple[float, float], least_usable: float
+    result: JointResult | PlanarResult,
+    *,
+    shape: tuple[int, ...],
+    percentiles: tuple[float, float],
+    least_usable: float,
 ) -> dict[str, Any]:
     """Lower and upper end of the stiffness at every level of the model, and of the drift.
 
     Parameters
     ----------
-    result : JointResult
+    result : JointResult or PlanarResult
         One joint with many surfaces.
     shape : tuple of int
         Shape of the batch.

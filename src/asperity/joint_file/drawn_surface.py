@@ -7,13 +7,13 @@ from typing import Any
 
 import numpy as np
 
-from asperity.compilation import compile_fast
-from asperity.joint.evaluation import evaluate
-from asperity.joint.surface_interval import result_ends
-from asperity.joint_file.build import with_values
+from asperity.joint.surface_interval import over_surfaces, result_ends
+from asperity.joint_file.build import joint_from_values
 from asperity.joint_file.material_entries import SurfaceEntry
 from asperity.joint_file.model import Case
-from asperity.joint_file.section import EachContact
+from asperity.joint_file.planar_build import any_joint_from_case, planar_joint_from_values
+from asperity.joint_file.planar_model import PlanarCase
+from asperity.joint_file.si_tables import replace_values, si_values
 from asperity.surface.roughness_average import CUT_OFFS_EVALUATED, scatter_of_average, standard_cut_off
 from asperity.units import format_quantity
 
@@ -22,12 +22,12 @@ DIMENSIONS, AVERAGES = 15, 5
 _NORMAL_95 = 1.959963984540054
 
 
-def surfaces_by_average(case: Case) -> dict[str, SurfaceEntry]:
+def surfaces_by_average(case: Case | PlanarCase) -> dict[str, SurfaceEntry]:
     """The surfaces of a joint file that are stated by their Ra.
 
     Parameters
     ----------
-    case : Case
+    case : Case or PlanarCase
         The joint file.
 
     Returns
@@ -38,22 +38,19 @@ def surfaces_by_average(case: Case) -> dict[str, SurfaceEntry]:
     return {path: entry for path, entry in _entries(case) if entry.roughness_average is not None}
 
 
-def _entries(case: Case) -> Iterator[tuple[str, SurfaceEntry]]:
-    if isinstance(case.surface, EachContact):
-        names = EachContact.model_fields
-        yield from (
-            (f"surface.{name}", entry) for name, entry in zip(names, case.surface.entries(), strict=True)
-        )
-    else:
+def _entries(case: Case | PlanarCase) -> Iterator[tuple[str, SurfaceEntry]]:
+    if isinstance(case.surface, SurfaceEntry):
         yield "surface", case.surface
+    else:
+        yield from ((f"surface.{name}", entry) for name, entry in dict(case.surface).items())
 
 
-def drawn_interval(case: Case) -> dict[str, Any] | None:
+def drawn_interval(case: Case | PlanarCase) -> dict[str, Any] | None:
     r"""Intervals of stiffness and drift over what the Ra of a drawing leaves open.
 
     Parameters
     ----------
-    case : Case
+    case : Case or PlanarCase
         The joint file.
 
     Returns
@@ -96,11 +93,12 @@ def drawn_interval(case: Case) -> dict[str, Any] | None:
             ],
             "cut_off_m": float(cut_off),
         }
-    batch = with_values(case, changes)
-    result = compile_fast(evaluate, batch)(batch)
+    values, shape = replace_values(si_values(case), changes), across.ravel().shape
+    made = planar_joint_from_values if isinstance(case, PlanarCase) else joint_from_values
+    result = over_surfaces(any_joint_from_case(case), made(values).surfaces, shape=shape)
     interval = {
         "states": DIMENSIONS * AVERAGES,
-        **result_ends(result, shape=across.ravel().shape, percentiles=(0.0, 100.0), least_usable=1.0),
+        **result_ends(result, shape=shape, percentiles=(0.0, 100.0), least_usable=1.0),
         "surfaces": surfaces,
     }
     return {**interval, "words": _words(interval)}

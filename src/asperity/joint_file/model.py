@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from typing import Annotated, Literal
+from typing import Annotated, Literal, Self
 
 from pydantic import Discriminator, Field, PrivateAttr, Tag, model_validator
 
@@ -304,7 +304,7 @@ class Case(Section):
         """The text of the file with its comments; empty for a case that was not read from one."""
         return self._text
 
-    def with_text(self, text: str) -> Case:
+    def with_text(self, text: str) -> Self:
         """The same case, which remembers the text that it was read from.
 
         Parameters

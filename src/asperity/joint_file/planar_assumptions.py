@@ -81,8 +81,8 @@ def planar_assumptions(case: PlanarCase) -> tuple[str, ...]:
             for entry in entries
         ):
             told.append(
-                f"roughness_average: Ra leaves D open, and all results are those of the {which}; compare the ends of "
-                "the range, e.g. by fractal_dimension = 1.15 and 1.5"
+                f"roughness_average: Ra leaves D open, and all results are those of the {which}; 'asperity joint' "
+                "gives the interval of stiffness and drift"
             )
     told += temperature_assumptions(case, housed=not case.without_housing())
     told += rolling_model_assumptions()

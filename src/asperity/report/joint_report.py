@@ -12,7 +12,6 @@ from typing import Any
 
 import asperity
 from asperity.errors import AsperityError
-from asperity.joint.description import Joint
 from asperity.joint.document import joint_document
 from asperity.joint.either_kind import AnyJoint
 from asperity.joint.loads_document import load_cases, loads_document
@@ -100,7 +99,7 @@ def joint_report(source: ReportSource) -> Report:
         If the force balance does not close.
     """
     case = source.case
-    parts = _planar_parts(case) if isinstance(case, PlanarCase) else _papers_parts(source, case)
+    parts = _planar_parts(source, case) if isinstance(case, PlanarCase) else _papers_parts(source, case)
     document, solved = parts.document, parts.solved
     found = _examined(parts.joint, document)
     pictures = report_pictures(
@@ -191,7 +190,7 @@ def _papers_parts(source: ReportSource, case: Case) -> _Parts:
     )
 
 
-def _planar_parts(case: PlanarCase) -> _Parts:
+def _planar_parts(source: ReportSource, case: PlanarCase) -> _Parts:
     joint = planar_joint_from_case(case)
     solution = solve_planar(joint)
     document = planar_document(
@@ -202,7 +201,7 @@ def _planar_parts(case: PlanarCase) -> _Parts:
         solved_planar_joint(joint, solution),
         document,
         planar_loads_document(joint, solution),
-        surfaces=(),
+        surfaces=tuple(_measured(joint, source, case)),
         drive=(*result_tables.planar_drive(document), *load_tables.rims(document)),
     )
 
@@ -268,7 +267,7 @@ def _rolling(document: dict[str, Any], found: _Examined, pictures: dict[str, str
         yield Picture("Creep, efficiency, drift and life", pictures["rolling"])
 
 
-def _measured(joint: Joint, source: ReportSource, case: Case) -> Iterator[Block]:
+def _measured(joint: AnyJoint, source: ReportSource, case: Case | PlanarCase) -> Iterator[Block]:
     """The interval of stiffness and drift from the uncertainty of a measured surface, or of one stated by its Ra."""
     if source.measurement is None:
         yield from surface_tables.drawn_stiffness(drawn_interval(case))
