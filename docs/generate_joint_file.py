@@ -47,7 +47,7 @@ NAMED = {
     "pressure_over_first_yield": "pressure",
     "drift": "drift",
     "efficiency": "efficiency",
-    "life_hours": "life",
+    "drive_life": "life",
 }
 
 #: Keys and sections that the example leaves out.

@@ -25,8 +25,8 @@ NAMES = (
     "hertz_pressure",
     "preload",
     "speed_loss",
-    "life_hours",
-    "body_life_hours",
+    "drive_life",
+    "body_life",
     "mass",
     "envelope_diameter",
     "speed_ratio",
@@ -73,7 +73,7 @@ def numbers_of(solution):
         "hertz_pressure": result.diagnostics.hertz_pressure,
         "preload": result.preload,
         "speed_loss": result.rolling.speed_loss,
-        "life_hours": 3600.0 * result.rolling.life_hours.drive,
+        "drive_life": 3600.0 * result.rolling.life_hours.drive,
         "speed_ratio": result.speed_ratio,
         "torque_capacity": solution.capacity.output_torque,
         "rolling_torque_capacity": solution.rolling_capacity.output_torque,
@@ -151,7 +151,7 @@ def _slopes_and_differences(values, slopes):
 def test_every_type_has_the_results_of_its_own_parts(planar_case, name, contacts, bodies):
     table = results_of(si_values(planar_case(name)))
     assert list(table["slip_ratio"].row_names) == contacts
-    assert len(table["body_life_hours"].row_names) == bodies
+    assert len(table["body_life"].row_names) == bodies
     if name == "multiroller":
         pairs = ("sun_to_second_row", "first_row_to_first_row", "second_row_to_second_row")
         assert table["clearance"].row_names == pairs

@@ -36,7 +36,7 @@ if TYPE_CHECKING:
 #: Results of the whole joint that are printed below the stiffness. What the table knows about drift comes first.
 _PRINTED = (
     "efficiency",
-    "life_hours",
+    "drive_life",
     "torque_capacity",
     "limiting_contact",
     "torque_safety",

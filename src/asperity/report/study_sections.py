@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     import xarray
 
 #: Results of the sections on sensitivities and tolerances.
-STUDIED = ("assembly_stiffness_output", "torque_capacity", "drift", "efficiency", "life_hours")
+STUDIED = ("assembly_stiffness_output", "torque_capacity", "drift", "efficiency", "drive_life")
 #: Of them those with a picture.
 DRAWN = ("assembly_stiffness_output", "drift")
 _ROWS = 20
@@ -280,7 +280,7 @@ def _short(name: str) -> str:
     heads = {
         "assembly_stiffness_output": "stiffness,\nassembled",
         "torque_capacity": "torque\ncapacity",
-        "life_hours": "life",
+        "drive_life": "life",
     }
     return heads.get(name, name)
 

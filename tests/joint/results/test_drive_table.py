@@ -16,7 +16,7 @@ def table():
 
 def test_rows_are_the_parts_of_the_drive(table):
     assert table["slip_ratio"].row_names == ("ab", "bc")
-    assert table["body_life_hours"].row_names == ("wheel", "disc", "hoop")
+    assert table["body_life"].row_names == ("wheel", "disc", "hoop")
     assert table["clearance"].row_names == ("disc_to_disc",)
     assert table["limiting_contact"].categories == ("ab", "bc", "none")
     assert "0" in table["limiting_contact"].note

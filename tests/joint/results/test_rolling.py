@@ -52,12 +52,10 @@ def test_power(value):
 def test_lives(value):
     """Hours and turns by the output's speed; the drive fails by its weakest parts, Weibull's slope 10/9 or 9/8."""
     turns_per_second = value("rolling_output_speed") / (2.0 * math.pi)
-    for name in ("life", "contact_life", "body_life"):
-        np.testing.assert_allclose(
-            value(f"{name}_turns"), value(f"{name}_hours") * turns_per_second, rtol=1e-9
-        )
+    for time, turns in (("drive_life", "life"), ("contact_life", "contact_life"), ("body_life", "body_life")):
+        np.testing.assert_allclose(value(f"{turns}_turns"), value(time) * turns_per_second, rtol=1e-9)
     bodies = value("body_life_turns")
     assert value("life_turns") < bodies.min()
     assert value("life_turns") > bodies.min() / bodies.size
-    assert math.isnan(value("duty_life_hours"))
+    assert math.isnan(value("duty_life"))
     assert math.isnan(value("duty_life_turns"))

@@ -261,7 +261,7 @@ ROWS = (
         positive=False,
     ),
     Result(
-        "life_hours",
+        "drive_life",
         "fatigue life of the drive",
         _TIME,
         "h",
@@ -275,7 +275,7 @@ ROWS = (
         value="result.rolling.life_turns.drive",
     ),
     Result(
-        "contact_life_hours",
+        "contact_life",
         "fatigue life of both tracks of the contact, all branches",
         _TIME,
         "h",
@@ -297,7 +297,7 @@ ROWS = (
         axis="body",
     ),
     Result(
-        "body_life_hours",
+        "body_life",
         "fatigue life of one body",
         _TIME,
         "h",
@@ -307,7 +307,7 @@ ROWS = (
         note=_STANDING,
     ),
     Result(
-        "duty_life_hours",
+        "duty_life",
         "fatigue life of the drive under its duty",
         _TIME,
         "h",

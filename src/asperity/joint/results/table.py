@@ -65,6 +65,10 @@ RENAMED = {
     "slip_margin": "slip_ratio",
     "pressure_margin": "pressure_over_first_yield",
     "self_locking_margin": "self_locking_ratio",
+    "life_hours": "drive_life",
+    "contact_life_hours": "contact_life",
+    "body_life_hours": "body_life",
+    "duty_life_hours": "duty_life",
 }
 
 _MOST_LISTED = 20
@@ -75,7 +79,7 @@ _ALSO_CALLED = {
     "ratio": "speed_ratio",
     "pressure": "hertz_pressure",
     "torque": "torque_capacity",
-    "life": "life_hours",
+    "life": "drive_life",
 }
 
 
