@@ -74,12 +74,13 @@ def sensitivity(file: str, result: str, as_json: bool, plot: str | None) -> None
 
 def _show(ranked: xarray.Dataset) -> None:
     from asperity.cli.terminal import console, table
+    from asperity.joint.results import display_unit
     from asperity.joint_file.si_tables import key_at
-    from asperity.units import format_quantity
+    from asperity.units import format_quantity, from_si
 
-    unit = str(ranked["result_unit"].item())
+    unit = display_unit(str(ranked["result"].item()))
     shown_unit = "" if unit == "1" else unit.replace("*", "·")
-    value = float(ranked["result_value"])
+    value = from_si(float(ranked["result_value"]), unit)
     target = console()
     title = f"{ranked['result_name'].item()}: {format_quantity(value, '1', 5)} {shown_unit}".rstrip()
     rows = table(
@@ -88,12 +89,9 @@ def _show(ranked: xarray.Dataset) -> None:
     for path in ranked["input"].values.tolist():
         one = ranked.sel(input=path)
         key = key_at(path)
-        per = (
-            ""
-            if str(one["input_unit"].item()) == "1"
-            else f" per {one['input_unit'].item()}".replace("*", "·")
-        )
-        elasticity, derivative = float(one["elasticity"]), float(one["derivative"])
+        per = "" if key.unit == "1" else f" per {key.unit}".replace("*", "·")
+        elasticity = float(one["elasticity"])
+        derivative = from_si(float(one["derivative"]), unit) / from_si(1.0, key.unit)
         rows.add_row(
             path,
             format_quantity(float(one["value"]), key.unit),

@@ -145,7 +145,8 @@ def _unlike_branches(
 def _show(found: xarray.Dataset) -> None:
     from asperity.cli.study_output import show_status
     from asperity.cli.terminal import console, table
-    from asperity.units import format_quantity
+    from asperity.joint.results import display_unit
+    from asperity.units import format_quantity, from_si
 
     show_status(found)
     target, named = console(), []
@@ -159,10 +160,9 @@ def _show(found: xarray.Dataset) -> None:
             continue
         low, _, high = one["quantiles"].values
         numbers = (one["nominal"], one["mean"], one["standard_deviation"], low, high)
-        unit = str(one["unit"].item()).replace("*", "·")
-        rows.add_row(
-            name.replace("_", " "), unit, *(format_quantity(float(number), "1", 5) for number in numbers)
-        )
+        unit = display_unit(name)
+        cells = (format_quantity(from_si(float(number), unit), "1", 5) for number in numbers)
+        rows.add_row(name.replace("_", " "), unit.replace("*", "·"), *cells)
     if rows.rows:
         target.print(rows)
     for line in named:

@@ -7,7 +7,15 @@ import pytest
 
 from asperity.errors import InputError
 from asperity.joint.evaluation import evaluate
-from asperity.joint.results import GROUPS, RESULTS, chosen_results, known_result, name_at_level, row_name
+from asperity.joint.results import (
+    GROUPS,
+    RESULTS,
+    chosen_results,
+    display_unit,
+    known_result,
+    name_at_level,
+    row_name,
+)
 from asperity.joint.results.table import RENAMED
 from asperity.joint_file.build import joint_from_case
 
@@ -91,3 +99,10 @@ def test_names_of_rows_and_levels():
     assert name_at_level("stiffness", "published") == "published_stiffness_output"
     assert name_at_level("stiffness_per_mass", "assembly") == "assembly_stiffness_per_mass"
     assert name_at_level("hertz_pressure", "assembly") == "hertz_pressure"
+
+
+def test_rows_are_shown_in_the_unit_of_their_result():
+    assert display_unit("drift") == "arcmin"
+    assert display_unit("hertz_pressure_sp") == "MPa"
+    assert display_unit("drive_life") == "h"
+    assert display_unit("slip_ratio") == "1"

@@ -205,6 +205,23 @@ def row_name(name: str, row: str) -> str:
     return f"{name}_{row}" if row else name
 
 
+def display_unit(name: str) -> str:
+    """Unit in which a result is shown.
+
+    Parameters
+    ----------
+    name : str
+        A name of :data:`RESULTS`, or of one row of it as :func:`row_name` makes it.
+
+    Returns
+    -------
+    str
+        The unit.
+    """
+    rows = [known for known in RESULTS if name == known or name.startswith(f"{known}_")]
+    return RESULTS[max(rows, key=len)].display_unit
+
+
 def result_values(names: Sequence[str], solved: SolvedJoint) -> dict[str, Array]:
     """The chosen results of a solved joint; the rest costs nothing, because the compiler drops it.
 

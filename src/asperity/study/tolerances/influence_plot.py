@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from asperity.joint.results import RESULTS
+from asperity.joint.results import display_unit
 from asperity.study.tolerances.sensitivity import ranking
 from asperity.units import format_quantity, from_si
 
@@ -79,7 +79,7 @@ def tornado_figure(
         panel.set_xticks([-t for t in reversed(ticks)] + [0.0, *ticks])
         panel.xaxis.set_major_formatter(lambda value, _: f"{value:g}")
         panel.xaxis.set_minor_locator(_none())
-        unit = _display_unit(name, str(one["result_unit"].item()))
+        unit = display_unit(name)
         value = from_si(float(one["result_value"]), unit)
         panel.set_title(
             f"{textwrap.fill(str(one['result_name'].item()), _TITLE)}\n{format_quantity(value, '1')} {_shown(unit)}",
@@ -96,11 +96,6 @@ def _mark_unknown(panel: Axes, lengths: np.ndarray) -> None:
     """Say where there is no number, which is not the same as a bar of length zero."""
     for place in np.flatnonzero(np.isnan(lengths)):
         panel.text(0.0, float(place), " not known", va="center", fontsize=7)
-
-
-def _display_unit(name: str, otherwise: str) -> str:
-    """Unit in which a result is shown; rows of a result have that of SI."""
-    return RESULTS[name].display_unit if name in RESULTS else otherwise
 
 
 def _none() -> object:
@@ -131,7 +126,7 @@ def uncertainty_figure(spread: xarray.Dataset, *, result: str, width: float | No
     one = spread.sel(result=result)
     figure = Figure(figsize=(10.0, 4.2) if width is None else (width, 0.7 * width), layout="constrained")
     left, right = figure.subplots(*((1, 2) if width is None else (2, 1)))
-    unit = _display_unit(result, str(one["unit"].item()))
+    unit = display_unit(result)
     factor = from_si(1.0, unit)
     solved = factor * one["samples"].values[spread["status"].values == 0]
     left.hist(solved, bins=80, color=_POSITIVE, alpha=0.6)
