@@ -40,6 +40,7 @@ _MOST_SUGGESTIONS = 200
 
 _FORCE = Key(Dimension.FORCE, 0.0, 1e9, "N", open_lower=True)
 _TANGENTIAL_FORCE = Key(Dimension.FORCE, 0.0, 1e9, "N")
+_MODULUS = Key(Dimension.PRESSURE, 0.1, 1e7, "MPa")
 
 #: Numeric input columns: name → what it measures and its range; the unit of the range is that of the column.
 INPUT_COLUMNS: dict[str, Key] = {
@@ -52,8 +53,8 @@ INPUT_COLUMNS: dict[str, Key] = {
     "R2_mm": limits.ROLLER_RADIUS,
     "sign": Key(Dimension.DIMENSIONLESS, -1, 1, whole=True),
     "B_mm": limits.CONTACT_LENGTH,
-    "E1_MPa": Key(Dimension.PRESSURE, 0.1, 1e7, "MPa"),
-    "E2_MPa": Key(Dimension.PRESSURE, 0.1, 1e7, "MPa"),
+    "E1_MPa": _MODULUS,
+    "E2_MPa": _MODULUS,
     "nu1": limits.POISSON_RATIO,
     "nu2": limits.POISSON_RATIO,
     "H_MPa": limits.HARDNESS,

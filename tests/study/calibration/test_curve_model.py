@@ -7,7 +7,7 @@ import pytest
 
 from asperity.joint.windup import windup
 from asperity.joint_file.build import joint_from_case
-from asperity.joint_file.reader import read_case
+from asperity.joint_file.reader import parse_case, read_case
 from asperity.study.calibration.curve_model import CurveModel
 from asperity.study.calibration.measurement import Measurement
 from asperity.study.calibration.unknowns import read_unknowns
@@ -56,6 +56,20 @@ def test_the_unknowns_of_the_curve_add_what_they_say(model):
         + point["offset"]
     )
     np.testing.assert_allclose(model(PLACE)[0], bare + added, rtol=1e-10, atol=1e-16)
+
+
+def test_a_measured_stiffness_is_that_of_the_joint_in_series_with_its_play(zou_file):
+    """1/K = 1/K_joint + d/dT [play/2 tanh(T/T_p)]."""
+    play, take_up = 3e-4, 0.4
+    section = f'[play]\nangle = "{play} rad"\ntake_up_torque = "{take_up} N*m"\n\n[model]'
+    case = parse_case(zou_file.read_text(encoding="utf-8").replace("[model]", section), source="loose.toml")
+    data = Measurement(TORQUE, None, np.full(TORQUE.size, 3e4), TIME, np.zeros(TORQUE.size), "synthetic")
+    unknowns = read_unknowns(TEXTS[:1], case=case, measurements=(data,))
+    loose = CurveModel(case=case, measurement=data, unknowns=unknowns, level="assembly", history="virgin")
+    preload = np.array([0.4])
+    stiffness = 1.0 / loose.compliances(preload[None])[0]
+    opened = 0.5 * play / take_up / np.cosh(TORQUE / take_up) ** 2
+    np.testing.assert_allclose(1.0 / loose(preload)[0], 1.0 / stiffness + opened, rtol=1e-9)
 
 
 def test_many_sets_are_as_one_by_one(model):

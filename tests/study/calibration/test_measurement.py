@@ -142,6 +142,9 @@ def test_only_regular_files_of_a_bounded_size(tmp_path, monkeypatch):
     ):
         with pytest.raises(InputError, match=reason):
             read_measurement(path)
+    monkeypatch.setattr("asperity.study.calibration.measurement.MOST_ROWS", 1)
+    with pytest.raises(InputError, match="2 rows; at most 1 are allowed"):
+        read(tmp_path, "torque [N*m],angle [rad]\n1,2\n3,4\n")
     monkeypatch.setattr("asperity.study.calibration.measurement.LARGEST_FILE", 10)
     with pytest.raises(InputError, match="at most 10 bytes are read here"):
         read(tmp_path, "torque [N*m],angle [rad]\n1,2\n3,4\n")
