@@ -22,6 +22,13 @@ def test_points_are_joints_solved_alone(paper_joint):
         drift = float(alone.rolling.drift_per_output_turn)
         assert found.drift_per_output_turn[index] == pytest.approx(drift, rel=1e-8)
         assert found.efficiency[index] == pytest.approx(float(alone.rolling.power.efficiency), rel=1e-10)
+        assert found.total_loss[index] == pytest.approx(
+            float(alone.rolling.power.loss), rel=1e-9, nan_ok=True
+        )
+        assert found.life_turns[index] == pytest.approx(float(alone.rolling.life_turns.drive), rel=1e-9)
+        assert found.life_hours[index] == pytest.approx(
+            float(alone.rolling.life_hours.drive), rel=1e-9, nan_ok=True
+        )
         slip = float(np.max(alone.diagnostics.slip_ratio))
         assert found.slip_ratio[index] == pytest.approx(slip, rel=1e-10)
 

@@ -60,6 +60,9 @@ def test_the_curves_go_up_to_the_capacity_in_the_direction_of_the_torque(
             "assembly",
             "drift_per_output_turn",
             "efficiency",
+            "total_loss",
+            "life_hours",
+            "life_turns",
             "slip_ratio",
         )
         return SimpleNamespace(
@@ -109,6 +112,26 @@ def test_a_joint_with_another_drive(zou_file):
     here = np.interp(8.0, -np.array(curves["torque_Nm"][:-1]), curves["assembly_Nm_per_rad"][:-1])
     assert here == pytest.approx(stiffness, rel=1e-4)
     assert found["windup"]["hysteresis_rad"] > 0.0
+    # losses and life pass through the joint; nothing is lost that does not enter
+    between = [
+        np.interp(8.0, -np.array(curves["torque_Nm"]), curves[name])
+        for name in ("total_loss_W", "life_hours")
+    ]
+    own = [found["document"]["losses_W"]["total"], found["document"]["life_hours"]]
+    assert between == pytest.approx(own, rel=1e-2)
+    for name, curve in found["creep"].items():
+        here = found["document"]["rolling"]["contacts"][name]
+        expected = np.interp(abs(here["traction_coefficient"]), curve["traction"], curve["creepage"])
+        assert abs(here["creepage"]) == pytest.approx(expected, rel=1e-2)
+    # a safety must be above its limit, a ratio below it
+    margins = {each["name"]: each for each in found["margins"]}
+    safety, slip = margins["rim_yield_safety"], margins["slip_ratio"]
+    assert (safety["lowest"], safety["highest"]) == (1.0, None)
+    assert safety["used"] == pytest.approx(1.0 / safety["actual"])
+    assert (slip["lowest"], slip["highest"], slip["used"]) == (None, 1.0, slip["actual"])
+    assert margins["torque_safety"]["actual"] == pytest.approx(-curves["torque_Nm"][-1] / 8.0)
+    assert margins["clearance"]["unit"] == "mm"
+    assert "_" not in margins["clearance"]["place"]
     assert set(found["document"]["contacts"]) == {each["contact"] for each in found["drawing"]["forces"]}
 
 
@@ -118,4 +141,7 @@ def test_the_document_of_the_page_judges_unequal_branches(monkeypatch, case):
     monkeypatch.setattr(answer, "drive_shapes", lambda joint, forces: {})
     monkeypatch.setattr(answer, "unequal_branches", lambda case, joint: "the branches of the file")
     monkeypatch.setattr(answer, "joint_document", lambda **told: {"branches": told["branches"]})
-    assert answer._papers(case)[2] == {"branches": "the branches of the file"}
+    monkeypatch.setattr(answer, "solved_joint", lambda joint, solution, branches: branches)
+    solved, document = answer._papers(case)[2:4]
+    assert solved == "the branches of the file"
+    assert document == {"branches": "the branches of the file"}

@@ -4,10 +4,14 @@ import jsonschema
 import pytest
 
 from asperity.errors import InputError
+from asperity.joint.planar.solve import solve_planar
+from asperity.joint.results import RESULTS
 from asperity.joint.solve import solve
 from asperity.joint_file.build import joint_from_case, with_values
-from asperity.joint_file.reader import parse_case
+from asperity.joint_file.planar_build import planar_joint_from_case
+from asperity.joint_file.reader import parse_any_case, parse_case
 from asperity.page.chart import MOST_POINTS, chart_answer, chart_request, chart_results, result_rows
+from asperity.page.joint_request import JointRequest
 from asperity.page.openapi import openapi
 
 CHART = {
@@ -66,11 +70,46 @@ def test_whole_numbers_take_whole_steps(asked):
     assert found["x"] == [2.0, 3.0, 4.0]
 
 
-def test_results_are_those_of_the_table():
-    names = [each["name"] for each in chart_results()]
+def test_results_are_those_of_the_table(joint_text):
+    rows = chart_results(JointRequest("my.toml", joint_text))
+    names = [each["name"] for each in rows]
     assert {"assembly_stiffness_output", "slip_ratio_sp", "torque_capacity"} <= set(names)
     assert not any("limiting" in name for name in names)  # a category is no curve
-    assert names == list(result_rows())
+    assert names == list(result_rows(RESULTS))
+
+
+def test_results_of_another_drive_are_its_own(zou_file):
+    text = zou_file.with_name("stepped_planet.toml").read_text(encoding="utf-8")
+    rows = {each["name"]: each for each in chart_results(JointRequest("s.toml", text))}
+    assert {"slip_ratio_sp", "slip_ratio_pr1", "slip_ratio_pr2"} <= set(rows)
+    assert not any("pwr" in name or "loading" in name for name in rows)
+    assert rows["body_life_hours_held_ring"]["label"] == "fatigue life of one body, held ring"
+    assert rows["published_stiffness_sun"]["label"] == "torsional stiffness at the input, as published"
+
+
+@pytest.mark.slow
+def test_a_chart_of_another_drive_says_what_single_joints_say(zou_file):
+    """Over a wall that only such a file has, up to one that makes too little preload for the torque."""
+    text = zou_file.with_name("planetary.toml").read_text(encoding="utf-8")
+    chart = {
+        "over": "drive.ring_wall_thickness", "from": "4 mm", "to": "10 mm", "points": 4,
+        "result": "published_stiffness_output",
+    }  # fmt: skip
+    found = chart_answer(chart_request({"toml": text, "name": "p.toml", "chart": chart}))
+    assert found["x_shown"] == pytest.approx([4.0, 6.0, 8.0, 10.0])
+    for k, wall in ((2, 8.0), (3, 10.0)):
+        case = parse_any_case(text.replace('"8 mm"', f'"{wall} mm"'), source="p")
+        one = float(solve_planar(planar_joint_from_case(case)).result.published.output)
+        assert found["curves"][0]["y"][k] == pytest.approx(one, rel=1e-8)
+    assert found["curves"][0]["y"][0] is None
+    assert found["joint"]["y"] == pytest.approx(found["curves"][0]["y"][2], rel=1e-9)
+    assert any("torque capacity" in reason for reason in found["reasons"].values())
+    with pytest.raises(InputError, match=r"type planetary has no number 'drive\.loading_roller_radius'"):
+        chart_answer(
+            chart_request(
+                {"toml": text, "name": "p", "chart": chart | {"over": "drive.loading_roller_radius"}}
+            )
+        )
 
 
 @pytest.mark.parametrize(

@@ -82,4 +82,5 @@ def test_the_form_of_another_drive_has_its_own_keys(zou_file):
     keys = {each["key"]: each for group in form["groups"] for each in group["parameters"]}
     assert keys["contact.*.first_radius"]["meaning"].startswith("Radius of the track of the first roller")
     assert "drive.loading_roller_radius" not in keys
+    assert form["contacts"] == ["sp", "pwr", "pwl", "wro", "wlo"]
     assert {"bodies.left", "model.bodies"} <= {each["key"] for each in form["choices"]}

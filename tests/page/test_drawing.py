@@ -56,7 +56,9 @@ def test_forces_act_where_the_bodies_touch(shapes):
 def test_circles_and_forces_of_another_drive(zou_file):
     """A planetary: sun 10 mm, three planets of 20 mm, a ring of 50 mm with a wall of 8 mm."""
     joint = planar_joint_from_case(read_any_case(zou_file.with_name("planetary.toml")))
-    forces = SimpleNamespace(normal=np.array([1000.0, 1100.0]), tangential=np.array([50.0, 60.0]))
+    forces = SimpleNamespace(
+        normal=np.array([1000.0, 1100.0]), tangential=np.array([50.0, 60.0]), pins=np.array([-110.0])
+    )
     found = planar_shapes(joint, SimpleNamespace(forces=forces))
     assert found["rings"] == [{"body": "ring", "inner_radius_m": pytest.approx(50e-3), "wall_m": 8e-3}]
     rollers = [(each["body"], round(1e3 * each["radius_m"], 9)) for each in found["rollers"]]
@@ -75,3 +77,30 @@ def test_circles_and_forces_of_another_drive(zou_file):
     clockwise = np.array([outward[1], -outward[0]])
     np.testing.assert_allclose(sun["tangential_N"], 50.0 * clockwise, atol=1e-9)
     np.testing.assert_allclose(ring["tangential_N"], -60.0 * clockwise, atol=1e-9)
+    (free,) = found["bodies"]
+    assert (free["body"], free["radii_m"]) == ("planet", [pytest.approx(20e-3)])
+    kinds = [(each["name"], each["kind"]) for each in free["forces"]]
+    assert kinds == [
+        ("sp", "normal"),
+        ("sp", "tangential"),
+        ("pr", "normal"),
+        ("pr", "tangential"),
+        ("pin", "pin"),
+    ]
+    assert [each["radius_m"] for each in free["forces"][:4]] == pytest.approx([20e-3] * 4)
+    # what the sun takes from the planet, the planet takes from the sun; the pin holds what the contacts push
+    np.testing.assert_allclose(free["forces"][0]["force_N"], 1000.0 * outward, atol=1e-9)
+    np.testing.assert_allclose(free["forces"][1]["force_N"], -50.0 * clockwise, atol=1e-9)
+    np.testing.assert_allclose(free["forces"][4]["force_N"], 110.0 * clockwise, atol=1e-9)
+
+
+def test_a_stepped_roller_has_a_radius_for_each_force(zou_file):
+    joint = planar_joint_from_case(read_any_case(zou_file.with_name("stepped_planet.toml")))
+    one = np.ones(3)
+    found = planar_shapes(
+        joint, SimpleNamespace(forces=SimpleNamespace(normal=one, tangential=one, pins=one))
+    )
+    (free,) = found["bodies"]
+    assert sorted(free["radii_m"]) == pytest.approx([18e-3, 20e-3])
+    radii = {each["name"]: each["radius_m"] for each in free["forces"]}
+    assert radii == pytest.approx({"sp": 20e-3, "pr1": 20e-3, "pr2": 18e-3, "pin": 0.0})

@@ -161,8 +161,3 @@ def test_an_optional_number_of_another_drive_can_be_left_out(planetary_text):
     assert wanted.case().drive.planet_bore_diameter.value == pytest.approx(20e-3)
     without = JointRequest("p.toml", wanted.file_text(), {"drive.planet_bore_diameter": ""})
     assert without.case().drive.planet_bore_diameter is None
-
-
-def test_a_chart_of_another_drive_is_refused_with_the_command_that_makes_it(planetary_text):
-    with pytest.raises(InputError, match=r"no free chart of drives of type 'planetary'.*'asperity sweep'"):
-        JointRequest("p.toml", planetary_text).papers_case()

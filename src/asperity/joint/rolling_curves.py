@@ -12,15 +12,11 @@ import numpy as np
 from jax import Array
 
 from asperity.compilation import compile_fast
-from asperity.contact.creep_layer import SLIP_RATIO_RANGE
-from asperity.drive.force_balance import DriveForces
-from asperity.drive.rolling_state import creepages
-from asperity.joint.contacts import joint_contacts
-from asperity.joint.description import Joint, with_one_rank
+from asperity.joint.creep_curves import creep_curves
+from asperity.joint.description import Joint
 from asperity.joint.evaluation import JointResult, evaluate
-from asperity.joint.rolling_creep import contact_creep
 
-_CREEP_POINTS, _TORQUES, _SPEEDS = 60, 49, 17
+_TORQUES, _SPEEDS = 49, 17
 _OVER_TORQUE, _OVER_SPEED = 2.0, 1.5  # ends of the axes over the joint's own numbers
 
 
@@ -90,11 +86,8 @@ def rolling_curves(*, joint: Joint, result: JointResult, torque_capacity: float)
         output_torque=jnp.concatenate([torque, grid_torque.ravel()]),
         sun_speed=jnp.concatenate([np.full_like(torque, speed), grid_speed.ravel()]),
     )
-    loaded = dataclasses.replace(result.forces, normal=result.rolling.normal)
-    stiffness = result.interfaces.asperity_normal
-    law = (numbers, *jax.tree.map(np.asarray, (loaded, stiffness)))
     drift, turns, hours, efficiency = jax.tree.map(np.asarray, compile_fast(_over_loads, points)(points))
-    traction, creepage = jax.tree.map(np.asarray, compile_fast(_creep_curves, *law)(*law))
+    traction, creepage = creep_curves(joint, result)
     return RollingCurves(
         torque_capacity=jnp.asarray(torque_capacity),
         contact_traction=traction,
@@ -117,20 +110,3 @@ def _over_loads(joint: Joint) -> tuple[Array, Array, Array, Array]:
         found.life_hours.drive,
         found.power.efficiency,
     )
-
-
-def _creep_curves(joint: Joint, forces: DriveForces, asperity_normal_stiffness: Array) -> tuple[Array, Array]:
-    """T/N and creepage of each contact, shape (5, n), with asperities and skew taken at each traction."""
-    slip_ratio = jnp.linspace(0.0, SLIP_RATIO_RANGE[1], _CREEP_POINTS)
-    curves = with_one_rank(dataclasses.replace(joint, output_torque=joint.output_torque + 0.0 * slip_ratio))
-    contacts = joint_contacts(curves)
-    normal = jnp.broadcast_to(forces.normal[:, None], (forces.normal.size, slip_ratio.size))
-    tangential = contacts.pairs.friction_coefficient * slip_ratio * normal
-    creep = contact_creep(
-        contacts=contacts,
-        skew=curves.rolling.skew,
-        normal_force=normal,
-        tangential_force=tangential,
-        asperity_normal_stiffness=asperity_normal_stiffness[:, None],
-    )
-    return tangential / normal, creepages(law=creep.law, normal=normal, tangential=tangential)

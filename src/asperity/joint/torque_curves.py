@@ -35,6 +35,10 @@ class TorqueCurves(eqx.Module):
         Angle lost in one turn of the output [rad].
     efficiency : Array
         Output power over input power [-].
+    total_loss : Array
+        Power lost, without what the file has no numbers for [W].
+    life_hours, life_turns : Array
+        Fatigue life of the drive [h], and in turns of the output [-].
     slip_ratio : Array
         The largest T/(mu N) of all contacts [-].
     """
@@ -45,6 +49,9 @@ class TorqueCurves(eqx.Module):
     assembly: Array
     drift_per_output_turn: Array
     efficiency: Array
+    total_loss: Array
+    life_hours: Array
+    life_turns: Array
     slip_ratio: Array
 
 
@@ -91,6 +98,9 @@ def _planar(joint: PlanarJoint, torque: np.ndarray) -> TorqueCurves:
         **levels,
         drift_per_output_turn=jnp.asarray(np.where(torque < 0.0, against, with_torque)),
         efficiency=jnp.asarray(found.efficiency),
+        total_loss=jnp.asarray(found.total_loss),
+        life_hours=jnp.asarray(found.life_hours),
+        life_turns=jnp.asarray(found.life_turns),
         slip_ratio=jnp.asarray(np.where(holds, slip, np.nan)),
     )
 
@@ -105,5 +115,8 @@ def _over_torque(joint: Joint) -> tuple[Array, ...]:
         *(jnp.where(holds, level, jnp.nan) for level in stiffness),
         rolling.drift_per_output_turn,
         rolling.power.efficiency,
+        rolling.power.loss,
+        rolling.life_hours.drive,
+        rolling.life_turns.drive,
         jnp.where(result.solved, slip, jnp.nan),
     )

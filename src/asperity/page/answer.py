@@ -8,13 +8,19 @@ from typing import Any
 import numpy as np
 
 from asperity.errors import AsperityError
+from asperity.joint.creep_curves import creep_curves
 from asperity.joint.description import Joint
 from asperity.joint.document import joint_document
 from asperity.joint.either_kind import AnyJoint, AnySolution
+from asperity.joint.evaluation import JointResult
+from asperity.joint.margins import Margin, margins
 from asperity.joint.planar.description import PlanarJoint
 from asperity.joint.planar.document import planar_document
+from asperity.joint.planar.evaluation import PlanarResult
 from asperity.joint.planar.solve import PlanarSolution, solve_planar
-from asperity.joint.solve import Solution, solve
+from asperity.joint.planar.solved import solved_planar_joint
+from asperity.joint.results import SolvedJoint
+from asperity.joint.solve import Solution, solve, solved_joint
 from asperity.joint.torque_curves import torque_curves
 from asperity.joint.windup import windup
 from asperity.joint.windup_document import windup_columns
@@ -57,38 +63,71 @@ def joint_answer(request: JointRequest) -> Answer:
         If the force balance does not close.
     """
     case = request.case()
-    joint, solution, document, drawing = _planar(case) if isinstance(case, PlanarCase) else _papers(case)
+    joint, solution, solved, document, drawing = (
+        _planar(case) if isinstance(case, PlanarCase) else _papers(case)
+    )
     return {
         "id": request.identity,
         "name": request.name,
         **stated_values(case),
         "document": document,
         "drawing": drawing,
+        "margins": [_margin(each) for each in margins(solved)],
         "curves": _curves(joint, solution),
+        "creep": _creep(joint, solution.result),
         "windup": _windup(joint),
     }
 
 
-def _papers(case: Case) -> tuple[Joint, Solution, Answer, Answer]:
+def _papers(case: Case) -> tuple[Joint, Solution, SolvedJoint, Answer, Answer]:
     joint = joint_from_case(case)
-    solution = solve(joint)
+    solution, branches = solve(joint), unequal_branches(case, joint)
     document = joint_document(
         joint=joint,
         solution=solution,
         inputs=si_values(case),
         assumptions=assumptions(case),
-        branches=unequal_branches(case, joint),
+        branches=branches,
     )
-    return joint, solution, document, drive_shapes(joint, solution.result.forces)
+    solved = solved_joint(joint, solution, branches)
+    return joint, solution, solved, document, drive_shapes(joint, solution.result.forces)
 
 
-def _planar(case: PlanarCase) -> tuple[PlanarJoint, PlanarSolution, Answer, Answer]:
+def _planar(case: PlanarCase) -> tuple[PlanarJoint, PlanarSolution, SolvedJoint, Answer, Answer]:
     joint = planar_joint_from_case(case)
     solution = solve_planar(joint)
     document = planar_document(
         joint=joint, solution=solution, inputs=si_values(case), assumptions=planar_assumptions(case)
     )
-    return joint, solution, document, planar_shapes(joint, solution.result)
+    return (
+        joint,
+        solution,
+        solved_planar_joint(joint, solution),
+        document,
+        planar_shapes(joint, solution.result),
+    )
+
+
+def _margin(each: Margin) -> Answer:
+    """One requirement in the unit of display; bounds that are infinite, and what is not known, are None."""
+    unit = each.result.display_unit
+
+    def shown(value: float) -> float | None:
+        return from_si(value, unit) if math.isfinite(value) else None
+
+    used = each.utilisation
+    return {
+        "name": each.result.name,
+        "label": each.result.label,
+        "place": each.place.replace("_", " "),
+        "unit": unit,
+        "actual": shown(each.actual),
+        "lowest": shown(each.lowest),
+        "highest": shown(each.highest),
+        "used": used if math.isfinite(used) else None,
+        "ok": each.passes,
+        "severity": each.severity,
+    }
 
 
 def stated_values(case: Case | PlanarCase) -> Answer:
@@ -154,7 +193,19 @@ def _curves(joint: AnyJoint, solution: AnySolution) -> Answer:
         "assembly_Nm_per_rad": plain_numbers(found.assembly),
         "drift_rad_per_output_turn": plain_numbers(found.drift_per_output_turn),
         "efficiency": plain_numbers(found.efficiency),
+        "total_loss_W": plain_numbers(found.total_loss),
+        "life_hours": plain_numbers(found.life_hours),
+        "life_output_turns": plain_numbers(found.life_turns),
         "largest_slip_ratio": plain_numbers(found.slip_ratio),
+    }
+
+
+def _creep(joint: AnyJoint, result: JointResult | PlanarResult) -> Answer:
+    """Creep curve of each contact: traction T/N over creepage."""
+    found = creep_curves(joint, result)
+    return {
+        name: {"traction": plain_numbers(traction), "creepage": plain_numbers(creepage)}
+        for name, traction, creepage in zip(result.contact_names, found.traction, found.creepage, strict=True)
     }
 
 

@@ -117,7 +117,8 @@ def application(
         return JSONResponse(openapi())
 
     async def results(request: Request) -> Response:
-        return JSONResponse(chart_results())
+        require_type(request, "application/json")
+        return JSONResponse(chart_results(joint_request(parsed(await request.body()))))
 
     async def schema(request: Request) -> Response:
         return JSONResponse(joint_schema())
@@ -167,7 +168,7 @@ def application(
         *(Route(path, asset, methods=["GET"]) for path in ASSETS),
         Route("/openapi.json", interface, methods=["GET"]),
         Route("/api/description", describe, methods=["GET"]),
-        Route("/api/results", results, methods=["GET"]),
+        Route("/api/results", results, methods=["POST"]),
         Route("/api/schema", schema, methods=["GET"]),
         Route("/api/joint", joint, methods=["POST"]),
         Route("/api/chart", chart, methods=["POST"]),

@@ -2,17 +2,19 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
 from asperity.errors import InputError, quoted
-from asperity.joint.results import RESULTS, Result, known_result, row_name
+from asperity.joint.results import Result, known_result, row_name
 from asperity.joint.status import STATUS_MEANINGS
-from asperity.joint_file.model import Case
+from asperity.joint_file.any_joint import results_of
+from asperity.joint_file.part_names import WEDGE_TYPE
 from asperity.joint_file.quantity_key import Key
-from asperity.joint_file.si_tables import key_at, numeric_keys, si_values
+from asperity.joint_file.si_tables import AnyCase, key_at, numeric_keys, si_values
 from asperity.page.joint_request import JointRequest, joint_request
 from asperity.study.batch import evaluate_points
 from asperity.study.parameters import Axis, ListedAxis, check_axes
@@ -61,8 +63,13 @@ class ChartRequest:
     values: tuple[str, ...] = ()
 
 
-def result_rows() -> dict[str, tuple[str, int]]:
+def result_rows(table: Mapping[str, Result]) -> dict[str, tuple[Result, int]]:
     """Every number that a chart can show.
+
+    Parameters
+    ----------
+    table : mapping
+        The table of results of the drive.
 
     Returns
     -------
@@ -70,22 +77,40 @@ def result_rows() -> dict[str, tuple[str, int]]:
         Name of one number, such as ``slip_ratio_sp`` → its result and the index of its row.
     """
     return {
-        row_name(name, row): (name, index)
-        for name, result in RESULTS.items()
+        row_name(name, row): (result, index)
+        for name, result in table.items()
         if not result.categories
         for index, row in enumerate(result.row_names)
     }
 
 
-def chart_results() -> list[dict[str, str]]:
-    """The same for the lists of the page: name, words, unit and group."""
-    found = []
-    for name, (result_name, index) in result_rows().items():
-        result = RESULTS[result_name]
-        row = result.row_names[index].replace("_", " ")
-        label = f"{result.label}, {row}" if row else result.label
-        found.append({"name": name, "label": label, "unit": _unit(result), "group": result.group})
-    return found
+def chart_results(joint: JointRequest) -> list[dict[str, str]]:
+    """What charts of a joint can show, for the lists of the page.
+
+    Parameters
+    ----------
+    joint : JointRequest
+        The joint.
+
+    Returns
+    -------
+    list of dict
+        Name, words, unit and group of each number.
+
+    Raises
+    ------
+    InputError
+        If the joint file is wrong.
+    """
+    return [
+        {"name": name, "label": _label(result, index), "unit": _unit(result), "group": result.group}
+        for name, (result, index) in result_rows(results_of(si_values(joint.case()))).items()
+    ]
+
+
+def _label(result: Result, index: int) -> str:
+    row = result.row_names[index].replace("_", " ")
+    return f"{result.label}, {row}" if row else result.label
 
 
 def _unit(result: Result) -> str:
@@ -178,13 +203,20 @@ def chart_answer(request: ChartRequest) -> dict[str, Any]:
     Every number of the file is an argument of the compiled program. One program therefore serves all charts of one
     result, whichever number varies and whatever the others are.
     """
-    case = request.joint.papers_case()
-    rows = result_rows()
-    name, row = rows[known_result(request.result, among=tuple(rows))]
-    result = RESULTS[name]
+    case = request.joint.case()
+    kind = case.type or WEDGE_TYPE
+    values = si_values(case)
+    rows = result_rows(results_of(values))
+    result, row = rows[known_result(request.result, among=tuple(rows))]
     stated = numeric_keys(case)
-    x = _axis_values(request, case)
-    curves = _curve_values(request)
+    key = key_at(request.over, kind)
+    family_key = key_at(request.family, kind) if request.family else None
+    x = _axis_values(request, case, key)
+    curves = (
+        [_quantity(text, family_key, request.family, "value") for text in request.values]
+        if family_key
+        else []
+    )
     axes = [ListedAxis(request.over, x.tolist())]
     if request.family:
         axes.append(ListedAxis(request.family, curves))
@@ -202,17 +234,15 @@ def chart_answer(request: ChartRequest) -> dict[str, Any]:
     columns[request.over] = np.tile([*x, here], max(len(curves), 1))
     if request.family:
         columns[request.family] = np.repeat(curves, x.size + 1)
-    status, found = evaluate_points(si_values(case), columns, (name,), quick=True, batch=BLOCK)
-    y = np.atleast_2d(found[name])[row].reshape(-1, x.size + 1)
+    status, found = evaluate_points(values, columns, (result.name,), quick=True, batch=BLOCK)
+    y = np.atleast_2d(found[result.name])[row].reshape(-1, x.size + 1)
     status = status.reshape(-1, x.size + 1)
-    key = key_at(request.over)
-    family_key = key_at(request.family) if request.family else None
     used = sorted(set(status.reshape(-1).tolist()) - {0})
     return {
         "over": request.over,
         "unit": key.unit,
         "result": request.result,
-        "result_label": next(each["label"] for each in chart_results() if each["name"] == request.result),
+        "result_label": _label(result, row),
         "result_unit": _unit(result),
         "family": request.family or None,
         "x": x.tolist(),
@@ -240,8 +270,7 @@ def chart_answer(request: ChartRequest) -> dict[str, Any]:
     }
 
 
-def _axis_values(request: ChartRequest, case: Case) -> np.ndarray:
-    key = key_at(request.over)
+def _axis_values(request: ChartRequest, case: AnyCase, key: Key) -> np.ndarray:
     start, stop = (
         _quantity(text, key, request.over, what)
         for text, what in ((request.start, "start"), (request.stop, "end"))
@@ -258,11 +287,6 @@ def _axis_values(request: ChartRequest, case: Case) -> np.ndarray:
     axis = Axis(request.over, start, stop, request.points, "log" if request.scale == "log" else "linear")
     check_axes(case, [axis])
     return axis.values
-
-
-def _curve_values(request: ChartRequest) -> list[float]:
-    key = key_at(request.family) if request.family else None
-    return [_quantity(text, key, request.family, "value") for text in request.values] if key else []
 
 
 def _quantity(text: str, key: Key, path: str, what: str) -> float:

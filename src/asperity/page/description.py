@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 import re
 from typing import Any
 
@@ -10,8 +11,11 @@ from pydantic import BaseModel
 import asperity
 from asperity.joint_file.messages import keys_by_path, models_of
 from asperity.joint_file.model import Case
+from asperity.joint_file.part_names import contacts_of
 from asperity.joint_file.planar_model import PlanarCase
 from asperity.joint_file.quantity_key import Key
+from asperity.joint_file.section import EachContact
+from asperity.joint_file.si_tables import si_values
 from asperity.library import FREQUENCY_RATIO, read_finishes, read_materials
 from asperity.page.joint_request import CHOICES, choices_of_case
 from asperity.units import from_si, parse_quantity
@@ -45,11 +49,12 @@ def description() -> dict[str, Any]:
     Returns
     -------
     dict
-        ``groups`` of parameters, ``choices``, ``materials`` and ``finishes`` of the library.
+        ``groups`` of parameters, ``choices``, ``contacts``, ``materials`` and ``finishes`` of the library.
     """
     return {
         "asperity_version": asperity.__version__,
-        **_form(Case, CHOICES),
+        **_form(Case, tuple(CHOICES.items())),
+        "contacts": list(EachContact.model_fields),
         "materials": [
             {"name": name, "description": entry.description, "reference": entry.reference}
             for name, entry in read_materials().items()
@@ -80,18 +85,24 @@ def form_of(case: Case | PlanarCase) -> dict[str, Any]:
     Returns
     -------
     dict
-        ``groups`` of parameters and ``choices``.
+        ``groups`` of parameters, ``choices``, and the names of the ``contacts``.
     """
-    return _form(type(case), choices_of_case(case))
+    return {
+        **_form(type(case), tuple(choices_of_case(case).items())),
+        "contacts": list(contacts_of(si_values(case))),
+    }
 
 
-def _form(whole: type[Case] | type[PlanarCase], choices: dict[str, tuple[str, ...]]) -> dict[str, Any]:
+@functools.lru_cache(maxsize=8)
+def _form(
+    whole: type[Case] | type[PlanarCase], choices: tuple[tuple[str, tuple[str, ...]], ...]
+) -> dict[str, Any]:
     groups = [
         {"name": name, "heading": heading, "parameters": _parameters(whole, name)}
         for name, heading in HEADINGS.items()
         if name in whole.model_fields
     ]
-    return {"groups": groups, "choices": [_choice(whole, path, words) for path, words in choices.items()]}
+    return {"groups": groups, "choices": [_choice(whole, path, words) for path, words in choices]}
 
 
 def _parameters(whole: type[BaseModel], section: str) -> list[dict[str, Any]]:

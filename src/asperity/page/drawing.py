@@ -8,12 +8,13 @@ import numpy as np
 
 from asperity.drive.force_balance import DriveForces
 from asperity.drive.geometry import CONTACT_NAMES
-from asperity.drive.planar.layout import contact_angles, sector_rotation
+from asperity.drive.planar.layout import sector_rotation
 from asperity.joint.description import Joint
 from asperity.joint.planar.description import PlanarJoint, places, tracks_of
-from asperity.joint.planar.evaluation import PlanarResult, driving_sense
+from asperity.joint.planar.evaluation import PlanarResult
 from asperity.show.drive_drawing import Roller, rollers
-from asperity.show.free_bodies import body_forces
+from asperity.show.free_bodies import BodyForce, body_forces
+from asperity.show.planar_forces import planar_body_forces
 
 
 def drive_shapes(joint: Joint, forces: DriveForces) -> dict[str, Any]:
@@ -82,7 +83,9 @@ def planar_shapes(joint: PlanarJoint, result: PlanarResult) -> dict[str, Any]:
     -------
     dict
         ``rollers``: a circle for every track of every roller; ``rings`` with inner radius and wall [m]; ``forces`` on
-        the first body of each contact, as :func:`drive_shapes` gives them.
+        the first body of each contact, as :func:`drive_shapes` gives them; ``bodies``: the rollers of the first sector,
+        each with the radii of its tracks [m] and every force on it: where it acts, as a direction from the axis, and
+        as a vector [N].
     """
     drive, centres = joint.drive, np.asarray(joint.drive.centres)
     circles, rings = [], []
@@ -100,21 +103,70 @@ def planar_shapes(joint: PlanarJoint, result: PlanarResult) -> dict[str, Any]:
                 {"body": name, "x_m": float(x), "y_m": float(y), "radius_m": radius}
                 for radius in sorted([*radii, *bore], reverse=True)
             ]
-    first, _ = places(drive)
-    angles = np.asarray(contact_angles(drive)[0])
-    tangential = np.asarray(driving_sense(drive)) * np.asarray(result.forces.tangential)
-    forces = []
-    for k, contact in enumerate(drive.contacts):
-        normal = np.array([np.cos(angles[k]), np.sin(angles[k])])
-        x, y = centres[first[k]] + float(drive.first_radius[k]) * normal
-        forces.append(
+    found = planar_body_forces(joint, result)
+    return {
+        "rollers": circles,
+        "rings": rings,
+        "forces": _planar_forces(joint, found),
+        "bodies": [_free_body(joint, number, found) for number in drive.floating],
+    }
+
+
+def _planar_forces(joint: PlanarJoint, found: list[BodyForce]) -> list[dict[str, Any]]:
+    """The forces of each contact on its first body, where they act."""
+    centres = np.asarray(joint.drive.centres)
+    entries = []
+    for k, (contact, number) in enumerate(zip(joint.drive.contacts, places(joint.drive)[0], strict=True)):
+        normal, tangential = (
+            next(
+                each
+                for each in found
+                if (each.name, each.kind, each.body) == (contact.name, kind, contact.first)
+            )
+            for kind in ("N", "T")
+        )
+        x, y = centres[number] + float(joint.drive.first_radius[k]) * np.array(normal.place)
+        entries.append(
             {
                 "contact": contact.name,
                 "on": contact.first.replace("_", " "),
                 "x_m": float(x),
                 "y_m": float(y),
-                "normal_N": (-float(result.forces.normal[k]) * normal).tolist(),
-                "tangential_N": (-tangential[k] * np.array([-normal[1], normal[0]])).tolist(),
+                "normal_N": _vector(normal),
+                "tangential_N": _vector(tangential),
             }
         )
-    return {"rollers": circles, "rings": rings, "forces": forces}
+    return entries
+
+
+def _free_body(joint: PlanarJoint, number: int, found: list[BodyForce]) -> dict[str, Any]:
+    """One roller with the forces on it: its tracks, and where around its axis each force acts."""
+    body = joint.drive.bodies[number].name
+    return {
+        "body": body.replace("_", " "),
+        "radii_m": [float(radius) for radius, _ in tracks_of(joint, number)],
+        "forces": [
+            {
+                "name": each.name,
+                "kind": {"N": "normal", "T": "tangential", "F": "pin"}[each.kind],
+                "radius_m": 0.0 if each.kind == "F" else _track(joint, each),
+                "place": list(each.place),
+                "force_N": _vector(each),
+            }
+            for each in found
+            if each.body == body
+        ],
+    }
+
+
+def _track(joint: PlanarJoint, force: BodyForce) -> float:
+    """Radius of the track on which the force of a contact acts [m]."""
+    for k, contact in enumerate(joint.drive.contacts):
+        if contact.name == force.name:
+            mine = joint.drive.first_radius if contact.first == force.body else joint.drive.second_radius
+            return float(mine[k])
+    raise KeyError(force.name)
+
+
+def _vector(force: BodyForce) -> list[float]:
+    return [force.size * each for each in force.direction]

@@ -138,22 +138,6 @@ class JointRequest:
             )
         return any_case_from_tables(tables, source=self.name)
 
-    def papers_case(self) -> Case:
-        """The checked joint file for a chart, which must describe the paper's drive.
-
-        Raises
-        ------
-        InputError
-            As :meth:`case`, or if it describes another drive.
-        """
-        case = self.case()
-        if isinstance(case, PlanarCase):
-            raise InputError(
-                f"{self.name}: no free chart of drives of type '{case.type}', only of the paper's; 'asperity sweep' "
-                "computes any result over any number of the file"
-            )
-        return case
-
     def file_text(self) -> str:
         """The joint file with its changes, with the comments and the layout of the original text."""
         document = tomlkit.parse(self.text) if self.text else tomlkit.parse(tomlkit.dumps(dict(self.tables)))

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 import asperity
+from asperity.joint.results import SEVERITIES
 from asperity.page.chart import MOST_CURVES, MOST_POINTS
 from asperity.page.computation import MOST_KEPT
 from asperity.page.guard import LARGEST_BODY
@@ -46,7 +47,7 @@ def openapi() -> Schema:
         "paths": {
             "/api/description": {"get": _get("Parameters of a joint file: meaning, unit, range, default.")},
             "/api/schema": {"get": _get("JSON schema of a joint file.")},
-            "/api/results": {"get": _get("Results that charts can show: name, label, unit, group.", "array")},
+            "/api/results": {"post": _results()},
             "/api/joint": {"post": _joint()},
             "/api/chart": {"post": _chart()},
             "/api/joint/{id}/joint.{kind}": {"get": _download()},
@@ -103,6 +104,14 @@ def _chart() -> Schema:
         "summary": "One number of the joint file against one result, by the evaluator of 'asperity sweep'.",
         "requestBody": {"required": True, "content": {"application/json": {"schema": request}}},
         "responses": {"200": _json(_ref("Chart"), "Curves; SI units, and those of displays."), **_PROBLEMS},
+    }
+
+
+def _results() -> Schema:
+    return {
+        "summary": "Results that charts of a joint can show: name, label, unit, group.",
+        "requestBody": {"required": True, "content": {"application/json": {"schema": _ref("Request")}}},
+        "responses": {"200": _json({"type": "array"}, "One entry for each number."), **_PROBLEMS},
     }
 
 
@@ -243,6 +252,21 @@ def _request_schema() -> Schema:
     }
 
 
+def _margin_schema() -> Schema:
+    number: Schema = {"type": ["number", "null"]}
+    text: Schema = {"type": "string"}
+    return {
+        "type": "object",
+        "properties": {
+            **dict.fromkeys(("name", "label", "place", "unit"), text),
+            **dict.fromkeys(("actual", "lowest", "highest"), number),
+            "used": {"type": ["number", "null"], "description": "Share of the limit that is used."},
+            "ok": {"type": "boolean"},
+            "severity": {"enum": list(SEVERITIES)},
+        },
+    }
+
+
 def _answer_schema() -> Schema:
     names = ("published", "series_with_bulk", "assembly")
     curves = (
@@ -250,6 +274,9 @@ def _answer_schema() -> Schema:
         *(f"{name}_Nm_per_rad" for name in names),
         "drift_rad_per_output_turn",
         "efficiency",
+        "total_loss_W",
+        "life_hours",
+        "life_output_turns",
         "largest_slip_ratio",
     )
     windup = (
@@ -271,6 +298,19 @@ def _answer_schema() -> Schema:
             },
             "document": {"type": "object", "description": "As 'asperity joint FILE --json' prints it."},
             "drawing": {"type": "object", "description": "Circles and contact forces of the drive."},
+            "margins": {
+                "type": "array",
+                "items": _margin_schema(),
+                "description": "What is required and reached, in the unit of each entry.",
+            },
+            "creep": {
+                "type": "object",
+                "additionalProperties": {
+                    "type": "object",
+                    "properties": {"traction": _NUMBERS, "creepage": _NUMBERS},
+                },
+                "description": "Contact → its creep curve: traction T/N over creepage, up to gross slip.",
+            },
             "curves": {"type": "object", "properties": dict.fromkeys(curves, _NUMBERS)},
             "windup": {
                 "type": "object",

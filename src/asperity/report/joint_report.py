@@ -23,7 +23,7 @@ from asperity.joint.planar.solve import solve_planar
 from asperity.joint.planar.solved import solved_planar_joint
 from asperity.joint.results import SolvedJoint
 from asperity.joint.rolling_onset import RollingOnset
-from asperity.joint.solve import solve
+from asperity.joint.solve import solve, solved_joint
 from asperity.joint.windup import Windup
 from asperity.joint.windup_document import examined_windup, windup_document, windup_onsets
 from asperity.joint_file.assumptions import assumptions
@@ -181,7 +181,7 @@ def _papers_parts(source: ReportSource, case: Case) -> _Parts:
     )
     return _Parts(
         joint,
-        SolvedJoint(joint, solution.result, solution.capacity, branches),
+        solved_joint(joint, solution, branches),
         document,
         loads_document(joint, load_cases(joint, solution), document["bearings"], branches),
         surfaces=(*_measured(joint, source, case), surface_tables.averages(document)),

@@ -16,6 +16,7 @@ import equinox as eqx
 import jax.numpy as jnp
 from jax import Array
 
+from asperity.compilation import call_compiled
 from asperity.drive.planar.linear import least_squares
 from asperity.types import Real
 
@@ -323,6 +324,11 @@ def speeds(drive: PlanarDrive) -> Array:
     ----------
     Rolling without slip at every contact, relative to the carrier; equation (M2) of :doc:`/equations`.
     """
+    found: Array = call_compiled(_speeds, drive)
+    return found
+
+
+def _speeds(drive: PlanarDrive) -> Array:
     turning = incidence(drive).turning
     members = drive.members
     known = [members.index(drive.input), members.index(drive.grounded)]

@@ -46,6 +46,10 @@ class OverTorque(NamedTuple):
         rolling with the torque and against it, shape (torques, 2) [rad]; nan where there is no steady rolling.
     efficiency : Array
         Output power over input power, as the input turns [-].
+    total_loss : Array
+        Power lost [W].
+    life_hours, life_turns : Array
+        Fatigue life of the drive [h], and in turns of the output [-].
     lost_speed_slope : Array
         Change of the lost share of the output speed with the torque [1/(N·m)].
     """
@@ -58,6 +62,9 @@ class OverTorque(NamedTuple):
     assembly: Array
     drift: Array
     efficiency: Array
+    total_loss: Array
+    life_hours: Array
+    life_turns: Array
     lost_speed_slope: Array
 
 
@@ -180,6 +187,9 @@ def over_torque_program(
             assembly=assembly,
             drift=jnp.where(works, with_torque * both, jnp.nan),
             efficiency=jnp.where(works, turned.power.efficiency, jnp.nan),
+            total_loss=jnp.where(works, turned.power.loss, jnp.nan),
+            life_hours=jnp.where(works, turned.life_hours.drive, jnp.nan),
+            life_turns=jnp.where(works, turned.life_turns.drive, jnp.nan),
             lost_speed_slope=jnp.where(works, slope, jnp.nan),
         )
 

@@ -6,7 +6,7 @@ import { linePlot } from "/plots.js";
 
 const KINDS = ["one", "two", "three", "four", "five"];
 const PAUSE = 150; // ms without a change of the joint before a chart is asked for
-const START = { over: "load.preload", result: "assembly_stiffness_output" };
+const START = { over: ["load.preload", "load.interference", "load.output_torque"], result: "assembly_stiffness_output" };
 
 const SECTIONS = { load: "Load", drive: "Drive", surface: "Surfaces", materials: "Materials", compliance: "Structure" };
 const words = (name) => (name ? name[0].toUpperCase() + name.slice(1).replaceAll("_", " ") : "Other");
@@ -38,12 +38,31 @@ export class Chart {
   }
 
   async opened() {
-    if (!this.over) this.build(await (await fetch("/api/results")).json());
+    if (!this.over) this.build();
+    await this.offerResults();
     this.list();
     this.now();
   }
 
-  build(results) {
+  /** The results of the drive on the page; those of another file may be others. */
+  async offerResults() {
+    const state = this.wanted && this.wanted.state;
+    if (!state || this.offered === state.toml) return;
+    const [ok, results] = await this.post("/api/results", JSON.stringify(state));
+    if (!ok) return;
+    this.offered = state.toml;
+    const groups = new Map();
+    for (const each of results) {
+      if (!groups.has(each.group)) groups.set(each.group, element("optgroup", { label: words(each.group) }));
+      const unit = each.unit === "1" ? "" : `, ${each.unit.replaceAll("*", "·")}`;
+      groups.get(each.group).append(element("option", { value: each.name }, `${each.label}${unit}`));
+    }
+    const kept = this.result.value;
+    this.result.replaceChildren(...groups.values());
+    this.result.value = results.some((each) => each.name === kept) ? kept : START.result;
+  }
+
+  build() {
     const field = (name, ...parts) => element("div", { class: "field" }, element("label", { for: `chart-${name}` }, words(name)), ...parts);
     const input = (name, attributes) => element("input", { type: "text", id: `chart-${name}`, spellcheck: "false", ...attributes });
     this.over = element("select", { id: "chart-over" });
@@ -54,14 +73,6 @@ export class Chart {
     this.points = input("points", { type: "number", min: 2, max: 201, value: 41 });
     this.spacing = element("select", { id: "chart-spacing" }, element("option", { value: "linear" }, "even"), element("option", { value: "log" }, "logarithmic"));
     this.values = input("values", { placeholder: "up to five, separated by commas" });
-    const groups = new Map();
-    for (const each of results) {
-      if (!groups.has(each.group)) groups.set(each.group, element("optgroup", { label: words(each.group) }));
-      const unit = each.unit === "1" ? "" : `, ${each.unit.replaceAll("*", "·")}`;
-      groups.get(each.group).append(element("option", { value: each.name }, `${each.label}${unit}`));
-    }
-    this.result.append(...groups.values());
-    this.result.value = START.result;
     this.valuesField = field("values", this.values);
     this.figure = element("div", { id: "chart-figure", "aria-live": "off" });
     this.message = element("p", { class: "note", id: "chart-message", role: "status" });
@@ -92,9 +103,8 @@ export class Chart {
   follow(state, answer, baseline) {
     this.wanted = { state, baseline, answer };
     if (!this.panel.open || !this.over) return;
-    this.list();
     clearTimeout(this.timer);
-    this.timer = setTimeout(() => this.ask(), PAUSE);
+    this.timer = setTimeout(() => this.opened(), PAUSE);
   }
 
   now() {
@@ -122,7 +132,7 @@ export class Chart {
     this.over.replaceChildren(...groups(null));
     this.family.replaceChildren(...groups("none: a single curve"));
     const known = (path, otherwise) => (paths.includes(path) ? path : otherwise);
-    this.over.value = known(kept[0], known(START.over, paths[0]));
+    this.over.value = known(kept[0], START.over.find((path) => paths.includes(path)) || paths[0]);
     this.family.value = known(kept[1], "");
     if (this.over.value !== kept[0]) this.proposeRange();
     if (this.family.value !== kept[1] || !kept[1]) this.proposeValues();

@@ -4,15 +4,16 @@ import { choiceRows, finishRow, showChoice } from "/choices.js";
 import { element, number, unitText } from "/numbers.js";
 
 const OPEN = ["drive", "load", "surface", "bodies"];
-const EACH = ["sp", "pwr", "pwl", "wro", "wlo"];
 const STEPS = 400;
+
+let contacts = []; // names of the contacts of the drive on the page
 
 /** What a number is called on the page. */
 export function label(path) {
   const parts = path.split(".").slice(1);
   if (path.startsWith("materials.")) return `${parts[1].replaceAll("_", " ")}, ${parts[0]}`;
   if (/^(roller|contact)\./.test(path)) return `${parts[1].replaceAll("_", " ")}, ${path.split(".")[0]} ${parts[0]}`;
-  const contact = parts.find((part) => EACH.includes(part));
+  const contact = parts.find((part) => contacts.includes(part));
   const words = parts.filter((part) => part !== contact).join(" ").replaceAll("_", " ");
   return contact ? `${words}, ${contact}` : words;
 }
@@ -72,6 +73,7 @@ export class Controls {
   /** What can be set: in a file of the paper's drive (null), or in one of another drive. */
   take(form) {
     this.description = { ...this.own, ...form };
+    contacts = this.description.contacts;
     this.parameters = new Map(this.description.groups.flatMap((group) => group.parameters.map((each) => [each.key, each])));
   }
 

@@ -36,7 +36,7 @@ function planarDrawing(drawing, document_) {
   const shown = rings.map(({ inner, wall }) => ({ inner, wall, outer: inner + Math.min(wall, LONGEST_WALL * inner) }));
   shown.sort((one, other) => other.outer - one.outer);
   const reach = Math.max(...rollers, ...shown.map((ring) => ring.outer));
-  const half = reach * 1.04;
+  const half = reach * 1.2; // room for arrows and names outside
   const largest = Math.max(...drawing.forces.map((force) => Math.hypot(...force.normal_N)), 1e-300);
   const names = [...new Set([...drawing.rings, ...drawing.rollers].map((each) => each.body))];
   const picture = svg("svg", { viewBox: `${-half} ${-half} ${2 * half} ${2.14 * half}`, role: "img", class: "drive", "aria-label": `Drive to scale: ${names.join(", ")}. ${forcesDescribed(document_)}` });
@@ -45,6 +45,7 @@ function planarDrawing(drawing, document_) {
     picture.append(svg("circle", { class: ring.outer < ring.inner + ring.wall ? "ring broken" : "ring", r: ring.outer }), svg("circle", { class: "bore", r: ring.inner }));
   }
   picture.append(...circles(drawing.rollers, reach), ...arrows(drawing, reach, largest, 0.05 * reach), ...scaleBar(-half * 0.97, half * 1.1, reach, 0.07 * reach));
+  const thinner = shown.some((ring) => ring.outer < ring.inner + ring.wall) ? " A thick wall of a ring is drawn thinner (dashed edge)." : "";
   return [
     element("div", { class: "drawings single" }, picture),
     element(
@@ -54,9 +55,76 @@ function planarDrawing(drawing, document_) {
       element("span", { class: "key normal" }, "→ normal"),
       " and ",
       element("span", { class: "key tangential" }, "→ tangential"),
-      ` forces on the first body of each contact, to one scale (longest ${number(largest)} N). A thick wall of a ring is drawn thinner (dashed edge).`,
+      ` forces on the first body of each contact, to one scale (longest ${number(largest)} N).${thinner}`,
     ),
   ];
+}
+
+/** The rollers of the first sector of another drive, each with the forces on it; nothing for the paper's drive, whose branch is enlarged. */
+export function freeBodies(drawing) {
+  if (!drawing.bodies) return [];
+  return [
+    element("div", { class: "bodies" }, ...drawing.bodies.map(freeBody)),
+    element(
+      "p",
+      { class: "note" },
+      element("span", { class: "key normal" }, "→ normal"),
+      ", ",
+      element("span", { class: "key tangential" }, "→ tangential"),
+      " and ",
+      element("span", { class: "key pin" }, "→ pin"),
+      " forces on each roller: arrows show directions, numbers sizes. Centrifugal forces are not drawn.",
+    ),
+  ];
+}
+
+/** One roller apart from the others: its tracks, and an arrow with its size for every force on it. */
+function freeBody(body) {
+  const [width, height, size, arrow] = [320, 226, 42, 30];
+  const largest = Math.max(...body.radii_m);
+  const parts = [...body.radii_m].sort((one, other) => other - one).map((radius) => svg("circle", { class: "roller", r: (size * radius) / largest }));
+  parts.push(svg("path", { class: "axis-mark", d: "M-4,0h8M0,-4v8" }));
+  const said = [];
+  const taken = [];
+  for (const force of body.forces) {
+    const [fx, fy] = force.force_N;
+    const total = Math.hypot(fx, fy);
+    said.push(`${force.name} ${force.kind === "pin" ? "" : force.kind} ${number(total)} N`);
+    if (total === 0) continue;
+    const [e, f] = [(arrow * fx) / total, (-arrow * fy) / total];
+    const rim = (size * force.radius_m) / largest;
+    const [px, py] = [force.place[0], -force.place[1]];
+    const [x, y] = [rim * px, rim * py];
+    const kind = force.kind === "pin" ? "pin" : force.kind;
+    // normal forces end at the rim, tangential ones lie beside it, the pin pushes at the axis
+    const beside = force.kind === "tangential" ? 3 : 0;
+    const [x1, y1] = force.kind === "normal" ? [x - e, y - f] : [x + beside * px, y + beside * py];
+    parts.push(svg("line", { class: `force ${kind}`, x1, y1, x2: x1 + e, y2: y1 + f, "marker-end": `url(#head-${kind})` }));
+    const side = Math.abs(px) < 0.35 ? 0 : Math.sign(px);
+    const text = force.kind === "tangential" ? `${number(total)} N` : `${force.name} ${number(total)} N`;
+    const [tx, wanted] = labelPlace(force.kind, [x1, y1], [e, f], [px, py], side);
+    const away = py > 0 ? 12 : -12; // from another text in the same place
+    let ty = wanted;
+    while (taken.some(([ox, oy]) => Math.abs(ox - tx) < 40 && Math.abs(oy - ty) < 11)) ty += away;
+    taken.push([tx, ty]);
+    const anchor = { normal: ["end", "middle", "start"][side + 1], tangential: (Math.abs(e) > 5 ? e : px) > 0 ? "start" : "end", pin: "middle" }[kind];
+    parts.push(svg("text", { class: "force-name", x: tx, y: ty, "font-size": 11, "text-anchor": anchor }, text));
+  }
+  const picture = svg(
+    "svg",
+    { viewBox: `${-width / 2} ${-height / 2} ${width} ${height}`, role: "img", "aria-label": `Forces on ${body.body}: ${said.join("; ")}.` },
+    svg("defs", {}, marker("normal"), marker("tangential"), marker("pin")),
+    ...parts,
+  );
+  return element("figure", {}, picture, element("figcaption", {}, body.body));
+}
+
+/** Where the size of a force is written: behind the tail of a normal force, before the tip of a tangential one, below a pin. */
+function labelPlace(kind, [x, y], [e, f], [px, py], side) {
+  if (kind === "pin") return [0, 22];
+  if (kind === "normal") return side === 0 ? [x, y + (py < 0 ? -4 : 12)] : [x + 3 * side, y + 4];
+  const [tx, ty] = [x + 1.12 * e, y + 1.12 * f];
+  return [tx, ty + 4 + 5 * py];
 }
 
 /** Ring and rollers, y upwards. */
@@ -104,9 +172,13 @@ function arrow(force, factor, shortest) {
 
 /** The forces of a drive with the names of their contacts. */
 function arrows(drawing, size, largest, font) {
+  const taken = [];
   return drawing.forces.flatMap((force) => {
     const { x, y, nx, ny, lines } = arrow(force, (LONGEST_ARROW * size) / largest, 0.004 * size);
-    const place = { x: x - nx - 0.3 * ny, y: y - ny + 0.3 * nx + 0.35 * font };
+    const length = Math.hypot(nx, ny) || 1;
+    const place = { x: x - nx - (1.1 * font * ny) / length, y: y - ny + (1.1 * font * nx) / length + 0.35 * font };
+    while (taken.some((other) => Math.abs(other.x - place.x) < 2 * font && Math.abs(other.y - place.y) < font)) place.y += font;
+    taken.push(place);
     return [...lines, svg("text", { class: "force-name", ...place, "font-size": font, "text-anchor": "middle" }, force.contact)];
   });
 }

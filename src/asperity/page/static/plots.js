@@ -61,7 +61,7 @@ function tickTexts(values) {
 
 /**
  * A plot in a figure. `series`: [{ name, x, y, kind, ghost }], where kind is one of the classes "one"
- * to "five"; `point`: { x, y, name } marks the joint itself; `shades`: [{ from, to, text }] are parts of the horizontal axis
+ * to "five", and `mark`: { x, y } a dot on the curve; `point`: { x, y, name } marks the joint itself; `shades`: [{ from, to, text }] are parts of the horizontal axis
  * without a result; `dots` marks the points of the curves.
  */
 export function linePlot({ title, note, x, y, series, point, shades = [], log = false, logX = false, zero = false, dots = false, empty }) {
@@ -125,6 +125,9 @@ export function linePlot({ title, note, x, y, series, point, shades = [], log = 
     drawn.append(svg("path", { class: `curve ${line.kind}${line.ghost ? " ghost" : ""}`, d: path }));
     if (dots) line.x.forEach((each, i) => good(line.y[i]) && drawn.append(svg("circle", { class: `dot ${line.kind}`, cx: px(each), cy: py(line.y[i]), r: 3 })));
   });
+  for (const line of series.filter((each) => each.mark)) {
+    drawn.append(svg("circle", { class: `dot ${line.kind}`, cx: px(line.mark.x), cy: py(line.mark.y), r: 5 }));
+  }
   if (point && good(point.y)) drawn.append(svg("circle", { class: "point", cx: px(point.x), cy: py(point.y), r: 5 }));
   figure.append(drawn, legend(series, point));
   if (note) figure.append(element("p", { class: "note" }, note));

@@ -1,7 +1,7 @@
 // The results of one joint beside those of a pinned baseline: cards, tables, margins, warnings, plots.
 
-import { driveDrawing } from "/drawing.js";
-import { arcmin, element, number, scaled, table } from "/numbers.js";
+import { driveDrawing, freeBodies } from "/drawing.js";
+import { arcmin, element, number, scaled, table, unitText } from "/numbers.js";
 import { linePlot } from "/plots.js";
 
 const LEVELS = [
@@ -30,9 +30,13 @@ export function showAnswer(answer, baseline) {
   const before = baseline ? baseline.document : null;
   cards(found, before);
   get("drawing").replaceChildren(...driveDrawing(answer.drawing, found));
+  const bodies = freeBodies(answer.drawing);
+  get("forces").hidden = !bodies.length;
+  get("forces").classList.toggle("several", bodies.length > 0 && answer.drawing.bodies.length > 1);
+  get("bodies").replaceChildren(...bodies);
   get("levels").replaceChildren(levels(found, before), drift(found));
   get("budget").replaceChildren(budget(found));
-  get("margins").replaceChildren(margins(found));
+  get("margins").replaceChildren(margins(answer));
   get("warnings").replaceChildren(warnings(found));
   get("plots").replaceChildren(...plots(answer, baseline));
   get("contacts").replaceChildren(contacts(found));
@@ -57,6 +61,12 @@ function card(name, value, unit, detail, difference) {
   );
 }
 
+/** What is driven: the sun of the paper's drive, or the member that the file names. */
+const driven = (found) => (found.geometry.input || "sun").replaceAll("_", " ");
+
+/** The capacity in the direction of the torque. */
+const capacityOf = (found) => (found.forces.output_torque_Nm < 0 ? found.torque_capacity.reverse : found.torque_capacity);
+
 function standing(found) {
   return found.rolling.unknown_because[0] || "";
 }
@@ -64,7 +74,7 @@ function standing(found) {
 function cards(found, before) {
   const stiffness = found.torsional_stiffness.assembly;
   const was = before && before.torsional_stiffness.assembly;
-  const capacity = found.torque_capacity;
+  const capacity = capacityOf(found);
   const per = arcmin(found.drift_rad_per_output_turn);
   const unknown = found.stiffness_unknown_because;
   const [hours, turns] = [found.life_hours, found.rolling.life_output_turns];
@@ -74,7 +84,7 @@ function cards(found, before) {
       "Stiffness at the output",
       number(stiffness.output_Nm_per_arcmin),
       "N·m/arcmin",
-      unknown || `assembled joint, sun locked; ${number(stiffness.output_Nm_per_rad, 5)} N·m/rad`,
+      unknown || `assembled joint, ${driven(found)} locked; ${number(stiffness.output_Nm_per_rad, 5)} N·m/rad`,
       change(stiffness.output_Nm_per_rad, was && was.output_Nm_per_rad),
     ),
     card(
@@ -89,7 +99,7 @@ function cards(found, before) {
       number(capacity.output_torque_Nm),
       "N·m",
       `${capacity.meaning}; load ${number(found.forces.output_torque_Nm)} N·m`,
-      change(capacity.output_torque_Nm, before && before.torque_capacity.output_torque_Nm),
+      change(capacity.output_torque_Nm, before && capacityOf(before).output_torque_Nm),
     ),
     card(
       "Efficiency",
@@ -108,7 +118,7 @@ function levels(found, before) {
     cells.push(before ? number(before.torsional_stiffness[key].output_Nm_per_arcmin) : number(level.sun_Nm_per_rad, 5));
     return [element("span", {}, name, element("small", {}, words)), ...cells];
   });
-  const last = before ? "baseline, N·m/arcmin" : "at the sun, N·m/rad";
+  const last = before ? "baseline, N·m/arcmin" : `at the ${driven(found)}, N·m/rad`;
   const headings = ["level of the model", "N·m/arcmin", "N·m/rad", last];
   return element("div", { class: "scroll", tabindex: "0", role: "region", "aria-label": "Stiffness, scrollable" }, table("Torsional stiffness on three levels", headings, rows));
 }
@@ -138,55 +148,36 @@ function budget(found) {
     .filter((each) => each[1] > 0)
     .sort((one, other) => other[1] - one[1])
     .map(([name, total, share]) => {
-      const most = typeof share === "object" ? Object.entries(share).sort((a, b) => b[1] - a[1])[0] : null;
-      const detail = most ? `most at ${most[0]}, ${number(100 * most[1], 3)} %` : "";
+      const each = typeof share === "object" ? Object.entries(share).sort((a, b) => b[1] - a[1]) : [];
+      const detail = each.filter((pair) => pair[1] >= 0.001).map(([contact, part]) => `${contact} ${number(100 * part, 3)} %`).join(", ");
       return [element("span", {}, name, element("small", {}, detail)), `${number(100 * total, 3)} %`, bar(total)];
     });
   if (!rows.length) return element("p", { class: "note" }, "No compliance: the joint has no stiffness here.");
   return table("Shares of the springs in the compliance", ["spring", "share", hidden("bar")], rows);
 }
 
-/** The limits of function and damage, the worst contact of each. */
-export function worstMargins(found) {
-  const worst = new Map();
-  for (const each of found.diagnostics) {
-    if (!["function", "damage"].includes(each.severity) || each.name.endsWith("_residual")) continue;
-    const used = usedShare(each);
-    const kept = worst.get(each.name);
-    if (!kept || used > kept.used) worst.set(each.name, { ...each, used });
-  }
-  return [...worst.values()].sort((one, other) => other.used - one.used);
-}
-
-function usedShare(each) {
-  if (each.value === null) return Infinity;
-  if (each.limit > 0) return each.value / each.limit;
-  return each.ok ? 0 : Infinity; // a force that must be above zero
-}
-
-function margins(found) {
-  const rows = worstMargins(found).map((each) => {
-    const required = each.limit > 0 ? `below ${number(each.limit)}` : `above ${number(each.limit)}`;
-    const where = each.contact ? `at ${each.contact}` : "";
-    return [
-      element("span", {}, each.label, element("small", {}, where)),
-      number(each.value, 3),
-      required,
-      each.limit > 0 ? bar(each.used, each.ok ? "good" : "bad") : "",
-      verdict(each.ok),
-    ];
-  });
-  if (found.geometry.clearances) {
-    const gap = found.geometry.clearances.reduce((one, other) => (other.gap_m < one.gap_m ? other : one));
-    rows.push([
-      element("span", {}, "smallest clearance", element("small", {}, gap.name.replaceAll("_", " "))),
-      `${number(1e3 * gap.gap_m, 3)} mm`,
-      "above 0",
-      "",
-      verdict(gap.gap_m > 0),
-    ]);
-  }
-  return table("Safety margins", ["limit", "actual", "required", hidden("share of the limit"), "result"], rows);
+/** The limits of function and damage, the one that is used most on top; residuals are no margins. */
+function margins(answer) {
+  const judged = answer.margins.filter((each) => ["function", "damage"].includes(each.severity) && !each.name.endsWith("_residual"));
+  const rank = (each) => (each.ok ? each.used ?? 0 : Infinity);
+  const rows = judged
+    .sort((one, other) => rank(other) - rank(one))
+    .map((each) => {
+      const unit = unitText(each.unit);
+      const bounds = [
+        [each.lowest, "above"],
+        [each.highest, "below"],
+      ].filter(([bound]) => bound !== null);
+      const required = bounds.map(([bound, word]) => `${word} ${number(bound)}`).join(", ");
+      return [
+        element("span", {}, each.label, element("small", {}, each.place ? `at ${each.place}` : "")),
+        `${number(each.actual, 3)}${unit ? ` ${unit}` : ""}`,
+        required,
+        each.used === null ? "" : bar(each.used, each.ok ? "good" : "bad"),
+        verdict(each.ok),
+      ];
+    });
+  return table("Safety margins", ["limit", "actual", "required", hidden("share of the limit that is used"), "result"], rows);
 }
 
 function verdict(ok) {
@@ -278,7 +269,7 @@ function plots(answer, baseline) {
       note: "Up to the torque capacity. The vertical axis is logarithmic.",
     }),
     linePlot({
-      title: "Wind-up at the output, sun locked",
+      title: `Wind-up at the output, ${driven(found)} locked`,
       x,
       y: "angle, arcmin",
       empty: windup.unknown_because,
@@ -326,6 +317,17 @@ function plots(answer, baseline) {
       point: { x: torque, y: scaled(found.efficiency, 100), name: "this joint" },
     }),
     linePlot({
+      title: "Losses over torque",
+      x,
+      y: "power lost, W",
+      zero: true,
+      empty: why,
+      series: [...ghosts("total_loss_W"), over("total_loss_W", "all losses the file has numbers for", "one")],
+      point: { x: torque, y: found.losses_W.total, name: "this joint" },
+    }),
+    life(answer, ghosts, over, x, torque, why),
+    creepCurves(answer, why),
+    linePlot({
       title: "Friction used, fullest contact",
       x,
       y: "T/(µN)",
@@ -333,6 +335,49 @@ function plots(answer, baseline) {
       series: [...ghosts("largest_slip_ratio"), over("largest_slip_ratio", "T/(µN); slips at 1", "one")],
     }),
   ];
+}
+
+/** Hours at the joint's speed; turns of the output where nothing turns. */
+function life(answer, ghosts, over, x, torque, why) {
+  const { curves, document: found } = answer;
+  const hours = curves.life_hours.some((each) => each !== null);
+  const [kind, y, factor] = hours ? ["life_hours", "life, h", 1] : ["life_output_turns", "life, million output turns", 1e-6];
+  const here = hours ? found.life_hours : found.rolling.life_output_turns;
+  const known = curves[kind].filter((each) => each !== null);
+  const log = Math.max(...known) > 10 * Math.min(...known);
+  return linePlot({
+    title: "Fatigue life over torque",
+    x,
+    y,
+    log,
+    empty: why,
+    series: [...ghosts(kind, factor), over(kind, `${number(100 * found.rolling.reliability)} % reliability`, "one", factor)],
+    point: { x: torque, y: scaled(here, factor), name: "this joint" },
+    note: log ? "The vertical axis is logarithmic." : "",
+  });
+}
+
+/** Traction over creepage of each contact up to gross slip, with its working point. */
+function creepCurves(answer, why) {
+  const rolling = answer.document.rolling.contacts;
+  const kinds = ["one", "two", "three", "four", "five"];
+  const series = Object.entries(answer.creep).map(([name, curve], i) => ({
+    name,
+    kind: kinds[i % kinds.length],
+    x: curve.creepage.map((each) => scaled(each, 100)),
+    y: curve.traction,
+    mark: { x: Math.abs(100 * rolling[name].creepage), y: Math.abs(rolling[name].traction_coefficient) },
+  }));
+  const known = Object.values(rolling).every((each) => each.creepage !== null);
+  return linePlot({
+    title: "Creep curves of the contacts",
+    x: "creepage, %",
+    y: "traction T/N",
+    zero: true,
+    empty: why,
+    series: known ? series : [],
+    note: "Up to gross slip. A dot is the working point of its contact.",
+  });
 }
 
 /** The angle less the straight line between both ends of the loop. */
