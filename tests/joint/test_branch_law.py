@@ -45,3 +45,16 @@ def test_beyond_slip_and_without_preload(partial_slip):
     assert law.share(preload, np.full(3, 1.0)).tolist() == [0.0, 1.0, 1.0]
     assert law.torque(preload, np.ones(3)) == pytest.approx([0.0, 13.0, 0.13], rel=1e-9)
     assert law.sun_forces(preload, np.zeros(3))[0] == pytest.approx(preload, rel=1e-9)
+
+
+def test_friction_of_bearings_keeps_its_sense_where_a_branch_is_wound_back():
+    """T = P (0.004 + 0.1 s): the torque that the bearings take is that of the drive's motion, for every branch."""
+    forces = {
+        "normal": np.repeat(PRELOADS[:, None], 24, 1)[None],
+        "tangential": (PRELOADS[:, None] * (0.004 + 0.1 * USED))[None],
+        "compliance": np.tile(1e-5 / PRELOADS[:, None], 24),
+    }
+    law = _law(PRELOADS, 0.013 * PRELOADS, PRELOADS > 0.0, STEPS, USED, forces, False)
+    preload = np.full(4, 800.0)
+    _, tangential = law.sun_forces(preload, np.array([-0.5, -1e-9, 1e-9, 0.5]))
+    assert tangential == pytest.approx(800.0 * np.array([-0.046, 0.004, 0.004, 0.054]), rel=1e-6)

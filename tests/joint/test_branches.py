@@ -31,8 +31,11 @@ class FakeLaws(BranchLaws):
         }
 
 
-def spring_law(rigid_in_preload):
-    """A linear spring that slips at a torque in proportion to its preload; stiffness alike, or as the preload."""
+def spring_law(rigid_in_preload, friction=0.0):
+    """A linear spring that slips at a torque in proportion to its preload; stiffness alike, or as the preload.
+
+    Its bearings take a force of the sun in proportion to the preload.
+    """
     nodes = np.geomspace(10.0, 5000.0, 6)
     ends = np.append(0.0, nodes)
     even = np.linspace(0.0, 1.0, 6)
@@ -50,7 +53,7 @@ def spring_law(rigid_in_preload):
         demand_at_slip=PchipInterpolator(ends, at_slip),
         used=table(over),
         normal=table(np.ones_like(size)),
-        tangential=table(0.1 * over),
+        tangential=table(friction + 0.1 * over),
     )
 
 
@@ -58,8 +61,9 @@ def spring_law(rigid_in_preload):
 def springs(paper_joint, monkeypatch):
     """A drive of three such branches, whose preload is in proportion to the interference: 1000 N at 13 um."""
 
-    def of(**changes):
-        laws = lambda joint, *, largest_preload: FakeLaws(spring_law(True), spring_law(False), joint, 1.0)  # noqa: E731
+    def of(friction=0.0, **changes):
+        both = spring_law(True, friction), spring_law(False, friction)
+        laws = lambda joint, *, largest_preload: FakeLaws(*both, joint, 1.0)  # noqa: E731
         monkeypatch.setattr(branches, "branch_laws", laws)
         monkeypatch.setattr(branches, "joint_preload", lambda joint, length: 1000.0 * length / INTERFERENCE)
         return BranchedJoint(paper_joint(**changes), INTERFERENCE)
@@ -217,3 +221,16 @@ def test_exact_forces_balance_on_the_sun(real):
     exact = real.laws.states(found.standing.preload, 3.0 * found.standing.torque)
     force = force_on_sun(normal=exact["normal"][0], tangential=exact["tangential"][0])
     assert force == pytest.approx(5e7 * found.standing.sun_displacement, abs=0.05)
+
+
+@pytest.mark.parametrize("support", [2e7, 2e8])
+def test_friction_of_the_bearings_moves_the_sun_a_little(springs, support):
+    """In proportion to the friction, also where a branch is wound back; symmetric sizes, which tempt the search far."""
+    unequal = sizes([1e-6, -1e-6, -1e-6], support)
+    none, little, more = (
+        springs(friction=friction, output_torque=5.0).branches(unequal, slip=False).standing
+        for friction in (0.0, 1e-5, 1e-3)
+    )
+    moves = [found.sun_displacement - none.sun_displacement for found in (little, more)]
+    assert np.abs(moves[1]).max() > 1e-10
+    np.testing.assert_allclose(100.0 * moves[0], moves[1], rtol=0.05, atol=1e-11)

@@ -63,11 +63,15 @@ class BranchLaw:
         return share * np.where(preload > 0.0, self.capacity(np.maximum(preload, 0.0)), 0.0)
 
     def sun_forces(self, preload: np.ndarray, share: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """Normal and tangential force of each branch's sun contact [N]."""
+        """Normal and tangential force of each branch's sun contact [N].
+
+        What the bearings take has the sense of the drive's motion, also in a branch that is wound back.
+        """
         place = self._log(preload)
-        bears = np.maximum(preload, 0.0)
-        size, back = np.abs(share), np.where(share < 0.0, -1.0, 1.0)
-        return bears * self.normal.ev(size, place), bears * back * self.tangential.ev(size, place)
+        bears, size = np.maximum(preload, 0.0), np.abs(share)
+        friction = self.tangential.ev(np.zeros_like(size), place)
+        tangential = friction + np.sign(share) * (self.tangential.ev(size, place) - friction)
+        return bears * self.normal.ev(size, place), bears * tangential
 
     def _log(self, preload: np.ndarray) -> np.ndarray:
         return np.log(np.clip(preload, self.preloads[0], self.preloads[-1]))

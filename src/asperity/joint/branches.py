@@ -66,17 +66,21 @@ class BranchedJoint:
         self._turned = 1.0 / (float(geometry.sun_radius) * abs(float(speed_ratio(geometry))))
 
     def preload(self, interference: np.ndarray) -> np.ndarray:
-        """Preload that an interference makes in a branch, 0 without one [N]."""
+        """Preload that an interference makes in a branch, 0 without one [N]; beyond the tables in proportion to it."""
+        inside = np.clip(interference, self._least, _WIDEST * self.interference)
+        nominal = self._log_force(math.log(self.interference))
+        found = self.own_preload * np.exp(
+            self._log_force(np.log(inside)) - nominal
+        )  # exact for the nominal one
+        return np.where(interference > 0.0, found * interference / inside, 0.0)
+
+    def refuse_wide(self, interference: np.ndarray) -> None:
+        """Refuse branches whose interference is beyond the tables."""
         if np.any(interference > _WIDEST * self.interference):
             raise InputError(
                 f"the interference of a branch, {format_quantity(float(np.max(interference)), 'um')}, is more than "
                 f"{_WIDEST:g} times the nominal one; state smaller deviations"
             )
-        inside = np.log(np.maximum(interference, self._least))
-        nominal = self._log_force(math.log(self.interference))
-        found = self.own_preload * np.exp(self._log_force(inside) - nominal)  # exact for the nominal one
-        small = np.where(interference > 0.0, interference / self._least, 0.0)
-        return np.where(interference >= self._least, found, found * small)
 
     def branches(self, sizes: BranchSizes, *, slip: bool = True) -> UnequalBranches:
         """Everything about branches of given sizes.
@@ -190,9 +194,11 @@ class _Solver:
         if np.max(np.abs(misfit(held))) < _TOLERANCE:
             return held
         found = root(misfit, self._last, method="hybr", options={"xtol": 1e-12})
-        if np.max(np.abs(misfit(found.x))) > 1e-6:
+        left = float(np.max(np.abs(misfit(found.x))))
+        if left > 1e-6:
             raise NoSolutionError(
-                "the sun finds no place between its branches; choose stiffer bearings of the sun"
+                f"no place was found at which the bearings of the sun balance its branches: {left:.1g} of the preload "
+                "are left; hold the sun, by leaving out compliance.sun_support_stiffness, or state smaller deviations"
             )
         self._last = found.x  # near the next one
         return np.asarray(found.x * size)
@@ -222,6 +228,7 @@ class _Solver:
     def at(self, common: float) -> BranchState:
         """The state at an angle or a speed loss."""
         moved = self.displacement(common)
+        self.drive.refuse_wide(self.lengths(moved))
         preload, share, force = self._loads(self._demands(common, moved), moved)
         torque = self.law.torque(preload, share)
         found = self._contacts(preload, torque * (1.0 - 1e-9))
