@@ -12,8 +12,9 @@ import pytest
 from scipy.integrate import solve_ivp
 
 from asperity.errors import InputError
-from asperity.export.fmu import fmu_file, fmu_parts
+from asperity.export.fmu import ELEMENTS, fmu_file, fmu_parts
 from asperity.joint.play import Play, play_angle
+from asperity.joint.series_law import SeriesLaw, slip_elements
 
 fmpy = pytest.importorskip("fmpy", reason="FMPy is not installed (extra 'test')")
 
@@ -268,3 +269,13 @@ def test_without_drift_it_is_refused(content):
         InputError, match=r"no steady rolling at 5 N\*m; an FMU needs its drift at every torque"
     ):
         fmu_parts(holes)
+
+
+def test_the_error_of_the_slip_elements_is_stated_as_a_share_of_the_loop(content):
+    error = slip_elements(SeriesLaw(content.windup, content.play), elements=ELEMENTS).error
+    share = f"{100.0 * error / float(content.windup.hysteresis):.2g}"
+    assert (
+        f"{ELEMENTS} slip elements in series follow the loop within {share} % of its width"
+        in (fmu_parts(content).sentences[0])
+    )
+    assert 0.0 < float(share) < 5.0
