@@ -38,7 +38,10 @@ def sheet(width=10.0, *, standing=False, lives=1e4 - 100.0 * TORQUE):
         life_turns=SimpleNamespace(drive=1e4 * lives[6]),
     )
     joint = SimpleNamespace(
-        friction_coefficients=(0.12,), output_torque=6.0, sun_speed=0.0 if standing else 100.0
+        contact_names=("sp", "pwr", "pwl", "wro", "wlo"),
+        friction_coefficients=(0.12,),
+        output_torque=6.0,
+        sun_speed=0.0 if standing else 100.0,
     )
     figure = rolling_figure(curves, rolling, joint=joint, title="a joint", width=width)
     figure.savefig("/dev/null", format="png")

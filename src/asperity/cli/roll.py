@@ -3,12 +3,17 @@
 from __future__ import annotations
 
 import math
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import click
 
 from asperity.cli.terminal import say_written
 from asperity.writing import check_image, write_image
+
+if TYPE_CHECKING:
+    from asperity.joint.either_kind import AnyJoint
+    from asperity.joint.evaluation import JointResult
+    from asperity.joint.planar.evaluation import PlanarResult
 
 _WIDTH = 10.0  # of the picture [in]
 
@@ -41,12 +46,13 @@ def roll(file: str, plot_file: str | None, as_json: bool) -> None:
     use_double_precision()
     use_compilation_cache()
     if isinstance(case, PlanarCase):
-        from asperity.cli.solved_case import refuse_options, solved_planar
+        from asperity.cli.solved_case import solved_planar
         from asperity.joint.planar.solve import refuse_planar_rolling
 
-        refuse_options(case, file, {"--plot": plot_file is not None})
         planar, found, document = solved_planar(case)
         refuse_planar_rolling(planar, found)
+        if plot_file:
+            _draw(planar, found.result, document, file, plot_file)
         _show(document, file, as_json)
         return
     from asperity.joint.document import joint_document
@@ -61,31 +67,33 @@ def roll(file: str, plot_file: str | None, as_json: bool) -> None:
     document = joint_document(
         joint=joint, solution=solution, inputs=si_values(case), assumptions=assumptions(case)
     )
-    capacity = document["rolling"]["torque_capacity_Nm"]
-    capacity = math.inf if capacity is None else capacity
-    refuse_no_rolling(joint, solution, capacity)
+    refuse_no_rolling(joint, solution, _capacity(document))
     if plot_file:
-        from asperity.joint.rolling_curves import rolling_curves
-        from asperity.show.rolling_figure import rolling_figure
-        from asperity.show.style import plain_title
-
-        curves = rolling_curves(
-            joint=joint,
-            result=solution.result,
-            torque_capacity=math.copysign(capacity, float(joint.output_torque)),
-        )
-        write_image(
-            rolling_figure(
-                curves,
-                solution.result.rolling,
-                joint=joint,
-                title=f"{plain_title(file)} in rolling",
-                width=_WIDTH,
-            ),
-            plot_file,
-        )
-        say_written(plot_file)
+        _draw(joint, solution.result, document, file, plot_file)
     _show(document, file, as_json)
+
+
+def _capacity(document: dict[str, Any]) -> float:
+    """Torque capacity in rolling [N·m]; infinite where friction does not limit it."""
+    capacity = document["rolling"]["torque_capacity_Nm"]
+    return math.inf if capacity is None else float(capacity)
+
+
+def _draw(
+    joint: AnyJoint, result: JointResult | PlanarResult, document: dict[str, Any], file: str, plot_file: str
+) -> None:
+    from asperity.joint.rolling_curves import rolling_curves
+    from asperity.show.rolling_figure import rolling_figure
+    from asperity.show.style import plain_title
+
+    capacity = math.copysign(_capacity(document), float(joint.output_torque))
+    curves = rolling_curves(joint=joint, result=result, torque_capacity=capacity)
+    title = f"{plain_title(file)} in rolling"
+    write_image(
+        rolling_figure(curves, result.rolling, joint=joint, title=title, width=_WIDTH),
+        plot_file,
+    )
+    say_written(plot_file)
 
 
 def _show(document: dict[str, Any], file: str, as_json: bool) -> None:

@@ -13,7 +13,7 @@ from asperity.contact.fractal import Surface
 from asperity.contact.population import ContactFactorModel
 from asperity.drive.assembly import StructureSprings
 from asperity.drive.bearing_life import RatedBearing
-from asperity.drive.geometry import DriveGeometry
+from asperity.drive.geometry import CONTACT_NAMES, DriveGeometry
 from asperity.drive.loading_cam import cam_preload
 from asperity.drive.mechanism import Bearings, Closure
 from asperity.drive.structure_loads import PinSupport
@@ -202,6 +202,11 @@ class Joint(eqx.Module):
     sun_bearing: RatedBearing | None = None
     carrier_bearing: RatedBearing | None = None
     cam_force_per_torque: Real | None = None
+
+    @property
+    def contact_names(self) -> tuple[str, ...]:
+        """Names of the contacts."""
+        return CONTACT_NAMES
 
     @property
     def ends(self) -> tuple[str, str]:

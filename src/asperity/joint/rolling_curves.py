@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import dataclasses
 import math
+from typing import Any
 
 import equinox as eqx
 import jax
@@ -14,7 +15,12 @@ from jax import Array
 from asperity.compilation import compile_fast
 from asperity.joint.creep_curves import creep_curves
 from asperity.joint.description import Joint
+from asperity.joint.either_kind import AnyJoint
 from asperity.joint.evaluation import JointResult, evaluate
+from asperity.joint.planar.description import PlanarJoint
+from asperity.joint.planar.evaluation import PlanarResult
+from asperity.joint.planar.rolling_loads import rolling_over_loads
+from asperity.joint.rolling import RollingResult
 
 _TORQUES, _SPEEDS = 49, 17
 _OVER_TORQUE, _OVER_SPEED = 2.0, 1.5  # ends of the axes over the joint's own numbers
@@ -54,14 +60,16 @@ class RollingCurves(eqx.Module):
     efficiency: Array
 
 
-def rolling_curves(*, joint: Joint, result: JointResult, torque_capacity: float) -> RollingCurves:
+def rolling_curves(
+    *, joint: AnyJoint, result: JointResult | PlanarResult, torque_capacity: float
+) -> RollingCurves:
     """Creep curves of the contacts; drift, life and efficiency of the joint over torque and speed.
 
     Parameters
     ----------
-    joint : Joint
+    joint : Joint or PlanarJoint
         One joint.
-    result : JointResult
+    result : JointResult or PlanarResult
         What it does under its own torque and speed.
     torque_capacity : float
         Its torque capacity; infinite or nan if friction does not limit it [N·m].
@@ -72,7 +80,7 @@ def rolling_curves(*, joint: Joint, result: JointResult, torque_capacity: float)
         From 0 to the capacity, or to twice the joint's torque if there is no capacity; speeds up to 1.5 times the
         joint's.
     """
-    numbers: Joint = jax.tree.map(lambda leaf: np.asarray(leaf, dtype=float), joint)
+    numbers: AnyJoint = jax.tree.map(lambda leaf: np.asarray(leaf, dtype=float), joint)
     numbers = dataclasses.replace(numbers, rolling=dataclasses.replace(numbers.rolling, duty=()))
     own, speed = float(numbers.output_torque), float(numbers.sun_speed)
     limited = math.isfinite(torque_capacity)
@@ -81,12 +89,18 @@ def rolling_curves(*, joint: Joint, result: JointResult, torque_capacity: float)
     torque = torque_capacity * towards * (2.0 - towards) if limited else _OVER_TORQUE * own * towards
     speeds = np.linspace(0.0, _OVER_SPEED * speed, _SPEEDS + 1)[1:] if speed > 0.0 else np.zeros(0)
     grid_speed, grid_torque = np.meshgrid(speeds, torque[1:], indexing="ij")
-    points = dataclasses.replace(
-        numbers,
-        output_torque=jnp.concatenate([torque, grid_torque.ravel()]),
-        sun_speed=jnp.concatenate([np.full_like(torque, speed), grid_speed.ravel()]),
+    loads = (
+        jnp.concatenate([torque, grid_torque.ravel()]),
+        jnp.concatenate([np.full_like(torque, speed), grid_speed.ravel()]),
     )
-    drift, turns, hours, efficiency = jax.tree.map(np.asarray, compile_fast(_over_loads, points)(points))
+    if isinstance(numbers, PlanarJoint):
+        assert isinstance(result, PlanarResult)
+        given = (numbers, jax.tree.map(np.asarray, result.rest), *loads)
+        over = compile_fast(_planar_over_loads, *given)(*given)
+    else:
+        points = dataclasses.replace(numbers, output_torque=loads[0], sun_speed=loads[1])
+        over = compile_fast(_over_loads, points)(points)
+    drift, turns, hours, efficiency = jax.tree.map(np.asarray, over)
     traction, creepage = creep_curves(joint, result)
     return RollingCurves(
         torque_capacity=jnp.asarray(torque_capacity),
@@ -102,8 +116,15 @@ def rolling_curves(*, joint: Joint, result: JointResult, torque_capacity: float)
     )
 
 
+def _planar_over_loads(*given: Any) -> tuple[Array, Array, Array, Array]:
+    return _shown(rolling_over_loads(*given))
+
+
 def _over_loads(joint: Joint) -> tuple[Array, Array, Array, Array]:
-    found = evaluate(joint).rolling
+    return _shown(evaluate(joint).rolling)
+
+
+def _shown(found: RollingResult) -> tuple[Array, Array, Array, Array]:
     return (
         found.drift_per_output_turn,
         found.life_turns.drive,

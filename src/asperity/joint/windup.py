@@ -289,11 +289,10 @@ def windup(
     """
     require_double_precision()
     largest = abs(float(largest_torque))
-    names = joint.contact_names if isinstance(joint, PlanarJoint) else CONTACT_NAMES
 
     def compliances(torques: Array) -> tuple[Array, Array]:
         found = standing_at(joint, torques)
-        _refuse(found, np.asarray(torques), largest, names)
+        _refuse(found, np.asarray(torques), largest, joint.contact_names)
         real, elastic = found.levels[level], found.levels_without_slip[level]
         if not np.all(real > 0.0):
             raise InputError(

@@ -56,8 +56,7 @@ def report_pictures(
     Returns
     -------
     dict
-        Name → SVG. ``windup`` and ``rolling`` are absent where the joint has none; ``forces`` and ``rolling`` are for
-        the paper's drive.
+        Name → SVG. ``windup`` and ``rolling`` are absent where the joint has none; ``forces`` is for the paper's drive.
     """
     from matplotlib.figure import Figure
 
@@ -77,7 +76,7 @@ def report_pictures(
     found["margins"] = figure_svg(bars)
     if windup is not None:
         found["windup"] = figure_svg(windup_figure(windup, onset, title="", stacked=True))
-    if not isinstance(joint, PlanarJoint) and math.isfinite(float(solved.result.rolling.residual)):
+    if math.isfinite(float(solved.result.rolling.residual)):
         curves = rolling_curves(joint=joint, result=solved.result, torque_capacity=rolling_capacity)
         found["rolling"] = figure_svg(
             rolling_figure(curves, solved.result.rolling, joint=joint, title="", width=_WIDTH)

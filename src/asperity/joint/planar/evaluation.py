@@ -256,7 +256,7 @@ def evaluated_with_laws(joint: PlanarJoint) -> tuple[PlanarResult, ContactLaws]:
             conditions=joint.rolling,
             bodies=bodies_of_contacts(drive),
             planet_count=jnp.asarray(drive.sectors),
-            rolled=_rolling_at(joint, contacts, laws, states.rest),
+            rolled=rolling_at(joint, contacts, laws, states.rest),
         ),
         contact_law_holds=stiffness.contact_law_holds,
         walls_hold=stiffness.walls_hold,
@@ -277,10 +277,31 @@ def _bearing_power(joint: PlanarJoint, state: PlanarState) -> Array:
     return friction_power(drive=joint.drive, moments=moments, speed=state.speed * joint.input_speed)
 
 
-def _rolling_at(
+def rolling_at(
     joint: PlanarJoint, contacts: JointContacts, laws: ContactLaws, rest: PlanarState
 ) -> Callable[[Array, Array], RollingResult]:
-    """Steady rolling of an assembled joint at any torque [N·m] and input speed [rad/s]."""
+    """Steady rolling of an assembled joint at any torque and speed.
+
+    Parameters
+    ----------
+    joint : PlanarJoint
+        One joint; its own torque and speed do not count.
+    contacts : JointContacts
+        Its contacts.
+    laws : ContactLaws
+        Their laws.
+    rest : PlanarState
+        Its assembled state.
+
+    Returns
+    -------
+    callable
+        Of an output torque [N·m] and an angular velocity of the input [rad/s].
+
+    References
+    ----------
+    Equations (B1) and (M3) of :doc:`/equations`.
+    """
     masses, sense = body_masses(joint), driving_sense(joint.drive)
 
     def rolled(torque: Array, speed: Array) -> RollingResult:
