@@ -1,8 +1,12 @@
 """Requests become checked joint files."""
 
+import tomllib
+
 import pytest
 
 from asperity.errors import InputError
+from asperity.joint_file.reader import parse_any_case
+from asperity.joint_file.si_tables import si_values
 from asperity.page.joint_request import CHOICES, JointRequest, choices_of_case, joint_request
 
 
@@ -161,3 +165,41 @@ def test_an_optional_number_of_another_drive_can_be_left_out(planetary_text):
     assert wanted.case().drive.planet_bore_diameter.value == pytest.approx(20e-3)
     without = JointRequest("p.toml", wanted.file_text(), {"drive.planet_bore_diameter": ""})
     assert without.case().drive.planet_bore_diameter is None
+
+
+def test_a_finish_with_the_ra_of_the_drawing_takes_the_place_of_d_and_g(planetary_text):
+    """As a file with finish and roughness_average says it, from one that states D and G."""
+    finish = {
+        "surface.finish": "ground",
+        "surface.fractal_dimension": "",
+        "surface.frequency_ratio": "",
+        "surface.roughness_average": "0.2 um",
+    }
+    found = JointRequest("p.toml", planetary_text, finish)
+    plain = planetary_text.replace("fractal_dimension = 1.5", 'finish = "ground"').replace(
+        'fractal_roughness = "1.3e-7 mm"', 'roughness_average = "0.2 um"'
+    )
+    assert si_values(found.case()) == si_values(parse_any_case(plain, source="p"))
+    assert found.case().surface.finish == "ground"
+    assert "fractal_roughness" not in tomllib.loads(found.file_text())["surface"]
+    own = {"surface.finish": "", "surface.fractal_dimension": "1.4", "surface.frequency_ratio": "1.5"}
+    back = JointRequest("p.toml", found.file_text(), own)
+    assert back.case().surface.finish is None
+    with pytest.raises(InputError, match="there is no finish 'polishd'"):
+        JointRequest("p.toml", planetary_text, {"surface.finish": "polishd"}).case()
+
+
+def test_a_finish_of_a_file_with_a_surface_for_each_contact(planetary_text):
+    plain = "\n".join(line for line in planetary_text.splitlines() if not line.startswith("#"))
+    entry = plain[plain.index("[surface]") : plain.index("[lubrication]")]
+    each = plain.replace(
+        entry, "".join(entry.replace("surface]", f"surface.{name}]") for name in ("sp", "pr"))
+    )
+    asked = {
+        "surface.finish": "honed",
+        "surface.fractal_dimension": "",
+        "surface.roughness_average": "0.1 um",
+    }
+    surfaces = tomllib.loads(JointRequest("p.toml", each, asked).file_text())["surface"]
+    expected = {"finish": "honed", "roughness_average": "0.1 um", "frequency_ratio": 1.5}
+    assert surfaces == {"sp": expected, "pr": expected}

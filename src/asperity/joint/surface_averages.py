@@ -6,10 +6,11 @@ from typing import Any
 
 from asperity.drive.geometry import CONTACT_NAMES
 from asperity.joint.description import Joint
+from asperity.joint.planar.description import PlanarJoint
 from asperity.surface.roughness_average import corresponding_average, standard_cut_off
 
 
-def surface_averages(joint: Joint, stated: dict[str, Any]) -> list[dict[str, Any]]:
+def surface_averages(joint: Joint | PlanarJoint, stated: dict[str, Any]) -> list[dict[str, Any]]:
     """What an instrument would show on the surfaces of a joint.
 
     Parameters
@@ -26,7 +27,8 @@ def surface_averages(joint: Joint, stated: dict[str, Any]) -> list[dict[str, Any
         of two like bodies [m] with the range of 95 % of its measurements over five cut-offs; see
         :func:`asperity.surface.roughness_average.corresponding_average`.
     """
-    shared = [CONTACT_NAMES] if len(joint.surfaces) == 1 else [(name,) for name in CONTACT_NAMES]
+    contacts = joint.contact_names if isinstance(joint, PlanarJoint) else CONTACT_NAMES
+    shared = [contacts] if len(joint.surfaces) == 1 else [(name,) for name in contacts]
     found: dict[tuple[float, float, float | None], list[str]] = {}
     for names, surface in zip(shared, joint.surfaces, strict=True):
         entry = stated.get(names[0], stated)

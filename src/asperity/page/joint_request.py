@@ -21,7 +21,12 @@ from asperity.joint_file.planar_model import PlanarCase
 from asperity.joint_file.planar_types import PLANAR_CASES
 from asperity.joint_file.reader import any_case_from_tables, model_of_type
 from asperity.joint_file.si_tables import key_at
+from asperity.library import read_finishes
 from asperity.reading import parse_toml
+
+#: The key of the finish of all surfaces, and what a file need not state beside it.
+FINISH = "surface.finish"
+_GIVEN_BY_FINISH = ("surface.fractal_dimension", "surface.frequency_ratio")
 
 MOST_CHANGES = 400
 MOST_LOADS = 50
@@ -53,6 +58,7 @@ def choices_of(model: type[Case] | type[PlanarCase], bodies: Iterable[str]) -> d
     """
     return {
         **{f"bodies.{name}": () for name in bodies},
+        FINISH: tuple(read_finishes()),
         **{
             f"{section}.{name}": _words(field.annotation)
             for section, above in model.model_fields.items()
@@ -154,19 +160,41 @@ def _apply(tables: Any, changes: Mapping[str, Any]) -> None:
         numbers = {path: value for path, value in changes.items() if path not in choices}
         empty = [path for path, value in numbers.items() if value == "" and _may_be_absent(path, model, kind)]
         for path in empty:
-            leave_out(tables, path)
+            for each in (path, *_of_each_surface(tables, path)):
+                leave_out(tables, each)
             del numbers[path]
         set_texts(tables, numbers)
-        set_words(tables, {path: str(value) for path, value in changes.items() if path in choices})
+        words = {path: str(value) for path, value in changes.items() if path in choices}
+        if FINISH in words and _of_each_surface(tables, FINISH):
+            _set_each_finish(tables, words.pop(FINISH))
+        set_words(tables, words)
     except (AttributeError, IndexError, KeyError, TypeError, ValueError) as error:
         if isinstance(error, InputError):
             raise
         raise InputError("the changes do not fit the sections of this joint file") from None
 
 
+def _of_each_surface(tables: Any, path: str) -> list[str]:
+    """A path of the surface of all contacts in the surfaces of a file that states one for each; else none."""
+    section, *rest = path.split(".")
+    surface = tables.get("surface", {})
+    named = [name for name in surface if isinstance(surface[name], Mapping)]
+    return [f"surface.{name}.{rest[0]}" for name in named] if section == "surface" and len(rest) == 1 else []
+
+
+def _set_each_finish(tables: Any, word: str) -> None:
+    for path in _of_each_surface(tables, FINISH):
+        if word:
+            tables["surface"][path.split(".")[1]]["finish"] = word
+        else:
+            leave_out(tables, path)
+
+
 def _may_be_absent(path: str, model: type[Case] | type[PlanarCase], kind: str) -> bool:
-    """Whether a number of the joint file is optional."""
+    """Whether a number of the joint file is optional, or given by a finish."""
     key_at(path, kind)
+    if path in _GIVEN_BY_FINISH:
+        return True
     section, *_, name = path.split(".")
     models = models_of(model.model_fields[section].annotation)
     return any(name in model.model_fields and not model.model_fields[name].is_required() for model in models)

@@ -201,7 +201,7 @@ def _planar_parts(source: ReportSource, case: PlanarCase) -> _Parts:
         solved_planar_joint(joint, solution),
         document,
         planar_loads_document(joint, solution),
-        surfaces=tuple(_measured(joint, source, case)),
+        surfaces=(*_measured(joint, source, case), surface_tables.averages(document)),
         drive=(*result_tables.planar_drive(document), *load_tables.rims(document)),
     )
 

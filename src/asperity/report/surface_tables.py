@@ -90,7 +90,9 @@ def averages(document: Document) -> Table:
         low, high = (number(entry[f"roughness_average_{end}_m"], 1e6) for end in ("low", "high"))
         rows.append(
             (
-                "all" if len(entry["contacts"]) == 5 else ", ".join(entry["contacts"]),
+                "all"
+                if len(entry["contacts"]) == len(document["contacts"])
+                else ", ".join(entry["contacts"]),
                 number(entry["fractal_dimension"]),
                 number(entry["fractal_roughness_m"], 1e3),
                 number(entry["cut_off_m"], 1e3),

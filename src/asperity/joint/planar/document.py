@@ -28,6 +28,7 @@ from asperity.joint.planar.solved import SolvedPlanarJoint, solved_planar_joint
 from asperity.joint.planar.temperature import planar_assembly_document
 from asperity.joint.rolling_document import losses, rolling_document
 from asperity.joint.strength_document import rim_entry
+from asperity.joint.surface_averages import surface_averages
 
 Document = dict[str, Any]
 
@@ -109,6 +110,7 @@ def planar_document(
             },
             "torque_capacity": planar_capacity_document(solution, solution),
             "contacts": contact_documents(solved),
+            "surfaces": surface_averages(joint, inputs.get("surface", {})),
             "bearings": [],
             "rims": _rims(solved),
             "torsional_stiffness": torsional_stiffness_document(result),

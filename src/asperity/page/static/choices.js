@@ -10,7 +10,7 @@ export function choiceRows(controls, group, stated) {
   const library = controls.description.materials.map((each) => each.name);
   const own = Object.keys(stated.numbers).filter((path) => path.startsWith("materials.")).map((path) => path.split(".")[1]);
   return controls.description.choices
-    .filter((choice) => choice.group === group)
+    .filter((choice) => choice.group === group && choice.key !== FINISH) // which has a list of its own
     .map((choice) => {
       const id = `value-${choice.key.replaceAll(".", "-")}`;
       const words = choice.words.length ? choice.words : [...new Set([...own, ...library])];
@@ -39,10 +39,25 @@ export function showChoice(row, stated, changes) {
   if (row.help.textContent !== text) row.help.textContent = text;
 }
 
-/** A list of the finishes of the library, which sets D, G and gamma of all contacts in one step. */
-export function finishRow(controls) {
+const FINISH = "surface.finish";
+
+/** What a finish sets where Ra is that of the drawing: the file's Ra, or the middle of the published range. */
+function ofDrawing(finish, stated) {
+  const own = stated.numbers["surface.roughness_average"];
+  const [low, high] = finish.roughness_average_um;
+  return {
+    [FINISH]: finish.name,
+    "surface.fractal_dimension": "",
+    "surface.frequency_ratio": "",
+    "surface.roughness_average": own ? `${number(own.value, 6)} um` : `${number(Math.sqrt(low * high), 2)} um`,
+  };
+}
+
+/** A list of the finishes of the library: with the Ra of the drawing, or D, G and gamma at an end of the published range. */
+export function finishRow(controls, stated) {
   const id = "value-finish";
-  const ends = controls.description.finishes.flatMap((finish) =>
+  const { finishes } = controls.description;
+  const ends = finishes.flatMap((finish) =>
     ["finest", "coarsest"].map((name, i) => ({
       name: `${finish.name} ${name}`,
       text: `${finish.name}, ${name}: Ra ${number(finish.roughness_average_um[i])} µm`,
@@ -54,25 +69,34 @@ export function finishRow(controls) {
       },
     })),
   );
+  const options = (entries) => entries.map(({ name, text }) => element("option", { value: name }, text));
   const select = element(
     "select",
     { id, "aria-describedby": `${id}-help` },
     element("option", { value: "" }, "other values"),
-    ...ends.map((end) => element("option", { value: end.name }, end.text)),
+    element("optgroup", { label: "Ra of the drawing, D of the process" }, ...options(finishes.map((each) => ({ name: each.name, text: each.name })))),
+    element("optgroup", { label: "D and G at an end of the published range" }, ...options(ends)),
   );
   const meaning =
-    "Sets D, G and gamma of all contacts to an end of the range that is published for a process; it is taken as the roughness of both bodies together.";
+    "The upper entries take the Ra of the drawing and the range of D that is published for the process: the stiffness is that of its middle, and the report states the interval. " +
+    "The lower ones set D, G and gamma of all contacts to an end of the published range, taken as the roughness of both bodies together.";
   const help = element("p", { class: "help", id: `${id}-help` }, meaning);
+  let now = stated;
   select.addEventListener("change", () => {
     const end = ends.find((each) => each.name === select.value);
-    if (end) controls.together(end.values, ["surface"]);
+    const finish = finishes.find((each) => each.name === select.value);
+    if (end) controls.together(now.choices[FINISH] ? { [FINISH]: "", ...end.values } : end.values, ["surface"]);
+    else if (finish) controls.together(ofDrawing(finish, now), ["surface"]);
   });
   controls.finish = {
-    show(stated) {
-      const same = (path, value) => path in stated.numbers && Math.abs(stated.numbers[path].value / parseFloat(value) - 1) < 1e-4;
-      const found = ends.find((end) => Object.entries(end.values).every(([path, value]) => same(path, value)));
-      select.value = found ? found.name : "";
-      const text = found ? `${meaning} ${found.finish.name}: ${found.finish.description}. Source: ${found.finish.reference}.` : meaning;
+    show(answer) {
+      now = answer;
+      const same = (path, value) => path in now.numbers && Math.abs(now.numbers[path].value / parseFloat(value) - 1) < 1e-4;
+      const named = "surface.roughness_average" in now.numbers && finishes.find((each) => each.name === now.choices[FINISH]);
+      const end = ends.find((each) => Object.entries(each.values).every(([path, value]) => same(path, value)));
+      const found = named || (end && end.finish);
+      select.value = named ? named.name : end ? end.name : "";
+      const text = found ? `${meaning} ${found.name}: ${found.description}. Source: ${found.reference}.` : meaning;
       if (help.textContent !== text) help.textContent = text;
     },
   };

@@ -97,7 +97,7 @@ export class Controls {
     this.finish = null;
     for (const [name, heading] of groups) {
       const rows = [...choiceRows(this, name, stated), ...this.numberRows(name, stated)];
-      if (name === "surface") rows.unshift(finishRow(this));
+      if (name === "surface") rows.unshift(finishRow(this, stated));
       if (!rows.length) continue;
       const details = element("details", { "data-group": name }, element("summary", {}, heading), ...rows);
       details.open = first ? OPEN.includes(name) : open.has(name);

@@ -39,7 +39,7 @@ export function showAnswer(answer, baseline) {
   get("margins").replaceChildren(margins(answer));
   get("warnings").replaceChildren(warnings(found));
   get("plots").replaceChildren(...plots(answer, baseline));
-  get("contacts").replaceChildren(contacts(found));
+  get("contacts").replaceChildren(contacts(found), roughness(found));
   get("assumptions").replaceChildren(...found.assumptions.map((text) => element("li", {}, text)));
 }
 
@@ -236,6 +236,22 @@ function contacts(found) {
       ];
     }),
   );
+}
+
+/** Which Ra of two like bodies the D and G of the surfaces mean. */
+function roughness(found) {
+  const micro = (value) => number(scaled(value, 1e6), 3);
+  const all = Object.keys(found.contacts).length;
+  const rows = found.surfaces.map((each) => [
+    each.contacts.length === all ? "all contacts" : each.contacts.join(", "),
+    number(each.fractal_dimension),
+    number(scaled(each.fractal_roughness_m, 1e3), 3),
+    number(scaled(each.cut_off_m, 1e3), 3),
+    micro(each.roughness_average_m),
+    `${micro(each.roughness_average_low_m)} to ${micro(each.roughness_average_high_m)}`,
+  ]);
+  const title = "Ra to which D and G correspond, on each of two like bodies";
+  return element("div", {}, element("h3", {}, title), table(title, ["contacts", "D", "G, mm", "cut-off, mm", "Ra, µm", "95 % of measurements, µm"], rows));
 }
 
 function plots(answer, baseline) {
