@@ -39,6 +39,15 @@ def test_what_only_the_papers_drive_has_says_so(planar_case, path, section):
     )
 
 
+def test_a_forgotten_type_is_one_message(planar_case):
+    with pytest.raises(InputError) as refused:
+        planar_case("planetary", ('type = "planetary"\n', ""))
+    assert str(refused.value) == (
+        "mine.toml: drive.output: not of the paper's drive, which the file means without a type; write "
+        'type = "planetary" or type = "planar" above it'
+    )
+
+
 def test_what_only_other_drives_have_names_them(planar_case, example_text):
     with pytest.raises(InputError, match=r'roller: only for drives of type "planar"$'):
         parse_case(example_text + '\n[[roller]]\nname = "x"\n', source="mine.toml")

@@ -216,9 +216,12 @@ def _unknown_key(
     for each in absent:
         if each[-1] == name:
             return f"{path}: unknown {what}; it belongs in [{'.'.join(each[:-1])}]", each
-    others = _drives_with(parts)
-    if others:
-        return f"{path}: {others}", None
+    having = _drives_with(parts)
+    if having == ["zou2025"]:
+        return f'{path}: only for the paper\'s drive (type = "zou2025", or no type)', None
+    if having:
+        named = ", ".join(f'"{kind}"' for kind in having)
+        return f"{path}: only for drives of type {named}", None
     known = _known_names(table, model)
     sections = sorted({each.split(".")[0] for each in keys_by_path(model) if each.split(".")[-1] == name})
     if sections and name not in known:
@@ -226,16 +229,12 @@ def _unknown_key(
     return f"{path}: unknown {what}{nearest(name, known) or '; known here are ' + ', '.join(known)}", None
 
 
-def _drives_with(parts: Parts) -> str:
-    """Which drives a key is for that the file's own drive does not have; empty where none has it."""
+def _drives_with(parts: Parts) -> list[str]:
+    """Types of the drives whose files may have a key."""
     from asperity.joint_file.planar_types import PLANAR_CASES
 
     kinds = {"zou2025": Case} | PLANAR_CASES
-    having = [kind for kind, other in kinds.items() if parts[-1] in _known_names(parts[:-1], other)]
-    if having == ["zou2025"]:
-        return 'only for the paper\'s drive (type = "zou2025", or no type)'
-    named = ", ".join(f'"{kind}"' for kind in having)
-    return f"only for drives of type {named}" if having else ""
+    return [kind for kind, other in kinds.items() if parts[-1] in _known_names(parts[:-1], other)]
 
 
 def _missing_sections(sections: list[Parts], model: type[BaseModel]) -> str:
@@ -322,6 +321,14 @@ def explained(
         if not any(".".join(parts[:length]) in refused for length in (1, 2))
     ]
     absent = {parts for parts, each in found if each["type"] == "missing"}
+    foreign = [_drives_with(parts) for parts, each in found if each["type"] == "extra_forbidden"]
+    likely = set.intersection(*map(set, foreign)) - {"zou2025"} if foreign else set()
+    if absent and likely and "type" not in tables:
+        kinds = " or ".join(f'type = "{kind}"' for kind in foreign[0] if kind in likely)
+        names = ", ".join(".".join(parts) for parts, each in found if each["type"] == "extra_forbidden")
+        return [
+            f"{names}: not of the paper's drive, which the file means without a type; write {kinds} above it"
+        ]
     sentences = list(refused.values())
     for parts, each in found:
         if each["type"] == "extra_forbidden":
