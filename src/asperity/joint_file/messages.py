@@ -327,7 +327,8 @@ def explained(
         kinds = " or ".join(f'type = "{kind}"' for kind in foreign[0] if kind in likely)
         names = ", ".join(".".join(parts) for parts, each in found if each["type"] == "extra_forbidden")
         return [
-            f"{names}: not of the paper's drive, which the file means without a type; write {kinds} above it"
+            f"{names}: the paper's drive, which a file without a type describes, has no such key; for another drive "
+            f"write {kinds} in the first line"
         ]
     sentences = list(refused.values())
     for parts, each in found:
