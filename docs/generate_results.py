@@ -49,7 +49,7 @@ def _groups() -> Iterator[str]:
         yield "| result | meaning | of | unit | needs |\n|---|---|---|---|---|"
         for name in names:
             result = RESULTS[name]
-            rows = "" if result.axis == "one" else f"{result.axis}s"
+            rows = "" if result.axis == "one" else {"body": "bodies"}.get(result.axis, f"{result.axis}s")
             unit = "-" if result.display_unit == "1" else result.display_unit
             yield f"| `{name}` | {_describe(result)} | {rows} | {unit} | {result.needs} |"
         yield ""

@@ -43,8 +43,8 @@ def test_a_forgotten_type_is_one_message(planar_case):
     with pytest.raises(InputError) as refused:
         planar_case("planetary", ('type = "planetary"\n', ""))
     assert str(refused.value) == (
-        "mine.toml: drive.output: the paper's drive, which a file without a type describes, has no such key; for another "
-        'drive write type = "planetary" or type = "planar" in the first line'
+        "mine.toml: drive.output: the paper's drive, which a file without a type describes, has no such key; for "
+        'another drive write type = "planetary" or type = "planar" in the first line'
     )
 
 
