@@ -9,7 +9,7 @@ import pytest
 
 from asperity.drive.structure_loads import StructureLoads
 from asperity.joint.description import PinBeam
-from asperity.joint.loads_document import LoadCase, loads_document
+from asperity.joint.loads_document import LoadCase, document_of_rows, loads_document
 from asperity.joint.working_loads import BearingSpeeds
 from asperity.joint_file.build import joint_from_case
 
@@ -90,3 +90,15 @@ def test_unequal_branches_load_the_bearings_of_the_sun(case, unequal_branches):
     assert "planet 1 is pressed 1.1 times as hard" in notes
     unknown = loads_document(joint_from_case(case), CASES, [], branches)
     assert row_of(unknown, "sun bearing", "on the axis", "resultant force") == [250.0, None, None]
+
+
+def test_what_rounding_leaves_is_nothing():
+    """5.8e-15 N·m beside 11 N·m, in a table that also has forces; a nanonewton-metre is kept."""
+    cases = [{"name": name} for name in ("without torque", "working torque", "load 1")]
+    rows = [
+        ("carrier", "centre", "torque", "N*m", np.array([5.8e-15, 11.0, 1e-9])),
+        ("carrier", "centre", "force", "N", 3e-13),
+    ]
+    document = document_of_rows(cases, rows, bearings=[], notes=[])
+    assert row_of(document, "carrier", "centre", "torque") == [0.0, 11.0, 1e-9]
+    assert row_of(document, "carrier", "centre", "force") == [3e-13] * 3

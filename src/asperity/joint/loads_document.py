@@ -22,6 +22,8 @@ from asperity.joint.rolling_document import unknown_because
 from asperity.joint.solve import Solution, solve_program
 from asperity.joint.working_loads import BearingSpeeds, bearing_speeds, loads_at_rest, working_loads
 
+#: A load below this share of the largest one of its unit is what the sums of larger ones leave.
+_ROUNDING = 1e-12
 Document = dict[str, Any]
 Row = tuple[str, str, str, str, Any]
 
@@ -202,8 +204,19 @@ def document_of_rows(
     Returns
     -------
     dict
-        None where a value is not known or infinite.
+        None where a value is not known or infinite, 0 where it is the rounding of larger ones of its unit.
     """
+    whole = [
+        (*words, unit, np.broadcast_to(np.asarray(values, dtype=float), (len(cases),)))
+        for *words, unit, values in rows
+    ]
+    largest = {
+        unit: max(
+            (abs(x) for *_, other, each in whole if other == unit for x in each if np.isfinite(x)),
+            default=0.0,
+        )
+        for unit in {row[-2] for row in whole}
+    }
     return {
         "asperity_version": asperity.__version__,
         "cases": cases,
@@ -213,18 +226,20 @@ def document_of_rows(
                 "position": position,
                 "quantity": quantity,
                 "unit": unit,
-                "values": [_plain(value) for value in np.broadcast_to(values, (len(cases),))],
+                "values": [_plain(value, _ROUNDING * largest[unit]) for value in values],
             }
-            for part, position, quantity, unit, values in rows
+            for part, position, quantity, unit, values in whole
         ],
         "bearings": bearings,
         "notes": notes,
     }
 
 
-def _plain(value: Any) -> float | None:
+def _plain(value: Any, rounding: float) -> float | None:
     number = float(value)
-    return (number or 0.0) if math.isfinite(number) else None
+    if not math.isfinite(number):
+        return None
+    return number if abs(number) > rounding else 0.0
 
 
 def _unequal_pins(branches: UnequalBranches) -> str:
