@@ -134,10 +134,14 @@ def test_misfit_shows_in_the_residuals(case, curve):
         (
             Variable("load.preload", 100.0, 10000.0, True),
             0.25,
-            "load.preload to a factor of 3.16",
+            "weakly identifiable, load.preload to a factor of 3.16",
         ),  # 10^(1/2)
-        (Variable("load.preload", 100.0, 10000.0, True), 0.0021610686, "load.preload to ±1 %"),  # lg 1.01 / 2
-        (Variable("drift", -2e-7, 2e-7, False), 0.125, "drift to ±5e-08 rad/s"),
+        (
+            Variable("load.preload", 100.0, 10000.0, True),
+            0.0021610686,
+            "identifiable, load.preload to ±1 %",
+        ),  # lg 1.01 / 2
+        (Variable("drift", -2e-7, 2e-7, False), 0.125, "identifiable, drift to ±5e-08 rad/s"),
     ],
 )
 def test_how_well_an_unknown_is_known(unknown, half_width, words):

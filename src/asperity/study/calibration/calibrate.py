@@ -23,7 +23,7 @@ UNINFORMED = 1.0 / np.sqrt(12.0)
 #: Share of an unknown in a direction from which on it is named as part of it.
 NAMED_SHARE = 0.1
 
-# factor by which an unknown may be off from which on it is stated as a factor, not in per cent
+# factor by which an unknown may be off from which on it is only weakly known
 _LARGE_FACTOR = 1.2
 
 # rounds in which the sizes of the errors of two curves must settle, and their relative change when they have
@@ -318,7 +318,7 @@ def _direction(
     determined = bool(along < UNINFORMED)
     verdict = "NOT identifiable"
     if determined:
-        verdict = f"identifiable, {known_within(lead, quantile * along * abs(row[strongest]))} (95 %)"
+        verdict = f"{known_within(lead, quantile * along * abs(row[strongest]))} (95 %)"
     return Direction(
         shares={unknown.path: float(value) for unknown, value in zip(unknowns, row, strict=True)},
         standard_deviation=along,
@@ -340,15 +340,15 @@ def known_within(unknown: Variable, half_width: float) -> str:
     Returns
     -------
     str
-        A factor, a share of its value, or a difference in its unit.
+        A factor, which is weak knowledge, a share of its value, or a difference in its unit.
     """
     if not unknown.logarithmic:
         half = half_width * (unknown.upper - unknown.lower)
-        return f"{unknown.path} to ±{half:.2g}{_unit(unknown.path)}"
+        return f"identifiable, {unknown.path} to ±{half:.2g}{_unit(unknown.path)}"
     factor = float((unknown.upper / unknown.lower) ** half_width)
     if factor < _LARGE_FACTOR:
-        return f"{unknown.path} to ±{100.0 * (factor - 1.0):.2g} %"
-    return f"{unknown.path} to a factor of {factor:.3g}"
+        return f"identifiable, {unknown.path} to ±{100.0 * (factor - 1.0):.2g} %"
+    return f"weakly identifiable, {unknown.path} to a factor of {factor:.3g}"
 
 
 def _unit(path: str) -> str:
