@@ -75,5 +75,5 @@ def friction_power(*, drive: PlanarDrive, moments: Array, speed: Array) -> Array
     ----------
     Moment times angular velocity.
     """
-    copies = jnp.asarray(drive.sectors) / sectors_of_members(drive)
+    copies = jnp.asarray(drive.sectors, dtype=float) / sectors_of_members(drive)
     return -jnp.sum(copies * moments * speed)

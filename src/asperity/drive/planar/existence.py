@@ -4,12 +4,15 @@ from __future__ import annotations
 
 import itertools
 import math
+from typing import NamedTuple
 
+import jax
 import jax.numpy as jnp
 import numpy as np
 from jax import Array
 
-from asperity.drive.planar.layout import CARRIER, PlanarDrive, gaps, incidence, speeds
+from asperity.compilation import call_compiled
+from asperity.drive.planar.layout import CARRIER, Incidence, PlanarDrive, gaps, incidence, speeds
 from asperity.errors import InputError
 
 #: Largest distance between the bodies of a contact, relative to their radii, that is accepted.
@@ -17,6 +20,26 @@ TOUCH_TOLERANCE = 1e-9
 
 #: Smallest speed of the output, relative to the fastest member, that is more than rounding.
 LEAST_OUTPUT_SHARE = 1e-9
+
+
+class _Measures(NamedTuple):
+    """What decides whether a drive can exist, computed at once."""
+
+    gaps: Array
+    neighbours: dict[tuple[str, str], Array]
+    incidence: Incidence
+    output_share: Array
+
+
+def _measured(drive: PlanarDrive) -> _Measures:
+    found: _Measures = call_compiled(
+        _measures, jax.tree.map(lambda leaf: np.asarray(leaf, dtype=float), drive)
+    )
+    return found
+
+
+def _measures(drive: PlanarDrive) -> _Measures:
+    return _Measures(gaps(drive), neighbour_gaps(drive), incidence(drive), output_share(drive))
 
 
 def refuse_impossible(drive: PlanarDrive) -> None:
@@ -38,8 +61,15 @@ def refuse_impossible(drive: PlanarDrive) -> None:
                 f"there is no place for {body.name} where it touches all the rollers that it has to touch: they are "
                 "too far apart; make it or them larger, or arrange more of them around the axis"
             )
+    for name in (drive.input, drive.output, drive.grounded):
+        if name not in drive.members:
+            raise InputError(
+                f"there is no member '{name}'; input, output and grounded must each be one of "
+                f"{', '.join(drive.members)}"
+            )
+    measures = _measured(drive)
     for contact, gap, size in zip(
-        drive.contacts, np.asarray(gaps(drive)), np.asarray(drive.second_radius), strict=True
+        drive.contacts, measures.gaps, np.asarray(drive.second_radius), strict=True
     ):
         if not abs(gap) <= TOUCH_TOLERANCE * size:
             state = "do not touch (gap" if gap > 0.0 else "overlap (by"
@@ -47,20 +77,14 @@ def refuse_impossible(drive: PlanarDrive) -> None:
                 f"contact {contact.name}: {contact.first} and {contact.second} {state} {abs(gap) * 1e3:.6g} mm); "
                 "change a radius or a centre so that they just touch"
             )
-    _refuse_overlap(drive)
-    for name in (drive.input, drive.output, drive.grounded):
-        if name not in drive.members:
-            raise InputError(
-                f"there is no member '{name}'; input, output and grounded must each be one of "
-                f"{', '.join(drive.members)}"
-            )
-    freedom = len(drive.members) - 1 - int(np.linalg.matrix_rank(_driven(drive), tol=1e-9))
+    _refuse_overlap(measures.neighbours)
+    freedom = len(drive.members) - 1 - int(np.linalg.matrix_rank(_driven(drive, measures), tol=1e-9))
     if freedom != 1:
         raise InputError(
             f"with {drive.grounded} grounded the drive has {freedom} degrees of freedom; it must have 1: "
             + ("ground another member" if freedom > 1 else "the contacts block each other")
         )
-    if float(output_share(drive)) < LEAST_OUTPUT_SHARE:
+    if float(measures.output_share) < LEAST_OUTPUT_SHARE:
         raise InputError(
             f"{drive.output}, the output, stands still whatever {drive.input} does: the ratio is infinite; change a "
             "radius, or choose another output"
@@ -111,8 +135,8 @@ def pulling_contacts(drive: PlanarDrive) -> tuple[str, ...]:
     Balance of every floating body under the normal forces N of its contacts and the push Q of its pin; friction does
     not act before the drive carries a torque. Equation (M1) of :doc:`/equations`.
     """
-    matrices = incidence(drive)
-    balance = np.concatenate([np.asarray(matrices.approach), np.asarray(matrices.pins)]).T
+    matrices = _measured(drive).incidence
+    balance = np.concatenate([matrices.approach, matrices.pins]).T
     _, values, rows = np.linalg.svd(balance)
     unknown = balance.shape[1] - int(np.sum(values > 1e-9 * values.max(initial=0.0)))
     if unknown != 1:
@@ -122,9 +146,9 @@ def pulling_contacts(drive: PlanarDrive) -> tuple[str, ...]:
     return tuple(contact.name for contact, force in zip(drive.contacts, normal, strict=True) if force < 1e-9)
 
 
-def _driven(drive: PlanarDrive) -> np.ndarray:
+def _driven(drive: PlanarDrive, measures: _Measures) -> np.ndarray:
     """Surface speeds per angular velocity of every member that can turn, relative to the largest radius."""
-    turning = np.asarray(incidence(drive).turning)
+    turning = np.asarray(measures.incidence.turning)
     grounded = drive.members.index(drive.grounded)
     free: np.ndarray = np.delete(turning, grounded, axis=1) / np.max(np.abs(turning))
     if drive.pinned or drive.grounded == CARRIER:
@@ -212,9 +236,9 @@ def neighbours(drive: PlanarDrive) -> tuple[tuple[str, str], ...]:
     )
 
 
-def _refuse_overlap(drive: PlanarDrive) -> None:
+def _refuse_overlap(clearances: dict[tuple[str, str], Array]) -> None:
     """Raise if discs without a common contact overlap."""
-    for (one, two), gap in neighbour_gaps(drive).items():
+    for (one, two), gap in clearances.items():
         if float(gap) < 0.0:
             pair = f"neighbours of {one}" if one == two else f"{one} and {two}"
             raise InputError(

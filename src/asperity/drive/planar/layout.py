@@ -185,7 +185,7 @@ def sector_rotation(drive: PlanarDrive, sector: int) -> Array:
     ----------
     Elementary.
     """
-    angle = jnp.asarray(2.0 * math.pi * sector / drive.sectors)
+    angle = 2.0 * math.pi * sector / jnp.asarray(drive.sectors, dtype=float)
     cosine, sine = jnp.cos(angle), jnp.sin(angle)
     return jnp.stack([jnp.stack([cosine, -sine]), jnp.stack([sine, cosine])])
 
