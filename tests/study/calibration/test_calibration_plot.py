@@ -94,6 +94,9 @@ def test_draws_of_a_posterior_in_the_units_of_the_unknowns():
     assert "[arcmin]" in second.get_xlabel()
     reds = [line.get_xdata()[0] for line in first.get_lines() if line.get_color() == "C3"]
     assert 1000.0 in np.round(reds, 9)
+    (bar,) = (line for line in first.get_lines() if line.get_marker() == "|")
+    np.testing.assert_allclose(bar.get_xdata(), [900.0, 1100.0])
+    assert 0.0 < bar.get_ydata()[0] < first.get_ylim()[1]
 
 
 @pytest.mark.parametrize(

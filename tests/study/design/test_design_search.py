@@ -53,6 +53,10 @@ def test_a_bound_holds_the_objective_as_a_limit_does(evaluator):
     assert optimality(made, end)[0] < 1e-7
     # the upper bound of 10 mm holds nothing: (10 - 2)/10 per unit, less than one logarithmic unit
     assert optimality(made, np.array([0.8, 1.0]))[0] == pytest.approx(0.8)
+    # but it holds what is to be as heavy as possible, which the lower bound does not
+    heavy = evaluator((Objective("mass", -1.0),), (Constraint("slip_ratio", True, 0.5, (0, 1)),))
+    assert optimality(heavy, np.array([0.8, 1.0]))[0] < 1e-7
+    assert optimality(heavy, np.array([0.8, 0.0]))[0] == pytest.approx(1.0)
 
 
 def test_fixed_variables_stay_and_the_rest_is_optimal(evaluator):
