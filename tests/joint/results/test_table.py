@@ -64,6 +64,8 @@ def test_groups_and_names_are_chosen_once():
         ("gross_slip", "it was renamed to 'slip_ratio'"),
         ("normal_over_rest", "it was renamed to 'normal_force_over_preload'"),
         ("slip_margin_sp", "it was renamed to 'slip_ratio_sp'"),
+        ("carrier_speed", "it was renamed to 'output_speed'"),
+        ("rolling_carrier_speed", "it was renamed to 'rolling_output_speed'"),
         ("ratio", "did you mean 'speed_ratio'"),
     ],
 )

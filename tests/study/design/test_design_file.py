@@ -86,6 +86,9 @@ def test_good_file(zou_file):
         ("[worst_case]", '[worst_case]\ntolerances = "corners"', "states no tolerance"),
         ('joint = "zou2025.toml"', 'level = "best"\njoint = "zou2025.toml"', "not one of assembly"),
         ('joint = "zou2025.toml"', 'joint = "none.toml"', "there is no such file"),
+        ("[worst_case]", "[search]\nseed = 3000000000\n[worst_case]", "from 0 to 2147483648, got 3000000000"),
+        ("[worst_case]", "[search]\nseed = -1\n[worst_case]", "from 0 to 2147483648, got -1"),
+        ("[worst_case]", "[search]\nstarts = 0\n[worst_case]", "from 1 to 1000, got 0"),
     ],
 )
 def test_bad_files(zou_file, old, new, message):

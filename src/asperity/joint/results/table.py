@@ -62,6 +62,8 @@ RENAMED = {
     "self_locking": "self_locking_ratio",
     "normal_over_rest": "normal_force_over_preload",
     "hertz_peak_pressure": "hertz_pressure",
+    "carrier_speed": "output_speed",
+    "rolling_carrier_speed": "rolling_output_speed",
     "slip_margin": "slip_ratio",
     "pressure_margin": "pressure_over_first_yield",
     "self_locking_margin": "self_locking_ratio",
