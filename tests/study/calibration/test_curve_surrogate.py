@@ -1,6 +1,7 @@
 """The polynomial against the model that it stands in for."""
 
 from math import comb
+from types import SimpleNamespace
 
 import jax.numpy as jnp
 import numpy as np
@@ -53,6 +54,52 @@ def test_joint_that_hardly_exists(model):
     assert np.all(np.isnan(model.predictions(slips[None])))
     with pytest.raises(NoSolutionError, match="have no solution"):
         fit_surrogate(model, slips, 1e-10 * np.eye(6), seed=0)
+
+
+class PowerLaw:
+    """A joint of two unknowns whose compliances are e to a polynomial, in series with an offset of the curve."""
+
+    in_joint, in_curve = [0, 1], [2]
+    unknowns = tuple(
+        SimpleNamespace(path=name, from_unit=lambda place: 2.0 * place) for name in ("a", "b", "offset")
+    )
+
+    def __init__(self, weights=None, exists=lambda places: np.ones(len(places), bool)):
+        self.weights, self._exists = weights, exists
+
+    def compliances(self, places):
+        a, b = places[:, :1], places[:, 1:2]
+        found = np.array([1.0, 3.0, 9.0]) * np.exp(0.8 * a - 0.5 * b + 0.7 * a * b - 0.4 * b**2)
+        return np.where(self._exists(places)[:, None], found, np.nan)
+
+    def curve_part(self, point, tanh):
+        return point["offset"]
+
+
+CENTRE, SPREAD = np.array([0.4, 0.6, 0.5]), np.diag([0.02, 0.03, 0.1]) ** 2
+NEAR = np.array([0.43, 0.55, 0.7])
+
+
+def test_an_exponential_of_a_polynomial_is_found_as_it_is():
+    known = PowerLaw().compliances(NEAR[None])[0]
+    stiff, summed = PowerLaw(), PowerLaw(weights=np.array([[1.0, 2.0, 0.0], [0.0, 0.5, 1.0]]))
+    fitted = fit_surrogate(stiff, CENTRE, SPREAD, seed=3)
+    np.testing.assert_allclose(surrogate_prediction(stiff)(fitted, jnp.asarray(NEAR)), 1.0 / known, rtol=1e-5)
+    angle = [known[0] + 2.0 * known[1] + 1.4, 0.5 * known[1] + known[2] + 1.4]
+    np.testing.assert_allclose(surrogate_prediction(summed)(fitted, jnp.asarray(NEAR)), angle, rtol=1e-5)
+
+
+def test_the_box_shrinks_until_most_joints_in_it_exist():
+    model = PowerLaw(exists=lambda places: np.abs(places[:, 0] - CENTRE[0]) < 0.03)
+    fitted = fit_surrogate(model, CENTRE, SPREAD, seed=3)
+    whole = fit_surrogate(PowerLaw(), CENTRE, SPREAD, seed=3)
+    widths = [np.sort(each["high"] - each["low"]) for each in (fitted, whole)]
+    assert np.all(widths[0] < widths[1])
+    near = CENTRE + [0.01, -0.01, 0.2]
+    found = 1.0 / surrogate_prediction(model)(fitted, jnp.asarray(near))
+    np.testing.assert_allclose(found, PowerLaw().compliances(near[None])[0], rtol=1e-5)
+    with pytest.raises(NoSolutionError, match="have no solution"):
+        fit_surrogate(PowerLaw(exists=lambda places: np.zeros(len(places), bool)), CENTRE, SPREAD, seed=3)
 
 
 @pytest.mark.parametrize(("unknowns", "degree"), [(0, 10), (1, 10), (2, 10), (3, 9), (6, 4), (30, 1)])
