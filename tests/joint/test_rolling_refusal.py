@@ -37,6 +37,20 @@ def test_the_sun_contact_slips_at_one_torque_at_rest_and_in_rolling(paper_joint)
     )
 
 
+@pytest.mark.parametrize("missing", [0.0, 1e-9, 1e-7, 1e-4, 0.3, 1.0])
+def test_an_end_near_the_capacity_at_rest_is_found_with_few_joints(missing):
+    asked = []
+
+    def rolls(torque):
+        asked.append(torque)
+        return torque <= 10.0 * (1.0 - missing)
+
+    found = _largest(rolls, 10.0)
+    assert found == pytest.approx(10.0 * (1.0 - missing), abs=2e-8)
+    assert found <= 10.0 * (1.0 - missing)
+    assert len(asked) <= (15 if missing < 1e-6 else 35)
+
+
 def test_halving_finds_the_end_of_the_interval():
     assert _largest(lambda torque: torque <= 4.321, 10.0) == pytest.approx(4.321, abs=1e-8)
     assert _largest(lambda torque: True, 10.0) == pytest.approx(10.0, abs=1e-8)

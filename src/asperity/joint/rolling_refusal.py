@@ -17,6 +17,11 @@ from asperity.joint.solve import Solution, solve_program
 from asperity.units import format_quantity
 
 _HALVINGS = 30  # the capacity to 1e-9 of that at rest
+_NEAR_THE_END = (
+    30,
+    20,
+    10,
+)  # most joints roll up to nearly their capacity at rest: tried first, 2 to these below it
 
 
 def rolling_capacity_of(joint: Joint, solution: Solution, *, direction: float) -> float:
@@ -56,7 +61,13 @@ def _largest(rolls: Callable[[float], bool], at_rest: float) -> float:
     if not math.isfinite(at_rest):
         return at_rest
     low, high = 0.0, at_rest
-    for _ in range(_HALVINGS):
+    for power in _NEAR_THE_END:
+        edge = at_rest * (1.0 - 0.5**power)
+        if rolls(edge):
+            low = edge
+            break
+        high = edge
+    while high - low > at_rest * 0.5**_HALVINGS:
         middle = 0.5 * (low + high)
         low, high = (middle, high) if rolls(middle) else (low, middle)
     return low

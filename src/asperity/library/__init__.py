@@ -6,6 +6,8 @@ Each entry states its reference; values without a traceable reference are not in
 from __future__ import annotations
 
 import contextlib
+import copy
+import functools
 import tomllib
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
@@ -106,10 +108,15 @@ class Finish:
         }
 
 
-def _tables(name: str, extension: str | Path | None) -> dict[str, dict[str, Any]]:
+@functools.cache
+def _built_in(name: str) -> dict[str, dict[str, Any]]:
     from importlib.resources import files
 
-    tables = tomllib.loads(files("asperity.library").joinpath(name).read_text(encoding="utf-8"))
+    return tomllib.loads(files("asperity.library").joinpath(name).read_text(encoding="utf-8"))
+
+
+def _tables(name: str, extension: str | Path | None) -> dict[str, dict[str, Any]]:
+    tables = copy.deepcopy(_built_in(name))
     if extension is not None:
         added = read_toml(extension)
         for entry, value in added.items():

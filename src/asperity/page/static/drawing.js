@@ -40,7 +40,7 @@ function planarDrawing(drawing, document_) {
   const largest = Math.max(...drawing.forces.map((force) => Math.hypot(...force.normal_N)), 1e-300);
   const names = [...new Set([...drawing.rings, ...drawing.rollers].map((each) => each.body))];
   const picture = svg("svg", { viewBox: `${-half} ${-half} ${2 * half} ${2.14 * half}`, role: "img", class: "drive", "aria-label": `Drive to scale: ${names.join(", ")}. ${forcesDescribed(document_)}` });
-  picture.append(svg("defs", {}, marker("normal"), marker("tangential")));
+  picture.append(svg("defs", {}, marker("normal"), marker("tangential"), marker("pin"))); // also those of the rollers drawn apart
   for (const ring of shown) {
     picture.append(svg("circle", { class: ring.outer < ring.inner + ring.wall ? "ring broken" : "ring", r: ring.outer }), svg("circle", { class: "bore", r: ring.inner }));
   }
@@ -113,7 +113,6 @@ function freeBody(body) {
   const picture = svg(
     "svg",
     { viewBox: `${-width / 2} ${-height / 2} ${width} ${height}`, role: "img", "aria-label": `Forces on ${body.body}: ${said.join("; ")}.` },
-    svg("defs", {}, marker("normal"), marker("tangential"), marker("pin")),
     ...parts,
   );
   return element("figure", {}, picture, element("figcaption", {}, body.body));
