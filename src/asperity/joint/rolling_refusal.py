@@ -17,11 +17,8 @@ from asperity.joint.solve import Solution, solve_program
 from asperity.units import format_quantity
 
 _HALVINGS = 30  # the capacity to 1e-9 of that at rest
-_NEAR_THE_END = (
-    30,
-    20,
-    10,
-)  # most joints roll up to nearly their capacity at rest: tried first, 2 to these below it
+#: Most joints roll up to nearly their capacity at rest: shares 2^-k below it that are tried first.
+_NEAR_THE_END = (30, 20, 10)
 
 
 def rolling_capacity_of(joint: Joint, solution: Solution, *, direction: float) -> float:

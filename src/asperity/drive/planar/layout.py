@@ -13,9 +13,7 @@ from dataclasses import dataclass
 from typing import Literal
 
 import equinox as eqx
-import jax
 import jax.numpy as jnp
-import numpy as np
 from jax import Array
 
 from asperity.compilation import call_compiled
@@ -326,9 +324,6 @@ def speeds(drive: PlanarDrive) -> Array:
     ----------
     Rolling without slip at every contact, relative to the carrier; equation (M2) of :doc:`/equations`.
     """
-    # whole numbers are allowed, such as that of the sectors
-    if not any(isinstance(leaf, jax.core.Tracer) for leaf in jax.tree.leaves(drive)):
-        drive = jax.tree.map(lambda leaf: np.asarray(leaf, dtype=float), drive)
     found: Array = call_compiled(_speeds, drive)
     return found
 
