@@ -95,7 +95,7 @@ def test_the_box_shrinks_until_most_joints_in_it_exist():
     whole = fit_surrogate(PowerLaw(), CENTRE, SPREAD, seed=3)
     widths = [np.sort(each["high"] - each["low"]) for each in (fitted, whole)]
     assert np.all(widths[0] < widths[1])
-    near = CENTRE + [0.01, -0.01, 0.2]
+    near = np.add(CENTRE, [0.01, -0.01, 0.2])
     found = 1.0 / surrogate_prediction(model)(fitted, jnp.asarray(near))
     np.testing.assert_allclose(found, PowerLaw().compliances(near[None])[0], rtol=1e-5)
     with pytest.raises(NoSolutionError, match="have no solution"):
