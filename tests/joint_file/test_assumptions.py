@@ -47,6 +47,14 @@ def test_what_holds_the_sun_between_unequal_branches_is_told(joint_text):
     assert not any("branch" in each for each in assumptions(parse_case(joint_text, source="x")))
 
 
+def test_a_free_ring_between_unequal_branches_is_told(joint_text):
+    text = joint_text.replace('preload = "1000 N"', 'interference = "13 um"') + 3 * "\n[[branch]]\n"
+    free = text.replace('ring_support = "rigid_housing"', 'ring_support = "free"')
+    for each, told in ((text, False), (free, True)):
+        found = assumptions(parse_case(each, source="x"))
+        assert any("overstates the differences between their preloads" in line for line in found) is told
+
+
 def test_what_the_temperature_would_add_to_a_stated_preload_is_told_in_micrometres(joint_text):
     section = '[temperature]\nassembly = "20 °C"\nworking = "60 °C"\nhousing_expansion = "23.6e-6 1/K"\n\n'
     text = re.sub(r'= "steel"', '= "52100"', joint_text).replace("[model]", section + "[model]")

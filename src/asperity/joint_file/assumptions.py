@@ -65,6 +65,11 @@ def assumptions(case: Case) -> tuple[str, ...]:
             "torque; all numbers but those of the worst branch, of single planets and of the force on the sun are of "
             "equal ones"
         )
+        if case.drive.ring_support == "free":
+            told.append(
+                "[[branch]] in a free ring: it gives way to each planet as if all planets were like that one, which "
+                "overstates the differences between their preloads"
+            )
         if case.compliance is None or case.compliance.sun_support_stiffness is None:
             told.append(
                 "[[branch]] without compliance.sun_support_stiffness: the sun is held rigidly on the axis; a sun that "
