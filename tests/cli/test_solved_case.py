@@ -22,7 +22,6 @@ def test_other_commands_refuse_other_drives_by_name(call, arguments):
 
 def test_options_of_the_papers_drive_are_refused(call, tmp_path):
     for arguments in (
-        ("draw", "--forces", "--out", tmp_path / "x.svg"),
         ("report", "--sensitivity", "--out", tmp_path / "x.html"),
         ("uncertainty", "--branches", "10"),
     ):

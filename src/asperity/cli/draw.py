@@ -80,12 +80,15 @@ def _sheet(case: Case, file: str, forces: bool) -> Sheet:
 
 
 def _planar_sheet(case: PlanarCase, file: str, forces: bool) -> Sheet:
-    from asperity.cli.solved_case import refuse_options
     from asperity.drive.planar.existence import refuse_impossible
     from asperity.joint_file.planar_build import planar_joint_from_case
     from asperity.show.planar_sheet import planar_sheet
 
-    refuse_options(case, file, {"--forces": forces})
     joint = planar_joint_from_case(case)
     refuse_impossible(joint.drive)
-    return planar_sheet(joint, name=file)
+    found = None
+    if forces:
+        from asperity.joint.planar.solve import solve_planar
+
+        found = solve_planar(joint).result
+    return planar_sheet(joint, name=file, result=found)

@@ -16,7 +16,7 @@ from asperity.joint.windup import Windup
 from asperity.show.compliance_figure import draw_budget, draw_levels
 from asperity.show.drive_sheet import drive_sheet, forces_sheet
 from asperity.show.margins_figure import draw_margins, drawn_margins
-from asperity.show.planar_sheet import planar_sheet
+from asperity.show.planar_sheet import planar_forces_sheet, planar_sheet
 from asperity.show.rolling_figure import rolling_figure
 from asperity.show.sheet_figure import sheet_figure
 from asperity.show.windup_figure import windup_figure
@@ -56,12 +56,13 @@ def report_pictures(
     Returns
     -------
     dict
-        Name → SVG. ``windup`` and ``rolling`` are absent where the joint has none; ``forces`` is for the paper's drive.
+        Name → SVG. ``windup`` and ``rolling`` are absent where the joint has none.
     """
     from matplotlib.figure import Figure
 
     if isinstance(joint, PlanarJoint):
-        sheets = {"drive": planar_sheet(joint, name=name)}
+        drawn = planar_forces_sheet(joint, solved.result)
+        sheets = {"drive": planar_sheet(joint, name=name), "forces": drawn}
     else:
         sheets = {"drive": drive_sheet(joint, name=name), "forces": forces_sheet(joint, solved.result.forces)}
     found = {which: figure_svg(sheet_figure(sheet)) for which, sheet in sheets.items()}

@@ -12,6 +12,8 @@ from asperity.drive.force_balance import DriveForces
 from asperity.drive.geometry import CONTACT_NAMES, angles, triangle
 from asperity.errors import printable
 from asperity.joint.description import Joint
+from asperity.joint.either_kind import AnyJoint
+from asperity.joint.planar.evaluation import PlanarForces
 from asperity.show.drive_view import dimension, drive_view, gaps, ring_as_drawn
 from asperity.show.free_bodies import free_bodies
 from asperity.show.sheet import (
@@ -32,7 +34,7 @@ _MARGIN = 10.0
 _SPACING = 4.4  # between two lines of text
 _LONGEST_TITLE = 42
 #: Size of the paper, room of the view, and left edge of the column beside it, all in mm: A4 and A3.
-_PLAIN, _WITH_FORCES = (297.0, 210.0, 150.0, 195.0), (420.0, 297.0, 220.0, 270.0)
+PLAIN, WITH_FORCES = (297.0, 210.0, 150.0, 195.0), (420.0, 297.0, 220.0, 270.0)
 
 
 def drive_sheet(joint: Joint, *, name: str, forces: DriveForces | None = None) -> Sheet:
@@ -57,7 +59,7 @@ def drive_sheet(joint: Joint, *, name: str, forces: DriveForces | None = None) -
     InputError
         If the rollers cannot touch: the triangle of centres does not close.
     """
-    width, height, room, column = _PLAIN if forces is None else _WITH_FORCES
+    width, height, room, column = PLAIN if forces is None else WITH_FORCES
     ring = ring_as_drawn(joint)
     scale = standard_scale(2.0 * ring.shown, room=room)
     middle = (_MARGIN + 5.0 + 0.5 * room + 10.0, 0.5 * height + 8.0)
@@ -79,7 +81,7 @@ def drive_sheet(joint: Joint, *, name: str, forces: DriveForces | None = None) -
         level = foot + _SPACING * (len(sizes) - 1)
         write(column, level, sizes)
         write(column + 80.0, level, smallest)
-        write(column, level + 4.5 * _SPACING, _loads(forces))
+        write(column, level + 4.5 * _SPACING, load_lines(joint, forces, part="branch"))
         centre = on_paper(column + 0.5 * (width - _MARGIN - column), level + 62.0)
         items += free_bodies(joint, forces, centre=centre, scale=scale)
         write(
@@ -110,7 +112,10 @@ def forces_sheet(joint: Joint, forces: DriveForces) -> Sheet:
     items = free_bodies(joint, forces, centre=(0.0, 0.0), scale=1.0)
     words = [f"{contact}: {label}" for contact, label in CONTACT_LABELS.items()]
     for line, (x, y) in (
-        *((line, (-82.0, -43.0 - _SPACING * row)) for row, line in enumerate(_loads(forces))),
+        *(
+            (line, (-82.0, -43.0 - _SPACING * row))
+            for row, line in enumerate(load_lines(joint, forces, part="branch"))
+        ),
         *((line, (-82.0, -12.0 - _SPACING * row)) for row, line in enumerate(words)),
     ):
         items.append(Text((x, y), line))
@@ -217,10 +222,27 @@ def _contact_lengths(joint: Joint) -> str:
     return ", ".join(f"{name} {length}" for name, length in zip(CONTACT_NAMES, lengths, strict=True))
 
 
-def _loads(forces: DriveForces) -> list[str]:
+def load_lines(joint: AnyJoint, forces: DriveForces | PlanarForces, *, part: str) -> list[str]:
+    """What stands beside bodies that are drawn apart.
+
+    Parameters
+    ----------
+    joint : Joint or PlanarJoint
+        One joint.
+    forces : DriveForces or PlanarForces
+        Its forces.
+    part : str
+        What the bodies belong to.
+
+    Returns
+    -------
+    list of str
+        Lines.
+    """
+    entry, out = (name.replace("_", " ") for name in joint.ends)
     return [
-        "Forces on the bodies of one branch, drawn apart, without centrifugal forces.",
+        f"Forces on the bodies of one {part}, drawn apart, without centrifugal forces.",
         "Arrows show directions, not sizes.",
-        f"Torque at the sun {format_quantity(float(forces.input_torque), 'N*m')}, "
-        f"at the carrier {format_quantity(float(forces.output_torque), 'N*m')}.",
+        f"Torque at the {entry} {format_quantity(float(forces.input_torque), 'N*m')}, "
+        f"at the {out} {format_quantity(float(forces.output_torque), 'N*m')}.",
     ]

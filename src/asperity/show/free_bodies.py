@@ -14,7 +14,8 @@ from asperity.show.sheet import Align, Circle, Item, Line, Point, Text
 from asperity.units import format_quantity
 
 _ARROW = 10.0  # length of an arrow on paper [mm]
-_APART = 26.0  # between two bodies on paper [mm]
+#: Between two bodies on paper [mm].
+APART = 26.0
 _LARGEST, _SMALLEST = 20.0, 5.0  # radii on paper [mm]
 _LINE_SPACING = 4.2
 
@@ -121,14 +122,14 @@ def free_bodies(joint: Joint, forces: DriveForces, *, centre: Point, scale: floa
     planet, roller = (
         float(each) for each in (joint.geometry.planet_radius, joint.geometry.loading_roller_radius)
     )
-    size = _LARGEST / max(planet, roller)
-    radii = {"planet": max(_SMALLEST, size * planet)}
+    (shown,), (beside,) = body_outlines({"planet": [planet], "roller": [roller]}).values()
+    radii = {"planet": shown}
     places = {"planet": (0.0, 0.0)}
     for each in found:
         if each.body == "planet" and each.name.startswith("pw") and each.kind == "N":
             name = f"{'right' if each.name == 'pwr' else 'left'} loading roller"
-            radii[name] = max(_SMALLEST, size * roller)
-            apart = radii["planet"] + _APART + radii[name]
+            radii[name] = beside
+            apart = radii["planet"] + APART + radii[name]
             places[name] = (apart * each.place[0], apart * each.place[1])
 
     def on_sheet(x: float, y: float) -> Point:
@@ -139,17 +140,49 @@ def free_bodies(joint: Joint, forces: DriveForces, *, centre: Point, scale: floa
     for each in found:
         if each.size == 0.0:
             continue
-        tail, tip = _arrow(each, places[each.body], radii[each.body])
+        tail, tip = force_arrow(each, places[each.body], radii[each.body])
         items.append(Line((on_sheet(*tail), on_sheet(*tip)), "force", "end"))
     for each in found:
         if each.body == "planet" or not each.name.startswith("pw"):
             at, align = _label_place(each, places[each.body], radii[each.body])
-            items.append(Text(on_sheet(*at), _label(each), align))
+            items.append(Text(on_sheet(*at), force_label(each), align))
     return items
 
 
-def _arrow(force: BodyForce, centre: Point, radius: float) -> tuple[Point, Point]:
-    """Tail and tip: normal forces end at the contact, tangential ones lie beside it, pins push from the axis."""
+def body_outlines(radii: dict[str, list[float]]) -> dict[str, list[float]]:
+    """Radii of bodies on paper: the largest has a size that suits the arrows, and none is too small for them.
+
+    Parameters
+    ----------
+    radii : dict
+        Body → radii of its tracks [m].
+
+    Returns
+    -------
+    dict
+        Body → radii on paper [mm].
+    """
+    size = _LARGEST / max(radius for each in radii.values() for radius in each)
+    return {name: [max(_SMALLEST, size * radius) for radius in each] for name, each in radii.items()}
+
+
+def force_arrow(force: BodyForce, centre: Point, radius: float) -> tuple[Point, Point]:
+    """Arrow of a force: normal forces end at the contact, tangential ones lie beside it, pins push from the axis.
+
+    Parameters
+    ----------
+    force : BodyForce
+        The force.
+    centre : tuple of float
+        Centre of the body on paper [mm].
+    radius : float
+        Radius of the body at the contact on paper [mm].
+
+    Returns
+    -------
+    tuple of tuple of float
+        Tail and tip on paper [mm].
+    """
     x, y = centre[0] + radius * force.place[0], centre[1] + radius * force.place[1]
     step = math.copysign(_ARROW, force.size)
     e, f = step * force.direction[0], step * force.direction[1]
@@ -161,7 +194,19 @@ def _arrow(force: BodyForce, centre: Point, radius: float) -> tuple[Point, Point
     return (x, y), (x + 0.8 * e, y + 0.8 * f)
 
 
-def _label(force: BodyForce) -> str:
+def force_label(force: BodyForce) -> str:
+    """Name and size of a force.
+
+    Parameters
+    ----------
+    force : BodyForce
+        The force.
+
+    Returns
+    -------
+    str
+        One line.
+    """
     size = format_quantity(abs(force.size), "N")
     return {"N": f"{force.name}: N = {size}", "T": f"T = {size}", "F": f"pin: {size}"}[force.kind]
 

@@ -9,12 +9,14 @@ import numpy as np
 
 from asperity.drive.planar.layout import CARRIER, contact_angles, speed_ratio
 from asperity.joint.planar.description import PlanarJoint, places, tracks_of
-from asperity.show.drive_sheet import frame, title_block
+from asperity.joint.planar.evaluation import PlanarResult
+from asperity.show.drive_sheet import PLAIN, WITH_FORCES, frame, load_lines, title_block
 from asperity.show.drive_view import LONGEST_WALL, break_line, dimension
+from asperity.show.planar_free_bodies import planar_free_bodies
 from asperity.show.sheet import Circle, Item, Line, Point, Sheet, Text, standard_scale
 from asperity.units import format_quantity
 
-_WIDTH, _HEIGHT, _ROOM, _COLUMN = 297.0, 210.0, 150.0, 195.0
+_FOOT = 37.0  # of the texts above the title block on paper [mm]
 _MARGIN, _SPACING = 10.0, 4.4
 _SHOWN_OF_BROKEN = 0.3  # of the inner radius of a ring
 
@@ -25,7 +27,7 @@ class _Ring(NamedTuple):
     shown: float
 
 
-def planar_sheet(joint: PlanarJoint, *, name: str) -> Sheet:
+def planar_sheet(joint: PlanarJoint, *, name: str, result: PlanarResult | None = None) -> Sheet:
     """Draw a planar drive to scale.
 
     Parameters
@@ -34,18 +36,21 @@ def planar_sheet(joint: PlanarJoint, *, name: str) -> Sheet:
         One joint whose drive can exist.
     name : str
         What the drawing is called, for example the name of its file.
+    result : PlanarResult, optional
+        Its result, if the forces on the bodies are to be drawn too.
 
     Returns
     -------
     Sheet
-        A4 across, at the largest standard scale that fits. Tracks of a stepped roller are circles about one centre,
-        although they lie in different planes.
+        A4 across, or A3 across with forces, at the largest standard scale that fits. Tracks of a stepped roller are
+        circles about one centre, although they lie in different planes.
     """
     drive = joint.drive
+    width, height, room, column = PLAIN if result is None else WITH_FORCES
     rings = _rings(joint)
     reach = max([ring.shown for ring in rings.values()] + [_reach(joint)])
-    scale = standard_scale(2.0 * reach, room=_ROOM)
-    middle = (_MARGIN + 15.0 + 0.5 * _ROOM, 0.5 * _HEIGHT + 8.0)
+    scale = standard_scale(2.0 * reach, room=room)
+    middle = (_MARGIN + 15.0 + 0.5 * room, 0.5 * height + 8.0)
 
     def on_paper(x: float, y: float) -> Point:
         return (x - middle[0]) / scale, (y - middle[1]) / scale
@@ -57,11 +62,39 @@ def planar_sheet(joint: PlanarJoint, *, name: str) -> Sheet:
             items += _body(joint, number, sector, rings, scale)
     items += _contact_labels(joint, scale)
     lines = _sizes(joint, rings)
-    top = 0.5 * _HEIGHT + 0.5 * _SPACING * len(lines)
-    items += [Text(on_paper(_COLUMN, top - _SPACING * row), line) for row, line in enumerate(lines)]
-    items += title_block(on_paper, _COLUMN, _WIDTH, name, scale, kind=_kind(joint))
-    items.append(frame(on_paper, _WIDTH, _HEIGHT))
-    return Sheet(_WIDTH, _HEIGHT, scale, middle, tuple(items))
+    top = 0.5 * height + 0.5 * _SPACING * len(lines)
+    if result is not None:
+        top = _FOOT + _SPACING * len(lines)
+        loads = load_lines(joint, result.forces, part="sector")
+        low = top + _SPACING * (len(loads) + 1)
+        items += [Text(on_paper(column, low - _SPACING * (row + 1)), line) for row, line in enumerate(loads)]
+        centre = on_paper(0.5 * (column + width - _MARGIN), 0.5 * (low + height - _MARGIN))
+        items += planar_free_bodies(joint, result, middle=centre, scale=scale)
+    items += [Text(on_paper(column, top - _SPACING * row), line) for row, line in enumerate(lines)]
+    items += title_block(on_paper, column, width, name, scale, kind=_kind(joint))
+    items.append(frame(on_paper, width, height))
+    return Sheet(width, height, scale, middle, tuple(items))
+
+
+def planar_forces_sheet(joint: PlanarJoint, result: PlanarResult) -> Sheet:
+    """The forces on the bodies of one sector as a picture of its own.
+
+    Parameters
+    ----------
+    joint : PlanarJoint
+        One joint.
+    result : PlanarResult
+        Its result.
+
+    Returns
+    -------
+    Sheet
+        A sheet of 170 mm by 140 mm.
+    """
+    items = planar_free_bodies(joint, result, middle=(0.0, 5.0), scale=1.0)
+    for row, line in enumerate(load_lines(joint, result.forces, part="sector")):
+        items.append(Text((-82.0, -56.0 - _SPACING * row), line))
+    return Sheet(170.0, 140.0, 1.0, (85.0, 68.0), tuple(items))
 
 
 def _kind(joint: PlanarJoint) -> str:

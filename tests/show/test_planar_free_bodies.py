@@ -1,0 +1,107 @@
+"""Bodies of planar drives drawn apart: every force has its arrow and its number, and no text covers another."""
+
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+
+from asperity.joint_file.planar_build import planar_joint_from_case
+from asperity.show.planar_forces import planar_body_forces
+from asperity.show.planar_free_bodies import planar_free_bodies
+from asperity.show.planar_sheet import planar_forces_sheet, planar_sheet
+from asperity.show.sheet import Circle, Line, Text
+
+EXAMPLES = ("planetary", "multiroller", "stepped_planet", "planar")
+
+
+def solved(joint):
+    """Forces that are made up: 100, 101, ... N, and 10, 11, ... N, and pins of 1, 2, ... N."""
+    count, pins = len(joint.drive.contacts), len(joint.drive.pinned)
+    forces = SimpleNamespace(
+        normal=100.0 + np.arange(count),
+        tangential=10.0 + np.arange(count),
+        pins=1.0 + np.arange(pins),
+        input_torque=1.5,
+        output_torque=7.5,
+    )
+    return SimpleNamespace(forces=forces)
+
+
+@pytest.fixture(scope="module", params=EXAMPLES)
+def drawn(request, planar_case):
+    joint = planar_joint_from_case(planar_case(request.param))
+    return joint, planar_free_bodies(joint, solved(joint), middle=(0.0, 0.0), scale=1.0)
+
+
+def test_every_force_has_an_arrow_and_every_number_stands_once(drawn):
+    joint, items = drawn
+    off_axis = {joint.drive.bodies[number].name for number in joint.drive.floating}
+    forces = [each for each in planar_body_forces(joint, solved(joint)) if each.body in off_axis]
+    arrows = [item for item in items if isinstance(item, Line)]
+    assert len(arrows) == len(forces)
+    for force, arrow in zip(forces, arrows, strict=True):
+        (x, y), (u, v) = arrow.points
+        along = np.array([u - x, v - y]) / np.hypot(u - x, v - y)
+        assert along == pytest.approx(np.array(force.direction) * np.sign(force.size), abs=1e-9)
+    texts = [item.text for item in items if isinstance(item, Text)]
+    for k, contact in enumerate(joint.drive.contacts):
+        assert texts.count(f"{contact.name}: N = {100 + k} N") == 1
+        assert texts.count(f"T = {10 + k} N") == 1
+    for k in range(len(joint.drive.pinned)):
+        assert texts.count(f"pin: {1 + k} N") == 1
+    assert {name.replace("_", " ") for name in off_axis} <= set(texts)
+
+
+def test_bodies_lie_apart_around_the_middle_and_texts_beside_them(drawn):
+    joint, items = drawn
+    largest = {}
+    for circle in (item for item in items if isinstance(item, Circle)):
+        largest[circle.centre] = max(circle.radius, largest.get(circle.centre, 0.0))
+    assert len(largest) == len(joint.drive.floating)
+    bodies = list(largest.items())
+    for k, ((x, y), radius) in enumerate(bodies):
+        assert abs(x) + radius < 75.0
+        assert abs(y) + radius < 60.0
+        for (u, v), other in bodies[k + 1 :]:
+            assert np.hypot(u - x, v - y) >= radius + other + 25.9
+    boxes = []
+    for text in (item for item in items if isinstance(item, Text)):
+        wide = 1.7 * len(text.text)
+        left = text.at[0] - {"left": 0.0, "center": 0.5, "right": 1.0}[text.align] * wide
+        boxes.append((left, left + wide, text.at[1], text.at[1] + 2.5))
+        if text.align != "center":  # the name in a body
+            for (x, y), radius in bodies:
+                nearest = np.clip(x, left, left + wide), np.clip(y, text.at[1], text.at[1] + 2.5)
+                assert np.hypot(nearest[0] - x, nearest[1] - y) >= radius - 0.5, text.text
+    for k, one in enumerate(boxes):
+        for other in boxes[k + 1 :]:
+            apart = one[1] <= other[0] or other[1] <= one[0] or one[3] <= other[2] or other[3] <= one[2]
+            assert apart
+
+
+def test_a_force_of_nothing_is_not_drawn(planar_case):
+    joint = planar_joint_from_case(planar_case("planetary"))
+    result = solved(joint)
+    result.forces.tangential = np.zeros(2)
+    result.forces.pins = np.zeros(1)
+    items = planar_free_bodies(joint, result, middle=(0.0, 0.0), scale=2.0)
+    assert len([item for item in items if isinstance(item, Line)]) == 2
+    assert not any(item.text.startswith(("T", "pin")) for item in items if isinstance(item, Text))
+    (circle,) = (item for item in items if isinstance(item, Circle))
+    assert circle.radius == pytest.approx(10.0)  # 20 mm on paper
+
+
+def test_sheets_with_forces(planar_case):
+    joint = planar_joint_from_case(planar_case("multiroller"))
+    plain, large = planar_sheet(joint, name="x"), planar_sheet(joint, name="x", result=solved(joint))
+    assert (plain.width, plain.height) == (297.0, 210.0)
+    assert (large.width, large.height) == (420.0, 297.0)
+    own = planar_forces_sheet(joint, solved(joint))
+    for sheet in (large, own):
+        assert "Torque at the sun 1.5 N·m, at the ring 7.5 N·m." in sheet.texts
+        assert "sf: N = 100 N" in sheet.texts
+        left, right, low, high = sheet.window
+        for text in (item for item in sheet.items if isinstance(item, Text)):
+            assert left < text.at[0] < right
+            assert low < text.at[1] < high
+    assert not any("N = " in text for text in plain.texts)
