@@ -117,7 +117,8 @@ def test_rolling_is_in_the_document(paper_joint):
     assert rolling["input_torque_Nm"] == pytest.approx(
         rolling["input_power_W"] / float(joint.sun_speed), rel=1e-12
     )
-    assert rolling["input_torque_Nm"] > found["forces"]["input_torque_Nm"]
+    # without friction of the bearings, hysteresis and oil the losses are creep, which costs speed and no torque
+    assert rolling["input_torque_Nm"] == pytest.approx(found["forces"]["input_torque_Nm"], rel=1e-9)
 
 
 @pytest.mark.slow

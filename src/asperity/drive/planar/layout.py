@@ -324,8 +324,7 @@ def speeds(drive: PlanarDrive) -> Array:
     ----------
     Rolling without slip at every contact, relative to the carrier; equation (M2) of :doc:`/equations`.
     """
-    found: Array = call_compiled(_speeds, drive)
-    return found
+    return jnp.asarray(call_compiled(_speeds, drive))
 
 
 def _speeds(drive: PlanarDrive) -> Array:
