@@ -4,8 +4,9 @@
 
 Sizes, walls, interference, friction, surfaces, speed and torque of the shipped files are drawn over wide ranges, drives
 that cannot exist included. Counted are the statuses; of the drives that exist, the worst residual of the equations, of
-the balance of each roller recomputed from the forces of its contacts, and of rolling; and how many are said to exist
-without a finite stiffness.
+the balance of each roller recomputed from the forces of its contacts, and of rolling; how far a contact bears more than
+its friction, or less where it slides as a whole, and how many drives have one that slides; and how many are said to
+exist without a finite stiffness.
 """
 
 import argparse
@@ -20,6 +21,7 @@ import jax.numpy as jnp
 import numpy as np
 
 from asperity.drive.planar.layout import PlanarDrive
+from asperity.joint.planar.description import planar_contacts
 from asperity.joint.planar.evaluation import driving_sense, evaluated_with_laws
 from asperity.joint.planar.laws import drive_load
 from asperity.joint.planar.status import planar_status
@@ -115,12 +117,16 @@ def program_of(values: dict[str, Any], paths: tuple[str, ...]) -> Callable[..., 
         result, _ = evaluated_with_laws(joint)
         load = drive_load(joint, list(result.masses), joint.output_torque)
         forces = result.forces
+        used = jnp.abs(forces.tangential) / planar_contacts(joint).pairs.friction_coefficient / forces.normal
+        slides = result.diagnostics.slip_ratio == 1.0
         return {
             "status": planar_status(joint, result),
             "equations": jnp.maximum(forces.balance_residual, forces.closure_residual),
             "recomputed": recomputed(
                 joint.drive, forces.normal, forces.tangential, forces.pins, load.body_force
             ),
+            "friction": jnp.max(jnp.where(slides, jnp.abs(used - 1.0), used - 1.0)),
+            "slides": jnp.any(slides),
             "stiffness": result.assembly.stiffness.output,
             "drift": result.rolling.drift_per_output_turn,
             "rolling": result.rolling.residual,
@@ -146,8 +152,8 @@ def main() -> None:
         jax.block_until_ready(program(*drawn(rng, base).values()))
         compiled, started = time.perf_counter() - started, time.perf_counter()
         statuses: collections.Counter[str] = collections.Counter()
-        worst = dict.fromkeys(("equations", "recomputed", "rolling"), 0.0)
-        without, slips_rolling, chunks = 0, 0, math.ceil(given.drives / CHUNK)
+        worst = dict.fromkeys(("equations", "recomputed", "friction", "rolling"), 0.0)
+        without, slide, slips_rolling, chunks = 0, 0, 0, math.ceil(given.drives / CHUNK)
         for _ in range(chunks):
             found = {key: np.asarray(each) for key, each in program(*drawn(rng, base).values()).items()}
             statuses.update(STATUS_NAMES[code] for code in found["status"])
@@ -155,7 +161,8 @@ def main() -> None:
             without += int(np.sum(good & ~(np.isfinite(found["stiffness"]) & (found["stiffness"] > 0.0))))
             rolls = good & np.isfinite(found["drift"])
             slips_rolling += int(np.sum(good & ~rolls))
-            for key in ("equations", "recomputed"):
+            slide += int(np.sum(good & found["slides"]))
+            for key in ("equations", "recomputed", "friction"):
                 worst[key] = max(worst[key], float(found[key][good].max(initial=0.0)))
             worst["rolling"] = max(worst["rolling"], float(found["rolling"][rolls].max(initial=0.0)))
         seconds = time.perf_counter() - started
@@ -166,7 +173,8 @@ def main() -> None:
         print("  " + ", ".join(f"{status} {number}" for status, number in statuses.most_common()))
         print("  worst residual of drives that exist: " + ", ".join(f"{k} {v:.1e}" for k, v in worst.items()))
         print(
-            f"  said to exist without a finite stiffness: {without}; stand, but do not roll: {slips_rolling}"
+            f"  said to exist without a finite stiffness: {without}; with a contact that slides: {slide}; stand, but do "
+            f"not roll: {slips_rolling}"
         )
 
 

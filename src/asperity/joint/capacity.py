@@ -241,5 +241,7 @@ def first_slip_words(both: dict[str, Any]) -> list[str]:
     if len(early) < 2:
         return [f"{torque} at {contact}; others carry the rest" for contact, torque in early]
     (contact, torque), (other, back) = early
-    at = f"{other})" if back == torque else f"{back} at {other})"
-    return [f"{torque} at {contact} (reverse {at}; others carry the rest"]
+    way = "" if (contact, torque) == (other, back) else f" (reverse {other})"
+    if back != torque:
+        way = f" (reverse {back} at {other})"
+    return [f"{torque} at {contact}{way}; others carry the rest"]

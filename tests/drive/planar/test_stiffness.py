@@ -7,9 +7,13 @@ import jax.numpy as jnp
 import numpy as np
 import pytest
 
+from asperity.drive.mechanism import NormalSprings
 from asperity.drive.planar.drives import planetary_drive, stepped_planet_drive
 from asperity.drive.planar.layout import speed_ratio
+from asperity.drive.planar.state import STATE_TOLERANCE, ContactLaws, DriveLoad
+from asperity.drive.planar.states import drive_states
 from asperity.drive.planar.stiffness import planar_stiffness, with_shafts
+from asperity.drive.rolling_state import CreepLaw
 
 ORBIT, COUNT = 30e-3, 3
 
@@ -90,3 +94,51 @@ def test_a_rigid_shaft_has_finite_derivatives():
         return with_shafts(stiffness=jnp.asarray(1e5), ratio=ratio, **rigid)[0]
 
     assert jax.value_and_grad(stiffness)(6.0) == (pytest.approx(1e5), 0.0)
+
+
+@pytest.mark.slow
+def test_the_stiffness_is_the_slope_of_the_states_also_where_a_contact_slides(drives):
+    """Linear springs, whose slip does not depend on the normal force: 5 N·m, and 10 N·m with a roller that slides."""
+    drive, friction = drives["wedge"], jnp.array([0.12, 0.12, 0.12, 0.09, 0.09])
+    normal, pins = jnp.array([6e-9, 5e-9, 5e-9, 4e-9, 4e-9]), 3e-9
+    laws = ContactLaws(
+        springs=NormalSprings(normal, normal),
+        reference_force=jnp.full(5, 500.0),
+        creep=CreepLaw(friction, jnp.full(5, 3e-5)),
+    )
+    pattern = jnp.array([0.0, 0.0, 0.0, 1.0, 1.0])
+
+    @jax.vmap
+    def compared(torque):
+        def turned(torque):
+            load = DriveLoad(torque, pin_compliance=pins)
+            state = drive_states(drive=drive, laws=laws, pattern=pattern, preload=1000.0, load=load).standing
+            return state.rotation[-1], state
+
+        _, slope, state = jax.jvp(turned, (torque,), (jnp.ones_like(torque),), has_aux=True)
+        found = planar_stiffness(
+            drive=drive,
+            normal_compliance=normal,
+            tangential_compliance=normal,
+            pin_compliance=pins,
+            sliding_friction=friction * state.slides,
+        )
+        return state, jnp.abs(slope), found
+
+    state, slope, found = jax.jit(compared)(jnp.array([5.0, 10.0]))
+    np.testing.assert_array_equal(np.count_nonzero(state.slides, axis=1), [0, 1])
+    assert np.all(np.asarray(state.residual) < STATE_TOLERANCE)
+    np.testing.assert_allclose(found.output, 1.0 / slope, rtol=1e-9)
+    assert float(found.output[1]) < float(found.output[0])
+    shares = np.sum(found.tangential_share + found.normal_share, axis=1) + found.pin_share
+    np.testing.assert_allclose(shares, 1.0, rtol=1e-9)
+
+
+def test_a_contact_that_slides_has_no_spring_where_centres_are_held(planetary):
+    """Its compliance does not matter, and without another path nothing holds the output."""
+    tangential = jnp.array([2e-9, 3e-9])
+    slides = jnp.array([0.0, 0.1])
+    found = planar_stiffness(
+        drive=planetary, normal_compliance=None, tangential_compliance=tangential, sliding_friction=slides
+    )
+    assert not float(found.output) > 1e-3

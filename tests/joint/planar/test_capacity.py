@@ -3,7 +3,15 @@
 import numpy as np
 import pytest
 
+from asperity.errors import InputError
+from asperity.joint.capacity import torque_capacity
+from asperity.joint.either_kind import under_torque
 from asperity.joint.planar.capacity import smaller_sizes
+from asperity.joint.planar.solve import solve_planar
+from asperity.joint.rolling_capacity import rolling_torque_capacity
+from asperity.joint_file.build import joint_from_case
+from asperity.joint_file.planar_build import planar_joint_from_case
+from asperity.joint_file.reader import parse_any_case
 
 ORBIT, COUNT = 30e-3, 3  # of the planetary example
 
@@ -27,3 +35,88 @@ def test_a_strip_stays_below_the_smaller_radius_or_wall(planar_joint):
         "planetary_hollow", {'ring_wall_thickness = "30 mm"': 'ring_wall_thickness = "6 mm"'}
     )
     np.testing.assert_allclose(smaller_sizes(bored), [7e-3, 6e-3])
+
+
+def test_where_one_path_carries_all_the_first_slip_is_the_end(planetary):
+    _, solution, document = planetary
+    first, whole = solution.first_slip, solution.capacity
+    assert float(first.output_torque) == pytest.approx(float(whole.output_torque), rel=1e-9)
+    assert document["torque_capacity"]["first_slip"] == {
+        "output_torque_Nm": float(first.output_torque),
+        "contact": "sp",
+    }
+
+
+@pytest.mark.slow
+def test_the_papers_drive_holds_as_much_as_by_its_own_chain(case, as_planar):
+    """There both sides of a planet share the traction equally, here a side slips first and keeps its friction."""
+    own = joint_from_case(case)
+    found = solve_planar(as_planar(own))
+    for whole, first, direction in (
+        (found.capacity, found.first_slip, 1.0),
+        (found.reverse_capacity, found.reverse_first_slip, -1.0),
+    ):
+        expected = torque_capacity(own, direction=direction)
+        assert int(whole.limiting_contact) == int(expected.limiting_contact) == 0
+        assert float(whole.output_torque) == pytest.approx(float(expected.output_torque), rel=2e-3)
+        assert float(first.output_torque) < 0.8 * float(whole.output_torque)
+        # the roller at the ring on the side that the torque unloads
+        assert int(first.limiting_contact) == (4 if direction > 0.0 else 3)
+    rolling = float(rolling_torque_capacity(own, direction=1.0))
+    assert float(found.rolling_capacity.output_torque) == pytest.approx(rolling, rel=0.02)
+    assert float(found.first_slip.output_torque) < rolling
+
+
+def two_planets():
+    """Text of a drive with two planets in each sector, one on each path from sun to ring, of different friction."""
+    rollers = ('"sun"\nplace = "axis"', '"ring"\nplace = "axis"\nwall_thickness = "20 mm"')
+    contacts = []
+    for name, angle in (("one", 90), ("two", 30)):
+        rollers += (f'"{name}"\nplace = "pin"\norbit = "30 mm"\nangle = "{angle} deg"',)
+        contacts += [
+            f'"s{name}"\nfirst = "sun"\nsecond = "{name}"\nfirst_radius = "20 mm"\nsecond_radius = "10 mm"',
+            f'"r{name}"\nfirst = "{name}"\nsecond = "ring"\nfirst_radius = "10 mm"\nsecond_radius = "40 mm"\n'
+            "internal = true",
+        ]
+    return "\n".join(
+        (
+            'type = "planar"\n[drive]\nsectors = 3\ninput = "sun"\noutput = "carrier"\ngrounded = "ring"',
+            'contact_length = "5 mm"',
+            *(f"[[roller]]\nname = {roller}" for roller in rollers),
+            *(f"[[contact]]\nname = {contact}" for contact in contacts),
+            '[load]\npreload = "1000 N"\noutput_torque = "25 N*m"\nsun_speed = "0 rpm"',
+            "friction_coefficient = { sone = 0.06, rone = 0.06, stwo = 0.1, rtwo = 0.1 }",
+            '[model]\ncontact_factor = "unity"\nasperity_base = "majumdar_bhushan_1991"\nbodies = "springs"',
+            '[bodies]\nsun = "52100"\none = "52100"\ntwo = "52100"\nring = "52100"',
+            '[surface]\nfractal_dimension = 1.5\nfractal_roughness = "1.3e-7 mm"\nfrequency_ratio = 1.5',
+        )
+    )
+
+
+@pytest.mark.slow
+def test_two_planets_of_different_friction_hold_the_sum():
+    """By hand: n times two orbits times (mu_1 + mu_2) N; at 25 N·m the weak one bears 60 N, the strong one the rest."""
+    joint = planar_joint_from_case(parse_any_case(two_planets(), source="two.toml"))
+    found = solve_planar(joint)
+    path = 3.0 * 2.0 * 30e-3
+    for whole, first in (
+        (found.capacity, found.first_slip),
+        (found.reverse_capacity, found.reverse_first_slip),
+    ):
+        assert float(whole.output_torque) == pytest.approx(path * (0.06 + 0.1) * 1000.0, rel=1e-9)
+        assert joint.contact_names[int(whole.limiting_contact)] in ("stwo", "rtwo")
+        # nearly as stiff as each other; the weak one less, as it is nearer to slip
+        assert 2.0 * 0.06 * path * 1000.0 < float(first.output_torque) < 0.8 * float(whole.output_torque)
+        assert joint.contact_names[int(first.limiting_contact)] in ("sone", "rone")
+    bears = dict(zip(found.result.contact_names, np.abs(found.result.forces.tangential), strict=True))
+    assert [bears[name] for name in ("sone", "rone")] == pytest.approx([60.0, 60.0], rel=1e-9)
+    assert [bears[name] for name in ("stwo", "rtwo")] == pytest.approx([25.0 / path - 60.0] * 2, rel=1e-9)
+    # the strong planet's springs alone hold the carrier; the other's are in series with a contact that slides
+    two = np.array([name.endswith("two") for name in joint.contact_names])
+    stiff = np.asarray(found.result.interfaces.tangential)[two]
+    held = 3.0 * (2.0 * 30e-3) ** 2 / np.sum(1.0 / stiff)
+    assert float(found.result.assembly.stiffness.output) == pytest.approx(held, rel=1e-9)
+    with pytest.raises(
+        InputError, match=r"beyond the torque capacity 28\.8 N·m, at which contact [sr]two slips"
+    ):
+        solve_planar(under_torque(joint, 28.81))

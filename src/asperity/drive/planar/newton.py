@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from typing import Any
 
@@ -11,13 +12,15 @@ import jax.numpy as jnp
 from jax import Array
 
 from asperity.drive.planar.linear import solve as linear_solve
+from asperity.types import Real
 
 _NEWTON_BUDGET = 60
 _SMALLEST_SHARE = 0.2  # a step leaves at least this share of each positive unknown
-_LOST = 1e8  # a step this long is that of equations without a root
 
 
-def newton(equations: Callable[[Any], Any], first: Any, *, positive: int) -> tuple[Any, Array]:
+def newton(
+    equations: Callable[[Any], Any], first: Any, *, positive: int, longest: Real = math.inf
+) -> tuple[Any, Array]:
     r"""Root of as many equations as unknowns, without derivatives.
 
     .. math:: x \leftarrow x - \alpha\, J^{-1} r(x)
@@ -30,6 +33,8 @@ def newton(equations: Callable[[Any], Any], first: Any, *, positive: int) -> tup
         Where the search starts.
     positive : int
         How many of the first unknowns must stay positive: a step is shortened (alpha < 1) so that they keep a fifth.
+    longest : Real, optional
+        Change of an unknown in one step, not shortened, beyond which the search is given up [-].
 
     Returns
     -------
@@ -48,7 +53,7 @@ def newton(equations: Callable[[Any], Any], first: Any, *, positive: int) -> tup
 
     def unfinished(state: tuple[Array, Array, Array]) -> Array:
         _, size, steps = state
-        return (size > 1e-13) & (size < _LOST) & (steps < _NEWTON_BUDGET)
+        return (size > 1e-13) & (size < longest) & (steps < _NEWTON_BUDGET)
 
     def improve(state: tuple[Array, Array, Array]) -> tuple[Array, Array, Array]:
         x, _, steps = state

@@ -16,6 +16,10 @@ from asperity.types import Real
 #: Largest relative residual of a state that is accepted as solved.
 STATE_TOLERANCE = 1e-9
 
+#: How far beyond its friction a contact is still said to hold, relative to it: in series with one that slides it bears
+#: just its friction.
+SLIP_TOLERANCE = 1e-11
+
 #: Creep law of contacts from their normal and tangential forces of the standing drive.
 CreepOf = Callable[[Array, Array], CreepLaw]
 

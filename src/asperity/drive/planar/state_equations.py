@@ -122,7 +122,7 @@ def machine_of(drive: PlanarDrive, laws: ContactLaws, pattern: Array) -> Machine
         drive=drive,
         laws=laws,
         matrices=incidence(drive),
-        ideal=speeds(drive),
+        ideal=jnp.asarray(speeds(drive)),
         pattern=pattern,
         friction=jnp.broadcast_to(laws.creep.friction_coefficient, reference.shape),
         length=jnp.max(laws.springs.secant_compliance * reference),

@@ -9,7 +9,7 @@ import jax.numpy as jnp
 from jax import Array
 
 from asperity.drive.planar.newton import known_root, newton
-from asperity.drive.planar.state import STATE_TOLERANCE, PlanarState
+from asperity.drive.planar.state import SLIP_TOLERANCE, STATE_TOLERANCE, PlanarState
 from asperity.drive.planar.state_equations import (
     ROLLING,
     STANDING,
@@ -28,6 +28,7 @@ from asperity.drive.rolling_state import creepages
 
 # a state in which contacts slide: more than this, or a longer last step of Newton's method, is that of a mechanism
 _BALANCED, _DETERMINED = 1e-11, 1e-6
+_LOST = 1e4  # a step this long from one balance towards another is that of a mechanism
 
 
 def assembled_guess(machine: Machine) -> Unknowns:
@@ -100,7 +101,9 @@ class _Search(NamedTuple):
     steps: Array
 
 
-def solved(machine: Machine, task: Task, start: Unknowns, *, by_force: bool) -> tuple[Unknowns, Array]:
+def solved(
+    machine: Machine, task: Task, start: Unknowns, *, slides: Array | None = None, by_force: bool
+) -> tuple[Unknowns, Array]:
     """Unknowns of a state, and which contacts slide.
 
     Parameters
@@ -111,6 +114,8 @@ def solved(machine: Machine, task: Task, start: Unknowns, *, by_force: bool) -> 
         The state.
     start : Unknowns
         Where the search starts.
+    slides : Array or None, optional
+        Signs of the contacts that slide there, shape (contacts,) [-]; None for none.
     by_force : bool
         Whether an assembled state has a given preload instead of a given interference.
 
@@ -142,7 +147,10 @@ def solved(machine: Machine, task: Task, start: Unknowns, *, by_force: bool) -> 
         def misfits(x: Unknowns) -> Misfits:
             return state_misfits(fixed_machine, fixed_task, by_force, state.trial, x)
 
-        tried, last = newton(lambda x: misfits(x).all, state.found, positive=first.normal.size)
+        longest = jnp.where(state.steps == 0, jnp.inf, _LOST)
+        tried, last = newton(
+            lambda x: misfits(x).all, state.found, positive=first.normal.size, longest=longest
+        )
         balanced = (_worst(misfits(tried).all) < _BALANCED) & (last < _DETERMINED)
         kept = balanced | (state.steps == 0)
         found, slides = jax.tree.map(
@@ -152,8 +160,8 @@ def solved(machine: Machine, task: Task, start: Unknowns, *, by_force: bool) -> 
         going = balanced & stands & jnp.any(trial != slides) & (state.steps < 2 * slides.size)
         return _Search(found, slides, trial, going, state.steps + 1)
 
-    nowhere = jnp.zeros_like(first.normal)
-    start_of = _Search(first, nowhere, nowhere, jnp.asarray(True), jnp.asarray(0))
+    begin = jnp.zeros_like(first.normal) if slides is None else jax.lax.stop_gradient(slides)
+    start_of = _Search(first, begin, begin, jnp.asarray(True), jnp.asarray(0))
     end = jax.lax.while_loop(unfinished, improve, start_of)
     found = known_root(lambda x: state_misfits(machine, task, by_force, end.slides, x).all, end.found)
     return found, end.slides
@@ -166,7 +174,7 @@ def _next_slides(x: Unknowns, slides: Array, held: Array) -> Array:
     returns = jnp.max(back) > STATE_TOLERANCE
     place = jnp.where(returns, jnp.argmax(back), jnp.argmax(over))
     sign = jnp.where(returns, 0.0, jnp.sign(x.tangential[place]))
-    return jnp.where(returns | (jnp.max(over) > 0.0), slides.at[place].set(sign), slides)
+    return jnp.where(returns | (jnp.max(over) > SLIP_TOLERANCE), slides.at[place].set(sign), slides)
 
 
 def _worst(residuals: Unknowns) -> Array:
@@ -202,7 +210,7 @@ def state_of(machine: Machine, task: Task, x: Unknowns, slides: Array) -> Planar
     speed, turned = speeds_and_turns(machine, x, task.kind)
     rolls = jnp.where(jnp.asarray(task.kind) == ROLLING, 1.0, 0.0)
     misfits = state_misfits(machine, task, False, slides, x)
-    within = jnp.abs(tangential) <= machine.friction * normal * (1.0 + STATE_TOLERANCE)
+    within = jnp.abs(tangential) <= machine.friction * normal * (1.0 + SLIP_TOLERANCE)
     carried = jnp.all((normal > 0.0) & within)
     worst = _worst(misfits.all._replace(interference=jnp.zeros(1)))
     worst = jnp.maximum(worst, jnp.max(slides * misfits.held))  # what slides less than its law must hold

@@ -161,7 +161,9 @@ def drive_states(
     """
     machine = machine_of(drive, laws, pattern)
     given = jnp.asarray(preload if interference is None else interference, dtype=float)
-    start = _Carry(assembled_guess(machine), given, no_displacement(drive))
+    start = _Carry(
+        assembled_guess(machine), jnp.zeros_like(laws.reference_force), given, no_displacement(drive)
+    )
     kinds = jnp.array([ASSEMBLED, STANDING, ROLLING])
     states = _states(machine, load, start, kinds, creep_of, by_force=interference is None)
     return DriveStates(*(jax.tree.map(lambda leaf, i=i: leaf[i], states) for i in range(3)))
@@ -250,7 +252,7 @@ def _loaded(
 ) -> PlanarState:
     size = jnp.max(rest.interference)
     machine = machine_of(drive, laws, rest.interference / size)
-    start = _Carry(started_from(machine, rest, size), size, rest.displacement.ravel())
+    start = _Carry(started_from(machine, rest, size), rest.slides, size, rest.displacement.ravel())
     return _states(machine, load, start, kinds, creep_of, by_force=False)
 
 
@@ -258,6 +260,7 @@ class _Carry(NamedTuple):
     """What one state passes to the next."""
 
     unknowns: Unknowns
+    slides: Array
     size: Array
     origin: Array
 
@@ -288,10 +291,12 @@ def _states(
             creep = creep_of(*contact_forces(machine, carry.unknowns))
             here = machine._replace(laws=dataclasses.replace(machine.laws, creep=creep))
         task = Task(kind, jnp.where(assembled, given, carry.size), borne, carry.origin)
-        found, slides = solved(here, task, carry.unknowns, by_force=by_force)
+        begin = jnp.where(kind == STANDING, carry.slides, 0.0)
+        found, slides = solved(here, task, carry.unknowns, slides=begin, by_force=by_force)
         state = state_of(here, task, found, slides)
         following = _Carry(
             found,
+            slides,
             jnp.where(assembled, found.interference[0] * machine.length, carry.size),
             jnp.where(assembled, state.displacement.ravel(), carry.origin),
         )

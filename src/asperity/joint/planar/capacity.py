@@ -11,7 +11,7 @@ from jax import Array
 
 from asperity.contact.hertz_line import half_width
 from asperity.drive.capacity import FirstLimit, first_limit, slip_ratio
-from asperity.drive.planar.state import STATE_TOLERANCE, ContactLaws, PlanarState
+from asperity.drive.planar.state import SLIP_TOLERANCE, STATE_TOLERANCE, ContactLaws, PlanarState
 from asperity.drive.planar.states import loaded_state
 from asperity.joint.capacity import TorqueCapacity, named_capacity
 from asperity.joint.planar.description import PlanarJoint, body_masses, planar_contacts, tracks_of
@@ -124,7 +124,11 @@ def planar_capacity(
         return jnp.concatenate(
             [
                 -jnp.ones(1),  # pins without friction do not lock
-                jnp.where(touching, jnp.where(slides, jnp.where(at_first, 0.0, -1.0), slip - 1.0), -1.0),
+                jnp.where(
+                    touching,
+                    jnp.where(slides, jnp.where(at_first, 0.0, -1.0), slip - 1.0 - SLIP_TOLERANCE),
+                    -1.0,
+                ),
                 _LIFTED - state.normal / rest.normal,
                 jnp.where(touching, width / sizes - 1.0, -1.0),
                 jnp.where(state.worst < STATE_TOLERANCE, -1.0, 1.0)[None],

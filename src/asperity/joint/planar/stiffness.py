@@ -11,6 +11,7 @@ from jax import Array
 
 from asperity.drive.assembly import Assembly
 from asperity.drive.planar.layout import speed_ratio
+from asperity.drive.planar.state import SLIP_TOLERANCE
 from asperity.drive.planar.stiffness import planar_stiffness, with_shafts
 from asperity.drive.torsional_stiffness import TorsionalStiffness
 from asperity.joint.contacts import JointContacts, LoadedContacts, loaded_contacts
@@ -71,10 +72,12 @@ def loaded_stiffness(
     Equations (A8) and (M4) of :doc:`/equations`.
     """
     holds = slides == 0.0
+    most = (1.0 - SLIP_TOLERANCE) * contacts.pairs.friction_coefficient * normal_force
     loaded = loaded_contacts(
         contacts=contacts,
         normal_force=normal_force,
-        tangential_force=jnp.where(holds, tangential_force, 0.0),
+        # in series with a contact that slides another bears just its friction, and no more under a higher torque
+        tangential_force=jnp.where(holds, jnp.clip(tangential_force, -most, most), 0.0),
     )
     friction = slides * contacts.pairs.friction_coefficient
     published, series, assembly = stiffness_levels(joint, contacts, loaded, friction)
