@@ -27,7 +27,9 @@ and `all`, which is everything but the group `stresses`.
 Tables show the unit given here; datasets and JSON documents are in SI units. A result *of contacts* has one number for
 each of `sp`, `pwr`, `pwl`, `wro`, `wlo`; its single numbers are called `slip_ratio_sp` and so on. Results that need
 the *balance* are nan where the force balance does not close, those that need *operation* also where a contact slips;
-all are nan where the rollers do not fit.
+all are nan where the rollers do not fit. Stresses and safeties of rims are called after their body
+in the drive of Zou et al. (`ring_yield_safety`); in every other type of drive they are results of bodies
+(`rim_yield_safety`, of `ring`).
 
 In a design file, `stiffness`, `stiffness_per_mass` and `stiffness_per_volume` stand for the results of the level that
 the file states. Results without derivatives can be neither objectives nor limits, and have no sensitivities.

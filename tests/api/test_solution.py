@@ -8,7 +8,7 @@ import pytest
 
 import asperity
 from asperity.errors import InputError
-from asperity.joint.results import RESULTS
+from asperity.joint.results import WEDGE_RESULTS
 
 
 def test_values_are_those_of_the_command(solution, printed, zou_file):
@@ -31,9 +31,9 @@ def test_values_are_those_of_the_command(solution, printed, zou_file):
 
 
 def test_every_row_of_the_table_of_results_is_there(solution):
-    assert list(solution) == list(RESULTS) == solution.keys()
-    assert len(solution) == len(RESULTS)
-    for name, row in RESULTS.items():
+    assert list(solution) == list(WEDGE_RESULTS) == solution.keys()
+    assert len(solution) == len(WEDGE_RESULTS)
+    for name, row in WEDGE_RESULTS.items():
         found = solution[name]
         assert (found.label, found.unit, found.si_unit) == (row.label, row.display_unit, row.si_unit)
         assert np.shape(found.si) == row.row_shape
@@ -82,7 +82,7 @@ def test_frame_and_series_carry_units(solution):
     )
     series = solution.to_series()
     assert series["assembly_stiffness_output", "N*m/rad"] == solution["stiffness"].si
-    assert len(series) == len(frame) == sum(max(1, len(r.row_names)) for r in RESULTS.values())
+    assert len(series) == len(frame) == sum(max(1, len(r.row_names)) for r in WEDGE_RESULTS.values())
 
 
 def test_figure_shows_the_shares_of_the_compliance(solution):

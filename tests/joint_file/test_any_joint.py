@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from asperity.errors import InputError
+from asperity.joint.planar.document import planar_document
 from asperity.joint.planar.solve import solve_planar
 from asperity.joint.results import GROUPS, RESULTS, chosen_results, known_result
 from asperity.joint.status import NO_ROOM, SLIPS
@@ -180,6 +181,49 @@ def test_every_type_can_be_evaluated_at_points(planar_case, name, path):
     assert {each: value.shape for each, value in found.items()} == shapes
 
 
+#: What a program of studies knows of the rims; the safety without a fatigue strength of the library's steel is nan.
+RIMS = ("rim_stress", "rim_stress_at_rest", "rim_stress_amplitude", "rim_yield_safety", "rim_fatigue_safety")
+WALL = "drive.ring_wall_thickness"
+
+
+def test_rims_of_many_joints_are_those_of_single_ones(planar_case):
+    """The document of each file; derivatives are differences of two documents; a stress of a thin ring by hand."""
+    values = si_values(planar_case("planetary"))
+    walls, step = np.array([8e-3, 10e-3]), 1e-6
+    status, found, slopes = derivatives_at(values, {WALL: walls}, (*RIMS, "preload"), (WALL,))
+    assert status.tolist() == [0, 0]
+    ring = results_of(values)["rim_stress"].row_names.index("ring")
+    documents = {wall: _rim_entry(values, wall) for wall in (*walls, 8e-3 + step, 8e-3 - step)}
+    for name, (key, pick) in {
+        "rim_stress": ("stress_Pa", max),
+        "rim_stress_at_rest": ("stress_at_rest_Pa", max),
+        "rim_stress_amplitude": ("amplitude_Pa", max),
+        "rim_yield_safety": ("yield_safety", None),
+    }.items():
+        alone = {w: e[key] if pick is None else pick(e[key].values()) for w, e in documents.items()}
+        np.testing.assert_allclose(
+            found[name][ring], [alone[wall] for wall in walls], rtol=1e-8, err_msg=name
+        )
+        difference = (alone[8e-3 + step] - alone[8e-3 - step]) / (2.0 * step)
+        assert slopes[name][ring, 0, 0] == pytest.approx(difference, rel=1e-4), name
+        assert np.all(np.isnan(np.delete(found[name], ring, axis=0)))
+    assert np.all(np.isnan(found["rim_fatigue_safety"]))
+    # three forces P outwards on a thin ring: moment under each P R/2 (1/a - cot a) and tension P/2 cot a, a = 60
+    # degrees, at the outer fibre of a curved beam less by t/3R
+    force, radius, wall, angle = found["preload"][0, 0], 54e-3, 8e-3, np.pi / 3.0
+    moment = 0.5 * force * radius * (1.0 / angle - 1.0 / np.tan(angle))
+    bending = 6.0 * moment / (10e-3 * wall**2) * (1.0 - wall / (3.0 * radius))
+    tension = 0.5 * force / np.tan(angle) / (10e-3 * wall)
+    assert found["rim_stress_at_rest"][ring, 0] == pytest.approx(bending + tension, rel=0.05)
+
+
+def _rim_entry(values, wall):
+    joint = planar_joint_from_values(replace_values(values, {WALL: wall}))
+    return planar_document(joint=joint, solution=solve_planar(joint), inputs={}, assumptions=())["rims"][
+        "ring"
+    ]
+
+
 def test_results_of_the_papers_drive_alone_are_refused_by_name(values):
     table = results_of(values)
     only = {name for name, row in RESULTS.items() if row.wedge_only}
@@ -188,6 +232,10 @@ def test_results_of_the_papers_drive_alone_are_refused_by_name(values):
     for name in ("wedge_angle", "loads"):
         with pytest.raises(InputError, match=f"no result '{name}': only that of Zou et al"):
             chosen_results([name], table=table)
+    with pytest.raises(
+        InputError, match=r"only that of Zou et al\. 2025 has it; here ask for 'rim_yield_safety'"
+    ):
+        chosen_results(["ring_yield_safety"], table=table)
     with pytest.raises(InputError, match="no result 'wedge_angle': only that of Zou et al"):
         known_result("wedge_angle", among=tuple(table))
     with pytest.raises(InputError, match="did you mean 'slip_ratio'"):

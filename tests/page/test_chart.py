@@ -5,7 +5,7 @@ import pytest
 
 from asperity.errors import InputError
 from asperity.joint.planar.solve import solve_planar
-from asperity.joint.results import RESULTS
+from asperity.joint.results import WEDGE_RESULTS
 from asperity.joint.solve import solve
 from asperity.joint_file.build import joint_from_case, with_values
 from asperity.joint_file.planar_build import planar_joint_from_case
@@ -75,7 +75,7 @@ def test_results_are_those_of_the_table(joint_text):
     names = [each["name"] for each in rows]
     assert {"assembly_stiffness_output", "slip_ratio_sp", "torque_capacity"} <= set(names)
     assert not any("limiting" in name for name in names)  # a category is no curve
-    assert names == list(result_rows(RESULTS))
+    assert names == list(result_rows(WEDGE_RESULTS))
 
 
 def test_results_of_another_drive_are_its_own(zou_file):

@@ -5,7 +5,7 @@ import jax.numpy as jnp
 import numpy as np
 import pytest
 
-from asperity.joint.results import RESULTS
+from asperity.joint.results import WEDGE_RESULTS
 from asperity.joint.status import STATUS_NAMES
 from asperity.joint_file.si_tables import si_values
 from asperity.study.batch import derivatives_at, evaluate_points, numbers, point_kernel
@@ -54,11 +54,11 @@ def changes(point):
     ],
 )
 def test_every_number_of_a_joint_file_can_vary_alone(values, path):
-    kernel = point_kernel(values, (path,), tuple(RESULTS))
+    kernel = point_kernel(values, (path,), tuple(WEDGE_RESULTS))
     status, found = jax.eval_shape(kernel, numbers(values), jax.ShapeDtypeStruct((7,), jnp.float64))
     assert status.shape == (7,)
     assert {name: value.shape for name, value in found.items()} == {
-        name: (*RESULTS[name].row_shape, 7) for name in RESULTS
+        name: (*WEDGE_RESULTS[name].row_shape, 7) for name in WEDGE_RESULTS
     }
 
 
@@ -68,7 +68,7 @@ def test_levels_of_stiffness(values):
     status, found, _ = derivatives_at(values, thick, NAMES)
     assert status.tolist() == [0, 0]
     assert {name: value.shape for name, value in found.items()} == {
-        name: (len(RESULTS[name].row_names), 2) for name in NAMES
+        name: (len(WEDGE_RESULTS[name].row_names), 2) for name in NAMES
     }
     # asperities alone: the baseline in SciPy of benchmarks/, at a small torque, 5.0413e6 N·m/rad
     assert found["published_stiffness_output"][0, 0] == pytest.approx(5.0413e6, rel=2e-4)

@@ -113,6 +113,7 @@ def design(
         click.echo(json.dumps(design_document(result), indent=2, allow_nan=False))
     else:
         _show(result)
+        _show_warnings(result)
     if not result.feasible:
         from asperity.errors import NoSolutionError
 
@@ -217,6 +218,24 @@ def _show(result: DesignResult) -> None:
     _show_summary(target, result)
     _show_limits(target, result)
     _show_search(target, result)
+
+
+def _show_warnings(result: DesignResult) -> None:
+    """What ``asperity joint`` warns of for the designed joint."""
+    from asperity.api.joint import DescribedJoint
+    from asperity.api.solution import solution
+    from asperity.cli.document_text import show_warnings
+    from asperity.cli.terminal import console
+    from asperity.errors import NoSolutionError
+    from asperity.joint_file.reader import parse_any_case
+
+    name = "the designed joint"
+    try:
+        document = solution(DescribedJoint(parse_any_case(result.joint_text, source=name), name)).document
+    except (InputError, NoSolutionError) as error:
+        click.echo(f"Under the output torque of its file the designed joint has no result: {error}")
+        return
+    show_warnings(console(), document)
 
 
 def _show_variables(target: Console, result: DesignResult) -> None:

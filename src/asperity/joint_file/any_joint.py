@@ -17,7 +17,7 @@ from asperity.joint.evaluation import evaluate
 from asperity.joint.planar.evaluation import evaluated_with_laws
 from asperity.joint.planar.solved import SolvedPlanarJoint
 from asperity.joint.planar.status import planar_status
-from asperity.joint.results import RESULTS, Result, SolvedJoint, result_values
+from asperity.joint.results import WEDGE_RESULTS, Result, SolvedJoint, result_values
 from asperity.joint.results.drive_table import results_of_drive
 from asperity.joint.status import joint_status
 from asperity.joint_file import build, planar_build
@@ -40,10 +40,10 @@ def results_of(tables: Mapping[str, Any]) -> dict[str, Result]:
     Returns
     -------
     dict
-        Name → row; :data:`asperity.joint.results.RESULTS` for the drive of Zou et al. 2025.
+        Name → row; :data:`asperity.joint.results.WEDGE_RESULTS` for the drive of Zou et al. 2025.
     """
     if type_of(tables) == WEDGE_TYPE:
-        return RESULTS
+        return WEDGE_RESULTS
     return _planar_results(table_structure(with_tracks(dict(tables))))
 
 
@@ -54,6 +54,35 @@ def _planar_results(structure: str) -> dict[str, Result]:
     drive = jax.eval_shape(lambda *each: layout_of(with_numbers(values, each))[0], *shapes)
     pairs = tuple("_to_".join(pair) for pair in neighbours(drive))
     return results_of_drive(contacts_of(values), bodies_of(values), pairs)
+
+
+def rows_of_file(tables: Mapping[str, Any], result: Result) -> tuple[int, ...]:
+    """Which rows of a result the joint of a file has: the bearings that are rated, the bodies that bend.
+
+    Parameters
+    ----------
+    tables : mapping
+        Tables of the joint file.
+    result : Result
+        A row of :func:`results_of`.
+
+    Returns
+    -------
+    tuple of int
+        All rows where every joint has them.
+    """
+    if result.present is None or not result.row_shape:
+        return tuple(range(len(result.row_names)))
+    values = with_tracks(dict(tables))
+    make: Any = joint_from_values if type_of(values) == WEDGE_TYPE else planar_joint_from_values
+    there: list[bool] = []
+    no_result: Any = None
+
+    def ask(*each: Array) -> None:
+        there.extend(result.present(SolvedJoint(make(with_numbers(values, each)), no_result)))  # type: ignore[misc]
+
+    jax.eval_shape(ask, *(jax.ShapeDtypeStruct((), jnp.float64) for _ in numbers(values)))
+    return tuple(int(row) for row, present in enumerate(there) if present)
 
 
 def with_nominal_sizes(values: Values) -> Values:

@@ -9,7 +9,7 @@ import numpy as np
 
 from asperity import __version__
 from asperity.extras import optional_module
-from asperity.joint.results import RESULTS, Result, row_name
+from asperity.joint.results import WEDGE_RESULTS, Result, row_name
 from asperity.joint.status import flag_attributes
 from asperity.joint_file.si_tables import key_at
 from asperity.study.parameters import SweepAxis, long_name
@@ -202,7 +202,7 @@ def dataset(
     coordinates: Mapping[str, Any],
     status: np.ndarray,
     found: Mapping[str, np.ndarray],
-    table: Mapping[str, Result] = RESULTS,
+    table: Mapping[str, Result] = WEDGE_RESULTS,
     attributes: Mapping[str, Any],
 ) -> xarray.Dataset:
     """A dataset of evaluated points.

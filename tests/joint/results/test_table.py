@@ -10,6 +10,7 @@ from asperity.joint.evaluation import evaluate
 from asperity.joint.results import (
     GROUPS,
     RESULTS,
+    WEDGE_RESULTS,
     chosen_results,
     display_unit,
     known_result,
@@ -74,6 +75,15 @@ def test_unknown_results_are_refused(name, said):
         chosen_results([name])
     with pytest.raises(InputError, match=f"there is no result '{name}'"):
         known_result(name)
+
+
+def test_rims_of_other_drives_have_other_names_here():
+    said = "only drives of other types have it; here ask for 'ring_yield_safety' or 'planet_yield_safety' or"
+    with pytest.raises(InputError, match=said):
+        chosen_results(["rim_yield_safety"])
+    with pytest.raises(InputError, match=said):
+        known_result("rim_yield_safety", among=tuple(WEDGE_RESULTS))
+    assert not any(row.planar_only for row in WEDGE_RESULTS.values())
 
 
 def test_former_names_lead_to_results():

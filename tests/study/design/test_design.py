@@ -9,8 +9,11 @@ from scipy.optimize import brentq
 
 from asperity.drive.geometry import clearances
 from asperity.errors import NoSolutionError
+from asperity.joint.planar.solve import solve_planar
+from asperity.joint.planar.solved import solved_planar_joint
 from asperity.joint_file.build import joint_from_values
-from asperity.joint_file.reader import parse_case
+from asperity.joint_file.planar_build import planar_joint_from_case
+from asperity.joint_file.reader import parse_any_case, parse_case
 from asperity.joint_file.si_tables import si_values
 from asperity.study.batch import derivatives_at, evaluate_points
 from asperity.study.design.design import design, nominal_results
@@ -253,3 +256,33 @@ def test_the_lightest_planetary_is_that_of_an_exhaustive_search(zou_file):
     limits = {(each.name, each.row): each for each in found.limits}
     assert limits["slip_ratio", "sp"].value == pytest.approx(0.8, rel=1e-6)
     assert limits["clearance", "planet_to_planet"].value == pytest.approx(60e-3 * np.sin(np.pi / 3.0) - 40e-3)
+
+
+def test_the_lightest_planetary_whose_ring_has_a_stated_safety(tmp_path, zou_file):
+    """Its limit is met exactly, by the wall of a thin ring under three forces."""
+    joint = zou_file.with_name("planetary.toml").read_text()
+    stated = 'interference = "30 um"'
+    assert stated in joint
+    (tmp_path / "planetary.toml").write_text(joint.replace(stated, 'preload = "850 N"'))
+    text = (
+        'joint = "planetary.toml"\n[variables]\n"drive.ring_wall_thickness" = { lower = "1.5 mm", upper = "8 mm" }\n'
+        '[objective]\nminimise = "mass"\n[constraints]\nrim_yield_safety = { at_least = 2 }\n[search]\nstarts = 1'
+    )
+    problem = design_from_tables(tomllib.loads(text), folder=tmp_path)
+    found = design(problem)
+    assert found.feasible
+    limit = next(each for each in found.limits if each.name == "rim_yield_safety")
+    assert (limit.row, limit.active) == ("ring", True)
+    assert limit.value == pytest.approx(2.0, rel=1e-7)
+    solved = parse_any_case(found.joint_text, source="designed")
+    joint = planar_joint_from_case(solved)
+    again = solved_planar_joint(joint, solve_planar(joint)).rims
+    assert float(again.yield_safety[2]) == pytest.approx(2.0, rel=1e-6)
+    # moment P R/2 (1/a - cot a) under each force, a = 60 degrees; in plane strain
+    wall, force, angle = found.point["drive.ring_wall_thickness"], 850.0, np.pi / 3.0
+    radius = 50e-3 + 0.5 * wall
+    stress = 3.0 * force * radius * (1.0 / angle - 1.0 / np.tan(angle)) / (10e-3 * wall**2)
+    stress = stress * (1.0 - wall / (3.0 * radius)) + 0.5 * force / np.tan(angle) / (10e-3 * wall)
+    ring = joint.materials[2]
+    mises = stress * np.sqrt(1.0 - ring.poisson_ratio + ring.poisson_ratio**2)
+    assert float(ring.yield_strength) / mises == pytest.approx(2.0, rel=0.05)

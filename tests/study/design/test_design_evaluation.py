@@ -116,6 +116,16 @@ def test_many_designs_at_once_have_the_worst_of_each_scenario_and_contact(evalua
     )
 
 
+def test_an_objective_is_the_worst_of_its_own_rows(evaluator):
+    """Slip of the second contact alone, 40 M/P, with its slope; the first has more."""
+    made = evaluator((Objective("slip_ratio", 1.0, (1,)),), LIMITS, logarithmic=False)
+    at = made.scaled({"load.preload": 400.0, "drive.contact_length": 4e-3})
+    design = made(at)
+    np.testing.assert_allclose(np.exp(design.objective), 0.5, rtol=1e-12)
+    np.testing.assert_allclose(design.objective_slopes[0, 0], [-1500.0 / 400.0, 0.0], rtol=1e-12)
+    assert made.many(at[None])[0] == pytest.approx(0.5)
+
+
 def test_the_last_design_is_kept_and_evaluations_are_counted(evaluator):
     made = evaluator((Objective("mass", 1.0),), LIMITS)
     first = made(np.array([0.2, 0.3]))

@@ -53,6 +53,12 @@ def test_good_file(zou_file):
     ("old", "new", "message"),
     [
         ("[objective]", "[objectives]", "unknown key; did you mean 'objective'"),
+        ("[constraints]", "[limits]", "limits: unknown key; did you mean 'constraints'"),
+        (
+            "[worst_case]",
+            "rim_yield_safety = { at_least = 2 }\n[worst_case]",
+            "here ask for 'ring_yield_safety'",
+        ),
         ('maximise = "stiffness"', 'maximise = "stifness"', "did you mean 'stiffness'"),
         ('maximise = "stiffness"', "", "one objective, or two or three"),
         ('maximise = "stiffness"', 'maximise = "slip_ratio"', "can only be minimised"),
@@ -213,3 +219,30 @@ def test_limits_of_another_drive_have_its_names(zou_file):
                 tomllib.loads(text.replace("VARIABLE", variable).replace("GOAL", goal)),
                 folder=zou_file.parent,
             )
+
+
+def test_limits_of_rims_hold_for_the_bodies_that_bend(tmp_path, zou_file):
+    joint = zou_file.with_name("planetary.toml").read_text()
+    text = (
+        'joint = "planetary.toml"\n[variables]\n"drive.ring_wall_thickness" = { lower = "4 mm", upper = "14 mm" }\n'
+        '[objective]\nminimise = "mass"\n[constraints]\n'
+    )
+
+    def limited(limit, support="free"):
+        (tmp_path / "planetary.toml").write_text(
+            joint.replace('ring_support = "free"', f'ring_support = "{support}"')
+        )
+        return problem(text + limit, tmp_path).constraints[0]
+
+    assert limited("rim_yield_safety = { at_least = 2 }").rows == (2,)
+    safest = problem(text.replace('minimise = "mass"', 'maximise = "rim_yield_safety"'), tmp_path)
+    assert safest.objectives[0].rows == (2,)
+    assert limited('rim_yield_safety = { at_least = 2, bodies = ["ring"] }').rows == (2,)
+    for limit, support, says in (
+        ('rim_yield_safety = { at_least = 2, bodies = ["sun"] }', "free", "'sun' has none; only free rings"),
+        ("rim_yield_safety = { at_least = 2 }", "rigid_housing", "only free rings and hollow rollers"),
+        ("rim_fatigue_safety = { at_least = 2 }", "free", "where their material states fatigue_strength"),
+        ("ring_yield_safety = { at_least = 2 }", "free", "here ask for 'rim_yield_safety'"),
+    ):
+        with pytest.raises(InputError, match=says):
+            limited(limit, support)

@@ -8,9 +8,8 @@ import math
 
 from asperity.joint.capacity import LIMITING_CONTACTS
 from asperity.joint.planar.description import PlanarJoint
-from asperity.joint.results import planar_stresses
 from asperity.joint.results.result import Result, SolvedJoint
-from asperity.joint.results.table import RESULTS
+from asperity.joint.results.table import RESULTS, WEDGE_RESULTS
 
 _LABELS = {
     "preload": "normal force of the first contact without torque",
@@ -54,13 +53,11 @@ def results_of_joint(solved: SolvedJoint) -> dict[str, Result]:
     Returns
     -------
     dict
-        Name → row; also the stresses of rings and hollow rollers of a planar drive, which studies do not compute.
+        Name → row.
     """
     if not isinstance(solved.joint, PlanarJoint):
-        return RESULTS
-    contacts, bodies, clearances = (solved.row_names(axis) for axis in ("contact", "body", "clearance"))
-    stresses = {row.name: _named(row, {"body": bodies}) for row in planar_stresses.ROWS}
-    return results_of_drive(contacts, bodies, clearances) | stresses
+        return WEDGE_RESULTS
+    return results_of_drive(*(solved.row_names(axis) for axis in ("contact", "body", "clearance")))
 
 
 def _named(row: Result, names: dict[str, tuple[str, ...]]) -> Result:

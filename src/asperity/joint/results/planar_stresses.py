@@ -18,11 +18,17 @@ _stress = functools.partial(
     display_unit="MPa",
     axis="body",
     positive=False,
+    planar_only=True,
     present=lambda solved: bends(solved.joint),
     note="tension positive, the larger of both rims, away from the contacts; nan for bodies that do not bend",
 )
 _safety = functools.partial(
-    Result, group="stresses", dimension=Dimension.DIMENSIONLESS, display_unit="1", axis="body"
+    Result,
+    group="stresses",
+    dimension=Dimension.DIMENSIONLESS,
+    display_unit="1",
+    axis="body",
+    planar_only=True,
 )
 _REMEDY = "choose a thicker wall, a stronger material or less preload"
 

@@ -238,8 +238,8 @@ class Result:
         What else has to be said about it.
     present : callable or None
         Which of its rows a joint has; the others are not judged. None: all of them.
-    wedge_only : bool
-        Whether only the drive of Zou et al. 2025 has it.
+    wedge_only, planar_only : bool
+        Whether only the drive of Zou et al. 2025 has it, or only the others have.
     rows : tuple of str or None
         Names of its rows where they are not those of :data:`ROW_NAMES`, :mod:`asperity.joint.results.drive_table`.
     """
@@ -262,6 +262,7 @@ class Result:
     note: str = ""
     present: Callable[[SolvedJoint], tuple[bool, ...]] | None = None
     wedge_only: bool = False
+    planar_only: bool = False
     rows: tuple[str, ...] | None = None
 
     @property

@@ -160,7 +160,7 @@ def _result(
     )
     _refuse_without_result(evaluator, found)
     status, before, _ = derivatives_at(evaluator.values, evaluator.scenarios.changes({}), evaluator.results)
-    worst_before = goal.sign * before[goal.name][:, evaluator.counted]
+    worst_before = goal.sign * goal.of(before)[:, evaluator.counted]
     return DesignResult(
         problem=problem,
         feasible=feasible,
@@ -195,10 +195,9 @@ def _refuse_without_result(evaluator: DesignEvaluator, found: EvaluatedDesign) -
             "the force balance of the design found did not close in every scenario; narrow the bounds"
         )
     problem = evaluator.problem
-    names = [each.name for each in problem.objectives] + [each.name for each in problem.constraints]
-    unknown = [
-        name for name in dict.fromkeys(names) if np.isnan(found.values[name][:, evaluator.counted]).any()
-    ]
+    asked = [(each.name, each.of(found.values)) for each in problem.objectives]
+    asked += [(each.name, found.values[each.name][list(each.rows)]) for each in problem.constraints]
+    unknown = dict.fromkeys(name for name, value in asked if np.isnan(value[:, evaluator.counted]).any())
     if unknown and np.any(status == ALL_PLASTIC):
         raise NoSolutionError(
             f"the nearest design found has no value of {', '.join(unknown)}: every spot of a contact is plastic, where "

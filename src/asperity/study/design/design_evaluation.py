@@ -204,7 +204,7 @@ class DesignEvaluator:
 
         objective, objective_slopes = [], []
         for goal in self.problem.objectives:
-            value, slope = found[goal.name][:, self.counted], slopes[goal.name][:, self.counted]
+            value, slope = (goal.of(each)[:, self.counted] for each in (found, slopes))
             row, scenario = (
                 np.argmax(goal.sign * value, axis=0),
                 np.arange(value.shape[1]),
@@ -261,7 +261,7 @@ class DesignEvaluator:
         self.evaluations += designs
         objectives = []
         for goal in self.problem.objectives:
-            value = goal.sign * found[goal.name]
+            value = goal.sign * goal.of(found)
             worst = np.max(np.where(np.isnan(value), np.inf, value), axis=(0, 2))
             objectives.append(np.where(np.isfinite(worst), worst, _WORST))
         margins = [

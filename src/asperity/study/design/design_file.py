@@ -9,15 +9,13 @@ from pathlib import Path
 from typing import Any
 
 from asperity.errors import InputError
-from asperity.joint.bearing_lives import BEARING_NAMES
 from asperity.joint.results import LEVELS, RESULTS, Result, known_result, name_at_level
 from asperity.joint.windup import StiffnessLevel
-from asperity.joint_file.any_joint import results_of
+from asperity.joint_file.any_joint import results_of, rows_of_file
 from asperity.joint_file.messages import nearest
 from asperity.joint_file.part_names import WEDGE_TYPE, type_of
-from asperity.joint_file.planar_model import PlanarCase
 from asperity.joint_file.reader import read_any_case
-from asperity.joint_file.si_tables import AnyCase, key_at, numeric_keys, si_values
+from asperity.joint_file.si_tables import Values, key_at, numeric_keys, si_values
 from asperity.library import read_finishes
 from asperity.reading import read_toml
 from asperity.study.design.design_problem import (
@@ -116,14 +114,13 @@ def design_from_tables(tables: Mapping[str, Any], *, folder: Path) -> DesignProb
         if name not in tables:
             errors.found.append(f"{name}: this key is missing")
     errors.refuse()
-    rated: tuple[int, ...] = tuple(range(len(BEARING_NAMES)))
-    kind, known = WEDGE_TYPE, RESULTS
+    kind, known, values = WEDGE_TYPE, RESULTS, Values()
     with errors.gathered():
         if not isinstance(tables["joint"], str):
             raise InputError(f"joint: expected the path of a joint file as text, got {tables['joint']!r}")
         case = read_any_case(folder / tables["joint"])
         values = si_values(case)
-        kind, known, rated = type_of(values), results_of(values), _rated(case)
+        kind, known = type_of(values), results_of(values)
     level = tables.get("level", "assembly")
     if level not in LEVELS:
         errors.found.append(f"level: {level!r} is not one of {', '.join(LEVELS)}")
@@ -136,12 +133,12 @@ def design_from_tables(tables: Mapping[str, Any], *, folder: Path) -> DesignProb
         _check_count(variables if not errors.found else [None])
     objectives: tuple[Objective, ...] = ()
     with errors.gathered():
-        objectives = _objectives(_table(tables["objective"], "objective"), level, known)
+        objectives = _objectives(_table(tables["objective"], "objective"), level, values, known)
     constraints: list[Constraint] = []
     with errors.gathered():
         for name, entry in _table(tables.get("constraints", {}), "constraints").items():
             with errors.gathered():
-                constraints.extend(_constraint(name, entry, level, rated, known))
+                constraints.extend(_constraint(name, entry, level, values, known))
     worst_case, starts, seed = WorstCase((), "none", 1, 0), 1, 0
     with errors.gathered():
         worst_case = _worst_case(_table(tables.get("worst_case", {}), "worst_case"))
@@ -179,9 +176,9 @@ def _only(table: Mapping[str, Any], known: tuple[str, ...], place: str) -> None:
     for name in table:
         if name not in known:
             where = f"{place}.{name}" if place else name
-            raise InputError(
-                f"{where}: unknown key{nearest(name, known) or '; known are ' + ', '.join(known)}"
-            )
+            meant = "constraints" if where == "limits" else name
+            hint = nearest(meant, known) or f"; known are {', '.join(known)}"
+            raise InputError(f"{where}: unknown key{hint}")
 
 
 def _count(value: Any, name: str, lowest: int, highest: int) -> int:
@@ -271,7 +268,7 @@ def _finish_bounds(name: Any, path: str) -> tuple[float, float]:
 
 
 def _objectives(
-    table: dict[str, Any], level: StiffnessLevel, results: Mapping[str, Result]
+    table: dict[str, Any], level: StiffnessLevel, values: Values, results: Mapping[str, Result]
 ) -> tuple[Objective, ...]:
     _only(table, ("maximise", "minimise"), "objective")
     found = []
@@ -283,7 +280,7 @@ def _objectives(
             if limit is not None and math.isinf(limit.lowest if sign < 0.0 else limit.highest):
                 other = "minimised (its largest value counts)" if sign < 0.0 else "maximised"
                 raise InputError(f"objective.{word}: {name} can only be {other}")
-            found.append(Objective(full, sign))
+            found.append(Objective(full, sign, _rows(results[full], values, f"objective.{word}")))
     if not 1 <= len(found) <= 3:
         raise InputError(f"objective: one objective, or two or three for a Pareto front, got {len(found)}")
     if len({each.name for each in found}) < len(found):
@@ -303,16 +300,8 @@ def _result(name: Any, level: StiffnessLevel, where: str, results: Mapping[str, 
         raise InputError(f"{where}: {error}") from None
 
 
-def _rated(case: AnyCase) -> tuple[int, ...]:
-    """Rows of the bearings that a joint file rates."""
-    if isinstance(case, PlanarCase):
-        return ()
-    sections = (case.pin_bearing, case.pin_bearing, case.sun_bearing, case.carrier_bearing)
-    return tuple(index for index, section in enumerate(sections) if section is not None)
-
-
 def _constraint(
-    name: str, table: Any, level: StiffnessLevel, rated: tuple[int, ...], results: Mapping[str, Result]
+    name: str, table: Any, level: StiffnessLevel, values: Values, results: Mapping[str, Result]
 ) -> Iterator[Constraint]:
     where = f"constraints.{name}"
     full = _result(name, level, where, results)
@@ -321,12 +310,7 @@ def _constraint(
     _only(entry, ("at_most", "at_least", plural), where)
     if "at_most" not in entry and "at_least" not in entry:
         raise InputError(f"{where}: state 'at_most' or 'at_least'")
-    rows = rated if result.axis == "bearing" else tuple(range(len(result.row_names)))
-    if not rows:
-        raise InputError(
-            f"{where}: the joint file gives no ratings of a bearing, see [pin_bearing], [sun_bearing] and "
-            "[carrier_bearing]"
-        )
+    rows = _rows(result, values, where)
     if plural in entry:
         listed = entry[plural]
         if result.axis not in _PLURALS or not isinstance(listed, list):
@@ -334,6 +318,8 @@ def _constraint(
         for each in listed:
             if each not in result.row_names:
                 raise InputError(f"{where}.{plural}: {each!r} is not one of {', '.join(result.row_names)}")
+            if result.row_names.index(each) not in rows:
+                raise InputError(f"{where}.{plural}: {each!r} has none; {_absent(result)}")
         rows = tuple(result.row_names.index(each) for each in listed)
     for side in ("at_most", "at_least"):
         if side in entry:
@@ -343,6 +329,22 @@ def _constraint(
                 raise InputError(f"{where}.{side}: {error}") from None
             _check_limit(result, limit, f"{where}.{side}: {entry[side]}")
             yield Constraint(full, side == "at_most", limit, rows)
+
+
+def _rows(result: Result, values: Values, where: str) -> tuple[int, ...]:
+    """Rows that the joint file has; all where that cannot be read."""
+    rows = rows_of_file(values, result) if values else tuple(range(len(result.row_names)))
+    if not rows:
+        raise InputError(f"{where}: {_absent(result)}")
+    return rows
+
+
+def _absent(result: Result) -> str:
+    """Why a joint file lacks rows of a result."""
+    if result.axis == "bearing":
+        return "the joint file gives no ratings of a bearing: [pin_bearing], [sun_bearing], [carrier_bearing]"
+    words = "only free rings and hollow rollers, of one track each, have it"
+    return words + " where their material states fatigue_strength" * ("fatigue" in result.name)
 
 
 def _check_limit(result: Result, limit: float, written: str) -> None:

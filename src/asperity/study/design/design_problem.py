@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any, Literal
 
@@ -64,10 +65,25 @@ EXISTENCE: dict[tuple[str, bool], float] = {
 
 @dataclass(frozen=True)
 class Objective:
-    """What a design makes as large or as small as possible: a result, and +1 to minimise or −1 to maximise it."""
+    """What a design makes as large or as small as possible.
+
+    Parameters
+    ----------
+    name : str
+        The result.
+    sign : float
+        +1 to minimise, −1 to maximise it.
+    rows : tuple of int or None
+        Which of its rows count, of which the worst is taken; None: all.
+    """
 
     name: str
     sign: float
+    rows: tuple[int, ...] | None = None
+
+    def of(self, found: Mapping[str, Any]) -> Any:
+        """Its rows [SI], shape (rows, ...), from all results."""
+        return found[self.name] if self.rows is None else found[self.name][list(self.rows)]
 
 
 @dataclass(frozen=True)
