@@ -6,7 +6,10 @@ import jax.numpy as jnp
 import pytest
 
 from asperity.errors import InputError
-from asperity.page.job_process import BLOCK, run_job
+from asperity.joint_file.reader import read_any_case
+from asperity.page.job_process import BLOCK, design_words, run_job
+from asperity.study.design.design_problem import DesignProblem, Objective, WorstCase
+from asperity.study.design.design_result import LimitReport
 from asperity.surface.measurement import SurfaceMeasurement, measurement_document
 
 
@@ -64,7 +67,36 @@ def test_a_design_that_meets_its_limits_has_no_conflict(monkeypatch):
     monkeypatch.setattr(
         "asperity.study.design.design_document.design_document", lambda found: {"feasible": True}
     )
-    assert run("design") == {"feasible": True, "conflict": None, "joint_text": "text"}
+    monkeypatch.setattr("asperity.page.job_process.design_words", lambda found: "words")
+    assert run("design") == {"feasible": True, "conflict": None, "joint_text": "text", "shown": "words"}
+
+
+def test_numbers_of_a_design_have_the_units_of_the_file_and_the_words_of_the_drive(zou_file):
+    """A wall of 8 mm and a length that the file states; a bore that it does not; a preload and a pressure."""
+    case = read_any_case(zou_file.with_name("planetary.toml"))
+    problem = DesignProblem(
+        case, "p.toml", "assembly", (), (Objective("preload", 1.0),), (), WorstCase((), "none", 0, 0), 1, 0
+    )
+    limit = LimitReport(
+        "hertz_pressure", "Hertz pressure", "sp", True, 1.4e9, 8.7e8, 0.0, False, 0.0, False, 10.0
+    )
+    result = SimpleNamespace(
+        problem=problem,
+        point={"drive.ring_wall_thickness": 10.49e-3, "drive.planet_bore_diameter": 12e-3},
+        objective_before=844.4,
+        objective_after=800.0,
+        limits=(limit,),
+    )
+    assert design_words(result) == {
+        "goal": "smallest normal force of the first contact without torque",
+        "before": "844.4 N",
+        "after": "800 N",
+        "variables": {
+            "drive.ring_wall_thickness": {"before": "8 mm", "after": "10.49 mm"},
+            "drive.planet_bore_diameter": {"before": None, "after": "12 mm"},
+        },
+        "limits": [{"value": "870 MPa", "limit": "1400 MPa"}],
+    }
 
 
 def test_a_measurement_document_is_read_as_it_is(tmp_path):

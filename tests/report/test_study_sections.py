@@ -1,16 +1,21 @@
 """Sections of a report on sensitivities, tolerances and a design."""
 
 import dataclasses
+from pathlib import Path
 
 import numpy as np
 import pytest
 
+from asperity.joint_file.any_joint import results_of
+from asperity.joint_file.reader import read_any_case
+from asperity.joint_file.si_tables import si_values
 from asperity.report.content import Heading, Listing, Paragraph, Picture, Table
 from asperity.report.study_sections import STUDIED, ReportStudies, study_files, study_sections
 from asperity.study.design.design_problem import SUMMARY, DesignProblem, Objective, Variable, WorstCase
 from asperity.study.design.design_result import DesignResult, LimitReport
 
 xarray = pytest.importorskip("xarray", reason="the extra 'study' is not installed")
+ROOT = Path(__file__).parents[2]
 PATHS = ["load.preload", "drive.sun_radius"]
 
 
@@ -109,6 +114,12 @@ def of(kind, blocks):
     return [block for block in blocks if isinstance(block, kind)]
 
 
+@pytest.mark.parametrize("name", ["zou2025", "planetary", "multiroller", "stepped_planet", "planar"])
+def test_every_drive_has_the_results_that_are_studied(name):
+    table = results_of(si_values(read_any_case(ROOT / "examples" / f"{name}.toml")))
+    assert all(table[each].differentiable and not table[each].categories for each in STUDIED)
+
+
 def test_nothing_is_shown_of_studies_that_were_not_made():
     assert list(study_sections(ReportStudies())) == list(study_files(ReportStudies())) == []
 
@@ -121,6 +132,7 @@ def test_sensitivities_are_ordered_by_their_size(sensitivities):
         ("drive.sun_radius", "4 mm", "-2"),
         ("load.preload", "1000 N", "0.5"),
     ]
+    assert table.title == "Elasticities, ordered by those of the assembly_stiffness_output of this drive"
     assert {len(row) for row in table.rows} == {len(table.head)} == {2 + len(STUDIED)}
     assert len(of(Picture, blocks)) == 1
     again = list(study_sections(ReportStudies(sensitivities)))
@@ -134,6 +146,7 @@ def test_tolerances_say_how_many_joints_and_who_contributes(spread):
         "200 joints drawn from the tolerances of the joint file, seed 0. 3 of them have no"
     )
     intervals, shares = of(Table, blocks)
+    assert intervals.rows[1][0] == "torque_capacity of this drive, N·m"
     assert [row[1:] for row in intervals.rows][1] == ("2", "2.1", "0.1", "1.8", "2.4")
     assert [row[:4] for row in shares.rows] == [
         ("drive.sun_radius", "0.005 mm", "normal 2 sigma", "0.8"),

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import dataclasses
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -13,7 +12,7 @@ from asperity.errors import InputError
 from asperity.writing import check_file, replacing, write_text
 
 if TYPE_CHECKING:
-    from asperity.joint_file.model import Case
+    from asperity.joint_file.si_tables import AnyCase
     from asperity.report.study_sections import ReportStudies
 
 _LONGEST_DATE = 40
@@ -71,7 +70,6 @@ def report(
     made again. The same input gives the same report, byte for byte. HTML is one file without scripts; PDF needs the
     optional package typst.
     """
-    from asperity.joint_file.planar_model import PlanarCase
     from asperity.joint_file.reader import parse_any_case
     from asperity.reading import read_text
 
@@ -112,15 +110,8 @@ def report(
         measurement=measured,
         measurement_texts=texts,
         date=date,
+        studies=_studies(file, case, sensitivity, tolerances, distribution, design_file),
     )
-    if isinstance(case, PlanarCase):
-        from asperity.cli.solved_case import refuse_options
-
-        asked = {"--sensitivity": sensitivity, "--tolerances": tolerances, "--design": design_file}
-        refuse_options(case, file, {option: bool(value) for option, value in asked.items()})
-    else:
-        studies = _studies(file, case, sensitivity, tolerances, distribution, design_file)
-        source = dataclasses.replace(source, studies=studies)
     with progress_bar("the report") as done:
         done(0, 2)
         made = joint_report(source)
@@ -140,7 +131,7 @@ def report(
 
 def _studies(
     file: str,
-    case: Case,
+    case: AnyCase,
     sensitivity: bool,
     tolerances: bool,
     distribution: str | None,

@@ -13,7 +13,10 @@ import sys
 import threading
 import traceback
 from collections.abc import Callable
-from typing import Any
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from asperity.study.design.design_result import DesignResult
 
 #: Called with what is done and with all that is to be done.
 Report = Callable[[int, int], Any]
@@ -130,7 +133,54 @@ def _design(file: str, options: dict[str, Any], report: Report) -> dict[str, Any
         )
     result = design(problem, progress=report)
     said = None if result.feasible else conflict(result)
-    return {**design_document(result), "conflict": said, "joint_text": result.joint_text}
+    document = {**design_document(result), "conflict": said, "joint_text": result.joint_text}
+    return document | {"shown": design_words(result)}
+
+
+def design_words(result: DesignResult) -> dict[str, Any]:
+    """Numbers of a design as people read them, with their units.
+
+    Parameters
+    ----------
+    result : DesignResult
+        A design.
+
+    Returns
+    -------
+    dict
+        ``goal``, ``before``, ``after``; ``variables`` by dotted path, each with its value before (None where the file
+        does not state it) and as designed; ``limits`` in the order of the document, with what is reached and required.
+    """
+    from asperity.joint_file.part_names import type_of
+    from asperity.joint_file.si_tables import key_at, numeric_keys, si_values
+    from asperity.units import format_quantity
+
+    problem = result.problem
+    table, stated, kind = problem.table, numeric_keys(problem.case), type_of(si_values(problem.case))
+    unit = table[problem.objectives[0].name].display_unit
+
+    def of_file(path: str, value: float) -> str:
+        return format_quantity(value, key_at(path, kind).unit, 5)
+
+    return {
+        "goal": problem.goal,
+        "before": format_quantity(result.objective_before, unit),
+        "after": format_quantity(result.objective_after, unit),
+        "variables": {
+            path: {
+                "before": of_file(path, stated[path].value) if path in stated else None,
+                "after": of_file(path, value),
+            }
+            for path, value in result.point.items()
+        },
+        "limits": [
+            {
+                "value": format_quantity(each.value, table[each.name].display_unit),
+                "limit": format_quantity(each.limit, table[each.name].display_unit),
+            }
+            for each in result.limits
+        ],
+    }
 
 
 def _measure(file: str, options: dict[str, Any], report: Report) -> dict[str, Any]:

@@ -105,7 +105,7 @@ def sensitivity_section(found: xarray.Dataset) -> Iterator[Block]:
         cells = (number(float(one["elasticity"].sel(result=name))) for name in STUDIED)
         rows.append((path, quantity(float(one["value"]), key_at(path).unit), *cells))
     yield Table(
-        f"Elasticities, ordered by those of the {RESULTS[STUDIED[0]].label}",
+        f"Elasticities, ordered by those of the {_words(found, STUDIED[0])}",
         ("number of the file", "value", *(_short(name) for name in STUDIED)),
         rows,
     )
@@ -141,7 +141,7 @@ def tolerance_section(spread: xarray.Dataset) -> Iterator[Block]:
         low, _, high = one["quantiles"].values
         numbers = (one["nominal"], one["mean"], one["standard_deviation"], low, high)
         rows.append(
-            (_titled(name), *(number(from_si(float(each), unit)) for each in numbers)),
+            (_titled(spread, name), *(number(from_si(float(each), unit)) for each in numbers)),
         )
     yield Table(
         "95 % of the drawn joints",
@@ -156,7 +156,7 @@ def tolerance_section(spread: xarray.Dataset) -> Iterator[Block]:
     )
     for name in DRAWN:
         yield Picture(
-            f"Scatter of the {RESULTS[name].label}, and the shares of its variance",
+            f"Scatter of the {_words(spread, name)}, and the shares of its variance",
             figure_svg(uncertainty_figure(spread, result=name, width=_WIDTH)),
         )
 
@@ -285,9 +285,14 @@ def _short(name: str) -> str:
     return heads.get(name, name)
 
 
-def _titled(name: str) -> str:
-    unit = RESULTS[name].display_unit
-    return RESULTS[name].label if unit == "1" else f"{RESULTS[name].label}, {unit.replace('*', '·')}"
+def _words(found: xarray.Dataset, name: str) -> str:
+    """What a result is called for the drive at hand."""
+    return str(found["result_name"].sel(result=name).item())
+
+
+def _titled(found: xarray.Dataset, name: str) -> str:
+    unit, words = RESULTS[name].display_unit, _words(found, name)
+    return words if unit == "1" else f"{words}, {unit.replace('*', '·')}"
 
 
 def _sentence(text: str) -> str:

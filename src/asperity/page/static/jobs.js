@@ -148,22 +148,26 @@ export class JobList {
   }
 
   designed(found, item) {
-    const goal = found.objective;
-    const before = number(goal.before);
-    const rows = Object.entries(found.variables).map(([path, value]) => [named(path), number(value, 6), found.at_bound[path] ? `at its ${found.at_bound[path]} bound` : ""]);
-    const limits = found.limits.filter((each) => !each.implied).map((each) => [plain(each.name) + (each.row ? `, ${each.row}` : ""), number(each.value), `${each.at_most ? "at most" : "at least"} ${number(each.limit)}`, each.missed_by > 0 ? "✗ missed" : each.active ? "✓ reached" : "✓ kept"]);
+    const { shown } = found;
+    const rows = Object.entries(shown.variables).map(([path, value]) => [named(path), value.before ?? "–", value.after, found.at_bound[path] ? `at its ${found.at_bound[path]} bound` : ""]);
+    const limits = found.limits
+      .map((each, i) => ({ ...each, ...shown.limits[i] }))
+      .filter((each) => !each.implied)
+      .map((each) => [each.label + (each.row ? `, ${plain(each.row)}` : ""), each.value, `${each.at_most ? "at most" : "at least"} ${each.limit}`, each.missed_by > 0 ? "✗ missed" : each.active ? "✓ reached" : "✓ kept"]);
     const take = element("button", { type: "button" }, "Put this design on the page");
     take.addEventListener("click", () => this.takeOver({ name: item.state.name, toml: found.joint_text }));
     return [
       element("p", { class: found.feasible ? "pass" : "fail" }, found.feasible ? "✓ all limits are met" : `✗ ${found.conflict}`),
-      element("p", {}, `${goal.sense === "minimise" ? "Smallest" : "Largest"} ${plain(goal.result)}: ${number(goal.after)} (SI), before ${before}.`),
-      table("Free numbers", ["number, SI units", "value", ""], rows),
-      ...(limits.length ? [table("Limits", ["limit, SI units", "actual", "required", "result"], limits)] : []),
+      element("p", {}, `${shown.goal[0].toUpperCase()}${shown.goal.slice(1)}: ${shown.after}, before ${shown.before}.`),
+      scrolled("Free numbers", ["number", "before", "design", "bound"], rows),
+      ...(limits.length ? [scrolled("Limits", ["limit", "actual", "required", "result"], limits)] : []),
       take,
       " ",
     ];
   }
 }
+
+const scrolled = (name, headings, rows) => element("div", { class: "scroll", tabindex: "0", role: "region", "aria-label": `${name}, scrollable` }, table(name, headings, rows));
 
 /** A bar to the right for more, to the left for less. */
 function signed(value, largest) {

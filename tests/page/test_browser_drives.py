@@ -1,0 +1,134 @@
+"""The page with a drive that is not the paper's, in a real browser: what it shows, its chart, a study and a finish."""
+
+import json
+import os
+from pathlib import Path
+
+import pytest
+
+from asperity.joint.planar.solve import solve_planar
+from asperity.joint_file.planar_build import planar_joint_from_case
+from asperity.joint_file.reader import parse_any_case
+from asperity.units import format_quantity
+
+pytestmark = pytest.mark.slow
+
+ROOT = Path(__file__).parents[2]
+TEXT = (
+    (ROOT / "examples" / "planetary.toml")
+    .read_text(encoding="utf-8")
+    .replace('"30 um"', '"30 um +- 1 um, uniform"')
+)
+#: The lightest wall that carries the torque, with one start.
+DESIGN = """
+joint = "planetary.toml"
+[variables]
+"drive.ring_wall_thickness" = { lower = "6 mm", upper = "12 mm" }
+[objective]
+minimise = "mass"
+[constraints]
+slip_ratio = { at_most = 0.85 }
+[search]
+starts = 1
+"""
+
+
+@pytest.fixture(scope="module")
+def served(serve, tmp_path_factory):
+    """Takes the place of the server of the tutorial's joint."""
+    file = tmp_path_factory.mktemp("drive") / "planetary.toml"
+    file.write_text(TEXT, encoding="utf-8")
+    return serve(file)
+
+
+def changed(page, action):
+    """Do something and wait until the page has been redrawn."""
+    before = int(page.evaluate("document.documentElement.dataset.revision"))
+    action()
+    page.wait_for_function(
+        "before => Number(document.documentElement.dataset.revision) > before", arg=before, timeout=300_000
+    )
+
+
+def stiffness(text):
+    """Assembled stiffness as the card shows it."""
+    found = solve_planar(planar_joint_from_case(parse_any_case(text, source="planetary")))
+    return format_quantity(float(found.result.assembly.stiffness.output), "N*m/arcmin").split(" ")[0]
+
+
+def test_what_is_seen_of_a_planetary(page):
+    """Numbers of the solver, words of the drive, forces that balance, and no word of the paper's drive."""
+    assert page.locator('[data-value="Stiffness at the output"]').inner_text() == stiffness(TEXT)
+    (rollers,) = page.locator("#bodies svg[role=img]").all()
+    said = rollers.get_attribute("aria-label")
+    assert said.startswith("Forces on planet: sp normal ")
+    for part in ("pr normal", "sp tangential", "pr tangential", "pin"):
+        assert f"; {part} " in said
+    plots = {each.inner_text() for each in page.locator("#plots figcaption").all()}
+    assert {"Creep curves of the contacts", "Losses over torque", "Fatigue life over torque"} <= plots
+    creep = page.locator("#plots figure", has_text="Creep curves").locator("svg[role=img]")
+    assert creep.locator("circle.dot").count() == 2  # a working point for each contact
+    margins = page.locator("#margins tr", has_text="safety of a ring or hollow roller")
+    assert "above 1" in margins.inner_text()
+    assert "pass" in margins.inner_text()
+    text = page.locator("#results").inner_text()
+    assert not any(word in text for word in ("loading roller", "pwr", "wedge", "undefined", "NaN"))
+    assert not any("_" in word for word in text.replace("K_t", "").split())
+    page.set_viewport_size({"width": 400, "height": 800})
+    assert page.evaluate("document.documentElement.scrollWidth") <= 400
+
+
+def test_the_free_chart_offers_the_results_of_the_drive(page):
+    page.locator("#chart summary").click()
+    page.wait_for_selector("#chart[data-drawn]", timeout=300_000)
+    offered = page.evaluate(
+        "[...document.querySelectorAll('#chart-result option')].map((each) => each.value)"
+    )
+    assert {"slip_ratio_sp", "slip_ratio_pr", "assembly_stiffness_output"} <= set(offered)
+    assert not any("pwr" in each for each in offered)
+    assert page.locator("#chart-over").input_value() == "load.interference"
+    title = page.locator("#chart-figure figcaption").inner_text()
+    assert title == "Torsional stiffness at the output, assembly over interference"
+
+
+def test_a_finish_of_the_library_takes_the_ra_of_the_drawing(page):
+    changed(page, lambda: page.locator("#value-finish").select_option("ground"))
+    assert page.locator("#error").is_hidden()
+    written = page.locator("#value-surface-roughness_average").input_value()
+    assert page.locator("#value-surface-fractal_roughness").input_value() == ""
+    text = TEXT.replace("fractal_dimension = 1.5", 'finish = "ground"').replace(
+        'fractal_roughness = "1.3e-7 mm"', f'roughness_average = "{written}"'
+    )
+    assert page.locator('[data-value="Stiffness at the output"]').inner_text() == stiffness(text)
+    changed(page, lambda: page.locator("#value-finish").select_option("superfinished finest"))
+    assert page.locator("#value-surface-roughness_average").input_value() == ""
+    changed(page, lambda: page.keyboard.press("Control+z"))
+    assert page.locator("#value-finish").input_value() == "ground"
+
+
+@pytest.mark.long
+def test_a_design_runs_to_its_end_and_is_put_on_the_page(page, tmp_path):
+    (tmp_path / "design.toml").write_text(DESIGN, encoding="utf-8")
+    page.locator("#open-file").set_input_files(tmp_path / "design.toml")
+    page.locator("#begin-design:enabled").click()
+    page.wait_for_selector(".job[data-kind=design] .job-result a", timeout=900_000)
+    said = page.locator(".job[data-kind=design]").inner_text()
+    assert "✓ all limits are met" in said
+    assert "Smallest mass of the rolling parts" in said
+    with page.expect_download() as waiting:
+        page.locator(".job[data-kind=design]").get_by_role("link", name="Save JSON").click()
+    waiting.value.save_as(tmp_path / "design.json")
+    document = json.loads((tmp_path / "design.json").read_text(encoding="utf-8"))
+    assert document["objective"]["after"] < document["objective"]["before"]
+    changed(page, page.get_by_role("button", name="Put this design on the page").click)
+    margins = page.locator("#margins tr", has_text="slip ratio").inner_text()
+    assert "0.85" in margins
+
+
+def test_no_rule_of_accessibility_is_broken(page):
+    place = Path(os.environ.get("AXE_CORE", ""), "axe.min.js")
+    if not place.is_file():
+        pytest.skip("axe-core is not installed: npm install axe-core, and name its folder in AXE_CORE")
+    page.evaluate(place.read_text(encoding="utf-8"))
+    found = page.evaluate("async () => (await axe.run()).violations")
+    assert [(each["id"], each["help"], each["nodes"][0]["html"]) for each in found] == []
