@@ -173,8 +173,8 @@ def main() -> None:
         print("  " + ", ".join(f"{status} {number}" for status, number in statuses.most_common()))
         print("  worst residual of drives that exist: " + ", ".join(f"{k} {v:.1e}" for k, v in worst.items()))
         print(
-            f"  said to exist without a finite stiffness: {without}; with a contact that slides: {slide}; stand, but do "
-            f"not roll: {slips_rolling}"
+            f"  said to exist without a finite stiffness: {without}; with a contact that slides: {slide}; "
+            f"stand, but do not roll: {slips_rolling}"
         )
 
 

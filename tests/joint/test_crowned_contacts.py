@@ -117,6 +117,7 @@ def test_preload_and_interference_are_inverse(springs_joint, crowned):
         assert float(found) == pytest.approx(1000.0, rel=1e-9)
 
 
+@pytest.mark.slow
 def test_what_more_crown_does(crowned):
     found = jax.tree.map(lambda leaf: leaf[..., :5], crowned)
     assert np.all(found.solved & found.walls_hold & found.contact_law_holds)

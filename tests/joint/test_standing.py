@@ -3,6 +3,7 @@
 import jax
 import jax.numpy as jnp
 import numpy as np
+import pytest
 
 from asperity.compilation import call_compiled
 from asperity.joint.evaluation import evaluate
@@ -25,6 +26,7 @@ def test_without_slip_only_friction_changes(paper_joint):
     assert 1.0 - 1e6 / (NO_SLIP_FRICTION * 1.0) == 1.0
 
 
+@pytest.mark.slow
 def test_own_and_without_slip_are_those_of_single_joints(paper_joint):
     joint = jax.tree.map(lambda leaf: np.asarray(leaf, float), paper_joint())
     torques = np.array([-3.0, 4.0])
@@ -39,6 +41,7 @@ def test_own_and_without_slip_are_those_of_single_joints(paper_joint):
     assert found.slip_ratio.shape == (5, 2)
 
 
+@pytest.mark.slow
 def test_only_one_assembly_is_solved_in_a_program(paper_joint):
     # as many calls of LAPACK side by side as the machine has cores wait for each other for ever (jaxlib 0.10)
     joint = jax.tree.map(lambda leaf: np.asarray(leaf, float), paper_joint())

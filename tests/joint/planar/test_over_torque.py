@@ -32,6 +32,7 @@ def curve(joint):
     return curve_of(joint, 10.0)
 
 
+@pytest.mark.slow
 def test_the_slope_of_the_curve_is_the_stiffness_of_the_solution_there(joint, curve):
     torque, angle = np.asarray(curve.torque), np.asarray(curve.angle)
     for k in (10, 50, -10):

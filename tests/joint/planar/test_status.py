@@ -23,6 +23,7 @@ def status(joint, result):
     return STATUS_NAMES[int(planar_status(joint, result))]
 
 
+@pytest.mark.slow
 def test_a_joint_that_works_is_solved(planetary):
     joint, solution, _ = planetary
     assert status(joint, solution.result) == "solved"

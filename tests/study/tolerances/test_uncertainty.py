@@ -215,6 +215,7 @@ def test_a_distribution_is_never_guessed(toleranced, case):
         uncertainty(toleranced, distribution=Distribution("uniform", 0.0), samples=10**12)
 
 
+@pytest.mark.slow
 def test_radii_of_finished_parts_make_the_interference_of_a_planetary(planar_case):
     toleranced = {
         'sun_radius = "10 mm"': 'sun_radius = "10 mm +- 2 um, uniform"',
