@@ -9,6 +9,7 @@ import pytest
 from asperity.drive.geometry import CONTACT_NAMES
 from asperity.joint import margins as module
 from asperity.joint.margins import margins
+from asperity.joint.plausibility import contact_notes
 from asperity.joint.results import Limit, Result
 from asperity.unit_table import Dimension
 
@@ -40,6 +41,7 @@ def found(monkeypatch):
     solved = SimpleNamespace(
         joint=None,
         branches=None,
+        notes=(),
         a=np.array([0.5, 1.5, 0.2, 1.0, 0.4]),
         b=2.0,
         gaps=np.arange(8.0) - 1.0,
@@ -73,14 +75,14 @@ def test_what_is_not_known_does_not_pass(monkeypatch):
     monkeypatch.setattr(module, "results_of_joint", lambda solved: {"slip": ROWS[1]})
     values = np.array([0.5, np.nan, 0.2, 5.0, 0.4])
     (found,) = margins(
-        SimpleNamespace(joint=None, branches=None, a=values, row_names=lambda axis: CONTACT_NAMES)
+        SimpleNamespace(joint=None, branches=None, notes=(), a=values, row_names=lambda axis: CONTACT_NAMES)
     )
     assert (found.place, found.passes) == ("pwr", False)
 
 
 def test_an_infinite_safety_factor_passes(monkeypatch):
     monkeypatch.setattr(module, "results_of_joint", lambda solved: {"torque_safety": ROWS[5]})
-    (found,) = margins(SimpleNamespace(joint=None, branches=None, b=math.inf))
+    (found,) = margins(SimpleNamespace(joint=None, branches=None, notes=(), b=math.inf))
     assert (found.actual, found.passes, found.utilisation) == (math.inf, True, 0.0)
 
 
@@ -88,9 +90,35 @@ def test_unequal_branches_are_required_to_hold(monkeypatch, unequal_branches):
     monkeypatch.setattr(module, "results_of_joint", lambda solved: {})
     for torque, passes in ((5.0, True), (8.5, False)):
         found = margins(
-            SimpleNamespace(joint=SimpleNamespace(sun_speed=0.0), branches=unequal_branches(torque=torque))
+            SimpleNamespace(
+                joint=SimpleNamespace(sun_speed=0.0), notes=(), branches=unequal_branches(torque=torque)
+            )
         )
         assert [each.severity for each in found] == ["function", "function", "damage"]
         slip = found[0]
         assert (slip.place, slip.passes, slip.highest) == ("planet 2", passes, 1.0)
         assert slip.utilisation == pytest.approx(torque / 8.0)
+
+
+def test_notes_are_requirements_at_the_contact_where_they_are_met_worst(monkeypatch):
+    """Oil films of half and twice the roughness; a friction of 0.12 where 0.3 is usual; a roller of 200 mm radius."""
+    monkeypatch.setattr(module, "results_of_joint", lambda solved: {})
+    sizes = {"contact_length": 0.01, "smaller_radius": 0.01, "effective_radius": 0.2}
+    notes = [
+        note
+        for name, film in (("sp", 0.5), ("pr", 2.0))
+        for note in contact_notes(
+            name, friction_coefficient=0.12, film_ratio=film, contact_factor_model="printed", **sizes
+        )
+    ]
+    found = {
+        each.result.name: each
+        for each in margins(SimpleNamespace(joint=None, branches=None, notes=tuple(notes)))
+    }
+    film = found["film_ratio"]
+    assert (film.place, film.actual, film.highest, film.passes) == ("pr", 2.0, 1.0, False)
+    assert (film.severity, film.utilisation) == ("accuracy", 2.0)
+    assert found["friction_coefficient"].utilisation == pytest.approx(0.4)
+    size = found["contact_factor_size"]
+    assert (size.severity, size.passes, size.result.display_unit, size.actual) == ("model", False, "mm", 0.2)
+    assert list(found)[-1] == "contact_factor_size"  # the least serious

@@ -1,11 +1,12 @@
 """Requirements and crossed limits in words, for margins and diagnostics that are written out here."""
 
 import math
+from dataclasses import replace
 
 from asperity.joint.margins import Margin
 from asperity.joint.results import Limit, Result
 from asperity.report.content import Bullets, Paragraph, Table
-from asperity.report.limit_tables import margins_table, verdict, warnings
+from asperity.report.limit_tables import doubts, margins_table, verdict, warnings
 from asperity.unit_table import Dimension
 
 
@@ -47,10 +48,23 @@ def test_the_verdict_names_what_fails_and_what_is_not_known():
     start = "Requirements of function and strength that are not"
     ring = "safety of the held ring against fatigue (no fatigue_strength of its material)"
     assert verdict([kept], steel) == "All requirements of function and strength are met."
-    assert verdict([kept], library) == f"{start} known: {ring}. All others are met."
+    assert verdict([kept], library) == f"{start} known: {ring}. All others of function and strength are met."
     assert verdict([kept, failed], steel) == f"{start} met: label of b (held ring)."
     assert verdict([failed, open_], library) == (
         f"{start} met: label of b (held ring); not known: label of c (drive), {ring}."
+    )
+
+
+def test_numbers_are_in_doubt_where_a_requirement_of_accuracy_is_not_met():
+    kept, crossed = (
+        replace(margin(name, "sp", 2.0, highest=1.0, passes=passes), severity="accuracy")
+        for name, passes in (("a", True), ("b", False))
+    )
+    other = margin("c", "sp", 2.0, highest=1.0, passes=False)
+    assert list(doubts([kept, other])) == []
+    (said,) = doubts([kept, crossed, other])
+    assert said == Paragraph(
+        "The numbers cannot be relied on before these warnings are settled: label of b.", strong=True
     )
 
 

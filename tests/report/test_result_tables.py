@@ -47,6 +47,7 @@ def test_shares_of_the_compliance_are_sorted_and_named():
     budget = {"bodies_share": 0.25, "asperity_share": {"sp": 0.5, "wro": 0.0}, "pins_share": 0.125}
     document = {
         "torsional_stiffness": levels, "stiffness_unknown_because": "it slips", "stiffness_budget": budget,
+        "input": {},
         "geometry": {"speed_ratio": -9.0, "input": "driving_ring"},
         "preload": {"loading_cam": {"held_stiffness_output_Nm_per_rad": 10800.0 * 0.81}},
     }  # fmt: skip
@@ -56,10 +57,15 @@ def test_shares_of_the_compliance_are_sorted_and_named():
     held = found["Torsional stiffness"][3]
     assert held[0] == "assembled, the loading cam held by its friction"
     assert held[1:] == ("108", "8748", "2.545")  # over 9²; times pi/10 800
-    assert [b.text for b in blocks if isinstance(b, Paragraph)] == ["No value: it slips."]
+    unknown, whole = (b.text for b in blocks if isinstance(b, Paragraph))
+    assert unknown == "No value: it slips."
+    assert whole.endswith("a free ring's bending, for example.")
     assert found["Stiffness budget: shares of the compliance of the assembled joint"] == [
         ("sp asperity", "50"), ("bodies", "25"), ("pins", "12.5"),
     ]  # fmt: skip
+    document["input"]["model"] = {"bodies": "springs"}
+    said = [block.text for block in stiffness(document) if isinstance(block, Paragraph)]
+    assert not any("a free ring's bending" in text for text in said)
 
 
 def test_contacts_are_in_the_units_of_their_heads():

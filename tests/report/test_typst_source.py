@@ -59,3 +59,52 @@ def test_short_tables_stay_on_one_page_and_long_ones_may_break():
     )
     assert "breakable: false" in short
     assert "breakable: true" in long
+
+
+def blocks_of(*blocks):
+    names = [f"p{number}.svg" for number, _ in enumerate(blocks)]
+    return typst_source(Report("a", blocks), pictures=names).split("\n\n")[2:]
+
+
+def test_a_heading_and_its_sentences_stay_with_what_follows():
+    table = Table("t", ("c",), [("d",)])
+    heading, sentence, made, after, end = (
+        part.strip()
+        for part in blocks_of(
+            Heading("h"), Paragraph("below the heading"), table, Paragraph("below the table"), Heading("end")
+        )
+    )
+    for part, text in ((heading, "h"), (sentence, "below the heading")):
+        assert part.startswith("#block(sticky: true)[")
+        assert f'"{text}"' in part
+    assert made.startswith("#block(above")
+    assert after == '#par(text("below the table"))'
+    assert end == '#heading("end")'
+
+
+def test_a_picture_floats_but_not_away_from_its_heading_nor_beyond_the_next_section():
+    picture = Picture("p", "")
+    parts = blocks_of(
+        Heading("1"),
+        picture,
+        picture,
+        Heading("2"),
+        Paragraph("b"),
+        Bullets(["c"]),
+        Heading("3"),
+        Bullets(["d"]),
+    )
+    placed = [part.split("placement: ")[1].split(",")[0] for part in parts if "placement" in part]
+    assert placed == ["none", "auto"]
+    second, third = (next(k for k, part in enumerate(parts) if f'heading("{n}")' in part) for n in "23")
+    assert parts.index("#place.flush()") == third - 1 > second
+    assert parts.count("#place.flush()") == 1
+
+
+def test_the_heading_of_a_sheet_stands_on_it():
+    (sheet,) = blocks_of(Heading("drawing"), Paragraph("in mm"), Picture("p", "", sheet=True))
+    assert sheet.startswith('#page(paper: "a4", flipped: true')
+    image, above = sheet.split("#place(")  # set after the picture, which would cover it
+    assert "p0.svg" in image
+    assert '#heading("drawing")' in above
+    assert '"in mm"' in above

@@ -29,7 +29,7 @@ def solved():
         published=level(3e5),
         contact_names=CONTACT_NAMES,
     )
-    return SolvedJoint(None, result)
+    return SolvedJoint(types.SimpleNamespace(body_model="exact"), result)
 
 
 def test_springs_in_words_the_largest_first(solved):
@@ -45,6 +45,13 @@ def test_figure_is_in_percent_and_newton_metres_an_arcminute(solved):
     assert line.get_xdata() == pytest.approx(
         [0.2908882, 5.817764, 87.26646], rel=1e-6
     )  # 1 arcmin is pi/10800
+
+
+@pytest.mark.parametrize(("bodies", "said"), [("exact", True), ("springs", False)])
+def test_the_budget_says_that_springs_of_contacts_include_the_bending_of_bodies(solved, bodies, said):
+    solved.joint.body_model = bodies
+    budget, _ = compliance_figure(solved, title="a joint").axes
+    assert ("a free ring's bending" in " ".join(budget.get_xlabel().split())) is said
 
 
 def test_a_level_without_stiffness_has_no_point(solved):

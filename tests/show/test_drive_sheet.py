@@ -1,11 +1,25 @@
 """The sheet of a drive: everything on the paper, the scale, the words, and hostile names."""
 
+import types
+
+import numpy as np
 import pytest
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 
 from asperity.joint.solve import solve
-from asperity.show.drive_sheet import drive_sheet
+from asperity.show.drive_sheet import drive_sheet, forces_sheet
 from asperity.show.sheet_figure import sheet_figure
+
+
+def boxes_of(sheet):
+    """Every text with the place that it takes on a figure, and the figure."""
+    figure = sheet_figure(sheet)
+    canvas = FigureCanvasAgg(figure)
+    canvas.draw()
+    texts = figure.axes[0].texts
+    return figure, [
+        (text.get_text(), text.get_window_extent(canvas.get_renderer())) for text in texts if text.get_text()
+    ]
 
 
 @pytest.mark.parametrize("forces", [False, True])
@@ -13,21 +27,39 @@ from asperity.show.sheet_figure import sheet_figure
 def test_every_text_is_inside_the_frame_and_covers_no_other(joint_of, name, forces):
     joint = joint_of(name)
     found = solve(joint).result.forces if forces else None
-    figure = sheet_figure(drive_sheet(joint, name="x" * 300, forces=found))
-    canvas = FigureCanvasAgg(figure)
-    canvas.draw()
-    boxes = [
-        (text.get_text(), text.get_window_extent(canvas.get_renderer())) for text in figure.axes[0].texts
-    ]
+    figure, boxes = boxes_of(drive_sheet(joint, name="x" * 300, forces=found))
     margin = 10.0 / 25.4 * figure.dpi
     for text, box in boxes:
-        if text:
-            assert margin < box.x0 < box.x1 < figure.bbox.width - margin, text
-            assert margin < box.y0 < box.y1 < figure.bbox.height - margin, text
+        assert margin < box.x0 < box.x1 < figure.bbox.width - margin, text
+        assert margin < box.y0 < box.y1 < figure.bbox.height - margin, text
     for index, (text, box) in enumerate(boxes):
-        assert not [other for other, area in boxes[index + 1 :] if text and other and box.overlaps(area)], (
-            text
-        )
+        assert not [other for other, area in boxes[index + 1 :] if box.overlaps(area)], text
+
+
+@pytest.mark.parametrize("sizes", [(4.0, 13.5, 5.0, 40.0), (5.0, 13.0, 5.0, 39.0), (3.0, 15.0, 9.0, 40.0)])
+@pytest.mark.parametrize("alone", [False, True])
+def test_forces_of_other_sizes_stay_inside_the_frame(joint_of, sizes, alone):
+    """Radii of sun, planet, loading roller and ring in mm; the last drive has its rollers beside the planet."""
+    names = ("sun_radius", "planet_radius", "loading_roller_radius", "ring_radius")
+    joint = joint_of(
+        drive__planets=2.0,
+        **{f"drive__{name}": 1e-3 * size for name, size in zip(names, sizes, strict=True)},
+    )
+    forces = types.SimpleNamespace(
+        normal=np.full(5, 1234.5),
+        tangential=np.full(5, 123.45),
+        pin_right=123.45,
+        pin_left=-123.45,
+        input_torque=0.5,
+        output_torque=5.0,
+    )
+    sheet = forces_sheet(joint, forces) if alone else drive_sheet(joint, name="a", forces=forces)
+    figure, boxes = boxes_of(sheet)
+    margin = 0.0 if alone else 10.0 / 25.4 * figure.dpi
+    for index, (text, box) in enumerate(boxes):
+        assert margin < box.x0 < box.x1 < figure.bbox.width - margin, text
+        assert margin < box.y0 < box.y1 < figure.bbox.height - margin, text
+        assert not any(box.overlaps(other) for _, other in boxes[index + 1 :]), text
 
 
 def test_words_of_the_sheet(joint_of):

@@ -1,5 +1,6 @@
 """Forces on the bodies drawn apart: every body is in balance, and every arrow points as its force."""
 
+import dataclasses
 import math
 
 import numpy as np
@@ -8,6 +9,7 @@ import pytest
 from asperity.joint.solve import solve
 from asperity.show.free_bodies import body_forces, free_bodies
 from asperity.show.sheet import Circle, Line, Text
+from asperity.show.sheet_figure import text_width
 
 
 @pytest.fixture(scope="module")
@@ -64,7 +66,7 @@ def test_pins_pass_the_torque_of_the_carrier(standing):
 
 def test_view_has_three_bodies_an_arrow_for_each_force_and_every_number(standing):
     joint, forces = standing
-    items = free_bodies(joint, forces, centre=(10.0, 20.0), scale=2.0)
+    items = free_bodies(joint, forces, centre=(10.0, 20.0), scale=2.0, room=200.0)
     planet, right, left = [item for item in items if isinstance(item, Circle)]
     assert planet.centre == (10.0, 20.0)
     assert planet.radius / right.radius == pytest.approx(13.5 / 5.0)
@@ -78,3 +80,38 @@ def test_view_has_three_bodies_an_arrow_for_each_force_and_every_number(standing
     normal = next(item for item in items if isinstance(item, Line))  # of the sun on the planet: upwards
     assert normal.points[1] == pytest.approx((10.0, 20.0 - planet.radius))
     assert normal.points[0][1] < normal.points[1][1]
+
+
+def overlaps(text, line):
+    """Whether a line crosses the letters of a text that is centred or at one side of its place."""
+    left = {"left": 0.0, "center": 0.5, "right": 1.0}[text.align]
+    width = text_width(text.text)
+    low = np.array(text.at) - np.array([left * width, 0.0])
+    high = low + np.array([width, 2.5])
+    points = np.linspace(*map(np.array, line.points), 40)
+    return bool(np.any(np.all((points > low) & (points < high), axis=1)))
+
+
+@pytest.mark.parametrize(
+    ("planet", "roller", "sun", "ring"),
+    [(13.5, 5.0, 4.0, 40.0), (13.0, 5.0, 5.0, 39.0), (8.0, 9.0, 20.0, 48.0), (15.0, 9.0, 3.0, 40.0)],
+)
+def test_the_view_keeps_to_its_room_and_no_number_covers_an_arrow(standing, planet, roller, sun, ring):
+    """Sizes in mm, up to rollers beside the planet rather than above it."""
+    joint, forces = standing
+    radii = {
+        "sun_radius": sun, "planet_radius": planet, "loading_roller_radius": roller, "ring_radius": ring
+    }  # fmt: skip
+    geometry = dataclasses.replace(joint.geometry, **{name: 1e-3 * each for name, each in radii.items()})
+    joint = dataclasses.replace(joint, geometry=geometry)
+    items = free_bodies(joint, forces, centre=(0.0, 0.0), scale=1.0, room=136.0)
+    texts = [item for item in items if isinstance(item, Text)]
+    lines = [item for item in items if isinstance(item, Line)]
+    for text in texts:
+        left = {"left": 0.0, "center": 0.5, "right": 1.0}[text.align]
+        assert text.at[0] - left * text_width(text.text) >= -68.0
+        assert text.at[0] + (1.0 - left) * text_width(text.text) <= 68.0
+        assert not any(overlaps(text, line) for line in lines), text.text
+    for item in items:
+        if isinstance(item, Circle):
+            assert abs(item.centre[0]) + item.radius <= 68.0

@@ -17,8 +17,13 @@ FOUND = (
 )
 
 
-def test_only_function_and_damage_with_a_share_are_drawn():
+def test_limits_of_the_model_and_those_without_a_share_are_not_drawn():
     assert [each.result.name for each in drawn_margins(FOUND)] == ["pressure_over_first_yield", "slip_ratio"]
+
+
+def test_the_oil_film_is_drawn():
+    film = Margin(RESULTS["film_ratio"], "sp", 3.0, -math.inf, 1.0, False, "accuracy")
+    assert drawn_margins([*FOUND, film])[0] is film
 
 
 def test_bars_are_percent_and_say_pass_or_fail():

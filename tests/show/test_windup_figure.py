@@ -5,6 +5,7 @@ from types import SimpleNamespace
 
 import numpy as np
 import pytest
+from matplotlib.backends.backend_agg import FigureCanvasAgg
 
 from asperity.show.windup_figure import windup_figure
 
@@ -32,9 +33,9 @@ def panels():
 
 
 @pytest.fixture
-def turning():
+def onset():
     """The sun turns 9 rad for each of the output; 0.002 rad of drift in a turn, 1e-4 rad of wind-up."""
-    onset = SimpleNamespace(
+    return SimpleNamespace(
         contacts=SimpleNamespace(sun_angle=9.0, drift_per_output_turn=2e-3 * math.pi),
         angle=np.array([0.0, 0.1, 0.2]),
         lag=np.array([0.0, 2e-4, 4e-4]),
@@ -46,6 +47,10 @@ def turning():
         creep_share=0.01,
         swing_drift=np.array([0.0, 0.0, 3e-4]),
     )
+
+
+@pytest.fixture
+def turning(onset):
     return windup_figure(loop_of(), onset, title="a joint").axes[3:]
 
 
@@ -83,7 +88,7 @@ def test_a_joint_that_turns(turning):
     np.testing.assert_allclose(steady.get_ydata(), np.array([2e-4, 3e-4, 4e-4]) / minutes)
     assert lines["all contacts rolled 2a"].get_xdata()[0] == pytest.approx(math.degrees(1.35))
     assert beyond.patches[0].get_width() == pytest.approx(math.degrees(0.18))
-    assert beyond.get_title() == "turning under 4 N·m; shaded: creep below 1 %"
+    assert beyond.get_title() == "turning under 4 N·m\nshaded: creep below 1 %"
     assert beyond.get_xlim() == pytest.approx((0.0, math.degrees(1.8)))
 
 
@@ -99,8 +104,29 @@ def test_a_joint_that_swings(turning):
     assert lines["no drift up to here"].get_xdata()[0] == pytest.approx(math.degrees(0.45))
 
 
-def test_panels_below_each_other():
-    """Three panels on a narrow page, four and five no taller than the page."""
-    figure = windup_figure(loop_of(), title="a joint", stacked=True)
-    assert figure.get_size_inches() == pytest.approx([7.0, 6.81])
-    assert len(figure.axes) == 3
+@pytest.mark.parametrize("stacked", [False, True])
+@pytest.mark.parametrize("turns", [False, True])
+def test_words_are_whole_and_apart_and_legends_cover_no_curve(onset, stacked, turns):
+    figure = windup_figure(loop_of(), onset if turns else None, title="", stacked=stacked)
+    canvas = FigureCanvasAgg(figure)
+    canvas.draw()
+    assert len(figure.axes) == (5 if turns else 3)
+    if stacked:  # fits a page of A4 with its caption
+        assert figure.get_size_inches() == pytest.approx([7.0, 8.4 if turns else 5.6])
+    words = [each for axes in figure.axes for each in (axes.xaxis.label, axes.yaxis.label, axes.title)]
+    boxes = [each.get_window_extent() for each in words if each.get_text()]
+    for index, box in enumerate(boxes):
+        assert figure.bbox.x0 <= box.x0 < box.x1 <= figure.bbox.x1
+        assert figure.bbox.y0 <= box.y0 < box.y1 <= figure.bbox.y1
+        assert not any(box.overlaps(other) for other in boxes[index + 1 :])
+        assert not any(box.overlaps(axes.bbox) for axes in figure.axes)
+    for axes in figure.axes:
+        legend = axes.get_legend()
+        curves = [line for line in axes.lines if len(line.get_xdata()) > 2]
+        assert curves
+        for line in curves if legend else ():
+            assert (
+                not line.get_path()
+                .transformed(line.get_transform())
+                .intersects_bbox(legend.get_window_extent(), filled=False)
+            )

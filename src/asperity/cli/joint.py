@@ -86,11 +86,11 @@ def joint(file: str, as_json: bool, surfaces: tuple[str, ...], plot_file: str | 
     )
     document |= _interval(case, described, measured)
     if plot_file:
-        from asperity.joint.results import SolvedJoint
+        from asperity.joint.solve import solved_joint
         from asperity.show.compliance_figure import joint_figure
         from asperity.show.style import plain_title
 
-        solved = SolvedJoint(described, solution.result, solution.capacity, branches)
+        solved = solved_joint(described, solution, branches)
         errors = None
         if branched is not None:
             import numpy as np

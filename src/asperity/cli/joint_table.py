@@ -17,7 +17,14 @@ from asperity.cli.document_text import (
 )
 from asperity.cli.terminal import table
 from asperity.joint.capacity import first_slip_words
-from asperity.joint.document import LEVEL_WORDS, NO_SHARE, input_member, stiffness_rows
+from asperity.joint.document import (
+    LEVEL_WORDS,
+    NO_SHARE,
+    WHOLE_BODIES,
+    has_whole_bodies,
+    input_member,
+    stiffness_rows,
+)
 
 if TYPE_CHECKING:
     from rich.console import Console
@@ -357,9 +364,5 @@ def _show_budget(target: Console, document: Document) -> None:
         print_wrapped(target, f"  {name} {100.0 * total:.1f} %{each}", indent=4)
     if not shares:
         target.print("  none: the joint passes no torque")
-    elif (document["input"].get("model") or {}).get("bodies") != "springs":
-        print_wrapped(
-            target,
-            "  the springs of a contact include how its bodies deform as a whole: a free ring's bending, for example",
-            indent=2,
-        )
+    elif has_whole_bodies(document):
+        print_wrapped(target, f"  {WHOLE_BODIES}", indent=2)

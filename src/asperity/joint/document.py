@@ -17,13 +17,12 @@ from asperity.joint.capacity import capacity_document
 from asperity.joint.description import Joint, preload_at
 from asperity.joint.evaluation import JointResult
 from asperity.joint.limit_check import LimitCheck, checked_limits
-from asperity.joint.loss_note import loss_notes
 from asperity.joint.planar.evaluation import PlanarResult
-from asperity.joint.plausibility import Note, plausibility
+from asperity.joint.plausibility import Note
 from asperity.joint.results import GROUPS, RESULTS, SEVERITIES, SolvedJoint
 from asperity.joint.rolling_document import contact_results, losses, rolling_document
 from asperity.joint.rolling_refusal import rolling_capacity_of
-from asperity.joint.solve import Solution
+from asperity.joint.solve import Solution, solved_joint
 from asperity.joint.strength_document import bearing_entries, rim_entries
 from asperity.joint.surface_averages import surface_averages
 from asperity.joint.temperature import assembly_document
@@ -39,6 +38,28 @@ LEVEL_WORDS = (
     ("series_with_bulk", "asperities and bodies in series, roller centres held"),
     ("published", "as in Zou et al. 2025: asperities alone, an upper bound"),
 )
+
+
+#: What the shares of the compliance by spring do not show, where the bodies of a joint are elastic rather than springs.
+WHOLE_BODIES = (
+    "the springs of a contact include how its bodies deform as a whole: a free ring's bending, for example"
+)
+
+
+def has_whole_bodies(document: Document) -> bool:
+    """Whether :data:`WHOLE_BODIES` is true for the joint of a document.
+
+    Parameters
+    ----------
+    document : dict
+        As :func:`joint_document` makes it.
+
+    Returns
+    -------
+    bool
+        False where the joint file has springs in place of bodies.
+    """
+    return (document["input"].get("model") or {}).get("bodies") != "springs"
 
 
 def joint_document(
@@ -70,7 +91,7 @@ def joint_document(
         Nested tables of numbers and text. Numbers that are not finite are None; the diagnostics say why.
     """
     result = solution.result
-    solved = SolvedJoint(joint, result)
+    solved = solved_joint(joint, solution)
     checks = checked_limits(solved)
     if branches is not None:
         checks += branch_checks(branches, turns=float(joint.sun_speed) != 0.0)
@@ -105,16 +126,9 @@ def joint_document(
                 joint, solution, direction=math.copysign(1.0, float(joint.output_torque))
             ),
         },
-        "diagnostics": diagnostic_documents(
-            checks,
-            (
-                *plausibility(joint, result, solution.sizes),
-                *loss_notes(result.rolling, result.contact_names),
-            ),
-        ),
+        "diagnostics": diagnostic_documents(checks, solved.notes),
     }
-    unequal = {} if branches is None else {"branches": branch_document(branches)}
-    return plain_document(document) | unequal
+    return plain_document(document) | ({} if branches is None else {"branches": branch_document(branches)})
 
 
 def _loading_cam(joint: Joint, result: JointResult) -> Document | None:

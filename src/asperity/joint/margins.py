@@ -9,11 +9,15 @@ import numpy as np
 
 from asperity.joint.branch_limits import branch_checks
 from asperity.joint.limit_check import LimitCheck
-from asperity.joint.results import SEVERITIES, Result, Severity, SolvedJoint
+from asperity.joint.plausibility import Note
+from asperity.joint.results import SEVERITIES, Limit, Result, Severity, SolvedJoint
 from asperity.joint.results.drive_table import results_of_joint
+from asperity.unit_table import Dimension
 
 #: Results without a limit of their own that must nevertheless exceed a bound for the joint to exist.
 _MUST_EXCEED = ("clearance", "torque_safety")
+#: Notes whose value is a length [m]; the values of all others are numbers.
+_LENGTHS = ("contact_factor_size",)
 
 
 @dataclass(frozen=True, slots=True)
@@ -55,7 +59,7 @@ class Margin:
 
 
 def margins(solved: SolvedJoint) -> tuple[Margin, ...]:
-    """Every requirement that the table of results knows, the most serious first.
+    """Every requirement of a joint, the most serious first: what its diagnostics judge, and what must exceed a bound.
 
     Parameters
     ----------
@@ -65,13 +69,18 @@ def margins(solved: SolvedJoint) -> tuple[Margin, ...]:
     Returns
     -------
     tuple of Margin
-        One for each judged result that the joint has, at its worst row; and those of unequal branches.
+        One for each judged result that the joint has and for each name of its notes, where it is met worst; and those
+        of unequal branches.
     """
     judged = [row for row in results_of_joint(solved).values() if row.limit or row.name in _MUST_EXCEED]
     found = [_worst(row, rows) for row in judged if (rows := row.rows_of(solved))]
     if solved.branches is not None:
         turns = float(solved.joint.sun_speed) != 0.0
         found += [_of_a_branch(check) for check in branch_checks(solved.branches, turns=turns)]
+    by_name: dict[str, list[Note]] = {}
+    for note in solved.notes:
+        by_name.setdefault(note.name, []).append(note)
+    found += map(_worst_note, by_name.values())
     return tuple(sorted(found, key=lambda each: SEVERITIES.index(each.severity)))
 
 
@@ -79,6 +88,22 @@ def _of_a_branch(check: LimitCheck) -> Margin:
     rule = check.rule
     place = check.contact or ""
     return Margin(check.result, place, check.value, rule.lowest, rule.highest, check.ok, rule.severity)
+
+
+def _worst_note(notes: list[Note]) -> Margin:
+    """The note that is farthest beyond its limit, or else nearest to it."""
+    note = max(
+        notes,
+        key=lambda each: (not each.ok, each.value - each.limit if each.ok else abs(each.value - each.limit)),
+    )
+    below = note.value < note.limit and not note.ok
+    lowest, highest = (note.limit, math.inf) if below else (-math.inf, note.limit)
+    rule = Limit(
+        note.severity, note.meaning, note.meaning, note.remedy or "", lowest, highest, inclusive=True
+    )
+    measured = (Dimension.LENGTH, "mm") if note.name in _LENGTHS else (Dimension.DIMENSIONLESS, "1")
+    row = Result(note.name, note.label, *measured, note.name, limit=rule)
+    return Margin(row, note.contact or "", note.value, lowest, highest, note.ok, note.severity)
 
 
 def _worst(row: Result, rows: dict[str, float]) -> Margin:

@@ -17,7 +17,8 @@ from asperity.joint.branch_results import UnequalBranches
 from asperity.joint.capacity import LIMIT_KINDS, TorqueCapacity, limit_words, torque_capacity
 from asperity.joint.description import Joint, with_one_rank
 from asperity.joint.evaluation import JointResult, evaluate
-from asperity.joint.plausibility import CheckedSizes, checked_sizes
+from asperity.joint.loss_note import loss_notes
+from asperity.joint.plausibility import CheckedSizes, checked_sizes, plausibility
 from asperity.joint.refusal import (
     refuse_bad_numbers,
     refuse_locked_pins,
@@ -143,7 +144,12 @@ def solved_joint(joint: Joint, solution: Solution, branches: UnequalBranches | N
     SolvedJoint
         For margins and figures.
     """
-    solved = SolvedJoint(joint, solution.result, solution.capacity, branches)
+    result = solution.result
+    notes = (
+        *plausibility(joint, result, solution.sizes),
+        *loss_notes(result.rolling, result.contact_names),
+    )
+    solved = SolvedJoint(joint, result, solution.capacity, branches, notes)
     solved.reverse_capacity = solution.reverse_capacity
     forward = float(np.asarray(joint.output_torque)) >= 0.0
     solved.capacity_of_direction = solution.capacity if forward else solution.reverse_capacity

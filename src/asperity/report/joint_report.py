@@ -122,12 +122,8 @@ def joint_report(source: ReportSource) -> Report:
         Paragraph(
             "Dimensions in mm. The drive's sheet is A4: printed in full size, it has the scale that it states."
         ),
-        *(
-            [Picture("Forces on the bodies of one branch, centrifugal forces not drawn", pictures["forces"])]
-            if "forces" in pictures
-            else []
-        ),
         Picture("The drive to scale", pictures["drive"], sheet=True),
+        Picture("Forces on the bodies drawn apart, centrifugal forces not drawn", pictures["forces"]),
         Heading("Stiffness"),
         *result_tables.stiffness(document),
         *parts.surfaces,
@@ -239,15 +235,9 @@ def _summary(document: dict[str, Any], solved: SolvedJoint) -> Iterator[Block]:
     yield Heading("Summary")
     yield result_tables.summary(document)
     yield from equal_branches(document)
-    yield Paragraph(limit_tables.verdict(margins(solved), document["rims"]), strong=True)
-    doubtful = [
-        each["label"] for each in document["diagnostics"] if not each["ok"] and each["severity"] == "accuracy"
-    ]
-    if doubtful:
-        yield Paragraph(
-            f"The numbers cannot be relied on before these warnings are settled: {', '.join(dict.fromkeys(doubtful))}.",
-            strong=True,
-        )
+    required = margins(solved)
+    yield Paragraph(limit_tables.verdict(required, document["rims"]), strong=True)
+    yield from limit_tables.doubts(required)
 
 
 def _windup(found: _Examined, pictures: dict[str, str]) -> Iterator[Block]:

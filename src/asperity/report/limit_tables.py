@@ -53,9 +53,30 @@ def verdict(found: Sequence[Margin], rims: Document) -> str:
         return "All requirements of function and strength are met."
     start = "Requirements of function and strength that are not"
     if not failed:
-        return f"{start} known: {', '.join(unknown)}. All others are met."
+        return f"{start} known: {', '.join(unknown)}. All others of function and strength are met."
     rest = f"; not known: {', '.join(unknown)}" if unknown else ""
     return f"{start} met: {', '.join(failed)}{rest}."
+
+
+def doubts(found: Sequence[Margin]) -> Iterator[Block]:
+    """Whether the numbers can be relied on.
+
+    Parameters
+    ----------
+    found : sequence of Margin
+        As :func:`asperity.joint.margins.margins` gives them.
+
+    Yields
+    ------
+    Block
+        A sentence if they cannot.
+    """
+    doubtful = [each.result.label for each in found if each.severity == "accuracy" and not each.passes]
+    if doubtful:
+        yield Paragraph(
+            f"The numbers cannot be relied on before these warnings are settled: {', '.join(doubtful)}.",
+            strong=True,
+        )
 
 
 def margins_table(found: Sequence[Margin]) -> Iterator[Block]:

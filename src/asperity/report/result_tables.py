@@ -7,7 +7,13 @@ from typing import Any
 
 from asperity.joint.branch_limits import capacity_words
 from asperity.joint.capacity import first_slip_words
-from asperity.joint.document import NO_SHARE, input_member, stiffness_rows
+from asperity.joint.document import (
+    NO_SHARE,
+    WHOLE_BODIES,
+    has_whole_bodies,
+    input_member,
+    stiffness_rows,
+)
 from asperity.report.cells import number, percent, quantity
 from asperity.report.content import Block, Paragraph, Table
 
@@ -137,6 +143,8 @@ def stiffness(document: Document) -> Iterator[Block]:
         ("spring", "share %"),
         [(words, number(value, 100.0)) for words, value in shares],
     )
+    if shares and has_whole_bodies(document):
+        yield Paragraph(f"{WHOLE_BODIES[0].upper()}{WHOLE_BODIES[1:]}.")
 
 
 def contacts(document: Document) -> Iterator[Block]:

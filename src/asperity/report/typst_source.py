@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from asperity.errors import printable
 from asperity.report.content import Block, Bullets, Heading, Listing, Paragraph, Picture, Report, Table
@@ -41,8 +41,36 @@ def typst_source(report: Report, *, pictures: list[str]) -> str:
         f"#set document(title: {title}, date: none)\n{_HEAD}",
         f'#text(size: 16pt, weight: "bold", {title})',
     ]
-    parts += [_block(block, names) for block in report.blocks]
+    parts += _parts(report.blocks, names)
     return "\n\n".join(parts) + "\n"
+
+
+def _parts(blocks: Sequence[Block], names: Iterator[str]) -> Iterator[str]:
+    """Every block; a heading and the sentences below it stay with what follows them, pictures stay near them."""
+    opening: list[Heading | Paragraph] = []
+    floating = above = False  # whether a picture of this section, and one of the section above it, may float
+    for block in blocks:
+        if isinstance(block, Paragraph) and opening:
+            opening.append(block)
+            continue
+        if isinstance(block, Picture) and block.sheet:
+            yield _sheet(block, opening, next(names))
+        elif isinstance(block, Heading):
+            yield from (_block(each) for each in opening)
+            if above:
+                yield "#place.flush()"
+            opening, floating, above = [block], False, floating
+            continue
+        else:
+            yield from (f"#block(sticky: true)[{_block(each)}]" for each in opening)
+            if isinstance(block, Picture):
+                floats = not opening
+                floating = floating or floats
+                yield _picture(block, next(names), floats=floats)
+            else:
+                yield _block(block)
+        opening = []
+    yield from (_block(each) for each in opening)
 
 
 def literal(text: str) -> str:
@@ -66,7 +94,7 @@ def _quoted(text: str) -> str:
     return '"' + "".join(c if c.isprintable() else f"\\u{{{ord(c):x}}}" for c in escaped) + '"'
 
 
-def _block(block: Block, names: Iterator[str]) -> str:
+def _block(block: Heading | Paragraph | Bullets | Table | Listing) -> str:
     match block:
         case Heading(text):
             return f"#heading({literal(text)})"
@@ -77,17 +105,32 @@ def _block(block: Block, names: Iterator[str]) -> str:
             return f"#list({', '.join(literal(item) for item in items)})" if items else ""
         case Table():
             return _table(block)
-        case Picture(title, _, True):
-            image = f"image({_quoted(next(names))}, width: 297mm, alt: {literal(title)})"
-            return f'#page(paper: "a4", flipped: true, margin: 0mm, numbering: none, {image})'
-        case Picture(title, _, _):
-            return (
-                f"#figure(image({_quoted(next(names))}, width: 100%, alt: {literal(title)}), "
-                f"caption: {literal(title)}, supplement: none, numbering: none)"
-            )
         case Listing(text):
             lines = [part for line in text.split("\n") for part in _wrapped(line)]
             return f"#text(size: 7.5pt, raw({_quoted(chr(10).join(lines))}, block: true))"
+
+
+def _picture(picture: Picture, name: str, *, floats: bool) -> str:
+    """A picture of the width of the text, at the head or the foot of a page if it floats."""
+    return (
+        f"#figure(image({_quoted(name)}, width: 100%, alt: {literal(picture.title)}), "
+        f"placement: {'auto' if floats else 'none'}, "
+        f"caption: {literal(picture.title)}, supplement: none, numbering: none)"
+    )
+
+
+def _sheet(picture: Picture, opening: Sequence[Heading | Paragraph], name: str) -> str:
+    """A sheet of paper of its own; the heading above it stands in the margin outside its frame."""
+    words = "".join(f"[{_block(each)}]," for each in opening)
+    columns = ", ".join(["auto"] * len(opening))
+    above = (
+        f"#place(top + left, dx: 10mm, dy: 2.5mm, grid(columns: ({columns},), column-gutter: 8mm, "
+        f"align: horizon, {words}))"
+        if opening
+        else ""
+    )
+    image = f"#image({_quoted(name)}, width: 297mm, alt: {literal(picture.title)})"
+    return f'#page(paper: "a4", flipped: true, margin: 0mm, numbering: none)[{image}{above}]'
 
 
 def _lines(text: str) -> str:

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+import textwrap
 from typing import TYPE_CHECKING
 
 import numpy as np
 
-from asperity.joint.document import NO_SHARE
+from asperity.joint.document import NO_SHARE, WHOLE_BODIES
 from asperity.joint.margins import margins
 from asperity.joint.results import LEVELS, RESULTS, SolvedJoint
 from asperity.joint.temperature_curves import temperature_curves
@@ -22,6 +23,7 @@ if TYPE_CHECKING:
     from asperity.joint.size_errors import SizeErrorCurves
 
 _PER_ARCMINUTE = np.pi / 10800.0
+_NOTE_WIDTH = 58  # letters below a panel of half a sheet
 
 
 def compliance_shares(solved: SolvedJoint) -> dict[str, float]:
@@ -128,7 +130,10 @@ def draw_budget(axes: Axes, solved: SolvedJoint) -> None:
     axes.bar_label(bars, fmt="%.1f %%", padding=3)
     axes.invert_yaxis()
     axes.margins(x=0.25)
-    axes.set(xlabel="share of the compliance at the output [%]")
+    note = ""
+    if shares and solved.joint.body_model != "springs":
+        note = "\n" + textwrap.fill(WHOLE_BODIES, _NOTE_WIDTH)
+    axes.set(xlabel=f"share of the compliance at the output [%]{note}")
 
 
 def draw_levels(axes: Axes, solved: SolvedJoint) -> None:

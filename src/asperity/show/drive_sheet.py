@@ -82,8 +82,9 @@ def drive_sheet(joint: Joint, *, name: str, forces: DriveForces | None = None) -
         write(column, level, sizes)
         write(column + 80.0, level, smallest)
         write(column, level + 4.5 * _SPACING, load_lines(joint, forces, part="branch"))
-        centre = on_paper(column + 0.5 * (width - _MARGIN - column), level + 62.0)
-        items += free_bodies(joint, forces, centre=centre, scale=scale)
+        room = width - _MARGIN - column
+        centre = on_paper(column + 0.5 * room, level + 62.0)
+        items += free_bodies(joint, forces, centre=centre, scale=scale, room=room - 4.0)
         write(
             _MARGIN + 5.0,
             height - _MARGIN - 8.0,
@@ -109,14 +110,14 @@ def forces_sheet(joint: Joint, forces: DriveForces) -> Sheet:
     Sheet
         A sheet of 170 mm by 140 mm.
     """
-    items = free_bodies(joint, forces, centre=(0.0, 0.0), scale=1.0)
+    items = free_bodies(joint, forces, centre=(0.0, 0.0), scale=1.0, room=166.0)
     words = [f"{contact}: {label}" for contact, label in CONTACT_LABELS.items()]
     for line, (x, y) in (
         *(
             (line, (-82.0, -43.0 - _SPACING * row))
             for row, line in enumerate(load_lines(joint, forces, part="branch"))
         ),
-        *((line, (-82.0, -12.0 - _SPACING * row)) for row, line in enumerate(words)),
+        *((line, (42.0, -38.4 + _SPACING * (4 - row))) for row, line in enumerate(words)),
     ):
         items.append(Text((x, y), line))
     return Sheet(170.0, 140.0, 1.0, (85.0, 57.0), tuple(items))

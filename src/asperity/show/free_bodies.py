@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -10,14 +11,18 @@ import numpy as np
 from asperity.drive.force_balance import DriveForces
 from asperity.drive.geometry import CONTACT_NAMES, triangle
 from asperity.joint.description import Joint
-from asperity.show.sheet import Align, Circle, Item, Line, Point, Text
+from asperity.show.sheet import TEXT_HEIGHT, Align, Circle, Item, Line, Point, Text
+from asperity.show.sheet_figure import text_width
 from asperity.units import format_quantity
 
 _ARROW = 10.0  # length of an arrow on paper [mm]
 #: Between two bodies on paper [mm].
 APART = 26.0
 _LARGEST, _SMALLEST = 20.0, 5.0  # radii on paper [mm]
+_LEAST_APART = 16.0  # so that their arrows have room
+_SMALLEST_VIEW = 0.3  # share of these sizes that a view keeps at least
 _LINE_SPACING = 4.2
+_CLEAR = 2.0  # beside texts
 
 
 class BodyForce(NamedTuple):
@@ -99,7 +104,7 @@ def body_forces(joint: Joint, forces: DriveForces) -> list[BodyForce]:
     return found
 
 
-def free_bodies(joint: Joint, forces: DriveForces, *, centre: Point, scale: float) -> list[Item]:
+def free_bodies(joint: Joint, forces: DriveForces, *, centre: Point, scale: float, room: float) -> list[Item]:
     """Planet and loading rollers of one branch drawn apart: arrows for directions, numbers for sizes.
 
     Parameters
@@ -112,58 +117,112 @@ def free_bodies(joint: Joint, forces: DriveForces, *, centre: Point, scale: floa
         Centre of the planet [mm in true size].
     scale : float
         Length on paper over true length [-]. On paper the view has a size of its own.
+    room : float
+        Width on paper that the view may have at most [mm]: its bodies are drawn smaller where they need more.
 
     Returns
     -------
     list of Item
         The view.
     """
-    found = body_forces(joint, forces)
-    planet, roller = (
-        float(each) for each in (joint.geometry.planet_radius, joint.geometry.loading_roller_radius)
-    )
-    (shown,), (beside,) = body_outlines({"planet": [planet], "roller": [roller]}).values()
+    found = [each for each in body_forces(joint, forces) if each.size != 0.0 or each.body == "planet"]
+    radii = joint.geometry.planet_radius, joint.geometry.loading_roller_radius
+    for size in (*np.arange(1.0, _SMALLEST_VIEW, -0.05), _SMALLEST_VIEW):
+        items = _view(found, *map(float, radii), float(size))
+        if 2.0 * _half_width(items) <= room:
+            break
+
+    def on_sheet(point: Point) -> Point:
+        return centre[0] + point[0] / scale, centre[1] + point[1] / scale
+
+    moved: list[Item] = []
+    for item in items:
+        if isinstance(item, Circle):
+            moved.append(Circle(on_sheet(item.centre), item.radius / scale))
+        elif isinstance(item, Line):
+            moved.append(Line(tuple(map(on_sheet, item.points)), item.style, item.arrows))
+        else:
+            moved.append(Text(on_sheet(item.at), item.text, item.align))
+    return moved
+
+
+def _view(found: Sequence[BodyForce], planet: float, roller: float, size: float) -> list[Item]:
+    """Bodies, arrows and numbers around the planet, on paper [mm]."""
+    (shown,), (beside,) = body_outlines({"planet": [planet], "roller": [roller]}, size=size).values()
     radii = {"planet": shown}
     places = {"planet": (0.0, 0.0)}
     for each in found:
         if each.body == "planet" and each.name.startswith("pw") and each.kind == "N":
             name = f"{'right' if each.name == 'pwr' else 'left'} loading roller"
             radii[name] = beside
-            apart = radii["planet"] + APART + radii[name]
+            apart = radii["planet"] + max(size * APART, _LEAST_APART) + radii[name]
             places[name] = (apart * each.place[0], apart * each.place[1])
-
-    def on_sheet(x: float, y: float) -> Point:
-        return centre[0] + x / scale, centre[1] + y / scale
-
-    items: list[Item] = [Circle(on_sheet(*places[body]), radius / scale) for body, radius in radii.items()]
-    items.append(Text(on_sheet(0.0, -1.2), "planet", "center"))
+    items: list[Item] = [Circle(places[body], radius) for body, radius in radii.items()]
+    items.append(Text((0.0, -1.2), "planet", "center"))
+    arrows: dict[str, list[Point]] = {body: [] for body in radii}
     for each in found:
-        if each.size == 0.0:
+        if each.size != 0.0:
+            ends = force_arrow(each, places[each.body], radii[each.body])
+            arrows[each.body] += ends
+            items.append(Line(ends, "force", "end"))
+    sun = [force_label(each) for each in found if each.name == "sp" and each.size != 0.0]
+    items += [Text((6.0, -radii["planet"] - 6.0 - _LINE_SPACING * row), line) for row, line in enumerate(sun)]
+    for body, (x, y) in places.items():
+        if body == "planet":
             continue
-        tail, tip = force_arrow(each, places[each.body], radii[each.body])
-        items.append(Line((on_sheet(*tail), on_sheet(*tip)), "force", "end"))
-    for each in found:
-        if each.body == "planet" or not each.name.startswith("pw"):
-            at, align = _label_place(each, places[each.body], radii[each.body])
-            items.append(Text(on_sheet(*at), force_label(each), align))
+        of_body = [each for each in found if each.body == body]
+        below = [force_label(each) for each in of_body if each.name.startswith("pw")]
+        above = [force_label(each) for each in of_body if not each.name.startswith("pw")]
+        highest = max([y + radii[body], *(point[1] for point in arrows[body])])
+        lowest = min([y - radii[body], *(point[1] for point in arrows[body])])
+        half = 0.5 * max((text_width(line) for line in above), default=0.0)
+        middle = math.copysign(max(abs(x), half + _CLEAR), x)
+        contact = (1.0 - radii[body] / math.hypot(x, y)) * x
+        outwards: Align = "left" if x > 0.0 else "right"
+        blocks: tuple[tuple[list[str], float, Align, float], ...] = (
+            (above, middle, "center", highest + _CLEAR + _LINE_SPACING * (len(above) - 1)),
+            (below, contact + math.copysign(_CLEAR, x), outwards, lowest - _CLEAR - TEXT_HEIGHT),
+        )
+        for lines, at, align, top in blocks:
+            items += [Text((at, top - _LINE_SPACING * row), line, align) for row, line in enumerate(lines)]
     return items
 
 
-def body_outlines(radii: dict[str, list[float]]) -> dict[str, list[float]]:
+def _half_width(items: Sequence[Item]) -> float:
+    """How far a view reaches to either side of its middle [mm]."""
+    reach = 0.0
+    for item in items:
+        if isinstance(item, Circle):
+            ends = [abs(item.centre[0]) + item.radius]
+        elif isinstance(item, Line):
+            ends = [abs(x) for x, _ in item.points]
+        else:
+            width = text_width(item.text)
+            ends = [abs(item.at[0]) + (0.5 * width if item.align == "center" else width)]
+        reach = max(reach, *ends)
+    return reach
+
+
+def body_outlines(radii: dict[str, list[float]], *, size: float = 1.0) -> dict[str, list[float]]:
     """Radii of bodies on paper: the largest has a size that suits the arrows, and none is too small for them.
 
     Parameters
     ----------
     radii : dict
         Body → radii of its tracks [m].
+    size : float, optional
+        Size of the view over its usual one [-].
 
     Returns
     -------
     dict
         Body → radii on paper [mm].
     """
-    size = _LARGEST / max(radius for each in radii.values() for radius in each)
-    return {name: [max(_SMALLEST, size * radius) for radius in each] for name, each in radii.items()}
+    largest = max(radius for each in radii.values() for radius in each)
+    return {
+        name: [max(_SMALLEST, size * _LARGEST * radius / largest) for radius in each]
+        for name, each in radii.items()
+    }
 
 
 def force_arrow(force: BodyForce, centre: Point, radius: float) -> tuple[Point, Point]:
@@ -209,24 +268,6 @@ def force_label(force: BodyForce) -> str:
     """
     size = format_quantity(abs(force.size), "N")
     return {"N": f"{force.name}: N = {size}", "T": f"T = {size}", "F": f"pin: {size}"}[force.kind]
-
-
-def _label_place(force: BodyForce, centre: Point, radius: float) -> tuple[Point, Align]:
-    """Beside the contact, away from the middle of the view."""
-    if force.name == "sp":
-        side, x, y = 1.0, 6.0, -radius - 6.0
-    else:
-        side = -1.0 if (force.place[0] or centre[0]) < 0.0 else 1.0
-        x, y = centre[0] + radius * force.place[0], centre[1] + radius * force.place[1]
-        if force.kind == "F":
-            x, y = x + side * (radius + 3.0), y - 1.2
-        elif force.name.startswith("pw"):
-            x, y = x + side * 12.0, y + 7.0
-        else:
-            x, y = x + side * 10.0, y + 9.0
-    if force.kind == "T":
-        y -= _LINE_SPACING
-    return (x, y), "left" if side > 0.0 else "right"
 
 
 def _reversed(vector: Point) -> Point:

@@ -13,11 +13,11 @@ if TYPE_CHECKING:
 
 #: Colours that are told apart by everybody, and in grey by their brightness.
 PASS_COLOUR, FAIL_COLOUR = "#2c7fb8", "#d95f02"
-_SERIOUS = ("function", "damage")
+_SERIOUS = ("function", "damage", "accuracy")
 
 
 def drawn_margins(found: Sequence[Margin]) -> list[Margin]:
-    """Margins of function and damage whose share of the limit has a meaning, the fullest first.
+    """Margins of function, damage and accuracy whose share of the limit has a meaning, the fullest first.
 
     Parameters
     ----------
@@ -34,7 +34,7 @@ def drawn_margins(found: Sequence[Margin]) -> list[Margin]:
         for each in found
         if each.severity in _SERIOUS
         and each.result.group != "residuals"
-        and not math.isnan(each.utilisation)
+        and math.isfinite(each.utilisation)
         and each.utilisation > 0.0
     ]
     return sorted(chosen, key=lambda each: -each.utilisation)

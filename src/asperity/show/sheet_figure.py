@@ -5,13 +5,14 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING, Any
 
-from asperity.show.sheet import ARROW_LENGTH, LINE_WIDTHS, Circle, Line, Point, Sheet, Text
+from asperity.show.sheet import ARROW_LENGTH, LINE_WIDTHS, TEXT_HEIGHT, Circle, Line, Point, Sheet, Text
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 _MM_PER_INCH, _POINTS_PER_INCH = 25.4, 72.0
-_CAP_HEIGHT = 0.729  # of DejaVu Sans, over its font size
+_FONT = "DejaVu Sans"
+_CAP_HEIGHT = 0.729  # of this font, over its size
 _DASHES: dict[str, Any] = {"axis": (0, (24.0, 6.0, 3.0, 6.0))}
 
 
@@ -45,7 +46,7 @@ def sheet_figure(sheet: Sheet) -> Figure:
                 va="baseline",
                 fontsize=_points(item.height / _CAP_HEIGHT),
                 color="black",
-                family="DejaVu Sans",
+                family=_FONT,
                 parse_math=False,
             )
             continue
@@ -61,6 +62,31 @@ def sheet_figure(sheet: Sheet) -> Figure:
         for head in arrowheads(item, length=ARROW_LENGTH / sheet.scale):
             axes.add_patch(patches.Polygon(head, closed=True, facecolor="black", edgecolor="none"))
     return figure
+
+
+def text_width(text: str, height: float = TEXT_HEIGHT) -> float:
+    """Width of a line of text on paper.
+
+    Parameters
+    ----------
+    text : str
+        The text.
+    height : float, optional
+        Height of its capital letters on paper [mm].
+
+    Returns
+    -------
+    float
+        Its width [mm].
+    """
+    from matplotlib.font_manager import FontProperties
+    from matplotlib.textpath import TextPath
+
+    if not text.strip():
+        return 0.0
+    return float(
+        TextPath((0.0, 0.0), text, size=height / _CAP_HEIGHT, prop=FontProperties(_FONT)).get_extents().x1
+    )
 
 
 def arrowheads(line: Line, *, length: float) -> list[tuple[Point, Point, Point]]:

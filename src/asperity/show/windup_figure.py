@@ -14,6 +14,10 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 _ARCMINUTES, _DEGREES = 10800.0 / np.pi, 180.0 / np.pi
+#: Columns of the panels out of 6, row by row; the last row is that of the joint that turns.
+_NARROW = (((0, 3), (3, 6)), ((0, 6),), ((0, 3), (3, 6)))
+_WIDE = (((0, 2), (2, 4), (4, 6)), ((0, 3), (3, 6)))
+_LEGEND_LINE = 0.11  # height of a line of a legend over that of a narrow panel
 
 
 def windup_figure(
@@ -30,7 +34,7 @@ def windup_figure(
     title : str
         Title of the picture.
     stacked : bool, optional
-        Whether the panels are below each other, for a narrow page.
+        Whether there are at most two panels beside each other, for a narrow page.
 
     Returns
     -------
@@ -39,16 +43,16 @@ def windup_figure(
     """
     from matplotlib.figure import Figure
 
-    count = 3 if onset is None else 5
-    if stacked:
-        figure = Figure(figsize=(7.0, min(2.27 * count, 9.0)), layout="constrained")
-        loop, deviation, stiffness, *turning = figure.subplots(count, 1)
-    else:
-        rows = (count + 1) // 2 - 1
-        figure = Figure(figsize=(14.0, 4.2 * rows), layout="constrained")
-        grid = figure.add_gridspec(rows, 6)
-        loop, deviation, stiffness = (figure.add_subplot(grid[0, 2 * k : 2 * k + 2]) for k in range(3))
-        turning = [figure.add_subplot(grid[1, 3 * k : 3 * k + 3]) for k in range(count - 3)]
+    rows = _NARROW if stacked else _WIDE
+    rows = rows if onset is not None else rows[:-1]
+    width, height = (7.0, 2.8) if stacked else (14.0, 4.2)
+    figure = Figure(figsize=(width, height * len(rows)), layout="constrained")
+    grid = figure.add_gridspec(len(rows), 6)
+    loop, deviation, stiffness, *turning = (
+        figure.add_subplot(grid[row, slice(*columns)])
+        for row, places in enumerate(rows)
+        for columns in places
+    )
     straight = curve.torque * ((curve.angle[-1] - curve.angle[0]) / (curve.torque[-1] - curve.torque[0]))
     for angle, color, line, label in (
         (curve.angle, "black", "-", "first loading, either direction"),
@@ -61,25 +65,23 @@ def windup_figure(
     deviation.axhline(0.0, color="0.8", linewidth=0.8, zorder=0)
     deviation.set(
         xlabel="torque at the output [N·m]",
-        ylabel="angle less a straight line [arcsec]",
+        ylabel="angle less a straight line\n[arcsec]",
     )
     loop.axhline(0.0, color="0.8", linewidth=0.8, zorder=0)
     loop.axvline(0.0, color="0.8", linewidth=0.8, zorder=0)
-    loop.set(xlabel="angle at the output [arcmin]", ylabel="torque at the output [N·m]")
-    loop.legend(frameon=False)
+    loop.set(xlabel="angle at the output [arcmin]", ylabel="torque at the output\n[N·m]")
+    _legend_above(loop)
     stiffness.plot(curve.torque, curve.stiffness / _ARCMINUTES, color="black", label="incremental")
     for values, bounds, label in (
         (curve.stage_stiffness, curve.stage_torque, "K1, K2, K3 (secant)"),
         (curve.reverse_stage_stiffness[::-1], -curve.stage_torque[::-1], "_nolegend_"),
     ):
         stiffness.stairs(values / _ARCMINUTES, bounds, color="tab:red", baseline=None, label=label)
-    stiffness.set(xlabel="torque at the output [N·m]", ylabel="stiffness at the output [N·m/arcmin]")
-    stiffness.legend(frameon=False)
+    stiffness.set(xlabel="torque at the output [N·m]", ylabel="stiffness at the output\n[N·m/arcmin]")
+    _legend_above(stiffness)
     if onset is not None:
         _draw_beyond(turning[0], onset, torque=float(curve.torque[-1]))
         _draw_swings(turning[1], onset)
-    for axes in (loop, deviation, stiffness, *turning):
-        axes.yaxis.label.set_fontsize("small" if stacked else "medium")
     figure.suptitle(title)
     return figure
 
@@ -100,12 +102,12 @@ def _draw_beyond(panel: Axes, onset: RollingOnset, *, torque: float) -> None:
     panel.axvline(sun * float(onset.steady_angle), color="0.6", linewidth=0.8, label="all contacts rolled 2a")
     panel.set(
         xlabel="angle turned by the input [°]",
-        ylabel="angle behind at the output [arcmin]",
-        title=f"turning under {torque:.4g} N·m; shaded: creep below {100.0 * float(onset.creep_share):.3g} %",
+        ylabel="angle behind at the output\n[arcmin]",
+        title=f"turning under {torque:.4g} N·m\nshaded: creep below {100.0 * float(onset.creep_share):.3g} %",
         xlim=(0.0, sun * float(onset.angle[-1])),
     )
     panel.title.set_fontsize("medium")
-    panel.legend(frameon=False, fontsize="small", loc="upper left")
+    _legend_above(panel)
 
 
 def _draw_swings(panel: Axes, onset: RollingOnset) -> None:
@@ -123,9 +125,17 @@ def _draw_swings(panel: Axes, onset: RollingOnset) -> None:
     panel.axvline(sun * float(onset.still_angle), color="0.6", linewidth=0.8, label="no drift up to here")
     panel.set(
         xlabel="stroke of the input, to and fro [°]",
-        ylabel="angle lost per swing, output [arcmin]",
+        ylabel="angle lost per swing\nat the output [arcmin]",
         title="swinging under the same torque",
         xlim=(0.0, sun * float(onset.angle[-1])),
     )
     panel.title.set_fontsize("medium")
-    panel.legend(frameon=False, fontsize="small", loc="upper left")
+    _legend_above(panel)
+
+
+def _legend_above(panel: Axes) -> None:
+    """The legend in a strip above the highest curve, where it covers none."""
+    entries = len(panel.get_legend_handles_labels()[0])
+    low, high = panel.get_ylim()
+    panel.set_ylim(low, high + (high - low) * _LEGEND_LINE * entries / (1.0 - _LEGEND_LINE * entries))
+    panel.legend(fontsize="small", loc="upper left", facecolor="white", edgecolor="none", framealpha=1.0)

@@ -19,9 +19,7 @@ from asperity.joint.document import (
     torsional_stiffness_document,
 )
 from asperity.joint.limit_check import checked_limits
-from asperity.joint.loss_note import loss_notes
 from asperity.joint.planar.description import PlanarJoint
-from asperity.joint.planar.plausibility import planar_plausibility
 from asperity.joint.planar.rims import bends
 from asperity.joint.planar.solve import PlanarSolution
 from asperity.joint.planar.solved import SolvedPlanarJoint, solved_planar_joint
@@ -127,10 +125,7 @@ def planar_document(
                     solution.rolling_capacity if forward else solution.reverse_rolling_capacity
                 ).output_torque,
             },
-            "diagnostics": diagnostic_documents(
-                checked_limits(solved),
-                (*planar_plausibility(joint, result), *loss_notes(result.rolling, names)),
-            ),
+            "diagnostics": diagnostic_documents(checked_limits(solved), solved.notes),
         }
     )
 

@@ -15,11 +15,14 @@ from asperity.drive.planar.existence import neighbour_gaps, neighbours
 from asperity.drive.planar.layout import sectors_of_members
 from asperity.drive.planar.state import ContactLaws
 from asperity.joint.capacity import TorqueCapacity
+from asperity.joint.loss_note import loss_notes
 from asperity.joint.planar.capacity import PlanarCapacity, planar_capacity
 from asperity.joint.planar.description import PlanarJoint, tracks_of
 from asperity.joint.planar.evaluation import PlanarResult
+from asperity.joint.planar.plausibility import planar_plausibility
 from asperity.joint.planar.rims import planar_rims
 from asperity.joint.planar.solve import PlanarSolution
+from asperity.joint.plausibility import Note
 from asperity.joint.results.result import SolvedJoint
 
 
@@ -73,10 +76,18 @@ class SolvedPlanarJoint(SolvedJoint):
         What :func:`asperity.joint.planar.evaluation.evaluated_with_laws` says about it.
     laws : ContactLaws or None
         Likewise; None where the capacities are known.
+    notes : tuple of Note, optional
+        Comparisons with what is usual, which are requirements too.
     """
 
-    def __init__(self, joint: PlanarJoint, result: PlanarResult, laws: ContactLaws | None) -> None:
-        super().__init__(joint, result)
+    def __init__(
+        self,
+        joint: PlanarJoint,
+        result: PlanarResult,
+        laws: ContactLaws | None,
+        notes: tuple[Note, ...] = (),
+    ) -> None:
+        super().__init__(joint, result, notes=notes)
         self._laws = laws
 
     @functools.cached_property
@@ -156,7 +167,9 @@ def solved_planar_joint(joint: PlanarJoint, solution: PlanarSolution) -> SolvedP
     SolvedPlanarJoint
         For margins and figures.
     """
-    solved = SolvedPlanarJoint(joint, solution.result, None)
+    result = solution.result
+    notes = (*planar_plausibility(joint, result), *loss_notes(result.rolling, result.contact_names))
+    solved = SolvedPlanarJoint(joint, result, None, notes)
     solved._capacities = PlanarCapacity(
         *(
             jax.tree.map(lambda *leaves: jnp.stack(leaves), *both)

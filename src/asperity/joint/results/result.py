@@ -30,6 +30,7 @@ from asperity.joint.working_loads import working_loads
 from asperity.unit_table import Dimension
 
 if TYPE_CHECKING:
+    from asperity.joint.plausibility import Note
     from asperity.joint.windup import StiffnessLevel
 
 #: What must hold for a result to mean anything: the rollers fit; in addition the forces balance; in addition no
@@ -70,6 +71,8 @@ class SolvedJoint:
         Its torque capacity, if that is known already.
     branches : UnequalBranches, optional
         Its branches, if their sizes differ; all results are those of equal ones.
+    notes : tuple of Note, optional
+        Comparisons with what is usual, which are requirements too.
     """
 
     def __init__(
@@ -78,10 +81,12 @@ class SolvedJoint:
         result: JointResult | PlanarResult,
         capacity: TorqueCapacity | None = None,
         branches: UnequalBranches | None = None,
+        notes: tuple[Note, ...] = (),
     ) -> None:
         self.joint: Any = joint
         self.result: Any = result
         self.branches = branches
+        self.notes = notes
         if capacity is not None:
             self.capacity = capacity
 

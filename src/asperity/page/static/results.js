@@ -156,9 +156,9 @@ function budget(found) {
   return table("Shares of the springs in the compliance", ["spring", "share", hidden("bar")], rows);
 }
 
-/** The limits of function and damage, the one that is used most on top; residuals are no margins. */
+/** The limits of function, damage and accuracy, the one that is used most on top; residuals are no margins. */
 function margins(answer) {
-  const judged = answer.margins.filter((each) => ["function", "damage"].includes(each.severity) && !each.name.endsWith("_residual"));
+  const judged = answer.margins.filter((each) => ["function", "damage", "accuracy"].includes(each.severity) && !each.name.endsWith("_residual"));
   const rank = (each) => (each.ok ? each.used ?? 0 : Infinity);
   const rows = judged
     .sort((one, other) => rank(other) - rank(one))
