@@ -126,9 +126,11 @@ def free_bodies(joint: Joint, forces: DriveForces, *, centre: Point, scale: floa
         The view.
     """
     found = [each for each in body_forces(joint, forces) if each.size != 0.0 or each.body == "planet"]
-    radii = joint.geometry.planet_radius, joint.geometry.loading_roller_radius
+    planet, roller = (
+        float(each) for each in (joint.geometry.planet_radius, joint.geometry.loading_roller_radius)
+    )
     for size in (*np.arange(1.0, _SMALLEST_VIEW, -0.05), _SMALLEST_VIEW):
-        items = _view(found, *map(float, radii), float(size))
+        items = _view(found, planet, roller, float(size))
         if 2.0 * _half_width(items) <= room:
             break
 

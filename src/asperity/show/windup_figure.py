@@ -14,9 +14,10 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 _ARCMINUTES, _DEGREES = 10800.0 / np.pi, 180.0 / np.pi
+_Rows = tuple[tuple[tuple[int, int], ...], ...]
 #: Columns of the panels out of 6, row by row; the last row is that of the joint that turns.
-_NARROW = (((0, 3), (3, 6)), ((0, 6),), ((0, 3), (3, 6)))
-_WIDE = (((0, 2), (2, 4), (4, 6)), ((0, 3), (3, 6)))
+_NARROW: _Rows = (((0, 3), (3, 6)), ((0, 6),), ((0, 3), (3, 6)))
+_WIDE: _Rows = (((0, 2), (2, 4), (4, 6)), ((0, 3), (3, 6)))
 _LEGEND_LINE = 0.11  # height of a line of a legend over that of a narrow panel
 
 
