@@ -17,6 +17,7 @@ def _no_cache(monkeypatch):
     monkeypatch.setenv("ASPERITY_CACHE_DIR", "")
 
 
+@pytest.mark.slow
 def test_table_and_picture(tmp_path, saved_figures):
     picture = tmp_path / "validity.png"
     result = CliRunner().invoke(verify_contact, [*SMALL, "--plot", str(picture)], catch_exceptions=False)

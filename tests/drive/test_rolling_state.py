@@ -278,6 +278,7 @@ def test_the_other_direction_is_the_mirror_image(rolled):
     assert float(other.speed_loss) == pytest.approx(-float(one.speed_loss), rel=2.0 * float(one.speed_loss))
 
 
+@pytest.mark.slow
 def test_gradients_are_finite_and_right(rolled):
     def loss(torque):
         return rolled(torque)[1].speed_loss

@@ -117,6 +117,7 @@ def test_bodies_of_unequal_contacts(joint):
     assert np.max(np.abs(change)) < 1e-20
 
 
+@pytest.mark.slow
 def test_shear_follows_the_logarithm_of_the_traction(joint):
     r"""The zone that sticks gives :math:`C(T) - C(0) = \sum (1-\nu^2)/(\pi E B) \ln[1/(1-T/\mu N)]`, Cattaneo."""
     made = with_one_rank(joint())
@@ -175,6 +176,7 @@ def test_springs_and_exact_bodies_agree_for_a_ring_in_a_rigid_housing(joint, out
     assert exact == pytest.approx(springs, rel=0.02)
 
 
+@pytest.mark.slow
 def test_published_series_assembled_in_this_order(joint, solved):
     """Floating planets make the assembly the softest level by far, with exact bodies as well."""
     rng = np.random.default_rng(5)

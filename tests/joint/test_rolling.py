@@ -156,6 +156,7 @@ def test_turning_back_under_the_same_torque_goes_on_drifting(rolled):
     np.testing.assert_allclose(back.creepage, -there.creepage[jnp.array([0, 2, 1, 4, 3])], rtol=1e-10)
 
 
+@pytest.mark.slow
 def test_hysteresis_and_oil_of_the_check_case(rolled):
     """Their sizes scale from T1: hysteresis with N a/R, the oil's as 1.47 U^(3/4) E' R where bodies deform."""
     found = rolled(conditions(), sun_speed=100.0)

@@ -21,6 +21,7 @@ def test_at_the_capacity_one_contact_is_at_its_limit(wedged):
     assert used[4] == pytest.approx(1.0, abs=1e-3)
 
 
+@pytest.mark.slow
 def test_a_torque_beyond_is_refused_with_the_capacity(wedged):
     capacity = rolling_capacity_of(wedged, solve(wedged), direction=1.0)
     beyond = dataclasses.replace(wedged, output_torque=capacity * 1.001)

@@ -221,7 +221,7 @@ def test_stiffness_of_both_directions_is_that_of_the_solver(paper_joint):
 
 def test_figure_names_its_axes_with_units(mindlin):
     loop, deviation, stiffness = windup_figure(mindlin, title="spring").axes
-    assert deviation.get_ylabel() == "angle less a straight line [arcsec]"
+    assert " ".join(deviation.get_ylabel().split()) == "angle less a straight line [arcsec]"
     assert "arcmin" in loop.get_xlabel()
     assert "N·m" in loop.get_ylabel()
     assert "N·m/arcmin" in stiffness.get_ylabel()

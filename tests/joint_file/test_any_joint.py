@@ -81,6 +81,7 @@ def numbers_of(solution):
     }
 
 
+@pytest.mark.slow
 def test_points_are_the_solutions_of_their_files(values, found):
     status, numbers, _ = found
     # five planets of 20 mm do not fit around a sun of 10 mm

@@ -63,6 +63,7 @@ def test_joints_at_the_ends_lie_inside(drawn_case, interval, evaluated_together)
     assert interval["unsolved"] == interval["all_plastic"] == 0
 
 
+@pytest.mark.slow
 def test_the_interval_says_over_what_it_is_taken(interval):
     entry = interval["surfaces"]["surface"]
     assert entry["fractal_dimension"] == pytest.approx([1.15, 1.5])

@@ -61,6 +61,7 @@ def test_the_document_is_that_of_the_command(client, joint_text, printed):
     assert answer["document"] == printed
 
 
+@pytest.mark.slow
 def test_tables_say_the_same_as_text(client, joint_text, printed):
     import tomllib
 

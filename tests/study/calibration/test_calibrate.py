@@ -84,6 +84,7 @@ def test_exact_data_give_exact_values(case, curve):
         assert each.determined
 
 
+@pytest.mark.slow
 def test_noisy_data_give_values_within_their_intervals(case, curve):
     data, angle = curve
     scatter = 5e-7

@@ -58,6 +58,7 @@ def test_the_unknowns_of_the_curve_add_what_they_say(model):
     np.testing.assert_allclose(model(PLACE)[0], bare + added, rtol=1e-10, atol=1e-16)
 
 
+@pytest.mark.slow
 def test_a_measured_stiffness_is_that_of_the_joint_in_series_with_its_play(zou_file):
     """1/K = 1/K_joint + d/dT [play/2 tanh(T/T_p)]."""
     play, take_up = 3e-4, 0.4

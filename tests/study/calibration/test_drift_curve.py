@@ -99,6 +99,7 @@ def test_model_is_carters_creep_by_hand(zou_file, tmp_path, torque):
     assert found == pytest.approx(2.0 * np.pi * loss / (1.0 - loss), rel=2e-3)
 
 
+@pytest.mark.slow
 def test_slopes_are_those_of_the_prediction(model):
     place = scaled(model)
     _, slopes = model(place)
