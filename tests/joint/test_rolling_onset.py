@@ -176,6 +176,6 @@ def test_the_picture_has_two_more_panels(joint, onset):
 
     curve = windup(joint, largest_torque=5.0, level="assembly", stage_shares=(0.3, 0.6))
     *_, beyond, swing = windup_figure(curve, onset, title="joint").axes
-    assert "sun" in beyond.get_xlabel()
+    assert beyond.get_xlabel() == "angle turned by the input [°]"
     assert "behind" in beyond.get_ylabel()
     assert "swing" in swing.get_ylabel()
