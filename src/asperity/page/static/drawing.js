@@ -78,6 +78,8 @@ export function freeBodies(drawing) {
   ];
 }
 
+const LETTER = 7.5; // width of a letter of the forces' names, which are bold
+
 /** One roller apart from the others: its tracks, and an arrow with its size for every force on it. */
 function freeBody(body) {
   const [width, height, size, arrow] = [320, 226, 42, 30];
@@ -86,6 +88,7 @@ function freeBody(body) {
   parts.push(svg("path", { class: "axis-mark", d: "M-4,0h8M0,-4v8" }));
   const said = [];
   const taken = [];
+  let [left, right, top, bottom] = [-width / 2, width / 2, -height / 2, height / 2]; // grows with the texts
   for (const force of body.forces) {
     const [fx, fy] = force.force_N;
     const total = Math.hypot(fx, fy);
@@ -109,10 +112,13 @@ function freeBody(body) {
     taken.push([tx, ty]);
     const anchor = { normal: ["end", "middle", "start"][side + 1], tangential: (Math.abs(e) > 5 ? e : px) > 0 ? "start" : "end", pin: "middle" }[kind];
     parts.push(svg("text", { class: "force-name", x: tx, y: ty, "font-size": 11, "text-anchor": anchor }, text));
+    const start = tx - { start: 0, middle: 0.5, end: 1 }[anchor] * LETTER * text.length;
+    [left, right] = [Math.min(left, start), Math.max(right, start + LETTER * text.length)];
+    [top, bottom] = [Math.min(top, ty - 12), Math.max(bottom, ty + 5)];
   }
   const picture = svg(
     "svg",
-    { viewBox: `${-width / 2} ${-height / 2} ${width} ${height}`, role: "img", "aria-label": `Forces on ${body.body}: ${said.join("; ")}.` },
+    { viewBox: `${left} ${top} ${right - left} ${bottom - top}`, role: "img", "aria-label": `Forces on ${body.body}: ${said.join("; ")}.` },
     ...parts,
   );
   return element("figure", {}, picture, element("figcaption", {}, body.body));
