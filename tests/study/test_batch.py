@@ -1,5 +1,9 @@
 """One evaluator for all studies: its points, its derivatives against differences, and the independent baseline."""
 
+import threading
+import time
+from concurrent.futures import ThreadPoolExecutor
+
 import jax
 import jax.numpy as jnp
 import numpy as np
@@ -8,6 +12,7 @@ import pytest
 from asperity.joint.results import WEDGE_RESULTS
 from asperity.joint.status import STATUS_NAMES
 from asperity.joint_file.si_tables import si_values
+from asperity.study import batch
 from asperity.study.batch import derivatives_at, evaluate_points, numbers, point_kernel
 
 PATHS = ("surface.fractal_dimension", "load.preload", "drive.planet_radius")
@@ -122,3 +127,26 @@ def test_both_ways_give_the_same_numbers_where_the_joint_exists(values):
         np.testing.assert_allclose(
             np.atleast_2d(found[name])[:, :2], raw[name][:, :2], rtol=1e-9, err_msg=name
         )
+
+
+@pytest.mark.parametrize(("name", "together"), [("assembly_stiffness_output", 1), ("mass", 2)])
+def test_programs_that_solve_equations_run_one_at_a_time(values, monkeypatch, name, together):
+    """Two threads of a Dask worker, say; on two cores XLA's LAPACK would wait for itself for ever."""
+    running, most = [], []
+    both = threading.Barrier(2)
+
+    def program(base, column):
+        running.append(column)
+        most.append(len(running))
+        if together == 2:
+            both.wait(timeout=30.0)
+        time.sleep(0.02)
+        running.pop()
+        return jnp.zeros(column.shape, dtype=jnp.int8), {name: column}
+
+    monkeypatch.setattr(batch, "_program", lambda *_: program)
+    points = {"load.preload": np.array([900.0, 1000.0])}
+    with ThreadPoolExecutor(2) as pool:
+        found = list(pool.map(lambda _: evaluate_points(values, points, (name,)), range(2)))
+    assert max(most) == together
+    np.testing.assert_array_equal(found[1][1][name], [900.0, 1000.0])

@@ -8,9 +8,11 @@ ones.
 
 from __future__ import annotations
 
+import contextlib
 import functools
 import itertools
 import json
+import threading
 from collections.abc import Callable, Mapping
 from typing import Any
 
@@ -23,7 +25,7 @@ from asperity.compilation import compile_fast
 from asperity.joint.results import GROUPS, RESULTS
 from asperity.joint.status import OUT_OF_RANGE, has_value
 from asperity.joint_file.any_joint import evaluated_points, results_of
-from asperity.joint_file.part_names import type_of, with_tracks
+from asperity.joint_file.part_names import WEDGE_TYPE, type_of, with_tracks
 from asperity.joint_file.quantity_key import Key
 from asperity.joint_file.si_tables import Values, key_at, replace_values
 from asperity.joint_file.table_numbers import Numbers, numbers, table_structure, with_numbers
@@ -40,6 +42,9 @@ ASSEMBLY_BATCH = 4_096
 QUICK_POINTS = 20_000
 #: Points of one call of the program with derivatives; more points are more calls.
 DERIVATIVE_BATCH = 64
+#: Held by a program that solves linear equations: XLA runs LAPACK on a large batch in its pool of threads, and as many
+#: such calls at once as the pool has threads, from threads of ours, wait for each other for ever (jaxlib 0.10).
+_ALONE = threading.Lock()
 
 
 def _masked(status: Array, found: dict[str, Array]) -> dict[str, Array]:
@@ -160,6 +165,7 @@ def evaluate_points(
     quick = count <= QUICK_POINTS if quick is None else quick
     size = min(batch_size(results), 1 << max((batch or count) - 1, 0).bit_length())
     program = _program(table_structure(values), paths, results, size, quick)
+    solves = batch_size(results) < BATCH or type_of(values) != WEDGE_TYPE
     base = tuple(np.float64(number) for number in numbers(values))
     outside = np.zeros(count, dtype=bool)
     for path, column in columns.items():
@@ -172,10 +178,11 @@ def evaluate_points(
         part = slice(start, min(start + size, count))
         missing = size - (part.stop - start)
         padded = [np.pad(column[part], (0, missing), mode="edge") for column in columns.values()]
-        code, done = program(base, *padded)
-        status[part] = np.asarray(code)[: size - missing]
+        with _ALONE if solves else contextlib.nullcontext():
+            code, done = jax.tree.map(np.asarray, program(base, *padded))
+        status[part] = code[: size - missing]
         for name, value in done.items():
-            found[name][..., part] = np.asarray(value)[..., : size - missing]
+            found[name][..., part] = value[..., : size - missing]
         if report is not None:
             report(part.stop - start)
     status[outside] = OUT_OF_RANGE
