@@ -30,6 +30,7 @@ def test_values_are_those_of_the_command(solution, printed, zou_file):
         assert solution["normal_force"][contact].si == document["forces"]["normal_N"][contact]
 
 
+@pytest.mark.slow
 def test_every_row_of_the_table_of_results_is_there(solution):
     assert list(solution) == list(WEDGE_RESULTS) == solution.keys()
     assert len(solution) == len(WEDGE_RESULTS)
@@ -114,6 +115,7 @@ def test_a_torque_beyond_the_capacity_is_one_message(joint):
         joint.with_values({"load.output_torque": "40 N*m"}).solve()
 
 
+@pytest.mark.slow
 def test_a_planetary_by_its_own_names(zou_file):
     solution = asperity.load(zou_file.parent / "planetary.toml").solve()
     assert solution["speed_ratio"].si == pytest.approx(6.0)

@@ -60,6 +60,7 @@ def test_a_notebook_shows_errors_as_one_message():
     assert error._render_traceback_() == ["InputError: load.preload: -4 N is not allowed"]
 
 
+@pytest.mark.slow
 def test_python_example_of_the_readme_runs(tmp_path):
     text = (ROOT / "README.md").read_text(encoding="utf-8")
     (block,) = re.findall(r"<!-- the Python example -->\n```python\n(.*?)```", text, flags=re.DOTALL)

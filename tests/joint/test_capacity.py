@@ -92,6 +92,7 @@ def test_the_weak_contact_is_named_in_either_direction(paper_joint):
     assert float(other.output_torque) == pytest.approx(float(reverse.output_torque), rel=1e-10)
 
 
+@pytest.mark.slow
 def test_a_steep_enough_friction_ends_in_lift_off(paper_joint):
     """A roller about to lift off has t = tan(theta/2) at the planet, t/(cos beta - t sin beta) = 0.262 at the ring."""
     at_planet = math.tan(DIRECTION / 2.0)

@@ -27,6 +27,7 @@ def tables(report):
     return {block.title: block for block in report.blocks if isinstance(block, Table)}
 
 
+@pytest.mark.slow
 def test_sections_in_the_order_of_a_review(made):
     assert made.sections == (
         "Summary", "Inputs", "Assumptions", "Drawing", "Stiffness", "Forces and contacts", "Loads of the structure",
