@@ -41,6 +41,7 @@ ASSETS: dict[str, tuple[str, str]] = {
             "controls",
             "choices",
             "results",
+            "curves",
             "plots",
             "chart",
             "upload",

@@ -1,0 +1,162 @@
+// The curves of an answer: stiffness, wind-up, drift, losses, life and creep.
+
+import { arcmin, number, scaled } from "/numbers.js";
+import { linePlot } from "/plots.js";
+
+/** What drives, in words. */
+export const driven = (found) => found.geometry.input.replaceAll("_", " ");
+
+/** Why the joint does not turn, if it does not. */
+export const standing = (found) => found.rolling.unknown_because[0] || "";
+
+/** Every curve of an answer as a picture. */
+export function curves(answer, baseline) {
+  const { curves: sampled, windup, document: found } = answer;
+  const torque = found.forces.output_torque_Nm;
+  const ghosts = (kind, factor = 1) =>
+    baseline
+      ? [{ name: "baseline", kind: "one", ghost: true, x: baseline.curves.torque_Nm, y: baseline.curves[kind].map((value) => scaled(value, factor)) }]
+      : [];
+  const over = (kind, name, look, factor = 1) => ({ name, kind: look, x: sampled.torque_Nm, y: sampled[kind].map((value) => scaled(value, factor)) });
+  const x = "output torque, N·m";
+  const perArcmin = Math.PI / 10800;
+  const toArcmin = 10800 / Math.PI;
+  const why = standing(found);
+  const loop = windup.unknown_because ? null : windup;
+  const before = baseline && !baseline.windup.unknown_because ? baseline.windup : null;
+  const angles = (from, key) => from[key].map((value) => scaled(value, toArcmin));
+  return [
+    linePlot({
+      title: "Stiffness over torque",
+      x,
+      y: "N·m/arcmin at the output",
+      log: true,
+      series: [
+        ...ghosts("assembly_Nm_per_rad", perArcmin),
+        over("assembly_Nm_per_rad", "assembled", "one", perArcmin),
+        over("series_with_bulk_Nm_per_rad", "bodies in series", "two", perArcmin),
+        over("published_Nm_per_rad", "as published", "three", perArcmin),
+      ],
+      point: { x: torque, y: found.torsional_stiffness.assembly.output_Nm_per_arcmin, name: "this joint" },
+      note: "Up to the torque capacity. The vertical axis is logarithmic.",
+    }),
+    linePlot({
+      title: `Wind-up at the output, ${driven(found)} locked`,
+      x,
+      y: "angle, arcmin",
+      empty: windup.unknown_because,
+      series: loop
+        ? [
+            ...(before ? [{ name: "baseline", kind: "one", ghost: true, x: before.torque_Nm, y: angles(before, "loading_angle_rad") }] : []),
+            { name: "first loading", kind: "one", x: loop.torque_Nm, y: angles(loop, "loading_angle_rad") },
+            { name: "unloading", kind: "two", x: loop.torque_Nm, y: angles(loop, "unloading_angle_rad") },
+            { name: "reloading", kind: "three", x: loop.torque_Nm, y: angles(loop, "reloading_angle_rad") },
+          ]
+        : [],
+      note: loop
+        ? `Hysteresis ${number(scaled(loop.hysteresis_rad, toArcmin), 3)} arcmin, lost motion ${number(scaled(loop.lost_motion_rad, toArcmin), 3)} arcmin.`
+        : "",
+    }),
+    linePlot({
+      title: "Wind-up loop: deviation from a straight line",
+      x,
+      y: "deviation, arcmin",
+      empty: windup.unknown_because,
+      series: loop
+        ? [
+            { name: "first loading", kind: "one", x: loop.torque_Nm, y: deviation(loop, "loading_angle_rad", toArcmin) },
+            { name: "unloading", kind: "two", x: loop.torque_Nm, y: deviation(loop, "unloading_angle_rad", toArcmin) },
+            { name: "reloading", kind: "three", x: loop.torque_Nm, y: deviation(loop, "reloading_angle_rad", toArcmin) },
+          ]
+        : [],
+      note: loop ? "The line joins both ends of the loop; the loop is too narrow to be seen without it." : "",
+    }),
+    linePlot({
+      title: "Drift over torque",
+      x,
+      y: "arcmin per output turn",
+      zero: true,
+      empty: why,
+      series: [...ghosts("drift_rad_per_output_turn", toArcmin), over("drift_rad_per_output_turn", "drift", "one", toArcmin)],
+      point: { x: torque, y: arcmin(found.drift_rad_per_output_turn), name: "this joint" },
+    }),
+    linePlot({
+      title: "Efficiency over torque",
+      x,
+      y: "efficiency, %",
+      empty: why,
+      series: [...ghosts("efficiency", 100), over("efficiency", "efficiency", "one", 100)],
+      point: { x: torque, y: scaled(found.efficiency, 100), name: "this joint" },
+    }),
+    linePlot({
+      title: "Losses over torque",
+      x,
+      y: "power lost, W",
+      zero: true,
+      empty: why,
+      series: [...ghosts("total_loss_W"), over("total_loss_W", "all losses the file has numbers for", "one")],
+      point: { x: torque, y: found.losses_W.total, name: "this joint" },
+    }),
+    life(answer, ghosts, over, x, torque, why),
+    creepCurves(answer, why),
+    linePlot({
+      title: "Friction used, fullest contact",
+      x,
+      y: "T/(µN)",
+      zero: true,
+      series: [...ghosts("largest_slip_ratio"), over("largest_slip_ratio", "T/(µN); slips at 1", "one")],
+    }),
+  ];
+}
+
+/** Hours at the joint's speed; turns of the output where nothing turns. */
+function life(answer, ghosts, over, x, torque, why) {
+  const { curves, document: found } = answer;
+  const hours = curves.life_hours.some((each) => each !== null);
+  const [kind, y, factor] = hours ? ["life_hours", "life, h", 1] : ["life_output_turns", "life, million output turns", 1e-6];
+  const here = hours ? found.life_hours : found.rolling.life_output_turns;
+  const known = curves[kind].filter((each) => each !== null);
+  const log = Math.max(...known) > 10 * Math.min(...known);
+  return linePlot({
+    title: "Fatigue life over torque",
+    x,
+    y,
+    log,
+    empty: why,
+    series: [...ghosts(kind, factor), over(kind, `${number(100 * found.rolling.reliability)} % reliability`, "one", factor)],
+    point: { x: torque, y: scaled(here, factor), name: "this joint" },
+    note: log ? "The vertical axis is logarithmic." : "",
+  });
+}
+
+/** Traction over creepage of each contact up to gross slip, with its working point. */
+function creepCurves(answer, why) {
+  const rolling = answer.document.rolling.contacts;
+  const kinds = ["one", "two", "three", "four", "five"];
+  const series = Object.entries(answer.creep).map(([name, curve], i) => ({
+    name,
+    kind: kinds[i % kinds.length],
+    x: curve.creepage.map((each) => scaled(each, 100)),
+    y: curve.traction,
+    mark: { x: Math.abs(100 * rolling[name].creepage), y: Math.abs(rolling[name].traction_coefficient) },
+  }));
+  const known = Object.values(rolling).every((each) => each.creepage !== null);
+  return linePlot({
+    title: "Creep curves of the contacts",
+    x: "creepage, %",
+    y: "traction T/N",
+    zero: true,
+    empty: why,
+    series: known ? series : [],
+    note: "Up to gross slip. A dot is the working point of its contact.",
+  });
+}
+
+/** The angle less the straight line between both ends of the loop. */
+function deviation(loop, key, factor) {
+  const torque = loop.torque_Nm;
+  const [first, last] = [0, torque.length - 1];
+  const ends = loop.loading_angle_rad;
+  const slope = (ends[last] - ends[first]) / (torque[last] - torque[first]);
+  return loop[key].map((angle, i) => (angle - ends[first] - slope * (torque[i] - torque[first])) * factor);
+}
