@@ -26,14 +26,16 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 
+_IN_ONE_PART = {
+    "xla_backend_optimization_level": 0,
+    "xla_cpu_parallel_codegen_split_count": 1,  # in parts, the whole costs a quarter more
+    "xla_disable_hlo_passes": "while-loop-invariant-code-motion",  # costs a third more, for nested loops
+}
 #: XLA's CPU compiler spends four fifths of its time on fusions and optimisations that pay off in millions of points.
 #: The first of these that the installed release of XLA knows.
 _COMPILE_FAST: tuple[dict[str, Any], ...] = (
-    {
-        "xla_backend_optimization_level": 0,
-        "xla_cpu_use_fusion_emitters": False,
-        "xla_cpu_parallel_codegen_split_count": 1,  # in parts, the whole costs a quarter more
-    },
+    {**_IN_ONE_PART, "xla_cpu_use_fusion_emitters": False},
+    _IN_ONE_PART,
     {"xla_backend_optimization_level": 0},
     {},
 )

@@ -7,6 +7,7 @@ import jax
 import jax.numpy as jnp
 from jax import Array, lax
 
+from asperity.implicit import implicit_root
 from asperity.types import Real
 
 #: Iterations of the solver for the longitudinal creepage, and the residual of the force that it must reach.
@@ -252,10 +253,10 @@ def skewed_contact(
     magnitude = jnp.abs(given)
     carried = jnp.where(across > 0.0, magnitude < 1.0, magnitude <= 1.0)
     safe = jnp.where(carried, given, 0.0)
-    share = lax.custom_root(
+    share = implicit_root(
         lambda x: _scaled_forces(x, across, ratio)[0] - safe,
         jnp.zeros_like(safe),
-        lambda _, __: jnp.sign(safe) * _share_at(jnp.abs(safe), across, ratio),
+        lambda _, __: jnp.sign(safe) * _share_at(*lax.stop_gradient((jnp.abs(safe), across, ratio))),
         lambda linear, y: y / linear(jnp.ones_like(y)),
     )
     found, sideways = _scaled_forces(share, lateral / across_max, ratio)

@@ -12,6 +12,7 @@ from jax import Array, lax
 
 from asperity.contact.carter import slip_ratio_at_creepage
 from asperity.contact.hertz_line import half_width as hertz_half_width
+from asperity.implicit import implicit_root
 from asperity.types import Real
 
 #: Steps of a slice's load, and the largest number of those of the approach; residual of the normal force.
@@ -265,8 +266,8 @@ def strip_loads(
     logarithm = 2.0 * jnp.log(compression_length / width(even)) - 1.0
     ample = jnp.where(logarithm > 1.0, lowest + even / (math.pi * contact_modulus) * logarithm, jnp.inf)
     start = jnp.min(ample, axis=0)  # infinite, and then not solved, where the law has no such load
-    approach = lax.custom_root(
-        excess, lax.stop_gradient(start), _newton_from_above, lambda linear, y: y / linear(jnp.ones_like(y))
+    approach = implicit_root(
+        excess, start, _newton_from_above, lambda linear, y: y / linear(jnp.ones_like(y))
     )
     line_load = jnp.where(touching, loads(approach), 0.0)
     return StripLoads(

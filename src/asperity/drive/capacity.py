@@ -9,6 +9,7 @@ import jax
 import jax.numpy as jnp
 from jax import Array
 
+from asperity.implicit import implicit_root
 from asperity.types import Real
 
 #: Relative width of the last interval of the search.
@@ -131,7 +132,7 @@ def first_limit(*, excesses: Callable[[Array], Array], first_guess: Real) -> Fir
         slope = linear(jnp.ones_like(right_side))
         return right_side / jnp.where(slope == 0.0, 1.0, slope)
 
-    # the root is known; custom_root gives it the implicit derivative
-    root = jax.lax.custom_root(excess, lower, lambda _, found: found, divide)
+    # the root is known: the search returns it, and implicit_root gives it the implicit derivative
+    root = implicit_root(excess, lower, lambda _, found: found, divide)
     value = jnp.where(bracketed, jnp.where(at_once, 0.0, root), jnp.inf)
     return FirstLimit(value=value, which=jnp.where(bracketed, index, -1))

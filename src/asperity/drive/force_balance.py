@@ -25,6 +25,7 @@ from asperity.drive.branch import (
 )
 from asperity.drive.equilibrium import balance_equations
 from asperity.drive.mechanism import Mechanism, NormalSprings, compression, steepest_compliance
+from asperity.implicit import implicit_root
 from asperity.types import Real
 
 #: Largest relative residual of the force balance and of its closure that counts as solved.
@@ -258,7 +259,7 @@ def force_balance(*, mechanism: Mechanism, output_torque: Real) -> DriveForces:
     def residuals(unknowns: tuple[Array, Array]) -> tuple[Real, Real]:
         return _residuals(branch, unknowns)
 
-    load_sum, sun_force = jax.lax.custom_root(residuals, start, _newton, _solve_two_by_two)
+    load_sum, sun_force = implicit_root(residuals, start, _newton, _solve_two_by_two)
     held = held_load_sum(branch, load_sum, sun_force)
     force = branch_forces(branch, held, sun_force)
     force = jax.lax.optimization_barrier(force)  # prevents XLA from recomputing them for every use

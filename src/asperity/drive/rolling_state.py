@@ -24,6 +24,7 @@ from asperity.drive.branch import Branch, BranchForces, branch_forces, carrier_r
 from asperity.drive.force_balance import DriveForces, closure_misfit, loaded_branch
 from asperity.drive.geometry import DriveGeometry
 from asperity.drive.mechanism import Mechanism
+from asperity.implicit import implicit_root
 from asperity.types import Real
 
 #: Largest relative residual of a rolling state that is accepted as solved.
@@ -311,7 +312,7 @@ def rolling_state(*, mechanism: Mechanism, standing: DriveForces, law: CreepLaw)
     def misfits(unknowns: _Unknowns) -> _Unknowns:
         return _misfits(branch, law, unknowns)
 
-    found = _Unknowns(*jax.lax.custom_root(misfits, start, _newton, _solve_three))
+    found = _Unknowns(*implicit_root(misfits, start, _newton, _solve_three))
     force = _forces(branch, found)
     normal = jnp.stack(jnp.broadcast_arrays(*force.normal))
     tangential = jnp.stack(jnp.broadcast_arrays(*force.tangential))

@@ -6,6 +6,7 @@ import equinox as eqx
 import jax.numpy as jnp
 from jax import Array
 
+from asperity.arrays import namespace
 from asperity.contact.crowned_line import CrownedLine
 from asperity.contact.roller_pairs import RollerPairs
 from asperity.contact.rolling_losses import (
@@ -216,10 +217,11 @@ def rolling_input_torque(
     ----------
     Balance of powers; the losses are those of equations (B3) and (B9) of :doc:`/equations`.
     """
-    speed = jnp.abs(jnp.asarray(input_speed))
+    xp = namespace(power.loss, output_torque, output_speed, input_speed)
+    speed = xp.abs(xp.asarray(input_speed))
     turns = speed > 0.0
-    entering = output_torque * jnp.abs(output_speed) + power.loss
-    return jnp.where(turns, entering / jnp.where(turns, speed, 1.0), jnp.nan)
+    entering = output_torque * xp.abs(output_speed) + power.loss
+    return xp.where(turns, entering / xp.where(turns, speed, 1.0), xp.nan)
 
 
 def _oil(

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from typing import Any
 
-from asperity.drive.geometry import CONTACT_NAMES
 from asperity.joint.description import Joint
 from asperity.joint.planar.description import PlanarJoint
 from asperity.surface.roughness_average import corresponding_average, standard_cut_off
@@ -15,7 +14,7 @@ def surface_averages(joint: Joint | PlanarJoint, stated: dict[str, Any]) -> list
 
     Parameters
     ----------
-    joint : Joint
+    joint : Joint or PlanarJoint
         One joint.
     stated : dict
         Section ``surface`` of its file in SI units; the cut-off of a surface that is stated by its Ra is kept.
@@ -27,7 +26,7 @@ def surface_averages(joint: Joint | PlanarJoint, stated: dict[str, Any]) -> list
         of two like bodies [m] with the range of 95 % of its measurements over five cut-offs; see
         :func:`asperity.surface.roughness_average.corresponding_average`.
     """
-    contacts = joint.contact_names if isinstance(joint, PlanarJoint) else CONTACT_NAMES
+    contacts = joint.contact_names
     shared = [contacts] if len(joint.surfaces) == 1 else [(name,) for name in contacts]
     found: dict[tuple[float, float, float | None], list[str]] = {}
     for names, surface in zip(shared, joint.surfaces, strict=True):

@@ -27,13 +27,13 @@ def test_displaced_centres_return(drives, name):
 
 def test_what_cannot_close_keeps_a_gap(drives):
     drive = drives["planetary"]
-    found = closed(dataclasses.replace(drive, second_radius=drive.second_radius.at[1].add(1e-3)))
+    found = closed(dataclasses.replace(drive, second_radius=jnp.asarray(drive.second_radius).at[1].add(1e-3)))
     assert float(jnp.max(jnp.abs(gaps(found)))) > 1e-4
 
 
 def test_radii_that_cannot_close_leave_no_more_than_what_is_missing(drives):
     """A sun 2 mm too small: planet and rollers reach 1 mm less far than the ring, and no gap is larger."""
     drive = drives["wedge"]
-    small = dataclasses.replace(drive, first_radius=drive.first_radius.at[0].add(-2e-3))
+    small = dataclasses.replace(drive, first_radius=jnp.asarray(drive.first_radius).at[0].add(-2e-3))
     found = closed(small)
     assert 1e-4 < float(jnp.max(jnp.abs(gaps(found)))) < 1e-3

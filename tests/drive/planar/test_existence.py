@@ -21,7 +21,7 @@ from asperity.errors import InputError
 
 def test_bodies_that_do_not_touch_are_named(drives):
     drive = drives["planetary"]
-    larger = dataclasses.replace(drive, second_radius=drive.second_radius.at[1].add(1e-4))
+    larger = dataclasses.replace(drive, second_radius=jnp.asarray(drive.second_radius).at[1].add(1e-4))
     with pytest.raises(InputError, match=r"contact pr: planet and ring do not touch \(gap 0\.1 mm\)"):
         refuse_impossible(larger)
 
@@ -30,7 +30,9 @@ def test_gaps_are_judged_by_the_size_of_the_drive(drives):
     """A nanometre is 2e-8 of the ring's radius: a gap. In a drive a million times smaller all is as before."""
     drive = drives["planetary"]
     with pytest.raises(InputError, match=r"do not touch \(gap 1e-06 mm\)"):
-        refuse_impossible(dataclasses.replace(drive, second_radius=drive.second_radius.at[1].add(1e-9)))
+        refuse_impossible(
+            dataclasses.replace(drive, second_radius=jnp.asarray(drive.second_radius).at[1].add(1e-9))
+        )
     small = {name: getattr(drive, name) * 1e-6 for name in ("centres", "first_radius", "second_radius")}
     refuse_impossible(dataclasses.replace(drive, **small))
 
@@ -77,7 +79,7 @@ def test_contacts_that_block_each_other(drives):
         contacts=(*drive.contacts, Contact("pp", "planet", "planet", sector=1)),
         first_radius=jnp.array([10e-3, radius, radius]),
         second_radius=jnp.array([radius, 10e-3 + 2.0 * radius, radius]),
-        centres=drive.centres.at[1, 1].set(10e-3 + radius),
+        centres=jnp.asarray(drive.centres).at[1, 1].set(10e-3 + radius),
         sectors=4,
     )
     with pytest.raises(

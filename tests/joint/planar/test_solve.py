@@ -92,6 +92,12 @@ def test_a_torque_beyond_the_capacity_is_refused(planar_case):
         solved_planar(slow)
 
 
+def test_an_interference_without_a_balance_is_told(planar_case):
+    thick = planar_case("planetary", replaced={'"30 um"': '"3 mm"'})
+    with pytest.raises(NoSolutionError, match="with an interference of 3000 um no state was found"):
+        solved_planar(thick)
+
+
 def test_bodies_that_do_not_fit_are_refused(planar_case):
     fast = planar_case("planetary", replaced={'"1500 rpm"': '"60000 rpm"'})
     with pytest.raises(

@@ -3,6 +3,7 @@ r"""Friction of the bearings of a planar drive that turns: moments on shafts and
 from __future__ import annotations
 
 import jax.numpy as jnp
+import numpy as np
 from jax import Array
 
 from asperity.drive.mechanism import Bearings, bearing_torque
@@ -43,14 +44,15 @@ def friction_moments(*, drive: PlanarDrive, bearings: Bearings, pin_force: Array
     Zou et al. 2025, equations (1) and (3)–(5): two bearings on each body.
     """
     carrier = drive.members.index(CARRIER)
+    unit = np.eye(len(drive.members))
     moments = jnp.zeros(len(drive.members))
     for member, torque in ((drive.input, bearings.sun_torque), (drive.output, bearings.carrier_torque)):
         number = drive.members.index(member)
-        moments = moments.at[number].add(-2.0 * torque * jnp.sign(ideal[number]))
+        moments = moments - 2.0 * torque * jnp.sign(ideal[number]) * unit[number]
     for pin, body in enumerate(drive.pinned):
         torque = 2.0 * bearing_torque(bearings=bearings, pin_force=pin_force[pin])
         braking = -torque * jnp.sign(ideal[body] - ideal[carrier])
-        moments = moments.at[body].add(braking).at[carrier].add(-drive.sectors * braking)
+        moments = moments + braking * unit[body] - drive.sectors * braking * unit[carrier]
     return moments
 
 

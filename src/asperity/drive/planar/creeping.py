@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import jax.numpy as jnp
+import numpy as np
 from jax import Array
 
 from asperity.drive.planar.layout import CARRIER, PlanarDrive, incidence, speeds
-from asperity.drive.planar.linear import least_squares
+from asperity.drive.planar.linear import least_squares, product
 
 
 def creeping_speeds(*, drive: PlanarDrive, creepage: Array) -> tuple[Array, Array]:
@@ -39,17 +40,17 @@ def creeping_speeds(*, drive: PlanarDrive, creepage: Array) -> tuple[Array, Arra
     """
     turning, members = incidence(drive).turning, drive.members
     ideal, carrier = speeds(drive), members.index(CARRIER)
-    first = jnp.array([members.index(contact.first) for contact in drive.contacts])
-    second = jnp.array([members.index(contact.second) for contact in drive.contacts])
-    contacts = jnp.arange(len(drive.contacts))
+    first = np.array([members.index(contact.first) for contact in drive.contacts])
+    second = np.array([members.index(contact.second) for contact in drive.contacts])
+    unit = np.eye(len(members))
     rolled = jnp.zeros_like(turning)
     for body, radius in ((first, drive.first_radius), (second, drive.second_radius)):
         half = 0.5 * radius * jnp.sign(ideal[body] - ideal[carrier])
-        rolled = rolled.at[contacts, body].add(half).at[:, carrier].add(-half)
+        rolled = rolled + half[:, None] * (unit[body] - unit[carrier])
     known = [members.index(drive.input), members.index(drive.grounded)]
-    free = jnp.array([i for i in range(len(members)) if i not in known])
+    free = np.array([i for i in range(len(members)) if i not in known])
     matrix = turning - creepage[:, None] * rolled
     scale = jnp.max(jnp.abs(turning))
     found = least_squares(matrix[:, free] / scale, -drive.sense * matrix[:, known[0]] / scale)
-    speed = jnp.zeros(len(members)).at[known[0]].set(float(drive.sense)).at[free].set(found)
-    return speed, rolled @ speed
+    speed = drive.sense * unit[known[0]] + product(unit[free].T, found)
+    return speed, product(rolled, speed)

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import math
 
-import jax.numpy as jnp
+import numpy as np
 
+from asperity.arrays import namespace
 from asperity.drive.geometry import DriveGeometry, triangle
 from asperity.drive.planar.layout import CARRIER, Body, Contact, PlanarDrive
 from asperity.types import Real
@@ -30,11 +31,11 @@ def wedge_drive(geometry: DriveGeometry, *, planet_count: Real) -> PlanarDrive:
     ----------
     Equation (A1) of :doc:`/equations`.
     """
-    sides = triangle(geometry)
+    xp, sides = namespace(geometry), triangle(geometry)
     x, y = sides.roller_orbit * sides.sin_polar, sides.roller_orbit * sides.cos_polar
-    zero = jnp.zeros_like(x)
+    zero = xp.zeros_like(x)
     sun, planet, roller, ring = (
-        jnp.asarray(radius)
+        xp.asarray(radius)
         for radius in (
             geometry.sun_radius,
             geometry.planet_radius,
@@ -57,21 +58,19 @@ def wedge_drive(geometry: DriveGeometry, *, planet_count: Real) -> PlanarDrive:
             Contact("wro", "right", "ring", internal=True),
             Contact("wlo", "left", "ring", internal=True),
         ),
-        centres=jnp.stack(
+        centres=xp.stack(
             [
-                jnp.stack([zero, zero]),
-                jnp.stack([zero, zero + sides.planet_orbit]),
-                jnp.stack([x, y]),
-                jnp.stack([-x, y]),
-                jnp.stack([zero, zero]),
+                xp.stack([zero, zero]),
+                xp.stack([zero, zero + sides.planet_orbit]),
+                xp.stack([x, y]),
+                xp.stack([-x, y]),
+                xp.stack([zero, zero]),
             ]
         ),
-        first_radius=jnp.stack([sun, planet, planet, roller, roller]),
-        second_radius=jnp.stack([planet, roller, roller, ring, ring]),
+        first_radius=xp.stack([sun, planet, planet, roller, roller]),
+        second_radius=xp.stack([planet, roller, roller, ring, ring]),
         # the right pin pushes counter-clockwise, so that outward is the other way round from the clockwise tangent
-        push_angles=jnp.stack(
-            [-jnp.asarray(geometry.right_push_angle), jnp.asarray(geometry.left_push_angle)]
-        ),
+        push_angles=xp.stack([-xp.asarray(geometry.right_push_angle), xp.asarray(geometry.left_push_angle)]),
         sectors=planet_count,
         input="sun",
         output=CARRIER,
@@ -99,15 +98,16 @@ def planetary_drive(*, sun_radius: Real, planet_radius: Real, planet_count: Real
     ----------
     Willis' equation with a fixed ring.
     """
-    sun, planet = jnp.asarray(sun_radius, dtype=float), jnp.asarray(planet_radius, dtype=float)
-    origin = jnp.zeros(2)
+    xp = namespace(sun_radius, planet_radius)
+    sun, planet = xp.asarray(sun_radius, dtype=float), xp.asarray(planet_radius, dtype=float)
+    origin = xp.zeros(2)
     return PlanarDrive(
         bodies=(Body("sun", "axis"), Body("planet", "pin"), Body("ring", "axis")),
         contacts=(Contact("sp", "sun", "planet"), Contact("pr", "planet", "ring", internal=True)),
-        centres=jnp.stack([origin, jnp.stack([0.0 * sun, sun + planet]), origin]),
-        first_radius=jnp.stack([sun, planet]),
-        second_radius=jnp.stack([planet, sun + 2.0 * planet]),
-        push_angles=jnp.zeros(1),
+        centres=xp.stack([origin, xp.stack([0.0 * sun, sun + planet]), origin]),
+        first_radius=xp.stack([sun, planet]),
+        second_radius=xp.stack([planet, sun + 2.0 * planet]),
+        push_angles=xp.zeros(1),
         sectors=planet_count,
         input="sun",
         output=CARRIER,
@@ -145,16 +145,18 @@ def two_row_multiroller(
     A. L. Nasvytis's multiroller drive as described in NASA's reports on it; the ratio follows from rolling without
     slip.
     """
-    sun = jnp.asarray(sun_radius, dtype=float)
+    xp = namespace(sun_radius, first_row_radii, second_row_radii, roller_count)
+    sun = xp.asarray(sun_radius, dtype=float)
     (x_1, y_1), (x_2, y_2) = (
-        tuple(jnp.asarray(radius, dtype=float) for radius in row)
+        tuple(xp.asarray(radius, dtype=float) for radius in row)
         for row in (first_row_radii, second_row_radii)
     )
     orbit = sun + x_1
-    half = jnp.asarray(math.pi / roller_count)
-    far = orbit * jnp.cos(half) + jnp.sqrt((y_1 + x_2) ** 2 - (orbit * jnp.sin(half)) ** 2)
-    origin = jnp.zeros(2)
-    second_centre = far * jnp.stack([-jnp.sin(half), jnp.cos(half)])
+    half = xp.asarray(math.pi / roller_count)
+    with np.errstate(invalid="ignore"):  # nan where the second row finds no place
+        far = orbit * xp.cos(half) + xp.sqrt((y_1 + x_2) ** 2 - (orbit * xp.sin(half)) ** 2)
+    origin = xp.zeros(2)
+    second_centre = far * xp.stack([-xp.sin(half), xp.cos(half)])
     return PlanarDrive(
         bodies=(
             Body("sun", "axis"),
@@ -168,10 +170,10 @@ def two_row_multiroller(
             Contact("fsr", "first_row", "second_row", sector=-1, tracks=("small", "large")),
             Contact("sr", "second_row", "ring", internal=True, tracks=("small", "")),
         ),
-        centres=jnp.stack([origin, jnp.stack([0.0 * orbit, orbit]), second_centre, origin]),
-        first_radius=jnp.stack([sun, y_1, y_1, y_2]),
-        second_radius=jnp.stack([x_1, x_2, x_2, far + y_2]),
-        push_angles=jnp.zeros(1),
+        centres=xp.stack([origin, xp.stack([0.0 * orbit, orbit]), second_centre, origin]),
+        first_radius=xp.stack([sun, y_1, y_1, y_2]),
+        second_radius=xp.stack([x_1, x_2, x_2, far + y_2]),
+        push_angles=xp.zeros(1),
         sectors=roller_count,
         input="sun",
         output="ring",
@@ -203,9 +205,10 @@ def stepped_planet_drive(
     ----------
     Willis' equation applied to both rings.
     """
-    sun = jnp.asarray(sun_radius, dtype=float)
-    one, two = (jnp.asarray(radius, dtype=float) for radius in planet_radii)
-    origin = jnp.zeros(2)
+    xp = namespace(sun_radius, planet_radii)
+    sun = xp.asarray(sun_radius, dtype=float)
+    one, two = (xp.asarray(radius, dtype=float) for radius in planet_radii)
+    origin = xp.zeros(2)
     return PlanarDrive(
         bodies=(
             Body("sun", "axis"),
@@ -218,10 +221,10 @@ def stepped_planet_drive(
             Contact("pr1", "planet", "held_ring", internal=True, tracks=("first", "")),
             Contact("pr2", "planet", "driven_ring", internal=True, tracks=("second", "")),
         ),
-        centres=jnp.stack([origin, jnp.stack([0.0 * sun, sun + one]), origin, origin]),
-        first_radius=jnp.stack([sun, one, two]),
-        second_radius=jnp.stack([one, sun + 2.0 * one, sun + one + two]),
-        push_angles=jnp.zeros(1),
+        centres=xp.stack([origin, xp.stack([0.0 * sun, sun + one]), origin, origin]),
+        first_radius=xp.stack([sun, one, two]),
+        second_radius=xp.stack([one, sun + 2.0 * one, sun + one + two]),
+        push_angles=xp.zeros(1),
         sectors=planet_count,
         input="sun",
         output="driven_ring",

@@ -41,4 +41,4 @@ def rest_forces(*, drive: PlanarDrive, pattern: Array) -> Array:
             [jnp.eye(1, contacts), none((1, pins)), none((1, moves)), none((1, 1))],
         ]
     )
-    return solve(system, jnp.zeros(system.shape[0]).at[-1].set(1.0))[:contacts]
+    return solve(system, jnp.eye(system.shape[0])[-1])[:contacts]

@@ -10,14 +10,17 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import Literal
+from typing import Literal, NamedTuple
 
 import equinox as eqx
+import jax
 import jax.numpy as jnp
+import numpy as np
 from jax import Array
+from jax.typing import ArrayLike
 
 from asperity.compilation import call_compiled
-from asperity.drive.planar.linear import least_squares
+from asperity.drive.planar.linear import least_squares, product
 from asperity.types import Real
 
 #: The member that carries the pins; it has no contacts of its own.
@@ -166,42 +169,61 @@ def sectors_of_members(drive: PlanarDrive) -> Array:
     return jnp.where(on_axis, jnp.asarray(drive.sectors, dtype=float), 1.0)
 
 
-def sector_rotation(drive: PlanarDrive, sector: int) -> Array:
+def sector_rotation(drive: PlanarDrive, sector: ArrayLike) -> Array:
     r"""Rotation from the first sector of a drive to another.
 
     Parameters
     ----------
     drive : PlanarDrive
         The drive.
-    sector : int
-        Number of the other sector, counter-clockwise.
+    sector : array_like of int
+        Number of the other sector, counter-clockwise, any shape.
 
     Returns
     -------
     Array
-        Matrix of :math:`2\pi k/n`, shape (2, 2) [-].
+        Matrix of :math:`2\pi k/n`, shape (..., 2, 2) [-].
 
     References
     ----------
     Elementary.
     """
-    angle = 2.0 * math.pi * sector / jnp.asarray(drive.sectors, dtype=float)
+    angle = 2.0 * math.pi * jnp.asarray(sector, dtype=float) / jnp.asarray(drive.sectors, dtype=float)
     cosine, sine = jnp.cos(angle), jnp.sin(angle)
-    return jnp.stack([jnp.stack([cosine, -sine]), jnp.stack([sine, cosine])])
+    return jnp.stack([jnp.stack([cosine, -sine], axis=-1), jnp.stack([sine, cosine], axis=-1)], axis=-2)
 
 
-def _normals(drive: PlanarDrive) -> list[tuple[Array, Array]]:
+class _Sides(NamedTuple):
+    """The bodies of each contact, constant for a layout."""
+
+    first: np.ndarray  # number of the first body, shape (contacts,)
+    second: np.ndarray
+    outward: Array  # -1 where the first body lies inside the second, else 1
+    sector: np.ndarray
+
+
+def _sides(drive: PlanarDrive) -> _Sides:
+    number = {name: i for i, name in enumerate(drive.members)}
+    return _Sides(
+        first=np.array([number[contact.first] for contact in drive.contacts]),
+        second=np.array([number[contact.second] for contact in drive.contacts]),
+        outward=jnp.array([-1.0 if contact.internal else 1.0 for contact in drive.contacts]),
+        sector=np.array([contact.sector for contact in drive.contacts]),
+    )
+
+
+def _between(drive: PlanarDrive) -> tuple[Array, Array]:
+    """Vector from the first to the second centre of each contact, and the rotation of the second one's sector."""
+    sides = _sides(drive)
+    copies = sector_rotation(drive, sides.sector)
+    return product(copies, drive.centres[sides.second]) - drive.centres[sides.first], copies
+
+
+def _normals(drive: PlanarDrive) -> tuple[Array, Array]:
     """Direction from the first body to each contact, and the rotation of its second body's sector."""
-    index = {name: i for i, name in enumerate(drive.members)}
-    found = []
-    for contact in drive.contacts:
-        copy = sector_rotation(drive, contact.sector)
-        outward = -1.0 if contact.internal else 1.0
-        between = outward * (
-            copy @ drive.centres[index[contact.second]] - drive.centres[index[contact.first]]
-        )
-        found.append((between / jnp.sqrt(jnp.sum(between**2)), copy))
-    return found
+    between, copies = _between(drive)
+    distance = jnp.sqrt(jnp.sum(between**2, axis=1))
+    return (_sides(drive).outward / distance)[:, None] * between, copies
 
 
 def contact_angles(drive: PlanarDrive) -> tuple[Array, Array]:
@@ -217,14 +239,12 @@ def contact_angles(drive: PlanarDrive) -> tuple[Array, Array]:
     tuple of Array
         About the first and about the second body, counter-clockwise from the x axis, shape (contacts,) [rad].
     """
-    first, second = [], []
-    for contact, (normal, copy) in zip(drive.contacts, _normals(drive), strict=True):
-        towards = copy.T @ (normal if contact.internal else -normal)
-        first.append(jnp.arctan2(normal[1], normal[0]))
-        second.append(jnp.arctan2(towards[1], towards[0]))
-    return jnp.stack(first), jnp.stack(second)
+    normals, copies = _normals(drive)
+    towards = -_sides(drive).outward[:, None] * product(jnp.swapaxes(copies, 1, 2), normals)
+    return jnp.arctan2(normals[:, 1], normals[:, 0]), jnp.arctan2(towards[:, 1], towards[:, 0])
 
 
+@jax.jit  # traced once for each layout
 def incidence(drive: PlanarDrive) -> Incidence:
     """Directions, levers and surface speeds of a drive.
 
@@ -242,43 +262,34 @@ def incidence(drive: PlanarDrive) -> Incidence:
     ----------
     Plane kinematics of rigid bodies; equation (M1) of :doc:`/equations`.
     """
-    index = {name: i for i, name in enumerate(drive.members)}
-    column = {i: 2 * k for k, i in enumerate(drive.floating)}
-    width, carrier = 2 * len(drive.floating), index[CARRIER]
-    approach, sliding, turning = [], [], []
-    for k, (contact, (normal, copy)) in enumerate(zip(drive.contacts, _normals(drive), strict=True)):
-        one, two = index[contact.first], index[contact.second]
-        outward = -1.0 if contact.internal else 1.0
-        tangent = jnp.stack([-normal[1], normal[0]])
-        rows = [jnp.zeros(width), jnp.zeros(width)]
-        for body, share in ((one, jnp.eye(2)), (two, -copy)):
-            if body in column:
-                at = slice(column[body], column[body] + 2)
-                rows = [
-                    row.at[at].add(direction @ share)
-                    for row, direction in zip(rows, (normal, tangent), strict=True)
-                ]
-        approach.append(rows[0])
-        sliding.append(rows[1])
-        first, second = drive.first_radius[k], outward * drive.second_radius[k]
-        turning.append(
-            jnp.zeros(len(index)).at[one].add(first).at[two].add(second).at[carrier].add(-first - second)
-        )
-    pins, levers = [], []
-    for angle, body in zip(drive.push_angles, drive.pinned, strict=True):
-        centre = drive.centres[body]
-        radial = centre / jnp.sqrt(jnp.sum(centre**2))
-        clockwise = jnp.stack([radial[1], -radial[0]])
-        push = jnp.cos(angle) * clockwise + jnp.sin(angle) * radial
-        pins.append(jnp.zeros(width).at[column[body] : column[body] + 2].set(push))
-        levers.append(centre[0] * push[1] - centre[1] * push[0])
-    return Incidence(
-        approach=jnp.stack(approach),
-        sliding=jnp.stack(sliding),
-        turning=jnp.stack(turning),
-        pins=jnp.stack(pins) if pins else jnp.zeros((0, width)),
-        levers=jnp.stack(levers) if levers else jnp.zeros(0),
+    sides, (normals, copies) = _sides(drive), _normals(drive)
+    tangents = jnp.stack([-normals[:, 1], normals[:, 0]], axis=1)
+    moves = _movable(drive)
+    between = moves[sides.first] - jnp.sum(copies[..., None] * moves[sides.second][:, None], axis=2)
+    # speed of a member relative to the carrier
+    relative = np.eye(len(drive.members)) - np.eye(len(drive.members))[drive.members.index(CARRIER)]
+    turning = drive.first_radius[:, None] * relative[sides.first] + (
+        (sides.outward * drive.second_radius)[:, None] * relative[sides.second]
     )
+    pinned = np.array(drive.pinned, dtype=int)
+    centres = drive.centres[pinned]
+    radial = centres / jnp.sqrt(jnp.sum(centres**2, axis=1, keepdims=True))
+    clockwise = jnp.stack([radial[:, 1], -radial[:, 0]], axis=1)
+    angles = jnp.reshape(jnp.asarray(drive.push_angles), (-1, 1))
+    push = jnp.cos(angles) * clockwise + jnp.sin(angles) * radial
+    return Incidence(
+        approach=jnp.sum(normals[:, :, None] * between, axis=1),
+        sliding=jnp.sum(tangents[:, :, None] * between, axis=1),
+        turning=turning,
+        pins=jnp.sum(push[:, :, None] * moves[pinned], axis=1),
+        levers=centres[:, 0] * push[:, 1] - centres[:, 1] * push[:, 0],
+    )
+
+
+def _movable(drive: PlanarDrive) -> np.ndarray:
+    """Where the displacements of each body stand among those of the floating ones, shape (bodies, 2, 2 floating)."""
+    floats = np.eye(len(drive.bodies))[:, list(drive.floating)]
+    return np.einsum("bf,ij->bifj", floats, np.eye(2)).reshape(len(drive.bodies), 2, -1)
 
 
 def gaps(drive: PlanarDrive) -> Array:
@@ -294,15 +305,9 @@ def gaps(drive: PlanarDrive) -> Array:
     Array
         Distances, shape (contacts,) [m].
     """
-    index = {body.name: i for i, body in enumerate(drive.bodies)}
-    found = []
-    for k, contact in enumerate(drive.contacts):
-        copy = sector_rotation(drive, contact.sector)
-        between = copy @ drive.centres[index[contact.second]] - drive.centres[index[contact.first]]
-        distance = jnp.sqrt(jnp.sum(between**2))
-        one, two = drive.first_radius[k], drive.second_radius[k]
-        found.append(two - one - distance if contact.internal else distance - one - two)
-    return jnp.stack(found)
+    between, _ = _between(drive)
+    distance = jnp.sqrt(jnp.sum(between**2, axis=1))
+    return _sides(drive).outward * (distance - drive.second_radius) - drive.first_radius
 
 
 def speeds(drive: PlanarDrive) -> Array:
@@ -332,10 +337,11 @@ def _speeds(drive: PlanarDrive) -> Array:
     members = drive.members
     known = [members.index(drive.input), members.index(drive.grounded)]
     free = [i for i in range(len(members)) if i not in known]
-    matrix, right = turning[:, jnp.array(free)], -drive.sense * turning[:, known[0]]
+    matrix, right = turning[:, np.array(free)], -drive.sense * turning[:, known[0]]
     scale = jnp.max(jnp.abs(turning))
     found = least_squares(matrix / scale, right / scale)
-    return jnp.zeros(len(members)).at[known[0]].set(float(drive.sense)).at[jnp.array(free)].set(found)
+    unit = np.eye(len(members))
+    return drive.sense * unit[known[0]] + product(unit[free].T, found)
 
 
 def speed_ratio(drive: PlanarDrive) -> Real:

@@ -11,6 +11,25 @@ from __future__ import annotations
 import jax
 import jax.numpy as jnp
 from jax import Array
+from jax.typing import ArrayLike
+
+
+def product(matrix: ArrayLike, vector: ArrayLike) -> Array:
+    """Product of a small matrix and a vector, as a part of the program around it instead of a call of its own.
+
+    Parameters
+    ----------
+    matrix : array_like
+        Shape (..., m, n).
+    vector : array_like
+        Shape (..., n).
+
+    Returns
+    -------
+    Array
+        Shape (..., m).
+    """
+    return jnp.sum(jnp.asarray(matrix) * jnp.asarray(vector)[..., None, :], axis=-1)
 
 
 @jax.jit  # traced once for each size
@@ -35,7 +54,7 @@ def solve(matrix: Array, right_side: Array) -> Array:
     """
     fixed = jax.lax.stop_gradient(matrix)
     return jax.lax.custom_linear_solve(
-        lambda x: matrix @ x,
+        lambda x: product(matrix, x),
         right_side,
         solve=lambda _, vector: _eliminated(fixed, vector),
         transpose_solve=lambda _, vector: _eliminated(fixed.T, vector),
@@ -58,22 +77,24 @@ def least_squares(matrix: Array, right_side: Array) -> Array:
     Array
         x, shape (n,); not finite where A has a smaller rank.
     """
-    square = matrix.T @ matrix
-    found = solve(square, matrix.T @ right_side)
-    return found + solve(square, matrix.T @ (right_side - matrix @ found))
+    square = jnp.sum(matrix[:, :, None] * matrix[:, None, :], axis=0)
+    found = solve(square, product(matrix.T, right_side))
+    return found + solve(square, product(matrix.T, right_side - product(matrix, found)))
 
 
 def _eliminated(matrix: Array, vector: Array) -> Array:
-    count = matrix.shape[0]
-    rows = jnp.arange(count)
+    rows = jnp.arange(matrix.shape[0])
 
-    def without_column(k: int, table: Array) -> Array:
-        column = table[:, k]
-        pivot = jnp.argmax(jnp.where(rows >= k, jnp.abs(column), -1.0))
-        first, second = table[k], table[pivot]
-        table = table.at[pivot].set(first).at[k].set(second)
-        factor = jnp.where(rows == k, 0.0, table[:, k] / second[k])
-        return table - factor[:, None] * second
+    def without_column(k: Array, state: tuple[Array, Array]) -> tuple[Array, Array]:
+        table, place = state
+        pivot = jnp.argmax(
+            jnp.where(place < 0, jnp.abs(table[:, k]), -1.0)
+        )  # among the rows without an unknown
+        row = table[pivot] / table[pivot, k]
+        here = rows == pivot
+        table = jnp.where(here[:, None], row, table - table[:, k, None] * row)
+        return table, jnp.where(here, k, place)
 
-    table = jax.lax.fori_loop(0, count, without_column, jnp.column_stack([matrix, vector]))
-    return table[:, -1] / jnp.diagonal(table)
+    start = jnp.column_stack([matrix, vector]), jnp.full_like(rows, -1)
+    table, place = jax.lax.fori_loop(0, rows.size, without_column, start)
+    return jnp.where(place == rows[:, None], table[:, -1], 0.0).sum(axis=1)

@@ -8,9 +8,12 @@ from __future__ import annotations
 from typing import NamedTuple
 
 import jax.numpy as jnp
+import numpy as np
 from jax import Array
 
+from asperity.arrays import namespace
 from asperity.drive.planar.layout import CARRIER, Incidence, PlanarDrive, incidence, sectors_of_members
+from asperity.drive.planar.linear import product
 
 
 class PlanarLoads(NamedTuple):
@@ -56,11 +59,11 @@ def planar_loads(*, drive: PlanarDrive, normal: Array, tangential: Array, body_f
     Balance of each body; equation (M1) of :doc:`/equations`.
     """
     matrices = incidence(drive)
-    left = body_force.ravel() - matrices.approach.T @ normal - matrices.sliding.T @ tangential
-    pin = matrices.pins @ left
+    left = body_force.ravel() - product(matrices.approach.T, normal) - product(matrices.sliding.T, tangential)
+    pin = product(matrices.pins, left)
     return PlanarLoads(
         pin=pin,
-        unbalanced=(left - matrices.pins.T @ pin).reshape(-1, 2),
+        unbalanced=(left - product(matrices.pins.T, pin)).reshape(-1, 2),
         moments=member_moments(drive, matrices, tangential, pin),
     )
 
@@ -85,8 +88,8 @@ def pin_components(*, drive: PlanarDrive, force: Array) -> tuple[Array, Array]:
     ----------
     The push angle is counted from the clockwise tangent, outward.
     """
-    push = jnp.asarray(drive.push_angles)
-    return force * jnp.sin(push), -drive.sense * force * jnp.cos(push)
+    xp, push = namespace(drive.push_angles, force), drive.push_angles
+    return force * xp.sin(push), -drive.sense * force * xp.cos(push)
 
 
 def member_moments(drive: PlanarDrive, matrices: Incidence, tangential: Array, pin: Array) -> Array:
@@ -112,6 +115,9 @@ def member_moments(drive: PlanarDrive, matrices: Incidence, tangential: Array, p
     """
     members = drive.members
     carrier = members.index(CARRIER)
-    moments = -(matrices.turning.at[:, carrier].set(0.0).T @ tangential)
-    moments = moments.at[carrier].set(jnp.sum(matrices.levers * pin))
+    moments = jnp.where(
+        np.arange(len(members)) == carrier,
+        jnp.sum(matrices.levers * pin),
+        -product(matrices.turning.T, tangential),
+    )
     return moments * sectors_of_members(drive)

@@ -12,6 +12,7 @@ import jax.numpy as jnp
 from jax import Array
 
 from asperity.drive.planar.linear import solve as linear_solve
+from asperity.implicit import implicit_root
 from asperity.types import Real
 
 _NEWTON_BUDGET = 60
@@ -85,14 +86,14 @@ def known_root(equations: Callable[[Any], Any], found: Any) -> Any:
 
     References
     ----------
-    The implicit function theorem, :func:`jax.lax.custom_root`.
+    The implicit function theorem, :func:`asperity.implicit.implicit_root`.
     """
     flat, shape = jax.flatten_util.ravel_pytree(found)
 
     def tangent_solve(linear, right_side: Array) -> Array:  # type: ignore[no-untyped-def]
         return linear_solve(jax.jacfwd(linear)(right_side), right_side)
 
-    return shape(jax.lax.custom_root(_flat(equations, shape), flat, lambda _, x: x, tangent_solve))
+    return shape(implicit_root(_flat(equations, shape), flat, lambda _, x: x, tangent_solve))
 
 
 def _flat(equations: Callable[[Any], Any], shape: Callable[[Array], Any]) -> Callable[[Array], Array]:

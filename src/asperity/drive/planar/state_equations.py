@@ -5,11 +5,13 @@ from __future__ import annotations
 from typing import Any, NamedTuple
 
 import jax.numpy as jnp
+import numpy as np
 from jax import Array
 
 from asperity.drive.mechanism import compression
 from asperity.drive.planar.bearings import friction_moments
 from asperity.drive.planar.layout import Incidence, PlanarDrive, incidence, speeds
+from asperity.drive.planar.linear import product
 from asperity.drive.planar.loads import member_moments
 from asperity.drive.planar.state import ContactLaws, DriveLoad, slip_at_rest, surface_speeds
 from asperity.drive.rolling_state import creepages
@@ -122,7 +124,7 @@ def machine_of(drive: PlanarDrive, laws: ContactLaws, pattern: Array) -> Machine
         drive=drive,
         laws=laws,
         matrices=incidence(drive),
-        ideal=jnp.asarray(speeds(drive)),
+        ideal=speeds(drive),
         pattern=pattern,
         friction=jnp.broadcast_to(laws.creep.friction_coefficient, reference.shape),
         length=jnp.max(laws.springs.secant_compliance * reference),
@@ -168,11 +170,10 @@ def speeds_and_turns(machine: Machine, x: Unknowns, kind: Any) -> tuple[Array, A
     ----------
     Equation (M3) of :doc:`/equations`.
     """
-    turning = jnp.array(turning_members(machine.drive))
+    turning = np.eye(len(machine.drive.members))[turning_members(machine.drive)]
     rolls = jnp.where(jnp.asarray(kind) == ROLLING, 1.0, 0.0)
-    nothing = jnp.zeros_like(machine.ideal)
-    turned = nothing.at[turning].set((1.0 - rolls) * x.turn * machine.length / machine.lever)
-    return machine.ideal.at[turning].add(rolls * x.turn), turned
+    turn = product(turning.T, x.turn)
+    return machine.ideal + rolls * turn, (1.0 - rolls) * turn * machine.length / machine.lever
 
 
 def contact_forces(machine: Machine, x: Unknowns) -> tuple[Array, Array]:
@@ -293,17 +294,22 @@ def state_misfits(machine: Machine, task: Task, by_force: bool, slides: Array, x
         laws.springs.secant_compliance * reference
     )
     if laws.coupling is not None:
-        approach = approach + laws.coupling @ normal
-    misfit = approach - matrices.approach @ moved - machine.pattern * x.interference * length
+        approach = approach + product(laws.coupling, normal)
+    misfit = approach - product(matrices.approach, moved) - machine.pattern * x.interference * length
     creep = creepages(law=laws.creep, normal=normal, tangential=tangential)
-    rolling = creep * _rolled(drive, speed) - matrices.turning @ speed
+    rolling = creep * _rolled(drive, speed) - product(matrices.turning, speed)
     slip = slip_at_rest(laws=laws, normal=normal, tangential=tangential)
-    standing = slip - matrices.sliding @ (moved - task.origin) - matrices.turning @ turned
-    force = matrices.approach.T @ normal + matrices.sliding.T @ tangential + matrices.pins.T @ pin
+    standing = slip - product(matrices.sliding, moved - task.origin) - product(matrices.turning, turned)
+    force = (
+        product(matrices.approach.T, normal)
+        + product(matrices.sliding.T, tangential)
+        + product(matrices.pins.T, pin)
+    )
     moments = moments_of(machine, task, tangential, pin)
     out = drive.members.index(drive.output)
-    moments = moments.at[out].add(-jnp.sign(machine.ideal[out]) * task.load.output_torque)
-    moments = moments[jnp.array(turning_members(drive))] / (lever * largest)
+    resists = np.eye(len(drive.members))[out]
+    moments = moments - resists * jnp.sign(machine.ideal[out]) * task.load.output_torque
+    moments = moments[np.array(turning_members(drive), dtype=int)] / (lever * largest)
     size = (x.interference * length - task.size) / length
     if by_force:
         size = jnp.where(kind == ASSEMBLED, (normal[:1] - task.size) / largest, size)
@@ -313,7 +319,7 @@ def state_misfits(machine: Machine, task: Task, by_force: bool, slides: Array, x
     equations = Unknowns(
         misfit / length,
         jnp.where(slides == 0.0, held, x.tangential - slides * x.normal),
-        (matrices.pins @ moved - task.load.pin_compliance * pin) / length,
+        (product(matrices.pins, moved) - task.load.pin_compliance * pin) / length,
         (force - forces_on(drive, task.load).ravel()) / largest,
         jnp.where(kind == ASSEMBLED, x.turn, moments),
         size,

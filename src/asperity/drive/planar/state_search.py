@@ -174,7 +174,8 @@ def _next_slides(x: Unknowns, slides: Array, held: Array) -> Array:
     returns = jnp.max(back) > STATE_TOLERANCE
     place = jnp.where(returns, jnp.argmax(back), jnp.argmax(over))
     sign = jnp.where(returns, 0.0, jnp.sign(x.tangential[place]))
-    return jnp.where(returns | (jnp.max(over) > SLIP_TOLERANCE), slides.at[place].set(sign), slides)
+    changes = (returns | (jnp.max(over) > SLIP_TOLERANCE)) & (jnp.arange(slides.size) == place)
+    return jnp.where(changes, sign, slides)
 
 
 def _worst(residuals: Unknowns) -> Array:

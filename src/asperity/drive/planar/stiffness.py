@@ -11,10 +11,11 @@ from __future__ import annotations
 from typing import NamedTuple
 
 import jax.numpy as jnp
+import numpy as np
 from jax import Array
 
 from asperity.drive.planar.layout import CARRIER, PlanarDrive, incidence, sectors_of_members
-from asperity.drive.planar.linear import solve
+from asperity.drive.planar.linear import product, solve
 from asperity.types import Real
 
 
@@ -85,17 +86,18 @@ def planar_stiffness(
     matrices, members = incidence(drive), drive.members
     count, carrier = len(drive.contacts), members.index(CARRIER)
     turning = [i for i, name in enumerate(members) if name not in (drive.input, drive.grounded)]
-    turns_at = jnp.array(turning)
+    turns_at = np.array(turning)
     out = members.index(drive.output)
     copies = sectors_of_members(drive)
     floats = normal_compliance is not None
     compliance = [tangential_compliance]
-    rotating = matrices.turning.at[:, carrier].set(0.0)
+    at_carrier = np.eye(len(members))[carrier]
+    rotating = matrices.turning * (1.0 - at_carrier)
     # rows: springs; columns: displacements of the centres, then rotations
     moves, balances = [matrices.sliding], [rotating]
     turns = [matrices.turning]
     pins = jnp.broadcast_to(jnp.asarray(pin_compliance, dtype=float), (len(drive.pinned),))
-    lever = jnp.zeros((pins.size, len(members))).at[:, carrier].set(-matrices.levers)
+    lever = -matrices.levers[:, None] * at_carrier
     if normal_compliance is not None:
         nothing = jnp.zeros_like(rotating)
         compliance = [normal_compliance, *compliance, pins]
@@ -105,7 +107,7 @@ def planar_stiffness(
         balances = [matrices.turning]
     stiff = jnp.diag(jnp.concatenate(compliance))
     if floats and coupling is not None:
-        stiff = stiff.at[: 2 * count, : 2 * count].add(coupling)
+        stiff = stiff + jnp.pad(coupling, (0, pins.size))
     scale = jnp.mean(tangential_compliance)
     length = jnp.max(drive.second_radius)
     kinematic = jnp.concatenate(turns)[:, turns_at] / length
@@ -118,19 +120,21 @@ def planar_stiffness(
     slides = jnp.zeros(stiff.shape[0], dtype=bool)
     if sliding_friction is not None:
         first = count if floats else 0
-        slides = slides.at[first : first + count].set(sliding_friction != 0.0)
+        slides = jnp.pad(sliding_friction != 0.0, (first, slides.size - first - count))
         friction = jnp.eye(stiff.shape[0])
         if floats:
-            friction = friction.at[count : 2 * count, :count].add(-jnp.diag(sliding_friction))
+            friction = friction - jnp.pad(
+                jnp.diag(sliding_friction), ((count, pins.size), (0, count + pins.size))
+            )
         laws = jnp.where(slides[:, None], friction, laws)
         moved_by = jnp.where(slides[:, None], 0.0, kinematic)
     system = jnp.block([[laws, -moved_by], [static.T, jnp.zeros((unknown, unknown))]])
     place = unknown - len(turning) + turning.index(out)
-    load = jnp.zeros(system.shape[0]).at[stiff.shape[0] + place].set(-1.0 / length)
+    load = -jnp.eye(system.shape[0])[stiff.shape[0] + place] / length
     found = solve(system, load)
     force = found[: stiff.shape[0]]
     turned = jnp.abs(found[stiff.shape[0] + place]) * scale / length
-    longer = jnp.where(slides, kinematic @ found[stiff.shape[0] :] * scale, stiff @ force)
+    longer = jnp.where(slides, product(kinematic, found[stiff.shape[0] :]) * scale, product(stiff, force))
     shares = drive.sectors * force * longer / turned
     return PlanarStiffness(
         output=1.0 / turned,

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from asperity.compilation import call_compiled
 from asperity.joint.planar.description import PlanarJoint, planar_contacts
 from asperity.joint.planar.evaluation import PlanarResult
 from asperity.joint.plausibility import Note, contact_notes
@@ -24,7 +25,7 @@ def planar_plausibility(joint: PlanarJoint, result: PlanarResult) -> tuple[Note,
     tuple of Note
         One or more for each contact; those that are not ok are warnings.
     """
-    pairs = planar_contacts(joint).pairs
+    pairs = call_compiled(planar_contacts, joint).pairs
     smaller = np.minimum(np.asarray(joint.drive.first_radius), np.asarray(joint.drive.second_radius))
     films = np.asarray(result.rolling.film_ratio)
     notes: list[Note] = []

@@ -118,16 +118,23 @@ def refuse_bores(joint: PlanarJoint) -> None:
             )
 
 
+def _given(joint: PlanarJoint) -> str:
+    """What presses the contacts of a joint, as its file states it."""
+    if joint.interference is None:
+        return f"a preload of {format_quantity(float(np.asarray(joint.preload)), 'N')}"
+    given = f"an interference of {format_quantity(float(joint.interference), 'um')}"
+    if joint.fit is None:
+        return given
+    warm = format_quantity(float(joint.fit.working_temperature), "degC")
+    return f"{given} at the assembly and a working temperature of {warm}"
+
+
 def _refuse_unsolved(joint: PlanarJoint, solution: PlanarSolution) -> None:
     result, torque = solution.result, float(joint.output_torque)
     if not float(result.rest.worst) < np.inf or not np.all(np.asarray(result.rest.normal) > 0.0):
-        warm = (
-            f", and what {format_quantity(float(joint.fit.working_temperature), 'degC')} leave of it at every ring"
-            if joint.fit is not None
-            else ""
-        )
         raise NoSolutionError(
-            f"no balance of the assembled drive was found; check radii, walls and preload{warm}"
+            f"with {_given(joint)} no state was found in which every contact of the assembled drive is pressed; "
+            "check this value, the radii and the walls"
         )
     if not bool(result.walls_hold):
         raise InputError(

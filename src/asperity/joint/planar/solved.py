@@ -8,6 +8,7 @@ from typing import Any
 import equinox as eqx
 import jax
 import jax.numpy as jnp
+import numpy as np
 from jax import Array
 
 from asperity.compilation import call_compiled
@@ -167,12 +168,12 @@ def solved_planar_joint(joint: PlanarJoint, solution: PlanarSolution) -> SolvedP
     SolvedPlanarJoint
         For margins and figures.
     """
-    result = solution.result
+    joint, result = jax.tree.map(np.asarray, joint), solution.result
     notes = (*planar_plausibility(joint, result), *loss_notes(result.rolling, result.contact_names))
     solved = SolvedPlanarJoint(joint, result, None, notes)
     solved._capacities = PlanarCapacity(
         *(
-            jax.tree.map(lambda *leaves: jnp.stack(leaves), *both)
+            jax.tree.map(lambda *leaves: np.stack(leaves), *both)
             for both in (
                 (solution.capacity, solution.reverse_capacity),
                 (solution.rolling_capacity, solution.reverse_rolling_capacity),

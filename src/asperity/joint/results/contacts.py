@@ -6,8 +6,9 @@ import functools
 import operator
 from typing import Any
 
-import jax.numpy as jnp
+import numpy as np
 
+from asperity.arrays import namespace
 from asperity.joint.results.result import Result, SolvedJoint
 from asperity.unit_table import Dimension
 
@@ -25,7 +26,7 @@ def _elastic(name: str, label: str, path: str, dimension: Dimension, unit: str, 
     def value(solved: SolvedJoint) -> Any:
         result = solved.result
         plastic = (result.forces.normal > 0.0) & (result.contacts.normal_stiffness <= 0.0)
-        return jnp.where(plastic, jnp.nan, operator.attrgetter(path)(result))
+        return namespace(plastic).where(plastic, np.nan, operator.attrgetter(path)(result))
 
     note = f"{note}; {_PLASTIC}" if note else _PLASTIC
     return _contact(name, label, dimension, unit, value, note=note)
@@ -36,7 +37,8 @@ def _crowned(name: str, label: str, path: str, note: str) -> Result:
 
     def value(solved: SolvedJoint) -> Any:
         found = operator.attrgetter(path)(solved.result)
-        return jnp.full_like(solved.result.forces.normal, jnp.nan) if found is None else found
+        normal = solved.result.forces.normal
+        return namespace(normal).full_like(normal, np.nan) if found is None else found
 
     return _contact(
         name,

@@ -1,0 +1,69 @@
+"""Roots with implicit derivatives."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+import jax
+
+
+def implicit_root(
+    equations: Callable[[Any], Any],
+    start: Any,
+    search: Callable[[Callable[[Any], Any], Any], Any],
+    solve: Callable[[Callable[[Any], Any], Any], Any],
+) -> Any:
+    r"""Root of equations, with their derivatives at it.
+
+    .. math:: f(x; p) = 0 \quad\Rightarrow\quad \frac{\partial f}{\partial x}\,\dot x = -\frac{\partial f}{\partial p}\,
+        \dot p
+
+    Parameters
+    ----------
+    equations : callable
+        f, from the unknowns to as many residuals of the same structure. The numbers p that it closes over may be
+        differentiated.
+    start : Array or module of Array
+        Where the search begins.
+    search : callable
+        Finds x from f and the start; it is not differentiated.
+    solve : callable
+        Finds x' from the linear function L and y, so that L(x') = y.
+
+    Returns
+    -------
+    Array or module of Array
+        x, with derivatives of first order in both modes. Whether it is a root is for the caller to check.
+
+    Notes
+    -----
+    As :func:`jax.lax.custom_root`, but nothing is traced for the derivatives until they are wanted.
+
+    References
+    ----------
+    The implicit function theorem.
+    """
+    start = jax.lax.stop_gradient(start)
+    program, shape = jax.make_jaxpr(equations, return_shape=True)(start)
+    structure = jax.tree.structure(shape)
+
+    def equations_of(x: Any, numbers: list[Any]) -> Any:
+        values = jax.core.eval_jaxpr(program.jaxpr, numbers, *jax.tree.leaves(x))
+        return jax.tree.unflatten(structure, values)
+
+    fixed = jax.lax.stop_gradient(program.consts)
+    found = jax.lax.stop_gradient(search(lambda x: equations_of(x, fixed), start))
+
+    @jax.custom_jvp
+    def root(found: Any, numbers: Any) -> Any:
+        return found
+
+    @root.defjvp
+    def derivative(primals: Any, tangents: Any) -> Any:
+        (at, given), (_, moved) = primals, tangents
+        _, change = jax.jvp(lambda numbers: equations_of(at, numbers), (given,), (moved,))
+        _, linear = jax.linearize(lambda x: equations_of(x, given), at)
+        return at, jax.tree.map(lambda leaf: -leaf, solve(linear, change))
+
+    return root(found, program.consts)
