@@ -31,6 +31,19 @@ slip_ratio = { at_most = 0.85 }
 [search]
 starts = 1
 """
+#: Height of the tallest row of the safety margins [px].
+TALLEST_MARGIN = (
+    "Math.max(...[...document.querySelectorAll('#margins tbody tr')].map((row) => row.offsetHeight))"
+)
+#: Plots whose ticks reach into the label of the vertical axis.
+COVERED_LABELS = """[...document.querySelectorAll("#plots svg[role=img]")].filter((plot) => {
+    const box = plot.querySelector(".label[transform]").getBoundingClientRect();
+    return [...plot.querySelectorAll(".tick")].some((tick) => tick.getBoundingClientRect().left < box.right);
+}).map((plot) => plot.getAttribute("aria-label"))"""
+
+#: Tables that do not fit their place, which cannot be scrolled on paper.
+CUT_TABLES = """[...document.querySelectorAll(".scroll")].filter((each) => each.scrollWidth > each.clientWidth)
+    .map((each) => each.getAttribute("aria-label"))"""
 
 
 @pytest.fixture(scope="module")
@@ -74,8 +87,24 @@ def test_what_is_seen_of_a_planetary(page):
     text = page.locator("#results").inner_text()
     assert not any(word in text for word in ("loading roller", "pwr", "wedge", "undefined", "NaN"))
     assert not any("_" in word for word in text.replace("K_t", "").split())
-    page.set_viewport_size({"width": 400, "height": 800})
-    assert page.evaluate("document.documentElement.scrollWidth") <= 400
+    for width in (1400, 400):
+        page.set_viewport_size({"width": width, "height": 900})
+        assert page.evaluate("document.documentElement.scrollWidth") <= width
+        assert page.evaluate(TALLEST_MARGIN) < 100  # words are not broken into letters
+        assert page.evaluate(COVERED_LABELS) == []
+    page.set_viewport_size({"width": 703, "height": 1000})  # A4 between its margins
+    page.emulate_media(media="print")
+    assert page.evaluate(CUT_TABLES) == []
+
+
+def test_a_smaller_torque_shows_no_springs_that_are_only_rounding(page):
+    def action():
+        page.locator("#value-load-output_torque").fill("7 N*m")
+        page.keyboard.press("Enter")
+
+    changed(page, action)
+    assert page.locator("#budget tbody tr").count() == 1
+    assert "contacts, tangential" in page.locator("#budget").inner_text()
 
 
 def test_the_free_chart_offers_the_results_of_the_drive(page):

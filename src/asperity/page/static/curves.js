@@ -122,6 +122,7 @@ function life(answer, ghosts, over, x, torque, why) {
     x,
     y,
     log,
+    zero: !log,
     empty: why,
     series: [...ghosts(kind, factor), over(kind, `${number(100 * found.rolling.reliability)} % reliability`, "one", factor)],
     point: { x: torque, y: scaled(here, factor), name: "this joint" },

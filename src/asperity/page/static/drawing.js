@@ -44,7 +44,7 @@ function planarDrawing(drawing, document_) {
   for (const ring of shown) {
     picture.append(svg("circle", { class: ring.outer < ring.inner + ring.wall ? "ring broken" : "ring", r: ring.outer }), svg("circle", { class: "bore", r: ring.inner }));
   }
-  picture.append(...circles(drawing.rollers, reach), ...arrows(drawing, reach, largest, 0.05 * reach), ...scaleBar(-half * 0.97, half * 1.1, reach, 0.07 * reach));
+  picture.append(...circles(drawing.rollers, reach), ...arrows(drawing, reach, largest, 0.07 * reach), ...scaleBar(-half * 0.97, half * 1.1, reach, 0.07 * reach));
   const thinner = shown.some((ring) => ring.outer < ring.inner + ring.wall) ? " A thick wall of a ring is drawn thinner (dashed edge)." : "";
   return [
     element("div", { class: "drawings single" }, picture),

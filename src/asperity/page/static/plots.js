@@ -4,7 +4,8 @@ import { element, number, svg } from "/numbers.js";
 
 const WIDTH = 480;
 const HEIGHT = 300;
-const LEFT = 78;
+const LEFT = 78; // at least
+const DIGIT = 8.6; // width of a figure of a tick
 const RIGHT = 14;
 const TOP = 12;
 const BOTTOM = 46;
@@ -82,7 +83,10 @@ export function linePlot({ title, note, x, y, series, point, shades = [], log = 
   else [yLow, yHigh] = [zero && yLow === 0 ? 0 : yLow - margin, yHigh + margin];
   const scale = log ? Math.log10 : (value) => value;
   const across = logX ? Math.log10 : (value) => value;
-  const px = (value) => LEFT + ((across(value) - across(xLow)) / (across(xHigh) - across(xLow))) * (WIDTH - LEFT - RIGHT);
+  const yTicks = log ? decades(yLow, yHigh) : ticks(yLow, yHigh, 5);
+  const yTexts = log ? yTicks.map((value) => number(value, 2)) : tickTexts(yTicks);
+  const left = Math.max(LEFT, 26 + DIGIT * Math.max(...yTexts.map((text) => text.length))); // ticks beside the label of the axis
+  const px = (value) => left + ((across(value) - across(xLow)) / (across(xHigh) - across(xLow))) * (WIDTH - left - RIGHT);
   const py = (value) => TOP + ((scale(yHigh) - scale(value)) / (scale(yHigh) - scale(yLow))) * (HEIGHT - TOP - BOTTOM);
   const drawn = svg("svg", { viewBox: `0 0 ${WIDTH} ${HEIGHT}`, role: "img", "aria-label": summary(title, x, y, series) });
   for (const shade of shades) {
@@ -99,17 +103,15 @@ export function linePlot({ title, note, x, y, series, point, shades = [], log = 
       svg("text", { class: "tick", x: px(value), y: HEIGHT - BOTTOM + 16, "text-anchor": "middle" }, xTexts[i]),
     );
   });
-  const yTicks = log ? decades(yLow, yHigh) : ticks(yLow, yHigh, 5);
-  const yTexts = log ? yTicks.map((value) => number(value, 2)) : tickTexts(yTicks);
   yTicks.forEach((value, i) => {
     drawn.append(
-      svg("line", { class: "grid", x1: LEFT, x2: WIDTH - RIGHT, y1: py(value), y2: py(value) }),
-      svg("text", { class: "tick", x: LEFT - 6, y: py(value) + 4, "text-anchor": "end" }, yTexts[i]),
+      svg("line", { class: "grid", x1: left, x2: WIDTH - RIGHT, y1: py(value), y2: py(value) }),
+      svg("text", { class: "tick", x: left - 6, y: py(value) + 4, "text-anchor": "end" }, yTexts[i]),
     );
   });
   drawn.append(
-    svg("path", { class: "axis", d: `M${LEFT},${TOP}V${HEIGHT - BOTTOM}H${WIDTH - RIGHT}` }),
-    svg("text", { class: "label", x: (LEFT + WIDTH - RIGHT) / 2, y: HEIGHT - 8, "text-anchor": "middle" }, x),
+    svg("path", { class: "axis", d: `M${left},${TOP}V${HEIGHT - BOTTOM}H${WIDTH - RIGHT}` }),
+    svg("text", { class: "label", x: (left + WIDTH - RIGHT) / 2, y: HEIGHT - 8, "text-anchor": "middle" }, x),
     svg("text", { class: "label", transform: `translate(13 ${(TOP + HEIGHT - BOTTOM) / 2}) rotate(-90)`, "text-anchor": "middle" }, y),
   );
   series.forEach((line) => {

@@ -20,6 +20,8 @@ const SPRINGS = {
   output_shaft: "output shaft",
 };
 
+const NO_SHARE = 1e-12; // of the compliance: what is less is only the rounding of the others
+
 /** Text for screen readers alone. */
 const hidden = (text) => element("span", { class: "visually-hidden" }, text);
 
@@ -138,7 +140,7 @@ function budget(found) {
     return [SPRINGS[key.replace("_share", "")] || key, total, share];
   });
   const rows = shares
-    .filter((each) => each[1] > 0)
+    .filter((each) => each[1] > NO_SHARE)
     .sort((one, other) => other[1] - one[1])
     .map(([name, total, share]) => {
       const each = typeof share === "object" ? Object.entries(share).sort((a, b) => b[1] - a[1]) : [];
@@ -161,11 +163,11 @@ function margins(answer) {
         [each.lowest, "above"],
         [each.highest, "below"],
       ].filter(([bound]) => bound !== null);
-      const required = bounds.map(([bound, word]) => `${word} ${number(bound)}`).join(", ");
+      const required = bounds.map(([bound, word]) => element("span", {}, `${word} ${number(bound)}`));
       return [
         element("span", {}, each.label, element("small", {}, each.place ? `at ${each.place}` : "")),
         `${number(each.actual, 3)}${unit ? ` ${unit}` : ""}`,
-        required,
+        element("span", { class: "bounds" }, ...required),
         each.used === null ? "" : bar(each.used, each.ok ? "good" : "bad"),
         verdict(each.ok),
       ];
