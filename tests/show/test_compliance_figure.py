@@ -1,3 +1,4 @@
+import itertools
 import types
 
 import pytest
@@ -69,3 +70,22 @@ def test_levels_close_to_each_other_have_more_than_one_tick(solved):
     _, levels = figure.axes
     low, high = levels.get_xlim()
     assert sum(low <= tick <= high for tick in levels.get_xticks()) >= 2
+
+
+@pytest.mark.parametrize("ratio", [1.5, 30.0, 94.0, 1e3])
+def test_tick_labels_of_the_levels_do_not_run_together(solved, ratio):
+    """A planetary drive's published stiffness may be a hundred times that of its assembly."""
+    solved.result.assembly.stiffness.output = 742450.0
+    solved.result.series_with_bulk.output, solved.result.published.output = 1.5e6, 742450.0 * ratio
+    figure = compliance_figure(solved, title="a joint")
+    figure.savefig("/dev/null", format="png")
+    _, levels = figure.axes
+    low, high = levels.get_xlim()
+    labels = [
+        label
+        for place, label in zip(levels.get_xticks(), levels.get_xticklabels(), strict=True)
+        if low <= place <= high
+    ]
+    assert len(labels) >= 2
+    ends = [label.get_window_extent() for label in labels]
+    assert all(one.x1 < other.x0 for one, other in itertools.pairwise(ends))

@@ -36,7 +36,10 @@ def test_every_text_is_inside_the_frame_and_covers_no_other(joint_of, name, forc
         assert not [other for other, area in boxes[index + 1 :] if box.overlaps(area)], text
 
 
-@pytest.mark.parametrize("sizes", [(4.0, 13.5, 5.0, 40.0), (5.0, 13.0, 5.0, 39.0), (3.0, 15.0, 9.0, 40.0)])
+@pytest.mark.parametrize(
+    "sizes",
+    [(4.0, 13.5, 5.0, 40.0), (5.0, 13.0, 5.0, 39.0), (3.0, 15.0, 9.0, 40.0), (20.0, 8.0, 9.0, 48.0)],
+)
 @pytest.mark.parametrize("alone", [False, True])
 def test_forces_of_other_sizes_stay_inside_the_frame(joint_of, sizes, alone):
     """Radii of sun, planet, loading roller and ring in mm; the last drive has its rollers beside the planet."""

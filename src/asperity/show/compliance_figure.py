@@ -15,6 +15,7 @@ from asperity.show.branch_figure import draw_size_errors
 from asperity.show.margins_figure import draw_margins
 from asperity.show.style import mark_few_decades
 from asperity.show.temperature_figure import draw_temperatures
+from asperity.units import format_quantity
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -158,10 +159,12 @@ def draw_levels(axes: Axes, solved: SolvedJoint) -> None:
                 "no value", (0.5, place), xycoords=("axes fraction", "data"), ha="center", va="center"
             )
         else:
-            axes.annotate(f"{number:.4g}", (number, place), (8, 0), textcoords="offset points", va="center")
+            axes.annotate(
+                format_quantity(number, "1"), (number, place), (8, 0), textcoords="offset points", va="center"
+            )
     axes.set_yticks(places, words)
     axes.set_ylim(len(rows) - 0.5, -0.5)
     axes.margins(x=0.45)
     if np.isfinite(known).any():
-        mark_few_decades(axes.xaxis, float(np.nanmin(known)), float(np.nanmax(known)))
+        mark_few_decades(axes.xaxis, *axes.get_xlim())
     axes.set(xlabel="torsional stiffness at the output [N·m/arcmin]")

@@ -63,7 +63,7 @@ def drive_sheet(joint: Joint, *, name: str, forces: DriveForces | None = None) -
     ring = ring_as_drawn(joint)
     scale = standard_scale(2.0 * ring.shown, room=room)
     middle = (_MARGIN + 5.0 + 0.5 * room + 10.0, 0.5 * height + 8.0)
-    items = drive_view(joint, scale=scale, labels_from=(column - middle[0]) / scale)
+    items: list[Item] = []
 
     def on_paper(x: float, y: float) -> tuple[float, float]:
         return (x - middle[0]) / scale, (y - middle[1]) / scale
@@ -73,7 +73,7 @@ def drive_sheet(joint: Joint, *, name: str, forces: DriveForces | None = None) -
             items.append(Text(on_paper(x, y - index * _SPACING), line, height=text_height))
 
     sizes, smallest = _sizes(joint), _clearances(joint)
-    foot = _MARGIN + 27.0
+    foot, above = _MARGIN + 27.0, -math.inf
     if forces is None:
         lines = [*sizes, "", *smallest]
         write(column, foot + _SPACING * (len(lines) - 1), lines)
@@ -84,12 +84,15 @@ def drive_sheet(joint: Joint, *, name: str, forces: DriveForces | None = None) -
         write(column, level + 4.5 * _SPACING, load_lines(joint, forces, part="branch"))
         room = width - _MARGIN - column
         centre = on_paper(column + 0.5 * room, level + 62.0)
-        items += free_bodies(joint, forces, centre=centre, scale=scale, room=room - 4.0)
+        apart = free_bodies(joint, forces, centre=centre, scale=scale, room=room - 4.0)
+        above = max(each.at[1] for each in apart if isinstance(each, Text))  # numbers are the highest
+        items += apart
         write(
             _MARGIN + 5.0,
             height - _MARGIN - 8.0,
             [f"{each}: {words}" for each, words in CONTACT_LABELS.items()],
         )
+    items += drive_view(joint, scale=scale, labels_from=(column - middle[0]) / scale, labels_above=above)
     items += title_block(on_paper, column, width, name, scale)
     items.append(frame(on_paper, width, height))
     return Sheet(width, height, scale, middle, tuple(items))

@@ -111,7 +111,9 @@ def gaps(joint: Joint) -> list[Gap]:
     return [Gap(letter, *each) for letter, each in zip("ABC"[:MOST_GAPS], found, strict=False)]
 
 
-def drive_view(joint: Joint, *, scale: float, labels_from: float) -> list[Item]:
+def drive_view(
+    joint: Joint, *, scale: float, labels_from: float, labels_above: float = -math.inf
+) -> list[Item]:
     """Outlines, axes, diameters and clearances of a drive.
 
     Parameters
@@ -122,6 +124,8 @@ def drive_view(joint: Joint, *, scale: float, labels_from: float) -> list[Item]:
         Length on paper over true length [-].
     labels_from : float
         Where the texts of the diameters begin, right of the sun [mm].
+    labels_above : float, optional
+        Above which they stand, over the sun [mm].
 
     Returns
     -------
@@ -142,7 +146,7 @@ def drive_view(joint: Joint, *, scale: float, labels_from: float) -> list[Item]:
         items += [Circle(each.centre, pin) for each in placed if "loading" in each.body]
     items += _axes(placed, ring, scale)
     items += _ring_dimensions(ring, scale)
-    items += _diameters(placed, pin, scale, labels_from)
+    items += _diameters(placed, pin, scale, (labels_from, labels_above))
     return items + _gap_marks(gaps(joint), scale, -ring.shown - 4.0 / scale)
 
 
@@ -232,8 +236,9 @@ def _ring_dimensions(ring: Ring, scale: float) -> list[Item]:
     return items
 
 
-def _diameters(placed: list[Roller], pin: float, scale: float, labels_from: float) -> list[Item]:
-    """Leaders from circles near the first planet to a column of texts at the right."""
+def _diameters(placed: list[Roller], pin: float, scale: float, corner: Point) -> list[Item]:
+    """Leaders from circles near the first planet to a column of texts at the right, above and beside a corner."""
+    labels_from, above = corner
     sun, planet, roller = placed[:3]
     count = (len(placed) - 1) // 3
     between = math.pi / 2.0 - math.pi / max(count, 2)  # the free direction right of the first planet
@@ -254,7 +259,7 @@ def _diameters(placed: list[Roller], pin: float, scale: float, labels_from: floa
         targets.append((_on(roller.centre, pin, 0.3), f"pin ⌀{dimension(2.0 * pin)}"))
     targets.sort(key=lambda each: -each[0][1])
     spacing, shoulder = _LABEL_SPACING / scale, 3.0 / scale
-    top = max(targets[0][0][1], 0.5 * spacing * len(targets))
+    top = max(targets[0][0][1], 0.5 * spacing * len(targets), above + spacing * (len(targets) + 1))
     items: list[Item] = []
     for index, (target, text) in enumerate(targets):
         y = top - index * spacing
