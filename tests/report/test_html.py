@@ -94,3 +94,20 @@ def test_titles_of_columns_have_lines_and_words_are_left(page):
     text = report_html(Report("a", (Table("t", ("x", "two\nlines"), [("words", "1")]),)))
     assert '<th scope="col">two<br>lines</th>' in text
     assert "<td class=w>words</td><td>1</td>" in text
+
+
+def test_verdicts_have_a_colour_in_light_and_in_dark():
+    rows = [("a", "pass"), ("b", "FAIL"), ("c", "unknown")]
+    text = report_html(
+        Report(
+            "a", (Paragraph("2 of 3", strong=True, passed=False), Table("t", ("x", "y"), rows, verdicts=True))
+        )
+    )
+    assert "<td class=pass>pass</td>" in text
+    assert "<td class=fail>FAIL</td>" in text
+    assert "<td>unknown</td>" in text
+    assert '<p class="strong fail">2 of 3</p>' in text
+    assert "prefers-color-scheme: dark" in text
+    for verdict in ("pass", "fail"):
+        assert text.count(f"--{verdict}: #") == 2  # light and dark
+        assert f".{verdict} {{ color: var(--{verdict})" in text

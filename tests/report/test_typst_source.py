@@ -108,3 +108,11 @@ def test_the_heading_of_a_sheet_stands_on_it():
     assert "p0.svg" in image
     assert '#heading("drawing")' in above
     assert '"in mm"' in above
+
+
+def test_verdicts_have_a_colour():
+    table = Table("t", ("x", "y"), [("pass", "pass"), ("b", "FAIL"), ("c", "unknown")], verdicts=True)
+    source = typst_source(Report("a", (Paragraph("all", passed=True), table)), pictures=[])
+    assert source.count('fill: rgb("#05603a")') == 2  # the sentence and the first row
+    assert 'text(fill: rgb("#a4001d"), weight: "bold", "FAIL")' in source
+    assert '"c", "unknown",' in source

@@ -41,7 +41,7 @@ def document(*checks):
 def test_one_table_for_each_model_with_versions_in_front():
     report = validation_report(document(check(True), check(True, model="Creep", absolute=True, unit="mm")))
     assert report.title == "Validation of asperity 1.2.3"
-    assert report.blocks[0] == Paragraph("All 2 checks passed.", strong=True)
+    assert report.blocks[0] == Paragraph("All 2 checks passed.", strong=True, passed=True)
     words = " ".join(block.text for block in report.blocks if isinstance(block, Paragraph))
     assert all(part in words for part in ("Python 3.12.1 on Linux; jax 0.10.2.", "ab" * 32))
     tables = [block for block in report.blocks if isinstance(block, Table)]
@@ -65,7 +65,8 @@ def test_the_page_of_a_report_without_sections_has_no_list_of_them():
     page = report_html(validation_report(document(check(False, note="<b>no</b>"))))
     assert "<nav" not in page
     assert "&lt;b&gt;no&lt;/b&gt;" in page
-    assert "1 of 1 checks failed." in page
+    assert '<p class="strong fail">1 of 1 checks failed.</p>' in page
+    assert "<td class=fail>FAIL</td>" in page
 
 
 def test_numbers_for_people():

@@ -29,10 +29,13 @@ class Paragraph:
         The sentences.
     strong : bool, optional
         Whether they are emphasised.
+    passed : bool or None, optional
+        Whether they say that everything passed, or that something failed; None if they say neither.
     """
 
     text: str
     strong: bool = False
+    passed: bool | None = None
 
 
 @dataclass(frozen=True)
@@ -62,12 +65,15 @@ class Table:
         Cells.
     words : tuple of int, optional
         Columns of words, which are aligned at the left and may be wrapped; the others are numbers.
+    verdicts : bool, optional
+        Whether the last column says what has passed: its cells are ``pass``, ``FAIL`` or ``unknown``.
     """
 
     title: str
     head: tuple[str, ...]
     rows: Sequence[tuple[str, ...]]
     words: tuple[int, ...] = (0,)
+    verdicts: bool = False
 
 
 @dataclass(frozen=True)

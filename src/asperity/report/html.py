@@ -10,28 +10,32 @@ from asperity.errors import printable
 from asperity.report.content import Block, Bullets, Heading, Listing, Paragraph, Picture, Report, Table
 
 _STYLE = """
-:root { color-scheme: light; }
-body { font: 16px/1.45 "DejaVu Sans", Verdana, sans-serif; color: #111; background: #fff; margin: 0 auto;
+:root { color-scheme: light; --ink: #111; --paper: #fff; --line: #ccc; --pass: #05603a; --fail: #a4001d; }
+@media screen and (prefers-color-scheme: dark) { :root { color-scheme: dark; --ink: #e8e8e8; --paper: #161616;
+  --line: #444; --pass: #6fd3a0; --fail: #ff8a94; } }
+body { font: 16px/1.45 "DejaVu Sans", Verdana, sans-serif; color: var(--ink); background: var(--paper); margin: 0 auto;
   max-width: 62rem; padding: 1rem; overflow-wrap: anywhere; }
-h1 { font-size: 1.6rem; } h2 { font-size: 1.2rem; border-bottom: 1px solid #555; margin-top: 2rem; }
+h1 { font-size: 1.6rem; } h2 { font-size: 1.2rem; border-bottom: 1px solid var(--ink); margin-top: 2rem; }
 nav ul { columns: 2; padding-left: 1.2rem; }
 .wide { overflow-x: auto; }
 table { border-collapse: collapse; margin: 0.8rem 0; font-size: 0.86rem; }
 caption { text-align: left; font-weight: bold; padding: 0.2rem 0; }
-th, td { padding: 0.15rem 0.7rem 0.15rem 0; text-align: right; vertical-align: top; border-bottom: 1px solid #ccc;
-  overflow-wrap: normal; white-space: nowrap; }
+th, td { padding: 0.15rem 0.7rem 0.15rem 0; text-align: right; vertical-align: top;
+  border-bottom: 1px solid var(--line); overflow-wrap: normal; white-space: nowrap; }
 th.w, td.w { text-align: left; white-space: normal; } caption, th { white-space: normal; }
 @media (min-width: 40rem) { caption { white-space: nowrap; } }
-th { border-bottom: 1px solid #111; }
-figure { margin: 1rem 0; } figure svg { width: 100%; height: auto; max-height: 100vh; }
+th { border-bottom: 1px solid var(--ink); }
+figure { margin: 1rem 0; } figure svg { width: 100%; height: auto; max-height: 100vh; background: #fff; }
 figcaption { font-size: 0.86rem; }
-pre { font: 0.8rem/1.35 "DejaVu Sans Mono", monospace; white-space: pre-wrap; border: 1px solid #999; padding: 0.6rem; }
-.strong { font-weight: bold; }
+pre { font: 0.8rem/1.35 "DejaVu Sans Mono", monospace; white-space: pre-wrap; padding: 0.6rem;
+  border: 1px solid var(--line); }
+.strong, .fail { font-weight: bold; } .pass { color: var(--pass); } .fail { color: var(--fail); }
 @media (max-width: 40rem) { nav ul { columns: 1; } body { padding: 0.5rem; } }
 @page { size: A4; margin: 18mm; }
 @media print { body { font-size: 10pt; padding: 0; max-width: none; } nav { display: none; }
   figure, tr { break-inside: avoid; } h2 { break-after: avoid; } }
 """
+_VERDICTS = {"pass": "pass", "FAIL": "fail"}
 _POLICY = "default-src 'none'; style-src 'unsafe-inline'; img-src data:"
 
 
@@ -89,8 +93,11 @@ def _block(block: Block, number: int, section: int) -> str:
     match block:
         case Heading(text):
             return f'<h2 id="s{section}">{section} {_text(text)}</h2>'
-        case Paragraph(text, strong):
-            return f"<p{' class=strong' if strong else ''}>{_text(text)}</p>"
+        case Paragraph(text, strong, passed):
+            said = "" if passed is None else "pass" if passed else "fail"
+            words = " ".join(filter(None, ("strong" if strong else "", said)))
+            kind = f' class="{words}"' if words else ""
+            return f"<p{kind}>{_text(text)}</p>"
         case Bullets(items):
             return f"<ul>{''.join(f'<li>{_text(item)}</li>' for item in items)}</ul>"
         case Table():
@@ -107,6 +114,8 @@ def _table(table: Table) -> str:
     def row(cells: tuple[str, ...], kind: str, text: Callable[[str], str]) -> str:
         scope = ' scope="col"' if kind == "th" else ""
         words = [" class=w" if place in table.words else "" for place in range(len(cells))]
+        if table.verdicts and cells[-1] in _VERDICTS:
+            words[-1] = f" class={_VERDICTS[cells[-1]]}"
         found = zip(words, map(text, cells), strict=True)
         return f"<tr>{''.join(f'<{kind}{scope}{word}>{cell}</{kind}>' for word, cell in found)}</tr>"
 

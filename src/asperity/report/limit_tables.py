@@ -114,7 +114,7 @@ def margins_table(found: Sequence[Margin]) -> Iterator[Block]:
             )
         )
     head = ("requirement", "concerns", "where", "required", "actual", "result")
-    yield Table("Safety margins", head, rows, words=(0, 1, 2))
+    yield Table("Safety margins", head, rows, words=(0, 1, 2), verdicts=True)
 
 
 def warnings(document: Document) -> Iterator[Block]:

@@ -8,6 +8,7 @@ from asperity.errors import printable
 from asperity.report.content import Block, Bullets, Heading, Listing, Paragraph, Picture, Report, Table
 
 _LONGEST_LINE = 128  # letters of a listing
+_COLOURS = {"pass": 'rgb("#05603a")', "FAIL": 'rgb("#a4001d")'}
 _LONGEST_WHOLE = 25  # rows of a table that is kept on one page
 _HEAD = """\
 #set page(paper: "a4", margin: (x: 20mm, top: 18mm, bottom: 20mm), numbering: "1 / 1")
@@ -98,9 +99,10 @@ def _block(block: Heading | Paragraph | Bullets | Table | Listing) -> str:
     match block:
         case Heading(text):
             return f"#heading({literal(text)})"
-        case Paragraph(text, strong):
+        case Paragraph(text, strong, passed):
             weight = 'weight: "bold", ' if strong else ""
-            return f"#par(text({weight}{literal(text)}))"
+            colour = "" if passed is None else f"fill: {_COLOURS['pass' if passed else 'FAIL']}, "
+            return f"#par(text({weight}{colour}{literal(text)}))"
         case Bullets(items):
             return f"#list({', '.join(literal(item) for item in items)})" if items else ""
         case Table():
@@ -147,7 +149,7 @@ def _table(table: Table) -> str:
     columns = ", ".join("1fr" if place in table.words[1:] else "auto" for place in range(len(table.head)))
     align = ", ".join("left" if place in table.words else "right" for place in range(len(table.head)))
     head = ", ".join(f'text(weight: "bold", {_lines(cell)})' for cell in table.head)
-    rows = "\n".join(f"  {', '.join(literal(cell) for cell in row)}," for row in table.rows)
+    rows = "\n".join(f"  {', '.join(_cells(row, table))}," for row in table.rows)
     made = (
         f"text(size: 8pt, table(columns: ({columns},), align: ({align},),\n"
         f"  table.header({head}), table.hline(stroke: 0.6pt),\n{rows}\n  table.hline(stroke: 0.3pt)))"
@@ -155,3 +157,12 @@ def _table(table: Table) -> str:
     title = f'block(below: 0.5em, sticky: true, text(weight: "bold", {literal(table.title)}))'
     whole = "false" if len(table.rows) <= _LONGEST_WHOLE else "true"
     return f"#block(above: 1.1em, breakable: {whole}, {title} + {made})"
+
+
+def _cells(row: tuple[str, ...], table: Table) -> list[str]:
+    """Cells of a row, the last one coloured where it is a verdict."""
+    cells = [literal(cell) for cell in row]
+    if table.verdicts and row[-1] in _COLOURS:
+        weight = ', weight: "bold"' if row[-1] == "FAIL" else ""
+        cells[-1] = f"text(fill: {_COLOURS[row[-1]]}{weight}, {cells[-1]})"
+    return cells

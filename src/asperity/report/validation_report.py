@@ -28,7 +28,9 @@ def validation_report(document: dict[str, Any]) -> Report:
     passed = f"All {total} checks passed."
     blocks: list[Block] = [
         Paragraph(
-            passed if document["valid"] else f"{document['failed']} of {total} checks failed.", strong=True
+            passed if document["valid"] else f"{document['failed']} of {total} checks failed.",
+            strong=True,
+            passed=bool(document["valid"]),
         ),
         Paragraph(f"Python {document['python']} on {document['platform']}; {packages}."),
         Paragraph(f"SHA-256 of the installed source and data: {document['source_sha256']}"),
@@ -37,7 +39,7 @@ def validation_report(document: dict[str, Any]) -> Report:
         ),
     ]
     for model, rows in groupby(document["checks"], key=lambda row: row["model"]):
-        blocks.append(Table(model, _HEAD, [_row(row) for row in rows]))
+        blocks.append(Table(model, _HEAD, [_row(row) for row in rows], verdicts=True))
     return Report(f"Validation of asperity {document['asperity_version']}", tuple(blocks))
 
 
