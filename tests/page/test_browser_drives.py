@@ -7,6 +7,7 @@ from pathlib import Path
 import pytest
 
 from asperity.joint.planar.solve import solve_planar
+from asperity.joint_file.drawn_surface import drawn_interval
 from asperity.joint_file.planar_build import planar_joint_from_case
 from asperity.joint_file.reader import parse_any_case
 from asperity.units import format_quantity
@@ -129,7 +130,16 @@ def test_a_finish_of_the_library_takes_the_ra_of_the_drawing(page):
         'fractal_roughness = "1.3e-7 mm"', f'roughness_average = "{written}"'
     )
     assert page.locator('[data-value="Stiffness at the output"]').inner_text() == stiffness(text)
+    expected = drawn_interval(parse_any_case(text, source="planetary"))
+    (row,) = page.locator("#levels tr", has_text="assembled").all()[1:]
+    ends = [expected["assembly"][f"{end}_Nm_per_rad"] for end in ("low", "high")]
+    shown = [format_quantity(each, "N*m/arcmin").split(" ")[0] for each in ends]
+    assert row.locator("td").all_inner_texts() == shown
+    assert expected["words"] in page.locator("#levels").inner_text()
     changed(page, lambda: page.locator("#value-finish").select_option("superfinished finest"))
+    assert (
+        page.locator("#levels tr", has_text="assembled").count() == 1
+    )  # D and G themselves leave nothing open
     assert page.locator("#value-surface-roughness_average").input_value() == ""
     changed(page, lambda: page.keyboard.press("Control+z"))
     assert page.locator("#value-finish").input_value() == "ground"

@@ -26,6 +26,7 @@ from asperity.joint.windup import windup
 from asperity.joint.windup_document import windup_columns
 from asperity.joint_file.assumptions import assumptions
 from asperity.joint_file.build import joint_from_case, unequal_branches
+from asperity.joint_file.drawn_surface import drawn_interval
 from asperity.joint_file.model import Case
 from asperity.joint_file.planar_assumptions import planar_assumptions
 from asperity.joint_file.planar_build import planar_joint_from_case
@@ -66,6 +67,9 @@ def joint_answer(request: JointRequest) -> Answer:
     joint, solution, solved, document, drawing = (
         _planar(case) if isinstance(case, PlanarCase) else _papers(case)
     )
+    interval = drawn_interval(case)
+    if interval is not None:
+        document["stiffness_interval"] = interval
     return {
         "id": request.identity,
         "name": request.name,

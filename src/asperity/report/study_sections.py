@@ -195,11 +195,10 @@ def design_section(result: DesignResult, *, name: str) -> Iterator[Block]:
     goal = problem.objectives[0]
     unit = RESULTS[goal.name].display_unit
     before, after = (quantity(each, unit) for each in (result.objective_before, result.objective_after))
+    torques = len(problem.worst_case.torques)
+    over = f" over {torques} torques, each result at its worst" if torques > 1 else ""
     yield Heading("Design")
-    yield Paragraph(
-        f"{name} asks for the {problem.goal} over {max(1, len(problem.worst_case.torques))} torques, each result at "
-        f"its worst: {before} before, {after} as designed."
-    )
+    yield Paragraph(f"{name} asks for the {problem.goal}{over}: {before} before, {after} as designed.")
     yield Paragraph(
         "All limits are met." if result.feasible else f"{_sentence(conflict(result))}.", strong=True
     )

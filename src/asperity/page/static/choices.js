@@ -78,7 +78,7 @@ export function finishRow(controls, stated) {
     element("optgroup", { label: "D and G at an end of the published range" }, ...options(ends)),
   );
   const meaning =
-    "The upper entries take the Ra of the drawing and the range of D that is published for the process: the stiffness is that of its middle, and the report states the interval. " +
+    "The upper entries take the Ra of the drawing and the range of D that is published for the process: the stiffness is that of its middle, with its interval below. " +
     "The lower ones set D, G and gamma of all contacts to an end of the published range, taken as the roughness of both bodies together.";
   const help = element("p", { class: "help", id: `${id}-help` }, meaning);
   let now = stated;

@@ -36,7 +36,7 @@ export function showAnswer(answer, baseline) {
   get("forces").hidden = !bodies.length;
   get("forces").classList.toggle("several", bodies.length > 0 && answer.drawing.bodies.length > 1);
   get("bodies").replaceChildren(...bodies);
-  get("levels").replaceChildren(levels(found, before), drift(found));
+  get("levels").replaceChildren(levels(found, before), drift(found), ...interval(found));
   get("budget").replaceChildren(budget(found));
   get("margins").replaceChildren(margins(answer));
   get("warnings").replaceChildren(warnings(found));
@@ -125,6 +125,21 @@ function drift(found) {
       ? `Drift: ${standing(found)}.`
       : `Beside every stiffness: the output drifts by ${number(per)} arcmin in each turn under this torque. The wind-up comes back, the drift does not.`;
   return element("p", { class: "note strong" }, said);
+}
+
+/** From what to what stiffness and drift reach over what the Ra of a drawing leaves open. */
+function interval(found) {
+  const ends = found.stiffness_interval;
+  if (!ends) return [];
+  const title = "Interval over what the Ra of the surfaces leaves open";
+  const rows = LEVELS.map(([key, name]) => [name, ...[ends[key].low_Nm_per_rad, ends[key].high_Nm_per_rad].map((each) => number(scaled(each, 1 / arcmin(1))))]);
+  const [low, high] = [ends.drift.low_rad_per_output_turn, ends.drift.high_rad_per_output_turn].map((each) => number(arcmin(each)));
+  return [
+    element("h3", {}, title),
+    table(title, ["level of the model", "from, N·m/arcmin", "to, N·m/arcmin"], rows),
+    element("p", { class: "note" }, `Drift from ${low} to ${high} arcmin per output turn.`),
+    element("p", { class: "note" }, ends.words),
+  ];
 }
 
 function bar(share, kind = "") {
