@@ -140,10 +140,10 @@ OTHERS = """\
 # Other drives
 
 `type` stands first in the file. These drives have the sections above with the keys below; their sections
-`[temperature]`, `[lubrication]`, `[[duty]]`, `[dynamics]`, `[play]` and `[materials.NAME]` are the same. Sections
-and keys that are not listed below are only for the paper's drive. `[bodies]` names the material of each body. What
-differs between contacts is a table with the names of the drive's contacts. The types are described on the page
-[](drives.md).
+`[temperature]`, `[pin_bearing]`, `[lubrication]`, `[[duty]]`, `[dynamics]`, `[play]` and `[materials.NAME]` are the
+same, and `[input_bearing]` and `[output_bearing]` have the keys of `[sun_bearing]`. Sections and keys that are not
+listed below are only for the paper's drive. `[bodies]` names the material of each body. What differs between contacts
+is a table with the names of the drive's contacts. The types are described on the page [](drives.md).
 """
 
 

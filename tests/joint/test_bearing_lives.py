@@ -9,8 +9,8 @@ import pytest
 
 from asperity.compilation import call_compiled
 from asperity.drive.bearing_life import RatedBearing
-from asperity.joint import bearing_lives as module
-from asperity.joint.bearing_lives import BEARING_NAMES, bearing_lives
+from asperity.drive.structure_loads import BEARING_NAMES
+from asperity.joint.bearing_lives import BearingState, bearing_lives, lives_of_bearings
 from asperity.joint.results import SolvedJoint
 from asperity.joint.rolling_conditions import DutyPoint
 from asperity.joint.solve import solve
@@ -77,11 +77,17 @@ def duty(joint, *points):
     return dataclasses.replace(joint, rolling=dataclasses.replace(joint.rolling, duty=loads))
 
 
-def test_miners_sum_and_the_largest_load(joint, solution, monkeypatch):
-    loads = np.array([[50.0, 60.0, np.nan, 400.0], [300.0, 200.0, np.nan, 400.0]])
+def test_miners_sum_and_the_largest_load():
+    """Two bearings at each pin: 50 and 60 N on each under the first load, 300 and 200 N under the second."""
+    forces = np.array([[100.0, 120.0, 0.0, 0.0], [600.0, 400.0, 0.0, 0.0]])
     speeds = np.array([[500.0, 500.0, 600.0, 60.0], [0.0, 100.0, 200.0, 20.0]])
-    monkeypatch.setattr(module, "_under_duty", lambda *_: (loads, speeds))
-    found = bearing_lives(duty(joint, (3.0, 1.0, 0.7), (9.0, 1.0, 0.3)), solution.result)
+    found = lives_of_bearings(
+        (PIN, PIN, None, HELD),
+        working=BearingState(forces[0], speeds[0]),
+        rest=np.zeros(4),
+        duty=BearingState(forces, speeds),
+        shares=np.array([0.7, 0.3]),
+    )
     first = 0.7 * 500.0 / (2e6 * np.pi * (1500.0 / 50.0) ** (10 / 3))  # the second load does not turn it
     assert float(found.duty_life[0]) == pytest.approx(1.0 / first, rel=1e-12)
     damage = [

@@ -14,12 +14,11 @@ from asperity.joint.strength_document import bearing_entries, rim_entries
 
 def bearing(*, life, duty_life, load=10.0, duty=("a load",)):
     def filled(value):
-        return np.full(4, value)
+        return np.full(2, value)
 
     joint = SimpleNamespace(
-        pin_bearing=None,
-        sun_bearing=RatedBearing(1000.0, 900.0, 1.0, load, "ball"),
-        carrier_bearing=None,
+        bearing_names=("pin", "sun"),
+        rated_bearings=(None, RatedBearing(1000.0, 900.0, 1.0, load, "ball")),
         rolling=SimpleNamespace(duty=duty),
     )
     lives = BearingLives(filled(load), filled(life), filled(duty_life), filled(90.0), filled(0.01))

@@ -26,7 +26,6 @@ def test_every_number_of_a_joint_file_has_a_path():
     ("path", "section"),
     [
         ("branch", '[[branch]]\nplanet_deviation = "1 um"'),
-        ("pin_bearing", '[pin_bearing]\ntype = "ball"'),
         ("bearings.pin_length", '[bearings]\npin_length = "6 mm"'),
         ("rolling.skew", '[rolling]\nskew = "1 mrad"'),
     ],
@@ -37,6 +36,21 @@ def test_what_only_the_papers_drive_has_says_so(planar_case, path, section):
     assert (
         str(refused.value) == f'mine.toml: {path}: only for the paper\'s drive (type = "zou2025", or no type)'
     )
+
+
+@pytest.mark.parametrize(
+    ("text", "told"),
+    [
+        ('[sun_bearing]\ntype = "ball"', "sun_bearing: only for the paper's drive"),
+        ('[bearings]\ncarrier_torque = "1 N*mm"', "bearings.carrier_torque: only for the paper's drive"),
+    ],
+)
+def test_what_another_drive_calls_otherwise_is_told_by_its_name(planar_case, text, told):
+    with pytest.raises(InputError) as refused:
+        planar_case("planetary", ("[model]", f"{text}\n\n[model]"))
+    name = {"sun": "input_bearing", "bea": "output_torque"}[told[:3]]
+    assert str(refused.value).startswith(f"mine.toml: {told}")
+    assert str(refused.value).endswith(f"; for this drive write '{name}'")
 
 
 def test_a_forgotten_type_is_one_message(planar_case):

@@ -82,6 +82,19 @@ def test_examples_are_those_of_init_and_valid_for_editors(name):
         (
             "planetary",
             "[model]",
+            '[sun_bearing]\ntype = "ball"\n\n[model]',
+            'sun_bearing: only for the paper\'s drive (type = "zou2025", or no type); for this drive write '
+            "'input_bearing'",
+        ),
+        (
+            "planetary",
+            "[model]",
+            '[pin_bearing]\ntype = "ball"\ndynamic_rating = "1 kN"\nstatic_rating = "1 kN"\n\n[model]',
+            "pin_bearing.count: this key is missing",
+        ),
+        (
+            "planetary",
+            "[model]",
             '[[duty]]\noutput_torque = "1 N*m"\nsun_speed = "1 rpm"\nshare = 0.9\n\n[model]',
             "the shares of [[duty]] must add up to 1, they add up to 0.9",
         ),
@@ -91,6 +104,19 @@ def test_mistakes_are_told(name, old, new, message):
     with pytest.raises(InputError) as caught:
         read(name, (old, new))
     assert message in str(caught.value)
+
+
+def test_bearings_of_pins_need_pins():
+    """A grounded carrier, so that rollers held by their contacts alone make a drive."""
+    text = text_of("planar").replace('place = "pin"', 'place = "free"')
+    text = text.replace('output = "carrier"', 'output = "ring"').replace(
+        'grounded = "ring"', 'grounded = "carrier"'
+    )
+    rated = (
+        '[pin_bearing]\ntype = "ball"\ndynamic_rating = "1 kN"\nstatic_rating = "1 kN"\ncount = 1\n\n[model]'
+    )
+    with pytest.raises(InputError, match=r'pin_bearing: no \[\[roller\]\] has place = "pin"'):
+        parse_any_case(text.replace("[model]", rated), source="mine.toml")
 
 
 def test_what_works_for_the_papers_drive_only_says_so():

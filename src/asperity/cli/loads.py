@@ -69,10 +69,13 @@ def _of_the_papers_drive(case: Case) -> Document:
 def _of_planar_drive(case: PlanarCase) -> Document:
     from asperity.joint.planar.loads_document import planar_loads_document
     from asperity.joint.planar.solve import solve_planar
+    from asperity.joint.planar.solved import solved_planar_joint
+    from asperity.joint.strength_document import bearing_entries
     from asperity.joint_file.planar_build import planar_joint_from_case
 
     joint = planar_joint_from_case(case)
-    return planar_loads_document(joint, solve_planar(joint))
+    solution = solve_planar(joint)
+    return planar_loads_document(joint, solution, bearing_entries(solved_planar_joint(joint, solution)))
 
 
 def _column(case: Document, line: str) -> str:

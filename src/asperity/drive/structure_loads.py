@@ -19,6 +19,9 @@ from asperity.types import Real
 
 #: Carrier pins of one branch, named after their loading rollers; the order of every pin axis.
 PIN_NAMES = ("right", "left")
+
+#: Rolling bearings of the drive, in the order of every bearing axis.
+BEARING_NAMES = ("right_pin", "left_pin", "sun", "carrier")
 #: How the carrier holds a pin.
 PinSupport = Literal["both_ends", "one_end"]
 

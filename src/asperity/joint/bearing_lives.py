@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+from typing import NamedTuple
 
 import equinox as eqx
 import jax
@@ -16,12 +17,9 @@ from asperity.joint.evaluation import JointResult, evaluate
 from asperity.joint.working_loads import bearing_speeds, loads_at_rest, working_loads
 from asperity.types import Real
 
-#: Bearings of a joint, in the order of every bearing axis.
-BEARING_NAMES = ("right_pin", "left_pin", "sun", "carrier")
-
 
 class BearingLives(eqx.Module):
-    """Lives of the bearings of :data:`BEARING_NAMES`, shape (4, ...). SI units; nan where a bearing has no ratings.
+    """Lives of the bearings of a joint, shape (bearings, ...). SI units; nan where a bearing has no ratings.
 
     Parameters
     ----------
@@ -44,107 +42,97 @@ class BearingLives(eqx.Module):
     load_ratio: Array
 
 
-def rated_bearings(joint: Joint) -> tuple[RatedBearing | None, ...]:
-    """Ratings of the bearings.
+class BearingState(NamedTuple):
+    """What the drive does to its bearings, those of one place together, shape (bearings, ...); loads of a duty first.
 
     Parameters
     ----------
-    joint : Joint
-        The joint.
-
-    Returns
-    -------
-    tuple of RatedBearing or None
-        In the order of :data:`BEARING_NAMES`.
+    force : Array
+        Radial force [N].
+    speed : Array
+        Angular velocity of one ring relative to the other, without its sign [rad/s].
     """
-    return (joint.pin_bearing, joint.pin_bearing, joint.sun_bearing, joint.carrier_bearing)
+
+    force: Array
+    speed: Array
 
 
-def _state(joint: Joint, result: JointResult) -> tuple[Array, Array]:
-    """Loads and speeds of the bearings, shape (4, ...)."""
-    speeds = bearing_speeds(joint, result)
-    loads = _radial_loads(joint, working_loads(joint, result).pin_resultant)
-    return loads, jnp.stack(jnp.broadcast_arrays(*speeds.pin, speeds.sun, speeds.carrier))
-
-
-def _radial_loads(joint: Joint, pin_forces: Array) -> Array:
-    """Load of one bearing of each kind: equal branches load the pins only."""
-    from_drive = (*pin_forces, 0.0, 0.0)
-    found = [
-        jnp.nan if bearing is None else force / bearing.count + bearing.outside_force
-        for bearing, force in zip(rated_bearings(joint), from_drive, strict=True)
-    ]
-    return jnp.stack(jnp.broadcast_arrays(*map(jnp.asarray, found), pin_forces[0])[:4])
-
-
-def bearing_lives(joint: Joint, result: JointResult) -> BearingLives:
-    r"""Lives, static safeties and load ratios of a joint's bearings; pure.
+def lives_of_bearings(
+    rated: tuple[RatedBearing | None, ...],
+    *,
+    working: BearingState,
+    rest: Array,
+    duty: BearingState | None = None,
+    shares: Array | None = None,
+) -> BearingLives:
+    r"""Lives, static safeties and load ratios of bearings, whatever their drive; pure.
 
     .. math:: L_{10} = 10^6 \left(\frac CP\right)^p, \qquad
               \frac1T = \sum_j \varphi_j \frac{\omega_j}{2\pi L_{10,j}}, \qquad S_0 = \frac{C_0}{\max_j P_j}
 
     Parameters
     ----------
-    joint : Joint
-        One joint, or many along trailing batch axes.
-    result : JointResult
-        Its result.
+    rated : tuple of RatedBearing or None
+        Ratings of the bearings; None where there are none.
+    working : BearingState
+        Under the joint's torque.
+    rest : Array
+        Radial forces without torque, shape (bearings, ...) [N].
+    duty : BearingState or None, optional
+        Under the loads of the duty; None without a duty.
+    shares : Array or None, optional
+        Shares of these loads in the time [-].
 
     Returns
     -------
     BearingLives
-        Nine bearings in ten reach these lives; the reliability of the joint file is that of the tracks.
+        Nine bearings in ten reach these lives.
 
     References
     ----------
     Equation (L2) of :doc:`/equations`.
     """
-    joint = with_one_rank(joint)
-    load, speed = _state(joint, result)
-    rest = _radial_loads(joint, loads_at_rest(joint).pin_resultant)
-    life = _spectrum(joint, load[None], speed[None], jnp.ones(1))
+    load, at_rest = _radial_loads(rated, working.force), _radial_loads(rated, rest)
+    life = _spectrum(rated, load[None], working.speed[None], jnp.ones(1))
     largest, duty_life = load, jnp.full_like(life, jnp.nan)
-    if joint.rolling.duty:
-        points = per_contact(joint.rolling.duty)
-        loads, speeds = _under_duty(joint, points.output_torque, points.sun_speed)
-        duty_life = _spectrum(joint, loads, speeds, points.share)
+    if duty is not None:
+        assert shares is not None
+        loads = jax.vmap(lambda force: _radial_loads(rated, force))(duty.force)
+        duty_life = _spectrum(rated, loads, duty.speed, shares)
         largest = jnp.maximum(load, jnp.max(loads, axis=0))
     nothing = jnp.full_like(load[0], jnp.nan)
     safety, ratio = [], []
-    for index, bearing in enumerate(rated_bearings(joint)):
+    for index, bearing in enumerate(rated):
         if bearing is None:
             safety.append(nothing)
             ratio.append(nothing)
             continue
-        peak = jnp.maximum(largest[index], rest[index])
+        peak = jnp.maximum(largest[index], at_rest[index])
         safety.append(static_safety(static_rating=bearing.static_rating, load=peak))
         ratio.append(largest[index] / bearing.dynamic_rating)
     return BearingLives(
         load=load,
-        life=jnp.where(speed > 0.0, life, jnp.nan),
+        life=jnp.where(working.speed > 0.0, life, jnp.nan),
         duty_life=duty_life,
         static_safety=jnp.stack(jnp.broadcast_arrays(*safety)),
         load_ratio=jnp.stack(jnp.broadcast_arrays(*ratio)),
     )
 
 
-def _under_duty(joint: Joint, torques: Array, speeds: Array) -> tuple[Array, Array]:
-    """Loads and speeds under the loads of the duty, which are the first axis."""
-    alone = dataclasses.replace(joint, rolling=dataclasses.replace(joint.rolling, duty=()))
-
-    def under(torque: Array, speed: Array) -> tuple[Array, Array]:
-        loaded = dataclasses.replace(alone, output_torque=torque, sun_speed=speed)
-        return _state(loaded, evaluate(loaded))
-
-    found: tuple[Array, Array] = jax.vmap(under)(torques, speeds)
-    return found
+def _radial_loads(rated: tuple[RatedBearing | None, ...], forces: Array) -> Array:
+    """Load of one bearing at each place."""
+    found = [
+        jnp.nan if bearing is None else force / bearing.count + bearing.outside_force
+        for bearing, force in zip(rated, forces, strict=True)
+    ]
+    return jnp.stack(jnp.broadcast_arrays(*map(jnp.asarray, found), forces[0])[:-1])
 
 
-def _spectrum(joint: Joint, loads: Array, speeds: Array, shares: Real) -> Array:
-    """Life in time of each bearing under loads along the first axis, shape (4, ...) [s]."""
+def _spectrum(rated: tuple[RatedBearing | None, ...], loads: Array, speeds: Array, shares: Real) -> Array:
+    """Life in time of each bearing under loads along the first axis, shape (bearings, ...) [s]."""
     shares = jnp.asarray(shares)
     lives: list[Real] = []
-    for index, bearing in enumerate(rated_bearings(joint)):
+    for index, bearing in enumerate(rated):
         load, speed = loads[:, index], speeds[:, index]
         if bearing is None:
             lives.append(jnp.full_like(load[0], jnp.nan))
@@ -157,3 +145,60 @@ def _spectrum(joint: Joint, loads: Array, speeds: Array, shares: Real) -> Array:
         rates = jnp.where(jnp.isnan(speed), jnp.nan, rates)
         lives.append(spectrum_life(lives=turns, cycle_rates=rates, time_shares=share))
     return jnp.stack(jnp.broadcast_arrays(*map(jnp.asarray, lives)))
+
+
+def bearing_lives(joint: Joint, result: JointResult) -> BearingLives:
+    """Lives, static safeties and load ratios of the bearings of the paper's drive; pure.
+
+    Parameters
+    ----------
+    joint : Joint
+        One joint, or many along trailing batch axes.
+    result : JointResult
+        Its result.
+
+    Returns
+    -------
+    BearingLives
+        As :func:`lives_of_bearings`; the reliability of the joint file is that of the tracks.
+
+    References
+    ----------
+    Equation (L2) of :doc:`/equations`.
+    """
+    joint = with_one_rank(joint)
+    under: dict[str, Array | BearingState] = {}
+    if joint.rolling.duty:
+        points = per_contact(joint.rolling.duty)
+        under = {"duty": _under_duty(joint, points.output_torque, points.sun_speed), "shares": points.share}
+    return lives_of_bearings(
+        joint.rated_bearings,
+        working=_state(joint, result),
+        rest=_of_the_drive(loads_at_rest(joint).pin_resultant),
+        **under,  # type: ignore[arg-type]
+    )
+
+
+def _state(joint: Joint, result: JointResult) -> BearingState:
+    speeds = bearing_speeds(joint, result)
+    return BearingState(
+        _of_the_drive(working_loads(joint, result).pin_resultant),
+        jnp.stack(jnp.broadcast_arrays(*speeds.pin, speeds.sun, speeds.carrier)),
+    )
+
+
+def _of_the_drive(pin_forces: Array) -> Array:
+    """Forces at each place: equal branches load the pins only."""
+    return jnp.concatenate([pin_forces, jnp.zeros_like(pin_forces)])
+
+
+def _under_duty(joint: Joint, torques: Array, speeds: Array) -> BearingState:
+    """The bearings under the loads of the duty, which are the first axis."""
+    alone = dataclasses.replace(joint, rolling=dataclasses.replace(joint.rolling, duty=()))
+
+    def under(torque: Array, speed: Array) -> BearingState:
+        loaded = dataclasses.replace(alone, output_torque=torque, sun_speed=speed)
+        return _state(loaded, evaluate(loaded))
+
+    found: BearingState = jax.vmap(under)(torques, speeds)
+    return found

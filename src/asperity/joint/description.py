@@ -16,7 +16,7 @@ from asperity.drive.bearing_life import RatedBearing
 from asperity.drive.geometry import CONTACT_NAMES, DriveGeometry
 from asperity.drive.loading_cam import cam_preload
 from asperity.drive.mechanism import Bearings, Closure
-from asperity.drive.structure_loads import PinSupport
+from asperity.drive.structure_loads import BEARING_NAMES, PinSupport
 from asperity.joint.play import Play
 from asperity.joint.rolling_conditions import PLAIN_ROLLING, RollingConditions
 from asperity.materials import Material
@@ -212,6 +212,16 @@ class Joint(eqx.Module):
     def ends(self) -> tuple[str, str]:
         """Names of input and output."""
         return "sun", "carrier"
+
+    @property
+    def bearing_names(self) -> tuple[str, ...]:
+        """Names of the rolling bearings, in the order of every bearing axis."""
+        return BEARING_NAMES
+
+    @property
+    def rated_bearings(self) -> tuple[RatedBearing | None, ...]:
+        """Ratings of these bearings; None where the file has none."""
+        return (self.pin_bearing, self.pin_bearing, self.sun_bearing, self.carrier_bearing)
 
 
 def preload_at(joint: Joint, output_torque: Real) -> Real:

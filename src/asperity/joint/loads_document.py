@@ -27,7 +27,8 @@ _ROUNDING = 1e-12
 Document = dict[str, Any]
 Row = tuple[str, str, str, str, Any]
 
-_RATED = (
+#: What the lives of rolling bearings are.
+RATED = (
     "Bearings: ISO 281 basic rating life, which nine in ten reach, by radial load and relative speed. Lubrication and "
     "cleanliness (a_ISO), axial loads and misalignment are yours to judge; the life holds for loads up to C/2."
 )
@@ -147,7 +148,7 @@ def loads_document(
     supported = float(joint.structure.planet_support_stiffness) > 0.0
     sense, balanced, rolling = _NOTES
     middle = [balanced] if branches is None else [_UNEQUAL, _unequal_pins(branches)]
-    notes = [sense, *middle, rolling, *([_SUPPORTED] if supported else []), *([_RATED] if bearings else [])]
+    notes = [sense, *middle, rolling, *([_SUPPORTED] if supported else []), *([RATED] if bearings else [])]
     heads = [
         case_entry(case.name, case.output_torque, case.sun_speed, case.share, case.unknown_because)
         for case in cases

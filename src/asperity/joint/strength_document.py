@@ -7,7 +7,6 @@ from typing import Any
 
 import numpy as np
 
-from asperity.joint.bearing_lives import BEARING_NAMES, rated_bearings
 from asperity.joint.description import Joint
 from asperity.joint.results import RESULTS, SolvedJoint
 from asperity.joint.rim_safety import RIM_NAMES, BodyRims
@@ -30,7 +29,7 @@ def bearing_entries(solved: SolvedJoint) -> list[Document]:
         ``absent_because`` says why.
     """
     joint, entries = solved.joint, []
-    for index, (name, rated) in enumerate(zip(BEARING_NAMES, rated_bearings(joint), strict=True)):
+    for index, (name, rated) in enumerate(zip(joint.bearing_names, joint.rated_bearings, strict=True)):
         if rated is None:
             continue
         found = {key: float(np.asarray(value)[index]) for key, value in vars(solved.bearings).items()}

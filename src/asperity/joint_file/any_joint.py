@@ -14,6 +14,7 @@ from jax import Array
 from asperity.drive.planar.existence import neighbours
 from asperity.joint.description import with_one_rank
 from asperity.joint.evaluation import evaluate
+from asperity.joint.planar.description import bearing_names
 from asperity.joint.planar.evaluation import evaluated_with_laws
 from asperity.joint.planar.solved import SolvedPlanarJoint
 from asperity.joint.planar.status import planar_status
@@ -53,7 +54,7 @@ def _planar_results(structure: str) -> dict[str, Result]:
     shapes = [jax.ShapeDtypeStruct((), jnp.float64) for _ in numbers(values)]
     drive = jax.eval_shape(lambda *each: layout_of(with_numbers(values, each))[0], *shapes)
     pairs = tuple("_to_".join(pair) for pair in neighbours(drive))
-    return results_of_drive(contacts_of(values), bodies_of(values), pairs)
+    return results_of_drive(contacts_of(values), bodies_of(values), pairs, bearing_names(drive))
 
 
 def rows_of_file(tables: Mapping[str, Any], result: Result) -> tuple[int, ...]:

@@ -12,7 +12,7 @@ LoadRating = Annotated[Quantity, limits.LOAD_RATING]
 
 
 class PinBearing(Section):
-    """Rolling bearings between a loading roller and its pin, for their life; none if the section is absent."""
+    """Rolling bearings between a roller and its carrier pin, for their life; none if the section is absent."""
 
     type: Literal["ball", "roller"]
     """Rolling elements; needle bearings are roller bearings."""
@@ -21,11 +21,11 @@ class PinBearing(Section):
     static_rating: LoadRating
     """Basic static radial load rating C_0 of one bearing, from its catalogue."""
     count: Annotated[Quantity, limits.BEARING_COUNT]
-    """Bearings of one loading roller, which share its pin force equally."""
+    """Bearings of one roller, which share its pin force equally."""
 
 
 class HeldBearing(Section):
-    """A bearing of sun or carrier, which equal branches do not load."""
+    """A bearing on the axis of the drive, which equal branches do not load."""
 
     type: Literal["ball", "roller"]
     """Rolling elements; needle bearings are roller bearings."""

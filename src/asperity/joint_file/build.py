@@ -138,9 +138,9 @@ def joint_from_values(values: Values) -> Joint:
         crowns=_crowns(drive),
         rolling=rolling_conditions(values),
         pin=_pin(bearings),
-        pin_bearing=_bearing(values.get("pin_bearing")),
-        sun_bearing=_bearing(values.get("sun_bearing")),
-        carrier_bearing=_bearing(values.get("carrier_bearing")),
+        pin_bearing=rated_bearing(values.get("pin_bearing")),
+        sun_bearing=rated_bearing(values.get("sun_bearing")),
+        carrier_bearing=rated_bearing(values.get("carrier_bearing")),
         cam_force_per_torque=load.get("cam_force_per_torque"),
     )
     if "interference" not in load:
@@ -329,7 +329,19 @@ def _pin(bearings: Values) -> PinBeam | None:
     return PinBeam(bearings["pin_length"], bearings.get("pin_support", "both_ends"))
 
 
-def _bearing(entry: Values | None) -> RatedBearing | None:
+def rated_bearing(entry: Values | None) -> RatedBearing | None:
+    """A rolling bearing as a section of a joint file rates it.
+
+    Parameters
+    ----------
+    entry : dict or None
+        The section in SI units; None where the file has none.
+
+    Returns
+    -------
+    RatedBearing or None
+        One bearing without a force from outside where the section has no such keys.
+    """
     if entry is None:
         return None
     return RatedBearing(

@@ -216,17 +216,29 @@ def _unknown_key(
     for each in absent:
         if each[-1] == name:
             return f"{path}: unknown {what}; it belongs in [{'.'.join(each[:-1])}]", each
-    having = _drives_with(parts)
+    having, known = _drives_with(parts), _known_names(table, model)
+    other = _CALLED_HERE.get(name)
+    here = f"; for this drive write '{other}'" if other in known else ""
     if having == ["zou2025"]:
-        return f'{path}: only for the paper\'s drive (type = "zou2025", or no type)', None
+        return f'{path}: only for the paper\'s drive (type = "zou2025", or no type){here}', None
     if having:
         named = ", ".join(f'"{kind}"' for kind in having)
-        return f"{path}: only for drives of type {named}", None
-    known = _known_names(table, model)
+        return f"{path}: only for drives of type {named}{here}", None
     sections = sorted({each.split(".")[0] for each in keys_by_path(model) if each.split(".")[-1] == name})
     if sections and name not in known:
         return f"{path}: unknown {what}; it belongs in [{sections[0]}]", None
     return f"{path}: unknown {what}{nearest(name, known) or '; known here are ' + ', '.join(known)}", None
+
+
+#: What the paper's drive has by one name and other drives by another.
+_PAIRS = (
+    ("sun_bearing", "input_bearing"),
+    ("carrier_bearing", "output_bearing"),
+    ("sun_torque", "input_torque"),
+    ("carrier_torque", "output_torque"),
+    ("loading_roller_torque", "roller_torque"),
+)
+_CALLED_HERE = {one: other for pair in _PAIRS for one, other in (pair, pair[::-1])}
 
 
 def _drives_with(parts: Parts) -> list[str]:

@@ -14,7 +14,7 @@ from asperity.drive.planar.layout import PlanarDrive
 from asperity.joint.description import Joint
 from asperity.joint.planar.description import PlanarJoint
 from asperity.joint.planar.temperature import planar_fit
-from asperity.joint_file.build import joint_from_case, play_of, rolling_conditions
+from asperity.joint_file.build import joint_from_case, play_of, rated_bearing, rolling_conditions
 from asperity.joint_file.material_build import material_of, surface_of
 from asperity.joint_file.model import Case
 from asperity.joint_file.part_names import CONTACTS
@@ -99,6 +99,9 @@ def planar_joint_from_values(values: Values) -> PlanarJoint:
         rolling=rolling_conditions(values),
         bearings=_bearings(values.get("bearings")),
         play=play_of(values),
+        pin_bearing=rated_bearing(values.get("pin_bearing")),
+        input_bearing=rated_bearing(values.get("input_bearing")),
+        output_bearing=rated_bearing(values.get("output_bearing")),
     )
     if "temperature" not in values or "interference" not in load:
         return joint

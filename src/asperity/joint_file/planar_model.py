@@ -8,6 +8,7 @@ from pydantic import Discriminator, Field, PrivateAttr, StringConstraints, Tag, 
 
 from asperity.errors import InputError
 from asperity.joint_file import limits
+from asperity.joint_file.bearing_entries import HeldBearing, PinBearing
 from asperity.joint_file.material_entries import MaterialEntry, MaterialName, SurfaceEntry
 from asperity.joint_file.model import (
     BearingTorque,
@@ -215,6 +216,12 @@ class PlanarCase(Section):
     """Temperature of the drive; that of the assembly if the section is absent."""
     bearings: PlanarBearings | None = None
     """Friction of the bearings in rolling; none if the section is absent."""
+    pin_bearing: PinBearing | None = None
+    """Rolling bearings of the rollers on pins, alike in all of them, for their life."""
+    input_bearing: HeldBearing | None = None
+    """Rolling bearings of the input, for their life under forces from outside."""
+    output_bearing: HeldBearing | None = None
+    """Rolling bearings of the output, for their life under forces from outside."""
     compliance: PlanarCompliance | None = None
     """Springs of pins and shafts; ideal if the section is absent."""
     rolling: PlanarRolling | None = None

@@ -40,6 +40,10 @@ def misnamed_parts(case: PlanarCase) -> list[str]:
         contacts = tuple(contact.name for contact in case.contact)
         bodies = tuple(roller.name for roller in case.roller)
         found += misdescribed(case)
+        if case.pin_bearing is not None and all(roller.place != "pin" for roller in case.roller):
+            found.append(
+                'pin_bearing: no [[roller]] has place = "pin"; leave the section out, or give the roller its pin'
+            )
     else:
         contacts, bodies = tuple(CONTACTS[kind]), bodies_of_type(kind)
     for path, table, known in (

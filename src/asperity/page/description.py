@@ -36,6 +36,8 @@ HEADINGS = {
     "pin_bearing": "Rolling bearings of the pins",
     "sun_bearing": "Rolling bearings of the sun",
     "carrier_bearing": "Rolling bearings of the carrier",
+    "input_bearing": "Rolling bearings of the input",
+    "output_bearing": "Rolling bearings of the output",
     "rolling": "Rolling",
     "lubrication": "Lubrication",
     "duty": "Duty",

@@ -196,7 +196,7 @@ def _planar_parts(source: ReportSource, case: PlanarCase) -> _Parts:
         joint,
         solved_planar_joint(joint, solution),
         document,
-        planar_loads_document(joint, solution),
+        planar_loads_document(joint, solution, document["bearings"]),
         surfaces=(*_measured(joint, source, case), surface_tables.averages(document)),
         drive=(*result_tables.planar_drive(document), *load_tables.rims(document)),
     )

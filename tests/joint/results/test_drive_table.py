@@ -11,7 +11,9 @@ from asperity.joint.results.drive_table import results_of_drive
 
 @pytest.fixture(scope="module")
 def table():
-    return results_of_drive(("ab", "bc"), ("wheel", "disc", "hoop"), ("disc_to_disc",))
+    return results_of_drive(
+        ("ab", "bc"), ("wheel", "disc", "hoop"), ("disc_to_disc",), ("disc_pin", "wheel", "carrier")
+    )
 
 
 def test_rows_are_the_parts_of_the_drive(table):
@@ -19,6 +21,8 @@ def test_rows_are_the_parts_of_the_drive(table):
     assert table["body_life"].row_names == ("wheel", "disc", "hoop")
     assert table["rim_yield_safety"].row_names == ("wheel", "disc", "hoop")
     assert table["clearance"].row_names == ("disc_to_disc",)
+    assert table["bearing_life"].row_names == ("disc_pin", "wheel", "carrier")
+    assert table["bearing_life"].note.endswith("[pin_bearing], [input_bearing] or [output_bearing]")
     assert table["limiting_contact"].categories == ("ab", "bc", "none")
     assert "0" in table["limiting_contact"].note
     assert table["speed_ratio"].highest_limit == math.inf
@@ -36,4 +40,4 @@ def test_no_label_names_a_part_that_the_drive_may_not_have(table):
 def test_the_papers_drive_keeps_its_words():
     assert RESULTS["published_stiffness_sun"].label == "torsional stiffness at the sun, as published"
     assert "where the sun stands" in RESULTS["efficiency"].note
-    assert not any(row.wedge_only for row in results_of_drive(("a",), ("b",), ("c",)).values())
+    assert not any(row.wedge_only for row in results_of_drive(("a",), ("b",), ("c",), ("d",)).values())

@@ -221,6 +221,20 @@ def test_limits_of_another_drive_have_its_names(zou_file):
             )
 
 
+def test_limits_hold_for_the_rated_bearings_of_another_drive(tmp_path, zou_file):
+    joint = zou_file.with_name("planetary.toml").read_text()
+    rated = '\n[pin_bearing]\ntype = "ball"\ndynamic_rating = "2 kN"\nstatic_rating = "1 kN"\ncount = 2\n'
+    text = (
+        'joint = "planetary.toml"\n[variables]\n"drive.contact_length" = { lower = "6 mm", upper = "20 mm" }\n'
+        '[objective]\nminimise = "mass"\n[constraints]\nbearing_life = { at_least = "20000 h" }'
+    )
+    (tmp_path / "planetary.toml").write_text(joint + rated)
+    assert problem(text, tmp_path).constraints[0].rows == (0,)
+    (tmp_path / "planetary.toml").write_text(joint)
+    with pytest.raises(InputError, match=r"no ratings of a bearing: \[pin_bearing\], \[input_bearing\] or"):
+        problem(text, tmp_path)
+
+
 def test_limits_of_rims_hold_for_the_bodies_that_bend(tmp_path, zou_file):
     joint = zou_file.with_name("planetary.toml").read_text()
     text = (

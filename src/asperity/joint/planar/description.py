@@ -13,6 +13,7 @@ from asperity.body.shapes import PlaneState
 from asperity.contact.fractal import Surface
 from asperity.contact.population import ContactFactorModel
 from asperity.contact.roller_pairs import roller_pairs
+from asperity.drive.bearing_life import RatedBearing
 from asperity.drive.mechanism import Bearings
 from asperity.drive.planar.layout import PlanarDrive
 from asperity.drive.rolling_speeds import BodiesOfContacts
@@ -104,6 +105,8 @@ class PlanarJoint(eqx.Module):
         Play at the output, part of every torque–angle curve; none by default.
     fit : PlanarFit or None, optional
         What temperature adds to the interference; None where the preload does not depend on it.
+    pin_bearing, input_bearing, output_bearing : RatedBearing or None, optional
+        Rolling bearings of every roller on a pin, of input and of output; None where no life is asked for.
     """
 
     type: str = eqx.field(static=True)
@@ -128,6 +131,9 @@ class PlanarJoint(eqx.Module):
     bearings: Bearings | None = None
     play: Play = NO_PLAY
     fit: PlanarFit | None = None
+    pin_bearing: RatedBearing | None = None
+    input_bearing: RatedBearing | None = None
+    output_bearing: RatedBearing | None = None
 
     @property
     def working_pattern(self) -> Array:
@@ -149,9 +155,35 @@ class PlanarJoint(eqx.Module):
         return self.drive.input.replace("_", " "), self.drive.output.replace("_", " ")
 
     @property
+    def bearing_names(self) -> tuple[str, ...]:
+        """Names of the rolling bearings, in the order of every bearing axis."""
+        return bearing_names(self.drive)
+
+    @property
+    def rated_bearings(self) -> tuple[RatedBearing | None, ...]:
+        """Ratings of these bearings; None where the file has none."""
+        return (*(self.pin_bearing for _ in self.drive.pinned), self.input_bearing, self.output_bearing)
+
+    @property
     def contact_names(self) -> tuple[str, ...]:
         """Names of the contacts."""
         return tuple(contact.name for contact in self.drive.contacts)
+
+
+def bearing_names(drive: PlanarDrive) -> tuple[str, ...]:
+    """Names of the rolling bearings of a drive.
+
+    Parameters
+    ----------
+    drive : PlanarDrive
+        The drive.
+
+    Returns
+    -------
+    tuple of str
+        Those of the rollers on pins, then of input and output.
+    """
+    return (*(f"{drive.bodies[body].name}_pin" for body in drive.pinned), drive.input, drive.output)
 
 
 def places(drive: PlanarDrive) -> tuple[tuple[int, ...], tuple[int, ...]]:

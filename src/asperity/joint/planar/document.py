@@ -25,7 +25,7 @@ from asperity.joint.planar.solve import PlanarSolution
 from asperity.joint.planar.solved import SolvedPlanarJoint, solved_planar_joint
 from asperity.joint.planar.temperature import planar_assembly_document
 from asperity.joint.rolling_document import losses, rolling_document
-from asperity.joint.strength_document import rim_entry
+from asperity.joint.strength_document import bearing_entries, rim_entry
 from asperity.joint.surface_averages import surface_averages
 
 Document = dict[str, Any]
@@ -109,7 +109,7 @@ def planar_document(
             "torque_capacity": planar_capacity_document(solution, solution),
             "contacts": contact_documents(solved),
             "surfaces": surface_averages(joint, inputs.get("surface", {})),
-            "bearings": [],
+            "bearings": bearing_entries(solved),
             "rims": _rims(solved),
             "torsional_stiffness": torsional_stiffness_document(result),
             "stiffness_unknown_because": stiffness_unknown_because(result),

@@ -4,20 +4,24 @@ from __future__ import annotations
 
 import dataclasses
 from collections.abc import Iterator
-from typing import Any
 
 import jax
 import jax.numpy as jnp
 import numpy as np
 
 from asperity.compilation import compile_fast
-from asperity.drive.planar.layout import CARRIER, PlanarDrive, speeds
-from asperity.drive.planar.loads import PlanarLoads, pin_components, planar_loads
-from asperity.joint.loads_document import Document, Row, case_entry, document_of_rows
+from asperity.drive.planar.layout import CARRIER, PlanarDrive
+from asperity.drive.planar.loads import PlanarLoads, pin_components
+from asperity.joint.loads_document import RATED, Document, Row, case_entry, document_of_rows
 from asperity.joint.planar.description import PlanarJoint, tracks_of
-from asperity.joint.planar.evaluation import PlanarResult, driving_sense
-from asperity.joint.planar.laws import drive_load
+from asperity.joint.planar.evaluation import PlanarResult
 from asperity.joint.planar.solve import PlanarSolution, solve_planar_program
+from asperity.joint.planar.working_loads import (
+    member_speeds,
+    pin_speeds,
+    planar_loads_without_torque,
+    working_planar_loads,
+)
 from asperity.joint.rolling_document import unknown_because
 
 _NOTES = (
@@ -40,71 +44,7 @@ _BEARINGS = (
 )
 
 
-def working_planar_loads(joint: PlanarJoint, result: PlanarResult) -> PlanarLoads:
-    """Loads of the structure of a joint under its torque.
-
-    Parameters
-    ----------
-    joint : PlanarJoint
-        One joint.
-    result : PlanarResult
-        Its result.
-
-    Returns
-    -------
-    PlanarLoads
-        Of steady rolling where the input turns, else of the state standing under the torque; nan where there is none.
-
-    References
-    ----------
-    Equations (M1) and (M3) of :doc:`/equations`.
-    """
-    turns = float(joint.input_speed) > 0.0
-    forces: Any = result.rolling if turns else result.forces
-    sense = driving_sense(joint.drive)
-    known = np.isfinite(np.asarray(result.rolling.residual)) if turns else np.asarray(result.solved)
-    load = drive_load(joint, [result.masses[k] for k in range(len(joint.shapes))], joint.output_torque)
-    found = planar_loads(
-        drive=joint.drive,
-        normal=jnp.asarray(forces.normal),
-        tangential=sense * forces.tangential,
-        body_force=jnp.zeros((0, 2)) if load.body_force is None else load.body_force,
-    )
-    numbers: PlanarLoads = jax.tree.map(lambda leaf: np.where(known, np.asarray(leaf), np.nan), found)
-    return numbers
-
-
-def planar_loads_without_torque(joint: PlanarJoint, result: PlanarResult) -> PlanarLoads:
-    """Loads of the structure of an assembled joint without torque.
-
-    Parameters
-    ----------
-    joint : PlanarJoint
-        One joint.
-    result : PlanarResult
-        Its result.
-
-    Returns
-    -------
-    PlanarLoads
-        From the preload alone.
-
-    References
-    ----------
-    Equations (M1) and (M3) of :doc:`/equations`.
-    """
-    rest = result.rest
-    found = planar_loads(
-        drive=joint.drive,
-        normal=jnp.asarray(rest.normal),
-        tangential=jnp.asarray(rest.tangential),
-        body_force=jnp.zeros((len(joint.drive.floating), 2)),
-    )
-    numbers: PlanarLoads = jax.tree.map(np.asarray, found)
-    return numbers
-
-
-def planar_loads_document(joint: PlanarJoint, solution: PlanarSolution) -> Document:
+def planar_loads_document(joint: PlanarJoint, solution: PlanarSolution, bearings: list[Document]) -> Document:
     """Loads of the structure as a document, ready for :func:`json.dumps`.
 
     Parameters
@@ -113,6 +53,8 @@ def planar_loads_document(joint: PlanarJoint, solution: PlanarSolution) -> Docum
         The joint.
     solution : PlanarSolution
         What it does under its working torque.
+    bearings : list of dict
+        Its :func:`asperity.joint.strength_document.bearing_entries`.
 
     Returns
     -------
@@ -130,29 +72,32 @@ def planar_loads_document(joint: PlanarJoint, solution: PlanarSolution) -> Docum
         there = dataclasses.replace(numbers, output_torque=point.output_torque, input_speed=point.sun_speed)
         under: PlanarResult = jax.tree.map(np.asarray, compile_fast(solve_planar_program, there)(there)[0])
         loaded.append((f"duty {index}", float(point.share), there, under))
+    drive = joint.drive
+    speeds = [np.zeros(len(drive.members))]
     for name, share, there, under in loaded:
         loads.append(working_planar_loads(there, under))
-        unknown = bool(np.any(np.isnan(loads[-1].moments)))
+        speeds.append(np.asarray(member_speeds(there, under)))
+        unknown = bool(np.any(np.isnan(np.asarray(loads[-1].moments))))
         why = unknown_because(there, under)[0] if unknown else None
         cases.append(case_entry(name, float(there.output_torque), float(there.input_speed), share, why))
-    drive = joint.drive
     stepped = any(len(tracks_of(joint, number)) > 1 for number in drive.floating)
     notes = [*_NOTES]
     if len(drive.pinned) < len(drive.floating):
         notes.append(_FREE)
     if stepped:
         notes.append(_IN_ONE_PLANE)
-    inputs = np.array([0.0, *(float(there.input_speed) for _, _, there, _ in loaded)])
     if joint.bearings is not None:
         notes.append(_BEARINGS)
-    return document_of_rows(cases, _rows(drive, loads, inputs), bearings=[], notes=notes)
+    if bearings:
+        notes.append(RATED)
+    return document_of_rows(cases, _rows(drive, loads, speeds), bearings=bearings, notes=notes)
 
 
-def _rows(drive: PlanarDrive, loads: list[PlanarLoads], input_speeds: np.ndarray) -> Iterator[Row]:
+def _rows(drive: PlanarDrive, loads: list[PlanarLoads], speeds: list[np.ndarray]) -> Iterator[Row]:
     """Part, position, quantity, SI unit, and a value for each case."""
-    members, speed = drive.members, np.asarray(speeds(drive))
-    turned = np.abs(speed)
-    relative = np.abs(speed - speed[members.index(CARRIER)])
+    members = drive.members
+    turned = np.abs(np.stack(speeds, axis=-1))
+    relative = np.stack([np.asarray(pin_speeds(drive, jnp.asarray(each))) for each in speeds], axis=-1)
     pins = [pin_components(drive=drive, force=load.pin) for load in loads]
     for k, body in enumerate(drive.pinned):
         part = ("carrier pin", drive.bodies[body].name.replace("_", " "))
@@ -160,7 +105,7 @@ def _rows(drive: PlanarDrive, loads: list[PlanarLoads], input_speeds: np.ndarray
         yield *part, "radial force", "N", radial
         yield *part, "tangential force", "N", tangential
         yield *part, "resultant force", "N", np.hypot(radial, tangential)
-        yield *part, "speed, roller on pin", "rad/s", relative[body] * input_speeds
+        yield *part, "speed, roller on pin", "rad/s", relative[k]
     for number, name in enumerate(members):
         if name != CARRIER and drive.bodies[number].place != "axis":
             continue
@@ -171,4 +116,4 @@ def _rows(drive: PlanarDrive, loads: list[PlanarLoads], input_speeds: np.ndarray
         moment = drive.sense * np.array([load.moments[number] for load in loads])
         yield *part, "torque of the rollers" if name != CARRIER else "torque of all pins", "N*m", moment
         yield *part, "resultant force", "N", 0.0
-        yield *part, "speed in the housing", "rad/s", turned[number] * input_speeds
+        yield *part, "speed in the housing", "rad/s", turned[number]

@@ -17,6 +17,7 @@ from asperity.drive.planar.layout import sectors_of_members
 from asperity.drive.planar.state import ContactLaws
 from asperity.joint.capacity import TorqueCapacity
 from asperity.joint.loss_note import loss_notes
+from asperity.joint.planar.bearing_lives import planar_bearing_lives
 from asperity.joint.planar.capacity import PlanarCapacity, planar_capacity
 from asperity.joint.planar.description import PlanarJoint, tracks_of
 from asperity.joint.planar.evaluation import PlanarResult
@@ -126,6 +127,8 @@ class SolvedPlanarJoint(SolvedJoint):
         """Largest negative output torque under which the joint rolls, as a positive number [N·m]."""
         return self._capacity(rolls=True, index=1).output_torque
 
+    _bearing_lives = staticmethod(planar_bearing_lives)
+
     @functools.cached_property
     def rims(self) -> Any:
         """Stresses of the rings and hollow rollers that bend, the bodies along the last axis."""
@@ -137,7 +140,10 @@ class SolvedPlanarJoint(SolvedJoint):
         return self.result.preload
 
     def row_names(self, axis: str) -> tuple[str, ...]:
-        """Names of the contacts, bodies or clearances of this joint's drive."""
+        """Names of the contacts, bodies, bearings or clearances of this joint's drive."""
+        if axis == "bearing":
+            names: tuple[str, ...] = self.joint.bearing_names
+            return names
         if axis == "clearance":
             return tuple("_to_".join(pair) for pair in neighbours(self.joint.drive))
         return super().row_names(axis)

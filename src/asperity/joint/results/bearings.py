@@ -10,7 +10,7 @@ from asperity.unit_table import Dimension
 
 _NEEDS = "nan without [pin_bearing], [sun_bearing] or [carrier_bearing]"
 _bearing = functools.partial(
-    Result, group="bearings", axis="bearing", present=lambda solved: solved.has_bearings, wedge_only=True
+    Result, group="bearings", axis="bearing", present=lambda solved: solved.has_bearings
 )
 
 ROWS = (

@@ -17,19 +17,26 @@ _LABELS = {
     "envelope_diameter": "outer diameter of the largest body",
 }
 #: What is said of the paper's sun holds for the input of any drive.
-_OF_THE_SUN = (("at the sun", "at the input"), ("where the sun stands", "where the input stands"))
+_OF_THE_SUN = (
+    ("at the sun", "at the input"),
+    ("where the sun stands", "where the input stands"),
+    ("[sun_bearing] or [carrier_bearing]", "[input_bearing] or [output_bearing]"),
+)
 
 
 @functools.lru_cache(maxsize=32)
 def results_of_drive(
-    contacts: tuple[str, ...], bodies: tuple[str, ...], neighbours: tuple[str, ...]
+    contacts: tuple[str, ...],
+    bodies: tuple[str, ...],
+    neighbours: tuple[str, ...],
+    bearings: tuple[str, ...],
 ) -> dict[str, Result]:
     """Every result that a planar drive has.
 
     Parameters
     ----------
-    contacts, bodies, neighbours : tuple of str
-        Names of its contacts and bodies, and of the pairs of bodies that must not touch.
+    contacts, bodies, neighbours, bearings : tuple of str
+        Names of its contacts and bodies, of the pairs of bodies that must not touch, and of its rolling bearings.
 
     Returns
     -------
@@ -37,7 +44,7 @@ def results_of_drive(
         Name → the row of :data:`asperity.joint.results.RESULTS`, with the names of this drive; without those that only
         the drive of Zou et al. 2025 has.
     """
-    names = {"contact": contacts, "body": bodies, "clearance": neighbours}
+    names = {"contact": contacts, "body": bodies, "clearance": neighbours, "bearing": bearings}
     rows = [_named(row, names) for row in RESULTS.values() if not row.wedge_only]
     return {row.name: row for row in rows if row.row_names}
 
@@ -57,7 +64,7 @@ def results_of_joint(solved: SolvedJoint) -> dict[str, Result]:
     """
     if not isinstance(solved.joint, PlanarJoint):
         return WEDGE_RESULTS
-    return results_of_drive(*(solved.row_names(axis) for axis in ("contact", "body", "clearance")))
+    return results_of_drive(*(solved.row_names(axis) for axis in ("contact", "body", "clearance", "bearing")))
 
 
 def _named(row: Result, names: dict[str, tuple[str, ...]]) -> Result:

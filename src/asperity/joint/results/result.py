@@ -15,8 +15,8 @@ import numpy as np
 from asperity.compilation import call_compiled
 from asperity.drive.geometry import CLEARANCE_CONDITIONS, CONTACT_NAMES, clearances
 from asperity.drive.rolling_speeds import BODY_NAMES
-from asperity.drive.structure_loads import PIN_NAMES, StructureLoads
-from asperity.joint.bearing_lives import BEARING_NAMES, BearingLives, bearing_lives, rated_bearings
+from asperity.drive.structure_loads import BEARING_NAMES, PIN_NAMES, StructureLoads
+from asperity.joint.bearing_lives import BearingLives, bearing_lives
 from asperity.joint.branch_results import UnequalBranches
 from asperity.joint.capacity import TorqueCapacity, torque_capacity
 from asperity.joint.description import Joint, preload_at
@@ -137,10 +137,12 @@ class SolvedJoint:
     def bearings(self) -> BearingLives:
         """Lives of the rolling bearings; nothing to compute where none has ratings."""
         if not any(self.has_bearings):
-            nothing = jnp.full((len(BEARING_NAMES), *jnp.shape(self.result.solved)), jnp.nan)
+            nothing = jnp.full((len(self.has_bearings), *jnp.shape(self.result.solved)), jnp.nan)
             return BearingLives(nothing, nothing, nothing, nothing, nothing)
-        lives: BearingLives = call_compiled(bearing_lives, self.joint, self.result)
+        lives: BearingLives = call_compiled(self._bearing_lives, self.joint, self.result)
         return lives
+
+    _bearing_lives: Any = staticmethod(bearing_lives)
 
     @functools.cached_property
     def rims(self) -> JointRims:
@@ -156,7 +158,7 @@ class SolvedJoint:
     @property
     def has_bearings(self) -> tuple[bool, ...]:
         """Which rolling bearings have ratings."""
-        return tuple(bearing is not None for bearing in rated_bearings(self.joint))
+        return tuple(bearing is not None for bearing in self.joint.rated_bearings)
 
     @functools.cached_property
     def clearances(self) -> list[Any]:
@@ -287,7 +289,11 @@ class Result:
 
     def rows_of(self, solved: SolvedJoint) -> dict[str, float]:
         """Name → value [SI] of the rows that one joint has, without batch axes."""
-        own = ("contact", "body", *(("clearance",) if isinstance(solved.joint, PlanarJoint) else ()))
+        own = (
+            "contact",
+            "body",
+            *(("clearance", "bearing") if isinstance(solved.joint, PlanarJoint) else ()),
+        )
         names = solved.row_names(self.axis) if self.axis in own else self.row_names
         present = (True,) * len(names) if self.present is None else self.present(solved)
         found = self.of(solved) if any(present) else None

@@ -342,7 +342,7 @@ def _rows(result: Result, values: Values, where: str) -> tuple[int, ...]:
 def _absent(result: Result) -> str:
     """Why a joint file lacks rows of a result."""
     if result.axis == "bearing":
-        return "the joint file gives no ratings of a bearing: [pin_bearing], [sun_bearing], [carrier_bearing]"
+        return f"the joint file gives no ratings of a bearing: {result.note.rpartition('nan without ')[2]}"
     words = "only free rings and hollow rollers, of one track each, have it"
     return words + " where their material states fatigue_strength" * ("fatigue" in result.name)
 

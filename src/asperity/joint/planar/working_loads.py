@@ -1,0 +1,121 @@
+"""Loads of the structure of a joint with a planar drive in the state in which it works, and speeds of its members."""
+
+from __future__ import annotations
+
+import jax.numpy as jnp
+import numpy as np
+from jax import Array
+
+from asperity.drive.planar.creeping import creeping_speeds
+from asperity.drive.planar.layout import CARRIER, PlanarDrive
+from asperity.drive.planar.loads import PlanarLoads, planar_loads
+from asperity.joint.planar.description import PlanarJoint
+from asperity.joint.planar.evaluation import PlanarResult, driving_sense
+from asperity.joint.planar.laws import drive_load
+
+
+def working_planar_loads(joint: PlanarJoint, result: PlanarResult) -> PlanarLoads:
+    """Loads of the structure of a joint under its torque; pure.
+
+    Parameters
+    ----------
+    joint : PlanarJoint
+        One joint.
+    result : PlanarResult
+        Its result.
+
+    Returns
+    -------
+    PlanarLoads
+        Of steady rolling where the input turns, else of the state standing under the torque; nan where there is none.
+
+    References
+    ----------
+    Equations (M1) and (M3) of :doc:`/equations`.
+    """
+    turns = jnp.asarray(joint.input_speed) > 0.0
+    moving, standing = result.rolling, result.forces
+    load = drive_load(joint, [result.masses[k] for k in range(len(joint.shapes))], joint.output_torque)
+    known = jnp.where(turns, jnp.isfinite(moving.residual), result.solved)
+    found = planar_loads(
+        drive=joint.drive,
+        normal=jnp.where(turns, moving.normal, standing.normal),
+        tangential=driving_sense(joint.drive) * jnp.where(turns, moving.tangential, standing.tangential),
+        body_force=jnp.zeros((0, 2)) if load.body_force is None else load.body_force,
+    )
+    return PlanarLoads(*(jnp.where(known, each, jnp.nan) for each in found))
+
+
+def planar_loads_without_torque(joint: PlanarJoint, result: PlanarResult) -> PlanarLoads:
+    """Loads of the structure of an assembled joint without torque; pure.
+
+    Parameters
+    ----------
+    joint : PlanarJoint
+        One joint.
+    result : PlanarResult
+        Its result.
+
+    Returns
+    -------
+    PlanarLoads
+        From the preload alone.
+
+    References
+    ----------
+    Equations (M1) and (M3) of :doc:`/equations`.
+    """
+    return planar_loads(
+        drive=joint.drive,
+        normal=jnp.asarray(result.rest.normal),
+        tangential=jnp.asarray(result.rest.tangential),
+        body_force=jnp.zeros((len(joint.drive.floating), 2)),
+    )
+
+
+def member_speeds(joint: PlanarJoint, result: PlanarResult) -> Array:
+    """Angular velocities of the members of a joint, creep taken off; pure.
+
+    Parameters
+    ----------
+    joint : PlanarJoint
+        One joint.
+    result : PlanarResult
+        Its result.
+
+    Returns
+    -------
+    Array
+        Counter-clockwise, shape (members,) [rad/s]; 0 where the input stands, nan where the joint does not roll.
+
+    References
+    ----------
+    Equation (M2) of :doc:`/equations`.
+    """
+    creepage = driving_sense(joint.drive) * result.rolling.creepage
+    unit, _ = creeping_speeds(drive=joint.drive, creepage=creepage)
+    speed = jnp.asarray(joint.input_speed)
+    return jnp.where(speed > 0.0, unit * speed, 0.0)
+
+
+def pin_speeds(drive: PlanarDrive, speeds: Array) -> Array:
+    """Angular velocities of the rollers on pins relative to the carrier.
+
+    Parameters
+    ----------
+    drive : PlanarDrive
+        The drive.
+    speeds : Array
+        Angular velocities of its members, shape (members,) [rad/s].
+
+    Returns
+    -------
+    Array
+        Without signs, shape (pins,) [rad/s].
+
+    References
+    ----------
+    Difference of the angular velocities.
+    """
+    carrier = drive.members.index(CARRIER)
+    return jnp.abs(speeds[np.array(drive.pinned, dtype=int)] - speeds[carrier])
