@@ -27,7 +27,6 @@ def test_every_number_of_a_joint_file_has_a_path():
     [
         ("branch", '[[branch]]\nplanet_deviation = "1 um"'),
         ("bearings.pin_length", '[bearings]\npin_length = "6 mm"'),
-        ("rolling.skew", '[rolling]\nskew = "1 mrad"'),
     ],
 )
 def test_what_only_the_papers_drive_has_says_so(planar_case, path, section):

@@ -5,7 +5,8 @@ import math
 import numpy as np
 import pytest
 
-from asperity.joint_file.planar_build import planar_joint_from_case
+from asperity.joint_file.planar_build import planar_joint_from_case, planar_joint_from_values
+from asperity.joint_file.si_tables import replace_values, si_values
 from asperity.surface.roughness_average import roughness_average
 
 
@@ -24,6 +25,22 @@ def test_numbers_for_each_contact(planar_case):
         "planetary", ('contact_length = "10 mm"', 'contact_length = { sp = "10 mm", pr = "12 mm" }')
     )
     assert planar_joint_from_case(case).contact_lengths == pytest.approx((10e-3, 12e-3))
+
+
+def test_skew_of_all_contacts_or_of_each(planar_case):
+    def skew(text):
+        case = planar_case("multiroller", ("[model]", f"[rolling]\nskew = {text}\n\n[model]"))
+        return case, planar_joint_from_case(case).rolling.skew
+
+    assert planar_joint_from_case(planar_case("multiroller")).rolling.skew is None
+    case, one = skew('"0.5 mrad"')
+    assert one == pytest.approx((5e-4,))
+    _, each = skew('{ sr = "-1 mrad", fsl = "2 mrad", sf = "0 rad", fsr = "0 rad" }')
+    assert each == pytest.approx((0.0, 2e-3, 0.0, -1e-3))
+    changed = replace_values(si_values(case), {"rolling.skew.sr": 1e-3})
+    assert planar_joint_from_values(changed).rolling.skew == pytest.approx((5e-4, 5e-4, 5e-4, 1e-3))
+    added = replace_values(si_values(planar_case("multiroller")), {"rolling.skew.sf": 1e-3})
+    assert planar_joint_from_values(added).rolling.skew == pytest.approx((1e-3, 0.0, 0.0, 0.0))
 
 
 def test_surfaces_for_each_contact(planar_case):

@@ -50,6 +50,7 @@ def test_rings_are_held_unless_they_are_free(planar_case):
         ),
         ("friction_coefficient = 0.08", "friction_coefficient = { qq = 0.1 }", "sp, pr are missing"),
         ('planet = "52100"\n', "", "bodies: planet is missing"),
+        ("[model]", '[rolling]\nskew = { sp = "1 mrad" }\n\n[model]', "rolling.skew: pr is missing"),
     ],
 )
 def test_other_names_are_told(planar_case, old, new, message):

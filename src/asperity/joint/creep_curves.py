@@ -87,7 +87,7 @@ def _planar(joint: PlanarJoint, normal: Array) -> tuple[Array, Array]:
 
     def at(share: Array) -> tuple[Array, Array]:
         tangential = jnp.asarray(contacts.pairs.friction_coefficient) * share * normal
-        law = creep_law(contacts, normal, tangential).law
+        law = creep_law(joint, contacts, normal, tangential).law
         return tangential / normal, creepages(law=law, normal=normal, tangential=tangential)
 
     traction, creepage = jax.vmap(at, out_axes=-1)(_tractions())

@@ -6,8 +6,8 @@ from collections.abc import Mapping
 
 from asperity.joint_file.drawn_surface import surfaces_by_average
 from asperity.joint_file.material_entries import MaterialEntry
-from asperity.joint_file.model import Case, Lubrication
-from asperity.joint_file.planar_model import PlanarCase
+from asperity.joint_file.model import Case, Lubrication, Rolling
+from asperity.joint_file.planar_model import PlanarCase, PlanarRolling
 from asperity.joint_file.temperature_section import without_expansion
 from asperity.library import read_finishes
 from asperity.units import format_quantity
@@ -205,32 +205,36 @@ def _fatigue(case: Case) -> list[str]:
 
 def _rolling(case: Case) -> list[str]:
     """What is taken for the joint that turns."""
-    rolling = case.rolling
-    told = rolling_model_assumptions()
-    if rolling is None or rolling.skew is None:
-        told.append("no rolling.skew: the axes of the rollers are parallel, there is no axial force")
-    if rolling is None or rolling.hysteresis_factor is None:
-        told.append("no rolling.hysteresis_factor: the bodies lose no work as they roll")
-    if rolling is None or rolling.reliability is None:
-        told.append("no rolling.reliability: nine drives in ten reach the life, 0.9")
-    return told + lubrication_assumptions(
+    return rolling_assumptions(case.rolling) + lubrication_assumptions(
         case.lubrication,
         materials={name: case.materials[name] for name in dict.fromkeys(value for _, value in case.bodies)},
     )
 
 
-def rolling_model_assumptions() -> list[str]:
-    """What the model of rolling takes for every joint.
+def rolling_assumptions(rolling: Rolling | PlanarRolling | None) -> list[str]:
+    """What the model of rolling takes for every joint, and what a file leaves out of it.
+
+    Parameters
+    ----------
+    rolling : Rolling, PlanarRolling or None
+        Section [rolling] of the file.
 
     Returns
     -------
     list of str
         One sentence each.
     """
-    return [
+    told = [
         "rolling: steady, the asperities as an elastic layer of even stiffness; the churning of the oil is not counted",
         "life: rolling-contact fatigue of through-hardened bearing steel, no factors for film, cleanliness or traction",
     ]
+    if rolling is None or rolling.skew is None:
+        told.append("no rolling.skew: the axes of the rollers are parallel, there is no axial force")
+    if rolling is None or rolling.hysteresis_factor is None:
+        told.append("no rolling.hysteresis_factor: the bodies lose no work as they roll")
+    if rolling is None or rolling.reliability is None:
+        told.append("no rolling.reliability: nine drives in ten reach the life, 0.9")
+    return told
 
 
 def lubrication_assumptions(

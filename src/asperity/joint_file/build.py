@@ -27,8 +27,8 @@ from asperity.joint.rolling_conditions import PLAIN_ROLLING, DutyPoint, RollingC
 from asperity.joint.temperature import thermal_interference
 from asperity.joint_file.material_build import material_of, surface_of
 from asperity.joint_file.model import Case
+from asperity.joint_file.part_names import contacts_of
 from asperity.joint_file.planar_model import PlanarCase
-from asperity.joint_file.section import EachContact
 from asperity.joint_file.si_tables import Values, check_values, replace_values, si_values
 from asperity.types import Real
 
@@ -93,7 +93,8 @@ def joint_from_values(values: Values) -> Joint:
     drive, load, model = values["drive"], values["load"], values["model"]
     bearings, compliance = values.get("bearings", {}), values.get("compliance", {})
     materials = {name: material_of(entry) for name, entry in values["materials"].items()}
-    lengths = _entries(drive["contact_length"])
+    names = contacts_of(values)
+    lengths = entries(drive["contact_length"], names)
     joint = Joint(
         geometry=DriveGeometry(
             sun_radius=drive["sun_radius"],
@@ -106,10 +107,11 @@ def joint_from_values(values: Values) -> Joint:
         ),
         bodies=Bodies(**{body: materials[name] for body, name in values["bodies"].items()}),
         surfaces=tuple(
-            surface_of(entry, asperity_base=model["asperity_base"]) for entry in _entries(values["surface"])
+            surface_of(entry, asperity_base=model["asperity_base"])
+            for entry in entries(values["surface"], names)
         ),
         contact_lengths=lengths,
-        friction_coefficients=_entries(load["friction_coefficient"]),
+        friction_coefficients=entries(load["friction_coefficient"], names),
         planet_length=drive.get("planet_length", _longest(lengths[:3])),
         loading_roller_length=drive.get("loading_roller_length", _longest(lengths[1:] or lengths)),
         ring_wall_thickness=drive["ring_wall_thickness"],
@@ -368,7 +370,7 @@ def rolling_conditions(values: Values) -> RollingConditions:
     """
     rolling, oil, plain = values.get("rolling", {}), values.get("lubrication", {}), PLAIN_ROLLING
     return RollingConditions(
-        skew=_entries(rolling["skew"]) if "skew" in rolling else plain.skew,
+        skew=entries(rolling["skew"], contacts_of(values)) if "skew" in rolling else plain.skew,
         hysteresis_loss_factor=rolling.get("hysteresis_factor", plain.hysteresis_loss_factor),
         viscosity=oil.get("viscosity", plain.viscosity),
         pressure_viscosity_coefficient=oil.get("pressure_coefficient", plain.pressure_viscosity_coefficient),
@@ -378,10 +380,23 @@ def rolling_conditions(values: Values) -> RollingConditions:
     )
 
 
-def _entries(entry: Any) -> tuple[Any, ...]:
-    """One entry for all contacts, or five in the order of the contact axis."""
-    if isinstance(entry, dict) and "sp" in entry:
-        return tuple(entry[name] for name in EachContact.model_fields)
+def entries(entry: Any, contacts: tuple[str, ...]) -> tuple[Any, ...]:
+    """One entry for all contacts, or one each.
+
+    Parameters
+    ----------
+    entry : object
+        Number or table of a joint file.
+    contacts : tuple of str
+        Names of the contacts, in the order of their axis.
+
+    Returns
+    -------
+    tuple
+        One entry, or one for each contact.
+    """
+    if isinstance(entry, dict) and contacts[0] in entry:
+        return tuple(entry[name] for name in contacts)
     return (entry,)
 
 

@@ -8,7 +8,7 @@ from asperity.joint.planar.rims import bends
 from asperity.joint_file.assumptions import (
     fatigue_unknown,
     lubrication_assumptions,
-    rolling_model_assumptions,
+    rolling_assumptions,
     temperature_assumptions,
 )
 from asperity.joint_file.general_model import GeneralCase
@@ -85,11 +85,7 @@ def planar_assumptions(case: PlanarCase) -> tuple[str, ...]:
                 "gives the interval of stiffness and drift"
             )
     told += temperature_assumptions(case, housed=not case.without_housing())
-    told += rolling_model_assumptions()
-    if case.rolling is None or case.rolling.hysteresis_factor is None:
-        told.append("no rolling.hysteresis_factor: the bodies lose no work as they roll")
-    if case.rolling is None or case.rolling.reliability is None:
-        told.append("no rolling.reliability: nine drives in ten reach the life, 0.9")
+    told += rolling_assumptions(case.rolling)
     told += lubrication_assumptions(
         case.lubrication,
         materials={name: case.materials[name] for name in dict.fromkeys(case.bodies.values())},

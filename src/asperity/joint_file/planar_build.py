@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import dataclasses
 import math
-from typing import Any
 
 import jax.numpy as jnp
 from jax import Array
@@ -14,10 +13,10 @@ from asperity.drive.planar.layout import PlanarDrive
 from asperity.joint.description import Joint
 from asperity.joint.planar.description import PlanarJoint
 from asperity.joint.planar.temperature import planar_fit
-from asperity.joint_file.build import joint_from_case, play_of, rated_bearing, rolling_conditions
+from asperity.joint_file.build import entries, joint_from_case, play_of, rated_bearing, rolling_conditions
 from asperity.joint_file.material_build import material_of, surface_of
 from asperity.joint_file.model import Case
-from asperity.joint_file.part_names import CONTACTS
+from asperity.joint_file.part_names import CONTACTS, contacts_of
 from asperity.joint_file.planar_model import PlanarCase
 from asperity.joint_file.planar_parts import layout_of
 from asperity.joint_file.si_tables import Values, si_values
@@ -70,7 +69,7 @@ def planar_joint_from_values(values: Values) -> PlanarJoint:
     """
     drive, shapes, pattern = layout_of(values)
     load, model, springs = values["load"], values["model"], values.get("compliance", {})
-    names = [contact.name for contact in drive.contacts]
+    names = contacts_of(values)
     if "nominal" in values:  # the rings have their nominal radii, whatever the rollers have
         pattern = tuple(jnp.asarray(pattern) + _grown(values, drive) / load["interference"])
     materials = {name: material_of(entry) for name, entry in values["materials"].items()}
@@ -81,10 +80,10 @@ def planar_joint_from_values(values: Values) -> PlanarJoint:
         materials=tuple(materials[values["bodies"][body.name]] for body in drive.bodies),
         surfaces=tuple(
             surface_of(entry, asperity_base=model["asperity_base"])
-            for entry in _entries(values["surface"], names)
+            for entry in entries(values["surface"], names)
         ),
-        contact_lengths=_entries(values["drive"]["contact_length"], names),
-        friction_coefficients=_entries(load["friction_coefficient"], names),
+        contact_lengths=entries(values["drive"]["contact_length"], names),
+        friction_coefficients=entries(load["friction_coefficient"], names),
         pattern=pattern,
         preload=load.get("preload"),
         interference=load.get("interference"),
@@ -172,10 +171,3 @@ def _grown(values: Values, drive: PlanarDrive) -> Array:
     nominal, *_ = layout_of(values | {"drive": values["drive"] | values["nominal"]})
     inside = jnp.array([contact.internal for contact in drive.contacts])
     return jnp.where(inside, drive.second_radius - nominal.second_radius, 0.0)
-
-
-def _entries(entry: Any, names: list[str]) -> tuple[Any, ...]:
-    """One entry for all contacts, or one each in the order of the drive."""
-    if isinstance(entry, dict) and names[0] in entry:
-        return tuple(entry[name] for name in names)
-    return (entry,)

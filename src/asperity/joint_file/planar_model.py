@@ -19,6 +19,7 @@ from asperity.joint_file.model import (
     Length,
     Lubrication,
     PlayEntry,
+    Skew,
     refuse_part_of_a_duty,
 )
 from asperity.joint_file.quantity_key import Quantity
@@ -51,6 +52,10 @@ PartFriction = Annotated[
 PartSurfaces = Annotated[
     Annotated[SurfaceEntry, Tag(ONE_FOR_ALL)] | Annotated[dict[PartName, SurfaceEntry], Tag(ONE_FOR_EACH)],
     Discriminator(_table_or_tables),
+]
+PartSkews = Annotated[
+    Annotated[Skew, Tag(ONE_FOR_ALL)] | Annotated[dict[PartName, Skew], Tag(ONE_FOR_EACH)],
+    Discriminator(_one_or_each),
 ]
 Wall = Annotated[Quantity, limits.WALL_THICKNESS]
 Bore = Annotated[Quantity, limits.BORE_DIAMETER]
@@ -185,6 +190,9 @@ class PlanarCompliance(Section):
 class PlanarRolling(Section):
     """The joint that turns; every key may be absent."""
 
+    skew: PartSkews | None = None
+    """Angle by which the axes of a contact are out of parallel: one for all, or a table with the names of the contacts;
+    parallel if absent."""
     hysteresis_factor: Annotated[Quantity, limits.HYSTERESIS_FACTOR] | None = None
     """Share of the elastic work that the bodies lose as they roll; 0.005 to 0.05 for hardened steel. Without it this
     loss is left out."""
@@ -225,7 +233,7 @@ class PlanarCase(Section):
     compliance: PlanarCompliance | None = None
     """Springs of pins and shafts; ideal if the section is absent."""
     rolling: PlanarRolling | None = None
-    """Hysteresis and reliability of the joint that turns."""
+    """Skew, hysteresis and reliability of the joint that turns."""
     lubrication: Lubrication | None = None
     """The oil; dry if the section is absent."""
     duty: Duty | None = None

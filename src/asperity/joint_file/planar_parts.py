@@ -50,6 +50,7 @@ def misnamed_parts(case: PlanarCase) -> list[str]:
         ("bodies", case.bodies, bodies),
         ("drive.contact_length", drive.contact_length, contacts),
         ("load.friction_coefficient", case.load.friction_coefficient, contacts),
+        ("rolling.skew", None if case.rolling is None else case.rolling.skew, contacts),
         ("surface", case.surface, contacts),
     ):
         if isinstance(table, dict):

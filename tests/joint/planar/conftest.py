@@ -23,6 +23,17 @@ def planetary(planar_case):
 
 
 @pytest.fixture(scope="session")
+def skewed_planetary(planar_case):
+    """The planetary example with springs as bodies and skewed axes: joint, solution and document."""
+    replaced = {
+        'bodies = "exact"': 'bodies = "springs"',
+        'ring_support = "free"': 'ring_support = "rigid_housing"',
+        "[lubrication]": '[rolling]\nskew = { sp = "0.5 mrad", pr = "-0.8 mrad" }\n\n[lubrication]',
+    }
+    return solved_planar(planar_case("planetary", replaced=replaced))
+
+
+@pytest.fixture(scope="session")
 def as_planar():
     """The paper's joint as bodies, contacts and pins."""
 

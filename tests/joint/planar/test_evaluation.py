@@ -52,6 +52,38 @@ def test_the_papers_drive_agrees_with_its_own_solver(both):
     )
 
 
+def test_skewed_rollers_of_the_papers_drive_agree_with_its_own_solver(case, as_planar):
+    """Skew counts at the traction of the drive at rest, which the published closure shares in another way."""
+    joint = dataclasses.replace(joint_from_case(case), body_model="springs")
+    skew = (1e-3, 5e-4, -3e-4, 8e-4, -1e-3)
+    joint = dataclasses.replace(joint, rolling=dataclasses.replace(joint.rolling, skew=skew))
+    expected, found = solved(evaluate, joint).rolling, solved(evaluate_planar, as_planar(joint)).rolling
+    for name in ("tangential", "creepage", "skew_creepage_factor", "capacity_loss", "axial_force"):
+        np.testing.assert_allclose(getattr(found, name), getattr(expected, name), rtol=1e-2, err_msg=name)
+    np.testing.assert_allclose(
+        found.axial_thrust, expected.axial_thrust, rtol=5e-3, atol=5e-3 * np.max(np.abs(expected.axial_force))
+    )
+    np.testing.assert_allclose(found.power.skew, expected.power.skew, rtol=5e-3)
+    assert float(found.speed_loss) == pytest.approx(float(expected.speed_loss), rel=2e-3)
+    assert float(found.power.efficiency) == pytest.approx(float(expected.power.efficiency), rel=1e-4)
+
+
+def test_no_skew_is_skew_zero(case, as_planar):
+    joint = dataclasses.replace(as_planar(joint_from_case(case)), body_model="springs")
+    parallel, zero = (
+        solved(
+            evaluate_planar, dataclasses.replace(joint, rolling=dataclasses.replace(joint.rolling, skew=skew))
+        )
+        for skew in (None, (0.0,))
+    )
+    for (path, value), other in zip(
+        jax.tree_util.tree_leaves_with_path(parallel.rolling), jax.tree.leaves(zero.rolling), strict=True
+    ):
+        name = jax.tree_util.keystr(path)
+        if "residual" not in name:
+            np.testing.assert_allclose(other, value, rtol=1e-9, atol=1e-12, equal_nan=True, err_msg=name)
+
+
 def test_every_state_satisfies_the_published_balance(both):
     """Equations (1) to (4) for the general chain's state at rest under the torque, without masses' share in (2)."""
     _, general = both

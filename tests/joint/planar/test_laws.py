@@ -7,8 +7,9 @@ import numpy as np
 import pytest
 from scipy.optimize import brentq
 
+from asperity.drive.rolling_state import creepages
 from asperity.joint.planar.description import body_masses, planar_contacts
-from asperity.joint.planar.laws import contact_laws, drive_load
+from asperity.joint.planar.laws import contact_laws, creep_law, drive_load
 
 YOUNG, POISSON, LENGTH = 203e9, 0.29, 10e-3  # of the example
 SPRINGS = {
@@ -48,6 +49,32 @@ def test_a_given_preload_is_the_reference(planar_joint):
     np.testing.assert_allclose(laws.reference_force, 700.0, rtol=1e-12)
     # asperities soften the slip in the sense of their stiffness
     assert np.all(np.asarray(laws.asperity_compliance) > 0.0)
+
+
+def test_creep_of_skewed_contacts_by_hand(planar_joint):
+    """(B3): creepages over those of gross slip are a vector z, and 1 - (1 - z)^2 of friction acts nearly along it."""
+    skewed = {"[lubrication]": '[rolling]\nskew = { sp = "0.5 mrad", pr = "-0.8 mrad" }\n\n[lubrication]'}
+    joint = planar_joint("planetary", SPRINGS | skewed)
+    normal, friction = np.array([3000.0, 3000.0]), 0.08
+    tangential = 0.25 * friction * normal
+    found = creep_law(joint, planar_contacts(joint), normal, tangential)
+    creepage = np.asarray(creepages(law=found.law, normal=normal, tangential=tangential))
+    modulus = YOUNG / (2.0 * (1.0 - POISSON**2))
+    for k, (angle, radius) in enumerate(((0.5e-3, 20e-3 / 3.0), (-0.8e-3, 100e-3 / 3.0))):
+        width = math.sqrt(4.0 * normal[k] * radius / (math.pi * LENGTH * modulus))
+        smooth, asperities = friction * width / radius, float(found.layer_factor[k]) - 1.0
+        # across, the bodies are softer, and the asperities add as much as along
+        most = smooth * np.array([1.0 + asperities, 1.0 / (1.0 - POISSON) + asperities])
+
+        def along(x, angle=angle, most=most):
+            vector = np.array([x, angle]) / most
+            share = np.hypot(*vector)
+            turned = vector[0], vector[1] * (most[1] / most[0]) ** (share / (4.0 - 2.0 * share))
+            return (1.0 - (1.0 - share) ** 2) * turned[0] / np.hypot(*turned)
+
+        expected = brentq(lambda x, along=along: along(x) - 0.25, 0.0, 0.5 * most[0])
+        assert expected / most[0] > 1.03 * (1.0 - math.sqrt(0.75))
+        assert creepage[k] == pytest.approx(expected, rel=5e-3)
 
 
 def test_centrifugal_force_and_pin(planar_joint):

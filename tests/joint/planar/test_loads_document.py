@@ -70,3 +70,20 @@ def test_the_loads_of_a_duty_are_cases_of_their_own(planar_case):
     )
     one = 1500.0 * math.pi / 30.0
     assert rows["sun", "speed in the housing"] == pytest.approx([0.0, one, 2.0 * one, 0.0], rel=1e-9)
+
+
+@pytest.mark.slow
+def test_axial_forces_of_skewed_contacts(skewed_planetary):
+    """Pins, shafts and the ring bear the thrust of their bodies, together none."""
+    joint, solution, document = skewed_planetary
+    thrust = document["rolling"]["axial_thrust_N"]
+    found = planar_loads_document(joint, solution, [])
+    rows = {row["part"]: row["values"] for row in found["loads"] if row["quantity"] == "axial force"}
+    assert rows == {
+        "carrier pin": pytest.approx([0.0, thrust["planet"]]),
+        "carrier": pytest.approx([0.0, 3.0 * thrust["planet"]]),
+        "sun": pytest.approx([0.0, thrust["sun"]]),
+        "ring": pytest.approx([0.0, thrust["ring"]]),
+    }
+    assert abs(thrust["sun"]) > 1.0
+    assert rows["carrier"][1] + rows["sun"][1] + rows["ring"][1] == pytest.approx(0.0, abs=1e-9)

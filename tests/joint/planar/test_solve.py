@@ -37,6 +37,25 @@ def test_forces_of_the_planetary_by_hand(planetary):
     assert float(solution.result.forces.balance_residual) < 1e-9
 
 
+@pytest.mark.slow
+def test_thrust_and_loss_of_skewed_axes_by_hand(skewed_planetary):
+    _, solution, document = skewed_planetary
+    found = document["rolling"]["contacts"]
+    one, two = (found[name]["axial_force_N"] for name in ("sp", "pr"))
+    assert one > 1.0
+    assert two < -1.0
+    assert found["sp"]["tangential_N"] == pytest.approx(10.0 / (COUNT * ORBIT) / 2.0, rel=1e-9)
+    thrust = document["rolling"]["axial_thrust_N"]
+    assert thrust == pytest.approx({"sun": -3.0 * one, "planet": one - two, "ring": 3.0 * two}, rel=1e-12)
+    # sideways friction takes from the torque: force times angle times rolling speed
+    speed = 1500.0 * math.pi / 30.0 * (1.0 - 1.0 / 6.0) * 10e-3
+    expected = COUNT * (one * 0.5e-3 - two * 0.8e-3) * speed
+    losses = document["rolling"]["losses_W"]
+    assert losses["skew"] == pytest.approx(expected, rel=2e-3)
+    assert losses["total"] == pytest.approx(losses["creep"] + losses["oil"] + losses["skew"], rel=1e-12)
+    assert np.all(solution.result.rolling.capacity_loss > 0.0)
+
+
 def test_drift_and_power_of_the_planetary(planetary):
     _, _, document = planetary
     rolling = document["rolling"]

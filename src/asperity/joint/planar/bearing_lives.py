@@ -69,7 +69,7 @@ def _under_duty(joint: PlanarJoint, rest: PlanarState, torques: Array, speeds: A
             laws=laws,
             rest=rest,
             load=drive_load(dataclasses.replace(joint, input_speed=speed), masses, torque),
-            creep_of=lambda normal, tangential: creep_law(contacts, normal, tangential).law,
+            creep_of=lambda normal, tangential: creep_law(joint, contacts, normal, tangential).law,
         )
         standing, rolling = (
             jnp.where(each.residual < STATE_TOLERANCE, 1.0, jnp.nan) * each.pin_force for each in both

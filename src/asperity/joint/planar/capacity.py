@@ -108,7 +108,7 @@ def planar_capacity(
             rest=rest,
             load=load,
             rolls=rolls,
-            creep_of=lambda normal, tangential: creep_law(contacts, normal, tangential).law,
+            creep_of=lambda normal, tangential: creep_law(joint, contacts, normal, tangential).law,
         )
         touching = state.normal > _LIFTED * rest.normal
         slip = slip_ratio(

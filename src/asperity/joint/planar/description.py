@@ -97,7 +97,7 @@ class PlanarJoint(eqx.Module):
     plane_state : {"plane_strain", "plane_stress"}
         Of the exact bodies.
     rolling : RollingConditions
-        Losses, oil and reliability of the joint that turns.
+        Skew, losses, oil and reliability of the joint that turns.
     bearings : Bearings or None, optional
         Friction of the bearings in rolling, ``sun_torque`` for the input and ``carrier_torque`` for the output; None
         for none.

@@ -197,9 +197,9 @@ def evaluated_with_laws(joint: PlanarJoint) -> tuple[PlanarResult, ContactLaws]:
         preload=joint.preload,
         interference=joint.interference,
         load=load,
-        creep_of=lambda normal, tangential: creep_law(contacts, normal, tangential).law,
+        creep_of=lambda normal, tangential: creep_law(joint, contacts, normal, tangential).law,
     )
-    creep = creep_law(contacts, states.standing.normal, states.standing.tangential)
+    creep = creep_law(joint, contacts, states.standing.normal, states.standing.tangential)
     sense = driving_sense(drive)
     standing, rolling = (
         dataclasses.replace(state, tangential=sense * state.tangential, creepage=sense * state.creepage)
@@ -311,9 +311,9 @@ def rolling_at(
             laws=laws,
             rest=rest,
             load=drive_load(there, masses, torque),
-            creep_of=lambda normal, tangential: creep_law(contacts, normal, tangential).law,
+            creep_of=lambda normal, tangential: creep_law(joint, contacts, normal, tangential).law,
         )
-        creep = creep_law(contacts, standing.normal, standing.tangential)
+        creep = creep_law(joint, contacts, standing.normal, standing.tangential)
         seen = dataclasses.replace(
             rolling, tangential=sense * rolling.tangential, creepage=sense * rolling.creepage
         )

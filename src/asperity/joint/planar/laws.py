@@ -57,7 +57,7 @@ def contact_laws(joint: PlanarJoint, contacts: JointContacts) -> ContactLaws:
     return ContactLaws(
         springs=springs,
         reference_force=reference,
-        creep=creep_law(contacts, reference, jnp.zeros_like(reference)).law,
+        creep=creep_law(joint, contacts, reference, jnp.zeros_like(reference)).law,
         asperity_compliance=jnp.where(stiff, 1.0 / jnp.where(stiff, rough.tangential_stiffness, 1.0), 0.0),
         coupling=coupling,
     )
@@ -94,11 +94,15 @@ def _approach(
     return springs, normal - jnp.diag(own)
 
 
-def creep_law(contacts: JointContacts, normal_force: Array, tangential_force: Array) -> ContactCreep:
-    """Creep of the contacts of a drive with the factor of their asperities under its standing forces.
+def creep_law(
+    joint: PlanarJoint, contacts: JointContacts, normal_force: Array, tangential_force: Array
+) -> ContactCreep:
+    """Creep of the contacts of a drive with the factors of asperities and skew under its standing forces.
 
     Parameters
     ----------
+    joint : PlanarJoint
+        The joint.
     contacts : JointContacts
         The contacts.
     normal_force, tangential_force : Array
@@ -107,18 +111,18 @@ def creep_law(contacts: JointContacts, normal_force: Array, tangential_force: Ar
     Returns
     -------
     ContactCreep
-        As :func:`asperity.joint.rolling_creep.contact_creep` for parallel axes.
+        Of :func:`asperity.joint.rolling_creep.contact_creep`.
 
     References
     ----------
-    Equation (B1) of :doc:`/equations`.
+    Equations (B1) and (B3) of :doc:`/equations`.
     """
     rough = rough_joint_contacts(
         contacts=contacts, normal_force=normal_force, tangential_force=jnp.zeros_like(tangential_force)
     )
     found = contact_creep(
         contacts=contacts,
-        skew=None,
+        skew=joint.rolling.skew,
         normal_force=normal_force,
         tangential_force=tangential_force,
         asperity_normal_stiffness=rough.normal_stiffness,

@@ -39,6 +39,10 @@ _IN_ONE_PLANE = (
     "also carry a tilting moment."
 )
 
+_AXIAL = (
+    "Axial forces are those of skewed contacts in rolling; those of rollers on pins act on the carrier as well. "
+    "Rollers without a pin need flanges or a cage, which are not described."
+)
 _BEARINGS = (
     "Torques are those of the rollers and pins; the friction torques of the bearings are not among them."
 )
@@ -90,10 +94,20 @@ def planar_loads_document(joint: PlanarJoint, solution: PlanarSolution, bearings
         notes.append(_BEARINGS)
     if bearings:
         notes.append(RATED)
-    return document_of_rows(cases, _rows(drive, loads, speeds), bearings=bearings, notes=notes)
+    thrust: np.ndarray | None = None
+    if joint.rolling.skew is not None:
+        notes.append(_AXIAL)
+        none = np.zeros(len(drive.bodies))
+        turning = [
+            under.rolling.axial_thrust if there.input_speed > 0.0 else none for *_, there, under in loaded
+        ]
+        thrust = np.stack([none, *turning], axis=-1)
+    return document_of_rows(cases, _rows(drive, loads, speeds, thrust), bearings=bearings, notes=notes)
 
 
-def _rows(drive: PlanarDrive, loads: list[PlanarLoads], speeds: list[np.ndarray]) -> Iterator[Row]:
+def _rows(
+    drive: PlanarDrive, loads: list[PlanarLoads], speeds: list[np.ndarray], thrust: np.ndarray | None
+) -> Iterator[Row]:
     """Part, position, quantity, SI unit, and a value for each case."""
     members = drive.members
     turned = np.abs(np.stack(speeds, axis=-1))
@@ -105,9 +119,13 @@ def _rows(drive: PlanarDrive, loads: list[PlanarLoads], speeds: list[np.ndarray]
         yield *part, "radial force", "N", radial
         yield *part, "tangential force", "N", tangential
         yield *part, "resultant force", "N", np.hypot(radial, tangential)
+        if thrust is not None:
+            yield *part, "axial force", "N", thrust[body]
         yield *part, "speed, roller on pin", "rad/s", relative[k]
     for number, name in enumerate(members):
         if name != CARRIER and drive.bodies[number].place != "axis":
+            if thrust is not None and number not in drive.pinned:
+                yield name.replace("_", " "), "roller without a pin", "axial force", "N", thrust[number]
             continue
         if name == CARRIER and not drive.pinned:
             continue
@@ -116,4 +134,11 @@ def _rows(drive: PlanarDrive, loads: list[PlanarLoads], speeds: list[np.ndarray]
         moment = drive.sense * np.array([load.moments[number] for load in loads])
         yield *part, "torque of the rollers" if name != CARRIER else "torque of all pins", "N*m", moment
         yield *part, "resultant force", "N", 0.0
+        if thrust is not None:
+            pushed = (
+                drive.sectors * np.sum(thrust[list(drive.pinned)], axis=0)
+                if name == CARRIER
+                else thrust[number]
+            )
+            yield *part, "axial force", "N", pushed
         yield *part, "speed in the housing", "rad/s", turned[number]

@@ -137,12 +137,12 @@ def over_torque_program(
                 laws=laws,
                 rest=rest,
                 load=dataclasses.replace(unloaded, output_torque=torque),
-                creep_of=lambda normal, tangential: creep_law(contacts, normal, tangential).law,
+                creep_of=lambda normal, tangential: creep_law(joint, contacts, normal, tangential).law,
             )
             return rolling.speed_loss, (standing, rolling)
 
         _, slope, (state, rolls) = jax.jvp(lost, (torque,), (jnp.ones_like(torque),), has_aux=True)
-        creep = creep_law(contacts, state.normal, state.tangential)
+        creep = creep_law(joint, contacts, state.normal, state.tangential)
         shown = dataclasses.replace(
             rolls, tangential=sense * rolls.tangential, creepage=sense * rolls.creepage
         )

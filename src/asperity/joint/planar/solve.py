@@ -190,6 +190,6 @@ def refuse_planar_rolling(joint: PlanarJoint, solution: PlanarSolution) -> None:
     raise NoSolutionError(
         f"no steady rolling under {format_quantity(torque, 'N*m')}: the joint rolls up to "
         f"{format_quantity(math.copysign(float(found.output_torque), torque), 'N*m')}, at which "
-        f"{limit_words(found, contacts=solution.result.contact_names)}; lower the torque, or raise the preload or the "
-        "friction coefficient"
+        f"{limit_words(found, contacts=solution.result.contact_names)}; lower the torque"
+        f"{'' if joint.rolling.skew is None else ' or the skew'}, or raise the preload or the friction coefficient"
     )

@@ -104,7 +104,6 @@ ROWS = (
         "1",
         _crown_factor,
         note="nan where no roller of the joint is crowned",
-        wedge_only=True,
     ),
     _each(
         "skew_creepage_factor",
@@ -112,7 +111,6 @@ ROWS = (
         _NUMBER,
         "1",
         "result.rolling.skew_creepage_factor",
-        wedge_only=True,
     ),
     _each(
         "capacity_loss",
@@ -121,7 +119,6 @@ ROWS = (
         "1",
         "result.rolling.capacity_loss",
         positive=False,
-        wedge_only=True,
     ),
     _each(
         "axial_force",
@@ -130,7 +127,6 @@ ROWS = (
         "N",
         "result.rolling.axial_force",
         positive=False,
-        wedge_only=True,
     ),
     _roll(
         "axial_thrust",
@@ -140,8 +136,7 @@ ROWS = (
         "result.rolling.axial_thrust",
         axis="body",
         positive=False,
-        note="on sun and ring from all branches",
-        wedge_only=True,
+        note="on bodies on the axis from all branches",
     ),
     _roll(
         "speed_loss",
