@@ -246,8 +246,11 @@ def spring_forces(
     if coupling is not None:
         # batch axes last: the products of small matrices are then one loop over the batch
         rank = max(coupling.ndim, compatibility.ndim) - 2
-        last = _with_rank(jnp.moveaxis(compatibility, (-2, -1), (0, 1)), rank)[:, : coupling.shape[0], None]
-        product = jnp.sum(last * _with_rank(coupling, rank), axis=1)
+        last, acting = (
+            _with_rank(jnp.moveaxis(compatibility, (-2, -1), (0, 1)), rank),
+            _with_rank(coupling, rank),
+        )
+        product = sum(last[:, k, None] * acting[k] for k in range(coupling.shape[0]))
         mutual = jnp.moveaxis(product, (0, 1), (-2, -1)) / reference[..., None]
         mutual = jnp.pad(mutual, [(0, 0)] * (mutual.ndim - 1) + [(0, own.shape[-1] - coupling.shape[0])])
 

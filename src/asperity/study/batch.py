@@ -36,8 +36,9 @@ Kernel = Callable[..., Found]
 
 #: Points that pass through the program at once: few enough for its intermediate arrays to stay in the cache.
 BATCH = 32_768
-#: The same where the assembly or the stresses of rims, which take some kilobytes per point, are among the results.
-ASSEMBLY_BATCH = 4_096
+#: The same where the assembly or the stresses of rims, which take some kilobytes per point, are among the results: with
+#: more points the system hands out their memory anew in every call, which takes as long as the work.
+ASSEMBLY_BATCH = 1_024
 #: Up to this number of points, a program that compiles fast and runs slowly finishes sooner.
 QUICK_POINTS = 20_000
 #: Points of one call of the program with derivatives; more points are more calls.
