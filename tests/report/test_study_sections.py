@@ -23,6 +23,7 @@ PATHS = ["load.preload", "drive.sun_radius"]
 def sensitivities():
     """The radius moves every result by -2 % per %, the preload by 0.5 %."""
     elasticity = np.tile([0.5, -2.0], (len(STUDIED), 1))
+    elasticity[1, 0] = 4e-18  # what rounding leaves of nothing
     return xarray.Dataset(
         {
             "elasticity": (("result", "input"), elasticity),
@@ -132,6 +133,7 @@ def test_sensitivities_are_ordered_by_their_size(sensitivities):
         ("drive.sun_radius", "4 mm", "-2"),
         ("load.preload", "1000 N", "0.5"),
     ]
+    assert [row[3] for row in table.rows] == ["-2", "0"]
     assert table.title == "Elasticities, ordered by those of the assembly_stiffness_output of this drive"
     assert {len(row) for row in table.rows} == {len(table.head)} == {2 + len(STUDIED)}
     assert len(of(Picture, blocks)) == 1

@@ -26,6 +26,7 @@ STUDIED = ("assembly_stiffness_output", "torque_capacity", "drift", "efficiency"
 DRAWN = ("assembly_stiffness_output", "drift")
 _ROWS = 20
 _WIDTH = 7.0  # of a picture on a page [in]
+_ROUNDING = 1e-12  # of an elasticity
 
 
 @dataclass(frozen=True)
@@ -102,7 +103,7 @@ def sensitivity_section(found: xarray.Dataset) -> Iterator[Block]:
     rows = []
     for path in shown:
         one = found.sel(input=path)
-        cells = (number(float(one["elasticity"].sel(result=name))) for name in STUDIED)
+        cells = (_elasticity(float(one["elasticity"].sel(result=name))) for name in STUDIED)
         rows.append((path, quantity(float(one["value"]), key_at(path).unit), *cells))
     yield Table(
         f"Elasticities, ordered by those of the {_words(found, STUDIED[0])}",
@@ -111,6 +112,11 @@ def sensitivity_section(found: xarray.Dataset) -> Iterator[Block]:
     )
     figure = tornado_figure(found, result=DRAWN[0], panels=DRAWN[1:], width=_WIDTH)
     yield Picture("Elasticities of stiffness and drift", figure_svg(figure))
+
+
+def _elasticity(value: float) -> str:
+    """An elasticity; 0 where it is only what rounding leaves of nothing."""
+    return number(0.0 if abs(value) < _ROUNDING else value)
 
 
 def tolerance_section(spread: xarray.Dataset) -> Iterator[Block]:

@@ -1,5 +1,7 @@
 """Plots of influences: lengths of bars, their order, units, and what is not known."""
 
+import itertools
+
 import numpy as np
 import pytest
 
@@ -43,6 +45,17 @@ def test_bars_are_ordered_by_the_first_result(sensitivities):
     # one arcminute, and newton metres
     assert first.get_title() == "drift\n1 arcmin"
     assert second.get_title() == "largest torque that the drive\nat hand can carry\n13 N·m"
+
+
+def test_tick_labels_do_not_run_together_on_a_narrow_figure(sensitivities):
+    """A planetary drive with given interference: 1 % of its radii are a multiple of it."""
+    sensitivities["elasticity"][:, 1] = [-1849.0, 339.0]
+    figure = tornado_figure(sensitivities, result="drift", panels=("torque_capacity",), width=6.7)
+    figure.savefig("/dev/null", format="png")
+    for panel in figure.axes:
+        ends = [label.get_window_extent() for label in panel.get_xticklabels()]
+        assert len(ends) >= 5
+        assert all(one.x1 < other.x0 for one, other in itertools.pairwise(ends))
 
 
 def test_an_unknown_influence_is_no_bar_of_length_zero(sensitivities):

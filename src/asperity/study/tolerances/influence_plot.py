@@ -75,6 +75,8 @@ def tornado_figure(
         panel.set_xscale("symlog", linthresh=0.1)
         reach = max(1.0, 2.0 * float(np.nanmax(np.abs(lengths), initial=0.0)))
         ticks = [t for t in (0.1, 1.0, 10.0, 100.0) if t <= reach]
+        if len(ticks) == 4:  # both sides together would run into each other
+            ticks = [1.0, 100.0]
         panel.set_xlim(-reach, reach)
         panel.set_xticks([-t for t in reversed(ticks)] + [0.0, *ticks])
         panel.xaxis.set_major_formatter(lambda value, _: f"{value:g}")
