@@ -15,9 +15,9 @@ from asperity.bem.stick_stiffness import tangential_stiffness
 from asperity.contact.crowned_line import (
     crown_compliance,
     crown_compression,
-    crown_shear_compliance,
     crowned_line,
 )
+from asperity.contact.crowned_shear import crown_shear_compliance
 from asperity.contact.hertz_line import effective_radius, half_width
 
 E, NU, B, N = 206e9, 0.3, 10e-3, 2000.0

@@ -8,8 +8,8 @@ import pytest
 
 from asperity.drive.geometry import CONTACT_NAMES
 from asperity.joint import margins as module
+from asperity.joint.contact_notes import contact_notes
 from asperity.joint.margins import margins
-from asperity.joint.plausibility import contact_notes
 from asperity.joint.results import Limit, Result
 from asperity.unit_table import Dimension
 

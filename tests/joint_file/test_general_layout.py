@@ -55,6 +55,11 @@ def read(*replaced):
             'push_angle = "1 deg"\nplace = "free" ',
             "roller planet: push_angle is for rollers on a pin",
         ),
+        (
+            'first_radius = "13.5 mm"\nsecond_radius = "5 mm"\n\n[[contact]]\nname = "pwl"',
+            'first_radius = "13.5 mm"\nfirst_crown_radius = "2 m"\nsecond_radius = "5 mm"\n\n[[contact]]\nname = "pwl"',
+            "contact pwr: first_crown_radius: contact sp says something else of the same track of planet",
+        ),
         ('place = "pin"', 'place = "free"', "no roller is on a pin, so that nothing turns the carrier"),
     ],
 )

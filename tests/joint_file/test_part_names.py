@@ -30,6 +30,8 @@ def test_one_track_is_one_number(planar_case):
     expected = ["contact.1.second_radius", "contact.2.first_radius", "contact.3.first_radius"]
     assert paths_of_track(values, "contact.2.first_radius") == expected
     assert paths_of_track(values, "load.preload") == ["load.preload"]
+    crowns = [path.replace("_radius", "_crown_radius") for path in expected]
+    assert paths_of_track(values, "contact.1.second_crown_radius") == crowns
     named = with_tracks(values)
     changed = replace_values(named, {"contact.2.first_radius": 0.014})
     for index, side in (("1", "second"), ("2", "first"), ("3", "first")):

@@ -5,6 +5,7 @@ import math
 import numpy as np
 import pytest
 
+from asperity.joint_file.planar_assumptions import planar_assumptions
 from asperity.joint_file.planar_build import planar_joint_from_case, planar_joint_from_values
 from asperity.joint_file.si_tables import replace_values, si_values
 from asperity.surface.roughness_average import roughness_average
@@ -41,6 +42,29 @@ def test_skew_of_all_contacts_or_of_each(planar_case):
     assert planar_joint_from_values(changed).rolling.skew == pytest.approx((5e-4, 5e-4, 5e-4, 1e-3))
     added = replace_values(si_values(planar_case("multiroller")), {"rolling.skew.sf": 1e-3})
     assert planar_joint_from_values(added).rolling.skew == pytest.approx((1e-3, 0.0, 0.0, 0.0))
+
+
+def test_crowns_of_both_tracks_of_a_contact_add(planar_case):
+    """1/R_c of the first track and of the second one; a track that is not mentioned is a cylinder."""
+
+    def curvatures(name, old, new):
+        return planar_joint_from_case(planar_case(name, (old, new))).crown_curvatures
+
+    assert planar_joint_from_case(planar_case("multiroller")).crown_curvatures is None
+    found = curvatures(
+        "multiroller",
+        "[load]",
+        'first_row_small_crown_radius = "2 m"\nring_crown_radius = "5 m"\nsecond_row_crown_radius = "0.5 m"\n\n[load]',
+    )
+    assert found == pytest.approx((0.0, 2.5, 2.5, 0.2))
+    found = curvatures("stepped_planet", "[load]", 'planet_second_crown_radius = "1 m"\n\n[load]')
+    assert found == pytest.approx((0.0, 0.0, 1.0))
+    crown = 'second_radius = "40 mm"\nsecond_crown_radius = "4 m"\n'
+    case = planar_case("planar", ('second_radius = "40 mm"\n', crown))
+    assert planar_joint_from_case(case).crown_curvatures == pytest.approx((0.0, 0.0, 0.0, 0.25, 0.25))
+    changed = replace_values(si_values(case), {"contact.2.first_crown_radius": 2.0})
+    assert planar_joint_from_values(changed).crown_curvatures == pytest.approx((0.5, 0.5, 0.5, 0.25, 0.25))
+    assert any(told.startswith("crowned rollers: in slices") for told in planar_assumptions(case))
 
 
 def test_surfaces_for_each_contact(planar_case):

@@ -342,25 +342,20 @@ def crown_compliance(
     return jax.jvp(functools.partial(_compression, *others), (force,), (jnp.ones_like(force),))[1]
 
 
-def crown_shear_compliance(
+def shortening(
     *,
-    stick_force: Real,
+    normal_force: Real,
     crown_curvature: Real,
     contact_length: Real,
     effective_radius: Real,
     contact_modulus: Real,
-    lateral_strain_compliance: Real,
 ) -> Array:
-    r"""Incremental compliance that crowns add to a line contact in the rolling direction.
-
-    .. math::
-        \frac{\mathrm d\,\Delta\delta}{\mathrm dN}\bigg|_{N - T/\mu}
-        + \frac2\pi \sum_{i=1,2} \frac{\nu_i (1+\nu_i)}{E_i} \left(\frac1\ell - \frac1B\right)
+    r"""By how much crowns shorten the line on which the compression of the bodies depends, :math:`1/\ell - 1/B`.
 
     Parameters
     ----------
-    stick_force : Real
-        :math:`N - T/\mu` [N], positive: the normal force whose contact area is the region of stick.
+    normal_force : Real
+        Normal force N [N], positive.
     crown_curvature : Real
         Curvature kappa of the crowns of both bodies along the axis, 0 for cylinders [1/m].
     contact_length : Real
@@ -369,31 +364,15 @@ def crown_shear_compliance(
         Effective radius R in the rolling direction [m].
     contact_modulus : Real
         Contact modulus E* [Pa].
-    lateral_strain_compliance : Real
-        :math:`\sum \nu_i (1+\nu_i)/E_i` of both bodies [1/Pa].
 
     Returns
     -------
     Array
-        Compliance [m/N]; 0 without crown.
-
-    Notes
-    -----
-    By the theorem of Ciavarella and Jäger a tangential force T confines stick to the contact area under
-    :math:`N - T/\mu`, on which further load acts as in full stick. The second term is by what shear along a line that
-    ends is softer than compression; for a long ellipse it is Mindlin's.
+        Difference of the reciprocals [1/m]; 0 without crown.
 
     References
     ----------
-    J. Jäger, Arch. Appl. Mech. 65 (1995) 478; M. Ciavarella, Int. J. Solids Struct. 35 (1998) 2349; K. L. Johnson,
-    Contact Mechanics, 1985, section 7.2; equation (B12) of :doc:`/equations`.
+    Equation (B12) of :doc:`/equations`.
     """
-    numbers = {
-        "crown_curvature": crown_curvature,
-        "contact_length": contact_length,
-        "effective_radius": effective_radius,
-    }
-    load, crown = _scaled(normal_force=stick_force, modulus=contact_modulus, **numbers)
-    ends = (1.0 / _spread(_approach(load, crown), crown) - 1.0) / contact_length
-    normal = crown_compliance(normal_force=stick_force, contact_modulus=contact_modulus, **numbers)
-    return normal + (2.0 / math.pi) * lateral_strain_compliance * ends
+    load, crown = _scaled(normal_force, crown_curvature, contact_length, effective_radius, contact_modulus)
+    return (1.0 / _spread(_approach(load, crown), crown) - 1.0) / contact_length

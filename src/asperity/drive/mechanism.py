@@ -187,6 +187,30 @@ def compression(*, springs: NormalSprings, normal_force: Real, rest_force: Real)
     return even + _crown(springs.crowns, normal_force, rest_force)
 
 
+def whole_approach(*, springs: NormalSprings, normal_force: Real, rest_force: Real) -> Real:
+    r"""Approach of the two bodies of each contact from first touch, :math:`\delta(N)`.
+
+    Parameters
+    ----------
+    springs : NormalSprings
+        Secant and incremental compliance at rest [m/N].
+    normal_force, rest_force : Real
+        Normal force N and its value N_0 at rest [N].
+
+    Returns
+    -------
+    Real
+        Approach [m], as far from that at rest as :func:`compression` says.
+
+    References
+    ----------
+    As for :func:`compression`; equation (B12) of :doc:`/equations` for crowned contacts.
+    """
+    beyond = compression(springs=springs, normal_force=normal_force, rest_force=rest_force)
+    even = beyond + springs.secant_compliance * rest_force
+    return even if springs.crowns is None else even + springs.crowns.rest_compression
+
+
 def _crown(crowns: CrownedSprings, normal_force: Real, rest_force: Real) -> Array:
     """Approach by the crowns beyond that at rest, with a tangent below the smallest load."""
     pressed = jnp.maximum(normal_force, _SMALL_LOAD * rest_force)

@@ -214,6 +214,30 @@ def bulk_springs(*, contacts: JointContacts, half_width: Real) -> NormalSprings:
     return NormalSprings(secant_compliance=secant, incremental_compliance=secant - bend)
 
 
+def with_crowns(springs: NormalSprings, *, contacts: JointContacts, rest_force: Array) -> NormalSprings:
+    """Normal springs of even contacts with what the crowns of their rollers add.
+
+    Parameters
+    ----------
+    springs : NormalSprings
+        Of the even contacts.
+    contacts : JointContacts
+        The contacts.
+    rest_force : Array
+        Normal forces at rest, shape (contacts, ...) [N].
+
+    Returns
+    -------
+    NormalSprings
+        The same springs where no roller is crowned.
+    """
+    if contacts.crown_curvature is None:
+        return springs
+    lines = crowned_lines(pairs=contacts.pairs, crown_curvature=contacts.crown_curvature)
+    crowns = crowned_springs(lines=lines, rest_force=rest_force)
+    return NormalSprings(springs.secant_compliance, springs.incremental_compliance, crowns)
+
+
 def closure_springs(*, contacts: JointContacts, rest_force: Array, model: ClosureSprings) -> NormalSprings:
     """Normal springs of the elastic closure around the state at rest.
 
@@ -232,11 +256,11 @@ def closure_springs(*, contacts: JointContacts, rest_force: Array, model: Closur
         Compliances, shape (contacts, ...) [m/N]; infinite, and the balance without solution, where the asperities are
         asked for and every spot is plastic at rest.
     """
-    bulk = bulk_springs(contacts=contacts, half_width=contacts.pairs.half_width(rest_force))
-    if contacts.crown_curvature is not None:
-        lines = crowned_lines(pairs=contacts.pairs, crown_curvature=contacts.crown_curvature)
-        crowns = crowned_springs(lines=lines, rest_force=rest_force)
-        bulk = NormalSprings(bulk.secant_compliance, bulk.incremental_compliance, crowns)
+    bulk = with_crowns(
+        bulk_springs(contacts=contacts, half_width=contacts.pairs.half_width(rest_force)),
+        contacts=contacts,
+        rest_force=rest_force,
+    )
     if model == "bulk":
         return bulk
     asperities = (

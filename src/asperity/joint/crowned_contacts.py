@@ -14,9 +14,9 @@ from asperity.contact.crowned_line import (
     CrownedLines,
     crown_compliance,
     crown_compression,
-    crown_shear_compliance,
     crowned_line,
 )
+from asperity.contact.crowned_shear import crown_shear_compliance
 from asperity.contact.fractal import FractalContact
 from asperity.contact.population import ContactFactorModel
 from asperity.contact.roller_pairs import RollerPairs, contact_factors, rough_contacts
@@ -129,6 +129,30 @@ def crown_compressions(*, pairs: RollerPairs, crown_curvature: Array, normal_for
     return crown_compression(normal_force=_pressed(normal_force), **vars(lines))
 
 
+def lateral_strain_compliance(driving: Material, driven: Material) -> Array:
+    r"""What the sideways strain of two bodies adds to their compliance in shear, :math:`\sum \nu_i (1+\nu_i)/E_i`.
+
+    Parameters
+    ----------
+    driving, driven : Material
+        Materials of the bodies.
+
+    Returns
+    -------
+    Array
+        Compliance [1/Pa].
+
+    References
+    ----------
+    Equation (B12) of :doc:`/equations`.
+    """
+    one, two = (
+        jnp.asarray(body.poisson_ratio * (1.0 + body.poisson_ratio) / body.youngs_modulus)
+        for body in (driving, driven)
+    )
+    return one + two
+
+
 def crown_compliances(
     *,
     pairs: RollerPairs,
@@ -163,10 +187,7 @@ def crown_compliances(
     lines = crowned_lines(pairs=pairs, crown_curvature=crown_curvature)
     touching = normal_force > 0.0
     stick = normal_force - jnp.abs(tangential_force) / pairs.friction_coefficient
-    strain = sum(
-        jnp.asarray(body.poisson_ratio * (1.0 + body.poisson_ratio) / body.youngs_modulus)
-        for body in (driving, driven)
-    )
+    strain = lateral_strain_compliance(driving, driven)
     normal = crown_compliance(normal_force=_pressed(normal_force), **vars(lines))
     tangential = crown_shear_compliance(
         stick_force=_pressed(stick), lateral_strain_compliance=strain, **vars(lines)

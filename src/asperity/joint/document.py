@@ -14,11 +14,11 @@ from asperity.joint.branch_document import branch_document
 from asperity.joint.branch_limits import branch_checks
 from asperity.joint.branch_results import UnequalBranches
 from asperity.joint.capacity import capacity_document
+from asperity.joint.contact_notes import Note
 from asperity.joint.description import Joint, preload_at
 from asperity.joint.evaluation import JointResult
 from asperity.joint.limit_check import LimitCheck, checked_limits
 from asperity.joint.planar.evaluation import PlanarResult
-from asperity.joint.plausibility import Note
 from asperity.joint.results import GROUPS, RESULTS, SEVERITIES, SolvedJoint
 from asperity.joint.rolling_document import contact_results, losses, rolling_document
 from asperity.joint.rolling_refusal import rolling_capacity_of

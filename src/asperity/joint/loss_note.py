@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from asperity.joint.plausibility import Note
+from asperity.joint.contact_notes import Note
 from asperity.joint.rolling import RollingResult
 from asperity.joint.rolling_document import losses
 from asperity.units import format_quantity

@@ -8,8 +8,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from asperity.joint.branch_limits import branch_checks
+from asperity.joint.contact_notes import Note
 from asperity.joint.limit_check import LimitCheck
-from asperity.joint.plausibility import Note
 from asperity.joint.results import SEVERITIES, Limit, Result, Severity, SolvedJoint
 from asperity.joint.results.drive_table import results_of_joint
 from asperity.unit_table import Dimension

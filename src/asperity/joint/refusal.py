@@ -17,6 +17,7 @@ from asperity.drive.mechanism import Closure, rest_state
 from asperity.errors import InputError
 from asperity.joint.description import BodyModel, ClosureSprings, Joint, RingSupport
 from asperity.joint.evaluation import JointResult
+from asperity.joint.planar.evaluation import PlanarResult
 from asperity.units import format_quantity
 
 _POSITIVE = (0.0, math.inf)
@@ -254,12 +255,12 @@ def refuse_thin_walls(result: JointResult) -> None:
         )
 
 
-def refuse_short_contacts(result: JointResult) -> None:
+def refuse_short_contacts(result: JointResult | PlanarResult) -> None:
     """Refuse crowned contacts that are too short for their width.
 
     Parameters
     ----------
-    result : JointResult
+    result : JointResult or PlanarResult
         The result of one joint.
 
     Raises
@@ -275,8 +276,8 @@ def refuse_short_contacts(result: JointResult) -> None:
     ratio = float(np.asarray(result.diagnostics.loaded_length_over_width)[first])
     length, across = (format_quantity(each, "mm", 3) for each in (ratio * width, width))
     raise InputError(
-        f"the crowned rollers touch at {CONTACT_NAMES[first]} over a length of {length} and a width of {across}: the "
-        "slices need a contact at least twice as long as wide; choose a larger crown radius"
+        f"the crowned rollers touch at {result.contact_names[first]} over a length of {length} and a width of "
+        f"{across}: the slices need a contact at least twice as long as wide; choose a larger crown radius"
     )
 
 

@@ -12,6 +12,12 @@ from asperity.joint_file.temperature_section import without_expansion
 from asperity.library import read_finishes
 from asperity.units import format_quantity
 
+#: What is taken of crowned rollers in every drive.
+CROWNED = (
+    "crowned rollers: in slices that share one creepage, aligned and highest in the middle of their contact lines; no "
+    "concentration of stress at loaded ends, no slip between slices of different radius"
+)
+
 
 def assumptions(case: Case) -> tuple[str, ...]:
     """What a joint file leaves out, and what is taken instead.
@@ -83,10 +89,7 @@ def assumptions(case: Case) -> tuple[str, ...]:
     if any(
         getattr(case.drive, f"{body}_crown_radius") for body in ("sun", "planet", "loading_roller", "ring")
     ):
-        told.append(
-            "crowned rollers: in slices that share one creepage, aligned and highest in the middle of their contact "
-            "lines; no concentration of stress at loaded ends, no slip between slices of different radius"
-        )
+        told.append(CROWNED)
     told += _rolling(case)
     told += _fatigue(case)
     return tuple(told)

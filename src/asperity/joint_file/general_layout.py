@@ -43,6 +43,7 @@ def misdescribed(case: GeneralCase) -> Iterator[str]:
             name = getattr(contact, side)
             if name not in rollers:
                 yield f"contact {contact.name}: {side}: there is no roller '{name}'{nearest(name, rollers)}"
+    yield from _unlike_crowns(case)
     rings = {contact.second for contact in case.contact if contact.internal}
     touched = {name for contact in case.contact for name in (contact.first, contact.second)}
     for roller in case.roller:
@@ -65,6 +66,22 @@ def misdescribed(case: GeneralCase) -> Iterator[str]:
         yield "drive: input, output and grounded must be three different members"
     if case.drive.grounded != CARRIER and not any(roller.place == "pin" for roller in case.roller):
         yield "drive.grounded: no roller is on a pin, so that nothing turns the carrier; ground it, or use a pin"
+
+
+def _unlike_crowns(case: GeneralCase) -> Iterator[str]:
+    """Contacts that say of a track what another contact on it does not."""
+    stated: dict[tuple[str, str], tuple[str, float | None]] = {}
+    for contact in case.contact:
+        for side in ("first", "second"):
+            radius, crown = (getattr(contact, f"{side}_{name}") for name in ("radius", "crown_radius"))
+            track = getattr(contact, side), f"{radius.value:.12g}"
+            own = contact.name, None if crown is None else crown.value
+            other = stated.setdefault(track, own)
+            if own[1] != other[1]:
+                yield (
+                    f"contact {contact.name}: {side}_crown_radius: contact {other[0]} says something else of the same "
+                    f"track of {track[0]}; a track has one crown: give it in every contact of the track, or in none"
+                )
 
 
 def general_layout(values: Values) -> tuple[PlanarDrive, tuple[BodyShape, ...], tuple[float, ...]]:

@@ -7,7 +7,7 @@ from typing import Annotated, Literal
 from pydantic import Field
 
 from asperity.joint_file import limits
-from asperity.joint_file.model import Length, PushAngle
+from asperity.joint_file.model import CrownRadius, Length, PushAngle
 from asperity.joint_file.planar_model import Bore, PartLengths, PartName, PlanarCase, RingSupport, Wall
 from asperity.joint_file.quantity_key import Quantity
 from asperity.joint_file.section import Section
@@ -66,6 +66,11 @@ class ContactEntry(Section):
     """Radius of the track of the first roller; a stepped roller has several."""
     second_radius: Length
     """Radius of the track of the second one."""
+    first_crown_radius: CrownRadius | None = None
+    """Radius of the crown of the first roller's track along its axis, highest in the middle of the contact line; a
+    cylinder if absent. All contacts on a track state it."""
+    second_crown_radius: CrownRadius | None = None
+    """Radius of the crown of the second one's track; a cylinder if absent."""
     internal: bool = False
     """Whether the first lies inside the second."""
     sector: Annotated[int, Field(strict=True, ge=-1, le=1)] = 0

@@ -29,6 +29,7 @@ FrictionCoefficients = Annotated[
     Annotated[Friction, Tag(ONE_FOR_ALL)] | Annotated[EachContact[Friction], Tag(ONE_FOR_EACH)],
     Discriminator(number_or_table),
 ]
+CrownRadius = Annotated[Quantity, limits.CROWN_RADIUS]
 Skew = Annotated[Quantity, limits.SKEW]
 Skews = Annotated[
     Annotated[Skew, Tag(ONE_FOR_ALL)] | Annotated[EachContact[Skew], Tag(ONE_FOR_EACH)],
@@ -65,14 +66,14 @@ class Drive(Section):
     """Diameter of the bore of hollow planets; solid if absent."""
     loading_roller_bore_diameter: Annotated[Quantity, limits.BORE_DIAMETER] | None = None
     """Diameter of the bore of hollow loading rollers; solid if absent."""
-    sun_crown_radius: Annotated[Quantity, limits.CROWN_RADIUS] | None = None
+    sun_crown_radius: CrownRadius | None = None
     """Radius of the sun's crown along its axis, highest in the middle of the contact line; over a length B it drops by
     B^2/8 over this radius at the ends. A cylinder if absent."""
-    planet_crown_radius: Annotated[Quantity, limits.CROWN_RADIUS] | None = None
+    planet_crown_radius: CrownRadius | None = None
     """Radius of the planets' crown along their axes; cylinders if absent."""
-    loading_roller_crown_radius: Annotated[Quantity, limits.CROWN_RADIUS] | None = None
+    loading_roller_crown_radius: CrownRadius | None = None
     """Radius of the loading rollers' crown along their axes; cylinders if absent."""
-    ring_crown_radius: Annotated[Quantity, limits.CROWN_RADIUS] | None = None
+    ring_crown_radius: CrownRadius | None = None
     """Radius of the ring's crown along its axis; a cylinder if absent."""
     ring_support: Literal["rigid_housing", "free", "elastic_housing"] | None = None
     """What holds the outer rim of the ring: a rigid housing into which it is shrunk, nothing, so that it bends, or a

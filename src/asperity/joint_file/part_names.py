@@ -27,6 +27,23 @@ CONTACTS: dict[str, dict[str, tuple[str, str]]] = {
 }
 
 
+#: Tracks of the two bodies at each contact: ``TRACK_crown_radius`` is what a file says of their crowns.
+TRACKS: dict[str, dict[str, tuple[str, str]]] = {
+    "planetary": CONTACTS["planetary"],
+    "multiroller": {
+        "sf": ("sun", "first_row"),
+        "fsl": ("first_row_small", "second_row"),
+        "fsr": ("first_row_small", "second_row"),
+        "sr": ("second_row_small", "ring"),
+    },
+    "stepped_planet": {
+        "sp": ("sun", "planet"),
+        "pr1": ("planet", "ring"),
+        "pr2": ("planet_second", "driven_ring"),
+    },
+}
+
+
 def type_of(tables: Mapping[str, Any]) -> str:
     """Type of the drive of a joint file.
 
@@ -162,17 +179,19 @@ def paths_of_track(tables: Mapping[str, Any], path: str) -> list[str]:
     Returns
     -------
     list of str
-        The path itself, and where it is the radius of a contact of type ``planar``, those of the roller's other
-        contacts on the same track.
+        The path itself, and where it is the radius or the crown of a contact of type ``planar``, those of the roller's
+        other contacts on the same track.
     """
     steps = path.split(".")
-    side = steps[-1].removesuffix("_radius")
+    side, of_the_track = steps[-1].removesuffix("_radius"), "radius"
+    if side.endswith("_crown"):
+        side, of_the_track = side.removesuffix("_crown"), "crown_radius"
     if steps[0] != "contact" or side not in _SIDES or steps[1] not in tables.get("contact", {}):
         return [path]
     own, contacts = tables["contact"][steps[1]], tables["contact"].values()
     mine = (own[side], track_of(contacts, own, side))
     return [
-        f"contact.{index}.{each}_radius"
+        f"contact.{index}.{each}_{of_the_track}"
         for index, entry in tables["contact"].items()
         for each in _SIDES
         if (entry[each], track_of(contacts, entry, each)) == mine

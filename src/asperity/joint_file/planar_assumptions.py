@@ -6,6 +6,7 @@ from typing import Any
 
 from asperity.joint.planar.rims import bends
 from asperity.joint_file.assumptions import (
+    CROWNED,
     fatigue_unknown,
     lubrication_assumptions,
     rolling_assumptions,
@@ -85,12 +86,14 @@ def planar_assumptions(case: PlanarCase) -> tuple[str, ...]:
                 "gives the interval of stiffness and drift"
             )
     told += temperature_assumptions(case, housed=not case.without_housing())
+    joint = planar_joint_from_case(case)
+    if joint.crown_curvatures is not None:
+        told.append(CROWNED)
     told += rolling_assumptions(case.rolling)
     told += lubrication_assumptions(
         case.lubrication,
         materials={name: case.materials[name] for name in dict.fromkeys(case.bodies.values())},
     )
-    joint = planar_joint_from_case(case)
     told += [
         fatigue_unknown(body.name, case.bodies[body.name])
         for body, bent, material in zip(joint.drive.bodies, bends(joint), joint.materials, strict=True)

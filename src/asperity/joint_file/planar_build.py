@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import dataclasses
 import math
+from typing import Any
 
 import jax.numpy as jnp
 from jax import Array
@@ -16,7 +17,7 @@ from asperity.joint.planar.temperature import planar_fit
 from asperity.joint_file.build import entries, joint_from_case, play_of, rated_bearing, rolling_conditions
 from asperity.joint_file.material_build import material_of, surface_of
 from asperity.joint_file.model import Case
-from asperity.joint_file.part_names import CONTACTS, contacts_of
+from asperity.joint_file.part_names import CONTACTS, TRACKS, contacts_of
 from asperity.joint_file.planar_model import PlanarCase
 from asperity.joint_file.planar_parts import layout_of
 from asperity.joint_file.si_tables import Values, si_values
@@ -101,6 +102,7 @@ def planar_joint_from_values(values: Values) -> PlanarJoint:
         pin_bearing=rated_bearing(values.get("pin_bearing")),
         input_bearing=rated_bearing(values.get("input_bearing")),
         output_bearing=rated_bearing(values.get("output_bearing")),
+        crown_curvatures=_crown_curvatures(values),
     )
     if "temperature" not in values or "interference" not in load:
         return joint
@@ -112,6 +114,19 @@ def planar_joint_from_values(values: Values) -> PlanarJoint:
         housing_expansion=temperature.get("housing_expansion"),
     )
     return dataclasses.replace(joint, fit=fit)
+
+
+def _crown_curvatures(values: Values) -> tuple[Any, ...] | None:
+    """Curvature of the crowns of both tracks of each contact; None where no track is crowned."""
+    if values["type"] in TRACKS:
+        stated, tracks = values["drive"], tuple(TRACKS[values["type"]].values())
+        radii = [[stated.get(f"{track}_crown_radius") for track in pair] for pair in tracks]
+    else:
+        each = values["contact"].values()
+        radii = [[entry.get(f"{side}_crown_radius") for side in ("first", "second")] for entry in each]
+    if all(radius is None for pair in radii for radius in pair):
+        return None
+    return tuple(sum((1.0 / radius for radius in pair if radius is not None), 0.0) for pair in radii)
 
 
 def _bearings(entry: Values | None) -> Bearings | None:

@@ -13,6 +13,7 @@ from asperity.joint_file.material_entries import MaterialEntry, MaterialName, Su
 from asperity.joint_file.model import (
     BearingTorque,
     ContactLength,
+    CrownRadius,
     Duty,
     DynamicsEntry,
     Friction,
@@ -82,6 +83,12 @@ class PlanetaryDrive(Section):
     absent."""
     planet_bore_diameter: Bore | None = None
     """Diameter of the bore of hollow planets; solid if absent."""
+    sun_crown_radius: CrownRadius | None = None
+    """Radius of the sun's crown along its axis, highest in the middle of the contact line; a cylinder if absent."""
+    planet_crown_radius: CrownRadius | None = None
+    """Radius of the planets' crown along their axes; cylinders if absent."""
+    ring_crown_radius: CrownRadius | None = None
+    """Radius of the ring's crown along its axis; a cylinder if absent."""
 
 
 class MultirollerDrive(Section):
@@ -106,6 +113,18 @@ class MultirollerDrive(Section):
     ring_support: RingSupport | None = None
     """What holds the outer rim of the ring: a rigid housing, or nothing, so that it bends. A rigid housing if
     absent."""
+    sun_crown_radius: CrownRadius | None = None
+    """Radius of the sun's crown along its axis, highest in the middle of the contact line; a cylinder if absent."""
+    first_row_crown_radius: CrownRadius | None = None
+    """Radius of the crown of the first row's large tracks, along their axes; cylinders if absent."""
+    first_row_small_crown_radius: CrownRadius | None = None
+    """Radius of the crown of the first row's small tracks; cylinders if absent."""
+    second_row_crown_radius: CrownRadius | None = None
+    """Radius of the crown of the second row's large tracks; cylinders if absent."""
+    second_row_small_crown_radius: CrownRadius | None = None
+    """Radius of the crown of the second row's small tracks; cylinders if absent."""
+    ring_crown_radius: CrownRadius | None = None
+    """Radius of the ring's crown along its axis; a cylinder if absent."""
 
 
 class SteppedPlanetDrive(Section):
@@ -127,6 +146,16 @@ class SteppedPlanetDrive(Section):
     """Length B of the contact lines: one for all, or a table with sp, pr1, pr2."""
     ring_support: RingSupport | None = None
     """What holds the outer rim of the grounded ring: a rigid housing, or nothing. A rigid housing if absent."""
+    sun_crown_radius: CrownRadius | None = None
+    """Radius of the sun's crown along its axis, highest in the middle of the contact line; a cylinder if absent."""
+    planet_crown_radius: CrownRadius | None = None
+    """Radius of the crown of the planets' first track, along their axes; cylinders if absent."""
+    planet_second_crown_radius: CrownRadius | None = None
+    """Radius of the crown of the planets' second track; cylinders if absent."""
+    ring_crown_radius: CrownRadius | None = None
+    """Radius of the grounded ring's crown along its axis; a cylinder if absent."""
+    driven_ring_crown_radius: CrownRadius | None = None
+    """Radius of the driven ring's crown along its axis; a cylinder if absent."""
 
 
 class PlanarLoad(Section):

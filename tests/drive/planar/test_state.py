@@ -1,5 +1,6 @@
 """Slip of contacts that stand: the integral of their incremental compliance."""
 
+import dataclasses
 import math
 
 import jax
@@ -7,7 +8,9 @@ import jax.numpy as jnp
 import numpy as np
 import pytest
 
-from asperity.drive.mechanism import NormalSprings
+from asperity.contact.crowned_line import CrownedLines
+from asperity.contact.crowned_shear import crown_shear_compliance
+from asperity.drive.mechanism import NormalSprings, crowned_springs
 from asperity.drive.planar.state import ContactLaws, slip_at_rest, surface_speeds
 from asperity.drive.rolling_state import CreepLaw
 
@@ -46,6 +49,32 @@ def test_beyond_999_thousandths_the_tangent_goes_on():
     for share in (0.9989999, 1.0, 1.5):
         assert float(jax.grad(slip)(share * LIMIT)) == pytest.approx(expected, rel=1e-3)
     assert float(slip(1.5 * LIMIT) - slip(1.2 * LIMIT)) == pytest.approx(0.3 * LIMIT * expected, rel=1e-9)
+
+
+def test_crowned_contacts_slip_by_their_shear_compliance_more():
+    """The slope of the slip is the compliance of the even contact and that of the crown, under N - T/mu."""
+    lines = CrownedLines(*(jnp.array([x]) for x in (0.5, 10e-3, 20e-3 / 3.0, 113e9)))
+    crowned = dataclasses.replace(
+        laws(),
+        springs=dataclasses.replace(
+            laws().springs, crowns=crowned_springs(lines=lines, rest_force=jnp.array([700.0]))
+        ),
+        lateral_strain_compliance=jnp.array([4e-12]),
+    )
+
+    def slip(force, contact):
+        return slip_at_rest(laws=contact, normal=NORMAL, tangential=jnp.array([force]))[0]
+
+    slope = jax.jit(jax.value_and_grad(slip))
+    compliance = jax.jit(crown_shear_compliance)
+    for share in (0.3, 0.9):
+        even, both = (float(slope(share * LIMIT, contact)[1]) for contact in (laws(), crowned))
+        expected = compliance(
+            stick_force=(1.0 - share) * NORMAL, lateral_strain_compliance=4e-12, **vars(lines)
+        )
+        assert both - even == pytest.approx(float(expected[0]), rel=1e-3)
+        assert both - even > 0.1 * even
+    assert float(slope(-0.5 * LIMIT, crowned)[0]) == -float(slope(0.5 * LIMIT, crowned)[0])
 
 
 def test_without_a_force_the_slope_is_that_of_both_sides():

@@ -6,6 +6,7 @@ import pytest
 
 from asperity.cli.solved_case import solved_planar
 from asperity.drive.planar.drives import wedge_drive
+from asperity.joint.crowned_contacts import crown_curvatures
 from asperity.joint.planar.description import SOLID, BodyShape, PlanarJoint
 from asperity.joint_file.planar_build import planar_joint_from_case
 
@@ -65,6 +66,7 @@ def as_planar():
             body_model=joint.body_model,
             plane_state=joint.plane_state,
             rolling=joint.rolling,
+            crown_curvatures=None if joint.crowns is None else tuple(crown_curvatures(joint.crowns)),
         )
 
     return described

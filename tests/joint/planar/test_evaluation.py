@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 from asperity.compilation import compile_fast
+from asperity.joint.description import Crowns
 from asperity.joint.evaluation import evaluate
 from asperity.joint.planar.evaluation import evaluate_planar
 from asperity.joint.rolling_conditions import DutyPoint
@@ -66,6 +67,46 @@ def test_skewed_rollers_of_the_papers_drive_agree_with_its_own_solver(case, as_p
     np.testing.assert_allclose(found.power.skew, expected.power.skew, rtol=5e-3)
     assert float(found.speed_loss) == pytest.approx(float(expected.speed_loss), rel=2e-3)
     assert float(found.power.efficiency) == pytest.approx(float(expected.power.efficiency), rel=1e-4)
+
+
+def test_crowned_rollers_of_the_papers_drive_agree_with_its_own_solver(case, as_planar):
+    """Planets with crowns of 0.5 m and of infinite radius; the latter are cylinders."""
+    joint = dataclasses.replace(joint_from_case(case), body_model="springs")
+    crowned, flat = (
+        dataclasses.replace(joint, crowns=Crowns(sun=0.0, planet=curvature, loading_roller=0.0, ring=0.0))
+        for curvature in (2.0, 0.0)
+    )
+    expected, found = solved(evaluate, crowned), solved(evaluate_planar, as_planar(crowned))
+    assert bool(found.solved)
+    assert float(found.interference) == pytest.approx(float(expected.interference), rel=1e-3)
+    for name in ("hertz_pressure", "loaded_length_share", "peak_line_load_ratio"):
+        own, general = getattr(expected.diagnostics, name), getattr(found.diagnostics, name)
+        np.testing.assert_allclose(general, own, rtol=2e-3, err_msg=name)
+    for name in ("normal", "tangential", "creepage", "crown_creepage_factor", "shakedown_ratio"):
+        own, general = getattr(expected.rolling, name), getattr(found.rolling, name)
+        np.testing.assert_allclose(general, own, rtol=5e-3, err_msg=name)
+    for get in (
+        lambda result: result.rolling.speed_loss,
+        lambda result: result.published.output,
+        lambda result: result.series_with_bulk.output,
+        lambda result: result.assembly.stiffness.output,
+    ):
+        assert float(get(found)) == pytest.approx(float(get(expected)), rel=5e-3)
+    assert float(found.rolling.life_hours.drive) == pytest.approx(
+        float(expected.rolling.life_hours.drive), rel=0.02
+    )
+    cylinders, even = solved(evaluate_planar, as_planar(flat)), solved(evaluate_planar, as_planar(joint))
+    assert float(cylinders.interference) == pytest.approx(float(even.interference), rel=1e-9)
+    np.testing.assert_allclose(cylinders.forces.tangential, even.forces.tangential, rtol=1e-7)
+    np.testing.assert_allclose(cylinders.rolling.creepage, even.rolling.creepage, rtol=1e-7)
+    for name in ("published", "series_with_bulk"):
+        assert float(getattr(cylinders, name).output) == pytest.approx(
+            float(getattr(even, name).output), rel=1e-7
+        )
+    assert float(cylinders.assembly.stiffness.output) == pytest.approx(
+        float(even.assembly.stiffness.output), rel=1e-7
+    )
+    assert float(found.assembly.stiffness.output) < 0.97 * float(even.assembly.stiffness.output)
 
 
 def test_no_skew_is_skew_zero(case, as_planar):

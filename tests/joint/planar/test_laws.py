@@ -3,10 +3,13 @@
 import dataclasses
 import math
 
+import jax.numpy as jnp
 import numpy as np
 import pytest
 from scipy.optimize import brentq
 
+from asperity.contact.crowned_line import crown_compression
+from asperity.drive.mechanism import whole_approach
 from asperity.drive.rolling_state import creepages
 from asperity.joint.planar.description import body_masses, planar_contacts
 from asperity.joint.planar.laws import contact_laws, creep_law, drive_load
@@ -41,6 +44,36 @@ def test_reference_force_of_an_interference(planar_joint):
     force = float(laws.reference_force[0])
     secants = np.asarray(laws.springs.secant_compliance)
     assert force * secants.sum() == pytest.approx(compression(force), rel=1e-12)
+
+
+def test_crowns_take_from_the_force_of_an_interference(planar_joint):
+    """30 um are the approaches of both contacts, that of the crowned planet's track included."""
+    crown = {'contact_length = "10 mm"': 'planet_crown_radius = "1 m"\ncontact_length = "10 mm"'}
+    even, joint = planar_joint("planetary", SPRINGS), planar_joint("planetary", SPRINGS | crown)
+    laws = contact_laws(joint, planar_contacts(joint))
+    force = float(laws.reference_force[0])
+    np.testing.assert_allclose(laws.reference_force, force, rtol=1e-12)
+    of_cylinders = contact_laws(
+        dataclasses.replace(even, interference=None, preload=force), planar_contacts(even)
+    )
+    approach = force * float(np.sum(of_cylinders.springs.secant_compliance))
+    approach += sum(
+        float(
+            crown_compression(
+                normal_force=force,
+                crown_curvature=1.0,
+                contact_length=LENGTH,
+                effective_radius=radius,
+                contact_modulus=YOUNG / (2.0 * (1.0 - POISSON**2)),
+            )
+        )
+        for radius in (20e-3 / 3.0, 100e-3 / 3.0)
+    )
+    assert approach == pytest.approx(30e-6, rel=1e-3)
+    found = whole_approach(
+        springs=laws.springs, normal_force=laws.reference_force, rest_force=laws.reference_force
+    )
+    assert float(jnp.sum(found)) == pytest.approx(approach, rel=1e-12)
 
 
 def test_a_given_preload_is_the_reference(planar_joint):

@@ -8,6 +8,7 @@ import equinox as eqx
 import jax.numpy as jnp
 from jax import Array
 
+from asperity.contact.crowned_shear import crown_slip
 from asperity.drive.mechanism import Bearings, NormalSprings
 from asperity.drive.planar.layout import CARRIER, PlanarDrive
 from asperity.drive.rolling_state import CreepLaw
@@ -27,7 +28,7 @@ _NEAR_SLIP = 0.999  # the slip of a standing contact is continued as a line abov
 
 
 class ContactLaws(eqx.Module):
-    """Response of the contacts of a drive to approach, slip and creep. SI units, shape (contacts,).
+    r"""Response of the contacts of a drive to approach, slip and creep. SI units, shape (contacts,).
 
     Parameters
     ----------
@@ -42,6 +43,8 @@ class ContactLaws(eqx.Module):
     coupling : Array or None, optional
         Approach of one contact under the normal force of another, shape (contacts, contacts) with 0 on the diagonal
         [m/N]; None where every contact deforms under its own force only.
+    lateral_strain_compliance : Array or None, optional
+        :math:`\sum \nu (1 + \nu)/E` of both bodies [1/Pa]; needed where the springs have crowns.
     """
 
     springs: NormalSprings
@@ -49,6 +52,7 @@ class ContactLaws(eqx.Module):
     creep: CreepLaw
     asperity_compliance: Array | None = None
     coupling: Array | None = None
+    lateral_strain_compliance: Array | None = None
 
 
 class DriveLoad(eqx.Module):
@@ -134,7 +138,7 @@ def slip_at_rest(*, laws: ContactLaws, normal: Array, tangential: Array) -> Arra
         \qquad q = \frac{T}{\mu N}
 
     with the incremental compliance :math:`C_0` of the bodies, its logarithmic part b, and the asperities'
-    :math:`c_a`.
+    :math:`c_a`. Crowned contacts slip by :func:`asperity.contact.crowned_shear.crown_slip` more.
 
     Parameters
     ----------
@@ -146,7 +150,8 @@ def slip_at_rest(*, laws: ContactLaws, normal: Array, tangential: Array) -> Arra
     Returns
     -------
     Array
-        Slip with the sign of the force [m]; above 99.9 % of friction the tangent is continued.
+        Slip with the sign of the force [m]; above 99.9 % of friction the tangent is continued, that of the even contact
+        where rollers are crowned.
 
     References
     ----------
@@ -170,7 +175,18 @@ def slip_at_rest(*, laws: ContactLaws, normal: Array, tangential: Array) -> Arra
     if laws.asperity_compliance is not None:
         slip = slip + 1.5 * laws.asperity_compliance * -jnp.expm1(log * (2.0 / 3.0))
         slope = slope + laws.asperity_compliance * jnp.exp(-log / 3.0)
-    return sign * limit * (slip + slope * (q - held))
+    slip = limit * (slip + slope * (q - held))
+    crowns = laws.springs.crowns
+    if crowns is not None and laws.lateral_strain_compliance is not None:
+        pressed = jnp.where(normal > 0.0, normal, 1.0)
+        slip = slip + crown_slip(
+            normal_force=pressed,
+            stick_force=left * pressed,
+            friction_coefficient=laws.creep.friction_coefficient,
+            lateral_strain_compliance=laws.lateral_strain_compliance,
+            **vars(crowns.lines),
+        )
+    return sign * slip
 
 
 def surface_speeds(*, drive: PlanarDrive, speed: Array) -> tuple[Array, Array]:

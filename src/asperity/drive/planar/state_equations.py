@@ -8,7 +8,7 @@ import jax.numpy as jnp
 import numpy as np
 from jax import Array
 
-from asperity.drive.mechanism import compression
+from asperity.drive.mechanism import whole_approach
 from asperity.drive.planar.bearings import friction_moments
 from asperity.drive.planar.layout import Incidence, PlanarDrive, incidence, speeds
 from asperity.drive.planar.linear import product
@@ -290,9 +290,7 @@ def state_misfits(machine: Machine, task: Task, by_force: bool, slides: Array, x
     speed, turned = speeds_and_turns(machine, x, task.kind)
     kind = jnp.asarray(task.kind)
 
-    approach = compression(springs=laws.springs, normal_force=normal, rest_force=reference) + (
-        laws.springs.secant_compliance * reference
-    )
+    approach = jnp.asarray(whole_approach(springs=laws.springs, normal_force=normal, rest_force=reference))
     if laws.coupling is not None:
         approach = approach + product(laws.coupling, normal)
     misfit = approach - product(matrices.approach, moved) - machine.pattern * x.interference * length

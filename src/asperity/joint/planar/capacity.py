@@ -9,7 +9,6 @@ import jax
 import jax.numpy as jnp
 from jax import Array
 
-from asperity.contact.hertz_line import half_width
 from asperity.drive.capacity import FirstLimit, first_limit, slip_ratio
 from asperity.drive.planar.state import SLIP_TOLERANCE, STATE_TOLERANCE, ContactLaws, PlanarState
 from asperity.drive.planar.states import loaded_state
@@ -115,12 +114,7 @@ def planar_capacity(
             normal_force=state.normal, tangential_force=state.tangential, friction_coefficient=friction
         )
         slides = state.slides != 0.0
-        width = half_width(
-            normal_force=jnp.where(touching, state.normal, rest.normal),
-            contact_length=contacts.pairs.contact_length,
-            effective_radius=contacts.pairs.effective_radius,
-            contact_modulus=contacts.pairs.moduli.contact_modulus,
-        )
+        width = contacts.largest_half_width(jnp.where(touching, state.normal, rest.normal))
         return jnp.concatenate(
             [
                 -jnp.ones(1),  # pins without friction do not lock

@@ -107,6 +107,9 @@ class PlanarJoint(eqx.Module):
         What temperature adds to the interference; None where the preload does not depend on it.
     pin_bearing, input_bearing, output_bearing : RatedBearing or None, optional
         Rolling bearings of every roller on a pin, of input and of output; None where no life is asked for.
+    crown_curvatures : tuple of Real or None, optional
+        Curvature of the crowns of both tracks of each contact, the sum of :math:`1/R_c` [1/m]; None where no roller is
+        crowned.
     """
 
     type: str = eqx.field(static=True)
@@ -134,6 +137,7 @@ class PlanarJoint(eqx.Module):
     pin_bearing: RatedBearing | None = None
     input_bearing: RatedBearing | None = None
     output_bearing: RatedBearing | None = None
+    crown_curvatures: tuple[Real, ...] | None = None
 
     @property
     def working_pattern(self) -> Array:
@@ -280,6 +284,7 @@ def planar_contacts(joint: PlanarJoint) -> JointContacts:
         driven=driven,
         ring_wall_thickness=per_contact(tuple(1.0 if wall is None else wall for wall in walls)),
         contact_factor_model=joint.contact_factor_model,
+        crown_curvature=None if joint.crown_curvatures is None else per_contact(joint.crown_curvatures),
     )
 
 

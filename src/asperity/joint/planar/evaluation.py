@@ -95,7 +95,8 @@ class PlanarResult(eqx.Module):
     rolling : RollingResult
         The joint that turns.
     contact_law_holds, walls_hold, solved : Array
-        Whether every loaded contact has an elastic spot, every wall a known compliance, and the states are solved.
+        Whether every loaded contact has an elastic spot; every wall a known compliance, and every crowned contact the
+        length that its slices need; whether the states are solved.
     """
 
     speed_ratio: Array

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import jax
 import jax.numpy as jnp
 from jax import Array
 
@@ -10,7 +11,8 @@ from asperity.drive.planar.equal_springs import rest_forces
 from asperity.drive.planar.layout import CARRIER, speeds
 from asperity.drive.planar.state import ContactLaws, DriveLoad
 from asperity.drive.rolling_state import CreepLaw
-from asperity.joint.contacts import JointContacts, bulk_springs, rough_joint_contacts
+from asperity.joint.contacts import JointContacts, bulk_springs, rough_joint_contacts, with_crowns
+from asperity.joint.crowned_contacts import crown_compressions, lateral_strain_compliance
 from asperity.joint.interference import logarithmic_decrease
 from asperity.joint.planar.bodies import body_compliance
 from asperity.joint.planar.description import PlanarJoint
@@ -19,7 +21,7 @@ from asperity.types import Real
 
 #: A force that is small for every wall: over Young's modulus times length times interference.
 _SMALL_FORCE = 1e-5
-_REFERENCE_STEPS = 4
+_REFERENCE_STEPS, _CROWNED_STEPS = 4, 10
 
 
 def contact_laws(joint: PlanarJoint, contacts: JointContacts) -> ContactLaws:
@@ -50,16 +52,20 @@ def contact_laws(joint: PlanarJoint, contacts: JointContacts) -> ContactLaws:
     preload = _expected_preload(joint, contacts, forces) if given is None else jnp.asarray(given)
     reference = preload * forces
     springs, coupling = _approach(joint, contacts, reference)
+    crowned = contacts.crown_curvature is not None
     rough = rough_joint_contacts(
         contacts=contacts, normal_force=reference, tangential_force=jnp.zeros_like(reference)
     )
     stiff = rough.tangential_stiffness > 0.0
     return ContactLaws(
-        springs=springs,
+        springs=with_crowns(springs, contacts=contacts, rest_force=reference),
         reference_force=reference,
         creep=creep_law(joint, contacts, reference, jnp.zeros_like(reference)).law,
         asperity_compliance=jnp.where(stiff, 1.0 / jnp.where(stiff, rough.tangential_stiffness, 1.0), 0.0),
         coupling=coupling,
+        lateral_strain_compliance=(
+            lateral_strain_compliance(contacts.driving, contacts.driven) if crowned else None
+        ),
     )
 
 
@@ -73,10 +79,24 @@ def _expected_preload(joint: PlanarJoint, contacts: JointContacts, forces: Array
     work = work if coupling is None else work + forces @ coupling @ forces
     # the work falls by this for each e-fold of the force
     softer = jnp.sum((springs.secant_compliance - springs.incremental_compliance) * forces**2)
-    preload = small
-    for _ in range(_REFERENCE_STEPS):
-        preload = share / jnp.maximum(work - softer * jnp.log(preload / small), 0.2 * work)
-    return preload
+
+    def even(preload: Array) -> Array:
+        return jnp.maximum(work - softer * jnp.log(preload / small), 0.2 * work)
+
+    curvature, preload = contacts.crown_curvature, small
+    if curvature is None:
+        for _ in range(_REFERENCE_STEPS):
+            preload = share / even(preload)
+        return preload
+
+    def improve(_: int, preload: Array) -> Array:
+        added = crown_compressions(
+            pairs=contacts.pairs, crown_curvature=curvature, normal_force=preload * forces
+        )
+        return share / (even(preload) + jnp.sum(added * forces) / preload)
+
+    found: Array = jax.lax.fori_loop(0, _CROWNED_STEPS, improve, small)
+    return found
 
 
 def _approach(

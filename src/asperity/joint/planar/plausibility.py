@@ -5,13 +5,13 @@ from __future__ import annotations
 import numpy as np
 
 from asperity.compilation import call_compiled
+from asperity.joint.contact_notes import Note, contact_notes, crown_notes
 from asperity.joint.planar.description import PlanarJoint, planar_contacts
 from asperity.joint.planar.evaluation import PlanarResult
-from asperity.joint.plausibility import Note, contact_notes
 
 
 def planar_plausibility(joint: PlanarJoint, result: PlanarResult) -> tuple[Note, ...]:
-    """Notes on friction, lengths, oil film, and the sizes for which the contact factor was made.
+    """Notes on friction, lengths, oil film, crowns, and the sizes for which the contact factor was made.
 
     Parameters
     ----------
@@ -25,7 +25,8 @@ def planar_plausibility(joint: PlanarJoint, result: PlanarResult) -> tuple[Note,
     tuple of Note
         One or more for each contact; those that are not ok are warnings.
     """
-    pairs = call_compiled(planar_contacts, joint).pairs
+    contacts = call_compiled(planar_contacts, joint)
+    pairs, crowns = contacts.pairs, contacts.crown_curvature
     smaller = np.minimum(np.asarray(joint.drive.first_radius), np.asarray(joint.drive.second_radius))
     films = np.asarray(result.rolling.film_ratio)
     notes: list[Note] = []
@@ -39,4 +40,6 @@ def planar_plausibility(joint: PlanarJoint, result: PlanarResult) -> tuple[Note,
             film_ratio=float(films[index]),
             contact_factor_model=joint.contact_factor_model,
         )
+        if crowns is not None and float(crowns[index]) > 0.0:
+            notes += crown_notes(name, result.diagnostics, index)
     return tuple(notes)

@@ -15,6 +15,7 @@ from asperity.joint.capacity import LIMIT_KINDS, TorqueCapacity, limit_words
 from asperity.joint.planar.capacity import PlanarCapacity, planar_capacity
 from asperity.joint.planar.description import PlanarJoint, tracks_of
 from asperity.joint.planar.evaluation import PlanarResult, evaluated_with_laws
+from asperity.joint.refusal import refuse_short_contacts
 from asperity.joint.temperature import refuse_loose
 from asperity.precision import require_double_precision
 from asperity.units import format_quantity
@@ -136,6 +137,7 @@ def _refuse_unsolved(joint: PlanarJoint, solution: PlanarSolution) -> None:
             f"with {_given(joint)} no state was found in which every contact of the assembled drive is pressed; "
             "check this value, the radii and the walls"
         )
+    refuse_short_contacts(result)
     if not bool(result.walls_hold):
         raise InputError(
             "a ring or a hollow roller has a wall thinner than five half-widths of its contacts or about 2 % of its "

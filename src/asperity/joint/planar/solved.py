@@ -16,6 +16,7 @@ from asperity.drive.planar.existence import neighbour_gaps, neighbours
 from asperity.drive.planar.layout import sectors_of_members
 from asperity.drive.planar.state import ContactLaws
 from asperity.joint.capacity import TorqueCapacity
+from asperity.joint.contact_notes import Note
 from asperity.joint.loss_note import loss_notes
 from asperity.joint.planar.bearing_lives import planar_bearing_lives
 from asperity.joint.planar.capacity import PlanarCapacity, planar_capacity
@@ -24,7 +25,6 @@ from asperity.joint.planar.evaluation import PlanarResult
 from asperity.joint.planar.plausibility import planar_plausibility
 from asperity.joint.planar.rims import planar_rims
 from asperity.joint.planar.solve import PlanarSolution
-from asperity.joint.plausibility import Note
 from asperity.joint.results.result import SolvedJoint
 
 

@@ -33,7 +33,8 @@ class LoadedStiffness(NamedTuple):
     assembly : Assembly
         The fullest model.
     contact_law_holds, walls_hold : Array
-        Whether every loaded contact has an elastic spot, and every wall a known compliance.
+        Whether every loaded contact has an elastic spot; every wall a known compliance, and every crowned contact the
+        length that its slices need.
     """
 
     contacts: LoadedContacts
@@ -94,6 +95,8 @@ def loaded_stiffness(
     )
     law_holds = jnp.all((loaded.rough.normal_stiffness > 0.0) | (normal_force <= 0.0))
     walls = walls_known(joint=joint, half_width=loaded.half_width)
+    if loaded.lines is not None:
+        walls = walls & jnp.all(loaded.lines.solved | (normal_force <= 0.0))
     published, series = jax.tree.map(lambda value: jnp.where(law_holds, value, jnp.nan), (published, series))
     assembly = jax.tree.map(lambda value: jnp.where(law_holds & walls, value, jnp.nan), assembly)
     return LoadedStiffness(loaded, published, series, assembly, law_holds, walls)

@@ -47,7 +47,6 @@ def _crowned(name: str, label: str, path: str, note: str) -> Result:
         "1",
         value,
         note=f"{note}; nan where no roller of the joint is crowned",
-        wedge_only=True,
     )
 
 

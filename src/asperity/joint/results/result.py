@@ -30,7 +30,7 @@ from asperity.joint.working_loads import working_loads
 from asperity.unit_table import Dimension
 
 if TYPE_CHECKING:
-    from asperity.joint.plausibility import Note
+    from asperity.joint.contact_notes import Note
     from asperity.joint.windup import StiffnessLevel
 
 #: What must hold for a result to mean anything: the rollers fit; in addition the forces balance; in addition no

@@ -1,0 +1,144 @@
+"""Crowned rollers in shear: what crowns add to the compliance and to the slip of a line contact that stands."""
+
+from __future__ import annotations
+
+import math
+
+import jax.numpy as jnp
+import numpy as np
+from jax import Array
+
+from asperity.contact.crowned_line import crown_compliance, crown_compression, shortening
+from asperity.types import Real
+
+# Gauss–Legendre over the cube root of the normal force, in which what ends of the line add is smooth down to no force
+_NODES, _WEIGHTS = np.polynomial.legendre.leggauss(4)
+
+
+def crown_shear_compliance(
+    *,
+    stick_force: Real,
+    crown_curvature: Real,
+    contact_length: Real,
+    effective_radius: Real,
+    contact_modulus: Real,
+    lateral_strain_compliance: Real,
+) -> Array:
+    r"""Incremental compliance that crowns add to a line contact in the rolling direction.
+
+    .. math::
+        \frac{\mathrm d\,\Delta\delta}{\mathrm dN}\bigg|_{N - T/\mu}
+        + \frac2\pi \sum_{i=1,2} \frac{\nu_i (1+\nu_i)}{E_i} \left(\frac1\ell - \frac1B\right)
+
+    Parameters
+    ----------
+    stick_force : Real
+        :math:`N - T/\mu` [N], positive: the normal force whose contact area is the region of stick.
+    crown_curvature : Real
+        Curvature kappa of the crowns of both bodies along the axis, 0 for cylinders [1/m].
+    contact_length : Real
+        Length B of the rollers' contact line [m].
+    effective_radius : Real
+        Effective radius R in the rolling direction [m].
+    contact_modulus : Real
+        Contact modulus E* [Pa].
+    lateral_strain_compliance : Real
+        :math:`\sum \nu_i (1+\nu_i)/E_i` of both bodies [1/Pa].
+
+    Returns
+    -------
+    Array
+        Compliance [m/N]; 0 without crown.
+
+    Notes
+    -----
+    By the theorem of Ciavarella and Jäger a tangential force T confines stick to the contact area under
+    :math:`N - T/\mu`, on which further load acts as in full stick. The second term is by what shear along a line that
+    ends is softer than compression; for a long ellipse it is Mindlin's.
+
+    References
+    ----------
+    J. Jäger, Arch. Appl. Mech. 65 (1995) 478; M. Ciavarella, Int. J. Solids Struct. 35 (1998) 2349; K. L. Johnson,
+    Contact Mechanics, 1985, section 7.2; equation (B12) of :doc:`/equations`.
+    """
+    numbers = {
+        "normal_force": stick_force,
+        "crown_curvature": crown_curvature,
+        "contact_length": contact_length,
+        "effective_radius": effective_radius,
+        "contact_modulus": contact_modulus,
+    }
+    ends = (2.0 / math.pi) * lateral_strain_compliance * shortening(**numbers)
+    return crown_compliance(**numbers) + ends
+
+
+def crown_slip(
+    *,
+    normal_force: Real,
+    stick_force: Real,
+    friction_coefficient: Real,
+    crown_curvature: Real,
+    contact_length: Real,
+    effective_radius: Real,
+    contact_modulus: Real,
+    lateral_strain_compliance: Real,
+) -> Array:
+    r"""Slip that crowns add to a line contact that stands, on first loading in the rolling direction.
+
+    .. math::
+        \Delta s = \mu \left[\Delta\delta(N) - \Delta\delta(P)
+        + \frac2\pi \sum_{i=1,2} \frac{\nu_i (1+\nu_i)}{E_i}
+        \int_P^N \left(\frac1\ell - \frac1B\right) \mathrm dN'\right], \qquad P = N - \frac T\mu
+
+    Parameters
+    ----------
+    normal_force : Real
+        Normal force N [N], positive.
+    stick_force : Real
+        P: the normal force whose contact area is the region of stick [N], positive.
+    friction_coefficient : Real
+        mu [-].
+    crown_curvature : Real
+        Curvature kappa of the crowns of both bodies along the axis, 0 for cylinders [1/m].
+    contact_length : Real
+        Length B of the rollers' contact line [m].
+    effective_radius : Real
+        Effective radius R in the rolling direction [m].
+    contact_modulus : Real
+        Contact modulus E* [Pa].
+    lateral_strain_compliance : Real
+        :math:`\sum \nu_i (1+\nu_i)/E_i` of both bodies [1/Pa].
+
+    Returns
+    -------
+    Array
+        Slip [m]; 0 without crown, and without a tangential force.
+
+    Notes
+    -----
+    The integral of :func:`crown_shear_compliance` over the tangential force, within 0.3 % where the ends of the line
+    come free on the way, else 1e-4.
+
+    References
+    ----------
+    J. Jäger, Arch. Appl. Mech. 65 (1995) 478; M. Ciavarella, Int. J. Solids Struct. 35 (1998) 2349; equation (B12) of
+    :doc:`/equations`.
+    """
+    numbers = {
+        "crown_curvature": crown_curvature,
+        "contact_length": contact_length,
+        "effective_radius": effective_radius,
+        "contact_modulus": contact_modulus,
+    }
+    whole, stick = jnp.broadcast_arrays(
+        jnp.asarray(normal_force, dtype=float), jnp.asarray(stick_force, dtype=float)
+    )
+    first, last = jnp.cbrt(stick), jnp.cbrt(whole)
+    nodes, weights = (jnp.asarray(each).reshape(-1, *(1,) * whole.ndim) for each in (_NODES, _WEIGHTS))
+    root = 0.5 * ((last + first) + (last - first) * nodes)
+    per_root = 3.0 * root**2 * shortening(normal_force=root**3, **numbers)
+    ends = 0.5 * (last - first) * jnp.sum(weights * per_root, axis=0)
+    added = crown_compression(normal_force=whole, **numbers) - crown_compression(
+        normal_force=stick, **numbers
+    )
+    return jnp.asarray(friction_coefficient * (added + (2.0 / math.pi) * lateral_strain_compliance * ends))
