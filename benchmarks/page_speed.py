@@ -23,7 +23,7 @@ FILE = Path(__file__).parents[1] / "examples" / "tutorial_joint.toml"
 # From the key press until the browser has painted the new plots: the second frame after the redrawing begins.
 PRESS = """
 async () => {
-  const slider = document.querySelector('[aria-label="preload, slider"]');
+  const slider = document.querySelector('[aria-label="preload, slider"], [aria-label="interference, slider"]');
   const before = document.documentElement.dataset.revision;
   const start = performance.now();
   slider.stepUp(1); // a new value each time: the server keeps the latest answers

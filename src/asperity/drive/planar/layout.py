@@ -19,6 +19,7 @@ import numpy as np
 from jax import Array
 from jax.typing import ArrayLike
 
+from asperity.arrays import namespace
 from asperity.compilation import call_compiled
 from asperity.drive.planar.linear import least_squares, product
 from asperity.types import Real
@@ -188,9 +189,11 @@ def sector_rotation(drive: PlanarDrive, sector: ArrayLike) -> Array:
     ----------
     Elementary.
     """
-    angle = 2.0 * math.pi * jnp.asarray(sector, dtype=float) / jnp.asarray(drive.sectors, dtype=float)
-    cosine, sine = jnp.cos(angle), jnp.sin(angle)
-    return jnp.stack([jnp.stack([cosine, -sine], axis=-1), jnp.stack([sine, cosine], axis=-1)], axis=-2)
+    xp = namespace(sector, drive.sectors)
+    angle = 2.0 * math.pi * xp.asarray(sector, dtype=float) / xp.asarray(drive.sectors, dtype=float)
+    cosine, sine = xp.cos(angle), xp.sin(angle)
+    matrix: Array = xp.stack([xp.stack([cosine, -sine], axis=-1), xp.stack([sine, cosine], axis=-1)], axis=-2)
+    return matrix
 
 
 class _Sides(NamedTuple):
@@ -329,7 +332,8 @@ def speeds(drive: PlanarDrive) -> Array:
     ----------
     Rolling without slip at every contact, relative to the carrier; equation (M2) of :doc:`/equations`.
     """
-    return jnp.asarray(call_compiled(_speeds, drive))
+    found: Array = call_compiled(_speeds, drive)
+    return found
 
 
 def _speeds(drive: PlanarDrive) -> Array:

@@ -11,6 +11,7 @@ import jax.numpy as jnp
 import numpy as np
 from jax import Array
 
+from asperity.arrays import namespace
 from asperity.contact.fractal import FractalContact
 from asperity.contact.interface import Interface
 from asperity.drive.assembly import Assembly
@@ -146,7 +147,8 @@ def driving_sense(drive: PlanarDrive) -> Array:
     """
     first, _ = places(drive)
     speed = speeds(drive)
-    return jnp.sign(speed[jnp.array(first)] - speed[drive.members.index(CARRIER)])
+    relative: Array = namespace(speed).sign(speed[np.array(first)] - speed[drive.members.index(CARRIER)])
+    return relative
 
 
 def evaluate_planar(joint: PlanarJoint) -> PlanarResult:
