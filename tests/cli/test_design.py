@@ -1,6 +1,7 @@
 """``asperity design`` from the command line."""
 
 import json
+import tomllib
 from importlib.resources import files
 
 import pytest
@@ -50,6 +51,14 @@ def test_design_agrees_with_the_joint_command(folder):
         each["value"] for each in again["diagnostics"] if each["name"] == "pressure_over_first_yield"
     )
     assert pressure == pytest.approx(2.0, rel=1e-6)
+    assert found["diagnostics"] == again["diagnostics"]
+    # the file has no digits that its results do not need
+    written = tomllib.loads(out.read_text())
+    for number in (
+        written["load"]["preload"].removesuffix(" N"),
+        str(written["surface"]["fractal_dimension"]),
+    ):
+        assert len(number.replace(".", "")) <= 9
 
 
 def test_inputs_are_not_written_over(folder):

@@ -28,6 +28,15 @@ def test_every_digit_survives(zou_file):
     assert again["drive.contact_length.wlo"].value == 0.005
 
 
+def test_the_shortest_decimal_is_written(zou_file):
+    """Conversions to the unit and back make no digits up."""
+    case = read_case(zou_file)
+    changes = {"drive.contact_length": 6e-3, "drive.planet_radius": 10.4898e-3, "load.output_torque": 5.1}
+    text = joint_file_text(case, changes, comment="")
+    for line in ('contact_length = "6 mm"', 'planet_radius = "10.4898 mm"', 'output_torque = "5.1 N*m"'):
+        assert line in text
+
+
 def test_tolerances_stay(zou_file):
     text = zou_file.read_text().replace('planet_radius = "13.5 mm"', 'planet_radius = "13.5 mm +- 5 um"')
     case = parse_case(text, source="test")

@@ -139,6 +139,8 @@ def _front(
     generations: int,
 ) -> None:
     from asperity.cli.progress import progress_bar
+    from asperity.cli.terminal import console
+    from asperity.study.design.found_joint import front_diagnostics
     from asperity.study.design.pareto import pareto_front, require_pymoo
 
     require_pymoo()
@@ -146,6 +148,8 @@ def _front(
         raise InputError(f"{out}: a Pareto front is a table of many joints; give it a name that ends in .csv")
     with progress_bar("generations") as report:
         front = pareto_front(problem, population=population, generations=generations, progress=report)
+    with progress_bar("joints") as report:
+        warned = front_diagnostics(problem, front, progress=report)
     names = [goal.name for goal in problem.objectives] + [variable.path for variable in problem.variables]
     if out is not None:
         head = ",".join(f"{name} [{front[name].attrs['units']}]" for name in names)
@@ -160,11 +164,11 @@ def _front(
     if as_json:
         import json
 
-        click.echo(
-            json.dumps({name: front[name].values.tolist() for name in names}, indent=2, allow_nan=False)
-        )
+        columns = {name: front[name].values.tolist() for name in names}
+        click.echo(json.dumps(columns | warned, indent=2, allow_nan=False))
     else:
         _show_front(problem, front, names)
+        _show_front_warnings(console(), warned)
 
 
 def _show_front(problem: DesignProblem, front: Any, names: list[str]) -> None:
@@ -222,20 +226,34 @@ def _show(result: DesignResult) -> None:
 
 def _show_warnings(result: DesignResult) -> None:
     """What ``asperity joint`` warns of for the designed joint."""
-    from asperity.api.joint import DescribedJoint
-    from asperity.api.solution import solution
     from asperity.cli.document_text import show_warnings
     from asperity.cli.terminal import console
-    from asperity.errors import NoSolutionError
-    from asperity.joint_file.reader import parse_any_case
+    from asperity.study.design.found_joint import found_diagnostics
 
-    name = "the designed joint"
-    try:
-        document = solution(DescribedJoint(parse_any_case(result.joint_text, source=name), name)).document
-    except (InputError, NoSolutionError) as error:
-        click.echo(f"Under the output torque of its file the designed joint has no result: {error}")
+    found = found_diagnostics(result.joint_text)
+    if found["diagnostics"] is None:
+        because = found["no_result_because"]
+        click.echo(f"Under the output torque of its file the designed joint has no result: {because}")
         return
-    show_warnings(console(), document)
+    show_warnings(console(), found)
+
+
+def _show_front_warnings(target: Console, found: dict[str, Any]) -> None:
+    """How many designs of a front cross which limit, the most serious first."""
+    from collections import Counter
+
+    designs = [entries for entries in found["diagnostics"] if entries is not None]
+    crossed = Counter(label for entries in designs for label in {entry["label"] for entry in entries})
+    if len(designs) < len(found["diagnostics"]):
+        target.print(
+            f"{len(found['diagnostics']) - len(designs)} designs have no result under the file's torque"
+        )
+    if not crossed:
+        target.print("No warnings: every limit of the model is kept")
+        return
+    target.print("Warnings of the designs; 'asperity joint' says of each what to do", style="bold")
+    for label, count in crossed.most_common():
+        target.print(f"  {label}: {count} of {len(designs)}", markup=False)
 
 
 def _show_variables(target: Console, result: DesignResult) -> None:

@@ -25,34 +25,31 @@ from asperity.joint_file.si_tables import (
 )
 from asperity.joint_file.table_numbers import numbers, table_structure
 from asperity.unit_table import Dimension
-from asperity.units import from_si
+from asperity.units import from_si, parse_quantity
 
 #: Two numbers are the same if they differ by less: conversion to a unit and back costs a few units in the last place.
 _ROUNDING = 1e-12
 
 
-def exact_text(value_si: float, unit: str) -> str:
+def exact_text(value_si: float, key: Key) -> str:
     """A quantity as text that reads back as the same number to rounding.
 
     Parameters
     ----------
     value_si : float
         Value in SI units.
-    unit : str
-        Unit to write.
+    key : Key
+        Key of the joint file, which names the unit.
 
     Returns
     -------
     str
-        Number with all its digits, and unit.
-
-    Examples
-    --------
-    >>> exact_text(0.0135, "mm")
-    '13.5 mm'
+        The shortest such number, and unit.
     """
-    number = repr(float(from_si(value_si, unit)))
-    return number if unit == "1" else f"{number} {unit}"
+    texts = [
+        f"{from_si(value_si, key.unit):.{digits}g} {key.unit}".removesuffix(" 1") for digits in (15, 16, 17)
+    ]
+    return next((text for text in texts if parse_quantity(text, key.dimension) == value_si), texts[-1])
 
 
 def joint_file_text(case: AnyCase, changes: Mapping[str, float], *, comment: str) -> str:
@@ -101,11 +98,11 @@ def _written(key: Key, value: float, stated: NumericKey | None) -> float | str:
     tolerance = stated.tolerance if stated else 0.0
     if key.dimension is Dimension.DIMENSIONLESS and not tolerance:
         return int(value) if key.whole else float(value)
-    text = exact_text(value, key.unit)
+    text = exact_text(value, key)
     if stated is None or not tolerance:
         return text
     distribution = f", {stated.distribution}" if stated.distribution else ""
-    return f"{text} +- {exact_text(tolerance, key.unit)}{distribution}"
+    return f"{text} +- {exact_text(tolerance, key)}{distribution}"
 
 
 def _edited(text: str, case: AnyCase, written: Mapping[str, float | str]) -> str:

@@ -11,6 +11,15 @@ from asperity.study.design.design_document import design_document
 from asperity.study.design.design_result import DesignResult, LimitReport, StartReport
 
 
+@pytest.fixture(autouse=True)
+def judged(monkeypatch):
+    """The designed joint is judged without solving it."""
+    told = {"diagnostics": [{"name": "slip_ratio", "ok": True, "value": math.nan}], "no_result_because": None}
+    monkeypatch.setattr(
+        "asperity.study.design.design_document.found_diagnostics", lambda text: told if text == "text" else {}
+    )
+
+
 def design(sign, **changes):
     limit = LimitReport("slip_ratio", "slip ratio", "sp", True, 0.5, 0.55, 0.1, True, 0.5, False, 5.0)
     start = dict.fromkeys(StartReport.__dataclass_fields__, 0.0)
@@ -55,6 +64,8 @@ def test_plain_data(sign, sense):
     assert document["limits"][0]["value"] == 0.55
     assert document["limits"][0]["label"] == "slip ratio"
     assert document["evaluations"] == 12
+    assert document["diagnostics"] == [{"name": "slip_ratio", "ok": True, "value": None}]
+    assert document["no_result_because"] is None
 
 
 def test_a_design_that_meets_its_limits_violates_none():

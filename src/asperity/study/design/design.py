@@ -28,7 +28,7 @@ from asperity.study.design.design_search import (
     starting_points,
     violation_rank,
 )
-from asperity.study.design.rounding import rounded_design
+from asperity.study.design.rounding import rounded_design, shortened_design
 from asperity.units import format_quantity
 
 _Ended = list[tuple[np.ndarray, EvaluatedDesign, bool]]
@@ -142,9 +142,10 @@ def _result(
     unrounded: float | None,
     ended: _Ended,
 ) -> DesignResult:
-    problem, goal, found = evaluator.problem, evaluator.problem.objectives[0], evaluator(best)
+    problem, goal = evaluator.problem, evaluator.problem.objectives[0]
     residual, multipliers = optimality(evaluator, best, fixed=fixed)
-    point = evaluator.point(best)
+    point, best = shortened_design(evaluator, best, fixed)
+    found = evaluator(best)
     feasible = found.violation <= FEASIBLE
     text = joint_file_text(
         problem.case,

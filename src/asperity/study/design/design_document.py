@@ -7,6 +7,7 @@ from typing import Any
 
 from asperity.study.datasets import number_or_null
 from asperity.study.design.design_result import DesignResult
+from asperity.study.design.found_joint import found_diagnostics
 
 
 def design_document(result: DesignResult) -> dict[str, Any]:
@@ -20,7 +21,8 @@ def design_document(result: DesignResult) -> dict[str, Any]:
     Returns
     -------
     dict
-        Objective before and after, variables, limits, starts and results of the joint, in SI units.
+        Objective before and after, variables, limits, starts and results of the joint, in SI units; its
+        ``diagnostics`` as in the document of ``asperity joint``.
     """
 
     def plain(node: Any) -> Any:
@@ -52,6 +54,7 @@ def design_document(result: DesignResult) -> dict[str, Any]:
             "starts": [asdict(start) for start in result.starts],
             "nominal": {name: value.tolist() for name, value in result.nominal.items()},
             "evaluations": result.evaluations,
+            **found_diagnostics(result.joint_text),
         }
     )
     return document

@@ -1,4 +1,4 @@
-"""Designs in standard sizes: the variables that have a step, rounded to it, and the others optimised again."""
+"""Designs that can be made: variables with a step rounded to it, all others to the fewest digits that do."""
 
 from __future__ import annotations
 
@@ -7,12 +7,23 @@ import math
 
 import numpy as np
 
+from asperity.joint.results import RESULTS
+from asperity.joint_file.part_names import type_of
+from asperity.joint_file.quantity_key import Key
+from asperity.joint_file.si_tables import key_at
 from asperity.study.design.design_evaluation import DesignEvaluator
 from asperity.study.design.design_problem import Variable
 from asperity.study.design.design_search import FEASIBLE, SearchProgress, local_optimum, violation_rank
+from asperity.units import from_si, parse_quantity
 
 #: Variables that may have a step: each doubles the number of combinations.
 MOST_STEPPED = 6
+
+#: Significant digits with which the rounding of the other variables begins, in the unit of the joint file.
+FEWEST_DIGITS = 7
+
+#: Relative change of the objective that their rounding may cause.
+_SAME = 1e-6
 
 #: Combinations of rounded values for which the other variables are optimised again: the most promising ones.
 _REFINED = 8
@@ -103,3 +114,54 @@ def rounded_design(
         return lack, max(violation, FEASIBLE), float(evaluator(each).objective[0].max())
 
     return min(tried, key=rank), fixed
+
+
+def shortened_design(
+    evaluator: DesignEvaluator, scaled: np.ndarray, fixed: np.ndarray
+) -> tuple[dict[str, float], np.ndarray]:
+    """The same design with as few digits as it needs.
+
+    Parameters
+    ----------
+    evaluator : DesignEvaluator
+        The problem.
+    scaled : ndarray
+        Scaled variables of a design, shape (n,).
+    fixed : ndarray of bool
+        Which variables have a step: they keep their value, shape (n,).
+
+    Returns
+    -------
+    point : dict
+        Dotted path → value [SI], with :data:`FEWEST_DIGITS` significant digits in the unit of the joint file; with more
+        where the rounded design, evaluated again, violates a limit by more than the search allows and the design
+        itself does, or changes the objective by more than a millionth.
+    scaled : ndarray
+        The same scaled, shape (n,).
+    """
+    exact, point = evaluator(scaled), evaluator.point(scaled)
+    kind = type_of(evaluator.values)
+    keys = [key_at(variable.path, kind) for variable in evaluator.variables]
+    positive = np.array([RESULTS[goal.name].positive for goal in evaluator.problem.objectives])[:, None]
+    size = np.where(positive, 1.0, np.abs(exact.objective))  # of positive results it is the logarithm
+    for digits in range(FEWEST_DIGITS, 16):
+        shorter = {
+            variable.path: point[variable.path]
+            if keep
+            else min(max(_rounded(point[variable.path], key, digits), variable.lower), variable.upper)
+            for variable, key, keep in zip(evaluator.variables, keys, fixed, strict=True)
+        }
+        place = evaluator.scaled(shorter)
+        found = evaluator(place)
+        if found.violation <= max(FEASIBLE, exact.violation) and np.all(
+            np.abs(found.objective - exact.objective) <= _SAME * size
+        ):
+            return shorter, place
+    return point, scaled
+
+
+def _rounded(value: float, key: Key, digits: int) -> float:
+    """A value [SI] that has few digits in the unit of its key."""
+    return parse_quantity(
+        f"{from_si(value, key.unit):.{digits}g} {key.unit}".removesuffix(" 1"), key.dimension
+    )
