@@ -122,3 +122,21 @@ def test_results_that_are_not_shown_are_named(capsys):
     text = capsys.readouterr().out
     assert "not shown: hertz_pressure; --out writes them all, --results chooses some" in text
     assert "torque capacity" in text
+
+
+def test_bodies_that_do_not_bend_have_no_column_and_it_is_said(capsys):
+    dims = ("load.output_torque",)
+    made = xarray.Dataset(
+        {
+            "status": (dims, np.zeros(2, dtype=np.int8)),
+            "rim_yield_safety": (("body", *dims), np.array([[np.nan, np.nan], [29.66, 28.5]])),
+        },
+        coords={"load.output_torque": [5.0, 10.0], "body": ["sun", "ring"]},
+    )
+    show_points(made)
+    text = capsys.readouterr().out
+    rows = [line.split() for line in text.splitlines() if line.strip().startswith(("5", "10"))]
+    assert rows == [["5", "29.66"], ["10", "28.5"]]
+    assert "no value of rim_yield_safety of sun: yield strength over the largest Mises stress" in text
+    assert "nan for bodies that do not bend" in text
+    assert "not shown" not in text

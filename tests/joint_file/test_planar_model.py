@@ -59,6 +59,19 @@ def test_examples_are_those_of_init_and_valid_for_editors(name):
         ("planetary", 'planet_radius = "20 mm"', 'planet_radius = "20 N"', "drive.planet_radius"),
         (
             "planetary",
+            "fractal_dimension = 1.5",
+            "",
+            "surface.fractal_dimension: this key is missing: a dimensionless",
+        ),
+        (
+            "planar",
+            "fractal_dimension = 1.5",
+            "",
+            "surface.fractal_dimension: this key is missing: a dimensionless",
+        ),
+        ("planetary", "[surface]\n", "[surface.sp]\n", "surface: pr is missing"),
+        (
+            "planetary",
             'interference = "30 um"',
             'interference = "30 um"\npreload = "1 N"',
             "exactly one of 'preload' and 'interference'",

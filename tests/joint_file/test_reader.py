@@ -312,3 +312,12 @@ def test_any_text_is_read_or_refused(example_text, position, length, inserted):
     start = int(position * len(example_text))
     text = example_text[:start] + inserted + example_text[start + length :]
     assert read_or_refused(lambda: parse_case(text, source="fuzz"))
+
+
+def test_surfaces_of_single_contacts_that_are_missing_are_named(joint_text):
+    with pytest.raises(InputError) as caught:
+        parse_case(joint_text.replace("[surface]", "[surface.sp]"), source="joint.toml")
+    assert str(caught.value) == (
+        "joint.toml: [surface.pwr], [surface.pwl], [surface.wro], [surface.wlo] are missing; write one [surface] for "
+        "all contacts, or a section for each"
+    )

@@ -53,6 +53,8 @@ def test_everything_has_its_unit(found):
     assert found["load.output_torque"].attrs["units"] == "N*m"
     assert found["mass"].attrs == {"units": "kg", "long_name": RESULTS["mass"].label}
     assert result_attributes(RESULTS["drift"])["units"] == "rad"
+    # rows that a joint does not have are nan, and the file says so
+    assert "nan for bodies that do not bend" in result_attributes(RESULTS["rim_yield_safety"])["comment"]
     assert key_attributes("drive.sun_radius")["units"] == "m"
     # codes of the status are told in the file itself
     assert len(found["status"].attrs["flag_meanings"].split()) == len(found["status"].attrs["flag_values"])

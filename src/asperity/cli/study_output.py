@@ -92,12 +92,21 @@ def show_points(found: xarray.Dataset) -> None:
     chosen = asked
     if sum(map(len, of_result.values())) > _MOST_COLUMNS:
         chosen = [name for name in _SHOWN if name in found] or asked[:1]
-    columns = [(name, row, values) for name in chosen for row, values in of_result[name].items()][
-        :_MOST_COLUMNS
-    ]
     units = {path: key_at(path).unit for path in axes}
     places = list(itertools.islice(np.ndindex(found["status"].shape), _MOST_ROWS))
     at = [dict(zip(axes, place, strict=True)) for place in places]
+    absent = {
+        (name, row)
+        for name in chosen
+        for row, values in of_result[name].items()
+        if RESULTS[name].present is not None and all(np.isnan(float(values.isel(each))) for each in at)
+    }
+    columns = [
+        (name, row, values)
+        for name in chosen
+        for row, values in of_result[name].items()
+        if (name, row) not in absent
+    ][:_MOST_COLUMNS]
     coordinates = {
         f"{long_name(path)}{_unit(units[path])}": [
             f"{from_si(float(found[path][each[path]]), units[path]):.6g}" for each in at
@@ -125,7 +134,12 @@ def show_points(found: xarray.Dataset) -> None:
     more = found["status"].size - _MOST_ROWS
     if more > 0:
         click.echo(f"and {more} more point{'s' * (more != 1)}; --out writes them all")
-    shown_results = {name for name, *_ in columns}
+    for name in chosen:
+        rows = [row.replace("_", " ") for row in of_result[name] if (name, row) in absent]
+        if rows:
+            note = f": {RESULTS[name].note}" if RESULTS[name].note else ""
+            click.echo(f"no value of {name}{' of ' if rows[0] else ''}{', '.join(rows)}{note}")
+    shown_results = {name for name, *_ in columns} | {name for name, _ in absent}
     left_out = [name for name in asked if name not in shown_results]
     if left_out:
         names = (

@@ -253,9 +253,7 @@ def _missing_sections(sections: list[Parts], model: type[BaseModel]) -> str:
     names = ", ".join(f"[{'.'.join(each)}]" for each in sections)
     if sections[0][0] == "surface" and len(sections[0]) > 1:
         verb = "is" if len(sections) == 1 else "are"
-        return (
-            f"{names} {verb} missing; write one [surface] for all contacts, or a section for each of the five"
-        )
+        return f"{names} {verb} missing; write one [surface] for all contacts, or a section for each"
     if len(sections) == 1:
         content = ", ".join(_known_names(sections[0], model)) or "a section for each material"
         return f"the section {names} is missing; it contains {content}"
@@ -263,7 +261,10 @@ def _missing_sections(sections: list[Parts], model: type[BaseModel]) -> str:
 
 
 def _is_section(parts: Parts, model: type[BaseModel]) -> bool:
-    return parts == ("materials",) or bool(_known_names(parts, model))
+    known = _known_names(parts, model)
+    return parts == ("materials",) or (
+        bool(known) and parts[-1] not in known
+    )  # a key of the table for all contacts
 
 
 def unknown_materials(bodies: Any, known: Iterable[str], *, model: type[BaseModel] = Case) -> list[str]:

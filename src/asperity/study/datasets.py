@@ -82,9 +82,12 @@ def result_attributes(result: Result) -> dict[str, str]:
     Returns
     -------
     dict
-        ``units`` and ``long_name``; ``categories`` where its values number them.
+        ``units`` and ``long_name``; ``categories`` where its values number them; ``comment`` where not every joint has
+        all of its rows.
     """
     attributes = {"units": result.si_unit, "long_name": result.label}
+    if result.present is not None and result.note:
+        attributes["comment"] = result.note
     return attributes | ({"categories": " ".join(result.categories)} if result.categories else {})
 
 
