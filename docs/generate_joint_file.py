@@ -158,6 +158,10 @@ def _other_sections() -> Iterator[tuple[str, type[Section], str]]:
         field = PLANAR_CASES["planar"].model_fields[name]
         model = next(p for p in _parts(field.annotation) if isinstance(p, type) and issubclass(p, Section))
         yield f'[[{name}]] of type = "planar"', model, field.description or ""
+    for kind, case in PLANAR_CASES.items():
+        field = case.model_fields["branch"]
+        model = next(p for p in _parts(field.annotation) if isinstance(p, type) and issubclass(p, Section))
+        yield f'[[branch]] of type = "{kind}"', model, field.description or ""
     common = next(iter(PLANAR_CASES.values()))
     for name in ("load", "bearings", "compliance", "rolling", "model"):
         field = common.model_fields[name]

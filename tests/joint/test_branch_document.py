@@ -19,6 +19,7 @@ def test_the_document_has_numbers_where_there_are_any(unequal_branches):
         "first_slip_Nm": 8.0,
         "first_branch": 2,
         "first_contact": "sp",
+        "first_event": "slips",
         "all_slip_Nm": 12.5,
         "equal_branches_Nm": 13.0,
     }

@@ -86,7 +86,8 @@ def test_words_name_the_planet_and_how_hard_it_is_pressed(unequal_branches):
     assert pressed(tight) == "planet 1 is pressed 1.1 times as hard"
     assert equal_branches_note(tight).endswith("planet 1 is pressed 1.1 times as hard.")
     entry = {"first_slip_Nm": 3.598, "first_branch": 3, "first_contact": "sp"}
-    assert capacity_words(entry) == "first slip 3.598 N·m, planet 3 (contact sp)"
+    document = {"branch_is": "planet", "torque_capacity": entry}
+    assert capacity_words(document, "torque_capacity") == "first slip 3.598 N·m, planet 3 (contact sp)"
 
 
 def test_a_loose_branch_is_a_requirement_that_is_not_met(unequal_branches):

@@ -25,7 +25,7 @@ def test_every_number_of_a_joint_file_has_a_path():
 @pytest.mark.parametrize(
     ("path", "section"),
     [
-        ("branch", '[[branch]]\nplanet_deviation = "1 um"'),
+        ("branch.1.right_roller_deviation", '[[branch]]\nright_roller_deviation = "1 um"'),
         ("bearings.pin_length", '[bearings]\npin_length = "6 mm"'),
     ],
 )

@@ -7,6 +7,7 @@ CAPACITY = {
     "first_slip_Nm": 11.0,
     "first_branch": 2,
     "first_contact": "sp",
+    "first_event": "slips",
     "all_slip_Nm": 12.5,
     "equal_branches_Nm": 13.0,
 }
@@ -19,6 +20,7 @@ def state(share):
 
 def test_shares_sun_and_capacity():
     found = {
+        "branch_is": "planet",
         "note": "Of equal branches; planet 1 is pressed 1.1 times as hard.",
         "sun_support_stiffness_N_per_m": None,
         "branches": [

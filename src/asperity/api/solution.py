@@ -23,7 +23,7 @@ from asperity.joint.rolling_refusal import rolling_capacity_of
 from asperity.joint.solve import Solution
 from asperity.joint_file.any_joint import results_of
 from asperity.joint_file.build import unequal_branches
-from asperity.joint_file.planar_build import any_joint_from_case
+from asperity.joint_file.planar_build import any_joint_from_case, unequal_sectors
 from asperity.joint_file.planar_model import PlanarCase
 from asperity.joint_file.si_tables import si_values
 from asperity.units import format_quantity
@@ -177,8 +177,11 @@ class JointSolution(Shown):
             "assumptions": self.joint.assumptions,
         }
         if isinstance(self.solution, PlanarSolution):
-            return planar_document(solution=self.solution, **told)
-        branches = None if isinstance(case, PlanarCase) else unequal_branches(case, self._solved.joint)
+            assert isinstance(case, PlanarCase)
+            sectors = unequal_sectors(case, self._solved.joint, self.solution)
+            return planar_document(solution=self.solution, branches=sectors, **told)
+        assert not isinstance(case, PlanarCase)
+        branches = unequal_branches(case, self._solved.joint)
         return joint_document(solution=self.solution, branches=branches, **told)
 
     def to_frame(self) -> Any:

@@ -25,18 +25,21 @@ def show_branches(target: Console, found: Document) -> None:
         As :func:`asperity.joint.branch_document.branch_document` makes it.
     """
     standing, rolling = found["standing"], found["rolling"]
+    from asperity.joint.branch_document import deviations
+
+    names = deviations(found)
     shown = table(
         target,
         "\nBranches by their own sizes",
-        "planet",
-        "deviation planet,\nrollers µm",
+        found["branch_is"],
+        f"deviation {', '.join(names.values())} µm".replace(", ", ",\n", 1),
         "interference\nµm",
         "preload\nN",
         "share standing,\nrolling %",
         "slip standing,\nrolling -",
     )
     for index, entry in enumerate(found["branches"]):
-        sizes = [entry[f"{name}_deviation_m"] for name in ("planet", "right_roller", "left_roller")]
+        sizes = [entry[key] for key in names]
         shown.add_row(
             str(index + 1),
             ", ".join(scaled(size, 1e6) for size in sizes),
@@ -47,10 +50,13 @@ def show_branches(target: Console, found: Document) -> None:
         )
     target.print(shown)
     print_wrapped(target, f"  {found['note']}", indent=2)
+    stiffness = found.get("output_stiffness_Nm_per_rad")
     for label, text in (
         ("sun", _sun(found, standing)),
-        ("capacity", _capacity(found["torque_capacity"])),
-        ("rolling", _capacity(found["rolling_torque_capacity"])),
+        *(("centre", text) for text in _others(standing or found["without_torque"])),
+        ("capacity", _capacity(found, "torque_capacity")),
+        ("rolling", _capacity(found, "rolling_torque_capacity")),
+        *([] if stiffness is None else [("stiffness", _stiffness(stiffness))]),
     ):
         print_wrapped(target, f"  {label:<10} {text}", indent=13)
 
@@ -68,9 +74,26 @@ def _sun(found: Document, standing: Document | None) -> str:
     return f"{in_unit(math.hypot(*sun['displacement_m']), 'um')} off centre, {force} on its bearings"
 
 
-def _capacity(entry: Document) -> str:
+def _others(state: Document) -> list[str]:
+    """Forces on the other members on the axis, in words."""
+    forces = state.get("central_forces_N", {})
+    named = [
+        f"{in_unit(math.hypot(*force), 'N')} on the {name.replace('_', ' ')}"
+        for name, force in forces.items()
+    ]
+    return [", ".join(named)] if named else []
+
+
+def _stiffness(value: float) -> str:
+    return f"{in_unit(value, 'N*m/arcmin')} at the output, of these branches, assembled"
+
+
+def _capacity(found: Document, name: str) -> str:
+    entry = found[name]
+    last = entry["all_slip_Nm"]
+    beyond = "steady rolling ends there" if last is None else f"all slip at {in_unit(last, 'N*m')}"
     return (
-        f"{in_unit(entry['first_slip_Nm'], 'N*m')}: contact {entry['first_contact']} of planet {entry['first_branch']} "
-        f"slips first; all slip at {in_unit(entry['all_slip_Nm'], 'N*m')}; equal branches pass "
+        f"{in_unit(entry['first_slip_Nm'], 'N*m')}: contact {entry['first_contact']} of {found['branch_is']} "
+        f"{entry['first_branch']} {entry['first_event']} first; {beyond}; equal branches pass "
         f"{in_unit(entry['equal_branches_Nm'], 'N*m')}"
     )

@@ -11,6 +11,7 @@ from asperity.writing import check_image, write_image
 
 if TYPE_CHECKING:
     from asperity.joint.either_kind import AnyJoint
+    from asperity.joint.size_errors import SizeErrorCurves
     from asperity.joint_file.model import Case
     from asperity.joint_file.planar_model import PlanarCase
     from asperity.surface.measurement import SurfaceMeasurement
@@ -91,22 +92,20 @@ def joint(file: str, as_json: bool, surfaces: tuple[str, ...], plot_file: str | 
         from asperity.show.style import plain_title
 
         solved = solved_joint(described, solution, branches)
-        errors = None
-        if branched is not None:
-            import numpy as np
-
-            from asperity.joint.size_errors import size_error_curves
-
-            widest = 0.4 * branched.interference
-            errors = size_error_curves(branched, sizes, np.linspace(-widest, widest, 17))
+        errors = None if branched is None else _size_errors(branched, sizes)
         write_image(joint_figure(solved, title=plain_title(file), size_errors=errors), plot_file)
         say_written(plot_file)
     _show(document, file, as_json)
-    if branched is not None and not as_json:
-        from asperity.cli.branch_table import show_branches
-        from asperity.cli.terminal import console
 
-        show_branches(console(), document["branches"])
+
+def _size_errors(branched: Any, sizes: Any) -> SizeErrorCurves:
+    """Unequal branches over the size of the first."""
+    import numpy as np
+
+    from asperity.joint.size_errors import size_error_curves
+
+    widest = 0.4 * branched.interference
+    return size_error_curves(branched, sizes, np.linspace(-widest, widest, 17))
 
 
 def _interval(
@@ -131,17 +130,34 @@ def _planar(
     case: PlanarCase, file: str, as_json: bool, measured: SurfaceMeasurement | None, plot_file: str | None
 ) -> None:
     """The joint with another drive than the paper's."""
-    from asperity.cli.solved_case import solved_planar
+    from asperity.joint.planar.document import planar_document
+    from asperity.joint.planar.solve import solve_planar
+    from asperity.joint_file.planar_assumptions import planar_assumptions
+    from asperity.joint_file.planar_build import branched_planar, deviations_of, planar_joint_from_case
+    from asperity.joint_file.si_tables import si_values
 
-    described, solution, document = solved_planar(case)
+    described, values = planar_joint_from_case(case), si_values(case)
+    solution = solve_planar(described)
+    branched, branches = branched_planar(case, described, solution), None
+    if branched is not None:
+        sizes = deviations_of(values)
+        branches = branched.branches(sizes)
+    document = planar_document(
+        joint=described,
+        solution=solution,
+        inputs=values,
+        assumptions=planar_assumptions(case),
+        branches=branches,
+    )
     document |= _interval(case, described, measured)
     if plot_file:
         from asperity.joint.planar.solved import solved_planar_joint
         from asperity.show.compliance_figure import joint_figure
         from asperity.show.style import plain_title
 
-        solved = solved_planar_joint(described, solution)
-        write_image(joint_figure(solved, title=plain_title(file)), plot_file)
+        solved = solved_planar_joint(described, solution, branches)
+        errors = None if branched is None else _size_errors(branched, sizes)
+        write_image(joint_figure(solved, title=plain_title(file), size_errors=errors), plot_file)
         say_written(plot_file)
     _show(document, file, as_json)
 
@@ -156,3 +172,7 @@ def _show(document: dict[str, Any], file: str, as_json: bool) -> None:
     from asperity.cli.terminal import console
 
     show_joint(console(), document, source=file)
+    if "branches" in document:
+        from asperity.cli.branch_table import show_branches
+
+        show_branches(console(), document["branches"])

@@ -227,7 +227,7 @@ def _first_slip(document: Document, name: str) -> str:
 
     if "branches" not in document:
         return ""
-    return f"{capacity_words(document['branches'][name])}; equal branches: "
+    return f"{capacity_words(document['branches'], name)}; equal branches: "
 
 
 def _of_the_paper(document: Document) -> tuple[Rows, Rows]:

@@ -71,11 +71,12 @@ def _of_planar_drive(case: PlanarCase) -> Document:
     from asperity.joint.planar.solve import solve_planar
     from asperity.joint.planar.solved import solved_planar_joint
     from asperity.joint.strength_document import bearing_entries
-    from asperity.joint_file.planar_build import planar_joint_from_case
+    from asperity.joint_file.planar_build import planar_joint_from_case, unequal_sectors
 
     joint = planar_joint_from_case(case)
     solution = solve_planar(joint)
-    return planar_loads_document(joint, solution, bearing_entries(solved_planar_joint(joint, solution)))
+    bearings = bearing_entries(solved_planar_joint(joint, solution))
+    return planar_loads_document(joint, solution, bearings, unequal_sectors(case, joint, solution))
 
 
 def _column(case: Document, line: str) -> str:

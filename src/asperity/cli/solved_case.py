@@ -37,30 +37,3 @@ def solved_planar(case: PlanarCase) -> tuple[PlanarJoint, PlanarSolution, Docume
         joint=joint, solution=solution, inputs=si_values(case), assumptions=planar_assumptions(case)
     )
     return joint, solution, document
-
-
-def refuse_options(case: PlanarCase, file: str, options: dict[str, bool]) -> None:
-    """Refuse options that exist for the paper's drive only.
-
-    Parameters
-    ----------
-    case : PlanarCase
-        The joint file.
-    file : str
-        Its name.
-    options : dict
-        Option → whether it is given.
-
-    Raises
-    ------
-    InputError
-        With the options and the type of the drive.
-    """
-    from asperity.errors import RUNNING, InputError
-
-    given = [name for name, used in options.items() if used]
-    if given:
-        raise InputError(
-            f"{file}: {', '.join(given)} of {RUNNING.get()} is not available for drives of type '{case.type}', "
-            "only for the paper's"
-        )

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import click
 import numpy as np
@@ -15,6 +15,7 @@ if TYPE_CHECKING:
 
     from asperity.joint_file.distribution import Distribution
     from asperity.joint_file.model import Case
+    from asperity.joint_file.planar_model import PlanarCase
 
 
 @click.command()
@@ -36,7 +37,7 @@ if TYPE_CHECKING:
     "--branches",
     type=int,
     metavar="DRAWS",
-    help="Draw the sizes of each planet and each loading roller of a drive by themselves, so many times: torque of the "
+    help="Draw the sizes of each planet and each other roller off the axis by themselves, so many times: torque of the "
     "first slip, load shares, force on the sun. Needs load.interference.",
 )
 @click.option("--json", "as_json", is_flag=True, help="Print one JSON document in SI units.")
@@ -63,9 +64,7 @@ def uncertainty(
     Tolerances are written in the file, with a distribution behind a comma: planet_radius = "13.5 mm +- 5 um, uniform",
     preload = "1000 N +- 50 N, normal 2 sigma".
     """
-    from asperity.cli.solved_case import refuse_options
     from asperity.joint_file.distribution import parse_distribution
-    from asperity.joint_file.planar_model import PlanarCase
     from asperity.joint_file.reader import read_any_case
 
     case = read_any_case(file)
@@ -79,10 +78,7 @@ def uncertainty(
 
     check_image(plot)
     if branches is not None:
-        if isinstance(case, PlanarCase):
-            refuse_options(case, file, {"--branches": True})
-        else:
-            _unlike_branches(case, otherwise, branches, seed, as_json)
+        _unlike_branches(case, otherwise, branches, seed, as_json)
         return
     names = None if results is None else [n.strip() for n in results.split(",") if n.strip()]
     with progress_bar("samples") as report:
@@ -105,14 +101,19 @@ def uncertainty(
 
 
 def _unlike_branches(
-    case: Case, otherwise: Distribution | None, draws: int, seed: int, as_json: bool
+    case: Case | PlanarCase, otherwise: Distribution | None, draws: int, seed: int, as_json: bool
 ) -> None:
     """Drives whose branches have sizes of their own."""
     from asperity.cli.progress import progress_bar
-    from asperity.study.tolerances.branch_scatter import branch_scatter
+    from asperity.joint_file.planar_model import PlanarCase
+    from asperity.study.tolerances.branch_scatter import branch_scatter, sector_scatter
 
+    asked: dict[str, Any] = {"distribution": otherwise, "draws": draws, "seed": seed}
     with progress_bar("drives") as report:
-        found = branch_scatter(case, distribution=otherwise, draws=draws, seed=seed, report=report).document()
+        if isinstance(case, PlanarCase):
+            found = sector_scatter(case, report=report, **asked).document()
+        else:
+            found = branch_scatter(case, report=report, **asked).document()
     if as_json:
         import json
 
@@ -139,6 +140,7 @@ def _unlike_branches(
         f"equal branches pass {found['equal_branches_Nm']:.4g} N·m; a branch is loose in "
         f"{found['share_with_a_loose_branch']:.1%} and slips under the torque of the file in "
         f"{found['share_that_slips_under_the_torque']:.1%} of the drives"
+        + (f"; {alone:.1%} have no balance" if (alone := found["share_without_a_balance"]) else "")
     )
 
 

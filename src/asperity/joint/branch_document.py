@@ -7,7 +7,6 @@ from typing import Any
 
 import numpy as np
 
-from asperity.drive.geometry import CONTACT_NAMES
 from asperity.joint.branch_limits import equal_branches_note, least_life
 from asperity.joint.branch_results import BranchCapacity, BranchState, UnequalBranches
 
@@ -29,26 +28,49 @@ def branch_document(found: UnequalBranches) -> Document:
     """
     sizes = found.sizes
     support, life = sizes.sun_support_stiffness, least_life(found)
-    return {
+    document: Document = {
+        "branch_is": found.noun,
         "note": equal_branches_note(found),
         "sun_support_stiffness_N_per_m": support if math.isfinite(support) else None,
         "branches": [
             {
-                "planet_deviation_m": float(sizes.planet[index]),
-                "right_roller_deviation_m": float(sizes.right_roller[index]),
-                "left_roller_deviation_m": float(sizes.left_roller[index]),
+                **{f"{name}_deviation_m": float(each[index]) for name, each in sizes.deviations.items()},
                 "interference_m": float(found.interference[index]),
                 "preload_N": float(found.preload[index]),
                 "preload_over_equal_branches": float(found.preload[index]) / found.own_preload,
             }
-            for index in range(sizes.planet.size)
+            for index in range(found.preload.size)
         ],
-        "without_torque": {"sun": _sun(found.rest)},
-        "standing": _state(found.standing),
-        "rolling": _state(found.rolling),
+        "without_torque": {"sun": _sun(found.rest), **_others(found.rest)},
+        "standing": _state(found.standing, found.contact_names),
+        "rolling": _state(found.rolling, found.contact_names),
         "life_hours_like_the_worst_branch": life if math.isfinite(life) else None,
         "torque_capacity": _capacity(found.capacity),
         "rolling_torque_capacity": _capacity(found.rolling_capacity),
+    }
+    if found.stiffness is not None:
+        document["output_stiffness_Nm_per_rad"] = found.stiffness if math.isfinite(found.stiffness) else None
+    return document
+
+
+def deviations(found: Document) -> dict[str, str]:
+    """Keys of the deviations of each branch, and their names in words.
+
+    Parameters
+    ----------
+    found : dict
+        As :func:`asperity.joint.branch_document.branch_document` makes it.
+
+    Returns
+    -------
+    dict
+        In the order of the document.
+    """
+    ending = "_deviation_m"
+    return {
+        key: key.removesuffix(ending).replace("_", " ")
+        for key in found["branches"][0]
+        if key.endswith(ending)
     }
 
 
@@ -59,7 +81,17 @@ def _sun(state: BranchState) -> Document:
     }
 
 
-def _state(state: BranchState | None) -> Document | None:
+def _others(state: BranchState) -> Document:
+    if not state.centre_forces:
+        return {}
+    return {
+        "central_forces_N": {
+            name: [float(each) for each in force] for name, force in state.centre_forces.items()
+        }
+    }
+
+
+def _state(state: BranchState | None, contacts: tuple[str, ...]) -> Document | None:
     if state is None:
         return None
     return {
@@ -72,9 +104,10 @@ def _state(state: BranchState | None) -> Document | None:
                 for limit, values in state.limits.items()
                 if np.ndim(values) == 2
             }
-            for index, name in enumerate(CONTACT_NAMES)
+            for index, name in enumerate(contacts)
         },
         "sun": _sun(state),
+        **_others(state),
     }
 
 
@@ -87,6 +120,7 @@ def _capacity(capacity: BranchCapacity) -> Document:
         "first_slip_Nm": capacity.first_slip,
         "first_branch": capacity.branch + 1,
         "first_contact": capacity.contact_name,
-        "all_slip_Nm": capacity.all_slip,
+        "first_event": capacity.event,
+        "all_slip_Nm": capacity.all_slip if math.isfinite(capacity.all_slip) else None,
         "equal_branches_Nm": capacity.equal,
     }

@@ -8,7 +8,6 @@ from typing import Any
 
 import numpy as np
 
-from asperity.drive.geometry import CONTACT_NAMES
 from asperity.joint.branch_results import BranchCapacity, BranchState, UnequalBranches
 from asperity.joint.limit_check import LimitCheck
 from asperity.joint.results import RESULTS, Limit, Result
@@ -35,11 +34,11 @@ def branch_checks(found: UnequalBranches, *, turns: bool) -> tuple[LimitCheck, .
     checks = [
         _slip(found, found.capacity, found.standing, "standing"),
         _looseness(found),
-        _worst("pressure_over_first_yield", found.standing or found.rest),
+        _worst(found, "pressure_over_first_yield", found.standing or found.rest),
     ]
     if turns:
         checks.insert(1, _slip(found, found.rolling_capacity, found.rolling, "in rolling"))
-        checks.append(_worst("shakedown_ratio", found.rolling))
+        checks.append(_worst(found, "shakedown_ratio", found.rolling))
     return tuple(checks)
 
 
@@ -48,13 +47,16 @@ def _slip(
 ) -> LimitCheck:
     """The torque over that at which the first branch slips."""
     slips = format_quantity(capacity.first_slip, "N*m", 4)
-    first = f"contact {capacity.contact_name} of planet {capacity.branch + 1} slips first, at {slips}"
+    first = f"contact {capacity.contact_name} of {found.noun} {capacity.branch + 1} {capacity.event} first, at {slips}"
     if state is None:
-        used = f"all branches slip at {format_quantity(capacity.all_slip, 'N*m', 4)}"
+        last = capacity.all_slip
+        used = "steady rolling ends there"
+        if math.isfinite(last):
+            used = f"all branches slip at {format_quantity(last, 'N*m', 4)}"
     else:
         slipping = ", ".join(str(index + 1) for index in np.flatnonzero(state.slip_ratio >= 1.0))
         used = f"under the torque T/(mu N) of the worst branch is {np.nanmax(state.slip_ratio):.3g}"
-        used += f" (planets that slip: {slipping})" if slipping else ""
+        used += f" ({found.noun}s that slip: {slipping})" if slipping else ""
     name = "branch_slip" if when == "standing" else "branch_slip_in_rolling"
     row = Result(
         name,
@@ -72,7 +74,7 @@ def _slip(
             highest=1.0,
         ),
     )
-    return LimitCheck(row, f"planet {capacity.branch + 1}", found.torque / capacity.first_slip)
+    return LimitCheck(row, f"{found.noun} {capacity.branch + 1}", found.torque / capacity.first_slip)
 
 
 def _looseness(found: UnequalBranches) -> LimitCheck:
@@ -93,10 +95,10 @@ def _looseness(found: UnequalBranches) -> LimitCheck:
         ),
     )
     branch = int(np.argmin(found.preload))
-    return LimitCheck(row, f"planet {branch + 1}", float(found.preload[branch]) / found.own_preload)
+    return LimitCheck(row, f"{found.noun} {branch + 1}", float(found.preload[branch]) / found.own_preload)
 
 
-def _worst(name: str, state: BranchState | None) -> LimitCheck:
+def _worst(found: UnequalBranches, name: str, state: BranchState | None) -> LimitCheck:
     """A limit of the contacts at the contact and branch where it is nearest or crossed most."""
     known = RESULTS[name]
     row = dataclasses.replace(known, name=f"branch_{name}", label=f"{known.label}, worst branch")
@@ -104,7 +106,7 @@ def _worst(name: str, state: BranchState | None) -> LimitCheck:
     if not np.any(np.isfinite(values)):
         return LimitCheck(row, None, math.nan)
     contact, branch = np.unravel_index(int(np.nanargmax(values)), values.shape)
-    place = f"{CONTACT_NAMES[int(contact)]} of planet {int(branch) + 1}"
+    place = f"{found.contact_names[int(contact)]} of {found.noun} {int(branch) + 1}"
     return LimitCheck(row, place, float(values[contact, branch]))
 
 
@@ -123,8 +125,9 @@ def pressed(found: UnequalBranches) -> str:
     """
     branch = int(np.argmax(found.preload))
     loose = ", ".join(str(index + 1) for index in np.flatnonzero(found.preload <= 0.0))
-    return f"planet {branch + 1} is pressed {found.preload[branch] / found.own_preload:.3g} times as hard" + (
-        f", and loose is planet {loose}" if loose else ""
+    return (
+        f"{found.noun} {branch + 1} is pressed {found.preload[branch] / found.own_preload:.3g} times as hard"
+        + (f", and loose is {found.noun} {loose}" if loose else "")
     )
 
 
@@ -151,22 +154,25 @@ def equal_branches_note(found: UnequalBranches) -> str:
     return note
 
 
-def capacity_words(entry: dict[str, Any]) -> str:
+def capacity_words(document: dict[str, Any], name: str) -> str:
     """Torque at which the worst branch slips, as the first words about the capacity of a joint.
 
     Parameters
     ----------
-    entry : dict
-        Torque capacity of the branches, from :func:`asperity.joint.branch_document.branch_document`.
+    document : dict
+        What :func:`asperity.joint.branch_document.branch_document` says about the branches.
+    name : str
+        Which of its torque capacities.
 
     Returns
     -------
     str
-        With the planet and its contact.
+        With the branch and its contact.
     """
+    entry = document[name]
     return (
-        f"first slip {format_quantity(entry['first_slip_Nm'], 'N*m', 4)}, planet {entry['first_branch']} "
-        f"(contact {entry['first_contact']})"
+        f"first slip {format_quantity(entry['first_slip_Nm'], 'N*m', 4)}, {document['branch_is']} "
+        f"{entry['first_branch']} (contact {entry['first_contact']})"
     )
 
 

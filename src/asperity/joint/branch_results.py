@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from asperity.drive.geometry import CONTACT_NAMES
-from asperity.joint.branch_sizes import BranchSizes
+from asperity.joint.branch_sizes import BranchSizes, SectorDeviations
 
 
 @dataclass(frozen=True)
@@ -37,6 +37,7 @@ class BranchState:
     sun_displacement: np.ndarray
     sun_force: np.ndarray
     limits: dict[str, np.ndarray] = field(default_factory=dict)
+    centre_forces: dict[str, np.ndarray] = field(default_factory=dict)
 
     @property
     def share(self) -> np.ndarray:
@@ -58,9 +59,14 @@ class BranchCapacity:
     contact : int or None
         Which of its contacts; None where it was not asked for.
     all_slip : float
-        Torque at which all branches slip [N·m]: the most that the drive passes.
+        Torque at which all branches slip [N·m]: the most that the drive passes; nan where steady rolling ends at the
+        first slip.
     equal : float
         The same for equal branches of nominal size, for which both are one [N·m].
+    contact_names : tuple of str, optional
+        Names of the contacts of a branch.
+    event : str, optional
+        What that contact does first.
     """
 
     first_slip: float
@@ -68,11 +74,13 @@ class BranchCapacity:
     contact: int | None
     all_slip: float
     equal: float
+    contact_names: tuple[str, ...] = CONTACT_NAMES
+    event: str = "slips"
 
     @property
     def contact_name(self) -> str:
         """Name of the contact that slips first; empty where it was not asked for."""
-        return "" if self.contact is None else CONTACT_NAMES[self.contact]
+        return "" if self.contact is None else self.contact_names[self.contact]
 
 
 @dataclass(frozen=True)
@@ -81,7 +89,7 @@ class UnequalBranches:
 
     Parameters
     ----------
-    sizes : BranchSizes
+    sizes : BranchSizes or SectorDeviations
         Sizes of the branches.
     torque, own_preload : float
         Torque of the joint, without sign, and the preload of equal branches [N·m], [N].
@@ -93,9 +101,13 @@ class UnequalBranches:
         Under the joint's torque; None where it is more than all branches pass.
     capacity, rolling_capacity : BranchCapacity
         At rest and in rolling.
+    noun : str, optional
+        What a branch is called.
+    stiffness : float or None, optional
+        Torsional stiffness at the output under the joint's torque, assembled [N·m/rad]; None where it was not computed.
     """
 
-    sizes: BranchSizes
+    sizes: BranchSizes | SectorDeviations
     torque: float
     own_preload: float
     interference: np.ndarray
@@ -105,3 +117,10 @@ class UnequalBranches:
     rolling: BranchState | None
     capacity: BranchCapacity
     rolling_capacity: BranchCapacity
+    noun: str = "planet"
+    stiffness: float | None = None
+
+    @property
+    def contact_names(self) -> tuple[str, ...]:
+        """Names of the contacts of a branch."""
+        return self.capacity.contact_names

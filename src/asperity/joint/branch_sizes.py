@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 from dataclasses import dataclass
 
 import numpy as np
@@ -23,3 +24,46 @@ class BranchSizes:
     right_roller: np.ndarray
     left_roller: np.ndarray
     sun_support_stiffness: float
+
+    @property
+    def deviations(self) -> dict[str, np.ndarray]:
+        """Names of the rollers → deviations of their radii [m]."""
+        return {"planet": self.planet, "right_roller": self.right_roller, "left_roller": self.left_roller}
+
+    def with_first(self, added: float) -> BranchSizes:
+        """The same with a further deviation of the first planet [m]."""
+        return dataclasses.replace(self, planet=self.planet + added * np.eye(self.planet.size)[0])
+
+
+@dataclass(frozen=True)
+class SectorDeviations:
+    """Deviations of the sizes of each sector of a planar drive from the nominal ones, and the bearings of its input.
+
+    Parameters
+    ----------
+    deviations : dict
+        Names of the tracks → deviations of their radii, larger positive, one for each sector, shape (n,) [m].
+    added : ndarray
+        Interference that they add to each contact of each sector, shape (n, contacts) [m].
+    per_size : ndarray
+        Interference of the contacts of a sector over the deviation of the track that comes first, shape (contacts,)
+        [-].
+    sun_support_stiffness : float
+        Radial stiffness of the bearings of the sun, the input [N/m]: 0 for a floating one, ``math.inf`` for one that is
+        held.
+    """
+
+    deviations: dict[str, np.ndarray]
+    added: np.ndarray
+    per_size: np.ndarray
+    sun_support_stiffness: float
+
+    def with_first(self, added: float) -> SectorDeviations:
+        """The same with a further deviation of the first track of the first sector [m]."""
+        first = np.eye(len(self.added))[0]
+        name = next(iter(self.deviations))
+        return dataclasses.replace(
+            self,
+            deviations=self.deviations | {name: self.deviations[name] + added * first},
+            added=self.added + added * np.outer(first, self.per_size),
+        )

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import dataclasses
 from dataclasses import dataclass
 
 import numpy as np
@@ -53,11 +52,7 @@ def size_error_curves(drive: BranchedJoint, sizes: BranchSizes, deviation: np.nd
     SizeErrorCurves
         At each deviation.
     """
-    first = np.eye(drive.count)[0]
-    found = [
-        drive.branches(dataclasses.replace(sizes, planet=sizes.planet + each * first), slip=False)
-        for each in deviation
-    ]
+    found = [drive.branches(sizes.with_first(each), slip=False) for each in deviation]
     nothing = np.full(drive.count, np.nan)
 
     def shares(states: list[BranchState | None]) -> np.ndarray:

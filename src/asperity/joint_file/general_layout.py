@@ -57,6 +57,13 @@ def misdescribed(case: GeneralCase) -> Iterator[str]:
             yield f"roller {roller.name}: it {verb} a wall_thickness"
         if roller.push_angle is not None and roller.place != "pin":
             yield f"roller {roller.name}: push_angle is for rollers on a pin"
+    sized = [roller.name for roller in case.roller if roller.place != "axis"]
+    for number, branch in enumerate(case.branch or (), start=1):
+        for name in branch.deviation or ():
+            if name not in sized:
+                why = "it is on the axis, common to all" if name in rollers else "there is no such roller"
+                known = nearest(name, sized) or "; a sector has " + ", ".join(sized)
+                yield f"branch.{number}.deviation.{name}: {why}{known}"
     members = [*(roller.name for roller in case.roller if roller.place == "axis"), CARRIER]
     roles = {role: getattr(case.drive, role) for role in ("input", "output", "grounded")}
     for role, name in roles.items():

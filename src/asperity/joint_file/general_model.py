@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Literal
+from typing import Annotated, ClassVar, Literal
 
 from pydantic import Field
 
 from asperity.joint_file import limits
+from asperity.joint_file.branch_sections import Deviation
 from asperity.joint_file.model import CrownRadius, Length, PushAngle
-from asperity.joint_file.planar_model import Bore, PartLengths, PartName, PlanarCase, RingSupport, Wall
+from asperity.joint_file.planar_drive_sections import Bore, PartLengths, PartName, RingSupport, Wall
+from asperity.joint_file.planar_model import PlanarCase
 from asperity.joint_file.quantity_key import Quantity
 from asperity.joint_file.section import Section
 
@@ -77,6 +79,14 @@ class ContactEntry(Section):
     """Sector of the second roller, counted counter-clockwise from that of the first: 0, or -1 or 1 for a neighbour."""
 
 
+class SectorEntry(Section):
+    """One sector; write [[branch]] above each, as many as sectors, counter-clockwise."""
+
+    deviation: dict[PartName, Deviation] | None = None
+    """Names of its rollers and by how much their radii, all of a stepped one, are larger than stated; 0 for those that
+    are not named."""
+
+
 class GeneralCase(PlanarCase):
     """A joint file with any planar drive."""
 
@@ -88,6 +98,9 @@ class GeneralCase(PlanarCase):
     """Rollers and rings of one sector."""
     contact: Annotated[tuple[ContactEntry, ...], Field(min_length=1)]
     """Contacts of one sector; the internal ones have the interference."""
+    branch: tuple[SectorEntry, ...] | None = None
+    """Sizes of the rollers of each sector, where they differ: a section [[branch]] for each."""
+    _branches_are: ClassVar[tuple[str, str]] = ("sectors", "sectors")
 
     def without_housing(self) -> str:
         """What the file says where no housing holds a ring; empty where one does."""

@@ -10,6 +10,7 @@ from pydantic import Discriminator, Field, PrivateAttr, Tag, model_validator
 from asperity.errors import InputError
 from asperity.joint_file import limits
 from asperity.joint_file.bearing_entries import HeldBearing, PinBearing
+from asperity.joint_file.branch_sections import BranchEntry, refuse_branches
 from asperity.joint_file.material_entries import BodyMaterials, MaterialEntry, MaterialName, Surfaces
 from asperity.joint_file.quantity_key import Quantity
 from asperity.joint_file.section import ONE_FOR_ALL, ONE_FOR_EACH, EachContact, Section, number_or_table
@@ -150,17 +151,6 @@ class Compliance(Section):
     sun, rigid if absent."""
 
 
-class BranchEntry(Section):
-    """One planet with its loading rollers; write [[branch]] above each, as many as planets."""
-
-    planet_deviation: Annotated[Quantity, limits.DEVIATION] | None = None
-    """Radius of this planet above planet_radius; 0 if absent."""
-    right_roller_deviation: Annotated[Quantity, limits.DEVIATION] | None = None
-    """Radius of its right loading roller above loading_roller_radius; 0 if absent."""
-    left_roller_deviation: Annotated[Quantity, limits.DEVIATION] | None = None
-    """Radius of its left loading roller above loading_roller_radius; 0 if absent."""
-
-
 class Rolling(Section):
     """The joint that turns; every key may be absent."""
 
@@ -283,7 +273,7 @@ class Case(Section):
     """The oil; dry if the section is absent."""
     duty: Duty | None = None
     """Loads and their shares of the time, for the life under a duty: a section [[duty]] for each."""
-    branch: Annotated[tuple[BranchEntry, ...], Field(min_length=2)] | None = None
+    branch: tuple[BranchEntry, ...] | None = None
     """Sizes of each planet and its loading rollers, where they differ: a section [[branch]] for each planet."""
     dynamics: DynamicsEntry | None = None
     """Inertias of motor and load, for `asperity dynamics`."""
@@ -335,15 +325,12 @@ class Case(Section):
     def _one_branch_for_each_planet(self) -> Case:
         if self.branch is None:
             return self
-        planets = round(self.drive.planets.value)
-        if len(self.branch) != planets:
-            raise InputError(
-                f"the drive has {planets} planets, but there are {len(self.branch)} sections [[branch]]"
-            )
-        if self.load.interference is None:
-            raise InputError(
-                "[[branch]] needs load.interference in place of load.preload: sizes make no preload that a spring holds"
-            )
+        refuse_branches(
+            len(self.branch),
+            count=round(self.drive.planets.value),
+            what="planets",
+            by_interference=self.load.interference is not None,
+        )
         if self.load.cam_force_per_torque is not None:
             raise InputError(
                 "[[branch]] and load.cam_force_per_torque cannot be combined; leave one of them out"

@@ -112,6 +112,42 @@ def bodies_of(tables: Mapping[str, Any]) -> tuple[str, ...]:
     return bodies_of_type(kind) if kind in CONTACTS else _listed(tables["roller"])
 
 
+def sized_tracks(tables: Mapping[str, Any]) -> dict[str, tuple[tuple[str, str], ...]]:
+    """What every sector has in a size of its own: rollers, or the tracks of stepped ones.
+
+    Parameters
+    ----------
+    tables : mapping
+        Tables of a joint file in SI units, of another drive than that of Zou et al.
+
+    Returns
+    -------
+    dict
+        Name in the keys ``NAME_radius`` of the drive and ``NAME_deviation`` of sections ``[[branch]]``, or that of a
+        roller in a file of type ``planar`` → contacts on it, and which of their bodies it is.
+    """
+    kind = type_of(tables)
+    if kind in TRACKS:
+        names = dict.fromkeys(name for pair in TRACKS[kind].values() for name in pair if name not in _COMMON)
+        return {
+            name: tuple(
+                (contact, side)
+                for contact, pair in TRACKS[kind].items()
+                for side, track in zip(_SIDES, pair, strict=True)
+                if track == name
+            )
+            for name in names
+        }
+    contacts = tables["contact"].values()
+    return {
+        roller["name"]: tuple(
+            (each["name"], side) for each in contacts for side in _SIDES if each[side] == roller["name"]
+        )
+        for roller in tables["roller"].values()
+        if roller["place"] != "axis"
+    }
+
+
 def with_tracks(tables: dict[str, Any]) -> dict[str, Any]:
     """Tables in SI units whose contacts name what belongs to the structure of the drive, so that numbers may vary.
 
@@ -199,6 +235,7 @@ def paths_of_track(tables: Mapping[str, Any], path: str) -> list[str]:
 
 
 _SIDES = ("first", "second")
+_COMMON = ("sun", "ring", "driven_ring")  # tracks that all sectors share
 
 
 def _listed(entries: Any) -> tuple[str, ...]:

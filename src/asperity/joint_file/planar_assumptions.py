@@ -46,7 +46,9 @@ def planar_assumptions(case: PlanarCase) -> tuple[str, ...]:
     if case.compliance is None:
         told.append("no section [compliance]: pins and shafts are rigid")
     else:
-        absent = [name for name, value in case.compliance if value is None]
+        absent = [
+            name for name, value in case.compliance if value is None and name != "sun_support_stiffness"
+        ]
         if absent:
             told.append(f"[compliance] without {', '.join(absent)}: rigid")
     if isinstance(case, GeneralCase):
@@ -84,6 +86,18 @@ def planar_assumptions(case: PlanarCase) -> tuple[str, ...]:
             told.append(
                 f"roughness_average: Ra leaves D open, and all results are those of the {which}; 'asperity joint' "
                 "gives the interval of stiffness and drift"
+            )
+    if getattr(case, "branch", None) is not None:
+        told.append(
+            "[[branch]]: every branch is solved by itself, together with the bodies on the axis; rings and carrier are "
+            "centred, and what centres a ring that carries itself acts evenly all round; the standing drive is loaded "
+            "from rest without torque; all numbers but those of the worst branch, of single branches and of the forces "
+            "on the members on the axis are of equal ones"
+        )
+        if case.compliance is None or case.compliance.sun_support_stiffness is None:
+            told.append(
+                "[[branch]] without compliance.sun_support_stiffness: the input is held rigidly on the axis; a sun "
+                "that floats (0) shares the load among the branches"
             )
     told += temperature_assumptions(case, housed=not case.without_housing())
     joint = planar_joint_from_case(case)

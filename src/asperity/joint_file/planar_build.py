@@ -4,23 +4,32 @@ from __future__ import annotations
 
 import dataclasses
 import math
-from typing import Any
+from collections.abc import Collection
+from typing import TYPE_CHECKING, Any
 
 import jax.numpy as jnp
+import numpy as np
 from jax import Array
 
 from asperity.drive.mechanism import Bearings
+from asperity.drive.planar.expansion import interference_of_sizes
 from asperity.drive.planar.layout import PlanarDrive
+from asperity.joint.branch_sizes import SectorDeviations
 from asperity.joint.description import Joint
 from asperity.joint.planar.description import PlanarJoint
 from asperity.joint.planar.temperature import planar_fit
 from asperity.joint_file.build import entries, joint_from_case, play_of, rated_bearing, rolling_conditions
 from asperity.joint_file.material_build import material_of, surface_of
 from asperity.joint_file.model import Case
-from asperity.joint_file.part_names import CONTACTS, TRACKS, contacts_of
+from asperity.joint_file.part_names import CONTACTS, TRACKS, contacts_of, paths_of_track, sized_tracks
 from asperity.joint_file.planar_model import PlanarCase
 from asperity.joint_file.planar_parts import layout_of
 from asperity.joint_file.si_tables import Values, si_values
+
+if TYPE_CHECKING:
+    from asperity.joint.branch_results import UnequalBranches
+    from asperity.joint.planar.branches import BranchedPlanarJoint
+    from asperity.joint.planar.solve import PlanarSolution
 
 
 def any_joint_from_case(case: Case | PlanarCase) -> Joint | PlanarJoint:
@@ -158,6 +167,143 @@ def thermal_change_of(values: Values) -> float:
     fit = planar_joint_from_values(values | {"load": load | {"interference": 1.0}}).fit
     assert fit is not None
     return float(fit.thermal_change)
+
+
+def deviations_of(values: Values) -> SectorDeviations:
+    """Sizes of the sectors of a joint file, where they differ; equal ones without sections ``[[branch]]``.
+
+    Parameters
+    ----------
+    values : dict
+        Tables in SI units.
+
+    Returns
+    -------
+    SectorDeviations
+        With the interference that they add to every contact.
+    """
+    drive, *_ = layout_of(values)
+    per_size = {name: _per_size(drive, sides) for name, sides in sized_tracks(values).items()}
+    equal: Values = {str(index): {} for index in range(round(float(drive.sectors)))}
+    entries = list(values.get("branch", equal).values())
+    listed = values["type"] not in CONTACTS
+    deviations = {
+        name: np.array(
+            [
+                float(
+                    entry.get("deviation", {}).get(name, 0.0)
+                    if listed
+                    else entry.get(f"{name}_deviation", 0.0)
+                )
+                for entry in entries
+            ]
+        )
+        for name in per_size
+    }
+    added = [np.outer(each, per_size[name]) for name, each in deviations.items()]
+    return SectorDeviations(
+        deviations=deviations,
+        added=np.sum(added, axis=0),
+        per_size=next(iter(per_size.values())),
+        sun_support_stiffness=values.get("compliance", {}).get("sun_support_stiffness", math.inf),
+    )
+
+
+def _per_size(drive: PlanarDrive, sides: Collection[tuple[str, str]]) -> np.ndarray:
+    """Interference of each contact over the deviation of a radius, shape (contacts,) [-]."""
+    first, second = (
+        jnp.array([1.0 if (contact.name, side) in sides else 0.0 for contact in drive.contacts])
+        for side in ("first", "second")
+    )
+    return np.asarray(interference_of_sizes(drive=drive, first=first, second=second))
+
+
+def toleranced_tracks(values: Values, paths: tuple[str, ...]) -> dict[str, tuple[bool, np.ndarray]]:
+    """What numbers of a joint file do to the interference of its contacts, of those that do.
+
+    Parameters
+    ----------
+    values : dict
+        Tables in SI units, with ``load.interference``.
+    paths : tuple of str
+        Dotted paths of numbers.
+
+    Returns
+    -------
+    dict
+        Path → whether every sector has a part of its own with this size, and the interference of each contact over it,
+        shape (contacts,) [-]. Of several paths of one track the first.
+    """
+    drive, _, pattern = layout_of(values)
+    own = sized_tracks(values)
+    off_axis = {body.name for body in drive.bodies if body.place != "axis"}
+    known: dict[str, tuple[bool, np.ndarray]] = {}
+    seen: set[str] = set()
+    for path in paths:
+        section, *_, key = path.split(".")
+        name = key.removesuffix("_radius")
+        if path == "load.interference":
+            known[path] = (False, np.asarray(pattern))
+        elif section == "drive" and key.endswith("_radius"):
+            sun = [(contact.name, "first") for contact in drive.contacts if contact.first == "sun"]
+            known[path] = (name in own, _per_size(drive, own.get(name, sun)))
+        elif section == "contact" and key.endswith("_radius") and path not in seen:
+            same = paths_of_track(values, path)
+            seen.update(same)
+            steps = [each.split(".") for each in same]
+            sides = [
+                (values["contact"][number]["name"], side.removesuffix("_radius")) for _, number, side in steps
+            ]
+            body = values["contact"][steps[0][1]][sides[0][1]]
+            known[path] = (body in off_axis, _per_size(drive, sides))
+    return known
+
+
+def branched_planar(
+    case: PlanarCase, joint: PlanarJoint, solution: PlanarSolution
+) -> BranchedPlanarJoint | None:
+    """The joint of a file with sections ``[[branch]]``, made ready for branches of any sizes.
+
+    Parameters
+    ----------
+    case : PlanarCase
+        The joint file.
+    joint : PlanarJoint
+        Its joint.
+    solution : PlanarSolution
+        What the joint does with equal branches.
+
+    Returns
+    -------
+    BranchedPlanarJoint or None
+        None where there are no such sections.
+    """
+    if getattr(case, "branch", None) is None:
+        return None
+    from asperity.joint.planar.branches import BranchedPlanarJoint
+
+    return BranchedPlanarJoint(joint, solution)
+
+
+def unequal_sectors(case: PlanarCase, joint: PlanarJoint, solution: PlanarSolution) -> UnequalBranches | None:
+    """What the sections ``[[branch]]`` of a joint file do to its joint.
+
+    Parameters
+    ----------
+    case : PlanarCase
+        The joint file.
+    joint : PlanarJoint
+        Its joint.
+    solution : PlanarSolution
+        What the joint does with equal branches.
+
+    Returns
+    -------
+    UnequalBranches or None
+        None where there are no such sections.
+    """
+    branched = branched_planar(case, joint, solution)
+    return None if branched is None else branched.branches(deviations_of(si_values(case)))
 
 
 def with_nominal_sizes(values: Values) -> Values:

@@ -123,7 +123,10 @@ def key_at(path: str, kind: str | None = None) -> Key:
     """
     parts = path.split(".")
     known = _keys(kind)
-    for generic in (path, *(".".join([*parts[:i], "*", *parts[i + 1 :]]) for i in range(1, len(parts)))):
+    one = [".".join([*parts[:i], "*", *parts[i + 1 :]]) for i in range(1, len(parts))]
+    if parts[0] == "branch" and len(parts) == 4:  # sector and roller of type planar
+        one.append(f"branch.*.{parts[2]}.*")
+    for generic in (path, *one):
         if generic in known and parts[0] != "*":
             return known[generic]
     whose = "a joint file" if kind in (None, WEDGE_TYPE) else f"the joint file of a drive of type {kind}"

@@ -29,7 +29,7 @@ from asperity.joint_file.build import joint_from_case, unequal_branches
 from asperity.joint_file.drawn_surface import drawn_interval
 from asperity.joint_file.model import Case
 from asperity.joint_file.planar_assumptions import planar_assumptions
-from asperity.joint_file.planar_build import planar_joint_from_case
+from asperity.joint_file.planar_build import planar_joint_from_case, unequal_sectors
 from asperity.joint_file.planar_model import PlanarCase
 from asperity.joint_file.quantity_key import Key
 from asperity.joint_file.si_tables import numeric_keys, si_values
@@ -100,13 +100,18 @@ def _papers(case: Case) -> tuple[Joint, Solution, SolvedJoint, Answer, Answer]:
 def _planar(case: PlanarCase) -> tuple[PlanarJoint, PlanarSolution, SolvedJoint, Answer, Answer]:
     joint = planar_joint_from_case(case)
     solution = solve_planar(joint)
+    branches = unequal_sectors(case, joint, solution)
     document = planar_document(
-        joint=joint, solution=solution, inputs=si_values(case), assumptions=planar_assumptions(case)
+        joint=joint,
+        solution=solution,
+        inputs=si_values(case),
+        assumptions=planar_assumptions(case),
+        branches=branches,
     )
     return (
         joint,
         solution,
-        solved_planar_joint(joint, solution),
+        solved_planar_joint(joint, solution, branches),
         document,
         planar_shapes(joint, solution.result),
     )

@@ -6,6 +6,7 @@ import math
 from collections.abc import Iterator
 from typing import Any
 
+from asperity.joint.branch_document import deviations
 from asperity.report.cells import number, quantity
 from asperity.report.content import Block, Heading, Paragraph, Table
 
@@ -42,7 +43,7 @@ def branch_tables(found: Document) -> Iterator[Block]:
     Block
         A heading, a sentence and two tables.
     """
-    states = (found["standing"], found["rolling"])
+    states, names = (found["standing"], found["rolling"]), deviations(found)
 
     def of(state: Document | None, name: str, index: int, factor: float = 1.0) -> str:
         return number(None if state is None else state[name][index], factor)
@@ -52,10 +53,8 @@ def branch_tables(found: Document) -> Iterator[Block]:
     yield Table(
         "Branches",
         (
-            "planet",
-            "planet\ndeviation µm",
-            "right roller\nµm",
-            "left roller\nµm",
+            found["branch_is"],
+            *(f"{words}\ndeviation µm" for words in names.values()),
             "interference\nµm",
             "preload\nN",
             "share\nstanding %",
@@ -65,10 +64,7 @@ def branch_tables(found: Document) -> Iterator[Block]:
         [
             (
                 str(index + 1),
-                *(
-                    number(entry[f"{body}_deviation_m"], 1e6)
-                    for body in ("planet", "right_roller", "left_roller")
-                ),
+                *(number(entry[key], 1e6) for key in names),
                 number(entry["interference_m"], 1e6),
                 number(entry["preload_N"]),
                 *(of(state, "share", index, 100.0) for state in states),
@@ -83,16 +79,29 @@ def branch_tables(found: Document) -> Iterator[Block]:
         (f"force on the bearings of the sun{when}", quantity(math.hypot(*sun["force_N"]), "N")),
         (f"displacement of the sun{when}", quantity(math.hypot(*sun["displacement_m"]), "um")),
     ]
+    others = (states[0] or found["without_torque"]).get("central_forces_N", {})
+    rows += [
+        (f"force on the {name.replace('_', ' ')}{when}", quantity(math.hypot(*force), "N"))
+        for name, force in others.items()
+    ]
+    if "output_stiffness_Nm_per_rad" in found:
+        stiffness = quantity(found["output_stiffness_Nm_per_rad"], "N*m/arcmin")
+        rows.append(("torsional stiffness of these branches at the output, assembled", stiffness))
     for words, entry in (
         ("torque capacity", found["torque_capacity"]),
         ("torque capacity, rolling", found["rolling_torque_capacity"]),
     ):
         rows += [
             (
-                f"{words}: contact {entry['first_contact']} of planet {entry['first_branch']} slips first",
+                f"{words}: contact {entry['first_contact']} of {found['branch_is']} {entry['first_branch']} "
+                f"{entry['first_event']} first",
                 quantity(entry["first_slip_Nm"], "N*m"),
             ),
-            (f"{words}: all branches slip", quantity(entry["all_slip_Nm"], "N*m")),
+            *(
+                []
+                if entry["all_slip_Nm"] is None
+                else [(f"{words}: all branches slip", quantity(entry["all_slip_Nm"], "N*m"))]
+            ),
             (f"{words} of equal branches", quantity(entry["equal_branches_Nm"], "N*m")),
         ]
     yield Table("Sun and capacity with unequal branches", ("quantity", "value"), rows)

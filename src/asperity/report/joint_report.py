@@ -31,7 +31,7 @@ from asperity.joint_file.build import joint_from_case, unequal_branches
 from asperity.joint_file.drawn_surface import drawn_interval
 from asperity.joint_file.model import Case
 from asperity.joint_file.planar_assumptions import planar_assumptions
-from asperity.joint_file.planar_build import planar_joint_from_case
+from asperity.joint_file.planar_build import planar_joint_from_case, unequal_sectors
 from asperity.joint_file.planar_model import PlanarCase
 from asperity.joint_file.si_tables import si_values
 from asperity.report import limit_tables, load_tables, result_tables, rolling_tables, surface_tables
@@ -189,16 +189,22 @@ def _papers_parts(source: ReportSource, case: Case) -> _Parts:
 def _planar_parts(source: ReportSource, case: PlanarCase) -> _Parts:
     joint = planar_joint_from_case(case)
     solution = solve_planar(joint)
+    branches = unequal_sectors(case, joint, solution)
     document = planar_document(
-        joint=joint, solution=solution, inputs=si_values(case), assumptions=planar_assumptions(case)
+        joint=joint,
+        solution=solution,
+        inputs=si_values(case),
+        assumptions=planar_assumptions(case),
+        branches=branches,
     )
     return _Parts(
         joint,
-        solved_planar_joint(joint, solution),
+        solved_planar_joint(joint, solution, branches),
         document,
-        planar_loads_document(joint, solution, document["bearings"]),
+        planar_loads_document(joint, solution, document["bearings"], branches),
         surfaces=(*_measured(joint, source, case), surface_tables.averages(document)),
         drive=(*result_tables.planar_drive(document), *load_tables.rims(document)),
+        branches=() if branches is None else tuple(branch_tables(document["branches"])),
     )
 
 

@@ -97,8 +97,8 @@ def _first_slip(document: Document) -> list[tuple[str, str]]:
         return []
     found = document["branches"]
     return [
-        ("torque capacity of these branches", capacity_words(found["torque_capacity"])),
-        ("torque capacity of these branches, rolling", capacity_words(found["rolling_torque_capacity"])),
+        ("torque capacity of these branches", capacity_words(found, "torque_capacity")),
+        ("torque capacity of these branches, rolling", capacity_words(found, "rolling_torque_capacity")),
     ]
 
 

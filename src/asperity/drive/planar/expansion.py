@@ -40,9 +40,38 @@ def interference_of_strains(*, drive: PlanarDrive, strains: tuple[Array, Array],
     ----------
     The approach of two circles whose radii change; equation (I2) of :doc:`/equations`.
     """
-    inside = np.array([contact.internal for contact in drive.contacts])
     first, second = ((strain - carrier) for strain in strains)
-    return first * drive.first_radius + jnp.where(inside, -1.0, 1.0) * second * drive.second_radius
+    return interference_of_sizes(
+        drive=drive, first=first * drive.first_radius, second=second * drive.second_radius
+    )
+
+
+def interference_of_sizes(*, drive: PlanarDrive, first: Array, second: Array) -> Array:
+    r"""Interference of each contact that deviations of its radii add.
+
+    .. math:: \delta_k = \varepsilon_1 \pm \varepsilon_2
+
+    with the minus sign where the first body lies inside the second.
+
+    Parameters
+    ----------
+    drive : PlanarDrive
+        The drive.
+    first, second : Array
+        Deviations of the radii of the first and of the second track of each contact, larger positive, shape (contacts,)
+        [m].
+
+    Returns
+    -------
+    Array
+        Interference, shape (contacts,) [m].
+
+    References
+    ----------
+    The approach of two circles whose radii change; equations (I2) and (I4) of :doc:`/equations`.
+    """
+    inside = np.array([contact.internal for contact in drive.contacts])
+    return first + jnp.where(inside, -1.0, 1.0) * second
 
 
 def ring_interference(*, drive: PlanarDrive, forces: Array, interference: Array) -> Array:

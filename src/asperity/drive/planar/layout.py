@@ -36,13 +36,14 @@ class Body:
     ----------
     name : str
         Its name.
-    place : {"axis", "free", "pin"}
+    place : {"axis", "free", "pin", "held"}
         ``axis``: its centre is the drive's axis; ``free``: supported by its contacts only; ``pin``: a pin of the
-        carrier supports its centre along the push direction; it is free across.
+        carrier supports its centre along the push direction; it is free across; ``held``: on the axis as well, in a
+        drive whose sectors are not equal, so that its bearings hold it.
     """
 
     name: str
-    place: Literal["axis", "free", "pin"]
+    place: Literal["axis", "free", "pin", "held"]
 
 
 @dataclass(frozen=True)
@@ -115,7 +116,7 @@ class PlanarDrive(eqx.Module):
     @property
     def floating(self) -> tuple[int, ...]:
         """Indices of the bodies whose centres can move."""
-        return tuple(i for i, body in enumerate(self.bodies) if body.place != "axis")
+        return tuple(i for i, body in enumerate(self.bodies) if body.place in ("free", "pin"))
 
     @property
     def pinned(self) -> tuple[int, ...]:

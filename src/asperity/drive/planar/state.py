@@ -68,12 +68,15 @@ class DriveLoad(eqx.Module):
         Of each pin along its push [m/N].
     bearings : Bearings or None, optional
         Friction of the bearings of a drive that rolls, as in :mod:`asperity.drive.planar.bearings`; None for none.
+    support_stiffness : Array or None, optional
+        Radial stiffness of the bearings of each floating body, shape (floating,) [N/m]; None for none.
     """
 
     output_torque: Real
     body_force: Array | None = None
     pin_compliance: Real = 0.0
     bearings: Bearings | None = None
+    support_stiffness: Array | None = None
 
 
 class PlanarState(eqx.Module):

@@ -303,6 +303,8 @@ def state_misfits(machine: Machine, task: Task, by_force: bool, slides: Array, x
         + product(matrices.sliding.T, tangential)
         + product(matrices.pins.T, pin)
     )
+    if task.load.support_stiffness is not None:
+        force = force + jnp.repeat(task.load.support_stiffness, 2) * moved
     moments = moments_of(machine, task, tangential, pin)
     out = drive.members.index(drive.output)
     resists = np.eye(len(drive.members))[out]

@@ -54,8 +54,16 @@ class DriveStates(NamedTuple):
     rolling: PlanarState
 
 
-def state_at_rest(*, drive: PlanarDrive, laws: ContactLaws, pattern: Array, preload: Real) -> PlanarState:
-    """The assembled drive without torque: forces from the preload, and the interference that causes it.
+def state_at_rest(
+    *,
+    drive: PlanarDrive,
+    laws: ContactLaws,
+    pattern: Array,
+    preload: Real | None = None,
+    interference: Real | None = None,
+    load: DriveLoad | None = None,
+) -> PlanarState:
+    """The assembled drive without torque: its forces, and the interference that causes them.
 
     Parameters
     ----------
@@ -66,21 +74,27 @@ def state_at_rest(*, drive: PlanarDrive, laws: ContactLaws, pattern: Array, prel
     pattern : Array
         Interference of each contact over the interference of the drive, shape (contacts,) [-]; 1 at the ring's
         contacts where the ring's radius is too small.
-    preload : Real
-        Normal force of the first contact [N].
+    preload, interference : Real or None
+        Normal force of the first contact [N], or the interference of the drive [m]; one of them.
+    load : DriveLoad or None, optional
+        Springs of pins and bearings, of which torque and forces do not count; None for rigid pins.
 
     Returns
     -------
     PlanarState
-        State without rotation or creep; ``interference`` is that required for the preload.
+        State without rotation or creep; with a preload, ``interference`` is that which makes it.
 
     References
     ----------
     Equation (M3) of :doc:`/equations`.
     """
     machine = machine_of(drive, laws, pattern)
-    task = Task(ASSEMBLED, jnp.asarray(preload), DriveLoad(jnp.zeros(())), no_displacement(drive))
-    return state_of(machine, task, *solved(machine, task, assembled_guess(machine), by_force=True))
+    given = jnp.asarray(preload if interference is None else interference)
+    springs = DriveLoad(jnp.zeros(())) if load is None else load
+    unloaded = dataclasses.replace(springs, output_torque=jnp.zeros(()), body_force=None)
+    task = Task(ASSEMBLED, given, unloaded, no_displacement(drive))
+    found = solved(machine, task, assembled_guess(machine), by_force=interference is None)
+    return state_of(machine, task, *found)
 
 
 def rolling_state(
@@ -177,6 +191,7 @@ def loaded_state(
     load: DriveLoad,
     rolls: Array,
     creep_of: CreepOf | None = None,
+    passes: int | None = None,
 ) -> PlanarState:
     """A drive under a torque, standing or rolling, from its assembled state.
 
@@ -194,6 +209,9 @@ def loaded_state(
         Whether it rolls.
     creep_of : callable or None, optional
         Creep law of contacts under the normal and tangential forces of the standing drive; None for that of the laws.
+    passes : int or None, optional
+        How often the state is found, each time with the creep law under its own forces in place of those of the
+        standing drive, which then may slip; None for the latter.
 
     Returns
     -------
@@ -204,7 +222,8 @@ def loaded_state(
     ----------
     Equation (M3) of :doc:`/equations`.
     """
-    kinds = jnp.stack([jnp.asarray(STANDING), jnp.where(rolls, ROLLING, STANDING)])
+    kind = jnp.where(rolls, ROLLING, STANDING)
+    kinds = jnp.stack([jnp.asarray(STANDING), kind]) if passes is None else jnp.full(passes, kind)
     states = _loaded(drive, laws, rest, load, kinds, creep_of)
     last: PlanarState = jax.tree.map(lambda leaf: leaf[-1], states)
     return last
@@ -285,6 +304,7 @@ def _states(
             body_force=acts * forces_on(drive, load),
             pin_compliance=load.pin_compliance,
             bearings=load.bearings,
+            support_stiffness=load.support_stiffness,
         )
         here = machine
         if creep_of is not None:

@@ -49,6 +49,7 @@ def planar_stiffness(
     coupling: Array | None = None,
     pin_compliance: Real = 0.0,
     sliding_friction: Array | None = None,
+    support_stiffness: Array | None = None,
 ) -> PlanarStiffness:
     r"""Torsional stiffness at the output of a planar drive with springs at its contacts.
 
@@ -73,6 +74,8 @@ def planar_stiffness(
         Tangential over normal force of the contacts that slide, counter-clockwise as in
         :class:`asperity.drive.planar.state.PlanarState`, 0 for those that hold, shape (contacts,) [-]; None where all
         hold.
+    support_stiffness : Array or None, optional
+        Radial stiffness of the bearings of each floating body, shape (floating,) [N/m]; None for none.
 
     Returns
     -------
@@ -128,7 +131,10 @@ def planar_stiffness(
             )
         laws = jnp.where(slides[:, None], friction, laws)
         moved_by = jnp.where(slides[:, None], 0.0, kinematic)
-    system = jnp.block([[laws, -moved_by], [static.T, jnp.zeros((unknown, unknown))]])
+    bearings = jnp.zeros(unknown)
+    if floats and support_stiffness is not None:
+        bearings = bearings.at[: 2 * support_stiffness.size].set(jnp.repeat(support_stiffness, 2) * scale)
+    system = jnp.block([[laws, -moved_by], [static.T, jnp.diag(bearings)]])
     place = unknown - len(turning) + turning.index(out)
     load = -jnp.eye(system.shape[0])[stiff.shape[0] + place] / length
     found = solve(system, load)

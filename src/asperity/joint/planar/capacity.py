@@ -9,8 +9,8 @@ import jax
 import jax.numpy as jnp
 from jax import Array
 
-from asperity.drive.capacity import FirstLimit, first_limit, slip_ratio
-from asperity.drive.planar.state import SLIP_TOLERANCE, STATE_TOLERANCE, ContactLaws, PlanarState
+from asperity.drive.capacity import first_limit, slip_ratio
+from asperity.drive.planar.state import SLIP_TOLERANCE, STATE_TOLERANCE, ContactLaws, CreepOf, PlanarState
 from asperity.drive.planar.states import loaded_state
 from asperity.joint.capacity import TorqueCapacity, named_capacity
 from asperity.joint.planar.description import PlanarJoint, body_masses, planar_contacts, tracks_of
@@ -66,7 +66,7 @@ def smaller_sizes(joint: PlanarJoint) -> Array:
 def planar_capacity(
     joint: PlanarJoint, rest: PlanarState, laws: ContactLaws, *, first_slip: bool = False
 ) -> PlanarCapacity:
-    """Largest output torque that keeps every limit: slip, lift-off, width of the strips, a solution of the equations.
+    """Torque capacities of a joint in both directions.
 
     Parameters
     ----------
@@ -84,6 +84,59 @@ def planar_capacity(
     PlanarCapacity
         As positive torques [N·m].
 
+    References
+    ----------
+    Equations (A9) and (M3) of :doc:`/equations`.
+    """
+    searches = 6 if first_slip else 4
+    found = limiting_torques(
+        joint,
+        rest,
+        laws,
+        direction=jnp.array([1.0, -1.0, 1.0, -1.0, 1.0, -1.0])[:searches],
+        rolls=jnp.array([False, False, True, True, False, False])[:searches],
+        at_first=jnp.arange(searches) >= 4,
+    )
+    return PlanarCapacity(
+        *(jax.tree.map(lambda leaf, k=k: leaf[k : k + 2], found) for k in range(0, searches, 2))
+    )
+
+
+def limiting_torques(
+    joint: PlanarJoint,
+    rest: PlanarState,
+    laws: ContactLaws,
+    *,
+    direction: Array,
+    rolls: Array,
+    at_first: Array,
+    creep_of: CreepOf | None = None,
+    passes: int | None = None,
+) -> TorqueCapacity:
+    """Largest output torques that keep every limit: slip, lift-off, width of the strips, a solution of the equations.
+
+    Parameters
+    ----------
+    joint : PlanarJoint
+        One joint.
+    rest : PlanarState
+        Its assembled state.
+    laws : ContactLaws
+        Laws of its contacts.
+    direction : Array
+        +1 for positive torques, −1 for negative ones, shape (searches,) [-].
+    rolls, at_first : Array
+        Whether the joint rolls, and whether the first slip already is a limit while it stands, shape (searches,).
+    creep_of : callable or None, optional
+        Creep law of the contacts from forces; None for that of their forces in the standing joint.
+    passes : int or None, optional
+        As of :func:`asperity.drive.planar.states.loaded_state`.
+
+    Returns
+    -------
+    TorqueCapacity
+        As positive torques, shape (searches,) [N·m].
+
     Notes
     -----
     Every torque of the search is a state of its own. A contact that slides keeps the force of its friction, so that the
@@ -98,6 +151,7 @@ def planar_capacity(
     masses, sizes = body_masses(joint), smaller_sizes(joint)
     friction = contacts.pairs.friction_coefficient
     unloaded = drive_load(joint, masses, 0.0)
+    creep = creep_of or (lambda normal, tangential: creep_law(joint, contacts, normal, tangential).law)
 
     def excesses_of(torque: Array, rolls: Array, at_first: Array) -> Array:
         load = dataclasses.replace(unloaded, output_torque=torque)
@@ -107,7 +161,8 @@ def planar_capacity(
             rest=rest,
             load=load,
             rolls=rolls,
-            creep_of=lambda normal, tangential: creep_law(joint, contacts, normal, tangential).law,
+            creep_of=creep,
+            passes=passes,
         )
         touching = state.normal > _LIFTED * rest.normal
         slip = slip_ratio(
@@ -129,22 +184,10 @@ def planar_capacity(
             ]
         )
 
-    searches = 6 if first_slip else 4
-    direction = jnp.array([1.0, -1.0, 1.0, -1.0, 1.0, -1.0])[:searches]
-    rolls = jnp.array([False, False, True, True, False, False])[:searches]
-    at_first = jnp.arange(searches) >= 4
-
     def excesses(torque: Array) -> Array:
         return jax.vmap(excesses_of, out_axes=1)(direction * torque, rolls, at_first)
 
     orbit = jnp.max(jnp.abs(drive.centres)) + jnp.max(drive.second_radius)
     guess = jnp.min(friction * rest.normal) * orbit * drive.sectors
-    found = first_limit(excesses=excesses, first_guess=jnp.full(searches, guess))
-    return PlanarCapacity(
-        *(
-            named_capacity(
-                FirstLimit(found.value[k : k + 2], found.which[k : k + 2]), contacts=len(drive.contacts)
-            )
-            for k in range(0, searches, 2)
-        )
-    )
+    found = first_limit(excesses=excesses, first_guess=jnp.full(direction.size, guess))
+    return named_capacity(found, contacts=len(drive.contacts))

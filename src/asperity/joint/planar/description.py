@@ -61,6 +61,24 @@ class PlanarFit(Fit):
     contact_change_per_kelvin: Array
 
 
+class UnlikeSectors(eqx.Module):
+    """What differs between the sectors of an unfolded drive, and the bearings of its floating bodies.
+
+    Parameters
+    ----------
+    added : Array
+        Interference that the sizes of its bodies add to each contact, shape (contacts,) [m].
+    reference_force : Array
+        Normal forces without torque around which the laws of the contacts are taken, shape (contacts,) [N].
+    support_stiffness : Array
+        Radial stiffness of the bearings of each floating body, shape (floating,) [N/m].
+    """
+
+    added: Array
+    reference_force: Array
+    support_stiffness: Array
+
+
 class PlanarJoint(eqx.Module):
     """A joint with a planar roller drive. SI units; what differs between contacts is a tuple of one entry or one each.
 
@@ -110,6 +128,9 @@ class PlanarJoint(eqx.Module):
     crown_curvatures : tuple of Real or None, optional
         Curvature of the crowns of both tracks of each contact, the sum of :math:`1/R_c` [1/m]; None where no roller is
         crowned.
+    unlike : UnlikeSectors or None, optional
+        What differs between the sectors of a drive that :mod:`asperity.joint.planar.unfolding` has unfolded; None for
+        equal sectors.
     """
 
     type: str = eqx.field(static=True)
@@ -138,11 +159,14 @@ class PlanarJoint(eqx.Module):
     input_bearing: RatedBearing | None = None
     output_bearing: RatedBearing | None = None
     crown_curvatures: tuple[Real, ...] | None = None
+    unlike: UnlikeSectors | None = None
 
     @property
     def working_pattern(self) -> Array:
         """Interference of each contact at the working temperature over that of the drive at the assembly [-]."""
         pattern = jnp.asarray(self.pattern)
+        if self.unlike is not None:
+            pattern = pattern + self.unlike.added / jnp.asarray(self.interference)
         if self.fit is None:
             return pattern
         added = self.fit.contact_change_per_kelvin * self.fit.temperature_rise

@@ -9,6 +9,9 @@ import numpy as np
 
 import asperity
 from asperity.drive.planar.loads import pin_components
+from asperity.joint.branch_document import branch_document
+from asperity.joint.branch_limits import branch_checks
+from asperity.joint.branch_results import UnequalBranches
 from asperity.joint.capacity import capacity_document
 from asperity.joint.document import (
     contact_documents,
@@ -32,7 +35,12 @@ Document = dict[str, Any]
 
 
 def planar_document(
-    *, joint: PlanarJoint, solution: PlanarSolution, inputs: Document, assumptions: tuple[str, ...]
+    *,
+    joint: PlanarJoint,
+    solution: PlanarSolution,
+    inputs: Document,
+    assumptions: tuple[str, ...],
+    branches: UnequalBranches | None = None,
 ) -> Document:
     """Everything that is known about a joint, ready for :func:`json.dumps`.
 
@@ -46,6 +54,8 @@ def planar_document(
         Tables of the joint file in SI units.
     assumptions : tuple of str
         What the file leaves out, one sentence each.
+    branches : UnequalBranches, optional
+        Its branches, if their sizes differ.
 
     Returns
     -------
@@ -57,7 +67,10 @@ def planar_document(
     solved = solved_planar_joint(joint, solution)
     pinned = [drive.bodies[body].name for body in drive.pinned]
     names = result.contact_names
-    return plain_document(
+    checks = checked_limits(solved)
+    if branches is not None:
+        checks += branch_checks(branches, turns=float(joint.input_speed) != 0.0)
+    document = plain_document(
         {
             "asperity_version": asperity.__version__,
             "input": inputs,
@@ -125,9 +138,10 @@ def planar_document(
                     solution.rolling_capacity if forward else solution.reverse_rolling_capacity
                 ).output_torque,
             },
-            "diagnostics": diagnostic_documents(checked_limits(solved), solved.notes),
+            "diagnostics": diagnostic_documents(checks, solved.notes),
         }
     )
+    return document | ({} if branches is None else {"branches": branch_document(branches)})
 
 
 def planar_capacity_document(forward: PlanarSolution, reverse: PlanarSolution) -> Document:

@@ -47,10 +47,7 @@ def contact_laws(joint: PlanarJoint, contacts: JointContacts) -> ContactLaws:
     ----------
     Equations (A3), (B1) and (E3) of :doc:`/equations`.
     """
-    forces = rest_forces(drive=joint.drive, pattern=jnp.asarray(joint.pattern))
-    given = joint.preload
-    preload = _expected_preload(joint, contacts, forces) if given is None else jnp.asarray(given)
-    reference = preload * forces
+    reference = _reference_force(joint, contacts)
     springs, coupling = _approach(joint, contacts, reference)
     crowned = contacts.crown_curvature is not None
     rough = rough_joint_contacts(
@@ -67,6 +64,16 @@ def contact_laws(joint: PlanarJoint, contacts: JointContacts) -> ContactLaws:
             lateral_strain_compliance(contacts.driving, contacts.driven) if crowned else None
         ),
     )
+
+
+def _reference_force(joint: PlanarJoint, contacts: JointContacts) -> Array:
+    """Forces without torque around which the laws are taken [N]."""
+    if joint.unlike is not None:
+        return joint.unlike.reference_force
+    forces = rest_forces(drive=joint.drive, pattern=jnp.asarray(joint.pattern))
+    given = joint.preload
+    preload = _expected_preload(joint, contacts, forces) if given is None else jnp.asarray(given)
+    return preload * forces
 
 
 def _expected_preload(joint: PlanarJoint, contacts: JointContacts, forces: Array) -> Array:
@@ -181,4 +188,5 @@ def drive_load(joint: PlanarJoint, masses: list[Real], torque: Real) -> DriveLoa
         body_force=jnp.stack(forces) if forces else jnp.zeros((0, 2)),
         pin_compliance=1.0 / jnp.asarray(joint.pin_stiffness, dtype=float),
         bearings=joint.bearings,
+        support_stiffness=None if joint.unlike is None else joint.unlike.support_stiffness,
     )

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import dataclasses
+import math
 from collections.abc import Iterator
+from typing import NamedTuple
 
 import jax
 import jax.numpy as jnp
@@ -12,6 +14,8 @@ import numpy as np
 from asperity.compilation import compile_fast
 from asperity.drive.planar.layout import CARRIER, PlanarDrive
 from asperity.drive.planar.loads import PlanarLoads, pin_components
+from asperity.joint.branch_limits import pressed
+from asperity.joint.branch_results import UnequalBranches
 from asperity.joint.loads_document import RATED, Document, Row, case_entry, document_of_rows
 from asperity.joint.planar.description import PlanarJoint, tracks_of
 from asperity.joint.planar.evaluation import PlanarResult
@@ -24,14 +28,24 @@ from asperity.joint.planar.working_loads import (
 )
 from asperity.joint.rolling_document import unknown_because
 
-_NOTES = (
+_DIRECTIONS = (
     "Radial is away from the drive's axis, tangential along the carrier's circle in the sense in which the input "
-    "turns; torques count in the same sense. Forces act on the part that is named.",
+    "turns; torques count in the same sense. Forces act on the part that is named."
+)
+_EQUAL = (
     "All sectors are equal: the forces of the rollers on the bodies on the axis and on the carrier balance, and a "
     "torque remains, so that their bearings carry no force. Weights, forces from outside and unequal sectors are not "
-    "counted.",
+    "counted."
+)
+_UNEQUAL = (
+    "Branches of unequal sizes, [[branch]]: the bearings of the bodies on the axis and of the carrier carry what the "
+    "branches leave unbalanced without torque and under the working torque; that under the loads of a duty is not "
+    "computed. Loads of the pins and lives of bearings are those of equal branches; {pressed}. Weights and forces from "
+    "outside are not counted."
+)
+_STATES = (
     "Where the input turns the forces are those of steady rolling, otherwise those of the joint standing under the "
-    "torque.",
+    "torque."
 )
 _FREE = "Rollers without a pin are held by their contacts alone."
 _IN_ONE_PLANE = (
@@ -48,7 +62,12 @@ _BEARINGS = (
 )
 
 
-def planar_loads_document(joint: PlanarJoint, solution: PlanarSolution, bearings: list[Document]) -> Document:
+def planar_loads_document(
+    joint: PlanarJoint,
+    solution: PlanarSolution,
+    bearings: list[Document],
+    branches: UnequalBranches | None = None,
+) -> Document:
     """Loads of the structure as a document, ready for :func:`json.dumps`.
 
     Parameters
@@ -59,6 +78,8 @@ def planar_loads_document(joint: PlanarJoint, solution: PlanarSolution, bearings
         What it does under its working torque.
     bearings : list of dict
         Its :func:`asperity.joint.strength_document.bearing_entries`.
+    branches : UnequalBranches, optional
+        Its branches, if their sizes differ.
 
     Returns
     -------
@@ -85,7 +106,8 @@ def planar_loads_document(joint: PlanarJoint, solution: PlanarSolution, bearings
         why = unknown_because(there, under)[0] if unknown else None
         cases.append(case_entry(name, float(there.output_torque), float(there.input_speed), share, why))
     stepped = any(len(tracks_of(joint, number)) > 1 for number in drive.floating)
-    notes = [*_NOTES]
+    balance = _EQUAL if branches is None else _UNEQUAL.format(pressed=pressed(branches))
+    notes = [_DIRECTIONS, balance, _STATES]
     if len(drive.pinned) < len(drive.floating):
         notes.append(_FREE)
     if stepped:
@@ -102,11 +124,37 @@ def planar_loads_document(joint: PlanarJoint, solution: PlanarSolution, bearings
             under.rolling.axial_thrust if there.input_speed > 0.0 else none for *_, there, under in loaded
         ]
         thrust = np.stack([none, *turning], axis=-1)
-    return document_of_rows(cases, _rows(drive, loads, speeds, thrust), bearings=bearings, notes=notes)
+    forces = _Centre(branches, bool(joint.input_speed > 0.0), len(loads))
+    return document_of_rows(
+        cases, _rows(drive, loads, speeds, thrust, forces), bearings=bearings, notes=notes
+    )
+
+
+class _Centre(NamedTuple):
+    """What the bearings of the members on the axis bear."""
+
+    branches: UnequalBranches | None
+    turns: bool
+    cases: int
+
+    def on(self, name: str) -> np.ndarray:
+        """Force without torque, under the working torque, and under other loads [N]; nan where it is not known."""
+        if self.branches is None:
+            return np.zeros(self.cases)
+        states = (self.branches.rest, self.branches.rolling if self.turns else self.branches.standing)
+        known = [
+            math.nan if each is None else math.hypot(*each.centre_forces.get(name, each.sun_force))
+            for each in states
+        ]
+        return np.array(known + [math.nan] * (self.cases - len(known)))
 
 
 def _rows(
-    drive: PlanarDrive, loads: list[PlanarLoads], speeds: list[np.ndarray], thrust: np.ndarray | None
+    drive: PlanarDrive,
+    loads: list[PlanarLoads],
+    speeds: list[np.ndarray],
+    thrust: np.ndarray | None,
+    centre: _Centre,
 ) -> Iterator[Row]:
     """Part, position, quantity, SI unit, and a value for each case."""
     members = drive.members
@@ -133,7 +181,7 @@ def _rows(
         part = (name.replace("_", " "), f"on the axis, {role}")
         moment = drive.sense * np.array([load.moments[number] for load in loads])
         yield *part, "torque of the rollers" if name != CARRIER else "torque of all pins", "N*m", moment
-        yield *part, "resultant force", "N", 0.0
+        yield *part, "resultant force", "N", centre.on(name)
         if thrust is not None:
             pushed = (
                 drive.sectors * np.sum(thrust[list(drive.pinned)], axis=0)

@@ -15,6 +15,7 @@ from asperity.compilation import call_compiled
 from asperity.drive.planar.existence import neighbour_gaps, neighbours
 from asperity.drive.planar.layout import sectors_of_members
 from asperity.drive.planar.state import ContactLaws
+from asperity.joint.branch_results import UnequalBranches
 from asperity.joint.capacity import TorqueCapacity
 from asperity.joint.contact_notes import Note
 from asperity.joint.loss_note import loss_notes
@@ -80,6 +81,8 @@ class SolvedPlanarJoint(SolvedJoint):
         Likewise; None where the capacities are known.
     notes : tuple of Note, optional
         Comparisons with what is usual, which are requirements too.
+    branches : UnequalBranches, optional
+        Its branches, if their sizes differ.
     """
 
     def __init__(
@@ -88,8 +91,9 @@ class SolvedPlanarJoint(SolvedJoint):
         result: PlanarResult,
         laws: ContactLaws | None,
         notes: tuple[Note, ...] = (),
+        branches: UnequalBranches | None = None,
     ) -> None:
-        super().__init__(joint, result, notes=notes)
+        super().__init__(joint, result, branches=branches, notes=notes)
         self._laws = laws
 
     @functools.cached_property
@@ -159,7 +163,9 @@ class SolvedPlanarJoint(SolvedJoint):
         return planar_size(self.joint, self.result)
 
 
-def solved_planar_joint(joint: PlanarJoint, solution: PlanarSolution) -> SolvedPlanarJoint:
+def solved_planar_joint(
+    joint: PlanarJoint, solution: PlanarSolution, branches: UnequalBranches | None = None
+) -> SolvedPlanarJoint:
     """A joint whose capacities are known already, for the table of results.
 
     Parameters
@@ -168,6 +174,8 @@ def solved_planar_joint(joint: PlanarJoint, solution: PlanarSolution) -> SolvedP
         The joint that was solved.
     solution : PlanarSolution
         What came out.
+    branches : UnequalBranches, optional
+        Its branches, if their sizes differ.
 
     Returns
     -------
@@ -176,7 +184,7 @@ def solved_planar_joint(joint: PlanarJoint, solution: PlanarSolution) -> SolvedP
     """
     joint, result = jax.tree.map(np.asarray, joint), solution.result
     notes = (*planar_plausibility(joint, result), *loss_notes(result.rolling, result.contact_names))
-    solved = SolvedPlanarJoint(joint, result, None, notes)
+    solved = SolvedPlanarJoint(joint, result, None, notes, branches)
     solved._capacities = PlanarCapacity(
         *(
             jax.tree.map(lambda *leaves: np.stack(leaves), *both)

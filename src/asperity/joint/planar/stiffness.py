@@ -165,6 +165,7 @@ def stiffness_levels(
         coupling=coupling,
         pin_compliance=1.0 / jnp.asarray(joint.pin_stiffness, dtype=float),
         sliding_friction=sliding_friction,
+        support_stiffness=None if joint.unlike is None else joint.unlike.support_stiffness,
     )
     output, input_share, output_share = with_shafts(
         stiffness=whole.output,

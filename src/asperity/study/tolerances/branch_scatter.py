@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
@@ -14,9 +15,14 @@ from asperity.drive.unequal_branches import added_interference
 from asperity.errors import InputError, NoSolutionError
 from asperity.joint.branch_sizes import BranchSizes
 from asperity.joint.branches import BranchedJoint
+from asperity.joint.planar.branches import BranchedPlanarJoint
+from asperity.joint.planar.solve import solve_planar
 from asperity.joint_file.build import branches_from_case, joint_from_case
 from asperity.joint_file.distribution import Distribution
 from asperity.joint_file.model import Case
+from asperity.joint_file.planar_build import deviations_of, planar_joint_from_case, toleranced_tracks
+from asperity.joint_file.planar_model import PlanarCase
+from asperity.joint_file.si_tables import si_values
 from asperity.study.tolerances.uncertainty import quantiles, toleranced_inputs
 
 #: Shares of the draws below which the stated values lie.
@@ -39,7 +45,7 @@ class BranchScatter:
     sun_force : ndarray
         Force of the planets on the sun's bearings [N].
     loose : ndarray of bool
-        Whether a branch is loose.
+        Whether a branch is loose. Of a drive other than the paper's nothing else is known then: its numbers are nan.
     equal : float
         Capacity, standing, of equal branches of nominal size [N·m].
     torque : float
@@ -78,6 +84,7 @@ class BranchScatter:
             "sun_force_N": told(self.sun_force),
             "equal_branches_Nm": self.equal,
             "share_with_a_loose_branch": float(np.mean(self.loose)),
+            "share_without_a_balance": float(np.mean(np.isnan(self.first_slip) & ~self.loose)),
             "share_that_slips_under_the_torque": float(np.mean(self.first_slip < self.torque)),
         }
 
@@ -144,15 +151,101 @@ def branch_scatter(
     )
     # a common interference as that of planets which are all larger
     weight = float(added_interference(rest=drive.rest, approach=0.0, **(even | {"planet": 1.0})))
-    rows = []
-    for index in range(draws):
-        sizes = BranchSizes(
+
+    def sizes(index: int) -> BranchSizes:
+        return BranchSizes(
             base.planet + planet[index] + common[index] / weight,
             base.right_roller + right[index],
             base.left_roller + left[index],
             base.sun_support_stiffness,
         )
-        rows.append(_one(drive, sizes))
+
+    equal = float(drive.laws.standing.capacity(drive.own_preload))
+    return _scatter(drive, sizes, draws=draws, seed=seed, equal=equal, report=report)
+
+
+def sector_scatter(
+    case: PlanarCase,
+    *,
+    distribution: Distribution | None,
+    draws: int,
+    seed: int,
+    report: Callable[[int, int], Any] | None = None,
+) -> BranchScatter:
+    """Draw the sizes of every roller of every sector of a planar drive, and solve them together.
+
+    Parameters
+    ----------
+    case : PlanarCase
+        The joint file, with ``load.interference`` and tolerances of its radii.
+    distribution : Distribution or None
+        For tolerances whose distribution the file does not state.
+    draws, seed : int
+        Number of draws, and seed of the random numbers.
+    report : callable, optional
+        Called with the draws done and all draws.
+
+    Returns
+    -------
+    BranchScatter
+        One entry for each draw.
+
+    Raises
+    ------
+    InputError
+        If no roller off the axis has a tolerance, or the preload is a force.
+
+    Notes
+    -----
+    As :func:`branch_scatter`. Of type ``planar`` the tolerance of a radius is that of its track, wherever it is stated,
+    and that of a ring's radius counts too.
+    """
+    if draws < 1:
+        raise InputError(f"the number of draws must be at least 1, got {draws}", options=["branches"])
+    found = toleranced_inputs(case, otherwise=distribution)
+    if case.load.interference is None:
+        raise InputError(
+            "sizes of branches make no preload that a spring holds: give load.interference in place of load.preload"
+        )
+    values = si_values(case)
+    joint = planar_joint_from_case(case)
+    count = round(float(joint.drive.sectors))
+    tracks = toleranced_tracks(values, tuple(found))
+    if not any(own for own, _ in tracks.values()):
+        raise InputError("no roller off the axis has a tolerance of its radius: the branches are equal")
+    base, random = deviations_of(values), np.random.default_rng(seed)
+    added = np.tile(base.added, (draws, 1, 1))
+    for path, (own, per_size) in tracks.items():
+        entry, scatter = found[path]
+        uniform = random.random((draws, count if own else 1))
+        added += (quantiles(entry, scatter, uniform) - entry.value)[:, :, None] * per_size
+    solution = solve_planar(joint)
+    drive = BranchedPlanarJoint(joint, solution)
+    forward = float(joint.output_torque) >= 0.0
+    capacity = solution.capacity if forward else solution.reverse_capacity
+    return _scatter(
+        drive,
+        lambda index: dataclasses.replace(base, added=added[index]),
+        draws=draws,
+        seed=seed,
+        equal=float(capacity.output_torque),
+        report=report,
+    )
+
+
+def _scatter(
+    drive: BranchedJoint | BranchedPlanarJoint,
+    sizes: Callable[[int], Any],
+    *,
+    draws: int,
+    seed: int,
+    equal: float,
+    report: Callable[[int, int], Any] | None,
+) -> BranchScatter:
+    """Every draw solved."""
+    rows = []
+    for index in range(draws):
+        rows.append(_one(drive, sizes(index)))
         if report is not None:
             report(index + 1, draws)
     columns = np.array(rows).T
@@ -164,13 +257,13 @@ def branch_scatter(
         largest_rolling_share=columns[4],
         sun_force=columns[5],
         loose=columns[6] > 0.0,
-        equal=float(drive.laws.standing.capacity(drive.own_preload)),
+        equal=equal,
         torque=abs(float(drive.joint.output_torque)),
         seed=seed,
     )
 
 
-def _one(drive: BranchedJoint, sizes: BranchSizes) -> tuple[float, ...]:
+def _one(drive: BranchedJoint | BranchedPlanarJoint, sizes: Any) -> tuple[float, ...]:
     try:
         found = drive.branches(sizes, slip=False)
     except NoSolutionError:
@@ -178,6 +271,8 @@ def _one(drive: BranchedJoint, sizes: BranchSizes) -> tuple[float, ...]:
     except InputError as error:
         if "loose" not in str(error):
             raise
+        if isinstance(drive, BranchedPlanarJoint):
+            return (np.nan,) * 6 + (1.0,)
         return (0.0, 0.0, 0.0, np.nan, np.nan, 0.0, 1.0)
     standing, rolling = (
         np.nan if state is None else float(np.max(state.share)) for state in (found.standing, found.rolling)
