@@ -4,6 +4,7 @@ from types import SimpleNamespace
 
 import numpy as np
 
+from asperity.errors import InputError
 from asperity.joint.branch_results import BranchCapacity, BranchState
 from asperity.joint.branch_sizes import BranchSizes
 from asperity.joint.size_errors import size_error_curves
@@ -24,7 +25,11 @@ class ThreeBranches:
         still = BranchState(preload, np.zeros(3), np.zeros(3), np.zeros(2), np.array([0.0, 1.0]))
         capacity = BranchCapacity(weakest, int(preload.argmin()), None, 1e-3 * preload.sum(), 3.0)
         return SimpleNamespace(
-            standing=None if weakest < 2.0 else state, rolling=state, rest=still, capacity=capacity
+            standing=None if weakest < 2.0 else state,
+            rolling=state,
+            rest=still,
+            capacity=capacity,
+            noun="planet",
         )
 
 
@@ -42,3 +47,20 @@ def test_only_the_first_planet_changes():
     # where all slip there is neither a share nor a force on the sun under the torque
     assert np.all(np.isnan(found.standing_share[0]))
     np.testing.assert_allclose(found.sun_force, [np.nan, 5.0, 5.0], rtol=1e-12)
+
+
+class LoosePlanets(ThreeBranches):
+    """The same, refused where a planet is loose."""
+
+    def branches(self, sizes, *, slip):
+        if sizes.planet.min() < -200e-9:
+            raise InputError("loose")
+        return super().branches(sizes, slip=slip)
+
+
+def test_a_refused_joint_leaves_a_gap():
+    sizes = BranchSizes(np.zeros(3), np.zeros(3), np.zeros(3), 0.0)
+    found = size_error_curves(LoosePlanets(), sizes, np.array([-500e-9, 0.0]))
+    for curve in (found.first_slip, found.all_slip, found.sun_force, found.standing_share[:, 0]):
+        np.testing.assert_array_equal(np.isnan(curve), [True, False])
+    assert (found.noun, found.track) == ("planet", "planet")

@@ -24,12 +24,13 @@ def draw_size_errors(axes: Sequence[Axes], curves: SizeErrorCurves) -> None:
         What to draw.
     """
     x = 1e6 * curves.deviation
+    whose = "" if curves.track == curves.noun else f"{curves.track} "
     shares, capacity, sun = axes
     for name, values, style in (
         ("standing", curves.standing_share, "-"),
         ("rolling", curves.rolling_share, "--"),
     ):
-        shares.plot(x, 100.0 * values[:, 0], style, color=ACCENT, label=f"first planet, {name}")
+        shares.plot(x, 100.0 * values[:, 0], style, color=ACCENT, label=f"{curves.noun} 1, {name}")
         shares.plot(x, 100.0 * values[:, 1:], style, color=MUTED, linewidth=1.0)
         shares.plot([], [], style, color=MUTED, linewidth=1.0, label=f"others, {name}")
     shares.set(ylabel="share of the torque [%]")
@@ -44,4 +45,4 @@ def draw_size_errors(axes: Sequence[Axes], curves: SizeErrorCurves) -> None:
         panel.axvline(0.0, color="black", linestyle=":", linewidth=1.0)
         panel.set_ylim(bottom=0.0)
         panel.set_xlim(x[0], x[-1])
-        panel.set(xlabel="added to the first planet's radius [µm]")
+        panel.set(xlabel=f"added to the {whose}radius of {curves.noun} 1 [µm]")
