@@ -76,3 +76,17 @@ def test_a_root_inside_a_loop_over_whole_numbers():
     factor = 1.0 + np.sqrt(2.0) + np.sqrt(3.0)
     assert float(jax.jit(total)(4.0)) == pytest.approx(2.0 * factor, rel=1e-14)
     assert float(jax.jit(jax.grad(total))(4.0)) == pytest.approx(factor / 4.0, rel=1e-14)
+
+
+def test_a_derivative_inside_a_derivative():
+    """A value that is returned beside its slope has its own slope, and the slope has one too."""
+
+    def value_and_slope(number):
+        return jax.jvp(square_root, (number,), (jnp.ones_like(number),))
+
+    (value, slope), (first, second) = jax.jvp(value_and_slope, (4.0,), (1.0,))
+    assert [float(each) for each in (value, slope, first, second)] == pytest.approx(
+        [2.0, 1 / 4, 1 / 4, -1 / 32], rel=1e-14
+    )
+    _, shown = jax.jvp(lambda x: jax.jvp(square_root, (x,), (1.0,))[0], (4.0,), (1.0,))
+    assert float(shown) == pytest.approx(1 / 4, rel=1e-14)

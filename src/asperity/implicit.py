@@ -34,7 +34,7 @@ def implicit_root(
     Returns
     -------
     Array or module of Array
-        x, with derivatives of first order in both modes. Whether it is a root is for the caller to check.
+        x, with derivatives in both modes. Whether it is a root is for the caller to check.
 
     Notes
     -----
@@ -61,7 +61,8 @@ def implicit_root(
 
     @root.defjvp
     def derivative(primals: Any, tangents: Any) -> Any:
-        (at, given), (_, moved) = primals, tangents
+        (found, given), (_, moved) = primals, tangents
+        at = root(found, given)  # the root itself, so that this may be differentiated in turn
         _, change = jax.jvp(lambda numbers: equations_of(at, numbers), (given,), (moved,))
         _, linear = jax.linearize(lambda x: equations_of(x, given), at)
         return at, jax.tree.map(lambda leaf: -leaf, solve(linear, change))
