@@ -94,25 +94,6 @@ class InputError(AsperityError, ValueError):
     exit_code = 2
 
 
-class UnsupportedDriveError(InputError):
-    """A joint file describes a drive of a type that a command cannot compute.
-
-    Parameters
-    ----------
-    source : str
-        Name of the file.
-    kind : str
-        Type of its drive.
-    """
-
-    def __init__(self, source: str, kind: str) -> None:
-        super().__init__(
-            f"{source}: {RUNNING.get()} does not work for drives of type {kind!r}, only for the paper's (a file "
-            "without 'type'); 'asperity joint', 'roll', 'windup', 'dynamics', 'loads', 'export', 'report', 'draw', "
-            "'serve', 'sweep', 'sensitivity', 'uncertainty' and 'design' work for every type"
-        )
-
-
 class NoSolutionError(AsperityError, RuntimeError):
     """The input is well formed but has no solution, or the solver did not converge. Exit code 3."""
 

@@ -11,7 +11,10 @@ from click.testing import CliRunner
 from asperity.cli import asperity
 from asperity.cli.calibrate import interval_digits
 from asperity.errors import InputError
-from asperity.joint_file.reader import read_case
+from asperity.joint.either_kind import under_torque
+from asperity.joint.planar.solve import solve_planar
+from asperity.joint_file.planar_build import any_joint_from_case
+from asperity.joint_file.reader import read_any_case, read_case
 from asperity.study.calibration.curve_model import CurveModel
 from asperity.study.calibration.measurement import Measurement
 from asperity.study.calibration.unknowns import read_unknowns
@@ -116,3 +119,32 @@ def test_bad_input(folder):
         (folder / "joint.toml", folder / "data.csv", "-u", "load.preload", "--plot-posterior", "x.png"),
     ):
         assert isinstance(invoke(*arguments).exception, InputError)
+
+
+def test_a_drive_of_another_type_is_compared_with_its_own_ratio(tmp_path):
+    data = tmp_path / "ratio.csv"
+    data.write_text("torque [N*m],speed ratio\n1,0.1\n2,0.101\n")
+    refused = invoke(DRIFT.with_name("planetary.toml"), data, "-u", "load.interference").exception
+    assert "far from 6, that of the joint file without creep" in str(refused)
+
+
+@pytest.mark.slow
+def test_a_drive_of_another_type_and_its_new_joint_file(tmp_path):
+    """The drift of the example itself, by its solution at three torques: the friction is found again."""
+    file, data, out = DRIFT.with_name("planetary.toml"), tmp_path / "drift.csv", tmp_path / "out.toml"
+    joint = any_joint_from_case(read_any_case(file))
+    rows = [
+        (
+            torque,
+            float(solve_planar(under_torque(joint, torque)).result.rolling.drift_per_output_turn) / ARCMIN,
+        )
+        for torque in (2.0, 8.0, 13.0)
+    ]
+    data.write_text("torque [N*m],drift [arcmin/turn]\n" + "".join(f"{t!r},{d!r}\n" for t, d in rows))
+    result = invoke(
+        file, data, "-u", "load.friction_coefficient=0.05:0.2", "--starts", 1, "--json", "--out", out
+    )
+    assert result.exit_code == 0, result.output
+    (found,) = json.loads(result.stdout)["estimates"]
+    assert found["value"] == pytest.approx(0.08, rel=1e-6)
+    assert read_any_case(out).load.friction_coefficient.value == pytest.approx(found["value"], rel=1e-15)

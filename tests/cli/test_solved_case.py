@@ -7,19 +7,6 @@ import pytest
 EXAMPLES = Path(__file__).parents[2] / "examples"
 
 
-@pytest.mark.parametrize(
-    "arguments",
-    [("calibrate", "x.csv", "--unknown", "load.preload")],
-)
-def test_other_commands_refuse_other_drives_by_name(call, arguments):
-    command, *others = arguments
-    outcome = call(command, EXAMPLES / "planetary.toml", *others)
-    assert outcome.code == 2
-    assert f"'asperity {command}' does not work for drives of type 'planetary'" in outcome.err
-    assert "Traceback" not in outcome.err
-    assert outcome.err.count("\n") == 1
-
-
 def test_options_of_the_papers_drive_are_refused(call):
     outcome = call("uncertainty", EXAMPLES / "planetary.toml", "--branches", "10")
     assert outcome.code == 2

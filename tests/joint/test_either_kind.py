@@ -5,7 +5,7 @@ from types import SimpleNamespace
 import pytest
 
 from asperity.joint import either_kind
-from asperity.joint.either_kind import solve_any, under_torque
+from asperity.joint.either_kind import solve_any, under_torque, unloaded_ratio
 from asperity.joint_file.planar_build import any_joint_from_case
 from asperity.joint_file.reader import read_any_case
 
@@ -22,3 +22,10 @@ def test_each_kind_has_its_solver_and_its_sense_of_rotation(zou_file, monkeypatc
         turned = under_torque(joint, -3.0)
         assert float(turned.output_torque) == -3.0
         assert float(turned.sun_speed) == pytest.approx(sense * float(joint.sun_speed))
+
+
+@pytest.mark.parametrize(("name", "ratio"), [("zou2025", 9.0), ("planetary", 6.0), ("planar", -9.0)])
+def test_ratio_without_creep(zou_file, name, ratio):
+    """1 + R_o/R_s of the paper, against the sense of the sun; 1 + R_r/R_s of the planetary."""
+    joint = any_joint_from_case(read_any_case(zou_file.with_name(f"{name}.toml")))
+    assert abs(unloaded_ratio(joint)) == pytest.approx(abs(ratio), rel=1e-9)

@@ -10,6 +10,7 @@ from asperity.errors import InputError
 from asperity.joint.play import NO_PLAY, Play
 from asperity.joint.solve import solve
 from asperity.joint.windup import is_symmetric, windup, windup_of
+from asperity.joint_file.planar_build import any_joint_from_case
 from asperity.show.windup_figure import windup_figure
 from asperity.zou2025.preset import operating_grid, table_2_joint
 
@@ -225,6 +226,20 @@ def test_figure_names_its_axes_with_units(mindlin):
     assert "arcmin" in loop.get_xlabel()
     assert "N·m" in loop.get_ylabel()
     assert "N·m/arcmin" in stiffness.get_ylabel()
+
+
+def test_a_sector_on_one_radius_is_its_own_mirror_image(planar_case):
+    """A list of rollers is not searched for its mirror image, though that of the paper's drive is one."""
+    for name, expected in (
+        ("planetary", True),
+        ("stepped_planet", True),
+        ("multiroller", False),
+        ("planar", False),
+    ):
+        assert is_symmetric(any_joint_from_case(planar_case(name))) is expected
+    joint = any_joint_from_case(planar_case("planetary"))
+    pushed = dataclasses.replace(joint.drive, push_angles=np.array([0.1]))
+    assert not is_symmetric(dataclasses.replace(joint, drive=pushed))
 
 
 def test_which_joints_are_symmetric(paper_joint):

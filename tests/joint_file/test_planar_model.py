@@ -7,7 +7,7 @@ from pathlib import Path
 import jsonschema
 import pytest
 
-from asperity.errors import InputError, UnsupportedDriveError
+from asperity.errors import InputError
 from asperity.joint_file.reader import parse_any_case, parse_case
 from asperity.joint_file.schema import joint_schema
 from asperity.reading import parse_toml
@@ -132,8 +132,10 @@ def test_bearings_of_pins_need_pins():
         parse_any_case(text.replace("[model]", rated), source="mine.toml")
 
 
-def test_what_works_for_the_papers_drive_only_says_so():
-    with pytest.raises(UnsupportedDriveError, match="does not work for drives of type 'planetary'"):
+def test_what_reads_the_papers_drive_only_says_so():
+    with pytest.raises(
+        InputError, match=r"a drive of type 'planetary', where that of Zou et al. is expected"
+    ):
         parse_case(text_of("planetary"), source="mine.toml")
     plain = (EXAMPLES / "zou2025.toml").read_text(encoding="utf-8")
     assert parse_case('type = "zou2025"\n' + plain, source="mine.toml").type == "zou2025"

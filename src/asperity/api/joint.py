@@ -9,8 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 from asperity.api.named_quantity import NamedQuantity, si_number
 from asperity.api.shown import Shown, Table, frame
-from asperity.errors import InputError, UnsupportedDriveError, quoted
-from asperity.joint_file.model import Case
+from asperity.errors import InputError, quoted
 from asperity.joint_file.planar_model import PlanarCase
 from asperity.joint_file.reader import parse_any_case, read_any_case
 from asperity.joint_file.si_tables import AnyCase
@@ -103,13 +102,6 @@ class DescribedJoint(Shown):
         from asperity.joint_file.assumptions import assumptions
 
         return assumptions(self.case)
-
-    @property
-    def paper_case(self) -> Case:
-        """The content of the file, where it describes the drive of Zou et al. 2025; others are refused."""
-        if isinstance(self.case, PlanarCase):
-            raise UnsupportedDriveError(self.source, self.case.type)
-        return self.case
 
     def with_values(self, changes: Mapping[str, Any]) -> DescribedJoint:
         """The same joint with other numbers.

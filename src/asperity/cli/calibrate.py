@@ -53,14 +53,14 @@ def calibrate(
     """Fit numbers of the joint file FILE to the measured curve DATA, or to two curves together.
 
     DATA is a CSV file with a column torque and one of angle, stiffness, drift (angle lost per output turn), speed loss
-    or speed ratio (sun over output), if wanted time and repetition; units in the header, e.g. 'torque [N*m]',
+    or speed ratio (input over output), if wanted time and repetition; units in the header, e.g. 'torque [N*m]',
     'angle [arcmin]', 'drift [arcmin/turn]', 'speed loss [%]'. Rows in the order of time: the hysteresis of a
     torque-angle curve follows the history. A curve of the joint at rest and a drift curve can be fitted together:
     give both files; 'offset of drift' is then the offset of the drift curve.
     """
     from asperity.cli.progress import progress_bar
     from asperity.errors import InputError
-    from asperity.joint_file.reader import read_case
+    from asperity.joint_file.reader import read_any_case
     from asperity.precision import use_compilation_cache, use_double_precision
 
     check_image(plot)
@@ -68,7 +68,7 @@ def calibrate(
     check_file(out, file, *data)
     if plot_posterior is not None and draws is None:
         raise InputError("--plot-posterior needs --posterior DRAWS, e.g. --posterior 1000")
-    case = read_case(file)
+    case = read_any_case(file)
     use_double_precision()
     use_compilation_cache()
     from asperity.study.calibration.calibrate import calibrate as fit
@@ -78,10 +78,10 @@ def calibrate(
 
     if draws is not None:
         require_numpyro()
-    from asperity.drive.geometry import speed_ratio
-    from asperity.joint_file.build import joint_from_case
+    from asperity.joint.either_kind import unloaded_ratio
+    from asperity.joint_file.planar_build import any_joint_from_case
 
-    ratio = float(speed_ratio(joint_from_case(case).geometry))
+    ratio = unloaded_ratio(any_joint_from_case(case))
     measurements = tuple(read_measurement(each, unloaded_ratio=ratio) for each in data)
     with progress_bar("starts") as report:
         found = fit(
@@ -220,6 +220,7 @@ def _show(found: Calibration, drawn: Posterior | None) -> None:
     sources = [f"{each.residual.size} rows of {each.measurement.source}" for each in found.curves]
     rows = table(target, f"{len(found.estimates)} unknowns from {' and '.join(sources)}",
                  "unknown", "estimate", "95 % from", "to", "")  # fmt: skip
+    rows.columns[0].no_wrap, rows.columns[-1].no_wrap = True, False  # the notes give way, not the names
     for each in found.estimates:
         unit = unit_of(each.path)
         digits = interval_digits(each.lower, each.upper)

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import dataclasses
 
+from asperity.drive import geometry
+from asperity.drive.planar import layout
 from asperity.joint.description import Joint
 from asperity.joint.planar.description import PlanarJoint
 from asperity.joint.planar.solve import PlanarSolution, solve_planar
@@ -56,3 +58,21 @@ def under_torque(joint: AnyJoint, output_torque: float) -> AnyJoint:
         return dataclasses.replace(joint, output_torque=output_torque)
     sense = -1.0 if output_torque < 0.0 else 1.0
     return dataclasses.replace(joint, output_torque=output_torque, sun_speed=sense * float(joint.sun_speed))
+
+
+def unloaded_ratio(joint: AnyJoint) -> float:
+    """Speed of the input over that of the output without creep.
+
+    Parameters
+    ----------
+    joint : Joint or PlanarJoint
+        One joint.
+
+    Returns
+    -------
+    float
+        Ratio [-]; negative where they turn in opposite directions.
+    """
+    if isinstance(joint, PlanarJoint):
+        return float(layout.speed_ratio(joint.drive))
+    return float(geometry.speed_ratio(joint.geometry))

@@ -29,6 +29,7 @@ import numpy as np
 from jax import Array
 
 from asperity.drive.geometry import CONTACT_NAMES
+from asperity.drive.planar.layout import PlanarDrive
 from asperity.errors import InputError, NoSolutionError
 from asperity.joint.description import Joint
 from asperity.joint.planar.description import PlanarJoint
@@ -219,20 +220,23 @@ def windup_of(
     )
 
 
-def is_symmetric(joint: Joint) -> bool:
+def is_symmetric(joint: Joint | PlanarJoint) -> bool:
     """Whether a joint behaves alike in both directions of torque.
 
     Parameters
     ----------
-    joint : Joint
+    joint : Joint or PlanarJoint
         One joint.
 
     Returns
     -------
     bool
         True where the closure treats both sides alike, and the right and the left contacts have the same push angle,
-        length, friction and surface.
+        length, friction and surface. Of another drive where a sector is its own mirror image because all centres lie on
+        one radius and every pin pushes across it; others may be symmetric too.
     """
+    if isinstance(joint, PlanarJoint):
+        return _on_one_radius(joint.drive)
     if joint.closure == "constant_pin_force":
         return False
     if float(joint.geometry.left_push_angle) != float(joint.geometry.right_push_angle):
@@ -243,6 +247,15 @@ def is_symmetric(joint: Joint) -> bool:
             if any(float(one) != float(other) for one, other in pairs):
                 return False
     return True
+
+
+def _on_one_radius(drive: PlanarDrive) -> bool:
+    """Whether the centres of a sector lie on one line through the axis, and its pins push across it."""
+    centres = np.asarray(drive.centres)
+    farthest = centres[np.argmax(np.sum(centres**2, axis=1))]
+    aside = centres[:, 0] * farthest[1] - centres[:, 1] * farthest[0]
+    aligned = bool(np.all(np.abs(aside) <= 1e-12 * np.sum(farthest**2)))
+    return aligned and not np.any(drive.push_angles) and all(each.sector == 0 for each in drive.contacts)
 
 
 def windup(

@@ -24,7 +24,7 @@ from asperity.joint.status import joint_status
 from asperity.joint_file import build, planar_build
 from asperity.joint_file.build import joint_from_values
 from asperity.joint_file.part_names import WEDGE_TYPE, bodies_of, contacts_of, type_of, with_tracks
-from asperity.joint_file.planar_build import planar_joint_from_values
+from asperity.joint_file.planar_build import any_joint_from_values, planar_joint_from_values
 from asperity.joint_file.planar_parts import layout_of
 from asperity.joint_file.si_tables import Values
 from asperity.joint_file.table_numbers import numbers, table_structure, with_numbers
@@ -72,15 +72,15 @@ def rows_of_file(tables: Mapping[str, Any], result: Result) -> tuple[int, ...]:
     tuple of int
         All rows where every joint has them.
     """
-    if result.present is None or not result.row_shape:
+    present = result.present
+    if present is None or not result.row_shape:
         return tuple(range(len(result.row_names)))
     values = with_tracks(dict(tables))
-    make: Any = joint_from_values if type_of(values) == WEDGE_TYPE else planar_joint_from_values
     there: list[bool] = []
     no_result: Any = None
 
     def ask(*each: Array) -> None:
-        there.extend(result.present(SolvedJoint(make(with_numbers(values, each)), no_result)))  # type: ignore[misc]
+        there.extend(present(SolvedJoint(any_joint_from_values(with_numbers(values, each)), no_result)))
 
     jax.eval_shape(ask, *(jax.ShapeDtypeStruct((), jnp.float64) for _ in numbers(values)))
     return tuple(int(row) for row, present in enumerate(there) if present)

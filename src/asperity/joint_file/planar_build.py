@@ -18,10 +18,25 @@ from asperity.joint.branch_sizes import SectorDeviations
 from asperity.joint.description import Joint
 from asperity.joint.planar.description import PlanarJoint
 from asperity.joint.planar.temperature import planar_fit
-from asperity.joint_file.build import entries, joint_from_case, play_of, rated_bearing, rolling_conditions
+from asperity.joint_file.build import (
+    entries,
+    joint_from_case,
+    joint_from_values,
+    play_of,
+    rated_bearing,
+    rolling_conditions,
+)
 from asperity.joint_file.material_build import material_of, surface_of
 from asperity.joint_file.model import Case
-from asperity.joint_file.part_names import CONTACTS, TRACKS, contacts_of, paths_of_track, sized_tracks
+from asperity.joint_file.part_names import (
+    CONTACTS,
+    TRACKS,
+    WEDGE_TYPE,
+    contacts_of,
+    paths_of_track,
+    sized_tracks,
+    type_of,
+)
 from asperity.joint_file.planar_model import PlanarCase
 from asperity.joint_file.planar_parts import layout_of
 from asperity.joint_file.si_tables import Values, si_values
@@ -46,6 +61,22 @@ def any_joint_from_case(case: Case | PlanarCase) -> Joint | PlanarJoint:
         In SI units.
     """
     return planar_joint_from_case(case) if isinstance(case, PlanarCase) else joint_from_case(case)
+
+
+def any_joint_from_values(values: Values) -> Joint | PlanarJoint:
+    """The joint of nested tables of SI numbers, whatever its type of drive.
+
+    Parameters
+    ----------
+    values : dict
+        Tables as :func:`asperity.joint_file.si_tables.si_values` makes them.
+
+    Returns
+    -------
+    Joint or PlanarJoint
+        In SI units.
+    """
+    return joint_from_values(values) if type_of(values) == WEDGE_TYPE else planar_joint_from_values(values)
 
 
 def planar_joint_from_case(case: PlanarCase) -> PlanarJoint:

@@ -7,7 +7,7 @@ from typing import Any
 
 from pydantic import ValidationError
 
-from asperity.errors import InputError, UnsupportedDriveError, quoted
+from asperity.errors import InputError, quoted
 from asperity.joint_file.finish_in_surface import fill_in_finishes
 from asperity.joint_file.messages import explained, listed, nearest
 from asperity.joint_file.model import Case
@@ -65,7 +65,9 @@ def read_any_case(path: str | Path) -> Case | PlanarCase:
 
 def _of_the_paper(case: Case | PlanarCase, source: str) -> Case:
     if isinstance(case, PlanarCase):
-        raise UnsupportedDriveError(source, case.type)
+        raise InputError(
+            f"{source}: a drive of type '{case.type}', where that of Zou et al. is expected (a file without 'type')"
+        )
     return case
 
 

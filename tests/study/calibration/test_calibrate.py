@@ -1,5 +1,7 @@
 """Calibration recovers known values from synthetic curves, and says what is not identifiable."""
 
+from types import SimpleNamespace
+
 import numpy as np
 import pytest
 from scipy.stats import chi2, norm
@@ -8,7 +10,7 @@ from scipy.stats import t as student
 
 from asperity.errors import InputError, NoSolutionError
 from asperity.joint_file.reader import read_case
-from asperity.study.calibration.calibrate import calibrate, known_within
+from asperity.study.calibration.calibrate import _conclude, calibrate, known_within
 from asperity.study.calibration.curve_model import CurveModel
 from asperity.study.calibration.measurement import Measurement
 from asperity.study.calibration.unknowns import read_unknowns
@@ -167,6 +169,36 @@ def test_what_cannot_be_told_apart_is_named(case, curve):
     assert np.isnan(by_name["surface.fractal_roughness"].upper)
     assert "surface.fractal_roughness" in found.directions[0].words
     assert "NOT identifiable" in found.directions[0].words
+
+
+def test_the_bounds_limit_what_a_small_share_in_something_not_identifiable_adds():
+    """5 % of the preload in a direction that leaves no trace: its standard deviation is 5 % of that of the bounds."""
+    lost = np.array([0.05, np.sqrt(1.0 - 0.05**2)])
+    known = np.array([lost[1], -lost[0]])
+    torque = np.linspace(1.0, 2.0, 40)
+    slopes = np.outer(torque, 1e3 * known)
+
+    class Curves:
+        unknowns = (Variable("load.preload", 100.0, 1e4, True), Variable("offset", -1.0, 1.0, False))
+
+        def refuse_no_joint(self, scaled_values):
+            pass
+
+        def fitted(self, scaled_values):
+            curve = SimpleNamespace(
+                standard_deviation=1.0, residual=np.ones(40), measurement=SimpleNamespace(measured=torque)
+            )
+            return (curve,)
+
+        def slopes(self, scaled_values, scales):
+            return slopes
+
+    found = _conclude(Curves(), np.array([0.5, 0.5]), (1.0,))
+    preload, offset = found.estimates
+    assert (preload.determined, offset.determined) == (True, False)
+    known = 1.0 / (1e3 * np.linalg.norm(torque))
+    half = student(38).ppf(0.975) * np.hypot(0.05 / np.sqrt(12.0), known * np.sqrt(1.0 - 0.05**2))
+    assert (preload.lower, preload.upper) == pytest.approx((1e3 * 100.0**-half, 1e3 * 100.0**half), rel=1e-9)
 
 
 @pytest.mark.filterwarnings("error")

@@ -58,7 +58,7 @@ def test_drift_from_whatever_states_it(tmp_path, header, rows, expected):
 def test_a_ratio_of_another_joint_or_upside_down(tmp_path):
     text = "torque [N*m],speed ratio\n1,0.111\n2,0.11\n"
     with pytest.raises(
-        InputError, match=r"the speed ratio 0\.11 is far from 9, .* the speed of the sun over"
+        InputError, match=r"the speed ratio 0\.11 is far from 9, .* the speed of the input over"
     ):
         read(tmp_path, text, unloaded_ratio=-9.0)
     with pytest.raises(InputError, match="needs the ratio of the joint without creep"):

@@ -89,7 +89,7 @@ def state_at_rest(
     Equation (M3) of :doc:`/equations`.
     """
     machine = machine_of(drive, laws, pattern)
-    given = jnp.asarray(preload if interference is None else interference)
+    given = jnp.asarray(preload if interference is None else interference, dtype=float)
     springs = DriveLoad(jnp.zeros(())) if load is None else load
     unloaded = dataclasses.replace(springs, output_torque=jnp.zeros(()), body_force=None)
     task = Task(ASSEMBLED, given, unloaded, no_displacement(drive))

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+from collections.abc import Callable
 from typing import NamedTuple
 
 import jax
@@ -13,9 +14,10 @@ from jax import Array
 from asperity.compilation import compile_fast
 from asperity.drive.capacity import slip_ratio
 from asperity.drive.planar.creeping import creeping_speeds
-from asperity.drive.planar.state import STATE_TOLERANCE, PlanarState
-from asperity.drive.planar.states import loaded_states
+from asperity.drive.planar.state import STATE_TOLERANCE, ContactLaws, PlanarState
+from asperity.drive.planar.states import loaded_states, state_at_rest
 from asperity.drive.rolling_state import drift_per_turn
+from asperity.joint.contacts import JointContacts
 from asperity.joint.planar.description import PlanarJoint, body_masses, planar_contacts
 from asperity.joint.planar.evaluation import driving_sense, turning
 from asperity.joint.planar.laws import contact_laws, creep_law, drive_load
@@ -24,7 +26,7 @@ from asperity.joint.planar.stiffness import loaded_stiffness
 from asperity.types import Real
 
 #: Torques of one call: one program serves curves of any number of points.
-_BATCH = 64
+BATCH = 64
 
 
 class OverTorque(NamedTuple):
@@ -88,10 +90,10 @@ def over_torque(joint: PlanarJoint, torques: Array, *, no_slip_friction: float) 
     numbers: PlanarJoint = jax.tree.map(lambda leaf: np.asarray(leaf, dtype=float), joint)
     rest = jax.tree.map(np.asarray, compile_fast(solve_planar_program, numbers)(numbers)[0].rest)
     asked = np.asarray(torques, dtype=float)
-    filled = np.concatenate([asked, np.full(-asked.size % _BATCH, asked[-1])])
+    filled = np.concatenate([asked, np.full(-asked.size % BATCH, asked[-1])])
     friction = np.asarray(no_slip_friction)
     found = []
-    for part in filled.reshape(-1, _BATCH):
+    for part in filled.reshape(-1, BATCH):
         arguments = (numbers, rest, part, friction)
         found.append(jax.tree.map(np.asarray, compile_fast(over_torque_program, *arguments)(*arguments)))
     whole: OverTorque = jax.tree.map(lambda *leaves: np.concatenate(leaves)[: asked.size], *found)
@@ -123,22 +125,12 @@ def over_torque_program(
     ----------
     Equations (A9), (B3) and (M4) of :doc:`/equations`.
     """
-    drive, contacts, sense = joint.drive, planar_contacts(joint), driving_sense(joint.drive)
-    laws = contact_laws(joint, contacts)
-    unloaded = drive_load(joint, body_masses(joint), 0.0)
-    own = jnp.broadcast_to(contacts.pairs.friction_coefficient, sense.shape)
-    frictions = jnp.stack([own, jnp.full_like(own, no_slip_friction)])
-    out = drive.members.index(drive.output)
+    contacts, sense = planar_contacts(joint), driving_sense(joint.drive)
+    states = _states(joint, contacts, contact_laws(joint, contacts), rest)
 
     def at(torque: Array) -> OverTorque:
         def lost(torque: Array) -> tuple[Array, tuple[PlanarState, PlanarState]]:
-            standing, rolling = loaded_states(
-                drive=drive,
-                laws=laws,
-                rest=rest,
-                load=dataclasses.replace(unloaded, output_torque=torque),
-                creep_of=lambda normal, tangential: creep_law(joint, contacts, normal, tangential).law,
-            )
+            standing, rolling = states(torque)
             return rolling.speed_loss, (standing, rolling)
 
         _, slope, (state, rolls) = jax.jvp(lost, (torque,), (jnp.ones_like(torque),), has_aux=True)
@@ -147,45 +139,9 @@ def over_torque_program(
             rolls, tangential=sense * rolls.tangential, creepage=sense * rolls.creepage
         )
         turned = turning(dataclasses.replace(joint, output_torque=torque), contacts, creep, shown)
-
-        def levels(friction: Array) -> tuple[Array, Array, Array]:
-            pairs = dataclasses.replace(contacts.pairs, friction_coefficient=friction)
-            found = loaded_stiffness(
-                joint,
-                dataclasses.replace(contacts, pairs=pairs),
-                state.normal,
-                sense * state.tangential,
-                jnp.where(friction == own, state.slides, 0.0),
-            )
-            return (
-                jnp.asarray(found.published.output),
-                jnp.asarray(found.series_with_bulk.output),
-                jnp.asarray(found.assembly.stiffness.output),
-            )
-
-        def drift(creepage: Array) -> Array:
-            """Angle lost in one turn of the output, (B3); negative where the creep runs ahead."""
-            ideal, speed = (
-                jnp.abs(creeping_speeds(drive=drive, creepage=each)[0][out])
-                for each in (jnp.zeros_like(creepage), creepage)
-            )
-            return drift_per_turn(1.0 - speed / ideal)
-
-        with_torque = jnp.where(torque < 0.0, -1.0, 1.0)
-        both = jnp.stack([drift(way * with_torque * rolls.creepage) * way for way in (1.0, -1.0)])
         works = rolls.residual < STATE_TOLERANCE
-        slip = slip_ratio(
-            normal_force=state.normal, tangential_force=state.tangential, friction_coefficient=own
-        )
-        published, series, assembly = jax.vmap(levels)(frictions)
         return OverTorque(
-            balanced=state.worst < STATE_TOLERANCE,
-            solved=state.residual < STATE_TOLERANCE,
-            slip_ratio=jnp.where(state.slides == 0.0, slip, 1.0),
-            published=published,
-            series_with_bulk=series,
-            assembly=assembly,
-            drift=jnp.where(works, with_torque * both, jnp.nan),
+            **_shown(joint, contacts, no_slip_friction, torque, state, rolls),
             efficiency=jnp.where(works, turned.power.efficiency, jnp.nan),
             total_loss=jnp.where(works, turned.power.loss, jnp.nan),
             life_hours=jnp.where(works, turned.life_hours.drive, jnp.nan),
@@ -194,3 +150,107 @@ def over_torque_program(
         )
 
     return jax.vmap(at)(torques)
+
+
+def curve_program(joint: PlanarJoint, torques: Array, no_slip_friction: Real) -> dict[str, Array]:
+    """What a measured curve shows of a joint, assembled within the same program; for derivatives by its numbers.
+
+    Parameters
+    ----------
+    joint : PlanarJoint
+        One joint.
+    torques : Array
+        Output torques, shape (torques,) [N·m].
+    no_slip_friction : Real
+        A friction coefficient under which no contact slips [-].
+
+    Returns
+    -------
+    dict
+        The fields of :class:`OverTorque` from ``balanced`` to ``drift``.
+
+    References
+    ----------
+    Equations (A9), (B3), (M3) and (M4) of :doc:`/equations`.
+    """
+    contacts = planar_contacts(joint)
+    laws = contact_laws(joint, contacts)
+    rest = state_at_rest(
+        drive=joint.drive,
+        laws=laws,
+        pattern=joint.working_pattern,
+        preload=joint.preload,
+        interference=joint.interference,
+    )
+    states = _states(joint, contacts, laws, rest)
+
+    def at(torque: Array) -> dict[str, Array]:
+        return _shown(joint, contacts, no_slip_friction, torque, *states(torque))
+
+    return jax.vmap(at)(torques)
+
+
+def _states(
+    joint: PlanarJoint, contacts: JointContacts, laws: ContactLaws, rest: PlanarState
+) -> Callable[[Array], tuple[PlanarState, PlanarState]]:
+    """The joint standing and rolling, from its output torque [N·m]."""
+    unloaded = drive_load(joint, body_masses(joint), 0.0)
+    return lambda torque: loaded_states(
+        drive=joint.drive,
+        laws=laws,
+        rest=rest,
+        load=dataclasses.replace(unloaded, output_torque=torque),
+        creep_of=lambda normal, tangential: creep_law(joint, contacts, normal, tangential).law,
+    )
+
+
+def _shown(
+    joint: PlanarJoint,
+    contacts: JointContacts,
+    no_slip_friction: Real,
+    torque: Array,
+    state: PlanarState,
+    rolls: PlanarState,
+) -> dict[str, Array]:
+    """Stiffness of the joint that stands, with and without slip, and drift of the one that rolls."""
+    drive, sense = joint.drive, driving_sense(joint.drive)
+    own = jnp.broadcast_to(contacts.pairs.friction_coefficient, sense.shape)
+    frictions = jnp.stack([own, jnp.full_like(own, no_slip_friction)])
+    out = drive.members.index(drive.output)
+
+    def levels(friction: Array) -> tuple[Array, Array, Array]:
+        pairs = dataclasses.replace(contacts.pairs, friction_coefficient=friction)
+        found = loaded_stiffness(
+            joint,
+            dataclasses.replace(contacts, pairs=pairs),
+            state.normal,
+            sense * state.tangential,
+            jnp.where(friction == own, state.slides, 0.0),
+        )
+        return (
+            jnp.asarray(found.published.output),
+            jnp.asarray(found.series_with_bulk.output),
+            jnp.asarray(found.assembly.stiffness.output),
+        )
+
+    def drift(creepage: Array) -> Array:
+        """Angle lost in one turn of the output, (B3); negative where the creep runs ahead."""
+        ideal, speed = (
+            jnp.abs(creeping_speeds(drive=drive, creepage=each)[0][out])
+            for each in (jnp.zeros_like(creepage), creepage)
+        )
+        return drift_per_turn(1.0 - speed / ideal)
+
+    with_torque = jnp.where(torque < 0.0, -1.0, 1.0)
+    both = jnp.stack([drift(way * with_torque * rolls.creepage) * way for way in (1.0, -1.0)])
+    slip = slip_ratio(normal_force=state.normal, tangential_force=state.tangential, friction_coefficient=own)
+    published, series, assembly = jax.vmap(levels)(frictions)
+    return {
+        "balanced": state.worst < STATE_TOLERANCE,
+        "solved": state.residual < STATE_TOLERANCE,
+        "slip_ratio": jnp.where(state.slides == 0.0, slip, 1.0),
+        "published": published,
+        "series_with_bulk": series,
+        "assembly": assembly,
+        "drift": jnp.where(rolls.residual < STATE_TOLERANCE, with_torque * both, jnp.nan),
+    }

@@ -9,7 +9,7 @@ import numpy as np
 
 from asperity.errors import InputError, NoSolutionError
 from asperity.joint.windup import StiffnessLevel
-from asperity.joint_file.model import Case
+from asperity.joint_file.si_tables import AnyCase
 from asperity.precision import require_double_precision
 from asperity.study.calibration.fitted_curve import FittedCurve, JoinedCurves
 from asperity.study.calibration.measurement import Measurement
@@ -111,7 +111,7 @@ class Calibration:
 
 def calibrate(
     *,
-    case: Case,
+    case: AnyCase,
     measurements: tuple[Measurement, ...],
     unknowns: tuple[Variable, ...],
     level: StiffnessLevel,
@@ -124,7 +124,7 @@ def calibrate(
 
     Parameters
     ----------
-    case : Case
+    case : Case or PlanarCase
         The joint file.
     measurements : tuple of Measurement
         The data: one curve, or one of the joint at rest and one of the joint that turns.
@@ -255,6 +255,8 @@ def _conclude(curves: JoinedCurves, scaled_values: np.ndarray, starts: tuple[flo
     with np.errstate(divide="ignore"):
         along = 1.0 / np.abs(singular)  # LAPACK may give −0
     covariance = (rows.T * np.minimum(along, 1e6) ** 2) @ rows
+    # along what is not determined the bounds are what is known
+    spread = np.sqrt(np.sum((rows.T * np.minimum(along, UNINFORMED)) ** 2, axis=1))
     points = sum(each.residual.size for each in fitted)
     unknowns = curves.unknowns
     quantile = float(student.ppf(0.975, points - len(unknowns)))
@@ -265,7 +267,7 @@ def _conclude(curves: JoinedCurves, scaled_values: np.ndarray, starts: tuple[flo
     estimates = []
     for index, unknown in enumerate(unknowns):
         lost = any(not d.determined and abs(d.shares[unknown.path]) > NAMED_SHARE for d in directions)
-        half = quantile * float(np.sqrt(covariance[index, index]))
+        half = quantile * float(spread[index])
         scaled_value = float(scaled_values[index])
         bound = "lower" if scaled_value < 1e-6 else "upper" if scaled_value > 1.0 - 1e-6 else ""
         estimates.append(

@@ -14,13 +14,11 @@ import numpy as np
 
 from asperity.errors import InputError
 from asperity.joint.play import play_compliance
-from asperity.joint.results import name_at_level
-from asperity.joint.standing import NO_SLIP_FRICTION
 from asperity.joint.windup import StiffnessLevel, is_symmetric
-from asperity.joint_file.build import joint_from_values
-from asperity.joint_file.model import Case
-from asperity.joint_file.si_tables import numeric_keys, replace_values, si_values
-from asperity.study.batch import derivatives_at
+from asperity.joint_file.build import play_of
+from asperity.joint_file.planar_build import any_joint_from_values
+from asperity.joint_file.si_tables import AnyCase, numeric_keys, replace_values, si_values
+from asperity.study.calibration.joint_points import JointPoints, joint_points
 from asperity.study.calibration.measurement import Measurement
 from asperity.study.calibration.torque_history import History, curve_operator
 from asperity.study.calibration.unknowns import CURVE_UNKNOWNS, added_to_curve
@@ -42,7 +40,7 @@ class CurveModel:
 
     Parameters
     ----------
-    case : Case
+    case : Case or PlanarCase
         The joint file.
     measurement : Measurement
         Torques, times and repetitions of the data, and what was measured.
@@ -62,7 +60,7 @@ class CurveModel:
     def __init__(
         self,
         *,
-        case: Case,
+        case: AnyCase,
         measurement: Measurement,
         unknowns: tuple[Variable, ...],
         level: StiffnessLevel,
@@ -76,7 +74,7 @@ class CurveModel:
         stated = numeric_keys(case)
         self.first = np.array([self._first(each, stated) for each in unknowns])
         self.rolls = measurement.drift is not None
-        self.result = "drift" if self.rolls else name_at_level("stiffness", level)
+        self._kept: tuple[np.ndarray, JointPoints] | None = None
         symmetric = self._symmetric()
         if self.rolls:
             self.torque = np.unique(measurement.torque[measurement.torque != 0.0])
@@ -101,26 +99,7 @@ class CurveModel:
             )
             for order, index in enumerate(self.in_joint)
         }
-        return is_symmetric(joint_from_values(replace_values(self.values, between)))
-
-    def _changes(
-        self, changes: dict[str, np.ndarray], torque: np.ndarray, slips: np.ndarray
-    ) -> dict[str, Any]:
-        """Changes of the joint file for given torques, with the friction and the rotation that belong to each.
-
-        The bearings' friction of a joint at rest acts against the motion that the torque drives, so the sun's speed has
-        its sign.
-        """
-        load = replace_values(self.values, changes)["load"]
-        sense = np.where((torque < 0.0) & (not self.rolls), -1.0, 1.0)
-        found = {**changes, "load.output_torque": torque, "load.sun_speed": sense * load["sun_speed"]}
-        friction = load["friction_coefficient"]
-        paths = (
-            {f"load.friction_coefficient.{name}": value for name, value in friction.items()}
-            if isinstance(friction, dict)
-            else {"load.friction_coefficient": friction}
-        )
-        return found | {path: np.where(slips, value, NO_SLIP_FRICTION) for path, value in paths.items()}
+        return is_symmetric(any_joint_from_values(replace_values(self.values, between)))
 
     def _first(self, unknown: Variable, stated: dict) -> float:
         """Scaled value of the first guess: the file's value, no play, no drift."""
@@ -144,21 +123,29 @@ class CurveModel:
 
         Of a joint that rolls, torque over drift per turn instead of the stiffness.
         """
-        point = self.point(scaled_values)
-        changes = {path: np.full(self.torque.size, point[path]) for path in self.paths}
-        _, found, slopes = derivatives_at(
-            self.values,
-            self._changes(changes, self.torque, self.slips),
-            (self.result, "slip_ratio"),
-            self.paths,
-        )
-        value, by_joint, slip = found[self.result][0], slopes[self.result][0], found["slip_ratio"].max(axis=0)
+        if self._kept is None or not np.array_equal(self._kept[0], scaled_values):
+            point = self.point(scaled_values)
+            one = np.array([[point[path] for path in self.paths]])
+            self._kept = scaled_values.copy(), self._points(one, self.torque, self.slips, slopes=True)
+        found = self._kept[1]
+        value, by_joint, slip = found.value[0], found.slopes[0], found.slip_ratio[0]
         if self.rolls:
             return self.torque / value, by_joint * (-self.torque / value**2)[:, None], slip
-        for index, path in enumerate(self.paths):
-            if path == "load.sun_speed":
-                by_joint[:, index] *= np.where(self.torque < 0.0, -1.0, 1.0)
         return value, by_joint, slip
+
+    def _points(
+        self, sets: np.ndarray, torque: np.ndarray, slips: np.ndarray, *, slopes: bool
+    ) -> JointPoints:
+        """What the joint shows with sets of its unknowns, shape (sets, unknowns of the joint) [SI]."""
+        return joint_points(
+            self.values,
+            self.paths,
+            sets,
+            torque=torque,
+            slips=slips,
+            shown="drift" if self.rolls else self.level,
+            slopes=slopes,
+        )
 
     def floored(self, stiffness: np.ndarray) -> np.ndarray:
         """At which of the model's torques the prediction uses :data:`STIFFNESS_FLOOR` instead of the joint's stiffness.
@@ -235,19 +222,11 @@ class CurveModel:
         return np.concatenate(found)[:, : self.torque.size]
 
     def _compliances(self, scaled_values: np.ndarray, torque: np.ndarray, slips: np.ndarray) -> np.ndarray:
-        changes = {
-            self.unknowns[index].path: np.repeat(
-                self.unknowns[index].from_unit(scaled_values[:, index]), torque.size
-            )
-            for index in self.in_joint
-        }
-        count = len(scaled_values)
-        points = self._changes(changes, np.tile(torque, count), np.tile(slips, count))
-        status, found, _ = derivatives_at(self.values, points, (self.result, "slip_ratio"))
-        shape = (count, torque.size)
-        stiffness = found[self.result][0].reshape(shape)
-        stiffness = torque / stiffness if self.rolls else stiffness
-        holds = np.isfinite(stiffness) & (stiffness > 0.0) & (status.reshape(shape) == 0)
+        sets = [self.unknowns[index].from_unit(scaled_values[:, index]) for index in self.in_joint]
+        columns = np.stack(sets, axis=1) if sets else np.zeros((len(scaled_values), 0))
+        found = self._points(columns, torque, slips, slopes=False)
+        stiffness = torque / found.value if self.rolls else found.value
+        holds = np.isfinite(stiffness) & (stiffness > 0.0) & found.exists
         exists = np.all(holds, axis=1)[:, None]
         return np.where(exists, 1.0 / np.where(exists, stiffness, 1.0), np.nan)
 
@@ -272,7 +251,7 @@ class CurveModel:
 
     def _play_compliance(self) -> np.ndarray:
         """Of the play that the joint file states, at the measured torques [rad/(N·m)]."""
-        play = joint_from_values(self.values).play
+        play = play_of(self.values)
         return np.asarray(play_compliance(play=play, output_torque=jnp.asarray(self.measurement.torque)))
 
     def _play(self, point: dict[str, Any]) -> tuple[Any, Any]:

@@ -9,7 +9,7 @@ import numpy as np
 
 from asperity.errors import NoSolutionError
 from asperity.joint.windup import StiffnessLevel
-from asperity.joint_file.model import Case
+from asperity.joint_file.si_tables import AnyCase
 from asperity.study.calibration.curve_model import CurveModel
 from asperity.study.calibration.measurement import Measurement
 from asperity.study.calibration.torque_history import History
@@ -84,7 +84,7 @@ class JoinedCurves:
 
     Parameters
     ----------
-    case : Case
+    case : Case or PlanarCase
         The joint file.
     measurements : tuple of Measurement
         The data.
@@ -99,7 +99,7 @@ class JoinedCurves:
     def __init__(
         self,
         *,
-        case: Case,
+        case: AnyCase,
         measurements: tuple[Measurement, ...],
         unknowns: tuple[Variable, ...],
         level: StiffnessLevel,

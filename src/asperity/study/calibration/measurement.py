@@ -186,7 +186,7 @@ def _drift(
         raise InputError(
             f"{path}: the speed ratio {columns['speed ratio'][worst]:g} is far from {abs(unloaded_ratio):g}, that of "
             f"the joint file without creep (at most {100.0 * FARTHEST_RATIO:g} % away); the column is the speed of the "
-            "sun over that of the output"
+            "input over that of the output"
         )
     return 2.0 * np.pi * (over - 1.0)
 
@@ -198,8 +198,8 @@ def read_measurement(path: str | Path, *, unloaded_ratio: float | None = None) -
     ----------
     path : str or Path
         A CSV file with a header: ``torque`` and one of ``angle``, ``stiffness``, ``drift`` (angle lost per output
-        turn), ``speed loss``, ``speed ratio`` (sun over output); optionally ``time`` and ``repetition``. Units stand in
-        the header, ``torque [N*m]`` or ``torque_Nm``. Rows in the order of time; lines that begin with ``#`` are
+        turn), ``speed loss``, ``speed ratio`` (input over output); optionally ``time`` and ``repetition``. Units stand
+        in the header, ``torque [N*m]`` or ``torque_Nm``. Rows in the order of time; lines that begin with ``#`` are
         comments.
     unloaded_ratio : float, optional
         Speed ratio of the joint without creep, for a column ``speed ratio`` [-].

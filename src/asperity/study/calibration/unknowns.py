@@ -7,8 +7,9 @@ from collections.abc import Iterable
 import numpy as np
 
 from asperity.errors import InputError
-from asperity.joint_file.model import Case
-from asperity.joint_file.si_tables import key_at, numeric_keys
+from asperity.joint_file.part_names import WEDGE_TYPE
+from asperity.joint_file.planar_model import PlanarCase
+from asperity.joint_file.si_tables import AnyCase, key_at, numeric_keys
 from asperity.study.calibration.measurement import Measurement
 from asperity.study.design.design_problem import Variable
 from asperity.unit_table import Dimension
@@ -29,14 +30,14 @@ DEFAULT_FACTOR = 5.0
 #: Numbers of the joint file that add to the angles without a new solution of the joint.
 PLAY_UNKNOWNS = ("play.angle", "play.take_up_torque")
 
-#: Numbers of the joint file that set the speed ratio without creep.
+#: Numbers of the joint file of the paper's drive that set the speed ratio without creep; in others all radii do.
 _RATIO_KEYS = ("drive.sun_radius", "drive.ring_radius")
 
 _LINEAR_KINDS = ("fractal_dimension", "poisson_ratio", "push_angle")
 
 
 def read_unknowns(
-    texts: Iterable[str], *, case: Case, measurements: tuple[Measurement, ...]
+    texts: Iterable[str], *, case: AnyCase, measurements: tuple[Measurement, ...]
 ) -> tuple[Variable, ...]:
     """Read the unknowns of a calibration.
 
@@ -45,7 +46,7 @@ def read_unknowns(
     texts : iterable of str
         ``KEY`` or ``KEY=LOWER:UPPER`` with units, for example ``load.preload=500 N:2000 N``; a key is a number of
         the joint file, or ``offset``, ``drift``.
-    case : Case
+    case : Case or PlanarCase
         The joint file. Its value is the first guess; without bounds, five times it and a fifth of it are the bounds
         (1.05 to 1.95 for a fractal dimension).
     measurements : tuple of Measurement
@@ -76,7 +77,7 @@ def read_unknowns(
             found.extend(_of_curve(name, sides, _curve_of(name, measurements)))
         else:
             found.append(_of_joint(name, sides, case))
-            if name in _RATIO_KEYS and any(each.unloaded_ratio is not None for each in measurements):
+            if _sets_the_ratio(name, case) and any(each.unloaded_ratio is not None for each in measurements):
                 raise InputError(
                     f"'{name}' sets the speed ratio without creep and cannot be an unknown of measured speed ratios; "
                     "use 'offset' for a ratio that is not known exactly, or a column 'speed loss' or 'drift'"
@@ -95,6 +96,12 @@ def read_unknowns(
             "section [play] in the joint file"
         )
     return tuple(found)
+
+
+def _sets_the_ratio(path: str, case: AnyCase) -> bool:
+    if isinstance(case, PlanarCase):
+        return path.endswith("_radius")
+    return path in _RATIO_KEYS
 
 
 def of_measurement(path: str, measurement: Measurement, measurements: tuple[Measurement, ...]) -> bool:
@@ -184,8 +191,8 @@ def _of_curve(name: str, sides: list[str], measurement: Measurement) -> list[Var
     return [Variable(name, lower, upper, name == "play.take_up_torque")]
 
 
-def _of_joint(path: str, sides: list[str], case: Case) -> Variable:
-    key = key_at(path)
+def _of_joint(path: str, sides: list[str], case: AnyCase) -> Variable:
+    key = key_at(path, case.type or WEDGE_TYPE)
     if path == "load.output_torque":
         raise InputError("load.output_torque is measured here, it cannot be unknown")
     if key.whole:

@@ -1,0 +1,189 @@
+"""Stiffness or drift of joints at torques, with derivatives by their unknown numbers, whatever their drive."""
+
+from __future__ import annotations
+
+import json
+from typing import Literal, NamedTuple
+
+import jax
+import jax.numpy as jnp
+import numpy as np
+from jax import Array
+
+from asperity.compilation import compile_fast
+from asperity.joint.planar.over_torque import BATCH, curve_program
+from asperity.joint.results import name_at_level
+from asperity.joint.standing import LEVELS, NO_SLIP_FRICTION
+from asperity.joint.windup import StiffnessLevel
+from asperity.joint_file.part_names import WEDGE_TYPE, type_of, with_tracks
+from asperity.joint_file.planar_build import planar_joint_from_values
+from asperity.joint_file.si_tables import Values, replace_values
+from asperity.joint_file.table_numbers import numbers, table_structure, with_numbers
+from asperity.study.batch import derivatives_at
+
+#: What a curve shows of a joint.
+Shown = StiffnessLevel | Literal["drift"]
+
+
+class JointPoints(NamedTuple):
+    """Sets of unknown numbers at torques. SI units.
+
+    Parameters
+    ----------
+    value : ndarray
+        Incremental stiffness at the output [N·m/rad], or drift per output turn [rad], shape (sets, torques); without
+        meaning where the joint does not exist.
+    slopes : ndarray
+        Derivatives by the unknowns, shape (sets, torques, unknowns); no unknowns where they are not asked for.
+    slip_ratio : ndarray
+        Largest T/(mu N) of the joint that stands, shape (sets, torques) [-]; 1 at least where friction does not hold.
+    exists : ndarray of bool
+        Whether the joint has a solution, shape (sets, torques).
+    """
+
+    value: np.ndarray
+    slopes: np.ndarray
+    slip_ratio: np.ndarray
+    exists: np.ndarray
+
+
+def joint_points(
+    values: Values,
+    paths: tuple[str, ...],
+    sets: np.ndarray,
+    *,
+    torque: np.ndarray,
+    slips: np.ndarray,
+    shown: Shown,
+    slopes: bool,
+) -> JointPoints:
+    """What joints show at torques.
+
+    Parameters
+    ----------
+    values : dict
+        Tables of the joint file in SI units.
+    paths : tuple of str
+        Dotted paths of the unknown numbers.
+    sets : ndarray
+        Their values, shape (sets, unknowns) [SI].
+    torque : ndarray
+        Output torques of either sign, shape (torques,) [N·m].
+    slips : ndarray of bool
+        Where contacts slip as they do, and where the stiffness is that without slip, shape (torques,).
+    shown : {"published", "series_with_bulk", "assembly", "drift"}
+        Stiffness on a level of the joint that stands, or drift of the one that turns.
+    slopes : bool
+        Whether derivatives are wanted.
+
+    Returns
+    -------
+    JointPoints
+        Nothing is replaced by nan where a search passes through joints that cannot exist.
+    """
+    if type_of(values) == WEDGE_TYPE:
+        return _of_the_papers_drive(values, paths, sets, torque, slips, shown, slopes)
+    found = [_of_another_drive(values, paths, each, torque, slips, shown, slopes) for each in sets]
+    return JointPoints(*(np.stack(parts) for parts in zip(*found, strict=True)))
+
+
+def _of_the_papers_drive(
+    values: Values,
+    paths: tuple[str, ...],
+    sets: np.ndarray,
+    torque: np.ndarray,
+    slips: np.ndarray,
+    shown: Shown,
+    slopes: bool,
+) -> JointPoints:
+    """The chain that is written for batches: every set at every torque is a point."""
+    result = "drift" if shown == "drift" else name_at_level("stiffness", shown)
+    many = {path: np.repeat(sets[:, index], torque.size) for index, path in enumerate(paths)}
+    torques, sense = np.tile(torque, len(sets)), np.ones(len(sets) * torque.size)
+    if shown != "drift":
+        # the bearings' friction of a joint at rest acts against the motion that the torque drives
+        sense = np.where(torques < 0.0, -1.0, 1.0)
+    load = replace_values(values, many)["load"]
+    changes = {**many, "load.output_torque": torques, "load.sun_speed": sense * load["sun_speed"]}
+    friction = load["friction_coefficient"]
+    stated = (
+        {f"load.friction_coefficient.{name}": value for name, value in friction.items()}
+        if isinstance(friction, dict)
+        else {"load.friction_coefficient": friction}
+    )
+    slip = np.tile(slips, len(sets))
+    changes |= {path: np.where(slip, value, NO_SLIP_FRICTION) for path, value in stated.items()}
+    status, found, by = derivatives_at(values, changes, (result, "slip_ratio"), paths if slopes else ())
+    derivatives = by[result][0]
+    if slopes and "load.sun_speed" in paths:
+        derivatives[:, paths.index("load.sun_speed")] *= sense
+    shape = (len(sets), torque.size)
+    return JointPoints(
+        found[result][0].reshape(shape),
+        derivatives.reshape(*shape, len(paths) if slopes else 0),
+        found["slip_ratio"].max(axis=0).reshape(shape),
+        status.reshape(shape) == 0,
+    )
+
+
+def _of_another_drive(
+    values: Values,
+    paths: tuple[str, ...],
+    one: np.ndarray,
+    torque: np.ndarray,
+    slips: np.ndarray,
+    shown: Shown,
+    slopes: bool,
+) -> JointPoints:
+    """The chain that is written for one joint: one set, assembled once, at all torques."""
+    filled = replace_values(with_tracks(values), dict(zip(paths, map(float, one), strict=True)))
+    base = np.array(numbers(filled), dtype=float)
+    nothing = with_numbers(filled, iter(np.zeros(base.size)))
+    asked = paths if slopes else ()
+    directions = [np.array(numbers(replace_values(nothing, {path: 1.0})), dtype=float) for path in asked]
+    different, place = np.unique(torque, return_inverse=True)
+    chosen = place, np.where(torque < 0.0, 1, 0) if shown == "drift" else np.where(slips, 0, 1)
+    structure, by = table_structure(filled), []
+    found: dict[str, np.ndarray] = {}
+    for direction in directions or [np.zeros(base.size)]:
+        found, along = _over(structure, base, direction, different)
+        by.append(along[shown][chosen])
+    value, ratio, holds = found[shown][chosen], found["slip_ratio"].max(axis=1)[place], found["solved"][place]
+    if shown != "drift":
+        value = np.where(holds, value, np.nan)  # else the equations are not solved
+    return JointPoints(
+        value,
+        np.stack(by, axis=-1)[:, : len(asked)],
+        np.where(holds, ratio, np.fmax(ratio, 1.0)),
+        np.isfinite(value),
+    )
+
+
+def _over(
+    structure: str, base: np.ndarray, direction: np.ndarray, torque: np.ndarray
+) -> tuple[dict[str, np.ndarray], dict[str, np.ndarray]]:
+    """A joint at different torques, and its derivative along a direction of the numbers of its file."""
+    filled = np.concatenate([torque, np.full(-torque.size % BATCH, torque[-1])])
+    parts = []
+    for part in filled.reshape(-1, BATCH):
+        program = compile_fast(_directional, base, direction, part, options=(structure,))
+        parts.append(jax.tree.map(np.asarray, program(base, direction, part)))
+    both: tuple[dict[str, np.ndarray], dict[str, np.ndarray]] = jax.tree.map(
+        lambda *leaves: np.concatenate(leaves)[: torque.size], *parts
+    )
+    return both
+
+
+def _directional(
+    structure: str, base: Array, direction: Array, torques: Array
+) -> tuple[dict[str, Array], dict[str, Array]]:
+    """What is compiled to fit a joint with another drive to a curve."""
+    tables = json.loads(structure)
+
+    def found(rows: Array) -> tuple[dict[str, Array], dict[str, Array]]:
+        joint = planar_joint_from_values(with_numbers(tables, rows))
+        shown = curve_program(joint, torques, jnp.asarray(NO_SLIP_FRICTION))
+        return {name: shown[name] for name in (*LEVELS, "drift")}, shown
+
+    _, slopes, values = jax.jvp(found, (base,), (direction,), has_aux=True)
+    return values, slopes
