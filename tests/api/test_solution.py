@@ -19,7 +19,7 @@ def test_values_are_those_of_the_command(solution, printed, zou_file):
         found = solution["stiffness", level]
         assert (found.si, found.level) == (stiffness["output_Nm_per_rad"], level)
         assert found.to("N*m/arcmin") == pytest.approx(stiffness["output_Nm_per_arcmin"], rel=1e-14)
-        assert solution[f"{level}_stiffness_sun"].si == stiffness["sun_Nm_per_rad"]
+        assert solution[f"{level}_stiffness_input"].si == stiffness["input_Nm_per_rad"]
     assert solution["stiffness"].si == document["torsional_stiffness"]["assembly"]["output_Nm_per_rad"]
     assert solution["torque_capacity"].si == document["torque_capacity"]["output_torque_Nm"]
     assert solution["limiting_contact"].value == document["torque_capacity"]["limiting_contact"]

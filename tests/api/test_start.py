@@ -73,7 +73,7 @@ def test_python_example_of_the_readme_runs(tmp_path):
         cwd=_with_preload(tmp_path, "1200 N"),
     )
     (expected,) = re.findall(
-        r'"assembly": {\s*"sun.*?"output_Nm_per_arcmin": ([\d.e+]+)', document, flags=re.DOTALL
+        r'"assembly": {\s*"input.*?"output_Nm_per_arcmin": ([\d.e+]+)', document, flags=re.DOTALL
     )
     assert float(number) == pytest.approx(float(expected), rel=1e-12)
 

@@ -33,7 +33,7 @@ def test_stages_are_thirds_and_the_static_curve_holds_to_a_twentieth_unless_stat
 
 def test_the_sun_turns(curve):
     found = curve.document["rolling"]
-    assert curve["static_sun_angle"].si == found["static_curve_up_to"]["sun_rad"]
+    assert curve["static_input_angle"].si == found["static_curve_up_to"]["input_rad"]
     assert curve["steady_output_angle"].value == pytest.approx(
         np.degrees(found["steady_creep_from"]["output_rad"])
     )

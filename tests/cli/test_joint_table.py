@@ -29,7 +29,7 @@ def document():
         "bulk_normal_stiffness_N_per_m": 321e6,
         "contact_torsional_stiffness_Nm_per_rad": 6543.0,
     }
-    stiffness = {"sun_Nm_per_rad": 100.0, "output_Nm_per_rad": 8100.0, "output_Nm_per_arcmin": 2.356}
+    stiffness = {"input_Nm_per_rad": 100.0, "output_Nm_per_rad": 8100.0, "output_Nm_per_arcmin": 2.356}
     slips = [
         {
             "name": "slip_ratio",

@@ -140,7 +140,7 @@ def test_a_sun_that_turns(call, joint_file, asked, tmp_path):
     assert slope[-1] == pytest.approx(1.0, rel=1e-6)
     held = rolling["static_curve_up_to"]
     assert np.interp(held["output_rad"], output, behind) == pytest.approx(1.1 * found["windup_rad"], rel=1e-4)
-    assert held["sun_rad"] / held["output_rad"] == pytest.approx(sun[-1] / output[-1], rel=1e-12)
+    assert held["input_rad"] / held["output_rad"] == pytest.approx(sun[-1] / output[-1], rel=1e-12)
     widths = [contact["rolls_its_width_in"]["output_rad"] for contact in rolling["contacts"].values()]
     assert rolling["steady_creep_from"]["output_rad"] == max(widths)
     still = rolling["swing_without_drift"]["output_rad"]

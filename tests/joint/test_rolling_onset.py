@@ -124,7 +124,7 @@ def test_each_contact_rolls_its_width(joint, onset):
     # from the carrier the ring passes R_o for each angle of the output, and every contact nearly as much
     np.testing.assert_allclose(onset.width_angle, 2.0 * onset.contacts.half_width / 40e-3, rtol=2e-3)
     assert float(onset.steady_angle) == float(np.max(onset.width_angle))
-    assert float(onset.contacts.sun_angle) == pytest.approx(9.0, rel=3e-3)
+    assert float(onset.contacts.input_angle) == pytest.approx(9.0, rel=3e-3)
 
 
 def test_shares_of_the_drift(joint, onset):

@@ -25,7 +25,7 @@ def document(monkeypatch):
         reverse_stage_stiffness=np.array([5e3, 1e4, 1e4]),
     )  # fmt: skip
     contacts = SimpleNamespace(
-        sun_angle=9.0,
+        input_angle=9.0,
         drift_per_output_turn=0.011,
         half_width=1e-4 * np.arange(1.0, 6.0),
         share=np.full(5, 0.2),
@@ -63,13 +63,13 @@ def test_figures_of_both_directions(document):
 def test_angles_of_rolling_are_those_of_sun_and_output(document):
     """The sun turns nine times as far; a contact is twice its half-width wide."""
     found = document["rolling"]
-    assert found["static_curve_up_to"] == pytest.approx({"sun_rad": 9e-3, "output_rad": 1e-3})
-    assert found["steady_creep_from"]["sun_rad"] == pytest.approx(0.45)
+    assert found["static_curve_up_to"] == pytest.approx({"input_rad": 9e-3, "output_rad": 1e-3})
+    assert found["steady_creep_from"]["input_rad"] == pytest.approx(0.45)
     assert found["swing_without_drift"]["output_rad"] == 3e-3
     assert (found["creep_share_of_windup"], found["drift_line_offset_rad"]) == (0.1, -2e-4)
     wro = found["contacts"]["wro"]
     assert wro["width_m"] == pytest.approx(8e-4)
-    assert wro["rolls_its_width_in"] == pytest.approx({"sun_rad": 0.36, "output_rad": 0.04})
+    assert wro["rolls_its_width_in"] == pytest.approx({"input_rad": 0.36, "output_rad": 0.04})
     assert wro["share_of_drift"] == 0.2
 
 
@@ -90,8 +90,8 @@ def test_columns_have_their_units():
     columns = windup_columns(SimpleNamespace(**{name: name for name in names}))
     assert list(columns.values()) == ["torque", "angle", "stiffness", "unloading_angle", "reloading_angle"]
     onset = SimpleNamespace(
-        contacts=SimpleNamespace(sun_angle=9.0), angle=np.array([0.1, 0.2]), lag="lag", swing_drift="drift"
+        contacts=SimpleNamespace(input_angle=9.0), angle=np.array([0.1, 0.2]), lag="lag", swing_drift="drift"
     )
     columns = rolling_columns(onset)
-    np.testing.assert_allclose(columns["sun_angle_rad"], [0.9, 1.8])
+    np.testing.assert_allclose(columns["input_angle_rad"], [0.9, 1.8])
     assert (columns["angle_behind_rad"], columns["drift_per_swing_rad"]) == ("lag", "drift")

@@ -41,7 +41,7 @@ def test_windup_has_angles_in_arcminutes_and_both_directions():
 
 def test_shares_of_the_compliance_are_sorted_and_named():
     levels = {
-        level: {"sun_Nm_per_rad": 10.0, "output_Nm_per_rad": 810.0, "output_Nm_per_arcmin": 0.25}
+        level: {"input_Nm_per_rad": 10.0, "output_Nm_per_rad": 810.0, "output_Nm_per_arcmin": 0.25}
         for level in ("assembly", "series_with_bulk", "published")
     }
     budget = {"bodies_share": 0.25, "asperity_share": {"sp": 0.5, "wro": 0.0}, "pins_share": 0.125}

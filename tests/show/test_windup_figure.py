@@ -36,7 +36,7 @@ def panels():
 def onset():
     """The sun turns 9 rad for each of the output; 0.002 rad of drift in a turn, 1e-4 rad of wind-up."""
     return SimpleNamespace(
-        contacts=SimpleNamespace(sun_angle=9.0, drift_per_output_turn=2e-3 * math.pi),
+        contacts=SimpleNamespace(input_angle=9.0, drift_per_output_turn=2e-3 * math.pi),
         angle=np.array([0.0, 0.1, 0.2]),
         lag=np.array([0.0, 2e-4, 4e-4]),
         windup=3e-4,

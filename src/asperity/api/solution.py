@@ -238,9 +238,9 @@ class JointSolution(Shown):
     def _stiffness_table(self) -> Table:
         rows = []
         for level in LEVELS:
-            output, sun = (self[f"{level}_stiffness_{place}"] for place in ("output", "sun"))
+            output, entry = (self[f"{level}_stiffness_{place}"] for place in ("output", "input"))
             words = output.label.split(", ")[-1]
-            numbers = (sun.si, output.si, output.to("N*m/arcmin"))
+            numbers = (entry.si, output.si, output.to("N*m/arcmin"))
             rows.append((words, *(format_quantity(number, "1") for number in numbers)))
         return Table(
             ("model", f"{self._solved.joint.ends[0]} N·m/rad", "output N·m/rad", "output N·m/arcmin"),

@@ -42,12 +42,12 @@ _FIGURES = (
 
 #: Figures of the same joint when it turns under the largest torque.
 _ROLLING_FIGURES = (
-    ("static_sun_angle", "static curve holds up to, input", Dimension.ANGLE, "deg"),
+    ("static_input_angle", "static curve holds up to, input", Dimension.ANGLE, "deg"),
     ("static_output_angle", "static curve holds up to, output", Dimension.ANGLE, "deg"),
-    ("steady_sun_angle", "steady creep from, input", Dimension.ANGLE, "deg"),
+    ("steady_input_angle", "steady creep from, input", Dimension.ANGLE, "deg"),
     ("steady_output_angle", "steady creep from, output", Dimension.ANGLE, "deg"),
     ("drift_per_output_turn", "drift per output turn", Dimension.ANGLE, "arcmin"),
-    ("swing_without_drift_sun_angle", "swing without drift, input", Dimension.ANGLE, "deg"),
+    ("swing_without_drift_input_angle", "swing without drift, input", Dimension.ANGLE, "deg"),
 )
 
 
@@ -133,12 +133,12 @@ class JointWindup(Shown):
             rolling = document["rolling"]
             figures = (*_FIGURES, *_ROLLING_FIGURES)
             values |= {
-                "static_sun_angle": rolling["static_curve_up_to"]["sun_rad"],
+                "static_input_angle": rolling["static_curve_up_to"]["input_rad"],
                 "static_output_angle": rolling["static_curve_up_to"]["output_rad"],
-                "steady_sun_angle": rolling["steady_creep_from"]["sun_rad"],
+                "steady_input_angle": rolling["steady_creep_from"]["input_rad"],
                 "steady_output_angle": rolling["steady_creep_from"]["output_rad"],
                 "drift_per_output_turn": rolling["drift_rad_per_output_turn"],
-                "swing_without_drift_sun_angle": rolling["swing_without_drift"]["sun_rad"],
+                "swing_without_drift_input_angle": rolling["swing_without_drift"]["input_rad"],
             }
         self._figures = {
             name: NamedQuantity(

@@ -67,7 +67,10 @@ def _show_stiffness(target: Console, document: Document) -> None:
     for words, found in stiffness_rows(document):
         shown.add_row(
             words,
-            *(number(found[key]) for key in ("sun_Nm_per_rad", "output_Nm_per_rad", "output_Nm_per_arcmin")),
+            *(
+                number(found[key])
+                for key in ("input_Nm_per_rad", "output_Nm_per_rad", "output_Nm_per_arcmin")
+            ),
         )
     target.print(shown)
     if document["stiffness_unknown_because"]:

@@ -70,8 +70,8 @@ def windup(
 ) -> None:
     """Wind-up of the joint described in FILE: torque–angle curve, hysteresis, lost motion, K1/K2/K3, capacity.
 
-    The output turns against the locked sun, play included. The loop runs between plus and minus the largest torque. It
-    is an estimate, because the normal forces change with the torque.
+    The output turns against the locked input, play included. The loop runs between plus and minus the largest torque.
+    It is an estimate, because the normal forces change with the torque.
 
     Stiffness holds for an input that stands. Once it turns under torque, the contacts creep and the output drifts:
     the second table says from which angle on, and by how much. 'asperity roll' has more on the drift.
@@ -207,7 +207,7 @@ def _show_rolling(document: dict[str, Any], same: bool) -> None:
         ("steady_creep_from", "steady creep from (every contact has rolled its width)"),
         ("swing_without_drift", "largest swing to and fro without lasting drift"),
     ):
-        cells = [in_unit(way[key][side], "deg") for way in ways for side in ("sun_rad", "output_rad")]
+        cells = [in_unit(way[key][side], "deg") for way in ways for side in ("input_rad", "output_rad")]
         shown.add_row(words, *cells)
     drift = [in_unit(way["drift_rad_per_output_turn"], "arcmin") for way in ways]
     shown.add_row("drift per output turn in steady rolling", *(cell for each in drift for cell in ("", each)))
@@ -220,7 +220,7 @@ def _show_rolling(document: dict[str, Any], same: bool) -> None:
         rolled.add_row(
             name,
             in_unit(contact["width_m"], "um"),
-            in_unit(after["sun_rad"], "deg"),
+            in_unit(after["input_rad"], "deg"),
             in_unit(after["output_rad"], "deg"),
             f"{100.0 * contact['share_of_drift']:.3g} %",
         )

@@ -307,7 +307,7 @@ def stiffness_rows(document: Document) -> list[tuple[str, Document]]:
         output = cam["held_stiffness_output_Nm_per_rad"]
         squared = document["geometry"]["speed_ratio"] ** 2
         held = {
-            "sun_Nm_per_rad": None if output is None else output / squared,
+            "input_Nm_per_rad": None if output is None else output / squared,
             "output_Nm_per_rad": output,
             "output_Nm_per_arcmin": None if output is None else output * math.pi / 10800.0,
         }
@@ -343,7 +343,7 @@ def stiffness_unknown_because(result: JointResult | PlanarResult) -> str | None:
 
 def _stiffness(stiffness: TorsionalStiffness) -> Document:
     return {
-        "sun_Nm_per_rad": stiffness.sun,
+        "input_Nm_per_rad": stiffness.sun,
         "output_Nm_per_rad": stiffness.output,
         "output_Nm_per_arcmin": stiffness.output_per_arcminute,
     }

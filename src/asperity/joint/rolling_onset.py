@@ -52,8 +52,8 @@ class ContactsInSeries(eqx.Module):
         Share of each contact in the drift, shape (contacts,) [-]; they add up to 1.
     distance : Array
         Distance that each contact rolls per angle of the output, shape (contacts,) [m/rad].
-    sun_angle : Array
-        Angle of the sun per angle of the output [-].
+    input_angle : Array
+        Angle of the input per angle of the output [-].
     drift_per_output_turn : Array
         Angle lost in one turn of the output in steady rolling [rad].
     """
@@ -62,7 +62,7 @@ class ContactsInSeries(eqx.Module):
     slip_ratio: Array
     share: Array
     distance: Array
-    sun_angle: Array
+    input_angle: Array
     drift_per_output_turn: Array
 
 
@@ -151,7 +151,7 @@ def contacts_in_series(
         slip_ratio=1.0 - jnp.asarray(rolling.stick_fraction) ** 2,
         share=weight / jnp.sum(weight, axis=0),
         distance=unit.rolling / unit.output,
-        sun_angle=1.0 / unit.output,
+        input_angle=1.0 / unit.output,
         drift_per_output_turn=drift_per_turn(loss),
     )
 
@@ -199,7 +199,7 @@ def contacts_of_planar_drive(
         slip_ratio=1.0 - jnp.asarray(rolling.stick_fraction) ** 2,
         share=work / jnp.sum(work),
         distance=rolled / turned,
-        sun_angle=1.0 / turned,
+        input_angle=1.0 / turned,
         drift_per_output_turn=drift_per_turn(loss),
     )
 

@@ -164,7 +164,7 @@ def _rolling(joint: AnyJoint, solution: AnySolution, onset: RollingOnset | None)
     contacts = onset.contacts
 
     def both(angle: Any) -> dict[str, float]:
-        return {"sun_rad": float(contacts.sun_angle * angle), "output_rad": float(angle)}
+        return {"input_rad": float(contacts.input_angle * angle), "output_rad": float(angle)}
 
     return {
         "unknown_because": [],
@@ -221,7 +221,7 @@ def rolling_columns(onset: RollingOnset) -> dict[str, Any]:
         Name, with the unit at its end → array of shape (n,).
     """
     return {
-        "sun_angle_rad": onset.contacts.sun_angle * onset.angle,
+        "input_angle_rad": onset.contacts.input_angle * onset.angle,
         "output_angle_rad": onset.angle,
         "angle_behind_rad": onset.lag,
         "drift_per_swing_rad": onset.swing_drift,

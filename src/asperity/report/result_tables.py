@@ -120,7 +120,7 @@ def stiffness(document: Document) -> Iterator[Block]:
     Block
         Tables.
     """
-    keys = ("sun_Nm_per_rad", "output_Nm_per_rad", "output_Nm_per_arcmin")
+    keys = ("input_Nm_per_rad", "output_Nm_per_rad", "output_Nm_per_arcmin")
     yield Table(
         "Torsional stiffness",
         ("level of the model", f"{input_member(document)}\nN·m/rad", "output\nN·m/rad", "output\nN·m/arcmin"),

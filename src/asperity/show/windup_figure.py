@@ -90,22 +90,28 @@ def windup_figure(
 def _draw_beyond(panel: Axes, onset: RollingOnset, *, torque: float) -> None:
     """Angle behind over the angle that the input has turned since the torque was applied."""
     contacts = onset.contacts
-    sun = _DEGREES * float(contacts.sun_angle)
+    entry = _DEGREES * float(contacts.input_angle)
     windup = _ARCMINUTES * float(onset.windup)
     slope = float(contacts.drift_per_output_turn) / (2.0 * np.pi)
     line = onset.windup - onset.missing_angle + slope * onset.angle
     panel.axhline(windup, color="black", linestyle="--", linewidth=1.0, label="static curve: wind-up")
     panel.plot(
-        sun * onset.angle, _ARCMINUTES * line, color="tab:red", linestyle=":", label="drift of steady rolling"
+        entry * onset.angle,
+        _ARCMINUTES * line,
+        color="tab:red",
+        linestyle=":",
+        label="drift of steady rolling",
     )
-    panel.plot(sun * onset.angle, _ARCMINUTES * onset.lag, color="tab:blue", label="angle behind")
-    panel.axvspan(0.0, sun * float(onset.static_angle), color="0.93", zorder=0)
-    panel.axvline(sun * float(onset.steady_angle), color="0.6", linewidth=0.8, label="all contacts rolled 2a")
+    panel.plot(entry * onset.angle, _ARCMINUTES * onset.lag, color="tab:blue", label="angle behind")
+    panel.axvspan(0.0, entry * float(onset.static_angle), color="0.93", zorder=0)
+    panel.axvline(
+        entry * float(onset.steady_angle), color="0.6", linewidth=0.8, label="all contacts rolled 2a"
+    )
     panel.set(
         xlabel="angle turned by the input [°]",
         ylabel="angle behind at the output\n[arcmin]",
         title=f"turning under {torque:.4g} N·m\nshaded: creep below {100.0 * float(onset.creep_share):.3g} %",
-        xlim=(0.0, sun * float(onset.angle[-1])),
+        xlim=(0.0, entry * float(onset.angle[-1])),
     )
     panel.title.set_fontsize("medium")
     _legend_above(panel)
@@ -113,22 +119,22 @@ def _draw_beyond(panel: Axes, onset: RollingOnset, *, torque: float) -> None:
 
 def _draw_swings(panel: Axes, onset: RollingOnset) -> None:
     """Angle lost in each swing to and fro over the stroke of the input."""
-    sun = _DEGREES * float(onset.contacts.sun_angle)
+    entry = _DEGREES * float(onset.contacts.input_angle)
     steady = 2.0 * onset.angle * float(onset.contacts.drift_per_output_turn) / (2.0 * np.pi)
     panel.plot(
-        sun * onset.angle,
+        entry * onset.angle,
         _ARCMINUTES * steady,
         color="tab:red",
         linestyle=":",
         label="steady drift, both ways",
     )
-    panel.plot(sun * onset.angle, _ARCMINUTES * onset.swing_drift, color="tab:blue", label="lost per swing")
-    panel.axvline(sun * float(onset.still_angle), color="0.6", linewidth=0.8, label="no drift up to here")
+    panel.plot(entry * onset.angle, _ARCMINUTES * onset.swing_drift, color="tab:blue", label="lost per swing")
+    panel.axvline(entry * float(onset.still_angle), color="0.6", linewidth=0.8, label="no drift up to here")
     panel.set(
         xlabel="stroke of the input, to and fro [°]",
         ylabel="angle lost per swing\nat the output [arcmin]",
         title="swinging under the same torque",
-        xlim=(0.0, sun * float(onset.angle[-1])),
+        xlim=(0.0, entry * float(onset.angle[-1])),
     )
     panel.title.set_fontsize("medium")
     _legend_above(panel)

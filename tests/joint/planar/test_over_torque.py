@@ -79,7 +79,7 @@ def test_the_drift_begins_as_that_of_its_rolling(joint, curve):
     creep = np.asarray(forward.rolling.creepage)
     np.testing.assert_allclose(one.share, creep / creep.sum(), rtol=1e-3)
     # the sun turns six times as far; the planet rolls 50 mm of the ring in a radian of the carrier
-    assert float(one.sun_angle) == pytest.approx(6.0, rel=1e-2)
+    assert float(one.input_angle) == pytest.approx(6.0, rel=1e-2)
     assert float(one.distance[1]) == pytest.approx(50e-3, rel=1e-3)
 
 

@@ -33,7 +33,7 @@ def test_stiffness_of_the_planetary_by_hand(planetary):
     assert levels["published"]["output_Nm_per_rad"] == pytest.approx(output("asperity_tangential"), rel=1e-9)
     # the free ring bends: the assembly is softer
     assert levels["assembly"]["output_Nm_per_rad"] < bodies
-    assert levels["assembly"]["sun_Nm_per_rad"] == pytest.approx(
+    assert levels["assembly"]["input_Nm_per_rad"] == pytest.approx(
         levels["assembly"]["output_Nm_per_rad"] / 36.0, rel=1e-12
     )
     shares = document["stiffness_budget"]

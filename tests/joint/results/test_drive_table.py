@@ -33,11 +33,11 @@ def test_no_label_names_a_part_that_the_drive_may_not_have(table):
         r"\b(sun|planet|ring)\b(?! or hollow roller)"  # what bends is a ring or a hollow roller in any drive
     )
     assert {name: row.label for name, row in table.items() if re.search(parts, row.label)} == {}
-    assert table["published_stiffness_sun"].label == "torsional stiffness at the input, as published"
+    assert table["published_stiffness_input"].label == "torsional stiffness at the input, as published"
     assert "where the input stands" in table["efficiency"].note
 
 
 def test_the_papers_drive_keeps_its_words():
-    assert RESULTS["published_stiffness_sun"].label == "torsional stiffness at the sun, as published"
+    assert RESULTS["published_stiffness_input"].label == "torsional stiffness at the sun, as published"
     assert "where the sun stands" in RESULTS["efficiency"].note
     assert not any(row.wedge_only for row in results_of_drive(("a",), ("b",), ("c",), ("d",)).values())

@@ -49,8 +49,8 @@ def test_every_leaf_of_the_result_is_offered(case):
 
 
 def test_groups_and_names_are_chosen_once():
-    chosen = chosen_results(["published", "published_stiffness_sun", "slip_ratio"])
-    assert chosen[:2] == ("published_stiffness_output", "published_stiffness_sun")
+    chosen = chosen_results(["published", "published_stiffness_input", "slip_ratio"])
+    assert chosen[:2] == ("published_stiffness_output", "published_stiffness_input")
     assert chosen[-1] == "slip_ratio"
     assert len(set(chosen)) == len(chosen)
     assert set(GROUPS["all"]) == set(RESULTS) - set(GROUPS["stresses"])
@@ -60,7 +60,8 @@ def test_groups_and_names_are_chosen_once():
 @pytest.mark.parametrize(
     ("name", "said"),
     [
-        ("published_stifness_sun", "did you mean 'published_stiffness_sun'"),
+        ("assembly_stiffness_sun", "'assembly_stiffness_input'"),
+        ("published_stifness_input", "did you mean 'published_stiffness_input'"),
         ("xyzzy", "groups: all"),
         ("gross_slip", "it was renamed to 'slip_ratio'"),
         ("normal_over_rest", "it was renamed to 'normal_force_over_preload'"),

@@ -105,7 +105,7 @@ def test_few_values_of_the_second_axis_are_curves_and_the_third_panels():
 def test_axes_have_the_words_of_the_drive_that_was_swept():
     """A planetary's input need not be a sun; a drive of this type has two contacts."""
     table = results_of(si_values(read_any_case(ROOT / "examples" / "planetary.toml")))
-    name = "assembly_stiffness_sun"
+    name = "assembly_stiffness_input"
     data = swept({name: np.array([1.0, 2.0, 3.0])}, f"{TORQUE}=0 N*m:2 N*m:3", table=table)
     (axes,) = sweep_figure(data, result=name).axes
     assert axes.get_ylabel() == "torsional stiffness at the input, assembly [N·m/rad]"

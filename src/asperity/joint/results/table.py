@@ -54,7 +54,7 @@ _APART = "stresses"
 #: Groups of results that can be asked for by one word; ``all`` is everything but the stresses of rims.
 GROUPS: dict[str, tuple[str, ...]] = {
     "all": tuple(name for name, row in RESULTS.items() if row.group != _APART),
-    "stiffness": tuple(name for name in RESULTS if name.endswith(("_stiffness_output", "_stiffness_sun"))),
+    "stiffness": tuple(name for name in RESULTS if name.endswith(("_stiffness_output", "_stiffness_input"))),
     **{
         group: tuple(name for name, row in RESULTS.items() if row.group == group)
         for group in dict.fromkeys(row.group for row in RESULTS.values())
@@ -76,6 +76,7 @@ RENAMED = {
     "contact_life_hours": "contact_life",
     "body_life_hours": "body_life",
     "duty_life_hours": "duty_life",
+    **{f"{level}_stiffness_sun": f"{level}_stiffness_input" for level in LEVELS},
 }
 
 _MOST_LISTED = 20

@@ -110,7 +110,7 @@ function levels(found, before) {
   const rows = LEVELS.map(([key, name, words]) => {
     const level = found.torsional_stiffness[key];
     const cells = [number(level.output_Nm_per_arcmin), number(level.output_Nm_per_rad, 5)];
-    cells.push(before ? number(before.torsional_stiffness[key].output_Nm_per_arcmin) : number(level.sun_Nm_per_rad, 5));
+    cells.push(before ? number(before.torsional_stiffness[key].output_Nm_per_arcmin) : number(level.input_Nm_per_rad, 5));
     return [element("span", {}, name, element("small", {}, words)), ...cells];
   });
   const last = before ? "baseline, N·m/arcmin" : `at the ${driven(found)}, N·m/rad`;
