@@ -11,8 +11,8 @@ from asperity.export.content import export_content, heading
 from asperity.export.targets import check_target, exported, write_exported
 from asperity.joint.results import LEVELS, known_result
 from asperity.joint.windup import StiffnessLevel
-from asperity.joint_file.build import inertias_from_case
 from asperity.joint_file.planar_build import any_joint_from_case
+from asperity.joint_file.section_build import inertias_from_case
 from asperity.unit_table import Dimension
 
 

@@ -39,8 +39,8 @@ def dynamics(file: str, plot_file: str | None, csv_file: str | None, as_json: bo
     check_image(plot_file)
     check_file(csv_file, file)
     case = read_any_case(file)
-    from asperity.joint_file.build import inertias_from_case
     from asperity.joint_file.planar_build import any_joint_from_case
+    from asperity.joint_file.section_build import inertias_from_case
     from asperity.precision import use_compilation_cache, use_double_precision
 
     use_double_precision()

@@ -66,8 +66,8 @@ def export(file: str, to: str, out: str, torque: str | None, level: str) -> None
     use_compilation_cache()
     from asperity.export.content import export_content, heading
     from asperity.export.targets import exported, write_exported
-    from asperity.joint_file.build import inertias_from_case
     from asperity.joint_file.planar_build import any_joint_from_case
+    from asperity.joint_file.section_build import inertias_from_case
 
     try:
         content = export_content(

@@ -12,7 +12,6 @@ import jax.numpy as jnp
 import numpy as np
 
 from asperity.drive.assembly import IDEAL_STRUCTURE, StructureSprings
-from asperity.drive.bearing_life import RatedBearing
 from asperity.drive.geometry import DriveGeometry, triangle
 from asperity.drive.interference import interference_of_sizes
 from asperity.drive.mechanism import Bearings, rest_state
@@ -20,15 +19,12 @@ from asperity.errors import InputError
 from asperity.joint.branch_results import UnequalBranches
 from asperity.joint.branch_sizes import BranchSizes
 from asperity.joint.description import Bodies, Crowns, Fit, Joint, PinBeam
-from asperity.joint.dynamics import Inertias
 from asperity.joint.interference import joint_preload
-from asperity.joint.play import NO_PLAY, Play
-from asperity.joint.rolling_conditions import PLAIN_ROLLING, DutyPoint, RollingConditions
 from asperity.joint.temperature import thermal_interference
 from asperity.joint_file.material_build import material_of, surface_of
 from asperity.joint_file.model import Case
 from asperity.joint_file.part_names import contacts_of
-from asperity.joint_file.planar_model import PlanarCase
+from asperity.joint_file.section_build import entries, play_of, rated_bearing, rolling_conditions
 from asperity.joint_file.si_tables import Values, check_values, replace_values, si_values
 from asperity.types import Real
 
@@ -155,23 +151,6 @@ def joint_from_values(values: Values) -> Joint:
     return dataclasses.replace(joint, preload=working, fit=fit)
 
 
-def play_of(values: Values) -> Play:
-    """The play that the tables of a joint file state.
-
-    Parameters
-    ----------
-    values : dict
-        Tables in SI units.
-
-    Returns
-    -------
-    Play
-        :data:`asperity.joint.play.NO_PLAY` where they state none.
-    """
-    play = values.get("play", {})
-    return Play(**{name: play.get(name, none) for name, none in vars(NO_PLAY).items()})
-
-
 def _crowns(drive: Values) -> Crowns | None:
     """Curvatures of the crowns; None where no roller is crowned."""
     radii = {body: drive.get(f"{body}_crown_radius") for body in _ROLLING}
@@ -294,110 +273,10 @@ def unequal_branches(case: Case, joint: Joint, *, slip: bool = True) -> UnequalB
     return BranchedJoint(joint, interference).branches(sizes, slip=slip)
 
 
-def inertias_from_case(case: Case | PlanarCase) -> Inertias:
-    """What a joint file couples to its joint.
-
-    Parameters
-    ----------
-    case : Case or PlanarCase
-        The joint file.
-
-    Returns
-    -------
-    Inertias
-        In SI units; without a loss factor the spring loses no work.
-
-    Raises
-    ------
-    InputError
-        If the file has no section ``[dynamics]``.
-    """
-    if case.dynamics is None:
-        raise InputError(
-            "the joint file has no section [dynamics]: give dynamics.input_inertia of the motor at the sun and "
-            'dynamics.output_inertia of the load, e.g. "2e-6 kg*m^2" and "0.05 kg*m^2"'
-        )
-    values = si_values(case)["dynamics"]
-    return Inertias(
-        input=values["input_inertia"],
-        output=values["output_inertia"],
-        loss_factor=values.get("loss_factor", 0.0),
-    )
-
-
 def _pin(bearings: Values) -> PinBeam | None:
     if "pin_length" not in bearings:
         return None
     return PinBeam(bearings["pin_length"], bearings.get("pin_support", "both_ends"))
-
-
-def rated_bearing(entry: Values | None) -> RatedBearing | None:
-    """A rolling bearing as a section of a joint file rates it.
-
-    Parameters
-    ----------
-    entry : dict or None
-        The section in SI units; None where the file has none.
-
-    Returns
-    -------
-    RatedBearing or None
-        One bearing without a force from outside where the section has no such keys.
-    """
-    if entry is None:
-        return None
-    return RatedBearing(
-        dynamic_rating=entry["dynamic_rating"],
-        static_rating=entry["static_rating"],
-        count=entry.get("count", 1.0),
-        outside_force=entry.get("outside_force", 0.0),
-        kind=entry["type"],
-    )
-
-
-def rolling_conditions(values: Values) -> RollingConditions:
-    """What the tables of a joint file say about rolling.
-
-    Parameters
-    ----------
-    values : dict
-        Tables in SI units.
-
-    Returns
-    -------
-    RollingConditions
-        :data:`asperity.joint.rolling_conditions.PLAIN_ROLLING` where they say nothing.
-    """
-    rolling, oil, plain = values.get("rolling", {}), values.get("lubrication", {}), PLAIN_ROLLING
-    return RollingConditions(
-        skew=entries(rolling["skew"], contacts_of(values)) if "skew" in rolling else plain.skew,
-        hysteresis_loss_factor=rolling.get("hysteresis_factor", plain.hysteresis_loss_factor),
-        viscosity=oil.get("viscosity", plain.viscosity),
-        pressure_viscosity_coefficient=oil.get("pressure_coefficient", plain.pressure_viscosity_coefficient),
-        roughness=oil.get("roughness", plain.roughness),
-        reliability=rolling.get("reliability", plain.reliability),
-        duty=tuple(DutyPoint(**load) for load in values.get("duty", {}).values()),
-    )
-
-
-def entries(entry: Any, contacts: tuple[str, ...]) -> tuple[Any, ...]:
-    """One entry for all contacts, or one each.
-
-    Parameters
-    ----------
-    entry : object
-        Number or table of a joint file.
-    contacts : tuple of str
-        Names of the contacts, in the order of their axis.
-
-    Returns
-    -------
-    tuple
-        One entry, or one for each contact.
-    """
-    if isinstance(entry, dict) and contacts[0] in entry:
-        return tuple(entry[name] for name in contacts)
-    return (entry,)
 
 
 def _longest(lengths: tuple[Real, ...]) -> Real:

@@ -18,14 +18,7 @@ from asperity.joint.branch_sizes import SectorDeviations
 from asperity.joint.description import Joint
 from asperity.joint.planar.description import PlanarJoint
 from asperity.joint.planar.temperature import planar_fit
-from asperity.joint_file.build import (
-    entries,
-    joint_from_case,
-    joint_from_values,
-    play_of,
-    rated_bearing,
-    rolling_conditions,
-)
+from asperity.joint_file.build import joint_from_case, joint_from_values
 from asperity.joint_file.material_build import material_of, surface_of
 from asperity.joint_file.model import Case
 from asperity.joint_file.part_names import (
@@ -39,6 +32,7 @@ from asperity.joint_file.part_names import (
 )
 from asperity.joint_file.planar_model import PlanarCase
 from asperity.joint_file.planar_parts import layout_of
+from asperity.joint_file.section_build import entries, play_of, rated_bearing, rolling_conditions
 from asperity.joint_file.si_tables import Values, si_values
 
 if TYPE_CHECKING:

@@ -15,8 +15,8 @@ import numpy as np
 from asperity.errors import InputError
 from asperity.joint.play import play_compliance
 from asperity.joint.windup import StiffnessLevel, is_symmetric
-from asperity.joint_file.build import play_of
 from asperity.joint_file.planar_build import any_joint_from_values
+from asperity.joint_file.section_build import play_of
 from asperity.joint_file.si_tables import AnyCase, numeric_keys, replace_values, si_values
 from asperity.study.calibration.joint_points import JointPoints, joint_points
 from asperity.study.calibration.measurement import Measurement
