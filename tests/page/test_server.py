@@ -1,7 +1,14 @@
 """Where the server listens, and under which names it answers."""
 
+import json
+import re
+import signal
 import socket
+import subprocess
 import sys
+import threading
+import time
+import urllib.request
 
 import pytest
 
@@ -61,3 +68,34 @@ def test_missing_packages_are_said_with_the_command(monkeypatch):
     monkeypatch.setitem(sys.modules, "starlette", None)
     with pytest.raises(MissingExtraError, match=r"starlette.*\[page\]"):
         require_packages()
+
+
+#: A server whose every answer takes a minute.
+SLOW = """
+import time
+from asperity.page import application
+application.joint_answer = lambda request: time.sleep(60)
+from asperity.cli import main
+main()
+"""
+
+
+@pytest.mark.slow
+def test_an_interruption_during_a_computation_says_that_it_stopped_and_no_more(joint_text):
+    command = [sys.executable, "-c", SLOW, "serve", "--port", "0", "--no-browser"]
+    with subprocess.Popen(command, stderr=subprocess.PIPE, text=True) as server:
+        address = re.search(r"http://\S+", server.stderr.readline()).group()
+        body = json.dumps({"toml": joint_text}).encode()
+        request = urllib.request.Request(f"{address}api/joint", body, {"content-type": "application/json"})
+
+        def ask():
+            with pytest.raises(OSError, match=r"."):
+                urllib.request.urlopen(request, timeout=30)
+
+        asking = threading.Thread(target=ask)
+        asking.start()
+        time.sleep(1.0)
+        server.send_signal(signal.SIGINT)
+        assert server.stderr.read().split() == ["asperity:", "stopped"]
+        asking.join()
+    assert server.returncode == 0

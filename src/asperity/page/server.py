@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ipaddress
+import logging
 import os
 import socket
 import sys
@@ -166,8 +167,11 @@ def serve(
         timeout_keep_alive=30,
         timeout_graceful_shutdown=2,
     )
+    server = Announced(config)
+    # what still runs when it is interrupted is cut off, and that is no error
+    logging.getLogger("uvicorn.error").addFilter(lambda record: not server.should_exit)
     try:
-        Announced(config).run(sockets=[listening])
+        server.run(sockets=[listening])
     except KeyboardInterrupt as stopped:
         if computations.idle and charts.idle:
             raise
