@@ -44,7 +44,7 @@ StiffnessLevel = Literal["published", "series_with_bulk", "assembly"]
 #: Share of the largest torque at which makers of reducers read the lost motion.
 LOST_MOTION_TORQUE_SHARE = 0.03
 
-_PANELS = 40
+_STEPS = 40
 _NODES = 4
 
 
@@ -95,10 +95,10 @@ def _distinct(shares: np.ndarray) -> np.ndarray:
     return ordered[np.diff(ordered, prepend=-1.0) > 1e-12]
 
 
-def _shown_shares(stage_shares: tuple[float, float]) -> np.ndarray:
+def _shown_shares(stage_shares: tuple[float, float], steps: int) -> np.ndarray:
     """Shares of the largest torque at which the curves are given: even ones, the stage bounds, the lost motion's."""
     return _distinct(
-        np.concatenate([np.linspace(0.0, 1.0, _PANELS + 1), stage_shares, [LOST_MOTION_TORQUE_SHARE]])
+        np.concatenate([np.linspace(0.0, 1.0, steps + 1), stage_shares, [LOST_MOTION_TORQUE_SHARE]])
     )
 
 
@@ -108,6 +108,7 @@ def windup_of(
     largest_torque: Real,
     stage_shares: tuple[float, float],
     play: Play,
+    steps: int = _STEPS,
 ) -> Windup:
     """Integrate a torque-dependent compliance into the loading curves and the hysteresis loop.
 
@@ -122,6 +123,8 @@ def windup_of(
         Bounds T1/T_m and T2/T_m of the catalogue stages [-], 0 < T1 < T2 < T_m.
     play : Play
         Play, added to every curve.
+    steps : int, optional
+        Even steps from 0 to the largest torque, between which the compliance is integrated.
 
     Returns
     -------
@@ -135,7 +138,9 @@ def windup_of(
 
     Notes
     -----
-    Gauss–Legendre integration, four points on each of some eighty panels in either direction.
+    Gauss–Legendre integration, four points on each of about two panels a step in either direction. The hysteresis of
+    the shipped planetary drive errs by less than 1e-8 with 40 steps and 1e-6 with 20 at 99 % of its capacity, by 2e-5
+    and 2e-4 at 99.9 %.
 
     References
     ----------
@@ -152,7 +157,7 @@ def windup_of(
         raise InputError(
             f"the largest torque is {float(largest_torque):g} N·m; it must be positive and finite"
         )
-    shown = _shown_shares(stage_shares)
+    shown = _shown_shares(stage_shares, steps)
     # Masing's rule halves distances along the loop
     shares = _distinct(np.concatenate([shown, 0.5 * (1.0 - shown), 0.5 * (1.0 + shown)]))
     nodes, weights = np.polynomial.legendre.leggauss(_NODES)
@@ -264,6 +269,7 @@ def windup(
     largest_torque: Real,
     level: StiffnessLevel,
     stage_shares: tuple[float, float],
+    steps: int = _STEPS,
 ) -> Windup:
     """Load a joint up to a torque in both directions, and follow the hysteresis loop between them.
 
@@ -277,6 +283,8 @@ def windup(
         Which stiffness is integrated.
     stage_shares : tuple of float
         Bounds T1/T_m and T2/T_m of the catalogue stages [-], 0 < T1 < T2 < T_m.
+    steps : int, optional
+        Even steps of the torque in each direction.
 
     Returns
     -------
@@ -314,7 +322,9 @@ def windup(
             )
         return jnp.asarray(1.0 / real), jnp.asarray(1.0 / elastic)
 
-    return windup_of(compliances, largest_torque=largest, stage_shares=stage_shares, play=joint.play)
+    return windup_of(
+        compliances, largest_torque=largest, stage_shares=stage_shares, play=joint.play, steps=steps
+    )
 
 
 def _refuse(found: Standing, values: np.ndarray, largest: float, names: tuple[str, ...]) -> None:
