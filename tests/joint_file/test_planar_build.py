@@ -127,3 +127,26 @@ def test_bearings_play_and_duty(planar_case):
     assert [vars(point) for point in joint.rolling.duty] == [
         {"output_torque": 1.0, "sun_speed": 1.0, "share": 1.0}
     ]
+
+
+def test_what_a_radius_does_to_the_contacts(planar_case):
+    """A larger roller presses, a larger ring lets go; the number of one contact is that of the whole track."""
+    values = si_values(planar_case("planar"))
+    paths = (
+        "contact.2.first_radius",
+        "contact.1.second_radius",
+        "contact.4.second_radius",
+        "contact.1.first_radius",
+    )
+    found = toleranced_tracks(values, (*paths, "load.output_torque", "load.interference"))
+    assert list(found) == [paths[0], paths[2], paths[3], "load.interference"]
+    assert [own for own, _ in found.values()] == [True, False, False, False]
+    np.testing.assert_array_equal(
+        [each for _, each in found.values()],
+        [[1, 1, 1, 0, 0], [0, 0, 0, -1, -1], [1, 0, 0, 0, 0], [0, 0, 0, 1, 1]],
+    )
+    typed = toleranced_tracks(
+        si_values(planar_case("stepped_planet")), ("drive.sun_radius", "drive.planet_second_radius")
+    )
+    np.testing.assert_array_equal([each for _, each in typed.values()], [[1, 0, 0], [0, 0, 1]])
+    assert [own for own, _ in typed.values()] == [False, True]

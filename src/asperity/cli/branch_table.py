@@ -32,7 +32,7 @@ def show_branches(target: Console, found: Document) -> None:
         target,
         "\nBranches by their own sizes",
         found["branch_is"],
-        f"deviation {', '.join(names.values())} µm".replace(", ", ",\n", 1),
+        "deviation\n" + ",\n".join(names.values()) + " µm",
         "interference\nµm",
         "preload\nN",
         "share standing,\nrolling %",

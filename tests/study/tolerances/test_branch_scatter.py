@@ -12,7 +12,7 @@ from asperity.drive.mechanism import rest_state
 from asperity.errors import InputError
 from asperity.joint_file.reader import parse_case
 from asperity.study.tolerances import branch_scatter as module
-from asperity.study.tolerances.branch_scatter import branch_scatter
+from asperity.study.tolerances.branch_scatter import branch_scatter, sector_scatter
 
 
 @dataclasses.dataclass
@@ -95,3 +95,97 @@ def test_equal_branches_have_nothing_to_draw(scattered):
         scattered(('sun_radius = "4 mm"', 'sun_radius = "4 mm +- 1 um, uniform"'))
     with pytest.raises(InputError, match="at least 1, got 0"):
         scattered(LOOSE, draws=0)
+
+
+class Sectors:
+    """Planets whose capacity is their smallest interference; refused where one is loose."""
+
+    def __init__(self, joint, solution):
+        self.joint, self.solution, self.seen = joint, solution, []
+        found.append(self)
+
+    def branches(self, sizes, *, slip):
+        assert not slip
+        self.seen.append(sizes.added)
+        length = 30e-6 + sizes.added.sum(axis=1)
+        if length.min() <= 0.0:
+            raise InputError("planet 1 is loose")
+        state = SimpleNamespace(share=length / length.sum(), sun_force=np.array([3.0, 4.0]))
+        slips = SimpleNamespace(first_slip=1e6 * length.min(), all_slip=1e6 * length.mean())
+        return SimpleNamespace(
+            capacity=slips, rolling_capacity=slips, standing=state, rolling=state, rest=state, preload=length
+        )
+
+
+found = []
+
+
+@pytest.fixture
+def sectors(planar_case, monkeypatch):
+    capacity = SimpleNamespace(output_torque=12.0)
+    solution = SimpleNamespace(capacity=capacity, reverse_capacity=capacity)
+    monkeypatch.setattr(module, "BranchedPlanarJoint", Sectors)
+    monkeypatch.setattr(module, "solve_planar", lambda joint: solution)
+
+    def of(name, changes, draws=400):
+        scatter = sector_scatter(planar_case(name, replaced=changes), distribution=None, draws=draws, seed=1)
+        return scatter, np.array(found[-1].seen)
+
+    return of
+
+
+PLANET = ('planet_radius = "20 mm"', 'planet_radius = "20 mm +- 2 um, uniform"')
+SUN = ('sun_radius = "10 mm"', 'sun_radius = "10 mm +- 1 um, uniform"')
+
+
+def test_every_planet_of_another_drive_is_drawn_by_itself(sectors):
+    scatter, added = sectors("planetary", dict([PLANET]))
+    assert added.shape == (400, 3, 2)
+    np.testing.assert_allclose(added[..., 0], added[..., 1])  # a planet grows into sun and ring
+    assert np.ptp(added) == pytest.approx(4e-6, rel=0.02)
+    np.testing.assert_allclose(np.corrcoef(added[..., 0].T), np.eye(3), atol=0.15)
+    assert scatter.equal == 12.0
+    told = scatter.document()
+    assert told["share_with_a_loose_branch"] == told["share_without_a_balance"] == 0.0
+    assert told["sun_force_N"] == pytest.approx([5.0, 5.0, 5.0])
+
+
+def test_sun_and_interference_are_drawn_once_for_all_planets(sectors):
+    wide = ('interference = "30 um"', 'interference = "30 um +- 20 um, uniform"')
+    scatter, added = sectors("planetary", dict([PLANET, SUN, wide]))
+    # at the ring planet and interference, at the sun planet and sun
+    common = added[:, :, 1] - added[:, :, 0]
+    np.testing.assert_allclose(common, np.tile(common[:, :1], 3), atol=1e-18)
+    assert np.ptp(common) > 30e-6
+    loose = np.mean([(30e-6 + each.sum(axis=1)).min() <= 0.0 for each in added])
+    assert scatter.document()["share_with_a_loose_branch"] == pytest.approx(loose)
+    assert np.isnan(scatter.first_slip).mean() == pytest.approx(loose)
+
+
+def test_equal_planets_of_another_drive_are_refused(sectors):
+    with pytest.raises(InputError, match="no roller off the axis has a tolerance"):
+        sectors("planetary", dict([SUN]))
+    by_force = ('interference = "30 um"  ', 'preload = "1000 N"  ')
+    with pytest.raises(InputError, match=r"give load\.interference"):
+        sectors("planetary", dict([PLANET, by_force]))
+    with pytest.raises(InputError, match="at least 1, got 0"):
+        sectors("planetary", dict([PLANET]), draws=0)
+
+
+def test_tracks_of_a_listed_drive(sectors):
+    """Radii of one track are drawn once, wherever they are stated; a larger ring presses less."""
+    _, added = sectors(
+        "planar",
+        {
+            'preload = "1000 N"  ': 'interference = "13 um"  ',
+            'second_radius = "13.5 mm"': 'second_radius = "13.5 mm +- 2 um, uniform"',
+            'second_radius = "40 mm"': 'second_radius = "40 mm +- 3 um, uniform"',
+        },
+    )
+    planet, ring = added[..., 0], added[..., 3]
+    for contact in (1, 2):
+        np.testing.assert_allclose(added[..., contact], planet)
+    np.testing.assert_allclose(added[..., 4], ring)
+    np.testing.assert_allclose(ring, np.tile(ring[:, :1], 3))
+    assert np.ptp(planet) == pytest.approx(4e-6, rel=0.02)
+    assert np.ptp(ring) == pytest.approx(6e-6, rel=0.02)
