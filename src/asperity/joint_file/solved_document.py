@@ -11,7 +11,7 @@ from asperity.joint.solve import solve
 from asperity.joint_file.assumptions import assumptions
 from asperity.joint_file.build import joint_from_case, unequal_branches
 from asperity.joint_file.planar_assumptions import planar_assumptions
-from asperity.joint_file.planar_build import planar_joint_from_case
+from asperity.joint_file.planar_build import planar_joint_from_case, unequal_sectors
 from asperity.joint_file.planar_model import PlanarCase
 from asperity.joint_file.si_tables import AnyCase, si_values
 
@@ -39,8 +39,13 @@ def solved_document(case: AnyCase) -> dict[str, Any]:
     inputs = si_values(case)
     if isinstance(case, PlanarCase):
         drive = planar_joint_from_case(case)
+        solution = solve_planar(drive)
         return planar_document(
-            joint=drive, solution=solve_planar(drive), inputs=inputs, assumptions=planar_assumptions(case)
+            joint=drive,
+            solution=solution,
+            inputs=inputs,
+            assumptions=planar_assumptions(case),
+            branches=unequal_sectors(case, drive, solution),
         )
     joint = joint_from_case(case)
     return joint_document(
