@@ -7,7 +7,7 @@ from fractions import Fraction
 
 import pint
 import pytest
-from hypothesis import given
+from hypothesis import example, given
 from hypothesis import strategies as st
 
 from asperity.errors import InputError
@@ -52,6 +52,7 @@ FACTORS = "N mm kg s rad MPa m deg psi min"
         max_size=5,
     )
 )
+@example([("*", "min", -1)])
 def test_products_and_quotients_read_like_pint(terms):
     unit = "".join(f"{op if i else ''}{name}^{power}" for i, (op, name, power) in enumerate(terms))
     quantity = PINT.Quantity(f"1 {unit}").to_base_units()
@@ -63,6 +64,8 @@ def test_products_and_quotients_read_like_pint(terms):
     for dimension in Dimension:
         if dimension.exponents == exponents:
             assert parse_quantity(got, dimension) == pytest.approx(quantity.magnitude, rel=1e-13)
+        elif dimension is Dimension.ANGULAR_VELOCITY and unit == "min^-1":  # turns per minute, as on data sheets
+            assert parse_quantity(got, dimension) == pytest.approx(math.pi / 30.0, rel=1e-13)
         else:
             with pytest.raises(InputError):
                 parse_quantity(got, dimension)

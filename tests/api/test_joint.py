@@ -89,8 +89,6 @@ def test_a_joint_with_another_drive(zou_file):
     assert any("pins and shafts are rigid" in each for each in joint.assumptions)
     with pytest.raises(InputError, match=r"type planetary has no number 'drive.ring_radius'"):
         joint.with_values({"drive.ring_radius": "50 mm"})
-    with pytest.raises(InputError, match="only for the paper's"):
-        joint.paper_case  # noqa: B018
 
 
 def test_one_track_of_a_listed_drive_is_one_number(zou_file):

@@ -7,12 +7,6 @@ import pytest
 EXAMPLES = Path(__file__).parents[2] / "examples"
 
 
-def test_options_of_the_papers_drive_are_refused(call):
-    outcome = call("uncertainty", EXAMPLES / "planetary.toml", "--branches", "10")
-    assert outcome.code == 2
-    assert "is not available for drives of type 'planetary', only for the paper's" in outcome.err
-
-
 @pytest.mark.parametrize(
     ("arguments", "said"),
     [

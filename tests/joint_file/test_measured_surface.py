@@ -37,7 +37,7 @@ def test_it_is_written_instead_of_the_files(example_case):
     assert found["surface"]["fractal_dimension"] == 1.25
     number, unit = found["surface"]["fractal_roughness"].split()
     assert float(number) * {"m": 1.0, "mm": 1e-3}[unit] == pytest.approx(3e-13, rel=1e-12)
-    assert found["load"]["preload"] == "900.0 N"
+    assert found["load"]["preload"] == "900 N"
 
 
 def test_what_no_joint_file_may_have_is_refused(example_case):
