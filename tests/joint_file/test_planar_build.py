@@ -6,7 +6,11 @@ import numpy as np
 import pytest
 
 from asperity.joint_file.planar_assumptions import planar_assumptions
-from asperity.joint_file.planar_build import planar_joint_from_case, planar_joint_from_values
+from asperity.joint_file.planar_build import (
+    planar_joint_from_case,
+    planar_joint_from_values,
+    toleranced_tracks,
+)
 from asperity.joint_file.si_tables import replace_values, si_values
 from asperity.surface.roughness_average import roughness_average
 
