@@ -157,6 +157,38 @@ def test_derivatives_are_those_of_differences(case, as_planar):
     np.testing.assert_allclose(compiled(5.0), expected, rtol=1e-5)
 
 
+def test_derivatives_by_crown_and_skew_are_those_of_differences(case, as_planar):
+    joint = joint_from_case(case)
+    joint = dataclasses.replace(as_planar(joint), body_model="springs", input_speed=100.0)
+
+    def results(numbers):
+        crown, skew = numbers
+        found = evaluate_planar(
+            dataclasses.replace(
+                joint,
+                crown_curvatures=(crown, crown, crown, 0.0 * crown, 0.0 * crown),
+                rolling=dataclasses.replace(joint.rolling, skew=(skew,)),
+            )
+        )
+        rolling = found.rolling
+        return jnp.stack(
+            [
+                jnp.log(rolling.speed_loss),
+                jnp.log(found.assembly.stiffness.output),
+                jnp.log(rolling.life_turns.drive),
+                1e-2 * rolling.axial_force[0],
+            ]
+        )
+
+    at, steps = jnp.array([1.0, 3e-4]), jnp.array([1e-4, 1e-8])
+    value = jax.jit(results)
+    found = jax.jit(jax.jacfwd(results))(at)
+    for column, step in enumerate(steps):
+        change = jnp.zeros(2).at[column].set(step)
+        expected = (value(at + change) - value(at - change)) / (2.0 * step)
+        np.testing.assert_allclose(found[:, column], expected, rtol=1e-4, atol=1e-6)
+
+
 def with_duty(joint, *loads):
     points = tuple(DutyPoint(*map(float, load)) for load in loads)
     return dataclasses.replace(joint, rolling=dataclasses.replace(joint.rolling, duty=points))

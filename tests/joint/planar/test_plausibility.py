@@ -27,6 +27,27 @@ def test_each_contact_has_its_own_numbers(planar_joint):
     assert not values[4][1]  # a full film
 
 
+def test_crowned_contacts_have_two_notes_more(planar_joint):
+    """Only the crowned ones: the planet's track towards the sun and the ring alike, here the ring alone."""
+    crown = {'contact_length = "10 mm"': 'ring_crown_radius = "2 m"\ncontact_length = "10 mm"'}
+    joint = planar_joint("planetary", crown)
+    along = {
+        "loaded_length_over_width": np.array([10.0, 3.0]),
+        "loaded_length_share": np.array([1.0, 0.8]),
+        "end_line_load_ratio": np.array([1.0, 0.0]),
+        "peak_line_load_ratio": np.array([1.0, 1.7]),
+    }
+    result = SimpleNamespace(
+        rolling=SimpleNamespace(film_ratio=np.full(2, np.nan)),
+        contact_names=("sp", "pr"),
+        diagnostics=SimpleNamespace(**along),
+    )
+    found = {(note.name, note.contact): note.ok for note in planar_plausibility(joint, result)}
+    assert found["contact_width_over_length", "pr"] is False
+    assert found["crowned_end_load", "pr"] is True
+    assert ("crowned_end_load", "sp") not in found
+
+
 def test_the_printed_factor_has_a_range_of_sizes(planar_joint):
     printed = planar_joint("planetary", {'contact_factor = "unity"': 'contact_factor = "printed"'})
     result = SimpleNamespace(
