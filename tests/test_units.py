@@ -64,7 +64,7 @@ def test_products_and_quotients_read_like_pint(terms):
     for dimension in Dimension:
         if dimension.exponents == exponents:
             assert parse_quantity(got, dimension) == pytest.approx(quantity.magnitude, rel=1e-13)
-        elif dimension is Dimension.ANGULAR_VELOCITY and unit == "min^-1":  # turns per minute, as on data sheets
+        elif dimension is Dimension.ANGULAR_VELOCITY and unit == "min^-1":  # turns
             assert parse_quantity(got, dimension) == pytest.approx(math.pi / 30.0, rel=1e-13)
         else:
             with pytest.raises(InputError):

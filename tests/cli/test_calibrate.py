@@ -138,7 +138,7 @@ def test_a_drive_of_another_type_and_its_new_joint_file(tmp_path):
             torque,
             float(solve_planar(under_torque(joint, torque)).result.rolling.drift_per_output_turn) / ARCMIN,
         )
-        for torque in (2.0, 8.0, 13.0)
+        for torque in (2.0, 8.0, 11.0)
     ]
     data.write_text("torque [N*m],drift [arcmin/turn]\n" + "".join(f"{t!r},{d!r}\n" for t, d in rows))
     result = invoke(
