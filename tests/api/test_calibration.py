@@ -45,7 +45,7 @@ def test_the_preload_is_recovered(found):
 
 def test_text_and_figure(found):
     text = repr(found)
-    assert "1 unknowns from" in text
+    assert "1 unknown from" in text
     assert "residual:" in text
     assert found.plot().axes
 

@@ -1,5 +1,6 @@
 """Unequal branches as a table to read, and as a part of the JSON document."""
 
+import dataclasses
 import io
 import math
 
@@ -31,3 +32,11 @@ def test_the_table_says_shares_and_what_slips_first(unequal_branches):
 
 def test_beyond_what_all_branches_pass_the_force_is_that_without_torque(unequal_branches):
     assert "5 um off centre, 250 N without torque on its bearings" in text(unequal_branches(standing=None))
+
+
+def test_a_force_of_rounding_is_none(unequal_branches):
+    found = unequal_branches()
+    noise = dataclasses.replace(found.standing, sun_force=(3e-12, -4e-12))
+    assert "0 N on its bearings" in text(unequal_branches(standing=noise))
+    small = dataclasses.replace(found.standing, sun_force=(3e-6, -4e-6))
+    assert "5e-06 N on its bearings" in text(unequal_branches(standing=small))

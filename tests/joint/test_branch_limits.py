@@ -85,6 +85,8 @@ def test_words_name_the_planet_and_how_hard_it_is_pressed(unequal_branches):
     tight = unequal_branches(preload=np.array([1100.0, 900.0, 950.0]))
     assert pressed(tight) == "planet 1 is pressed 1.1 times as hard"
     assert equal_branches_note(tight).endswith("planet 1 is pressed 1.1 times as hard.")
+    like = dataclasses.replace(tight, preload=np.full(3, 1.2 * tight.own_preload))
+    assert pressed(like) == "every planet is pressed 1.2 times as hard"
     entry = {"first_slip_Nm": 3.598, "first_branch": 3, "first_contact": "sp"}
     document = {"branch_is": "planet", "torque_capacity": entry}
     assert capacity_words(document, "torque_capacity") == "first slip 3.598 N·m, planet 3 (contact sp)"

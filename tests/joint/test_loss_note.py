@@ -5,7 +5,7 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from asperity.joint.loss_note import loss_notes
+from asperity.joint.loss_note import loss_notes, skew_notes
 
 NAMES = ("sp", "pr")
 
@@ -46,3 +46,21 @@ def test_a_third_is_the_bound():
 @pytest.mark.parametrize("output", [0.0, np.nan])
 def test_a_drive_that_passes_no_power_has_no_share(output):
     assert loss_notes(rolled(output=output, oil=(1.0, 1.0)), NAMES) == ()
+
+
+def skewed(ratios, losses):
+    return SimpleNamespace(slip_ratio=np.array(ratios), capacity_loss=np.array(losses))
+
+
+def test_skew_that_leaves_too_little_friction_is_a_warning():
+    (kept,) = skew_notes(skewed([0.5, 0.9], [0.0, 0.3]), NAMES)
+    (crossed,) = skew_notes(skewed([1.4, 0.9], [0.5, 0.3]), NAMES)
+    assert (kept.ok, kept.contact, kept.value) == (True, "pr", 0.9)
+    assert (crossed.ok, crossed.contact, crossed.severity) == (False, "sp", "function")
+    assert "slips as a whole" in crossed.meaning
+    assert crossed.remedy.startswith("align the axes")
+
+
+@pytest.mark.parametrize(("ratios", "losses"), [([1.4, 0.9], [0.0, 0.0]), ([np.nan, 0.9], [0.1, 0.1])])
+def test_without_skew_or_without_a_state_there_is_no_note(ratios, losses):
+    assert skew_notes(skewed(ratios, losses), NAMES) == ()

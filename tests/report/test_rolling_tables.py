@@ -12,6 +12,7 @@ def document(**changes):
     contact = {
         "creepage": 1.5e-3, "creepage_share": 0.6, "traction_coefficient": 0.046, "life_output_turns": 2e6,
         "axial_force_N": 0.0, "losses_W": {"creep": 1.0, "skew": 0.0, "hysteresis": None, "oil": None, "total": 1.0},
+        "capacity_loss": 0.0,
     }  # fmt: skip
     found = {
         "unknown_because": [], "contacts": {"sp": contact}, "axial_thrust_N": {"sun": 0.0, "planet": 0.0},

@@ -187,7 +187,7 @@ class CalibratedJoint(Shown):
         curves = self.calibration.curves
         sources = [f"{each.residual.size} rows of {each.measurement.source}" for each in curves]
         parts: list[str | Table] = [
-            f"{len(rows)} unknowns from {' and '.join(sources)}",
+            f"{len(rows)} unknown{'s'[: len(rows) - 1]} from {' and '.join(sources)}",
             Table(("unknown", "estimate", "95 % from", "to", ""), rows),
         ]
         parts += residual_sentences(curves)

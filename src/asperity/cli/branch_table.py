@@ -12,6 +12,7 @@ if TYPE_CHECKING:
     from rich.console import Console
 
 Document = dict[str, Any]
+_ROUNDING = 1e-11  # of forces relative to the preloads
 
 
 def show_branches(target: Console, found: Document) -> None:
@@ -53,7 +54,7 @@ def show_branches(target: Console, found: Document) -> None:
     stiffness = found.get("output_stiffness_Nm_per_rad")
     for label, text in (
         ("sun", _sun(found, standing)),
-        *(("centre", text) for text in _others(standing or found["without_torque"])),
+        *(("centre", text) for text in _others(found, standing or found["without_torque"])),
         ("capacity", _capacity(found, "torque_capacity")),
         ("rolling", _capacity(found, "rolling_torque_capacity")),
         *([] if stiffness is None else [("stiffness", _stiffness(stiffness))]),
@@ -68,19 +69,22 @@ def _of(state: Document | None, name: str, index: int, factor: float) -> str:
 
 def _sun(found: Document, standing: Document | None) -> str:
     sun = (standing or found["without_torque"])["sun"]
-    force = in_unit(math.hypot(*sun["force_N"]), "N") + ("" if standing else " without torque")
+    force = _force(found, sun["force_N"]) + ("" if standing else " without torque")
     if found["sun_support_stiffness_N_per_m"] is None:
         return f"{force} on its bearings, which hold it"
     return f"{in_unit(math.hypot(*sun['displacement_m']), 'um')} off centre, {force} on its bearings"
 
 
-def _others(state: Document) -> list[str]:
+def _force(found: Document, components: list[float]) -> str:
+    """Size of a force; that of rounding, beside the preloads, is shown as none."""
+    size, largest = math.hypot(*components), max(entry["preload_N"] for entry in found["branches"])
+    return in_unit(size if size > _ROUNDING * largest else 0.0, "N")
+
+
+def _others(found: Document, state: Document) -> list[str]:
     """Forces on the other members on the axis, in words."""
     forces = state.get("central_forces_N", {})
-    named = [
-        f"{in_unit(math.hypot(*force), 'N')} on the {name.replace('_', ' ')}"
-        for name, force in forces.items()
-    ]
+    named = [f"{_force(found, force)} on the {name.replace('_', ' ')}" for name, force in forces.items()]
     return [", ".join(named)] if named else []
 
 

@@ -58,9 +58,9 @@ def calibrate(
     torque-angle curve follows the history. A curve of the joint at rest and a drift curve can be fitted together:
     give both files; 'offset of drift' is then the offset of the drift curve.
     """
+    from asperity.cli.equal_branches import read_for_equal_branches
     from asperity.cli.progress import progress_bar
     from asperity.errors import InputError
-    from asperity.joint_file.reader import read_any_case
     from asperity.precision import use_compilation_cache, use_double_precision
 
     check_image(plot)
@@ -68,7 +68,7 @@ def calibrate(
     check_file(out, file, *data)
     if plot_posterior is not None and draws is None:
         raise InputError("--plot-posterior needs --posterior DRAWS, e.g. --posterior 1000")
-    case = read_any_case(file)
+    case = read_for_equal_branches(file)
     use_double_precision()
     use_compilation_cache()
     from asperity.study.calibration.calibrate import calibrate as fit
@@ -218,7 +218,8 @@ def _show(found: Calibration, drawn: Posterior | None) -> None:
 
     target = console()
     sources = [f"{each.residual.size} rows of {each.measurement.source}" for each in found.curves]
-    rows = table(target, f"{len(found.estimates)} unknowns from {' and '.join(sources)}",
+    count = len(found.estimates)
+    rows = table(target, f"{count} unknown{'s'[: count - 1]} from {' and '.join(sources)}",
                  "unknown", "estimate", "95 % from", "to", "")  # fmt: skip
     rows.columns[0].no_wrap, rows.columns[-1].no_wrap = True, False  # the notes give way, not the names
     for each in found.estimates:

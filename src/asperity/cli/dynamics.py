@@ -34,11 +34,11 @@ def dynamics(file: str, plot_file: str | None, csv_file: str | None, as_json: bo
     The section [dynamics] of FILE gives the inertias of motor and load. The joint is linear about its output torque.
     While it turns, creep acts as a damper in series with its spring.
     """
-    from asperity.joint_file.reader import read_any_case
+    from asperity.cli.equal_branches import read_for_equal_branches
 
     check_image(plot_file)
     check_file(csv_file, file)
-    case = read_any_case(file)
+    case = read_for_equal_branches(file)
     from asperity.joint_file.planar_build import any_joint_from_case
     from asperity.joint_file.section_build import inertias_from_case
     from asperity.precision import use_compilation_cache, use_double_precision

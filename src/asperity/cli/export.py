@@ -49,12 +49,12 @@ def export(file: str, to: str, out: str, torque: str | None, level: str) -> None
     Every file states the stiffness and the drift, which are two regimes: the wind-up of a joint that stands comes back,
     the drift of a joint that turns does not.
     """
+    from asperity.cli.equal_branches import read_for_equal_branches
     from asperity.errors import InputError
     from asperity.export.targets import check_target
-    from asperity.joint_file.reader import read_any_case
 
     check_target(to, out, file)
-    case = read_any_case(file)
+    case = read_for_equal_branches(file)
     from asperity.precision import use_compilation_cache, use_double_precision
     from asperity.units import Dimension, parse_quantity
 

@@ -36,11 +36,11 @@ def roll(file: str, plot_file: str | None, as_json: bool) -> None:
     [rolling], [lubrication] and [[duty]] of FILE are optional; what they leave out is listed under 'Assumed'. The JSON
     document is that of 'asperity joint'.
     """
+    from asperity.cli.equal_branches import read_for_equal_branches
     from asperity.joint_file.planar_model import PlanarCase
-    from asperity.joint_file.reader import read_any_case
 
     check_image(plot_file)
-    case = read_any_case(file)
+    case = read_for_equal_branches(file)
     from asperity.precision import use_compilation_cache, use_double_precision
 
     use_double_precision()

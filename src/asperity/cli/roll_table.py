@@ -72,11 +72,13 @@ def _show_output(target: Console, document: Document) -> None:
         "-" if not spring else in_unit(torque / spring, "arcmin"),
         "comes back without torque" + ("; 'asperity windup' integrates it" if of_the_paper else ""),
     )
+    from asperity.joint.rolling_document import capacity_words
+
     capacity = rolling["torque_capacity_Nm"]
     shown.add_row(
         "torque capacity, rolling",
         "not limited" if capacity is None else in_unit(capacity, "N*m"),
-        f"beyond, a contact slips; standing: {_standing_capacity(document)}",
+        f"{capacity_words(rolling)}; standing: {_standing_capacity(document)}",
     )
     target.print(shown)
 

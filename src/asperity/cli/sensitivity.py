@@ -37,9 +37,9 @@ def sensitivity(file: str, result: str, as_json: bool, plot: str | None) -> None
 
     An elasticity of 2 says that one per cent more of the number makes about two per cent more of the result.
     """
-    from asperity.joint_file.reader import read_any_case
+    from asperity.cli.equal_branches import read_for_equal_branches
 
-    case = read_any_case(file)
+    case = read_for_equal_branches(file)
     from asperity.precision import use_compilation_cache, use_double_precision
 
     use_double_precision()

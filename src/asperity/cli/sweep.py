@@ -96,9 +96,9 @@ def sweep(
     asperity sweep joint.toml --over "surface.fractal_roughness=1e-10 mm:1e-8 mm:50:log" \\
         --over "load.preload=500 N:2000 N:40" --results stiffness,slip_ratio --out sweep.nc
     """  # noqa: D301 (click's mark for lines that are not wrapped is the character itself)
-    from asperity.joint_file.reader import read_any_case
+    from asperity.cli.equal_branches import read_for_equal_branches
 
-    case = read_any_case(file)
+    case = read_for_equal_branches(file)
     from asperity.precision import use_compilation_cache, use_double_precision
 
     use_double_precision()

@@ -64,10 +64,11 @@ def uncertainty(
     Tolerances are written in the file, with a distribution behind a comma: planet_radius = "13.5 mm +- 5 um, uniform",
     preload = "1000 N +- 50 N, normal 2 sigma".
     """
+    from asperity.cli.equal_branches import read_for_equal_branches
     from asperity.joint_file.distribution import parse_distribution
     from asperity.joint_file.reader import read_any_case
 
-    case = read_any_case(file)
+    case = read_for_equal_branches(file) if branches is None else read_any_case(file)
     otherwise = None if distribution is None else parse_distribution(distribution)
     from asperity.precision import use_compilation_cache, use_double_precision
 

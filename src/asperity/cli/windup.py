@@ -76,13 +76,13 @@ def windup(
     Stiffness holds for an input that stands. Once it turns under torque, the contacts creep and the output drifts:
     the second table says from which angle on, and by how much. 'asperity roll' has more on the drift.
     """
+    from asperity.cli.equal_branches import read_for_equal_branches
     from asperity.errors import InputError
-    from asperity.joint_file.reader import read_any_case
 
     check_file(csv_file, file)
     check_file(rolling_file, file)
     check_image(plot_file)
-    case = read_any_case(file)
+    case = read_for_equal_branches(file)
     from asperity.precision import use_compilation_cache, use_double_precision
     from asperity.units import Dimension, parse_quantity
 

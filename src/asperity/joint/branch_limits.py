@@ -14,6 +14,8 @@ from asperity.joint.results import RESULTS, Limit, Result
 from asperity.unit_table import Dimension
 from asperity.units import format_quantity
 
+_EVEN = 1e-9  # relative difference of preloads up to which branches are alike
+
 
 def branch_checks(found: UnequalBranches, *, turns: bool) -> tuple[LimitCheck, ...]:
     """What unequal branches have to meet, each where it is met worst.
@@ -124,6 +126,8 @@ def pressed(found: UnequalBranches) -> str:
         A clause without a full stop.
     """
     branch = int(np.argmax(found.preload))
+    if np.ptp(found.preload) <= _EVEN * found.preload[branch]:
+        return f"every {found.noun} is pressed {found.preload[branch] / found.own_preload:.3g} times as hard"
     loose = ", ".join(str(index + 1) for index in np.flatnonzero(found.preload <= 0.0))
     return (
         f"{found.noun} {branch + 1} is pressed {found.preload[branch] / found.own_preload:.3g} times as hard"

@@ -7,6 +7,34 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from asperity.errors import InputError
+from asperity.units import format_quantity
+
+#: Largest interference of a branch over that of equal branches [-].
+WIDEST = 3.0
+
+
+def refuse_wide(interference: np.ndarray, nominal: float) -> None:
+    """Refuse branches that are pressed much more than the equal ones around which their laws are taken.
+
+    Parameters
+    ----------
+    interference : ndarray
+        Of the branches [m].
+    nominal : float
+        That of equal branches [m].
+
+    Raises
+    ------
+    InputError
+        With the largest one.
+    """
+    if np.any(interference > WIDEST * nominal):
+        raise InputError(
+            f"the interference of a branch, {format_quantity(float(np.max(interference)), 'um')}, is more than "
+            f"{WIDEST:g} times the nominal one; state smaller deviations"
+        )
+
 
 @dataclass(frozen=True)
 class BranchSizes:

@@ -23,13 +23,11 @@ from asperity.drive.unequal_branches import added_interference, branch_direction
 from asperity.errors import InputError, NoSolutionError
 from asperity.joint.branch_law import BranchLaw, BranchLaws, branch_laws
 from asperity.joint.branch_results import BranchCapacity, BranchState, UnequalBranches
-from asperity.joint.branch_sizes import BranchSizes
+from asperity.joint.branch_sizes import WIDEST, BranchSizes, refuse_wide
 from asperity.joint.description import Joint
 from asperity.joint.interference import joint_preload
-from asperity.units import format_quantity
 
 _LENGTHS = 48  # of the curve of preload over interference
-_WIDEST = 3.0  # largest interference over the nominal one in the tables
 _LEAST_SUPPORT = 1e-9  # over preload per interference: holds a floating sun where nothing else does
 _TOLERANCE = 1e-13
 
@@ -55,7 +53,7 @@ class BranchedJoint:
         self.own_preload = float(joint.preload)
         self.count = round(float(geometry.planet_count))
         self.rest: RestState = rest_state(geometry=geometry, sides=triangle(geometry), preload=1.0)
-        length = interference * np.geomspace(1e-3, _WIDEST, _LENGTHS)
+        length = interference * np.geomspace(1e-3, WIDEST, _LENGTHS)
         plain = dataclasses.replace(joint, fit=None)
         force = np.asarray(joint_preload(plain, jnp.asarray(length)))
         if not np.all(force > 0.0):
@@ -67,20 +65,12 @@ class BranchedJoint:
 
     def preload(self, interference: np.ndarray) -> np.ndarray:
         """Preload that an interference makes in a branch, 0 without one [N]; beyond the tables in proportion to it."""
-        inside = np.clip(interference, self._least, _WIDEST * self.interference)
+        inside = np.clip(interference, self._least, WIDEST * self.interference)
         nominal = self._log_force(math.log(self.interference))
         found = self.own_preload * np.exp(
             self._log_force(np.log(inside)) - nominal
         )  # exact for the nominal one
         return np.where(interference > 0.0, found * interference / inside, 0.0)
-
-    def refuse_wide(self, interference: np.ndarray) -> None:
-        """Refuse branches whose interference is beyond the tables."""
-        if np.any(interference > _WIDEST * self.interference):
-            raise InputError(
-                f"the interference of a branch, {format_quantity(float(np.max(interference)), 'um')}, is more than "
-                f"{_WIDEST:g} times the nominal one; state smaller deviations"
-            )
 
     def branches(self, sizes: BranchSizes, *, slip: bool = True) -> UnequalBranches:
         """Everything about branches of given sizes.
@@ -228,7 +218,7 @@ class _Solver:
     def at(self, common: float) -> BranchState:
         """The state at an angle or a speed loss."""
         moved = self.displacement(common)
-        self.drive.refuse_wide(self.lengths(moved))
+        refuse_wide(self.lengths(moved), self.drive.interference)
         preload, share, force = self._loads(self._demands(common, moved), moved)
         torque = self.law.torque(preload, share)
         found = self._contacts(preload, torque * (1.0 - 1e-9))

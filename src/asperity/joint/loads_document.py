@@ -37,14 +37,16 @@ _NOTES = (
     "Radial is away from the drive's axis, tangential along the carrier's circle in the sense in which a positive "
     "output torque is driven. Forces act on the part that is named.",
     "All branches are equal: the forces of the planets on sun, carrier and ring balance, and a torque remains, so that "
-    "their bearings carry no force. Weights, forces from outside and unequal branches are not counted.",
+    "their bearings carry no force. Weights, unequal branches and forces from outside are not counted; "
+    "only the loads of rated bearings contain the outside_force of their section.",
     "Where the sun turns the forces are those of steady rolling, otherwise those of the joint standing under the "
     "torque.",
 )
 _UNEQUAL = (
     "Branches of unequal sizes, [[branch]]: the sun's bearings carry what the branches leave unbalanced without torque "
     "and under the working torque. Under the loads of the duty it is not computed, nor are the forces on the bearings "
-    "of the carrier and on the housing anywhere. Weights and forces from outside are not counted."
+    "of the carrier and on the housing anywhere. Weights and forces from outside are not counted; only the loads of "
+    "rated bearings contain the outside_force of their section."
 )
 _SUPPORTED = (
     "The planets have supports: the balance of the forces takes them as floating, so that the share that the supports "

@@ -1,4 +1,4 @@
-"""A note on a drive that loses much of its power: how much, and to what."""
+"""Notes on a drive that turns: how much of its power is lost, and whether skew leaves it enough friction."""
 
 from __future__ import annotations
 
@@ -71,5 +71,42 @@ def loss_notes(found: RollingResult, contacts: tuple[str, ...]) -> tuple[Note, .
             else f"of {all_of} that enter, {format_quantity(entering - leaving, 'W')} are lost, {of} of them by {words}"
             f"{where}",
             None if ok else remedy,
+        ),
+    )
+
+
+def skew_notes(found: RollingResult, contacts: tuple[str, ...]) -> tuple[Note, ...]:
+    """Whether skewed axes leave every contact the friction for its traction.
+
+    Parameters
+    ----------
+    found : RollingResult
+        The joint that turns.
+    contacts : tuple of str
+        Names of its contacts.
+
+    Returns
+    -------
+    tuple of Note
+        One note, on the contact that is nearest to its limit; none without skew or without a state.
+    """
+    ratios = np.asarray(found.slip_ratio)
+    if not np.any(np.asarray(found.capacity_loss) > 0.0) or not np.all(np.isfinite(ratios)):
+        return ()
+    worst = int(np.argmax(ratios))
+    ok = bool(ratios[worst] < 1.0)
+    return (
+        Note(
+            "slip_ratio_with_skew",
+            "traction over the friction that skew leaves, in rolling",
+            contacts[worst],
+            float(ratios[worst]),
+            1.0,
+            ok,
+            "function",
+            "friction remains beside what skew takes"
+            if ok
+            else "skew takes so much of the friction that the contact slips as a whole: the drift is many times larger",
+            None if ok else "align the axes, raise the preload, or lower the torque",
         ),
     )

@@ -190,3 +190,20 @@ def unknown_because(joint: Joint | PlanarJoint, result: JointResult | PlanarResu
     if joint.rolling.duty and np.isnan(np.asarray(found.duty_life_hours)):
         reasons.append("no life under the duty: a contact slips or lifts off under one of its loads")
     return reasons
+
+
+def capacity_words(rolling: Document) -> str:
+    """What the torque capacity in rolling means.
+
+    Parameters
+    ----------
+    rolling : dict
+        As :func:`rolling_document` makes it.
+
+    Returns
+    -------
+    str
+        A clause without a full stop.
+    """
+    skewed = any(contact["capacity_loss"] for contact in rolling["contacts"].values())
+    return "beyond, a contact slips" + (", the friction that skew takes not counted" if skewed else "")

@@ -17,7 +17,7 @@ from asperity.joint.branch_results import UnequalBranches
 from asperity.joint.capacity import LIMIT_KINDS, TorqueCapacity, limit_words, torque_capacity
 from asperity.joint.description import Joint, with_one_rank
 from asperity.joint.evaluation import JointResult, evaluate
-from asperity.joint.loss_note import loss_notes
+from asperity.joint.loss_note import loss_notes, skew_notes
 from asperity.joint.plausibility import CheckedSizes, checked_sizes, plausibility
 from asperity.joint.refusal import (
     refuse_bad_numbers,
@@ -148,6 +148,7 @@ def solved_joint(joint: Joint, solution: Solution, branches: UnequalBranches | N
     notes = (
         *plausibility(joint, result, solution.sizes),
         *loss_notes(result.rolling, result.contact_names),
+        *skew_notes(result.rolling, result.contact_names),
     )
     solved = SolvedJoint(joint, result, solution.capacity, branches, notes)
     solved.reverse_capacity = solution.reverse_capacity

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Any
 
+from asperity.joint.rolling_document import capacity_words
 from asperity.report.cells import number, percent, quantity
 from asperity.report.content import Block, Bullets, Paragraph, Table
 
@@ -62,7 +63,7 @@ def _position(document: Document, capacity: float | None) -> Table:
             quantity(torque / spring if spring else None, "arcmin"),
             "comes back without torque",
         ),
-        ("torque capacity, rolling", quantity(capacity, "N*m"), "beyond, a contact slips"),
+        ("torque capacity, rolling", quantity(capacity, "N*m"), capacity_words(found)),
     ]
     return Table(
         "Position of the output: drift beside stiffness",

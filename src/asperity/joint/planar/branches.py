@@ -19,7 +19,7 @@ from asperity.drive.planar.layout import CARRIER
 from asperity.drive.planar.state import STATE_TOLERANCE, PlanarState
 from asperity.errors import InputError, NoSolutionError
 from asperity.joint.branch_results import BranchCapacity, BranchState, UnequalBranches
-from asperity.joint.branch_sizes import SectorDeviations
+from asperity.joint.branch_sizes import SectorDeviations, refuse_wide
 from asperity.joint.capacity import LIMIT_KINDS, TorqueCapacity, limit_words
 from asperity.joint.planar.description import PlanarJoint
 from asperity.joint.planar.sector_states import sector_states
@@ -88,6 +88,7 @@ class BranchedPlanarJoint:
             )
         floating = self._floating(sizes)
         own = self._own_interference(sizes.added)
+        refuse_wide(own, float(np.mean(self._own_interference(np.zeros_like(sizes.added)))))
         if not floating and not any(contact.sector for contact in self.joint.drive.contacts):
             self._refuse_loose(own)
         given, rest = self._settled(floating, sizes)

@@ -34,14 +34,15 @@ _DIRECTIONS = (
 )
 _EQUAL = (
     "All sectors are equal: the forces of the rollers on the bodies on the axis and on the carrier balance, and a "
-    "torque remains, so that their bearings carry no force. Weights, forces from outside and unequal sectors are not "
-    "counted."
+    "torque remains, so that their bearings carry no force. Weights, unequal sectors and forces from outside are not "
+    "counted; only the loads of rated bearings contain the outside_force of their section."
 )
 _UNEQUAL = (
     "Branches of unequal sizes, [[branch]]: the bearings of the bodies on the axis and of the carrier carry what the "
     "branches leave unbalanced without torque and under the working torque; that under the loads of a duty is not "
-    "computed. Loads of the pins and lives of bearings are those of equal branches; {pressed}. Weights and forces from "
-    "outside are not counted."
+    "computed. Loads of the pins and lives of bearings are those of equal branches, without what the branches leave "
+    "unbalanced; {pressed}. Weights and forces from outside are not counted; only the loads of rated bearings contain "
+    "the outside_force of their section."
 )
 _STATES = (
     "Where the input turns the forces are those of steady rolling, otherwise those of the joint standing under the "

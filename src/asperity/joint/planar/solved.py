@@ -18,7 +18,7 @@ from asperity.drive.planar.state import ContactLaws
 from asperity.joint.branch_results import UnequalBranches
 from asperity.joint.capacity import TorqueCapacity
 from asperity.joint.contact_notes import Note
-from asperity.joint.loss_note import loss_notes
+from asperity.joint.loss_note import loss_notes, skew_notes
 from asperity.joint.planar.bearing_lives import planar_bearing_lives
 from asperity.joint.planar.capacity import PlanarCapacity, planar_capacity
 from asperity.joint.planar.description import PlanarJoint, tracks_of
@@ -183,7 +183,11 @@ def solved_planar_joint(
         For margins and figures.
     """
     joint, result = jax.tree.map(np.asarray, joint), solution.result
-    notes = (*planar_plausibility(joint, result), *loss_notes(result.rolling, result.contact_names))
+    notes = (
+        *planar_plausibility(joint, result),
+        *loss_notes(result.rolling, result.contact_names),
+        *skew_notes(result.rolling, result.contact_names),
+    )
     solved = SolvedPlanarJoint(joint, result, None, notes, branches)
     solved._capacities = PlanarCapacity(
         *(
