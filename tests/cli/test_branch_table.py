@@ -39,4 +39,4 @@ def test_a_force_of_rounding_is_none(unequal_branches):
     noise = dataclasses.replace(found.standing, sun_force=(3e-12, -4e-12))
     assert "0 N on its bearings" in text(unequal_branches(standing=noise))
     small = dataclasses.replace(found.standing, sun_force=(3e-6, -4e-6))
-    assert "5e-06 N on its bearings" in text(unequal_branches(standing=small))
+    assert "5e-6 N on its bearings" in text(unequal_branches(standing=small))

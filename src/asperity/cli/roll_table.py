@@ -51,7 +51,6 @@ def _show_output(target: Console, document: Document) -> None:
     """Drift and stiffness: two numbers that do not replace each other."""
     rolling, stiffness = document["rolling"], document["torsional_stiffness"]["assembly"]
     torque, spring = document["forces"]["output_torque_Nm"], stiffness["output_Nm_per_rad"]
-    of_the_paper = "wedge_angle_rad" in document["geometry"]
     shown = table(target, "Position of the output", "quantity", "value", "what it is")
     shown.columns[2].justify, shown.columns[2].no_wrap = "left", False
     shown.add_row(
@@ -70,7 +69,7 @@ def _show_output(target: Console, document: Document) -> None:
     shown.add_row(
         "torque over stiffness",
         "-" if not spring else in_unit(torque / spring, "arcmin"),
-        "comes back without torque" + ("; 'asperity windup' integrates it" if of_the_paper else ""),
+        "about what comes back without torque; 'asperity windup' integrates it",
     )
     from asperity.joint.rolling_document import capacity_words
 

@@ -61,7 +61,7 @@ def _position(document: Document, capacity: float | None) -> Table:
         (
             "torque over stiffness",
             quantity(torque / spring if spring else None, "arcmin"),
-            "comes back without torque",
+            "about what comes back without torque; the wind-up integrates it",
         ),
         ("torque capacity, rolling", quantity(capacity, "N*m"), capacity_words(found)),
     ]
