@@ -36,3 +36,15 @@ def test_files_of_equal_branches_have_no_note(call):
     outcome = call("sensitivity", EXAMPLES / "planetary.toml", "--result", "none")
     assert outcome.code == 2
     assert "note" not in outcome.err
+
+
+@pytest.mark.slow
+def test_a_capacity_of_equal_branches_is_called_so(call, unequal):
+    unequal.write_text(
+        unequal.read_text(encoding="utf-8").replace('output_torque = "', 'output_torque = "9', 1),
+        encoding="utf-8",
+    )
+    outcome = call("joint", unequal)
+    assert outcome.code == 2
+    assert "is beyond the torque capacity" in outcome.err
+    assert "(for equal branches, with which every joint is solved first" in outcome.err

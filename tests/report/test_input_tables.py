@@ -14,3 +14,14 @@ def test_numbers_have_their_units_and_tolerances(joint_text):
 
 def test_choices_are_listed_with_their_keys(case):
     assert ("model.closure", "elastic") in [tuple(row) for row in choices_table(case).rows]
+
+
+def test_shares_of_a_duty_are_numbers_of_the_file(joint_text):
+    duty = "".join(
+        f'[[duty]]\noutput_torque = "{torque} N*m"\nsun_speed = "100 rpm"\nshare = {share}\n\n'
+        for torque, share in ((5, 0.25), (2, 0.75))
+    )
+    table = inputs_table(parse_case(joint_text.replace("[model]", f"{duty}[model]"), source="x"))
+    rows = {row[0]: row[1] for row in table.rows}
+    assert (rows["duty.1.share"], rows["duty.2.share"]) == ("0.25", "0.75")
+    assert rows["duty.2.output_torque"] == "2 N·m"

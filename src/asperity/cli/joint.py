@@ -62,6 +62,7 @@ def joint(file: str, as_json: bool, surfaces: tuple[str, ...], plot_file: str | 
     if isinstance(case, PlanarCase):
         _planar(case, file, as_json, measured, plot_file)
         return
+    from asperity.cli.equal_branches import equal_branches_first
     from asperity.joint.document import joint_document
     from asperity.joint.solve import solve
     from asperity.joint_file.assumptions import assumptions
@@ -69,7 +70,8 @@ def joint(file: str, as_json: bool, surfaces: tuple[str, ...], plot_file: str | 
     from asperity.joint_file.si_tables import si_values
 
     described = joint_from_case(case)
-    solution = solve(described)
+    with equal_branches_first(case):
+        solution = solve(described)
     branched = branches = None
     if case.branch is not None:
         from asperity.joint.branches import BranchedJoint
@@ -130,6 +132,7 @@ def _planar(
     case: PlanarCase, file: str, as_json: bool, measured: SurfaceMeasurement | None, plot_file: str | None
 ) -> None:
     """The joint with another drive than the paper's."""
+    from asperity.cli.equal_branches import equal_branches_first
     from asperity.joint.planar.document import planar_document
     from asperity.joint.planar.solve import solve_planar
     from asperity.joint_file.planar_assumptions import planar_assumptions
@@ -137,7 +140,8 @@ def _planar(
     from asperity.joint_file.si_tables import si_values
 
     described, values = planar_joint_from_case(case), si_values(case)
-    solution = solve_planar(described)
+    with equal_branches_first(case):
+        solution = solve_planar(described)
     branched, branches = branched_planar(case, described, solution), None
     if branched is not None:
         sizes = deviations_of(values)

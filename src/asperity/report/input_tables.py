@@ -29,6 +29,8 @@ def inputs_table(case: Case | PlanarCase) -> Table:
         unit = number.key.unit
         tolerance = f"± {format_quantity(number.tolerance, unit, 6)}" if number.tolerance else ""
         rows.append((path, format_quantity(number.value, unit, 8), tolerance))
+    duty: dict[str, Any] = si_values(case).get("duty", {})
+    rows += [(f"duty.{load}.share", f"{entry['share']:.8g}", "") for load, entry in duty.items()]
     return Table("Numbers of the joint file", ("number", "value", "tolerance"), rows)
 
 
