@@ -6,12 +6,14 @@ import math
 import numpy as np
 import pytest
 
+from asperity.errors import InputError
 from asperity.joint.branch_limits import (
     branch_checks,
     capacity_words,
     equal_branches_note,
     least_life,
     pressed,
+    refuse_beyond,
 )
 
 SLIPS_EARLY = {"first_slip": 3.598, "branch": 2, "contact": 0}
@@ -98,3 +100,20 @@ def test_a_loose_branch_is_a_requirement_that_is_not_met(unequal_branches):
     tight = unequal_branches(preload=np.array([1100.0, 900.0, 950.0]))
     check = checks_of(tight)["branch_preload"]
     assert (check.contact, check.value, check.ok) == ("planet 2", 0.9, True)
+
+
+@pytest.mark.parametrize("way", [1.0, -1.0])
+def test_a_torque_beyond_what_all_branches_carry_is_refused(unequal_branches, way):
+    found = unequal_branches()
+    refuse_beyond(found, way * 12.4)
+    with pytest.raises(
+        InputError, match=r"beyond what the branches carry together, 12\.5 N·m: all of them slip"
+    ):
+        refuse_beyond(found, way * 12.6)
+
+
+def test_without_a_known_limit_nothing_is_refused(unequal_branches):
+    found = unequal_branches()
+    refuse_beyond(
+        dataclasses.replace(found, capacity=dataclasses.replace(found.capacity, all_slip=math.nan)), 1e9
+    )

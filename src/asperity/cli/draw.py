@@ -35,6 +35,7 @@ def draw(file: str, out: str, forces: bool) -> None:
     the ring that is thicker than half the inner radius is broken off, and the drawing says so. A DXF file contains the
     true sizes in mm; it needs the optional package ezdxf.
     """
+    from asperity.cli.equal_branches import read_for_equal_branches
     from asperity.joint_file.planar_model import PlanarCase
     from asperity.joint_file.reader import read_any_case
 
@@ -46,7 +47,7 @@ def draw(file: str, out: str, forces: bool) -> None:
         from asperity.show.sheet_dxf import require_ezdxf
 
         require_ezdxf()
-    case = read_any_case(file)
+    case = read_for_equal_branches(file) if forces else read_any_case(file)
     from asperity.precision import use_compilation_cache, use_double_precision
 
     use_double_precision()

@@ -74,12 +74,14 @@ def joint(file: str, as_json: bool, surfaces: tuple[str, ...], plot_file: str | 
         solution = solve(described)
     branched = branches = None
     if case.branch is not None:
+        from asperity.joint.branch_limits import refuse_beyond
         from asperity.joint.branches import BranchedJoint
         from asperity.joint_file.build import branches_from_case
 
         interference, sizes = branches_from_case(case)
         branched = BranchedJoint(described, interference)
         branches = branched.branches(sizes)
+        refuse_beyond(branches, float(described.output_torque))
     document = joint_document(
         joint=described,
         solution=solution,
@@ -133,6 +135,7 @@ def _planar(
 ) -> None:
     """The joint with another drive than the paper's."""
     from asperity.cli.equal_branches import equal_branches_first
+    from asperity.joint.branch_limits import refuse_beyond
     from asperity.joint.planar.document import planar_document
     from asperity.joint.planar.solve import solve_planar
     from asperity.joint_file.planar_assumptions import planar_assumptions
@@ -146,6 +149,7 @@ def _planar(
     if branched is not None:
         sizes = deviations_of(values)
         branches = branched.branches(sizes)
+        refuse_beyond(branches, float(described.output_torque))
     document = planar_document(
         joint=described,
         solution=solution,

@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 
+from asperity.errors import InputError
 from asperity.joint.branch_results import BranchCapacity, BranchState, UnequalBranches
 from asperity.joint.limit_check import LimitCheck
 from asperity.joint.results import RESULTS, Limit, Result
@@ -133,6 +134,30 @@ def pressed(found: UnequalBranches) -> str:
         f"{found.noun} {branch + 1} is pressed {found.preload[branch] / found.own_preload:.3g} times as hard"
         + (f", and loose is {found.noun} {loose}" if loose else "")
     )
+
+
+def refuse_beyond(found: UnequalBranches, output_torque: float) -> None:
+    """Refuse a torque that the branches do not carry together.
+
+    Parameters
+    ----------
+    found : UnequalBranches
+        The branches of a joint.
+    output_torque : float
+        Its output torque [N·m].
+
+    Raises
+    ------
+    InputError
+        With the largest torque.
+    """
+    most = found.capacity.all_slip
+    if abs(output_torque) > most:
+        raise InputError(
+            f"the output torque {format_quantity(output_torque, 'N*m')} is beyond what the branches carry together, "
+            f"{format_quantity(most, 'N*m')}: all of them slip; lower the torque, state smaller deviations in "
+            "[[branch]], or raise load.interference"
+        )
 
 
 def equal_branches_note(found: UnequalBranches) -> str:

@@ -267,10 +267,13 @@ def unequal_branches(case: Case, joint: Joint, *, slip: bool = True) -> UnequalB
     """
     if case.branch is None:
         return None
+    from asperity.joint.branch_limits import refuse_beyond
     from asperity.joint.branches import BranchedJoint
 
     interference, sizes = branches_from_case(case)
-    return BranchedJoint(joint, interference).branches(sizes, slip=slip)
+    found = BranchedJoint(joint, interference).branches(sizes, slip=slip)
+    refuse_beyond(found, float(joint.output_torque))
+    return found
 
 
 def _pin(bearings: Values) -> PinBeam | None:

@@ -328,7 +328,13 @@ def unequal_sectors(case: PlanarCase, joint: PlanarJoint, solution: PlanarSoluti
         None where there are no such sections.
     """
     branched = branched_planar(case, joint, solution)
-    return None if branched is None else branched.branches(deviations_of(si_values(case)))
+    if branched is None:
+        return None
+    from asperity.joint.branch_limits import refuse_beyond
+
+    found = branched.branches(deviations_of(si_values(case)))
+    refuse_beyond(found, float(joint.output_torque))
+    return found
 
 
 def with_nominal_sizes(values: Values) -> Values:

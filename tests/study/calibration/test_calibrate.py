@@ -273,3 +273,16 @@ def test_a_curve_past_slip_is_refused(case):
 def test_more_unknowns_than_data(case):
     with pytest.raises(InputError, match="more rows than unknowns"):
         fitted(case, blank(np.array([1.0, 2.0])), np.array([1e-5, 2e-5]), texts=("load.preload", "offset"))
+
+
+def test_one_of_two_curves_with_as_few_rows_as_unknowns(case):
+    """Its errors, estimated from residuals that the fit makes zero, would make the intervals falsely certain."""
+    long, short = blank(np.linspace(0.5, 8.0, 30)), blank(np.array([2.0, 4.0]))
+    short = Measurement(**{**vars(short), "angle": None, "drift": np.full(2, 1e-3)})
+    unknowns = read_unknowns(
+        ["load.preload", "load.friction_coefficient"], case=case, measurements=(long, short)
+    )
+    with pytest.raises(InputError, match="synthetic: 2 rows beside 2 unknowns"):
+        calibrate(
+            case=case, measurements=(long, short), unknowns=unknowns, level="assembly", history="virgin"
+        )

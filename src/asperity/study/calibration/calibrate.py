@@ -174,6 +174,13 @@ def calibrate(
             "a drift curve has no history, because each torque is held while the joint turns; use 'virgin', the default"
         )
     rows = sum(each.torque.size for each in measurements)
+    few = min(measurements, key=lambda each: each.torque.size)
+    if len(measurements) > 1 and few.torque.size <= len(unknowns):
+        raise InputError(
+            f"{few.source}: {few.torque.size} rows beside {len(unknowns)} unknowns: how much such a curve scatters "
+            "cannot be told from what the fit leaves of it; each of several curves needs more rows than there are "
+            "unknowns"
+        )
     if rows <= len(unknowns):
         raise InputError(
             f"{rows} rows cannot determine {len(unknowns)} unknowns; more rows than unknowns are needed"
