@@ -174,7 +174,7 @@ def test_conflict_is_named_with_its_size(zou_file, values):
     assert missed["assembly_stiffness_output"].missed_by == pytest.approx(1.0 - 1.0 / factor, rel=1e-6)
     assert found.violation == missed["preload"].missed_by
     assert f"misses a limit by {100.0 * (factor - 1.0):.3g} %" in conflict(found)
-    assert "these limits conflict: torsional stiffness at the output" in conflict(found)
+    assert "These limits conflict: torsional stiffness at the output" in conflict(found)
     assert sum(limit.multiplier for limit in found.limits) == pytest.approx(1.0, rel=1e-6)
 
 

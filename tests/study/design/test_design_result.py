@@ -38,7 +38,7 @@ def test_a_conflict_names_the_active_limits_and_the_bounds():
     text = conflict(found)
     assert found.violation == 0.1
     assert text.startswith(
-        "no design meets all limits; the best one misses a limit by 10 %. these limits conflict: "
+        "no design meets all limits; the best one misses a limit by 10 %. These limits conflict: "
     )
     assert slip.text in text
     assert load.text in text

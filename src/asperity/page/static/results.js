@@ -175,8 +175,8 @@ function margins(answer) {
     .map((each) => {
       const unit = unitText(each.unit);
       const bounds = [
-        [each.lowest, "above"],
-        [each.highest, "below"],
+        [each.lowest, "at least"],
+        [each.highest, "at most"],
       ].filter(([bound]) => bound !== null);
       const required = bounds.map(([bound, word]) => element("span", {}, `${word} ${number(bound)}`));
       return [

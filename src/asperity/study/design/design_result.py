@@ -144,7 +144,7 @@ def conflict(result: DesignResult) -> str:
     """
     parts = [limit.text for limit in result.limits if limit.active]
     bounds = [f"{path} is at its {side} bound" for path, side in result.at_bound.items()]
-    conflicting = "these limits conflict: " if len(parts) > 1 else ""
+    conflicting = "These limits conflict: " if len(parts) > 1 else ""
     return (
         f"no design meets all limits; the best one misses a limit by {100.0 * result.violation:.3g} %. "
         f"{conflicting}{'; '.join([*parts, *bounds])}. Relax one of these, or widen the bounds"
