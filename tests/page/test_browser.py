@@ -63,7 +63,7 @@ def test_the_page_shows_what_the_command_says(page):
     assert float(card(page, "Drift per output turn")) > 0.0
     assert page.title() == "tutorial_joint.toml – asperity"
     assert page.locator("#plots svg[role=img]").count() >= 5
-    assert "at most 1" in page.locator("#margins").inner_text()
+    assert "≤ 1" in page.locator("#margins").inner_text()
 
 
 def test_a_slider_moves_the_number(page):

@@ -175,8 +175,8 @@ function margins(answer) {
     .map((each) => {
       const unit = unitText(each.unit);
       const bounds = [
-        [each.lowest, "at least"],
-        [each.highest, "at most"],
+        [each.lowest, "≥"],
+        [each.highest, "≤"],
       ].filter(([bound]) => bound !== null);
       const required = bounds.map(([bound, word]) => element("span", {}, `${word} ${number(bound)}`));
       return [
