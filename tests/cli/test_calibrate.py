@@ -62,6 +62,7 @@ def test_preload_is_recovered_and_written(folder):
     assert f": identifiable, load.preload to ±{share:.2g} % (95 %)" in " ".join(table.stdout.split())
 
 
+@pytest.mark.slow
 def test_a_drift_curve(folder):
     """Written with 900 N and 0.14; the table, the document, the picture and the joint file say the same."""
     names = ("load.preload", "load.friction_coefficient", "offset")

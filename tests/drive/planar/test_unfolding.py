@@ -70,6 +70,7 @@ def opposed():
     return planetary_drive(sun_radius=10e-3, planet_radius=20e-3, planet_count=2)
 
 
+@pytest.mark.slow
 def test_two_opposed_planets_by_hand(opposed):
     """Errors of ±e on the radii: each planet is a spring 2c between sun and ring, pressed by delta ± 2 e.
 

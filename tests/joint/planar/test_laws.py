@@ -46,6 +46,7 @@ def test_reference_force_of_an_interference(planar_joint):
     assert force * secants.sum() == pytest.approx(compression(force), rel=1e-12)
 
 
+@pytest.mark.slow
 def test_crowns_take_from_the_force_of_an_interference(planar_joint):
     """30 um are the approaches of both contacts, that of the crowned planet's track included."""
     crown = {'contact_length = "10 mm"': 'planet_crown_radius = "1 m"\ncontact_length = "10 mm"'}

@@ -110,6 +110,7 @@ def test_slopes_are_those_of_the_prediction(model):
         np.testing.assert_allclose(slopes[:, index], difference, rtol=2e-5, atol=1e-10)
 
 
+@pytest.mark.slow
 def test_offset_is_added_and_no_torque_has_no_drift(model):
     with_offset, without = (model(scaled(model, [900.0, 0.14, offset]))[0] for offset in (1e-4, 0.0))
     np.testing.assert_allclose(with_offset - without, 1e-4, rtol=1e-9)
