@@ -79,7 +79,11 @@ def document():
         "contacts": {name: dict(contact) for name in CONTACTS},
         "stiffness_unknown_because": None,
         "drift_rad_per_output_turn": math.radians(0.5),
-        "rolling": {"torque_capacity_Nm": 11.5, "input_torque_Nm": 0.5678},
+        "rolling": {
+            "torque_capacity_Nm": 11.5,
+            "input_torque_Nm": 0.5678,
+            "contacts": {"sp": {"capacity_loss": 0.0}},
+        },
         "speed_loss": 2e-3,
         "bearings": [],
         "rims": {},

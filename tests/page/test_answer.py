@@ -136,11 +136,9 @@ def test_a_joint_with_another_drive(zou_file):
 
 
 def test_the_document_of_the_page_judges_unequal_branches(monkeypatch, case):
-    solution = SimpleNamespace(result=SimpleNamespace(forces=None))
-    monkeypatch.setattr(answer, "solve", lambda joint: solution)
+    solution, told = SimpleNamespace(result=SimpleNamespace(forces=None)), "the branches of the file"
+    monkeypatch.setattr(answer, "solve_case", lambda case: (None, solution, told, {"branches": told}))
     monkeypatch.setattr(answer, "drive_shapes", lambda joint, forces: {})
-    monkeypatch.setattr(answer, "unequal_branches", lambda case, joint: "the branches of the file")
-    monkeypatch.setattr(answer, "joint_document", lambda **told: {"branches": told["branches"]})
     monkeypatch.setattr(answer, "solved_joint", lambda joint, solution, branches: branches)
     solved, document = answer._papers(case)[2:4]
     assert solved == "the branches of the file"

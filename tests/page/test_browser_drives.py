@@ -171,3 +171,20 @@ def test_no_rule_of_accessibility_is_broken(page):
     page.evaluate(place.read_text(encoding="utf-8"))
     found = page.evaluate("async () => (await axe.run()).violations")
     assert [(each["id"], each["help"], each["nodes"][0]["html"]) for each in found] == []
+
+
+def test_planets_of_unlike_sizes_have_a_table(page, tmp_path):
+    """Shares of three planets, 100 % together, and a word that the rest is that of equal ones."""
+    file = tmp_path / "unequal.toml"
+    sections = (
+        '[[branch]]\nplanet_deviation = "3 um"\n\n[[branch]]\n\n[[branch]]\nplanet_deviation = "-2 um"\n\n'
+    )
+    file.write_text(TEXT.replace("[model]", f"{sections}[model]", 1), encoding="utf-8")
+    changed(page, lambda: page.locator("#open-file").set_input_files(file))
+    shares = [
+        float(row.locator("td").nth(3).inner_text())
+        for row in page.locator("#contacts tr", has_text="planet ").all()
+    ]
+    assert len(shares) == 3
+    assert sum(shares) == pytest.approx(100.0, abs=0.2)
+    assert "those of equal branches; planet 1 is pressed" in page.locator("#warnings").inner_text()

@@ -2,13 +2,9 @@
 
 from __future__ import annotations
 
-import contextlib
-from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 import click
-
-from asperity.errors import InputError
 
 if TYPE_CHECKING:
     from asperity.joint_file.si_tables import AnyCase
@@ -37,27 +33,3 @@ def read_for_equal_branches(file: str) -> AnyCase:
             err=True,
         )
     return case
-
-
-@contextlib.contextmanager
-def equal_branches_first(case: AnyCase) -> Iterator[None]:
-    """While a joint is solved with equal branches: a refusal says that it is theirs, if the file states others.
-
-    Parameters
-    ----------
-    case : Case or PlanarCase
-        The joint file.
-
-    Raises
-    ------
-    InputError
-        The one that was raised, with that remark.
-    """
-    try:
-        yield
-    except InputError as error:
-        if getattr(case, "branch", None) is None:
-            raise
-        raise InputError(
-            f"{error} (for equal branches, with which every joint is solved first: [[branch]] does not count here)"
-        ) from None

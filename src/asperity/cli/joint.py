@@ -62,41 +62,22 @@ def joint(file: str, as_json: bool, surfaces: tuple[str, ...], plot_file: str | 
     if isinstance(case, PlanarCase):
         _planar(case, file, as_json, measured, plot_file)
         return
-    from asperity.cli.equal_branches import equal_branches_first
-    from asperity.joint.document import joint_document
-    from asperity.joint.solve import solve
-    from asperity.joint_file.assumptions import assumptions
-    from asperity.joint_file.build import joint_from_case
-    from asperity.joint_file.si_tables import si_values
+    from asperity.joint_file.solved_document import solve_case
 
-    described = joint_from_case(case)
-    with equal_branches_first(case):
-        solution = solve(described)
-    branched = branches = None
-    if case.branch is not None:
-        from asperity.joint.branch_limits import refuse_beyond
-        from asperity.joint.branches import BranchedJoint
-        from asperity.joint_file.build import branches_from_case
-
-        interference, sizes = branches_from_case(case)
-        branched = BranchedJoint(described, interference)
-        branches = branched.branches(sizes)
-        refuse_beyond(branches, float(described.output_torque))
-    document = joint_document(
-        joint=described,
-        solution=solution,
-        inputs=si_values(case),
-        assumptions=assumptions(case),
-        branches=branches,
-    )
+    described, solution, branches, document = solve_case(case)
     document |= _interval(case, described, measured)
     if plot_file:
         from asperity.joint.solve import solved_joint
         from asperity.show.compliance_figure import joint_figure
         from asperity.show.style import plain_title
 
-        solved = solved_joint(described, solution, branches)
-        errors = None if branched is None else _size_errors(branched, sizes)
+        solved, errors = solved_joint(described, solution, branches), None
+        if branches is not None:
+            from asperity.joint.branches import BranchedJoint
+            from asperity.joint_file.build import branches_from_case
+
+            interference, sizes = branches_from_case(case)
+            errors = _size_errors(BranchedJoint(described, interference), sizes)
         write_image(joint_figure(solved, title=plain_title(file), size_errors=errors), plot_file)
         say_written(plot_file)
     _show(document, file, as_json)
@@ -134,37 +115,20 @@ def _planar(
     case: PlanarCase, file: str, as_json: bool, measured: SurfaceMeasurement | None, plot_file: str | None
 ) -> None:
     """The joint with another drive than the paper's."""
-    from asperity.cli.equal_branches import equal_branches_first
-    from asperity.joint.branch_limits import refuse_beyond
-    from asperity.joint.planar.document import planar_document
-    from asperity.joint.planar.solve import solve_planar
-    from asperity.joint_file.planar_assumptions import planar_assumptions
-    from asperity.joint_file.planar_build import branched_planar, deviations_of, planar_joint_from_case
-    from asperity.joint_file.si_tables import si_values
+    from asperity.joint_file.solved_document import solve_planar_case
 
-    described, values = planar_joint_from_case(case), si_values(case)
-    with equal_branches_first(case):
-        solution = solve_planar(described)
-    branched, branches = branched_planar(case, described, solution), None
-    if branched is not None:
-        sizes = deviations_of(values)
-        branches = branched.branches(sizes)
-        refuse_beyond(branches, float(described.output_torque))
-    document = planar_document(
-        joint=described,
-        solution=solution,
-        inputs=values,
-        assumptions=planar_assumptions(case),
-        branches=branches,
-    )
+    described, solution, branches, document = solve_planar_case(case)
     document |= _interval(case, described, measured)
     if plot_file:
         from asperity.joint.planar.solved import solved_planar_joint
+        from asperity.joint_file.planar_build import branched_planar, deviations_of
+        from asperity.joint_file.si_tables import si_values
         from asperity.show.compliance_figure import joint_figure
         from asperity.show.style import plain_title
 
         solved = solved_planar_joint(described, solution, branches)
-        errors = None if branched is None else _size_errors(branched, sizes)
+        branched = branched_planar(case, described, solution)
+        errors = None if branched is None else _size_errors(branched, deviations_of(si_values(case)))
         write_image(joint_figure(solved, title=plain_title(file), size_errors=errors), plot_file)
         say_written(plot_file)
     _show(document, file, as_json)

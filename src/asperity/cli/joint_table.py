@@ -25,6 +25,7 @@ from asperity.joint.document import (
     input_member,
     stiffness_rows,
 )
+from asperity.joint.rolling_document import skew_words
 
 if TYPE_CHECKING:
     from rich.console import Console
@@ -325,7 +326,9 @@ def _rolling_capacity(document: Document) -> str:
     found = document["rolling"]["torque_capacity_Nm"]
     if found is None:
         return "not limited by friction"
-    return f"up to {in_unit(found, 'N*m')} without gross slip" if found > 0.0 else "slips without a torque"
+    if found <= 0.0:
+        return "slips without a torque"
+    return f"up to {in_unit(found, 'N*m')} without gross slip{skew_words(document['rolling'])}"
 
 
 def capacity_text(capacity: Document) -> str:

@@ -46,27 +46,19 @@ def roll(file: str, plot_file: str | None, as_json: bool) -> None:
     use_double_precision()
     use_compilation_cache()
     if isinstance(case, PlanarCase):
-        from asperity.cli.solved_case import solved_planar
         from asperity.joint.planar.solve import refuse_planar_rolling
+        from asperity.joint_file.solved_document import solve_planar_case
 
-        planar, found, document = solved_planar(case)
+        planar, found, _, document = solve_planar_case(case, branches=False)
         refuse_planar_rolling(planar, found)
         if plot_file:
             _draw(planar, found.result, document, file, plot_file)
         _show(document, file, as_json)
         return
-    from asperity.joint.document import joint_document
     from asperity.joint.rolling_refusal import refuse_no_rolling
-    from asperity.joint.solve import solve
-    from asperity.joint_file.assumptions import assumptions
-    from asperity.joint_file.build import joint_from_case
-    from asperity.joint_file.si_tables import si_values
+    from asperity.joint_file.solved_document import solve_case
 
-    joint = joint_from_case(case)
-    solution = solve(joint)  # refuses a torque beyond the capacity
-    document = joint_document(
-        joint=joint, solution=solution, inputs=si_values(case), assumptions=assumptions(case)
-    )
+    joint, solution, _, document = solve_case(case, branches=False)  # refuses a torque beyond the capacity
     refuse_no_rolling(joint, solution, _capacity(document))
     if plot_file:
         _draw(joint, solution.result, document, file, plot_file)

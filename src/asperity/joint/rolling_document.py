@@ -192,8 +192,8 @@ def unknown_because(joint: Joint | PlanarJoint, result: JointResult | PlanarResu
     return reasons
 
 
-def capacity_words(rolling: Document) -> str:
-    """What the torque capacity in rolling means.
+def skew_words(rolling: Document) -> str:
+    """What the torque capacity in rolling leaves out.
 
     Parameters
     ----------
@@ -203,7 +203,7 @@ def capacity_words(rolling: Document) -> str:
     Returns
     -------
     str
-        A clause without a full stop.
+        The end of a sentence without a full stop; empty for parallel axes.
     """
     skewed = any(contact["capacity_loss"] for contact in rolling["contacts"].values())
-    return "beyond, a contact slips" + (", the friction that skew takes not counted" if skewed else "")
+    return ", the friction that skew takes not counted" if skewed else ""

@@ -1,23 +1,126 @@
-"""A joint file solved into the document that ``asperity joint --json`` prints, whatever the type of its drive."""
+"""A joint file solved, with the document that ``asperity joint --json`` prints, whatever the type of its drive."""
 
 from __future__ import annotations
 
-from typing import Any
+import contextlib
+from collections.abc import Iterator
+from typing import Any, Generic, NamedTuple, TypeVar
 
+from asperity.errors import InputError
+from asperity.joint.branch_results import UnequalBranches
+from asperity.joint.description import Joint
 from asperity.joint.document import joint_document
+from asperity.joint.planar.description import PlanarJoint
 from asperity.joint.planar.document import planar_document
-from asperity.joint.planar.solve import solve_planar
-from asperity.joint.solve import solve
+from asperity.joint.planar.solve import PlanarSolution, solve_planar
+from asperity.joint.solve import Solution, solve
 from asperity.joint_file.assumptions import assumptions
 from asperity.joint_file.build import joint_from_case, unequal_branches
+from asperity.joint_file.model import Case
 from asperity.joint_file.planar_assumptions import planar_assumptions
 from asperity.joint_file.planar_build import planar_joint_from_case, unequal_sectors
 from asperity.joint_file.planar_model import PlanarCase
 from asperity.joint_file.si_tables import AnyCase, si_values
 
+_Described = TypeVar("_Described", Joint, PlanarJoint)
+_Solved = TypeVar("_Solved", Solution, PlanarSolution)
+
+
+class SolvedCase(NamedTuple, Generic[_Described, _Solved]):
+    """A joint file, solved.
+
+    Parameters
+    ----------
+    joint : Joint or PlanarJoint
+        The joint that it describes.
+    solution : Solution or PlanarSolution
+        What the joint does with equal branches.
+    branches : UnequalBranches or None
+        What its sections ``[[branch]]`` do; None where there are none, or where they were not asked for.
+    document : dict
+        All of it as plain data in SI units.
+    """
+
+    joint: _Described
+    solution: _Solved
+    branches: UnequalBranches | None
+    document: dict[str, Any]
+
+
+def solve_case(case: Case, *, branches: bool = True) -> SolvedCase[Joint, Solution]:
+    """Solve a joint file with the paper's drive.
+
+    Parameters
+    ----------
+    case : Case
+        The joint file.
+    branches : bool, optional
+        Whether its sections ``[[branch]]`` count.
+
+    Returns
+    -------
+    SolvedCase
+        With the document of :func:`asperity.joint.document.joint_document`.
+
+    Raises
+    ------
+    InputError
+        If the bodies do not fit, or the output torque exceeds the torque capacity.
+    NoSolutionError
+        If no balance was found.
+    """
+    joint = joint_from_case(case)
+    with _equal_branches(case):
+        solution = solve(joint)
+    found = unequal_branches(case, joint) if branches else None
+    document = joint_document(
+        joint=joint,
+        solution=solution,
+        inputs=si_values(case),
+        assumptions=assumptions(case),
+        branches=found,
+    )
+    return SolvedCase(joint, solution, found, document)
+
+
+def solve_planar_case(case: PlanarCase, *, branches: bool = True) -> SolvedCase[PlanarJoint, PlanarSolution]:
+    """Solve a joint file with another drive.
+
+    Parameters
+    ----------
+    case : PlanarCase
+        The joint file.
+    branches : bool, optional
+        Whether its sections ``[[branch]]`` count.
+
+    Returns
+    -------
+    SolvedCase
+        With the document of :func:`asperity.joint.planar.document.planar_document`.
+
+    Raises
+    ------
+    InputError
+        If the bodies do not fit, or the output torque exceeds the torque capacity.
+    NoSolutionError
+        If no balance was found.
+    """
+    joint = planar_joint_from_case(case)
+    with _equal_branches(case):
+        solution = solve_planar(joint)
+    found = unequal_sectors(case, joint, solution) if branches else None
+    document = planar_document(
+        joint=joint,
+        solution=solution,
+        inputs=si_values(case),
+        assumptions=planar_assumptions(case),
+        branches=found,
+    )
+    return SolvedCase(joint, solution, found, document)
+
 
 def solved_document(case: AnyCase) -> dict[str, Any]:
-    """Solve a joint file.
+    """Solve a joint file with any drive.
 
     Parameters
     ----------
@@ -27,7 +130,7 @@ def solved_document(case: AnyCase) -> dict[str, Any]:
     Returns
     -------
     dict
-        As :func:`asperity.joint.document.joint_document` or :func:`asperity.joint.planar.document.planar_document`.
+        The document of :func:`solve_case` or :func:`solve_planar_case`.
 
     Raises
     ------
@@ -36,22 +139,17 @@ def solved_document(case: AnyCase) -> dict[str, Any]:
     NoSolutionError
         If no balance was found.
     """
-    inputs = si_values(case)
-    if isinstance(case, PlanarCase):
-        drive = planar_joint_from_case(case)
-        solution = solve_planar(drive)
-        return planar_document(
-            joint=drive,
-            solution=solution,
-            inputs=inputs,
-            assumptions=planar_assumptions(case),
-            branches=unequal_sectors(case, drive, solution),
-        )
-    joint = joint_from_case(case)
-    return joint_document(
-        joint=joint,
-        solution=solve(joint),
-        inputs=inputs,
-        assumptions=assumptions(case),
-        branches=unequal_branches(case, joint),
-    )
+    return solve_planar_case(case).document if isinstance(case, PlanarCase) else solve_case(case).document
+
+
+@contextlib.contextmanager
+def _equal_branches(case: AnyCase) -> Iterator[None]:
+    """While a joint is solved with equal branches: a refusal says that it is theirs, if the file states others."""
+    try:
+        yield
+    except InputError as error:
+        if getattr(case, "branch", None) is None:
+            raise
+        raise InputError(
+            f"{error} (for equal branches, with which every joint is solved first: [[branch]] does not count here)"
+        ) from None

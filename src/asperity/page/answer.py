@@ -10,29 +10,24 @@ import numpy as np
 from asperity.errors import AsperityError
 from asperity.joint.creep_curves import creep_curves
 from asperity.joint.description import Joint
-from asperity.joint.document import joint_document
 from asperity.joint.either_kind import AnyJoint, AnySolution
 from asperity.joint.evaluation import JointResult
 from asperity.joint.margins import Margin, margins
 from asperity.joint.planar.description import PlanarJoint
-from asperity.joint.planar.document import planar_document
 from asperity.joint.planar.evaluation import PlanarResult
-from asperity.joint.planar.solve import PlanarSolution, solve_planar
+from asperity.joint.planar.solve import PlanarSolution
 from asperity.joint.planar.solved import solved_planar_joint
 from asperity.joint.results import SolvedJoint
-from asperity.joint.solve import Solution, solve, solved_joint
+from asperity.joint.solve import Solution, solved_joint
 from asperity.joint.torque_curves import torque_curves
 from asperity.joint.windup import windup
 from asperity.joint.windup_document import windup_columns
-from asperity.joint_file.assumptions import assumptions
-from asperity.joint_file.build import joint_from_case, unequal_branches
 from asperity.joint_file.drawn_surface import drawn_interval
 from asperity.joint_file.model import Case
-from asperity.joint_file.planar_assumptions import planar_assumptions
-from asperity.joint_file.planar_build import planar_joint_from_case, unequal_sectors
 from asperity.joint_file.planar_model import PlanarCase
 from asperity.joint_file.quantity_key import Key
-from asperity.joint_file.si_tables import numeric_keys, si_values
+from asperity.joint_file.si_tables import numeric_keys
+from asperity.joint_file.solved_document import solve_case, solve_planar_case
 from asperity.page.description import form_of
 from asperity.page.drawing import drive_shapes, planar_shapes
 from asperity.page.joint_request import JointRequest, choices_of_case
@@ -86,37 +81,15 @@ def joint_answer(request: JointRequest) -> Answer:
 
 
 def _papers(case: Case) -> tuple[Joint, Solution, SolvedJoint, Answer, Answer]:
-    joint = joint_from_case(case)
-    solution, branches = solve(joint), unequal_branches(case, joint)
-    document = joint_document(
-        joint=joint,
-        solution=solution,
-        inputs=si_values(case),
-        assumptions=assumptions(case),
-        branches=branches,
-    )
+    joint, solution, branches, document = solve_case(case)
     solved = solved_joint(joint, solution, branches)
     return joint, solution, solved, document, drive_shapes(joint, solution.result.forces)
 
 
 def _planar(case: PlanarCase) -> tuple[PlanarJoint, PlanarSolution, SolvedJoint, Answer, Answer]:
-    joint = planar_joint_from_case(case)
-    solution = solve_planar(joint)
-    branches = unequal_sectors(case, joint, solution)
-    document = planar_document(
-        joint=joint,
-        solution=solution,
-        inputs=si_values(case),
-        assumptions=planar_assumptions(case),
-        branches=branches,
-    )
-    return (
-        joint,
-        solution,
-        solved_planar_joint(joint, solution, branches),
-        document,
-        planar_shapes(joint, solution.result),
-    )
+    joint, solution, branches, document = solve_planar_case(case)
+    solved = solved_planar_joint(joint, solution, branches)
+    return joint, solution, solved, document, planar_shapes(joint, solution.result)
 
 
 def _margin(each: Margin) -> Answer:

@@ -12,28 +12,21 @@ from typing import Any
 
 import asperity
 from asperity.errors import AsperityError
-from asperity.joint.document import joint_document
 from asperity.joint.either_kind import AnyJoint
 from asperity.joint.loads_document import load_cases, loads_document
 from asperity.joint.margins import margins
 from asperity.joint.measured_surface import stiffness_interval
-from asperity.joint.planar.document import planar_document
 from asperity.joint.planar.loads_document import planar_loads_document
-from asperity.joint.planar.solve import solve_planar
 from asperity.joint.planar.solved import solved_planar_joint
 from asperity.joint.results import SolvedJoint
 from asperity.joint.rolling_onset import RollingOnset
-from asperity.joint.solve import solve, solved_joint
+from asperity.joint.solve import solved_joint
 from asperity.joint.windup import Windup
 from asperity.joint.windup_document import examined_windup, windup_document, windup_onsets
-from asperity.joint_file.assumptions import assumptions
-from asperity.joint_file.build import joint_from_case, unequal_branches
 from asperity.joint_file.drawn_surface import drawn_interval
 from asperity.joint_file.model import Case
-from asperity.joint_file.planar_assumptions import planar_assumptions
-from asperity.joint_file.planar_build import planar_joint_from_case, unequal_sectors
 from asperity.joint_file.planar_model import PlanarCase
-from asperity.joint_file.si_tables import si_values
+from asperity.joint_file.solved_document import solve_case, solve_planar_case
 from asperity.report import limit_tables, load_tables, result_tables, rolling_tables, surface_tables
 from asperity.report.branch_tables import branch_tables, equal_branches
 from asperity.report.content import Block, Bullets, Heading, Listing, Paragraph, Picture, Report, Table
@@ -165,16 +158,7 @@ class _Parts:
 
 
 def _papers_parts(source: ReportSource, case: Case) -> _Parts:
-    joint = joint_from_case(case)
-    solution = solve(joint)
-    branches = unequal_branches(case, joint)
-    document = joint_document(
-        joint=joint,
-        solution=solution,
-        inputs=si_values(case),
-        assumptions=assumptions(case),
-        branches=branches,
-    )
+    joint, solution, branches, document = solve_case(case)
     return _Parts(
         joint,
         solved_joint(joint, solution, branches),
@@ -187,16 +171,7 @@ def _papers_parts(source: ReportSource, case: Case) -> _Parts:
 
 
 def _planar_parts(source: ReportSource, case: PlanarCase) -> _Parts:
-    joint = planar_joint_from_case(case)
-    solution = solve_planar(joint)
-    branches = unequal_sectors(case, joint, solution)
-    document = planar_document(
-        joint=joint,
-        solution=solution,
-        inputs=si_values(case),
-        assumptions=planar_assumptions(case),
-        branches=branches,
-    )
+    joint, solution, branches, document = solve_planar_case(case)
     return _Parts(
         joint,
         solved_planar_joint(joint, solution, branches),

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Any
 
-from asperity.joint.rolling_document import capacity_words
+from asperity.joint.rolling_document import skew_words
 from asperity.report.cells import number, percent, quantity
 from asperity.report.content import Block, Bullets, Paragraph, Table
 
@@ -63,7 +63,11 @@ def _position(document: Document, capacity: float | None) -> Table:
             quantity(torque / spring if spring else None, "arcmin"),
             "about what comes back without torque; the wind-up integrates it",
         ),
-        ("torque capacity, rolling", quantity(capacity, "N*m"), capacity_words(found)),
+        (
+            "torque capacity, rolling",
+            quantity(capacity, "N*m"),
+            "beyond, a contact slips" + skew_words(found),
+        ),
     ]
     return Table(
         "Position of the output: drift beside stiffness",

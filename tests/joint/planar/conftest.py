@@ -4,11 +4,11 @@ import math
 
 import pytest
 
-from asperity.cli.solved_case import solved_planar
 from asperity.drive.planar.drives import wedge_drive
 from asperity.joint.crowned_contacts import crown_curvatures
 from asperity.joint.planar.description import SOLID, BodyShape, PlanarJoint
 from asperity.joint_file.planar_build import planar_joint_from_case
+from asperity.joint_file.solved_document import solve_planar_case
 
 
 @pytest.fixture(scope="session")
@@ -20,7 +20,8 @@ def planar_joint(planar_case):
 @pytest.fixture(scope="session")
 def planetary(planar_case):
     """The planetary example: joint, solution and document."""
-    return solved_planar(planar_case("planetary"))
+    found = solve_planar_case(planar_case("planetary"))
+    return found.joint, found.solution, found.document
 
 
 @pytest.fixture(scope="session")
@@ -31,7 +32,8 @@ def skewed_planetary(planar_case):
         'ring_support = "free"': 'ring_support = "rigid_housing"',
         "[lubrication]": '[rolling]\nskew = { sp = "0.5 mrad", pr = "-0.8 mrad" }\n\n[lubrication]',
     }
-    return solved_planar(planar_case("planetary", replaced=replaced))
+    found = solve_planar_case(planar_case("planetary", replaced=replaced))
+    return found.joint, found.solution, found.document
 
 
 @pytest.fixture(scope="session")

@@ -4,8 +4,8 @@ import math
 
 import pytest
 
-from asperity.cli.solved_case import solved_planar
 from asperity.joint.planar.loads_document import planar_loads_document
+from asperity.joint_file.solved_document import solve_planar_case
 
 
 @pytest.fixture(scope="module")
@@ -55,7 +55,7 @@ def test_the_loads_of_a_duty_are_cases_of_their_own(planar_case):
         f'[[duty]]\noutput_torque = "{torque} N*m"\nsun_speed = "{speed} rpm"\nshare = {share}\n\n'
         for torque, speed, share in ((11, 3000, 0.25), (-5, 0, 0.75))
     )
-    joint, solution, _ = solved_planar(planar_case("planetary", replaced={"[model]": duty + "[model]"}))
+    joint, solution, *_ = solve_planar_case(planar_case("planetary", replaced={"[model]": duty + "[model]"}))
     document = planar_loads_document(joint, solution, [])
     assert [case["name"] for case in document["cases"]] == [
         "without torque",

@@ -39,9 +39,9 @@ export function showAnswer(answer, baseline) {
   get("levels").replaceChildren(levels(found, before), drift(found), ...interval(found));
   get("budget").replaceChildren(budget(found));
   get("margins").replaceChildren(margins(answer));
-  get("warnings").replaceChildren(warnings(found));
+  get("warnings").replaceChildren(...branchNote(found), warnings(found));
   get("plots").replaceChildren(...curves(answer, baseline));
-  get("contacts").replaceChildren(contacts(found), roughness(found));
+  get("contacts").replaceChildren(contacts(found), roughness(found), ...branches(found));
   get("assumptions").replaceChildren(...found.assumptions.map((text) => element("li", {}, text)));
 }
 
@@ -192,6 +192,29 @@ function margins(answer) {
 
 function verdict(ok) {
   return element("span", { class: ok ? "pass" : "fail" }, ok ? "✓ pass" : "✗ fail");
+}
+
+function branchNote(found) {
+  return found.branches ? [element("p", { class: "note" }, found.branches.note)] : [];
+}
+
+function branches(found) {
+  if (!found.branches) return [];
+  const { branch_is: noun, branches: each, standing, rolling, torque_capacity: capacity } = found.branches;
+  const of = (state, name, index, factor) => number(state && state[name][index] !== null ? factor * state[name][index] : null, 3);
+  const rows = each.map((branch, index) => [
+    `${noun} ${index + 1}`,
+    number(1e6 * branch.interference_m),
+    number(branch.preload_N),
+    of(standing, "share", index, 100),
+    of(rolling, "share", index, 100),
+    of(standing, "slip_ratio", index, 1),
+    of(rolling, "slip_ratio", index, 1),
+  ]);
+  const headings = ["branch", "interference, µm", "preload, N", "share standing, %", "share rolling, %", "slip standing", "slip rolling"];
+  const first = `Contact ${capacity.first_contact} of ${noun} ${capacity.first_branch} ${capacity.first_event} first, at ${number(capacity.first_slip_Nm)} N·m.`;
+  const title = "Branches by their own sizes";
+  return [element("div", {}, element("h3", {}, title), table(title, headings, rows), element("p", { class: "note" }, first))];
 }
 
 function warnings(found) {
