@@ -4,6 +4,9 @@ Most of the run time of a command is spent by JAX tracing the Python code and by
 expensive optimisations are switched off. If a compilation cache is set
 (:func:`asperity.precision.use_compilation_cache`), the traced program is stored in addition to XLA's machine code. Its
 name is formed from the source code and the versions that it depends on. The next process skips both steps.
+
+XLA compiles in threads of its own while Python goes on: the next program is traced meanwhile, and a call of one that
+is not ready waits for it.
 """
 
 from __future__ import annotations
@@ -18,6 +21,7 @@ import pickle
 import platform
 import sys
 from collections.abc import Callable, Iterator
+from concurrent.futures import Future, ThreadPoolExecutor
 from importlib.metadata import version
 from pathlib import Path
 from typing import Any
@@ -43,10 +47,33 @@ _COMPILE_FAST: tuple[dict[str, Any], ...] = (
 _Kinds = tuple[tuple[tuple[int, ...], np.dtype[Any]], ...]
 
 
-def compile_fast(
-    function: Callable[..., Any], *arguments: Any, options: tuple[Any, ...] = ()
-) -> Callable[..., Any]:
-    """Compile a function quickly, for one use or a few.
+class Program:
+    """A function of modules of numbers that is compiled, or about to be.
+
+    Parameters
+    ----------
+    compiled : Future
+        What XLA makes of it.
+    results : object
+        What it returns, each leaf with its ``shape`` and ``dtype``.
+    flat : bool
+        Whether the compiled function takes the list of the leaves, and returns those of ``results``.
+    """
+
+    def __init__(self, compiled: Future[Callable[..., Any]], results: Any, *, flat: bool) -> None:
+        self.results = results
+        self._compiled, self._flat = compiled, flat
+
+    def __call__(self, *arguments: Any) -> Any:
+        """The results for arguments of the structure and shapes that it was compiled for."""
+        call = self._compiled.result()
+        if not self._flat:
+            return call(*arguments)
+        return jax.tree.unflatten(jax.tree.structure(self.results), call(jax.tree.leaves(arguments)))
+
+
+def compile_fast(function: Callable[..., Any], *arguments: Any, options: tuple[Any, ...] = ()) -> Program:
+    """Compile a function quickly, for one use or a few; XLA's part goes on after this returns.
 
     Parameters
     ----------
@@ -54,16 +81,17 @@ def compile_fast(
         A pure function of modules of numbers. Its program is kept between runs only if it is a function of a module
         of this package, known by its name; a closure is compiled anew in every process.
     *arguments
-        Modules whose leaves are arrays, of the shapes that the function will be called with.
+        Modules whose leaves are arrays of the shapes that the function will be called with, or know these shapes as the
+        ``results`` of another program do.
     options : tuple, optional
         Leading arguments that select what to compute and are not numbers: texts and tuples of texts, which their
         ``repr`` identifies completely.
 
     Returns
     -------
-    callable
-        The compiled function without the options, for arguments of the same structure and shapes; the same
-        object on a repeated call.
+    Program
+        The function without the options, for arguments of the same structure and shapes; the same object on a
+        repeated call.
     """
     leaves, structure = jax.tree.flatten(arguments)
     return _compiled(function, options, structure, tuple(map(_kind, leaves)))
@@ -71,7 +99,7 @@ def compile_fast(
 
 def _kind(leaf: Any) -> tuple[tuple[int, ...], np.dtype[Any]]:
     """Shape and type of a number; of a NumPy array at once, because JAX takes its time for that."""
-    if isinstance(leaf, np.ndarray) and leaf.dtype == np.float64:
+    if isinstance(leaf, jax.ShapeDtypeStruct) or (isinstance(leaf, np.ndarray) and leaf.dtype == np.float64):
         return leaf.shape, leaf.dtype
     return jnp.shape(leaf), jnp.result_type(leaf)
 
@@ -97,25 +125,27 @@ def call_compiled(function: Callable[..., Any], *arguments: Any) -> Any:
     return jax.tree.map(np.asarray, compile_fast(function, *numbers)(*numbers))
 
 
+@functools.cache
+def _compilers() -> ThreadPoolExecutor:
+    """Threads in which XLA compiles."""
+    return ThreadPoolExecutor(2, thread_name_prefix="compile")
+
+
 @functools.lru_cache(maxsize=64)
 def _compiled(
     function: Callable[..., Any], options: tuple[Any, ...], structure: Any, kinds: _Kinds
-) -> Callable[..., Any]:
+) -> Program:
     shapes = [jax.ShapeDtypeStruct(shape, dtype) for shape, dtype in kinds]
     with _without_garbage_collection():
         kept = _kept_program(function, options, structure, kinds)
         if kept is None:
-            return _built(
-                jax.jit(functools.partial(function, *options)), *jax.tree.unflatten(structure, shapes)
-            )
-        program, result_structure = kept
-        call = _built(jax.jit(program), shapes)
-
-    def run(*arguments: Any) -> Any:
-        leaves = jax.tree.leaves(arguments)
-        return jax.tree.unflatten(result_structure, call(leaves))
-
-    return run
+            arguments = jax.tree.unflatten(structure, shapes)
+            lowered = jax.jit(functools.partial(function, *options)).lower(*arguments)
+            results = jax.tree.map(lambda out: jax.ShapeDtypeStruct(out.shape, out.dtype), lowered.out_info)
+        else:
+            program, results = kept
+            lowered = jax.jit(program).lower(shapes)
+    return Program(_compilers().submit(_built, lowered), results, flat=kept is not None)
 
 
 @contextlib.contextmanager
@@ -130,8 +160,7 @@ def _without_garbage_collection() -> Iterator[None]:
             gc.enable()
 
 
-def _built(jitted: Any, *arguments: Any) -> Callable[..., Any]:
-    lowered = jitted.lower(*arguments)
+def _built(lowered: Any) -> Callable[..., Any]:
     *preferred, last = _COMPILE_FAST
     for options in preferred:
         try:
@@ -144,7 +173,7 @@ def _built(jitted: Any, *arguments: Any) -> Callable[..., Any]:
 def _kept_program(
     function: Callable[..., Any], options: tuple[Any, ...], structure: Any, kinds: _Kinds
 ) -> tuple[Callable[..., Any], Any] | None:
-    """The program of a function of flat leaves, read from the cache or stored there; None without a cache."""
+    """The program of a function of flat leaves and its results, read from the cache or stored there, or None."""
     folder = jax.config.jax_compilation_cache_dir  # type: ignore[attr-defined]
     if not folder or importlib.util.find_spec("flatbuffers") is None:  # the file format of jax.export
         return None
@@ -156,7 +185,7 @@ def _kept_program(
     try:
         # a pickle, as trustworthy as the machine code that XLA keeps in the same folder of the user
         stored, skeleton = pickle.loads(file.read_bytes())
-        return export.deserialize(bytearray(stored)).call, jax.tree.structure(skeleton)
+        return _with_results(export.deserialize(bytearray(stored)), jax.tree.structure(skeleton))
     except Exception:  # absent or damaged: a result must never depend on the cache
         pass
     result_structures = []
@@ -171,7 +200,12 @@ def _kept_program(
     (result_structure,) = result_structures
     skeleton = jax.tree.unflatten(result_structure, [0] * len(exported.out_avals))
     _keep(file, pickle.dumps((bytes(exported.serialize()), skeleton)))
-    return exported.call, result_structure
+    return _with_results(exported, result_structure)
+
+
+def _with_results(exported: Any, structure: Any) -> tuple[Callable[..., Any], Any]:
+    shapes = [jax.ShapeDtypeStruct(out.shape, out.dtype) for out in exported.out_avals]
+    return exported.call, jax.tree.unflatten(structure, shapes)
 
 
 def _known_by_name(function: Callable[..., Any]) -> bool:

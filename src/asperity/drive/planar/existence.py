@@ -7,11 +7,10 @@ import math
 from typing import NamedTuple
 
 import jax
-import jax.numpy as jnp
 import numpy as np
 from jax import Array
 
-from asperity.compilation import call_compiled
+from asperity.arrays import namespace
 from asperity.drive.planar.layout import CARRIER, Incidence, PlanarDrive, gaps, incidence, speeds
 from asperity.errors import InputError
 
@@ -32,14 +31,9 @@ class _Measures(NamedTuple):
 
 
 def _measured(drive: PlanarDrive) -> _Measures:
-    found: _Measures = call_compiled(
-        _measures, jax.tree.map(lambda leaf: np.asarray(leaf, dtype=float), drive)
-    )
-    return found
-
-
-def _measures(drive: PlanarDrive) -> _Measures:
-    return _Measures(gaps(drive), neighbour_gaps(drive), incidence(drive), output_share(drive))
+    drive = jax.tree.map(lambda leaf: np.asarray(leaf, dtype=float), drive)
+    with np.errstate(all="ignore"):  # what cannot exist is judged by the nan that it makes
+        return _Measures(gaps(drive), neighbour_gaps(drive), incidence(drive), output_share(drive))
 
 
 def refuse_impossible(drive: PlanarDrive) -> None:
@@ -110,8 +104,9 @@ def output_share(drive: PlanarDrive) -> Array:
     Array
         Without sign [-]; below :data:`LEAST_OUTPUT_SHARE` it is rounding, and the output stands still.
     """
-    speed = jnp.abs(speeds(drive))
-    return speed[drive.members.index(drive.output)] / jnp.max(speed)
+    speed = abs(speeds(drive))
+    share: Array = speed[drive.members.index(drive.output)] / speed.max()
+    return share
 
 
 def pulling_contacts(drive: PlanarDrive) -> tuple[str, ...]:
@@ -182,30 +177,33 @@ def neighbour_gaps(drive: PlanarDrive) -> dict[tuple[str, str], Array]:
     for k, contact in enumerate(drive.contacts):
         radii.setdefault(contact.first, []).append(drive.first_radius[k])
         radii.setdefault(contact.second, []).append(drive.second_radius[k])
-    step = 2.0 * math.pi / jnp.asarray(drive.sectors, dtype=float)
+    xp = namespace(drive)
+    step = 2.0 * math.pi / xp.asarray(drive.sectors, dtype=float)
     x, y = drive.centres[:, 0], drive.centres[:, 1]
     squares = x**2 + y**2
-    orbit = jnp.where(squares > 0.0, jnp.sqrt(jnp.where(squares > 0.0, squares, 1.0)), 0.0)
+    orbit = xp.where(squares > 0.0, xp.sqrt(xp.where(squares > 0.0, squares, 1.0)), 0.0)
     found = {}
     for one, two in neighbours(drive):
         i, j = (drive.members.index(name) for name in (one, two))
         if i == j:
-            turned, size = step, 2.0 * jnp.max(jnp.stack(radii[one]))
+            turned, size = step, 2.0 * xp.max(xp.stack(radii[one]))
         else:
-            apart = jnp.mod(_polar(x[j], y[j]) - _polar(x[i], y[i]), step)
-            turned = jnp.minimum(apart, step - apart)
-            size = jnp.min(jnp.stack(radii[one])) + jnp.min(jnp.stack(radii[two]))
-        squared = orbit[i] ** 2 + orbit[j] ** 2 - 2.0 * orbit[i] * orbit[j] * jnp.cos(turned)
-        gap = jnp.sqrt(squared) - size
-        alone = (i == j) & (jnp.asarray(drive.sectors) < 2.0)
-        found[one, two] = jnp.where(alone, jnp.inf, gap)
+            apart = xp.mod(_polar(x[j], y[j]) - _polar(x[i], y[i]), step)
+            turned = xp.minimum(apart, step - apart)
+            size = xp.min(xp.stack(radii[one])) + xp.min(xp.stack(radii[two]))
+        squared = orbit[i] ** 2 + orbit[j] ** 2 - 2.0 * orbit[i] * orbit[j] * xp.cos(turned)
+        gap = xp.sqrt(squared) - size
+        alone = (i == j) & (xp.asarray(drive.sectors) < 2.0)
+        found[one, two] = xp.where(alone, xp.inf, gap)
     return found
 
 
 def _polar(x: Array, y: Array) -> Array:
     """Polar angle; 0 for the axis itself."""
+    xp = namespace(x, y)
     there = (x != 0.0) | (y != 0.0)
-    return jnp.where(there, jnp.arctan2(y, jnp.where(there, x, 1.0)), 0.0)
+    angle: Array = xp.where(there, xp.arctan2(y, xp.where(there, x, 1.0)), 0.0)
+    return angle
 
 
 def neighbours(drive: PlanarDrive) -> tuple[tuple[str, str], ...]:

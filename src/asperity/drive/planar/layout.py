@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import Literal, NamedTuple
+from typing import Any, Literal, NamedTuple
 
 import equinox as eqx
 import jax
@@ -20,7 +20,6 @@ from jax import Array
 from jax.typing import ArrayLike
 
 from asperity.arrays import namespace
-from asperity.compilation import call_compiled
 from asperity.drive.planar.linear import least_squares, product
 from asperity.types import Real
 
@@ -202,7 +201,7 @@ class _Sides(NamedTuple):
 
     first: np.ndarray  # number of the first body, shape (contacts,)
     second: np.ndarray
-    outward: Array  # -1 where the first body lies inside the second, else 1
+    outward: Any  # array of -1 where the first body lies inside the second, else 1
     sector: np.ndarray
 
 
@@ -211,7 +210,7 @@ def _sides(drive: PlanarDrive) -> _Sides:
     return _Sides(
         first=np.array([number[contact.first] for contact in drive.contacts]),
         second=np.array([number[contact.second] for contact in drive.contacts]),
-        outward=jnp.array([-1.0 if contact.internal else 1.0 for contact in drive.contacts]),
+        outward=np.array([-1.0 if contact.internal else 1.0 for contact in drive.contacts]),
         sector=np.array([contact.sector for contact in drive.contacts]),
     )
 
@@ -226,8 +225,12 @@ def _between(drive: PlanarDrive) -> tuple[Array, Array]:
 def _normals(drive: PlanarDrive) -> tuple[Array, Array]:
     """Direction from the first body to each contact, and the rotation of its second body's sector."""
     between, copies = _between(drive)
-    distance = jnp.sqrt(jnp.sum(between**2, axis=1))
-    return (_sides(drive).outward / distance)[:, None] * between, copies
+    return (_sides(drive).outward / _length(between))[:, None] * between, copies
+
+
+def _length(vectors: Array) -> Array:
+    found: Array = namespace(vectors).sqrt((vectors**2).sum(axis=1))
+    return found
 
 
 def contact_angles(drive: PlanarDrive) -> tuple[Array, Array]:
@@ -244,11 +247,11 @@ def contact_angles(drive: PlanarDrive) -> tuple[Array, Array]:
         About the first and about the second body, counter-clockwise from the x axis, shape (contacts,) [rad].
     """
     normals, copies = _normals(drive)
-    towards = -_sides(drive).outward[:, None] * product(jnp.swapaxes(copies, 1, 2), normals)
-    return jnp.arctan2(normals[:, 1], normals[:, 0]), jnp.arctan2(towards[:, 1], towards[:, 0])
+    towards = -_sides(drive).outward[:, None] * product(copies.swapaxes(1, 2), normals)
+    xp = namespace(normals)
+    return xp.arctan2(normals[:, 1], normals[:, 0]), xp.arctan2(towards[:, 1], towards[:, 0])
 
 
-@jax.jit  # traced once for each layout
 def incidence(drive: PlanarDrive) -> Incidence:
     """Directions, levers and surface speeds of a drive.
 
@@ -266,10 +269,18 @@ def incidence(drive: PlanarDrive) -> Incidence:
     ----------
     Plane kinematics of rigid bodies; equation (M1) of :doc:`/equations`.
     """
+    if namespace(drive) is not np:
+        return _traced_incidence(drive)
+    with np.errstate(all="ignore"):  # of a layout that cannot exist they are nan, as with JAX
+        return _incidence(drive)
+
+
+def _incidence(drive: PlanarDrive) -> Incidence:
+    xp = namespace(drive)
     sides, (normals, copies) = _sides(drive), _normals(drive)
-    tangents = jnp.stack([-normals[:, 1], normals[:, 0]], axis=1)
+    tangents = xp.stack([-normals[:, 1], normals[:, 0]], axis=1)
     moves = _movable(drive)
-    between = moves[sides.first] - jnp.sum(copies[..., None] * moves[sides.second][:, None], axis=2)
+    between = moves[sides.first] - (copies[..., None] * moves[sides.second][:, None]).sum(axis=2)
     # speed of a member relative to the carrier
     relative = np.eye(len(drive.members)) - np.eye(len(drive.members))[drive.members.index(CARRIER)]
     turning = drive.first_radius[:, None] * relative[sides.first] + (
@@ -277,17 +288,20 @@ def incidence(drive: PlanarDrive) -> Incidence:
     )
     pinned = np.array(drive.pinned, dtype=int)
     centres = drive.centres[pinned]
-    radial = centres / jnp.sqrt(jnp.sum(centres**2, axis=1, keepdims=True))
-    clockwise = jnp.stack([radial[:, 1], -radial[:, 0]], axis=1)
-    angles = jnp.reshape(jnp.asarray(drive.push_angles), (-1, 1))
-    push = jnp.cos(angles) * clockwise + jnp.sin(angles) * radial
+    radial = centres / _length(centres)[:, None]
+    clockwise = xp.stack([radial[:, 1], -radial[:, 0]], axis=1)
+    angles = xp.asarray(drive.push_angles).reshape(-1, 1)
+    push = xp.cos(angles) * clockwise + xp.sin(angles) * radial
     return Incidence(
-        approach=jnp.sum(normals[:, :, None] * between, axis=1),
-        sliding=jnp.sum(tangents[:, :, None] * between, axis=1),
+        approach=(normals[:, :, None] * between).sum(axis=1),
+        sliding=(tangents[:, :, None] * between).sum(axis=1),
         turning=turning,
-        pins=jnp.sum(push[:, :, None] * moves[pinned], axis=1),
+        pins=(push[:, :, None] * moves[pinned]).sum(axis=1),
         levers=centres[:, 0] * push[:, 1] - centres[:, 1] * push[:, 0],
     )
+
+
+_traced_incidence = jax.jit(_incidence)  # traced once for each layout
 
 
 def _movable(drive: PlanarDrive) -> np.ndarray:
@@ -310,8 +324,7 @@ def gaps(drive: PlanarDrive) -> Array:
         Distances, shape (contacts,) [m].
     """
     between, _ = _between(drive)
-    distance = jnp.sqrt(jnp.sum(between**2, axis=1))
-    return _sides(drive).outward * (distance - drive.second_radius) - drive.first_radius
+    return _sides(drive).outward * (_length(between) - drive.second_radius) - drive.first_radius
 
 
 def speeds(drive: PlanarDrive) -> Array:
@@ -333,20 +346,16 @@ def speeds(drive: PlanarDrive) -> Array:
     ----------
     Rolling without slip at every contact, relative to the carrier; equation (M2) of :doc:`/equations`.
     """
-    found: Array = call_compiled(_speeds, drive)
-    return found
-
-
-def _speeds(drive: PlanarDrive) -> Array:
     turning = incidence(drive).turning
     members = drive.members
     known = [members.index(drive.input), members.index(drive.grounded)]
     free = [i for i in range(len(members)) if i not in known]
     matrix, right = turning[:, np.array(free)], -drive.sense * turning[:, known[0]]
-    scale = jnp.max(jnp.abs(turning))
+    scale = abs(turning).max()
     found = least_squares(matrix / scale, right / scale)
     unit = np.eye(len(members))
-    return drive.sense * unit[known[0]] + product(unit[free].T, found)
+    speed: Array = drive.sense * unit[known[0]] + product(unit[free].T, found)
+    return speed
 
 
 def speed_ratio(drive: PlanarDrive) -> Real:

@@ -10,8 +10,11 @@ from __future__ import annotations
 
 import jax
 import jax.numpy as jnp
+import numpy as np
 from jax import Array
 from jax.typing import ArrayLike
+
+from asperity.arrays import namespace
 
 
 def product(matrix: ArrayLike, vector: ArrayLike) -> Array:
@@ -29,7 +32,9 @@ def product(matrix: ArrayLike, vector: ArrayLike) -> Array:
     Array
         Shape (..., m).
     """
-    return jnp.sum(jnp.asarray(matrix) * jnp.asarray(vector)[..., None, :], axis=-1)
+    xp = namespace(matrix, vector)
+    found: Array = (xp.asarray(matrix) * xp.asarray(vector)[..., None, :]).sum(axis=-1)
+    return found
 
 
 @jax.jit  # traced once for each size
@@ -61,7 +66,6 @@ def solve(matrix: Array, right_side: Array) -> Array:
     )
 
 
-@jax.jit
 def least_squares(matrix: Array, right_side: Array) -> Array:
     r"""The x that makes :math:`|A x - b|` smallest, by the normal equations, refined once.
 
@@ -75,8 +79,16 @@ def least_squares(matrix: Array, right_side: Array) -> Array:
     Returns
     -------
     Array
-        x, shape (n,); not finite where A has a smaller rank.
+        x, shape (n,); where A has a smaller rank not finite, or with NumPy's numbers the shortest of all.
     """
+    if namespace(matrix, right_side) is np:
+        shortest: Array = namespace(matrix).linalg.lstsq(matrix, right_side, rcond=None)[0]
+        return shortest
+    return _by_normal_equations(matrix, right_side)
+
+
+@jax.jit
+def _by_normal_equations(matrix: Array, right_side: Array) -> Array:
     square = jnp.sum(matrix[:, :, None] * matrix[:, None, :], axis=0)
     found = solve(square, product(matrix.T, right_side))
     return found + solve(square, product(matrix.T, right_side - product(matrix, found)))

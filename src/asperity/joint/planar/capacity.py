@@ -185,7 +185,7 @@ def limiting_torques(
         )
 
     def excesses(torque: Array) -> Array:
-        return jax.vmap(excesses_of, out_axes=1)(direction * torque, rolls, at_first)
+        return jax.lax.map(lambda given: excesses_of(*given), (direction * torque, rolls, at_first)).T
 
     orbit = jnp.max(jnp.abs(drive.centres)) + jnp.max(drive.second_radius)
     guess = jnp.min(friction * rest.normal) * orbit * drive.sectors

@@ -19,7 +19,7 @@ from asperity.drive.planar.bearings import friction_moments, friction_power
 from asperity.drive.planar.expansion import ring_interference
 from asperity.drive.planar.layout import CARRIER, PlanarDrive, speed_ratio, speeds
 from asperity.drive.planar.state import STATE_TOLERANCE, ContactLaws, PlanarState, surface_speeds
-from asperity.drive.planar.states import drive_states, loaded_states
+from asperity.drive.planar.states import DriveStates, drive_states, loaded_states
 from asperity.drive.rolling_speeds import BodiesOfContacts, RollingSpeeds
 from asperity.drive.torsional_stiffness import TorsionalStiffness, contact_torsional_stiffness
 from asperity.joint.contacts import JointContacts
@@ -188,20 +188,66 @@ def evaluated_with_laws(joint: PlanarJoint) -> tuple[PlanarResult, ContactLaws]:
     ----------
     Equations (M1)–(M4) of :doc:`/equations`.
     """
+    laws, states = laws_and_states(joint)
+    return planar_result(joint, laws, states), laws
+
+
+def laws_and_states(joint: PlanarJoint) -> tuple[ContactLaws, DriveStates]:
+    """The first half of the chain: the laws of the contacts, and how the drive stands and rolls.
+
+    Parameters
+    ----------
+    joint : PlanarJoint
+        One joint.
+
+    Returns
+    -------
+    ContactLaws, DriveStates
+        The laws; the drive assembled, standing and rolling.
+
+    References
+    ----------
+    Equation (M3) of :doc:`/equations`.
+    """
     joint = jax.tree.map(lambda leaf: jnp.asarray(leaf, dtype=float), joint)
-    drive, contacts = joint.drive, planar_contacts(joint)
-    masses = body_masses(joint)
+    contacts = planar_contacts(joint)
     laws = contact_laws(joint, contacts)
-    load = drive_load(joint, masses, joint.output_torque)
     states = drive_states(
-        drive=drive,
+        drive=joint.drive,
         laws=laws,
         pattern=joint.working_pattern,
         preload=joint.preload,
         interference=joint.interference,
-        load=load,
+        load=drive_load(joint, body_masses(joint), joint.output_torque),
         creep_of=lambda normal, tangential: creep_law(joint, contacts, normal, tangential).law,
     )
+    return laws, states
+
+
+def planar_result(joint: PlanarJoint, laws: ContactLaws, states: DriveStates) -> PlanarResult:
+    """The second half of the chain: what the states of a joint mean.
+
+    Parameters
+    ----------
+    joint : PlanarJoint
+        One joint.
+    laws : ContactLaws
+        Laws of its contacts.
+    states : DriveStates
+        Its states, of :func:`laws_and_states`.
+
+    Returns
+    -------
+    PlanarResult
+        Of :func:`evaluate_planar`.
+
+    References
+    ----------
+    Equations (M1)–(M4) of :doc:`/equations`.
+    """
+    joint = jax.tree.map(lambda leaf: jnp.asarray(leaf, dtype=float), joint)
+    drive, contacts = joint.drive, planar_contacts(joint)
+    masses = body_masses(joint)
     creep = creep_law(joint, contacts, states.standing.normal, states.standing.tangential)
     sense = driving_sense(drive)
     standing, rolling = (
@@ -221,7 +267,7 @@ def evaluated_with_laws(joint: PlanarJoint) -> tuple[PlanarResult, ContactLaws]:
         rest_force=states.rest.normal,
         self_locking_ratio=None,
     )
-    found = PlanarResult(
+    return PlanarResult(
         speed_ratio=jnp.asarray(speed_ratio(drive)),
         speeds=ideal,
         output_speed=ideal[drive.members.index(drive.output)] * joint.input_speed,
@@ -267,7 +313,6 @@ def evaluated_with_laws(joint: PlanarJoint) -> tuple[PlanarResult, ContactLaws]:
         bodies=bodies_of_contacts(drive),
         contact_names=joint.contact_names,
     )
-    return found, laws
 
 
 def _bearing_power(joint: PlanarJoint, state: PlanarState) -> Array:

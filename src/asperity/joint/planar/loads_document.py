@@ -18,8 +18,8 @@ from asperity.joint.branch_limits import pressed
 from asperity.joint.branch_results import UnequalBranches
 from asperity.joint.loads_document import RATED, Document, Row, case_entry, document_of_rows
 from asperity.joint.planar.description import PlanarJoint, tracks_of
-from asperity.joint.planar.evaluation import PlanarResult
-from asperity.joint.planar.solve import PlanarSolution, solve_planar_program
+from asperity.joint.planar.evaluation import PlanarResult, laws_and_states, planar_result
+from asperity.joint.planar.solve import PlanarSolution
 from asperity.joint.planar.working_loads import (
     member_speeds,
     pin_speeds,
@@ -96,7 +96,10 @@ def planar_loads_document(
     ]
     for index, point in enumerate(numbers.rolling.duty, start=1):
         there = dataclasses.replace(numbers, output_torque=point.output_torque, input_speed=point.sun_speed)
-        under: PlanarResult = jax.tree.map(np.asarray, compile_fast(solve_planar_program, there)(there)[0])
+        laws, states = compile_fast(laws_and_states, there)(there)
+        under: PlanarResult = jax.tree.map(
+            np.asarray, compile_fast(planar_result, there, laws, states)(there, laws, states)
+        )
         loaded.append((f"duty {index}", float(point.share), there, under))
     drive = joint.drive
     speeds = [np.zeros(len(drive.members))]

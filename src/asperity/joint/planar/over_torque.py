@@ -19,9 +19,8 @@ from asperity.drive.planar.states import loaded_states, state_at_rest
 from asperity.drive.rolling_state import drift_per_turn
 from asperity.joint.contacts import JointContacts
 from asperity.joint.planar.description import PlanarJoint, body_masses, planar_contacts
-from asperity.joint.planar.evaluation import driving_sense, turning
+from asperity.joint.planar.evaluation import driving_sense, laws_and_states, turning
 from asperity.joint.planar.laws import contact_laws, creep_law, drive_load
-from asperity.joint.planar.solve import solve_planar_program
 from asperity.joint.planar.stiffness import loaded_stiffness
 from asperity.types import Real
 
@@ -88,7 +87,7 @@ def over_torque(joint: PlanarJoint, torques: Array, *, no_slip_friction: float) 
         Results of states that do not balance have no meaning.
     """
     numbers: PlanarJoint = jax.tree.map(lambda leaf: np.asarray(leaf, dtype=float), joint)
-    rest = jax.tree.map(np.asarray, compile_fast(solve_planar_program, numbers)(numbers)[0].rest)
+    rest = jax.tree.map(np.asarray, compile_fast(laws_and_states, numbers)(numbers)[1].rest)
     asked = np.asarray(torques, dtype=float)
     filled = np.concatenate([asked, np.full(-asked.size % BATCH, asked[-1])])
     friction = np.asarray(no_slip_friction)

@@ -10,11 +10,13 @@ import numpy as np
 
 from asperity.compilation import compile_fast
 from asperity.drive.planar.existence import refuse_impossible
+from asperity.drive.planar.state import ContactLaws, PlanarState
 from asperity.errors import InputError, NoSolutionError
 from asperity.joint.capacity import LIMIT_KINDS, TorqueCapacity, limit_words
 from asperity.joint.planar.capacity import PlanarCapacity, planar_capacity
 from asperity.joint.planar.description import PlanarJoint, tracks_of
-from asperity.joint.planar.evaluation import PlanarResult, evaluated_with_laws
+from asperity.joint.planar.evaluation import PlanarResult, laws_and_states, planar_result
+from asperity.joint.planar.rims import bends, planar_rims
 from asperity.joint.refusal import refuse_short_contacts
 from asperity.joint.temperature import refuse_loose
 from asperity.precision import require_double_precision
@@ -45,21 +47,33 @@ class PlanarSolution(eqx.Module):
     reverse_first_slip: TorqueCapacity
 
 
-def solve_planar_program(joint: PlanarJoint) -> tuple[PlanarResult, PlanarCapacity]:
-    """What is compiled to solve a joint: everything about it, and its capacities.
+def result_and_capacity(joint: PlanarJoint) -> tuple[PlanarResult, PlanarCapacity]:
+    """Everything about one joint, and its capacities, without a judgement whether it exists.
 
     Parameters
     ----------
     joint : PlanarJoint
-        One joint.
+        One joint of NumPy numbers.
 
     Returns
     -------
-    tuple
-        Its result, and its torque capacities in both directions.
+    PlanarResult, PlanarCapacity
+        Results, and torque capacities in both directions, with leaves as NumPy arrays.
     """
-    result, laws = evaluated_with_laws(joint)
-    return result, planar_capacity(joint, result.rest, laws, first_slip=True)
+    first = compile_fast(laws_and_states, joint)
+    laws, states = first.results
+    second = compile_fast(planar_result, joint, laws, states)
+    limits = compile_fast(_capacities, joint, states.rest, laws)
+    if any(bends(joint)):
+        compile_fast(planar_rims, joint, second.results)  # which every document asks for next
+    laws, states = first(joint)
+    result, capacity = second(joint, laws, states), limits(joint, states.rest, laws)
+    known: tuple[PlanarResult, PlanarCapacity] = jax.tree.map(np.asarray, (result, capacity))
+    return known
+
+
+def _capacities(joint: PlanarJoint, rest: PlanarState, laws: ContactLaws) -> PlanarCapacity:
+    return planar_capacity(joint, rest, laws, first_slip=True)
 
 
 def solve_planar(joint: PlanarJoint) -> PlanarSolution:
@@ -89,8 +103,7 @@ def solve_planar(joint: PlanarJoint) -> PlanarSolution:
     refuse_impossible(numbers.drive)
     refuse_loose(numbers.fit)
     refuse_bores(numbers)
-    program = compile_fast(solve_planar_program, numbers)
-    result, capacity = jax.tree.map(np.asarray, program(numbers))
+    result, capacity = result_and_capacity(numbers)
     both = [jax.tree.map(lambda leaf, i=i: leaf[i], part) for part in capacity for i in range(2)]
     solution = PlanarSolution(result, *both)
     _refuse_unsolved(numbers, solution)

@@ -11,14 +11,13 @@ import jax.numpy as jnp
 import numpy as np
 from jax import Array
 
-from asperity.compilation import compile_fast
 from asperity.drive.planar.equal_springs import rest_forces
 from asperity.drive.planar.expansion import interference_of_strains, ring_interference
 from asperity.drive.thermal_expansion import ring_expansion
 from asperity.joint.planar.capacity import PlanarCapacity
 from asperity.joint.planar.description import PlanarFit, PlanarJoint, places
 from asperity.joint.planar.evaluation import PlanarResult
-from asperity.joint.planar.solve import solve_planar_program
+from asperity.joint.planar.solve import result_and_capacity
 from asperity.joint.temperature import fit_document
 from asperity.types import Real
 
@@ -130,10 +129,7 @@ def solved_at(joint: PlanarJoint, temperature: float) -> tuple[PlanarResult, Pla
     assert joint.fit is not None
     there = dataclasses.replace(joint, fit=dataclasses.replace(joint.fit, working_temperature=temperature))
     numbers = jax.tree.map(lambda leaf: np.asarray(leaf, dtype=float), there)
-    found: tuple[PlanarResult, PlanarCapacity] = jax.tree.map(
-        np.asarray, compile_fast(solve_planar_program, numbers)(numbers)
-    )
-    return found
+    return result_and_capacity(numbers)
 
 
 def planar_assembly_document(joint: PlanarJoint) -> dict[str, Any] | None:
