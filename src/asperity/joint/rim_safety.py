@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import operator
+
 import equinox as eqx
 import jax
 import jax.numpy as jnp
@@ -159,7 +161,8 @@ def body_rims(
         )
         return rim_range(body=body, stresses=rim_stresses(body=body, loads=loads))
 
-    working, resting = (found(*state) for state in states)
+    ranges = jax.vmap(found)(*map(jnp.stack, zip(*states, strict=True)))  # traced and compiled once
+    working, resting = (jax.tree.map(operator.itemgetter(i), ranges) for i in range(2))
     strength = material.yield_strength if material.tensile_strength is None else material.tensile_strength
     safety = jnp.full(batch, jnp.nan)
     if material.fatigue_strength is not None:
