@@ -14,10 +14,12 @@ from asperity.joint.solve import solve
 
 
 @pytest.mark.slow
-def test_root_search_and_halving_find_the_same_torque_in_either_direction(wedged):
+@pytest.mark.parametrize("skew", [None, (np.asarray(0.5e-3),)])
+def test_root_search_and_halving_find_the_same_torque_in_either_direction(wedged, skew):
     """Two ways: a search on the slip ratio with derivatives, and halving with the whole joint solved each time."""
     bearings = Bearings(*map(np.asarray, (0.002, 0.001, 0.01, 0.01, 2e-3)))
-    joint = dataclasses.replace(wedged, bearings=bearings, sun_speed=np.asarray(100.0))
+    rolling = dataclasses.replace(wedged.rolling, skew=skew)
+    joint = dataclasses.replace(wedged, bearings=bearings, sun_speed=np.asarray(100.0), rolling=rolling)
     direction = jnp.array([1.0, 1.0, 1.0, -1.0])
 
     def total(preload):
@@ -32,3 +34,21 @@ def test_root_search_and_halving_find_the_same_torque_in_either_direction(wedged
             rolling_capacity_of(loaded, solve(loaded), direction=np.sign(torque)), rel=1e-8
         )
     assert float(found[1]) != pytest.approx(float(found[3]), rel=1e-3)
+
+
+@pytest.mark.slow
+def test_skew_takes_its_share_of_the_friction_at_the_capacity(wedged):
+    """At the capacity one contact uses all that skew leaves it, and skew that slips by itself leaves no capacity."""
+
+    def skewed(angle):
+        return dataclasses.replace(wedged, rolling=dataclasses.replace(wedged.rolling, skew=(angle,)))
+
+    capacity = jax.jit(lambda angle: rolling_torque_capacity(skewed(angle), direction=1.0))
+    parallel, half, whole = (float(capacity(jnp.asarray(angle))) for angle in (0.0, 0.5e-3, 20e-3))
+    assert parallel == pytest.approx(float(rolling_torque_capacity(wedged, direction=1.0)), rel=1e-9)
+    assert 0.5 * parallel < half < 0.999 * parallel
+    assert whole == 0.0
+    joint = skewed(np.asarray(0.5e-3))
+    at = solve(dataclasses.replace(joint, output_torque=np.asarray(half * (1.0 - 1e-9)))).result.rolling
+    left = np.asarray(wedged.friction_coefficients[0]) * np.asarray(at.normal) * (1.0 - np.asarray(at.capacity_loss))
+    assert np.max(np.abs(np.asarray(at.tangential)) / left) == pytest.approx(1.0, abs=1e-6)

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from asperity.joint.contacts import joint_contacts
-from asperity.joint.rolling_creep import contact_creep, lateral_slip_ratios
+from asperity.joint.rolling_creep import capacity_loss, contact_creep, lateral_slip_ratio
 
 NORMAL = np.array([1000.0, 600.0, 500.0, 600.0, 500.0])
 RADIUS = np.array([4.0 * 13.5 / 17.5, *[13.5 * 5.0 / 18.5] * 2, *[5.0 * 40.0 / 35.0] * 2]) * 1e-3
@@ -59,12 +59,12 @@ def test_skew_adds_creep_and_takes_friction(creep):
     stiff = {"friction_coefficient": FRICTION, "width_over_radius": WIDTH / RADIUS}
     parallel = creep(1e20)
     along = 0.4 * jnp.asarray(CARTER)
-    for found in lateral_slip_ratios(creep=parallel, creepage=along, **stiff):
-        np.testing.assert_array_equal(found, 0.0)
+    np.testing.assert_array_equal(lateral_slip_ratio(creep=parallel, creepage=along, **stiff), 0.0)
+    np.testing.assert_array_equal(capacity_loss(creep=parallel, **stiff), 0.0)
     little, twice = (creep(1e20, skew=(angle,)) for angle in (1e-6, 2e-6))
     assert not little.parallel
-    first, lost = lateral_slip_ratios(creep=little, creepage=along, **stiff)
-    second, _ = lateral_slip_ratios(creep=twice, creepage=along, **stiff)
+    first, second = (lateral_slip_ratio(creep=skewed, creepage=along, **stiff) for skewed in (little, twice))
+    lost = capacity_loss(creep=little, **stiff)
     np.testing.assert_allclose(np.asarray(second) / np.asarray(first), 2.0, rtol=1e-3)
     assert np.all(np.asarray(lost) >= 0.0)
     assert np.all(np.asarray(lost) < 1e-3)

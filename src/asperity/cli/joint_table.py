@@ -25,7 +25,6 @@ from asperity.joint.document import (
     input_member,
     stiffness_rows,
 )
-from asperity.joint.rolling_document import skew_words
 
 if TYPE_CHECKING:
     from rich.console import Console
@@ -328,7 +327,7 @@ def _rolling_capacity(document: Document) -> str:
         return "not limited by friction"
     if found <= 0.0:
         return "slips without a torque"
-    return f"up to {in_unit(found, 'N*m')} without gross slip{skew_words(document['rolling'])}"
+    return f"up to {in_unit(found, 'N*m')} without gross slip"
 
 
 def capacity_text(capacity: Document) -> str:

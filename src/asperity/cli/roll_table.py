@@ -71,13 +71,11 @@ def _show_output(target: Console, document: Document) -> None:
         "-" if not spring else in_unit(torque / spring, "arcmin"),
         "about what comes back without torque; 'asperity windup' integrates it",
     )
-    from asperity.joint.rolling_document import skew_words
-
     capacity = rolling["torque_capacity_Nm"]
     shown.add_row(
         "torque capacity, rolling",
         "not limited" if capacity is None else in_unit(capacity, "N*m"),
-        f"beyond, a contact slips{skew_words(rolling)}; standing: {_standing_capacity(document)}",
+        f"beyond, a contact slips; standing: {_standing_capacity(document)}",
     )
     target.print(shown)
 

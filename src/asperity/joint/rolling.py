@@ -23,7 +23,7 @@ from asperity.drive.rolling_state import ROLLING_TOLERANCE, RollingState, drift_
 from asperity.joint.contacts import JointContacts
 from asperity.joint.description import Joint
 from asperity.joint.rolling_conditions import RollingConditions
-from asperity.joint.rolling_creep import ContactCreep, contact_creep, lateral_slip_ratios
+from asperity.joint.rolling_creep import ContactCreep, capacity_loss, contact_creep, lateral_slip_ratio
 from asperity.joint.rolling_life import DriveLives, cycle_rates, drive_lives
 from asperity.joint.rolling_power import RollingPower, bearing_power, rolling_power
 from asperity.joint.rolling_strips import rolling_strips
@@ -272,14 +272,13 @@ def turning_result(
     traction = state.tangential / normal
     strips = rolling_strips(contacts=contacts, normal_force=normal, traction=traction)
     speeds = jax.tree.map(lambda speed: speed * input_speed, unit_speeds)
-    lateral = lateral_slip_ratios(
-        creep=creep,
-        friction_coefficient=friction,
-        width_over_radius=strips.even_half_width / pairs.effective_radius,
-        creepage=state.creepage,
+    width = strips.even_half_width / pairs.effective_radius
+    lateral = lateral_slip_ratio(
+        creep=creep, friction_coefficient=friction, width_over_radius=width, creepage=state.creepage
     )
+    lost = capacity_loss(creep=creep, friction_coefficient=friction, width_over_radius=width)
     axial = jnp.asarray(
-        axial_force(friction_coefficient=friction, normal_force=normal, lateral_slip_ratio=lateral[0])
+        axial_force(friction_coefficient=friction, normal_force=normal, lateral_slip_ratio=lateral)
     )
     turns = jnp.asarray(input_speed) > 0.0
     drift = drift_per_turn(state.speed_loss)
@@ -306,7 +305,7 @@ def turning_result(
         lines=strips.lines,
     )
     stuck = jnp.asarray(
-        stick_fraction(longitudinal_slip_ratio=traction / friction, lateral_slip_ratio=lateral[0])
+        stick_fraction(longitudinal_slip_ratio=traction / friction, lateral_slip_ratio=lateral)
     )
     flash_power = jnp.asarray((power.creep + power.skew) / (branches * pairs.contact_length))
     flash_stuck = stuck
@@ -314,7 +313,7 @@ def turning_result(
         flash_power = flash_power * strips.middle_power_ratio
         flash_stuck = jnp.asarray(
             stick_fraction(
-                longitudinal_slip_ratio=strips.middle_traction / friction, lateral_slip_ratio=lateral[0]
+                longitudinal_slip_ratio=strips.middle_traction / friction, lateral_slip_ratio=lateral
             )
         )
     film, film_over_roughness = oil_film(
@@ -329,12 +328,12 @@ def turning_result(
         creepage=state.creepage,
         creepage_share=state.creepage / jnp.where(creepage_in_series != 0.0, creepage_in_series, jnp.nan),
         traction_coefficient=traction,
-        slip_ratio=jnp.abs(traction) / (friction * (1.0 - lateral[1])),
+        slip_ratio=jnp.abs(traction) / (friction * (1.0 - lost)),
         stick_fraction=stuck,
         layer_ratio=creep.layer_ratio,
         layer_creepage_factor=creep.layer_factor,
         skew_creepage_factor=creep.skew_factor,
-        capacity_loss=jnp.asarray(lateral[1]),
+        capacity_loss=lost,
         axial_force=axial,
         axial_thrust=_thrust(bodies, axial, branches),
         speed_loss=state.speed_loss,

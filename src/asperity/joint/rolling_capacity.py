@@ -14,16 +14,17 @@ from asperity.drive.rolling_state import ROLLING_TOLERANCE, rolling_state
 from asperity.joint.contacts import joint_contacts, rough_joint_contacts
 from asperity.joint.description import Joint, with_one_rank
 from asperity.joint.evaluation import drive_under, mechanism
-from asperity.joint.rolling_creep import contact_creep
+from asperity.joint.rolling_creep import capacity_loss, contact_creep
 from asperity.types import Real
 
 
 def rolling_torque_capacity(joint: Joint, *, direction: Real) -> Array:
     r"""Largest output torque in a direction under which a joint has a steady rolling state.
 
-    .. math:: \max_i \frac{T_i}{\mu_i N_i} = 1
+    .. math:: \max_i \frac{T_i}{(1 - \lambda_i) \mu_i N_i} = 1
 
-    with the forces of :func:`asperity.drive.rolling_state.rolling_state`.
+    with the forces of :func:`asperity.drive.rolling_state.rolling_state`, and the share λ of the friction that skew
+    takes, of :func:`asperity.joint.rolling_creep.capacity_loss`.
 
     Parameters
     ----------
@@ -40,7 +41,8 @@ def rolling_torque_capacity(joint: Joint, *, direction: Real) -> Array:
     Notes
     -----
     Friction and the balance of forces are the limits; the capacity at rest, :func:`asperity.joint.capacity`, has
-    others, and the smaller of the two holds. The derivatives are implicit.
+    others, and the smaller of the two holds. Beyond the capacity a skewed joint still turns, while a contact slips as a
+    whole: its drift is many times larger. The derivatives are implicit.
 
     References
     ----------
@@ -67,8 +69,15 @@ def rolling_torque_capacity(joint: Joint, *, direction: Real) -> Array:
             asperity_normal_stiffness=rough.normal_stiffness,
         )
         state = rolling_state(mechanism=loaded, standing=forces, law=creep.law)
+        lost = capacity_loss(
+            creep=creep,
+            friction_coefficient=friction,
+            width_over_radius=contacts.pairs.half_width(state.normal) / contacts.pairs.effective_radius,
+        )
         slip = slip_ratio(
-            normal_force=state.normal, tangential_force=state.tangential, friction_coefficient=friction
+            normal_force=state.normal,
+            tangential_force=state.tangential,
+            friction_coefficient=friction * (1.0 - lost),
         )
         rolls = (forces.balance_residual < BALANCE_TOLERANCE) & (state.residual < ROLLING_TOLERANCE)
         rest = jnp.broadcast_to(jnp.where(rolls, -1.0, 1.0), slip.shape[1:])

@@ -195,10 +195,10 @@ def _sliced(
     return jnp.asarray(smooth / even), jnp.asarray(rough_creepage / smooth)
 
 
-def lateral_slip_ratios(
+def lateral_slip_ratio(
     *, creep: ContactCreep, friction_coefficient: Real, width_over_radius: Real, creepage: Array
-) -> tuple[Real, Real]:
-    """Axial force over friction, and the share of the tangential capacity that skew takes; 0 for parallel axes.
+) -> Array:
+    """Axial force of the contacts over their friction; 0 for parallel axes.
 
     Parameters
     ----------
@@ -211,18 +211,49 @@ def lateral_slip_ratios(
 
     Returns
     -------
-    tuple of Real
-        Axial force over friction and lost share, shape (contacts, ...) [-].
+    Array
+        Ratios, shape (contacts, ...) [-].
 
     References
     ----------
     Equation (B6) of :doc:`/equations`.
     """
     if creep.parallel:
-        return jnp.zeros_like(creepage), jnp.zeros_like(creepage)
-    limit = jnp.broadcast_to(friction_coefficient * width_over_radius * creep.layer_factor, creepage.shape)
+        return jnp.zeros_like(creepage)
+    limits = _gross_slip_creepages(creep, friction_coefficient, width_over_radius)
+    _, lateral = skewed_slip_ratios(longitudinal_creepage=creepage, lateral_creepage=creep.skew, **limits)
+    return jnp.asarray(lateral)
+
+
+def capacity_loss(*, creep: ContactCreep, friction_coefficient: Real, width_over_radius: Real) -> Array:
+    """Share of the friction of the contacts that skew takes from the tangential force at gross slip.
+
+    Parameters
+    ----------
+    creep : ContactCreep
+        The law of the contacts.
+    friction_coefficient, width_over_radius : Real
+        mu and half-width over effective radius [-].
+
+    Returns
+    -------
+    Array
+        Shares, shape (contacts, ...) [-]; 0 for parallel axes, 1 where skew alone causes gross slip.
+
+    References
+    ----------
+    Equation (B6) of :doc:`/equations`.
+    """
+    if creep.parallel:
+        return jnp.zeros_like(creep.skew)
+    limits = _gross_slip_creepages(creep, friction_coefficient, width_over_radius)
+    return jnp.asarray(1.0 - longitudinal_capacity_ratio(lateral_creepage=creep.skew, **limits))
+
+
+def _gross_slip_creepages(
+    creep: ContactCreep, friction_coefficient: Real, width_over_radius: Real
+) -> dict[str, Real]:
+    limit = jnp.broadcast_to(friction_coefficient * width_over_radius * creep.layer_factor, creep.skew.shape)
     if creep.crown_factor is not None:
         limit = limit * creep.crown_factor
-    limits = {"gross_slip_creepage": limit, "lateral_gross_slip_creepage": limit * creep.lateral_ratio}
-    _, lateral = skewed_slip_ratios(longitudinal_creepage=creepage, lateral_creepage=creep.skew, **limits)
-    return lateral, 1.0 - longitudinal_capacity_ratio(lateral_creepage=creep.skew, **limits)
+    return {"gross_slip_creepage": limit, "lateral_gross_slip_creepage": limit * creep.lateral_ratio}

@@ -190,20 +190,3 @@ def unknown_because(joint: Joint | PlanarJoint, result: JointResult | PlanarResu
     if joint.rolling.duty and np.isnan(np.asarray(found.duty_life_hours)):
         reasons.append("no life under the duty: a contact slips or lifts off under one of its loads")
     return reasons
-
-
-def skew_words(rolling: Document) -> str:
-    """What the torque capacity in rolling leaves out.
-
-    Parameters
-    ----------
-    rolling : dict
-        As :func:`rolling_document` makes it.
-
-    Returns
-    -------
-    str
-        The end of a sentence without a full stop; empty for parallel axes.
-    """
-    skewed = any(contact["capacity_loss"] for contact in rolling["contacts"].values())
-    return ", the friction that skew takes not counted" if skewed else ""

@@ -48,7 +48,10 @@ def rolling_capacity_of(joint: Joint, solution: Solution, *, direction: float) -
 
     def rolls(torque: float) -> bool:
         result, *_ = program(dataclasses.replace(numbers, output_torque=np.float64(direction * torque)))
-        return bool(np.isfinite(np.asarray(result.rolling.residual)))
+        rolling = result.rolling
+        return bool(
+            np.isfinite(np.asarray(rolling.residual)) and np.all(np.asarray(rolling.slip_ratio) < 1.0)
+        )
 
     return _largest(rolls, float(at_rest.output_torque))
 

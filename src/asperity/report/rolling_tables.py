@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Any
 
-from asperity.joint.rolling_document import skew_words
 from asperity.report.cells import number, percent, quantity
 from asperity.report.content import Block, Bullets, Paragraph, Table
 
@@ -66,7 +65,7 @@ def _position(document: Document, capacity: float | None) -> Table:
         (
             "torque capacity, rolling",
             quantity(capacity, "N*m"),
-            "beyond, a contact slips" + skew_words(found),
+            "beyond, a contact slips",
         ),
     ]
     return Table(

@@ -1,5 +1,6 @@
 """Planetary, multiroller and stepped-planet drives from their files: forces and stiffness by hand, refusals."""
 
+import dataclasses
 import math
 
 import numpy as np
@@ -8,7 +9,7 @@ import pytest
 from asperity.cli.joint_table import show_joint
 from asperity.cli.roll_table import show_rolling
 from asperity.errors import InputError, NoSolutionError
-from asperity.joint.planar.solve import refuse_planar_rolling
+from asperity.joint.planar.solve import refuse_planar_rolling, solve_planar
 from asperity.joint_file.solved_document import solve_planar_case
 
 ORBIT, COUNT = 30e-3, 3  # of the planetary example
@@ -54,6 +55,18 @@ def test_thrust_and_loss_of_skewed_axes_by_hand(skewed_planetary):
     assert losses["skew"] == pytest.approx(expected, rel=2e-3)
     assert losses["total"] == pytest.approx(losses["creep"] + losses["oil"] + losses["skew"], rel=1e-12)
     assert np.all(solution.result.rolling.capacity_loss > 0.0)
+
+
+@pytest.mark.slow
+def test_at_the_capacity_in_rolling_a_skewed_contact_uses_all_that_skew_leaves(skewed_planetary):
+    joint, solution, _ = skewed_planetary
+    capacity = float(solution.rolling_capacity.output_torque)
+    assert capacity < 0.9 * float(solution.capacity.output_torque)
+    rolling = solve_planar(dataclasses.replace(joint, output_torque=capacity)).result.rolling
+    left = 0.08 * (1.0 - np.asarray(rolling.capacity_loss)) * np.asarray(rolling.normal)
+    used = np.abs(np.asarray(rolling.tangential)) / left
+    assert np.max(used) == pytest.approx(1.0, abs=1e-6)
+    assert np.argmax(used) == int(solution.rolling_capacity.limiting_contact)
 
 
 def test_drift_and_power_of_the_planetary(planetary):

@@ -192,7 +192,7 @@ def loaded_state(
     rolls: Array,
     creep_of: CreepOf | None = None,
     passes: int | None = None,
-) -> PlanarState:
+) -> tuple[PlanarState, PlanarState]:
     """A drive under a torque, standing or rolling, from its assembled state.
 
     Parameters
@@ -215,8 +215,9 @@ def loaded_state(
 
     Returns
     -------
-    PlanarState
-        Near and beyond gross slip the laws are continued as lines, and ``residual`` is infinite.
+    tuple of PlanarState
+        The state under whose forces the creep law is taken, and the state. Near and beyond gross slip the laws are
+        continued as lines, and ``residual`` is infinite.
 
     References
     ----------
@@ -224,9 +225,12 @@ def loaded_state(
     """
     kind = jnp.where(rolls, ROLLING, STANDING)
     kinds = jnp.stack([jnp.asarray(STANDING), kind]) if passes is None else jnp.full(passes, kind)
-    states = _loaded(drive, laws, rest, load, kinds, creep_of)
-    last: PlanarState = jax.tree.map(lambda leaf: leaf[-1], states)
-    return last
+    return _last_two(_loaded(drive, laws, rest, load, kinds, creep_of))
+
+
+def _last_two(states: PlanarState) -> tuple[PlanarState, PlanarState]:
+    before, last = (jax.tree.map(lambda leaf, i=i: leaf[i], states) for i in (-2, -1))
+    return before, last
 
 
 def loaded_states(
@@ -256,9 +260,7 @@ def loaded_states(
     ----------
     Equation (M3) of :doc:`/equations`.
     """
-    states = _loaded(drive, laws, rest, load, jnp.array([STANDING, ROLLING]), creep_of)
-    standing, rolling = (jax.tree.map(lambda leaf, i=i: leaf[i], states) for i in range(2))
-    return standing, rolling
+    return _last_two(_loaded(drive, laws, rest, load, jnp.array([STANDING, ROLLING]), creep_of))
 
 
 def _loaded(

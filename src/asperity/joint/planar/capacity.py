@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+from collections.abc import Callable
 from typing import NamedTuple
 
 import jax
@@ -10,11 +11,12 @@ import jax.numpy as jnp
 from jax import Array
 
 from asperity.drive.capacity import first_limit, slip_ratio
-from asperity.drive.planar.state import SLIP_TOLERANCE, STATE_TOLERANCE, ContactLaws, CreepOf, PlanarState
+from asperity.drive.planar.state import SLIP_TOLERANCE, STATE_TOLERANCE, ContactLaws, PlanarState
 from asperity.drive.planar.states import loaded_state
 from asperity.joint.capacity import TorqueCapacity, named_capacity
 from asperity.joint.planar.description import PlanarJoint, body_masses, planar_contacts, tracks_of
 from asperity.joint.planar.laws import creep_law, drive_load
+from asperity.joint.rolling_creep import ContactCreep, capacity_loss
 from asperity.types import Real
 
 _LIFTED = 1e-12
@@ -110,7 +112,7 @@ def limiting_torques(
     direction: Array,
     rolls: Array,
     at_first: Array,
-    creep_of: CreepOf | None = None,
+    creep_of: Callable[[Array, Array], ContactCreep] | None = None,
     passes: int | None = None,
 ) -> TorqueCapacity:
     """Largest output torques that keep every limit: slip, lift-off, width of the strips, a solution of the equations.
@@ -145,28 +147,40 @@ def limiting_torques(
 
     References
     ----------
-    Equations (A9) and (M3) of :doc:`/equations`.
+    Equations (A9), (B3) and (M3) of :doc:`/equations`.
     """
     drive, contacts = joint.drive, planar_contacts(joint)
     masses, sizes = body_masses(joint), smaller_sizes(joint)
     friction = contacts.pairs.friction_coefficient
     unloaded = drive_load(joint, masses, 0.0)
-    creep = creep_of or (lambda normal, tangential: creep_law(joint, contacts, normal, tangential).law)
+    creep_at = creep_of or (lambda normal, tangential: creep_law(joint, contacts, normal, tangential))
+
+    def friction_left(before: PlanarState, state: PlanarState) -> Array:
+        """Friction that skew leaves to the joint that turns."""
+        lost = capacity_loss(
+            creep=creep_at(before.normal, before.tangential),
+            friction_coefficient=friction,
+            width_over_radius=contacts.pairs.half_width(state.normal) / contacts.pairs.effective_radius,
+        )
+        return friction * (1.0 - lost)
 
     def excesses_of(torque: Array, rolls: Array, at_first: Array) -> Array:
         load = dataclasses.replace(unloaded, output_torque=torque)
-        state = loaded_state(
+        before, state = loaded_state(
             drive=drive,
             laws=laws,
             rest=rest,
             load=load,
             rolls=rolls,
-            creep_of=creep,
+            creep_of=lambda normal, tangential: creep_at(normal, tangential).law,
             passes=passes,
         )
         touching = state.normal > _LIFTED * rest.normal
+        available = friction
+        if joint.rolling.skew is not None:
+            available = jnp.where(rolls, friction_left(before, state), friction)
         slip = slip_ratio(
-            normal_force=state.normal, tangential_force=state.tangential, friction_coefficient=friction
+            normal_force=state.normal, tangential_force=state.tangential, friction_coefficient=available
         )
         slides = state.slides != 0.0
         width = contacts.largest_half_width(jnp.where(touching, state.normal, rest.normal))

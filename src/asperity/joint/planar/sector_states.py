@@ -16,7 +16,6 @@ from asperity.drive.planar.layout import CARRIER, incidence
 from asperity.drive.planar.state import ContactLaws, DriveLoad, PlanarState
 from asperity.drive.planar.states import loaded_state
 from asperity.drive.planar.unfolding import forces_on_centre
-from asperity.drive.rolling_state import CreepLaw
 from asperity.joint.capacity import TorqueCapacity
 from asperity.joint.contacts import JointContacts
 from asperity.joint.diagnostics import diagnose
@@ -30,6 +29,7 @@ from asperity.joint.planar.evaluation import driving_sense, turning
 from asperity.joint.planar.laws import contact_laws, creep_law, drive_load
 from asperity.joint.planar.stiffness import loaded_stiffness
 from asperity.joint.planar.unfolding import SectorSizes, unfolded_joint
+from asperity.joint.rolling_creep import ContactCreep
 
 #: How often the creep law and the forces of the rolling joint are found from each other.
 CREEP_PASSES = 6
@@ -121,16 +121,16 @@ def sector_states(
     load = drive_load(whole, masses, whole.output_torque)
     normal_ratio, tangential_ratio = jnp.tile(sizes.standing_over_rolling, (1, sectors))
 
-    def creep_of(normal: Array, tangential: Array) -> CreepLaw:
-        return creep_law(whole, contacts, normal_ratio * normal, tangential_ratio * tangential).law
+    def creep_of(normal: Array, tangential: Array) -> ContactCreep:
+        return creep_law(whole, contacts, normal_ratio * normal, tangential_ratio * tangential)
 
-    rolling = loaded_state(
+    _, rolling = loaded_state(
         drive=whole.drive,
         laws=laws,
         rest=rest,
         load=load,
         rolls=jnp.asarray(True),
-        creep_of=creep_of,
+        creep_of=lambda normal, tangential: creep_of(normal, tangential).law,
         passes=CREEP_PASSES,
     )
     most = jnp.stack([jnp.abs(jnp.asarray(whole.output_torque)), jnp.asarray(jnp.inf)])
