@@ -111,7 +111,7 @@ def test_sections_of_other_drives_that_do_not_fit_are_told(planar_case, name, en
 def test_rollers_that_a_sector_does_not_have_are_told(planar_case):
     by_size = ('preload = "1000 N"  ', 'interference = "13 um"  ')
     for name, message in (
-        ("ring", r"branch\.2\.deviation\.ring: it is on the axis, common to all"),
+        ("ring", r"branch\.2\.deviation\.ring: it is on the axis, common to all; a sector has "),
         ("plant", r"branch\.2\.deviation\.plant: there is no such roller; did you mean 'planet'\?"),
     ):
         entries = sections("", f'deviation = {{ {name} = "1 um" }}', "")

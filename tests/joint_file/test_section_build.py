@@ -114,6 +114,13 @@ def test_a_file_that_says_nothing_of_rolling():
     [
         ("share = 0.75", "share = 0.7", "the shares of [[duty]] must add up to 1, they add up to 0.95"),
         ("share = 0.75", "", "duty.2.share: this key is missing"),
+        (
+            "share = 0.75",
+            'share = "most"',
+            "duty.2.share: expected a dimensionless number (e.g. '0.4'), got 'most'",
+        ),
+        ("share = 0.75", "share = 0", "duty.2.share: 0 is not allowed; it must be above 0 and at most 1"),
+        ("share = 0.75", 'share = "0.75 +- 0.1"', "duty.2.share: a share of the time has no tolerance"),
         ('sun_speed = "0 rpm"', 'sun_speed = "-5 rpm"', "duty.2.sun_speed"),
         ("reliability = 0.95", "reliability = 1", "rolling.reliability"),
         ('viscosity = "30.5 mPa*s"', "", "lubrication.viscosity: this key is missing: a viscosity"),
@@ -124,6 +131,13 @@ def test_mistakes_about_rolling_are_named(old, new, said):
     with pytest.raises(InputError) as error:
         _rolling_file(ROLLING.replace(old, new))
     assert said in str(error.value)
+    assert "empty" not in str(error.value)
+
+
+def test_shares_in_per_cent_are_the_same_duty():
+    per_cent = ROLLING.replace("share = 0.25", 'share = "25 %"').replace("share = 0.75", 'share = "75%"')
+    found = joint_from_case(_rolling_file(per_cent)).rolling.duty
+    assert [point.share for point in found] == [0.25, 0.75]
 
 
 def test_edited_files_keep_the_duty():

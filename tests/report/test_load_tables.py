@@ -58,7 +58,8 @@ def test_units_reasons_and_dashes():
 def test_bodies_that_bend():
     stress = {"inner": 68e6, "outer": 64e6}
     ring = {f"{name}_Pa": stress for name in ("stress", "stress_at_rest", "mean", "amplitude")}
-    (table,) = rims({"rims": {"ring": ring | {"yield_safety": 7.47, "fatigue_safety": None}}})
+    table, said = rims({"rims": {"ring": ring | {"yield_safety": 7.47, "fatigue_safety": None}}})
     assert isinstance(table, Table)
     assert table.rows[0] == ("ring", "inner", "68", "68", "68", "68", "7.47", "–")
+    assert "plane strain" in said.text
     assert [*rims({"rims": {}})] == []

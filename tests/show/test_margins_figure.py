@@ -2,6 +2,7 @@
 
 import math
 
+import pytest
 from matplotlib.figure import Figure
 
 from asperity.joint.margins import Margin
@@ -35,11 +36,26 @@ def test_bars_are_percent_and_say_pass_or_fail():
     assert [bar.get_width() for bar in bars] == [200.0, 40.0]
     assert [to_hex(bar.get_facecolor()) for bar in bars] == [FAIL_COLOUR, PASS_COLOUR]
     assert [text.get_text() for text in axes.texts] == ["200 %, FAIL", "40 %, pass"]
-    for bar, text in zip(
-        bars, axes.texts, strict=True
-    ):  # beside the end of its bar, at the middle of its height
+    for bar, text in zip(bars, axes.texts, strict=True):  # at the end of its bar, at the middle of its height
         assert text.xy == (bar.get_width(), bar.get_y() + bar.get_height() / 2.0)
     assert axes.yaxis_inverted()
     assert axes.get_xlim()[1] > 1.2 * 200.0
     assert axes.lines[0].get_xdata()[0] == 100.0
     assert axes.get_xlim()[0] == 0.0
+
+
+@pytest.mark.parametrize("shares", [(0.85, 0.8, 0.27), (0.99, 0.7, 0.5), (8.0, 0.9, 0.3, 0.02)])
+def test_no_words_lie_on_the_line_of_the_limit(shares):
+    figure = Figure(figsize=(9.0, 5.0))
+    axes = figure.subplots()
+    found = [
+        Margin(RESULTS["slip_ratio"], "sp", share, -math.inf, 1.0, share < 1.0, "function")
+        for share in shares
+    ]
+    draw_margins(axes, found)
+    figure.canvas.draw()
+    for text in axes.texts:
+        words = text.get_window_extent().transformed(axes.transData.inverted())
+        assert not words.x0 <= 100.0 <= words.x1, text.get_text()
+        assert words.x0 > 0.0
+        assert words.x1 < axes.get_xlim()[1]

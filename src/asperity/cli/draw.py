@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 import click
 
+from asperity.cli.named_file import about
 from asperity.cli.terminal import say, say_written
 from asperity.errors import InputError
 from asperity.writing import IMAGE_SUFFIXES, check_file, write_image, write_text
@@ -52,7 +53,10 @@ def draw(file: str, out: str, forces: bool) -> None:
 
     use_double_precision()
     use_compilation_cache()
-    sheet = _planar_sheet(case, file, forces) if isinstance(case, PlanarCase) else _sheet(case, file, forces)
+    with about(file):
+        sheet = (
+            _planar_sheet(case, file, forces) if isinstance(case, PlanarCase) else _sheet(case, file, forces)
+        )
     if suffix == ".dxf":
         from asperity.show.sheet_dxf import sheet_dxf
 

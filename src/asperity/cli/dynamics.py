@@ -7,6 +7,7 @@ from typing import Any
 import click
 
 from asperity.cli.columns import write_columns
+from asperity.cli.named_file import about
 from asperity.cli.terminal import say_written
 from asperity.writing import check_file, check_image, write_image
 
@@ -44,12 +45,13 @@ def dynamics(file: str, plot_file: str | None, csv_file: str | None, as_json: bo
     from asperity.precision import use_compilation_cache, use_double_precision
 
     use_double_precision()
-    inertias = inertias_from_case(case)
     use_compilation_cache()
     from asperity.joint.dynamics import dynamics as solved_dynamics
     from asperity.joint.dynamics import dynamics_document, response_columns
 
-    found = solved_dynamics(any_joint_from_case(case), inertias)
+    with about(file):
+        inertias = inertias_from_case(case)
+        found = solved_dynamics(any_joint_from_case(case), inertias)
     if csv_file:
         write_columns(response_columns(found), csv_file)
         say_written(csv_file)

@@ -6,6 +6,7 @@ from pathlib import Path
 
 import click
 
+from asperity.cli.named_file import about
 from asperity.cli.terminal import say_written
 
 #: Names of the targets; asperity.export.targets has their writers.
@@ -69,17 +70,18 @@ def export(file: str, to: str, out: str, torque: str | None, level: str) -> None
     from asperity.joint_file.planar_build import any_joint_from_case
     from asperity.joint_file.section_build import inertias_from_case
 
-    try:
-        content = export_content(
-            any_joint_from_case(case),
-            inertias=None if case.dynamics is None else inertias_from_case(case),
-            source=Path(file).name,
-            largest_torque=asked,
-            level=level,  # type: ignore[arg-type]
-        )
-    except InputError as error:
-        place = "load.output_torque" if asked is None else "--torque"
-        raise InputError(f"{place}: {error}" if "torque" in str(error) else str(error)) from None
+    with about(file):
+        try:
+            content = export_content(
+                any_joint_from_case(case),
+                inertias=None if case.dynamics is None else inertias_from_case(case),
+                source=Path(file).name,
+                largest_torque=asked,
+                level=level,  # type: ignore[arg-type]
+            )
+        except InputError as error:
+            place = "load.output_torque" if asked is None else "--torque"
+            raise InputError(f"{place}: {error}" if "torque" in str(error) else str(error)) from None
     made = exported(content, to=to, suffix=Path(out).suffix)
     write_exported(made, out)
     from asperity.cli.document_text import print_wrapped

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+from asperity.cli.named_file import about
 from asperity.cli.terminal import say_written
 from asperity.writing import check_image, write_image
 
@@ -64,8 +65,9 @@ def joint(file: str, as_json: bool, surfaces: tuple[str, ...], plot_file: str | 
         return
     from asperity.joint_file.solved_document import solve_case
 
-    described, solution, branches, document = solve_case(case)
-    document |= _interval(case, described, measured)
+    with about(file):
+        described, solution, branches, document = solve_case(case)
+        document |= _interval(case, described, measured)
     if plot_file:
         from asperity.joint.solve import solved_joint
         from asperity.show.compliance_figure import joint_figure
@@ -117,8 +119,9 @@ def _planar(
     """The joint with another drive than the paper's."""
     from asperity.joint_file.solved_document import solve_planar_case
 
-    described, solution, branches, document = solve_planar_case(case)
-    document |= _interval(case, described, measured)
+    with about(file):
+        described, solution, branches, document = solve_planar_case(case)
+        document |= _interval(case, described, measured)
     if plot_file:
         from asperity.joint.planar.solved import solved_planar_joint
         from asperity.joint_file.planar_build import branched_planar, deviations_of

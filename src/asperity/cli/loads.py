@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+from asperity.cli.named_file import about
 from asperity.cli.terminal import say_written
 from asperity.writing import check_file, replacing
 
@@ -40,7 +41,8 @@ def loads(file: str, csv_file: str | None, as_json: bool) -> None:
 
     use_double_precision()
     use_compilation_cache()
-    document = _of_planar_drive(case) if isinstance(case, PlanarCase) else _of_the_papers_drive(case)
+    with about(file):
+        document = _of_planar_drive(case) if isinstance(case, PlanarCase) else _of_the_papers_drive(case)
     if csv_file:
         _write(document, csv_file)
         say_written(csv_file)
@@ -134,6 +136,7 @@ def _show_bearings(entries: list[Document]) -> None:
         target,
         "Rolling bearings, each one alone",
         "bearing",
+        "type",
         "C\nN",
         "C_0\nN",
         "load\nN",
@@ -145,8 +148,9 @@ def _show_bearings(entries: list[Document]) -> None:
     columns = ["dynamic_rating_N", "static_rating_N", "load_N", "load_over_dynamic_rating"]
     columns += ["life_hours", "duty_life_hours", "static_safety"]
     for entry in entries:
-        name = f"{entry['bearing'].replace('_', ' ')}, {entry['type']}"
-        shown.add_row(name, *(number(entry[column]) for column in columns))
+        shown.add_row(
+            entry["bearing"].replace("_", " "), entry["type"], *(number(entry[column]) for column in columns)
+        )
     target.print(shown)
     for entry in entries:
         for reason in entry["absent_because"]:

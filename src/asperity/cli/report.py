@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 import click
 
+from asperity.cli.named_file import about
 from asperity.cli.terminal import say_written
 from asperity.errors import InputError
 from asperity.writing import check_file, replacing, write_text
@@ -112,7 +113,7 @@ def report(
         date=date,
         studies=_studies(file, case, sensitivity, tolerances, distribution, design_file),
     )
-    with progress_bar("the report") as done:
+    with progress_bar("the report") as done, about(file):
         done(0, 2)
         made = joint_report(source)
         done(2, 2)

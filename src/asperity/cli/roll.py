@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+from asperity.cli.named_file import about
 from asperity.cli.terminal import say_written
 from asperity.writing import check_image, write_image
 
@@ -49,8 +50,9 @@ def roll(file: str, plot_file: str | None, as_json: bool) -> None:
         from asperity.joint.planar.solve import refuse_planar_rolling
         from asperity.joint_file.solved_document import solve_planar_case
 
-        planar, found, _, document = solve_planar_case(case, branches=False)
-        refuse_planar_rolling(planar, found)
+        with about(file):
+            planar, found, _, document = solve_planar_case(case, branches=False)
+            refuse_planar_rolling(planar, found)
         if plot_file:
             _draw(planar, found.result, document, file, plot_file)
         _show(document, file, as_json)
@@ -58,8 +60,11 @@ def roll(file: str, plot_file: str | None, as_json: bool) -> None:
     from asperity.joint.rolling_refusal import refuse_no_rolling
     from asperity.joint_file.solved_document import solve_case
 
-    joint, solution, _, document = solve_case(case, branches=False)  # refuses a torque beyond the capacity
-    refuse_no_rolling(joint, solution, _capacity(document))
+    with about(file):
+        joint, solution, _, document = solve_case(
+            case, branches=False
+        )  # refuses a torque beyond the capacity
+        refuse_no_rolling(joint, solution, _capacity(document))
     if plot_file:
         _draw(joint, solution.result, document, file, plot_file)
     _show(document, file, as_json)

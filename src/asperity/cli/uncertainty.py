@@ -139,9 +139,9 @@ def _unlike_branches(
     target.print(shown)
     click.echo(
         f"equal branches pass {found['equal_branches_Nm']:.4g} N·m; a branch is loose in "
-        f"{found['share_with_a_loose_branch']:.1%} and slips under the torque of the file in "
-        f"{found['share_that_slips_under_the_torque']:.1%} of the drives"
-        + (f"; {alone:.1%} have no balance" if (alone := found["share_without_a_balance"]) else "")
+        f"{100.0 * found['share_with_a_loose_branch']:.1f} % and slips under the torque of the file in "
+        f"{100.0 * found['share_that_slips_under_the_torque']:.1f} % of the drives"
+        + (f"; {100.0 * alone:.1f} % have no balance" if (alone := found["share_without_a_balance"]) else "")
     )
 
 
@@ -193,4 +193,4 @@ def _shares(found: xarray.Dataset, name: str) -> str:
     solved = found["samples"].sel(result=name).values[found["status"].values == 0]
     codes, counts = np.unique(solved.astype(int), return_counts=True)
     pairs = sorted(zip(counts.tolist(), codes.tolist(), strict=True), reverse=True)
-    return ", ".join(f"{categories[code]} in {count / solved.size:.2%}" for count, code in pairs)
+    return ", ".join(f"{categories[code]} in {100.0 * count / solved.size:.2f} %" for count, code in pairs)

@@ -7,6 +7,7 @@ from typing import Any
 import click
 
 from asperity.cli.columns import write_columns
+from asperity.cli.named_file import about
 from asperity.cli.terminal import say_written
 from asperity.writing import check_file, check_image, write_image
 
@@ -108,15 +109,16 @@ def windup(
 
     joint = any_joint_from_case(case)
     source = "load.output_torque" if asked is None else "--torque"
-    try:
-        curve, solutions = examined_windup(
-            joint,
-            largest_torque=asked,
-            level=level,  # type: ignore[arg-type]
-            stage_shares=stages,
-        )
-    except InputError as error:
-        raise InputError(f"{source}: {error}" if "torque" in str(error) else str(error)) from None
+    with about(file):
+        try:
+            curve, solutions = examined_windup(
+                joint,
+                largest_torque=asked,
+                level=level,  # type: ignore[arg-type]
+                stage_shares=stages,
+            )
+        except InputError as error:
+            raise InputError(f"{source}: {error}" if "torque" in str(error) else str(error)) from None
     onsets = windup_onsets(joint, curve, solutions, creep_share=creep_share)
     document = windup_document(joint, curve, solutions, onsets, level=level)  # type: ignore[arg-type]
     if csv_file:

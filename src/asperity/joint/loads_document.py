@@ -207,10 +207,12 @@ def document_of_rows(
     Returns
     -------
     dict
-        None where a value is not known or infinite, 0 where it is the rounding of larger ones of its unit.
+        None where a value is not known or infinite, as every load of an unknown case; 0 where it is the rounding of
+        larger ones of its unit.
     """
+    unknown = np.array([case["unknown_because"] is not None for case in cases])
     whole = [
-        (*words, unit, np.broadcast_to(np.asarray(values, dtype=float), (len(cases),)))
+        (*words, unit, np.where(unknown & (unit != "rad/s"), math.nan, np.asarray(values, dtype=float)))
         for *words, unit, values in rows
     ]
     largest = {

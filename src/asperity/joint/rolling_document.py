@@ -166,11 +166,10 @@ def unknown_because(joint: Joint | PlanarJoint, result: JointResult | PlanarResu
     """
     found, slip = result.rolling, np.asarray(result.diagnostics.slip_ratio)
     if not bool(np.isfinite(np.asarray(found.residual))):
-        named = ", ".join(
-            name for name, ratio in zip(result.contact_names, slip, strict=True) if not ratio < 1.0
-        )
+        named = [name for name, ratio in zip(result.contact_names, slip, strict=True) if not ratio < 1.0]
         if named:
-            return [f"no steady rolling: {named} slips or has lifted off"]
+            verbs = "slips or has lifted off" if len(named) == 1 else "slip or have lifted off"
+            return [f"no steady rolling: {', '.join(named)} {verbs}"]
         if not bool(result.contact_law_holds):
             return [
                 "no creep: every spot of a contact is plastic, where the contact law gives it no stiffness"

@@ -61,7 +61,10 @@ def _absent_because(joint: Joint, found: dict[str, float]) -> list[str]:
     elif math.isinf(found["life"]):
         why.append("it carries no load: its life is not limited by fatigue")
     if math.isnan(duty):
-        why.append("no life under the duty: the joint slips or does not roll under one of its loads")
+        why.append(
+            "no life, largest P/C and static safety under the duty: the joint slips or does not roll under one of its "
+            "loads"
+        )
     if math.isinf(duty) and not math.isinf(found["life"]):
         why.append("no load of the duty turns it")
     return why

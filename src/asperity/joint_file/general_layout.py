@@ -61,9 +61,11 @@ def misdescribed(case: GeneralCase) -> Iterator[str]:
     for number, branch in enumerate(case.branch or (), start=1):
         for name in branch.deviation or ():
             if name not in sized:
-                why = "it is on the axis, common to all" if name in rollers else "there is no such roller"
-                known = nearest(name, sized) or "; a sector has " + ", ".join(sized)
-                yield f"branch.{number}.deviation.{name}: {why}{known}"
+                has = "; a sector has " + ", ".join(sized)
+                why = f"there is no such roller{nearest(name, sized) or has}"
+                if name in rollers:
+                    why = f"it is on the axis, common to all{has}"
+                yield f"branch.{number}.deviation.{name}: {why}"
     members = [*(roller.name for roller in case.roller if roller.place == "axis"), CARRIER]
     roles = {role: getattr(case.drive, role) for role in ("input", "output", "grounded")}
     for role, name in roles.items():

@@ -66,6 +66,7 @@ RELIABILITY = Key(Dimension.DIMENSIONLESS, 0.0, 1.0, open_lower=True, open_upper
 VISCOSITY = Key(Dimension.VISCOSITY, 1e-6, 1e4, "Pa*s", example="30 mPa*s")
 PRESSURE_COEFFICIENT = Key(Dimension.INVERSE_PRESSURE, 0.0, 1e3, "1/GPa", open_lower=True, example="20 1/GPa")
 ROUGHNESS = Key(Dimension.LENGTH, 1e-3, 1e3, "um", example="0.2 um")
+SHARE = Key(Dimension.DIMENSIONLESS, 0.0, 1.0, open_lower=True, example="0.4")
 DUTY_TORQUE = Key(Dimension.TORQUE, -1e9, 1e9, "N*m")
 
 INPUT_INERTIA = Key(Dimension.MOMENT_OF_INERTIA, 0.0, 1e6, "kg*m^2", example="2e-6 kg*m^2")

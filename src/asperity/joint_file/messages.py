@@ -221,6 +221,8 @@ def _unknown_key(
     here = f"; for this drive write '{other}'" if other in known else ""
     if having == ["zou2025"]:
         return f'{path}: only for the paper\'s drive (type = "zou2025", or no type){here}', None
+    if having and parts[0] == "branch":
+        return f"{path}: this drive has no such roller; here you can write {', '.join(known)}", None
     if having:
         named = ", ".join(f'"{kind}"' for kind in having)
         return f"{path}: only for drives of type {named}{here}", None
@@ -333,6 +335,8 @@ def explained(
         for parts, each in found
         if not any(".".join(parts[:length]) in refused for length in (1, 2))
     ]
+    wrong = {parts[:1] for parts, _ in found if len(parts) > 1}
+    found = [(parts, each) for parts, each in found if each["type"] != "too_short" or parts not in wrong]
     absent = {parts for parts, each in found if each["type"] == "missing"}
     foreign = [_drives_with(parts) for parts, each in found if each["type"] == "extra_forbidden"]
     likely = set.intersection(*map(set, foreign)) - {"zou2025"} if foreign else set()

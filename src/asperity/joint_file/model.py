@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from typing import Annotated, Literal, Self
 
-from pydantic import Discriminator, Field, PrivateAttr, Tag, model_validator
+from pydantic import BeforeValidator, Discriminator, Field, PrivateAttr, Tag, model_validator
 
 from asperity.errors import InputError
 from asperity.joint_file import limits
@@ -176,6 +176,17 @@ class Lubrication(Section):
     film to it."""
 
 
+_Share = Annotated[float, Field(gt=0.0, le=1.0)] | str
+
+
+def _share(written: object) -> float:
+    """A share of the time, as a number or as text in per cent."""
+    found = limits.SHARE.read(written)
+    if found.tolerance:
+        raise InputError(f"a share of the time has no tolerance, got {written!r}")
+    return found.value
+
+
 class DutyLoad(Section):
     """One load of the duty; write [[duty]] above each."""
 
@@ -183,8 +194,8 @@ class DutyLoad(Section):
     """Torque at the output; negative where it drives the rotation."""
     sun_speed: Annotated[Quantity, limits.SUN_SPEED]
     """Speed of the sun, or of the input, whatever its name."""
-    share: Annotated[float, Field(strict=True, gt=0.0, le=1.0)]
-    """Share of the time; the shares of all loads add up to 1."""
+    share: Annotated[float, BeforeValidator(_share, json_schema_input_type=_Share)]
+    """Share of the time, as 0.4 or "40 %"; the shares of all loads add up to 1."""
 
 
 Duty = Annotated[tuple[DutyLoad, ...], Field(min_length=1)]

@@ -137,7 +137,8 @@ class PlanarCase(Section):
     bearings: PlanarBearings | None = None
     """Friction of the bearings in rolling; none if the section is absent."""
     pin_bearing: PinBearing | None = None
-    """Rolling bearings of the rollers on pins, alike in all of them, for their life."""
+    """Rolling bearings of the rollers on pins, for their life: one section, whose ratings hold for every row of rollers
+    on pins; try rows with different bearings one after the other."""
     input_bearing: HeldBearing | None = None
     """Rolling bearings of the input, for their life under forces from outside."""
     output_bearing: HeldBearing | None = None

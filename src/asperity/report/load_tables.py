@@ -6,10 +6,14 @@ from collections.abc import Iterator
 from typing import Any
 
 from asperity.report.cells import number, quantity
-from asperity.report.content import Block, Bullets, Table
+from asperity.report.content import Block, Bullets, Paragraph, Table
 from asperity.units import from_si
 
 Document = dict[str, Any]
+_MISES = (
+    "The safety against yield is that of the Mises stress in plane strain, as in the middle of a long body; at the "
+    'faces of a short one it is up to 11 % lower, which model.plane_state = "plane_stress" counts everywhere.'
+)
 _SHOWN = {"N": "N", "N*m": "N*m", "Pa": "MPa", "rad/s": "rpm"}
 
 
@@ -91,7 +95,7 @@ def rims(document: Document) -> Iterator[Block]:
     Yields
     ------
     Block
-        A table.
+        A table, and what its safety against yield is.
     """
     rows = [
         (
@@ -115,3 +119,4 @@ def rims(document: Document) -> Iterator[Block]:
             rows,
             words=(0, 1),
         )
+        yield Paragraph(_MISES)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from asperity.show.style import ACCENT, MARK, MUTED
 
@@ -11,6 +11,9 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
     from asperity.joint.size_errors import SizeErrorCurves
+
+#: A ground that hides the line at 0.
+_LEGEND: dict[str, Any] = {"fontsize": "x-small", "framealpha": 1.0, "edgecolor": "none"}
 
 
 def draw_size_errors(axes: Sequence[Axes], curves: SizeErrorCurves) -> None:
@@ -34,11 +37,11 @@ def draw_size_errors(axes: Sequence[Axes], curves: SizeErrorCurves) -> None:
         shares.plot(x, 100.0 * values[:, 1:], style, color=MUTED, linewidth=1.0)
         shares.plot([], [], style, color=MUTED, linewidth=1.0, label=f"others, {name}")
     shares.set(ylabel="share of the torque [%]")
-    shares.legend(frameon=False, fontsize="x-small")
-    capacity.plot(x, curves.first_slip, color=ACCENT, label="weakest branch slips")
+    shares.legend(**_LEGEND)
+    capacity.plot(x, curves.first_slip, color=ACCENT, label="first branch slips")
     capacity.plot(x, curves.all_slip, "--", color=MARK, label="all branches slip")
     capacity.set(ylabel="torque, standing [N·m]")
-    capacity.legend(frameon=False, fontsize="x-small")
+    capacity.legend(**_LEGEND)
     sun.plot(x, curves.sun_force, color=ACCENT)
     sun.set(ylabel="force on the sun's bearings [N]")
     for panel in axes:

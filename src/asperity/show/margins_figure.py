@@ -14,6 +14,7 @@ if TYPE_CHECKING:
 #: Colours that are told apart by everybody, and in grey by their brightness.
 PASS_COLOUR, FAIL_COLOUR = "#2c7fb8", "#d95f02"
 _SERIOUS = ("function", "damage", "accuracy")
+_WORDS = 0.18  # width of the words at a bar over that of the picture
 
 
 def drawn_margins(found: Sequence[Margin]) -> list[Margin]:
@@ -41,7 +42,7 @@ def drawn_margins(found: Sequence[Margin]) -> list[Margin]:
 
 
 def draw_margins(axes: Axes, found: Sequence[Margin]) -> None:
-    """Bars of the share of each limit that is used; the line at 100 % is the limit.
+    """Bars of the share of each limit that is used; the line at 100 % is the limit, and no words lie on it.
 
     Parameters
     ----------
@@ -61,19 +62,23 @@ def draw_margins(axes: Axes, found: Sequence[Margin]) -> None:
         hatch=["" if each.passes else "///" for each in shown],
         edgecolor="white",
     )
+    right = 1.35 * max([110.0, *used])
     for bar, each, share in zip(bars, shown, used, strict=True):
+        meets_line = share <= 100.0 < share + _WORDS * right
+        inside = meets_line and share > _WORDS * right
         axes.annotate(
             f"{share:.3g} %, {'pass' if each.passes else 'FAIL'}",
-            (bar.get_width(), bar.get_y() + 0.5 * bar.get_height()),
-            (4, 0),
+            (100.0 if meets_line and not inside else share, bar.get_y() + 0.5 * bar.get_height()),
+            (-4 if inside else 4, 0),
             textcoords="offset points",
             va="center",
+            ha="right" if inside else "left",
+            color="white" if inside else "black",
             fontsize="small",
-            bbox={"facecolor": "white", "edgecolor": "none", "pad": 0.5},
         )
     axes.set_yticks(range(len(shown)), names)
     axes.axvline(100.0, color="black", linewidth=1.2)
-    axes.set_xlim(0.0, 1.35 * max([110.0, *used]))
+    axes.set_xlim(0.0, right)
     axes.invert_yaxis()
     axes.set(xlabel="share of the limit that is used [%]")
 

@@ -10,7 +10,7 @@ from asperity.errors import InputError
 from asperity.joint_file.reader import read_case
 from asperity.study.calibration.calibrate import calibrate
 from asperity.study.calibration.curve_model import CurveModel
-from asperity.study.calibration.fitted_curve import JoinedCurves, residual_sentences
+from asperity.study.calibration.fitted_curve import FittedCurve, JoinedCurves, residual_sentences
 from asperity.study.calibration.measurement import Measurement
 from asperity.study.calibration.posterior import posterior
 from asperity.study.calibration.unknowns import OFFSET_OF_DRIFT, read_unknowns
@@ -40,9 +40,13 @@ def both(angle=None, drift=None):
 
 
 def test_residuals_in_words():
-    def curve(measurement, deviation, durbin_watson):
-        return SimpleNamespace(
-            measurement=measurement, standard_deviation=deviation, durbin_watson=durbin_watson
+    def curve(measurement, deviation, durbin_watson, rows=100):
+        return FittedCurve(
+            model=SimpleNamespace(measurement=measurement),
+            prediction=np.zeros(rows),
+            residual=np.zeros(rows),
+            standard_deviation=deviation,
+            durbin_watson=durbin_watson,
         )
 
     standing, turning = both()
@@ -54,6 +58,10 @@ def test_residuals_in_words():
     assert first.startswith("residual of the angle: 0.5 arcsec")
     assert alike.startswith("Neighbouring residuals of the angle are correlated (Durbin–Watson 1.49,")
     assert second.startswith("residual of the drift per output turn: 2 arcsec")
+    for rows, statistic in ((2, 0.0), (3, 0.0), (5, 0.0), (8, 0.9), (15, 1.2)):  # as chance makes them
+        assert len(residual_sentences([curve(standing, 1e-6, statistic, rows)])) == 1, rows
+    for rows, statistic in ((8, 0.7), (15, 1.0)):
+        assert len(residual_sentences([curve(standing, 1e-6, statistic, rows)])) == 2, rows
 
 
 def fitted(case, measurements, texts=TEXTS):

@@ -125,8 +125,9 @@ class BranchedPlanarJoint:
             rest = self._run(assembled_sectors, floating, given)
             if not rest.residual < STATE_TOLERANCE:
                 raise NoSolutionError(
-                    f"no balance without torque presses every {self.noun}: one is loose, or nothing holds it; state "
-                    "smaller deviations, or raise load.interference"
+                    f"no balance without torque presses every {self.noun}: one is loose, or nothing holds it; with the "
+                    f"members on the axis centred their interferences are {self._own_words(sizes)}; state smaller "
+                    "deviations, or raise load.interference"
                 )
             following = self._base * (rest.normal.reshape(force.shape) / self._equal)
             change = np.max(np.abs(following / force - 1.0))
@@ -153,6 +154,10 @@ class BranchedPlanarJoint:
                 for row in each
             ]
         )
+
+    def _own_words(self, sizes: SectorDeviations) -> str:
+        own = self._own_interference(sizes.added)
+        return ", ".join(format_quantity(float(each), "um", 3) for each in own)
 
     def _refuse_loose(self, own: np.ndarray) -> None:
         loose = np.flatnonzero(own <= 0.0)

@@ -30,7 +30,8 @@ from asperity.joint.rolling_document import unknown_because
 
 _DIRECTIONS = (
     "Radial is away from the drive's axis, tangential along the carrier's circle in the sense in which the input "
-    "turns; torques count in the same sense. Forces act on the part that is named."
+    "turns; torques count in the same sense. Forces act on the part that is named: loads of pins and rollers are those "
+    "of each, loads of the members on the axis those of all sectors together."
 )
 _EQUAL = (
     "All sectors are equal: the forces of the rollers on the bodies on the axis and on the carrier balance, and a "

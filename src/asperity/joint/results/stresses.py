@@ -73,7 +73,8 @@ def _rows(body: str, words: str) -> tuple[Result, ...]:
             f"{body}_yield_safety",
             f"safety of {words} against yield",
             value=f"rims.{body}.yield_safety",
-            note=f"{absent}yield strength over the largest Mises stress of both rims, without torque and under it",
+            note=f"{absent}yield strength over the largest Mises stress of both rims, without torque and under it, in "
+            "plane strain up to 12 % above that at the faces of a short body",
             present=lambda solved: (bends(solved),),
             limit=Limit(
                 "damage",

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 
@@ -19,6 +20,8 @@ from asperity.units import format_quantity
 
 #: Durbin–Watson statistic below which neighbouring residuals are clearly alike.
 CORRELATED = 1.5
+#: Fewest rows of which that statistic says anything: tables of its bounds begin here (Savin and White 1977).
+LEAST_ROWS = 6
 
 
 @dataclass(frozen=True)
@@ -50,6 +53,13 @@ class FittedCurve:
         """The data."""
         return self.model.measurement
 
+    @property
+    def correlated(self) -> bool:
+        """Whether neighbouring residuals are more alike than chance makes so few rows in one case of twenty."""
+        rows = self.residual.size
+        by_chance = 2.0 - 1.645 * 2.0 / math.sqrt(rows)
+        return rows >= LEAST_ROWS and self.durbin_watson < min(CORRELATED, by_chance)
+
 
 def residual_sentences(curves: Sequence[FittedCurve]) -> list[str]:
     """How large the residuals of each curve are, and whether neighbours are alike.
@@ -70,7 +80,7 @@ def residual_sentences(curves: Sequence[FittedCurve]) -> list[str]:
         of_curve = f" of the {quantity.name}" if len(curves) > 1 else ""
         size = format_quantity(curve.standard_deviation, quantity.fine_unit)
         said.append(f"residual{of_curve}: {size} (standard deviation)")
-        if curve.durbin_watson < CORRELATED:
+        if curve.correlated:
             said.append(
                 f"Neighbouring residuals{of_curve} are correlated (Durbin–Watson {curve.durbin_watson:.2f}, "
                 "independent residuals give 2): the model does not explain the curve fully, and the intervals are too "
