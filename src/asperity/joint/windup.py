@@ -310,11 +310,13 @@ def windup(
     """
     require_double_precision()
     largest = abs(float(largest_torque))
+    mirrored = is_symmetric(joint)
 
     def compliances(torques: Array) -> tuple[Array, Array]:
-        found = standing_at(joint, torques)
-        _refuse(found, np.asarray(torques), largest, joint.contact_names)
-        real, elastic = found.levels[level], found.levels_without_slip[level]
+        asked, place = np.unique(np.abs(torques) if mirrored else np.asarray(torques), return_inverse=True)
+        found = standing_at(joint, jnp.asarray(asked))
+        _refuse(found, asked, largest, joint.contact_names)
+        real, elastic = (levels[level][place] for levels in (found.levels, found.levels_without_slip))
         if not np.all(real > 0.0):
             raise InputError(
                 f"the joint has no {level} stiffness at every torque up to {format_quantity(largest, 'N*m')}: all "

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import copy
+import functools
 import hashlib
 import json
 from collections.abc import Iterable, Mapping
@@ -59,14 +60,19 @@ def choices_of(model: type[Case] | type[PlanarCase], bodies: Iterable[str]) -> d
     return {
         **{f"bodies.{name}": () for name in bodies},
         FINISH: tuple(read_finishes()),
-        **{
-            f"{section}.{name}": _words(field.annotation)
-            for section, above in model.model_fields.items()
-            if not _is_list(above.annotation)
-            for below in models_of(above.annotation)
-            for name, field in below.model_fields.items()
-            if not models_of(field.annotation) and _words(field.annotation)
-        },
+        **_words_of_sections(model),
+    }
+
+
+@functools.cache
+def _words_of_sections(model: type[Case] | type[PlanarCase]) -> dict[str, tuple[str, ...]]:
+    return {
+        f"{section}.{name}": _words(field.annotation)
+        for section, above in model.model_fields.items()
+        if not _is_list(above.annotation)
+        for below in models_of(above.annotation)
+        for name, field in below.model_fields.items()
+        if not models_of(field.annotation) and _words(field.annotation)
     }
 
 
