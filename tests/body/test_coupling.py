@@ -54,6 +54,32 @@ def test_bodies_add_up_where_they_share_contacts(joint):
     assert np.asarray(total)[..., 0] == pytest.approx(expected, rel=1e-12, abs=1e-22)
 
 
+def test_a_ring_alone_is_the_ring_of_all_sectors(joint):
+    """One sector with its sums in closed form; contact by contact all around, where the modes are summed."""
+    widths, sticks = np.array([7e-5, 8e-5, 9e-5, 6e-5, 5e-5]), np.array([6e-5, 5e-5, 4e-5, 3e-5, 2e-5])
+    ring = joint.bodies(np.array([10e-3]), 3e13)[4]
+    total = jax.jit(coupled_compliance)(
+        bodies=[ring],
+        contact_lengths=np.full((5, 1), joint.LENGTH),
+        half_widths=widths[:, None],
+        stick_half_widths=sticks[:, None],
+    )
+    pick = np.array(ring.contacts)
+    own = jax.jit(compliance_matrix, static_argnames=("copies", "mode_count"))(
+        body=jax.tree.map(lambda number: np.asarray(number).reshape(()), ring.body),
+        contact_angles=ring.contact_angles[:, 0],
+        half_widths=widths[pick],
+        stick_half_widths=sticks[pick],
+        copies=joint.PLANETS,
+        mode_count=60,
+    )
+    both = np.concatenate([pick, pick + 5])
+    scale = float(np.max(np.abs(own)))
+    assert np.asarray(total)[np.ix_(both, both)][..., 0] == pytest.approx(
+        np.asarray(own), rel=0.0, abs=1e-9 * scale
+    )
+
+
 def radial_only(matrix, tangential):
     """Bodies coupled radially, tangential springs local."""
     changed = matrix.copy()

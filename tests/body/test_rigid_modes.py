@@ -101,18 +101,20 @@ def test_uniform_pressure_is_lames(state):
         inner / young * ((ratio + 1.0) / (ratio - 1.0) + nu)
     )  # u at the inner rim under unit inner pressure
     radial, _ = uniform_compliance(wall_of(annulus((0.0, 0.0), "inner", state=state)))
-    assert float(radial) * inner / (4.0 * G) == pytest.approx(expand, rel=1e-12)
+    assert float(radial) * inner / (4.0 * G) == pytest.approx(expand, rel=1e-12, abs=0.0)
     outside = 2.0 * outer / young / (ratio - 1.0)  # u at the outer rim under it
     own = outer / young * ((ratio + 1.0) / (ratio - 1.0) - nu)  # u at the outer rim under unit outer tension
     across = 2.0 * inner * ratio / young / (ratio - 1.0)  # u at the inner rim under unit outer tension
     radial, _ = uniform_compliance(wall_of(annulus((math.inf, math.inf), "inner", state=state)))
-    assert float(radial) * inner / (4.0 * G) == pytest.approx(expand - across * outside / own, rel=1e-12)
+    assert float(radial) * inner / (4.0 * G) == pytest.approx(
+        expand - across * outside / own, rel=1e-12, abs=0.0
+    )
     stiffness = 2e12
     radial, _ = uniform_compliance(wall_of(annulus((stiffness, 0.0), "inner", state=state)))
     held = expand - across * outside * stiffness / (1.0 + own * stiffness)
-    assert float(radial) * inner / (4.0 * G) == pytest.approx(held, rel=1e-12)
+    assert float(radial) * inner / (4.0 * G) == pytest.approx(held, rel=1e-12, abs=0.0)
     radial, _ = uniform_compliance(wall_of(annulus((0.0, 0.0), "outer", state=state)))
-    assert float(radial) * outer / (4.0 * G) == pytest.approx(own, rel=1e-12)
+    assert float(radial) * outer / (4.0 * G) == pytest.approx(own, rel=1e-12, abs=0.0)
 
 
 @pytest.mark.parametrize("rim", ["inner", "outer"])
@@ -125,8 +127,8 @@ def test_uniform_shear_twists_the_wall_and_its_support(rim):
     )  # u at the loaded rim under unit shear there, other held
     support = (loaded / other) ** 2 / stiffness * loaded / other
     _, twist = uniform_compliance(wall_of(annulus((0.0, stiffness), rim)))
-    assert float(twist) * loaded / (4.0 * G) == pytest.approx(wall + support, rel=1e-12)
+    assert float(twist) * loaded / (4.0 * G) == pytest.approx(wall + support, rel=1e-12, abs=0.0)
     _, twist = uniform_compliance(wall_of(annulus((math.inf, math.inf), rim)))
-    assert float(twist) * loaded / (4.0 * G) == pytest.approx(wall, rel=1e-12)
+    assert float(twist) * loaded / (4.0 * G) == pytest.approx(wall, rel=1e-12, abs=0.0)
     _, free = uniform_compliance(wall_of(annulus((math.inf, 0.0), rim)))
     assert float(free) == 0.0

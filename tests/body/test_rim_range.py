@@ -7,9 +7,12 @@ import jax.numpy as jnp
 import numpy as np
 import pytest
 
+from asperity.body.compliance import wall_of
 from asperity.body.rim_range import (
+    MODES,
     POINTS,
     RimLoads,
+    _resolved,
     fatigue_safety,
     mises_stress,
     rim_range,
@@ -62,6 +65,7 @@ def test_bending_of_a_thin_ring(count, at_load, midway):
     assert float(found.largest[1]) == pytest.approx(
         high, rel=6e-2
     )  # the load's own field spreads it by a wall
+    assert float(found.mean[1]) == pytest.approx(0.5 * (high + low), rel=4e-2)
     # the inner rim is stretched midway; the curved beam's hyperbola adds a wall over the radius
     inner = midway * bending + 0.5 / math.sin(alpha) / wall
     assert float(found.largest[0]) == pytest.approx(inner, rel=3e-2)
@@ -180,6 +184,17 @@ def test_line_of_haighs_diagram():
     assert float(fatigue_safety(mean=450e6, amplitude=0.0, **line)) == pytest.approx(2.0)
     assert float(fatigue_safety(mean=-450e6, amplitude=150e6, **line)) == pytest.approx(2.0)  # no help
     assert float(fatigue_safety(mean=450e6, amplitude=150e6, **line)) == pytest.approx(1.0)
+
+
+def test_modes_left_out_are_a_ten_thousandth_of_the_stress_at_most():
+    """Stresses of the other rim go as n^2 times the decay; the thinnest wall whose rest, summed here, is small."""
+    walls = np.geomspace(0.005, 0.05, 101)
+    modes = 3.0 * np.arange(1, 4_000)[:, None]
+    terms = modes**2 * (1.0 + walls) ** -modes
+    share = terms[MODES:].sum(axis=0) / terms.sum(axis=0)
+    resolved = np.asarray(_resolved(wall_of(ring(walls)), jnp.asarray(3.0)))
+    assert share[resolved].max() == pytest.approx(1e-4, rel=0.3)
+    assert resolved.sum() == np.argmin(resolved[::-1])  # all thicker ones
 
 
 def test_too_thin_a_wall_has_no_stress_and_slopes_are_finite():

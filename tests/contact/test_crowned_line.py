@@ -212,5 +212,12 @@ def test_more_crown_shortens_the_loaded_length_and_raises_the_peak():
 
 
 def test_a_contact_that_is_too_short_is_not_solved():
+    """Twice as long as wide is the least."""
+    curvature = jnp.geomspace(20.0, 80.0, 61)
+    found = _loaded(normal_force=N, crown_curvature=curvature, **PAIR)
+    aspect = np.asarray(found.loaded_share * B / (2 * found.half_width[0]))
+    solved = np.asarray(found.solved)
+    assert 2.0 < aspect[solved].min() < 2.1
+    assert aspect[~solved].max() < 2.1
     assert bool(loaded(0.03).solved)
     assert not bool(loaded(1e-3).solved)

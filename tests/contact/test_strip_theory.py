@@ -7,7 +7,7 @@ import jax.numpy as jnp
 import numpy as np
 import pytest
 from scipy.optimize import brentq
-from scipy.special import ellipe, ellipk
+from scipy.special import ellipe, ellipk, lambertw
 
 from asperity.contact.carter import creep_coefficient, creepage, gross_slip_creepage
 from asperity.contact.hertz_line import effective_radius, half_width, roller_secant_compliance
@@ -17,6 +17,7 @@ from asperity.contact.strip_theory import (
     slice_line_load,
     strip_creepage,
     strip_loads,
+    strip_logarithm,
     strip_slip_ratio,
 )
 
@@ -61,6 +62,14 @@ def test_law_of_a_slice_is_that_of_a_roller_with_another_length():
 def test_slice_load_inverts_the_compression(line_load):
     found = slice_line_load(compression=compression(line_load), **PAIR)
     assert float(found) == pytest.approx(line_load, rel=1e-12)
+
+
+def test_logarithm_is_lamberts_function_to_rounding():
+    """v - ln v = t is v = -W_{-1}(-e^-t)."""
+    target = np.concatenate([1.0 + np.geomspace(1e-6, 1.0, 30), np.linspace(2.0, 700.0, 30)])
+    v = np.asarray(strip_logarithm(jnp.asarray(target)))
+    np.testing.assert_allclose(v, -lambertw(-np.exp(-target), -1).real, rtol=2e-9)
+    np.testing.assert_allclose(v - np.log(v), target, rtol=5e-16)
 
 
 def test_slice_without_compression_carries_nothing():

@@ -3,7 +3,15 @@
 import numpy as np
 import pytest
 
-from asperity.surface.line_spectrum import _fit_comb, _regression, _run, _spread_covariance, _wider, fit_lines
+from asperity.surface.line_spectrum import (
+    _fit_comb,
+    _regression,
+    _run,
+    _spread_covariance,
+    _wider,
+    fit_lines,
+    line_concentration,
+)
 from asperity.surface.weierstrass import weierstrass_mandelbrot_profile
 
 D, G, GAMMA = 1.4, 1e-10, 1.5
@@ -70,8 +78,8 @@ def test_longest_run(flags, run):
 
 
 def test_lines_of_equation_6_are_counted_and_explain_the_profile():
-    """1 mm with lines at 1.5^n/mm up to 1.48/um, sampled up to 2/um: those below 2/mm are not resolved."""
-    points, spacing = 4_000, 2.5e-7
+    """1.2 mm with lines at 1.5^n/mm up to 1.48/um, sampled up to 1.7/um: those below 1.7/mm are not resolved."""
+    points, spacing = 4_000, 3e-7
     profile = weierstrass_mandelbrot_profile(
         position=np.arange(points) * spacing,
         profile_length=1e-3,
@@ -84,6 +92,7 @@ def test_lines_of_equation_6_are_counted_and_explain_the_profile():
     found = fit_lines(profiles=np.asarray(profile)[None], spacing=spacing, frequency_ratio=GAMMA)
     assert found is not None
     assert found.fractal_dimension == pytest.approx(D, abs=1e-5)
+    assert found.log_roughness == pytest.approx(np.log(G), abs=1e-3)
     assert found.low == pytest.approx(1e3 * GAMMA**2, rel=1e-3)
     assert found.high == pytest.approx(1e3 * GAMMA**18, rel=1e-6)
     assert found.lines == 17
@@ -91,18 +100,43 @@ def test_lines_of_equation_6_are_counted_and_explain_the_profile():
     assert found.misfit < 1e-3
 
 
+def test_noise_concentrates_in_no_line():
+    """Of n powers of noise the 16 largest have on average the share (sum over j to 16 of sum over i >= j of 1/i)/n."""
+    noise = np.random.default_rng(3).standard_normal(16384)
+    top, shares = 8192, []
+    while top / 3 >= 128:
+        n = top - int(top / 1.5)
+        tails = np.cumsum(1 / np.arange(n, 0, -1.0))[::-1]
+        shares.append(tails[:16].sum() / n)
+        top = int(top / 1.5)
+    assert line_concentration(profile=noise, frequency_ratio=1.5) == pytest.approx(np.median(shares), rel=0.1)
+
+
 def test_errors_of_amplitudes_are_those_of_noise():
     """White noise s on n points: the amplitude a of a resolved line has the error s sqrt(2/n), ln a this over a."""
-    n, spacing, noise = 4000, 2.5e-7, 1e-9
+    n, spacing, noise, lowest = 4000, 2.5e-7, 1e-9, 4.64e3
     x = (np.arange(n) - 0.5 * (n - 1)) * spacing
-    f = 5e3 * 1.5 ** np.arange(15)
+    f = lowest * 1.5 ** np.arange(15)  # the next one is 2 % above the sampling limit
     a = 1e-7 * 0.9 ** np.arange(15)
     phases = np.linspace(0.3, 9.0, 15)
     z = (a * np.cos(2 * np.pi * f * x[:, None] + phases)).sum(axis=1)
     z += noise * np.random.default_rng(1).standard_normal(n)
-    comb = _fit_comb(z, spacing, 1.5, np.log(5e3))
-    lines = comb.frequency > 4.9e3
-    np.testing.assert_allclose(comb.frequency[lines][:15], f, rtol=1e-4)
-    np.testing.assert_allclose(comb.amplitude[lines][:15], a, rtol=5 * noise * np.sqrt(2 / n) / a.min())
-    # the longest two are not told from a tilt and longer waves so well
-    np.testing.assert_allclose(comb.error[lines][2:15], noise * np.sqrt(2 / n) / a[2:], rtol=0.05)
+    comb = _fit_comb(z, spacing, 1.5, np.log(lowest))
+    lines = comb.frequency > 0.99 * lowest
+    np.testing.assert_allclose(comb.frequency[lines], f, rtol=1e-4)
+    np.testing.assert_allclose(comb.amplitude[lines], a, rtol=5 * noise * np.sqrt(2 / n) / a.min())
+    # the longest three are not told from a tilt and longer waves so well
+    np.testing.assert_allclose(comb.error[lines][3:], noise * np.sqrt(2 / n) / a[3:], rtol=0.05)
+    # all of them from the least squares written anew: ln a of each line as a linear function of the noise
+    angle = 2 * np.pi * comb.frequency * x[:, None]
+    design = np.hstack([np.ones((n, 1)), x[:, None] / (n * spacing), np.cos(angle), np.sin(angle)])
+    told = 1e-13**0.5  # columns that differ by less are not told apart
+    cosine, sine = np.split((np.linalg.pinv(design, rcond=told) @ z)[2:], 2)
+    turned = x[:, None] * comb.frequency * (np.cos(angle) * sine - np.sin(angle) * cosine)
+    shifted = turned[:, comb.frequency * n * spacing > 1.0].sum(axis=1, keepdims=True)
+    shifted *= np.sqrt(n) / np.linalg.norm(shifted)
+    inverse = np.linalg.pinv(np.hstack([design, shifted]), rcond=told)
+    cosines, sines = np.split(inverse[2:-1], 2)
+    slopes = (cosine[:, None] * cosines + sine[:, None] * sines) / (cosine**2 + sine**2)[:, None]
+    expected = np.sqrt(comb.variance) * np.linalg.norm(slopes, axis=1)
+    np.testing.assert_allclose(comb.error[lines], expected[lines], rtol=1e-2)

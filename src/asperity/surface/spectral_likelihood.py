@@ -208,13 +208,16 @@ def fit_spectrum(
         key=lambda c: float(c[0, 0]),
     )
     level, unit = float(np.exp(theta[1])), reference**roll_off_exponent
+    by_floor = np.array(
+        [0.0, theta[3], 0.0, 1.0]
+    )  # the white part is relative to the level, uncertain as well
     expected = model.log_density(theta)
     return SpectralFit(
         fractal_dimension=float(theta[0]),
         log_level=float(theta[1]),
         reference_frequency=reference,
         floor=level * float(theta[3]),
-        floor_error=level * float(np.sqrt(covariance[3, 3])),
+        floor_error=level * float(np.sqrt(by_floor @ covariance @ by_floor)),
         roll_off=unit * float(theta[2]),
         roll_off_error=unit * float(np.sqrt(covariance[2, 2])),
         roll_off_exponent=roll_off_exponent,

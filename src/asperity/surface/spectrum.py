@@ -217,7 +217,7 @@ def _correlation(
 def _inequality(powers: NDArray[np.float64], counts: NDArray[np.int64]) -> float:
     """Factor by which unequal profiles enlarge the variance of their average: 1 where all are alike."""
     mean = powers.mean(axis=0)
-    share = np.where(mean > 0.0, powers / np.where(mean > 0.0, mean, 1.0), 1.0) @ counts / counts.sum()
+    share = np.where(mean > 0.0, powers / np.where(mean > 0.0, mean, 1.0), 1.0) @ counts
     return float(np.mean(share**2) / np.mean(share) ** 2)
 
 
