@@ -19,8 +19,8 @@ def checks():
 @pytest.mark.slow
 def test_this_installation_passes(checks):
     assert [check for check in checks if not check.passed] == []
-    assert len(checks) >= 45
-    assert sum(check.values for check in checks) >= 430
+    assert len(checks) >= 60
+    assert sum(check.values for check in checks) >= 470
     document = validation_document(checks)
     assert document["valid"]
     assert document["failed"] == 0

@@ -11,7 +11,15 @@ from typing import Any
 
 import asperity
 from asperity.precision import require_double_precision
-from asperity.validation import body_checks, contact_checks, drive_checks, element_checks, paper_checks
+from asperity.validation import (
+    body_checks,
+    branch_checks,
+    contact_checks,
+    drive_checks,
+    element_checks,
+    paper_checks,
+    roller_checks,
+)
 from asperity.validation.check import Check, failed
 
 #: Name of a group of checks → what computes it.
@@ -21,12 +29,16 @@ GROUPS: dict[str, Callable[[], Iterator[Check]]] = {
     "contact law": contact_checks.contact_law,
     "Hertz": contact_checks.hertz,
     "creep": contact_checks.creep,
+    "crowned rollers": roller_checks.crowns,
+    "skewed rollers": roller_checks.skewed,
     "stresses": contact_checks.stresses,
     "fatigue": contact_checks.fatigue,
     "discs": body_checks.discs,
     "rings": body_checks.rings,
     "kinematics": drive_checks.ratios,
     "drive": drive_checks.states,
+    "unlike branches": branch_checks.unlike,
+    "rolling bearings": roller_checks.bearings,
     "half-space": element_checks.half_space,
     "partial slip": element_checks.sliding,
     "rolling": element_checks.rolling,
