@@ -14,7 +14,7 @@ from asperity.compilation import compile_fast
 from asperity.joint.description import Joint
 from asperity.joint.evaluation import JointResult, evaluate
 from asperity.joint.planar.description import PlanarJoint
-from asperity.joint.planar.over_torque import over_torque
+from asperity.joint.planar.over_torque import standing_over_torque
 from asperity.types import Real
 
 #: Levels of the stiffness, from the simplest.
@@ -63,7 +63,7 @@ def standing_at(joint: Joint | PlanarJoint, torques: Array) -> Standing:
         Play is left out.
     """
     if isinstance(joint, PlanarJoint):
-        found = over_torque(joint, torques, no_slip_friction=NO_SLIP_FRICTION)
+        found = standing_over_torque(joint, torques, no_slip_friction=NO_SLIP_FRICTION)
         own, without = ({name: np.asarray(getattr(found, name))[:, k] for name in LEVELS} for k in range(2))
         holds, ratio = np.asarray(found.solved), np.asarray(found.slip_ratio).T
         return Standing(np.asarray(found.balanced), holds, ratio, own, without)

@@ -233,6 +233,36 @@ def _last_two(states: PlanarState) -> tuple[PlanarState, PlanarState]:
     return before, last
 
 
+def standing_state(
+    *, drive: PlanarDrive, laws: ContactLaws, rest: PlanarState, load: DriveLoad
+) -> PlanarState:
+    """A drive that stands under a torque, from its assembled state.
+
+    Parameters
+    ----------
+    drive : PlanarDrive
+        The drive.
+    laws : ContactLaws
+        Its contacts.
+    rest : PlanarState
+        Its assembled state.
+    load : DriveLoad
+        Torque, forces on the bodies, and pins.
+
+    Returns
+    -------
+    PlanarState
+        As of :func:`loaded_state`.
+
+    References
+    ----------
+    Equation (M3) of :doc:`/equations`.
+    """
+    states = _loaded(drive, laws, rest, load, jnp.array([STANDING]), None)
+    standing: PlanarState = jax.tree.map(lambda leaf: leaf[0], states)
+    return standing
+
+
 def loaded_states(
     *, drive: PlanarDrive, laws: ContactLaws, rest: PlanarState, load: DriveLoad, creep_of: CreepOf
 ) -> tuple[PlanarState, PlanarState]:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import dataclasses
 from collections.abc import Callable
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import jax
 import jax.numpy as jnp
@@ -15,7 +15,7 @@ from asperity.compilation import compile_fast
 from asperity.drive.capacity import slip_ratio
 from asperity.drive.planar.creeping import creeping_speeds
 from asperity.drive.planar.state import STATE_TOLERANCE, ContactLaws, PlanarState
-from asperity.drive.planar.states import loaded_states, state_at_rest
+from asperity.drive.planar.states import loaded_states, standing_state, state_at_rest
 from asperity.drive.rolling_state import drift_per_turn
 from asperity.joint.contacts import JointContacts
 from asperity.joint.planar.description import PlanarJoint, body_masses, planar_contacts
@@ -26,6 +26,23 @@ from asperity.types import Real
 
 #: Torques of one call: one program serves curves of any number of points.
 BATCH = 64
+
+
+class StandingOverTorque(NamedTuple):
+    """A joint that stands, at torques of either sign. SI units, torques along the first axis.
+
+    Parameters
+    ----------
+    balanced, solved, slip_ratio, published, series_with_bulk, assembly : Array
+        As of :class:`OverTorque`.
+    """
+
+    balanced: Array
+    solved: Array
+    slip_ratio: Array
+    published: Array
+    series_with_bulk: Array
+    assembly: Array
 
 
 class OverTorque(NamedTuple):
@@ -86,6 +103,32 @@ def over_torque(joint: PlanarJoint, torques: Array, *, no_slip_friction: float) 
     OverTorque
         Results of states that do not balance have no meaning.
     """
+    found: OverTorque = _in_batches(over_torque_program, joint, torques, no_slip_friction)
+    return found
+
+
+def standing_over_torque(
+    joint: PlanarJoint, torques: Array, *, no_slip_friction: float
+) -> StandingOverTorque:
+    """What a joint that stands does at torques, as NumPy arrays.
+
+    Parameters
+    ----------
+    joint, torques, no_slip_friction
+        As of :func:`over_torque`.
+
+    Returns
+    -------
+    StandingOverTorque
+        Results of states that do not balance have no meaning.
+    """
+    found: StandingOverTorque = _in_batches(standing_program, joint, torques, no_slip_friction)
+    return found
+
+
+def _in_batches(
+    program: Callable[..., Any], joint: PlanarJoint, torques: Array, no_slip_friction: float
+) -> Any:
     numbers: PlanarJoint = jax.tree.map(lambda leaf: np.asarray(leaf, dtype=float), joint)
     rest = jax.tree.map(np.asarray, compile_fast(laws_and_states, numbers)(numbers)[1].rest)
     asked = np.asarray(torques, dtype=float)
@@ -94,9 +137,38 @@ def over_torque(joint: PlanarJoint, torques: Array, *, no_slip_friction: float) 
     found = []
     for part in filled.reshape(-1, BATCH):
         arguments = (numbers, rest, part, friction)
-        found.append(jax.tree.map(np.asarray, compile_fast(over_torque_program, *arguments)(*arguments)))
-    whole: OverTorque = jax.tree.map(lambda *leaves: np.concatenate(leaves)[: asked.size], *found)
-    return whole
+        found.append(jax.tree.map(np.asarray, compile_fast(program, *arguments)(*arguments)))
+    return jax.tree.map(lambda *leaves: np.concatenate(leaves)[: asked.size], *found)
+
+
+def standing_program(
+    joint: PlanarJoint, rest: PlanarState, torques: Array, no_slip_friction: Real
+) -> StandingOverTorque:
+    """What is compiled to wind a joint up.
+
+    Parameters
+    ----------
+    joint, rest, torques, no_slip_friction
+        As of :func:`over_torque_program`.
+
+    Returns
+    -------
+    StandingOverTorque
+        At these torques.
+
+    References
+    ----------
+    Equations (A9) and (M3) of :doc:`/equations`.
+    """
+    contacts = planar_contacts(joint)
+    laws, unloaded = contact_laws(joint, contacts), drive_load(joint, body_masses(joint), 0.0)
+
+    def at(torque: Array) -> StandingOverTorque:
+        load = dataclasses.replace(unloaded, output_torque=torque)
+        state = standing_state(drive=joint.drive, laws=laws, rest=rest, load=load)
+        return _standing(joint, contacts, no_slip_friction, state)
+
+    return jax.vmap(at)(torques)
 
 
 def over_torque_program(
@@ -203,19 +275,13 @@ def _states(
     )
 
 
-def _shown(
-    joint: PlanarJoint,
-    contacts: JointContacts,
-    no_slip_friction: Real,
-    torque: Array,
-    state: PlanarState,
-    rolls: PlanarState,
-) -> dict[str, Array]:
-    """Stiffness of the joint that stands, with and without slip, and drift of the one that rolls."""
-    drive, sense = joint.drive, driving_sense(joint.drive)
+def _standing(
+    joint: PlanarJoint, contacts: JointContacts, no_slip_friction: Real, state: PlanarState
+) -> StandingOverTorque:
+    """Stiffness of the joint that stands, with and without slip."""
+    sense = driving_sense(joint.drive)
     own = jnp.broadcast_to(contacts.pairs.friction_coefficient, sense.shape)
     frictions = jnp.stack([own, jnp.full_like(own, no_slip_friction)])
-    out = drive.members.index(drive.output)
 
     def levels(friction: Array) -> tuple[Array, Array, Array]:
         pairs = dataclasses.replace(contacts.pairs, friction_coefficient=friction)
@@ -232,6 +298,30 @@ def _shown(
             jnp.asarray(found.assembly.stiffness.output),
         )
 
+    slip = slip_ratio(normal_force=state.normal, tangential_force=state.tangential, friction_coefficient=own)
+    published, series, assembly = jax.vmap(levels)(frictions)
+    return StandingOverTorque(
+        balanced=state.worst < STATE_TOLERANCE,
+        solved=state.residual < STATE_TOLERANCE,
+        slip_ratio=jnp.where(state.slides == 0.0, slip, 1.0),
+        published=published,
+        series_with_bulk=series,
+        assembly=assembly,
+    )
+
+
+def _shown(
+    joint: PlanarJoint,
+    contacts: JointContacts,
+    no_slip_friction: Real,
+    torque: Array,
+    state: PlanarState,
+    rolls: PlanarState,
+) -> dict[str, Array]:
+    """The joint that stands, and the drift of the one that rolls."""
+    drive = joint.drive
+    out = drive.members.index(drive.output)
+
     def drift(creepage: Array) -> Array:
         """Angle lost in one turn of the output, (B3); negative where the creep runs ahead."""
         ideal, speed = (
@@ -242,14 +332,7 @@ def _shown(
 
     with_torque = jnp.where(torque < 0.0, -1.0, 1.0)
     both = jnp.stack([drift(way * with_torque * rolls.creepage) * way for way in (1.0, -1.0)])
-    slip = slip_ratio(normal_force=state.normal, tangential_force=state.tangential, friction_coefficient=own)
-    published, series, assembly = jax.vmap(levels)(frictions)
     return {
-        "balanced": state.worst < STATE_TOLERANCE,
-        "solved": state.residual < STATE_TOLERANCE,
-        "slip_ratio": jnp.where(state.slides == 0.0, slip, 1.0),
-        "published": published,
-        "series_with_bulk": series,
-        "assembly": assembly,
+        **_standing(joint, contacts, no_slip_friction, state)._asdict(),
         "drift": jnp.where(rolls.residual < STATE_TOLERANCE, with_torque * both, jnp.nan),
     }
