@@ -46,7 +46,12 @@ def test_a_branch_that_slips_under_the_torque_does_not_work(unequal_branches):
 
 def test_more_than_all_branches_pass(unequal_branches):
     found = unequal_branches(torque=14.0, standing=None)
-    slip, _, pressure = branch_checks(found, turns=False)
+    slip, _, pressure, beyond = branch_checks(found, turns=False)
+    assert (beyond.result.name, beyond.value, beyond.ok) == ("equal_branches_torque", 14.0 / 13.0, False)
+    assert (
+        "would be those of equal branches, which carry 13 N·m and so not this torque"
+        in equal_branches_note(found)
+    )
     assert not slip.ok
     assert "all branches slip at 12.5 N·m" in slip.meaning
     assert math.isnan(pressure.value)  # by hand the state without torque has no pressure

@@ -41,6 +41,7 @@ def found(monkeypatch):
     solved = SimpleNamespace(
         joint=None,
         branches=None,
+        no_equal_state=None,
         notes=(),
         a=np.array([0.5, 1.5, 0.2, 1.0, 0.4]),
         b=2.0,
@@ -75,14 +76,21 @@ def test_what_is_not_known_does_not_pass(monkeypatch):
     monkeypatch.setattr(module, "results_of_joint", lambda solved: {"slip": ROWS[1]})
     values = np.array([0.5, np.nan, 0.2, 5.0, 0.4])
     (found,) = margins(
-        SimpleNamespace(joint=None, branches=None, notes=(), a=values, row_names=lambda axis: CONTACT_NAMES)
+        SimpleNamespace(
+            joint=None,
+            branches=None,
+            no_equal_state=None,
+            notes=(),
+            a=values,
+            row_names=lambda axis: CONTACT_NAMES,
+        )
     )
     assert (found.place, found.passes) == ("pwr", False)
 
 
 def test_an_infinite_safety_factor_passes(monkeypatch):
     monkeypatch.setattr(module, "results_of_joint", lambda solved: {"torque_safety": ROWS[5]})
-    (found,) = margins(SimpleNamespace(joint=None, branches=None, notes=(), b=math.inf))
+    (found,) = margins(SimpleNamespace(joint=None, branches=None, no_equal_state=None, notes=(), b=math.inf))
     assert (found.actual, found.passes, found.utilisation) == (math.inf, True, 0.0)
 
 
@@ -91,7 +99,10 @@ def test_unequal_branches_are_required_to_hold(monkeypatch, unequal_branches):
     for torque, passes in ((5.0, True), (8.5, False)):
         found = margins(
             SimpleNamespace(
-                joint=SimpleNamespace(sun_speed=0.0), notes=(), branches=unequal_branches(torque=torque)
+                joint=SimpleNamespace(sun_speed=0.0),
+                notes=(),
+                no_equal_state=None,
+                branches=unequal_branches(torque=torque),
             )
         )
         assert [each.severity for each in found] == ["function", "function", "damage"]
@@ -113,7 +124,9 @@ def test_notes_are_requirements_at_the_contact_where_they_are_met_worst(monkeypa
     ]
     found = {
         each.result.name: each
-        for each in margins(SimpleNamespace(joint=None, branches=None, notes=tuple(notes)))
+        for each in margins(
+            SimpleNamespace(joint=None, branches=None, no_equal_state=None, notes=tuple(notes))
+        )
     }
     film = found["film_ratio"]
     assert (film.place, film.actual, film.highest, film.passes) == ("pr", 2.0, 1.0, False)

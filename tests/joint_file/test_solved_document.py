@@ -1,14 +1,23 @@
 """A joint file solved in a script says what the command says, whatever the type of its drive."""
 
 import json
+import math
 from pathlib import Path
 
 import pytest
 from click.testing import CliRunner
 
 from asperity.cli import asperity
-from asperity.joint_file.reader import read_any_case
-from asperity.joint_file.solved_document import solved_document
+from asperity.errors import InputError
+from asperity.joint.margins import margins
+from asperity.joint.planar.solved import solved_planar_joint
+from asperity.joint_file.reader import parse_any_case, read_any_case
+from asperity.joint_file.solved_document import (
+    papers_branches,
+    planar_branches,
+    solve_planar_case,
+    solved_document,
+)
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 UNEQUAL = '[[branch]]\nplanet_deviation = "2 um"\n\n[[branch]]\n\n[[branch]]\n\n'
@@ -24,3 +33,112 @@ def test_the_document_is_that_of_the_command(name, branches, tmp_path):
     printed = CliRunner().invoke(asperity, ["joint", str(file), "--json"], catch_exceptions=False).stdout
     assert solved_document(read_any_case(file)) == json.loads(printed)
     assert bool(branches) == ('"branches": {' in printed)
+
+
+def harder(name, text, sizes, torque):
+    """An example whose planets are larger than nominal, under a torque at its output."""
+    stated = "".join(f'[[branch]]\nplanet_deviation = "{size} um"\n\n' for size in sizes)
+    for old, new in (text, ("[model]", f"{stated}[model]")):
+        name = name.replace(old, new, 1)
+    before, rest = name.split('output_torque = "', 1)
+    return parse_any_case(
+        f'{before}output_torque = "{torque} N*m"{rest[rest.index(chr(34)) + 1 :]}', source="x"
+    )
+
+
+@pytest.fixture(scope="module")
+def planetary():
+    text = (EXAMPLES / "planetary.toml").read_text().replace('bodies = "exact" ', 'bodies = "springs" ')
+    text = text.replace('ring_support = "free" ', 'ring_support = "rigid_housing" ')
+    return lambda sizes, torque, interference=4.4: harder(
+        text, ('interference = "30 um"', f'interference = "{interference} um"'), sizes, torque
+    )
+
+
+@pytest.fixture(scope="module")
+def papers():
+    text = (EXAMPLES / "zou2025.toml").read_text()
+    return lambda sizes, torque: harder(
+        text, ('preload = "1000 N"', 'interference = "12.904 um"'), sizes, torque
+    )
+
+
+def of_equal_branches(document):
+    """All numbers that only equal branches have."""
+    found = [document["torsional_stiffness"], document["contacts"], document["life_hours"]]
+    found += [document["drift_rad_per_output_turn"], document["efficiency"], document["forces"]["normal_N"]]
+    while any(isinstance(each, dict) for each in found):
+        found = [inner for each in found for inner in (each.values() if isinstance(each, dict) else [each])]
+    return found
+
+
+def judge(document, torque, equal):
+    branches = document["branches"]
+    assert branches["torque_capacity"]["equal_branches_Nm"] == pytest.approx(equal, rel=1e-3)
+    assert torque > equal
+    assert set(of_equal_branches(document)) == {None}
+    assert "do not exist: they would be those of equal branches" in branches["note"]
+    assert document["stiffness_unknown_because"].startswith("equal branches do not carry this torque")
+    assert document["rolling"]["unknown_because"] == [document["stiffness_unknown_because"]]
+    assert sum(branches["standing"]["share"]) == pytest.approx(1.0)
+    judged = {each["name"]: each for each in document["diagnostics"]}
+    assert judged["equal_branches_torque"]["value"] == pytest.approx(torque / equal, rel=1e-3)
+    assert not judged["equal_branches_torque"]["ok"]
+    assert judged["branch_slip"]["ok"]
+    assert None not in [each["value"] for each in document["diagnostics"]]
+    json.dumps(document, allow_nan=False)
+
+
+@pytest.mark.slow
+def test_branches_that_press_harder_carry_more_than_equal_ones(planetary):
+    """Planets 0.3 um larger all round are an interference 0.6 um larger."""
+    stronger = solve_planar_case(planetary([], 10.5, 5.0))
+    assert not bool(stronger.document.get("branches"))
+    equal = solve_planar_case(planetary([], 8.0))
+    limit = float(equal.solution.capacity.output_torque)
+    joint, solution, branches, document = solve_planar_case(planetary([0.3] * 3, 10.5))
+    judge(document, 10.5, limit)
+    assert branches.capacity.all_slip == pytest.approx(
+        float(stronger.solution.capacity.output_torque), rel=2e-4
+    )
+    assert branches.stiffness == pytest.approx(
+        float(stronger.solution.result.assembly.stiffness.output), rel=1e-3
+    )
+    lives = branches.rolling.limits["life_hours"]
+    assert lives.min() == pytest.approx(float(stronger.solution.result.rolling.life_hours.drive), rel=2e-3)
+    required = {each.result.name: each for each in margins(solved_planar_joint(joint, solution, branches))}
+    assert "torque_safety" not in required
+    assert not any(math.isnan(each.actual) for each in required.values())
+
+
+@pytest.mark.slow
+def test_unlike_branches_carry_the_sum_of_what_their_friction_holds(planetary):
+    """At the sun each holds mu N; the ratio of 6 makes 6 r mu N of it at the output, a third for each planet."""
+    _, _, branches = planar_branches(planetary([0.1, 0.2, 0.5], 10.5))
+    by_hand = 6.0 * 10e-3 * 0.08 * branches.preload.sum()
+    assert branches.capacity.all_slip == pytest.approx(
+        by_hand, rel=5e-3
+    )  # the torque takes 0.2 % of the forces
+    with pytest.raises(
+        InputError, match=r"16 N.m is beyond what the branches carry together, 1[12]\.\d+ N.m"
+    ):
+        planar_branches(planetary([0.1, 0.2, 0.5], 16.0))
+    # and without the branches the refusal is that of equal ones
+    with pytest.raises(InputError, match=r"beyond the torque capacity .* \(for equal branches"):
+        planar_branches(planetary([0.1, 0.2, 0.5], 16.0), branches=False)
+
+
+def test_the_papers_drive_by_its_own_branches(papers):
+    """13.16 N*m for 1000 N of preload, in proportion to it."""
+    case = papers([0.2, 0.4, 0.5], 13.5)
+    document = solved_document(case)
+    judge(document, 13.5, 13.38)
+    preloads = sum(each["preload_N"] for each in document["branches"]["branches"])
+    by_hand = 13.16 * preloads / 3000.0
+    assert document["branches"]["torque_capacity"]["all_slip_Nm"] == pytest.approx(by_hand, rel=1e-3)
+    for torque in (14.3, 40.0):
+        with pytest.raises(InputError, match=r"beyond what the branches carry together, 14\.19 N.m"):
+            papers_branches(papers([0.2, 0.4, 0.5], torque))
+    # equal ones would carry this one, weaker ones do not
+    with pytest.raises(InputError, match="beyond what the branches carry together"):
+        papers_branches(papers([-0.2, -0.4, -0.5], 13.0))

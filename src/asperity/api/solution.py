@@ -11,9 +11,10 @@ import numpy as np
 from asperity.api.joint import DescribedJoint
 from asperity.api.named_quantity import NamedQuantity
 from asperity.api.shown import Shown, Table, displayed, frame, pandas
+from asperity.joint.branch_results import UnequalBranches
 from asperity.joint.description import Joint
 from asperity.joint.document import joint_document
-from asperity.joint.either_kind import AnyJoint, AnySolution, solve_any
+from asperity.joint.either_kind import AnyJoint, AnySolution
 from asperity.joint.planar.description import PlanarJoint
 from asperity.joint.planar.document import planar_document
 from asperity.joint.planar.solve import PlanarSolution
@@ -22,10 +23,9 @@ from asperity.joint.results import LEVELS, RESULTS, Result, SolvedJoint, known_r
 from asperity.joint.rolling_refusal import rolling_capacity_of
 from asperity.joint.solve import Solution
 from asperity.joint_file.any_joint import results_of
-from asperity.joint_file.build import unequal_branches
-from asperity.joint_file.planar_build import any_joint_from_case, unequal_sectors
 from asperity.joint_file.planar_model import PlanarCase
 from asperity.joint_file.si_tables import si_values
+from asperity.joint_file.solved_document import papers_branches, planar_branches
 from asperity.units import format_quantity
 
 if TYPE_CHECKING:
@@ -68,14 +68,16 @@ def solution(joint: DescribedJoint) -> JointSolution:
     NoSolutionError
         If the force balance does not close.
     """
-    return JointSolution(joint, solve_any(any_joint_from_case(joint.case)))
+    case = joint.case
+    solved = planar_branches(case) if isinstance(case, PlanarCase) else papers_branches(case)
+    return JointSolution(joint, *solved)
 
 
 class _Solved(SolvedJoint):
     """One solved joint, whose capacities in rolling come from the program that solved it."""
 
-    def __init__(self, joint: Joint, solution: Solution) -> None:
-        super().__init__(joint, solution.result, solution.capacity)
+    def __init__(self, joint: Joint, solution: Solution, branches: UnequalBranches | None) -> None:
+        super().__init__(joint, solution.result, solution.capacity, branches)
         self._solution = solution
 
     @functools.cached_property
@@ -87,13 +89,13 @@ class _Solved(SolvedJoint):
         return rolling_capacity_of(self.joint, self._solution, direction=-1.0)
 
 
-def _solved(joint: AnyJoint, solution: AnySolution) -> SolvedJoint:
+def _solved(joint: AnyJoint, solution: AnySolution, branches: UnequalBranches | None) -> SolvedJoint:
     """One solved joint, whose capacities come from the program that solved it."""
     if isinstance(joint, PlanarJoint):
         assert isinstance(solution, PlanarSolution)
-        return solved_planar_joint(joint, solution)
+        return solved_planar_joint(joint, solution, branches)
     assert isinstance(solution, Solution)
-    return _Solved(joint, solution)
+    return _Solved(joint, solution, branches)
 
 
 class JointSolution(Shown):
@@ -103,13 +105,23 @@ class JointSolution(Shown):
     ----------
     joint : DescribedJoint
         What was solved.
+    described : Joint or PlanarJoint
+        The same in numbers.
     solution : Solution or PlanarSolution
         What came out.
+    branches : UnequalBranches or None
+        Its branches, if its file states their sizes.
     """
 
-    def __init__(self, joint: DescribedJoint, solution: AnySolution) -> None:
+    def __init__(
+        self,
+        joint: DescribedJoint,
+        described: AnyJoint,
+        solution: AnySolution,
+        branches: UnequalBranches | None,
+    ) -> None:
         self.joint, self.solution = joint, solution
-        self._solved = _solved(any_joint_from_case(joint.case), solution)
+        self._solved = _solved(described, solution, branches)
         self._table = results_of(si_values(joint.case))
 
     def __getitem__(self, asked: str | tuple[str, StiffnessLevel]) -> NamedQuantity:
@@ -176,13 +188,10 @@ class JointSolution(Shown):
             "inputs": si_values(case),
             "assumptions": self.joint.assumptions,
         }
+        told["branches"] = self._solved.branches
         if isinstance(self.solution, PlanarSolution):
-            assert isinstance(case, PlanarCase)
-            sectors = unequal_sectors(case, self._solved.joint, self.solution)
-            return planar_document(solution=self.solution, branches=sectors, **told)
-        assert not isinstance(case, PlanarCase)
-        branches = unequal_branches(case, self._solved.joint)
-        return joint_document(solution=self.solution, branches=branches, **told)
+            return planar_document(solution=self.solution, **told)
+        return joint_document(solution=self.solution, **told)
 
     def to_frame(self) -> Any:
         """Every number as a row of a pandas data frame: label, value, unit, SI value, SI unit, level."""
@@ -264,8 +273,8 @@ class JointSolution(Shown):
         return Table(head, rows)
 
     def _limit_parts(self) -> list[str | Table]:
-        unknown = [self.document["stiffness_unknown_because"], self.document["rolling"]["unknown_because"]]
-        parts: list[str | Table] = [f"Not known: {reason}" for reason in unknown if reason]
+        unknown = [self.document["stiffness_unknown_because"], *self.document["rolling"]["unknown_because"]]
+        parts: list[str | Table] = [f"Not known: {reason}" for reason in dict.fromkeys(unknown) if reason]
         by_limit: dict[str, list[dict[str, Any]]] = {}
         for each in self.limits:
             if not each["ok"]:

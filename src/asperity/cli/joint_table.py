@@ -151,7 +151,7 @@ def _show_contacts(target: Console, document: Document) -> None:
             name,
             number(forces["normal_N"][name]),
             number(forces["tangential_N"][name]),
-            number(slip[name], 3),
+            number(slip.get(name), 3),
             scaled(contact["hertz_half_width_m"], 2e3),
             scaled(contact["hertz_pressure_Pa"], 1e-6),
             scaled(contact["real_contact_area_m2"], 1e6),
@@ -371,6 +371,7 @@ def _show_budget(target: Console, document: Document) -> None:
         )
         print_wrapped(target, f"  {name} {100.0 * total:.1f} %{each}", indent=4)
     if not shares:
-        target.print("  none: the joint passes no torque")
+        why = document["stiffness_unknown_because"] or "the joint passes no torque"
+        print_wrapped(target, f"  none: {why}", indent=2)
     elif has_whole_bodies(document):
         print_wrapped(target, f"  {WHOLE_BODIES}", indent=2)

@@ -57,28 +57,23 @@ def loads(file: str, csv_file: str | None, as_json: bool) -> None:
 def _of_the_papers_drive(case: Case) -> Document:
     from asperity.joint.loads_document import load_cases, loads_document
     from asperity.joint.results import SolvedJoint
-    from asperity.joint.solve import solve
     from asperity.joint.strength_document import bearing_entries
-    from asperity.joint_file.build import joint_from_case, unequal_branches
+    from asperity.joint_file.solved_document import papers_branches
 
-    joint = joint_from_case(case)
-    solution = solve(joint)
-    solved = SolvedJoint(joint, solution.result, solution.capacity)
-    branches = unequal_branches(case, joint, slip=False)
+    joint, solution, branches = papers_branches(case, slip=False)
+    solved = SolvedJoint(joint, solution.result, solution.capacity, branches)
     return loads_document(joint, load_cases(joint, solution), bearing_entries(solved), branches)
 
 
 def _of_planar_drive(case: PlanarCase) -> Document:
     from asperity.joint.planar.loads_document import planar_loads_document
-    from asperity.joint.planar.solve import solve_planar
     from asperity.joint.planar.solved import solved_planar_joint
     from asperity.joint.strength_document import bearing_entries
-    from asperity.joint_file.planar_build import planar_joint_from_case, unequal_sectors
+    from asperity.joint_file.solved_document import planar_branches
 
-    joint = planar_joint_from_case(case)
-    solution = solve_planar(joint)
-    bearings = bearing_entries(solved_planar_joint(joint, solution))
-    return planar_loads_document(joint, solution, bearings, unequal_sectors(case, joint, solution))
+    joint, solution, branches = planar_branches(case)
+    bearings = bearing_entries(solved_planar_joint(joint, solution, branches))
+    return planar_loads_document(joint, solution, bearings, branches)
 
 
 def _column(case: Document, line: str) -> str:

@@ -32,7 +32,8 @@ def branch_checks(found: UnequalBranches, *, turns: bool) -> tuple[LimitCheck, .
     -------
     tuple of LimitCheck
         First slip, preload of the loosest branch and Hertz pressure over first yield, standing; first slip and Hertz
-        pressure over the shakedown limit in rolling. A value that does not exist is nan.
+        pressure over the shakedown limit in rolling; and, where it is crossed, that equal branches carry the torque. A
+        value that does not exist is nan.
     """
     checks = [
         _slip(found, found.capacity, found.standing, "standing"),
@@ -42,7 +43,29 @@ def branch_checks(found: UnequalBranches, *, turns: bool) -> tuple[LimitCheck, .
     if turns:
         checks.insert(1, _slip(found, found.rolling_capacity, found.rolling, "in rolling"))
         checks.append(_worst(found, "shakedown_ratio", found.rolling))
+    if found.beyond_equal:
+        checks.append(_beyond_equal(found))
     return tuple(checks)
+
+
+def _beyond_equal(found: UnequalBranches) -> LimitCheck:
+    """The torque over what equal branches carry."""
+    row = Result(
+        "equal_branches_torque",
+        "torque over the capacity of equal branches",
+        Dimension.DIMENSIONLESS,
+        "1",
+        "equal_branches_torque",
+        limit=Limit(
+            "accuracy",
+            "equal branches carry the torque",
+            "equal branches do not carry the torque: what is computed for equal branches alone is not known, nor are "
+            "its limits judged",
+            "lower the torque, or raise load.interference and state the deviations from those larger sizes",
+            highest=1.0,
+        ),
+    )
+    return LimitCheck(row, None, found.torque / found.capacity.equal)
 
 
 def _slip(
@@ -173,10 +196,13 @@ def equal_branches_note(found: UnequalBranches) -> str:
     str
         Sentences.
     """
-    note = (
-        "Forces, pressures, stiffness, drift, losses and lives outside the section on branches are those of equal "
-        f"branches; {pressed(found)}."
-    )
+    what = "Forces, pressures, stiffness, drift, losses and lives outside the section on branches"
+    note = f"{what} are those of equal branches; {pressed(found)}."
+    if found.beyond_equal:
+        note = (
+            f"{what} do not exist: they would be those of equal branches, which carry "
+            f"{format_quantity(found.capacity.equal, 'N*m', 4)} and so not this torque; {pressed(found)}."
+        )
     life = least_life(found)
     if math.isfinite(life):
         note += f" Were all loaded like the worst branch, the fatigue life under the torque would be {life:.4g} h."

@@ -9,6 +9,9 @@ import numpy as np
 from asperity.drive.geometry import CONTACT_NAMES
 from asperity.joint.branch_sizes import BranchSizes, SectorDeviations
 
+#: Why results of a joint are absent whose own branches carry a torque that equal ones do not carry.
+NO_EQUAL_STATE = "equal branches do not carry this torque; the branches of the file are told by themselves"
+
 
 @dataclass(frozen=True)
 class BranchState:
@@ -124,3 +127,8 @@ class UnequalBranches:
     def contact_names(self) -> tuple[str, ...]:
         """Names of the contacts of a branch."""
         return self.capacity.contact_names
+
+    @property
+    def beyond_equal(self) -> bool:
+        """Whether equal branches do not carry the torque."""
+        return self.torque >= self.capacity.equal

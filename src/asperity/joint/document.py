@@ -91,7 +91,7 @@ def joint_document(
         Nested tables of numbers and text. Numbers that are not finite are None; the diagnostics say why.
     """
     result = solution.result
-    solved = solved_joint(joint, solution)
+    solved = solved_joint(joint, solution, branches)
     checks = checked_limits(solved)
     if branches is not None:
         checks += branch_checks(branches, turns=float(joint.sun_speed) != 0.0)
@@ -111,7 +111,7 @@ def joint_document(
         "contacts": contact_documents(solved),
         "surfaces": surface_averages(joint, inputs.get("surface", {})),
         "torsional_stiffness": torsional_stiffness_document(result),
-        "stiffness_unknown_because": stiffness_unknown_because(result),
+        "stiffness_unknown_because": solved.no_equal_state or stiffness_unknown_because(result),
         "stiffness_budget": stiffness_budget(result),
         "speed_loss": result.rolling.speed_loss,
         "drift_rad_per_output_turn": result.rolling.drift_per_output_turn,
@@ -121,7 +121,7 @@ def joint_document(
         "bearings": bearing_entries(solved),
         "rims": rim_entries(solved),
         "rolling": {
-            **rolling_document(joint, result),
+            **rolling_document(joint, result, solved.no_equal_state),
             "torque_capacity_Nm": rolling_capacity_of(
                 joint, solution, direction=math.copysign(1.0, float(joint.output_torque))
             ),

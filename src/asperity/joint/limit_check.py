@@ -62,10 +62,14 @@ def checked_limits(solved: SolvedJoint) -> tuple[LimitCheck, ...]:
     Returns
     -------
     tuple of LimitCheck
-        One for each judged result of the joint and each of its rows.
+        One for each judged result of the joint and each of its rows; where only its own branches carry the torque, not
+        for those that are not known.
     """
     judged = [row for row in results_of_joint(solved).values() if row.limit is not None]
     judged.sort(key=lambda row: SEVERITIES.index(row.limit.severity))  # type: ignore[union-attr]
     return tuple(
-        LimitCheck(row, name or None, value) for row in judged for name, value in row.rows_of(solved).items()
+        LimitCheck(row, name or None, value)
+        for row in judged
+        for name, value in row.rows_of(solved).items()
+        if not (solved.no_equal_state and math.isnan(value))
     )

@@ -15,9 +15,11 @@ import asperity
 from asperity.compilation import compile_fast
 from asperity.drive.structure_loads import PIN_NAMES, StructureLoads, pin_bending_moment, pin_bending_stress
 from asperity.joint.branch_limits import pressed
-from asperity.joint.branch_results import UnequalBranches
+from asperity.joint.branch_results import NO_EQUAL_STATE, UnequalBranches
 from asperity.joint.description import Joint
 from asperity.joint.evaluation import JointResult
+from asperity.joint.planar.description import PlanarJoint
+from asperity.joint.planar.evaluation import PlanarResult
 from asperity.joint.rolling_document import unknown_because
 from asperity.joint.solve import Solution, solve_program
 from asperity.joint.working_loads import BearingSpeeds, bearing_speeds, loads_at_rest, working_loads
@@ -116,11 +118,31 @@ def _case(name: str, joint: Joint, result: JointResult, share: float | None) -> 
     loads = working_loads(joint, result)
     why = None
     if bool(np.any(np.isnan(np.asarray(loads.pin_tangential)))):
-        why = unknown_because(joint, result)[0]
+        why = no_loads_because(joint, result)
     speed = float(joint.sun_speed)
     return LoadCase(
         name, float(joint.output_torque), speed, share, result, loads, bearing_speeds(joint, result), why
     )
+
+
+def no_loads_because(joint: Joint | PlanarJoint, result: JointResult | PlanarResult) -> str:
+    """Why the loads of a joint are not known.
+
+    Parameters
+    ----------
+    joint : Joint or PlanarJoint
+        One joint.
+    result : JointResult or PlanarResult
+        Its result.
+
+    Returns
+    -------
+    str
+        One sentence.
+    """
+    if np.all(np.isnan(np.asarray(result.forces.normal))):
+        return NO_EQUAL_STATE
+    return unknown_because(joint, result)[0]
 
 
 def loads_document(

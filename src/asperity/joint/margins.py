@@ -74,6 +74,10 @@ def margins(solved: SolvedJoint) -> tuple[Margin, ...]:
     """
     judged = [row for row in results_of_joint(solved).values() if row.limit or row.name in _MUST_EXCEED]
     found = [_worst(row, rows) for row in judged if (rows := row.rows_of(solved))]
+    if solved.no_equal_state:
+        found = [
+            each for each in found if not math.isnan(each.actual) and each.result.name != "torque_safety"
+        ]
     if solved.branches is not None:
         turns = float(solved.joint.sun_speed) != 0.0
         found += [_of_a_branch(check) for check in branch_checks(solved.branches, turns=turns)]

@@ -17,7 +17,9 @@ from asperity.joint.rolling_power import rolling_input_torque
 Document = dict[str, Any]
 
 
-def rolling_document(joint: Joint | PlanarJoint, result: JointResult | PlanarResult) -> Document:
+def rolling_document(
+    joint: Joint | PlanarJoint, result: JointResult | PlanarResult, absent_because: str | None = None
+) -> Document:
     """Creep, drift, axial forces, losses and life of a solved joint.
 
     Parameters
@@ -26,6 +28,8 @@ def rolling_document(joint: Joint | PlanarJoint, result: JointResult | PlanarRes
         One joint.
     result : JointResult or PlanarResult
         Its result.
+    absent_because : str or None, optional
+        Why there is none, if its state under the torque does not exist.
 
     Returns
     -------
@@ -34,7 +38,7 @@ def rolling_document(joint: Joint | PlanarJoint, result: JointResult | PlanarRes
     """
     found = result.rolling
     return {
-        "unknown_because": unknown_because(joint, result),
+        "unknown_because": [absent_because] if absent_because else unknown_because(joint, result),
         "speed_loss": found.speed_loss,
         "drift_rad_per_output_turn": found.drift_per_output_turn,
         "drift_rad_per_hour": 3600.0 * found.drift_rate,

@@ -10,6 +10,7 @@ from asperity.errors import InputError
 from asperity.joint.branch_results import UnequalBranches
 from asperity.joint.description import Joint
 from asperity.joint.document import joint_document
+from asperity.joint.equal_branches import solve_equal_branches, without_state
 from asperity.joint.planar.description import PlanarJoint
 from asperity.joint.planar.document import planar_document
 from asperity.joint.planar.solve import PlanarSolution, solve_planar
@@ -34,7 +35,7 @@ class SolvedCase(NamedTuple, Generic[_Described, _Solved]):
     joint : Joint or PlanarJoint
         The joint that it describes.
     solution : Solution or PlanarSolution
-        What the joint does with equal branches.
+        What the joint does with equal branches; nan under a torque that only its own branches carry.
     branches : UnequalBranches or None
         What its sections ``[[branch]]`` do; None where there are none, or where they were not asked for.
     document : dict
@@ -65,14 +66,11 @@ def solve_case(case: Case, *, branches: bool = True) -> SolvedCase[Joint, Soluti
     Raises
     ------
     InputError
-        If the bodies do not fit, or the output torque exceeds the torque capacity.
+        If the bodies do not fit, or the output torque exceeds the capacity, of its own branches where they count.
     NoSolutionError
         If no balance was found.
     """
-    joint = joint_from_case(case)
-    with _equal_branches(case):
-        solution = solve(joint)
-    found = unequal_branches(case, joint) if branches else None
+    joint, solution, found = papers_branches(case, branches=branches)
     document = joint_document(
         joint=joint,
         solution=solution,
@@ -101,14 +99,11 @@ def solve_planar_case(case: PlanarCase, *, branches: bool = True) -> SolvedCase[
     Raises
     ------
     InputError
-        If the bodies do not fit, or the output torque exceeds the torque capacity.
+        If the bodies do not fit, or the output torque exceeds the capacity, of its own branches where they count.
     NoSolutionError
         If no balance was found.
     """
-    joint = planar_joint_from_case(case)
-    with _equal_branches(case):
-        solution = solve_planar(joint)
-    found = unequal_sectors(case, joint, solution) if branches else None
+    joint, solution, found = planar_branches(case, branches=branches)
     document = planar_document(
         joint=joint,
         solution=solution,
@@ -135,21 +130,95 @@ def solved_document(case: AnyCase) -> dict[str, Any]:
     Raises
     ------
     InputError
-        If the bodies do not fit, or the output torque exceeds the torque capacity.
+        If the bodies do not fit, or the output torque exceeds the capacity, of its own branches where they count.
     NoSolutionError
         If no balance was found.
     """
     return solve_planar_case(case).document if isinstance(case, PlanarCase) else solve_case(case).document
 
 
+def papers_branches(
+    case: Case, *, branches: bool = True, slip: bool = True
+) -> tuple[Joint, Solution, UnequalBranches | None]:
+    """Solve a joint file with the paper's drive, with equal branches and with its own.
+
+    Parameters
+    ----------
+    case : Case
+        The joint file.
+    branches : bool, optional
+        Whether its sections ``[[branch]]`` count.
+    slip : bool, optional
+        Whether slip ratios, pressures and lives of the branches are wanted, which take most of the time.
+
+    Returns
+    -------
+    joint : Joint
+        The joint that it describes.
+    solution : Solution
+        With equal branches; nan under a torque that only its own branches carry.
+    found : UnequalBranches or None
+        With its own; None where it states none.
+
+    Raises
+    ------
+    InputError
+        If the bodies do not fit, or its branches do not carry the output torque.
+    NoSolutionError
+        If no balance was found.
+    """
+    joint = joint_from_case(case)
+    if not branches or case.branch is None:
+        with _equal_branches(case):
+            return joint, solve(joint), None
+    solution, carries = solve_equal_branches(joint, solve)
+    found = unequal_branches(case, joint, slip=slip)
+    return joint, solution if carries else without_state(solution, float(joint.output_torque)), found
+
+
+def planar_branches(
+    case: PlanarCase, *, branches: bool = True
+) -> tuple[PlanarJoint, PlanarSolution, UnequalBranches | None]:
+    """Solve a joint file with another drive, with equal branches and with its own.
+
+    Parameters
+    ----------
+    case : PlanarCase
+        The joint file.
+    branches : bool, optional
+        Whether its sections ``[[branch]]`` count.
+
+    Returns
+    -------
+    joint : PlanarJoint
+        The joint that it describes.
+    solution : PlanarSolution
+        With equal branches; nan under a torque that only its own branches carry.
+    found : UnequalBranches or None
+        With its own; None where it states none.
+
+    Raises
+    ------
+    InputError
+        If the bodies do not fit, or its branches do not carry the output torque.
+    NoSolutionError
+        If no balance was found.
+    """
+    joint = planar_joint_from_case(case)
+    if not branches or getattr(case, "branch", None) is None:
+        with _equal_branches(case):
+            return joint, solve_planar(joint), None
+    solution, carries = solve_equal_branches(joint, solve_planar)
+    found = unequal_sectors(case, joint, solution)
+    return joint, solution if carries else without_state(solution, float(joint.output_torque)), found
+
+
 @contextlib.contextmanager
 def _equal_branches(case: AnyCase) -> Iterator[None]:
-    """While a joint is solved with equal branches: a refusal says that it is theirs, if the file states others."""
+    """Solve with equal branches alone: a refusal says that it is theirs, if the file states others."""
     try:
         yield
     except InputError as error:
         if getattr(case, "branch", None) is None:
             raise
-        raise InputError(
-            f"{error} (for equal branches, with which every joint is solved first: [[branch]] does not count here)"
-        ) from None
+        raise InputError(f"{error} (for equal branches: [[branch]] does not count here)") from None

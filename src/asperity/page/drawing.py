@@ -31,8 +31,8 @@ def drive_shapes(joint: Joint, forces: DriveForces) -> dict[str, Any]:
     -------
     dict
         ``rollers`` with centre and radius [m]; ``ring`` with its inner radius and wall [m]; ``forces``: for each
-        contact the point where it acts [m], and normal and tangential force as vectors on the body named [N].
-        Coordinates: the sun at the origin, the first planet on the positive y axis.
+        contact the point where it acts [m], and normal and tangential force as vectors on the body named [N]; none
+        where the forces are not known. Coordinates: the sun at the origin, the first planet on the positive y axis.
     """
     placed = rollers(joint.geometry)
     return {
@@ -66,7 +66,8 @@ def _forces(joint: Joint, forces: DriveForces, first: dict[str, Roller]) -> list
             },
         )
         entry["normal_N" if force.kind == "N" else "tangential_N"] = [force.size * right, force.size * up]
-    return [found[name] for name in CONTACT_NAMES]
+    known = np.all(np.isfinite(np.asarray(forces.normal)))
+    return [found[name] for name in CONTACT_NAMES] if known else []
 
 
 def planar_shapes(joint: PlanarJoint, result: PlanarResult) -> dict[str, Any]:
@@ -85,7 +86,7 @@ def planar_shapes(joint: PlanarJoint, result: PlanarResult) -> dict[str, Any]:
         ``rollers``: a circle for every track of every roller; ``rings`` with inner radius and wall [m]; ``forces`` on
         the first body of each contact, as :func:`drive_shapes` gives them; ``bodies``: the rollers of the first sector,
         each with the radii of its tracks [m] and every force on it: where it acts, as a direction from the axis, and
-        as a vector [N].
+        as a vector [N]; no ``forces`` and ``bodies`` where the forces are not known.
     """
     drive, centres = joint.drive, np.asarray(joint.drive.centres)
     circles, rings = [], []
@@ -103,12 +104,13 @@ def planar_shapes(joint: PlanarJoint, result: PlanarResult) -> dict[str, Any]:
                 {"body": name, "x_m": float(x), "y_m": float(y), "radius_m": radius}
                 for radius in sorted([*radii, *bore], reverse=True)
             ]
+    known = bool(np.all(np.isfinite(np.asarray(result.forces.normal))))
     found = planar_body_forces(joint, result)
     return {
         "rollers": circles,
         "rings": rings,
-        "forces": _planar_forces(joint, found),
-        "bodies": [_free_body(joint, number, found) for number in drive.floating],
+        "forces": _planar_forces(joint, found) if known else [],
+        "bodies": [_free_body(joint, number, found) for number in drive.floating if known],
     }
 
 

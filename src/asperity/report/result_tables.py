@@ -180,7 +180,7 @@ def contacts(document: Document) -> Iterator[Block]:
                 name,
                 number(forces["normal_N"][name]),
                 number(forces["tangential_N"][name]),
-                number(slip[name]),
+                number(slip.get(name)),
                 number(each["hertz_half_width_m"], 2e3),
                 number(each["hertz_pressure_Pa"], 1e-6),
                 number(each["real_contact_area_m2"], 1e6),

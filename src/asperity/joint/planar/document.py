@@ -64,7 +64,7 @@ def planar_document(
     """
     result, drive = solution.result, joint.drive
     forward = float(joint.output_torque) >= 0.0
-    solved = solved_planar_joint(joint, solution)
+    solved = solved_planar_joint(joint, solution, branches)
     pinned = [drive.bodies[body].name for body in drive.pinned]
     names = result.contact_names
     checks = checked_limits(solved)
@@ -125,7 +125,7 @@ def planar_document(
             "bearings": bearing_entries(solved),
             "rims": _rims(solved),
             "torsional_stiffness": torsional_stiffness_document(result),
-            "stiffness_unknown_because": stiffness_unknown_because(result),
+            "stiffness_unknown_because": solved.no_equal_state or stiffness_unknown_because(result),
             "stiffness_budget": stiffness_budget(result),
             "speed_loss": result.rolling.speed_loss,
             "drift_rad_per_output_turn": result.rolling.drift_per_output_turn,
@@ -133,7 +133,7 @@ def planar_document(
             "losses_W": losses(result.rolling),
             "life_hours": result.rolling.life_hours.drive,
             "rolling": {
-                **rolling_document(joint, result),
+                **rolling_document(joint, result, solved.no_equal_state),
                 "torque_capacity_Nm": (
                     solution.rolling_capacity if forward else solution.reverse_rolling_capacity
                 ).output_torque,

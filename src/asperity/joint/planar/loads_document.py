@@ -16,7 +16,7 @@ from asperity.drive.planar.layout import CARRIER, PlanarDrive
 from asperity.drive.planar.loads import PlanarLoads, pin_components
 from asperity.joint.branch_limits import pressed
 from asperity.joint.branch_results import UnequalBranches
-from asperity.joint.loads_document import RATED, Document, Row, case_entry, document_of_rows
+from asperity.joint.loads_document import RATED, Document, Row, case_entry, document_of_rows, no_loads_because
 from asperity.joint.planar.description import PlanarJoint, tracks_of
 from asperity.joint.planar.evaluation import PlanarResult, laws_and_states, planar_result
 from asperity.joint.planar.solve import PlanarSolution
@@ -26,7 +26,6 @@ from asperity.joint.planar.working_loads import (
     planar_loads_without_torque,
     working_planar_loads,
 )
-from asperity.joint.rolling_document import unknown_because
 
 _DIRECTIONS = (
     "Radial is away from the drive's axis, tangential along the carrier's circle in the sense in which the input "
@@ -108,7 +107,7 @@ def planar_loads_document(
         loads.append(working_planar_loads(there, under))
         speeds.append(np.asarray(member_speeds(there, under)))
         unknown = bool(np.any(np.isnan(np.asarray(loads[-1].moments))))
-        why = unknown_because(there, under)[0] if unknown else None
+        why = no_loads_because(there, under) if unknown else None
         cases.append(case_entry(name, float(there.output_torque), float(there.input_speed), share, why))
     stepped = any(len(tracks_of(joint, number)) > 1 for number in drive.floating)
     balance = _EQUAL if branches is None else _UNEQUAL.format(pressed=pressed(branches))

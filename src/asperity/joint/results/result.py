@@ -17,7 +17,7 @@ from asperity.drive.geometry import CLEARANCE_CONDITIONS, CONTACT_NAMES, clearan
 from asperity.drive.rolling_speeds import BODY_NAMES
 from asperity.drive.structure_loads import BEARING_NAMES, PIN_NAMES, StructureLoads
 from asperity.joint.bearing_lives import BearingLives, bearing_lives
-from asperity.joint.branch_results import UnequalBranches
+from asperity.joint.branch_results import NO_EQUAL_STATE, UnequalBranches
 from asperity.joint.capacity import TorqueCapacity, torque_capacity
 from asperity.joint.description import Joint, preload_at
 from asperity.joint.evaluation import JointResult
@@ -89,6 +89,11 @@ class SolvedJoint:
         self.notes = notes
         if capacity is not None:
             self.capacity = capacity
+
+    @property
+    def no_equal_state(self) -> str | None:
+        """Why all results of equal branches under its torque are nan, where only its own carry it; else None."""
+        return None if self.branches is None or bool(self.result.solved) else NO_EQUAL_STATE
 
     @functools.cached_property
     def capacity(self) -> TorqueCapacity:

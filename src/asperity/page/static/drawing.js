@@ -20,12 +20,22 @@ export function driveDrawing(drawing, document_) {
     element(
       "p",
       { class: "note" },
-      "Enlarged: one branch with the ",
-      element("span", { class: "key normal" }, "→ normal"),
-      " and ",
-      element("span", { class: "key tangential" }, "→ tangential"),
-      ` forces on the planet and on its loading rollers, to one scale (longest ${number(largest)} N). ${note}`,
+      "Enlarged: one branch",
+      ...keys(drawing, "the planet and on its loading rollers", largest),
+      ` ${note}`,
     ),
+  ];
+}
+
+/** What the arrows mean, or that there are none. */
+function keys(drawing, where, largest) {
+  if (!drawing.forces.length) return [" without forces, which are not known."];
+  return [
+    " with the ",
+    element("span", { class: "key normal" }, "→ normal"),
+    " and ",
+    element("span", { class: "key tangential" }, "→ tangential"),
+    ` forces on ${where}, to one scale (longest ${number(largest)} N).`,
   ];
 }
 
@@ -51,11 +61,9 @@ function planarDrawing(drawing, document_) {
     element(
       "p",
       { class: "note" },
-      "One sector with the ",
-      element("span", { class: "key normal" }, "→ normal"),
-      " and ",
-      element("span", { class: "key tangential" }, "→ tangential"),
-      ` forces on the first body of each contact, to one scale (longest ${number(largest)} N).${thinner}`,
+      "One sector",
+      ...keys(drawing, "the first body of each contact", largest),
+      thinner,
     ),
   ];
 }

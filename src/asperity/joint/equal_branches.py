@@ -1,0 +1,99 @@
+"""What a joint does with equal branches, also where only its own, of unlike sizes, carry the torque."""
+
+from __future__ import annotations
+
+import dataclasses
+import math
+from collections.abc import Callable
+from typing import Any, TypeVar
+
+import equinox as eqx
+import jax
+import numpy as np
+
+from asperity.errors import InputError, NoSolutionError
+from asperity.joint.description import Joint
+from asperity.joint.planar.description import PlanarJoint
+from asperity.joint.planar.solve import PlanarSolution
+from asperity.joint.solve import Solution
+
+_Described = TypeVar("_Described", Joint, PlanarJoint)
+_Solved = TypeVar("_Solved", Solution, PlanarSolution)
+
+_SHARE = 0.9  # of the torque that equal branches carry
+_UNDER_TORQUE = (
+    "contacts",
+    "contact_torsional_stiffness",
+    "interfaces",
+    "published",
+    "series_with_bulk",
+    "assembly",
+    "diagnostics",
+    "rolling",
+    "forces",
+)
+
+
+def solve_equal_branches(joint: _Described, solver: Callable[[_Described], _Solved]) -> tuple[_Solved, bool]:
+    """What a joint does with equal branches, where it may have others that carry more.
+
+    Parameters
+    ----------
+    joint : Joint or PlanarJoint
+        One joint.
+    solver : callable
+        :func:`asperity.joint.solve.solve` or :func:`asperity.joint.planar.solve.solve_planar`.
+
+    Returns
+    -------
+    solution : Solution or PlanarSolution
+        What it does; under a smaller torque where equal branches do not carry its own.
+    carries : bool
+        Whether equal branches carry its own torque.
+
+    Raises
+    ------
+    InputError, NoSolutionError
+        As the solver does, if the reason is not the size of the torque.
+    """
+    torque = float(joint.output_torque)
+    try:
+        return solver(joint), True
+    except (InputError, NoSolutionError) as refusal:
+        try:
+            free = solver(dataclasses.replace(joint, output_torque=0.0))
+        except (InputError, NoSolutionError):
+            raise refusal from None
+        limit = float((free.reverse_capacity if torque < 0.0 else free.capacity).output_torque)
+        if not limit <= abs(torque):
+            raise
+    return solver(dataclasses.replace(joint, output_torque=math.copysign(_SHARE * limit, torque))), False
+
+
+def without_state(solution: _Solved, output_torque: float) -> _Solved:
+    """A solution whose results under the torque do not exist.
+
+    Parameters
+    ----------
+    solution : Solution or PlanarSolution
+        What a joint does under a smaller torque.
+    output_torque : float
+        Its own torque, which it does not carry [N·m].
+
+    Returns
+    -------
+    Solution or PlanarSolution
+        Geometry, masses, the state without torque and the capacities; nan for all that depends on the torque.
+    """
+
+    def unknown(leaf: Any) -> Any:
+        array = np.asarray(leaf)
+        return np.full_like(array, np.nan) if np.issubdtype(array.dtype, np.floating) else array
+
+    def under_torque(each: Any) -> tuple[Any, ...]:
+        return tuple(getattr(each.result, name) for name in _UNDER_TORQUE)
+
+    masked = [jax.tree.map(unknown, part) for part in under_torque(solution)]
+    masked[-1] = dataclasses.replace(masked[-1], output_torque=np.asarray(output_torque, dtype=float))
+    empty: _Solved = eqx.tree_at(under_torque, solution, masked)
+    return eqx.tree_at(lambda each: each.result.solved, empty, np.asarray(False))
