@@ -12,6 +12,7 @@ from asperity.api.shown import Shown, Table, displayed, frame
 from asperity.errors import InputError
 from asperity.joint.results import LEVELS, known_result
 from asperity.joint.rolling_onset import RollingOnset
+from asperity.joint.stages import STAGE_SHARES
 from asperity.joint.windup import StiffnessLevel, Windup
 from asperity.joint.windup_document import (
     examined_windup,
@@ -56,7 +57,7 @@ def windup(
     *,
     torque: str | NamedQuantity | None = None,
     level: StiffnessLevel = "assembly",
-    stages: tuple[float, float] = (1.0 / 3.0, 2.0 / 3.0),
+    stages: tuple[float, float] = STAGE_SHARES,
     creep_share: float = 0.05,
 ) -> JointWindup:
     """Torque–angle curve at the output against the locked input, and the angle behind once the input turns.

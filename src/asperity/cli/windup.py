@@ -9,6 +9,7 @@ import click
 from asperity.cli.columns import write_columns
 from asperity.cli.named_file import about
 from asperity.cli.terminal import say_written
+from asperity.joint.stages import STAGE_SHARES
 from asperity.writing import check_file, check_image, write_image
 
 LEVELS = ("assembly", "series_with_bulk", "published")
@@ -31,7 +32,7 @@ LEVELS = ("assembly", "series_with_bulk", "published")
 @click.option(
     "--stages",
     type=(float, float),
-    default=(1.0 / 3.0, 2.0 / 3.0),
+    default=STAGE_SHARES,
     show_default="one and two thirds",
     help="Torques at which K1 ends and K3 begins, as shares of the largest torque.",
 )

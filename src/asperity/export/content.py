@@ -21,7 +21,6 @@ from asperity.joint.windup_document import examined_windup
 from asperity.units import format_quantity
 
 #: The wind-up's stages are not exported; any bounds will do.
-_STAGES = (1.0 / 3.0, 2.0 / 3.0)
 
 
 @dataclass(frozen=True)
@@ -163,9 +162,7 @@ def export_content(
     NoSolutionError
         If the force balance does not close.
     """
-    curve, (forward, _) = examined_windup(
-        joint, largest_torque=largest_torque, level=level, stage_shares=_STAGES
-    )
+    curve, (forward, _) = examined_windup(joint, largest_torque=largest_torque, level=level)
     curves = both_senses(joint=joint, torque=curve.torque)
     lost = np.isnan(np.asarray(curves.driving_drift)[-1])
     because = unknown_because(joint, forward.result) if lost else []

@@ -34,6 +34,7 @@ from asperity.errors import InputError, NoSolutionError
 from asperity.joint.description import Joint
 from asperity.joint.planar.description import PlanarJoint
 from asperity.joint.play import Play, play_angle, play_compliance
+from asperity.joint.stages import STAGE_SHARES
 from asperity.joint.standing import Standing, standing_at
 from asperity.precision import require_double_precision
 from asperity.types import Real
@@ -268,7 +269,7 @@ def windup(
     *,
     largest_torque: Real,
     level: StiffnessLevel,
-    stage_shares: tuple[float, float],
+    stage_shares: tuple[float, float] = STAGE_SHARES,
     steps: int = _STEPS,
 ) -> Windup:
     """Load a joint up to a torque in both directions, and follow the hysteresis loop between them.
@@ -281,7 +282,7 @@ def windup(
         Largest output torque T_m [N·m], below the capacity of both directions; its sign does not matter.
     level : {"published", "series_with_bulk", "assembly"}
         Which stiffness is integrated.
-    stage_shares : tuple of float
+    stage_shares : tuple of float, optional
         Bounds T1/T_m and T2/T_m of the catalogue stages [-], 0 < T1 < T2 < T_m.
     steps : int, optional
         Even steps of the torque in each direction.

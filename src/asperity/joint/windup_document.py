@@ -13,6 +13,7 @@ from asperity.joint.planar.document import planar_capacity_document
 from asperity.joint.planar.solve import PlanarSolution
 from asperity.joint.rolling_document import unknown_because
 from asperity.joint.rolling_onset import RollingOnset, rolling_onset
+from asperity.joint.stages import STAGE_SHARES
 from asperity.joint.windup import StiffnessLevel, Windup, windup
 
 
@@ -21,7 +22,7 @@ def examined_windup(
     *,
     largest_torque: float | None,
     level: StiffnessLevel,
-    stage_shares: tuple[float, float],
+    stage_shares: tuple[float, float] = STAGE_SHARES,
 ) -> tuple[Windup, tuple[AnySolution, AnySolution]]:
     """Wind-up of a joint in both directions, and its solution at the largest torque of each.
 
@@ -33,7 +34,7 @@ def examined_windup(
         Largest torque of the curve, of either sign [N·m]; None for the joint's own output torque.
     level : {"published", "series_with_bulk", "assembly"}
         Which stiffness is integrated.
-    stage_shares : tuple of float
+    stage_shares : tuple of float, optional
         Bounds of the stages as shares of the largest torque [-].
 
     Returns

@@ -35,7 +35,6 @@ from asperity.units import from_si
 
 Answer = dict[str, Any]
 
-_STAGES = (1.0 / 3.0, 2.0 / 3.0)
 #: Even steps of the wind-up in each direction: half as many as elsewhere, so that the page answers sooner.
 _WINDUP_STEPS = 20
 
@@ -199,9 +198,7 @@ def _windup(joint: AnyJoint) -> Answer:
     if torque == 0.0:
         return {"unknown_because": "no torque, no wind-up: set an output torque"}
     try:
-        curve = windup(
-            joint, largest_torque=torque, level="assembly", stage_shares=_STAGES, steps=_WINDUP_STEPS
-        )
+        curve = windup(joint, largest_torque=torque, level="assembly", steps=_WINDUP_STEPS)
     except AsperityError as error:
         return {"unknown_because": str(error)}
     return {

@@ -36,7 +36,6 @@ from asperity.report.study_sections import ReportStudies, study_files, study_sec
 from asperity.surface.measurement import SurfaceMeasurement, measurement_document
 
 _PACKAGES = ("jax", "jaxlib", "numpy", "scipy", "equinox", "matplotlib")
-_STAGES = (1.0 / 3.0, 2.0 / 3.0)
 _CREEP_SHARE = 0.05  # as in asperity windup
 
 
@@ -198,7 +197,7 @@ def _examined(joint: AnyJoint, document: dict[str, Any]) -> _Examined:
     capacity = document["rolling"]["torque_capacity_Nm"]
     capacity = math.inf if capacity is None else float(capacity)
     try:
-        curve, both = examined_windup(joint, largest_torque=None, level="assembly", stage_shares=_STAGES)
+        curve, both = examined_windup(joint, largest_torque=None, level="assembly")
     except AsperityError as error:
         return _Examined(None, None, None, str(error), capacity)
     onsets = windup_onsets(joint, curve, both, creep_share=_CREEP_SHARE)
