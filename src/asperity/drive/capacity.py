@@ -18,6 +18,7 @@ SEARCH_TOLERANCE = 1e-13
 SMALLEST_SHARE = 1e-12
 
 _MOST_STEPS = 150  # forty doublings reach 10^12 times the guess, ninety halvings any interval's last digit
+_NUDGE = 0.2  # of the square of the relative width
 
 
 class FirstLimit(NamedTuple):
@@ -38,9 +39,25 @@ class FirstLimit(NamedTuple):
 class _Search(NamedTuple):
     lower: Array  # no limit is reached here
     upper: Array  # one is, once bracketed
+    below: Array  # the largest excess at the lower bound; -inf while that is 0
+    above: Array  # and at the upper one
     bracketed: Array
+    slack: Array  # width that as many halvings would have left
     which: Array  # the one reached at the upper bound
     steps: Array
+
+
+def _within(state: _Search) -> Array:
+    """Where to look next in an interval: near the root of the chord, but no farther off than halving can make up for."""
+    lower, upper = state.lower, state.upper
+    width, half = upper - lower, 0.5 * (lower + upper)
+    chord = (state.above * lower - state.below * upper) / (state.above - state.below)
+    side = jnp.sign(half - chord)
+    nudge = jnp.maximum(_NUDGE * width**2 / upper, 0.5 * SEARCH_TOLERANCE * upper)
+    near = jnp.where(nudge < jnp.abs(half - chord), chord + side * nudge, half)
+    reach = jnp.maximum(state.slack - 0.5 * width, 0.0)
+    trial = jnp.where(jnp.abs(near - half) <= reach, near, half - side * reach)
+    return jnp.where(jnp.isfinite(trial), trial, half)
 
 
 def slip_ratio(*, normal_force: Real, tangential_force: Real, friction_coefficient: Real) -> Array:
@@ -88,12 +105,13 @@ def first_limit(*, excesses: Callable[[Array], Array], first_guess: Real) -> Fir
 
     Notes
     -----
-    Doubling until a limit is reached, then halving. A limit that jumps instead of passing through zero has no implicit
-    derivative; 0 is returned for it.
+    Doubling until a limit is reached; then the interval shrinks by chords that are nudged to the other side of the root
+    and bounded, so that it never takes more steps than halving and one. A limit that jumps instead of passing through
+    zero has no implicit derivative; 0 is returned for it.
 
     References
     ----------
-    Equation (A9) of :doc:`/equations`.
+    Equation (A9) of :doc:`/equations`. I. F. D. Oliveira and R. H. C. Takahashi, ACM Trans. Math. Softw. 47 (2021) 5.
     """
     start = jnp.asarray(first_guess)
     excesses = jax.jit(excesses)  # traced once for the search and for the derivative
@@ -106,21 +124,37 @@ def first_limit(*, excesses: Callable[[Array], Array], first_guess: Real) -> Fir
         return jnp.any(searching) & (state.steps < _MOST_STEPS)
 
     def narrow(state: _Search) -> _Search:
-        """Double the upper bound until a limit is reached there, then halve the interval."""
-        trial = jnp.where(state.bracketed, 0.5 * (state.lower + state.upper), state.upper)
-        beyond = excesses(trial) >= 0.0
+        """Double the upper bound until a limit is reached there, then narrow the interval."""
+        trial = jnp.where(state.bracketed, _within(state), state.upper)
+        found = excesses(trial)
+        beyond = found >= 0.0
         reached = jnp.any(beyond, axis=0)
+        largest = jnp.max(jnp.where(jnp.isnan(found), -1.0, found), axis=0)
         return _Search(
             lower=jnp.where(reached, state.lower, trial),
             upper=jnp.where(reached, trial, jnp.where(state.bracketed, state.upper, 2.0 * state.upper)),
+            below=jnp.where(reached, state.below, largest),
+            above=jnp.where(reached, largest, state.above),
             bracketed=state.bracketed | reached,
+            slack=jnp.where(state.bracketed, 0.5 * state.slack, jnp.where(reached, trial - state.lower, 0.0)),
             which=jnp.where(reached, jnp.argmax(beyond, axis=0), state.which),
             steps=state.steps + 1,
         )
 
     nowhere = jnp.zeros_like(start, dtype=bool)
-    first = _Search(jnp.zeros_like(start), start, nowhere, jnp.argmax(nowhere[None], axis=0), jnp.asarray(0))
-    lower, upper, bracketed, index, _ = jax.lax.stop_gradient(jax.lax.while_loop(unfinished, narrow, first))
+    nothing = jnp.zeros_like(start)
+    first = _Search(
+        lower=nothing,
+        upper=start,
+        below=nothing - jnp.inf,
+        above=nothing,
+        bracketed=nowhere,
+        slack=nothing,
+        which=jnp.argmax(nowhere[None], axis=0),
+        steps=jnp.asarray(0),
+    )
+    last = jax.lax.stop_gradient(jax.lax.while_loop(unfinished, narrow, first))
+    lower, upper, bracketed, index = last.lower, last.upper, last.bracketed, last.which
     at_once = bracketed & (upper <= SMALLEST_SHARE * start)
     fixed = ~bracketed | at_once
 
