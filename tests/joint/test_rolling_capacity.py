@@ -50,5 +50,9 @@ def test_skew_takes_its_share_of_the_friction_at_the_capacity(wedged):
     assert whole == 0.0
     joint = skewed(np.asarray(0.5e-3))
     at = solve(dataclasses.replace(joint, output_torque=np.asarray(half * (1.0 - 1e-9)))).result.rolling
-    left = np.asarray(wedged.friction_coefficients[0]) * np.asarray(at.normal) * (1.0 - np.asarray(at.capacity_loss))
+    left = (
+        np.asarray(wedged.friction_coefficients[0])
+        * np.asarray(at.normal)
+        * (1.0 - np.asarray(at.capacity_loss))
+    )
     assert np.max(np.abs(np.asarray(at.tangential)) / left) == pytest.approx(1.0, abs=1e-6)

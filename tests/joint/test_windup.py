@@ -228,18 +228,30 @@ def test_figure_names_its_axes_with_units(mindlin):
     assert "N·m/arcmin" in stiffness.get_ylabel()
 
 
-def test_a_sector_on_one_radius_is_its_own_mirror_image(planar_case):
-    """A list of rollers is not searched for its mirror image, though that of the paper's drive is one."""
+def test_sectors_that_are_their_own_mirror_images(planar_case):
+    """The paper's loading rollers are images of each other, a multiroller's second row lies midway between the first."""
     for name, expected in (
         ("planetary", True),
         ("stepped_planet", True),
-        ("multiroller", False),
-        ("planar", False),
+        ("multiroller", True),
+        ("planar", True),
     ):
         assert is_symmetric(any_joint_from_case(planar_case(name))) is expected
     joint = any_joint_from_case(planar_case("planetary"))
     pushed = dataclasses.replace(joint.drive, push_angles=np.array([0.1]))
     assert not is_symmetric(dataclasses.replace(joint, drive=pushed))
+    listed = any_joint_from_case(planar_case("planar"))
+    lengths = tuple(0.01 if name == "wlo" else 0.02 for name in listed.contact_names)
+    assert not is_symmetric(dataclasses.replace(listed, contact_lengths=lengths))
+    left = [body.name for body in listed.drive.bodies].index("left")
+    softer = dataclasses.replace(listed.materials[left], youngs_modulus=np.asarray(1e11))
+    materials = (*listed.materials[:left], softer, *listed.materials[left + 1 :])
+    assert not is_symmetric(dataclasses.replace(listed, materials=materials))
+    multiroller = any_joint_from_case(planar_case("multiroller"))
+    names = multiroller.contact_names
+    for uneven, expected in (("fsl", False), ("sf", True)):
+        friction = tuple(0.05 if name == uneven else 0.08 for name in names)
+        assert is_symmetric(dataclasses.replace(multiroller, friction_coefficients=friction)) is expected
 
 
 def test_which_joints_are_symmetric(paper_joint):

@@ -48,7 +48,7 @@ class _Search(NamedTuple):
 
 
 def _within(state: _Search) -> Array:
-    """Where to look next in an interval: near the root of the chord, but no farther off than halving can make up for."""
+    """Where to look next: near the root of the chord, but no farther off than halving can make up for."""
     lower, upper = state.lower, state.upper
     width, half = upper - lower, 0.5 * (lower + upper)
     chord = (state.above * lower - state.below * upper) / (state.above - state.below)

@@ -29,7 +29,7 @@ import numpy as np
 from jax import Array
 
 from asperity.drive.geometry import CONTACT_NAMES
-from asperity.drive.planar.layout import PlanarDrive
+from asperity.drive.planar.mirror import mirror_image
 from asperity.errors import InputError, NoSolutionError
 from asperity.joint.description import Joint
 from asperity.joint.planar.description import PlanarJoint
@@ -238,11 +238,11 @@ def is_symmetric(joint: Joint | PlanarJoint) -> bool:
     -------
     bool
         True where the closure treats both sides alike, and the right and the left contacts have the same push angle,
-        length, friction and surface. Of another drive where a sector is its own mirror image because all centres lie on
-        one radius and every pin pushes across it; others may be symmetric too.
+        length, friction and surface. Of another drive where its sectors are their own mirror images; those of a drive
+        whose pins push at an angle are not compared.
     """
     if isinstance(joint, PlanarJoint):
-        return _on_one_radius(joint.drive)
+        return _own_mirror_image(joint)
     if joint.closure == "constant_pin_force":
         return False
     if float(joint.geometry.left_push_angle) != float(joint.geometry.right_push_angle):
@@ -255,13 +255,31 @@ def is_symmetric(joint: Joint | PlanarJoint) -> bool:
     return True
 
 
-def _on_one_radius(drive: PlanarDrive) -> bool:
-    """Whether the centres of a sector lie on one line through the axis, and its pins push across it."""
-    centres = np.asarray(drive.centres)
-    farthest = centres[np.argmax(np.sum(centres**2, axis=1))]
-    aside = centres[:, 0] * farthest[1] - centres[:, 1] * farthest[0]
-    aligned = bool(np.all(np.abs(aside) <= 1e-12 * np.sum(farthest**2)))
-    return aligned and not np.any(drive.push_angles) and all(each.sector == 0 for each in drive.contacts)
+def _own_mirror_image(joint: PlanarJoint) -> bool:
+    """Whether bodies and contacts of a sector are like their mirror images."""
+    image = None if joint.unlike is not None else mirror_image(joint.drive)
+    if image is None:
+        return False
+    described = (
+        *((each, image.bodies) for each in (joint.shapes, joint.materials)),
+        *(
+            (each, image.contacts)
+            for each in (
+                joint.surfaces,
+                joint.contact_lengths,
+                joint.friction_coefficients,
+                joint.pattern,
+                joint.crown_curvatures or (),
+            )
+            if len(each) > 1
+        ),
+    )
+    return all(
+        jax.tree.leaves_with_path(entries[k]) == jax.tree.leaves_with_path(entries[other])
+        for entries, images in described
+        for k, other in enumerate(images)
+        if k != other
+    )
 
 
 def windup(

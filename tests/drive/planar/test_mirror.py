@@ -1,0 +1,72 @@
+"""Mirror images of drives: by hand for a pair of rollers, and by what torques of either sign do."""
+
+import dataclasses
+
+import numpy as np
+import pytest
+
+from asperity.drive.planar.drives import two_row_multiroller
+from asperity.drive.planar.layout import Body, Contact, PlanarDrive
+from asperity.drive.planar.mirror import MirrorImage, mirror_image
+from asperity.joint.planar.over_torque import standing_over_torque
+from asperity.joint_file.planar_build import any_joint_from_case
+
+
+def pair(angle, radius=10e-3, push=0.0):
+    """Two rollers of each sector between sun and ring, the second at an angle from the first, in sectors of three."""
+    polar = np.array([0.3, 0.3 + angle])
+    return PlanarDrive(
+        bodies=(Body("sun", "axis"), Body("one", "pin"), Body("two", "pin"), Body("ring", "axis")),
+        contacts=(
+            Contact("s1", "sun", "one"),
+            Contact("s2", "sun", "two"),
+            Contact("r1", "one", "ring", internal=True),
+            Contact("r2", "two", "ring", internal=True),
+        ),
+        centres=30e-3 * np.stack([[0.0, 0.0], *np.stack([np.cos(polar), np.sin(polar)], 1), [0.0, 0.0]]),
+        first_radius=np.array([20e-3, 20e-3, 10e-3, radius]),
+        second_radius=np.array([10e-3, radius, 40e-3, 40e-3]),
+        push_angles=np.array([push, push]),
+        sectors=np.asarray(3.0),
+        input="sun",
+        output="ring",
+        grounded="carrier",
+    )
+
+
+def test_rollers_midway_between_others_are_mirrored_into_themselves():
+    assert mirror_image(pair(np.pi / 3.0)) == MirrorImage((0, 1, 2, 3), (0, 1, 2, 3))
+
+
+def test_rollers_at_any_other_angle_have_no_image_in_the_line_through_one_of_them():
+    assert mirror_image(pair(np.pi / 4.0)) is None
+    assert mirror_image(pair(np.pi / 3.0, push=0.1)) is None
+
+
+def test_rows_that_lie_between_others_exchange_their_contacts():
+    drive = two_row_multiroller(
+        sun_radius=12e-3,
+        first_row_radii=(14e-3, 7e-3),
+        second_row_radii=(21e-3, 9.4e-3),
+        roller_count=4,
+    )
+    image = mirror_image(drive)
+    names = [contact.name for contact in drive.contacts]
+    assert image is not None
+    assert [names[k] for k in image.contacts] == ["sf", "fsr", "fsl", "sr"]
+    uneven = np.asarray(drive.first_radius) * np.where(np.array(names) == "fsl", 1.001, 1.0)
+    assert mirror_image(dataclasses.replace(drive, first_radius=uneven)) is None
+
+
+@pytest.mark.slow
+def test_torques_of_either_sign_do_the_same_to_a_mirrored_drive(planar_case):
+    """The solver knows nothing of the mirror: both directions are solved."""
+    joint = any_joint_from_case(planar_case("multiroller"))
+    torques = np.array([2.0, -2.0, 0.9 * float(joint.output_torque), -0.9 * float(joint.output_torque)])
+    found = standing_over_torque(joint, torques, no_slip_friction=1e30)
+    np.testing.assert_allclose(found.assembly[::2], found.assembly[1::2], rtol=1e-9)
+    assert abs(found.assembly[0, 0] / found.assembly[2, 0] - 1.0) > 1e-4
+    image = mirror_image(joint.drive)
+    np.testing.assert_allclose(
+        found.slip_ratio[::2], found.slip_ratio[1::2][:, list(image.contacts)], rtol=1e-7
+    )
