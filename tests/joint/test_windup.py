@@ -229,7 +229,7 @@ def test_figure_names_its_axes_with_units(mindlin):
 
 
 def test_sectors_that_are_their_own_mirror_images(planar_case):
-    """The paper's loading rollers are images of each other, a multiroller's second row lies midway between the first."""
+    """Loading rollers are images of each other; a multiroller's second row lies midway between the first."""
     for name, expected in (
         ("planetary", True),
         ("stepped_planet", True),
