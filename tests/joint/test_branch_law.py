@@ -3,7 +3,9 @@
 import numpy as np
 import pytest
 
-from asperity.joint.branch_law import _law
+from asperity.errors import InputError
+from asperity.joint import branch_law
+from asperity.joint.branch_law import _law, branch_laws
 
 PRELOADS = np.geomspace(50.0, 3000.0, 12)
 STEPS = np.linspace(0.0, 1.0, 24)
@@ -28,7 +30,7 @@ def partial_slip():
 def test_the_table_gives_the_law_that_it_was_made_of(partial_slip):
     law, end = partial_slip
     assert law.demand_at_slip(PRELOADS) == pytest.approx(end, rel=2e-4)
-    for share in (0.05, 0.5, 0.9, 0.99):
+    for share in (0.05, 0.5, 0.9, 0.99, 1.0):
         preload = np.array([77.0, 1000.0, 2500.0])
         angle = 1e-4 * (preload / 1000.0) ** 0.9 * (1.0 - (1.0 - share) ** (2.0 / 3.0))
         assert law.share(preload, angle) == pytest.approx(np.full(3, share), abs=1e-3)
@@ -58,3 +60,94 @@ def test_friction_of_bearings_keeps_its_sense_where_a_branch_is_wound_back():
     preload = np.full(4, 800.0)
     _, tangential = law.sun_forces(preload, np.array([-0.5, -1e-9, 1e-9, 0.5]))
     assert tangential == pytest.approx(800.0 * np.array([-0.046, 0.004, 0.004, 0.054]), rel=1e-6)
+
+
+def test_a_law_of_three_preloads_is_a_parabola():
+    """Angle at slip as the square of the logarithm's exponential: exact at the three preloads."""
+    at = PRELOADS[[0, 5, 11]]
+    forces = {
+        "normal": np.repeat(at[:, None], 24, 1)[None],
+        "tangential": (0.1 * at[:, None] * USED)[None],
+        "compliance": np.tile(1e-5 / at[:, None], 24),
+    }
+    law = _law(at, 0.013 * at, at > 0.0, STEPS, USED, forces, False)
+    assert law.sun_forces(at, np.full(3, 0.5))[1] == pytest.approx(0.05 * at, rel=1e-9)
+
+
+@pytest.fixture
+def drive(monkeypatch, paper_joint):
+    """Branches of 0.013 m times the preload, in rolling of 0.012 m, 30 kN·m/rad, and 2e-4 of speed lost at slip."""
+    asked = []
+
+    def program(joint, preload, torque):
+        asked.append((preload, torque))
+        size = np.abs(torque)
+        force = np.stack([preload, 2.0 * preload])
+        return {
+            "normal": force,
+            "tangential": 0.1 * force,
+            "rolling_normal": force,
+            "rolling_tangential": 0.2 * force,
+            "compliance": np.full(preload.shape, 1.0 / 3e4),
+            "speed_loss": 1e-5 + 2e-4 * size / (0.012 * preload),
+        }
+
+    def of(standing=lambda preload: 0.013 * preload, largest=3000.0, **changes):
+        capacities = lambda points, _: (standing(points.preload), 0.012 * points.preload)  # noqa: E731
+        monkeypatch.setattr(branch_law, "compile_fast", lambda *_: capacities)
+        monkeypatch.setattr(branch_law, "_program", program)
+        return branch_laws(paper_joint(**changes), largest_preload=largest), asked
+
+    return of
+
+
+def test_tables_reach_from_a_twentieth_to_beyond_the_largest_preload_and_have_the_joints_own(drive):
+    laws, asked = drive(output_torque=-5.0)
+    preloads = laws.standing.preloads
+    assert preloads[[0, -1]] == pytest.approx([50.0, 3060.0], rel=1e-12)
+    assert 1000.0 in preloads
+    assert np.all(np.diff(preloads) > 0.0)
+    assert np.ptp(np.diff(np.log(preloads))) < 0.6 * np.diff(np.log(preloads)).mean()
+    # the states that are asked for reach from no torque to the very slip, in the sense of the joint's torque
+    assert (laws.direction, drive()[0].direction) == (-1.0, 1.0)
+    for (preload, torque), arm in zip(asked[:2], (0.013, 0.012), strict=True):
+        used = -torque / (arm * preload)
+        assert used[:, 0] == pytest.approx(np.zeros(12))
+        assert used[:, -1] == pytest.approx(np.ones(12), rel=2e-9, abs=0.0)
+        assert np.all(used < 1.0)
+
+
+def test_laws_of_springs_that_slip(drive):
+    laws, _ = drive()
+    preload = np.array([60.0, 1000.0, 2900.0])
+    for law, arm, at_slip in (
+        (laws.standing, 0.013, 0.013 * preload / 3e4),
+        (laws.rolling, 0.012, np.full(3, 2e-4)),
+    ):
+        assert law.capacity(preload) == pytest.approx(arm * preload, rel=1e-6)
+        assert law.demand_at_slip(preload) == pytest.approx(at_slip, rel=1e-3)
+        for share in (-0.9, 0.3, 0.8):
+            assert law.share(preload, share * at_slip) == pytest.approx(np.full(3, share), abs=2e-3)
+    assert laws.standing.sun_forces(preload, np.ones(3))[1] == pytest.approx(0.1 * preload, rel=1e-9)
+    assert laws.rolling.sun_forces(preload, np.ones(3))[1] == pytest.approx(0.2 * preload, rel=1e-9)
+
+
+def test_preloads_without_capacity_are_left_out_and_drives_without_any_refused(drive):
+    laws, _ = drive(lambda preload: np.where(preload < 60.0, 0.0, 0.013 * preload))
+    assert laws.standing.preloads[0] > 60.0
+    assert laws.standing.capacity(1000.0) == pytest.approx(13.0, rel=1e-6)
+    for none in (lambda preload: 0.0 * preload, lambda preload: np.inf * preload):
+        with pytest.raises(InputError, match="has no limit, or they pass none"):
+            drive(none)
+
+
+def test_states_of_branches_loose_ones_among_them(drive):
+    laws, asked = drive(output_torque=-5.0)
+    found = laws.states(np.array([1000.0, 0.0, 500.0]), np.array([5.0, 1.0, 2.0]))
+    np.testing.assert_allclose(found["normal"], [[1000.0, np.nan, 500.0], [2000.0, np.nan, 1000.0]])
+    np.testing.assert_allclose(
+        found["speed_loss"], 1e-5 + 2e-4 * np.array([5.0 / 12.0, np.nan, 2.0 / 6.0]), rtol=1e-12
+    )
+    assert np.min(asked[-1][1]) == -5.0
+    with pytest.raises(InputError, match="at most 288 branches"):
+        laws.states(np.ones(289), np.ones(289))

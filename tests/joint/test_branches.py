@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 from scipy.interpolate import PchipInterpolator, RectBivariateSpline
 
+from asperity.drive.unequal_branches import force_on_sun
 from asperity.errors import InputError
 from asperity.joint import branches
 from asperity.joint.branch_law import BranchLaw, BranchLaws
@@ -121,11 +122,30 @@ def test_beyond_the_first_slip_the_others_take_over(springs):
 
 def test_a_floating_sun_presses_three_planets_alike(springs):
     """Its three forces balance only if they are equal: all have the preload of the mean interference."""
-    found = springs(output_torque=5.0).branches(sizes([3e-6, 0.0, -1e-6], 0.0, [0.0, 2e-6, 0.0]))
+    drive = springs(output_torque=5.0)
+    found = drive.branches(sizes([3e-6, 0.0, -1e-6], 0.0, [0.0, 2e-6, 0.0]))
+    held = drive.branches(sizes([3e-6, 0.0, -1e-6], math.inf, [0.0, 2e-6, 0.0]))
+    # interference is what the ring forces N cos(wedge)/cos(theta) do the same work on as N on the sun's approach
+    work = (17.5**2 + 18.5**2 - 35.0**2) / (-2.0 * 17.5 * 18.5)  # cos(theta)
+    work /= (18.5**2 + 35.0**2 - 17.5**2) / (2.0 * 18.5 * 35.0)  # cos(wedge)
+    angle = 2.0 * np.pi / 3.0 * np.arange(3)
+    towards = np.stack([np.cos(angle), np.sin(angle)], axis=1) @ found.rest.sun_displacement
+    np.testing.assert_allclose(found.interference - held.interference, work * towards, rtol=1e-9, atol=1e-18)
+    assert np.abs(towards).max() > 1e-6
     mean = np.mean(found.interference)
     assert found.preload == pytest.approx(np.full(3, 1000.0 * mean / 13e-6), rel=1e-6)
     assert found.rest.sun_force == pytest.approx(np.zeros(2), abs=1e-3)
     assert found.standing.share == pytest.approx(np.full(3, 1.0 / 3.0), rel=1e-6)
+
+
+def test_the_sun_unwinds_a_branch_as_far_as_it_follows_its_force(springs):
+    """The carrier turns by the ninth part of what the sun rolls off: a milliradian for 36 um."""
+    for sense in (1.0, -1.0):
+        drive = springs()
+        drive.laws = dataclasses.replace(drive.laws, direction=sense)
+        force = force_on_sun(normal=np.zeros(3), tangential=sense * np.array([1.0, 0.0, 0.0]))
+        turned = drive.sun_turns(36e-6 * force)
+        np.testing.assert_allclose(turned, 1e-3 * np.array([-1.0, 0.5, 0.5]), rtol=1e-12)
 
 
 def test_the_bearings_of_the_sun_balance_its_planets(springs):
@@ -215,8 +235,6 @@ def test_branches_turn_by_the_same_angle_and_creep_alike_without_the_tables(real
 
 @pytest.mark.slow
 def test_exact_forces_balance_on_the_sun(real):
-    from asperity.drive.unequal_branches import force_on_sun
-
     found = real.branches(sizes([2e-6, 0.0, -2e-6], 5e7))
     exact = real.laws.states(found.standing.preload, 3.0 * found.standing.torque)
     force = force_on_sun(normal=exact["normal"][0], tangential=exact["tangential"][0])

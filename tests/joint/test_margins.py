@@ -8,7 +8,7 @@ import pytest
 
 from asperity.drive.geometry import CONTACT_NAMES
 from asperity.joint import margins as module
-from asperity.joint.contact_notes import contact_notes
+from asperity.joint.contact_notes import Note, contact_notes
 from asperity.joint.margins import margins
 from asperity.joint.results import Limit, Result
 from asperity.unit_table import Dimension
@@ -31,6 +31,7 @@ ROWS = (
     row("range", "b", limit=limit("accuracy", lowest=1.0, highest=2.0, inclusive=True)),
     row("clearance", "gaps", axis="clearance", lowest=0.0),
     row("torque_safety", "b", lowest=1.0),
+    row("band", "a", axis="contact", limit=limit("accuracy", lowest=1.0, highest=1.6)),
     row("no limit", "a", axis="contact"),
 )
 
@@ -59,6 +60,7 @@ def test_the_worst_place_of_each_requirement(found):
         "clearance": ("roller_in_ring", -1.0, False),
         "torque_safety": ("", 2.0, True),
         "range": ("", 2.0, True),  # the bounds are included
+        "band": ("pwl", 0.2, False),  # farther below than any is above
         "model": ("pwr", 1.5, False),
     }
     assert list(found) == list(places)  # the most serious first
@@ -109,6 +111,20 @@ def test_unequal_branches_are_required_to_hold(monkeypatch, unequal_branches):
         slip = found[0]
         assert (slip.place, slip.passes, slip.highest) == ("planet 2", passes, 1.0)
         assert slip.utilisation == pytest.approx(torque / 8.0)
+
+
+def test_of_notes_of_one_name_the_farthest_beyond_its_limit_or_the_nearest_to_it_counts(monkeypatch):
+    monkeypatch.setattr(module, "results_of_joint", lambda solved: {})
+
+    def worst(*notes):
+        made = tuple(Note("x", "x", place, *rest, "model", "", None) for place, *rest in notes)
+        (found,) = margins(SimpleNamespace(joint=None, branches=None, notes=made))
+        return found.place, found.lowest, found.highest
+
+    assert worst(("a", 1.5, 1.0, False), ("b", 0.1, 1.0, False)) == ("b", 1.0, math.inf)
+    assert worst(("a", 1.5, 1.0, False), ("b", 0.6, 1.0, False)) == ("a", -math.inf, 1.0)
+    assert worst(("a", 0.5, 1.0, True), ("b", 0.9, 2.0, True)) == ("a", -math.inf, 1.0)
+    assert worst(("a", 0.5, 1.0, True), ("b", 0.1, 0.4, False))[0] == "b"
 
 
 def test_notes_are_requirements_at_the_contact_where_they_are_met_worst(monkeypatch):

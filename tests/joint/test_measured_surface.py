@@ -12,6 +12,7 @@ from click.testing import CliRunner
 from asperity.cli import asperity as command
 from asperity.compilation import compile_fast
 from asperity.errors import InputError
+from asperity.joint import measured_surface as module
 from asperity.joint.evaluation import evaluate
 from asperity.joint.measured_surface import measured_surface, stiffness_interval
 from asperity.joint_file.build import joint_from_case
@@ -50,6 +51,20 @@ def write(tmp_path):
         return path
 
     return to
+
+
+@pytest.mark.parametrize("dimension", [1.04, 1.96])
+def test_draws_beyond_the_dimensions_of_profiles_are_counted(monkeypatch, dimension):
+    """Two standard deviations from a bound: 2.3 % of 2000 draws, which scatter by 7."""
+    asked = []
+    monkeypatch.setattr(module, "over_surfaces", lambda joint, surfaces, shape: asked.append(surfaces[0]))
+    monkeypatch.setattr(module, "result_ends", lambda result, **_: {})
+    joint = SimpleNamespace(surfaces=[SimpleNamespace(asperity_base=1.0)])
+    outside = stiffness_interval(joint, measurement(dimension, deviation=0.02))["outside"]
+    assert outside == pytest.approx(45.5, abs=21.0)
+    drawn = np.asarray(asked[0].fractal_dimension)
+    assert drawn.size == 2000 - outside
+    assert np.all((drawn > 1.0) & (drawn < 2.0))
 
 
 @pytest.mark.slow

@@ -3,8 +3,9 @@
 import jax.numpy as jnp
 import numpy as np
 import pytest
+from scipy.optimize import brentq
 
-from asperity.joint.parallel_elements import ParallelElements, fit_error, parallel_elements
+from asperity.joint.parallel_elements import ParallelElements, _yield_angles, fit_error, parallel_elements
 from asperity.joint.play import NO_PLAY
 from asperity.joint.series_law import SeriesLaw
 from asperity.joint.windup import windup_of
@@ -68,6 +69,18 @@ def test_stiffness_at_rest_and_at_the_end():
     end = float(law.loading(np.asarray(5.0)))
     slope = fitted.spring @ (np.arange(1, 4) * end ** np.arange(3))
     assert slope == pytest.approx(1.0 / (1e-4 + 2e-6 * 25.0), rel=0.03)
+
+
+def test_yield_angles_stand_denser_where_the_slip_bends_more():
+    """The slip 2e-6 T^3/3 bends as T: density sqrt(T) with a twentieth of its largest, its integral in equal parts."""
+    law = law_of(constant, growing)
+    at = np.array([brentq(lambda t, part=k: _grown(t) - part * _grown(5.0) / 4, 0.0, 5.0) for k in (1, 2, 3)])
+    expected = 1e-4 * at + 2e-6 * at**3 / 3.0
+    np.testing.assert_allclose(_yield_angles(law, 6e-4, 3), expected, rtol=0.01)
+
+
+def _grown(torque):
+    return torque**1.5 / 1.5 + 0.05 * 5.0**0.5 * torque
 
 
 def test_two_directions_that_differ():

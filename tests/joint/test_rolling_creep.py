@@ -1,12 +1,19 @@
 """Creep of the contacts: Carter's limit, the layer's compliance by hand, and skew."""
 
+import dataclasses
 import math
 
 import jax.numpy as jnp
 import numpy as np
 import pytest
+from scipy.optimize import brentq
 
+from asperity.contact import carter
+from asperity.contact.creep_layer import uniform_layer_creepage_factor
+from asperity.contact.skew import skewed_slip_ratios
 from asperity.joint.contacts import joint_contacts
+from asperity.joint.crowned_contacts import rough_slices
+from asperity.joint.description import Crowns
 from asperity.joint.rolling_creep import capacity_loss, contact_creep, lateral_slip_ratio
 
 NORMAL = np.array([1000.0, 600.0, 500.0, 600.0, 500.0])
@@ -18,9 +25,10 @@ CARTER = FRICTION * WIDTH / RADIUS  # creepage at gross slip
 
 @pytest.fixture(scope="module")
 def creep(paper_joint):
-    def of(stiffness, skew=None, slip_ratio=0.4):
+    def of(stiffness, skew=None, slip_ratio=0.4, crown=None):
+        crowns = None if crown is None else Crowns(sun=0.0, planet=crown, loading_roller=0.0, ring=0.0)
         return contact_creep(
-            contacts=joint_contacts(paper_joint()),
+            contacts=joint_contacts(dataclasses.replace(paper_joint(), crowns=crowns)),
             skew=skew,
             normal_force=jnp.asarray(NORMAL),
             tangential_force=jnp.asarray(slip_ratio * FRICTION * NORMAL),
@@ -70,3 +78,59 @@ def test_skew_adds_creep_and_takes_friction(creep):
     assert np.all(np.asarray(lost) < 1e-3)
     strong = creep(1e20, skew=(5e-3,))
     assert np.all(np.asarray(strong.skew_factor) > 1.0)
+
+
+def test_skewed_contacts_on_a_soft_layer_carry_their_force(creep):
+    """With the creepage of the law, the forces of a skewed contact give back the slip ratio; lateral bodies 1/(1 - nu)."""
+    q, skew = 0.4, 5e-4
+    found = creep(3e9, skew=(skew,))
+    layer, chi, elastic = np.asarray(found.layer_factor), found.layer_ratio, 1.0 / 0.7
+    lateral = elastic * uniform_layer_creepage_factor(layer_ratio=chi / elastic, slip_ratio=q) / layer
+    np.testing.assert_allclose(found.lateral_ratio, lateral, rtol=1e-12)
+    along = carter.creepage(slip_ratio=q, gross_slip_creepage=found.law.gross_slip_scale * np.sqrt(NORMAL))
+    ratio, _ = skewed_slip_ratios(
+        longitudinal_creepage=along,
+        lateral_creepage=skew,
+        gross_slip_creepage=CARTER * layer,
+        lateral_gross_slip_creepage=CARTER * layer * lateral,
+    )
+    np.testing.assert_allclose(ratio, q, rtol=1e-9)
+    np.testing.assert_allclose(
+        found.law.gross_slip_scale * np.sqrt(NORMAL), CARTER * layer * found.skew_factor, rtol=1e-12
+    )
+
+
+def test_crowned_contacts_creep_as_their_slices(creep, paper_joint):
+    """Smooth: the creepage at which Carter's slices carry 0.4 of friction, by bisection. Rough: the even ones as before."""
+    q, crown = 0.4, 2.0
+    found = creep(1.0, crown=crown)  # the asperities of every slice are those of its load
+    joint = dataclasses.replace(
+        paper_joint(), crowns=Crowns(sun=0.0, planet=crown, loading_roller=0.0, ring=0.0)
+    )
+    contacts = joint_contacts(joint)
+    lines = contacts.loads_along(jnp.asarray(NORMAL))
+    load = np.asarray(lines.line_load * lines.length_share) * LENGTH
+    limit = FRICTION * np.asarray(lines.half_width) / RADIUS
+    for place in range(5):
+        share, at_slip = load[:, place] / NORMAL[place], limit[:, place]
+
+        def missing(xi, share=share, at_slip=at_slip):
+            return np.sum(share * (1.0 - np.maximum(1.0 - xi / at_slip, 0.0) ** 2)) - q
+
+        even = CARTER[place] * (1.0 - math.sqrt(1.0 - q))
+        expected = brentq(missing, 0.0, at_slip.max(), rtol=1e-13) / even
+        assert float(found.crown_factor[place]) == pytest.approx(expected, rel=1e-8)
+    assert float(found.crown_factor[0]) > 1.01  # narrower on average
+    rough = rough_slices(
+        pairs=contacts.pairs,
+        model=contacts.contact_factor_model,
+        lines=lines,
+        normal_force=jnp.asarray(NORMAL),
+        tangential_force=jnp.zeros(5),
+    ).normal_stiffness[0]
+    for place in (3, 4):
+        even = creep(float(rough[place])).layer_factor[place]
+        assert even > 1.01
+        assert float(found.layer_factor[place]) == pytest.approx(float(even), rel=1e-9)
+    scale = CARTER * np.asarray(found.crown_factor * found.layer_factor)
+    np.testing.assert_allclose(found.law.gross_slip_scale * np.sqrt(NORMAL), scale, rtol=1e-9)

@@ -1,9 +1,15 @@
 """A joint over its working temperature."""
 
+import dataclasses
+from types import SimpleNamespace
+
+import jax.numpy as jnp
 import numpy as np
 import pytest
 
 from asperity.errors import InputError
+from asperity.joint import temperature_curves as module
+from asperity.joint.description import Fit
 from asperity.joint.interference import joint_preload
 from asperity.joint.solve import solve
 from asperity.joint.temperature_curves import temperature_curves
@@ -14,6 +20,79 @@ from asperity.joint_file.reader import parse_case
 def test_a_force_has_no_curve(paper_joint):
     with pytest.raises(InputError, match="does not depend on temperature"):
         temperature_curves(paper_joint())
+
+
+@pytest.mark.parametrize(
+    ("assembly", "working", "first", "last"), [(20.0, 60.0, 0.0, 80.0), (90.0, 20.0, -15.0, 125.0)]
+)
+def test_the_axis_and_the_interference_by_hand(monkeypatch, paper_joint, assembly, working, first, last):
+    """20 K on either side, or half of what is between; 13 um when assembled and 0.2 um less for each kelvin more."""
+    asked = []
+    monkeypatch.setattr(module, "joint_preload", lambda joint, length: asked.append(length) or 1e8 * length)
+    monkeypatch.setattr(
+        module, "compile_fast", lambda *_: lambda points: (30.0 * points.preload, 0.013 * points.preload)
+    )
+    fit = Fit(13e-6, -2e-7, assembly, working)
+    found = temperature_curves(dataclasses.replace(paper_joint(), fit=fit))
+    temperature = np.linspace(first, last, 41)
+    np.testing.assert_allclose(found.temperature, temperature, atol=1e-12)
+    length = 13e-6 - 2e-7 * (temperature - assembly)
+    np.testing.assert_allclose(asked[0], length, atol=1e-18)
+    np.testing.assert_allclose(found.preload, 1e8 * length, atol=1e-9)
+    np.testing.assert_allclose(found.stiffness, np.where(length > 0.0, 3e9 * length, np.nan), atol=1e-7)
+    np.testing.assert_allclose(
+        found.torque_capacity, np.where(length > 0.0, 1.3e6 * length, np.nan), atol=1e-9
+    )
+
+
+@pytest.mark.parametrize("sense", [1.0, -1.0])
+def test_the_papers_drive_has_stiffness_where_no_contact_slips(monkeypatch, paper_joint, sense):
+    preload = jnp.array([800.0, 600.0, 400.0, jnp.nan])
+    solution = SimpleNamespace(
+        solved=jnp.array([True, True, False, True]),
+        diagnostics=SimpleNamespace(slip_ratio=jnp.array([[0.5, 1.0, 0.5, 0.5], [0.9, 0.5, 0.5, 0.5]])),
+        assembly=SimpleNamespace(stiffness=SimpleNamespace(output=jnp.full(4, 3e4))),
+    )
+    monkeypatch.setattr(module, "evaluate", lambda joint: solution)
+    monkeypatch.setattr(
+        module,
+        "torque_capacity",
+        lambda joint, direction: SimpleNamespace(
+            output_torque=0.01 * joint.preload * (1.0 + 0.1 * direction)
+        ),
+    )
+    joint = dataclasses.replace(paper_joint(output_torque=5.0 * sense), preload=preload)
+    stiffness, capacity = module._over_preload(joint)
+    np.testing.assert_array_equal(stiffness, [3e4, np.nan, np.nan, 3e4])
+    np.testing.assert_allclose(capacity, np.array([8.0, 6.0, 4.0, np.nan]) * (1.0 + 0.1 * sense))
+
+
+@pytest.mark.parametrize(("torque", "limit"), [(5.0, 5.5), (-5.0, 6.5)])
+def test_other_drives_have_stiffness_below_their_capacity(monkeypatch, torque, limit):
+    """Capacity falls by 0.1 N·m a kelvin from 7 and 8 N·m at 25 °C; a contact opens above 55 °C."""
+
+    def solved(joint, temperature):
+        away = temperature - 25.0
+        result = SimpleNamespace(
+            rest=SimpleNamespace(normal=np.array([100.0, 30.0 - away]), residual=1e-14),
+            solved=True,
+            preload=1000.0 - 10.0 * away,
+            assembly=SimpleNamespace(stiffness=SimpleNamespace(output=3e4)),
+        )
+        limits = np.array([7.0, 8.0]) - 0.1 * away
+        return result, SimpleNamespace(standing=SimpleNamespace(output_torque=limits))
+
+    monkeypatch.setattr(module, "PlanarJoint", SimpleNamespace)
+    monkeypatch.setattr(module, "solved_at", solved)
+    found = temperature_curves(SimpleNamespace(fit=Fit(0.0, 0.0, 20.0, 40.0), output_torque=torque))
+    temperature = np.asarray(found.temperature)
+    np.testing.assert_allclose(temperature[[0, -1]], [0.0, 60.0])
+    closed = temperature < 55.0
+    np.testing.assert_allclose(found.preload, np.where(closed, 1250.0 - 10.0 * temperature, 0.0))
+    own = (7.0 if torque > 0.0 else 8.0) - 0.1 * (temperature - 25.0)
+    np.testing.assert_allclose(found.torque_capacity, np.where(closed, own, np.nan))
+    np.testing.assert_array_equal(found.stiffness, np.where(closed & (own > 5.0), 3e4, np.nan))
+    assert np.interp(40.0, temperature, np.asarray(found.torque_capacity)) == pytest.approx(limit)
 
 
 @pytest.mark.slow

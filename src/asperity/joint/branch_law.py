@@ -132,7 +132,7 @@ def branch_laws(joint: Joint, *, largest_preload: float) -> BranchLaws:
     joint : Joint
         One joint without a loading cam.
     largest_preload : float
-        Preload up to which the tables reach [N].
+        Preload up to which the tables reach, larger than the joint's own [N].
 
     Returns
     -------
@@ -148,7 +148,7 @@ def branch_laws(joint: Joint, *, largest_preload: float) -> BranchLaws:
     numbers = dataclasses.replace(numbers, fit=None, rolling=dataclasses.replace(numbers.rolling, duty=()))
     direction = -1.0 if float(numbers.output_torque) < 0.0 else 1.0
     own = float(numbers.preload)
-    preloads = np.geomspace(_LEAST_PRELOAD * min(own, largest_preload), 1.02 * largest_preload, _PRELOADS)
+    preloads = np.geomspace(_LEAST_PRELOAD * own, 1.02 * largest_preload, _PRELOADS)
     preloads[1 + np.argmin(np.abs(np.log(preloads[1:-1] / own)))] = own  # exact there
     points = dataclasses.replace(numbers, preload=jnp.asarray(preloads))
     standing, rolling = (
