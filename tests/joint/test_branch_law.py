@@ -1,11 +1,14 @@
 """Laws of one branch between their tables."""
 
+from types import SimpleNamespace
+
+import jax.numpy as jnp
 import numpy as np
 import pytest
 
 from asperity.errors import InputError
 from asperity.joint import branch_law
-from asperity.joint.branch_law import _law, branch_laws
+from asperity.joint.branch_law import _law, _states, _without_gaps, branch_laws
 
 PRELOADS = np.geomspace(50.0, 3000.0, 12)
 STEPS = np.linspace(0.0, 1.0, 24)
@@ -151,3 +154,36 @@ def test_states_of_branches_loose_ones_among_them(drive):
     assert np.min(asked[-1][1]) == -5.0
     with pytest.raises(InputError, match="at most 288 branches"):
         laws.states(np.ones(289), np.ones(289))
+
+
+def test_missing_values_at_the_slip_go_on_where_four_are_known():
+    used = np.array([0.0, 0.5, 0.8, 0.9, 0.95, 1.0])
+    rows = np.array([[2.0, 2.5, 2.8, 2.9, np.nan, np.nan], [2.0, 2.5, 2.8, np.nan, np.nan, np.nan]])
+    np.testing.assert_allclose(
+        _without_gaps(used, rows), [[2.0, 2.5, 2.8, 2.9, 2.95, 3.0], rows[1].tolist()], rtol=1e-12
+    )
+
+
+def test_a_branch_yields_without_the_shafts_that_all_share(monkeypatch):
+    """Shafts with 10 and 15 % of the compliance leave three quarters of it to the branches."""
+    five = jnp.ones((5, 2))
+    forces = {"normal": five, "tangential": five, "slip_ratio": five}
+    result = SimpleNamespace(
+        solved=jnp.array([True, False]),
+        forces=SimpleNamespace(**forces),
+        diagnostics=SimpleNamespace(slip_ratio=five, pressure_over_first_yield=five),
+        assembly=SimpleNamespace(
+            input_shaft_share=0.1, output_shaft_share=0.15, stiffness=SimpleNamespace(output=2e4)
+        ),
+        rolling=SimpleNamespace(
+            **forces,
+            shakedown_ratio=five,
+            speed_loss=jnp.ones(2),
+            life_hours=SimpleNamespace(drive=jnp.ones(2)),
+        ),
+    )
+    monkeypatch.setattr(branch_law, "evaluate", lambda joint: result)
+    found = _states(SimpleNamespace(preload=jnp.ones(2), output_torque=jnp.ones(2)))
+    np.testing.assert_allclose(found["compliance"], [0.75 / 2e4, np.nan], rtol=1e-12)
+    assert found["normal"].shape == (5, 2)
+    assert np.isnan(found["normal"][:, 1]).all()

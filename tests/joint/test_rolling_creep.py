@@ -81,7 +81,7 @@ def test_skew_adds_creep_and_takes_friction(creep):
 
 
 def test_skewed_contacts_on_a_soft_layer_carry_their_force(creep):
-    """With the creepage of the law, the forces of a skewed contact give back the slip ratio; lateral bodies 1/(1 - nu)."""
+    """The law's creepage gives back the slip ratio; bodies are softer across in the ratio 1/(1 - nu)."""
     q, skew = 0.4, 5e-4
     found = creep(3e9, skew=(skew,))
     layer, chi, elastic = np.asarray(found.layer_factor), found.layer_ratio, 1.0 / 0.7
@@ -101,7 +101,7 @@ def test_skewed_contacts_on_a_soft_layer_carry_their_force(creep):
 
 
 def test_crowned_contacts_creep_as_their_slices(creep, paper_joint):
-    """Smooth: the creepage at which Carter's slices carry 0.4 of friction, by bisection. Rough: the even ones as before."""
+    """Smooth: where Carter's slices carry 0.4 of friction, by bisection. Rough: the even contacts as before."""
     q, crown = 0.4, 2.0
     found = creep(1.0, crown=crown)  # the asperities of every slice are those of its load
     joint = dataclasses.replace(
