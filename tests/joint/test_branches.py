@@ -120,6 +120,18 @@ def test_beyond_the_first_slip_the_others_take_over(springs):
     assert springs(output_torque=13.5).branches(sizes([2e-6, 0.0, -2e-6])).standing is None
 
 
+def test_a_sun_that_gives_way_unwinds_branches(springs):
+    """Branches as stiff as they are pressed: wound up by the common angle and by what the sun's way is for each."""
+    drive = springs(output_torque=5.0)
+    drive.laws = dataclasses.replace(drive.laws, standing=drive.laws.rolling)
+    found = drive.branches(sizes([2e-6, 0.0, -3e-6], 1e8))
+    turns = drive.sun_turns(found.standing.sun_displacement - found.rest.sun_displacement)
+    stiffness = PER_ANGLE * found.standing.preload / 1000.0
+    wound = 3.0 * found.standing.torque / stiffness
+    assert np.ptp(turns) > 1e-3 * wound[0]
+    assert wound - turns == pytest.approx(np.full(3, wound[0] - turns[0]), rel=0.0, abs=1e-6 * np.ptp(turns))
+
+
 def test_a_floating_sun_presses_three_planets_alike(springs):
     """Its three forces balance only if they are equal: all have the preload of the mean interference."""
     drive = springs(output_torque=5.0)

@@ -142,6 +142,8 @@ def test_only_regular_files_of_a_bounded_size(tmp_path, monkeypatch):
     ):
         with pytest.raises(InputError, match=reason):
             read_measurement(path)
+    monkeypatch.setattr("asperity.study.calibration.measurement.MOST_ROWS", 2)
+    assert read(tmp_path, "torque [N*m],angle [rad]\n1,2\n3,4\n").torque.size == 2
     monkeypatch.setattr("asperity.study.calibration.measurement.MOST_ROWS", 1)
     with pytest.raises(InputError, match="2 rows; at most 1 are allowed"):
         read(tmp_path, "torque [N*m],angle [rad]\n1,2\n3,4\n")

@@ -36,6 +36,14 @@ def test_bounds_by_default(case):
     assert (offset.lower, offset.upper) == pytest.approx((2e-4 / 3.0 - 4e-4, 2e-4 / 3.0 + 4e-4))
 
 
+def test_a_dimension_keeps_off_both_ends_and_what_may_be_zero_has_no_logarithm(case):
+    (dimension,) = read(case, "surface.fractal_dimension")
+    assert (dimension.lower - 1.0, 2.0 - dimension.upper) == pytest.approx((0.05, 0.05))
+    assert read(case, "load.preload")[0].logarithmic
+    assert read(case, "bearings.pin_friction_coefficient=0.001:0.01")[0].logarithmic
+    assert not read(case, "bearings.pin_friction_coefficient=0:0.01")[0].logarithmic
+
+
 def test_one_offset_for_each_repetition_and_a_drift_over_the_time(case):
     found = read(
         case, "offset", "drift", repetition=np.array([1.0, 1.0, 2.0]), time=np.array([0.0, 5.0, 10.0])
