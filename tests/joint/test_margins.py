@@ -118,7 +118,7 @@ def test_of_notes_of_one_name_the_farthest_beyond_its_limit_or_the_nearest_to_it
 
     def worst(*notes):
         made = tuple(Note("x", "x", place, *rest, "model", "", None) for place, *rest in notes)
-        (found,) = margins(SimpleNamespace(joint=None, branches=None, notes=made))
+        (found,) = margins(SimpleNamespace(joint=None, branches=None, notes=made, no_equal_state=None))
         return found.place, found.lowest, found.highest
 
     assert worst(("a", 1.5, 1.0, False), ("b", 0.1, 1.0, False)) == ("b", 1.0, math.inf)
