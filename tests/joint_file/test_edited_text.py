@@ -24,7 +24,7 @@ def test_every_digit_survives(zou_file):
     }
     again = numeric_keys(parse_case(joint_file_text(case, changes, comment=""), source="test"))
     for path, value in changes.items():
-        assert again[path].value == pytest.approx(value, rel=3e-16)
+        assert again[path].value == pytest.approx(value, rel=3e-16, abs=0.0)
     assert again["drive.contact_length.wlo"].value == 0.005
 
 
@@ -144,7 +144,7 @@ def test_materials_of_libraries(zou_file, tmp_path):
     assert "own.toml" not in again
     found = content(again, folder=tmp_path / "elsewhere")
     expected = {path: key.value for path, key in numeric_keys(case).items()} | changes
-    assert found == pytest.approx(expected, rel=1e-14)
+    assert found == pytest.approx(expected, rel=1e-14, abs=0.0)
 
 
 @pytest.mark.parametrize(

@@ -27,7 +27,9 @@ def measured(**numbers):
 
 def test_it_holds_for_every_contact_without_losing_a_digit(example_case):
     surface = with_measured_surface(example_case, measured()).surface
-    assert {name: getattr(surface, name).value for name in NUMBERS} == pytest.approx(NUMBERS, rel=1e-15)
+    assert {name: getattr(surface, name).value for name in NUMBERS} == pytest.approx(
+        NUMBERS, rel=1e-15, abs=0.0
+    )
     assert surface.roughness_average is None
 
 
@@ -36,7 +38,7 @@ def test_it_is_written_instead_of_the_files(example_case):
     found = tomllib.loads(joint_file_text(case, {"load.preload": 900.0}, comment=""))
     assert found["surface"]["fractal_dimension"] == 1.25
     number, unit = found["surface"]["fractal_roughness"].split()
-    assert float(number) * {"m": 1.0, "mm": 1e-3}[unit] == pytest.approx(3e-13, rel=1e-12)
+    assert float(number) * {"m": 1.0, "mm": 1e-3}[unit] == pytest.approx(3e-13, rel=1e-12, abs=0.0)
     assert found["load"]["preload"] == "900 N"
 
 
@@ -47,5 +49,7 @@ def test_what_no_joint_file_may_have_is_refused(example_case):
 
 def test_it_takes_the_place_of_those_of_other_drives(planar_case):
     case = with_measured_surface(planar_case("planetary"), measured())
-    assert {name: getattr(case.surface, name).value for name in NUMBERS} == pytest.approx(NUMBERS, rel=1e-15)
+    assert {name: getattr(case.surface, name).value for name in NUMBERS} == pytest.approx(
+        NUMBERS, rel=1e-15, abs=0.0
+    )
     assert case.type == "planetary"
