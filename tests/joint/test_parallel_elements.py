@@ -39,6 +39,15 @@ def test_three_elements_by_hand():
     np.testing.assert_allclose(THREE.torques(angles), torques, atol=1e-9)
 
 
+def test_angles_and_torques_are_inverse_with_a_spring_that_bends():
+    bent = ParallelElements(np.array([5.0, 40.0, 900.0]), THREE.stiffness, THREE.yield_angle)
+    torques = np.array([1.2, 0.3, -1.2, 0.5, 1.4])
+    angles = bent.angles(torques, largest_angle=0.1)
+    np.testing.assert_allclose(bent.torques(angles), torques, atol=1e-9)
+    x = angles[0]  # the first element alone has yielded
+    assert 5.0 * x + 40.0 * x**2 + 900.0 * x**3 + 0.3 + 40.0 * x == pytest.approx(1.2, rel=1e-9)
+
+
 def test_masing():
     """Every branch after a reversal is the first loading curve, twice as large."""
     loading = np.linspace(0.0, 0.05, 200)
