@@ -46,7 +46,7 @@ PAIRS = [(dimension, unit) for dimension, units in SPELLINGS.items() for unit in
 def test_every_spelling_agrees_with_pint(dimension, unit):
     expected = PINT.Quantity(f"3.7 {unit}").to_base_units().magnitude
     assert parse_quantity(f"3.7 {unit.replace('delta_', '')}", dimension) == pytest.approx(
-        expected, rel=4e-15
+        expected, rel=4e-15, abs=0.0
     )
 
 
@@ -61,9 +61,9 @@ def test_every_unit_of_the_table_agrees_with_pint():
         else:
             spelled = {"%": "percent", **dict.fromkeys(_CELSIUS, "delta_degC")}.get(name, name)
             quantity = PINT.Quantity(1.0, spelled).to_base_units()
-        assert numerator / denominator * math.pi**pi_power == pytest.approx(quantity.magnitude, rel=4e-15), (
-            name
-        )
+        assert numerator / denominator * math.pi**pi_power == pytest.approx(
+            quantity.magnitude, rel=4e-15, abs=0.0
+        ), name
         powers = dict(quantity.unit_items())
         assert exponents == tuple(
             powers.get(base, 0) for base in ("meter", "kilogram", "second", "radian", "kelvin")

@@ -39,7 +39,7 @@ def test_any_number_agrees_with_pint(pair, number, gap):
     dimension, unit = pair
     gap = gap or " " * unit.startswith("1")  # "51/mm" is another number
     expected = float(number.replace("−", "-")) * by_pint(f"1 {unit}")
-    assert parse_quantity(f"{number}{gap}{unit}", dimension) == pytest.approx(expected, rel=1e-14)
+    assert parse_quantity(f"{number}{gap}{unit}", dimension) == pytest.approx(expected, rel=1e-14, abs=0.0)
 
 
 FACTORS = "N mm kg s rad MPa m deg psi min"

@@ -31,7 +31,7 @@ def test_line_ends_separators_and_decimal_signs(tmp_path, end, separator, comma)
 def test_heading_names_the_units_and_missing_values_are_counted(tmp_path):
     file = tmp_path / "p.csv"
     file.write_text("machine 7\nX [mm];Z [nm]\n" + "".join(f"{x};{z}\n" for x, z in zip(X, Z, strict=True)))
-    assert read_surface(path=file).heights[3] == pytest.approx(1e-9 * Z[3], abs=0.0)
+    assert read_surface(path=file).heights[3] == pytest.approx(1e-9 * Z[3], rel=1e-9, abs=0.0)
     file.write_text(file.read_text() + "12.5;NaN\n12.75;\n13.0;0.1\n")
     assert read_surface(path=file).missing_points == 2
 

@@ -10,7 +10,7 @@ import pytest
 from asperity.errors import NoSolutionError
 from asperity.joint_file.reader import read_case
 from asperity.study.calibration.curve_model import CurveModel
-from asperity.study.calibration.curve_surrogate import exponents, fit_surrogate, surrogate_prediction
+from asperity.study.calibration.curve_surrogate import _box, exponents, fit_surrogate, surrogate_prediction
 from asperity.study.calibration.measurement import Measurement
 from asperity.study.calibration.unknowns import read_unknowns
 
@@ -100,6 +100,36 @@ def test_the_box_shrinks_until_most_joints_in_it_exist():
     np.testing.assert_allclose(found, PowerLaw().compliances(near[None])[0], rtol=1e-5)
     with pytest.raises(NoSolutionError, match="have no solution"):
         fit_surrogate(PowerLaw(exists=lambda places: np.zeros(len(places), bool)), CENTRE, SPREAD, seed=3)
+
+
+def test_beyond_its_box_the_logarithm_goes_on_straight():
+    model = PowerLaw()
+    fitted = fit_surrogate(model, CENTRE, SPREAD, seed=3)
+    predict = surrogate_prediction(model)
+    for end in ("low", "high"):
+        edge = 0.5 * (fitted["low"] + fitted["high"])
+        half = fitted[end] - edge
+        beyond = [
+            np.log(predict(fitted, jnp.append(fitted["middle"] + fitted["axes"] @ (edge + way * half), 0.5)))
+            for way in (1.01, 1.02, 1.03, 1.5)
+        ]
+        slope = beyond[1] - beyond[0]
+        assert np.abs(slope).min() > 1e-4
+        np.testing.assert_allclose(beyond[2] - beyond[1], slope, rtol=1e-9)
+        np.testing.assert_allclose(beyond[3] - beyond[0], 49.0 * slope, rtol=1e-9)
+
+
+def test_the_box_ends_at_the_farthest_corner_of_the_cube_or_at_its_reach():
+    middle, angle = np.array([0.9, 0.4, 0.5]), 0.6
+    axes = np.array(
+        [[np.cos(angle), -np.sin(angle), 0.0], [np.sin(angle), np.cos(angle), 0.0], [0.0, 0.0, 1.0]]
+    )
+    corners = np.array(np.meshgrid([0.0, 1.0], [0.0, 1.0], [0.0, 1.0])).reshape(3, -1).T
+    along = (corners - middle) @ axes
+    low, high = _box(middle, axes, np.full(3, 10.0))
+    np.testing.assert_allclose([low, high], [along.min(axis=0), along.max(axis=0)], rtol=1e-12)
+    low, high = _box(middle, axes, np.full(3, 0.2))
+    np.testing.assert_allclose([low, high], [np.full(3, -0.2), np.full(3, 0.2)])
 
 
 @pytest.mark.parametrize(("unknowns", "degree"), [(0, 10), (1, 10), (2, 10), (3, 9), (6, 4), (30, 1)])

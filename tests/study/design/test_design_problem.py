@@ -19,7 +19,7 @@ def test_bounds_are_0_and_1_and_the_middle_is_a_mean():
     assert [LINEAR.from_unit(place) for place in (0.0, 0.25, 1.0)] == [200.0, 400.0, 1000.0]
     assert [LOGARITHMIC.to_unit(value) for value in (1e-12, 1e-10, 1e-8)] == pytest.approx([0.0, 0.5, 1.0])
     assert [LOGARITHMIC.from_unit(place) for place in (0.0, 0.25, 1.0)] == pytest.approx(
-        [1e-12, 1e-11, 1e-8], abs=0.0
+        [1e-12, 1e-11, 1e-8], rel=1e-9, abs=0.0
     )
 
 
