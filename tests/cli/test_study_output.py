@@ -51,6 +51,22 @@ def test_status_in_words(found, capsys):
     ]
 
 
+def test_slip_that_skew_makes_in_rolling_is_told_beside_the_status(found, capsys):
+    """A joint that stands has its results; that it slips once it turns is no status."""
+    ratio = np.full((2, 2, 2), 0.5)
+    ratio[0, 1, 1] = 1.4
+    ratio[1, 1, 0] = np.nan
+    found["rolling_slip_ratio"] = ((*found["status"].dims, "contact"), ratio)
+    show_status(found)
+    told = capsys.readouterr().out.splitlines()
+    assert (
+        told[-1] == "  1 solved standing, but a contact slips as a whole in rolling: skew takes its friction"
+    )
+    found["rolling_slip_ratio"][0, 1, 1] = 0.9
+    show_status(found)
+    assert "rolling" not in capsys.readouterr().out
+
+
 def test_points_are_shown_in_the_unit_of_the_key(found, capsys):
     show_points(found)
     lines = capsys.readouterr().out.splitlines()

@@ -56,6 +56,27 @@ def write(page, path, text):
     do(page, action)
 
 
+def test_numbers_have_the_digits_of_the_commands(page):
+    values = [
+        0.0,
+        523899.3,
+        833213.4,
+        5.6119e7,
+        16324.2,
+        0.00065432,
+        -1234.56,
+        0.123456,
+        12.3,
+        999999.4,
+        999999.6,
+        3e-9,
+    ]
+    script = "([values, digits]) => import('/numbers.js').then((m) => values.map((x) => m.number(x, digits)))"
+    for digits in (3, 4, 6):
+        written = page.evaluate(script, [values, digits])
+        assert written == [format_quantity(value, "1", digits) for value in values]
+
+
 def test_the_page_shows_what_the_command_says(page):
     text, exact = stiffness()
     assert card(page) == text

@@ -154,6 +154,7 @@ def test_a_design_runs_to_its_end_and_is_put_on_the_page(page, tmp_path):
     said = page.locator(".job[data-kind=design]").inner_text()
     assert "✓ all limits are met" in said
     assert "Smallest mass of the rolling parts" in said
+    assert "Warnings of this design" in said
     with page.expect_download() as waiting:
         page.locator(".job[data-kind=design]").get_by_role("link", name="Save JSON").click()
     waiting.value.save_as(tmp_path / "design.json")

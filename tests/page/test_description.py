@@ -54,6 +54,10 @@ def test_what_is_taken_for_a_key_that_is_absent(keys):
     assert keys["compliance.pin_stiffness"]["default"] == "rigid if absent"
     assert keys["rolling.reliability"]["default"] == "0.9 if absent"
     assert keys["drive.sun_radius"]["default"] is None
+    said = {each["default"] for each in keys.values() if each["default"]}
+    assert len(said) > 10
+    assert all(words[0].islower() or words[0].isdigit() for words in said), "in one case beside each other"
+    assert "if absent" not in said
 
 
 def test_the_library_is_listed(described):

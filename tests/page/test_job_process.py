@@ -68,7 +68,17 @@ def test_a_design_that_meets_its_limits_has_no_conflict(monkeypatch):
         "asperity.study.design.design_document.design_document", lambda found: {"feasible": True}
     )
     monkeypatch.setattr("asperity.page.job_process.design_words", lambda found: "words")
-    assert run("design") == {"feasible": True, "conflict": None, "joint_text": "text", "shown": "words"}
+    warned = {"diagnostics": [], "no_result_because": None}
+    monkeypatch.setattr(
+        "asperity.study.design.found_joint.found_diagnostics", lambda text: warned | {"joint_text": text}
+    )
+    assert run("design") == {
+        "feasible": True,
+        "conflict": None,
+        "joint_text": "text",
+        "shown": "words",
+        **warned,
+    }
 
 
 def test_numbers_of_a_design_have_the_units_of_the_file_and_the_words_of_the_drive(zou_file):

@@ -99,7 +99,7 @@ def test_a_drive_of_another_type_has_all_sections():
     assert len(found["Numbers of the joint file"].rows) > 20
     rows = dict(found["Drive"].rows)
     assert (rows["output member"], rows["speed ratio, input over output"]) == ("ring", "14.98")
-    assert dict(found["Summary"].rows)["sectors"] == "4"
+    assert dict(found["Summary"].rows)["rollers in each row"] == "4"
     assert [row[0] for row in found["Contacts in rolling"].rows] == ["sf", "fsl", "fsr", "sr"]
     assert {row[-1] for row in found["Safety margins"].rows if row[1] in ("function", "damage")} == {"pass"}
     assert "slip" in report_html(report)

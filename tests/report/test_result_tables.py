@@ -92,6 +92,9 @@ def test_contacts_are_in_the_units_of_their_heads():
         ("sp", "1000", "46.3", "0.386", "0.05", "750", "0.2")
     ]
     assert found["Contact stiffness, N/µm"] == [("sp", "123", "456", "–", "321")]
+    assert "Crowned contacts" not in found
+    contact |= {"loaded_length_share": 0.75, "peak_line_load_ratio": 1.5, "end_line_load_ratio": 0.0}
+    assert rows_of(contacts(document))["Crowned contacts"] == [("sp", "75", "1.5", "0")]
 
 
 def test_the_drive_in_degrees_grams_and_millimetres():

@@ -42,6 +42,18 @@ def show_status(found: xarray.Dataset) -> None:
     for code, count in sorted(counts.items()):
         if code != 0:
             click.echo(f"  {count} not solved: {STATUS_MEANINGS[code] if code > 0 else 'not computed'}")
+    if "rolling_slip_ratio" in found:
+        slipping = _points_beyond(found["rolling_slip_ratio"], 1.0)
+        if slipping:
+            click.echo(
+                f"  {slipping} solved standing, but a contact slips as a whole in rolling: skew takes its friction"
+            )
+
+
+def _points_beyond(values: xarray.DataArray, limit: float) -> int:
+    """How many points have a value of at least the limit at one of their contacts."""
+    rows = [name for name in values.dims if name == "contact"]
+    return int((values >= limit).any(rows).sum())
 
 
 def status_counts(found: xarray.Dataset) -> dict[int, int]:

@@ -145,7 +145,8 @@ def _default(meaning: str) -> str | None:
     said = re.search(r"[^;,.]*(?:\d\.\d+)? if absent[^;.]*", meaning)
     if said is None:
         said = re.search(r"if absent, [^;.]*|Without it [^.]*", meaning)
-    return said.group(0).strip() if said else None
+    words = said.group(0).strip() if said else "if absent"
+    return None if words == "if absent" else words[0].lower() + words[1:]
 
 
 def _field(whole: type[BaseModel], path: str) -> tuple[type[BaseModel], str]:

@@ -125,6 +125,7 @@ def _design(file: str, options: dict[str, Any], report: Report) -> dict[str, Any
     from asperity.study.design.design_document import design_document
     from asperity.study.design.design_file import read_design
     from asperity.study.design.design_result import conflict
+    from asperity.study.design.found_joint import found_diagnostics
 
     problem = read_design(file)
     if len(problem.objectives) > 1:
@@ -134,7 +135,7 @@ def _design(file: str, options: dict[str, Any], report: Report) -> dict[str, Any
     result = design(problem, progress=report)
     said = None if result.feasible else conflict(result)
     document = {**design_document(result), "conflict": said, "joint_text": result.joint_text}
-    return document | {"shown": design_words(result)}
+    return document | found_diagnostics(result.joint_text) | {"shown": design_words(result)}
 
 
 def design_words(result: DesignResult) -> dict[str, Any]:

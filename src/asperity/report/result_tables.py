@@ -34,11 +34,10 @@ def summary(document: Document) -> Table:
         One row a number.
     """
     load, geometry = document["input"]["load"], document["geometry"]
-    count = geometry["sectors"] if "sectors" in geometry else document["input"]["drive"]["planets"]
     stiffness = document["torsional_stiffness"]["assembly"]["output_Nm_per_rad"]
     equal = " of equal branches" if "branches" in document else ""
     rows = [
-        ("sectors" if "sectors" in geometry else "planets", number(count)),
+        _branches(document),
         ("output torque", quantity(load["output_torque"], "N*m")),
         (f"speed of the {input_member(document)}", quantity(load["sun_speed"], "rpm")),
         (
@@ -62,6 +61,15 @@ def summary(document: Document) -> Table:
         (f"fatigue life in turns of the output{equal}", number(document["rolling"]["life_output_turns"])),
     ]
     return Table("Summary", ("quantity", "value"), rows, words=(0, 1))
+
+
+def _branches(document: Document) -> tuple[str, str]:
+    """How many branches there are, by their name in this drive."""
+    stated = document["input"]["drive"]
+    for name in ("planets", "sectors"):
+        if name in stated:
+            return name, number(stated[name])
+    return "rollers in each row", number(document["geometry"]["sectors"])
 
 
 def _at_assembly(document: Document) -> list[tuple[str, str]]:
@@ -188,6 +196,8 @@ def contacts(document: Document) -> Iterator[Block]:
             for name, each in document["contacts"].items()
         ],
     )
+    if any(each.get("loaded_length_share") is not None for each in document["contacts"].values()):
+        yield _crowns(document["contacts"])
     kinds = ("asperity_tangential", "bulk_tangential", "asperity_normal", "bulk_normal")
     yield Table(
         "Contact stiffness, N/µm",
@@ -201,6 +211,23 @@ def contacts(document: Document) -> Iterator[Block]:
         [
             (name, *(number(each[f"{kind}_stiffness_N_per_m"], 1e-6) for kind in kinds))
             for name, each in document["contacts"].items()
+        ],
+    )
+
+
+def _crowns(found: Document) -> Table:
+    """How the load of crowned contacts spreads along their lines."""
+    return Table(
+        "Crowned contacts",
+        ("contact", "loaded length\n%", "peak over mean load", "end over mean load"),
+        [
+            (
+                name,
+                number(each["loaded_length_share"], 100.0),
+                number(each["peak_line_load_ratio"]),
+                number(each["end_line_load_ratio"]),
+            )
+            for name, each in found.items()
         ],
     )
 

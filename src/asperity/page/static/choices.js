@@ -16,8 +16,7 @@ export function choiceRows(controls, group, stated) {
       const words = choice.words.length ? choice.words : [...new Set([...own, ...library])];
       const options = words.map((word) => element("option", { value: word }, plain(word)));
       if (!choice.required) {
-        const otherwise = choice.default && choice.default !== "if absent" ? choice.default : "not in the file";
-        options.unshift(element("option", { value: "" }, otherwise));
+        options.unshift(element("option", { value: "" }, choice.default || "not in the file"));
       }
       const select = element("select", { id, "aria-describedby": `${id}-help ${id}-error` }, ...options);
       const error = element("p", { class: "field-error", id: `${id}-error` });

@@ -2,6 +2,7 @@
 
 import { label } from "/controls.js";
 import { element, number, table } from "/numbers.js";
+import { warnings } from "/results.js";
 
 const TITLES = { sensitivity: "What matters most", uncertainty: "Uncertainty", design: "Design" };
 const UNITS = { sensitivity: "", uncertainty: "samples", design: "searches" };
@@ -161,6 +162,8 @@ export class JobList {
       element("p", {}, `${shown.goal[0].toUpperCase()}${shown.goal.slice(1)}: ${shown.after}, before ${shown.before}.`),
       scrolled("Free numbers", ["number", "before", "design", "bound"], rows),
       ...(limits.length ? [scrolled("Limits", ["limit", "actual", "required", "result"], limits)] : []),
+      element("h4", {}, "Warnings of this design"),
+      found.diagnostics ? warnings(found) : element("p", { class: "note" }, `Under the output torque of its file it has no result: ${found.no_result_because}.`),
       take,
       " ",
     ];

@@ -2,16 +2,16 @@
 
 const ARCMIN = 10800 / Math.PI;
 
-/** A number with a few significant digits; a dash where there is none. */
+/** A number with a few significant digits, as the commands write it: none before the decimal point is rounded; a dash where there is none. */
 export function number(value, digits = 4) {
   if (value === null || value === undefined || !Number.isFinite(value)) return "–";
   if (value === 0) return "0";
   const size = Math.abs(value);
-  if (size >= 1e6 || size < 1e-3) {
+  if (size >= 999999.5 || size < 1e-3) {
     const [mantissa, exponent] = value.toExponential(digits - 1).split("e");
     return `${Number(mantissa)}e${Number(exponent)}`;
   }
-  return String(Number(value.toPrecision(digits)));
+  return String(Number(value.toFixed(Math.max(digits - 1 - Math.floor(Math.log10(size)), 0))));
 }
 
 export const arcmin = (radians) => (radians === null ? null : radians * ARCMIN);

@@ -79,7 +79,7 @@ function cards(found, before) {
       "Stiffness at the output",
       number(stiffness.output_Nm_per_arcmin),
       "N·m/arcmin",
-      unknown || `assembled joint, ${driven(found)} locked; ${number(stiffness.output_Nm_per_rad, 5)} N·m/rad`,
+      unknown || `assembled joint, ${driven(found)} locked; ${number(stiffness.output_Nm_per_rad)} N·m/rad`,
       change(stiffness.output_Nm_per_rad, was && was.output_Nm_per_rad),
     ),
     card(
@@ -109,8 +109,8 @@ function cards(found, before) {
 function levels(found, before) {
   const rows = LEVELS.map(([key, name, words]) => {
     const level = found.torsional_stiffness[key];
-    const cells = [number(level.output_Nm_per_arcmin), number(level.output_Nm_per_rad, 5)];
-    cells.push(before ? number(before.torsional_stiffness[key].output_Nm_per_arcmin) : number(level.input_Nm_per_rad, 5));
+    const cells = [number(level.output_Nm_per_arcmin), number(level.output_Nm_per_rad)];
+    cells.push(before ? number(before.torsional_stiffness[key].output_Nm_per_arcmin) : number(level.input_Nm_per_rad));
     return [element("span", {}, name, element("small", {}, words)), ...cells];
   });
   const last = before ? "baseline, N·m/arcmin" : `at the ${driven(found)}, N·m/rad`;
@@ -181,7 +181,7 @@ function margins(answer) {
       const required = bounds.map(([bound, word]) => element("span", {}, `${word} ${number(bound)}`));
       return [
         element("span", {}, each.label, element("small", {}, each.place ? `at ${each.place}` : "")),
-        `${number(each.actual, 3)}${unit ? ` ${unit}` : ""}`,
+        `${number(each.actual)}${unit ? ` ${unit}` : ""}`,
         element("span", { class: "bounds" }, ...required),
         each.used === null ? "" : bar(each.used, each.ok ? "good" : "bad"),
         verdict(each.ok),
@@ -217,7 +217,8 @@ function branches(found) {
   return [element("div", {}, element("h3", {}, title), table(title, headings, rows), element("p", { class: "note" }, first))];
 }
 
-function warnings(found) {
+/** The limits that a joint crosses, the most serious first. */
+export function warnings(found) {
   const grouped = new Map();
   for (const each of found.diagnostics.filter((one) => !one.ok)) {
     const key = `${each.name}|${each.meaning}`;
@@ -241,7 +242,7 @@ function warnings(found) {
         element(
           "span",
           { class: "how-much" },
-          `(${each.label} ${number(each.value, 3)}, limit ${number(each.limit, 3)}${each.contacts.length ? `; ${each.contacts.join(", ")}` : ""})`,
+          `(${each.label} ${number(each.value)}, limit ${number(each.limit)}${each.contacts.length ? `; ${each.contacts.join(", ")}` : ""})`,
         ),
         each.remedy ? element("p", { class: "remedy" }, `What to do: ${each.remedy}.`) : "",
       ),
