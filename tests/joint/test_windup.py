@@ -178,7 +178,8 @@ def test_without_slip_the_joint_has_no_loop():
 
 
 def directions(joint):
-    curve = windup(joint, largest_torque=10.0, level="assembly", stage_shares=STAGES)
+    curve = windup(joint, largest_torque=10.0, level="assembly")
+    np.testing.assert_allclose(curve.stage_torque, np.array([0.0, 1.0, 2.0, 3.0]) * 10.0 / 3.0, rtol=1e-12)
     return curve, np.asarray(curve.angle), -np.asarray(curve.angle)[::-1]
 
 
