@@ -1,12 +1,20 @@
 """Torque capacity of planar joints by hand."""
 
+import dataclasses
+
+import jax
+import jax.numpy as jnp
 import numpy as np
 import pytest
 
+from asperity.drive.planar.following import followed
 from asperity.errors import InputError
 from asperity.joint.capacity import torque_capacity
 from asperity.joint.either_kind import under_torque
-from asperity.joint.planar.capacity import smaller_sizes
+from asperity.joint.planar.capacity import limiting_torques, smaller_sizes
+from asperity.joint.planar.description import body_masses
+from asperity.joint.planar.evaluation import laws_and_states
+from asperity.joint.planar.laws import drive_load
 from asperity.joint.planar.solve import solve_planar
 from asperity.joint.rolling_capacity import rolling_torque_capacity
 from asperity.joint_file.build import joint_from_case
@@ -67,11 +75,11 @@ def test_the_papers_drive_holds_as_much_as_by_its_own_chain(case, as_planar):
     assert float(found.first_slip.output_torque) < rolling
 
 
-def two_planets():
-    """Text of a drive with two planets in each sector, one on each path from sun to ring, of different friction."""
+def unlike_planets(angles, friction):
+    """Text of a drive with several planets in each sector, each on a path of its own from sun to ring."""
     rollers = ('"sun"\nplace = "axis"', '"ring"\nplace = "axis"\nwall_thickness = "20 mm"')
     contacts = []
-    for name, angle in (("one", 90), ("two", 30)):
+    for name, angle in angles.items():
         rollers += (f'"{name}"\nplace = "pin"\norbit = "30 mm"\nangle = "{angle} deg"',)
         contacts += [
             f'"s{name}"\nfirst = "sun"\nsecond = "{name}"\nfirst_radius = "20 mm"\nsecond_radius = "10 mm"',
@@ -85,9 +93,10 @@ def two_planets():
             *(f"[[roller]]\nname = {roller}" for roller in rollers),
             *(f"[[contact]]\nname = {contact}" for contact in contacts),
             '[load]\npreload = "1000 N"\noutput_torque = "25 N*m"\nsun_speed = "0 rpm"',
-            "friction_coefficient = { sone = 0.06, rone = 0.06, stwo = 0.1, rtwo = 0.1 }",
+            f"friction_coefficient = {friction}",
             '[model]\ncontact_factor = "unity"\nasperity_base = "majumdar_bhushan_1991"\nbodies = "springs"',
-            '[bodies]\nsun = "52100"\none = "52100"\ntwo = "52100"\nring = "52100"',
+            "[bodies]",
+            *(f'{name} = "52100"' for name in ("sun", *angles, "ring")),
             '[surface]\nfractal_dimension = 1.5\nfractal_roughness = "1.3e-7 mm"\nfrequency_ratio = 1.5',
         )
     )
@@ -96,7 +105,8 @@ def two_planets():
 @pytest.mark.slow
 def test_two_planets_of_different_friction_hold_the_sum():
     """By hand: n times two orbits times (mu_1 + mu_2) N; at 25 N·m the weak one bears 60 N, the strong one the rest."""
-    joint = planar_joint_from_case(parse_any_case(two_planets(), source="two.toml"))
+    text = unlike_planets({"one": 90, "two": 30}, "{ sone = 0.06, rone = 0.06, stwo = 0.1, rtwo = 0.1 }")
+    joint = planar_joint_from_case(parse_any_case(text, source="two.toml"))
     found = solve_planar(joint)
     path = 3.0 * 2.0 * 30e-3
     for whole, first in (
@@ -120,3 +130,41 @@ def test_two_planets_of_different_friction_hold_the_sum():
         InputError, match=r"beyond the torque capacity 28\.8 N·m, at which contact [sr]two slips"
     ):
         solve_planar(under_torque(joint, 28.81))
+
+
+@pytest.mark.slow
+def test_the_search_from_rest_finds_the_capacity_of_one_loading():
+    """Two ways: each torque solved from rest, and the loading followed while two of three planets slide."""
+    draws = 64
+    text = unlike_planets({"one": 90, "two": 52, "three": 12}, "0.1")
+    joint = planar_joint_from_case(parse_any_case(text, source="three.toml"))
+    joint = jax.tree.map(lambda leaf: np.asarray(leaf, dtype=float), joint)
+    random = np.random.default_rng(1)
+    frictions = tuple(jnp.asarray(0.03 * 10.0 ** random.uniform(size=draws)) for _ in joint.contact_names)
+
+    def both(frictions):
+        there = dataclasses.replace(joint, friction_coefficients=frictions)
+        laws, states = laws_and_states(there)
+        found = limiting_torques(
+            there,
+            states.rest,
+            laws,
+            direction=jnp.ones(2),
+            rolls=jnp.zeros(2, dtype=bool),
+            at_first=jnp.array([False, True]),
+        )
+        end, torque = followed(
+            drive=there.drive,
+            laws=laws,
+            rest=states.rest,
+            load=drive_load(there, body_masses(there), 1.0),
+            first_step=1.0,
+            most=jnp.inf,
+            keeps=lambda state: jnp.asarray(True),
+        )
+        return found.output_torque, torque, jnp.sum(end.slides != 0.0)
+
+    found, torque, sliding = jax.jit(jax.vmap(both))(frictions)
+    np.testing.assert_array_equal(sliding, 2)
+    np.testing.assert_allclose(found[:, 0], torque, rtol=1e-8)
+    assert np.all(found[:, 1] < found[:, 0])
