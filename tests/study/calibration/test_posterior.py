@@ -8,19 +8,27 @@ import jax.numpy as jnp
 import numpy as np
 import pytest
 from scipy.special import logsumexp
-from scipy.stats import chi2
+from scipy.stats import chi2, norm
 
 from asperity.cli.calibrate import _document, _show
 from asperity.errors import InputError, NoSolutionError
 from asperity.joint_file.reader import read_case
+from asperity.study.calibration import posterior as module
 from asperity.study.calibration.calibrate import calibrate
 from asperity.study.calibration.calibration_plot import posterior_figure
 from asperity.study.calibration.curve_model import CurveModel
 from asperity.study.calibration.measurement import Measurement
-from asperity.study.calibration.posterior import CUT_SHARE, Posterior, posterior, sample
+from asperity.study.calibration.posterior import (
+    CUT_SHARE,
+    Posterior,
+    _capped,
+    _where_likely,
+    posterior,
+    sample,
+)
 from asperity.study.calibration.unknowns import read_unknowns
 
-pytestmark = [pytest.mark.slow, pytest.mark.filterwarnings("ignore::DeprecationWarning")]
+pytestmark = pytest.mark.filterwarnings("ignore::DeprecationWarning")
 SHARES = (0.025, 0.16, 0.5, 0.84, 0.975)
 #: By so much the sums over the grid move a share.
 GRID_ERROR = 0.01
@@ -50,6 +58,7 @@ def sampled(shift, draws):
     )
 
 
+@pytest.mark.slow
 def test_linear_model():
     found = sampled(np.zeros(2), draws=300)
     expected = np.sqrt(np.diag(COVARIANCE))  # t with 58 degrees of freedom, nearly
@@ -69,6 +78,7 @@ def test_linear_model():
     assert found.acceptance == 1.0
 
 
+@pytest.mark.slow
 def test_hopeless_surrogate_is_refused():
     with pytest.raises(NoSolutionError, match="have not converged"):
         sampled(np.array([0.2, 0.0]), draws=50)
@@ -137,6 +147,124 @@ def assert_cut_as_the_density_says(drawn, index, grid, logarithm):
             assert side not in note
 
 
+class Independent:
+    """Chains that step to independent draws around the fit, and accept a share of them."""
+
+    accepts = 1.0
+
+    def __init__(self, *, surrogate, exact, size, warmup, seed):
+        self.surrogate, self.exact, self.random = surrogate, exact, np.random.default_rng(seed)
+        self.starts, self.divergences = [], 0
+        made.append(self)
+
+    def start(self, given, begin, spread):
+        self.starts.append((given, begin, spread))
+        self.position = begin
+
+    def forget(self):
+        self.accepted = self.proposed = 0
+
+    def warm_up(self):
+        pass
+
+    def begin_exactly(self):
+        self.log_exact = self.exact(self.position)
+        self.forget()
+
+    def step(self):
+        proposed = np.append(FIT, 0.5) + 0.01 * self.random.standard_normal(self.position.shape)
+        found = self.exact(proposed)
+        self.position, self.log_exact = proposed, found
+        self.proposed += len(found)
+        self.accepted += self.accepts * len(found)
+        return proposed, found
+
+
+made = []
+
+
+def independent(monkeypatch, *, accepts=1.0, warmup=7):
+    pytest.importorskip("numpyro")
+    monkeypatch.setattr(module, "Chains", Independent)
+    monkeypatch.setattr(Independent, "accepts", accepts)
+    told = []
+    found = sample(
+        predict=lambda scaled_values: scaled_values @ DESIGN.T,
+        surrogate=lambda fitted, scaled_values: jnp.asarray(DESIGN) @ (scaled_values + fitted),
+        fit=lambda centre, covariance: np.array([0.02, 0.0]),
+        data=DATA,
+        first=FIT,
+        covariance=COVARIANCE,
+        first_deviation=DEVIATION,
+        draws=100,
+        warmup=warmup,
+        chains=4,
+        seed=0,
+        progress=lambda done, total: told.append((done, total)),
+    )
+    return found, made[-1], told
+
+
+def test_likelihood_is_that_of_normal_errors_of_any_size(monkeypatch):
+    """The last coordinate is ln s from a tenth of the first standard deviation to ten times it."""
+    found, chains, told = independent(monkeypatch)
+    points = np.array([[*FIT, 0.5], [FIT[0] + 0.01, FIT[1], 0.3], [0.4, 0.6, 1.0]])
+
+    def normal(shift):
+        sizes = DEVIATION * 10.0 ** (2.0 * points[:, 2:] - 1.0)
+        return norm.logpdf(DATA, (points[:, :2] + shift) @ DESIGN.T, sizes).sum(axis=1)
+
+    np.testing.assert_allclose(np.diff(chains.exact(points)), np.diff(normal(0.0)), rtol=1e-10)
+    given, begin, spread = chains.starts[0]
+    ours = [float(chains.surrogate(given, jnp.asarray(point))) for point in points]
+    np.testing.assert_allclose(np.diff(ours), np.diff(normal(np.array([0.02, 0.0]))), rtol=1e-10)
+    # where they begin: ln s of n normal errors has the standard deviation 1/sqrt(2 n), here over 2 ln 10
+    assert begin.shape == (4, 3)
+    np.testing.assert_allclose(spread[:2, :2], COVARIANCE, rtol=1e-12)
+    assert spread[2, 2] ** 0.5 == pytest.approx(1.0 / np.sqrt(120.0) / (2.0 * np.log(10.0)), rel=1e-12)
+    assert len(chains.starts) == 1
+    assert found.acceptance == 1.0
+    assert told[-1] == (7 + module.PILOT + 100,) * 2
+    assert len(told) == told[-1][0]
+    assert found.scaled_values.shape == (400, 2)
+    np.testing.assert_allclose(found.scaled_values.mean(axis=0), FIT, atol=0.003)
+    assert np.log10(found.standard_deviation / DEVIATION).std() == pytest.approx(0.02, rel=0.2)
+
+
+def test_a_surrogate_that_is_often_rejected_is_fitted_anew_where_the_joint_is_likely(monkeypatch):
+    found, chains, told = independent(monkeypatch, accepts=0.7)
+    assert len(chains.starts) == 1 + module.REFITS
+    assert told[-1] == ((7 + module.PILOT) * (1 + module.REFITS) + 100,) * 2
+    assert found.acceptance == pytest.approx(0.7)
+    assert len(independent(monkeypatch, accepts=0.81)[1].starts) == 1
+
+
+def test_the_likelier_half_says_where_to_go_on():
+    points = np.array([[0.1, 0.2], [0.3, 0.1], [0.2, 0.4], [0.5, 0.6], [0.9, 0.9], [0.8, 0.7]])
+    logarithm = np.array([-1.0, -2.0, -3.0, -4.0, -50.0, -np.inf])
+
+    class Moving:
+        position, log_exact = np.array([[0.15, 0.25], [0.7, 0.7]]), np.array([-2.5, -np.inf])
+
+    centre, spread, begin = _where_likely([(points, logarithm)], Moving(), np.array([0.5, 0.5]), np.eye(2))
+    half = np.array([[0.1, 0.2], [0.3, 0.1], [0.15, 0.25], [0.2, 0.4]])
+    np.testing.assert_allclose(centre, half.mean(axis=0), rtol=1e-12)
+    np.testing.assert_allclose(spread, np.cov(half.T), rtol=1e-12)
+    assert begin.tolist() == [[0.15, 0.25], [0.5, 0.5]]
+    few = _where_likely([(points[4:], logarithm[4:])], Moving(), np.array([0.5, 0.4]), np.eye(2))
+    assert (few[0].tolist(), few[1].tolist()) == ([0.5, 0.4], [[0.25, 0.0], [0.0, 0.25]])
+
+
+def test_no_direction_is_wider_than_the_bounds():
+    """A uniform law from 0 to 1 has the standard deviation 1/sqrt(12)."""
+    turned = np.array([[0.6, -0.8], [0.8, 0.6]])
+    wide = turned @ np.diag([9.0, 0.01]) @ turned.T
+    found = _capped(wide, 3.0)
+    np.testing.assert_allclose(found[:2, :2], turned @ np.diag([1.0 / 12.0, 0.01]) @ turned.T, rtol=1e-12)
+    assert found[2, 2] == pytest.approx(1.0 / 12.0)
+    assert _capped(wide, 0.1)[2, 2] == pytest.approx(0.01)
+
+
 def test_note_on_a_bound_is_certain_only_with_enough_draws():
     scaled_values = np.full((4000, 1), 0.5)
     scaled_values[:, 0] += 0.2 * np.sin(np.arange(4000))
@@ -155,6 +283,7 @@ def test_note_on_a_bound_is_certain_only_with_enough_draws():
     assert Posterior(scaled_values=many, **made).note(0) == "cut by lower bound"
 
 
+@pytest.mark.slow
 def test_joint_cut_by_bounds(cut_joint, drawn):
     model, data = cut_joint.curves[0].model, cut_joint.curves[0].model.measurement
     preload, play, width = np.linspace(0.0, 0.4, 41), np.linspace(0.0, 0.3, 76), np.linspace(0.0, 1.0, 51)
@@ -175,6 +304,7 @@ def test_joint_cut_by_bounds(cut_joint, drawn):
     assert drawn.acceptance > 0.95
 
 
+@pytest.mark.slow
 def test_figure(cut_joint, drawn):
     figure = posterior_figure(cut_joint, drawn)
     panels = figure.axes
@@ -183,6 +313,7 @@ def test_figure(cut_joint, drawn):
     assert panels[7].get_xlabel() == "play,\nangle [arcmin]"
 
 
+@pytest.mark.slow
 def test_document_and_tables(cut_joint, drawn, capsys):
     # 940 N and 0.1 N·m are the lower bounds
     document = json.loads(json.dumps(_document(cut_joint, drawn), allow_nan=False))
@@ -200,6 +331,7 @@ def test_document_and_tables(cut_joint, drawn, capsys):
     assert "load.preload: cut by lower bound" in capsys.readouterr().out
 
 
+@pytest.mark.slow
 def test_exact_data_have_no_posterior(cut_joint):
     (curve,) = cut_joint.curves
     exact = replace(cut_joint, curves=(replace(curve, standard_deviation=0.0),))
@@ -207,6 +339,7 @@ def test_exact_data_have_no_posterior(cut_joint):
         posterior(exact, draws=50, seed=0)
 
 
+@pytest.mark.slow
 def test_unknown_that_the_data_do_not_tell_fills_its_bounds():
     rng = np.random.default_rng(0)
     scaled_values = np.stack([rng.random(4000), 0.5 + 0.01 * rng.standard_normal(4000)], axis=1)
