@@ -2,6 +2,8 @@
 
 import dataclasses
 import math
+from types import SimpleNamespace
+from typing import NamedTuple
 
 import numpy as np
 import pytest
@@ -9,6 +11,8 @@ import pytest
 from asperity.errors import InputError
 from asperity.joint.branch_sizes import BranchSizes, SectorDeviations
 from asperity.joint.branches import BranchedJoint
+from asperity.joint.capacity import LIMIT_KINDS
+from asperity.joint.planar import branches as module
 from asperity.joint.planar.branches import BranchedPlanarJoint
 from asperity.joint.planar.solve import solve_planar
 from asperity.joint_file.planar_build import deviations_of
@@ -27,6 +31,117 @@ def sized(name, per_size, errors, support=math.inf):
 
 def planets(errors, support=math.inf):
     return sized("planet", [1.0, 1.0], errors, support)
+
+
+class Limits(NamedTuple):
+    output_torque: np.ndarray
+    limit: np.ndarray
+    limiting_contact: np.ndarray
+
+
+@pytest.fixture
+def made_up(planar_joint, monkeypatch):
+    """A planetary whose sectors are pressed with 1000 N at 30 um, and whose planets carry as they are pressed.
+
+    No program: states by hand. Sectors slip at 9 N·m, and all of them at 12 N·m.
+    """
+
+    def run(self, program, floating, *given):
+        assert floating == (("sun",) if given[0].support_stiffness > 0.0 else ())
+        own = 30e-6 + np.asarray(given[0].added).sum(axis=1)
+        normal = np.repeat(1000.0 * own / 30e-6, 2)
+        state = SimpleNamespace(normal=normal, residual=1e-13, displacement=np.array([[1e-6, 2e-6]]))
+        if program is module.assembled_sectors:
+            asked.append(np.asarray(given[0].reference_force))
+            return state
+        each = np.array([[0.5, 0.7], [0.6, 0.4], [0.2, 0.3]])
+        return SimpleNamespace(
+            rest=state,
+            standing=state,
+            rolling=state,
+            centre_force=np.arange(18.0).reshape(3, 3, 2),
+            interference=np.asarray(given[0].added) + np.array([0.0, 30e-6]),
+            output_moment=np.array([own, own[::-1]]),
+            pressure_over_first_yield=each,
+            slip_ratio=each,
+            shakedown_ratio=0.5 * each,
+            rolling_slip_ratio=0.9 * each,
+            life_hours=np.array([1.0, 2.0, 3.0]),
+            assembly=SimpleNamespace(stiffness=SimpleNamespace(output=2e4)),
+            limits=Limits(
+                np.array([9.0, 8.0]), np.full(2, LIMIT_KINDS.index("gross_slip")), np.array([5, 2])
+            ),
+            most_torque=np.array(12.0),
+        )
+
+    asked = []
+
+    def of(torque=6.0):
+        monkeypatch.setattr(module, "compile_fast", lambda *_: lambda numbers: np.full(2, 1000.0))
+        monkeypatch.setattr(BranchedPlanarJoint, "_run", run)
+        joint = dataclasses.replace(planar_joint("planetary"), output_torque=torque)
+        forces = SimpleNamespace(normal=np.full(2, 1100.0), tangential=np.array([50.0, 0.0]))
+        rolling = SimpleNamespace(normal=np.full(2, 1000.0), tangential=np.array([40.0, 0.0]))
+        result = SimpleNamespace(
+            interference=30e-6,
+            preload=1000.0,
+            rest=SimpleNamespace(normal=np.full(2, 1000.0)),
+            forces=forces,
+            rolling=rolling,
+        )
+        capacity = [SimpleNamespace(output_torque=value) for value in (10.0, 10.5, 9.0, 9.5)]
+        names = ("capacity", "reverse_capacity", "rolling_capacity", "reverse_rolling_capacity")
+        solution = SimpleNamespace(result=result, **dict(zip(names, capacity, strict=True)))
+        return BranchedPlanarJoint(joint, solution), asked
+
+    return of
+
+
+def test_sectors_by_hand(made_up):
+    """3 um more and less; the first planet is above the sun, so that the axes are turned by 90 degrees."""
+    drive, asked = made_up()
+    found = drive.branches(planets([1.5e-6, 0.0, -1.5e-6], support=1e7))
+    own = np.array([33e-6, 30e-6, 27e-6])
+    np.testing.assert_allclose(found.interference, own, rtol=1e-12)
+    np.testing.assert_allclose(found.preload, 1000.0 * own / 30e-6, rtol=1e-12)
+    np.testing.assert_allclose(asked[0], 1000.0)
+    np.testing.assert_allclose(asked[-1][:, 0], found.preload, rtol=1e-12)
+    np.testing.assert_allclose(drive._standing_over_rolling, [[1.1, 1.1], [1.25, 1.0]], rtol=1e-12)
+    for state, shares in ((found.standing, own), (found.rolling, own[::-1])):
+        np.testing.assert_allclose(state.torque, 6.0 * shares / shares.sum(), rtol=1e-12)
+    np.testing.assert_array_equal(found.rest.torque, 0.0)
+    np.testing.assert_allclose(found.standing.slip_ratio, [0.7, 0.6, 0.3])
+    np.testing.assert_allclose(found.rolling.slip_ratio, [0.63, 0.54, 0.27])
+    assert found.rolling.limits["shakedown_ratio"].shape == (2, 3)
+    # x to the right and y up become -y and x
+    np.testing.assert_allclose(found.standing.sun_displacement, [2e-6, -1e-6], atol=1e-18)
+    np.testing.assert_allclose(found.standing.sun_force, [7.0, -6.0], atol=1e-12)
+    np.testing.assert_allclose(found.standing.centre_forces["ring"], [9.0, -8.0], atol=1e-12)
+    assert (found.capacity.first_slip, found.capacity.branch, found.capacity.contact) == (9.0, 2, 1)
+    assert (found.rolling_capacity.first_slip, found.rolling_capacity.branch) == (8.0, 1)
+    assert (found.capacity.all_slip, found.capacity.equal, found.rolling_capacity.equal) == (12.0, 10.0, 9.0)
+    assert found.stiffness == 2e4
+
+
+def test_sectors_under_more_than_they_carry_and_backwards(made_up):
+    backwards = made_up(-6.0)[0].branches(planets([0.0, 0.0, 0.0]))
+    assert (backwards.torque, backwards.capacity.equal, backwards.rolling_capacity.equal) == (6.0, 10.5, 9.5)
+    np.testing.assert_array_equal(backwards.standing.sun_displacement, 0.0)
+    beyond = made_up(12.5)[0].branches(planets([0.0, 0.0, 0.0]))
+    assert beyond.standing is None
+    assert beyond.stiffness is None
+    assert made_up(11.5)[0].branches(planets([0.0, 0.0, 0.0])).stiffness == 2e4
+
+
+def test_loose_and_floating_sectors_are_refused_before_any_state(made_up):
+    drive, _ = made_up()
+    with pytest.raises(InputError, match=r"planet 2 is loose: its sizes leave an interference of -2 um"):
+        drive.branches(planets([0.0, -16e-6, 0.0]))
+    with pytest.raises(InputError, match="leave no branch with an interference"):
+        drive.branches(planets([-16e-6, -16e-6, -20e-6]))
+    drive.count = 2
+    with pytest.raises(InputError, match="nothing holds a floating sun between two sectors"):
+        drive.branches(sized("planet", [1.0, 1.0], [0.0, 0.0], 0.0))
 
 
 @pytest.fixture(scope="module")
