@@ -189,3 +189,6 @@ def test_planets_of_unlike_sizes_have_a_table(page, tmp_path):
     assert len(shares) == 3
     assert sum(shares) == pytest.approx(100.0, abs=0.2)
     assert "those of equal branches; planet 1 is pressed" in page.locator("#warnings").inner_text()
+    cards = page.locator("#cards").inner_text()
+    assert "contact sp of planet 3 slips first; equal branches pass 12.13 N·m" in cards
+    assert float(page.locator('[data-value="Torque capacity"]').inner_text()) < 12.0

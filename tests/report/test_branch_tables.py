@@ -45,8 +45,12 @@ def test_shares_sun_and_capacity():
     assert list(equal_branches({"branches": found})) == [blocks[1]]
     assert list(equal_branches({})) == []
     branches, sun = (block for block in blocks if isinstance(block, Table))
-    assert branches.rows[0] == ("1", "1", "0", "0", "11", "950", "45", "–", "0.4")
-    assert branches.rows[1][-1] == "–"
+    assert branches.rows[0] == ("1", "1", "0", "0", "11", "950", "45", "–", "0.4", "–")
+    assert branches.rows[1][-2:] == ("–", "–")
+    turning = [
+        block for block in branch_tables(found | {"rolling": state([0.5, 0.5])}) if isinstance(block, Table)
+    ]
+    assert turning[0].rows[0][-3:] == ("50", "0.4", "0.4")
     rows = dict(sun.rows)
     assert rows["displacement of the sun"] == "5 um"
     assert rows["torque capacity: contact sp of planet 2 slips first"] == "11 N·m"

@@ -60,6 +60,7 @@ def branch_tables(found: Document) -> Iterator[Block]:
             "share\nstanding %",
             "share\nrolling %",
             "slip standing\nT/(mu N)",
+            "slip rolling\nT/(mu N)",
         ),
         [
             (
@@ -68,7 +69,7 @@ def branch_tables(found: Document) -> Iterator[Block]:
                 number(entry["interference_m"], 1e6),
                 number(entry["preload_N"]),
                 *(of(state, "share", index, 100.0) for state in states),
-                of(states[0], "slip_ratio", index),
+                *(of(state, "slip_ratio", index) for state in states),
             )
             for index, entry in enumerate(found["branches"])
         ],

@@ -66,10 +66,20 @@ function card(name, value, unit, detail, difference) {
 /** The capacity in the direction of the torque. */
 const capacityOf = (found) => (found.forces.output_torque_Nm < 0 ? found.torque_capacity.reverse : found.torque_capacity);
 
+/** Torque at which the joint first slips, and what does: the first of unlike branches, if it has such. */
+function firstSlip(found) {
+  const equal = capacityOf(found);
+  if (!found.branches) return [equal.output_torque_Nm, equal.meaning];
+  const { branch_is: noun, torque_capacity: first } = found.branches;
+  const words = `contact ${first.first_contact} of ${noun} ${first.first_branch} ${first.first_event} first; equal branches pass ${number(first.equal_branches_Nm)} N·m`;
+  return [first.first_slip_Nm, words];
+}
+
 function cards(found, before) {
   const stiffness = found.torsional_stiffness.assembly;
   const was = before && before.torsional_stiffness.assembly;
-  const capacity = capacityOf(found);
+  const [capacity, slips] = firstSlip(found);
+  const equal = found.branches ? "equal branches: " : "";
   const per = arcmin(found.drift_rad_per_output_turn);
   const unknown = found.stiffness_unknown_because;
   const [hours, turns] = [found.life_hours, found.rolling.life_output_turns];
@@ -79,28 +89,28 @@ function cards(found, before) {
       "Stiffness at the output",
       number(stiffness.output_Nm_per_arcmin),
       "N·m/arcmin",
-      unknown || `assembled joint, ${driven(found)} locked; ${number(stiffness.output_Nm_per_rad)} N·m/rad`,
+      unknown || `${equal}assembled joint, ${driven(found)} locked; ${number(stiffness.output_Nm_per_rad)} N·m/rad`,
       change(stiffness.output_Nm_per_rad, was && was.output_Nm_per_rad),
     ),
     card(
       "Drift per output turn",
       number(per),
       "arcmin",
-      per === null ? standing(found) : "lost when it turns under the torque; does not come back",
+      per === null ? standing(found) : `${equal}lost when it turns under the torque; does not come back`,
       change(found.drift_rad_per_output_turn, before && before.drift_rad_per_output_turn),
     ),
     card(
       "Torque capacity",
-      number(capacity.output_torque_Nm),
+      number(capacity),
       "N·m",
-      `${capacity.meaning}; load ${number(found.forces.output_torque_Nm)} N·m`,
-      change(capacity.output_torque_Nm, before && capacityOf(before).output_torque_Nm),
+      `${slips}; load ${number(found.forces.output_torque_Nm)} N·m`,
+      change(capacity, before && firstSlip(before)[0]),
     ),
     card(
       "Efficiency",
       number(scaled(found.efficiency, 100), 4),
       "%",
-      `${found.efficiency === null ? `${standing(found).split(":")[0]}: no efficiency; ` : ""}${life} at ${number(100 * found.rolling.reliability)} % reliability`,
+      `${equal}${found.efficiency === null ? `${standing(found).split(":")[0]}: no efficiency; ` : ""}${life} at ${number(100 * found.rolling.reliability)} % reliability`,
       change(found.efficiency, before && before.efficiency),
     ),
   );
