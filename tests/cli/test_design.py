@@ -3,11 +3,13 @@
 import json
 import tomllib
 from importlib.resources import files
+from types import SimpleNamespace
 
 import pytest
 from click.testing import CliRunner
 
 from asperity.cli import asperity
+from asperity.cli.design import _show_search
 from asperity.errors import InputError, NoSolutionError
 
 DESIGN = """
@@ -91,3 +93,19 @@ def test_tables_and_conflict(folder):
 def test_bad_files(folder):
     assert isinstance(invoke("design", folder / "none.toml").exception, InputError)
     assert isinstance(invoke("design", folder / "design.toml", "--plot", "x.txt").exception, InputError)
+
+
+@pytest.mark.parametrize(
+    ("objectives", "said"),
+    [
+        ((), "0 of 2 starts converged. "),
+        ((1.0, 1.0), "2 of 2 starts converged, to 1 different value (4 digits). "),
+    ],
+)
+def test_starts_that_reach_nothing_have_no_values(objectives, said):
+    starts = [SimpleNamespace(converged=True, objective=each, violation=0.0) for each in objectives]
+    lost = [SimpleNamespace(converged=False)] * 2
+    result = SimpleNamespace(starts=starts or lost, optimality_residual=0.0)
+    printed = []
+    _show_search(SimpleNamespace(print=printed.append), result)
+    assert printed[0].startswith(said)

@@ -156,3 +156,10 @@ def test_bodies_that_do_not_bend_have_no_column_and_it_is_said(capsys):
     assert "no value of rim_yield_safety of sun: yield strength over the largest Mises stress" in text
     assert "nan for bodies that do not bend" in text
     assert "not shown" not in text
+
+
+def test_a_column_of_statuses_stands_where_a_point_is_unsolved(found, capsys):
+    show_points(found)
+    assert "status" in capsys.readouterr().out
+    show_points(found.isel({"load.preload": [0]}))
+    assert "status" not in capsys.readouterr().out

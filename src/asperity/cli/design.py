@@ -332,9 +332,9 @@ def _show_limits(target: Console, result: DesignResult) -> None:
 def _show_search(target: Console, result: DesignResult) -> None:
     ends = {f"{each.objective:.4g}" for each in result.starts if each.converged and each.violation < 1e-6}
     converged = sum(start.converged for start in result.starts)
-    values = f"{len(ends)} different value{'s' * (len(ends) != 1)}"
+    values = f", to {len(ends)} different value{'s' * (len(ends) != 1)} (4 digits)" if ends else ""
     target.print(
-        f"{converged} of {len(result.starts)} starts converged, to {values} (4 digits). Optimality residual "
+        f"{converged} of {len(result.starts)} starts converged{values}. Optimality residual "
         f"{result.optimality_residual:.2g} (0 at a local optimum). Shadow price: relative gain of the objective per "
         "relative relaxation of the limit."
     )

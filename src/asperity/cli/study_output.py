@@ -83,7 +83,7 @@ def status_counts(found: xarray.Dataset) -> dict[int, int]:
 
 
 def show_points(found: xarray.Dataset) -> None:
-    """Print the points of a small sweep: coordinates, results (main ones, if there are many), status.
+    """Print the points of a small sweep: coordinates, results (main ones, if many), status where one is unsolved.
 
     Parameters
     ----------
@@ -132,7 +132,8 @@ def show_points(found: xarray.Dataset) -> None:
         for name, row, values in columns
     }
     codes = [int(found["status"][place]) for place in places]
-    cells["status"] = [STATUS_NAMES[code].replace("_", " ") if code else "" for code in codes]
+    if any(codes):
+        cells["status"] = [STATUS_NAMES[code].replace("_", " ") if code else "" for code in codes]
     target = console()
     for block in _blocks(coordinates, cells, target.width):
         shown = table(target, "", *block)
