@@ -17,11 +17,11 @@ from asperity.drive.structure_loads import PIN_NAMES, StructureLoads, pin_bendin
 from asperity.joint.branch_limits import pressed
 from asperity.joint.branch_results import NO_EQUAL_STATE, UnequalBranches
 from asperity.joint.description import Joint
-from asperity.joint.evaluation import JointResult
+from asperity.joint.evaluation import JointResult, evaluate
 from asperity.joint.planar.description import PlanarJoint
 from asperity.joint.planar.evaluation import PlanarResult
 from asperity.joint.rolling_document import unknown_because
-from asperity.joint.solve import Solution, solve_program
+from asperity.joint.solve import Solution
 from asperity.joint.working_loads import BearingSpeeds, bearing_speeds, loads_at_rest, working_loads
 
 #: A load below this share of the largest one of its unit is what the sums of larger ones leave.
@@ -107,10 +107,10 @@ def load_cases(joint: Joint, solution: Solution) -> tuple[LoadCase, ...]:
     cases = [LoadCase("without torque", 0.0, 0.0, None, None, loads_at_rest(numbers), None, None)]
     cases.append(_case("working torque", numbers, solution.result, None))
     if joint.rolling.duty:
-        program = compile_fast(solve_program, numbers)
+        program = compile_fast(evaluate, numbers)
     for index, point in enumerate(numbers.rolling.duty, start=1):
         loaded = dataclasses.replace(numbers, output_torque=point.output_torque, sun_speed=point.sun_speed)
-        cases.append(_case(f"duty {index}", loaded, program(loaded)[0], float(point.share)))
+        cases.append(_case(f"duty {index}", loaded, program(loaded), float(point.share)))
     return tuple(cases)
 
 

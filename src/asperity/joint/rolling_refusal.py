@@ -12,8 +12,9 @@ import numpy as np
 from asperity.compilation import compile_fast
 from asperity.errors import NoSolutionError
 from asperity.joint.description import Joint
+from asperity.joint.evaluation import evaluate
 from asperity.joint.rolling_document import unknown_because
-from asperity.joint.solve import Solution, solve_program
+from asperity.joint.solve import Solution
 from asperity.units import format_quantity
 
 _HALVINGS = 30  # the capacity to 1e-9 of that at rest
@@ -43,11 +44,11 @@ def rolling_capacity_of(joint: Joint, solution: Solution, *, direction: float) -
         planet loads the weaker side more; infinite or nan where the capacity at rest is.
     """
     numbers: Joint = jax.tree.map(lambda leaf: np.asarray(leaf, dtype=float), joint)
-    program = compile_fast(solve_program, numbers)
+    program = compile_fast(evaluate, numbers)
     at_rest = solution.reverse_capacity if direction < 0.0 else solution.capacity
 
     def rolls(torque: float) -> bool:
-        result, *_ = program(dataclasses.replace(numbers, output_torque=np.float64(direction * torque)))
+        result = program(dataclasses.replace(numbers, output_torque=np.float64(direction * torque)))
         rolling = result.rolling
         return bool(
             np.isfinite(np.asarray(rolling.residual)) and np.all(np.asarray(rolling.slip_ratio) < 1.0)

@@ -58,23 +58,11 @@ class Solution(eqx.Module):
     sizes: CheckedSizes
 
 
-def solve_program(joint: Joint) -> tuple[JointResult, tuple[Clearance, ...], TorqueCapacity, CheckedSizes]:
-    """What is compiled to solve a joint: everything about it, its clearances, and its capacities.
-
-    Parameters
-    ----------
-    joint : Joint
-        One joint.
-
-    Returns
-    -------
-    tuple
-        Its result, its clearances, its torque capacity in both directions along a last axis, and its sizes.
-    """
+def _limits(joint: Joint, result: JointResult) -> tuple[tuple[Clearance, ...], TorqueCapacity, CheckedSizes]:
+    """Clearances of a joint, its torque capacity in both directions along a last axis, and its sizes."""
     in_both = jax.tree.map(lambda leaf: leaf[..., None], with_one_rank(joint))
     capacities = torque_capacity(in_both, direction=jnp.array([1.0, -1.0]))
-    result = evaluate(joint)
-    return result, clearances(joint.geometry), capacities, checked_sizes(joint, result)
+    return clearances(joint.geometry), capacities, checked_sizes(joint, result)
 
 
 def solve(joint: Joint) -> Solution:
@@ -109,8 +97,10 @@ def solve(joint: Joint) -> Solution:
     numbers: Joint = jax.tree.map(lambda leaf: np.asarray(leaf, dtype=float), joint)
     refuse_loose(numbers.fit)
     refuse_bad_numbers(numbers)
-    program = compile_fast(solve_program, numbers)
-    result, gaps, capacities, sizes = jax.tree.map(np.asarray, program(numbers))
+    chain = compile_fast(evaluate, numbers)
+    limits = compile_fast(_limits, numbers, chain.results)
+    result = chain(numbers)
+    result, (gaps, capacities, sizes) = jax.tree.map(np.asarray, (result, limits(numbers, result)))
     capacity, reverse = (jax.tree.map(lambda leaf, i=i: leaf[..., i], capacities) for i in range(2))
     in_direction = reverse if float(numbers.output_torque) < 0.0 else capacity
     refuse_overlap(numbers, gaps)
