@@ -93,11 +93,11 @@ def test_even_pressure_in_a_rigid_housing():
     assert float(found.other_hoop[3]) == pytest.approx(even[0] + even[1] / outer**2, rel=1e-5)
 
 
-@pytest.mark.parametrize("support", [0.0, 5e13, math.inf])
-def test_sum_over_all_contacts(support):
+@pytest.mark.parametrize(("support", "along"), [(0.0, 0.0), (5e13, 2e12), (math.inf, math.inf)])
+def test_sum_over_all_contacts(support, along):
     """The same as hoop_stress of all six contacts, whose sums are others, contact by contact."""
     apart, wall = math.radians(13.9248), 10e-3
-    body = ring(wall, support, radius=40e-3, length=5e-3)
+    body = ring(wall, support, radius=40e-3, length=5e-3, shear_support=along)
     radial, tangential = jnp.array([647.0, 449.0]), jnp.array([-27.0, -19.0])
     found = stresses(body, load([0.5 - apart, 0.5 + apart], radial, tangential, 3.0))
     grid = np.arange(POINTS) / POINTS * 2.0 * math.pi / 3.0

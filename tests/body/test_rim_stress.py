@@ -130,6 +130,24 @@ def test_statics_of_a_ring_under_unlike_loads():
     assert moment[1:] - moment[0] == pytest.approx(axial[1:] - axial[0] - 0.5, abs=2e-3)
 
 
+def test_the_largest_tension_is_midway_in_the_widest_gap():
+    """Two loads 2.6 rad apart and one behind them in balance: the middle of their gap is no point of the grid."""
+    middle, apart = 0.3, 1.3
+    body = Annulus(40e-3, 44e-3, 5e-3, E, NU, 0.0, 0.0, "inner", "plane_strain")
+    load = {
+        "contact_angles": jnp.array([middle - apart, middle + apart, middle + math.pi]),
+        "radial_forces": jnp.array([500.0, 500.0, 1000.0 * math.cos(apart)]),
+        "tangential_forces": jnp.zeros(3),
+    }
+    peak = jax.jit(largest_tensile_hoop_stress, static_argnames=("point_count", "mode_count"))(
+        body=body, clearance=1e-3, point_count=1, mode_count=150, **load
+    )
+    around = middle + jnp.linspace(-1.0, 1.0, 201)
+    beside = stress(body=body, angle=around, mode_count=150, **load).loaded_rim
+    assert int(jnp.argmax(beside)) == 100
+    assert float(peak.loaded_rim) == pytest.approx(float(beside[100]), rel=1e-9)
+
+
 @pytest.mark.slow
 def test_largest_tension_is_found_on_both_rims():
     body = Annulus(40e-3, 50e-3, 5e-3, E, NU, 0.0, 0.0, "inner", "plane_strain")

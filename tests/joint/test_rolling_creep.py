@@ -100,6 +100,27 @@ def test_skewed_contacts_on_a_soft_layer_carry_their_force(creep):
     )
 
 
+@pytest.mark.parametrize("crown", [None, 2.0])
+def test_what_skew_takes_by_its_own_formulas(creep, crown):
+    """z = gamma/xi_y,max leaves sqrt((1 - z^2)/(1 - z^2 + rho z^2)) at gross slip, with rho = xi_y,max/xi_x,max."""
+    skew = 1e-3
+    found = creep(3e9, skew=(skew,), crown=crown)
+    limit = CARTER * np.asarray(found.layer_factor)
+    limit = limit if crown is None else limit * np.asarray(found.crown_factor)
+    ratio = np.asarray(found.lateral_ratio)
+    zeta = skew / (limit * ratio)
+    given = {"friction_coefficient": FRICTION, "width_over_radius": WIDTH / RADIUS}
+    left = np.sqrt((1.0 - zeta**2) / (1.0 - zeta**2 + ratio * zeta**2))
+    np.testing.assert_allclose(capacity_loss(creep=found, **given), 1.0 - left, rtol=1e-9)
+    assert np.all(left < 0.99)
+    along = 0.3 * limit
+    length = np.hypot(0.3, zeta)
+    turned = zeta * ratio ** (length / (4.0 - 2.0 * length))
+    expected = (1.0 - (1.0 - length) ** 2) * turned / np.hypot(0.3, turned)
+    lateral = lateral_slip_ratio(creep=found, creepage=jnp.asarray(along), **given)
+    np.testing.assert_allclose(lateral, expected, rtol=1e-9)
+
+
 def test_crowned_contacts_creep_as_their_slices(creep, paper_joint):
     """Smooth: where Carter's slices carry 0.4 of friction, by bisection. Rough: the even contacts as before."""
     q, crown = 0.4, 2.0
