@@ -289,7 +289,7 @@ def test_the_description_covers_every_number_of_the_file(client, joint_text):
     assert keys["materials.*.youngs_modulus"]["meaning"] == "Young's modulus E."
     assert keys["drive.sun_radius"]["required"]
     ring = next(each for each in described["choices"] if each["key"] == "drive.ring_support")
-    assert ring["default"] == "A rigid housing if absent"
+    assert ring["default"] == "a rigid housing if absent"
     assert not ring["required"]
     assert "slip_ratio_sp" in {
         each["name"] for each in client.post("/api/results", json={"toml": joint_text}).json()
