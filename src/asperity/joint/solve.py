@@ -99,8 +99,8 @@ def solve(joint: Joint) -> Solution:
     refuse_bad_numbers(numbers)
     chain = compile_fast(evaluate, numbers)
     limits = compile_fast(_limits, numbers, chain.results)
-    result = chain(numbers)
-    result, (gaps, capacities, sizes) = jax.tree.map(np.asarray, (result, limits(numbers, result)))
+    result = jax.tree.map(np.asarray, chain(numbers))
+    gaps, capacities, sizes = jax.tree.map(np.asarray, limits(numbers, result))
     capacity, reverse = (jax.tree.map(lambda leaf, i=i: leaf[..., i], capacities) for i in range(2))
     in_direction = reverse if float(numbers.output_torque) < 0.0 else capacity
     refuse_overlap(numbers, gaps)

@@ -66,10 +66,10 @@ def result_and_capacity(joint: PlanarJoint) -> tuple[PlanarResult, PlanarCapacit
     limits = compile_fast(_capacities, joint, states.rest, laws)
     if any(bends(joint)):
         compile_fast(planar_rims, joint, second.results)  # which every document asks for next
-    laws, states = first(joint)
-    result, capacity = second(joint, laws, states), limits(joint, states.rest, laws)
-    known: tuple[PlanarResult, PlanarCapacity] = jax.tree.map(np.asarray, (result, capacity))
-    return known
+    laws, states = jax.tree.map(np.asarray, first(joint))
+    result: PlanarResult = jax.tree.map(np.asarray, second(joint, laws, states))
+    capacity: PlanarCapacity = jax.tree.map(np.asarray, limits(joint, states.rest, laws))
+    return result, capacity
 
 
 def _capacities(joint: PlanarJoint, rest: PlanarState, laws: ContactLaws) -> PlanarCapacity:
