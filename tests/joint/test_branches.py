@@ -29,6 +29,13 @@ class FakeLaws(BranchLaws):
             **{name: np.tile(slip, (5, 1)) for name in ("slip_ratio", "rolling_slip_ratio")},
             **{name: np.tile(pressure, (5, 1)) for name in ("pressure_over_first_yield", "shakedown_ratio")},
             "life_hours": np.where(preload > 0.0, 1.0 / np.maximum(preload, 1e-9), np.nan),
+            **{
+                f"{rolls}{kind}": np.zeros((5, 3))
+                for rolls in ("", "rolling_")
+                for kind in ("normal", "tangential")
+            },
+            **{f"{rolls}pins": np.zeros((2, 2, 3)) for rolls in ("", "rolling_")},
+            "bearing_speed": np.zeros((4, 3)),
         }
 
 
@@ -243,6 +250,21 @@ def test_branches_turn_by_the_same_angle_and_creep_alike_without_the_tables(real
     assert np.ptp(angle) > 0.0
     loss = real.laws.states(found.rolling.preload, 3.0 * found.rolling.torque)["speed_loss"]
     assert loss == pytest.approx(np.full(3, loss.mean()), rel=2e-4)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("support", [math.inf, 5e7])
+def test_nothing_acts_from_outside_on_sun_carrier_and_ring_together(real, support):
+    """Three balances by themselves: contacts of the sun from the tables, those of the ring and the pins without."""
+    found = real.branches(sizes([2e-6, 0.0, -2e-6], support))
+    for state in (found.rest, found.standing, found.rolling):
+        total = state.sun_force + sum(state.centre_forces.values())
+        assert total == pytest.approx(np.zeros(2), abs=0.05)
+        assert state.force_on("ring") > 10.0
+    # the torque of each branch at its pins, on the circle of the loading rollers
+    orbit = 35e-3
+    turned = found.standing.pins[1].sum(axis=0) * orbit
+    assert turned == pytest.approx(found.standing.torque, rel=1e-6)
 
 
 @pytest.mark.slow

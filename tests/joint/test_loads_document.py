@@ -82,19 +82,30 @@ def test_skew_and_pins_add_rows(case):
     assert any("supports" in note for note in document["notes"])
 
 
-def test_unequal_branches_load_the_bearings_of_the_sun(case, unequal_branches):
-    """What is not computed is None, never 0."""
-    branches = unequal_branches()
-    rolling = dataclasses.replace(branches.standing, sun_force=np.array([30.0, 40.0]))
-    document = loads_document(joint_from_case(case), CASES, [], unequal_branches(rolling=rolling))
+def test_unequal_branches_load_pins_and_bearings(case, unequal_branches):
+    """The worst pin of all branches: 50 N of the second at the right, 13 N of the first at the left."""
+    pins = np.array([[[0.0, 30.0, 0.0], [5.0, 0.0, 0.0]], [[20.0, 40.0, 0.0], [-12.0, 12.9, 0.0]]])
+    state = dataclasses.replace(unequal_branches().standing, pins=pins)
+    centre = {"carrier": np.array([6.0, 8.0]), "ring": np.array([-36.0, -48.0])}
+    rolling = dataclasses.replace(state, sun_force=np.array([30.0, 40.0]), centre_forces=centre)
+    branches = unequal_branches(rest=state, rolling=rolling, duty=(None,))
+    document = loads_document(joint_from_case(case), CASES, [], branches)
     assert row_of(document, "sun bearing", "on the axis", "resultant force") == [250.0, 50.0, None]
-    for part in ("carrier bearing", "ring in its housing"):
-        assert row_of(document, part, "on the axis", "resultant force") == [None] * 3
+    assert row_of(document, "carrier bearing", "on the axis", "resultant force") == [None, 10.0, None]
+    assert row_of(document, "ring in its housing", "on the axis", "resultant force") == [None, 60.0, None]
+    assert row_of(document, "carrier pin", "right roller", "resultant force") == [50.0, 50.0, None]
+    assert row_of(document, "carrier pin", "right roller", "radial force") == [30.0, 30.0, None]
+    assert row_of(document, "carrier pin", "left roller", "tangential force") == [-12.0, -12.0, None]
+    assert "[[branch]], do not carry this load" in document["cases"][2]["unknown_because"]
     notes = " ".join(document["notes"])
     assert "All branches are equal" not in notes
     assert "planet 1 is pressed 1.1 times as hard" in notes
-    unknown = loads_document(joint_from_case(case), CASES, [], branches)
-    assert row_of(unknown, "sun bearing", "on the axis", "resultant force") == [250.0, None, None]
+    # the branches carry a load that equal ones do not, and the other way round
+    more = unequal_branches(rest=state, duty=(rolling,))
+    document = loads_document(joint_from_case(case), CASES, [], more)
+    assert row_of(document, "sun bearing", "on the axis", "resultant force") == [250.0, None, 50.0]
+    assert document["cases"][2]["unknown_because"] is None
+    assert document["notes"][-1].startswith("duty 1: equal branches do not carry this load")
 
 
 def test_what_rounding_leaves_is_nothing():

@@ -301,9 +301,7 @@ def _strength(document: Document) -> list[tuple[str, str]]:
     rows = []
     equal = "of equal branches, " if "branches" in document else ""
     if document["bearings"]:
-        rows.append(
-            ("bearings", f"{equal}life L10: {', '.join(lives) or 'none'} ('asperity loads' says more)")
-        )
+        rows.append(("bearings", f"life L10: {', '.join(lives) or 'none'} ('asperity loads' says more)"))
     if safeties:
         rows.append(("bending", f"{equal}safety of {'; '.join(safeties)}"))
     return rows

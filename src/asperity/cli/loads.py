@@ -60,7 +60,7 @@ def _of_the_papers_drive(case: Case) -> Document:
     from asperity.joint.strength_document import bearing_entries
     from asperity.joint_file.solved_document import papers_branches
 
-    joint, solution, branches = papers_branches(case, slip=False)
+    joint, solution, branches = papers_branches(case)
     solved = SolvedJoint(joint, solution.result, solution.capacity, branches)
     return loads_document(joint, load_cases(joint, solution), bearing_entries(solved), branches)
 

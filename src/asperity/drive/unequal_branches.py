@@ -95,3 +95,81 @@ def force_on_sun(*, normal: np.ndarray, tangential: np.ndarray) -> np.ndarray:
     """
     radial, along = branch_directions(normal.shape[-1])
     return np.asarray(-(normal @ radial + tangential @ along))
+
+
+def roller_directions(planet_count: int, polar: float) -> tuple[np.ndarray, np.ndarray]:
+    r"""Directions of the loading rollers of a drive, the right one of each planet clockwise of it.
+
+    .. math::
+        e_{b,s} = (\cos\psi, \sin\psi), \quad t_{b,s} = (-\sin\psi, \cos\psi), \quad \psi = \phi_b \mp \alpha
+
+    Parameters
+    ----------
+    planet_count : int
+        Number of planets [-].
+    polar : float
+        Angle :math:`\alpha` between a planet and its loading rollers, seen from the axis [rad].
+
+    Returns
+    -------
+    radial, tangential : ndarray
+        Unit vectors away from the axis, and counter-clockwise along the carrier's circle, shape (2, n, 2): right and
+        left, planets, components [-].
+
+    References
+    ----------
+    Equation (2) of Zou et al. 2025 has the planet above the sun, and its right roller on its right.
+    """
+    angle = 2.0 * np.pi * np.arange(planet_count) / planet_count + polar * np.array([[-1.0], [1.0]])
+    radial = np.stack([np.cos(angle), np.sin(angle)], axis=-1)
+    return radial, np.stack([-radial[..., 1], radial[..., 0]], axis=-1)
+
+
+def force_on_carrier(*, radial: np.ndarray, tangential: np.ndarray, polar: float) -> np.ndarray:
+    r"""Force of the loading rollers on the carrier.
+
+    .. math:: F = \sum_{b,s} \left(F_{r,b,s}\, e_{b,s} + F_{t,b,s}\, t_{b,s}\right)
+
+    Parameters
+    ----------
+    radial, tangential : ndarray
+        Forces on the pins away from the axis and counter-clockwise, right and left, shape (2, n) [N].
+    polar : float
+        Angle between a planet and its loading rollers, seen from the axis [rad].
+
+    Returns
+    -------
+    ndarray
+        Shape (2,) [N]; zero for equal branches.
+
+    References
+    ----------
+    Balance of the carrier; equations (I4) and (L1) of :doc:`/equations`.
+    """
+    outward, along = roller_directions(radial.shape[-1], polar)
+    return np.asarray(np.einsum("sb,sbx->x", radial, outward) + np.einsum("sb,sbx->x", tangential, along))
+
+
+def force_on_ring(*, normal: np.ndarray, tangential: np.ndarray, polar: float) -> np.ndarray:
+    r"""Force of the loading rollers on the ring.
+
+    .. math:: F = \sum_{b,s} \left(N_{b,s}\, e_{b,s} - T_{b,s}\, t_{b,s}\right)
+
+    Parameters
+    ----------
+    normal, tangential : ndarray
+        Forces of the ring's contacts, right and left, shape (2, n) [N].
+    polar : float
+        Angle between a planet and its loading rollers, seen from the axis [rad].
+
+    Returns
+    -------
+    ndarray
+        Shape (2,) [N]; zero for equal branches.
+
+    References
+    ----------
+    Balance of the ring; equation (I4) of :doc:`/equations`.
+    """
+    outward, along = roller_directions(normal.shape[-1], polar)
+    return np.asarray(np.einsum("sb,sbx->x", normal, outward) - np.einsum("sb,sbx->x", tangential, along))

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import equinox as eqx
 import jax
@@ -14,7 +14,7 @@ from asperity.contact.rolling_fatigue import spectrum_life
 from asperity.drive.bearing_life import LIFE_EXPONENTS, RatedBearing, basic_rating_life, static_safety
 from asperity.joint.description import Joint, per_contact, with_one_rank
 from asperity.joint.evaluation import JointResult, evaluate
-from asperity.joint.working_loads import bearing_speeds, loads_at_rest, working_loads
+from asperity.joint.working_loads import bearing_speeds, loads_at_rest, stacked_speeds, working_loads
 from asperity.types import Real
 
 
@@ -53,8 +53,8 @@ class BearingState(NamedTuple):
         Angular velocity of one ring relative to the other, without its sign [rad/s].
     """
 
-    force: Array
-    speed: Array
+    force: Any
+    speed: Any
 
 
 def lives_of_bearings(
@@ -180,10 +180,9 @@ def bearing_lives(joint: Joint, result: JointResult) -> BearingLives:
 
 
 def _state(joint: Joint, result: JointResult) -> BearingState:
-    speeds = bearing_speeds(joint, result)
     return BearingState(
         _of_the_drive(working_loads(joint, result).pin_resultant),
-        jnp.stack(jnp.broadcast_arrays(*speeds.pin, speeds.sun, speeds.carrier)),
+        stacked_speeds(bearing_speeds(joint, result)),
     )
 
 

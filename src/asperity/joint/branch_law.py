@@ -19,6 +19,7 @@ from asperity.joint.capacity import torque_capacity
 from asperity.joint.description import Joint
 from asperity.joint.evaluation import evaluate
 from asperity.joint.rolling_capacity import rolling_torque_capacity
+from asperity.joint.working_loads import bearing_speeds, loads_of_forces, stacked_speeds
 
 _PRELOADS, _STEPS, _SHARES = 12, 24, 41
 _LEAST_PRELOAD = 0.05  # of the joint's own; below, forces and capacity are in proportion to the preload
@@ -108,8 +109,9 @@ class BranchLaws:
         -------
         dict
             Normal and tangential forces and slip ratios, standing and in rolling, Hertz pressure over first yield and
-            over the shakedown limit, shape (5, n); speed loss, life [h] and compliance at the output [rad/(N·m)], shape
-            (n,). nan where a branch is loose.
+            over the shakedown limit, shape (5, n); radial and tangential forces on the pins, shape (2, 2, n); speeds of
+            the bearings, shape (4, n); speed loss, life [h] and compliance at the output [rad/(N·m)], shape (n,). nan
+            where a branch is loose.
         """
         shape = (_PRELOADS, _STEPS)
         most = shape[0] * shape[1]
@@ -272,7 +274,11 @@ def _states(joint: Joint) -> dict[str, Array]:
         "life_hours": rolling.life_hours.drive,
         "speed_loss": rolling.speed_loss,
         "compliance": jnp.asarray((1.0 - shafts) / assembly.stiffness.output),
+        "bearing_speed": stacked_speeds(bearing_speeds(joint, result)),
     }
+    for prefix, forces in (("", result.forces), ("rolling_", rolling)):
+        loads = loads_of_forces(joint, forces.normal, forces.tangential)
+        found |= {f"{prefix}pins": jnp.stack([loads.pin_radial, loads.pin_tangential])}
     return {
         name: jnp.broadcast_to(
             jnp.where(result.solved, value, jnp.nan),

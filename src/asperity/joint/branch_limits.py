@@ -196,7 +196,7 @@ def equal_branches_note(found: UnequalBranches) -> str:
     str
         Sentences.
     """
-    what = "Forces, pressures, stiffness, drift, losses and lives outside the section on branches"
+    what = "Forces, pressures, stiffness, drift, losses and lives of rollers outside the section on branches"
     note = f"{what} are those of equal branches; {pressed(found)}."
     if found.beyond_equal:
         note = (

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -32,6 +33,15 @@ class BranchState:
         By the names of the table of results: standing the Hertz pressure over first yield, in rolling that over the
         shakedown limit, of each contact of each branch, shape (5, n) [-]; and ``life_hours`` at the joint's torque, as
         if all branches were like this one, shape (n,) [h]. Empty where slip was not asked for.
+    centre_forces : dict
+        Names of the other members on the axis → force of the branches on them, shape (2,) [N].
+    pins : ndarray
+        Radial and tangential force of the rollers of each branch on their pins, with the signs of the table of loads,
+        shape (2, pins, n) [N]. Empty where slip was not asked for.
+    bearing_speed : ndarray
+        Speeds of the rolling bearings of the drive, without signs, shape (bearings,) [rad/s]; 0 where it stands.
+    sun : str
+        Name of the member that is called the sun here: the input of another drive.
     """
 
     preload: np.ndarray
@@ -41,12 +51,27 @@ class BranchState:
     sun_force: np.ndarray
     limits: dict[str, np.ndarray] = field(default_factory=dict)
     centre_forces: dict[str, np.ndarray] = field(default_factory=dict)
+    pins: np.ndarray = field(default_factory=lambda: np.zeros((2, 0, 0)))
+    bearing_speed: np.ndarray = field(default_factory=lambda: np.zeros(0))
+    sun: str = "sun"
 
     @property
     def share(self) -> np.ndarray:
         """Share of each branch in the torque [-]; 1/n for equal branches, nan without a torque."""
         whole = self.torque.sum()
         return self.torque / whole if whole else np.full_like(self.torque, np.nan)
+
+    @property
+    def largest_pins(self) -> np.ndarray:
+        """The same forces on each pin of the branch that loads it most, shape (2, pins) [N]."""
+        branch = np.argmax(np.hypot(*self.pins), axis=-1)
+        return np.take_along_axis(self.pins, branch[None, :, None], axis=-1)[..., 0]
+
+    def force_on(self, member: str) -> float:
+        """Size of the force of the branches on a member on the axis [N]; nan where it is not known."""
+        if member == self.sun:
+            return math.hypot(*self.sun_force)
+        return math.hypot(*self.centre_forces.get(member, (math.nan,)))
 
 
 @dataclass(frozen=True)
@@ -108,6 +133,8 @@ class UnequalBranches:
         What a branch is called.
     stiffness : float or None, optional
         Torsional stiffness at the output under the joint's torque, assembled [N·m/rad]; None where it was not computed.
+    duty : tuple, optional
+        The state of :meth:`working` under each load of the duty.
     """
 
     sizes: BranchSizes | SectorDeviations
@@ -122,6 +149,15 @@ class UnequalBranches:
     rolling_capacity: BranchCapacity
     noun: str = "planet"
     stiffness: float | None = None
+    duty: tuple[BranchState | None, ...] = ()
+
+    def working(self, *, turns: bool) -> BranchState | None:
+        """The state in which the joint works under its torque: rolling where it turns; None where there is none."""
+        return self.rolling if turns else self.standing
+
+    def cases(self, *, turns: bool) -> tuple[BranchState | None, ...]:
+        """States without torque, under the working torque, and under the loads of the duty, as in a table of loads."""
+        return (self.rest, self.working(turns=turns), *self.duty)
 
     @property
     def contact_names(self) -> tuple[str, ...]:

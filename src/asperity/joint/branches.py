@@ -11,21 +11,29 @@ from __future__ import annotations
 import dataclasses
 import math
 from collections.abc import Callable
+from typing import Any
 
 import jax.numpy as jnp
 import numpy as np
 from scipy.interpolate import CubicSpline
 from scipy.optimize import brentq, root
 
-from asperity.drive.geometry import CONTACT_NAMES, speed_ratio, triangle
+from asperity.drive.geometry import CONTACT_NAMES, angles, speed_ratio, triangle
 from asperity.drive.mechanism import RestState, rest_state
-from asperity.drive.unequal_branches import added_interference, branch_directions, force_on_sun
+from asperity.drive.unequal_branches import (
+    added_interference,
+    branch_directions,
+    force_on_carrier,
+    force_on_ring,
+    force_on_sun,
+)
 from asperity.errors import InputError, NoSolutionError
 from asperity.joint.branch_law import BranchLaw, BranchLaws, branch_laws
 from asperity.joint.branch_results import BranchCapacity, BranchState, UnequalBranches
 from asperity.joint.branch_sizes import WIDEST, BranchSizes, refuse_wide
 from asperity.joint.description import Joint
 from asperity.joint.interference import joint_preload
+from asperity.joint.working_loads import loads_at_rest
 
 _LENGTHS = 48  # of the curve of preload over interference
 _LEAST_SUPPORT = 1e-9  # over preload per interference: holds a floating sun where nothing else does
@@ -52,7 +60,9 @@ class BranchedJoint:
         self.joint, self.interference = joint, interference
         self.own_preload = float(joint.preload)
         self.count = round(float(geometry.planet_count))
-        self.rest: RestState = rest_state(geometry=geometry, sides=triangle(geometry), preload=1.0)
+        sides = triangle(geometry)
+        self.polar = float(angles(sides).polar)
+        self.rest: RestState = rest_state(geometry=geometry, sides=sides, preload=1.0)
         length = interference * np.geomspace(1e-3, WIDEST, _LENGTHS)
         plain = dataclasses.replace(joint, fit=None)
         force = np.asarray(joint_preload(plain, jnp.asarray(length)))
@@ -118,6 +128,12 @@ class BranchedJoint:
             capacity=standing.capacity(),
             rolling_capacity=rolling.capacity(),
         )
+
+    def working(self, sizes: BranchSizes) -> BranchState | None:
+        """The state in which branches work under the joint's torque, as one of :meth:`branches`."""
+        turns = float(self.joint.sun_speed) != 0.0
+        law = self.laws.rolling if turns else self.laws.standing
+        return _Solver(self, sizes, law, turns=turns, slip=True).under(abs(float(self.joint.output_torque)))
 
     def sun_turns(self, displacement: np.ndarray) -> np.ndarray:
         """Angle at the output by which a displacement of the sun winds up each branch, shape (n,) [rad]."""
@@ -221,28 +237,43 @@ class _Solver:
         refuse_wide(self.lengths(moved), self.drive.interference)
         preload, share, force = self._loads(self._demands(common, moved), moved)
         torque = self.law.torque(preload, share)
-        found = self._contacts(preload, torque * (1.0 - 1e-9))
-        ratio = np.max(found.pop("slip_ratio"), axis=0)
+        slip, known = np.full((len(CONTACT_NAMES), self.drive.count), np.nan), {}
+        if self.slip:
+            known = self._contacts(preload, torque * (1.0 - 1e-9), loaded=self.turns or common > 0.0)
+            slip = known.pop("slip_ratio")
         return BranchState(
             preload=preload,
             torque=torque / self.drive.count,
-            slip_ratio=np.where(preload > 0.0, np.where(share >= 1.0, 1.0, ratio), np.nan),
+            slip_ratio=np.where(preload > 0.0, np.where(share >= 1.0, 1.0, np.max(slip, axis=0)), np.nan),
             sun_displacement=moved,
             sun_force=force,
-            limits=found,
+            **known,
         )
 
-    def _contacts(self, preload: np.ndarray, torque: np.ndarray) -> dict[str, np.ndarray]:
-        """Slip ratios of all contacts, shape (5, n), and what else limits the branches, without the tables."""
-        if not self.slip:
-            return {"slip_ratio": np.full((len(CONTACT_NAMES), self.drive.count), np.nan)}
-        found = self.drive.laws.states(preload, torque)
-        if self.turns:
-            return {
-                "slip_ratio": found["rolling_slip_ratio"],
-                **{name: found[name] for name in ("shakedown_ratio", "life_hours")},
-            }
-        return {name: found[name] for name in ("slip_ratio", "pressure_over_first_yield")}
+    def _contacts(self, preload: np.ndarray, torque: np.ndarray, *, loaded: bool) -> dict[str, Any]:
+        """What the contacts of each branch do, as fields of its state, without the tables; or the preload alone."""
+        drive, bears = self.drive, preload > 0.0
+        found = drive.laws.states(preload, torque)
+        prefix = "rolling_" if self.turns else ""
+        limits = ("shakedown_ratio", "life_hours") if self.turns else ("pressure_over_first_yield",)
+        normal, tangential = (found[f"{prefix}{kind}"][3:] for kind in ("normal", "tangential"))
+        pins = found[f"{prefix}pins"]
+        if not loaded:
+            normal, tangential = np.outer(drive.rest.normal_force[3:], preload), np.zeros_like(normal)
+            free = loads_at_rest(dataclasses.replace(drive.joint, preload=1.0))
+            pins = np.stack([free.pin_radial, free.pin_tangential])[..., None] * preload
+        normal, tangential, pins = (np.where(bears, each, 0.0) for each in (normal, tangential, pins))
+        speed = np.max(np.where(bears, found["bearing_speed"], 0.0), axis=-1)
+        return {
+            "slip_ratio": found[f"{prefix}slip_ratio"],
+            "limits": {name: found[name] for name in limits},
+            "pins": pins,
+            "centre_forces": {
+                "carrier": force_on_carrier(radial=pins[0], tangential=pins[1], polar=drive.polar),
+                "ring": force_on_ring(normal=normal, tangential=tangential, polar=drive.polar),
+            },
+            "bearing_speed": speed if self.turns else np.zeros_like(speed),
+        }
 
     def _used(self, common: float) -> float:
         """How far the branch nearest to slip is wound up or creeps, over that at which it slips."""
@@ -264,7 +295,10 @@ class _Solver:
         )
         branch = int(np.argmax(over))
         almost = np.minimum(over, 1.0) * (1.0 - 1e-9)
-        slips = self._contacts(preload, self.law.torque(preload, almost))["slip_ratio"][:, branch]
+        slips = np.full(len(CONTACT_NAMES), np.nan)
+        if self.slip:
+            known = self._contacts(preload, self.law.torque(preload, almost), loaded=True)
+            slips = known["slip_ratio"][:, branch]
         return BranchCapacity(
             first_slip=self.total(first),
             branch=branch,

@@ -15,11 +15,9 @@ import asperity
 from asperity.compilation import compile_fast
 from asperity.drive.structure_loads import PIN_NAMES, StructureLoads, pin_bending_moment, pin_bending_stress
 from asperity.joint.branch_limits import pressed
-from asperity.joint.branch_results import NO_EQUAL_STATE, UnequalBranches
+from asperity.joint.branch_results import UnequalBranches
 from asperity.joint.description import Joint
 from asperity.joint.evaluation import JointResult, evaluate
-from asperity.joint.planar.description import PlanarJoint
-from asperity.joint.planar.evaluation import PlanarResult
 from asperity.joint.rolling_document import unknown_because
 from asperity.joint.solve import Solution
 from asperity.joint.working_loads import BearingSpeeds, bearing_speeds, loads_at_rest, working_loads
@@ -44,12 +42,15 @@ _NOTES = (
     "Where the sun turns the forces are those of steady rolling, otherwise those of the joint standing under the "
     "torque.",
 )
-_UNEQUAL = (
-    "Branches of unequal sizes, [[branch]]: the sun's bearings carry what the branches leave unbalanced without torque "
-    "and under the working torque. Under the loads of the duty it is not computed, nor are the forces on the bearings "
-    "of the carrier and on the housing anywhere. Weights and forces from outside are not counted; only the loads of "
-    "rated bearings contain the outside_force of their section."
+#: What a table of loads says of branches that differ.
+UNEQUAL = (
+    "Branches of unequal sizes, [[branch]]: the bearings of the members on the axis carry what the branches leave "
+    "unbalanced, rated ones the whole of it and the outside_force of their section as if both acted in one direction. "
+    "Forces of the pins and lives of their bearings are those of the branch that loads them most; {pressed}. Weights "
+    "and forces from outside are not counted."
 )
+_NO_STATE = "the branches of the file, [[branch]], do not carry this load, or do not roll under it"
+_FORCES_ALONE = "equal branches do not carry this load; their torques, axial forces and speeds are not known."
 _SUPPORTED = (
     "The planets have supports: the balance of the forces takes them as floating, so that the share that the supports "
     "carry is not known."
@@ -118,31 +119,11 @@ def _case(name: str, joint: Joint, result: JointResult, share: float | None) -> 
     loads = working_loads(joint, result)
     why = None
     if bool(np.any(np.isnan(np.asarray(loads.pin_tangential)))):
-        why = no_loads_because(joint, result)
+        why = unknown_because(joint, result)[0]
     speed = float(joint.sun_speed)
     return LoadCase(
         name, float(joint.output_torque), speed, share, result, loads, bearing_speeds(joint, result), why
     )
-
-
-def no_loads_because(joint: Joint | PlanarJoint, result: JointResult | PlanarResult) -> str:
-    """Why the loads of a joint are not known.
-
-    Parameters
-    ----------
-    joint : Joint or PlanarJoint
-        One joint.
-    result : JointResult or PlanarResult
-        Its result.
-
-    Returns
-    -------
-    str
-        One sentence.
-    """
-    if np.all(np.isnan(np.asarray(result.forces.normal))):
-        return NO_EQUAL_STATE
-    return unknown_because(joint, result)[0]
 
 
 def loads_document(
@@ -171,13 +152,16 @@ def loads_document(
     """
     supported = float(joint.structure.planet_support_stiffness) > 0.0
     sense, balanced, rolling = _NOTES
-    middle = [balanced] if branches is None else [_UNEQUAL, _unequal_pins(branches)]
-    notes = [sense, *middle, rolling, *([_SUPPORTED] if supported else []), *([RATED] if bearings else [])]
+    middle = balanced if branches is None else UNEQUAL.format(pressed=pressed(branches))
+    notes = [sense, middle, rolling, *([_SUPPORTED] if supported else []), *([RATED] if bearings else [])]
     heads = [
         case_entry(case.name, case.output_torque, case.sun_speed, case.share, case.unknown_because)
         for case in cases
     ]
-    return document_of_rows(heads, _rows(joint, cases, supported, branches), bearings=bearings, notes=notes)
+    unlike = BranchLoads(branches, turns=cases[1].sun_speed != 0.0, cases=len(cases))
+    heads, said = unlike.entries(heads)
+    rows = _rows(joint, cases, supported, unlike)
+    return document_of_rows(heads, rows, bearings=bearings, notes=[*notes, *said])
 
 
 def case_entry(
@@ -269,27 +253,65 @@ def _plain(value: Any, rounding: float) -> float | None:
     return number if abs(number) > rounding else 0.0
 
 
-def _unequal_pins(branches: UnequalBranches) -> str:
-    """What the other loads leave out."""
-    return (
-        f"Loads of the pins and lives of the bearings are those of equal branches; {pressed(branches)}, and the life "
-        "of the sun's bearings does not count the force of the branches."
-    )
+class BranchLoads:
+    """What the branches of a joint load, in each case of its table.
+
+    Parameters
+    ----------
+    branches : UnequalBranches or None
+        Its branches; None for equal ones.
+    turns : bool
+        Whether the joint turns.
+    cases : int
+        Number of its cases.
+    """
+
+    def __init__(self, branches: UnequalBranches | None, *, turns: bool, cases: int) -> None:
+        self.states = None if branches is None else branches.cases(turns=turns)
+        self.count = cases
+
+    def entries(self, equal: list[Document]) -> tuple[list[Document], list[str]]:
+        """The cases by what these branches do, and a note where equal ones do less.
+
+        Parameters
+        ----------
+        equal : list of dict
+            From :func:`case_entry`, of equal branches.
+        """
+        if self.states is None:
+            return equal, []
+        own = [
+            case | {"unknown_because": _NO_STATE if state is None else None}
+            for case, state in zip(equal, self.states, strict=True)
+        ]
+        absent = [
+            case["name"]
+            for case, state in zip(equal, self.states, strict=True)
+            if case["unknown_because"] and state is not None
+        ]
+        return own, [f"{', '.join(absent)}: {_FORCES_ALONE}"] if absent else []
+
+    def force_on(self, member: str) -> np.ndarray:
+        """Force on a member on the axis [N]; nan where the branches do not carry the load."""
+        if self.states is None:
+            return np.zeros(self.count)
+        return np.array([math.nan if each is None else each.force_on(member) for each in self.states])
+
+    def pins(self, equal: Any) -> np.ndarray:
+        """Radial and tangential forces on the pins of the branch that loads each most, shape (2, pins, cases) [N].
+
+        Parameters
+        ----------
+        equal : array
+            Those of equal branches.
+        """
+        if self.states is None:
+            return np.asarray(equal)
+        unknown = np.full(np.shape(equal)[:2], math.nan)
+        return np.stack([unknown if each is None else each.largest_pins for each in self.states], axis=-1)
 
 
-def _sun_forces(cases: tuple[LoadCase, ...], branches: UnequalBranches | None) -> np.ndarray:
-    """Force of the planets on the sun in each case [N]; nan where it is not known."""
-    if branches is None:
-        return np.zeros(len(cases))
-    turning = cases[1].sun_speed != 0.0
-    states = (branches.rest, branches.rolling if turning else branches.standing)
-    known = [math.nan if state is None else math.hypot(*state.sun_force) for state in states]
-    return np.array(known + [math.nan] * (len(cases) - len(known)))
-
-
-def _rows(
-    joint: Joint, cases: tuple[LoadCase, ...], supported: bool, branches: UnequalBranches | None
-) -> Iterator[Row]:
+def _rows(joint: Joint, cases: tuple[LoadCase, ...], supported: bool, unlike: BranchLoads) -> Iterator[Row]:
     """Part, position, quantity, SI unit, and a value for each case."""
     stacked = jax.tree.map(
         lambda *leaves: np.stack([np.asarray(leaf) for leaf in leaves], axis=-1),
@@ -299,11 +321,12 @@ def _rows(
         name: np.array([0.0 if case.speeds is None else _of(case.speeds, name) for case in cases])
         for name in (*PIN_NAMES, "sun", "carrier")
     }
-    forces = np.asarray(stacked.pin_resultant)
+    radial, tangential = unlike.pins([stacked.pin_radial, stacked.pin_tangential])
+    forces = np.hypot(radial, tangential)
     for index, side in enumerate(PIN_NAMES):
         part = ("carrier pin", f"{side} roller")
-        yield *part, "radial force", "N", stacked.pin_radial[index]
-        yield *part, "tangential force", "N", stacked.pin_tangential[index]
+        yield *part, "radial force", "N", radial[index]
+        yield *part, "tangential force", "N", tangential[index]
         yield *part, "resultant force", "N", forces[index]
         if joint.rolling.skew is not None:
             yield *part, "axial force", "N", _thrust(cases, 2 + index)
@@ -319,17 +342,17 @@ def _rows(
                 stress = pin_bending_stress(moment=moment, diameter=joint.bearings.pin_diameter)
                 yield *part, "bending stress", "Pa", stress
         yield *part, "speed, roller on pin", "rad/s", speeds[side]
-    centre, unbalanced = ("on the axis",), 0.0 if branches is None else math.nan
+    centre = ("on the axis",)
     yield "planet", "its own axis", "resultant force", "N", math.nan if supported else 0.0
-    yield "sun bearing", *centre, "resultant force", "N", _sun_forces(cases, branches)
+    yield "sun bearing", *centre, "resultant force", "N", unlike.force_on("sun")
     if joint.rolling.skew is not None:
         yield "sun bearing", *centre, "axial force", "N", _thrust(cases, 0)
     yield "sun bearing", *centre, "speed in the housing", "rad/s", speeds["sun"]
     yield "sun", *centre, "torque of its shaft", "N*m", stacked.sun_torque
-    yield "carrier bearing", *centre, "resultant force", "N", unbalanced
+    yield "carrier bearing", *centre, "resultant force", "N", unlike.force_on("carrier")
     yield "carrier bearing", *centre, "speed in the housing", "rad/s", speeds["carrier"]
     yield "carrier", *centre, "torque of all pins", "N*m", stacked.carrier_torque
-    yield "ring in its housing", *centre, "resultant force", "N", unbalanced
+    yield "ring in its housing", *centre, "resultant force", "N", unlike.force_on("ring")
     if joint.rolling.skew is not None:
         yield "ring in its housing", *centre, "axial force", "N", _thrust(cases, 4)
     yield "ring in its housing", *centre, "torque", "N*m", stacked.housing_torque

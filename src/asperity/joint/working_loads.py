@@ -82,7 +82,7 @@ def working_loads(joint: Joint, result: JointResult) -> StructureLoads:
     ----------
     Equation (L1) of :doc:`/equations`.
     """
-    return _loads(joint, *working_forces(joint, result))
+    return loads_of_forces(joint, *working_forces(joint, result))
 
 
 def loads_at_rest(joint: Joint) -> StructureLoads:
@@ -105,12 +105,30 @@ def loads_at_rest(joint: Joint) -> StructureLoads:
     normal = rest_state(
         geometry=joint.geometry, sides=triangle(joint.geometry), preload=joint.preload
     ).normal_force
-    loads = _loads(joint, normal, jnp.zeros_like(normal))
+    loads = loads_of_forces(joint, normal, jnp.zeros_like(normal))
     free: StructureLoads = eqx.tree_at(lambda each: each.sun_torque, loads, jnp.zeros_like(loads.sun_torque))
     return free
 
 
-def _loads(joint: Joint, normal: Array, tangential: Array) -> StructureLoads:
+def loads_of_forces(joint: Joint, normal: Array, tangential: Array) -> StructureLoads:
+    """Loads of the structure from the forces of the contacts.
+
+    Parameters
+    ----------
+    joint : Joint
+        One joint, or many along trailing batch axes.
+    normal, tangential : Array
+        Forces of the contacts, shape (5, ...) [N].
+
+    Returns
+    -------
+    StructureLoads
+        Of the drive in this state.
+
+    References
+    ----------
+    Equation (L1) of :doc:`/equations`.
+    """
     return structure_loads(
         geometry=joint.geometry,
         sides=triangle(joint.geometry),
@@ -150,3 +168,23 @@ def bearing_speeds(joint: Joint, result: JointResult) -> BearingSpeeds:
     return jax.tree.map(
         still, BearingSpeeds(speeds.body[2:4], jnp.asarray(joint.sun_speed, dtype=float), speeds.output)
     )
+
+
+def stacked_speeds(speeds: BearingSpeeds) -> Array:
+    """Speeds of the bearings in the order of every bearing axis.
+
+    Parameters
+    ----------
+    speeds : BearingSpeeds
+        From :func:`bearing_speeds`.
+
+    Returns
+    -------
+    Array
+        Shape (4, ...) [rad/s].
+
+    References
+    ----------
+    :data:`asperity.drive.structure_loads.BEARING_NAMES`.
+    """
+    return jnp.stack(jnp.broadcast_arrays(*speeds.pin, speeds.sun, speeds.carrier))

@@ -248,7 +248,7 @@ def branches_from_case(case: Case) -> tuple[float, BranchSizes]:
     return nominal, BranchSizes(planet, right, left, support)
 
 
-def unequal_branches(case: Case, joint: Joint, *, slip: bool = True) -> UnequalBranches | None:
+def unequal_branches(case: Case, joint: Joint) -> UnequalBranches | None:
     """What the sections ``[[branch]]`` of a joint file do to its joint.
 
     Parameters
@@ -257,8 +257,6 @@ def unequal_branches(case: Case, joint: Joint, *, slip: bool = True) -> UnequalB
         The joint file.
     joint : Joint
         Its joint.
-    slip : bool, optional
-        Whether slip ratios, pressures and lives of the branches are wanted, which take most of the time.
 
     Returns
     -------
@@ -267,13 +265,14 @@ def unequal_branches(case: Case, joint: Joint, *, slip: bool = True) -> UnequalB
     """
     if case.branch is None:
         return None
+    from asperity.joint.branch_bearings import with_duty
     from asperity.joint.branch_limits import refuse_beyond
     from asperity.joint.branches import BranchedJoint
 
     interference, sizes = branches_from_case(case)
-    found = BranchedJoint(joint, interference).branches(sizes, slip=slip)
+    found = BranchedJoint(joint, interference).branches(sizes)
     refuse_beyond(found, float(joint.output_torque))
-    return found
+    return with_duty(found, joint, lambda there: BranchedJoint(there, interference).working(sizes))
 
 
 def _pin(bearings: Values) -> PinBeam | None:

@@ -36,7 +36,7 @@ from asperity.joint_file.section_build import entries, play_of, rated_bearing, r
 from asperity.joint_file.si_tables import Values, si_values
 
 if TYPE_CHECKING:
-    from asperity.joint.branch_results import UnequalBranches
+    from asperity.joint.branch_results import BranchState, UnequalBranches
     from asperity.joint.planar.branches import BranchedPlanarJoint
     from asperity.joint.planar.solve import PlanarSolution
 
@@ -330,11 +330,21 @@ def unequal_sectors(case: PlanarCase, joint: PlanarJoint, solution: PlanarSoluti
     branched = branched_planar(case, joint, solution)
     if branched is None:
         return None
+    from asperity.joint.branch_bearings import with_duty
     from asperity.joint.branch_limits import refuse_beyond
+    from asperity.joint.equal_branches import solve_equal_branches
+    from asperity.joint.planar.branches import BranchedPlanarJoint
+    from asperity.joint.planar.solve import solve_planar
 
-    found = branched.branches(deviations_of(si_values(case)))
+    sizes = deviations_of(si_values(case))
+    found = branched.branches(sizes)
     refuse_beyond(found, float(joint.output_torque))
-    return found
+
+    def working(there: PlanarJoint) -> BranchState | None:
+        equal, _ = solve_equal_branches(there, solve_planar)
+        return BranchedPlanarJoint(there, equal).branches(sizes).working(turns=float(there.sun_speed) != 0.0)
+
+    return with_duty(found, joint, working)
 
 
 def with_nominal_sizes(values: Values) -> Values:

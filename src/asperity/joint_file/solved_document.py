@@ -137,9 +137,7 @@ def solved_document(case: AnyCase) -> dict[str, Any]:
     return solve_planar_case(case).document if isinstance(case, PlanarCase) else solve_case(case).document
 
 
-def papers_branches(
-    case: Case, *, branches: bool = True, slip: bool = True
-) -> tuple[Joint, Solution, UnequalBranches | None]:
+def papers_branches(case: Case, *, branches: bool = True) -> tuple[Joint, Solution, UnequalBranches | None]:
     """Solve a joint file with the paper's drive, with equal branches and with its own.
 
     Parameters
@@ -148,8 +146,6 @@ def papers_branches(
         The joint file.
     branches : bool, optional
         Whether its sections ``[[branch]]`` count.
-    slip : bool, optional
-        Whether slip ratios, pressures and lives of the branches are wanted, which take most of the time.
 
     Returns
     -------
@@ -172,7 +168,7 @@ def papers_branches(
         with _equal_branches(case):
             return joint, solve(joint), None
     solution, carries = solve_equal_branches(joint, solve)
-    found = unequal_branches(case, joint, slip=slip)
+    found = unequal_branches(case, joint)
     return joint, solution if carries else without_state(solution, float(joint.output_torque)), found
 
 

@@ -8,6 +8,7 @@ from typing import NamedTuple
 import numpy as np
 import pytest
 
+from asperity.drive.planar.loads import pin_components
 from asperity.errors import InputError
 from asperity.joint.branch_sizes import BranchSizes, SectorDeviations
 from asperity.joint.branches import BranchedJoint
@@ -15,6 +16,7 @@ from asperity.joint.capacity import LIMIT_KINDS
 from asperity.joint.planar import branches as module
 from asperity.joint.planar.branches import BranchedPlanarJoint
 from asperity.joint.planar.solve import solve_planar
+from asperity.joint.planar.working_loads import member_speeds, working_planar_loads
 from asperity.joint_file.planar_build import deviations_of
 from asperity.joint_file.si_tables import si_values
 
@@ -168,6 +170,12 @@ def test_equal_sectors_are_the_joint(branched):
     np.testing.assert_allclose(
         found.rolling.limits["life_hours"], float(result.rolling.life_hours.drive), rtol=1e-12
     )
+    loads = working_planar_loads(branched.joint, result)
+    radial, tangential = pin_components(drive=branched.joint.drive, force=loads.pin)
+    np.testing.assert_allclose(found.rolling.largest_pins, [radial, tangential], rtol=1e-9, atol=1e-9)
+    members = np.asarray(member_speeds(branched.joint, result))  # sun, planet, ring and carrier
+    speeds = [abs(members[1] - members[3]), members[0], abs(members[3])]
+    np.testing.assert_allclose(found.rolling.bearing_speed, speeds, rtol=1e-12)
     pressure = np.asarray(result.diagnostics.pressure_over_first_yield)
     np.testing.assert_allclose(
         found.standing.limits["pressure_over_first_yield"], np.tile(pressure, (3, 1)).T, rtol=1e-12
@@ -195,6 +203,10 @@ def test_what_unequal_planets_do(branched):
         np.testing.assert_allclose(total, 0.0, atol=1e-8)
         assert np.hypot(*state.sun_force) > 10.0
     assert found.standing.torque.sum() == pytest.approx(10.0, rel=1e-12)
+    # the carrier is the output: the pins carry the torque of each planet, 30 mm from the axis
+    np.testing.assert_allclose(30e-3 * found.standing.pins[1, 0], found.standing.torque, rtol=1e-9)
+    assert found.standing.force_on("sun") == np.hypot(*found.standing.sun_force)
+    assert found.standing.force_on("carrier") == np.hypot(*found.standing.centre_forces["carrier"])
     # the sun is pushed away from the largest planet
     assert found.rest.sun_force[0] < 0.0
     backwards = branched.branches(planets([2e-6, 0.0, -2e-6]).with_first(-2e-6))
@@ -237,6 +249,9 @@ def test_the_papers_drive_agrees_with_its_own_solver_of_branches(papers, support
     np.testing.assert_allclose(found.interference, expected.interference, rtol=1e-5)
     np.testing.assert_allclose(found.preload, expected.preload, rtol=1e-4)
     for state, other in ((found.rest, expected.rest), (found.rolling, expected.rolling)):
+        for name, force in other.centre_forces.items():
+            np.testing.assert_allclose(state.centre_forces[name], force, rtol=1e-3, atol=0.5)
+        np.testing.assert_allclose(state.pins, other.pins, rtol=1e-3, atol=0.1)
         np.testing.assert_allclose(state.sun_force, other.sun_force, rtol=2e-4, atol=0.1)
         np.testing.assert_allclose(state.sun_displacement, other.sun_displacement, rtol=2e-4, atol=1e-11)
     np.testing.assert_allclose(found.rolling.share, expected.rolling.share, rtol=5e-4)

@@ -16,6 +16,7 @@ import numpy as np
 from asperity.compilation import compile_fast
 from asperity.drive.planar.expansion import ring_interference
 from asperity.drive.planar.layout import CARRIER
+from asperity.drive.planar.loads import pin_components
 from asperity.drive.planar.state import STATE_TOLERANCE, PlanarState
 from asperity.errors import InputError, NoSolutionError
 from asperity.joint.branch_results import BranchCapacity, BranchState, UnequalBranches
@@ -228,7 +229,7 @@ class BranchedPlanarJoint:
         """The sectors at rest, standing or rolling: 0, 1 or 2."""
         state = (found.rest, found.standing, found.rolling)[kind]
         turned = self._towards_first()
-        drive = self.joint.drive
+        joint, drive = self.joint, self.joint.drive
         central = [body.name for body in drive.bodies if body.place == "axis"]
         forces = dict(zip([*central, CARRIER], found.centre_force[kind] @ turned.T, strict=True))
         sun = drive.input if drive.input in central else central[0]
@@ -248,9 +249,28 @@ class BranchedPlanarJoint:
             slip_ratio=np.max(slip, axis=1),
             sun_displacement=turned @ state.displacement[0] if floating else np.zeros(2),
             sun_force=forces.pop(sun),
+            sun=sun,
             limits=limits,
             centre_forces=forces,
+            pins=np.array(
+                pin_components(drive=drive, force=state.pin_force.reshape(self.count, -1))
+            ).swapaxes(1, 2),
+            bearing_speed=self._bearing_speed(state) if kind == 2 else np.zeros(len(joint.bearing_names)),
         )
+
+    def _bearing_speed(self, state: Any) -> np.ndarray:
+        """Speeds of the bearings of the joint that rolls [rad/s]."""
+        joint, bodies = self.joint, self.joint.drive.bodies
+        members = joint.drive.members
+        central = [body.place == "axis" for body in bodies]
+        others = state.speed[sum(central) : -1].reshape(self.count, -1)
+        each = np.empty((self.count, len(members)))
+        each[:, :-1][:, central] = state.speed[: sum(central)]
+        each[:, :-1][:, np.logical_not(central)] = others
+        each[:, -1] = state.speed[-1]
+        pins = np.abs(each[:, list(joint.drive.pinned)] - each[:, -1:]).max(axis=0)
+        ends = np.abs(each[0, [members.index(joint.drive.input), members.index(joint.drive.output)]])
+        return np.concatenate([pins, ends]) * float(joint.input_speed)
 
     def _towards_first(self) -> np.ndarray:
         """Rotation to axes of which the first points to the first roller of the first sector."""

@@ -3,9 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
-import math
 from collections.abc import Iterator
-from typing import NamedTuple
 
 import jax
 import jax.numpy as jnp
@@ -16,7 +14,15 @@ from asperity.drive.planar.layout import CARRIER, PlanarDrive
 from asperity.drive.planar.loads import PlanarLoads, pin_components
 from asperity.joint.branch_limits import pressed
 from asperity.joint.branch_results import UnequalBranches
-from asperity.joint.loads_document import RATED, Document, Row, case_entry, document_of_rows, no_loads_because
+from asperity.joint.loads_document import (
+    RATED,
+    UNEQUAL,
+    BranchLoads,
+    Document,
+    Row,
+    case_entry,
+    document_of_rows,
+)
 from asperity.joint.planar.description import PlanarJoint, tracks_of
 from asperity.joint.planar.evaluation import PlanarResult, laws_and_states, planar_result
 from asperity.joint.planar.solve import PlanarSolution
@@ -26,6 +32,7 @@ from asperity.joint.planar.working_loads import (
     planar_loads_without_torque,
     working_planar_loads,
 )
+from asperity.joint.rolling_document import unknown_because
 
 _DIRECTIONS = (
     "Radial is away from the drive's axis, tangential along the carrier's circle in the sense in which the input "
@@ -36,13 +43,6 @@ _EQUAL = (
     "All sectors are equal: the forces of the rollers on the bodies on the axis and on the carrier balance, and a "
     "torque remains, so that their bearings carry no force. Weights, unequal sectors and forces from outside are not "
     "counted; only the loads of rated bearings contain the outside_force of their section."
-)
-_UNEQUAL = (
-    "Branches of unequal sizes, [[branch]]: the bearings of the bodies on the axis and of the carrier carry what the "
-    "branches leave unbalanced without torque and under the working torque; that under the loads of a duty is not "
-    "computed. Loads of the pins and lives of bearings are those of equal branches, without what the branches leave "
-    "unbalanced; {pressed}. Weights and forces from outside are not counted; only the loads of rated bearings contain "
-    "the outside_force of their section."
 )
 _STATES = (
     "Where the input turns the forces are those of steady rolling, otherwise those of the joint standing under the "
@@ -107,10 +107,10 @@ def planar_loads_document(
         loads.append(working_planar_loads(there, under))
         speeds.append(np.asarray(member_speeds(there, under)))
         unknown = bool(np.any(np.isnan(np.asarray(loads[-1].moments))))
-        why = no_loads_because(there, under) if unknown else None
+        why = unknown_because(there, under)[0] if unknown else None
         cases.append(case_entry(name, float(there.output_torque), float(there.input_speed), share, why))
     stepped = any(len(tracks_of(joint, number)) > 1 for number in drive.floating)
-    balance = _EQUAL if branches is None else _UNEQUAL.format(pressed=pressed(branches))
+    balance = _EQUAL if branches is None else UNEQUAL.format(pressed=pressed(branches))
     notes = [_DIRECTIONS, balance, _STATES]
     if len(drive.pinned) < len(drive.floating):
         notes.append(_FREE)
@@ -128,29 +128,11 @@ def planar_loads_document(
             under.rolling.axial_thrust if there.input_speed > 0.0 else none for *_, there, under in loaded
         ]
         thrust = np.stack([none, *turning], axis=-1)
-    forces = _Centre(branches, bool(joint.input_speed > 0.0), len(loads))
+    unlike = BranchLoads(branches, turns=float(joint.input_speed) > 0.0, cases=len(loads))
+    cases, said = unlike.entries(cases)
     return document_of_rows(
-        cases, _rows(drive, loads, speeds, thrust, forces), bearings=bearings, notes=notes
+        cases, _rows(drive, loads, speeds, thrust, unlike), bearings=bearings, notes=[*notes, *said]
     )
-
-
-class _Centre(NamedTuple):
-    """What the bearings of the members on the axis bear."""
-
-    branches: UnequalBranches | None
-    turns: bool
-    cases: int
-
-    def on(self, name: str) -> np.ndarray:
-        """Force without torque, under the working torque, and under other loads [N]; nan where it is not known."""
-        if self.branches is None:
-            return np.zeros(self.cases)
-        states = (self.branches.rest, self.branches.rolling if self.turns else self.branches.standing)
-        known = [
-            math.nan if each is None else math.hypot(*each.centre_forces.get(name, each.sun_force))
-            for each in states
-        ]
-        return np.array(known + [math.nan] * (self.cases - len(known)))
 
 
 def _rows(
@@ -158,19 +140,19 @@ def _rows(
     loads: list[PlanarLoads],
     speeds: list[np.ndarray],
     thrust: np.ndarray | None,
-    centre: _Centre,
+    unlike: BranchLoads,
 ) -> Iterator[Row]:
     """Part, position, quantity, SI unit, and a value for each case."""
     members = drive.members
     turned = np.abs(np.stack(speeds, axis=-1))
     relative = np.stack([np.asarray(pin_speeds(drive, jnp.asarray(each))) for each in speeds], axis=-1)
     pins = [pin_components(drive=drive, force=load.pin) for load in loads]
+    radial, tangential = unlike.pins(np.moveaxis(np.asarray(pins), 0, -1))
     for k, body in enumerate(drive.pinned):
         part = ("carrier pin", drive.bodies[body].name.replace("_", " "))
-        radial, tangential = (np.array([float(each[way][k]) for each in pins]) for way in (0, 1))
-        yield *part, "radial force", "N", radial
-        yield *part, "tangential force", "N", tangential
-        yield *part, "resultant force", "N", np.hypot(radial, tangential)
+        yield *part, "radial force", "N", radial[k]
+        yield *part, "tangential force", "N", tangential[k]
+        yield *part, "resultant force", "N", np.hypot(radial[k], tangential[k])
         if thrust is not None:
             yield *part, "axial force", "N", thrust[body]
         yield *part, "speed, roller on pin", "rad/s", relative[k]
@@ -185,7 +167,7 @@ def _rows(
         part = (name.replace("_", " "), f"on the axis, {role}")
         moment = drive.sense * np.array([load.moments[number] for load in loads])
         yield *part, "torque of the rollers" if name != CARRIER else "torque of all pins", "N*m", moment
-        yield *part, "resultant force", "N", centre.on(name)
+        yield *part, "resultant force", "N", unlike.force_on(name)
         if thrust is not None:
             pushed = (
                 drive.sectors * np.sum(thrust[list(drive.pinned)], axis=0)

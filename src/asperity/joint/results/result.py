@@ -17,6 +17,7 @@ from asperity.drive.geometry import CLEARANCE_CONDITIONS, CONTACT_NAMES, clearan
 from asperity.drive.rolling_speeds import BODY_NAMES
 from asperity.drive.structure_loads import BEARING_NAMES, PIN_NAMES, StructureLoads
 from asperity.joint.bearing_lives import BearingLives, bearing_lives
+from asperity.joint.branch_bearings import branch_bearing_lives
 from asperity.joint.branch_results import NO_EQUAL_STATE, UnequalBranches
 from asperity.joint.capacity import TorqueCapacity, torque_capacity
 from asperity.joint.description import Joint, preload_at
@@ -70,7 +71,7 @@ class SolvedJoint:
     capacity : TorqueCapacity, optional
         Its torque capacity, if that is known already.
     branches : UnequalBranches, optional
-        Its branches, if their sizes differ; all results are those of equal ones.
+        Its branches, if their sizes differ; all results but those of its bearings are those of equal ones.
     notes : tuple of Note, optional
         Comparisons with what is usual, which are requirements too.
     """
@@ -144,6 +145,8 @@ class SolvedJoint:
         if not any(self.has_bearings):
             nothing = jnp.full((len(self.has_bearings), *jnp.shape(self.result.solved)), jnp.nan)
             return BearingLives(nothing, nothing, nothing, nothing, nothing)
+        if self.branches is not None:
+            return branch_bearing_lives(self.joint, self.branches)
         lives: BearingLives = call_compiled(self._bearing_lives, self.joint, self.result)
         return lives
 
