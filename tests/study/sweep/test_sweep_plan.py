@@ -9,7 +9,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from asperity.study.parameters import parse_axis
-from asperity.study.sweep.sweep_plan import Plan, block_shape, make_plan
+from asperity.study.sweep import sweep_plan as module
+from asperity.study.sweep.sweep_plan import Plan, block_results, block_shape, make_plan
 
 
 @given(st.lists(st.integers(1, 12), min_size=1, max_size=4), st.integers(1, 200))
@@ -36,3 +37,34 @@ def test_plan_is_plain_data(case, results):
     assert pickle.loads(pickle.dumps(plan)) == plan
     assert plan.points == 11
     assert plan.as_dict()["axes"][0]["path"] == "load.output_torque"
+
+
+def test_size_of_results_and_of_blocks_of_many_results(case, monkeypatch):
+    """A byte for the status and eight for each number; a block holds so many points that its numbers fit."""
+    axes = [parse_axis("load.output_torque=0 N*m:5 N*m:100"), parse_axis("load.preload=900 N:1 kN:70")]
+    plan = make_plan(case, axes, ("published_stiffness_output", "slip_ratio"))
+    assert plan.bytes == 7000 * (1 + 8 * 6)  # the stiffness, and the slip of five contacts
+    assert plan.block_shape == (100, 70)
+    monkeypatch.setattr(module, "_BLOCK_NUMBERS", 6 * 700)
+    few = make_plan(case, axes, ("published_stiffness_output", "slip_ratio"))
+    assert few.block_shape == (10, 70)
+    monkeypatch.setattr(module, "BLOCK_POINTS", 350)
+    assert make_plan(case, axes, ("published_stiffness_output", "slip_ratio")).block_shape == (5, 70)
+
+
+def test_a_block_has_its_results_where_its_points_are(case, monkeypatch):
+    axes = [parse_axis("load.output_torque=0 N*m:5 N*m:6"), parse_axis("load.preload=100 N:400 N:4")]
+    plan = make_plan(case, axes, ("published_stiffness_output",), block_points=12)
+
+    def evaluated(values, points, results, *, batch):
+        assert batch == 12
+        both = points["load.output_torque"] + points["load.preload"]
+        return points["load.output_torque"].astype(np.int8), {"a": both, "b": np.stack([both, 2.0 * both])}
+
+    monkeypatch.setattr(module, "evaluate_points", evaluated)
+    block = plan.block(1)
+    status, found = block_results(plan, block)
+    torque, preload = np.arange(3.0, 6.0), np.array([100.0, 200.0, 300.0, 400.0])
+    assert status.tolist() == [[3] * 4, [4] * 4, [5] * 4]
+    np.testing.assert_allclose(found["a"], torque[:, None] + preload)
+    np.testing.assert_allclose(found["b"][1], 2.0 * (torque[:, None] + preload))
