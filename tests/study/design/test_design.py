@@ -16,11 +16,12 @@ from asperity.joint_file.planar_build import planar_joint_from_case
 from asperity.joint_file.reader import parse_any_case, parse_case
 from asperity.joint_file.si_tables import si_values
 from asperity.study.batch import derivatives_at, evaluate_points
+from asperity.study.design import design as module
+from asperity.study.design import design_evaluation
 from asperity.study.design.design import design, nominal_results
 from asperity.study.design.design_file import design_from_tables, read_design
+from asperity.study.design.design_problem import Constraint, Objective
 from asperity.study.design.design_result import conflict
-
-pytestmark = pytest.mark.long
 
 
 def run(zou_file, text):
@@ -38,6 +39,7 @@ def values(zou_file):
     return si_values(parse_case(zou_file.read_text(), source="test"))
 
 
+@pytest.mark.long
 def test_best_dimension_against_exhaustive_search(zou_file, values):
     found = run(
         zou_file,
@@ -53,6 +55,7 @@ def test_best_dimension_against_exhaustive_search(zou_file, values):
     assert found.optimality_residual < 1e-3
 
 
+@pytest.mark.long
 def test_smallest_preload_against_bisection(zou_file, values):
     found = run(
         zou_file,
@@ -73,6 +76,7 @@ def test_smallest_preload_against_bisection(zou_file, values):
     assert slip.multiplier == pytest.approx(1.0, rel=0.1)
 
 
+@pytest.mark.long
 def test_a_safety_factor_is_the_reciprocal_limit(zou_file):
     text = '[variables]\nload.preload = {{ lower = "100 N", upper = "5000 N" }}\n[objective]\nminimise = "preload"\n'
     text += "[constraints]\n{limit}\n[search]\nstarts = 1"
@@ -81,6 +85,7 @@ def test_a_safety_factor_is_the_reciprocal_limit(zou_file):
     assert safety.point["load.preload"] == pytest.approx(ratio.point["load.preload"], rel=1e-7)
 
 
+@pytest.mark.long
 def test_limits_of_speed_ratio_and_pressure_against_closed_forms(zou_file):
     found = run(
         zou_file,
@@ -102,6 +107,7 @@ def test_limits_of_speed_ratio_and_pressure_against_closed_forms(zou_file):
     assert found.summary_before["hertz_pressure"] == pytest.approx(1.53e9, rel=5e-3)  # the model's own figure
 
 
+@pytest.mark.long
 def test_rounded_designs_against_every_combination_of_the_steps(zou_file, values):
     found = run(
         zou_file,
@@ -125,6 +131,7 @@ def test_rounded_designs_against_every_combination_of_the_steps(zou_file, values
     assert found.objective_unrounded > found.objective_after
 
 
+@pytest.mark.long
 def test_written_file_says_what_the_search_saw(zou_file):
     found = run(
         zou_file,
@@ -138,6 +145,7 @@ def test_written_file_says_what_the_search_saw(zou_file):
     assert again["pressure_over_first_yield"].max() == pytest.approx(1.6, rel=1e-7)
 
 
+@pytest.mark.long
 def test_worst_case_over_torques_and_tolerances(tmp_path, zou_file):
     (tmp_path / "zou2025.toml").write_text(zou_file.read_text().replace('"1000 N"', '"1000 N +- 50 N"'))
     text = (
@@ -152,6 +160,7 @@ def test_worst_case_over_torques_and_tolerances(tmp_path, zou_file):
     assert robust.objective_after == pytest.approx(plain.point["load.preload"] + 100.0, rel=1e-7)
 
 
+@pytest.mark.long
 def test_conflict_is_named_with_its_size(zou_file, values):
     grid = np.linspace(300.0, 400.0, 3)
     best = result_at(values, "assembly_stiffness_output", {"load.preload": grid})[0].max()
@@ -187,6 +196,7 @@ minimise = "envelope_volume"
 """
 
 
+@pytest.mark.long
 def test_the_least_violation_is_a_joint_that_exists(zou_file):
     # a large wedge, which a small loading roller makes, lowers nothing here so much as rollers that overlap would
     found = run(
@@ -199,6 +209,7 @@ def test_the_least_violation_is_a_joint_that_exists(zou_file):
     assert min(float(gap.gap) for gap in clearances(joint.geometry)) > 0.0
 
 
+@pytest.mark.long
 def test_without_any_joint_that_exists_there_is_no_design(zou_file):
     with pytest.raises(NoSolutionError, match=r"no joint was found that exists .* slip ratio .* at 80 N"):
         run(
@@ -208,6 +219,7 @@ def test_without_any_joint_that_exists_there_is_no_design(zou_file):
         )
 
 
+@pytest.mark.long
 def test_a_surface_of_plastic_spots_only_has_no_design_for_stiffness(zou_file, tmp_path):
     """At D = 1.2 the contact law has no stiffness, the volume alone has a design."""
     text = zou_file.read_text()
@@ -232,6 +244,7 @@ def test_a_surface_of_plastic_spots_only_has_no_design_for_stiffness(zou_file, t
     assert np.isfinite(found.summary_after["slip_ratio"])
 
 
+@pytest.mark.long
 def test_the_lightest_planetary_is_that_of_an_exhaustive_search(zou_file):
     problem = read_design(zou_file.parent / "design_planetary.toml")
     found = design(problem)
@@ -258,6 +271,7 @@ def test_the_lightest_planetary_is_that_of_an_exhaustive_search(zou_file):
     assert limits["clearance", "planet_to_planet"].value == pytest.approx(60e-3 * np.sin(np.pi / 3.0) - 40e-3)
 
 
+@pytest.mark.long
 def test_the_lightest_planetary_whose_ring_has_a_stated_safety(tmp_path, zou_file):
     """Its limit is met exactly, by the wall of a thin ring under three forces."""
     joint = zou_file.with_name("planetary.toml").read_text()
@@ -286,3 +300,62 @@ def test_the_lightest_planetary_whose_ring_has_a_stated_safety(tmp_path, zou_fil
     ring = joint.materials[2]
     mises = stress * np.sqrt(1.0 - ring.poisson_ratio + ring.poisson_ratio**2)
     assert float(ring.yield_strength) / mises == pytest.approx(2.0, rel=0.05)
+
+
+@pytest.fixture
+def known(evaluator, monkeypatch):
+    """Designs of least mass of the made-up joint: 100 L, pressure 2 MPa sqrt(P/L), slip 50 M/P; the file has 8 mm."""
+
+    def of(*constraints, torques=()):
+        made = evaluator((Objective("mass", 1.0),), constraints, torques=torques)
+        given = design_evaluation.derivatives_at
+        stated = {"load.preload": 1000.0, "drive.contact_length": 8e-3, "load.output_torque": 5.0}
+
+        def filled(values, changes, results, paths=()):
+            return given(
+                values, {path: np.array(each) for path, each in stated.items()} | changes, results, paths
+            )
+
+        monkeypatch.setattr(module, "derivatives_at", filled)
+        monkeypatch.setattr(module, "DesignEvaluator", lambda problem: made)
+        return design(made.problem)
+
+    return of
+
+
+def test_a_design_between_two_limits_by_hand(known):
+    """P >= 250/0.8 N and L >= P/62500 m: 312.5 N and 5 mm. The mass goes as p^-2 and as the reciprocal of the slip."""
+    seen = known(
+        Constraint("hertz_pressure", True, 5e8, (0, 1)),
+        Constraint("slip_ratio", True, 0.8, (0, 1)),
+        Constraint("clearance", False, 0.0, (0, 1)),
+    )
+    assert seen.feasible
+    assert seen.point == pytest.approx({"load.preload": 312.5, "drive.contact_length": 5e-3}, rel=1e-6)
+    assert (seen.objective_before, seen.objective_after) == pytest.approx((0.8, 0.5), rel=1e-6)
+    assert seen.at_bound == {}
+    pressure, slip, clearance = seen.limits
+    assert (pressure.value, slip.value) == pytest.approx((5e8, 0.8), rel=1e-6)
+    assert (pressure.row, slip.output_torque) == ("sp", 5.0)
+    assert (pressure.missed_by, slip.missed_by) == (0.0, 0.0)
+    assert (pressure.active, slip.active, clearance.active) == (True, True, False)
+    assert (pressure.multiplier, slip.multiplier) == pytest.approx((2.0, 1.0), rel=1e-3)
+    assert clearance.multiplier == pytest.approx(0.0, abs=1e-9)
+    assert seen.optimality_residual < 1e-4
+
+
+def test_limits_that_exclude_each_other_are_missed_by_as_little_as_can_be(known):
+    """A slip of 0.1 needs 2500 N, 1600 N are the most: 0.15625, which is 56 % too much."""
+    seen = known(Constraint("slip_ratio", True, 0.1, (0, 1)))
+    assert not seen.feasible
+    (slip,) = seen.limits
+    assert slip.value == pytest.approx(0.15625, rel=1e-6)
+    assert slip.missed_by == pytest.approx(0.5625, rel=1e-5)
+    assert slip.active
+    assert seen.at_bound["load.preload"] == "upper"
+
+
+def test_a_joint_that_cannot_exist_is_no_design(known):
+    """At 50 N·m the contact slips up to 2500 N."""
+    with pytest.raises(NoSolutionError, match=r"1\.562.* at 50 N·m, allowed is at most 1"):
+        known(Constraint("slip_ratio", True, 0.8, (0, 1)), torques=(50.0,))
