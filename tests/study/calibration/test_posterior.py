@@ -21,6 +21,7 @@ from asperity.study.calibration.measurement import Measurement
 from asperity.study.calibration.posterior import (
     CUT_SHARE,
     Posterior,
+    _begins,
     _capped,
     _where_likely,
     posterior,
@@ -263,6 +264,29 @@ def test_no_direction_is_wider_than_the_bounds():
     np.testing.assert_allclose(found[:2, :2], turned @ np.diag([1.0 / 12.0, 0.01]) @ turned.T, rtol=1e-12)
     assert found[2, 2] == pytest.approx(1.0 / 12.0)
     assert _capped(wide, 0.1)[2, 2] == pytest.approx(0.01)
+
+
+def test_chains_begin_within_the_bounds_and_where_the_joint_exists():
+    """A hundredth of the way from a bound to the fit at least; the closer to it, the fewer joints exist."""
+    centre, spread = np.array([0.02, 0.9]), np.diag([1.0, 1.0])
+    begin = _begins(lambda points: np.zeros(len(points)), centre, spread, 400, 0)
+    assert begin.shape == (400, 2)
+    assert begin.min(axis=0) == pytest.approx([2e-4, 9e-3], rel=1e-12)
+    assert begin.max(axis=0) == pytest.approx([1.0 - 0.0098, 0.999], rel=1e-12)
+    near = lambda points: np.where(np.abs(points - centre).max(axis=1) < 0.05, 0.0, -np.inf)  # noqa: E731
+    assert np.abs(_begins(near, centre, spread, 8, 0) - centre).max() < 0.05
+    with pytest.raises(NoSolutionError, match="no solution around the best fit"):
+        _begins(lambda points: np.full(len(points), -np.inf), centre, spread, 4, 0)
+
+
+def test_error_of_a_share_counts_the_effective_draws():
+    """Of independent draws sqrt(p (1 - p)/n); where all agree that of one draw in the effective number."""
+    pytest.importorskip("numpyro")
+    made = Posterior(np.zeros((4000, 1)), np.ones(4000), np.ones(2), np.array([500.0, 800.0]), 0, 1.0, 4)
+    inside = np.random.default_rng(2).random(4000) < 0.2
+    assert made.share_error(inside) == pytest.approx(np.sqrt(0.16 / 4000.0), rel=0.1)
+    assert made.share_error(np.ones(4000, bool)) == pytest.approx(1.0 / 500.0)
+    assert made.share_error(np.zeros(4000, bool)) == pytest.approx(1.0 / 500.0)
 
 
 def test_note_on_a_bound_is_certain_only_with_enough_draws():
