@@ -7,7 +7,9 @@ import pytest
 
 from asperity.joint_file.si_tables import si_values
 from asperity.study.batch import derivatives_at
+from asperity.study.design import pareto as module
 from asperity.study.design.design_file import design_from_tables
+from asperity.study.design.design_problem import Constraint, Objective
 from asperity.study.design.pareto import pareto_front
 
 TEXT = """
@@ -56,3 +58,26 @@ def test_front(zou_file):
     assert preload.max() >= 0.95 * 3000.0
     # of ten seeds: 0.005 after 40 generations, 0.19 after one (geometric means), a factor of 1.7 and 1.9 of scatter
     assert shortfall(front, values) < 0.03 < shortfall(one_generation, values)
+
+
+@pytest.mark.slow  # pymoo alone takes a second to import
+def test_front_of_a_made_up_joint_by_hand(evaluator, monkeypatch):
+    """Much preload at little pressure, 2 MPa sqrt(P/L): lines of 10 mm throughout, from 400 N, the limit, to 1600 N."""
+    pytest.importorskip("pymoo")
+    goals = (Objective("preload", -1.0), Objective("hertz_pressure", 1.0))
+    made = evaluator(goals, (Constraint("preload", False, 400.0, (0,)),))
+    monkeypatch.setattr(module, "DesignEvaluator", lambda problem: made)
+    # sizes of both in the middle of the bounds: 400 N, the middle of the logarithm, on 6 mm
+    np.testing.assert_allclose(module._scales(made), [400.0, 2e6 * np.sqrt(400.0 / 6e-3)], rtol=1e-12)
+    seen = []
+    found = pareto_front(
+        made.problem, population=24, generations=25, progress=lambda *done: seen.append(done)
+    )
+    assert seen[-1] == (25, 25)
+    preload, pressure = found["preload"].values, found["hertz_pressure"].values
+    assert np.all(np.diff(preload) >= 0.0)
+    assert preload[0] == pytest.approx(400.0, rel=0.05)
+    assert preload[-1] == pytest.approx(1600.0, rel=0.02)
+    np.testing.assert_allclose(pressure, 2e6 * np.sqrt(preload / 10e-3), rtol=0.05)
+    np.testing.assert_allclose(found["load.preload"], preload, rtol=1e-12)
+    np.testing.assert_allclose(found["margin"], np.log(preload / 400.0), atol=1e-9)
