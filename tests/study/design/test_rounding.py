@@ -1,11 +1,13 @@
 """Multiples of a step next to a value, on both sides and at the bounds; and designs with few digits."""
 
+import dataclasses
+
 import numpy as np
 import pytest
 
 from asperity.study.design.design_problem import Constraint, Objective, Variable
-from asperity.study.design.design_search import FEASIBLE
-from asperity.study.design.rounding import neighbours, shortened_design
+from asperity.study.design.design_search import FEASIBLE, SearchProgress
+from asperity.study.design.rounding import neighbours, rounded_design, shortened_design
 
 
 @pytest.mark.parametrize(
@@ -21,6 +23,13 @@ from asperity.study.design.rounding import neighbours, shortened_design
 def test_neighbours_are_multiples_within_the_bounds(value, expected):
     length = Variable("drive.contact_length", 3.1e-3, 14.95e-3, False, step=0.5e-3)
     assert neighbours(length, value) == pytest.approx(expected, rel=1e-12)
+
+
+def test_bounds_that_are_multiples_count_as_such():
+    """Three times 0.1 is more than 0.3 to rounding, and 0.3 over 0.1 less than 3."""
+    above, below = Variable("x", 3 * 0.1, 0.7, False, step=0.1), Variable("x", 0.1, 0.3, False, step=0.1)
+    assert neighbours(above, 0.32) == pytest.approx((0.3, 0.4), rel=1e-12)
+    assert neighbours(below, 0.28) == pytest.approx((0.2, 0.3), rel=1e-12)
 
 
 PRELOAD, LENGTH = "load.preload", "drive.contact_length"
@@ -54,3 +63,25 @@ def test_sizes_with_a_step_keep_their_value(evaluator):
     scaled = make.scaled({PRELOAD: 1000.0 / 3.0, LENGTH: 7.0 * 25.4e-3 / 64.0})
     point, _ = shortened_design(make, scaled, np.array([False, True]))
     assert point[LENGTH] == pytest.approx(7.0 * 25.4e-3 / 64.0, rel=1e-14)
+
+
+def test_an_objective_that_may_be_negative_changes_by_a_millionth_of_itself(evaluator):
+    """The speed ratio -P/100: seven digits of 1234.56789 N change its 12 by a ten-millionth of it."""
+    make = evaluator((Objective("speed_ratio", 1.0),), (Constraint("hertz_pressure", True, 1e10, (0, 1)),))
+    point, _ = shortened_design(make, make.scaled({PRELOAD: 1234.56789, LENGTH: 5e-3}), FREE)
+    assert point[PRELOAD] == 1234.568
+
+
+@pytest.mark.parametrize(("step", "length"), [(1e-3, 5e-3), (0.15e-3, 4.65e-3)])
+def test_sizes_are_rounded_to_the_side_that_keeps_the_limits(evaluator, step, length):
+    """At most 0.52 GPa and a slip of 0.8: 312.5 N on 4.62 mm. Of 4 and 5 mm only 5 keep it, of 4.5 and 4.65 mm 4.65."""
+    limits = (Constraint("hertz_pressure", True, 5.2e8, (0, 1)), Constraint("slip_ratio", True, 0.8, (0, 1)))
+    make, told = evaluator((Objective("mass", 1.0),), limits), []
+    preload, size = make.variables
+    make.variables = (preload, dataclasses.replace(size, step=step))
+    best = make.scaled({PRELOAD: 312.5, LENGTH: 312.5 * (2.0 / 520.0) ** 2})
+    rounded, fixed = rounded_design(make, best, SearchProgress(lambda *done: told.append(done)))
+    assert fixed.tolist() == [False, True]
+    assert make.point(rounded)[LENGTH] == pytest.approx(length, rel=1e-12)
+    assert make(rounded).violation <= FEASIBLE
+    assert told[-1] == (2, 2)
