@@ -19,7 +19,6 @@ def found(paper_joint):
     return dynamics(paper_joint(), COUPLED)
 
 
-@pytest.mark.slow
 def test_inertias_by_hand(found):
     """Steel cylinders of 5 mm: sun 4, planets 13.5, rollers 5 mm; the ratio is 9."""
     mass = {r: 7850.0 * math.pi * r**2 * 5e-3 for r in (4e-3, 13.5e-3, 5e-3)}
@@ -37,6 +36,8 @@ def test_stiffness_and_frequency_are_those_of_the_solved_joint(paper_joint, foun
     assert float(at.locked_frequency) == pytest.approx(
         math.sqrt(k / at.output_inertia) / (2 * math.pi), rel=1e-9
     )
+    both = 1.0 / float(at.input_inertia) + 1.0 / float(at.output_inertia)
+    assert float(at.free_frequency) == pytest.approx(math.sqrt(k * both) / (2 * math.pi), rel=1e-9)
 
 
 def test_creep_damping_is_the_slope_of_the_lost_speed(paper_joint, found):
