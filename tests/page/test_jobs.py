@@ -21,11 +21,11 @@ class Slow:
         self.kind, self.go, self.stopped = kind, threading.Event(), False
 
     def run(self, report):
-        Slow.running += 1
-        assert Slow.running == 1  # one at a time
+        type(self).running += 1
+        assert type(self).running == 1  # one at a time
         report(1, 4)
         self.go.wait(30)
-        Slow.running -= 1
+        type(self).running -= 1
         if self.stopped:
             raise StoppedError("stopped")
         if self.kind == "wrong":
@@ -39,7 +39,8 @@ class Slow:
 
 @pytest.fixture
 def jobs(monkeypatch):
-    monkeypatch.setattr(module, "Child", Slow)
+    # a class of its own: the last job of another test may still be ending
+    monkeypatch.setattr(module, "Child", type("Slow", (Slow,), {}))
     found = Jobs()
     yield found
     found.close()
