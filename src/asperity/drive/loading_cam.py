@@ -8,15 +8,28 @@ from __future__ import annotations
 
 import dataclasses
 
+import equinox as eqx
 import jax.numpy as jnp
 from jax import Array
 
 from asperity.drive.assembly import Assembly
-from asperity.drive.geometry import DriveGeometry
-from asperity.drive.interference import RestCompliance, incremental_interference, interference
-from asperity.drive.mechanism import RestState
 from asperity.drive.torsional_stiffness import TorsionalStiffness
 from asperity.types import Real
+
+
+class LoadingCam(eqx.Module):
+    """A loading cam of a planar drive. SI units.
+
+    Parameters
+    ----------
+    force_per_torque : Real
+        c, normal force of the first contact for a torque at the output [N/(N·m)].
+    pattern : tuple of Real
+        By how much the cam increases the interference of each contact, over that of the drive [-].
+    """
+
+    force_per_torque: Real
+    pattern: tuple[Real, ...]
 
 
 def cam_preload(*, least_preload: Real, force_per_torque: Real, output_torque: Real) -> Array:
@@ -43,38 +56,27 @@ def cam_preload(*, least_preload: Real, force_per_torque: Real, output_torque: R
     return jnp.asarray(least_preload + force_per_torque * jnp.abs(jnp.asarray(output_torque)))
 
 
-def _ring_force_per_torque(geometry: DriveGeometry, rest: RestState, preload: Real, cam: Real) -> Array:
-    """Force on the ring's interference, over all branches, for a torque at the output [1/m]."""
-    on_ring = (rest.normal_force[3] + rest.normal_force[4]) / preload
-    return jnp.asarray(geometry.planet_count * on_ring * cam)
-
-
 def cam_angle(
-    *,
-    geometry: DriveGeometry,
-    rest: RestState,
-    compliance: RestCompliance,
-    least_preload: Real,
-    preload: Real,
-    force_per_torque: Real,
+    *, branches: Real, rest_force: Array, preload: Real, force_per_torque: Real, closed: Array
 ) -> Array:
     r"""Angle at the output by which the cam has turned.
 
     .. math::
-        \varphi_c = n\,c\,\frac{N_{wro} + N_{wlo}}{N_0}\,\left[\delta(N_0) - \delta(N_{min})\right]
+        \varphi_c = n\,c\,\sum_k \frac{N_k}{N_0}\,\left[\delta_k(N_0) - \delta_k(N_{min})\right]
 
     Parameters
     ----------
-    geometry : DriveGeometry
-        The drive.
-    rest : RestState
-        Its forces at rest under the preload [N].
-    compliance : RestCompliance
-        Interference over preload.
-    least_preload, preload : Real
-        N_min and N_0 [N].
+    branches : Real
+        Number n of equal branches [-].
+    rest_force : Array
+        Normal forces of the contacts of one branch that have an interference, at rest under the preload, shape
+        (contacts, ...) [N].
+    preload : Real
+        N_0 [N].
     force_per_torque : Real
         c [N/(N·m)].
+    closed : Array
+        By how much the cam has increased their interference, shape (contacts, ...) or one for all, shape (1, ...) [m].
 
     Returns
     -------
@@ -90,51 +92,45 @@ def cam_angle(
     ----------
     Equation (I3) of :doc:`/equations`.
     """
-    lever = _ring_force_per_torque(geometry, rest, preload, force_per_torque)
-    closed = interference(compliance=compliance, preload=preload) - interference(
-        compliance=compliance, preload=least_preload
-    )
-    return jnp.asarray(lever * closed)
+    return jnp.asarray(branches * force_per_torque * jnp.sum(rest_force * closed, axis=0) / preload)
 
 
 def cam_compliance(
-    *,
-    geometry: DriveGeometry,
-    rest: RestState,
-    compliance: RestCompliance,
-    preload: Real,
-    force_per_torque: Real,
+    *, branches: Real, rest_force: Array, preload: Real, force_per_torque: Real, softness: Array
 ) -> Array:
     r"""Derivative of :func:`cam_angle` by the torque.
 
     .. math::
-        \frac{d\varphi_c}{dT} = n\,c^2\,\frac{N_{wro} + N_{wlo}}{N_0}\,\frac{d\delta}{dN_0}
+        \frac{d\varphi_c}{dT} = n\,c^2\,\sum_k \frac{N_k}{N_0}\,\frac{d\delta_k}{dN_0}
 
     Parameters
     ----------
-    geometry : DriveGeometry
-        The drive.
-    rest : RestState
-        Its forces at rest under the preload [N].
-    compliance : RestCompliance
-        Interference over preload.
-    preload : Real
-        N_0 [N].
-    force_per_torque : Real
-        c [N/(N·m)].
+    branches, rest_force, preload, force_per_torque
+        As of :func:`cam_angle`.
+    softness : Array
+        Derivative of the interference of these contacts by the preload, shape (contacts, ...) or (1, ...) [m/N].
 
     Returns
     -------
     Array
         Compliance at the output [rad/(N·m)].
 
+    Notes
+    -----
+    The ratios of the forces at rest are taken as those of any preload. They are where statics alone decides them.
+
     References
     ----------
     Equation (I3) of :doc:`/equations`.
     """
-    lever = _ring_force_per_torque(geometry, rest, preload, force_per_torque)
-    softness = incremental_interference(compliance=compliance, preload=preload)
-    return jnp.asarray(lever * force_per_torque * softness)
+    per_force = cam_angle(
+        branches=branches,
+        rest_force=rest_force,
+        preload=preload,
+        force_per_torque=force_per_torque,
+        closed=softness,
+    )
+    return jnp.asarray(force_per_torque * per_force)
 
 
 def with_cam(*, assembly: Assembly, compliance: Real) -> Assembly:
@@ -171,3 +167,23 @@ def with_cam(*, assembly: Assembly, compliance: Real) -> Assembly:
         stiffness=TorsionalStiffness(sun=held.sun * kept, output=held.output * kept),
         **shares,
     )
+
+
+def held_cam_stiffness(assembly: Assembly) -> Array:
+    """Stiffness of an assembled drive whose cam does not follow the torque.
+
+    Parameters
+    ----------
+    assembly : Assembly
+        The drive in series with its cam, of :func:`with_cam`.
+
+    Returns
+    -------
+    Array
+        At the output [N·m/rad]; that of the assembly without a cam.
+
+    References
+    ----------
+    Equation (I3) of :doc:`/equations`.
+    """
+    return jnp.asarray(assembly.stiffness.output / (1.0 - assembly.loading_cam_share))

@@ -18,6 +18,7 @@ from asperity.joint.contact_notes import Note
 from asperity.joint.description import Joint, preload_at
 from asperity.joint.evaluation import JointResult
 from asperity.joint.limit_check import LimitCheck, checked_limits
+from asperity.joint.loading_cam import loading_cam_document
 from asperity.joint.planar.evaluation import PlanarResult
 from asperity.joint.results import GROUPS, RESULTS, SEVERITIES, SolvedJoint
 from asperity.joint.rolling_document import contact_results, losses, rolling_document
@@ -104,7 +105,9 @@ def joint_document(
             "force_N": preload_at(joint, joint.output_torque),
             "interference_m": result.interference,
             "at_assembly": assembly_document(joint),
-            "loading_cam": _loading_cam(joint, result),
+            "loading_cam": loading_cam_document(
+                result, least_preload=joint.preload, force_per_torque=joint.cam_force_per_torque
+            ),
         },
         "forces": _forces(result),
         "torque_capacity": _capacity(solution),
@@ -129,19 +132,6 @@ def joint_document(
         "diagnostics": diagnostic_documents(checks, solved.notes),
     }
     return plain_document(document) | ({} if branches is None else {"branches": branch_document(branches)})
-
-
-def _loading_cam(joint: Joint, result: JointResult) -> Document | None:
-    if joint.cam_force_per_torque is None:
-        return None
-    return {
-        "least_preload_N": joint.preload,
-        "force_per_torque_N_per_Nm": joint.cam_force_per_torque,
-        "angle_rad": result.cam_angle,
-        "held_stiffness_output_Nm_per_rad": RESULTS["held_cam_output_stiffness"].of(
-            SolvedJoint(joint, result)
-        ),
-    }
 
 
 def diagnostic_documents(checks: tuple[LimitCheck, ...], notes: tuple[Note, ...]) -> list[Document]:

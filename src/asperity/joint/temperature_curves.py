@@ -85,7 +85,7 @@ def _of_planar_drive(joint: PlanarJoint, temperature: np.ndarray) -> tuple[np.nd
         holds = assembled and bool(result.solved) and abs(float(joint.output_torque)) < float(limit)
         rows.append(
             (
-                float(result.preload) if assembled else 0.0,
+                float(result.rest.normal[0]) if assembled else 0.0,
                 float(result.assembly.stiffness.output) if holds else math.nan,
                 float(limit) if assembled else math.nan,
             )

@@ -13,6 +13,10 @@ from asperity.library import read_finishes
 from asperity.units import format_quantity
 
 #: What is taken of crowned rollers in every drive.
+LOADING_CAM = (
+    "loading cam: its ramps have no friction, so that it follows every change of the torque and turns as far as the "
+    "work on the contacts demands; a cam that sticks is stiffer, and adds hysteresis of its own"
+)
 CROWNED = (
     "crowned rollers: in slices that share one creepage, aligned and highest in the middle of their contact lines; no "
     "concentration of stress at loaded ends, no slip between slices of different radius"
@@ -61,10 +65,7 @@ def assumptions(case: Case) -> tuple[str, ...]:
             "load.interference if the sizes make the preload"
         )
     if case.load.cam_force_per_torque is not None:
-        told.append(
-            "loading cam: its ramps have no friction, so that it follows every change of the torque and turns as far "
-            "as the work on the contacts demands; a cam that sticks is stiffer, and adds hysteresis of its own"
-        )
+        told.append(LOADING_CAM)
     if case.branch is not None:
         told.append(
             "[[branch]]: ring and carrier are centred; the standing drive is loaded after it has rolled without "

@@ -55,7 +55,7 @@ class SteppedPlanetBranch(Section):
     """Radius of the track in the driven ring above planet_second_radius; 0 if absent."""
 
 
-def refuse_branches(found: int, *, count: int, what: str, by_interference: bool) -> None:
+def refuse_branches(found: int, *, count: int, what: str, by_interference: bool, cam: bool) -> None:
     """Refuse sections ``[[branch]]`` that do not belong to their drive.
 
     Parameters
@@ -68,6 +68,8 @@ def refuse_branches(found: int, *, count: int, what: str, by_interference: bool)
         What the branches of the drive are.
     by_interference : bool
         Whether an interference makes the preload.
+    cam : bool
+        Whether a loading cam adds to it.
 
     Raises
     ------
@@ -80,3 +82,5 @@ def refuse_branches(found: int, *, count: int, what: str, by_interference: bool)
         raise InputError(
             "[[branch]] needs load.interference in place of load.preload: sizes make no preload that a spring holds"
         )
+    if cam:
+        raise InputError("[[branch]] and load.cam_force_per_torque cannot be combined; leave one of them out")

@@ -341,11 +341,8 @@ class Case(Section):
             count=round(self.drive.planets.value),
             what="planets",
             by_interference=self.load.interference is not None,
+            cam=self.load.cam_force_per_torque is not None,
         )
-        if self.load.cam_force_per_torque is not None:
-            raise InputError(
-                "[[branch]] and load.cam_force_per_torque cannot be combined; leave one of them out"
-            )
         return self
 
     @model_validator(mode="after")

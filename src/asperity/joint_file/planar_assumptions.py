@@ -7,6 +7,7 @@ from typing import Any
 from asperity.joint.planar.rims import bends
 from asperity.joint_file.assumptions import (
     CROWNED,
+    LOADING_CAM,
     fatigue_unknown,
     lubrication_assumptions,
     rolling_assumptions,
@@ -87,6 +88,8 @@ def planar_assumptions(case: PlanarCase) -> tuple[str, ...]:
                 f"roughness_average: Ra leaves D open, and all results are those of the {which}; 'asperity joint' "
                 "gives the interval of stiffness and drift"
             )
+    if case.load.cam_force_per_torque is not None:
+        told.append(LOADING_CAM)
     if getattr(case, "branch", None) is not None:
         told.append(
             "[[branch]]: every branch is solved by itself, together with the bodies on the axis; rings and carrier are "

@@ -11,6 +11,7 @@ import jax.numpy as jnp
 import numpy as np
 from jax import Array
 
+from asperity.drive.loading_cam import LoadingCam
 from asperity.drive.mechanism import Bearings
 from asperity.drive.planar.expansion import interference_of_sizes
 from asperity.drive.planar.layout import PlanarDrive
@@ -104,7 +105,8 @@ def planar_joint_from_values(values: Values) -> PlanarJoint:
     """
     drive, shapes, pattern = layout_of(values)
     load, model, springs = values["load"], values["model"], values.get("compliance", {})
-    names = contacts_of(values)
+    names, cam = contacts_of(values), load.get("cam_force_per_torque")
+    rings = pattern
     if "nominal" in values:  # the rings have their nominal radii, whatever the rollers have
         pattern = tuple(jnp.asarray(pattern) + _grown(values, drive) / load["interference"])
     materials = {name: material_of(entry) for name, entry in values["materials"].items()}
@@ -137,6 +139,7 @@ def planar_joint_from_values(values: Values) -> PlanarJoint:
         input_bearing=rated_bearing(values.get("input_bearing")),
         output_bearing=rated_bearing(values.get("output_bearing")),
         crown_curvatures=_crown_curvatures(values),
+        cam=None if cam is None else LoadingCam(force_per_torque=cam, pattern=rings),
     )
     if "temperature" not in values or "interference" not in load:
         return joint

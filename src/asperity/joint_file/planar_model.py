@@ -46,6 +46,9 @@ class PlanarLoad(Section):
     interference: Annotated[Quantity, limits.INTERFERENCE] | None = None
     """Interference that makes the preload: by how much the inner radius of every ring lies below that at which all
     contacts just touch."""
+    cam_force_per_torque: Annotated[Quantity, limits.CAM_FORCE] | None = None
+    """Loading cam: what each N*m of output torque, in either direction, adds to the normal force of the first contact;
+    the preload or interference above is then the least one, without torque. No cam if absent."""
     output_torque: Annotated[Quantity, limits.OUTPUT_TORQUE]
     """Torque at the output; negative where it drives the rotation."""
     sun_speed: Annotated[Quantity, limits.SUN_SPEED]
@@ -253,6 +256,7 @@ class PlanarCase(Section):
                 count=round(getattr(self.drive, self._branches_are[0]).value),  # type: ignore[attr-defined]
                 what=self._branches_are[1],
                 by_interference=self.load.interference is not None,
+                cam=self.load.cam_force_per_torque is not None,
             )
         return self
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Any, NamedTuple
 
+import jax
 import jax.numpy as jnp
 import numpy as np
 from jax import Array
@@ -64,6 +65,8 @@ class Machine(NamedTuple):
         Friction coefficients, shape (contacts,) [-].
     length, largest, lever : Array
         Scales: approach [m], force [N] and lever [m].
+    added : Array or None, optional
+        Interference of each contact besides that of the drive, shape (contacts,) [m]; None for none.
     """
 
     drive: PlanarDrive
@@ -75,6 +78,7 @@ class Machine(NamedTuple):
     length: Array
     largest: Array
     lever: Array
+    added: Array | None = None
 
 
 class Task(NamedTuple):
@@ -98,7 +102,7 @@ class Task(NamedTuple):
     origin: Array
 
 
-def machine_of(drive: PlanarDrive, laws: ContactLaws, pattern: Array) -> Machine:
+def machine_of(drive: PlanarDrive, laws: ContactLaws, pattern: Array, added: Array | None = None) -> Machine:
     """What all states of a drive have in common.
 
     Parameters
@@ -109,6 +113,8 @@ def machine_of(drive: PlanarDrive, laws: ContactLaws, pattern: Array) -> Machine
         Its contacts.
     pattern : Array
         Interference of each contact over that of the drive, shape (contacts,) [-].
+    added : Array or None, optional
+        Interference of each contact besides that of the drive, shape (contacts,) [m]; None for none.
 
     Returns
     -------
@@ -120,6 +126,9 @@ def machine_of(drive: PlanarDrive, laws: ContactLaws, pattern: Array) -> Machine
     Equation (M3) of :doc:`/equations`.
     """
     reference = laws.reference_force
+    # the derivative of a largest number is 0/0 where XLA rounds it differently a second time, and scales need none
+    scales = laws.springs.secant_compliance * reference, reference, drive.second_radius
+    length, largest, lever = (jax.lax.stop_gradient(jnp.max(each)) for each in scales)
     return Machine(
         drive=drive,
         laws=laws,
@@ -127,9 +136,10 @@ def machine_of(drive: PlanarDrive, laws: ContactLaws, pattern: Array) -> Machine
         ideal=speeds(drive),
         pattern=pattern,
         friction=jnp.broadcast_to(laws.creep.friction_coefficient, reference.shape),
-        length=jnp.max(laws.springs.secant_compliance * reference),
-        largest=jnp.max(reference),
-        lever=jnp.max(drive.second_radius),
+        length=length,
+        largest=largest,
+        lever=lever,
+        added=added,
     )
 
 
@@ -197,6 +207,29 @@ def contact_forces(machine: Machine, x: Unknowns) -> tuple[Array, Array]:
     """
     reference = machine.laws.reference_force
     return x.normal * reference, x.tangential * machine.friction * reference
+
+
+def contact_interference(machine: Machine, x: Unknowns) -> Array:
+    """Interference of the contacts.
+
+    Parameters
+    ----------
+    machine : Machine
+        The drive.
+    x : Unknowns
+        The unknowns.
+
+    Returns
+    -------
+    Array
+        Interference, shape (contacts,) [m].
+
+    References
+    ----------
+    Equation (M3) of :doc:`/equations`.
+    """
+    own = machine.pattern * x.interference * machine.length
+    return own if machine.added is None else own + machine.added
 
 
 def forces_on(drive: PlanarDrive, load: DriveLoad) -> Array:
@@ -293,7 +326,7 @@ def state_misfits(machine: Machine, task: Task, by_force: bool, slides: Array, x
     approach = jnp.asarray(whole_approach(springs=laws.springs, normal_force=normal, rest_force=reference))
     if laws.coupling is not None:
         approach = approach + product(laws.coupling, normal)
-    misfit = approach - product(matrices.approach, moved) - machine.pattern * x.interference * length
+    misfit = approach - product(matrices.approach, moved) - contact_interference(machine, x)
     creep = creepages(law=laws.creep, normal=normal, tangential=tangential)
     rolling = creep * _rolled(drive, speed) - product(matrices.turning, speed)
     slip = slip_at_rest(laws=laws, normal=normal, tangential=tangential)

@@ -23,6 +23,7 @@ import jax.numpy as jnp
 from jax import Array
 
 from asperity.drive.planar.layout import PlanarDrive
+from asperity.drive.planar.newton import known_root
 from asperity.drive.planar.state import ContactLaws, CreepOf, DriveLoad, PlanarState
 from asperity.drive.planar.state_equations import (
     ASSEMBLED,
@@ -35,6 +36,7 @@ from asperity.drive.planar.state_equations import (
     forces_on,
     machine_of,
     no_displacement,
+    state_misfits,
 )
 from asperity.drive.planar.state_search import assembled_guess, solved, started_from, state_of
 from asperity.types import Real
@@ -47,11 +49,14 @@ class DriveStates(NamedTuple):
     ----------
     rest, standing, rolling : PlanarState
         Assembled without torque; standing and rolling under the output torque.
+    pressed : PlanarState or None, optional
+        Assembled as a loading cam presses the drive under the torque; None without a cam.
     """
 
     rest: PlanarState
     standing: PlanarState
     rolling: PlanarState
+    pressed: PlanarState | None = None
 
 
 def state_at_rest(
@@ -62,6 +67,8 @@ def state_at_rest(
     preload: Real | None = None,
     interference: Real | None = None,
     load: DriveLoad | None = None,
+    added: Array | None = None,
+    known: PlanarState | None = None,
 ) -> PlanarState:
     """The assembled drive without torque: its forces, and the interference that causes them.
 
@@ -78,6 +85,11 @@ def state_at_rest(
         Normal force of the first contact [N], or the interference of the drive [m]; one of them.
     load : DriveLoad or None, optional
         Springs of pins and bearings, of which torque and forces do not count; None for rigid pins.
+    added : Array or None, optional
+        Interference of each contact besides that of the drive, shape (contacts,) [m]; None for none.
+    known : PlanarState or None, optional
+        The state itself where it is known already: it is returned with its derivatives by the other arguments, without
+        being sought.
 
     Returns
     -------
@@ -88,13 +100,20 @@ def state_at_rest(
     ----------
     Equation (M3) of :doc:`/equations`.
     """
-    machine = machine_of(drive, laws, pattern)
+    machine = machine_of(drive, laws, pattern, added)
     given = jnp.asarray(preload if interference is None else interference, dtype=float)
     springs = DriveLoad(jnp.zeros(())) if load is None else load
     unloaded = dataclasses.replace(springs, output_torque=jnp.zeros(()), body_force=None)
     task = Task(ASSEMBLED, given, unloaded, no_displacement(drive))
-    found = solved(machine, task, assembled_guess(machine), by_force=interference is None)
-    return state_of(machine, task, *found)
+    if known is None:
+        found = solved(machine, task, assembled_guess(machine), by_force=interference is None)
+        return state_of(machine, task, *found)
+    own = known.interference if added is None else known.interference - added
+    there = started_from(machine, known, jnp.sum(pattern * own) / jnp.sum(pattern**2))
+    root = known_root(
+        lambda x: state_misfits(machine, task, interference is None, known.slides, x).all, there
+    )
+    return state_of(machine, task, root, known.slides)
 
 
 def rolling_state(
@@ -301,7 +320,7 @@ def _loaded(
     kinds: Array,
     creep_of: CreepOf | None,
 ) -> PlanarState:
-    size = jnp.max(rest.interference)
+    size = jax.lax.stop_gradient(jnp.max(rest.interference))  # a scale, as those of machine_of
     machine = machine_of(drive, laws, rest.interference / size)
     start = _Carry(started_from(machine, rest, size), rest.slides, size, rest.displacement.ravel())
     return _states(machine, load, start, kinds, creep_of, by_force=False)

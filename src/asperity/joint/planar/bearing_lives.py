@@ -16,6 +16,7 @@ from asperity.joint.description import per_contact
 from asperity.joint.planar.description import PlanarJoint, body_masses, planar_contacts
 from asperity.joint.planar.evaluation import PlanarResult
 from asperity.joint.planar.laws import contact_laws, creep_law, drive_load
+from asperity.joint.planar.loading_cam import Pressed, pressed_at
 from asperity.joint.planar.working_loads import member_speeds, pin_speeds, working_planar_loads
 
 
@@ -61,9 +62,10 @@ def _state(drive: PlanarDrive, pin_force: Array, speeds: Array) -> BearingState:
 def _under_duty(joint: PlanarJoint, rest: PlanarState, torques: Array, speeds: Array) -> BearingState:
     """The bearings under the loads of the duty, which are the first axis."""
     contacts, masses = planar_contacts(joint), body_masses(joint)
-    laws = contact_laws(joint, contacts)
+    pressed = pressed_at(joint, contacts, Pressed(contact_laws(joint, contacts), rest))
 
     def under(torque: Array, speed: Array) -> BearingState:
+        laws, rest = pressed(torque)
         both = loaded_states(
             drive=joint.drive,
             laws=laws,

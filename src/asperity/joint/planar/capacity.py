@@ -8,14 +8,19 @@ from typing import NamedTuple
 
 import jax
 import jax.numpy as jnp
+import numpy as np
 from jax import Array
 
+from asperity.body.rim_moments import WIDEST_CONTACT
+from asperity.body.shapes import Annulus
 from asperity.drive.capacity import first_limit, slip_ratio
 from asperity.drive.planar.state import SLIP_TOLERANCE, STATE_TOLERANCE, ContactLaws, PlanarState
 from asperity.drive.planar.states import loaded_state
 from asperity.joint.capacity import TorqueCapacity, named_capacity
+from asperity.joint.planar.bodies import exact_bodies
 from asperity.joint.planar.description import PlanarJoint, body_masses, planar_contacts, tracks_of
 from asperity.joint.planar.laws import creep_law, drive_load
+from asperity.joint.planar.loading_cam import Pressed, pressed_at
 from asperity.joint.rolling_creep import ContactCreep, capacity_loss
 from asperity.types import Real
 
@@ -65,6 +70,18 @@ def smaller_sizes(joint: PlanarJoint) -> Array:
     return jnp.stack([jnp.asarray(size) for size in sizes])
 
 
+def _widest_contacts(joint: PlanarJoint) -> Array:
+    """Half-widths that the contacts must stay below, shape (contacts,) [m]."""
+    sizes = smaller_sizes(joint)
+    if joint.cam is None or joint.body_model == "springs":
+        return sizes
+    for member in exact_bodies(joint):  # the laws of a joint with a cam are taken at every torque
+        if isinstance(member.body, Annulus):
+            wall = member.body.outer_radius - member.body.inner_radius
+            sizes = sizes.at[np.array(member.contacts)].min(WIDEST_CONTACT * wall)
+    return sizes
+
+
 def planar_capacity(
     joint: PlanarJoint, rest: PlanarState, laws: ContactLaws, *, first_slip: bool = False
 ) -> PlanarCapacity:
@@ -75,9 +92,9 @@ def planar_capacity(
     joint : PlanarJoint
         One joint.
     rest : PlanarState
-        Its assembled state.
+        Its assembled state without torque.
     laws : ContactLaws
-        Laws of its contacts.
+        Laws of its contacts there.
     first_slip : bool, optional
         Whether the torque of the first slip is wanted too.
 
@@ -122,9 +139,9 @@ def limiting_torques(
     joint : PlanarJoint
         One joint.
     rest : PlanarState
-        Its assembled state.
+        Its assembled state without torque.
     laws : ContactLaws
-        Laws of its contacts.
+        Laws of its contacts there.
     direction : Array
         +1 for positive torques, −1 for negative ones, shape (searches,) [-].
     rolls, at_first : Array
@@ -150,9 +167,10 @@ def limiting_torques(
     Equations (A9), (B3) and (M3) of :doc:`/equations`.
     """
     drive, contacts = joint.drive, planar_contacts(joint)
-    masses, sizes = body_masses(joint), smaller_sizes(joint)
+    masses, sizes = body_masses(joint), _widest_contacts(joint)
     friction = contacts.pairs.friction_coefficient
     unloaded = drive_load(joint, masses, 0.0)
+    pressed = pressed_at(joint, contacts, Pressed(laws, rest))
     creep_at = creep_of or (lambda normal, tangential: creep_law(joint, contacts, normal, tangential))
 
     def friction_left(before: PlanarState, state: PlanarState) -> Array:
@@ -166,6 +184,7 @@ def limiting_torques(
 
     def excesses_of(torque: Array, rolls: Array, at_first: Array) -> Array:
         load = dataclasses.replace(unloaded, output_torque=torque)
+        laws, rest = pressed(torque)
         before, state = loaded_state(
             drive=drive,
             laws=laws,
@@ -184,6 +203,8 @@ def limiting_torques(
         )
         slides = state.slides != 0.0
         width = contacts.largest_half_width(jnp.where(touching, state.normal, rest.normal))
+        if joint.cam is not None:
+            width = jnp.fmax(width, contacts.largest_half_width(laws.reference_force))
         return jnp.concatenate(
             [
                 -jnp.ones(1),  # pins without friction do not lock
@@ -193,7 +214,7 @@ def limiting_torques(
                     -1.0,
                 ),
                 _LIFTED - state.normal / rest.normal,
-                jnp.where(touching, width / sizes - 1.0, -1.0),
+                jnp.where(touching | (joint.cam is not None), width / sizes - 1.0, -1.0),
                 jnp.where(state.worst < STATE_TOLERANCE, -1.0, 1.0)[None],
             ]
         )

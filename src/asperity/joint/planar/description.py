@@ -14,6 +14,7 @@ from asperity.contact.fractal import Surface
 from asperity.contact.population import ContactFactorModel
 from asperity.contact.roller_pairs import roller_pairs
 from asperity.drive.bearing_life import RatedBearing
+from asperity.drive.loading_cam import LoadingCam
 from asperity.drive.mechanism import Bearings
 from asperity.drive.planar.layout import PlanarDrive
 from asperity.drive.rolling_speeds import BodiesOfContacts
@@ -131,6 +132,8 @@ class PlanarJoint(eqx.Module):
     unlike : UnlikeSectors or None, optional
         What differs between the sectors of a drive that :mod:`asperity.joint.planar.unfolding` has unfolded; None for
         equal sectors.
+    cam : LoadingCam or None, optional
+        Loading cam, which adds to the preload in proportion to the torque; None without.
     """
 
     type: str = eqx.field(static=True)
@@ -160,6 +163,7 @@ class PlanarJoint(eqx.Module):
     output_bearing: RatedBearing | None = None
     crown_curvatures: tuple[Real, ...] | None = None
     unlike: UnlikeSectors | None = None
+    cam: LoadingCam | None = None
 
     @property
     def working_pattern(self) -> Array:

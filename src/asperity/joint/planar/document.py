@@ -22,6 +22,7 @@ from asperity.joint.document import (
     torsional_stiffness_document,
 )
 from asperity.joint.limit_check import checked_limits
+from asperity.joint.loading_cam import loading_cam_document
 from asperity.joint.planar.description import PlanarJoint
 from asperity.joint.planar.rims import bends
 from asperity.joint.planar.solve import PlanarSolution
@@ -100,7 +101,11 @@ def planar_document(
                 "force_N": result.preload,
                 "interference_m": result.interference,
                 "at_assembly": planar_assembly_document(joint),
-                "loading_cam": None,
+                "loading_cam": loading_cam_document(
+                    result,
+                    least_preload=result.rest.normal[0],
+                    force_per_torque=None if joint.cam is None else joint.cam.force_per_torque,
+                ),
             },
             "forces": {
                 "normal_without_torque_N": dict(zip(names, np.asarray(result.rest.normal), strict=True)),

@@ -19,7 +19,7 @@ from asperity.drive.planar.bearings import friction_moments, friction_power
 from asperity.drive.planar.expansion import ring_interference
 from asperity.drive.planar.layout import CARRIER, PlanarDrive, speed_ratio, speeds
 from asperity.drive.planar.state import STATE_TOLERANCE, ContactLaws, PlanarState, surface_speeds
-from asperity.drive.planar.states import DriveStates, drive_states, loaded_states
+from asperity.drive.planar.states import DriveStates, loaded_states
 from asperity.drive.rolling_speeds import BodiesOfContacts, RollingSpeeds
 from asperity.drive.torsional_stiffness import TorsionalStiffness, contact_torsional_stiffness
 from asperity.joint.contacts import JointContacts
@@ -32,10 +32,19 @@ from asperity.joint.planar.description import (
     places,
     planar_contacts,
 )
-from asperity.joint.planar.laws import contact_laws, creep_law, drive_load
+from asperity.joint.planar.laws import creep_law, drive_load
+from asperity.joint.planar.loading_cam import (
+    CamOfJoint,
+    Pressed,
+    pressed_at,
+    states_under_torque,
+    turned_cam,
+    with_its_cam,
+)
 from asperity.joint.planar.stiffness import loaded_stiffness
 from asperity.joint.rolling import RollingResult, turning_result
 from asperity.joint.rolling_creep import ContactCreep
+from asperity.types import Real
 
 
 class PlanarForces(eqx.Module):
@@ -76,9 +85,10 @@ class PlanarResult(eqx.Module):
     masses : Array
         Of one of each body, shape (bodies,) [kg].
     preload, interference : Array
-        Normal force of the first contact without torque [N], and the interference that makes it [m].
+        Normal force of the first contact in the assembled drive [N], and the interference that makes it [m]; with a
+        loading cam those under the torque.
     rest : PlanarState
-        The assembled drive.
+        The assembled drive without torque.
     forces : PlanarForces
         Forces under the torque while the joint stands.
     contacts : FractalContact
@@ -98,6 +108,8 @@ class PlanarResult(eqx.Module):
     contact_law_holds, walls_hold, solved : Array
         Whether every loaded contact has an elastic spot; every wall a known compliance, and every crowned contact the
         length that its slices need; whether the states are solved.
+    cam : CamOfJoint or None, optional
+        What the loading cam does under the torque; None without one.
     """
 
     speed_ratio: Array
@@ -121,6 +133,17 @@ class PlanarResult(eqx.Module):
     solved: Array
     bodies: BodiesOfContacts = eqx.field(static=True)
     contact_names: tuple[str, ...] = eqx.field(static=True)
+    cam: CamOfJoint | None = None
+
+    @property
+    def pressed(self) -> PlanarState:
+        """The assembled drive as its loading cam presses it under the torque; without a cam that without torque."""
+        return self.rest if self.cam is None else self.cam.pressed
+
+    @property
+    def cam_angle(self) -> Real:
+        """Angle at the output by which the loading cam has turned, without sign [rad]; 0 without one."""
+        return 0.0 if self.cam is None else self.cam.angle
 
     @property
     def body_names(self) -> tuple[str, ...]:
@@ -211,17 +234,10 @@ def laws_and_states(joint: PlanarJoint) -> tuple[ContactLaws, DriveStates]:
     """
     joint = jax.tree.map(lambda leaf: jnp.asarray(leaf, dtype=float), joint)
     contacts = planar_contacts(joint)
-    laws = contact_laws(joint, contacts)
-    states = drive_states(
-        drive=joint.drive,
-        laws=laws,
-        pattern=joint.working_pattern,
-        preload=joint.preload,
-        interference=joint.interference,
-        load=drive_load(joint, body_masses(joint), joint.output_torque),
-        creep_of=lambda normal, tangential: creep_law(joint, contacts, normal, tangential).law,
+    load = drive_load(joint, body_masses(joint), joint.output_torque)
+    return states_under_torque(
+        joint, contacts, load, lambda normal, tangential: creep_law(joint, contacts, normal, tangential).law
     )
-    return laws, states
 
 
 def planar_result(joint: PlanarJoint, laws: ContactLaws, states: DriveStates) -> PlanarResult:
@@ -248,6 +264,8 @@ def planar_result(joint: PlanarJoint, laws: ContactLaws, states: DriveStates) ->
     joint = jax.tree.map(lambda leaf: jnp.asarray(leaf, dtype=float), joint)
     drive, contacts = joint.drive, planar_contacts(joint)
     masses = body_masses(joint)
+    rest = states.rest if states.pressed is None else states.pressed
+    cam = turned_cam(joint, contacts, states.rest, rest)
     creep = creep_law(joint, contacts, states.standing.normal, states.standing.tangential)
     sense = driving_sense(drive)
     standing, rolling = (
@@ -264,7 +282,7 @@ def planar_result(joint: PlanarJoint, laws: ContactLaws, states: DriveStates) ->
         normal_force=standing.normal,
         tangential_force=standing.tangential,
         loaded=loaded,
-        rest_force=states.rest.normal,
+        rest_force=rest.normal,
         self_locking_ratio=None,
     )
     return PlanarResult(
@@ -272,9 +290,9 @@ def planar_result(joint: PlanarJoint, laws: ContactLaws, states: DriveStates) ->
         speeds=ideal,
         output_speed=ideal[drive.members.index(drive.output)] * joint.input_speed,
         masses=jnp.stack([jnp.asarray(mass) for mass in masses]),
-        preload=states.rest.normal[0],
+        preload=rest.normal[0],
         interference=ring_interference(
-            drive=drive, forces=laws.reference_force, interference=states.rest.interference
+            drive=drive, forces=laws.reference_force, interference=rest.interference
         ),
         rest=states.rest,
         forces=PlanarForces(
@@ -284,7 +302,7 @@ def planar_result(joint: PlanarJoint, laws: ContactLaws, states: DriveStates) ->
             input_torque=standing.input_torque,
             output_torque=jnp.asarray(joint.output_torque),
             balance_residual=standing.residual,
-            closure_residual=states.rest.residual,
+            closure_residual=rest.residual,
         ),
         contacts=loaded.rough,
         contact_torsional_stiffness=jnp.asarray(
@@ -296,7 +314,7 @@ def planar_result(joint: PlanarJoint, laws: ContactLaws, states: DriveStates) ->
         interfaces=loaded.interfaces,
         published=stiffness.published,
         series_with_bulk=stiffness.series_with_bulk,
-        assembly=stiffness.assembly,
+        assembly=with_its_cam(stiffness.assembly, cam),
         diagnostics=dataclasses.replace(
             diagnostics, slip_ratio=jnp.where(slides, 1.0, diagnostics.slip_ratio)
         ),
@@ -305,13 +323,14 @@ def planar_result(joint: PlanarJoint, laws: ContactLaws, states: DriveStates) ->
             conditions=joint.rolling,
             bodies=bodies_of_contacts(drive),
             planet_count=jnp.asarray(drive.sectors),
-            rolled=rolling_at(joint, contacts, laws, states.rest),
+            rolled=rolling_at(joint, contacts, Pressed(laws, states.rest)),
         ),
         contact_law_holds=stiffness.contact_law_holds,
         walls_hold=stiffness.walls_hold,
-        solved=(standing.residual < STATE_TOLERANCE) & (states.rest.residual < STATE_TOLERANCE),
+        solved=(standing.residual < STATE_TOLERANCE) & (rest.residual < STATE_TOLERANCE),
         bodies=bodies_of_contacts(drive),
         contact_names=joint.contact_names,
+        cam=cam,
     )
 
 
@@ -326,7 +345,7 @@ def _bearing_power(joint: PlanarJoint, state: PlanarState) -> Array:
 
 
 def rolling_at(
-    joint: PlanarJoint, contacts: JointContacts, laws: ContactLaws, rest: PlanarState
+    joint: PlanarJoint, contacts: JointContacts, without_torque: Pressed
 ) -> Callable[[Array, Array], RollingResult]:
     """Steady rolling of an assembled joint at any torque and speed.
 
@@ -336,10 +355,8 @@ def rolling_at(
         One joint; its own torque and speed do not count.
     contacts : JointContacts
         Its contacts.
-    laws : ContactLaws
-        Their laws.
-    rest : PlanarState
-        Its assembled state.
+    without_torque : Pressed
+        The joint as it is assembled.
 
     Returns
     -------
@@ -351,9 +368,11 @@ def rolling_at(
     Equations (B1) and (M3) of :doc:`/equations`.
     """
     masses, sense = body_masses(joint), driving_sense(joint.drive)
+    pressed = pressed_at(joint, contacts, without_torque)
 
     def rolled(torque: Array, speed: Array) -> RollingResult:
         there = dataclasses.replace(joint, output_torque=torque, input_speed=speed)
+        laws, rest = pressed(torque)
         standing, rolling = loaded_states(
             drive=joint.drive,
             laws=laws,

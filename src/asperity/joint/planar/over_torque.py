@@ -14,13 +14,21 @@ from jax import Array
 from asperity.compilation import compile_fast
 from asperity.drive.capacity import slip_ratio
 from asperity.drive.planar.creeping import creeping_speeds
-from asperity.drive.planar.state import STATE_TOLERANCE, ContactLaws, PlanarState
-from asperity.drive.planar.states import loaded_states, standing_state, state_at_rest
+from asperity.drive.planar.state import STATE_TOLERANCE, PlanarState
+from asperity.drive.planar.states import loaded_states, standing_state
 from asperity.drive.rolling_state import drift_per_turn
 from asperity.joint.contacts import JointContacts
 from asperity.joint.planar.description import PlanarJoint, body_masses, planar_contacts
 from asperity.joint.planar.evaluation import driving_sense, laws_and_states, turning
 from asperity.joint.planar.laws import contact_laws, creep_law, drive_load
+from asperity.joint.planar.loading_cam import (
+    CamOfJoint,
+    Pressed,
+    assembled,
+    pressed_at,
+    turned_cam,
+    with_its_cam,
+)
 from asperity.joint.planar.stiffness import loaded_stiffness
 from asperity.types import Real
 
@@ -161,12 +169,15 @@ def standing_program(
     Equations (A9) and (M3) of :doc:`/equations`.
     """
     contacts = planar_contacts(joint)
-    laws, unloaded = contact_laws(joint, contacts), drive_load(joint, body_masses(joint), 0.0)
+    unloaded = drive_load(joint, body_masses(joint), 0.0)
+    pressed = pressed_at(joint, contacts, Pressed(contact_laws(joint, contacts), rest))
 
     def at(torque: Array) -> StandingOverTorque:
         load = dataclasses.replace(unloaded, output_torque=torque)
-        state = standing_state(drive=joint.drive, laws=laws, rest=rest, load=load)
-        return _standing(joint, contacts, no_slip_friction, state)
+        laws, there = pressed(torque)
+        state = standing_state(drive=joint.drive, laws=laws, rest=there, load=load)
+        cam = turned_cam(joint, contacts, rest, there)
+        return _standing(joint, contacts, no_slip_friction, state, cam)
 
     return jax.vmap(at)(torques)
 
@@ -181,7 +192,7 @@ def over_torque_program(
     joint : PlanarJoint
         One joint.
     rest : PlanarState
-        Its assembled state.
+        Its assembled state without torque.
     torques : Array
         Output torques, shape (torques,) [N·m].
     no_slip_friction : Real
@@ -197,14 +208,15 @@ def over_torque_program(
     Equations (A9), (B3) and (M4) of :doc:`/equations`.
     """
     contacts, sense = planar_contacts(joint), driving_sense(joint.drive)
-    states = _states(joint, contacts, contact_laws(joint, contacts), rest)
+    states = _states(joint, contacts, Pressed(contact_laws(joint, contacts), rest))
 
     def at(torque: Array) -> OverTorque:
-        def lost(torque: Array) -> tuple[Array, tuple[PlanarState, PlanarState]]:
-            standing, rolling = states(torque)
-            return rolling.speed_loss, (standing, rolling)
+        def lost(torque: Array) -> tuple[Array, _Under]:
+            under = states(torque)
+            return under.rolling.speed_loss, under
 
-        _, slope, (state, rolls) = jax.jvp(lost, (torque,), (jnp.ones_like(torque),), has_aux=True)
+        _, slope, under = jax.jvp(lost, (torque,), (jnp.ones_like(torque),), has_aux=True)
+        state, rolls = under.standing, under.rolling
         creep = creep_law(joint, contacts, state.normal, state.tangential)
         shown = dataclasses.replace(
             rolls, tangential=sense * rolls.tangential, creepage=sense * rolls.creepage
@@ -212,7 +224,7 @@ def over_torque_program(
         turned = turning(dataclasses.replace(joint, output_torque=torque), contacts, creep, shown)
         works = rolls.residual < STATE_TOLERANCE
         return OverTorque(
-            **_shown(joint, contacts, no_slip_friction, torque, state, rolls),
+            **_shown(joint, contacts, no_slip_friction, torque, under),
             efficiency=jnp.where(works, turned.power.efficiency, jnp.nan),
             total_loss=jnp.where(works, turned.power.loss, jnp.nan),
             life_hours=jnp.where(works, turned.life_hours.drive, jnp.nan),
@@ -245,38 +257,49 @@ def curve_program(joint: PlanarJoint, torques: Array, no_slip_friction: Real) ->
     Equations (A9), (B3), (M3) and (M4) of :doc:`/equations`.
     """
     contacts = planar_contacts(joint)
-    laws = contact_laws(joint, contacts)
-    rest = state_at_rest(
-        drive=joint.drive,
-        laws=laws,
-        pattern=joint.working_pattern,
-        preload=joint.preload,
-        interference=joint.interference,
-    )
-    states = _states(joint, contacts, laws, rest)
+    states = _states(joint, contacts, assembled(joint, contacts))
 
     def at(torque: Array) -> dict[str, Array]:
-        return _shown(joint, contacts, no_slip_friction, torque, *states(torque))
+        return _shown(joint, contacts, no_slip_friction, torque, states(torque))
 
     return jax.vmap(at)(torques)
 
 
+class _Under(NamedTuple):
+    """A joint under a torque: standing, rolling, and what its cam does."""
+
+    standing: PlanarState
+    rolling: PlanarState
+    cam: CamOfJoint | None
+
+
 def _states(
-    joint: PlanarJoint, contacts: JointContacts, laws: ContactLaws, rest: PlanarState
-) -> Callable[[Array], tuple[PlanarState, PlanarState]]:
-    """The joint standing and rolling, from its output torque [N·m]."""
+    joint: PlanarJoint, contacts: JointContacts, without_torque: Pressed
+) -> Callable[[Array], _Under]:
+    """The joint under an output torque [N·m]."""
     unloaded = drive_load(joint, body_masses(joint), 0.0)
-    return lambda torque: loaded_states(
-        drive=joint.drive,
-        laws=laws,
-        rest=rest,
-        load=dataclasses.replace(unloaded, output_torque=torque),
-        creep_of=lambda normal, tangential: creep_law(joint, contacts, normal, tangential).law,
-    )
+    pressed = pressed_at(joint, contacts, without_torque)
+
+    def under(torque: Array) -> _Under:
+        laws, rest = pressed(torque)
+        standing, rolling = loaded_states(
+            drive=joint.drive,
+            laws=laws,
+            rest=rest,
+            load=dataclasses.replace(unloaded, output_torque=torque),
+            creep_of=lambda normal, tangential: creep_law(joint, contacts, normal, tangential).law,
+        )
+        return _Under(standing, rolling, turned_cam(joint, contacts, without_torque.rest, rest))
+
+    return under
 
 
 def _standing(
-    joint: PlanarJoint, contacts: JointContacts, no_slip_friction: Real, state: PlanarState
+    joint: PlanarJoint,
+    contacts: JointContacts,
+    no_slip_friction: Real,
+    state: PlanarState,
+    cam: CamOfJoint | None,
 ) -> StandingOverTorque:
     """Stiffness of the joint that stands, with and without slip."""
     sense = driving_sense(joint.drive)
@@ -295,7 +318,7 @@ def _standing(
         return (
             jnp.asarray(found.published.output),
             jnp.asarray(found.series_with_bulk.output),
-            jnp.asarray(found.assembly.stiffness.output),
+            jnp.asarray(with_its_cam(found.assembly, cam).stiffness.output),
         )
 
     slip = slip_ratio(normal_force=state.normal, tangential_force=state.tangential, friction_coefficient=own)
@@ -311,15 +334,10 @@ def _standing(
 
 
 def _shown(
-    joint: PlanarJoint,
-    contacts: JointContacts,
-    no_slip_friction: Real,
-    torque: Array,
-    state: PlanarState,
-    rolls: PlanarState,
+    joint: PlanarJoint, contacts: JointContacts, no_slip_friction: Real, torque: Array, under: _Under
 ) -> dict[str, Array]:
     """The joint that stands, and the drift of the one that rolls."""
-    drive = joint.drive
+    drive, rolls = joint.drive, under.rolling
     out = drive.members.index(drive.output)
 
     def drift(creepage: Array) -> Array:
@@ -333,6 +351,6 @@ def _shown(
     with_torque = jnp.where(torque < 0.0, -1.0, 1.0)
     both = jnp.stack([drift(way * with_torque * rolls.creepage) * way for way in (1.0, -1.0)])
     return {
-        **_standing(joint, contacts, no_slip_friction, state)._asdict(),
+        **_standing(joint, contacts, no_slip_friction, under.standing, under.cam)._asdict(),
         "drift": jnp.where(rolls.residual < STATE_TOLERANCE, with_torque * both, jnp.nan),
     }

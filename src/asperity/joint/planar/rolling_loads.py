@@ -9,6 +9,7 @@ from asperity.drive.planar.state import PlanarState
 from asperity.joint.planar.description import PlanarJoint, planar_contacts
 from asperity.joint.planar.evaluation import rolling_at
 from asperity.joint.planar.laws import contact_laws
+from asperity.joint.planar.loading_cam import Pressed
 from asperity.joint.rolling import RollingResult
 
 
@@ -22,7 +23,7 @@ def rolling_over_loads(
     joint : PlanarJoint
         One joint; its own torque and speed do not count.
     rest : PlanarState
-        Its assembled state.
+        Its assembled state without torque.
     torque, input_speed : Array
         Output torques [N·m] and angular velocities of the input [rad/s], shape (points,).
 
@@ -36,7 +37,7 @@ def rolling_over_loads(
     Equations (B1) and (M3) of :doc:`/equations`.
     """
     contacts = planar_contacts(joint)
-    found: RollingResult = jax.vmap(rolling_at(joint, contacts, contact_laws(joint, contacts), rest))(
-        torque, input_speed
-    )
+    found: RollingResult = jax.vmap(
+        rolling_at(joint, contacts, Pressed(contact_laws(joint, contacts), rest))
+    )(torque, input_speed)
     return found

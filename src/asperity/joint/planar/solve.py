@@ -145,7 +145,10 @@ def _given(joint: PlanarJoint) -> str:
 
 def _refuse_unsolved(joint: PlanarJoint, solution: PlanarSolution) -> None:
     result, torque = solution.result, float(joint.output_torque)
-    if not float(result.rest.worst) < np.inf or not np.all(np.asarray(result.rest.normal) > 0.0):
+    if not all(
+        float(state.worst) < np.inf and np.all(np.asarray(state.normal) > 0.0)
+        for state in (result.rest, result.pressed)
+    ):
         raise NoSolutionError(
             f"with {_given(joint)} no state was found in which every contact of the assembled drive is pressed; "
             "check this value, the radii and the walls"

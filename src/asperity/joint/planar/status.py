@@ -33,6 +33,8 @@ def planar_status(joint: PlanarJoint, result: PlanarResult) -> Array:
     touch = jnp.abs(gaps(drive)) <= TOUCH_TOLERANCE * drive.second_radius
     fits = jnp.all(jnp.stack([*touch, *(gap >= 0.0 for gap in neighbour_gaps(drive).values())]))
     at_rest = jnp.all(result.rest.normal > 0.0) & (result.rest.residual < STATE_TOLERANCE)
+    if result.cam is not None:
+        at_rest = at_rest & (result.pressed.residual < STATE_TOLERANCE)
     wide = result.diagnostics.hertz_half_width >= smaller_sizes(joint)
     loose = jnp.asarray(False)
     if joint.interference is not None:  # a force is always above 0

@@ -148,4 +148,4 @@ def planar_assembly_document(joint: PlanarJoint) -> dict[str, Any] | None:
     if joint.fit is None:
         return None
     result, _ = solved_at(joint, float(joint.fit.assembly_temperature))
-    return fit_document(joint.fit, result.preload)
+    return fit_document(joint.fit, result.rest.normal[0])

@@ -58,8 +58,8 @@ ROWS = (
         "N",
         "preload",
         needs="geometry",
-        note="with a loading cam, that under the output torque; of other drives the force of the first contact "
-        "without torque",
+        note="with a loading cam, that under the output torque; of other drives the force of the first contact in the "
+        "assembled drive",
     ),
     _force(
         "interference",
@@ -90,7 +90,6 @@ ROWS = (
         needs="geometry",
         positive=False,
         note="of a cam without friction; 0 without one",
-        wedge_only=True,
     ),
     _force(
         "normal_force", "normal force of the contact", _FORCE, "N", "result.forces.normal", axis="contact"

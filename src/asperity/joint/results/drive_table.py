@@ -12,7 +12,7 @@ from asperity.joint.results.result import Result, SolvedJoint
 from asperity.joint.results.table import RESULTS, WEDGE_RESULTS
 
 _LABELS = {
-    "preload": "normal force of the first contact without torque",
+    "preload": "normal force of the first contact in the assembled drive",
     "speed_ratio": "speed ratio, input over output",
     "envelope_diameter": "outer diameter of the largest body",
 }

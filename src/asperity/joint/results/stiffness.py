@@ -6,6 +6,7 @@ import operator
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
+from asperity.drive.loading_cam import held_cam_stiffness
 from asperity.joint.results.result import Result, SolvedJoint
 from asperity.unit_table import Dimension
 
@@ -76,13 +77,8 @@ def _share(name: str, words: str) -> Result:
         axis="contact" if name in ("tangential", "normal") else "one",
         group="assembly",
         positive=False,
-        wedge_only=name in ("ring_bending", "planet_support", "loading_cam"),
+        wedge_only=name in ("ring_bending", "planet_support"),
     )
-
-
-def _held(solved: SolvedJoint) -> Any:
-    assembly = solved.result.assembly
-    return assembly.stiffness.output / (1.0 - assembly.loading_cam_share)
 
 
 ROWS = (
@@ -92,10 +88,9 @@ ROWS = (
         "torsional stiffness at the output, assembly with its loading cam held",
         Dimension.TORSIONAL_STIFFNESS,
         Dimension.TORSIONAL_STIFFNESS.si_unit,
-        _held,
+        lambda solved: held_cam_stiffness(solved.result.assembly),
         group="assembly",
         note="for torques too small to move the cam against the friction of its ramps; without a cam the assembly's",
-        wedge_only=True,
     ),
     _share("tangential", "the contact's tangential spring"),
     _share("normal", "the contact's normal spring (rollers free to move)"),
