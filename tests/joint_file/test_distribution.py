@@ -13,11 +13,12 @@ def test_forms():
     assert parse_distribution("Uniform") == Distribution("uniform", 0.0)
     assert parse_distribution("triangular") == Distribution("triangular", 0.0)
     assert parse_distribution("normal 2.5 sigma") == Distribution("normal", 2.5)
+    assert parse_distribution("normal 10 sigma").sigmas == 10.0
     assert str(parse_distribution("normal  3  sigma")) == "normal 3 sigma"
 
 
 @pytest.mark.parametrize(
-    "text", ["", "normal", "gauss", "normal 0 sigma", "normal 11 sigma", "normal -2 sigma", "uniform 2"]
+    "text", ["", "normal", "gauss", "normal 0 sigma", "normal 10.1 sigma", "normal -2 sigma", "uniform 2"]
 )
 def test_other_words_are_refused(text):
     with pytest.raises(InputError):

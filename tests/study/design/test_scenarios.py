@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 
 from asperity.errors import InputError
+from asperity.study.design import scenarios as module
 from asperity.study.design.design_file import design_from_tables
 from asperity.study.design.scenarios import scenarios
 
@@ -58,6 +59,11 @@ def test_numbers_of_a_design_in_every_state(states):
     assert pairs[0] == [700.0, 13.5]
     assert sorted(pairs[1:]) == [[650.0, 13.4], [650.0, 13.6], [750.0, 13.4], [750.0, 13.6]]
     np.testing.assert_array_equal(numbers["load.output_torque"], 5.0)
+    # each number has the deviation that its state is reported with
+    np.testing.assert_allclose(numbers["load.preload"], 700.0 + found.deviations["load.preload"])
+    np.testing.assert_allclose(
+        numbers["drive.planet_radius"], 13.5e-3 + found.deviations["drive.planet_radius"]
+    )
     two = found.changes({"load.preload": np.array([[700.0], [900.0]])})["load.preload"]
     np.testing.assert_allclose(two - numbers["load.preload"], [[0.0] * 5, [200.0] * 5], atol=1e-9)
 
@@ -86,3 +92,17 @@ def test_overlapping_names_are_refused(states, tmp_path, joint_text):
     )
     with pytest.raises(InputError, match=r"overlaps the tolerance of drive\.contact_length"):
         scenarios(design_from_tables(tomllib.loads(task + 'tolerances = "corners"'), folder=tmp_path))
+
+
+def test_too_many_corners_are_refused_with_their_number(states, tmp_path, joint_text, monkeypatch):
+    """Three numbers have eight corners; the torque scatters with its own tolerance."""
+    text = joint_text.replace('"1000 N"', '"1000 N +- 50 N"').replace('"13.5 mm"', '"13.5 mm +- 0.1 mm"')
+    (tmp_path / "joint.toml").write_text(text.replace('"5 N*m"', '"5 N*m +- 1 N*m"'))
+    problem = design_from_tables(tomllib.loads(TEXT + 'tolerances = "corners"'), folder=tmp_path)
+    found = scenarios(problem)
+    torque = found.changes({"load.preload": 700.0})["load.output_torque"]
+    np.testing.assert_allclose(torque, 5.0 + found.deviations["load.output_torque"])
+    assert sorted(torque) == [4.0] * 4 + [5.0] + [6.0] * 4
+    monkeypatch.setattr(module, "MOST_CORNERED", 2)
+    with pytest.raises(InputError, match="3 toleranced numbers have 8 corners; at most 2 numbers"):
+        scenarios(problem)
