@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from asperity.joint.planar.solve import solve_planar
+from asperity.joint_file import drawn_surface as module
 from asperity.joint_file.assumptions import assumptions
 from asperity.joint_file.build import joint_from_case, with_values
 from asperity.joint_file.drawn_surface import _words, drawn_interval, surfaces_by_average
@@ -29,6 +30,61 @@ def drawn_case(head):
 @pytest.fixture(scope="module")
 def interval(drawn_case):
     return drawn_interval(drawn_case)
+
+
+@pytest.fixture
+def states(head, monkeypatch):
+    """The surfaces over which the interval of a file is taken, and what is said of them, without any joint."""
+    asked = []
+    monkeypatch.setattr(
+        module, "over_surfaces", lambda joint, surfaces, shape: asked.append((surfaces, shape))
+    )
+    monkeypatch.setattr(module, "result_ends", lambda result, **_: {"unsolved": 0, "all_plastic": 0})
+
+    def of(text):
+        found = drawn_interval(parse_case(head + text, source="a.toml"))
+        ((surface,), shape) = asked.pop()
+        dimension, roughness = (
+            np.asarray(each).reshape(5, 15) for each in (surface.fractal_dimension, surface.fractal_roughness)
+        )
+        assert shape == (75,)
+        average = [
+            [roughness_average(fractal_dimension=d, fractal_roughness=g, cut_off=0.8e-3) for d, g in pairs]
+            for pairs in (zip(*rows, strict=True) for rows in zip(dimension, roughness, strict=True))
+        ]
+        return found, dimension, np.array(average)
+
+    return of
+
+
+def test_states_of_a_finish_by_hand(states):
+    """Every D of ground steel with every Ra within 1.96 times the scatter of one measurement; two bodies alike."""
+    found, dimension, average = states(SURFACE)
+    by_d = np.linspace(1.15, 1.5, 15)
+    np.testing.assert_allclose(dimension, np.tile(by_d, (5, 1)), rtol=1e-12)
+    half = 1.959964 * np.array([scatter_of_average(fractal_dimension=d, cut_offs=5) for d in by_d])
+    factor = 1.0 + half * np.array([-1.0, -0.5, 0.0, 0.5, 1.0])[:, None]
+    np.testing.assert_allclose(average, math.sqrt(2.0) * 0.2e-6 * factor, rtol=1e-6)
+    assert found["states"] == 75
+    entry = found["surfaces"]["surface"]
+    ends = [0.2e-6 * (1.0 - half.max()), 0.2e-6 * (1.0 + half.max())]
+    np.testing.assert_allclose(entry["roughness_average_m"], ends, rtol=1e-6)
+    assert entry["fractal_dimension"] == pytest.approx([1.15, 1.5])
+    assert entry["cut_off_m"] == 0.8e-3
+    assert "surface (ground): D from 1.15 to 1.5, Ra of a body from" in found["words"]
+    assert "5 of 75 states have no solution or no stiffness: no interval." in _words(
+        found | {"unsolved": 2, "all_plastic": 3}
+    )
+    assert "no interval" not in found["words"]
+
+
+def test_states_of_a_stated_tolerance_by_hand(states):
+    """0.2 um within a quarter; a partner of half the Ra moves with it."""
+    text = SURFACE.replace("0.2 um", "0.2 um +- 0.05 um") + 'partner_roughness_average = "0.1 um"\n'
+    found, _, average = states(text)
+    factor = np.array([0.75, 0.875, 1.0, 1.125, 1.25])[:, None]
+    np.testing.assert_allclose(average, np.tile(math.sqrt(0.05) * 1e-6 * factor, 15), rtol=1e-6)
+    np.testing.assert_allclose(found["surfaces"]["surface"]["roughness_average_m"], [0.15e-6, 0.25e-6])
 
 
 def test_the_surface_of_the_joint_has_the_ra_of_both_bodies(head):
@@ -61,20 +117,6 @@ def test_joints_at_the_ends_lie_inside(drawn_case, interval, evaluated_together)
         assert high == pytest.approx(np.max(values), rel=1e-6), name
         assert low < values[-1] < high
     assert interval["unsolved"] == interval["all_plastic"] == 0
-
-
-@pytest.mark.slow
-def test_the_interval_says_over_what_it_is_taken(interval):
-    entry = interval["surfaces"]["surface"]
-    assert entry["fractal_dimension"] == pytest.approx([1.15, 1.5])
-    assert entry["cut_off_m"] == 0.8e-3
-    assert "surface (ground): D from 1.15 to 1.5, Ra of a body from" in interval["words"]
-
-
-def test_states_without_a_result_are_counted(interval):
-    lost = _words(interval | {"unsolved": 2, "all_plastic": 3, "states": 75})
-    assert "5 of 75 states have no solution or no stiffness: no interval." in lost
-    assert "no interval" not in interval["words"]
 
 
 def test_a_file_with_d_and_g_has_no_such_interval(example_case):

@@ -1,6 +1,8 @@
 """Bodies, tracks, masses and contacts of planar joints by hand."""
 
+import dataclasses
 import math
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -35,6 +37,17 @@ def test_masses(planar_joint):
     assert float(bored) == pytest.approx(unit * (20e-3**2 - 13e-3**2) * 10e-3, rel=1e-12)
     stepped = body_masses(planar_joint("stepped_planet"))[1]
     assert float(stepped) == pytest.approx(unit * (20e-3**2 + 18e-3**2) * 10e-3, rel=1e-12)
+
+
+def test_interference_at_work_counts_sizes_and_temperature(planar_joint):
+    """30 um at the ring; 2 um of sizes, and 0.1 um less and 0.2 um more for each of 30 K."""
+    joint = dataclasses.replace(
+        planar_joint("planetary"),
+        fit=SimpleNamespace(contact_change_per_kelvin=np.array([-1e-7, 2e-7]), temperature_rise=30.0),
+    )
+    np.testing.assert_allclose(joint.working_pattern, [-0.1, 1.2], rtol=1e-12)
+    sized = dataclasses.replace(joint, unlike=SimpleNamespace(added=np.array([2e-6, 0.0])))
+    np.testing.assert_allclose(sized.working_pattern, [-0.1 + 2.0 / 30.0, 1.2], rtol=1e-12)
 
 
 def test_contacts(planar_joint):
