@@ -1,4 +1,5 @@
 import dataclasses
+import math
 
 import jax
 import jax.numpy as jnp
@@ -6,7 +7,14 @@ import numpy as np
 import pytest
 
 from asperity.errors import InputError
-from asperity.joint_file.build import joint_from_case, joint_from_values, with_values
+from asperity.joint_file import build as module
+from asperity.joint_file.build import (
+    branches_from_case,
+    joint_from_case,
+    joint_from_values,
+    with_nominal_sizes,
+    with_values,
+)
 from asperity.joint_file.reader import parse_case
 from asperity.joint_file.si_tables import replace_values, si_values
 
@@ -107,3 +115,52 @@ def test_a_housing_that_expands_more_than_its_joint_takes_preload_away(example_t
     cold, same, warm = map(preload, (15, 20, 25))
     assert 1.0 < warm < 0.95 * same
     assert 1.05 * same < cold < 2.0 * same
+
+
+@pytest.fixture
+def by_interference(example_text, monkeypatch):
+    """Cases preloaded by 13 um, whose joints have their interference for a preload."""
+    monkeypatch.setattr(module, "joint_preload", lambda joint, length: length)
+
+    def of(*changes):
+        text = example_text.replace('preload = "1000 N"', 'interference = "13 um"')
+        for old, new in changes:
+            assert old in text
+            text = text.replace(old, new)
+        return parse_case(text, source="x")
+
+    return of
+
+
+def test_radii_that_deviate_add_to_the_interference(by_interference):
+    """A micrometre of planet is 1.9413 um, one of the ring takes one, one of the sun is cos(theta)/cos(wedge) of it."""
+    values = with_nominal_sizes(si_values(by_interference()))
+    work = (17.5**2 + 18.5**2 - 35.0**2) / (-2.0 * 17.5 * 18.5)
+    work /= (18.5**2 + 35.0**2 - 17.5**2) / (2.0 * 18.5 * 35.0)
+    for name, radius, added in (
+        ("planet", 13.5e-3, 1.9413),
+        ("ring", 40e-3, -1.0),
+        ("sun", 4e-3, work),
+        ("loading_roller", 5e-3, 1.0 + 1.0 / math.cos(math.radians(13.1582))),
+    ):
+        changed = replace_values(values, {f"drive.{name}_radius": radius + 2e-6})
+        found = float(joint_from_values(changed).preload)
+        assert found == pytest.approx(13e-6 + 2e-6 * added, rel=1e-4, abs=0.0), name
+    assert float(joint_from_values(values).preload) == 13e-6
+
+
+def test_interference_at_work_is_that_of_the_assembly_and_of_every_kelvin(by_interference):
+    """An aluminium housing pulls 11 um/m/K at 100 mm, and Lamé's ring in plane strain, free inside, passes that on."""
+    section = (
+        '[temperature]\nassembly = "20 °C"\nworking = "45 °C"\nhousing_expansion = "23.6e-6 1/K"\n\n[model]'
+    )
+    case = by_interference(('= "steel"', '= "52100"'), ("[model]", section))
+    joint = joint_from_case(case)
+    inside, outside = 40.0 * (2.0 - 2.0 * 0.29), 100.0 * (1.0 - 2.0 * 0.29) + 40.0**2 / 100.0
+    grown = -(23.6e-6 - 12.6e-6) * 100e-3 * inside / outside
+    assert float(joint.fit.change_per_kelvin) == pytest.approx(grown, rel=1e-6, abs=0.0)
+    assert float(joint.preload) == pytest.approx(13e-6 + 25.0 * grown, rel=1e-9, abs=0.0)
+    interference, sizes = branches_from_case(case)
+    assert interference == pytest.approx(13e-6 + 25.0 * grown, rel=1e-9, abs=0.0)
+    assert sizes.planet.tolist() == [0.0, 0.0, 0.0]
+    assert branches_from_case(by_interference())[0] == 13e-6
