@@ -52,7 +52,13 @@ def made_up(planar_joint, monkeypatch):
         assert floating == (("sun",) if given[0].support_stiffness > 0.0 else ())
         own = 30e-6 + np.asarray(given[0].added).sum(axis=1)
         normal = np.repeat(1000.0 * own / 30e-6, 2)
-        state = SimpleNamespace(normal=normal, residual=1e-13, displacement=np.array([[1e-6, 2e-6]]))
+        state = SimpleNamespace(
+            normal=normal,
+            residual=1e-13,
+            displacement=np.array([[1e-6, 2e-6]]),
+            pin_force=np.array([10.0, 20.0, 30.0]),
+            speed=np.array([1.0, 0.0, -0.5, -0.6, -0.4, 0.2]),  # sun, ring, planets and carrier
+        )
         if program is module.assembled_sectors:
             asked.append(np.asarray(given[0].reference_force))
             return state
@@ -123,6 +129,10 @@ def test_sectors_by_hand(made_up):
     assert (found.rolling_capacity.first_slip, found.rolling_capacity.branch) == (8.0, 1)
     assert (found.capacity.all_slip, found.capacity.equal, found.rolling_capacity.equal) == (12.0, 10.0, 9.0)
     assert found.stiffness == 2e4
+    # the planets are pushed along the tangent; the fastest of them turns 0.8 times as fast as the sun on its pin
+    np.testing.assert_allclose(np.abs(found.standing.pins[1]).max(axis=0), [10.0, 20.0, 30.0])
+    speed = float(drive.joint.input_speed)
+    np.testing.assert_allclose(found.rolling.bearing_speed, np.array([0.8, 1.0, 0.2]) * speed)
 
 
 def test_sectors_under_more_than_they_carry_and_backwards(made_up):

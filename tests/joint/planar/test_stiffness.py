@@ -39,7 +39,7 @@ def test_stiffness_of_the_planetary_by_hand(planetary):
     shares = document["stiffness_budget"]
     # its free ring bends in the springs of the contacts; the paper's springs of structure do not exist here
     assert set(shares) == {
-        f"{n}_share" for n in ("tangential", "normal", "pin", "input_shaft", "output_shaft")
+        f"{n}_share" for n in ("tangential", "normal", "pin", "input_shaft", "output_shaft", "loading_cam")
     }
     total = sum(sum(s.values()) if isinstance(s, dict) else s for s in shares.values())
     assert total == pytest.approx(1.0, rel=1e-9)
