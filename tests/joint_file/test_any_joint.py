@@ -230,7 +230,7 @@ def test_results_of_the_papers_drive_alone_are_refused_by_name(values):
     table = results_of(values)
     only = {name for name, row in RESULTS.items() if row.wedge_only}
     assert set(table) == set(RESULTS) - only
-    assert {"wedge_angle", "self_locking_ratio", "cam_angle", "pin_load"} <= only
+    assert {"wedge_angle", "self_locking_ratio", "pin_load"} <= only
     for name in ("wedge_angle", "loads"):
         with pytest.raises(InputError, match=f"no result '{name}': only that of Zou et al"):
             chosen_results([name], table=table)

@@ -98,7 +98,7 @@ def test_numbers_of_a_design_have_the_units_of_the_file_and_the_words_of_the_dri
         limits=(limit,),
     )
     assert design_words(result) == {
-        "goal": "smallest normal force of the first contact without torque",
+        "goal": "smallest normal force of the first contact in the assembled drive",
         "before": "844.4 N",
         "after": "800 N",
         "variables": {
