@@ -139,6 +139,20 @@ def test_assumptions_name_what_ra_leaves_open(head):
     assert not any("upper limit" in each for each in tolerated)
 
 
+@pytest.mark.parametrize("tolerance", ["", " +- 0.2 um"])
+def test_assumptions_name_what_an_rz_leaves_open(head, tolerance):
+    text = f'[surface.sp]\nfinish = "ground"\nmean_roughness_depth = "1.6 um{tolerance}"\n'
+    others = (SURFACE.replace("surface]", f"surface.{name}]") for name in ("pwr", "pwl", "wro", "wlo"))
+    told = " ".join(assumptions(parse_case("\n".join([head + text, *others]), source="a.toml")))
+    assert (
+        f"surface.sp.mean_roughness_depth: Rz 1.6 um{tolerance} taken of normally distributed heights, Ra "
+        in told
+    )
+    assert "a single scratch raises Rz, and the surface is then smoother than computed" in told
+    assert told.count("mean_roughness_depth") == (1 if tolerance else 2)
+    assert ("mean_roughness_depth without a tolerance" in told) == (not tolerance)
+
+
 def test_ra_is_a_number_like_any_other(example_case):
     """A study may vary Ra where the file states G; the cut-off is then that of the standard for each Ra."""
     joint = with_values(example_case, {"surface.roughness_average": np.array([0.05e-6, 0.2e-6])})

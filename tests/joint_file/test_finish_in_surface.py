@@ -6,7 +6,9 @@ from asperity.errors import InputError
 from asperity.joint_file.edited_text import joint_file_text
 from asperity.joint_file.finish_in_surface import dimension_text, fill_in_finishes
 from asperity.joint_file.reader import parse_case
+from asperity.joint_file.si_tables import replace_values, si_values
 from asperity.library import read_finishes
+from asperity.surface.peak_to_valley import depth_over_average
 
 
 @pytest.fixture(scope="module")
@@ -53,7 +55,41 @@ def test_each_contact_may_have_its_own():
             r"a\.toml: surface\.finish: there is no finish 'grund'; known are ground, honed",
         ),
         ('roughness_average = "0.2 um"', "Ra fixes one combination of D and G; add a finish"),
-        ('finish = "ground"\nRz = "1.6 um"', r"surface\.Rz: .* its ratio to Ra depends on the process"),
+        ('finish = "ground"\nRz = "1.6 um"', r"surface\.Rz: .* did you mean 'mean_roughness_depth'"),
+        (
+            'finish = "ground"\nRt = "1.6 um"',
+            r"surface\.Rt: .* which a single scratch decides; give roughness_av",
+        ),
+        ('mean_roughness_depth = "1.6 um"', "Rz fixes one combination of D and G; add a finish"),
+        (
+            'finish = "ground"\nmean_roughness_depth = "1.6 um"\nroughness_average = "0.3 um"',
+            r"a\.toml: surface: both mean_roughness_depth and roughness_average are given",
+        ),
+        (
+            'finish = "ground"\nmean_roughness_depth = "1.6 um"\nfractal_roughness = "1e-8 mm"',
+            "both mean_roughness_depth and fractal_roughness are given",
+        ),
+        (
+            'finish = "ground"\nmean_roughness_depth = 1.6',
+            "mean_roughness_depth: expected a length with its unit",
+        ),
+        ('finish = "ground"\nmean_roughness_depth = "1 mm"', "1000 um is not allowed.* at most 400 um"),
+        (
+            'finish = "ground"\nmean_roughness_depth = "1.6 um"\ncut_off = "1 mm"',
+            r"surface\.cut_off: .* 0\.8 mm, 2\.5 mm, 8 mm, got 1 mm; or give roughness_average",
+        ),
+        (
+            'finish = "ground"\nmean_roughness_depth = "1.6 um +- 0.2 um, normal 2 sigma"',
+            "ends of a range; leave 'normal 2 sigma' out",
+        ),
+        (
+            'finish = "ground"\nmean_roughness_depth = "1.6 um +- 1.5 um"',
+            "leaves Ra open down to zero; its tol",
+        ),
+        (
+            'fractal_dimension = "1.9 +- 0.2"\nfrequency_ratio = 1.5\nmean_roughness_depth = "1.6 um"',
+            "fractal_dimension: the Ra of an Rz needs a range between 1 and 2, got '1.9 \\+- 0.2'",
+        ),
         ('finish = "ground"\nRa = "0.2 um"', "did you mean 'roughness_average'"),
         ('finish = "ground"', "exactly one of 'fractal_roughness' and 'roughness_average'.* got neither"),
         (
@@ -71,6 +107,50 @@ def test_each_contact_may_have_its_own():
 def test_what_makes_no_surface_is_refused_with_a_reason(case_with, surface, message):
     with pytest.raises(InputError, match=message):
         case_with(f"[surface]\n{surface}")
+
+
+RZ = '[surface]\nfinish = "ground"\nmean_roughness_depth = "1.6 um +- 0.2 um"  # drawing'
+
+
+def test_an_rz_gives_the_range_of_ra_at_its_own_cut_off(case_with):
+    """The ends of D with the ends of Rz: the ratio rises with D."""
+    entry = case_with(RZ).surface
+    assert (entry.cut_off.value, entry.mean_roughness_depth) == (pytest.approx(0.8e-3), "1.6 um +- 0.2 um")
+    found = entry.roughness_average
+    low, middle, high = (depth_over_average(fractal_dimension=d, cut_off=0.8e-3) for d in (1.15, 1.325, 1.5))
+    assert found.value == pytest.approx(1.6e-6 / middle, rel=1e-5)
+    assert found.tolerance == pytest.approx(
+        max(1.8e-6 / low - found.value, found.value - 1.4e-6 / high), rel=1e-5
+    )
+    assert found.distribution.kind == "uniform"
+    shorter = case_with(RZ.replace('1.6 um +- 0.2 um"', '0.5 um"')).surface
+    assert shorter.cut_off.value == pytest.approx(0.25e-3)  # 0.1 um of Ra would have the same, 0.11 um not
+    assert shorter.roughness_average.tolerance > 0.1 * shorter.roughness_average.value
+
+
+def test_a_surface_with_an_rz_that_was_filled_in_stays(case_with):
+    case = case_with(RZ)
+    filled, refused = fill_in_finishes(
+        {"surface": {"finish": "ground", "mean_roughness_depth": case.surface.mean_roughness_depth}}
+    )
+    assert (fill_in_finishes(filled), refused) == ((filled, {}), {})
+
+
+def test_a_file_with_an_rz_is_written_back_with_the_ra_that_a_study_had(case_with):
+    case = case_with(RZ)
+    for changes in (
+        {"surface.fractal_dimension": 1.4},
+        {"surface.roughness_average": 4e-7},
+        {"drive.planets": 4},
+    ):
+        written = joint_file_text(case, changes, comment="")
+        back = parse_case(written, source="b.toml")
+        assert back.surface.mean_roughness_depth is None
+        assert back.text == written
+        wanted = replace_values(si_values(case), changes)["surface"]
+        assert si_values(back)["surface"] == wanted
+    with pytest.raises(InputError, match=r"vary 'surface\.sp\.roughness_average' instead"):
+        replace_values(si_values(case), {"surface.sp.mean_roughness_depth": 1e-6})
 
 
 def test_a_g_takes_the_place_of_an_ra_and_its_companions(case_with):

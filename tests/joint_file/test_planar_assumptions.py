@@ -69,8 +69,17 @@ def test_a_surface_by_its_ra_leaves_d_open(planar_case, dimension, told):
         ('fractal_roughness = "1.3e-7 mm"', 'roughness_average = "0.1 um"'),
     )
     (said,) = [each for each in planar_assumptions(average) if "Ra leaves D open" in each]
+    assert not any("mean_roughness_depth" in each for each in planar_assumptions(average))
     assert told in said
     assert not any("Ra leaves D open" in each for each in planar_assumptions(planar_case("planetary")))
+
+
+def test_a_surface_by_its_rz_is_taken_of_normal_heights(planar_case):
+    """D = 1.5 as the file states it: 0.8 um over 5.8, twice 8 % to both sides."""
+    rz = planar_case("planetary", ('fractal_roughness = "1.3e-7 mm"', 'mean_roughness_depth = "0.8 um"'))
+    said = [each for each in planar_assumptions(rz) if each.startswith("surface.mean_roughness_depth")]
+    assert len(said) == 2
+    assert "Rz 0.8 um taken of normally distributed heights, Ra 0.12 um to 0.16 um" in said[0]
 
 
 def test_temperatures_and_what_they_would_do_to_a_preload_by_force(planar_case):

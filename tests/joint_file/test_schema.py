@@ -129,6 +129,30 @@ def test_schema_and_reader_agree_on_materials(schema, tmp_path, said):
     assert jsonschema.Draft202012Validator(schema).is_valid(tables) == allowed
 
 
+@pytest.mark.parametrize(
+    ("surface", "allowed"),
+    [
+        ({"mean_roughness_depth": "1.6 um"}, True),
+        (
+            {"mean_roughness_depth": "1.6 um", "cut_off": "2.5 mm", "partner_roughness_average": "0.2 um"},
+            True,
+        ),
+        ({"roughness_average": "0.2 um", "cut_off": "0.8 mm"}, True),
+        ({"mean_roughness_depth": "1.6 um", "roughness_average": "0.2 um"}, False),
+        ({"fractal_roughness": "1e-8 mm", "cut_off": "0.8 mm"}, False),
+    ],
+)
+def test_schema_and_reader_agree_on_heights(schema, surface, allowed):
+    tables = with_materials(None) | {"surface": {"finish": "ground"} | surface}
+    if allowed:
+        assert case_from_tables(tables, source="joint.toml").surface.roughness_average
+    else:
+        with pytest.raises(InputError):
+            case_from_tables(tables, source="joint.toml")
+    jsonschema = pytest.importorskip("jsonschema")
+    assert jsonschema.Draft202012Validator(schema).is_valid(tables) == allowed
+
+
 @pytest.mark.parametrize("name", JOINT_FILES)
 def test_the_examples_keep_to_the_schema(schema, name):
     jsonschema = pytest.importorskip("jsonschema")

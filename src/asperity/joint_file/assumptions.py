@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from asperity.joint_file.drawn_surface import surfaces_by_average
+from asperity.joint_file.drawn_surface import depth_assumptions, surfaces_by_average
 from asperity.joint_file.material_entries import MaterialEntry
 from asperity.joint_file.model import Case, Lubrication, Rolling
 from asperity.joint_file.planar_model import PlanarCase, PlanarRolling
@@ -117,7 +117,7 @@ def _surfaces(case: Case) -> list[str]:
                 f"{path}.roughness_average {format_quantity(average.value, 'um')} lies outside the {low} to {high} "
                 f"that are published for {known.name} surfaces"
             )
-    return told
+    return told + depth_assumptions(case)
 
 
 def temperature_assumptions(case: Case | PlanarCase, *, housed: bool) -> list[str]:

@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 
 from asperity.joint.surface_interval import over_surfaces, result_ends
+from asperity.joint_file import limits
 from asperity.joint_file.build import joint_from_values
 from asperity.joint_file.material_entries import SurfaceEntry
 from asperity.joint_file.model import Case
@@ -36,6 +37,38 @@ def surfaces_by_average(case: Case | PlanarCase) -> dict[str, SurfaceEntry]:
         Dotted path → the entry.
     """
     return {path: entry for path, entry in _entries(case) if entry.roughness_average is not None}
+
+
+def depth_assumptions(case: Case | PlanarCase) -> list[str]:
+    """What is taken for surfaces that are stated by their Rz.
+
+    Parameters
+    ----------
+    case : Case or PlanarCase
+        The joint file.
+
+    Returns
+    -------
+    list of str
+        One sentence each.
+    """
+    told = []
+    for path, entry in surfaces_by_average(case).items():
+        average = entry.roughness_average
+        if entry.mean_roughness_depth is None or average is None:
+            continue
+        low, high = (average.value + sign * average.tolerance for sign in (-1.0, 1.0))
+        told.append(
+            f"{path}.mean_roughness_depth: Rz {entry.mean_roughness_depth} taken of normally distributed heights, Ra "
+            f"{format_quantity(low, 'um', 2)} to {format_quantity(high, 'um', 2)}; a single scratch raises Rz, and the "
+            "surface is then smoother than computed"
+        )
+        if limits.MEAN_ROUGHNESS_DEPTH.read(entry.mean_roughness_depth).tolerance == 0.0:
+            told.append(
+                f"{path}.mean_roughness_depth without a tolerance: as measured over one evaluation length, not the "
+                "upper limit that a drawing states; surfaces below the limit are smoother"
+            )
+    return told
 
 
 def _entries(case: Case | PlanarCase) -> Iterator[tuple[str, SurfaceEntry]]:

@@ -14,6 +14,7 @@ from asperity.joint_file.part_names import paths_of_track, type_of
 from asperity.joint_file.quantity_key import Key, Quantity
 from asperity.joint_file.reader import model_of_type, parse_any_case
 from asperity.joint_file.si_tables import (
+    DEPTH,
     AnyCase,
     NumericKey,
     change_targets,
@@ -68,7 +69,7 @@ def joint_file_text(case: AnyCase, changes: Mapping[str, float], *, comment: str
     -------
     str
         TOML with the comments of the original file. An entry of a library file of the user's is replaced by its
-        numbers, because its path would be wrong in another folder.
+        numbers, because its path would be wrong in another folder, and an Rz by the range of Ra that it was read as.
     """
     stated, values = numeric_keys(case), si_values(case)
     kind = type_of(values)
@@ -112,6 +113,14 @@ def _edited(text: str, case: AnyCase, written: Mapping[str, float | str]) -> str
             for key in ("library", "file"):
                 entry.remove(key)
             entry.update(_texts(case.materials[name]))
+    surfaces, texts = document["surface"], _texts(case.surface)
+    for table, stated in [
+        (surfaces, texts),
+        *((surfaces[name], each) for name, each in texts.items() if isinstance(each, dict)),
+    ]:
+        if DEPTH in stated:
+            del table[DEPTH]
+            table.update({name: stated[name] for name in ("roughness_average", "cut_off")})
     set_texts(document, written)
     return tomlkit.dumps(document)
 

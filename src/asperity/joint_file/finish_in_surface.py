@@ -6,20 +6,26 @@ from collections.abc import Iterator, Mapping
 from typing import Any
 
 from asperity.errors import InputError, quoted
+from asperity.joint_file import limits
+from asperity.joint_file.quantity_key import Key, Quantity
+from asperity.joint_file.si_tables import DEPTH
 from asperity.library import FREQUENCY_RATIO, Finish, read_finishes
+from asperity.surface.peak_to_valley import average_from_depth, depth_cut_off
 
-_PEAK_TO_VALLEY = ("rz", "rmax", "rt", "maximum_height", "mean_roughness_depth")
-_MEANT = {"ra": "roughness_average", "lambda_c": "cut_off"}
+_PEAK_TO_VALLEY = ("rmax", "rt", "maximum_height")
+_MEANT = {"ra": "roughness_average", "rz": DEPTH, "lambda_c": "cut_off"}
 
 
 def fill_in_finishes(tables: Mapping[str, Any]) -> tuple[dict[str, Any], dict[str, str]]:
-    """The tables of a joint file in which every surface with a finish states its D and frequency ratio.
+    """The tables of a joint file in which a surface with a finish states its D, and one with an Rz its Ra.
 
     Parameters
     ----------
     tables : mapping
         The joint file as TOML reads it. ``surface = {finish = "ground", roughness_average = "0.2 um"}`` gets the
-        published range of D of ground surfaces as a tolerance about its middle; what the file states stays.
+        published range of D of ground surfaces as a tolerance about its middle; what the file states stays. A
+        ``mean_roughness_depth`` gives the Ra of normally distributed heights, with the range that D and the scatter
+        or the tolerance of Rz leave open, and the cut-off of ISO 4288 for this Rz.
 
     Returns
     -------
@@ -78,20 +84,72 @@ def _whole(entry: dict[str, Any]) -> dict[str, Any]:
         plain = key.lower()
         if plain in _PEAK_TO_VALLEY:
             raise InputError(
-                f".{key}: no surface can be made of a peak-to-valley height, because its ratio to Ra depends on the "
-                "process and on single scratches; give roughness_average, the Ra of the drawing or of a measurement"
+                f".{key}: no surface can be made of the largest peak-to-valley height, which a single scratch decides; "
+                f"give roughness_average (Ra) or {DEPTH} (Rz, the mean over five sampling lengths)"
             )
         if plain in _MEANT and _MEANT[plain] not in entry:
             raise InputError(f".{key}: unknown key; did you mean '{_MEANT[plain]}'?")
     if "finish" not in entry:
-        if "roughness_average" in entry and "fractal_dimension" not in entry:
+        height = next((key for key in ("roughness_average", DEPTH) if key in entry), None)
+        if height and "fractal_dimension" not in entry:
+            symbol = "Rz" if height == DEPTH else "Ra"
             raise InputError(
-                ": roughness_average alone makes no surface, because Ra fixes one combination of D and G; add a finish "
+                f": {height} alone makes no surface, because {symbol} fixes one combination of D and G; add a finish "
                 f"({', '.join(read_finishes())}), or fractal_dimension with its range, e.g. '1.3 +- 0.2'"
             )
-        return entry
+        return _with_average(entry)
     name, known = entry["finish"], read_finishes()
     if not isinstance(name, str) or name not in known:
         raise InputError(f".finish: there is no finish {quoted(name)}; known are {', '.join(known)}")
     added = {"fractal_dimension": dimension_text(known[name]), "frequency_ratio": FREQUENCY_RATIO}
-    return {**added, **entry}
+    return _with_average({**added, **entry})
+
+
+def _with_average(entry: dict[str, Any]) -> dict[str, Any]:
+    """A surface with the Ra that its Rz means."""
+    if DEPTH not in entry:
+        return entry
+    depth = _read(entry, DEPTH, limits.MEAN_ROUGHNESS_DEPTH)
+    dimension = _read(entry, "fractal_dimension", limits.FRACTAL_DIMENSION)
+    if depth.distribution and depth.distribution.kind != "uniform":
+        raise InputError(
+            f".{DEPTH}: its tolerance counts as the ends of a range; leave '{depth.distribution}' out, or give "
+            "roughness_average"
+        )
+    for end in (dimension.value - dimension.tolerance, dimension.value + dimension.tolerance):
+        if not limits.FRACTAL_DIMENSION.admits(end):
+            raise InputError(
+                f".fractal_dimension: the Ra of an Rz needs a range between 1 and 2, got {quoted(dimension.text)}"
+            )
+    cut_off = depth_cut_off(mean_roughness_depth=depth.value)
+    if "cut_off" in entry:
+        cut_off = _read(entry, "cut_off", limits.CUT_OFF).value
+    try:
+        average, half = average_from_depth(
+            mean_roughness_depth=depth.value,
+            tolerance=depth.tolerance,
+            fractal_dimension=dimension.value,
+            dimension_tolerance=dimension.tolerance,
+            cut_off=cut_off,
+        )
+    except InputError as error:
+        raise InputError(f".cut_off: {error}; or give roughness_average") from None
+    if half >= average:
+        raise InputError(
+            f".{DEPTH}: {quoted(depth.text)} leaves Ra open down to zero; its tolerance has to be smaller"
+        )
+    made = {
+        "roughness_average": f"{1e6 * average:.6g} um +- {1e6 * half:.6g} um, uniform",
+        "cut_off": entry.get("cut_off", f"{1e3 * cut_off:.6g} mm"),
+    }
+    for other in ("roughness_average", "fractal_roughness"):
+        if other in entry and entry[other] != made.get(other):  # tables that were filled in before state both
+            raise InputError(f": both {DEPTH} and {other} are given; leave one of them out")
+    return {**entry, **made}
+
+
+def _read(entry: dict[str, Any], name: str, key: Key) -> Quantity:
+    try:
+        return key.read(entry[name])
+    except InputError as error:
+        raise InputError(f".{name}: {error}") from None

@@ -74,11 +74,14 @@ class SurfaceEntry(Section):
     """Fractal roughness G; either this or roughness_average."""
     roughness_average: Annotated[Quantity, limits.ROUGHNESS_AVERAGE] | None = None
     """Ra of one body, from its drawing. It does not say what D is: the stiffness comes out as an interval."""
+    mean_roughness_depth: Annotated[str, StringConstraints(max_length=100)] | None = None
+    """Rz of one body in place of its Ra, text with its unit, 0.001 to 400 um. It is read as the range of Ra that
+    normally distributed heights with this Rz have; studies vary roughness_average."""
     partner_roughness_average: Annotated[Quantity, limits.PARTNER_AVERAGE] | None = None
     """Ra of the other body; the same if absent."""
     cut_off: Annotated[Quantity, limits.CUT_OFF] | None = None
-    """Cut-off of the profile filter with which roughness_average is measured; that of ISO 4288 for this Ra if
-    absent."""
+    """Cut-off of the profile filter with which roughness_average is measured; that of ISO 4288 for this Ra or Rz
+    if absent. With an Rz one of 0.08, 0.25, 0.8, 2.5 and 8 mm."""
     frequency_ratio: Annotated[Quantity, limits.FREQUENCY_RATIO]
     """Ratio gamma of successive frequencies of the Weierstrass–Mandelbrot profile; usually 1.5, as if a finish is
     given."""
@@ -88,12 +91,15 @@ class SurfaceEntry(Section):
         if (self.fractal_roughness is None) == (self.roughness_average is None):
             found = "neither" if self.fractal_roughness is None else "both"
             raise InputError(
-                f"exactly one of 'fractal_roughness' and 'roughness_average' is needed, got {found}"
+                "exactly one of 'fractal_roughness' and 'roughness_average' (or 'mean_roughness_depth') is needed, "
+                f"got {found}"
             )
         of_average = ("partner_roughness_average", "cut_off")
         lonely = [name for name in of_average if getattr(self, name) is not None]
         if lonely and self.roughness_average is None:
-            raise InputError(f"{' and '.join(lonely)}: only with roughness_average; leave out, or give it")
+            raise InputError(
+                f"{' and '.join(lonely)}: only with roughness_average or mean_roughness_depth; leave out, or give one"
+            )
         return self
 
 

@@ -13,6 +13,7 @@ from asperity.joint_file.assumptions import (
     rolling_assumptions,
     temperature_assumptions,
 )
+from asperity.joint_file.drawn_surface import depth_assumptions
 from asperity.joint_file.general_model import GeneralCase
 from asperity.joint_file.planar_build import planar_joint_from_case
 from asperity.joint_file.planar_model import PlanarCase
@@ -88,6 +89,7 @@ def planar_assumptions(case: PlanarCase) -> tuple[str, ...]:
                 f"roughness_average: Ra leaves D open, and all results are those of the {which}; 'asperity joint' "
                 "gives the interval of stiffness and drift"
             )
+    told += depth_assumptions(case)
     if case.load.cam_force_per_torque is not None:
         told.append(LOADING_CAM)
     if getattr(case, "branch", None) is not None:

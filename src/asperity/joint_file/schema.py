@@ -92,15 +92,16 @@ def _offer_library(schema: Schema) -> None:
 
 
 def _offer_finishes(schema: Schema) -> None:
-    """Add what :func:`asperity.joint_file.finish_in_surface.fill_in_finishes` fills in, and the choice of G or Ra."""
+    """Add what :func:`asperity.joint_file.finish_in_surface.fill_in_finishes` fills in; the choice of G, Ra or Rz."""
     entry = schema["$defs"][SurfaceEntry.__name__]
     entry["properties"]["finish"] = {
         "title": "Finish",
         "description": entry["properties"]["finish"]["description"],
         "enum": list(read_finishes()),
     }
-    entry["oneOf"] = [{"required": ["fractal_roughness"]}, {"required": ["roughness_average"]}]
+    heights = [{"required": ["roughness_average"]}, {"required": ["mean_roughness_depth"]}]
+    entry["oneOf"] = [{"required": ["fractal_roughness"]}, *heights]
     entry["anyOf"] = [{"required": ["finish"]}, {"required": entry.pop("required")}]
-    entry["dependentRequired"] = {
-        name: ["roughness_average"] for name in ("partner_roughness_average", "cut_off")
+    entry["dependentSchemas"] = {
+        name: {"anyOf": heights} for name in ("partner_roughness_average", "cut_off")
     }

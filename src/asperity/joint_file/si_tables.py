@@ -22,6 +22,8 @@ from asperity.joint_file.section import Section
 
 #: Nested tables like those of the file; leaves are SI numbers (or arrays of them) and names.
 Values = dict[str, Any]
+#: The Rz of a surface, text beside the roughness_average that the reader makes of it.
+DEPTH = "mean_roughness_depth"
 #: A joint file of any type of drive.
 AnyCase = Case | PlanarCase
 
@@ -33,7 +35,13 @@ _PAIRS = (
 _COUNTERPARTS: dict[str, tuple[str, ...]] = {
     **{first: (second,) for first, second in _PAIRS},
     **{second: (first,) for first, second in _PAIRS},
-    "fractal_roughness": ("roughness_average", "partner_roughness_average", "cut_off"),
+    "fractal_roughness": (
+        "roughness_average",
+        DEPTH,
+        "partner_roughness_average",
+        "cut_off",
+    ),
+    "roughness_average": ("fractal_roughness", DEPTH),
 }
 _NAMED = ("materials", "duty", "branch", "roller", "contact")
 _ONE_OR_EACH = ("drive.contact_length", "load.friction_coefficient", "rolling.skew", "surface")
@@ -73,7 +81,7 @@ def si_values(case: Section) -> Values:
     Returns
     -------
     dict
-        Nested tables. What the file leaves out is absent.
+        Nested tables. What the file leaves out is absent, and so is an Rz, whose Ra is there.
     """
     tables: Values = _plain(case)
     return tables
@@ -83,7 +91,7 @@ def _plain(node: Any) -> Any:
     if isinstance(node, Quantity):
         return node.value
     if isinstance(node, BaseModel):
-        return {name: _plain(value) for name, value in node if value is not None}
+        return {name: _plain(value) for name, value in node if value is not None and name != DEPTH}
     if isinstance(node, dict):
         return {name: _plain(value) for name, value in node.items()}
     if isinstance(node, tuple):
@@ -131,6 +139,9 @@ def key_at(path: str, kind: str | None = None) -> Key:
             return known[generic]
     whose = "a joint file" if kind in (None, WEDGE_TYPE) else f"the joint file of a drive of type {kind}"
     named = parts[0] in _NAMED and len(parts) > 2
+    if parts[0] == "surface" and parts[-1] == DEPTH:
+        average = ".".join([*parts[:-1], "roughness_average"])
+        raise InputError(f"{path}: Rz is read as a range of Ra; vary '{average}' instead")
     near = nearest(".".join([parts[0], "*", *parts[2:]]) if named else path, known)
     raise InputError(f"{whose} has no number '{path}'{near}")
 
