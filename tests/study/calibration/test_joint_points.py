@@ -9,10 +9,12 @@ from asperity.joint.either_kind import under_torque
 from asperity.joint.planar.solve import solve_planar
 from asperity.joint.windup import windup
 from asperity.joint_file.planar_build import any_joint_from_values
+from asperity.joint_file.reader import read_case
 from asperity.joint_file.si_tables import replace_values, si_values
+from asperity.study.calibration import joint_points as module
 from asperity.study.calibration.calibrate import calibrate
 from asperity.study.calibration.curve_model import CurveModel
-from asperity.study.calibration.joint_points import joint_points
+from asperity.study.calibration.joint_points import NO_SLIP_FRICTION, joint_points
 from asperity.study.calibration.measurement import Measurement
 from asperity.study.calibration.unknowns import read_unknowns
 
@@ -39,6 +41,75 @@ def points(case, torque, shown, *, numbers=KNOWN, slips=True, slopes=False):
         shown=shown,
         slopes=slopes,
     )
+
+
+@pytest.mark.parametrize("shown", ["assembly", "drift"])
+def test_states_that_are_asked_of_the_papers_drive(zou_file, monkeypatch, shown):
+    """Two sets at two torques; friction of the bearings turns round with the torque of a joint that stands."""
+    asked = []
+
+    def derivatives(values, changes, results, paths):
+        asked.append((changes, results))
+        rows = np.arange(4.0)
+        slip = np.stack([0.1 * rows, 0.2 * rows])
+        found = {results[0]: (10.0 + rows)[None], "slip_ratio": slip}
+        by = {results[0]: np.stack([rows, 1.0 + rows], axis=-1)[None]}
+        return np.array([0, 0, 3, 0]), found, by
+
+    monkeypatch.setattr(module, "derivatives_at", derivatives)
+    found = joint_points(
+        si_values(read_case(zou_file)),
+        ("load.preload", "load.sun_speed"),
+        np.array([[1000.0, 60.0], [800.0, 50.0]]),
+        torque=np.array([-2.0, 3.0]),
+        slips=np.array([True, False]),
+        shown=shown,
+        slopes=True,
+    )
+    ((changes, results),) = asked
+    assert results == (("drift" if shown == "drift" else "assembly_stiffness_output"), "slip_ratio")
+    np.testing.assert_array_equal(changes["load.preload"], [1000.0, 1000.0, 800.0, 800.0])
+    np.testing.assert_array_equal(changes["load.output_torque"], [-2.0, 3.0, -2.0, 3.0])
+    sense = np.array([1.0, 1.0, 1.0, 1.0] if shown == "drift" else [-1.0, 1.0, -1.0, 1.0])
+    np.testing.assert_array_equal(changes["load.sun_speed"], sense * [60.0, 60.0, 50.0, 50.0])
+    friction = changes["load.friction_coefficient"]
+    np.testing.assert_array_equal(friction, [0.12, NO_SLIP_FRICTION, 0.12, NO_SLIP_FRICTION])
+    np.testing.assert_array_equal(found.value, [[10.0, 11.0], [12.0, 13.0]])
+    np.testing.assert_allclose(found.slip_ratio, [[0.0, 0.2], [0.4, 0.6]])
+    assert found.exists.tolist() == [[True, True], [False, True]]
+    np.testing.assert_array_equal(found.slopes[..., 0], [[0.0, 1.0], [2.0, 3.0]])
+    np.testing.assert_array_equal(found.slopes[..., 1].ravel(), sense * [1.0, 2.0, 3.0, 4.0])
+
+
+@pytest.mark.parametrize("shown", ["assembly", "drift"])
+def test_each_torque_of_another_drive_is_solved_once(case, monkeypatch, shown):
+    """Repeated torques share a state; with slip or without, or, of a drift, forwards or backwards."""
+    over = []
+
+    def solved(structure, base, direction, torque):
+        over.append(torque)
+        both = np.stack([10.0 + torque, 100.0 + torque], axis=1)
+        slip = np.stack([0.1 * np.abs(torque), 0.0 * torque], axis=1)
+        holds = torque != 5.0
+        return {shown: both, "slip_ratio": slip, "solved": holds}, {shown: 2.0 * both}
+
+    monkeypatch.setattr(module, "_over", solved)
+    found = joint_points(
+        si_values(case),
+        PATHS[:1],
+        KNOWN[None, :1],
+        torque=np.array([3.0, -2.0, 3.0, 5.0]),
+        slips=np.array([True, True, False, False]),
+        shown=shown,
+        slopes=True,
+    )
+    np.testing.assert_array_equal(over, [[-2.0, 3.0, 5.0]])
+    value = [13.0, 98.0, 13.0, 15.0] if shown == "drift" else [13.0, 8.0, 103.0, np.nan]
+    np.testing.assert_array_equal(found.value[0], value)
+    np.testing.assert_allclose(found.slip_ratio[0], [0.3, 0.2, 0.3, 1.0])
+    slope = [26.0, 196.0, 26.0, 30.0] if shown == "drift" else [26.0, 16.0, 206.0, 210.0]
+    np.testing.assert_array_equal(found.slopes[0, :, 0], slope)
+    assert found.exists[0].tolist() == [True, True, True, shown == "drift"]
 
 
 def known_joint(case):
