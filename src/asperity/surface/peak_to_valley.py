@@ -80,11 +80,13 @@ def depth_over_average(*, fractal_dimension: float, cut_off: float) -> float:
     Notes
     -----
     Real processes differ: one scratch raises Rz and leaves Ra, a plateau lowers both unequally.
+    The Ra of :func:`asperity.surface.roughness_average.roughness_average` is taken without the short-wave filter, which
+    takes 0.4 % of it at D = 1.5 and 7 % at D = 1.8 for cut-offs from 0.8 mm, 4 % and 19 % for 0.08 mm.
 
     Examples
     --------
-    >>> f"{depth_over_average(fractal_dimension=1.3, cut_off=0.8e-3):.1f}"
-    '5.2'
+    >>> f"{depth_over_average(fractal_dimension=1.3, cut_off=0.8e-3):.2f}"
+    '5.15'
     """
     return _fitted(0, fractal_dimension, cut_off)
 
