@@ -14,6 +14,26 @@ from asperity.units import format_quantity
 WIDEST = 3.0
 
 
+def refuse_loading_cam(cam: object | None) -> None:
+    """Refuse branches of their own sizes in a joint with a loading cam.
+
+    Parameters
+    ----------
+    cam : object or None
+        The cam of the joint; None without one.
+
+    Raises
+    ------
+    InputError
+        With what to do.
+    """
+    if cam is not None:
+        raise InputError(
+            "branches of their own sizes and a loading cam (load.cam_force_per_torque) cannot be combined yet; leave "
+            "one of them out"
+        )
+
+
 def refuse_wide(interference: np.ndarray, nominal: float) -> None:
     """Refuse branches that are pressed much more than the equal ones around which their laws are taken.
 

@@ -30,7 +30,7 @@ from asperity.drive.unequal_branches import (
 from asperity.errors import InputError, NoSolutionError
 from asperity.joint.branch_law import BranchLaw, BranchLaws, branch_laws
 from asperity.joint.branch_results import BranchCapacity, BranchState, UnequalBranches
-from asperity.joint.branch_sizes import WIDEST, BranchSizes, refuse_wide
+from asperity.joint.branch_sizes import WIDEST, BranchSizes, refuse_loading_cam, refuse_wide
 from asperity.joint.description import Joint
 from asperity.joint.interference import joint_preload
 from asperity.joint.working_loads import loads_at_rest
@@ -52,10 +52,7 @@ class BranchedJoint:
     """
 
     def __init__(self, joint: Joint, interference: float) -> None:
-        if joint.cam_force_per_torque is not None:
-            raise InputError(
-                "branches of their own sizes and a loading cam cannot be combined yet; leave one of them out"
-            )
+        refuse_loading_cam(joint.cam_force_per_torque)
         geometry = joint.geometry
         self.joint, self.interference = joint, interference
         self.own_preload = float(joint.preload)

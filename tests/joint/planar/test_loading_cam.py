@@ -6,9 +6,11 @@ import numpy as np
 import pytest
 
 from asperity.drive.loading_cam import LoadingCam
+from asperity.errors import InputError
 from asperity.joint.capacity import LIMIT_KINDS
 from asperity.joint.either_kind import under_torque
 from asperity.joint.evaluation import evaluate
+from asperity.joint.planar.branches import BranchedPlanarJoint
 from asperity.joint.planar.over_torque import over_torque
 from asperity.joint.planar.solve import solve_planar
 from asperity.joint.rolling_conditions import DutyPoint
@@ -198,3 +200,8 @@ def test_the_papers_drive_with_a_cam_as_by_its_own_chain(paper_joint, as_planar)
     assert float(found.assembly.stiffness.output) == pytest.approx(
         float(expected.assembly.stiffness.output), rel=1e-2
     )
+
+
+def test_unlike_branches_are_refused(plain):
+    with pytest.raises(InputError, match=r"a loading cam .* cannot be combined"):
+        BranchedPlanarJoint(with_cam(plain), None)

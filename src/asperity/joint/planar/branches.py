@@ -20,7 +20,7 @@ from asperity.drive.planar.loads import pin_components
 from asperity.drive.planar.state import STATE_TOLERANCE, PlanarState
 from asperity.errors import InputError, NoSolutionError
 from asperity.joint.branch_results import BranchCapacity, BranchState, UnequalBranches
-from asperity.joint.branch_sizes import SectorDeviations, refuse_wide
+from asperity.joint.branch_sizes import SectorDeviations, refuse_loading_cam, refuse_wide
 from asperity.joint.capacity import LIMIT_KINDS, TorqueCapacity, limit_words
 from asperity.joint.planar.description import PlanarJoint
 from asperity.joint.planar.sector_states import sector_states
@@ -39,12 +39,13 @@ class BranchedPlanarJoint:
     Parameters
     ----------
     joint : PlanarJoint
-        One joint, its preload by interference.
+        One joint without a loading cam, its preload by interference.
     solution : PlanarSolution
         What it does with equal sectors.
     """
 
     def __init__(self, joint: PlanarJoint, solution: PlanarSolution) -> None:
+        refuse_loading_cam(joint.cam)
         if joint.interference is None:
             raise InputError("sizes of branches make no preload that a spring holds: give load.interference")
         numbers: PlanarJoint = jax.tree.map(lambda leaf: np.asarray(leaf, dtype=float), joint)
