@@ -13,12 +13,13 @@ from asperity.drive.geometry import triangle
 from asperity.joint.description import with_one_rank
 from asperity.joint.elastic_bodies import machine_bodies
 from asperity.joint.results import RESULTS
-from asperity.joint.rim_safety import joint_rims
+from asperity.joint.rim_safety import branch_joint_rims, joint_rims
 from asperity.joint.solve import solve
 from asperity.joint.working_loads import working_forces
 from asperity.joint_file.build import joint_from_case
 
 rims = jax.jit(joint_rims)
+unlike = jax.jit(branch_joint_rims)
 by_sum = jax.jit(hoop_stress, static_argnames="mode_count")
 
 
@@ -116,3 +117,40 @@ def test_only_bodies_that_bend_are_judged(joint, plain):
         assert RESULTS[f"{body}_yield_safety"].present(bending) == (True,)
         assert RESULTS[f"{body}_fatigue_safety"].present(bending) == (tires,)
         assert RESULTS[f"{body}_yield_safety"].present(stiff) == (False,)
+
+
+@pytest.mark.slow
+def test_branches_that_differ_bend_a_free_ring_by_all_their_forces(joint, result, found):
+    """Three branches with 1.4, 1.0 and 0.6 times the forces: the sum of all six contacts without symmetry."""
+    forces = np.array([np.asarray(each) for each in working_forces(joint, result)])
+    rest = np.array([forces[0], np.zeros(5)])
+    share = np.array([1.4, 1.0, 0.6])
+    each = unlike(joint, forces[..., None] * share, rest[..., None] * np.ones(3))
+    ring = machine_bodies(with_one_rank(joint), triangle(joint.geometry))[4]
+    radial, drag = (
+        np.outer(share, sign * force[[3, 4]]).ravel() for sign, force in zip((1, -1), forces, strict=True)
+    )
+    stress = by_sum(
+        body=ring.body,
+        contact_angles=jnp.asarray(
+            np.add.outer(2.0 * np.pi / 3.0 * np.arange(3), np.asarray(ring.contact_angles)).ravel()
+        ),
+        radial_forces=jnp.asarray(radial),
+        tangential_forces=jnp.asarray(drag),
+        angle=jnp.asarray(np.linspace(0.0, 2.0 * np.pi, 721)),
+        mode_count=300,
+    )
+    other = np.asarray(stress.other_rim)
+    assert float(each.ring.stress[1]) == pytest.approx(other.max(), rel=5e-3)
+    assert float(each.ring.amplitude[1]) == pytest.approx(0.5 * np.ptp(other), rel=5e-3)
+    # hollow rollers bend by the forces of their own branch, in proportion to them
+    assert np.asarray(each.planet.stress) == pytest.approx(1.4 * np.asarray(found.planet.stress), rel=1e-2)
+    alike = unlike(joint, forces[..., None] * np.ones(3), rest[..., None] * np.ones(3))
+    for body in ("ring", "planet", "loading_roller"):
+        own, expected = (getattr(one, body).amplitude for one in (alike, found))
+        np.testing.assert_allclose(own, expected, rtol=1e-3)
+        # of the rings in a housing and of rollers nothing else is known than of each branch alone
+    held = dataclasses.replace(joint, ring_support="rigid_housing")
+    worst = unlike(held, forces[..., None] * share, rest[..., None] * np.ones(3)).ring.stress
+    one = unlike(held, forces[..., None] * share[:1] * np.ones(3), rest[..., None] * np.ones(3)).ring.stress
+    np.testing.assert_allclose(worst, one, rtol=1e-12)

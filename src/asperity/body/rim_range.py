@@ -120,7 +120,7 @@ def _field(wall: Wall, mode: Array, alone: bool, plus: float, minus: float, clos
     )
 
 
-def rim_stresses(*, body: Annulus, loads: RimLoads) -> RimStresses:
+def rim_stresses(*, body: Annulus, loads: RimLoads, fineness: int = 1) -> RimStresses:
     r"""Stresses along both rims at points that divide one sector, at its contacts and midway between them.
 
     .. math::
@@ -134,6 +134,8 @@ def rim_stresses(*, body: Annulus, loads: RimLoads) -> RimStresses:
         it has one sector only.
     loads : RimLoads
         Its contacts and their forces [N].
+    fineness : int, optional
+        Points and modes of a body of one sector over those of a sector: the number of its unlike sectors [-].
 
     Returns
     -------
@@ -159,7 +161,8 @@ def rim_stresses(*, body: Annulus, loads: RimLoads) -> RimStresses:
     def along(numbers: np.ndarray) -> Array:
         return jnp.asarray(numbers.reshape(numbers.shape + (1,) * rank))
 
-    numbers = np.arange(1, MODES + 1, dtype=float)
+    numbers = np.arange(1, fineness * MODES + 1, dtype=float)
+    steps = np.arange(fineness * POINTS) / (fineness * POINTS)
     mode = sectors * along(numbers)
     push, drag = (_field(wall, mode, alone, *forces) for forces in ((1.0, 1.0, side), (side, -side, 2.0)))
     radial, tangential = loads.radial[:, None], loads.tangential[:, None]
@@ -168,7 +171,7 @@ def rim_stresses(*, body: Annulus, loads: RimLoads) -> RimStresses:
     period = 2.0 * math.pi / sectors
     middle = jnp.mean(loads.angles, axis=0, keepdims=True)
     others = jnp.concatenate([loads.angles, middle, middle + 0.5 * period])
-    turns = 2.0 * math.pi * np.outer(np.arange(POINTS) / POINTS, numbers)
+    turns = 2.0 * math.pi * np.outer(steps, numbers)
     there = mode * others[:, None]
 
     def series(even: Array, odd: Array) -> Array:
@@ -193,12 +196,12 @@ def rim_stresses(*, body: Annulus, loads: RimLoads) -> RimStresses:
             jnp.sum(dragged * sine + pushed * cosine, axis=0),
         )
 
-    grid_angle = along(np.arange(POINTS) / POINTS) * period
+    grid_angle = along(steps) * period
     shape = jnp.broadcast_shapes(grid_angle.shape[1:], others.shape[1:])
-    points = jnp.concatenate(
+    places = jnp.concatenate(
         [jnp.broadcast_to(part, (part.shape[0], *shape)) for part in (grid_angle, others)]
     )
-    away = points[:, None] - loads.angles
+    away = places[:, None] - loads.angles
     half = 0.5 * sectors * away
     touches = jnp.abs(jnp.sin(half)) < 1e-9
     cotangent = jnp.where(touches, 0.0, jnp.cos(half) / jnp.where(touches, 1.0, jnp.sin(half)))
@@ -211,7 +214,7 @@ def rim_stresses(*, body: Annulus, loads: RimLoads) -> RimStresses:
         loads.tangential, axis=0
     )
     scale = sectors / (math.pi * loaded_radius(body) * body.length)
-    scale = jnp.where(_resolved(wall, sectors), scale, jnp.nan)
+    scale = jnp.where(_resolved(wall, sectors, fineness), scale, jnp.nan)
     return RimStresses(
         loaded_hoop=jnp.where(beside, scale * (closed + stress(push.loaded, drag.loaded)), jnp.nan),
         other_hoop=scale * (0.5 * side * (even - odd / wall.ratio**2) * total + stress(push.hoop, drag.hoop)),
@@ -221,9 +224,9 @@ def rim_stresses(*, body: Annulus, loads: RimLoads) -> RimStresses:
     )
 
 
-def _resolved(wall: Wall, sectors: Array) -> Array:
+def _resolved(wall: Wall, sectors: Array, fineness: int) -> Array:
     """Whether the modes left out are a small share of the stress of the other rim, which is as n^2 times the decay."""
-    decay, last = wall.ratio**wall.side, MODES * sectors
+    decay, last = wall.ratio**wall.side, fineness * MODES * sectors
     share = last**2 * decay**last * (1.0 - decay) ** 3 * sectors / (2.0 * (1.0 - decay**sectors))
     return share < _OMITTED
 

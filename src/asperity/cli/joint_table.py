@@ -299,11 +299,10 @@ def _strength(document: Document) -> list[tuple[str, str]]:
         for name, each in document["rims"].items()
     ]
     rows = []
-    equal = "of equal branches, " if "branches" in document else ""
     if document["bearings"]:
         rows.append(("bearings", f"life L10: {', '.join(lives) or 'none'} ('asperity loads' says more)"))
     if safeties:
-        rows.append(("bending", f"{equal}safety of {'; '.join(safeties)}"))
+        rows.append(("bending", f"safety of {'; '.join(safeties)}"))
     return rows
 
 

@@ -38,6 +38,9 @@ class BranchState:
     pins : ndarray
         Radial and tangential force of the rollers of each branch on their pins, with the signs of the table of loads,
         shape (2, pins, n) [N]. Empty where slip was not asked for.
+    contact_forces : ndarray
+        Normal and tangential forces of the contacts of each branch, shape (2, contacts, n) [N]. Empty where slip was
+        not asked for.
     bearing_speed : ndarray
         Speeds of the rolling bearings of the drive, without signs, shape (bearings,) [rad/s]; 0 where it stands.
     sun : str
@@ -52,6 +55,7 @@ class BranchState:
     limits: dict[str, np.ndarray] = field(default_factory=dict)
     centre_forces: dict[str, np.ndarray] = field(default_factory=dict)
     pins: np.ndarray = field(default_factory=lambda: np.zeros((2, 0, 0)))
+    contact_forces: np.ndarray = field(default_factory=lambda: np.zeros((2, 0, 0)))
     bearing_speed: np.ndarray = field(default_factory=lambda: np.zeros(0))
     sun: str = "sun"
 
@@ -154,6 +158,11 @@ class UnequalBranches:
     def working(self, *, turns: bool) -> BranchState | None:
         """The state in which the joint works under its torque: rolling where it turns; None where there is none."""
         return self.rolling if turns else self.standing
+
+    def contact_forces(self, *, turns: bool) -> tuple[np.ndarray, np.ndarray]:
+        """Forces of the contacts in the state of :meth:`working` and without torque; nan where there is none [N]."""
+        state, rest = self.working(turns=turns), self.rest.contact_forces
+        return np.full_like(rest, np.nan) if state is None else state.contact_forces, rest
 
     def cases(self, *, turns: bool) -> tuple[BranchState | None, ...]:
         """States without torque, under the working torque, and under the loads of the duty, as in a table of loads."""

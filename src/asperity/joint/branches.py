@@ -253,21 +253,22 @@ class _Solver:
         found = drive.laws.states(preload, torque)
         prefix = "rolling_" if self.turns else ""
         limits = ("shakedown_ratio", "life_hours") if self.turns else ("pressure_over_first_yield",)
-        normal, tangential = (found[f"{prefix}{kind}"][3:] for kind in ("normal", "tangential"))
+        forces = np.stack([found[f"{prefix}{kind}"] for kind in ("normal", "tangential")])
         pins = found[f"{prefix}pins"]
         if not loaded:
-            normal, tangential = np.outer(drive.rest.normal_force[3:], preload), np.zeros_like(normal)
+            forces = np.stack([np.outer(drive.rest.normal_force, preload), np.zeros(forces.shape[1:])])
             free = loads_at_rest(dataclasses.replace(drive.joint, preload=1.0))
             pins = np.stack([free.pin_radial, free.pin_tangential])[..., None] * preload
-        normal, tangential, pins = (np.where(bears, each, 0.0) for each in (normal, tangential, pins))
+        forces, pins = (np.where(bears, each, 0.0) for each in (forces, pins))
         speed = np.max(np.where(bears, found["bearing_speed"], 0.0), axis=-1)
         return {
             "slip_ratio": found[f"{prefix}slip_ratio"],
             "limits": {name: found[name] for name in limits},
             "pins": pins,
+            "contact_forces": forces,
             "centre_forces": {
                 "carrier": force_on_carrier(radial=pins[0], tangential=pins[1], polar=drive.polar),
-                "ring": force_on_ring(normal=normal, tangential=tangential, polar=drive.polar),
+                "ring": force_on_ring(normal=forces[0, 3:], tangential=forces[1, 3:], polar=drive.polar),
             },
             "bearing_speed": speed if self.turns else np.zeros_like(speed),
         }

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 import operator
 
 import equinox as eqx
@@ -15,6 +16,7 @@ from asperity.body.rim_range import RimLoads, RimRange, fatigue_safety, rim_rang
 from asperity.body.shapes import Annulus
 from asperity.drive.geometry import triangle
 from asperity.drive.mechanism import rest_state
+from asperity.joint.contacts import joint_contacts
 from asperity.joint.description import Joint, with_one_rank
 from asperity.joint.elastic_bodies import machine_bodies
 from asperity.joint.evaluation import JointResult
@@ -107,7 +109,61 @@ def joint_rims(joint: Joint, result: JointResult) -> JointRims:
     return JointRims(
         ring=body_rims(ring, bodies.ring, states, width, _TURNS[3]),
         planet=body_rims(planet, bodies.planet, states, width, _TURNS[0]),
-        loading_roller=_worse(*rollers),
+        loading_roller=worse_rims(*rollers),
+    )
+
+
+def branch_joint_rims(joint: Joint, working: Array, rest: Array) -> JointRims:
+    """Strength of ring and hollow rollers of one joint whose branches differ; pure.
+
+    Parameters
+    ----------
+    joint : Joint
+        One joint.
+    working, rest : Array
+        Normal and tangential forces of the contacts of each branch, under the torque and at rest, shape (2, 5, n) [N].
+
+    Returns
+    -------
+    JointRims
+        As :func:`joint_rims`: of a free ring under all its forces, of a ring in a housing as if all branches were like
+        one, and of rollers by themselves, the worst of the branches.
+
+    References
+    ----------
+    Equations (I4) and (L3) of :doc:`/equations`.
+    """
+    sides, count = triangle(joint.geometry), working.shape[-1]
+    width = jax.vmap(joint_contacts(joint).largest_half_width, in_axes=1, out_axes=1)(working[0])
+    _, planet, right, left, ring = machine_bodies(joint, sides)
+    bodies = joint.bodies
+
+    def worst(member: BodyInMachine, material: Material, turns: tuple[float, ...]) -> BodyRims:
+        each = [
+            body_rims(
+                member, material, tuple((s[0, :, b], s[1, :, b]) for s in (working, rest)), width[:, b], turns
+            )
+            for b in range(count)
+        ]
+        return functools.reduce(worse_rims, each)
+
+    if joint.ring_support == "free":
+        at = np.array(ring.contacts)
+        turned = 2.0 * np.pi * np.arange(count)[:, None] / count
+        angles = jnp.ravel(turned + jnp.asarray(ring.contact_angles))
+        alone = BodyInMachine(ring.body, tuple(range(angles.size)), angles, None)
+        states = tuple((s[0, at].T.ravel(), s[1, at].T.ravel()) for s in (working, rest))
+        of_ring = body_rims(alone, bodies.ring, states, width[at].T.ravel(), _TURNS[3] * count, count)
+    else:
+        of_ring = worst(ring, bodies.ring, _TURNS[3])
+    rollers = [
+        worst(member, bodies.loading_roller, turns)
+        for member, turns in ((right, _TURNS[1]), (left, _TURNS[2]))
+    ]
+    return JointRims(
+        ring=of_ring,
+        planet=worst(planet, bodies.planet, _TURNS[0]),
+        loading_roller=worse_rims(*rollers),
     )
 
 
@@ -117,6 +173,7 @@ def body_rims(
     states: tuple[tuple[Array, Array], ...],
     width: Array,
     turns: tuple[float, ...],
+    sectors: int = 1,
 ) -> BodyRims:
     """Stresses of one body under the torque and at rest.
 
@@ -132,6 +189,8 @@ def body_rims(
         Half-widths of all contacts, shape (contacts, ...) [m].
     turns : tuple of float
         Sign that makes the tangential force of each contact of the body one that acts on it counter-clockwise.
+    sectors : int, optional
+        Number of sectors that the contacts of a body of one sector belong to, where these differ.
 
     Returns
     -------
@@ -159,7 +218,7 @@ def body_rims(
             half_widths=width[at],
             sectors=member.sectors,
         )
-        return rim_range(body=body, stresses=rim_stresses(body=body, loads=loads))
+        return rim_range(body=body, stresses=rim_stresses(body=body, loads=loads, fineness=sectors))
 
     ranges = jax.vmap(found)(*map(jnp.stack, zip(*states, strict=True)))  # traced and compiled once
     working, resting = (jax.tree.map(operator.itemgetter(i), ranges) for i in range(2))
@@ -183,8 +242,23 @@ def body_rims(
     )
 
 
-def _worse(right: BodyRims, left: BodyRims) -> BodyRims:
-    """The larger stresses and the smaller safeties of two bodies; the range is that of the larger amplitude."""
+def worse_rims(right: BodyRims, left: BodyRims) -> BodyRims:
+    """The worse of two bodies.
+
+    Parameters
+    ----------
+    right, left : BodyRims
+        Two bodies.
+
+    Returns
+    -------
+    BodyRims
+        The larger stresses and the smaller safeties; the range is that of the larger amplitude.
+
+    References
+    ----------
+    Comparison.
+    """
     takes_right = right.amplitude > left.amplitude
     mean, amplitude = (
         jnp.where(takes_right, getattr(right, name), getattr(left, name)) for name in ("mean", "amplitude")

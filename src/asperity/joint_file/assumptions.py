@@ -70,7 +70,7 @@ def assumptions(case: Case) -> tuple[str, ...]:
         told.append(
             "[[branch]]: ring and carrier are centred; the standing drive is loaded after it has rolled without "
             "torque; all numbers but those of the worst branch, of single planets, of the forces on the members on the "
-            "axis and of bearings are of equal ones"
+            "axis, of bearings and of rims that bend are of equal ones"
         )
         if case.drive.ring_support == "free":
             told.append(

@@ -54,6 +54,7 @@ def made_up(planar_joint, monkeypatch):
         normal = np.repeat(1000.0 * own / 30e-6, 2)
         state = SimpleNamespace(
             normal=normal,
+            tangential=0.05 * normal,
             residual=1e-13,
             displacement=np.array([[1e-6, 2e-6]]),
             pin_force=np.array([10.0, 20.0, 30.0]),
@@ -115,6 +116,11 @@ def test_sectors_by_hand(made_up):
     np.testing.assert_allclose(asked[0], 1000.0)
     np.testing.assert_allclose(asked[-1][:, 0], found.preload, rtol=1e-12)
     np.testing.assert_allclose(drive._standing_over_rolling, [[1.1, 1.1], [1.25, 1.0]], rtol=1e-12)
+    np.testing.assert_allclose(np.hypot(*found.standing.largest_pins), [30.0])
+    np.testing.assert_allclose(found.standing.contact_forces[0], np.tile(found.preload, (2, 1)))
+    turns = 2.0 * math.pi * 25.0  # 1500 rpm of the sun; the second planet is the fastest on its pin
+    np.testing.assert_allclose(found.rolling.bearing_speed, [0.8 * turns, turns, 0.2 * turns], rtol=1e-12)
+    np.testing.assert_array_equal(found.standing.bearing_speed, 0.0)
     for state, shares in ((found.standing, own), (found.rolling, own[::-1])):
         np.testing.assert_allclose(state.torque, 6.0 * shares / shares.sum(), rtol=1e-12)
     np.testing.assert_array_equal(found.rest.torque, 0.0)

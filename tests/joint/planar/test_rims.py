@@ -11,9 +11,9 @@ import pytest
 from asperity.drive.geometry import triangle
 from asperity.drive.mechanism import rest_state
 from asperity.drive.planar.layout import CARRIER
-from asperity.joint.planar.description import SOLID, BodyShape
+from asperity.joint.planar.description import SOLID, BodyShape, planar_contacts
 from asperity.joint.planar.evaluation import driving_sense
-from asperity.joint.planar.rims import bends, planar_rims
+from asperity.joint.planar.rims import bends, branch_rims, planar_rims
 from asperity.joint.rim_safety import joint_rims
 
 
@@ -89,3 +89,26 @@ def test_the_papers_drive_by_its_own_chain(paper_joint, as_planar):
         assert float(np.min(found.yield_safety[jnp.array(places)])) == pytest.approx(
             float(theirs.yield_safety), rel=1e-6
         )
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", ["planetary", "planetary_hollow"])
+def test_sectors_that_are_alike_bend_as_those_of_an_even_drive(planar_joint, name):
+    joint = planar_joint(name)
+    normal, tangential, rest = np.array([850.0, 846.0]), np.array([55.0, 55.0]), np.full(2, 844.0)
+    sense = np.asarray(driving_sense(joint.drive))
+    width = planar_contacts(joint).largest_half_width(jnp.asarray(normal))
+    even = planar_rims(joint, result_of(normal, tangential, rest, width))
+    working = np.repeat(np.array([normal, sense * tangential])[..., None], 3, axis=-1)
+    still = np.repeat(np.array([rest, np.zeros(2)])[..., None], 3, axis=-1)
+    found = branch_rims(3, joint, working, still)
+    for field in ("stress", "stress_at_rest", "mean", "amplitude", "yield_safety"):
+        np.testing.assert_allclose(getattr(found, field), getattr(even, field), rtol=1e-4, err_msg=field)
+    # one sector that is pressed harder bends its own roller as much as if all were, and a ring more
+    harder = working * np.array([1.0, 1.3, 1.0])
+    unlike, all_harder = branch_rims(3, joint, harder, still), branch_rims(3, joint, 1.3 * working, still)
+    acts = np.array(bends(joint))
+    if name == "planetary":
+        assert np.all(np.asarray(unlike.amplitude)[:, acts] > np.asarray(even.amplitude)[:, acts])
+    else:
+        np.testing.assert_allclose(unlike.amplitude, all_harder.amplitude, rtol=1e-9)

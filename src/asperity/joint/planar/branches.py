@@ -256,6 +256,9 @@ class BranchedPlanarJoint:
             pins=np.array(
                 pin_components(drive=drive, force=state.pin_force.reshape(self.count, -1))
             ).swapaxes(1, 2),
+            contact_forces=np.array([state.normal, state.tangential])
+            .reshape(2, self.count, -1)
+            .swapaxes(1, 2),
             bearing_speed=self._bearing_speed(state) if kind == 2 else np.zeros(len(joint.bearing_names)),
         )
 

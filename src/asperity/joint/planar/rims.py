@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
+import functools
+
 import jax
 import jax.numpy as jnp
 from jax import Array
 
 from asperity.joint.planar.bodies import exact_bodies
-from asperity.joint.planar.description import PlanarJoint, places, tracks_of
+from asperity.joint.planar.description import PlanarJoint, places, planar_contacts, tracks_of
 from asperity.joint.planar.evaluation import PlanarResult, driving_sense
-from asperity.joint.rim_safety import BodyRims, body_rims
+from asperity.joint.planar.unfolding import SectorSizes, unfolded_joint
+from asperity.joint.rim_safety import BodyRims, body_rims, worse_rims
 
 
 def bends(joint: PlanarJoint) -> tuple[bool, ...]:
@@ -58,7 +61,7 @@ def planar_rims(joint: PlanarJoint, result: PlanarResult) -> BodyRims:
     ----------
     Equation (L3) of :doc:`/equations`.
     """
-    drive, sense = joint.drive, driving_sense(joint.drive)
+    sense = driving_sense(joint.drive)
     turns = jnp.asarray(joint.input_speed) > 0.0
     moving, standing = result.rolling, result.forces
     working = (
@@ -67,6 +70,55 @@ def planar_rims(joint: PlanarJoint, result: PlanarResult) -> BodyRims:
     )
     states = (working, (result.rest.normal, result.rest.tangential))
     width = jnp.asarray(result.diagnostics.hertz_half_width)
+    return _in_order(_each_body(joint, states, width), bends(joint))
+
+
+def branch_rims(sectors: int, joint: PlanarJoint, working: Array, rest: Array) -> BodyRims:
+    """Strength of the bodies that bend between sectors that differ; pure.
+
+    Parameters
+    ----------
+    sectors : int
+        Number of sectors.
+    joint : PlanarJoint
+        A joint with equal sectors.
+    working, rest : Array
+        Normal and tangential forces of the contacts of each sector, counter-clockwise as in
+        :class:`asperity.drive.planar.state.PlanarState`, under the torque and without it, shape (2, contacts, sectors)
+        [N].
+
+    Returns
+    -------
+    BodyRims
+        As :func:`planar_rims`: of a ring under all its forces, of a roller that of the sector where it is worst.
+
+    References
+    ----------
+    Equations (I4) and (L3) of :doc:`/equations`.
+    """
+    even = jnp.ones((sectors, len(joint.drive.contacts)))
+    sizes = SectorSizes(0.0 * even, even, 0.0, even[:2])
+    whole = unfolded_joint(joint, sizes, sectors=sectors, floating=())
+    width = jax.vmap(planar_contacts(joint).largest_half_width, in_axes=1)(working[0]).ravel()
+    states = tuple(tuple(each.T.ravel() for each in state) for state in (working, rest))
+    found = iter(_each_body(whole, states, width, sectors))
+    central = [body.place == "axis" for body in joint.drive.bodies]
+    acts = bends(joint)
+    rings = {number: next(found) for number, held in enumerate(central) if held and acts[number]}
+    rollers = [number for number, held in enumerate(central) if not held and acts[number]]
+    copies = {number: [] for number in rollers}  # type: dict[int, list[BodyRims]]
+    for _ in range(sectors):
+        for number in rollers:
+            copies[number].append(next(found))
+    worst = {number: functools.reduce(worse_rims, each) for number, each in copies.items()}
+    return _in_order([(rings | worst)[number] for number in sorted(rings | worst)], acts)
+
+
+def _each_body(
+    joint: PlanarJoint, states: tuple[tuple[Array, Array], ...], width: Array, sectors: int = 1
+) -> list[BodyRims]:
+    """Those that bend, under normal and tangential forces, the latter counter-clockwise."""
+    drive = joint.drive
     first, _ = places(drive)
     exact = [number for number in range(len(drive.bodies)) if len(tracks_of(joint, number)) == 1]
     members = dict(zip(exact, exact_bodies(joint), strict=True))
@@ -78,8 +130,9 @@ def planar_rims(joint: PlanarJoint, result: PlanarResult) -> BodyRims:
         signs = tuple(
             1.0 if first[k] != number and drive.contacts[k].internal else -1.0 for k in member.contacts
         )
-        found.append(body_rims(member, joint.materials[number], states, width, signs))
-    return _in_order(found, bends(joint))
+        finer = sectors if drive.bodies[number].place == "held" else 1
+        found.append(body_rims(member, joint.materials[number], states, width, signs, finer))
+    return found
 
 
 def _in_order(found: list[BodyRims], there: tuple[bool, ...]) -> BodyRims:

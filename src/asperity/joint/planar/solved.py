@@ -11,7 +11,7 @@ import jax.numpy as jnp
 import numpy as np
 from jax import Array
 
-from asperity.compilation import call_compiled
+from asperity.compilation import call_compiled, compile_fast
 from asperity.drive.planar.existence import neighbour_gaps, neighbours
 from asperity.drive.planar.layout import sectors_of_members
 from asperity.drive.planar.state import ContactLaws
@@ -24,7 +24,7 @@ from asperity.joint.planar.capacity import PlanarCapacity, planar_capacity
 from asperity.joint.planar.description import PlanarJoint, tracks_of
 from asperity.joint.planar.evaluation import PlanarResult
 from asperity.joint.planar.plausibility import planar_plausibility
-from asperity.joint.planar.rims import planar_rims
+from asperity.joint.planar.rims import branch_rims, planar_rims
 from asperity.joint.planar.solve import PlanarSolution
 from asperity.joint.results.result import SolvedJoint
 
@@ -136,7 +136,12 @@ class SolvedPlanarJoint(SolvedJoint):
     @functools.cached_property
     def rims(self) -> Any:
         """Stresses of the rings and hollow rollers that bend, the bodies along the last axis."""
-        return call_compiled(planar_rims, self.joint, self.result)
+        if self.branches is None:
+            return call_compiled(planar_rims, self.joint, self.result)
+        turns = float(self.joint.input_speed) != 0.0
+        given = (self.joint, *self.branches.contact_forces(turns=turns))
+        program = compile_fast(branch_rims, *given, options=(given[1].shape[-1],))
+        return jax.tree.map(np.asarray, program(*given))
 
     @property
     def preload(self) -> Any:

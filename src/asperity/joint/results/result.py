@@ -24,7 +24,7 @@ from asperity.joint.description import Joint, preload_at
 from asperity.joint.evaluation import JointResult
 from asperity.joint.planar.description import PlanarJoint
 from asperity.joint.planar.evaluation import PlanarResult
-from asperity.joint.rim_safety import RIM_NAMES, JointRims, joint_rims
+from asperity.joint.rim_safety import RIM_NAMES, JointRims, branch_joint_rims, joint_rims
 from asperity.joint.rolling_capacity import rolling_torque_capacity
 from asperity.joint.size import JointSize, joint_size
 from asperity.joint.working_loads import working_loads
@@ -71,7 +71,7 @@ class SolvedJoint:
     capacity : TorqueCapacity, optional
         Its torque capacity, if that is known already.
     branches : UnequalBranches, optional
-        Its branches, if their sizes differ; all results but those of its bearings are those of equal ones.
+        Its branches, if their sizes differ; all results but those of bearings and rims are those of equal ones.
     notes : tuple of Note, optional
         Comparisons with what is usual, which are requirements too.
     """
@@ -155,6 +155,9 @@ class SolvedJoint:
     @functools.cached_property
     def rims(self) -> JointRims:
         """Stresses of ring and hollow rollers."""
+        if self.branches is not None:
+            turns = float(self.joint.sun_speed) != 0.0
+            return call_compiled(branch_joint_rims, self.joint, *self.branches.contact_forces(turns=turns))
         rims: JointRims = call_compiled(joint_rims, self.joint, self.result)
         return rims
 
