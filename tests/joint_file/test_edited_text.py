@@ -1,7 +1,9 @@
 """Joint files written back."""
 
 import pytest
+import tomlkit
 
+from asperity.joint_file import edited_text
 from asperity.joint_file.edited_text import joint_file_text
 from asperity.joint_file.reader import parse_case, read_case
 from asperity.joint_file.si_tables import numeric_keys, si_values
@@ -173,3 +175,14 @@ def test_a_case_without_a_text_is_written_from_its_tables(zou_file):
     again = joint_file_text(case, {"drive.contact_length.sp": 0.006}, comment="")
     assert content(again)["drive.contact_length.sp"] == pytest.approx(0.006)
     assert si_values(parse_case(again, source="x"))["bodies"] == si_values(case)["bodies"]
+
+
+def test_loads_of_the_duty_are_counted_from_one():
+    """The second of two loads gets a key, and then loses it; the first stays."""
+    document = tomlkit.parse("[[duty]]\nshare = 0.4\n[[duty]]\nshare = 0.6\n")
+    edited_text._set(document, ("duty", "2", "share"), 0.5)
+    assert document.unwrap() == {"duty": [{"share": 0.4}, {"share": 0.5}]}
+    edited_text.leave_out(document, "duty.2.share")
+    assert document.unwrap() == {"duty": [{"share": 0.4}, {}]}
+    edited_text.leave_out(document, "duty.1.torque")
+    assert document.unwrap() == {"duty": [{"share": 0.4}, {}]}
