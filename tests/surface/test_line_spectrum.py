@@ -125,6 +125,8 @@ def test_errors_of_amplitudes_are_those_of_noise():
     lines = comb.frequency > 0.99 * lowest
     np.testing.assert_allclose(comb.frequency[lines], f, rtol=1e-4)
     np.testing.assert_allclose(comb.amplitude[lines], a, rtol=5 * noise * np.sqrt(2 / n) / a.min())
+    # what no line explains: differences of neighbouring white noise have twice its variance
+    assert comb.rough_variance == pytest.approx(2.0 * noise**2, rel=0.1, abs=0.0)
     # the longest three are not told from a tilt and longer waves so well
     np.testing.assert_allclose(comb.error[lines][3:], noise * np.sqrt(2 / n) / a[3:], rtol=0.05)
     # all of them from the least squares written anew: ln a of each line as a linear function of the noise
