@@ -22,9 +22,10 @@ import numpy as np
 
 from asperity.drive.planar.layout import PlanarDrive
 from asperity.joint.planar.description import planar_contacts
-from asperity.joint.planar.evaluation import driving_sense, evaluated_with_laws
+from asperity.joint.planar.evaluation import evaluated_with_laws
 from asperity.joint.planar.laws import drive_load
 from asperity.joint.planar.status import planar_status
+from asperity.joint.planar.turning import driving_sense
 from asperity.joint.status import STATUS_NAMES
 from asperity.joint_file import build
 from asperity.joint_file.part_names import with_tracks

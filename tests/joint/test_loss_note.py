@@ -61,6 +61,12 @@ def test_skew_that_leaves_too_little_friction_is_a_warning():
     assert crossed.remedy.startswith("align the axes")
 
 
+@pytest.mark.parametrize("ratio", [np.inf, np.nan])  # of some traction, and of none
+def test_skew_that_takes_all_friction_is_a_warning(ratio):
+    (crossed,) = skew_notes(skewed([0.5, ratio], [0.9, 1.0]), NAMES)
+    assert (crossed.ok, crossed.contact, crossed.value) == (False, "pr", np.inf)
+
+
 @pytest.mark.parametrize(("ratios", "losses"), [([1.4, 0.9], [0.0, 0.0]), ([np.nan, 0.9], [0.1, 0.1])])
 def test_without_skew_or_without_a_state_there_is_no_note(ratios, losses):
     assert skew_notes(skewed(ratios, losses), NAMES) == ()

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from asperity.drive.planar.loads import planar_loads
-from asperity.joint.planar.evaluation import driving_sense
+from asperity.joint.planar.turning import driving_sense
 from asperity.joint_file.planar_build import planar_joint_from_case
 from asperity.joint_file.reader import read_any_case
 from asperity.show.planar_forces import planar_body_forces

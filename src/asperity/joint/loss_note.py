@@ -90,8 +90,10 @@ def skew_notes(found: RollingResult, contacts: tuple[str, ...]) -> tuple[Note, .
     tuple of Note
         One note, on the contact that is nearest to its limit; none without skew or without a state.
     """
-    ratios = np.asarray(found.slip_ratio)
-    if not np.any(np.asarray(found.capacity_loss) > 0.0) or not np.all(np.isfinite(ratios)):
+    ratios, lost = np.asarray(found.slip_ratio), np.asarray(found.capacity_loss)
+    # where skew alone takes all friction, the contact slips whatever its traction
+    ratios = np.where(lost >= 1.0, np.inf, ratios)
+    if not np.any(lost > 0.0) or np.any(np.isnan(ratios)):
         return ()
     worst = int(np.argmax(ratios))
     ok = bool(ratios[worst] < 1.0)

@@ -30,7 +30,8 @@ from asperity.errors import InputError
 from asperity.joint.description import Joint
 from asperity.joint.evaluation import JointResult
 from asperity.joint.planar.description import PlanarJoint
-from asperity.joint.planar.evaluation import PlanarResult, driving_sense
+from asperity.joint.planar.evaluation import PlanarResult
+from asperity.joint.planar.turning import driving_sense
 from asperity.joint.rolling import RollingResult
 from asperity.types import Real
 

@@ -8,7 +8,8 @@ import numpy as np
 
 from asperity.drive.planar.layout import contact_angles
 from asperity.joint.planar.description import PlanarJoint, places
-from asperity.joint.planar.evaluation import PlanarResult, driving_sense
+from asperity.joint.planar.evaluation import PlanarResult
+from asperity.joint.planar.turning import driving_sense
 from asperity.show.free_bodies import BodyForce
 
 

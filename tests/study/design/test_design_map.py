@@ -128,6 +128,8 @@ def test_the_map_of_another_drive_has_its_words(result):
     figure = design_map(result)
     labels = [text.get_text() for text in figure.legends[0].get_texts()]
     assert "normal force of the first contact in the assembled drive ≥ 400 N" in labels
-    assert "normal force of the first contact in the assembled drive [N]" in labels  # contours of the objective
+    assert (
+        "normal force of the first contact in the assembled drive [N]" in labels
+    )  # contours of the objective
     assert figure.get_suptitle().startswith("smallest normal force of the first contact")
     assert not any("sun" in label for label in labels)

@@ -43,7 +43,11 @@ def test_the_goal_of_another_drive_has_its_own_words(case):
     """A planetary's first contact need not be one of a sun, and its outer body need not be a ring."""
     planetary = read_any_case(ROOT / "examples" / "planetary.toml")
     for name, papers, own in (
-        ("preload", "preload between sun and planet", "normal force of the first contact in the assembled drive"),
+        (
+            "preload",
+            "preload between sun and planet",
+            "normal force of the first contact in the assembled drive",
+        ),
         ("envelope_diameter", "outer diameter of the ring", "outer diameter of the largest body"),
     ):
         goal = Objective(name, 1.0)

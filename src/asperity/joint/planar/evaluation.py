@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import dataclasses
-from collections.abc import Callable
 
 import equinox as eqx
 import jax
@@ -11,39 +10,34 @@ import jax.numpy as jnp
 import numpy as np
 from jax import Array
 
-from asperity.arrays import namespace
 from asperity.contact.fractal import FractalContact
 from asperity.contact.interface import Interface
 from asperity.drive.assembly import Assembly
-from asperity.drive.planar.bearings import friction_moments, friction_power
 from asperity.drive.planar.expansion import ring_interference
-from asperity.drive.planar.layout import CARRIER, PlanarDrive, speed_ratio, speeds
-from asperity.drive.planar.state import STATE_TOLERANCE, ContactLaws, PlanarState, surface_speeds
-from asperity.drive.planar.states import DriveStates, loaded_states
-from asperity.drive.rolling_speeds import BodiesOfContacts, RollingSpeeds
+from asperity.drive.planar.layout import speed_ratio, speeds
+from asperity.drive.planar.state import STATE_TOLERANCE, ContactLaws, PlanarState
+from asperity.drive.planar.states import DriveStates
+from asperity.drive.rolling_speeds import BodiesOfContacts
 from asperity.drive.torsional_stiffness import TorsionalStiffness, contact_torsional_stiffness
-from asperity.joint.contacts import JointContacts
 from asperity.joint.diagnostics import Diagnostics, diagnose
 from asperity.joint.duty import with_duty_life
 from asperity.joint.planar.description import (
     PlanarJoint,
     bodies_of_contacts,
     body_masses,
-    places,
     planar_contacts,
 )
 from asperity.joint.planar.laws import creep_law, drive_load
 from asperity.joint.planar.loading_cam import (
     CamOfJoint,
     Pressed,
-    pressed_at,
     states_under_torque,
     turned_cam,
     with_its_cam,
 )
 from asperity.joint.planar.stiffness import loaded_stiffness
-from asperity.joint.rolling import RollingResult, turning_result
-from asperity.joint.rolling_creep import ContactCreep
+from asperity.joint.planar.turning import driving_sense, rolling_at, turning
+from asperity.joint.rolling import RollingResult
 from asperity.types import Real
 
 
@@ -149,29 +143,6 @@ class PlanarResult(eqx.Module):
     def body_names(self) -> tuple[str, ...]:
         """Names of the bodies of one sector."""
         return self.bodies.names
-
-
-def driving_sense(drive: PlanarDrive) -> Array:
-    """Sign that makes tangential forces and creepages positive where the first body of a contact drives the second.
-
-    Parameters
-    ----------
-    drive : PlanarDrive
-        The drive.
-
-    Returns
-    -------
-    Array
-        +1 or −1, shape (contacts,) [-]: the sense in which the first surface moves, seen from the carrier.
-
-    References
-    ----------
-    The sign convention of Zou et al. 2025 for a torque that resists the rotation.
-    """
-    first, _ = places(drive)
-    speed = speeds(drive)
-    relative: Array = namespace(speed).sign(speed[np.array(first)] - speed[drive.members.index(CARRIER)])
-    return relative
 
 
 def evaluate_planar(joint: PlanarJoint) -> PlanarResult:
@@ -331,110 +302,4 @@ def planar_result(joint: PlanarJoint, laws: ContactLaws, states: DriveStates) ->
         bodies=bodies_of_contacts(drive),
         contact_names=joint.contact_names,
         cam=cam,
-    )
-
-
-def _bearing_power(joint: PlanarJoint, state: PlanarState) -> Array:
-    """Power lost in bearings and pins at the joint's speed [W]."""
-    if joint.bearings is None:
-        return jnp.zeros_like(state.speed_loss)
-    moments = friction_moments(
-        drive=joint.drive, bearings=joint.bearings, pin_force=state.pin_force, ideal=speeds(joint.drive)
-    )
-    return friction_power(drive=joint.drive, moments=moments, speed=state.speed * joint.input_speed)
-
-
-def rolling_at(
-    joint: PlanarJoint, contacts: JointContacts, without_torque: Pressed
-) -> Callable[[Array, Array], RollingResult]:
-    """Steady rolling of an assembled joint at any torque and speed.
-
-    Parameters
-    ----------
-    joint : PlanarJoint
-        One joint; its own torque and speed do not count.
-    contacts : JointContacts
-        Its contacts.
-    without_torque : Pressed
-        The joint as it is assembled.
-
-    Returns
-    -------
-    callable
-        Of an output torque [N·m] and an angular velocity of the input [rad/s].
-
-    References
-    ----------
-    Equations (B1) and (M3) of :doc:`/equations`.
-    """
-    masses, sense = body_masses(joint), driving_sense(joint.drive)
-    pressed = pressed_at(joint, contacts, without_torque)
-
-    def rolled(torque: Array, speed: Array) -> RollingResult:
-        there = dataclasses.replace(joint, output_torque=torque, input_speed=speed)
-        laws, rest = pressed(torque)
-        standing, rolling = loaded_states(
-            drive=joint.drive,
-            laws=laws,
-            rest=rest,
-            load=drive_load(there, masses, torque),
-            creep_of=lambda normal, tangential: creep_law(joint, contacts, normal, tangential).law,
-        )
-        creep = creep_law(joint, contacts, standing.normal, standing.tangential)
-        seen = dataclasses.replace(
-            rolling, tangential=sense * rolling.tangential, creepage=sense * rolling.creepage
-        )
-        return turning(there, contacts, creep, seen)
-
-    return rolled
-
-
-def turning(
-    joint: PlanarJoint, contacts: JointContacts, creep: ContactCreep, state: PlanarState
-) -> RollingResult:
-    """The joint that turns, from its rolling state.
-
-    Parameters
-    ----------
-    joint : PlanarJoint
-        One joint.
-    contacts : JointContacts
-        Its contacts.
-    creep : ContactCreep
-        Their creep under the forces of the standing drive.
-    state : PlanarState
-        The rolling state, its tangential forces and creepages with the sense of the drive.
-
-    Returns
-    -------
-    RollingResult
-        Drift, losses and life.
-
-    References
-    ----------
-    Equations (B1) and (M3) of :doc:`/equations`.
-    """
-    drive = joint.drive
-    first, second = places(drive)
-    carrier = state.speed[drive.members.index(CARRIER)]
-    one, two = surface_speeds(drive=drive, speed=state.speed)
-    unit = RollingSpeeds(
-        driving=one,
-        driven=two,
-        body=jnp.abs(state.speed[:-1] - carrier),
-        output=jnp.abs(state.speed[drive.members.index(drive.output)]),
-    )
-    return turning_result(
-        contacts=contacts,
-        conditions=joint.rolling,
-        materials=[(joint.materials[a], joint.materials[b]) for a, b in zip(first, second, strict=True)],
-        bodies=bodies_of_contacts(drive),
-        branches=jnp.asarray(drive.sectors),
-        creep=creep,
-        state=state,
-        unit_speeds=unit,
-        input_speed=joint.input_speed,
-        creepage_in_series=jnp.zeros_like(state.speed_loss),  # no path of a general drive is a single series
-        bearing_power=_bearing_power(joint, state),
-        output_torque=jnp.asarray(joint.output_torque),
     )

@@ -19,7 +19,7 @@ from asperity.drive.planar.states import loaded_states, standing_state
 from asperity.drive.rolling_state import drift_per_turn
 from asperity.joint.contacts import JointContacts
 from asperity.joint.planar.description import PlanarJoint, body_masses, planar_contacts
-from asperity.joint.planar.evaluation import driving_sense, laws_and_states, turning
+from asperity.joint.planar.evaluation import laws_and_states
 from asperity.joint.planar.laws import contact_laws, creep_law, drive_load
 from asperity.joint.planar.loading_cam import (
     CamOfJoint,
@@ -30,6 +30,7 @@ from asperity.joint.planar.loading_cam import (
     with_its_cam,
 )
 from asperity.joint.planar.stiffness import loaded_stiffness
+from asperity.joint.planar.turning import driving_sense, turning
 from asperity.types import Real
 
 #: Torques of one call: one program serves curves of any number of points.

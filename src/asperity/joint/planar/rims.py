@@ -10,7 +10,8 @@ from jax import Array
 
 from asperity.joint.planar.bodies import exact_bodies
 from asperity.joint.planar.description import PlanarJoint, places, planar_contacts, tracks_of
-from asperity.joint.planar.evaluation import PlanarResult, driving_sense
+from asperity.joint.planar.evaluation import PlanarResult
+from asperity.joint.planar.turning import driving_sense
 from asperity.joint.planar.unfolding import SectorSizes, unfolded_joint
 from asperity.joint.rim_safety import BodyRims, body_rims, worse_rims
 

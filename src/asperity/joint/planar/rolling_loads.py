@@ -7,9 +7,9 @@ from jax import Array
 
 from asperity.drive.planar.state import PlanarState
 from asperity.joint.planar.description import PlanarJoint, planar_contacts
-from asperity.joint.planar.evaluation import rolling_at
 from asperity.joint.planar.laws import contact_laws
 from asperity.joint.planar.loading_cam import Pressed
+from asperity.joint.planar.turning import rolling_at
 from asperity.joint.rolling import RollingResult
 
 

@@ -25,9 +25,9 @@ from asperity.joint.planar.description import (
     body_masses,
     planar_contacts,
 )
-from asperity.joint.planar.evaluation import driving_sense, turning
 from asperity.joint.planar.laws import contact_laws, creep_law, drive_load
 from asperity.joint.planar.stiffness import loaded_stiffness
+from asperity.joint.planar.turning import driving_sense, turning
 from asperity.joint.planar.unfolding import SectorSizes, unfolded_joint
 from asperity.joint.rolling_creep import ContactCreep
 

@@ -10,8 +10,9 @@ from asperity.drive.planar.creeping import creeping_speeds
 from asperity.drive.planar.layout import CARRIER, PlanarDrive
 from asperity.drive.planar.loads import PlanarLoads, planar_loads
 from asperity.joint.planar.description import PlanarJoint
-from asperity.joint.planar.evaluation import PlanarResult, driving_sense
+from asperity.joint.planar.evaluation import PlanarResult
 from asperity.joint.planar.laws import drive_load
+from asperity.joint.planar.turning import driving_sense
 
 
 def working_planar_loads(joint: PlanarJoint, result: PlanarResult) -> PlanarLoads:

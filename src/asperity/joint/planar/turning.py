@@ -1,0 +1,152 @@
+"""A joint with a planar drive that turns: steady rolling at any torque and speed, and what it means."""
+
+from __future__ import annotations
+
+import dataclasses
+from collections.abc import Callable
+
+import jax.numpy as jnp
+import numpy as np
+from jax import Array
+
+from asperity.arrays import namespace
+from asperity.drive.planar.bearings import friction_moments, friction_power
+from asperity.drive.planar.layout import CARRIER, PlanarDrive, speeds
+from asperity.drive.planar.state import PlanarState, surface_speeds
+from asperity.drive.planar.states import loaded_states
+from asperity.drive.rolling_speeds import RollingSpeeds
+from asperity.joint.contacts import JointContacts
+from asperity.joint.planar.description import PlanarJoint, bodies_of_contacts, body_masses, places
+from asperity.joint.planar.laws import creep_law, drive_load
+from asperity.joint.planar.loading_cam import Pressed, pressed_at
+from asperity.joint.rolling import RollingResult, turning_result
+from asperity.joint.rolling_creep import ContactCreep
+
+
+def driving_sense(drive: PlanarDrive) -> Array:
+    """Sign that makes tangential forces and creepages positive where the first body of a contact drives the second.
+
+    Parameters
+    ----------
+    drive : PlanarDrive
+        The drive.
+
+    Returns
+    -------
+    Array
+        +1 or −1, shape (contacts,) [-]: the sense in which the first surface moves, seen from the carrier.
+
+    References
+    ----------
+    The sign convention of Zou et al. 2025 for a torque that resists the rotation.
+    """
+    first, _ = places(drive)
+    speed = speeds(drive)
+    relative: Array = namespace(speed).sign(speed[np.array(first)] - speed[drive.members.index(CARRIER)])
+    return relative
+
+
+def rolling_at(
+    joint: PlanarJoint, contacts: JointContacts, without_torque: Pressed
+) -> Callable[[Array, Array], RollingResult]:
+    """Steady rolling of an assembled joint at any torque and speed.
+
+    Parameters
+    ----------
+    joint : PlanarJoint
+        One joint; its own torque and speed do not count.
+    contacts : JointContacts
+        Its contacts.
+    without_torque : Pressed
+        The joint as it is assembled.
+
+    Returns
+    -------
+    callable
+        Of an output torque [N·m] and an angular velocity of the input [rad/s].
+
+    References
+    ----------
+    Equations (B1) and (M3) of :doc:`/equations`.
+    """
+    masses, sense = body_masses(joint), driving_sense(joint.drive)
+    pressed = pressed_at(joint, contacts, without_torque)
+
+    def rolled(torque: Array, speed: Array) -> RollingResult:
+        there = dataclasses.replace(joint, output_torque=torque, input_speed=speed)
+        laws, rest = pressed(torque)
+        standing, rolling = loaded_states(
+            drive=joint.drive,
+            laws=laws,
+            rest=rest,
+            load=drive_load(there, masses, torque),
+            creep_of=lambda normal, tangential: creep_law(joint, contacts, normal, tangential).law,
+        )
+        creep = creep_law(joint, contacts, standing.normal, standing.tangential)
+        seen = dataclasses.replace(
+            rolling, tangential=sense * rolling.tangential, creepage=sense * rolling.creepage
+        )
+        return turning(there, contacts, creep, seen)
+
+    return rolled
+
+
+def turning(
+    joint: PlanarJoint, contacts: JointContacts, creep: ContactCreep, state: PlanarState
+) -> RollingResult:
+    """The joint that turns, from its rolling state.
+
+    Parameters
+    ----------
+    joint : PlanarJoint
+        One joint.
+    contacts : JointContacts
+        Its contacts.
+    creep : ContactCreep
+        Their creep under the forces of the standing drive.
+    state : PlanarState
+        The rolling state, its tangential forces and creepages with the sense of the drive.
+
+    Returns
+    -------
+    RollingResult
+        Drift, losses and life.
+
+    References
+    ----------
+    Equations (B1) and (M3) of :doc:`/equations`.
+    """
+    drive = joint.drive
+    first, second = places(drive)
+    carrier = state.speed[drive.members.index(CARRIER)]
+    one, two = surface_speeds(drive=drive, speed=state.speed)
+    unit = RollingSpeeds(
+        driving=one,
+        driven=two,
+        body=jnp.abs(state.speed[:-1] - carrier),
+        output=jnp.abs(state.speed[drive.members.index(drive.output)]),
+    )
+    return turning_result(
+        contacts=contacts,
+        conditions=joint.rolling,
+        materials=[(joint.materials[a], joint.materials[b]) for a, b in zip(first, second, strict=True)],
+        bodies=bodies_of_contacts(drive),
+        branches=jnp.asarray(drive.sectors),
+        creep=creep,
+        state=state,
+        unit_speeds=unit,
+        input_speed=joint.input_speed,
+        creepage_in_series=jnp.zeros_like(state.speed_loss),  # no path of a general drive is a single series
+        bearing_power=_bearing_power(joint, state),
+        output_torque=jnp.asarray(joint.output_torque),
+    )
+
+
+def _bearing_power(joint: PlanarJoint, state: PlanarState) -> Array:
+    """Power lost in bearings and pins at the joint's speed [W]."""
+    if joint.bearings is None:
+        return jnp.zeros_like(state.speed_loss)
+    moments = friction_moments(
+        drive=joint.drive, bearings=joint.bearings, pin_force=state.pin_force, ideal=speeds(joint.drive)
+    )
+    return friction_power(drive=joint.drive, moments=moments, speed=state.speed * joint.input_speed)
