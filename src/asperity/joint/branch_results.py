@@ -11,7 +11,7 @@ from asperity.drive.geometry import CONTACT_NAMES
 from asperity.joint.branch_sizes import BranchSizes, SectorDeviations
 
 #: Why results of a joint are absent whose own branches carry a torque that equal ones do not carry.
-NO_EQUAL_STATE = "equal branches do not carry this torque; the branches of the file are told by themselves"
+NO_EQUAL_STATE = "equal branches do not carry this torque; see the section on the branches of the file"
 
 
 @dataclass(frozen=True)

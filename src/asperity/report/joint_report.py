@@ -216,7 +216,8 @@ def _summary(document: dict[str, Any], solved: SolvedJoint) -> Iterator[Block]:
     yield result_tables.summary(document)
     yield from equal_branches(document)
     required = margins(solved)
-    yield Paragraph(limit_tables.verdict(required, document["rims"]), strong=True)
+    judges_all = not solved.no_equal_state
+    yield Paragraph(limit_tables.verdict(required, document["rims"], judges_all=judges_all), strong=True)
     yield from limit_tables.doubts(required)
 
 

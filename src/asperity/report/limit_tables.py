@@ -20,7 +20,7 @@ _WARNINGS_ABOUT = {
 }
 
 
-def verdict(found: Sequence[Margin], rims: Document) -> str:
+def verdict(found: Sequence[Margin], rims: Document, *, judges_all: bool = True) -> str:
     """Whether the requirements of function and strength are met, and which are not known.
 
     Parameters
@@ -29,6 +29,8 @@ def verdict(found: Sequence[Margin], rims: Document) -> str:
         As :func:`asperity.joint.margins.margins` gives them.
     rims : dict
         Entry ``rims`` of the joint's document: a body without a fatigue strength has no such requirement in the table.
+    judges_all : bool, optional
+        False where equal branches do not carry the torque, so that nothing is known about them.
 
     Returns
     -------
@@ -50,7 +52,12 @@ def verdict(found: Sequence[Margin], rims: Document) -> str:
         if each["yield_safety"] is not None and each["fatigue_safety"] is None
     ]
     if not failed and not unknown:
-        return "All requirements of function and strength are met."
+        if judges_all:
+            return "All requirements of function and strength are met."
+        return (
+            "All requirements of function and strength that were judged are met: those of the branches that the file "
+            "states. Pressures, stresses and lives of equal branches are not known under a torque that they do not carry."
+        )
     start = "Requirements of function and strength that are not"
     if not failed:
         return f"{start} known: {', '.join(unknown)}. All others of function and strength are met."
