@@ -55,8 +55,8 @@ def verdict(found: Sequence[Margin], rims: Document, *, judges_all: bool = True)
         if judges_all:
             return "All requirements of function and strength are met."
         return (
-            "All requirements of function and strength that were judged are met: those of the branches that the file "
-            "states. Pressures, stresses and lives of equal branches are not known under a torque that they do not carry."
+            "All requirements of function and strength that were judged are met: those of the branches that the "
+            "file states. Pressures, stresses and lives of equal branches are not known: they do not carry this torque."
         )
     start = "Requirements of function and strength that are not"
     if not failed:
