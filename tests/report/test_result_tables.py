@@ -68,6 +68,19 @@ def test_shares_of_the_compliance_are_sorted_and_named():
     assert not any("a free ring's bending" in text for text in said)
 
 
+def test_a_joint_without_stiffness_has_no_table_of_its_compliance():
+    nothing = {"input_Nm_per_rad": None, "output_Nm_per_rad": None, "output_Nm_per_arcmin": None}
+    document = {
+        "torsional_stiffness": dict.fromkeys(("assembly", "series_with_bulk", "published"), nothing),
+        "stiffness_unknown_because": "equal branches do not carry it",
+        "stiffness_budget": {"bodies_share": None, "asperity_share": {"sp": None}},
+        "input": {},
+        "geometry": {"speed_ratio": -9.0, "input": "sun"},
+        "preload": {"loading_cam": None},
+    }
+    assert list(rows_of(stiffness(document))) == ["Torsional stiffness"]
+
+
 def test_contacts_are_in_the_units_of_their_heads():
     """Half-width of 25 um: a strip of 0.05 mm; 750 MPa, 0.2 mm2, N/um."""
     contact = {

@@ -56,21 +56,24 @@ def report_pictures(
     Returns
     -------
     dict
-        Name → SVG. ``windup`` and ``rolling`` are absent where the joint has none.
+        Name → SVG. ``windup`` and ``rolling`` are absent where the joint has none, ``forces`` and ``budget`` where only
+        its own branches carry the torque.
     """
     from matplotlib.figure import Figure
 
-    if isinstance(joint, PlanarJoint):
-        drawn = planar_forces_sheet(joint, solved.result)
-        sheets = {"drive": planar_sheet(joint, name=name), "forces": drawn}
-    else:
-        sheets = {"drive": drive_sheet(joint, name=name), "forces": forces_sheet(joint, solved.result.forces)}
-    found = {which: figure_svg(sheet_figure(sheet)) for which, sheet in sheets.items()}
-    budget = Figure(figsize=(_WIDTH, 0.65 * _WIDTH), layout="constrained")
-    shares, levels = budget.subplots(2, 1, height_ratios=(2.2, 1.0))
-    draw_budget(shares, solved)
-    draw_levels(levels, solved)
-    found["budget"] = figure_svg(budget)
+    whole, apart = (
+        (planar_sheet(joint, name=name), lambda: planar_forces_sheet(joint, solved.result))
+        if isinstance(joint, PlanarJoint)
+        else (drive_sheet(joint, name=name), lambda: forces_sheet(joint, solved.result.forces))
+    )
+    found = {"drive": figure_svg(sheet_figure(whole))}
+    if not solved.no_equal_state:
+        found["forces"] = figure_svg(sheet_figure(apart()))
+        budget = Figure(figsize=(_WIDTH, 0.65 * _WIDTH), layout="constrained")
+        shares, levels = budget.subplots(2, 1, height_ratios=(2.2, 1.0))
+        draw_budget(shares, solved)
+        draw_levels(levels, solved)
+        found["budget"] = figure_svg(budget)
     judged = margins(solved)
     bars = Figure(figsize=(_WIDTH, 1.0 + 0.35 * max(1, len(drawn_margins(judged)))), layout="constrained")
     draw_margins(bars.subplots(), judged)

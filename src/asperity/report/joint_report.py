@@ -115,11 +115,11 @@ def joint_report(source: ReportSource) -> Report:
             "Dimensions in mm. The drive's sheet is A4: printed in full size, it has the scale that it states."
         ),
         Picture("The drive to scale", pictures["drive"], sheet=True),
-        Picture("Forces on the bodies drawn apart, centrifugal forces not drawn", pictures["forces"]),
+        *_picture(pictures, "forces", "Forces on the bodies drawn apart, centrifugal forces not drawn"),
         Heading("Stiffness"),
         *result_tables.stiffness(document),
         *parts.surfaces,
-        Picture("Stiffness budget and levels of the model", pictures["budget"]),
+        *_picture(pictures, "budget", "Stiffness budget and levels of the model"),
         Heading("Forces and contacts"),
         *result_tables.contacts(document),
         *parts.drive,
@@ -203,6 +203,11 @@ def _examined(joint: AnyJoint, document: dict[str, Any]) -> _Examined:
     onsets = windup_onsets(joint, curve, both, creep_share=_CREEP_SHARE)
     figures = windup_document(joint, curve, both, onsets, level="assembly")
     return _Examined(curve, onsets[0], figures, "", capacity)
+
+
+def _picture(pictures: dict[str, str], name: str, caption: str) -> list[Block]:
+    """A picture that a joint may lack."""
+    return [Picture(caption, pictures[name])] if name in pictures else []
 
 
 def _title_block(source: ReportSource) -> Iterator[Block]:

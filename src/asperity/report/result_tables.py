@@ -146,12 +146,14 @@ def stiffness(document: Document) -> Iterator[Block]:
             if value and abs(value) > NO_SHARE
         ]
     shares.sort(key=lambda entry: -entry[1])
+    if not shares:
+        return
     yield Table(
         "Stiffness budget: shares of the compliance of the assembled joint",
         ("spring", "share %"),
         [(words, number(value, 100.0)) for words, value in shares],
     )
-    if shares and has_whole_bodies(document):
+    if has_whole_bodies(document):
         yield Paragraph(f"{WHOLE_BODIES[0].upper()}{WHOLE_BODIES[1:]}.")
 
 
