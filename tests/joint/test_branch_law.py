@@ -182,8 +182,14 @@ def test_a_branch_yields_without_the_shafts_that_all_share(monkeypatch):
             life_hours=SimpleNamespace(drive=jnp.ones(2)),
         ),
     )
+    pins = SimpleNamespace(pin_radial=2.0 * jnp.ones((2, 2)), pin_tangential=3.0 * jnp.ones((2, 2)))
     monkeypatch.setattr(branch_law, "evaluate", lambda joint: result)
+    monkeypatch.setattr(branch_law, "loads_of_forces", lambda joint, normal, tangential: pins)
+    monkeypatch.setattr(branch_law, "bearing_speeds", lambda joint, result: 7.0)
+    monkeypatch.setattr(branch_law, "stacked_speeds", lambda speeds: jnp.full((4, 2), speeds))
     found = _states(SimpleNamespace(preload=jnp.ones(2), output_torque=jnp.ones(2)))
     np.testing.assert_allclose(found["compliance"], [0.75 / 2e4, np.nan], rtol=1e-12)
     assert found["normal"].shape == (5, 2)
     assert np.isnan(found["normal"][:, 1]).all()
+    np.testing.assert_array_equal(found["bearing_speed"][:, 0], 7.0)
+    np.testing.assert_array_equal(found["rolling_pins"][..., 0], [[2.0, 2.0], [3.0, 3.0]])

@@ -74,9 +74,8 @@ def test_other_drives_have_stiffness_below_their_capacity(monkeypatch, torque, l
     def solved(joint, temperature):
         away = temperature - 25.0
         result = SimpleNamespace(
-            rest=SimpleNamespace(normal=np.array([100.0, 30.0 - away]), residual=1e-14),
+            rest=SimpleNamespace(normal=np.array([1000.0 - 10.0 * away, 30.0 - away]), residual=1e-14),
             solved=True,
-            preload=1000.0 - 10.0 * away,
             assembly=SimpleNamespace(stiffness=SimpleNamespace(output=3e4)),
         )
         limits = np.array([7.0, 8.0]) - 0.1 * away

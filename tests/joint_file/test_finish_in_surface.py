@@ -73,7 +73,7 @@ def test_each_contact_may_have_its_own():
             'finish = "ground"\nmean_roughness_depth = 1.6',
             "mean_roughness_depth: expected a length with its unit",
         ),
-        ('finish = "ground"\nmean_roughness_depth = "1 mm"', "1000 um is not allowed.* at most 400 um"),
+        ('finish = "ground"\nmean_roughness_depth = "1 mm"', "1000 um is not allowed.* at most 100 um"),
         (
             'finish = "ground"\nmean_roughness_depth = "1.6 um"\ncut_off = "1 mm"',
             r"surface\.cut_off: .* 0\.8 mm, 2\.5 mm, 8 mm, got 1 mm; or give roughness_average",

@@ -201,7 +201,7 @@ def equal_branches_note(found: UnequalBranches) -> str:
     if found.beyond_equal:
         note = (
             f"{what} do not exist: they would be those of equal branches, which carry "
-            f"{format_quantity(found.capacity.equal, 'N*m', 4)} and so not this torque; {pressed(found)}."
+            f"{format_quantity(found.capacity.equal, 'N*m', 4)} at most; {pressed(found)}."
         )
     life = least_life(found)
     if math.isfinite(life):

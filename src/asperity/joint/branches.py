@@ -37,6 +37,13 @@ from asperity.joint.working_loads import loads_at_rest
 
 _LENGTHS = 48  # of the curve of preload over interference
 _LEAST_SUPPORT = 1e-9  # over preload per interference: holds a floating sun where nothing else does
+_BELOW_SLIP = (
+    1e-9,
+    1e-6,
+    1e-4,
+    1e-3,
+    1e-2,
+)  # shares below the first slip at which its contacts still have a state
 _TOLERANCE = 1e-13
 
 
@@ -292,11 +299,12 @@ class _Solver:
             0.0,
         )
         branch = int(np.argmax(over))
-        almost = np.minimum(over, 1.0) * (1.0 - 1e-9)
         slips = np.full(len(CONTACT_NAMES), np.nan)
-        if self.slip:
-            known = self._contacts(preload, self.law.torque(preload, almost), loaded=True)
-            slips = known["slip_ratio"][:, branch]
+        for below in _BELOW_SLIP if self.slip else ():
+            almost = self.law.torque(preload, np.minimum(over, 1.0) * (1.0 - below))
+            slips = self._contacts(preload, almost, loaded=True)["slip_ratio"][:, branch]
+            if np.all(np.isfinite(slips)):
+                break
         return BranchCapacity(
             first_slip=self.total(first),
             branch=branch,

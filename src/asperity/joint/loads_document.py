@@ -50,7 +50,9 @@ UNEQUAL = (
     "and forces from outside are not counted."
 )
 _NO_STATE = "the branches of the file, [[branch]], do not carry this load, or do not roll under it"
-_FORCES_ALONE = "equal branches do not carry this load; their torques, axial forces and speeds are not known."
+_FORCES_ALONE = (
+    "equal branches do not carry this load; torques, axial forces and speeds are theirs, and not stated."
+)
 _SUPPORTED = (
     "The planets have supports: the balance of the forces takes them as floating, so that the share that the supports "
     "carry is not known."

@@ -108,7 +108,7 @@ def skew_notes(found: RollingResult, contacts: tuple[str, ...]) -> tuple[Note, .
             "function",
             "friction remains beside what skew takes"
             if ok
-            else "skew takes so much of the friction that the contact slips as a whole: the drift is many times larger",
+            else "skew takes so much friction that the contact slips as a whole: under a torque it drifts far more",
             None if ok else "align the axes, raise the preload, or lower the torque",
         ),
     )

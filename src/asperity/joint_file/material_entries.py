@@ -75,7 +75,7 @@ class SurfaceEntry(Section):
     roughness_average: Annotated[Quantity, limits.ROUGHNESS_AVERAGE] | None = None
     """Ra of one body, from its drawing. It does not say what D is: the stiffness comes out as an interval."""
     mean_roughness_depth: Annotated[str, StringConstraints(max_length=100)] | None = None
-    """Rz of one body in place of its Ra, text with its unit, 0.001 to 400 um. It is read as the range of Ra that
+    """Rz of one body in place of its Ra, text with its unit, 0.001 to 100 um. It is read as the range of Ra that
     normally distributed heights with this Rz have; studies vary roughness_average."""
     partner_roughness_average: Annotated[Quantity, limits.PARTNER_AVERAGE] | None = None
     """Ra of the other body; the same if absent."""

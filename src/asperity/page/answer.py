@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 
 from asperity.errors import AsperityError
+from asperity.joint.branch_results import NO_EQUAL_WINDUP
 from asperity.joint.creep_curves import creep_curves
 from asperity.joint.description import Joint
 from asperity.joint.either_kind import AnyJoint, AnySolution
@@ -75,7 +76,7 @@ def joint_answer(request: JointRequest) -> Answer:
         "margins": [_margin(each) for each in margins(solved)],
         "curves": _curves(joint, solution),
         "creep": _creep(joint, solution.result),
-        "windup": _windup(joint),
+        "windup": {"unknown_because": NO_EQUAL_WINDUP} if solved.no_equal_state else _windup(joint),
     }
 
 

@@ -12,6 +12,7 @@ from typing import Any
 
 import asperity
 from asperity.errors import AsperityError
+from asperity.joint.branch_results import NO_EQUAL_WINDUP
 from asperity.joint.either_kind import AnyJoint
 from asperity.joint.loads_document import load_cases, loads_document
 from asperity.joint.margins import margins
@@ -93,7 +94,7 @@ def joint_report(source: ReportSource) -> Report:
     case = source.case
     parts = _planar_parts(source, case) if isinstance(case, PlanarCase) else _papers_parts(source, case)
     document, solved = parts.document, parts.solved
-    found = _examined(parts.joint, document)
+    found = _examined(parts.joint, solved, document)
     pictures = report_pictures(
         parts.joint,
         solved,
@@ -193,9 +194,11 @@ class _Examined:
     rolling_capacity: float
 
 
-def _examined(joint: AnyJoint, document: dict[str, Any]) -> _Examined:
+def _examined(joint: AnyJoint, solved: SolvedJoint, document: dict[str, Any]) -> _Examined:
     capacity = document["rolling"]["torque_capacity_Nm"]
     capacity = math.inf if capacity is None else float(capacity)
+    if solved.no_equal_state:
+        return _Examined(None, None, None, NO_EQUAL_WINDUP, capacity)
     try:
         curve, both = examined_windup(joint, largest_torque=None, level="assembly")
     except AsperityError as error:
