@@ -46,5 +46,8 @@ def test_a_capacity_of_equal_branches_is_called_so(call, unequal):
     )
     outcome = call("joint", unequal)
     assert outcome.code == 2
+    assert "is beyond what the branches carry together" in outcome.err
+    outcome = call("roll", unequal)
+    assert outcome.code == 2
     assert "is beyond the torque capacity" in outcome.err
-    assert "(for equal branches, with which every joint is solved first" in outcome.err
+    assert "(for equal branches: [[branch]] does not count here)" in outcome.err

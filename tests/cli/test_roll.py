@@ -48,7 +48,10 @@ def test_document_and_picture(call, joint_file, tmp_path):
     assert rolling["duty"] == {
         "1": {"damage_share": pytest.approx(1.0), "life_hours": pytest.approx(found["life_hours"], rel=1e-9)}
     }
-    assert 12.96 < rolling["torque_capacity_Nm"] < 1.05 * 12.96  # mu N_0 9 n R_s, and a little for the wedge
+    # mu N_0 9 n R_s is 12.96; of smooth rollers 1 mrad takes 3.3 % of it, with 3.24e-3 and 4.63e-3 at gross slip
+    share = (1.0 / 4.63) ** 2
+    smooth = ((1.0 - share) / (1.0 - share + share * 4.63 / 3.24)) ** 0.5
+    assert 12.96 * smooth < rolling["torque_capacity_Nm"] < 12.96
     assert min(c["axial_force_N"] for c in rolling["contacts"].values()) > 0.0
     assert (tmp_path / "r.svg").read_text().count("gross slip") >= 1
 
