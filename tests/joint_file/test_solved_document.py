@@ -128,6 +128,7 @@ def test_unlike_branches_carry_the_sum_of_what_their_friction_holds(planetary):
         planar_branches(planetary([0.1, 0.2, 0.5], 16.0), branches=False)
 
 
+@pytest.mark.slow
 def test_the_papers_drive_by_its_own_branches(papers):
     """13.16 N*m for 1000 N of preload, in proportion to it."""
     case = papers([0.2, 0.4, 0.5], 13.5)

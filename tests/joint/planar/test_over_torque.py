@@ -83,6 +83,7 @@ def test_the_drift_begins_as_that_of_its_rolling(joint, curve):
     assert float(one.distance[1]) == pytest.approx(50e-3, rel=1e-3)
 
 
+@pytest.mark.slow
 def test_creep_damps_as_the_slope_of_the_lost_speed(joint):
     found = dynamics(joint, Inertias(2e-5, 0.05, 0.0))
     at, torques = found.at_torque, np.array([9.995, 10.005])

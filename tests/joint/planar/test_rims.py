@@ -54,6 +54,7 @@ def test_a_thin_hollow_planet_by_hand(planar_joint):
     assert float(found.amplitude[0, at]) == pytest.approx(0.5 * (bending + away), rel=0.03)
 
 
+@pytest.mark.slow
 def test_the_papers_drive_by_its_own_chain(paper_joint, as_planar):
     """The same forces on the same bodies, whose tangential forces turn them in opposite senses."""
     own = dataclasses.replace(
