@@ -40,6 +40,7 @@ def test_table_and_picture(tmp_path, saved_figures):
             np.testing.assert_allclose(drawn.get_ydata(), method / elements, rtol=1e-12)
 
 
+@pytest.mark.slow
 def test_json_carries_units_and_all_three_routes():
     result = CliRunner().invoke(verify_contact, [*SMALL, "--json"], catch_exceptions=False)
     (document,) = json.loads(result.output)

@@ -69,6 +69,7 @@ def test_tables_say_the_same_as_text(client, joint_text, printed):
     assert answer["document"] == printed
 
 
+@pytest.mark.slow
 def test_units_are_those_of_the_files(solve):
     one, other = solve(load__output_torque="4 N*m").json(), solve(load__output_torque="4000 N*mm").json()
     assert one["numbers"]["load.output_torque"]["si"] == 4.0
