@@ -127,6 +127,20 @@ def test_beyond_the_first_slip_the_others_take_over(springs):
     assert springs(output_torque=13.5).branches(sizes([2e-6, 0.0, -2e-6])).standing is None
 
 
+def test_the_first_contact_is_looked_for_below_the_slip(springs, monkeypatch):
+    """Tables between preloads say where a branch slips to some digits only; there its contacts may have no state."""
+    whole = FakeLaws.states
+
+    def states(self, preload, torque):
+        found = whole(self, preload, torque)
+        uneven = found["rolling_slip_ratio"] * np.array([0.9, 0.9, 0.9, 1.0, 0.9])[:, None]
+        return found | {"rolling_slip_ratio": np.where(uneven[3] > 1.0 - 5e-6, np.nan, uneven)}
+
+    monkeypatch.setattr(FakeLaws, "states", states)
+    found = springs(output_torque=5.0).branches(sizes([2e-6, 0.0, -2e-6]))
+    assert found.rolling_capacity.contact_name == "wro"
+
+
 def test_a_sun_that_gives_way_unwinds_branches(springs):
     """Branches as stiff as they are pressed: wound up by the common angle and by what the sun's way is for each."""
     drive = springs(output_torque=5.0)

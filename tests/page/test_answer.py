@@ -7,6 +7,7 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
+from asperity.joint.branch_results import NO_EQUAL_WINDUP
 from asperity.joint_file.build import joint_from_case
 from asperity.joint_file.reader import parse_case
 from asperity.page import answer
@@ -143,3 +144,13 @@ def test_the_document_of_the_page_judges_unequal_branches(monkeypatch, case):
     solved, document = answer._papers(case)[2:4]
     assert solved == "the branches of the file"
     assert document == {"branches": "the branches of the file"}
+
+
+@pytest.mark.slow
+def test_under_a_torque_that_only_the_branches_of_the_file_carry(zou_file):
+    text = zou_file.with_name("planetary.toml").read_text(encoding="utf-8")
+    text += 3 * '\n[[branch]]\nplanet_deviation = "2 um"\n'
+    found = joint_answer(JointRequest("p.toml", text, {"load.output_torque": "13 N*m"}))
+    json.dumps(found, allow_nan=False)
+    assert found["windup"] == {"unknown_because": NO_EQUAL_WINDUP}
+    assert found["drawing"]["forces"] == found["drawing"]["bodies"] == []

@@ -5,6 +5,7 @@ from pathlib import Path
 
 import pytest
 
+from asperity.joint.branch_results import NO_EQUAL_WINDUP
 from asperity.joint_file.reader import parse_any_case, parse_case
 from asperity.report.content import Heading, Listing, Paragraph, Picture, Table
 from asperity.report.html import report_html
@@ -122,3 +123,19 @@ def test_unequal_branches_have_tables_of_their_own():
         row for row in tables(report)["Loads of the structure"].rows if row[0].startswith("sun bearing")
     )
     assert float(loads[2]) > 100.0
+
+
+@pytest.mark.slow
+def test_a_torque_that_only_the_branches_of_the_file_carry():
+    """Planets 2 um too large at 13 N·m, where equal ones of nominal size carry 12.1: no figure without numbers."""
+    file = Path(__file__).parents[2] / "examples" / "planetary.toml"
+    text = file.read_text(encoding="utf-8").replace('output_torque = "10 N*m"', 'output_torque = "13 N*m"')
+    text += 3 * '\n[[branch]]\nplanet_deviation = "2 um"\n'
+    report = joint_report(ReportSource(file.name, text, parse_any_case(text, source=file.name)))
+    captions = [block.title for block in report.blocks if isinstance(block, Picture)]
+    assert not any("Forces on the bodies" in each or "Stiffness budget" in each for each in captions)
+    said = [block.text for block in report.blocks if isinstance(block, Paragraph)]
+    assert any("This holds for the branches that the file states" in text for text in said)
+    place = report.blocks.index(Heading("Wind-up"))
+    assert report.blocks[place + 1].text == f"No wind-up: {NO_EQUAL_WINDUP}."
+    assert "nan" not in report_html(report)

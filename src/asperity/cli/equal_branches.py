@@ -26,7 +26,7 @@ def read_for_equal_branches(file: str) -> AnyCase:
     from asperity.joint_file.reader import read_any_case
 
     case = read_any_case(file)
-    if getattr(case, "branch", None) is not None:
+    if case.branch is not None:
         click.echo(
             "asperity: note: the results are those of equal branches; [[branch]] counts in 'asperity joint', 'loads' "
             "and 'report'",

@@ -37,13 +37,8 @@ from asperity.joint.working_loads import loads_at_rest
 
 _LENGTHS = 48  # of the curve of preload over interference
 _LEAST_SUPPORT = 1e-9  # over preload per interference: holds a floating sun where nothing else does
-_BELOW_SLIP = (
-    1e-9,
-    1e-6,
-    1e-4,
-    1e-3,
-    1e-2,
-)  # shares below the first slip at which its contacts still have a state
+# shares below the first slip at which its contacts are looked at, until all of them have a state
+_BELOW_SLIP = (1e-9, 1e-6, 1e-4, 1e-3, 1e-2)
 _TOLERANCE = 1e-13
 
 

@@ -92,7 +92,7 @@ def planar_assumptions(case: PlanarCase) -> tuple[str, ...]:
     told += depth_assumptions(case)
     if case.load.cam_force_per_torque is not None:
         told.append(LOADING_CAM)
-    if getattr(case, "branch", None) is not None:
+    if case.branch is not None:
         told.append(
             "[[branch]]: every branch is solved by itself, together with the bodies on the axis; rings and carrier are "
             "centred, and what centres a ring that carries itself acts evenly all round; the standing drive is loaded "

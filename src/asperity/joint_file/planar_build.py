@@ -306,7 +306,7 @@ def branched_planar(
     BranchedPlanarJoint or None
         None where there are no such sections.
     """
-    if getattr(case, "branch", None) is None:
+    if case.branch is None:
         return None
     from asperity.joint.planar.branches import BranchedPlanarJoint
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Any, ClassVar, Literal, Self
+from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal, Self
 
 from pydantic import Field, PrivateAttr, model_validator
 
@@ -133,6 +133,8 @@ class PlanarCase(Section):
 
     type: str
     """Type of the drive."""
+    if TYPE_CHECKING:  # a field of every kind of file, each with its own keys
+        branch: tuple[Any, ...] | None
     load: PlanarLoad
     """Preload, torque, speed, friction."""
     temperature: TemperatureEntry | None = None
@@ -249,7 +251,7 @@ class PlanarCase(Section):
 
     @model_validator(mode="after")
     def _one_section_for_each_branch(self) -> Self:
-        branches = getattr(self, "branch", None)
+        branches = self.branch
         if branches is not None:
             refuse_branches(
                 len(branches),

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import contextlib
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from typing import Any, Generic, NamedTuple, TypeVar
 
 from asperity.errors import InputError
@@ -164,18 +164,13 @@ def papers_branches(case: Case, *, branches: bool = True) -> tuple[Joint, Soluti
         If no balance was found.
     """
     joint = joint_from_case(case)
-    if not branches or case.branch is None:
-        with _equal_branches(case):
-            return joint, solve(joint), None
-    solution, carries = solve_equal_branches(joint, solve)
-    found = unequal_branches(case, joint)
-    return joint, solution if carries else without_state(solution, float(joint.output_torque)), found
+    return _solved(case, joint, solve, lambda _: unequal_branches(case, joint), branches)
 
 
 def planar_branches(
     case: PlanarCase, *, branches: bool = True
 ) -> tuple[PlanarJoint, PlanarSolution, UnequalBranches | None]:
-    """Solve a joint file with another drive, with equal branches and with its own.
+    """Solve a joint file with another drive, as :func:`papers_branches`.
 
     Parameters
     ----------
@@ -186,26 +181,31 @@ def planar_branches(
 
     Returns
     -------
-    joint : PlanarJoint
-        The joint that it describes.
-    solution : PlanarSolution
-        With equal branches; nan under a torque that only its own branches carry.
-    found : UnequalBranches or None
-        With its own; None where it states none.
+    PlanarJoint, PlanarSolution, UnequalBranches or None
+        As of :func:`papers_branches`.
 
     Raises
     ------
-    InputError
-        If the bodies do not fit, or its branches do not carry the output torque.
-    NoSolutionError
-        If no balance was found.
+    InputError, NoSolutionError
+        As :func:`papers_branches`.
     """
     joint = planar_joint_from_case(case)
-    if not branches or getattr(case, "branch", None) is None:
+    return _solved(case, joint, solve_planar, lambda found: unequal_sectors(case, joint, found), branches)
+
+
+def _solved(
+    case: AnyCase,
+    joint: _Described,
+    solver: Callable[[_Described], _Solved],
+    own_branches: Callable[[_Solved], UnequalBranches | None],
+    count: bool,
+) -> tuple[_Described, _Solved, UnequalBranches | None]:
+    """A joint with equal branches, and with its own where they are to count."""
+    if not count or case.branch is None:
         with _equal_branches(case):
-            return joint, solve_planar(joint), None
-    solution, carries = solve_equal_branches(joint, solve_planar)
-    found = unequal_sectors(case, joint, solution)
+            return joint, solver(joint), None
+    solution, carries = solve_equal_branches(joint, solver)
+    found = own_branches(solution)
     return joint, solution if carries else without_state(solution, float(joint.output_torque)), found
 
 
@@ -215,6 +215,6 @@ def _equal_branches(case: AnyCase) -> Iterator[None]:
     try:
         yield
     except InputError as error:
-        if getattr(case, "branch", None) is None:
+        if case.branch is None:
             raise
         raise InputError(f"{error} (for equal branches: [[branch]] does not count here)") from None

@@ -231,7 +231,7 @@ def _summary(document: dict[str, Any], solved: SolvedJoint) -> Iterator[Block]:
 
 def _windup(found: _Examined, pictures: dict[str, str]) -> Iterator[Block]:
     if found.windup_figures is None:
-        yield Paragraph(f"No wind-up: {found.no_windup}")
+        yield Paragraph(f"No wind-up: {found.no_windup}.")
         return
     yield from result_tables.windup(found.windup_figures)
     turning = "" if found.onset is None else "; the joint that turns under the largest torque"

@@ -19,6 +19,11 @@ _WARNINGS_ABOUT = {
     "model": "outside the range of the contact law",
 }
 
+_OWN_BRANCHES_ALONE = (
+    "This holds for the branches that the file states. Pressures, stresses and lives of equal branches are not known, "
+    "because they do not carry this torque."
+)
+
 
 def verdict(found: Sequence[Margin], rims: Document, *, judges_all: bool = True) -> str:
     """Whether the requirements of function and strength are met, and which are not known.
@@ -51,18 +56,15 @@ def verdict(found: Sequence[Margin], rims: Document, *, judges_all: bool = True)
         for name, each in rims.items()
         if each["yield_safety"] is not None and each["fatigue_safety"] is None
     ]
-    if not failed and not unknown:
-        if judges_all:
-            return "All requirements of function and strength are met."
-        return (
-            "All requirements of function and strength that were judged are met: those of the branches that the "
-            "file states. Pressures, stresses and lives of equal branches are not known: they do not carry this torque."
-        )
     start = "Requirements of function and strength that are not"
-    if not failed:
-        return f"{start} known: {', '.join(unknown)}. All others of function and strength are met."
     rest = f"; not known: {', '.join(unknown)}" if unknown else ""
-    return f"{start} met: {', '.join(failed)}{rest}."
+    if failed:
+        said = f"{start} met: {', '.join(failed)}{rest}."
+    elif unknown:
+        said = f"{start} known: {', '.join(unknown)}. All others of function and strength are met."
+    else:
+        said = "All requirements of function and strength are met."
+    return said if judges_all else f"{said} {_OWN_BRANCHES_ALONE}"
 
 
 def doubts(found: Sequence[Margin]) -> Iterator[Block]:

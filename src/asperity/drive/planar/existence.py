@@ -130,7 +130,7 @@ def pulling_contacts(drive: PlanarDrive) -> tuple[str, ...]:
     Balance of every floating body under the normal forces N of its contacts and the push Q of its pin; friction does
     not act before the drive carries a torque. Equation (M1) of :doc:`/equations`.
     """
-    matrices = _measured(drive).incidence
+    matrices = incidence(jax.tree.map(lambda leaf: np.asarray(leaf, dtype=float), drive))
     balance = np.concatenate([matrices.approach, matrices.pins]).T
     _, values, rows = np.linalg.svd(balance)
     unknown = balance.shape[1] - int(np.sum(values > 1e-9 * values.max(initial=0.0)))

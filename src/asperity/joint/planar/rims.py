@@ -107,7 +107,7 @@ def branch_rims(sectors: int, joint: PlanarJoint, working: Array, rest: Array) -
     acts = bends(joint)
     rings = {number: next(found) for number, held in enumerate(central) if held and acts[number]}
     rollers = [number for number, held in enumerate(central) if not held and acts[number]]
-    copies = {number: [] for number in rollers}  # type: dict[int, list[BodyRims]]
+    copies: dict[int, list[BodyRims]] = {number: [] for number in rollers}
     for _ in range(sectors):
         for number in rollers:
             copies[number].append(next(found))
