@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import math
-from typing import Annotated, Literal, Self
+from typing import Annotated, Literal
 
-from pydantic import BeforeValidator, Discriminator, Field, PrivateAttr, Tag, model_validator
+from pydantic import BeforeValidator, Discriminator, Field, Tag, model_validator
 
 from asperity.errors import InputError
 from asperity.joint_file import limits
@@ -13,7 +13,14 @@ from asperity.joint_file.bearing_entries import HeldBearing, PinBearing
 from asperity.joint_file.branch_sections import BranchEntry, refuse_branches
 from asperity.joint_file.material_entries import BodyMaterials, MaterialEntry, MaterialName, Surfaces
 from asperity.joint_file.quantity_key import Quantity
-from asperity.joint_file.section import ONE_FOR_ALL, ONE_FOR_EACH, EachContact, Section, number_or_table
+from asperity.joint_file.section import (
+    ONE_FOR_ALL,
+    ONE_FOR_EACH,
+    EachContact,
+    Section,
+    WholeFile,
+    number_or_table,
+)
 from asperity.joint_file.temperature_section import TemperatureEntry, refuse_temperature
 
 Length = Annotated[Quantity, limits.ROLLER_RADIUS]
@@ -256,7 +263,7 @@ class ModelChoice(Section):
     """Exact bodies: long, plane strain, or thin, plane stress; plane strain if absent."""
 
 
-class Case(Section):
+class Case(WholeFile):
     """A joint file: a planetary traction drive under load."""
 
     type: Literal["zou2025"] | None = None
@@ -298,34 +305,6 @@ class Case(Section):
     """Which material each body is made of."""
     surface: Surfaces
     """Roughness: one table for all contacts, or tables surface.sp, .pwr, .pwl, .wro, .wlo."""
-
-    _text: str = PrivateAttr(default="")
-
-    @property
-    def text(self) -> str:
-        """The text of the file with its comments; empty for a case that was not read from one."""
-        return self._text
-
-    def with_text(self, text: str) -> Self:
-        """The same case, which remembers the text that it was read from.
-
-        Parameters
-        ----------
-        text : str
-            TOML; empty to forget it.
-
-        Returns
-        -------
-        Case
-            A copy.
-        """
-        copy = self.model_copy()
-        copy._text = text
-        return copy
-
-    def __eq__(self, other: object) -> bool:
-        """Whether both say the same, in whatever words."""
-        return isinstance(other, Case) and dict(self) == dict(other)
 
     @model_validator(mode="after")
     def _whole_duty(self) -> Case:

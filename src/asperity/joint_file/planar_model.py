@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal, Self
 
-from pydantic import Field, PrivateAttr, model_validator
+from pydantic import Field, model_validator
 
 from asperity.errors import InputError
 from asperity.joint_file import limits
@@ -34,7 +34,7 @@ from asperity.joint_file.planar_drive_sections import (
     SteppedPlanetDrive,
 )
 from asperity.joint_file.quantity_key import Quantity
-from asperity.joint_file.section import Section
+from asperity.joint_file.section import Section, WholeFile
 from asperity.joint_file.temperature_section import TemperatureEntry, refuse_temperature
 
 
@@ -128,7 +128,7 @@ class PlanarModelChoice(Section):
     """Exact bodies: long, plane strain, or thin, plane stress; plane strain if absent."""
 
 
-class PlanarCase(Section):
+class PlanarCase(WholeFile):
     """What joint files of all other drives have in common."""
 
     type: str
@@ -169,37 +169,8 @@ class PlanarCase(Section):
     surface: PartSurfaces
     """Roughness: one table for all contacts, or tables surface.NAME for each."""
 
-    _branches_are: ClassVar[tuple[str, str]] = (
-        "planets",
-        "planets",
-    )  # their number in [drive], and their name
-    _text: str = PrivateAttr(default="")
-
-    @property
-    def text(self) -> str:
-        """The text of the file with its comments; empty for a case that was not read from one."""
-        return self._text
-
-    def with_text(self, text: str) -> Self:
-        """The same case, which remembers the text that it was read from.
-
-        Parameters
-        ----------
-        text : str
-            TOML; empty to forget it.
-
-        Returns
-        -------
-        PlanarCase
-            A copy.
-        """
-        copy = self.model_copy()
-        copy._text = text
-        return copy
-
-    def __eq__(self, other: object) -> bool:
-        """Whether both say the same, in whatever words."""
-        return type(other) is type(self) and dict(self) == dict(other)
+    # their number in [drive], and their name
+    _branches_are: ClassVar[tuple[str, str]] = ("planets", "planets")
 
     @model_validator(mode="after")
     def _known_materials(self) -> Self:

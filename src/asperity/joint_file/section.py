@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from typing import Any, Generic, TypeVar
+from typing import Any, Generic, Self, TypeVar
 
-from pydantic import BaseModel, ConfigDict
+from pydantic import BaseModel, ConfigDict, PrivateAttr
 
 Entry = TypeVar("Entry")
 
@@ -16,6 +16,38 @@ class Section(BaseModel):
     """A table of the file: frozen, and without room for unknown keys."""
 
     model_config = ConfigDict(extra="forbid", frozen=True, use_attribute_docstrings=True)
+
+
+class WholeFile(Section):
+    """All tables of a file, and the text that they were read from."""
+
+    _text: str = PrivateAttr(default="")
+
+    @property
+    def text(self) -> str:
+        """The text of the file with its comments; empty for a case that was not read from one."""
+        return self._text
+
+    def with_text(self, text: str) -> Self:
+        """The same case, which remembers the text that it was read from.
+
+        Parameters
+        ----------
+        text : str
+            TOML; empty to forget it.
+
+        Returns
+        -------
+        WholeFile
+            A copy, of the same class.
+        """
+        copy = self.model_copy()
+        copy._text = text
+        return copy
+
+    def __eq__(self, other: object) -> bool:
+        """Whether both say the same, in whatever words."""
+        return type(other) is type(self) and dict(self) == dict(other)
 
 
 class EachContact(Section, Generic[Entry]):
