@@ -1,6 +1,7 @@
 """A drive that is loaded step by step, as far as its planets carry together."""
 
 import math
+from types import SimpleNamespace
 
 import jax.numpy as jnp
 import numpy as np
@@ -63,3 +64,47 @@ def test_planets_slip_one_after_the_other_by_hand():
     assert carried[2] == pytest.approx(each[2], rel=1e-5)
     # the two that hold are alike and carry alike, whatever they are pressed with, while neither slips
     assert carried[0] == pytest.approx(carried[1], rel=0.02)
+
+
+@pytest.mark.parametrize(
+    ("capacity", "sign", "most", "reached"),
+    [
+        (3e-4, 1.0, math.inf, 3e-4),
+        (3e-4, -1.0, 3.5e-4, 3e-4),
+        (3e-4, -1.0, 1e-4, 1e-4),
+        (math.inf, 1.0, math.inf, 1e-5 * (1.5**400 - 1.0) / 0.5),  # 400 steps, each half as long again
+    ],
+)
+def test_followed_up_to_the_last_torque_that_holds(monkeypatch, capacity, sign, most, reached):
+    """Where balances exist up to a torque, the following ends there or at the torque asked for, in its sense."""
+    module = "asperity.drive.planar.following"
+    for name in ("machine_of", "forces_on"):
+        monkeypatch.setattr(f"{module}.{name}", lambda *_: None)
+    monkeypatch.setattr(f"{module}.started_from", lambda *_: jnp.zeros(()))
+
+    def balance(machine, task, found, *, slides, by_force):
+        return jnp.asarray(task.load.output_torque), slides | True
+
+    def state(machine, task, found, slides):
+        assert task.load.pin_compliance == 1e-8
+        return SimpleNamespace(
+            residual=jnp.where(abs(found) > capacity, 1.0, 1e-12), torque=found, slides=slides
+        )
+
+    monkeypatch.setattr(f"{module}.solved", balance)
+    monkeypatch.setattr(f"{module}.state_of", state)
+    rest = SimpleNamespace(
+        interference=jnp.array([1e-6, 2e-6]), displacement=jnp.zeros((1, 2)), slides=jnp.zeros(2, dtype=bool)
+    )
+    found, torque = followed(
+        drive=None,
+        laws=None,
+        rest=rest,
+        load=DriveLoad(output_torque=sign * 7.0, pin_compliance=1e-8),
+        first_step=1e-5,
+        most=most,
+        keeps=lambda state: jnp.asarray(True),
+    )
+    assert float(torque) == pytest.approx(reached, rel=1e-10, abs=0.0)
+    assert float(found.torque) == sign * float(torque)  # the balance is that of the torque which is told
+    assert np.all(found.slides)

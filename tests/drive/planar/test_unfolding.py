@@ -40,6 +40,18 @@ def test_the_same_drive(drives, name):
     np.testing.assert_allclose(left, 0.0, atol=1e-14)
 
 
+def test_sectors_are_numbered_counter_clockwise_from_one(drives):
+    """Three planets 120 degrees apart; the sun and the ring are one body each."""
+    whole = unfolded(drives["planetary"], sectors=3, floating=("sun",))
+    assert [(body.name, body.place) for body in whole.bodies[:2]] == [("sun", "free"), ("ring", "held")]
+    assert [body.name for body in whole.bodies[2:]] == ["planet_1", "planet_2", "planet_3"]
+    assert [contact.name for contact in whole.contacts] == ["sp_1", "pr_1", "sp_2", "pr_2", "sp_3", "pr_3"]
+    planets = [(contact.first, contact.second) for contact in whole.contacts[2:4]]
+    assert planets == [("sun", "planet_2"), ("planet_2", "ring")]
+    x, y = np.asarray(whole.centres)[2:].T
+    np.testing.assert_allclose(np.exp(1j * np.diff(np.arctan2(y, x))), np.exp(2j * np.pi / 3.0), rtol=1e-12)
+
+
 def linear_laws(contacts, compliance=1e-9, force=1000.0):
     """Springs whose approach is in proportion to the force, and creep that plays no part."""
     even = jnp.full(contacts, compliance)
