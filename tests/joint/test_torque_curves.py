@@ -1,12 +1,14 @@
 """Curves over torque against joints that are solved one by one."""
 
 import dataclasses
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
 
 from asperity.joint.solve import solve
 from asperity.joint.torque_curves import torque_curves
+from asperity.joint_file.planar_build import any_joint_from_case
 
 
 def test_points_are_joints_solved_alone(paper_joint):
@@ -49,3 +51,37 @@ def test_no_stiffness_where_a_contact_slips(paper_joint):
     assert slips.any()
     assert np.isnan(np.asarray(beyond.assembly)[slips]).all()
     assert np.isfinite(np.asarray(beyond.assembly)[~slips]).all()
+
+
+@pytest.mark.parametrize("way", [1.0, -1.0])
+def test_columns_of_another_drive_are_those_of_its_own_sense(planar_case, monkeypatch, way):
+    """A negative torque on a drive that turns forwards is one against which it rolls; nan beyond its balance."""
+    asked = []
+
+    def made_up(joint, torques, *, no_slip_friction):
+        size = np.abs(np.asarray(torques))
+        asked.append(np.asarray(torques))
+        two = np.stack([100.0 - size, 200.0 - size], axis=1)
+        shown = dict.fromkeys(("efficiency", "total_loss", "life_hours", "life_turns"), size)
+        return SimpleNamespace(
+            solved=size <= 7.5,
+            slip_ratio=np.stack([0.05 * size, 0.1 * size], axis=1),
+            published=two,
+            series_with_bulk=2.0 * two,
+            assembly=3.0 * two,
+            drift=np.stack([size, -size], axis=1),
+            **shown,
+        )
+
+    monkeypatch.setattr("asperity.joint.torque_curves.over_torque", made_up)
+    joint = dataclasses.replace(any_joint_from_case(planar_case("planetary")), output_torque=4.0 * way)
+    found = torque_curves(joint=joint, torque_capacity=10.0)
+    size = np.abs(asked[0])
+    np.testing.assert_array_equal(found.torque, asked[0])
+    assert found.torque[-1] == 10.0 * way
+    # steps fall linearly to the capacity: three quarters of it in the first half of the points
+    assert size[24] == pytest.approx(7.5, rel=1e-12)
+    np.testing.assert_allclose(found.drift_per_output_turn, way * size)
+    np.testing.assert_allclose(found.assembly, np.where(size <= 7.5, 3.0 * (100.0 - size), np.nan))
+    np.testing.assert_allclose(found.published, np.where(size <= 7.5, 100.0 - size, np.nan))
+    np.testing.assert_allclose(found.slip_ratio, np.where(size <= 7.5, 0.1 * size, np.nan))

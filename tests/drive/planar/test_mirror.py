@@ -58,6 +58,52 @@ def test_rows_that_lie_between_others_exchange_their_contacts():
     assert mirror_image(dataclasses.replace(drive, first_radius=uneven)) is None
 
 
+def test_the_order_in_which_contacts_name_their_bodies_plays_no_part():
+    drive = two_row_multiroller(
+        sun_radius=12e-3,
+        first_row_radii=(14e-3, 7e-3),
+        second_row_radii=(21e-3, 9.4e-3),
+        roller_count=4,
+    )
+    between = np.array([contact.name in ("fsr", "fsl") for contact in drive.contacts])
+    turned = tuple(
+        Contact(each.name, each.second, each.first, sector=-each.sector, tracks=each.tracks[::-1])
+        if swap
+        else each
+        for each, swap in zip(drive.contacts, between, strict=True)
+    )
+    one, two = np.asarray(drive.first_radius), np.asarray(drive.second_radius)
+    swapped = dataclasses.replace(
+        drive,
+        contacts=turned,
+        first_radius=np.where(between, two, one),
+        second_radius=np.where(between, one, two),
+    )
+    assert mirror_image(swapped) == mirror_image(drive)
+
+
+def test_rollers_on_either_side_of_the_line_are_exchanged():
+    """One of three rollers of each sector lies on the line, the others 40 degrees beside it."""
+    polar = 0.3 + np.array([0.0, 1.0, -1.0]) * np.radians(40.0)
+    names = ("one", "two", "three")
+    drive = PlanarDrive(
+        bodies=(Body("sun", "axis"), *(Body(name, "pin") for name in names), Body("ring", "axis")),
+        contacts=(
+            *(Contact(f"s_{name}", "sun", name) for name in names),
+            *(Contact(f"r_{name}", name, "ring", internal=True) for name in names),
+        ),
+        centres=30e-3 * np.stack([[0.0, 0.0], *np.stack([np.cos(polar), np.sin(polar)], 1), [0.0, 0.0]]),
+        first_radius=np.repeat([20e-3, 10e-3], 3),
+        second_radius=np.repeat([10e-3, 40e-3], 3),
+        push_angles=np.zeros(3),
+        sectors=np.asarray(3.0),
+        input="sun",
+        output="ring",
+        grounded="carrier",
+    )
+    assert mirror_image(drive) == MirrorImage((0, 1, 3, 2, 4), (0, 2, 1, 3, 5, 4))
+
+
 @pytest.mark.slow
 def test_torques_of_either_sign_do_the_same_to_a_mirrored_drive(planar_case):
     """The solver knows nothing of the mirror: both directions are solved."""

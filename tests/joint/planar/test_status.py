@@ -6,6 +6,8 @@ import equinox as eqx
 import jax.numpy as jnp
 import pytest
 
+from asperity.joint.planar.description import PlanarFit
+from asperity.joint.planar.loading_cam import CamOfJoint
 from asperity.joint.planar.status import planar_status
 from asperity.joint.status import STATUS_NAMES
 
@@ -17,6 +19,11 @@ def changed(tree, leaves):
     for path, value in leaves.items():
         tree = eqx.tree_at(operator.attrgetter(path), tree, value, is_leaf=lambda leaf: leaf is None)
     return tree
+
+
+def warm_fit(thermal_change):
+    """30 µm of interference at the assembly, and what a kelvin more changes [m]."""
+    return PlanarFit(30e-6, thermal_change, 20.0, 21.0, jnp.zeros(2))
 
 
 def status(joint, result):
@@ -68,14 +75,27 @@ def test_each_reason_has_its_code(planetary, leaves, expected):
         ({"drive.sectors": 8}, "no_place_for_rollers"),
         ({"drive.second_radius": jnp.array([20e-3, 50.1e-3])}, "no_place_for_rollers"),
         ({"drive.second_radius": jnp.array([20e-3, 49.9e-3])}, "no_place_for_rollers"),
+        # a touching circle may miss by a billionth of its radius: 0.05 nm of 50 mm
+        ({"drive.second_radius": jnp.array([20e-3, 50e-3 + 0.1e-9])}, "no_place_for_rollers"),
+        ({"drive.second_radius": jnp.array([20e-3, 50e-3 + 0.01e-9])}, "solved"),
         ({"interference": -1e-6}, "no_interference_left"),
         ({"interference": 1e-6}, "solved"),
+        ({"fit": warm_fit(-29e-6)}, "solved"),
+        ({"fit": warm_fit(-31e-6)}, "no_interference_left"),
         ({"interference": -1e-6, "preload": 500.0, "drive.sectors": 8}, "no_place_for_rollers"),
     ],
 )
 def test_sizes_that_cannot_be_come_first(planetary, sizes, expected):
     joint, solution, _ = planetary
     assert status(changed(joint, sizes), solution.result) == expected
+
+
+@pytest.mark.parametrize(("worst", "expected"), [(1e-3, "unbalanced"), (1e-12, "solved")])
+def test_what_a_cam_presses_must_balance_too(planetary, worst, expected):
+    joint, solution, _ = planetary
+    rest = solution.result.rest
+    cam = CamOfJoint(0.0, 0.0, changed(rest, {"worst": jnp.array(worst)}))
+    assert status(joint, changed(solution.result, {"cam": cam})) == expected
 
 
 def test_an_output_that_stands_still_has_a_code_of_its_own(planetary, monkeypatch):
