@@ -180,4 +180,5 @@ def test_words_and_document(paper_joint):
         "limit": "none",
         "limiting_contact": None,
         "meaning": "no limit is reached at any torque",
+        "is_lower_bound": False,
     }

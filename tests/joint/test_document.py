@@ -94,11 +94,13 @@ def test_the_capacity_in_numbers_and_words(text, solution):
         "limit": "gross_slip",
         "limiting_contact": "pwl",
         "meaning": "contact pwl slips",
+        "is_lower_bound": False,
         "reverse": {
             "output_torque_Nm": None,
             "limit": "none",
             "limiting_contact": None,
             "meaning": "no limit is reached at any torque",
+            "is_lower_bound": False,
         },
     }
 

@@ -22,14 +22,25 @@ from asperity.types import Real
 from asperity.units import format_quantity
 
 #: Kinds of limits, by the codes of :class:`TorqueCapacity`.
-LIMIT_KINDS = ("none", "pins_lock", "gross_slip", "lift_off", "contact_too_wide", "no_solution")
+LIMIT_KINDS = (
+    "none",
+    "pins_lock",
+    "gross_slip",
+    "lift_off",
+    "contact_too_wide",
+    "no_solution",
+    "wall_too_thin",
+)
+
+#: Those of them that end what is computed, not what the joint can do: its own capacity is not less.
+MODEL_LIMITS = ("contact_too_wide", "wall_too_thin")
 
 # Share of its force at rest below which a contact has lifted off: beyond lift-off nothing but rounding is left of it.
 _LIFTED = 1e-12
 
 _SAME = 1e-6  # relative difference of torques that are said to be the same
 
-_PER_CONTACT = LIMIT_KINDS[2:5]  # these have a limit for each contact
+_PER_CONTACT = ("gross_slip", "lift_off", "contact_too_wide")  # these have a limit for each contact
 
 #: What :attr:`TorqueCapacity.limiting_contact` numbers.
 LIMITING_CONTACTS = (*CONTACT_NAMES, "none")
@@ -129,23 +140,27 @@ def torque_capacity(joint: Joint, *, direction: Real) -> TorqueCapacity:
     return named_capacity(found, contacts=len(CONTACT_NAMES))
 
 
-def named_capacity(found: FirstLimit, *, contacts: int) -> TorqueCapacity:
+def named_capacity(found: FirstLimit, *, contacts: int, walls: bool = False) -> TorqueCapacity:
     """The capacity with its kind of limit and contact, from the first of many limits.
 
     Parameters
     ----------
     found : FirstLimit
-        First of: locked pins, slip, lift-off and width of every contact, no solution.
+        First of: locked pins, slip, lift-off and width of every contact, wall at every contact, no solution.
     contacts : int
         Number of contacts.
+    walls : bool, optional
+        Whether walls are among the limits.
 
     Returns
     -------
     TorqueCapacity
         Its torque and limit.
     """
-    kinds = [0, 1, *(2 + i // contacts for i in range(contacts * len(_PER_CONTACT))), len(LIMIT_KINDS) - 1]
-    places = [contacts, contacts, *list(range(contacts)) * len(_PER_CONTACT), contacts]
+    each = (*_PER_CONTACT, "wall_too_thin") if walls else _PER_CONTACT
+    names = ["none", "pins_lock", *(name for name in each for _ in range(contacts)), "no_solution"]
+    kinds = [LIMIT_KINDS.index(name) for name in names]
+    places = [contacts, contacts, *list(range(contacts)) * len(each), contacts]
     return TorqueCapacity(
         output_torque=found.value,
         limit=jnp.asarray(kinds)[1 + found.which],
@@ -174,6 +189,8 @@ def limit_words(capacity: TorqueCapacity, *, contacts: tuple[str, ...] = CONTACT
         "gross_slip": f"contact {contact} slips",
         "lift_off": f"contact {contact} lifts off",
         "contact_too_wide": f"contact {contact} becomes too wide for line-contact theory",
+        "wall_too_thin": f"the wall at contact {contact} is five of its half-widths thick, the least that exact bodies "
+        "are computed with",
         "pins_lock": "the pins of the loading rollers lock",
         "no_solution": "the force balance has no solution",
     }
@@ -200,15 +217,19 @@ def capacity_document(
     Returns
     -------
     dict
-        Torque [N·m] or None where it is unlimited, kind of limit, contact or None, and the limit in words; with the
-        torque and the contact of the first slip.
+        Torque [N·m] or None where it is unlimited, kind of limit, contact or None, and the limit in words; whether
+        the joint may carry more, because only what is computed ends there; with the torque and the contact of the first
+        slip.
     """
     torque, contact = float(capacity.output_torque), int(capacity.limiting_contact)
+    at_least = LIMIT_KINDS[int(capacity.limit)] in MODEL_LIMITS
     found: dict[str, Any] = {
         "output_torque_Nm": torque if math.isfinite(torque) else None,
         "limit": LIMIT_KINDS[int(capacity.limit)],
         "limiting_contact": contacts[contact] if contact < len(contacts) else None,
-        "meaning": limit_words(capacity, contacts=contacts),
+        "meaning": limit_words(capacity, contacts=contacts)
+        + ("; the joint may carry more" if at_least else ""),
+        "is_lower_bound": at_least,
     }
     if first_slip is not None and LIMIT_KINDS[int(first_slip.limit)] == "gross_slip":
         found["first_slip"] = {

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Annotated
 
 from asperity.errors import InputError
+from asperity.joint.branch_sizes import INSTEAD_OF_CAM
 from asperity.joint_file import limits
 from asperity.joint_file.quantity_key import Quantity
 from asperity.joint_file.section import Section
@@ -78,9 +79,12 @@ def refuse_branches(found: int, *, count: int, what: str, by_interference: bool,
     """
     if found != count:
         raise InputError(f"the drive has {count} {what}, but there are {found} sections [[branch]]")
+    if cam:
+        raise InputError(
+            "[[branch]] and load.cam_force_per_torque cannot be combined: how a cam divides its force among unlike "
+            f"branches is not computed; {INSTEAD_OF_CAM}"
+        )
     if not by_interference:
         raise InputError(
             "[[branch]] needs load.interference in place of load.preload: sizes make no preload that a spring holds"
         )
-    if cam:
-        raise InputError("[[branch]] and load.cam_force_per_torque cannot be combined; leave one of them out")

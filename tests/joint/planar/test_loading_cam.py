@@ -7,7 +7,7 @@ import pytest
 
 from asperity.drive.loading_cam import LoadingCam
 from asperity.errors import InputError
-from asperity.joint.capacity import LIMIT_KINDS
+from asperity.joint.capacity import LIMIT_KINDS, capacity_document
 from asperity.joint.either_kind import under_torque
 from asperity.joint.evaluation import evaluate
 from asperity.joint.planar.branches import BranchedPlanarJoint
@@ -186,6 +186,33 @@ def test_a_strong_cam_never_slips_and_ends_with_another_limit(plain):
     for capacity in (found.capacity, found.rolling_capacity):
         assert LIMIT_KINDS[int(capacity.limit)] == "contact_too_wide"
         assert float(capacity.output_torque) > 1e3
+
+
+@pytest.mark.slow
+def test_a_wall_ends_what_is_computed_and_is_said_to(planar_joint):
+    """Hertz by hand: the half-width of the planet in the ring, b = sqrt(4 N R/(pi L E*)), is 1.6 mm, a fifth of the
+    wall, under 66.8 kN, at 415.9 N·m; with a wall of 1 mm under 1044 N, at 4.653 N·m.
+    """
+    wide = with_cam(planar_joint("planetary"), 160.0)
+    by_wall = {}
+    for wall in (8e-3, 1e-3):
+        shapes = tuple(dataclasses.replace(each, size=wall) if each.size else each for each in wide.shapes)
+        joint = by_force(dataclasses.replace(wide, shapes=shapes), 300.0)
+        by_wall[wall] = dataclasses.replace(joint, cam=wide.cam, output_torque=3.0)
+        contact_modulus = 203e9 / 2.0 / (1.0 - 0.29**2)
+        radius = 1.0 / (1.0 / 0.02 - 1.0 / 0.05)
+        force = np.pi * 0.01 * contact_modulus * (0.2 * wall) ** 2 / (4.0 * radius)
+        found = solve_planar(by_wall[wall]).capacity
+        assert LIMIT_KINDS[int(found.limit)] == "wall_too_thin"
+        assert float(found.output_torque) == pytest.approx((force - 300.0) / 160.0, rel=1e-3)
+        told = capacity_document(found, contacts=("sp", "pr"))
+        assert told["limiting_contact"] == "pr"
+        assert told["is_lower_bound"]
+        assert told["meaning"].endswith("the joint may carry more")
+    with pytest.raises(
+        InputError, match=r"presses with 1900 N; the joint is computed up to 10.. N, at 4\.6.* N·m"
+    ):
+        solve_planar(under_torque(by_wall[1e-3], 10.0))
 
 
 @pytest.mark.slow

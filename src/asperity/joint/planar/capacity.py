@@ -70,16 +70,20 @@ def smaller_sizes(joint: PlanarJoint) -> Array:
     return jnp.stack([jnp.asarray(size) for size in sizes])
 
 
-def _widest_contacts(joint: PlanarJoint) -> Array:
-    """Half-widths that the contacts must stay below, shape (contacts,) [m]."""
-    sizes = smaller_sizes(joint)
+def _widths_of_walls(joint: PlanarJoint) -> Array | None:
+    """Half-widths up to which the compliance of the walls at the contacts is known, shape (contacts,) [m].
+
+    None without a loading cam, where the laws of the contacts are taken once, without torque, and with bodies as
+    springs.
+    """
     if joint.cam is None or joint.body_model == "springs":
-        return sizes
-    for member in exact_bodies(joint):  # the laws of a joint with a cam are taken at every torque
+        return None
+    widths = jnp.full(len(joint.drive.contacts), jnp.inf)
+    for member in exact_bodies(joint):
         if isinstance(member.body, Annulus):
             wall = member.body.outer_radius - member.body.inner_radius
-            sizes = sizes.at[np.array(member.contacts)].min(WIDEST_CONTACT * wall)
-    return sizes
+            widths = widths.at[np.array(member.contacts)].min(WIDEST_CONTACT * wall)
+    return widths
 
 
 def planar_capacity(
@@ -132,7 +136,7 @@ def limiting_torques(
     creep_of: Callable[[Array, Array], ContactCreep] | None = None,
     passes: int | None = None,
 ) -> TorqueCapacity:
-    """Largest output torques that keep every limit: slip, lift-off, width of the strips, a solution of the equations.
+    """Largest output torques that keep every limit: slip, lift-off, widths of strips and walls, a solution.
 
     Parameters
     ----------
@@ -167,7 +171,7 @@ def limiting_torques(
     Equations (A9), (B3) and (M3) of :doc:`/equations`.
     """
     drive, contacts = joint.drive, planar_contacts(joint)
-    masses, sizes = body_masses(joint), _widest_contacts(joint)
+    masses, sizes, walls = body_masses(joint), smaller_sizes(joint), _widths_of_walls(joint)
     friction = contacts.pairs.friction_coefficient
     unloaded = drive_load(joint, masses, 0.0)
     pressed = pressed_at(joint, contacts, Pressed(laws, rest))
@@ -215,6 +219,7 @@ def limiting_torques(
                 ),
                 _LIFTED - state.normal / rest.normal,
                 jnp.where(touching | (joint.cam is not None), width / sizes - 1.0, -1.0),
+                *(() if walls is None else (width / walls - 1.0,)),
                 jnp.where(state.worst < STATE_TOLERANCE, -1.0, 1.0)[None],
             ]
         )
@@ -225,4 +230,4 @@ def limiting_torques(
     orbit = jnp.max(jnp.abs(drive.centres)) + jnp.max(drive.second_radius)
     guess = jnp.min(friction * rest.normal) * orbit * drive.sectors
     found = first_limit(excesses=excesses, first_guess=jnp.full(direction.size, guess))
-    return named_capacity(found, contacts=len(drive.contacts))
+    return named_capacity(found, contacts=len(drive.contacts), walls=walls is not None)

@@ -12,7 +12,7 @@ from asperity.compilation import compile_fast
 from asperity.drive.planar.existence import refuse_impossible
 from asperity.drive.planar.state import ContactLaws, PlanarState
 from asperity.errors import InputError, NoSolutionError
-from asperity.joint.capacity import LIMIT_KINDS, TorqueCapacity, limit_words
+from asperity.joint.capacity import LIMIT_KINDS, MODEL_LIMITS, TorqueCapacity, limit_words
 from asperity.joint.planar.capacity import PlanarCapacity, planar_capacity
 from asperity.joint.planar.description import PlanarJoint, tracks_of
 from asperity.joint.planar.evaluation import PlanarResult, laws_and_states, planar_result
@@ -145,10 +145,15 @@ def _given(joint: PlanarJoint) -> str:
 
 def _refuse_unsolved(joint: PlanarJoint, solution: PlanarSolution) -> None:
     result, torque = solution.result, float(joint.output_torque)
-    if not all(
-        float(state.worst) < np.inf and np.all(np.asarray(state.normal) > 0.0)
+    capacity = solution.reverse_capacity if torque < 0.0 else solution.capacity
+    limit, kind = float(capacity.output_torque), LIMIT_KINDS[int(capacity.limit)]
+    pressed, pressed_by_cam = (
+        float(state.worst) < np.inf and bool(np.all(np.asarray(state.normal) > 0.0))
         for state in (result.rest, result.pressed)
-    ):
+    )
+    if pressed and joint.cam is not None and kind in MODEL_LIMITS and abs(torque) >= limit > 0.0:
+        raise InputError(_beyond_what_is_computed(joint, solution, capacity))
+    if not (pressed and pressed_by_cam):
         raise NoSolutionError(
             f"with {_given(joint)} no state was found in which every contact of the assembled drive is pressed; "
             "check this value, the radii and the walls"
@@ -159,9 +164,6 @@ def _refuse_unsolved(joint: PlanarJoint, solution: PlanarSolution) -> None:
             "a ring or a hollow roller has a wall thinner than five half-widths of its contacts or about 2 % of its "
             "radius, for which its compliance is not known; make the wall thicker"
         )
-    capacity = solution.reverse_capacity if torque < 0.0 else solution.capacity
-    limit = float(capacity.output_torque)
-    kind = LIMIT_KINDS[int(capacity.limit)]
     if bool(result.solved) and (abs(torque) < limit or kind == "no_solution"):
         return
     if bool(result.solved) or (math.isfinite(limit) and abs(torque) >= limit):
@@ -178,6 +180,21 @@ def _refuse_unsolved(joint: PlanarJoint, solution: PlanarSolution) -> None:
     raise NoSolutionError(
         f"no balance under {format_quantity(torque, 'N*m')} was found (residual "
         f"{float(result.forces.balance_residual):.3g}); lower the torque or the speed"
+    )
+
+
+def _beyond_what_is_computed(joint: PlanarJoint, solution: PlanarSolution, capacity: TorqueCapacity) -> str:
+    """Why a joint is not computed that its cam presses too much, and what to change."""
+    assert joint.cam is not None
+    torque, limit = float(joint.output_torque), float(capacity.output_torque)
+    cam = float(joint.cam.force_per_torque)
+    least = float(np.asarray(solution.result.rest.normal)[0])
+    shown = [format_quantity(each, "N*m") for each in (torque, math.copysign(limit, torque))]
+    forces = [format_quantity(least + cam * abs(each), "N") for each in (torque, limit)]
+    return (
+        f"under the output torque {shown[0]} the loading cam presses with {forces[0]}; the joint is computed up to "
+        f"{forces[1]}, at {shown[1]}, where {limit_words(capacity, contacts=solution.result.contact_names)}; lower the "
+        "torque or load.cam_force_per_torque, or choose longer contacts or a thicker wall"
     )
 
 

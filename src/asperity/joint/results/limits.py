@@ -191,7 +191,8 @@ ROWS = (
         ),
         needs="geometry",
         lowest_limit=1.0,
-        note="torque capacity in the direction of the output torque, over that torque",
+        note="torque capacity in the direction of the output torque, over that torque; at least this where the limit "
+        "is contact_too_wide or wall_too_thin, at which only what is computed ends",
     ),
     _residual(
         "balance_residual",
