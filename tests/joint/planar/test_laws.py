@@ -2,6 +2,7 @@
 
 import dataclasses
 import math
+from types import SimpleNamespace
 
 import jax.numpy as jnp
 import numpy as np
@@ -9,10 +10,11 @@ import pytest
 from scipy.optimize import brentq
 
 from asperity.contact.crowned_line import crown_compression
-from asperity.drive.mechanism import whole_approach
+from asperity.drive.mechanism import NormalSprings, whole_approach
 from asperity.drive.rolling_state import creepages
+from asperity.joint.contacts import rough_joint_contacts
 from asperity.joint.planar.description import body_masses, planar_contacts
-from asperity.joint.planar.laws import contact_laws, creep_law, drive_load
+from asperity.joint.planar.laws import _approach, _expected_preload, contact_laws, creep_law, drive_load
 
 YOUNG, POISSON, LENGTH = 203e9, 0.29, 10e-3  # of the example
 SPRINGS = {
@@ -81,8 +83,51 @@ def test_a_given_preload_is_the_reference(planar_joint):
     joint = planar_joint("planetary", SPRINGS | {'interference = "30 um"': 'preload = "700 N"'})
     laws = contact_laws(joint, planar_contacts(joint))
     np.testing.assert_allclose(laws.reference_force, 700.0, rtol=1e-12)
-    # asperities soften the slip in the sense of their stiffness
-    assert np.all(np.asarray(laws.asperity_compliance) > 0.0)
+    rough = rough_joint_contacts(
+        contacts=planar_contacts(joint), normal_force=jnp.full(2, 700.0), tangential_force=jnp.zeros(2)
+    )
+    np.testing.assert_allclose(laws.asperity_compliance * rough.tangential_stiffness, 1.0, rtol=1e-12)
+
+
+def test_springs_and_coupling_of_exact_bodies(planar_joint, monkeypatch):
+    """Half-widths grow with the root of the force: of each body an e-fold takes (1 - nu^2)/(pi E L)."""
+    joint = planar_joint("planetary")
+    whole = 1e-9 * jnp.array(
+        [[3.0, 0.5, 9.0, 9.0], [0.5, 4.0, 9.0, 9.0], [9.0, 9.0, 9.0, 9.0], [9.0, 9.0, 9.0, 9.0]]
+    )
+    monkeypatch.setattr("asperity.joint.planar.laws.body_compliance", lambda **_: whole)
+    springs, coupling = _approach(joint, planar_contacts(joint), jnp.full(2, 700.0))
+    fall = 2.0 * (1.0 - POISSON**2) / (math.pi * YOUNG * LENGTH)
+    np.testing.assert_allclose(springs.incremental_compliance, [3e-9, 4e-9], rtol=1e-12)
+    np.testing.assert_allclose(springs.secant_compliance, [3e-9 + fall, 4e-9 + fall], rtol=1e-9)
+    np.testing.assert_allclose(coupling, [[0.0, 0.5e-9], [0.5e-9, 0.0]], rtol=1e-12, atol=1e-24)
+
+
+@pytest.mark.parametrize("coupled", [False, True])
+def test_unlike_forces_do_the_work_of_the_interference(monkeypatch, coupled):
+    """Made-up springs whose secants fall with the logarithm of the force: the root of the work, by Brent's method."""
+    forces, pattern = np.array([1.0, 0.6, 0.6, 0.8]), np.array([0.0, 0.0, 0.0, 1.0])
+    at_one, fall = np.array([1.1e-8, 1.3e-8, 1.2e-8, 1e-8]), 3e-10
+    between = 5e-10 * (np.ones((4, 4)) - np.eye(4)) if coupled else None
+
+    def approach(joint, contacts, force):
+        secant = at_one - fall * jnp.log(force)
+        return NormalSprings(secant_compliance=secant, incremental_compliance=secant - fall), between
+
+    monkeypatch.setattr("asperity.joint.planar.laws._approach", approach)
+    joint = SimpleNamespace(
+        materials=(SimpleNamespace(youngs_modulus=YOUNG),), interference=40e-6, working_pattern=pattern
+    )
+    contacts = SimpleNamespace(pairs=SimpleNamespace(contact_length=np.full(4, LENGTH)), crown_curvature=None)
+
+    def left(preload):
+        compressed = preload * forces * (at_one - fall * np.log(preload * forces))
+        if between is not None:
+            compressed = compressed + between @ (preload * forces)
+        return forces @ compressed - 40e-6 * (pattern @ forces)
+
+    expected = brentq(left, 10.0, 1e5)
+    assert float(_expected_preload(joint, contacts, jnp.asarray(forces))) == pytest.approx(expected, rel=1e-5)
 
 
 def test_creep_of_skewed_contacts_by_hand(planar_joint):
