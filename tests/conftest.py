@@ -31,6 +31,8 @@ jax.config.update("jax_numpy_dtype_promotion", "strict")
 # most of the suite's time is compilation; the unoptimised programs compute the same numbers in a third of it
 jax.config.update("jax_disable_most_optimizations", True)
 use_compilation_cache()
+# tracing makes many objects and hardly any garbage
+gc.set_threshold(100_000)
 
 # of one worker [bytes]: two of them leave a third of the machine to others
 _LARGEST_MEMORY = os.sysconf("SC_PAGE_SIZE") * os.sysconf("SC_PHYS_PAGES") / 3
