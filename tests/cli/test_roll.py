@@ -46,7 +46,13 @@ def test_document_and_picture(call, joint_file, tmp_path):
     assert 1.0 < sun["flash_temperature_K"] / (even / slips**0.5) < 1.1
     assert sun["film_thickness_m"] is None
     assert rolling["duty"] == {
-        "1": {"damage_share": pytest.approx(1.0), "life_hours": pytest.approx(found["life_hours"], rel=1e-9)}
+        "1": {
+            "damage_share": pytest.approx(1.0),
+            "life_hours": pytest.approx(found["life_hours"], rel=1e-9),
+            "shakedown_ratio": pytest.approx(
+                max(each["shakedown_ratio"] for each in found["contacts"].values())
+            ),
+        }
     }
     # mu N_0 9 n R_s is 12.96; of smooth rollers 1 mrad takes 3.3 % of it, with 3.24e-3 and 4.63e-3 at gross slip
     share = (1.0 / 4.63) ** 2

@@ -23,6 +23,7 @@ class Rolled(NamedTuple):
     cycles_per_turn: object
     output_speed: object
     life_hours: Lives
+    shakedown_ratio: object
 
 
 def conditions(*loads, reliability=0.9):
@@ -40,6 +41,7 @@ def rolled(torque, speed):
         cycles_per_turn=jnp.ones((2, 5)),
         output_speed=carrier,
         life_hours=Lives(hours),
+        shakedown_ratio=torque * jnp.array([0.1, 0.3, 0.2, 0.1, 0.1]),
     )
 
 
@@ -73,6 +75,7 @@ def test_damage_adds_up_over_time():
     assert float(life.hours) == pytest.approx(alone / damage.sum(), rel=1e-12)
     np.testing.assert_allclose(life.damage_shares, damage / damage.sum(), rtol=1e-12)
     np.testing.assert_allclose(life.load_hours, alone / np.array([1.0, 8.0, 2.0]), rtol=1e-12)
+    np.testing.assert_allclose(life.shakedown_ratios, [0.3, 0.6, 0.3], rtol=1e-12)  # of the worst contact
     assert float(life.turns / life.hours) == pytest.approx(3600.0 * 1.2, rel=1e-12)
 
 

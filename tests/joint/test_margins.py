@@ -24,6 +24,7 @@ def limit(severity, **bounds):
     return Limit(severity, "kept", "crossed", "remedy", **bounds)
 
 
+STANDS = SimpleNamespace(sun_speed=0.0, rolling=SimpleNamespace(duty=()))
 ROWS = (
     row("model", "a", axis="contact", limit=limit("model", highest=1.0)),
     row("slip", "a", axis="contact", limit=limit("function", highest=2.0)),
@@ -40,7 +41,7 @@ ROWS = (
 def found(monkeypatch):
     monkeypatch.setattr(module, "results_of_joint", lambda solved: {each.name: each for each in ROWS})
     solved = SimpleNamespace(
-        joint=None,
+        joint=STANDS,
         branches=None,
         no_equal_state=None,
         notes=(),
@@ -79,7 +80,7 @@ def test_what_is_not_known_does_not_pass(monkeypatch):
     values = np.array([0.5, np.nan, 0.2, 5.0, 0.4])
     (found,) = margins(
         SimpleNamespace(
-            joint=None,
+            joint=STANDS,
             branches=None,
             no_equal_state=None,
             notes=(),
@@ -92,7 +93,9 @@ def test_what_is_not_known_does_not_pass(monkeypatch):
 
 def test_an_infinite_safety_factor_passes(monkeypatch):
     monkeypatch.setattr(module, "results_of_joint", lambda solved: {"torque_safety": ROWS[5]})
-    (found,) = margins(SimpleNamespace(joint=None, branches=None, no_equal_state=None, notes=(), b=math.inf))
+    (found,) = margins(
+        SimpleNamespace(joint=STANDS, branches=None, no_equal_state=None, notes=(), b=math.inf)
+    )
     assert (found.actual, found.passes, found.utilisation) == (math.inf, True, 0.0)
 
 
@@ -101,7 +104,7 @@ def test_unequal_branches_are_required_to_hold(monkeypatch, unequal_branches):
     for torque, passes in ((5.0, True), (8.5, False)):
         found = margins(
             SimpleNamespace(
-                joint=SimpleNamespace(sun_speed=0.0),
+                joint=STANDS,
                 notes=(),
                 no_equal_state=None,
                 branches=unequal_branches(torque=torque),
@@ -118,7 +121,7 @@ def test_of_notes_of_one_name_the_farthest_beyond_its_limit_or_the_nearest_to_it
 
     def worst(*notes):
         made = tuple(Note("x", "x", place, *rest, "model", "", None) for place, *rest in notes)
-        (found,) = margins(SimpleNamespace(joint=None, branches=None, notes=made, no_equal_state=None))
+        (found,) = margins(SimpleNamespace(joint=STANDS, branches=None, notes=made, no_equal_state=None))
         return found.place, found.lowest, found.highest
 
     assert worst(("a", 1.5, 1.0, False), ("b", 0.1, 1.0, False)) == ("b", 1.0, math.inf)
@@ -141,7 +144,7 @@ def test_notes_are_requirements_at_the_contact_where_they_are_met_worst(monkeypa
     found = {
         each.result.name: each
         for each in margins(
-            SimpleNamespace(joint=None, branches=None, no_equal_state=None, notes=tuple(notes))
+            SimpleNamespace(joint=STANDS, branches=None, no_equal_state=None, notes=tuple(notes))
         )
     }
     film = found["film_ratio"]

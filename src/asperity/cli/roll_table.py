@@ -242,7 +242,7 @@ def _show_life(target: Console, document: Document) -> None:
                 in_unit(load["output_torque"], "N*m"),
                 in_unit(load["sun_speed"], "rpm"),
                 f"{scaled(load['share'], 100.0)} %",
-                f"{scaled(found['damage_share'], 100.0)} %",
+                "-" if found["damage_share"] is None else f"{scaled(found['damage_share'], 100.0)} %",
                 _life(found["life_hours"]),
             )
         target.print(duty)

@@ -10,14 +10,14 @@ import numpy as np
 
 import asperity
 from asperity.drive.torsional_stiffness import TorsionalStiffness
+from asperity.joint.all_limits import all_checks
 from asperity.joint.branch_document import branch_document
-from asperity.joint.branch_limits import branch_checks
 from asperity.joint.branch_results import UnequalBranches
 from asperity.joint.capacity import capacity_document
 from asperity.joint.contact_notes import Note
 from asperity.joint.description import Joint, preload_at
 from asperity.joint.evaluation import JointResult
-from asperity.joint.limit_check import LimitCheck, checked_limits
+from asperity.joint.limit_check import LimitCheck
 from asperity.joint.loading_cam import loading_cam_document
 from asperity.joint.planar.evaluation import PlanarResult
 from asperity.joint.results import GROUPS, RESULTS, SEVERITIES, SolvedJoint
@@ -93,9 +93,7 @@ def joint_document(
     """
     result = solution.result
     solved = solved_joint(joint, solution, branches)
-    checks = checked_limits(solved)
-    if branches is not None:
-        checks += branch_checks(branches, turns=float(joint.sun_speed) != 0.0)
+    checks = all_checks(solved)
     document = {
         "asperity_version": asperity.__version__,
         "input": inputs,

@@ -31,12 +31,15 @@ class DutyLife(eqx.Module):
         Share of each load in the damage of the drive, loads first [-]; they add up to 1.
     load_hours : Array
         Life under each load alone, loads first [h].
+    shakedown_ratios : Array
+        Hertz pressure over the shakedown limit of the worst contact under each load, loads first [-].
     """
 
     hours: Array
     turns: Array
     damage_shares: Array
     load_hours: Array
+    shakedown_ratios: Array
 
 
 def with_duty_life(
@@ -74,6 +77,7 @@ def with_duty_life(
         duty_life_turns=life.turns,
         duty_damage_shares=life.damage_shares,
         duty_load_hours=life.load_hours,
+        duty_shakedown_ratios=life.shakedown_ratios,
     )
 
 
@@ -138,4 +142,5 @@ def duty_life(
         turns=hours * 3600.0 * jnp.sum(points.share * turns_a_second, axis=0),
         damage_shares=jnp.sum(shares, axis=(1, 2)),
         load_hours=found.life_hours.drive,
+        shakedown_ratios=jnp.max(found.shakedown_ratio, axis=1),
     )

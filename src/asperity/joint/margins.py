@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from asperity.joint.branch_limits import branch_checks
+from asperity.joint.all_limits import further_checks
 from asperity.joint.contact_notes import Note
 from asperity.joint.limit_check import LimitCheck
 from asperity.joint.results import SEVERITIES, Limit, Result, Severity, SolvedJoint
@@ -70,7 +70,7 @@ def margins(solved: SolvedJoint) -> tuple[Margin, ...]:
     -------
     tuple of Margin
         One for each judged result that the joint has and for each name of its notes, where it is met worst; and those
-        of unequal branches.
+        of unequal branches and of a duty.
     """
     judged = [row for row in results_of_joint(solved).values() if row.limit or row.name in _MUST_EXCEED]
     found = [_worst(row, rows) for row in judged if (rows := row.rows_of(solved))]
@@ -78,9 +78,7 @@ def margins(solved: SolvedJoint) -> tuple[Margin, ...]:
         found = [
             each for each in found if not math.isnan(each.actual) and each.result.name != "torque_safety"
         ]
-    if solved.branches is not None:
-        turns = float(solved.joint.sun_speed) != 0.0
-        found += [_of_a_branch(check) for check in branch_checks(solved.branches, turns=turns)]
+    found += map(_further, further_checks(solved))
     by_name: dict[str, list[Note]] = {}
     for note in solved.notes:
         by_name.setdefault(note.name, []).append(note)
@@ -88,7 +86,7 @@ def margins(solved: SolvedJoint) -> tuple[Margin, ...]:
     return tuple(sorted(found, key=lambda each: SEVERITIES.index(each.severity)))
 
 
-def _of_a_branch(check: LimitCheck) -> Margin:
+def _further(check: LimitCheck) -> Margin:
     rule = check.rule
     place = check.contact or ""
     return Margin(check.result, place, check.value, rule.lowest, rule.highest, check.ok, rule.severity)

@@ -90,9 +90,9 @@ class RollingResult(eqx.Module):
         Lives in hours of rolling at the joint's speed [h]; nan where the sun stands.
     duty_life_hours, duty_life_turns : Array
         Life of the drive under its duty, in hours and in turns of the output; nan without a duty.
-    duty_damage_shares, duty_load_hours : Array
-        Share of each load of the duty in the damage [-], and life under it alone [h], loads first; empty without a
-        duty.
+    duty_damage_shares, duty_load_hours, duty_shakedown_ratios : Array
+        Share of each load of the duty in the damage [-], life under it alone [h], and Hertz pressure over shakedown
+        limit of the worst contact under it [-], loads first; empty without a duty.
     residual : Array
         Residual of the rolling state, :data:`asperity.drive.rolling_state.ROLLING_TOLERANCE` at most [-].
     crown_creepage_factor : Array or None
@@ -129,6 +129,7 @@ class RollingResult(eqx.Module):
     duty_life_turns: Array
     duty_damage_shares: Array
     duty_load_hours: Array
+    duty_shakedown_ratios: Array
     residual: Array
     crown_creepage_factor: Array | None = None
 
@@ -361,6 +362,7 @@ def turning_result(
         duty_life_turns=jnp.full_like(state.speed_loss, jnp.nan),
         duty_damage_shares=jnp.zeros((0, *state.speed_loss.shape)),
         duty_load_hours=jnp.zeros((0, *state.speed_loss.shape)),
+        duty_shakedown_ratios=jnp.zeros((0, *state.speed_loss.shape)),
         residual=state.residual,
         crown_creepage_factor=creep.crown_factor,
     )

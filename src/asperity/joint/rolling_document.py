@@ -62,9 +62,14 @@ def rolling_document(
         "duty_life_hours": found.duty_life_hours,
         "duty_life_output_turns": found.duty_life_turns,
         "duty": {
-            str(index): {"damage_share": share, "life_hours": hours}
-            for index, (share, hours) in enumerate(
-                zip(np.asarray(found.duty_damage_shares), np.asarray(found.duty_load_hours), strict=True),
+            str(index): {"damage_share": share, "life_hours": hours, "shakedown_ratio": pressure}
+            for index, (share, hours, pressure) in enumerate(
+                zip(
+                    np.asarray(found.duty_damage_shares),
+                    np.asarray(found.duty_load_hours),
+                    np.asarray(found.duty_shakedown_ratios),
+                    strict=True,
+                ),
                 start=1,
             )
         },

@@ -9,8 +9,8 @@ import numpy as np
 
 import asperity
 from asperity.drive.planar.loads import pin_components
+from asperity.joint.all_limits import all_checks
 from asperity.joint.branch_document import branch_document
-from asperity.joint.branch_limits import branch_checks
 from asperity.joint.branch_results import UnequalBranches
 from asperity.joint.capacity import capacity_document
 from asperity.joint.document import (
@@ -21,7 +21,6 @@ from asperity.joint.document import (
     stiffness_unknown_because,
     torsional_stiffness_document,
 )
-from asperity.joint.limit_check import checked_limits
 from asperity.joint.loading_cam import loading_cam_document
 from asperity.joint.planar.description import PlanarJoint
 from asperity.joint.planar.rims import bends
@@ -68,9 +67,7 @@ def planar_document(
     solved = solved_planar_joint(joint, solution, branches)
     pinned = [drive.bodies[body].name for body in drive.pinned]
     names = result.contact_names
-    checks = checked_limits(solved)
-    if branches is not None:
-        checks += branch_checks(branches, turns=float(joint.input_speed) != 0.0)
+    checks = all_checks(solved)
     document = plain_document(
         {
             "asperity_version": asperity.__version__,

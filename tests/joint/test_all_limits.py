@@ -1,0 +1,56 @@
+"""Limits of the loads of a duty, from numbers made by hand; those of results and branches have tests of their own."""
+
+import dataclasses
+import math
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+
+from asperity.joint.all_limits import further_checks
+from asperity.joint.rolling_conditions import DutyPoint
+
+DUTY = (DutyPoint(5.0, 50.0 * math.pi, 0.5), DutyPoint(20.0, 100.0 * math.pi, 0.3), DutyPoint(-4.0, 0.0, 0.2))
+
+
+def solved(pressures, *, duty=DUTY, branches=None):
+    joint = SimpleNamespace(rolling=SimpleNamespace(duty=duty), ends=("sun", "carrier"), sun_speed=1.0)
+    rolling = SimpleNamespace(duty_shakedown_ratios=np.array(pressures))
+    return SimpleNamespace(joint=joint, result=SimpleNamespace(rolling=rolling), branches=branches)
+
+
+def duty_checks(pressures, **options):
+    return [each for each in further_checks(solved(pressures, **options)) if "duty" in each.result.name]
+
+
+def test_a_joint_that_rolls_under_its_duty():
+    count, pressure = duty_checks([0.5, 0.8, 0.4])
+    assert (count.value, count.ok, count.meaning) == (
+        0.0,
+        True,
+        "the joint rolls under every load of its duty",
+    )
+    assert (pressure.value, pressure.contact, pressure.ok) == (0.8, "load 2", True)
+    assert further_checks(solved([], duty=())) == ()
+
+
+def test_loads_that_it_does_not_carry_are_named():
+    count, pressure = duty_checks([1.2, math.nan, math.nan])
+    assert (count.value, count.ok, count.rule.severity) == (2.0, False, "function")
+    named = "load 2, 20 N·m with the sun at 3000 rpm; load 3, -4 N·m with the sun at 0 rpm"
+    assert count.meaning.startswith(f"no steady rolling under {named}: a contact slips")
+    assert (pressure.value, pressure.contact, pressure.ok) == (1.2, "load 1", False)
+    assert [each.value for each in duty_checks(3 * [math.nan])] == [3.0]  # no pressure is known
+
+
+def test_unequal_branches_roll_by_themselves(unequal_branches):
+    """The first load by the worst of 3 branches, the second not carried, and standing under the third."""
+    found = unequal_branches()
+    rolls = dataclasses.replace(found.standing, limits={"shakedown_ratio": np.array([[0.2, 0.7, 0.6]])})
+    stands = dataclasses.replace(found.standing, limits={"pressure_over_first_yield": np.array([[0.9]])})
+    own = dataclasses.replace(found, duty=(rolls, None, stands))
+    count, pressure = duty_checks(3 * [math.nan], branches=own)
+    assert (count.value, count.ok) == (1.0, False)
+    assert "20 N·m" in count.meaning
+    assert "-4 N·m" not in count.meaning
+    assert (pressure.value, pressure.contact) == (pytest.approx(0.7), "load 1")
