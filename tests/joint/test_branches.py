@@ -13,10 +13,14 @@ from asperity.joint import branches
 from asperity.joint.branch_law import BranchLaw, BranchLaws
 from asperity.joint.branch_sizes import BranchSizes
 from asperity.joint.branches import BranchedJoint
+from asperity.joint.working_loads import working_loads
 
 PER_NEWTON, PER_ANGLE = 0.013, 3e4  # capacity over preload [m], stiffness of a branch [N·m/rad]
 INTERFERENCE = 13e-6
 NONE = np.zeros(3)
+
+
+MOMENTS = {"sun": 0.15, "carrier": 1.0, "ring": 0.85}  # over the torque
 
 
 class FakeLaws(BranchLaws):
@@ -36,6 +40,15 @@ class FakeLaws(BranchLaws):
             },
             **{f"{rolls}pins": np.zeros((2, 2, 3)) for rolls in ("", "rolling_")},
             "bearing_speed": np.zeros((4, 3)),
+            **{
+                f"{rolls}{name}_torque": share * torque
+                for rolls in ("", "rolling_")
+                for name, share in MOMENTS.items()
+            },
+            **{name: np.zeros((5, 3)) for name in ("creep", "skew", "hysteresis", "oil")},
+            "contact": np.tile(0.01 * torque, (5, 1)),
+            "bearings": np.zeros(3),
+            **{name: np.full(3, 0.5) for name in ("speed_loss", "drift_per_output_turn", "output_speed")},
         }
 
 
@@ -196,6 +209,10 @@ def test_a_loose_branch_carries_nothing(springs):
     assert found.standing.share == pytest.approx([0.5, 0.5, 0.0])
     assert np.isnan(found.standing.slip_ratio[2])
     assert found.capacity.first_slip == pytest.approx(26.0 / 3.0, rel=1e-6)
+    assert found.standing.torques == pytest.approx({"sun": 0.75, "carrier": 5.0, "ring": 4.25})
+    assert float(found.turning.power.loss) == pytest.approx(
+        0.01 * 5.0 * 5.0
+    )  # five contacts of each, by its torque
     with pytest.raises(InputError, match="leave no branch"):
         springs().branches(sizes([-8e-6, -8e-6, -8e-6]))
 
@@ -232,6 +249,18 @@ def test_equal_branches_are_the_joint(real):
     capacity = float(torque_capacity(real.joint, direction=1.0).output_torque)
     assert found.capacity.first_slip == pytest.approx(capacity, rel=1e-9)
     assert found.capacity.equal == pytest.approx(capacity, rel=1e-12)
+    # what all of them do together: below the torque by what its search leaves, and by the share that contacts are seen
+    rolling, loads = solution.result.rolling, working_loads(real.joint, solution.result)
+    assert found.standing.input_torque == pytest.approx(float(solution.result.forces.input_torque), rel=1e-8)
+    expected = {"sun": loads.sun_torque, "carrier": loads.carrier_torque, "ring": loads.housing_torque}
+    assert found.rolling.torques == pytest.approx(
+        {name: float(each) for name, each in expected.items()}, rel=1e-7
+    )
+    for name in ("speed_loss", "drift_per_output_turn", "drift_rate", "output_speed"):
+        assert getattr(found.turning, name) == pytest.approx(float(getattr(rolling, name)), rel=1e-7)
+    for name in ("loss", "bearings", "output", "efficiency"):
+        own = float(getattr(found.turning.power, name))
+        assert own == pytest.approx(float(getattr(rolling.power, name)), rel=1e-7), name
 
 
 @pytest.mark.slow

@@ -6,7 +6,9 @@ import numpy as np
 import pytest
 
 from asperity.errors import InputError
+from asperity.joint.branch_results import branch_rolling
 from asperity.joint.equal_branches import solve_equal_branches, without_state
+from asperity.joint.rolling_power import RollingLosses
 from asperity.joint.solve import solve
 
 
@@ -48,9 +50,12 @@ def test_another_reason_is_told_as_it_is(joint, beyond):
         assert str(told.value) == str(own.value)
 
 
-def test_what_depends_on_the_torque_is_unknown(joint, beyond):
+def test_what_depends_on_the_torque_is_unknown(joint, beyond, unequal_branches):
     solution, _ = solve_equal_branches(beyond, solve)
-    empty = without_state(solution, 20.0)
+    own = unequal_branches()
+    empty = without_state(
+        solution, 20.0, dataclasses.replace(own, standing=None, stiffness=None, turning=None)
+    )
     result = empty.result
     assert not bool(result.solved)
     assert float(result.forces.output_torque) == 20.0
@@ -66,3 +71,31 @@ def test_what_depends_on_the_torque_is_unknown(joint, beyond):
     before = solution.result
     expected = (before.planet_mass, before.interference, solution.capacity.output_torque, before.speed_ratio)
     np.testing.assert_array_equal(np.array(known, dtype=float), np.array(expected, dtype=float))
+
+
+def test_what_all_branches_do_together_is_known(beyond, unequal_branches):
+    """3 N·m at the input and 20 at the output of the paper's ratio of 6.833; 5 W of losses beside 15 W of output."""
+    solution, _ = solve_equal_branches(beyond, solve)
+    own = unequal_branches()
+    nothing = np.zeros(5)
+    turning = branch_rolling(
+        losses=RollingLosses(nothing, nothing, nothing, nothing, np.asarray(1.0), np.full(5, 0.8)),
+        speed_loss=2e-3,
+        drift_per_output_turn=0.0126,
+        output_torque=20.0,
+        output_speed=0.75,
+        input_speed=5.0,
+    )
+    state = dataclasses.replace(own.standing, input_torque=3.0)
+    told = dataclasses.replace(own, standing=state, stiffness=4e4, turning=turning)
+    result = without_state(solution, 20.0, told).result
+    assert float(result.forces.input_torque) == 3.0
+    assert float(result.assembly.stiffness.output) == 4e4
+    assert float(result.assembly.stiffness.sun) == pytest.approx(
+        4e4 / float(result.speed_ratio) ** 2, rel=1e-12
+    )
+    assert float(result.rolling.power.loss) == pytest.approx(5.0, rel=1e-12)
+    assert float(result.rolling.power.efficiency) == pytest.approx(0.75, rel=1e-12)
+    assert float(result.rolling.drift_rate) == pytest.approx(0.0126 * 0.75 / (2.0 * np.pi), rel=1e-12)
+    assert float(result.rolling.speed_loss) == 2e-3
+    assert np.all(np.isnan(np.asarray(result.rolling.normal)))

@@ -105,7 +105,21 @@ def test_unequal_branches_load_pins_and_bearings(case, unequal_branches):
     document = loads_document(joint_from_case(case), CASES, [], more)
     assert row_of(document, "sun bearing", "on the axis", "resultant force") == [250.0, None, 50.0]
     assert document["cases"][2]["unknown_because"] is None
-    assert document["notes"][-1].startswith("duty 1: equal branches do not carry this load")
+    assert not any("equal branches do not carry" in note for note in document["notes"])
+    # what all of them do together, whatever equal ones do
+    own = dataclasses.replace(
+        rolling,
+        torques={"sun": 1.5, "carrier": 12.0, "ring": 10.5},
+        speeds={"sun": 5.0, "carrier": 0.8},
+        bearing_speed=np.array([7.0, 8.0, 5.0, 0.8]),
+    )
+    document = loads_document(joint_from_case(case), CASES, [], unequal_branches(rest=state, duty=(own,)))
+    assert row_of(document, "sun", "on the axis", "torque of its shaft")[1:] == [None, 1.5]
+    assert row_of(document, "ring in its housing", "on the axis", "torque")[2] == 10.5
+    assert row_of(document, "carrier", "on the axis", "torque of all pins")[2] == 12.0
+    assert row_of(document, "carrier bearing", "on the axis", "speed in the housing")[2] == 0.8
+    assert row_of(document, "carrier pin", "left roller", "speed, roller on pin")[2] == 8.0
+    assert row_of(document, "sun bearing", "on the axis", "speed in the housing")[2] == 5.0
 
 
 def test_what_rounding_leaves_is_nothing():

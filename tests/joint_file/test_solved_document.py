@@ -66,7 +66,10 @@ def papers():
 def of_equal_branches(document):
     """All numbers that only equal branches have."""
     found = [document["torsional_stiffness"], document["contacts"], document["life_hours"]]
-    found += [document["drift_rad_per_output_turn"], document["efficiency"], document["forces"]["normal_N"]]
+    found[0] = {
+        name: each for name, each in found[0].items() if name != "assembly"
+    }  # of all branches together
+    found += [document["forces"]["normal_N"], document["forces"]["pin_N"]]
     while any(isinstance(each, dict) for each in found):
         found = [inner for each in found for inner in (each.values() if isinstance(each, dict) else [each])]
     return found
@@ -77,7 +80,9 @@ def judge(document, torque, equal):
     assert branches["torque_capacity"]["equal_branches_Nm"] == pytest.approx(equal, rel=1e-3)
     assert torque > equal
     assert set(of_equal_branches(document)) == {None}
-    assert "do not exist: they would be those of equal branches" in branches["note"]
+    assert "do not exist there: they would be those of equal branches" in branches["note"]
+    for key, value in branches["turning"].items():
+        assert document["rolling"][key] == value
     assert document["stiffness_unknown_because"].startswith("equal branches do not carry this torque")
     assert document["rolling"]["unknown_because"] == [document["stiffness_unknown_because"]]
     assert sum(branches["standing"]["share"]) == pytest.approx(1.0)
@@ -87,6 +92,19 @@ def judge(document, torque, equal):
     assert judged["branch_slip"]["ok"]
     assert None not in [each["value"] for each in document["diagnostics"]]
     json.dumps(document, allow_nan=False)
+
+
+def same_sums(document, stronger):
+    """Torque at the input, drift and losses of branches that are alike, by the chain of equal ones."""
+    assert document["forces"]["input_torque_Nm"] == pytest.approx(10.5 / 6.0, rel=1e-9)
+    for key, value in document["branches"]["turning"].items():
+        wanted = stronger["rolling"][key]
+        for cause, each in wanted.items() if isinstance(wanted, dict) else [("", wanted)]:
+            found = value[cause] if cause else value
+            assert found == (None if each is None else pytest.approx(each, rel=1e-3)), (key, cause)
+    assert stronger["rolling"]["losses_W"]["creep"] > 0.1
+    torque = document["rolling"]["input_torque_Nm"]
+    assert torque == pytest.approx(stronger["rolling"]["input_torque_Nm"], rel=1e-5)
 
 
 @pytest.mark.slow
@@ -104,6 +122,7 @@ def test_branches_that_press_harder_carry_more_than_equal_ones(planetary):
     assert branches.stiffness == pytest.approx(
         float(stronger.solution.result.assembly.stiffness.output), rel=1e-3
     )
+    same_sums(document, stronger.document)
     lives = branches.rolling.limits["life_hours"]
     assert lives.min() == pytest.approx(float(stronger.solution.result.rolling.life_hours.drive), rel=2e-3)
     required = {each.result.name: each for each in margins(solved_planar_joint(joint, solution, branches))}

@@ -58,6 +58,7 @@ def show_branches(target: Console, found: Document) -> None:
         ("capacity", _capacity(found, "torque_capacity")),
         ("rolling", _capacity(found, "rolling_torque_capacity")),
         *([] if stiffness is None else [("stiffness", _stiffness(stiffness))]),
+        *([("turning", _turning(found["turning"]))] if "turning" in found else []),
     ):
         print_wrapped(target, f"  {label:<10} {text}", indent=13)
 
@@ -86,6 +87,15 @@ def _others(found: Document, state: Document) -> list[str]:
     forces = state.get("central_forces_N", {})
     named = [f"{_force(found, force)} on the {name.replace('_', ' ')}" for name, force in forces.items()]
     return [", ".join(named)] if named else []
+
+
+def _turning(found: Document) -> str:
+    """Drift and losses of all branches together."""
+    words = f"drift of {in_unit(found['drift_rad_per_output_turn'], 'arcmin')} per output turn"
+    if found["efficiency"] is not None:
+        total = in_unit(found["losses_W"]["total"], "W")
+        words += f", losses of {total}, efficiency {scaled(found['efficiency'], 100.0)} %"
+    return f"{words}, all of these branches together"
 
 
 def _stiffness(value: float) -> str:

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from asperity.joint.branch_limits import equal_branches_note, least_life
-from asperity.joint.branch_results import BranchCapacity, BranchState, UnequalBranches
+from asperity.joint.branch_results import BranchCapacity, BranchRolling, BranchState, UnequalBranches
 
 Document = dict[str, Any]
 
@@ -48,6 +48,8 @@ def branch_document(found: UnequalBranches) -> Document:
         "torque_capacity": _capacity(found.capacity),
         "rolling_torque_capacity": _capacity(found.rolling_capacity),
     }
+    if found.turning is not None:
+        document["turning"] = _turning(found.turning)
     if found.stiffness is not None:
         document["output_stiffness_Nm_per_rad"] = found.stiffness if math.isfinite(found.stiffness) else None
     return document
@@ -108,11 +110,38 @@ def _state(state: BranchState | None, contacts: tuple[str, ...]) -> Document | N
         },
         "sun": _sun(state),
         **_others(state),
+        "input_torque_Nm": _number(state.input_torque),
+        "torques_Nm": {name: _number(torque) for name, torque in state.torques.items()},
+        "speeds_rad_per_s": {name: _number(speed) for name, speed in state.speeds.items()},
     }
 
 
+def _turning(found: BranchRolling) -> Document:
+    """Drift and powers of all branches together, with the names that equal ones have."""
+    power = found.power
+    causes = {name: float(np.sum(getattr(power, name))) for name in ("creep", "skew", "hysteresis", "oil")}
+    return {
+        "speed_loss": _number(found.speed_loss),
+        "drift_rad_per_output_turn": _number(found.drift_per_output_turn),
+        "drift_rad_per_hour": _number(3600.0 * found.drift_rate),
+        "output_speed_rad_per_s": _number(found.output_speed),
+        "efficiency": _number(power.efficiency),
+        "input_power_W": _number(power.input),
+        "output_power_W": _number(power.output),
+        "losses_W": {
+            name: _number(loss)
+            for name, loss in {**causes, "bearings": power.bearings, "total": power.loss}.items()
+        },
+    }
+
+
+def _number(value: Any) -> float | None:
+    number = float(value)
+    return number if math.isfinite(number) else None
+
+
 def _numbers(values: np.ndarray) -> list[float | None]:
-    return [float(each) if math.isfinite(each) else None for each in values]
+    return [_number(each) for each in values]
 
 
 def _capacity(capacity: BranchCapacity) -> Document:

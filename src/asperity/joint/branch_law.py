@@ -19,10 +19,14 @@ from asperity.joint.capacity import torque_capacity
 from asperity.joint.description import Joint
 from asperity.joint.evaluation import evaluate
 from asperity.joint.rolling_capacity import rolling_torque_capacity
+from asperity.joint.rolling_power import losses_of
 from asperity.joint.working_loads import bearing_speeds, loads_of_forces, stacked_speeds
 
 _PRELOADS, _STEPS, _SHARES = 12, 24, 41
 _LEAST_PRELOAD = 0.05  # of the joint's own; below, forces and capacity are in proportion to the preload
+#: Members on the axis, in the order of the torques of :class:`asperity.drive.structure_loads.StructureLoads`.
+MEMBERS = ("sun", "carrier", "ring")
+
 _ALMOST = 1.0 - 1e-9  # of the capacity: a contact that slips has no stiffness
 
 
@@ -110,7 +114,9 @@ class BranchLaws:
         dict
             Normal and tangential forces and slip ratios, standing and in rolling, Hertz pressure over first yield and
             over the shakedown limit, shape (5, n); radial and tangential forces on the pins, shape (2, 2, n); speeds of
-            the bearings, shape (4, n); speed loss, life [h] and compliance at the output [rad/(N·m)], shape (n,). nan
+            the bearings, shape (4, n); speed loss, life [h], compliance at the output [rad/(N·m)] and torques of sun,
+            carrier and ring as of :class:`asperity.drive.structure_loads.StructureLoads`, shape (n,); what the drive
+            loses and drifts if all branches were like one, as of :class:`asperity.joint.rolling.RollingResult`. nan
             where a branch is loose.
         """
         shape = (_PRELOADS, _STEPS)
@@ -275,10 +281,19 @@ def _states(joint: Joint) -> dict[str, Array]:
         "speed_loss": rolling.speed_loss,
         "compliance": jnp.asarray((1.0 - shafts) / assembly.stiffness.output),
         "bearing_speed": stacked_speeds(bearing_speeds(joint, result)),
+        "drift_per_output_turn": rolling.drift_per_output_turn,
+        "output_speed": rolling.output_speed,
+        **losses_of(rolling.power)._asdict(),
     }
     for prefix, forces in (("", result.forces), ("rolling_", rolling)):
         loads = loads_of_forces(joint, forces.normal, forces.tangential)
         found |= {f"{prefix}pins": jnp.stack([loads.pin_radial, loads.pin_tangential])}
+        found |= {
+            f"{prefix}{name}_torque": jnp.asarray(value)
+            for name, value in zip(
+                MEMBERS, (loads.sun_torque, loads.carrier_torque, loads.housing_torque), strict=True
+            )
+        }
     return {
         name: jnp.broadcast_to(
             jnp.where(result.solved, value, jnp.nan),

@@ -199,8 +199,12 @@ def equal_branches_note(found: UnequalBranches) -> str:
     what = "Forces, pressures, stiffness, drift, losses and lives of rollers outside the section on branches"
     note = f"{what} are those of equal branches; {pressed(found)}."
     if found.beyond_equal:
+        sums = ["torques", *(["drift", "losses"] if found.turning else [])]
+        sums += ["the assembled stiffness"] if found.stiffness else []
+        named = " and ".join((", ".join(sums[:-1]), sums[-1])) if sums[1:] else sums[0]
         note = (
-            f"{what} do not exist: they would be those of equal branches, which carry "
+            f"Outside the section on branches, {named} are those of these branches together; what one contact does, "
+            "and lives of rollers, do not exist there: they would be those of equal branches, which carry "
             f"{format_quantity(found.capacity.equal, 'N*m', 4)} at most; {pressed(found)}."
         )
     life = least_life(found)

@@ -5,10 +5,12 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass, field
 
+import jax
 import numpy as np
 
 from asperity.drive.geometry import CONTACT_NAMES
 from asperity.joint.branch_sizes import BranchSizes, SectorDeviations
+from asperity.joint.rolling_power import RollingLosses, RollingPower, power_budget
 
 #: Why there is no wind-up under a torque that only the file's own branches carry.
 NO_EQUAL_WINDUP = "the wind-up is that of equal branches, which do not carry this torque"
@@ -47,6 +49,13 @@ class BranchState:
         Speeds of the rolling bearings of the drive, without signs, shape (bearings,) [rad/s]; 0 where it stands.
     sun : str
         Name of the member that is called the sun here: the input of another drive.
+    torques : dict
+        Names of the members on the axis → torque of contacts and pins on them, with the signs of the table of loads
+        [N·m]; of the sun that of its shaft. Empty where slip was not asked for.
+    speeds : dict
+        Names of these members → speed, without sign, creep taken off [rad/s]; 0 where the joint stands. Likewise.
+    input_torque : float
+        Torque at the input of all branches [N·m]: in rolling that of the contacts; nan where slip was not asked for.
     """
 
     preload: np.ndarray
@@ -60,6 +69,9 @@ class BranchState:
     contact_forces: np.ndarray = field(default_factory=lambda: np.zeros((2, 0, 0)))
     bearing_speed: np.ndarray = field(default_factory=lambda: np.zeros(0))
     sun: str = "sun"
+    torques: dict[str, float] = field(default_factory=dict)
+    speeds: dict[str, float] = field(default_factory=dict)
+    input_torque: float = math.nan
 
     @property
     def share(self) -> np.ndarray:
@@ -78,6 +90,62 @@ class BranchState:
         if member == self.sun:
             return math.hypot(*self.sun_force)
         return math.hypot(*self.centre_forces.get(member, (math.nan,)))
+
+
+@dataclass(frozen=True)
+class BranchRolling:
+    """A joint whose unequal branches roll under its torque. SI units.
+
+    Parameters
+    ----------
+    speed_loss, drift_per_output_turn, drift_rate : float
+        Share of the output speed that creep takes [-]; angle that the output falls behind in one turn of its own [rad],
+        and per time [rad/s], nan where the input stands.
+    output_speed : float
+        Without sign, creep taken off [rad/s].
+    power : RollingPower
+        Losses, contacts as those of one branch, all branches together, and efficiency; nan where the input stands.
+    """
+
+    speed_loss: float
+    drift_per_output_turn: float
+    drift_rate: float
+    output_speed: float
+    power: RollingPower
+
+
+def branch_rolling(
+    *,
+    losses: RollingLosses,
+    speed_loss: float,
+    drift_per_output_turn: float,
+    output_torque: float,
+    output_speed: float,
+    input_speed: float,
+) -> BranchRolling:
+    """What a joint does whose unequal branches roll.
+
+    Parameters
+    ----------
+    losses : RollingLosses
+        Losses of all branches [W].
+    speed_loss, drift_per_output_turn
+        As of :class:`BranchRolling`.
+    output_torque : float
+        Torque at the output [N·m].
+    output_speed, input_speed : float
+        Speeds without sign, that of the output with creep taken off [rad/s].
+
+    Returns
+    -------
+    BranchRolling
+        Its powers are those of :func:`asperity.joint.rolling_power.power_budget`.
+    """
+    power = power_budget(losses, output_power=output_torque * output_speed)
+    turns = input_speed > 0.0
+    power = jax.tree.map(lambda leaf: np.asarray(leaf) if turns else np.full_like(leaf, np.nan), power)
+    rate = drift_per_output_turn * output_speed / (2.0 * math.pi)
+    return BranchRolling(speed_loss, drift_per_output_turn, rate if turns else math.nan, output_speed, power)
 
 
 @dataclass(frozen=True)
@@ -141,6 +209,8 @@ class UnequalBranches:
         Torsional stiffness at the output under the joint's torque, assembled [N·m/rad]; None where it was not computed.
     duty : tuple, optional
         The state of :meth:`working` under each load of the duty.
+    turning : BranchRolling or None, optional
+        Drift and powers of the rolling joint; None where it does not roll, or where slip was not asked for.
     """
 
     sizes: BranchSizes | SectorDeviations
@@ -156,6 +226,7 @@ class UnequalBranches:
     noun: str = "planet"
     stiffness: float | None = None
     duty: tuple[BranchState | None, ...] = ()
+    turning: BranchRolling | None = None
 
     def working(self, *, turns: bool) -> BranchState | None:
         """The state in which the joint works under its torque: rolling where it turns; None where there is none."""

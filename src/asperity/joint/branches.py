@@ -28,18 +28,27 @@ from asperity.drive.unequal_branches import (
     force_on_sun,
 )
 from asperity.errors import InputError, NoSolutionError
-from asperity.joint.branch_law import BranchLaw, BranchLaws, branch_laws
-from asperity.joint.branch_results import BranchCapacity, BranchState, UnequalBranches
+from asperity.joint.branch_law import MEMBERS, BranchLaw, BranchLaws, branch_laws
+from asperity.joint.branch_results import (
+    BranchCapacity,
+    BranchRolling,
+    BranchState,
+    UnequalBranches,
+    branch_rolling,
+)
 from asperity.joint.branch_sizes import WIDEST, BranchSizes, refuse_loading_cam, refuse_wide
 from asperity.joint.description import Joint
 from asperity.joint.interference import joint_preload
-from asperity.joint.working_loads import loads_at_rest
+from asperity.joint.rolling_power import RollingLosses
+from asperity.joint.working_loads import loads_at_rest, loads_of_forces
 
 _LENGTHS = 48  # of the curve of preload over interference
 _LEAST_SUPPORT = 1e-9  # over preload per interference: holds a floating sun where nothing else does
 # shares below the first slip at which its contacts are looked at, until all of them have a state
 _BELOW_SLIP = (1e-9, 1e-6, 1e-4, 1e-3, 1e-2)
 _TOLERANCE = 1e-13
+_BELOW = 1e-9  # share of a branch's torque below which its contacts are looked at
+_TURNING = ("speed_loss", "drift_per_output_turn", "output_speed")  # common to all branches
 
 
 class BranchedJoint:
@@ -70,6 +79,14 @@ class BranchedJoint:
         self._log_force = CubicSpline(np.log(length), np.log(force))
         self._least = float(length[0])
         self.laws: BranchLaws = branch_laws(joint, largest_preload=float(force[-1]))
+        still = loads_of_forces(joint, jnp.zeros(len(CONTACT_NAMES)), jnp.zeros(len(CONTACT_NAMES)))
+        self.friction = dict(
+            zip(
+                MEMBERS,
+                map(float, (still.sun_torque, still.carrier_torque, still.housing_torque)),
+                strict=True,
+            )
+        )
         self._turned = 1.0 / (float(geometry.sun_radius) * abs(float(speed_ratio(geometry))))
 
     def preload(self, interference: np.ndarray) -> np.ndarray:
@@ -123,9 +140,30 @@ class BranchedJoint:
             preload=rest.preload,
             rest=rest,
             standing=standing.under(torque),
-            rolling=rolling.under(torque),
+            rolling=(turns := rolling.under(torque)),
             capacity=standing.capacity(),
             rolling_capacity=rolling.capacity(),
+            turning=None if turns is None or not slip else self._turning(turns),
+        )
+
+    def _turning(self, state: BranchState) -> BranchRolling:
+        """Drift and powers of the joint that turns."""
+        joint, found = self.joint, self.laws.states(state.preload, self.count * state.torque * (1.0 - _BELOW))
+        bears = state.preload > 0.0
+        speeds = {name: float(np.mean(found[name][bears])) for name in _TURNING}
+        shafts = 2.0 * (
+            joint.bearings.sun_torque * joint.sun_speed
+            + joint.bearings.carrier_torque * speeds["output_speed"]
+        )
+        losses: dict[str, Any] = {
+            name: _of_all(found[name], bears, float(shafts) if name == "bearings" else 0.0)
+            for name in RollingLosses._fields
+        }
+        return branch_rolling(
+            losses=RollingLosses(**losses),
+            output_torque=float(joint.output_torque),
+            input_speed=float(joint.sun_speed),
+            **speeds,
         )
 
     def working(self, sizes: BranchSizes) -> BranchState | None:
@@ -238,7 +276,7 @@ class _Solver:
         torque = self.law.torque(preload, share)
         slip, known = np.full((len(CONTACT_NAMES), self.drive.count), np.nan), {}
         if self.slip:
-            known = self._contacts(preload, torque * (1.0 - 1e-9), loaded=self.turns or common > 0.0)
+            known = self._contacts(preload, torque * (1.0 - _BELOW), loaded=self.turns or common > 0.0)
             slip = known.pop("slip_ratio")
         return BranchState(
             preload=preload,
@@ -263,6 +301,10 @@ class _Solver:
             pins = np.stack([free.pin_radial, free.pin_tangential])[..., None] * preload
         forces, pins = (np.where(bears, each, 0.0) for each in (forces, pins))
         speed = np.max(np.where(bears, found["bearing_speed"], 0.0), axis=-1)
+        torques = {
+            name: float(_of_all(found[f"{prefix}{name}_torque"], bears, drive.friction[name]))
+            for name in MEMBERS
+        }
         return {
             "slip_ratio": found[f"{prefix}slip_ratio"],
             "limits": {name: found[name] for name in limits},
@@ -273,6 +315,9 @@ class _Solver:
                 "ring": force_on_ring(normal=forces[0, 3:], tangential=forces[1, 3:], polar=drive.polar),
             },
             "bearing_speed": speed if self.turns else np.zeros_like(speed),
+            "torques": torques if loaded else {},
+            "input_torque": torques["sun"] if loaded else 0.0,
+            "speeds": dict(zip(("sun", "carrier"), speed[2:], strict=True)) if self.turns else {},
         }
 
     def _used(self, common: float) -> float:
@@ -307,6 +352,15 @@ class _Solver:
             all_slip=self.total(most),
             equal=float(self.law.capacity(self.drive.own_preload)),
         )
+
+
+def _of_all(each: np.ndarray, bears: np.ndarray, common: float) -> np.ndarray:
+    """What all branches do together, from what the drive would do if all were like each; a loose one does nothing.
+
+    ``common`` is the part of each that no branch does.
+    """
+    own = np.where(bears, each - common, 0.0)
+    return np.asarray(np.sum(own, axis=-1) / bears.size + common)
 
 
 def _zero(function: Callable[[float], float], upper: float) -> float:

@@ -11,7 +11,9 @@ import equinox as eqx
 import jax
 import numpy as np
 
+from asperity.drive.torsional_stiffness import TorsionalStiffness
 from asperity.errors import InputError, NoSolutionError
+from asperity.joint.branch_results import UnequalBranches
 from asperity.joint.description import Joint
 from asperity.joint.planar.description import PlanarJoint
 from asperity.joint.planar.solve import PlanarSolution
@@ -70,20 +72,24 @@ def solve_equal_branches(joint: _Described, solver: Callable[[_Described], _Solv
     return solver(dataclasses.replace(joint, output_torque=math.copysign(_SHARE * limit, torque))), False
 
 
-def without_state(solution: _Solved, output_torque: float) -> _Solved:
-    """A solution whose results under the torque do not exist.
+def without_state(solution: _Solved, output_torque: float, own: UnequalBranches) -> _Solved:
+    """A solution of equal branches under a torque that only a joint's own branches carry.
 
     Parameters
     ----------
     solution : Solution or PlanarSolution
         What a joint does under a smaller torque.
     output_torque : float
-        Its own torque, which it does not carry [N·m].
+        Its own torque, which equal branches do not carry [N·m].
+    own : UnequalBranches
+        What its own branches do under it.
 
     Returns
     -------
     Solution or PlanarSolution
-        Geometry, masses, the state without torque and the capacities; nan for all that depends on the torque.
+        Geometry, masses, the state without torque and the capacities; of its own branches, where they have a state, the
+        torque at the input, drift and powers of the joint that turns, and the assembled stiffness where it was
+        computed. nan for all else that depends on the torque.
     """
 
     def unknown(leaf: Any) -> Any:
@@ -96,4 +102,23 @@ def without_state(solution: _Solved, output_torque: float) -> _Solved:
     masked = [jax.tree.map(unknown, part) for part in under_torque(solution)]
     masked[-1] = dataclasses.replace(masked[-1], output_torque=np.asarray(output_torque, dtype=float))
     empty: _Solved = eqx.tree_at(under_torque, solution, masked)
-    return eqx.tree_at(lambda each: each.result.solved, empty, np.asarray(False))
+    empty = eqx.tree_at(lambda each: each.result.solved, empty, np.asarray(False))
+    return _with_sums(empty, own)
+
+
+def _with_sums(empty: _Solved, own: UnequalBranches) -> _Solved:
+    """With what all branches of a joint do together, whatever each of them does."""
+    if own.standing is not None:
+        torque = np.asarray(own.standing.input_torque)
+        empty = eqx.tree_at(lambda each: each.result.forces.input_torque, empty, torque)
+    if own.stiffness is not None:
+        squared = float(empty.result.speed_ratio) ** 2
+        whole = TorsionalStiffness(sun=own.stiffness / squared, output=own.stiffness)
+        empty = eqx.tree_at(lambda each: each.result.assembly.stiffness, empty, whole)
+    if own.turning is not None:
+        names = [field.name for field in dataclasses.fields(own.turning)]
+        sums = tuple(jax.tree.map(np.asarray, getattr(own.turning, name)) for name in names)
+        empty = eqx.tree_at(
+            lambda each: tuple(getattr(each.result.rolling, name) for name in names), empty, sums
+        )
+    return empty

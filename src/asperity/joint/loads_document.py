@@ -15,6 +15,7 @@ import asperity
 from asperity.compilation import compile_fast
 from asperity.drive.structure_loads import PIN_NAMES, StructureLoads, pin_bending_moment, pin_bending_stress
 from asperity.joint.branch_limits import pressed
+from asperity.joint.branch_loads import BranchLoads
 from asperity.joint.branch_results import UnequalBranches
 from asperity.joint.description import Joint
 from asperity.joint.evaluation import JointResult, evaluate
@@ -48,10 +49,6 @@ UNEQUAL = (
     "unbalanced, rated ones the whole of it and the outside_force of their section as if both acted in one direction. "
     "Forces of the pins and lives of their bearings are those of the branch that loads them most; {pressed}. Weights "
     "and forces from outside are not counted."
-)
-_NO_STATE = "the branches of the file, [[branch]], do not carry this load, or do not roll under it"
-_FORCES_ALONE = (
-    "equal branches do not carry this load; torques, axial forces and speeds are theirs, and not stated."
 )
 _SUPPORTED = (
     "The planets have supports: the balance of the forces takes them as floating, so that the share that the supports "
@@ -161,7 +158,7 @@ def loads_document(
         for case in cases
     ]
     unlike = BranchLoads(branches, turns=cases[1].sun_speed != 0.0, cases=len(cases))
-    heads, said = unlike.entries(heads)
+    heads, said = unlike.entries(heads, skewed=joint.rolling.skew is not None)
     rows = _rows(joint, cases, supported, unlike)
     return document_of_rows(heads, rows, bearings=bearings, notes=[*notes, *said])
 
@@ -255,64 +252,6 @@ def _plain(value: Any, rounding: float) -> float | None:
     return number if abs(number) > rounding else 0.0
 
 
-class BranchLoads:
-    """What the branches of a joint load, in each case of its table.
-
-    Parameters
-    ----------
-    branches : UnequalBranches or None
-        Its branches; None for equal ones.
-    turns : bool
-        Whether the joint turns.
-    cases : int
-        Number of its cases.
-    """
-
-    def __init__(self, branches: UnequalBranches | None, *, turns: bool, cases: int) -> None:
-        self.states = None if branches is None else branches.cases(turns=turns)
-        self.count = cases
-
-    def entries(self, equal: list[Document]) -> tuple[list[Document], list[str]]:
-        """The cases by what these branches do, and a note where equal ones do less.
-
-        Parameters
-        ----------
-        equal : list of dict
-            From :func:`case_entry`, of equal branches.
-        """
-        if self.states is None:
-            return equal, []
-        own = [
-            case | {"unknown_because": _NO_STATE if state is None else None}
-            for case, state in zip(equal, self.states, strict=True)
-        ]
-        absent = [
-            case["name"]
-            for case, state in zip(equal, self.states, strict=True)
-            if case["unknown_because"] and state is not None
-        ]
-        return own, [f"{', '.join(absent)}: {_FORCES_ALONE}"] if absent else []
-
-    def force_on(self, member: str) -> np.ndarray:
-        """Force on a member on the axis [N]; nan where the branches do not carry the load."""
-        if self.states is None:
-            return np.zeros(self.count)
-        return np.array([math.nan if each is None else each.force_on(member) for each in self.states])
-
-    def pins(self, equal: Any) -> np.ndarray:
-        """Radial and tangential forces on the pins of the branch that loads each most, shape (2, pins, cases) [N].
-
-        Parameters
-        ----------
-        equal : array
-            Those of equal branches.
-        """
-        if self.states is None:
-            return np.asarray(equal)
-        unknown = np.full(np.shape(equal)[:2], math.nan)
-        return np.stack([unknown if each is None else each.largest_pins for each in self.states], axis=-1)
-
-
 def _rows(joint: Joint, cases: tuple[LoadCase, ...], supported: bool, unlike: BranchLoads) -> Iterator[Row]:
     """Part, position, quantity, SI unit, and a value for each case."""
     stacked = jax.tree.map(
@@ -322,6 +261,10 @@ def _rows(joint: Joint, cases: tuple[LoadCase, ...], supported: bool, unlike: Br
     speeds = {
         name: np.array([0.0 if case.speeds is None else _of(case.speeds, name) for case in cases])
         for name in (*PIN_NAMES, "sun", "carrier")
+    }
+    pins = unlike.speed_on_pins([speeds[name] for name in PIN_NAMES])
+    speeds = dict(zip(PIN_NAMES, pins, strict=True)) | {
+        name: unlike.speed_of(name, speeds[name]) for name in ("sun", "carrier")
     }
     radial, tangential = unlike.pins([stacked.pin_radial, stacked.pin_tangential])
     forces = np.hypot(radial, tangential)
@@ -350,14 +293,15 @@ def _rows(joint: Joint, cases: tuple[LoadCase, ...], supported: bool, unlike: Br
     if joint.rolling.skew is not None:
         yield "sun bearing", *centre, "axial force", "N", _thrust(cases, 0)
     yield "sun bearing", *centre, "speed in the housing", "rad/s", speeds["sun"]
-    yield "sun", *centre, "torque of its shaft", "N*m", stacked.sun_torque
+    yield "sun", *centre, "torque of its shaft", "N*m", unlike.torque_on("sun", stacked.sun_torque)
     yield "carrier bearing", *centre, "resultant force", "N", unlike.force_on("carrier")
     yield "carrier bearing", *centre, "speed in the housing", "rad/s", speeds["carrier"]
-    yield "carrier", *centre, "torque of all pins", "N*m", stacked.carrier_torque
+    on_carrier = unlike.torque_on("carrier", stacked.carrier_torque)
+    yield "carrier", *centre, "torque of all pins", "N*m", on_carrier
     yield "ring in its housing", *centre, "resultant force", "N", unlike.force_on("ring")
     if joint.rolling.skew is not None:
         yield "ring in its housing", *centre, "axial force", "N", _thrust(cases, 4)
-    yield "ring in its housing", *centre, "torque", "N*m", stacked.housing_torque
+    yield "ring in its housing", *centre, "torque", "N*m", unlike.torque_on("ring", stacked.housing_torque)
 
 
 def _of(speeds: BearingSpeeds, name: str) -> float:

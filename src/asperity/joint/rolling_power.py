@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import NamedTuple
+
 import equinox as eqx
 import jax.numpy as jnp
 from jax import Array
@@ -21,6 +23,23 @@ from asperity.drive.rolling_speeds import RollingSpeeds
 from asperity.drive.rolling_state import RollingState
 from asperity.joint.rolling_conditions import RollingConditions
 from asperity.types import Real
+
+
+class RollingLosses(NamedTuple):
+    """Losses of a rolling joint, all branches together [W]; contact axis first.
+
+    Parameters
+    ----------
+    creep, skew, hysteresis, oil, bearings, contact
+        As of :class:`RollingPower`.
+    """
+
+    creep: Real
+    skew: Real
+    hysteresis: Real
+    oil: Real
+    bearings: Array
+    contact: Array
 
 
 class RollingPower(eqx.Module):
@@ -172,19 +191,57 @@ def rolling_power(
     if conditions.viscosity is not None:
         oil = count * _oil(pairs, conditions.viscosity, state.normal, rolling, lines)
         counted = counted + oil
-    loss = jnp.sum(counted, axis=0) + bearing_power
-    at_output = output_torque * speeds.output
+    losses = RollingLosses(creep, skew, hysteresis, oil, bearing_power, jnp.asarray(counted))
+    return power_budget(losses, output_power=output_torque * speeds.output)
+
+
+def losses_of(power: RollingPower) -> RollingLosses:
+    """The losses of a rolling joint, without what goes in and comes out.
+
+    Parameters
+    ----------
+    power : RollingPower
+        Its powers.
+
+    Returns
+    -------
+    RollingLosses
+        Losses by cause [W]; those of unlike branches are the mean of joints all of whose branches are like one.
+    """
+    return RollingLosses(
+        power.creep, power.skew, power.hysteresis, power.oil, power.bearings, jnp.asarray(power.contact)
+    )
+
+
+def power_budget(losses: RollingLosses, *, output_power: Real) -> RollingPower:
+    r"""What goes in and comes out of a rolling joint, from its losses.
+
+    .. math:: P_{in} = P_{out} + P_{loss}
+
+    Parameters
+    ----------
+    losses : RollingLosses
+        Losses by cause [W].
+    output_power : Real
+        Output torque times the size of the output's speed, creep taken off; negative where the torque drives [W].
+
+    Returns
+    -------
+    RollingPower
+        The budget.
+
+    References
+    ----------
+    Balance of powers; equations (B3) and (B9) of :doc:`/equations`.
+    """
+    at_output = jnp.asarray(output_power)
+    loss = jnp.sum(losses.contact, axis=0) + losses.bearings
     drives = at_output >= 0.0
     entering = jnp.where(drives, at_output + loss, -at_output)
     leaving = jnp.where(drives, at_output, -at_output - loss)
     works = (leaving >= 0.0) & (entering > 0.0)
     return RollingPower(
-        creep=creep,
-        skew=skew,
-        hysteresis=hysteresis,
-        oil=oil,
-        bearings=bearing_power,
-        contact=counted,
+        **losses._asdict(),
         loss=loss,
         input=entering,
         output=jnp.where(leaving >= 0.0, leaving, jnp.nan),

@@ -69,8 +69,8 @@ def assumptions(case: Case) -> tuple[str, ...]:
     if case.branch is not None:
         told.append(
             "[[branch]]: ring and carrier are centred; the standing drive is loaded after it has rolled without "
-            "torque; all numbers but those of the worst branch, of single planets, of the forces on the members on the "
-            "axis, of bearings and of rims that bend are of equal ones"
+            "torque; all numbers but those of the worst branch, of single planets, of their sums, of the forces on the "
+            "members on the axis, of bearings and of rims that bend are of equal ones"
         )
         if case.drive.ring_support == "free":
             told.append(

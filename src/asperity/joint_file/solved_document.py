@@ -35,7 +35,8 @@ class SolvedCase(NamedTuple, Generic[_Described, _Solved]):
     joint : Joint or PlanarJoint
         The joint that it describes.
     solution : Solution or PlanarSolution
-        What the joint does with equal branches; nan under a torque that only its own branches carry.
+        What the joint does with equal branches. Under a torque that only its own branches carry, what all of these do
+        together, and nan for all else.
     branches : UnequalBranches or None
         What its sections ``[[branch]]`` do; None where there are none, or where they were not asked for.
     document : dict
@@ -152,7 +153,7 @@ def papers_branches(case: Case, *, branches: bool = True) -> tuple[Joint, Soluti
     joint : Joint
         The joint that it describes.
     solution : Solution
-        With equal branches; nan under a torque that only its own branches carry.
+        With equal branches; as of :class:`SolvedCase` under a torque that only its own branches carry.
     found : UnequalBranches or None
         With its own; None where it states none.
 
@@ -206,7 +207,9 @@ def _solved(
             return joint, solver(joint), None
     solution, carries = solve_equal_branches(joint, solver)
     found = own_branches(solution)
-    return joint, solution if carries else without_state(solution, float(joint.output_torque)), found
+    if carries or found is None:
+        return joint, solution, found
+    return joint, without_state(solution, float(joint.output_torque), found), found
 
 
 @contextlib.contextmanager

@@ -88,6 +88,16 @@ def branch_tables(found: Document) -> Iterator[Block]:
     if "output_stiffness_Nm_per_rad" in found:
         stiffness = quantity(found["output_stiffness_Nm_per_rad"], "N*m/arcmin")
         rows.append(("torsional stiffness of these branches at the output, assembled", stiffness))
+    if "turning" in found:
+        turning = found["turning"]
+        rows += [
+            (
+                "drift of these branches per output turn",
+                quantity(turning["drift_rad_per_output_turn"], "arcmin"),
+            ),
+            ("losses of these branches", quantity(turning["losses_W"]["total"], "W")),
+            ("efficiency with these branches, %", number(turning["efficiency"], 100.0)),
+        ]
     for words, entry in (
         ("torque capacity", found["torque_capacity"]),
         ("torque capacity, rolling", found["rolling_torque_capacity"]),

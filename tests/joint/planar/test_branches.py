@@ -10,6 +10,7 @@ import pytest
 
 from asperity.drive.planar.loads import pin_components
 from asperity.errors import InputError
+from asperity.joint.branch_document import branch_document
 from asperity.joint.branch_sizes import BranchSizes, SectorDeviations
 from asperity.joint.branches import BranchedJoint
 from asperity.joint.capacity import LIMIT_KINDS
@@ -17,6 +18,8 @@ from asperity.joint.planar import branches as module
 from asperity.joint.planar.branches import BranchedPlanarJoint
 from asperity.joint.planar.solve import solve_planar
 from asperity.joint.planar.working_loads import member_speeds, working_planar_loads
+from asperity.joint.rolling_document import losses
+from asperity.joint.rolling_power import RollingLosses
 from asperity.joint_file.planar_build import deviations_of
 from asperity.joint_file.si_tables import si_values
 
@@ -58,6 +61,8 @@ def made_up(planar_joint, monkeypatch):
             residual=1e-13,
             displacement=np.array([[1e-6, 2e-6]]),
             pin_force=np.array([10.0, 20.0, 30.0]),
+            input_torque=np.asarray(2.0),
+            speed_loss=np.asarray(1e-3),
             speed=np.array([1.0, 0.0, -0.5, -0.6, -0.4, 0.2]),  # sun, ring, planets and carrier
         )
         if program is module.assembled_sectors:
@@ -71,6 +76,9 @@ def made_up(planar_joint, monkeypatch):
             centre_force=np.arange(18.0).reshape(3, 3, 2),
             interference=np.asarray(given[0].added) + np.array([0.0, 30e-6]),
             output_moment=np.array([own, own[::-1]]),
+            centre_moment=np.array([[0.0, 0.0, 0.0], [-2.0, -10.0, 12.0], [-2.1, -9.9, 12.0]]),
+            losses=RollingLosses(*np.full((4, 2), [0.2, 0.3]), np.asarray(0.5), np.array([0.8, 1.2])),
+            drift_per_output_turn=np.asarray(0.01),
             pressure_over_first_yield=each,
             slip_ratio=each,
             shakedown_ratio=0.5 * each,
@@ -135,6 +143,17 @@ def test_sectors_by_hand(made_up):
     assert (found.rolling_capacity.first_slip, found.rolling_capacity.branch) == (8.0, 1)
     assert (found.capacity.all_slip, found.capacity.equal, found.rolling_capacity.equal) == (12.0, 10.0, 9.0)
     assert found.stiffness == 2e4
+    assert found.standing.torques == {"sun": -2.0, "ring": -10.0, "carrier": 12.0}
+    assert found.rolling.speeds == pytest.approx({"sun": turns, "ring": 0.0, "carrier": 0.2 * turns})
+    assert found.standing.input_torque == 2.0
+    # 6 N·m at a fifth of 157 rad/s, beside 2 W of contacts and 0.5 W of bearings
+    power = found.turning.power
+    assert (float(power.loss), float(power.output)) == pytest.approx((2.5, 6.0 * 0.2 * turns), rel=1e-12)
+    assert float(power.efficiency) == pytest.approx(
+        37.6991 / (37.6991 + 0.5), rel=1e-5
+    )  # 188.496 W and 2.5 W
+    assert (found.turning.speed_loss, found.turning.drift_per_output_turn) == (1e-3, 0.01)
+    assert found.turning.drift_rate == pytest.approx(0.01 * 0.2 * 25.0, rel=1e-12)  # 5 turns a second
     # the planets are pushed along the tangent; the fastest of them turns 0.8 times as fast as the sun on its pin
     np.testing.assert_allclose(np.abs(found.standing.pins[1]).max(axis=0), [10.0, 20.0, 30.0])
     speed = float(drive.joint.input_speed)
@@ -192,6 +211,22 @@ def test_equal_sectors_are_the_joint(branched):
     members = np.asarray(member_speeds(branched.joint, result))  # sun, planet, ring and carrier
     speeds = [abs(members[1] - members[3]), members[0], abs(members[3])]
     np.testing.assert_allclose(found.rolling.bearing_speed, speeds, rtol=1e-12)
+    loads = dict(
+        zip(branched.joint.drive.members, branched.joint.drive.sense * np.asarray(loads.moments), strict=True)
+    )
+    del loads["planet"]
+    assert found.rolling.torques == pytest.approx(loads, rel=1e-9, abs=1e-9)
+    ends = {"sun": abs(members[0]), "ring": 0.0, "carrier": abs(members[3])}
+    assert found.rolling.speeds == pytest.approx(ends, rel=1e-12, abs=1e-12)
+    assert found.standing.input_torque == pytest.approx(10.0 / 6.0, rel=1e-9)
+    told = branch_document(found)["turning"]
+    for name in ("speed_loss", "drift_per_output_turn", "drift_rate", "output_speed"):
+        assert getattr(found.turning, name) == pytest.approx(float(getattr(result.rolling, name)), rel=1e-9)
+    for name, loss in losses(result.rolling).items():
+        assert told["losses_W"][name] == (
+            None if np.isnan(loss) else pytest.approx(float(loss), rel=1e-9, abs=1e-12)
+        )
+    assert told["efficiency"] == pytest.approx(float(result.rolling.power.efficiency), rel=1e-12)
     pressure = np.asarray(result.diagnostics.pressure_over_first_yield)
     np.testing.assert_allclose(
         found.standing.limits["pressure_over_first_yield"], np.tile(pressure, (3, 1)).T, rtol=1e-12
@@ -223,6 +258,10 @@ def test_what_unequal_planets_do(branched):
     np.testing.assert_allclose(30e-3 * found.standing.pins[1, 0], found.standing.torque, rtol=1e-9)
     assert found.standing.force_on("sun") == np.hypot(*found.standing.sun_force)
     assert found.standing.force_on("carrier") == np.hypot(*found.standing.centre_forces["carrier"])
+    # the torques on sun, ring and carrier add up to nothing
+    for state in (found.standing, found.rolling):
+        assert sum(state.torques.values()) == pytest.approx(0.0, abs=1e-8)
+        assert abs(state.torques["sun"]) == pytest.approx(10.0 / 6.0, rel=2e-3)
     # the sun is pushed away from the largest planet
     assert found.rest.sun_force[0] < 0.0
     backwards = branched.branches(planets([2e-6, 0.0, -2e-6]).with_first(-2e-6))

@@ -19,7 +19,13 @@ from asperity.drive.planar.layout import CARRIER
 from asperity.drive.planar.loads import pin_components
 from asperity.drive.planar.state import STATE_TOLERANCE, PlanarState
 from asperity.errors import InputError, NoSolutionError
-from asperity.joint.branch_results import BranchCapacity, BranchState, UnequalBranches
+from asperity.joint.branch_results import (
+    BranchCapacity,
+    BranchRolling,
+    BranchState,
+    UnequalBranches,
+    branch_rolling,
+)
 from asperity.joint.branch_sizes import SectorDeviations, refuse_loading_cam, refuse_wide
 from asperity.joint.capacity import LIMIT_KINDS, TorqueCapacity, limit_words
 from asperity.joint.planar.description import PlanarJoint
@@ -205,7 +211,28 @@ class BranchedPlanarJoint:
             rolling_capacity=self._capacity(first[1], math.nan, equal_rolling),
             noun=self.noun,
             stiffness=None if standing is None else float(found.assembly.stiffness.output),
+            turning=None if rolling is None else self._turning(found),
         )
+
+    def _turning(self, found: Any) -> BranchRolling:
+        """Drift and powers of the joint that turns."""
+        drive, speed = self.joint.drive, float(self.joint.input_speed)
+        state = found.rolling
+        out = speed * abs(
+            state.speed[-1] if drive.output == CARRIER else state.speed[self._axis(drive.output)]
+        )
+        return branch_rolling(
+            losses=found.losses,
+            speed_loss=float(state.speed_loss),
+            drift_per_output_turn=float(found.drift_per_output_turn),
+            output_torque=float(self.joint.output_torque),
+            output_speed=float(out),
+            input_speed=speed,
+        )
+
+    def _axis(self, name: str) -> int:
+        """Place of a member among those on the axis and the carrier, which comes last, in states and moments."""
+        return [*(body.name for body in self.joint.drive.bodies if body.place == "axis"), CARRIER].index(name)
 
     def _capacity(self, first: TorqueCapacity, last: float, equal: TorqueCapacity) -> BranchCapacity:
         """Of the joint that stands, or of the one that turns, which rolls up to its first slip."""
@@ -232,7 +259,9 @@ class BranchedPlanarJoint:
         turned = self._towards_first()
         joint, drive = self.joint, self.joint.drive
         central = [body.name for body in drive.bodies if body.place == "axis"]
-        forces = dict(zip([*central, CARRIER], found.centre_force[kind] @ turned.T, strict=True))
+        members = [*central, CARRIER]
+        forces = dict(zip(members, found.centre_force[kind] @ turned.T, strict=True))
+        speeds = np.append(state.speed[: len(central)], state.speed[-1]) * float(joint.input_speed)
         sun = drive.input if drive.input in central else central[0]
         moments, slip = np.zeros(self.count), np.zeros_like(found.slip_ratio)
         limits: dict[str, np.ndarray] = {}
@@ -260,6 +289,9 @@ class BranchedPlanarJoint:
             .reshape(2, self.count, -1)
             .swapaxes(1, 2),
             bearing_speed=self._bearing_speed(state) if kind == 2 else np.zeros(len(joint.bearing_names)),
+            input_torque=float(state.input_torque),
+            torques=dict(zip(members, map(float, drive.sense * found.centre_moment[kind]), strict=True)),
+            speeds=dict(zip(members, np.abs(speeds) if kind == 2 else np.zeros(speeds.size), strict=True)),
         )
 
     def _bearing_speed(self, state: Any) -> np.ndarray:

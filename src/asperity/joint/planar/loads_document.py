@@ -13,11 +13,11 @@ from asperity.compilation import compile_fast
 from asperity.drive.planar.layout import CARRIER, PlanarDrive
 from asperity.drive.planar.loads import PlanarLoads, pin_components
 from asperity.joint.branch_limits import pressed
+from asperity.joint.branch_loads import BranchLoads
 from asperity.joint.branch_results import UnequalBranches
 from asperity.joint.loads_document import (
     RATED,
     UNEQUAL,
-    BranchLoads,
     Document,
     Row,
     case_entry,
@@ -129,7 +129,7 @@ def planar_loads_document(
         ]
         thrust = np.stack([none, *turning], axis=-1)
     unlike = BranchLoads(branches, turns=float(joint.input_speed) > 0.0, cases=len(loads))
-    cases, said = unlike.entries(cases)
+    cases, said = unlike.entries(cases, skewed=joint.rolling.skew is not None)
     return document_of_rows(
         cases, _rows(drive, loads, speeds, thrust, unlike), bearings=bearings, notes=[*notes, *said]
     )
@@ -145,7 +145,9 @@ def _rows(
     """Part, position, quantity, SI unit, and a value for each case."""
     members = drive.members
     turned = np.abs(np.stack(speeds, axis=-1))
-    relative = np.stack([np.asarray(pin_speeds(drive, jnp.asarray(each))) for each in speeds], axis=-1)
+    relative = unlike.speed_on_pins(
+        np.stack([np.asarray(pin_speeds(drive, jnp.asarray(each))) for each in speeds], axis=-1)
+    )
     pins = [pin_components(drive=drive, force=load.pin) for load in loads]
     radial, tangential = unlike.pins(np.moveaxis(np.asarray(pins), 0, -1))
     for k, body in enumerate(drive.pinned):
@@ -165,7 +167,7 @@ def _rows(
             continue
         role = {drive.input: "input", drive.output: "output", drive.grounded: "grounded"}.get(name, "idle")
         part = (name.replace("_", " "), f"on the axis, {role}")
-        moment = drive.sense * np.array([load.moments[number] for load in loads])
+        moment = unlike.torque_on(name, drive.sense * np.array([load.moments[number] for load in loads]))
         yield *part, "torque of the rollers" if name != CARRIER else "torque of all pins", "N*m", moment
         yield *part, "resultant force", "N", unlike.force_on(name)
         if thrust is not None:
@@ -175,4 +177,4 @@ def _rows(
                 else thrust[number]
             )
             yield *part, "axial force", "N", pushed
-        yield *part, "speed in the housing", "rad/s", turned[number]
+        yield *part, "speed in the housing", "rad/s", unlike.speed_of(name, turned[number])

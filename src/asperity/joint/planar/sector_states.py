@@ -13,6 +13,7 @@ from jax import Array
 from asperity.drive.assembly import Assembly
 from asperity.drive.planar.following import followed
 from asperity.drive.planar.layout import CARRIER, incidence
+from asperity.drive.planar.loads import member_moments
 from asperity.drive.planar.state import ContactLaws, DriveLoad, PlanarState
 from asperity.drive.planar.states import loaded_state
 from asperity.drive.planar.unfolding import forces_on_centre
@@ -29,7 +30,9 @@ from asperity.joint.planar.laws import contact_laws, creep_law, drive_load
 from asperity.joint.planar.stiffness import loaded_stiffness
 from asperity.joint.planar.turning import driving_sense, turning
 from asperity.joint.planar.unfolding import SectorSizes, unfolded_joint
+from asperity.joint.rolling import RollingResult
 from asperity.joint.rolling_creep import ContactCreep
+from asperity.joint.rolling_power import RollingLosses, losses_of
 
 #: How often the creep law and the forces of the rolling joint are found from each other.
 CREEP_PASSES = 6
@@ -51,6 +54,13 @@ class SectorStates(NamedTuple):
         contacts) [m].
     output_moment : Array
         Moments on the output in the standing and in the rolling state, shape (2, sectors) [N·m].
+    centre_moment : Array
+        Moments of all sectors on the bodies on the axis and on the carrier in the three states, counter-clockwise,
+        shape (3, bodies on the axis + 1) [N·m].
+    losses : RollingLosses
+        Of the joint that turns, contacts as those of one sector.
+    drift_per_output_turn : Array
+        Angle by which its output has fallen behind after one turn of its own [rad].
     pressure_over_first_yield, slip_ratio : Array
         Of the joint that stands, shape (sectors, contacts) [-].
     shakedown_ratio, rolling_slip_ratio : Array
@@ -71,6 +81,9 @@ class SectorStates(NamedTuple):
     centre_force: Array
     interference: Array
     output_moment: Array
+    centre_moment: Array
+    losses: RollingLosses
+    drift_per_output_turn: Array
     pressure_over_first_yield: Array
     slip_ratio: Array
     shakedown_ratio: Array
@@ -147,20 +160,23 @@ def sector_states(
         self_locking_ratio=None,
     )
     slides = standing.slides != 0.0
-    shakedown, rolling_slip, life = _turned(joint, sizes, rolling, sectors)
-    apart = (sectors, -1)
+    turned = _turned(joint, sizes, rolling, sectors)
+    apart, states = (sectors, -1), (rest, standing, rolling)
     return SectorStates(
         rest=rest,
         standing=standing,
         rolling=rolling,
-        centre_force=jnp.stack([_on_centre(joint, whole, state) for state in (rest, standing, rolling)]),
+        centre_force=jnp.stack([_on_centre(joint, whole, state) for state in states]),
         interference=_working_interference(whole, floating, rest).reshape(apart),
         output_moment=jnp.stack([_output_moments(whole, state, sectors) for state in (standing, rolling)]),
+        centre_moment=jnp.stack([_centre_moments(joint, whole, state) for state in states]),
+        losses=jax.tree.map(lambda each: jnp.mean(each, axis=0), losses_of(turned.power)),
+        drift_per_output_turn=turned.drift_per_output_turn[0],
         pressure_over_first_yield=jnp.asarray(diagnostics.pressure_over_first_yield).reshape(apart),
         slip_ratio=jnp.where(slides, 1.0, diagnostics.slip_ratio).reshape(apart),
-        shakedown_ratio=shakedown,
-        rolling_slip_ratio=rolling_slip,
-        life_hours=life,
+        shakedown_ratio=turned.shakedown_ratio,
+        rolling_slip_ratio=turned.slip_ratio,
+        life_hours=turned.life_hours.drive,
         assembly=stiffness.assembly,
         limits=limiting_torques(
             whole,
@@ -223,10 +239,16 @@ def _output_moments(whole: PlanarJoint, state: PlanarState, sectors: int) -> Arr
     return jnp.sum(each.reshape(sectors, -1), axis=1)
 
 
-def _turned(
-    joint: PlanarJoint, sizes: SectorSizes, rolling: PlanarState, sectors: int
-) -> tuple[Array, Array, Array]:
-    """Shakedown and slip of all contacts, and the life if all sectors were like one, each as a joint of its forces."""
+def _centre_moments(joint: PlanarJoint, whole: PlanarJoint, state: PlanarState) -> Array:
+    """Moments that all sectors put on the bodies on the axis and on the carrier, counter-clockwise [N·m]."""
+    drive = whole.drive
+    moments = member_moments(drive, incidence(drive), state.tangential, state.pin_force)
+    names = [body.name for body in joint.drive.bodies if body.place == "axis"]
+    return moments[np.array([drive.members.index(name) for name in (*names, CARRIER)])]
+
+
+def _turned(joint: PlanarJoint, sizes: SectorSizes, rolling: PlanarState, sectors: int) -> RollingResult:
+    """The joint that turns if all sectors were like one, for each of them, which comes first."""
     plain = dataclasses.replace(joint, rolling=dataclasses.replace(joint.rolling, duty=()))
     contacts, sense, own = planar_contacts(joint), driving_sense(joint.drive), joint.drive
     central = sum(body.place == "axis" for body in own.bodies)
@@ -238,7 +260,7 @@ def _turned(
         each = [next(middle) if body.place == "axis" else next(rest) for body in own.bodies]
         return jnp.stack([*each, rolling.speed[-1]])
 
-    def one(sector: Array) -> tuple[Array, Array, Array]:
+    def one(sector: Array) -> RollingResult:
         def mine(values: Array) -> Array:
             return values.reshape(sectors, -1)[sector]
 
@@ -254,7 +276,6 @@ def _turned(
         creep = creep_law(
             plain, contacts, normal_ratio * state.normal, tangential_ratio * mine(rolling.tangential)
         )
-        found = turning(plain, contacts, creep, state)
-        return found.shakedown_ratio, found.slip_ratio, found.life_hours.drive
+        return turning(plain, contacts, creep, state)
 
     return jax.vmap(one)(jnp.arange(sectors))
