@@ -65,6 +65,13 @@ def test_a_wall_has_five_half_widths(planar_joint, width, known):
     assert bool(walls_known(joint=joint, half_width=jnp.array([9e-3, width]))) == known
 
 
+@pytest.mark.parametrize(("wall", "known"), [("0.2 mm", False), ("1 mm", True)])
+def test_a_ring_of_three_sectors_has_a_wall_of_about_one_percent(planar_joint, wall, known):
+    """1 % of its radius of 50 mm is 0.5 mm."""
+    joint = planar_joint("planetary", {'ring_wall_thickness = "8 mm"': f'ring_wall_thickness = "{wall}"'})
+    assert bool(walls_known(joint=joint, half_width=jnp.array([9e-3, 1e-5]))) == known
+
+
 def test_springs_need_no_wall(planar_joint):
     springs = {
         'bodies = "exact"': 'bodies = "springs"',

@@ -1,13 +1,15 @@
 """Torsional stiffness of planar joints on its three levels, by hand."""
 
 import dataclasses
+from types import SimpleNamespace
 
 import jax.numpy as jnp
+import numpy as np
 import pytest
 
 from asperity.joint.contacts import LoadedContacts
 from asperity.joint.planar.description import planar_contacts
-from asperity.joint.planar.stiffness import stiffness_levels
+from asperity.joint.planar.stiffness import loaded_stiffness, stiffness_levels
 
 ORBIT, COUNT = 30e-3, 3  # of the planetary example
 
@@ -68,3 +70,62 @@ def test_shafts_are_in_series_with_the_whole(planetary):
     assert float(whole.output_shaft_share) == pytest.approx(0.25 / 2.25, rel=1e-9)
     assert float(sum(whole.tangential_share)) == pytest.approx(1.0 / 2.25, rel=1e-9)
     assert float(published.output) == float(same.output)
+
+
+@pytest.fixture
+def under_forces(planetary, monkeypatch):
+    """Stiffness under forces as if contacts, walls and the drive were these; and what they were asked for."""
+    joint, solution, _ = planetary
+    result, asked = solution.result, {}
+
+    def of(normal, tangential, slides, solved=None, stiff=(1e8, 2e8)):
+        def contacts_under(*, contacts, normal_force, tangential_force):
+            asked["tangential"] = np.asarray(tangential_force)
+            return LoadedContacts(
+                half_width=jnp.ones(2),
+                traction=jnp.array([0.5, 0.5]),
+                rough=dataclasses.replace(result.contacts, normal_stiffness=jnp.array(stiff)),
+                interfaces=result.interfaces,
+                lines=None if solved is None else SimpleNamespace(solved=jnp.array(solved)),
+            )
+
+        def levels(joint, contacts, loaded, sliding_friction):
+            asked["friction"] = np.asarray(sliding_friction)
+            return result.published, result.series_with_bulk, result.assembly
+
+        monkeypatch.setattr("asperity.joint.planar.stiffness.loaded_contacts", contacts_under)
+        monkeypatch.setattr("asperity.joint.planar.stiffness.stiffness_levels", levels)
+        monkeypatch.setattr("asperity.joint.planar.stiffness.walls_known", lambda **_: jnp.array(True))
+        forces = (jnp.asarray(each, dtype=float) for each in (normal, tangential, slides))
+        return loaded_stiffness(joint, planar_contacts(joint), *forces)
+
+    return of, asked
+
+
+def test_a_contact_that_slides_bears_its_friction_and_has_no_tangential_stiffness(under_forces):
+    """mu = 0.08: of 300 N the contact that holds bears 240 N less the tolerance of slip, in either sense."""
+    of, asked = under_forces
+    found = of((3000.0, 3000.0), (-300.0, 240.0), (0.0, 1.0))
+    assert asked["tangential"] == pytest.approx([-240.0, 0.0], rel=1e-10)
+    assert asked["tangential"][0] > -240.0
+    assert asked["friction"] == pytest.approx([0.0, 0.08], rel=1e-12)
+    np.testing.assert_array_equal(found.contacts.traction, [0.5, 1.0])
+    for stiffness in (
+        found.contacts.rough.tangential_stiffness,
+        found.contacts.interfaces.asperity_tangential,
+        found.contacts.interfaces.bulk_tangential,
+    ):
+        assert (float(stiffness[0]) > 0.0, float(stiffness[1])) == (True, 0.0)
+
+
+def test_only_a_loaded_contact_needs_an_elastic_spot_and_slices(under_forces):
+    of, _ = under_forces
+    for normal, stiff, solved, law, walls in (
+        ((3000.0, 0.0), (1e8, 0.0), (True, False), True, True),
+        ((3000.0, 10.0), (1e8, 0.0), (True, True), False, True),
+        ((3000.0, 10.0), (1e8, 1e8), (True, False), True, False),
+    ):
+        found = of(normal, (0.0, 0.0), (0.0, 0.0), solved, stiff)
+        assert (bool(found.contact_law_holds), bool(found.walls_hold)) == (law, walls)
+        assert np.isfinite(float(found.published.output)) == law
+        assert np.isfinite(float(found.assembly.stiffness.output)) == (law and walls)
