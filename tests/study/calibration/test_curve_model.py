@@ -211,9 +211,10 @@ def test_a_joint_that_slips_at_the_very_largest_torque_has_no_prediction(made_up
 
 
 def test_a_search_begins_with_the_file_and_an_offset_in_the_middle(made_up):
-    model = made_up((*PRELOAD, "offset=1 arcmin:3 arcmin"), angle=np.linspace(0.0, 1e-4, 6))
+    """What the file does not state begins in the middle, too, and a play near its lower bound of none."""
+    model = made_up((*PRELOAD, "offset=1 arcmin:3 arcmin", *TEXTS[1:3]), angle=np.linspace(0.0, 1e-4, 6))
     stated = math.log(1000.0 / 800.0) / math.log(4.0)
-    assert model.first == pytest.approx([stated, 0.5], rel=1e-9)
+    assert model.first == pytest.approx([stated, 0.5, 0.01, 0.5], rel=1e-9)
 
 
 def test_a_drift_curve_of_too_many_torques_is_refused(made_up, monkeypatch):

@@ -10,7 +10,13 @@ import pytest
 from asperity.errors import NoSolutionError
 from asperity.joint_file.reader import read_case
 from asperity.study.calibration.curve_model import CurveModel
-from asperity.study.calibration.curve_surrogate import _box, exponents, fit_surrogate, surrogate_prediction
+from asperity.study.calibration.curve_surrogate import (
+    _box,
+    _scaled_inside,
+    exponents,
+    fit_surrogate,
+    surrogate_prediction,
+)
 from asperity.study.calibration.measurement import Measurement
 from asperity.study.calibration.unknowns import read_unknowns
 
@@ -139,3 +145,17 @@ def test_number_of_terms(unknowns, degree):
     assert len({tuple(row) for row in found}) == len(found)
     if unknowns:
         assert np.array_equal(found[1 : 1 + unknowns], np.eye(unknowns))
+
+
+@pytest.mark.parametrize("turn", [0.0, np.pi / 4.0])
+def test_sampled_joints_lie_between_the_bounds(turn):
+    """A box of unlike sides about a point near a corner: of the straight one nothing is left out."""
+    middle, low, high = np.array([0.2, 0.7]), np.array([-0.19, -0.6]), np.array([0.79, 0.29])
+    axes = np.array([[np.cos(turn), -np.sin(turn)], [np.sin(turn), np.cos(turn)]])
+    found = _scaled_inside(np.random.default_rng(5), middle, axes, low, high, 200)
+    assert found.shape == (200, 2)
+    values = middle + (low + 0.5 * (found + 1.0) * (high - low)) @ axes.T
+    assert np.all((values >= 0.0) & (values <= 1.0))
+    every = np.cos(np.pi * np.random.default_rng(5).random((800, 2)))
+    kept = len(np.intersect1d(found[:, 0], every[:200, 0]))
+    assert (kept == 200) == (turn == 0.0)
