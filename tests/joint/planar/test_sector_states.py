@@ -1,15 +1,26 @@
 """Sectors by themselves have crowns and skew like those of the joint with equal sectors."""
 
+import dataclasses
 from types import SimpleNamespace
 
+import equinox as eqx
 import jax
 import jax.numpy as jnp
 import numpy as np
 import pytest
 
 from asperity.joint.planar.branches import BranchedPlanarJoint
-from asperity.joint.planar.sector_states import _on_centre, _output_moments, _working_interference
+from asperity.joint.planar.description import planar_contacts
+from asperity.joint.planar.sector_states import (
+    _followed,
+    _on_centre,
+    _output_moments,
+    _turned,
+    _working_interference,
+    sector_states,
+)
 from asperity.joint.planar.solve import solve_planar
+from asperity.joint.planar.turning import driving_sense
 from asperity.joint.planar.unfolding import SectorSizes, unfolded_joint
 from asperity.joint_file.planar_build import deviations_of, planar_joint_from_case
 from asperity.joint_file.si_tables import si_values
@@ -105,3 +116,113 @@ def test_forces_on_the_members_in_the_middle_by_hand(planetary_of_three):
     sun = np.asarray(_on_centre(joint, whole, drag))[0]
     along = np.array([5.0, 2.0, -1.0]) @ ACROSS
     np.testing.assert_allclose(np.sign(sun[0] * along[0]) * sun, along, rtol=1e-12)
+
+
+def test_a_joint_is_followed_while_its_strips_are_narrower_than_its_bodies(planetary_of_three, monkeypatch):
+    """Strips of the half-width b carry b^2 pi L E*/(4 R): of the ring's wall 8 mm, of the sun 10 mm."""
+    _, whole = planetary_of_three()
+    young, poisson, length = 203e9, 0.29, 10e-3
+    per_square = np.pi * length * young / (2.0 * (1.0 - poisson**2)) / 4.0
+    most = np.tile(
+        [10e-3**2 * per_square / (20e-3 / 3.0), 8e-3**2 * per_square / (100e-3 / 3.0)], 3
+    )  # of 10 and 20 mm outside each other, of 20 mm inside 50 mm
+    asked = {}
+    monkeypatch.setattr(
+        "asperity.joint.planar.sector_states.followed", lambda **given: asked.update(given) or (1, 2)
+    )
+    rest = SimpleNamespace(normal=jnp.array([500.0, 700.0, 600.0, 700.0, 600.0, 700.0]))
+    _followed(whole, None, rest, None, planar_contacts(whole), jnp.asarray(7.0))
+    assert bool(asked["keeps"](SimpleNamespace(normal=jnp.asarray(0.999 * most))))
+    for contact in range(6):
+        wide = np.where(np.arange(6) == contact, 1.001 * most, 1.0)
+        assert not bool(asked["keeps"](SimpleNamespace(normal=jnp.asarray(wide))))
+    assert asked["most"] == 7.0
+    # a step of the first contact to slip: 0.08 of 500 N on both its sides at 30 mm make 2.4 N·m
+    assert 0.01 * 2.4 < float(asked["first_step"]) < 0.5 * 2.4
+
+
+def test_each_sector_turns_as_a_joint_of_its_own_forces_and_speeds(planetary_of_three, monkeypatch):
+    """The creep law is taken at its forces times those of equal sectors standing over rolling."""
+    joint, _ = planetary_of_three()
+    normal, tangential = np.arange(10.0, 16.0).reshape(3, 2), np.arange(1.0, 7.0).reshape(3, 2)
+    rolling = SolvedState(
+        normal=jnp.asarray(normal.ravel()),
+        tangential=jnp.asarray(tangential.ravel()),
+        creepage=jnp.asarray(1e-3 * tangential.ravel()),
+        pin_force=jnp.array([20.0, 30.0, 40.0]),
+        speed=jnp.array([1.0, 0.0, 0.11, 0.22, 0.33, 0.17]),  # sun, ring, three planets, carrier
+    )
+    sizes = SectorSizes(np.zeros((3, 2)), np.ones((3, 2)), 5e7, np.array([[1.5, 2.0], [0.5, 3.0]]))
+    module = "asperity.joint.planar.sector_states"
+    monkeypatch.setattr(f"{module}.creep_law", lambda joint, contacts, *forces: jnp.stack(forces))
+
+    def turned(joint, contacts, creep, state):
+        shown = jnp.stack([state.normal, state.tangential, state.creepage])
+        return SimpleNamespace(
+            shakedown_ratio=shown,
+            slip_ratio=creep,
+            life_hours=SimpleNamespace(drive=jnp.concatenate([state.speed, state.pin_force])),
+        )
+
+    monkeypatch.setattr(f"{module}.turning", turned)
+    shown, creep, rest = _turned(joint, sizes, rolling, 3)
+    sense = np.asarray(driving_sense(joint.drive))
+    expected = np.stack([normal, sense * tangential, 1e-3 * sense * tangential], axis=1)
+    np.testing.assert_allclose(shown, expected, rtol=1e-12)
+    np.testing.assert_allclose(
+        creep, np.stack([normal * [1.5, 2.0], tangential * [0.5, 3.0]], axis=1), rtol=1e-12
+    )
+    for sector, (planet, pin) in enumerate(((0.11, 20.0), (0.22, 30.0), (0.33, 40.0))):
+        assert rest[sector] == pytest.approx([1.0, planet, 0.0, 0.17, pin], rel=1e-12)
+
+
+@pytest.mark.parametrize("way", [1.0, -1.0])
+def test_limits_in_the_sense_of_the_torque_by_the_creep_law_of_each_sector(
+    planetary_of_three, monkeypatch, way
+):
+    """The first slip of the joint that stands, and all limits of the one that turns, with equal sectors' ratios."""
+    joint, _ = planetary_of_three()
+    joint = dataclasses.replace(joint, output_torque=7.0 * way)
+    sizes = SectorSizes(np.zeros((3, 2)), np.ones((3, 2)), 5e7, np.array([[1.5, 2.0], [0.5, 3.0]]))
+    module, six, asked = "asperity.joint.planar.sector_states", jnp.ones(6), {}
+    state = SolvedState(
+        six, six, six, jnp.ones(3), jnp.ones(6), slides=jnp.array([0.0, 1.0, 0.0, 0.0, -1.0, 0.0])
+    )
+    loaded = SimpleNamespace(contacts=None, assembly=None)
+    ratios = SimpleNamespace(pressure_over_first_yield=six, slip_ratio=0.25 * six)
+    for name, fake in {
+        "contact_laws": lambda *_: None,
+        "drive_load": lambda *_: None,
+        "loaded_state": lambda **given: asked.update(given) or (None, state),
+        "_followed": lambda *given: (state, given[-1]),
+        "loaded_stiffness": lambda *_: loaded,
+        "diagnose": lambda **_: ratios,
+        "_turned": lambda *_: (six, six, six),
+        "_on_centre": lambda *_: six,
+        "_working_interference": lambda *_: six,
+        "_output_moments": lambda *_: six,
+        "creep_law": lambda joint, contacts, *forces: SimpleNamespace(law=forces),
+        "limiting_torques": lambda *_, **given: given,
+    }.items():
+        monkeypatch.setattr(f"{module}.{name}", fake)
+    found = sector_states(3, ("sun",), joint, sizes, state)
+    np.testing.assert_array_equal(found.limits["direction"], [way, way])
+    np.testing.assert_array_equal(found.limits["rolls"], [False, True])
+    np.testing.assert_array_equal(found.limits["at_first"], [True, False])
+    np.testing.assert_array_equal(found.slip_ratio, [[0.25, 1.0], [0.25, 0.25], [1.0, 0.25]])
+    assert float(found.most_torque) == np.inf
+    normal, tangential = jnp.arange(1.0, 7.0), jnp.arange(11.0, 17.0)
+    expected = [normal * np.tile([1.5, 2.0], 3), tangential * np.tile([0.5, 3.0], 3)]
+    np.testing.assert_allclose(found.limits["creep_of"](normal, tangential).law, expected, rtol=1e-12)
+    np.testing.assert_allclose(asked["creep_of"](normal, tangential), expected, rtol=1e-12)
+
+
+class SolvedState(eqx.Module):
+    """What is read of a state."""
+
+    normal: jax.Array
+    tangential: jax.Array
+    creepage: jax.Array
+    pin_force: jax.Array
+    speed: jax.Array
+    slides: jax.Array | None = None
