@@ -1,5 +1,6 @@
 """Commands that leave the sections [[branch]] out say so."""
 
+import json
 from pathlib import Path
 
 import pytest
@@ -36,6 +37,38 @@ def test_files_of_equal_branches_have_no_note(call):
     outcome = call("sensitivity", EXAMPLES / "planetary.toml", "--result", "none")
     assert outcome.code == 2
     assert "note" not in outcome.err
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("unequal", ["planetary"], indirect=True)
+def test_commands_of_the_files_own_branches_say_so(call, unequal):
+    """Three planets 2 um larger carry 13 N·m, and are an interference of 34 um; equal ones of 30 um carry 12.1 N·m."""
+    text = (EXAMPLES / "planetary.toml").read_text(encoding="utf-8")
+    stronger = text.replace('output_torque = "10 N*m"', 'output_torque = "13 N*m"')
+    harder = unequal.parent / "harder.toml"
+    harder.write_text(stronger.replace('interference = "30 um"', 'interference = "34 um"'), encoding="utf-8")
+    branches = '[[branch]]\nplanet_deviation = "2 um"\n\n' * 3
+    unequal.write_text(stronger.replace("[model]", f"{branches}[model]", 1), encoding="utf-8")
+    for command, keys in (
+        ("windup", ("windup_rad", "hysteresis_rad", "lost_motion_rad", "dissipated_energy_J")),
+        ("dynamics", ("stiffness_output_Nm_per_rad", "free_frequency_Hz", "corner_frequency_Hz")),
+    ):
+        own, equal = (call(command, file, "--json") for file in (unequal, harder))
+        assert (own.code, equal.code, equal.err) == (0, 0, "")
+        assert "the results are those of the branches of the file, [[branch]]" in own.err
+        found, expected = json.loads(own.out), json.loads(equal.out)
+        assert (found["of_own_branches"], expected["of_own_branches"]) == (True, False)
+        if command == "dynamics":
+            found, expected = found["at_torque"], expected["at_torque"]
+        for key in keys:
+            assert found[key] == pytest.approx(expected[key], rel=1e-8, abs=0.0), key
+        assert "of its own branches" in " ".join(call(command, unequal).out.split())
+    outcome = call("windup", unequal, "--torque", "14 N*m")
+    assert outcome.code == 2
+    assert (
+        "--torque: the output torque 14 N·m is beyond the torque capacity 13.78 N·m, at which contact sp_"
+        in outcome.err
+    )
 
 
 @pytest.mark.slow

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from asperity.contact.rolling_fatigue import BEARING_STEEL, line_contact_life
-from asperity.drive.rolling_speeds import WEDGE_DRIVE
+from asperity.drive.rolling_speeds import WEDGE_DRIVE, BodiesOfContacts
 from asperity.joint.rolling_life import cycle_rates, drive_lives, failure_shares, track_lives
 
 SLOPE = 10.0 / 9.0  # Lundberg and Palmgren 1947, line contact
@@ -93,3 +93,24 @@ def test_each_track_counts_its_own_stressed_volume():
             material_constant=BEARING_STEEL,
         )
         np.testing.assert_allclose(found[side], expected, rtol=1e-12)
+
+
+def test_contacts_of_all_branches_on_one_track_add_their_damage():
+    """Two branches, each a roller between a sun and a ring: Miner's rule on the tracks of both, Weibull over them."""
+    both = BodiesOfContacts(
+        ("sun", "ring", "roller_1", "roller_2"),
+        (True, True, False, False),
+        (0, 2, 0, 3),
+        (2, 1, 3, 1),
+        sectors=2,
+    )
+    tracks = np.array([[3.0, 5.0, 6.0, 7.0], [4.0, 9.0, 8.0, 18.0]])
+    found = drive_lives(bodies=both, tracks=jnp.asarray(tracks), planet_count=1.0)
+    sun, ring = 1.0 / (1.0 / 3.0 + 1.0 / 6.0), 1.0 / (1.0 / 9.0 + 1.0 / 18.0)
+    own = [life([sun]), life([ring]), life([4.0, 5.0]), life([8.0, 7.0])]
+    np.testing.assert_allclose(found.body, own, rtol=1e-12)
+    assert float(found.drive) == pytest.approx(life([sun, ring, 4.0, 5.0, 8.0, 7.0]), rel=1e-12)
+    shares = np.asarray(failure_shares(bodies=both, tracks=jnp.asarray(tracks), planet_count=1.0))
+    assert shares.sum() == pytest.approx(1.0, rel=1e-14)
+    # both contacts of the sun have half of its share
+    assert shares[0, 0] == shares[0, 2] == pytest.approx(0.5 * (float(found.drive) / sun) ** SLOPE, rel=1e-12)

@@ -11,7 +11,7 @@ from asperity.export.content import export_content, heading
 from asperity.export.targets import check_target, exported, write_exported
 from asperity.joint.results import LEVELS, known_result
 from asperity.joint.windup import StiffnessLevel
-from asperity.joint_file.planar_build import any_joint_from_case
+from asperity.joint_file.own_branches import with_own_branches
 from asperity.joint_file.section_build import inertias_from_case
 from asperity.unit_table import Dimension
 
@@ -58,7 +58,7 @@ def export_joint(
     largest = None if torque is None else si_number(torque, Dimension.TORQUE, name="torque")
     case = joint.case
     content = export_content(
-        any_joint_from_case(case),
+        with_own_branches(case),
         inertias=None if case.dynamics is None else inertias_from_case(case),
         source=Path(joint.source).name,
         largest_torque=largest,

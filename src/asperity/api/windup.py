@@ -21,7 +21,7 @@ from asperity.joint.windup_document import (
     windup_document,
     windup_onsets,
 )
-from asperity.joint_file.planar_build import any_joint_from_case
+from asperity.joint_file.own_branches import with_own_branches
 from asperity.unit_table import Dimension
 
 if TYPE_CHECKING:
@@ -90,7 +90,7 @@ def windup(
     require_joint(joint)
     known_result(level, among=LEVELS, what="level of the stiffness")
     largest = None if torque is None else si_number(torque, Dimension.TORQUE, name="torque")
-    described = any_joint_from_case(joint.case)
+    described = with_own_branches(joint.case)
     curve, solutions = examined_windup(described, largest_torque=largest, level=level, stage_shares=stages)
     onsets = windup_onsets(described, curve, solutions, creep_share=creep_share)
     document = windup_document(described, curve, solutions, onsets, level=level)

@@ -35,12 +35,12 @@ def dynamics(file: str, plot_file: str | None, csv_file: str | None, as_json: bo
     The section [dynamics] of FILE gives the inertias of motor and load. The joint is linear about its output torque.
     While it turns, creep acts as a damper in series with its spring.
     """
-    from asperity.cli.equal_branches import read_for_equal_branches
+    from asperity.cli.equal_branches import read_for_own_branches
 
     check_image(plot_file)
     check_file(csv_file, file)
-    case = read_for_equal_branches(file)
-    from asperity.joint_file.planar_build import any_joint_from_case
+    case = read_for_own_branches(file)
+    from asperity.joint_file.own_branches import with_own_branches
     from asperity.joint_file.section_build import inertias_from_case
     from asperity.precision import use_compilation_cache, use_double_precision
 
@@ -48,10 +48,12 @@ def dynamics(file: str, plot_file: str | None, csv_file: str | None, as_json: bo
     use_compilation_cache()
     from asperity.joint.dynamics import dynamics as solved_dynamics
     from asperity.joint.dynamics import dynamics_document, response_columns
+    from asperity.joint.either_kind import has_own_branches
 
     with about(file):
         inertias = inertias_from_case(case)
-        found = solved_dynamics(any_joint_from_case(case), inertias)
+        joint = with_own_branches(case)
+        found = solved_dynamics(joint, inertias)
     if csv_file:
         write_columns(response_columns(found), csv_file)
         say_written(csv_file)
@@ -61,7 +63,7 @@ def dynamics(file: str, plot_file: str | None, csv_file: str | None, as_json: bo
 
         write_image(dynamics_figure(found, title=f"{plain_title(file)} between motor and load"), plot_file)
         say_written(plot_file)
-    document = dynamics_document(found, inertias)
+    document = dynamics_document(found, inertias) | {"of_own_branches": has_own_branches(joint)}
     if as_json:
         import json
 
@@ -78,7 +80,7 @@ def _show(document: dict[str, Any], file: str, *, damped: bool) -> None:
 
     target = console()
     at = document["at_torque"]
-    target.print(escape(file))
+    target.print(escape(file) + (": of its own branches" if document["of_own_branches"] else ""))
     target.print()
     shown = table(target, f"At an output torque of {number(at['output_torque_Nm'])} N·m", "quantity", "value")
     shown.add_row(

@@ -1,4 +1,4 @@
-"""Commands whose results are those of equal branches say so where a joint file states others."""
+"""Commands say whose results theirs are where a joint file states branches of unlike sizes."""
 
 from __future__ import annotations
 
@@ -8,6 +8,8 @@ import click
 
 if TYPE_CHECKING:
     from asperity.joint_file.si_tables import AnyCase
+
+_ALSO = ", and where the drive is not the paper's in 'windup', 'roll', 'dynamics' and 'export'"
 
 
 def read_for_equal_branches(file: str) -> AnyCase:
@@ -27,9 +29,44 @@ def read_for_equal_branches(file: str) -> AnyCase:
 
     case = read_any_case(file)
     if case.branch is not None:
-        click.echo(
-            "asperity: note: the results are those of equal branches; [[branch]] counts in 'asperity joint', 'loads' "
-            "and 'report'",
-            err=True,
-        )
+        say_whose_branches(own=False)
     return case
+
+
+def read_for_own_branches(file: str) -> AnyCase:
+    """Read a joint file for a command whose results are those of its own branches, if its drive allows, and say so.
+
+    Parameters
+    ----------
+    file : str
+        The joint file.
+
+    Returns
+    -------
+    Case or PlanarCase
+        As read, for :func:`asperity.joint_file.own_branches.with_own_branches`.
+    """
+    from asperity.joint_file.planar_model import PlanarCase
+    from asperity.joint_file.reader import read_any_case
+
+    case = read_any_case(file)
+    if case.branch is not None:
+        say_whose_branches(own=isinstance(case, PlanarCase))
+    return case
+
+
+def say_whose_branches(*, own: bool) -> None:
+    """Say whose results follow.
+
+    Parameters
+    ----------
+    own : bool
+        Whether those of the file's own branches, or those of equal ones.
+    """
+    said = (
+        "the results are those of the branches of the file, [[branch]]; contacts and rollers have the number of theirs"
+        if own
+        else "the results are those of equal branches; [[branch]] counts in 'asperity joint', 'loads' and 'report'"
+        f"{_ALSO}"
+    )
+    click.echo(f"asperity: note: {said}", err=True)

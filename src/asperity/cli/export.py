@@ -50,12 +50,12 @@ def export(file: str, to: str, out: str, torque: str | None, level: str) -> None
     Every file states the stiffness and the drift, which are two regimes: the wind-up of a joint that stands comes back,
     the drift of a joint that turns does not.
     """
-    from asperity.cli.equal_branches import read_for_equal_branches
+    from asperity.cli.equal_branches import read_for_own_branches
     from asperity.errors import InputError
     from asperity.export.targets import check_target
 
     check_target(to, out, file)
-    case = read_for_equal_branches(file)
+    case = read_for_own_branches(file)
     from asperity.precision import use_compilation_cache, use_double_precision
     from asperity.units import Dimension, parse_quantity
 
@@ -67,13 +67,13 @@ def export(file: str, to: str, out: str, torque: str | None, level: str) -> None
     use_compilation_cache()
     from asperity.export.content import export_content, heading
     from asperity.export.targets import exported, write_exported
-    from asperity.joint_file.planar_build import any_joint_from_case
+    from asperity.joint_file.own_branches import with_own_branches
     from asperity.joint_file.section_build import inertias_from_case
 
     with about(file):
         try:
             content = export_content(
-                any_joint_from_case(case),
+                with_own_branches(case),
                 inertias=None if case.dynamics is None else inertias_from_case(case),
                 source=Path(file).name,
                 largest_torque=asked,

@@ -78,13 +78,13 @@ def windup(
     Stiffness holds for an input that stands. Once it turns under torque, the contacts creep and the output drifts:
     the second table says from which angle on, and by how much. 'asperity roll' has more on the drift.
     """
-    from asperity.cli.equal_branches import read_for_equal_branches
+    from asperity.cli.equal_branches import read_for_own_branches
     from asperity.errors import InputError
 
     check_file(csv_file, file)
     check_file(rolling_file, file)
     check_image(plot_file)
-    case = read_for_equal_branches(file)
+    case = read_for_own_branches(file)
     from asperity.precision import use_compilation_cache, use_double_precision
     from asperity.units import Dimension, parse_quantity
 
@@ -106,9 +106,10 @@ def windup(
         windup_document,
         windup_onsets,
     )
-    from asperity.joint_file.planar_build import any_joint_from_case
+    from asperity.joint_file.own_branches import with_own_branches
 
-    joint = any_joint_from_case(case)
+    with about(file):
+        joint = with_own_branches(case)
     source = "load.output_torque" if asked is None else "--torque"
     with about(file):
         try:
@@ -157,7 +158,8 @@ def _show(document: dict[str, Any], file: str) -> None:
         return format_quantity(document[key], "arcmin")
 
     target = console()
-    target.print(f"{file}: wind-up at the output, input locked, {document['level']} stiffness\n")
+    whose = ", of its own branches" if document["of_own_branches"] else ""
+    target.print(f"{file}: wind-up at the output, input locked, {document['level']} stiffness{whose}\n")
     same = math.isclose(document["windup_rad"], document["reverse_windup_rad"], rel_tol=1e-9)
     summary = table(target, "Figures", "quantity", "value")
     summary.add_row("torque capacity", capacity_text(document["torque_capacity"]))

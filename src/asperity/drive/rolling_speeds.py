@@ -29,12 +29,16 @@ class BodiesOfContacts(NamedTuple):
         Whether a body is one for all branches.
     driving, driven : tuple of int
         Places of the two bodies of each contact in the names.
+    sectors : int, optional
+        How many branches the contacts are listed of, one branch after the other: those of one kind pass over the same
+        track of a shared body.
     """
 
     names: tuple[str, ...]
     shared: tuple[bool, ...]
     driving: tuple[int, ...]
     driven: tuple[int, ...]
+    sectors: int = 1
 
 
 #: Bodies of the drive of Zou et al. 2025.

@@ -76,3 +76,19 @@ def unloaded_ratio(joint: AnyJoint) -> float:
     if isinstance(joint, PlanarJoint):
         return float(layout.speed_ratio(joint.drive))
     return float(geometry.speed_ratio(joint.geometry))
+
+
+def has_own_branches(joint: AnyJoint) -> bool:
+    """Whether a joint describes every branch by itself, because their sizes differ.
+
+    Parameters
+    ----------
+    joint : Joint or PlanarJoint
+        One joint.
+
+    Returns
+    -------
+    bool
+        False where all are equal.
+    """
+    return isinstance(joint, PlanarJoint) and joint.unlike is not None

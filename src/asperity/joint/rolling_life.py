@@ -6,6 +6,7 @@ from collections.abc import Sequence
 
 import equinox as eqx
 import jax.numpy as jnp
+import numpy as np
 from jax import Array
 
 from asperity.contact.crowned_line import CrownedLine
@@ -125,7 +126,10 @@ def drive_lives(*, bodies: BodiesOfContacts, tracks: Real, planet_count: Real) -
 
     .. math:: L = \Bigl(\sum_i L_i^{-e}\Bigr)^{-1/e}
 
-    over the tracks of one body, of one kind of contact, or of all n branches.
+    over the tracks of one body, of one kind of contact, or of all n branches. Where the contacts of all branches are
+    listed, those of one kind roll on one track of a body that all share, and their damage adds up before:
+
+    .. math:: \frac1L = \sum_b \frac1{L_b}
 
     Parameters
     ----------
@@ -146,7 +150,9 @@ def drive_lives(*, bodies: BodiesOfContacts, tracks: Real, planet_count: Real) -
     ----------
     G. Lundberg and A. Palmgren, Acta Polytechnica 7 (1947); equation (B8) of :doc:`/equations`.
     """
-    driving, driven = jnp.asarray(tracks) ** -WEIBULL_SLOPE  # (B8), once for each track
+    driving, driven = (
+        _on_shared_tracks(bodies, jnp.asarray(tracks)) ** -WEIBULL_SLOPE
+    )  # (B8), once for each track
     body = jnp.stack(
         [
             sum(
@@ -186,10 +192,22 @@ def failure_shares(*, bodies: BodiesOfContacts, tracks: Real, planet_count: Real
     Weibull lives of one slope: the hazards of the tracks are in this ratio at any time. Equation (B8) of
     :doc:`/equations`.
     """
-    lives = jnp.asarray(tracks)
+    lives = _on_shared_tracks(bodies, jnp.asarray(tracks))
     shortest = jnp.min(lives, axis=(0, 1))
     rates = (lives / shortest) ** -WEIBULL_SLOPE * _copies(bodies, planet_count, lives.shape[2:])
     return rates / jnp.sum(rates, axis=(0, 1))
+
+
+def _on_shared_tracks(bodies: BodiesOfContacts, tracks: Array) -> Array:
+    """Lives of tracks, of which those on a shared body together fail as the one on which all branches roll."""
+    if bodies.sectors == 1:
+        return tracks
+    apart = (2, bodies.sectors, -1, *tracks.shape[2:])
+    own = tracks.reshape(apart)
+    each = jnp.broadcast_to(1.0 / jnp.sum(1.0 / own, axis=1, keepdims=True), own.shape).reshape(tracks.shape)
+    shared = np.array([[bodies.shared[b] for b in side] for side in (bodies.driving, bodies.driven)])
+    shared = shared.reshape(*shared.shape, *(1,) * (tracks.ndim - 2))
+    return jnp.where(shared, each * bodies.sectors ** (1.0 / WEIBULL_SLOPE), tracks)
 
 
 def _copies(bodies: BodiesOfContacts, planet_count: Real, shape: tuple[int, ...]) -> Array:

@@ -8,7 +8,7 @@ import numpy as np
 
 from asperity.errors import InputError
 from asperity.joint.capacity import capacity_document
-from asperity.joint.either_kind import AnyJoint, AnySolution, solve_any, under_torque
+from asperity.joint.either_kind import AnyJoint, AnySolution, has_own_branches, solve_any, under_torque
 from asperity.joint.planar.document import planar_capacity_document
 from asperity.joint.planar.solve import PlanarSolution
 from asperity.joint.rolling_document import unknown_because
@@ -125,6 +125,7 @@ def windup_document(
     forward, reverse = solutions
     return {
         "level": level,
+        "of_own_branches": has_own_branches(joint),
         "torque_capacity": _capacity(*solutions),
         "largest_torque_Nm": float(curve.torque[-1]),
         "windup_rad": float(curve.angle[-1]),

@@ -68,7 +68,7 @@ def test_one_entry_for_all_or_one_each(planar_joint):
 
 def test_bodies_of_contacts(planar_joint):
     joint = planar_joint("multiroller")
-    bodies = bodies_of_contacts(joint.drive)
+    bodies = bodies_of_contacts(joint)
     assert bodies.names == ("sun", "first_row", "second_row", "ring")
     assert bodies.shared == (True, False, False, True)
     assert (bodies.driving, bodies.driven) == ((0, 1, 1, 2), (1, 2, 2, 3))

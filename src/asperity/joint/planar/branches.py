@@ -5,6 +5,7 @@ Every sector is described by itself and has the interference of its own sizes; t
 
 from __future__ import annotations
 
+import dataclasses
 import math
 from collections.abc import Callable
 from typing import Any
@@ -31,7 +32,7 @@ from asperity.joint.capacity import LIMIT_KINDS, TorqueCapacity, limit_words
 from asperity.joint.planar.description import PlanarJoint
 from asperity.joint.planar.sector_states import sector_states
 from asperity.joint.planar.solve import PlanarSolution
-from asperity.joint.planar.unfolding import SectorSizes, assembled_sectors, reference_force
+from asperity.joint.planar.unfolding import SectorSizes, assembled_sectors, reference_force, unfolded_joint
 from asperity.units import format_quantity
 
 _SAME = 1e-9  # relative change of the reference forces at which they are those without torque
@@ -90,6 +91,41 @@ class BranchedPlanarJoint:
         NoSolutionError
             If no balance was found.
         """
+        floating, given, rest = self._assembled(sizes)
+        found = self._run(sector_states, floating, given, rest)
+        return self._told(sizes, floating, found)
+
+    def unfolded(self, sizes: SectorDeviations) -> PlanarJoint:
+        """The joint with every sector by itself, for whatever takes a joint: wind-up, rolling, dynamics.
+
+        Parameters
+        ----------
+        sizes : SectorDeviations
+            One deviation for each sector.
+
+        Returns
+        -------
+        PlanarJoint
+            One sector with all bodies; contacts and rollers have the number of their sector behind their names. Its
+            laws are taken around the forces of these sectors without torque.
+
+        Raises
+        ------
+        InputError, NoSolutionError
+            As :meth:`branches`.
+
+        References
+        ----------
+        Equation (I4) of :doc:`/equations`.
+        """
+        floating, given, _ = self._assembled(sizes)
+        whole = unfolded_joint(self.joint, given, sectors=self.count, floating=floating)
+        rolling = dataclasses.replace(whole.rolling, duty=self.joint.rolling.duty)
+        numbers: PlanarJoint = jax.tree.map(np.asarray, dataclasses.replace(whole, rolling=rolling))
+        return numbers
+
+    def _assembled(self, sizes: SectorDeviations) -> tuple[tuple[str, ...], SectorSizes, PlanarState]:
+        """Names of what floats, the sizes and the state without torque of :meth:`_settled`; or a refusal."""
         if len(sizes.added) != self.count:
             raise InputError(
                 f"the drive has {self.count} {self.noun}s, got the sizes of {len(sizes.added)} branches"
@@ -99,9 +135,7 @@ class BranchedPlanarJoint:
         refuse_wide(own, float(np.mean(self._own_interference(np.zeros_like(sizes.added)))))
         if not floating and not any(contact.sector for contact in self.joint.drive.contacts):
             self._refuse_loose(own)
-        given, rest = self._settled(floating, sizes)
-        found = self._run(sector_states, floating, given, rest)
-        return self._told(sizes, floating, found)
+        return floating, *self._settled(floating, sizes)
 
     def _floating(self, sizes: SectorDeviations) -> tuple[str, ...]:
         """The input where its bearings give way."""

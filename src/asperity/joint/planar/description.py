@@ -73,11 +73,17 @@ class UnlikeSectors(eqx.Module):
         Normal forces without torque around which the laws of the contacts are taken, shape (contacts,) [N].
     support_stiffness : Array
         Radial stiffness of the bearings of each floating body, shape (floating,) [N/m].
+    central : tuple of str
+        Names of the bodies on the axis, over whose tracks the rollers of all sectors pass.
+    sectors : int
+        Number of sectors, whose contacts are listed one after the other.
     """
 
     added: Array
     reference_force: Array
     support_stiffness: Array
+    central: tuple[str, ...] = eqx.field(static=True)
+    sectors: int = eqx.field(static=True)
 
 
 class PlanarJoint(eqx.Module):
@@ -238,25 +244,29 @@ def places(drive: PlanarDrive) -> tuple[tuple[int, ...], tuple[int, ...]]:
     )
 
 
-def bodies_of_contacts(drive: PlanarDrive) -> BodiesOfContacts:
-    """Which bodies the contacts of one sector join.
+def bodies_of_contacts(joint: PlanarJoint) -> BodiesOfContacts:
+    """Which bodies the contacts of one sector join, or those of all sectors where they differ.
 
     Parameters
     ----------
-    drive : PlanarDrive
-        The drive.
+    joint : PlanarJoint
+        The joint.
 
     Returns
     -------
     BodiesOfContacts
         Bodies on the axis are shared by all sectors.
     """
+    drive, unlike = joint.drive, joint.unlike
     first, second = places(drive)
     return BodiesOfContacts(
         names=tuple(body.name for body in drive.bodies),
-        shared=tuple(body.place == "axis" for body in drive.bodies),
+        shared=tuple(
+            body.place == "axis" if unlike is None else body.name in unlike.central for body in drive.bodies
+        ),
         driving=first,
         driven=second,
+        sectors=1 if unlike is None else unlike.sectors,
     )
 
 

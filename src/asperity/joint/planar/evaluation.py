@@ -292,14 +292,14 @@ def planar_result(joint: PlanarJoint, laws: ContactLaws, states: DriveStates) ->
         rolling=with_duty_life(
             turning(joint, contacts, creep, rolling),
             conditions=joint.rolling,
-            bodies=bodies_of_contacts(drive),
+            bodies=bodies_of_contacts(joint),
             planet_count=jnp.asarray(drive.sectors),
             rolled=rolling_at(joint, contacts, Pressed(laws, states.rest)),
         ),
         contact_law_holds=stiffness.contact_law_holds,
         walls_hold=stiffness.walls_hold,
         solved=(standing.residual < STATE_TOLERANCE) & (rest.residual < STATE_TOLERANCE),
-        bodies=bodies_of_contacts(drive),
+        bodies=bodies_of_contacts(joint),
         contact_names=joint.contact_names,
         cam=cam,
     )

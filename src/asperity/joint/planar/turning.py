@@ -130,7 +130,7 @@ def turning(
         contacts=contacts,
         conditions=joint.rolling,
         materials=[(joint.materials[a], joint.materials[b]) for a, b in zip(first, second, strict=True)],
-        bodies=bodies_of_contacts(drive),
+        bodies=bodies_of_contacts(joint),
         branches=jnp.asarray(drive.sectors),
         creep=creep,
         state=state,

@@ -1,0 +1,55 @@
+"""The joint of a file with the sizes of its own branches, for whatever takes a joint."""
+
+from __future__ import annotations
+
+import dataclasses
+from typing import TYPE_CHECKING
+
+from asperity.joint_file.planar_build import (
+    any_joint_from_case,
+    branched_planar,
+    deviations_of,
+    planar_joint_from_case,
+)
+from asperity.joint_file.planar_model import PlanarCase
+from asperity.joint_file.si_tables import AnyCase, si_values
+
+if TYPE_CHECKING:
+    from asperity.joint.either_kind import AnyJoint
+
+
+def with_own_branches(case: AnyCase) -> AnyJoint:
+    """The joint of a file with its own branches, where they differ and its drive can be described so.
+
+    Parameters
+    ----------
+    case : Case or PlanarCase
+        The joint file.
+
+    Returns
+    -------
+    Joint or PlanarJoint
+        With sections ``[[branch]]`` in another drive than the paper's: every branch by itself, contacts and rollers
+        with its number behind their names. Otherwise the joint with equal branches.
+
+    Raises
+    ------
+    InputError
+        If the bodies do not fit, or the branches cannot be compared.
+    NoSolutionError
+        If no balance without torque was found.
+
+    References
+    ----------
+    Equation (I4) of :doc:`/equations`.
+    """
+    if case.branch is None or not isinstance(case, PlanarCase):
+        return any_joint_from_case(case)
+    from asperity.joint.planar.solve import solve_planar
+
+    joint = planar_joint_from_case(case)
+    free = dataclasses.replace(joint, output_torque=0.0)  # which equal branches carry, whatever its own do
+    branched = branched_planar(case, free, solve_planar(free))
+    assert branched is not None
+    unfolded = branched.unfolded(deviations_of(si_values(case)))
+    return dataclasses.replace(unfolded, output_torque=joint.output_torque)
