@@ -72,15 +72,68 @@ def test_commands_of_the_files_own_branches_say_so(call, unequal):
 
 
 @pytest.mark.slow
-def test_a_capacity_of_equal_branches_is_called_so(call, unequal):
+@pytest.mark.parametrize("unequal", ["planetary"], indirect=True)
+def test_what_rolls_is_what_the_branches_of_the_file_do_together(call, unequal, tmp_path):
+    """The same three planets; 2 and 1 um less than nominal, they would slip at less than equal ones."""
+    text = (EXAMPLES / "planetary.toml").read_text(encoding="utf-8")
+    stronger = text.replace('output_torque = "10 N*m"', 'output_torque = "13 N*m"')
+    harder = unequal.parent / "harder.toml"
+    harder.write_text(stronger.replace('interference = "30 um"', 'interference = "34 um"'), encoding="utf-8")
+    branches = '[[branch]]\nplanet_deviation = "2 um"\n\n' * 3
+    unequal.write_text(stronger.replace("[model]", f"{branches}[model]", 1), encoding="utf-8")
+    own, equal = (call("roll", file, "--json") for file in (unequal, harder))
+    assert (own.code, own.err, equal.code) == (0, "", 0)
+    found, expected = json.loads(own.out), json.loads(equal.out)
+    for key in ("drift_rad_per_output_turn", "efficiency", "speed_loss"):
+        assert found[key] == pytest.approx(expected[key], rel=1e-8), key
+        assert found["branches"]["turning"][key] == found[key]
+    shown = call("roll", unequal)
+    text = " ".join(shown.out.split())
+    assert shown.code == 0
+    assert "that of the worst branch 13.78 N·m" in text
+    assert "drift of 22.74 arcmin per output turn, losses of 8.732 W, efficiency 97.5 %, all of these" in text
+    outcome = call("roll", unequal, "--plot", tmp_path / "curves.svg")
+    assert outcome.code == 2
+    assert "--plot: the curves are those of equal branches, which do not carry this torque" in outcome.err
+
+
+@pytest.mark.slow
+def test_a_torque_beyond_all_branches_is_refused(call, unequal):
     unequal.write_text(
         unequal.read_text(encoding="utf-8").replace('output_torque = "', 'output_torque = "9', 1),
         encoding="utf-8",
     )
-    outcome = call("joint", unequal)
-    assert outcome.code == 2
-    assert "is beyond what the branches carry together" in outcome.err
-    outcome = call("roll", unequal)
-    assert outcome.code == 2
-    assert "is beyond the torque capacity" in outcome.err
-    assert "(for equal branches: [[branch]] does not count here)" in outcome.err
+    for command in ("joint", "roll"):
+        outcome = call(command, unequal)
+        assert outcome.code == 2
+        assert "is beyond what the branches carry together" in outcome.err
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("unequal", ["zou2025"], indirect=True)
+def test_the_papers_drive_rolls_with_its_own_branches(call, unequal):
+    """Planets 0.5, 0.4 and 0.2 um larger carry 14.2 N·m, equal ones of 13 um of interference 13.3."""
+    text = unequal.read_text(encoding="utf-8")
+    start, end = text.index("[[branch]]"), text.index("[model]")
+    larger = "".join(f'[[branch]]\nplanet_deviation = "{size} um"\n\n' for size in (0.5, 0.4, 0.2))
+    text = text[:start] + larger + text[end:]
+    unequal.write_text(
+        text.replace('output_torque = "5 N*m"', 'output_torque = "13.6 N*m"'), encoding="utf-8"
+    )
+    outcome = call("roll", unequal, "--json")
+    assert outcome.code == 0, outcome.err
+    found = json.loads(outcome.out)
+    assert found["branches"]["torque_capacity"]["equal_branches_Nm"] < 13.6
+    losses = found["losses_W"]
+    counted = sum(
+        losses[cause] for cause in ("creep", "skew", "hysteresis", "oil", "bearings") if losses[cause]
+    )
+    assert losses["total"] == pytest.approx(counted, rel=1e-9)
+    rolling = found["rolling"]
+    assert rolling["input_power_W"] == pytest.approx(rolling["output_power_W"] + losses["total"], rel=1e-9)
+    output = 13.6 * rolling["output_speed_rad_per_s"]
+    assert rolling["output_power_W"] == pytest.approx(output, rel=1e-9)
+    ideal = abs(found["forces"]["output_speed_rad_per_s"])
+    assert rolling["output_speed_rad_per_s"] == pytest.approx(ideal * (1.0 - found["speed_loss"]), rel=1e-6)
+    # the torque at the contacts of the sun is at least that of the output over the ratio
+    assert found["forces"]["input_torque_Nm"] >= 13.6 * (1.0 - 1e-9) / abs(found["geometry"]["speed_ratio"])

@@ -6,7 +6,7 @@ import math
 import numpy as np
 import pytest
 
-from asperity.errors import InputError
+from asperity.errors import InputError, NoSolutionError
 from asperity.joint.branch_limits import (
     branch_checks,
     capacity_words,
@@ -14,6 +14,7 @@ from asperity.joint.branch_limits import (
     least_life,
     pressed,
     refuse_beyond,
+    refuse_no_rolling_together,
 )
 
 SLIPS_EARLY = {"first_slip": 3.598, "branch": 2, "contact": 0}
@@ -114,3 +115,12 @@ def test_a_torque_beyond_what_all_branches_carry_is_refused(unequal_branches, wa
         refuse_beyond(found, way * 12.6)
     unknown = dataclasses.replace(found, capacity=dataclasses.replace(found.capacity, all_slip=math.nan))
     refuse_beyond(unknown, way * 1e9)  # no limit is known, so that none is crossed
+
+
+def test_branches_that_do_not_roll_are_refused(unequal_branches):
+    own = unequal_branches()
+    refuse_no_rolling_together(dataclasses.replace(own, rolling=own.standing))
+    with pytest.raises(
+        NoSolutionError, match=r"under 5 N·m: .* roll up to 8 N·m, at which contact sp of planet 2 slips"
+    ):
+        refuse_no_rolling_together(own)

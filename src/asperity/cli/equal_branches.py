@@ -9,7 +9,7 @@ import click
 if TYPE_CHECKING:
     from asperity.joint_file.si_tables import AnyCase
 
-_ALSO = ", and where the drive is not the paper's in 'windup', 'roll', 'dynamics' and 'export'"
+_ALSO = ", in other drives than the paper's also in 'windup', 'dynamics' and 'export'"
 
 
 def read_for_equal_branches(file: str) -> AnyCase:
@@ -66,7 +66,7 @@ def say_whose_branches(*, own: bool) -> None:
     said = (
         "the results are those of the branches of the file, [[branch]]; contacts and rollers have the number of theirs"
         if own
-        else "the results are those of equal branches; [[branch]] counts in 'asperity joint', 'loads' and 'report'"
-        f"{_ALSO}"
+        else "the results are those of equal branches; [[branch]] counts in 'asperity joint', 'loads', 'roll' "
+        f"and 'report'{_ALSO}"
     )
     click.echo(f"asperity: note: {said}", err=True)

@@ -12,6 +12,7 @@ from asperity.cli.terminal import say_written
 from asperity.writing import check_image, write_image
 
 if TYPE_CHECKING:
+    from asperity.joint.branch_results import UnequalBranches
     from asperity.joint.either_kind import AnyJoint
     from asperity.joint.evaluation import JointResult
     from asperity.joint.planar.evaluation import PlanarResult
@@ -35,13 +36,13 @@ def roll(file: str, plot_file: str | None, as_json: bool) -> None:
 
     Rollers that pass torque creep: the output falls behind with every turn, however stiff the joint is. The sections
     [rolling], [lubrication] and [[duty]] of FILE are optional; what they leave out is listed under 'Assumed'. The JSON
-    document is that of 'asperity joint'.
+    document is that of 'asperity joint'. With [[branch]] the last table says what all branches do together.
     """
-    from asperity.cli.equal_branches import read_for_equal_branches
     from asperity.joint_file.planar_model import PlanarCase
+    from asperity.joint_file.reader import read_any_case
 
     check_image(plot_file)
-    case = read_for_equal_branches(file)
+    case = read_any_case(file)
     from asperity.precision import use_compilation_cache, use_double_precision
 
     use_double_precision()
@@ -51,8 +52,10 @@ def roll(file: str, plot_file: str | None, as_json: bool) -> None:
         from asperity.joint_file.solved_document import solve_planar_case
 
         with about(file):
-            planar, found, _, document = solve_planar_case(case, branches=False)
-            refuse_planar_rolling(planar, found)
+            planar, found, branches, document = solve_planar_case(case)
+            if branches is None:
+                refuse_planar_rolling(planar, found)
+            _refuse_for_branches(branches, plot_file)
         if plot_file:
             _draw(planar, found.result, document, file, plot_file)
         _show(document, file, as_json)
@@ -61,13 +64,28 @@ def roll(file: str, plot_file: str | None, as_json: bool) -> None:
     from asperity.joint_file.solved_document import solve_case
 
     with about(file):
-        joint, solution, _, document = solve_case(
-            case, branches=False
-        )  # refuses a torque beyond the capacity
-        refuse_no_rolling(joint, solution, _capacity(document))
+        joint, solution, branches, document = solve_case(case)  # refuses a torque beyond the capacity
+        if branches is None:
+            refuse_no_rolling(joint, solution, _capacity(document))
+        _refuse_for_branches(branches, plot_file)
     if plot_file:
         _draw(joint, solution.result, document, file, plot_file)
     _show(document, file, as_json)
+
+
+def _refuse_for_branches(branches: UnequalBranches | None, plot_file: str | None) -> None:
+    """Refuse branches of unlike sizes that do not roll under the torque, and a picture that would be of equal ones."""
+    from asperity.errors import InputError
+    from asperity.joint.branch_limits import refuse_no_rolling_together
+
+    if branches is None:
+        return
+    refuse_no_rolling_together(branches)
+    if plot_file and branches.beyond_equal:
+        raise InputError(
+            "--plot: the curves are those of equal branches, which do not carry this torque; leave --plot out, or "
+            "lower the torque"
+        )
 
 
 def _capacity(document: dict[str, Any]) -> float:
@@ -103,3 +121,7 @@ def _show(document: dict[str, Any], file: str, as_json: bool) -> None:
     from asperity.cli.terminal import console
 
     show_rolling(console(), document, source=file)
+    if "branches" in document:
+        from asperity.cli.branch_table import show_branches
+
+        show_branches(console(), document["branches"])

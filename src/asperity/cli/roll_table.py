@@ -41,7 +41,7 @@ def show_rolling(target: Console, document: Document, *, source: str) -> None:
     _show_losses(target, document)
     _show_contacts(target, document)
     _show_surfaces(target, document["rolling"])
-    _show_thrust(target, document["rolling"])
+    _show_thrust(target, document)
     _show_life(target, document)
     show_warnings(target, document)
     show_assumptions(target, document)
@@ -77,6 +77,12 @@ def _show_output(target: Console, document: Document) -> None:
         "not limited" if capacity is None else in_unit(capacity, "N*m"),
         f"beyond, a contact slips; standing: {_standing_capacity(document)}",
     )
+    if "branches" in document:
+        shown.add_row(
+            "that of the worst branch",
+            in_unit(document["branches"]["rolling_torque_capacity"]["first_slip_Nm"], "N*m"),
+            "by its own size; the row above is that of equal branches",
+        )
     target.print(shown)
 
 
@@ -137,16 +143,17 @@ def _show_contacts(target: Console, document: Document) -> None:
     sliding = []
     for name, contact in document["rolling"]["contacts"].items():
         coefficient = friction[name] if isinstance(friction, dict) else friction
-        limit = coefficient * (1.0 - contact["capacity_loss"])
-        sliding += [name] if abs(contact["traction_coefficient"]) > limit else []
+        left, traction = contact["capacity_loss"], contact["traction_coefficient"]
+        limit = None if left is None else coefficient * (1.0 - left)
+        sliding += [name] if limit is not None and abs(traction or 0.0) > limit else []
         shown.add_row(
             name,
             scaled(contact["creepage"], 1e3),
             scaled(contact["creepage_share"], 1e2),
-            number(contact["traction_coefficient"]),
+            number(traction),
             number(limit),
             scaled(document["contacts"][name]["hertz_pressure_Pa"], 1e-6),
-            number(yields[name], 3),
+            number(yields.get(name), 3),
             number(contact["shakedown_ratio"], 3),
         )
     target.print(shown)
@@ -175,8 +182,11 @@ def _show_surfaces(target: Console, rolling: Document) -> None:
     target.print(shown)
 
 
-def _show_thrust(target: Console, rolling: Document) -> None:
-    if not any(contact["axial_force_N"] for contact in rolling["contacts"].values()):
+def _show_thrust(target: Console, document: Document) -> None:
+    rolling = document["rolling"]
+    axial = [contact["axial_force_N"] for contact in rolling["contacts"].values()]
+    skewed = (document["input"].get("rolling") or {}).get("skew")
+    if not any(axial) and not (skewed and None in axial):
         target.print("Axial thrust: none, the axes are parallel\n", style="bold")
         return
     for title, forces in (

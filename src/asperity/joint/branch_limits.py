@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from asperity.errors import InputError
+from asperity.errors import InputError, NoSolutionError
 from asperity.joint.branch_results import BranchCapacity, BranchState, UnequalBranches
 from asperity.joint.limit_check import LimitCheck
 from asperity.joint.results import RESULTS, Limit, Result
@@ -181,6 +181,30 @@ def refuse_beyond(found: UnequalBranches, output_torque: float) -> None:
             f"{format_quantity(most, 'N*m')}: all of them slip; lower the torque, state smaller deviations in "
             "[[branch]], or raise load.interference"
         )
+
+
+def refuse_no_rolling_together(found: UnequalBranches) -> None:
+    """Refuse branches that do not roll steadily under the joint's torque.
+
+    Parameters
+    ----------
+    found : UnequalBranches
+        The branches of a joint.
+
+    Raises
+    ------
+    NoSolutionError
+        With the torque up to which they roll.
+    """
+    if found.rolling is not None:
+        return
+    capacity = found.rolling_capacity
+    raise NoSolutionError(
+        f"no steady rolling under {format_quantity(found.torque, 'N*m')}: the branches of the file, [[branch]], roll "
+        f"up to {format_quantity(capacity.first_slip, 'N*m')}, at which contact {capacity.contact_name} of "
+        f"{found.noun} {capacity.branch + 1} {capacity.event}; lower the torque, state smaller deviations, or raise "
+        "load.interference"
+    )
 
 
 def equal_branches_note(found: UnequalBranches) -> str:
