@@ -5,7 +5,6 @@ from pathlib import Path
 
 import pytest
 
-from asperity.joint.branch_results import NO_EQUAL_WINDUP
 from asperity.joint_file.reader import parse_any_case, parse_case
 from asperity.report.content import Heading, Listing, Paragraph, Picture, Table
 from asperity.report.html import report_html
@@ -113,6 +112,8 @@ def test_unequal_branches_have_tables_of_their_own():
     text = file.read_text(encoding="utf-8").replace('preload = "1000 N"', 'interference = "13 um"')
     report = report_of(text + branches)
     assert "Branches by their own sizes" in report.sections
+    place = report.blocks.index(Heading("Wind-up"))
+    assert report.blocks[place + 1].text == "The wind-up is that of equal branches."
     assert [row[1] for row in tables(report)["Branches"].rows] == ["1", "0", "-1"]
     assert "planet 1 is pressed" in report_html(report)
     summary = dict(tables(report)["Summary"].rows)
@@ -137,5 +138,8 @@ def test_a_torque_that_only_the_branches_of_the_file_carry():
     said = [block.text for block in report.blocks if isinstance(block, Paragraph)]
     assert any("This holds for the branches that the file states" in text for text in said)
     place = report.blocks.index(Heading("Wind-up"))
-    assert report.blocks[place + 1].text == f"No wind-up: {NO_EQUAL_WINDUP}."
+    assert report.blocks[place + 1].text == "The wind-up is that of the branches of the file, [[branch]]."
+    assert any(each.startswith("Torque and angle") for each in captions)
+    (angle,) = [row[1] for row in tables(report)["Wind-up"].rows if row[0].startswith("angle at plus")]
+    assert angle == "0.05753 arcmin"  # as with an interference of 34 um
     assert "nan" not in report_html(report)

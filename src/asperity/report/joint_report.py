@@ -13,7 +13,7 @@ from typing import Any
 import asperity
 from asperity.errors import AsperityError
 from asperity.joint.branch_results import NO_EQUAL_WINDUP
-from asperity.joint.either_kind import AnyJoint
+from asperity.joint.either_kind import AnyJoint, has_own_branches
 from asperity.joint.loads_document import load_cases, loads_document
 from asperity.joint.margins import margins
 from asperity.joint.measured_surface import stiffness_interval
@@ -26,7 +26,9 @@ from asperity.joint.windup import Windup
 from asperity.joint.windup_document import examined_windup, windup_document, windup_onsets
 from asperity.joint_file.drawn_surface import drawn_interval
 from asperity.joint_file.model import Case
+from asperity.joint_file.own_branches import with_own_branches
 from asperity.joint_file.planar_model import PlanarCase
+from asperity.joint_file.si_tables import AnyCase
 from asperity.joint_file.solved_document import solve_case, solve_planar_case
 from asperity.report import limit_tables, load_tables, result_tables, rolling_tables, surface_tables
 from asperity.report.branch_tables import branch_tables, equal_branches
@@ -94,7 +96,7 @@ def joint_report(source: ReportSource) -> Report:
     case = source.case
     parts = _planar_parts(source, case) if isinstance(case, PlanarCase) else _papers_parts(source, case)
     document, solved = parts.document, parts.solved
-    found = _examined(parts.joint, solved, document)
+    found = _examined(parts.joint, solved, document, case)
     pictures = report_pictures(
         parts.joint,
         solved,
@@ -133,7 +135,7 @@ def joint_report(source: ReportSource) -> Report:
         Heading("Warnings"),
         *limit_tables.warnings(document),
         Heading("Wind-up"),
-        *_windup(found, pictures),
+        *_windup(document, found, pictures),
         Heading("The joint in rolling"),
         *_rolling(document, found, pictures),
         *study_sections(source.studies),
@@ -194,12 +196,14 @@ class _Examined:
     rolling_capacity: float
 
 
-def _examined(joint: AnyJoint, solved: SolvedJoint, document: dict[str, Any]) -> _Examined:
+def _examined(joint: AnyJoint, solved: SolvedJoint, document: dict[str, Any], case: AnyCase) -> _Examined:
     capacity = document["rolling"]["torque_capacity_Nm"]
     capacity = math.inf if capacity is None else float(capacity)
-    if solved.no_equal_state:
-        return _Examined(None, None, None, NO_EQUAL_WINDUP, capacity)
     try:
+        if solved.branches is not None:
+            joint = with_own_branches(case)
+            if solved.no_equal_state and not has_own_branches(joint):
+                return _Examined(None, None, None, NO_EQUAL_WINDUP, capacity)
         curve, both = examined_windup(joint, largest_torque=None, level="assembly")
     except AsperityError as error:
         return _Examined(None, None, None, str(error), capacity)
@@ -229,10 +233,17 @@ def _summary(document: dict[str, Any], solved: SolvedJoint) -> Iterator[Block]:
     yield from limit_tables.doubts(required)
 
 
-def _windup(found: _Examined, pictures: dict[str, str]) -> Iterator[Block]:
+def _windup(document: dict[str, Any], found: _Examined, pictures: dict[str, str]) -> Iterator[Block]:
     if found.windup_figures is None:
         yield Paragraph(f"No wind-up: {found.no_windup}.")
         return
+    if "branches" in document:
+        whose = (
+            "the branches of the file, [[branch]]"
+            if found.windup_figures["of_own_branches"]
+            else "equal branches"
+        )
+        yield Paragraph(f"The wind-up is that of {whose}.")
     yield from result_tables.windup(found.windup_figures)
     turning = "" if found.onset is None else "; the joint that turns under the largest torque"
     yield Picture(f"Torque and angle, deviation from a straight line, stiffness{turning}", pictures["windup"])
