@@ -5,7 +5,7 @@ import pytest
 
 from asperity.errors import InputError
 from asperity.joint.status import ALL_PLASTIC, SLIPS, flag_attributes
-from asperity.study.sweep.sweep_map import MapLimit, limits_of_the_model, parse_limit
+from asperity.study.sweep.sweep_map import MapLimit, _levels, limits_of_the_model, parse_limit
 from asperity.study.sweep.sweep_plot import sweep_figure
 
 xarray = pytest.importorskip("xarray", reason="the extra 'study' is not installed")
@@ -94,3 +94,24 @@ def test_limits_have_units():
 def test_a_limit_has_the_words_of_the_drive_that_was_swept(swept):
     assert parse_limit("slip_ratio<0.2").text_of(swept) == "friction used ≤ 0.2"
     assert parse_limit("slip_ratio>=0.2").text_of(swept) == "friction used ≥ 0.2"
+
+
+@pytest.mark.parametrize(
+    ("low", "high", "expected"),
+    [
+        (1.5, 800.0, [1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0, 200.0, 500.0, 1000.0]),
+        (1.5, 8e8, [1.0, *(step * 10.0**k for k in range(9) for step in (3.0, 10.0))]),
+        (1.5, 8e14, [10.0**k for k in range(16)]),
+        (100.0, 2500.0, None),  # even steps: not thirty times as much
+    ],
+)
+def test_levels_are_round_and_enclose_all_values(low, high, expected):
+    """Steps of 1, 2, 5, or 1, 3, or 1 of each decade, so that there are at most 18 between the ends."""
+    found = _levels(np.array([low, high, 0.5 * (low + high)]))
+    if expected is not None:
+        assert found == pytest.approx(expected, rel=1e-12)
+    assert found[0] <= low
+    assert found[1] > low
+    assert found[-1] >= high
+    assert found[-2] < high
+    assert np.all(np.diff(found, 2) == 0.0) == (expected is None)

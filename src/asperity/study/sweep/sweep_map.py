@@ -189,7 +189,8 @@ def _levels(known: np.ndarray) -> np.ndarray:
     low, high = float(known.min()), float(known.max())
     if low > 0.0 and high > _LOG_RATIO * low:
         for steps in ((1.0, 2.0, 5.0), (1.0, 3.0), (1.0,)):
-            found = np.asarray(LogLocator(subs=steps, numticks=200).tick_values(low, high))
+            # the locator leaves out what lies within the last decade but above all values
+            found = np.asarray(LogLocator(subs=steps, numticks=200).tick_values(0.1 * low, 10.0 * high))
             inner = found[(found > low) & (found < high)]
             if inner.size <= 2 * _LEVELS:
                 below, above = found[found <= low], found[found >= high]
