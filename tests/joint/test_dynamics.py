@@ -3,13 +3,15 @@
 import dataclasses
 import json
 import math
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
 
 from asperity.errors import AsperityError
-from asperity.joint.dynamics import Inertias, dynamics, dynamics_document, response_columns
+from asperity.joint.dynamics import Inertias, _planar_dynamics, dynamics, dynamics_document, response_columns
 from asperity.joint.solve import solve
+from asperity.joint_file.planar_build import any_joint_from_case
 
 COUPLED = Inertias(2e-6, 0.05, 0.02)
 
@@ -68,6 +70,43 @@ def test_over_torque_up_to_nearly_the_capacity(paper_joint, found):
     assert np.all(np.diff(over.locked_frequency) < 0.0)
     reverse = dynamics(dataclasses.replace(paper_joint(), output_torque=np.asarray(-5.0)), COUPLED)
     assert reverse.over_torque.output_torque[-1] < 0.0
+
+
+@pytest.mark.parametrize(
+    ("torque", "limit", "largest"), [(5.0, 10.0, 9.8), (-5.0, 10.0, -6.86), (5.0, math.inf, 5.0)]
+)
+def test_the_axis_ends_below_the_capacity_in_the_sense_of_the_torque(
+    paper_joint, monkeypatch, torque, limit, largest
+):
+    """At 98 % of 10 N·m forwards or of 7 N·m backwards, or at the torque itself."""
+    limits = {"capacity": limit, "reverse_capacity": 7.0}
+    known = {name: SimpleNamespace(output_torque=value) for name, value in limits.items()}
+    solution = SimpleNamespace(result=solve(paper_joint()).result, **known)
+    monkeypatch.setattr("asperity.joint.dynamics.solve_any", lambda joint: solution)
+    found = dynamics(paper_joint(output_torque=torque), COUPLED)
+    assert float(found.over_torque.output_torque[-1]) == pytest.approx(largest, rel=1e-12)
+    assert float(found.at_torque.output_torque) == torque
+
+
+def test_another_drive_creeps_by_its_lost_speed_at_the_output(planar_case, monkeypatch):
+    """A share of 2e-3 and 0 of 1500 rpm over 6 for each N·m; nan where a contact slips, infinite without creep."""
+    made_up = SimpleNamespace(
+        solved=np.array([True, True, False]),
+        assembly=np.array([[9000.0, 1.0], [8000.0, 1.0], [7000.0, 1.0]]),
+        lost_speed_slope=np.array([2e-3, 0.0, 2e-3]),
+    )
+    monkeypatch.setattr("asperity.joint.dynamics.over_torque", lambda *_, **__: made_up)
+    monkeypatch.setattr("asperity.joint.dynamics.body_inertias", lambda _: (1e-6, 0.01))
+    found = _planar_dynamics(
+        any_joint_from_case(planar_case("planetary")), COUPLED, np.array([1.0, 2.0, 3.0])
+    )
+    lost = 2e-3 * 1500.0 * math.pi / 30.0 / 6.0
+    np.testing.assert_allclose(found.creep_damping, [1.0 / lost, math.inf, 1.0 / lost], rtol=1e-12)
+    np.testing.assert_allclose(found.stiffness, [9000.0, 8000.0, math.nan], rtol=1e-12)
+    corner = 9000.0 * lost / (2.0 * math.pi)
+    np.testing.assert_allclose(found.corner_frequency, [corner, 0.0, math.nan], rtol=1e-12)
+    np.testing.assert_allclose(found.input_inertia, 36.0 * (2e-6 + 1e-6), rtol=1e-12)
+    np.testing.assert_allclose(found.output_inertia, 0.05 + 0.01, rtol=1e-12)
 
 
 def test_columns_and_document(found):
