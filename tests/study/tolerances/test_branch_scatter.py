@@ -9,7 +9,7 @@ import pytest
 
 from asperity.drive.geometry import triangle
 from asperity.drive.mechanism import rest_state
-from asperity.errors import InputError
+from asperity.errors import InputError, NoSolutionError
 from asperity.joint_file.reader import parse_case
 from asperity.study.tolerances import branch_scatter as module
 from asperity.study.tolerances.branch_scatter import branch_scatter, sector_scatter
@@ -79,6 +79,44 @@ def test_the_ring_is_common_to_all(scattered):
     assert found.first_slip.min() == pytest.approx(11.0, abs=0.05)
     assert found.first_slip.max() == pytest.approx(15.0, abs=0.05)
     assert found.largest_share == pytest.approx(np.full(400, 1.0 / 3.0))
+
+
+def test_a_larger_ring_takes_interference_from_all_and_its_own_deviation_adds(scattered, monkeypatch):
+    """All at the upper ends of their tolerances: 13 + 1 um of interference, less the 2 um of the ring's radius."""
+    monkeypatch.setattr(
+        module, "quantiles", lambda entry, _, shares: np.full(shares.shape, entry.value + entry.tolerance)
+    )
+    found = scattered(
+        ('interference = "13 um"', 'interference = "13 um +- 1 um, uniform"'),
+        ('ring_radius = "40 mm"', 'ring_radius = "40 mm +- 2 um, uniform"'),
+        ('loading_roller_radius = "5 mm"', 'loading_roller_radius = "5 mm +- 1e-6 um, uniform"'),
+        draws=2,
+    )
+    assert found.first_slip == pytest.approx([12.0, 12.0], rel=1e-4)
+    assert found.all_slip == pytest.approx([12.0, 12.0], rel=1e-4)
+
+
+def test_draws_without_a_balance_and_with_loose_branches_are_told_apart(scattered, monkeypatch):
+    """Of four draws one finds no balance, and in one every branch is loose, which holds nothing."""
+    raised, plain = (
+        iter([NoSolutionError("none"), None, InputError("every branch is loose"), None]),
+        Drive.branches,
+    )
+
+    def branches(drive, sizes, *, slip):
+        error = next(raised)
+        if error is not None:
+            raise error
+        return plain(drive, sizes, slip=slip)
+
+    monkeypatch.setattr(Drive, "branches", branches)
+    found = scattered(LOOSE, draws=4)
+    assert np.isnan(found.first_slip).tolist() == [True, False, False, False]
+    assert np.isnan(found.sun_force).tolist() == [True, False, False, False]
+    assert found.loose.tolist() == [False, False, True, False]
+    assert (found.first_slip[2], found.all_slip[2]) == (0.0, 0.0)
+    told = found.document()
+    assert (told["share_with_a_loose_branch"], told["share_without_a_balance"]) == (0.25, 0.25)
 
 
 def test_the_document_states_quantiles(scattered):
