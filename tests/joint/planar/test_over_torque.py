@@ -1,14 +1,18 @@
 """A planar drive that stands under torques: the stiffness of its solution, no loop without slip, the paper's drive."""
 
 import dataclasses
+from types import SimpleNamespace
 
+import jax.numpy as jnp
 import numpy as np
 import pytest
 
 from asperity.joint.both_senses import both_senses
 from asperity.joint.dynamics import Inertias, dynamics
 from asperity.joint.either_kind import under_torque
+from asperity.joint.planar.description import planar_contacts
 from asperity.joint.planar.inertias import planar_inertias
+from asperity.joint.planar.over_torque import _standing
 from asperity.joint.planar.solve import solve_planar
 from asperity.joint.play import Play
 from asperity.joint.rolling_onset import rolling_onset
@@ -109,6 +113,34 @@ def test_both_senses_of_rotation(joint):
     np.testing.assert_allclose(found.driving_drift, [-drift, drift], rtol=1e-6)
     np.testing.assert_allclose(found.braking_drift, found.driving_drift, rtol=3e-3)
     assert np.all(np.abs(found.braking_drift) < np.abs(found.driving_drift))
+
+
+def test_a_contact_that_slides_uses_all_its_friction(joint, monkeypatch):
+    """mu = 0.08: 120 of 240 N, and 1 where a contact slides; without slip no contact slides."""
+
+    def stiffness(joint, contacts, normal, tangential, slides):
+        level = SimpleNamespace(output=jnp.sum(jnp.abs(slides)) + contacts.pairs.friction_coefficient[0])
+        return SimpleNamespace(
+            published=level, series_with_bulk=level, assembly=SimpleNamespace(stiffness=level)
+        )
+
+    monkeypatch.setattr("asperity.joint.planar.over_torque.loaded_stiffness", stiffness)
+    for worst, residual, balanced, solved in (
+        (1e-12, np.inf, True, False),
+        (1e-12, 1e-12, True, True),
+        (1.0, 1.0, False, False),
+    ):
+        state = SimpleNamespace(
+            normal=jnp.array([3000.0, 3000.0]),
+            tangential=jnp.array([-120.0, 239.0]),
+            slides=jnp.array([0.0, 1.0]),
+            worst=jnp.array(worst),
+            residual=jnp.array(residual),
+        )
+        found = _standing(joint, planar_contacts(joint), 1e30, state, None)
+        np.testing.assert_allclose(found.slip_ratio, [0.5, 1.0], rtol=1e-12)
+        np.testing.assert_allclose(found.assembly, [1.08, 1e30], rtol=1e-12)
+        assert (bool(found.balanced), bool(found.solved)) == (balanced, solved)
 
 
 @pytest.mark.slow
