@@ -359,3 +359,13 @@ def test_a_joint_that_cannot_exist_is_no_design(known):
     """At 50 N·m the contact slips up to 2500 N."""
     with pytest.raises(NoSolutionError, match=r"1\.562.* at 50 N·m, allowed is at most 1"):
         known(Constraint("slip_ratio", True, 0.8, (0, 1)), torques=(50.0,))
+
+
+def test_a_limit_is_missed_by_a_share_of_itself_or_where_it_is_zero_by_what_lacks(evaluator):
+    """200 N on 5 mm: 0.4 GPa are twice the limit, the clearance is 0.1 mm below none; 50 M/P = 1.25 keeps 1.5."""
+    limits = (("hertz_pressure", True, 2e8), ("clearance", False, 0.0), ("slip_ratio", True, 1.5))
+    make = evaluator((Objective("mass", 1.0),), [Constraint(*limit, (0, 1)) for limit in limits])
+    found = make(make.scaled({"load.preload": 200.0, "drive.contact_length": 5e-3}))
+    reports = module._limits(make, found, np.zeros(len(make.rows)))
+    assert [report.missed_by for report in reports] == pytest.approx([1.0, 1e-4, 0.0], rel=1e-9)
+    assert [report.value for report in reports] == pytest.approx([4e8, -1e-4, 1.25], rel=1e-9)
