@@ -3,7 +3,7 @@ import numpy as np
 import pytest
 
 from asperity import compilation
-from asperity.compilation import call_compiled, compile_fast
+from asperity.compilation import call_compiled, called_programs, compile_fast
 
 
 def _twice(numbers):
@@ -111,3 +111,25 @@ def test_a_call_is_compiled_where_the_numbers_are_known():
     assert isinstance(called["e"], np.ndarray)
     assert called["e"] == 3.0
     assert jax.grad(lambda x: call_compiled(_twice, {"e": x})["e"])(1.5) == 2.0
+
+
+def test_a_program_compiled_again_computes_the_same_and_serves_the_calls_that_follow():
+    numbers = {"i": np.linspace(0.0, 3.0, 7)}
+    program = compile_fast(_twice, numbers)
+    before = program(numbers)["i"]
+    program.compile_again()
+    assert program._again is not None
+    np.testing.assert_array_equal(program(numbers)["i"], 2.0 * numbers["i"])  # doubling is exact
+    np.testing.assert_array_equal(before, 2.0 * numbers["i"])
+    again = program._again
+    program.compile_again()
+    assert program._again is again
+
+
+def test_the_programs_called_in_a_block_are_known():
+    one, other = compile_fast(_twice, {"j": np.zeros(2)}), compile_fast(_twice, {"j": np.zeros(3)})
+    with called_programs() as called:
+        one({"j": np.zeros(2)})
+        one({"j": np.ones(2)})
+    other({"j": np.zeros(3)})
+    assert called == {one}

@@ -7,6 +7,7 @@ everything is computed in SI units and double precision. The rooms below (``aspe
 :func:`asperity.precision.use_double_precision` first.
 """
 
+import functools
 import importlib
 from typing import TYPE_CHECKING, Any
 
@@ -53,6 +54,11 @@ def __getattr__(name: str) -> Any:
         return importlib.import_module("asperity.errors")
     if name != "__version__":
         raise AttributeError(f"module 'asperity' has no attribute '{name}'")
+    return _version()
+
+
+@functools.cache
+def _version() -> str:
     from importlib.metadata import PackageNotFoundError, version
 
     try:

@@ -7,6 +7,9 @@ name is formed from the source code and the versions that it depends on. The nex
 
 XLA compiles in threads of its own while Python goes on: the next program is traced meanwhile, and a call of one that
 is not ready waits for it.
+
+A process that calls the same programs again and again can have them compiled a second time, with the optimisations
+(:meth:`Program.compile_again`): they then run two to four times as fast.
 """
 
 from __future__ import annotations
@@ -22,6 +25,7 @@ import platform
 import sys
 from collections.abc import Callable, Iterator
 from concurrent.futures import Future, ThreadPoolExecutor
+from contextvars import ContextVar
 from importlib.metadata import version
 from pathlib import Path
 from typing import Any
@@ -44,6 +48,9 @@ _COMPILE_FAST: tuple[dict[str, Any], ...] = (
     {},
 )
 
+#: The same with the optimisations of the machine code: two to four times as long to compile, and as much faster.
+_RUN_FAST = (*({**options, "xla_backend_optimization_level": 1} for options in _COMPILE_FAST[:-1]), {})
+
 _Kinds = tuple[tuple[tuple[int, ...], np.dtype[Any]], ...]
 
 
@@ -54,22 +61,69 @@ class Program:
     ----------
     compiled : Future
         What XLA makes of it.
+    lowered : object
+        What XLA is given.
     results : object
         What it returns, each leaf with its ``shape`` and ``dtype``.
     flat : bool
         Whether the compiled function takes the list of the leaves, and returns those of ``results``.
     """
 
-    def __init__(self, compiled: Future[Callable[..., Any]], results: Any, *, flat: bool) -> None:
+    def __init__(
+        self, compiled: Future[Callable[..., Any]], lowered: Any, results: Any, *, flat: bool
+    ) -> None:
         self.results = results
-        self._compiled, self._flat = compiled, flat
+        self._compiled, self._lowered, self._flat = compiled, lowered, flat
+        self._again: Callable[..., Any] | None = None
+
+    def compile_again(self) -> None:
+        """Compile it once more, to run faster, and let later calls use that; nothing where this was done before.
+
+        Notes
+        -----
+        XLA rounds differently in what it optimises: results change in their last digits.
+        """
+        lowered, self._lowered = self._lowered, None
+        if lowered is not None:
+            self._again = _built(lowered, _RUN_FAST)
 
     def __call__(self, *arguments: Any) -> Any:
         """The results for arguments of the structure and shapes that it was compiled for."""
-        call = self._compiled.result()
+        called = _CALLED.get()
+        if called is not None:
+            called.add(self)
+        call = self._again or self._compiled.result()
         if not self._flat:
             return call(*arguments)
         return jax.tree.unflatten(jax.tree.structure(self.results), call(jax.tree.leaves(arguments)))
+
+
+#: The programs that are called in a block of :func:`called_programs`.
+_CALLED: ContextVar[set[Program] | None] = ContextVar("called programs", default=None)
+
+
+@contextlib.contextmanager
+def called_programs() -> Iterator[set[Program]]:
+    """The programs that this thread calls within a block.
+
+    Yields
+    ------
+    set of Program
+        Filled as they are called.
+
+    Examples
+    --------
+    >>> with called_programs() as called:
+    ...     four = call_compiled(jnp.square, 2.0)
+    >>> len(called)
+    1
+    """
+    called: set[Program] = set()
+    before = _CALLED.set(called)
+    try:
+        yield called
+    finally:
+        _CALLED.reset(before)
 
 
 def compile_fast(function: Callable[..., Any], *arguments: Any, options: tuple[Any, ...] = ()) -> Program:
@@ -145,7 +199,8 @@ def _compiled(
         else:
             program, results = kept
             lowered = jax.jit(program).lower(shapes)
-    return Program(_compilers().submit(_built, lowered), results, flat=kept is not None)
+    compiled = _compilers().submit(_built, lowered, _COMPILE_FAST)
+    return Program(compiled, lowered, results, flat=kept is not None)
 
 
 @contextlib.contextmanager
@@ -160,8 +215,9 @@ def _without_garbage_collection() -> Iterator[None]:
             gc.enable()
 
 
-def _built(lowered: Any) -> Callable[..., Any]:
-    *preferred, last = _COMPILE_FAST
+def _built(lowered: Any, choices: tuple[dict[str, Any], ...]) -> Callable[..., Any]:
+    """Compiled with the first of some options that this release of XLA knows."""
+    *preferred, last = choices
     for options in preferred:
         try:
             return lowered.compile(compiler_options=options)

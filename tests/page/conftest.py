@@ -11,6 +11,11 @@ from pathlib import Path
 import pytest
 
 ROOT = Path(__file__).parents[2]
+# without the second compilation of its programs: a minute beside the tests that would gain them nothing
+PROGRAM = (
+    "from asperity.page.computation import FasterPrograms; FasterPrograms.add = lambda self, programs: None; "
+    "from asperity.cli import main; main()"
+)
 
 
 class Served:
@@ -21,7 +26,7 @@ class Served:
             [
                 sys.executable,
                 "-c",
-                "from asperity.cli import main; main()",
+                PROGRAM,
                 "serve",
                 str(file),
                 "--port",

@@ -139,9 +139,10 @@ def test_undo_redo_and_back_to_the_file(page):
 
 
 def test_a_link_shows_the_same_joint(page, chromium):
-    write(page, "load.preload", "1234 N")
     page.wait_for_function("location.hash.startsWith('#joint=')")
-    page.wait_for_timeout(300)
+    before = page.url
+    write(page, "load.preload", "1234 N")
+    page.wait_for_function("before => location.href !== before", arg=before)
     other = chromium.new_page()
     other.goto(page.url)
     other.wait_for_selector("html[data-state=ready]", timeout=60_000)

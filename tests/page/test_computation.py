@@ -5,7 +5,14 @@ import threading
 
 import pytest
 
-from asperity.page.computation import MOST_KEPT, MOST_WAITING, BusyError, Computations, KeptAnswers
+from asperity.page.computation import (
+    MOST_KEPT,
+    MOST_WAITING,
+    BusyError,
+    Computations,
+    FasterPrograms,
+    KeptAnswers,
+)
 
 
 @pytest.fixture
@@ -57,3 +64,38 @@ def test_the_oldest_answers_are_forgotten():
     assert kept.get("0") is None
     assert kept.get("1") == 1
     assert kept.get(str(MOST_KEPT)) == MOST_KEPT
+
+
+class Slow:
+    """A program that is compiled again when it is told to go on."""
+
+    def __init__(self):
+        self.count, self.hold = 0, threading.Event()
+
+    def compile_again(self):
+        self.hold.wait(10.0)
+        self.count += 1
+
+
+def test_each_program_is_compiled_again_once():
+    faster, one, other = FasterPrograms(), Slow(), Slow()
+    assert faster.idle
+    faster.add({one})
+    faster.add({one, other})
+    assert not faster.idle
+    for each in (one, other):
+        each.hold.set()
+    faster._pool.shutdown(wait=True)
+    assert faster.idle
+    assert (one.count, other.count) == (1, 1)
+
+
+def test_what_waits_to_be_compiled_again_is_dropped_at_the_end():
+    faster, one, other = FasterPrograms(), Slow(), Slow()
+    faster.add({one})
+    faster.add({other})
+    faster.close()
+    one.hold.set()
+    faster._pool.shutdown(wait=True)
+    assert faster.idle
+    assert (one.count, other.count) == (1, 0)

@@ -164,7 +164,7 @@ def windup_of(
     nodes, weights = np.polynomial.legendre.leggauss(_NODES)
     widths = np.diff(shares)
     inner = shares[:-1, None] + 0.5 * widths[:, None] * (1.0 + nodes)
-    positive = np.concatenate([shares, inner.ravel()])
+    positive = np.concatenate([shown, inner.ravel()])  # at the panels' other ends nobody asks
     sampled = jnp.asarray(np.stack([positive, -positive])) * largest_torque
     found = compliances(sampled.reshape(-1))
     real, without_slip = (np.asarray(each).reshape(sampled.shape) for each in found)
@@ -173,7 +173,7 @@ def windup_of(
 
     def integral(compliance: np.ndarray) -> np.ndarray:
         """From zero torque to each of the shares."""
-        panels = np.sum(weights * compliance[shares.size :].reshape(inner.shape), axis=1) * half_widths
+        panels = np.sum(weights * compliance[shown.size :].reshape(inner.shape), axis=1) * half_widths
         return np.concatenate([np.zeros(1), np.cumsum(panels)])
 
     slip_angle = integral(slip)
@@ -200,10 +200,10 @@ def windup_of(
         return curve[int(np.argmin(np.abs(signed - share)))]
 
     slip_work = np.sum(
-        np.sum(weights * slip[shares.size :].reshape(inner.shape) * inner, axis=1) * half_widths
+        np.sum(weights * slip[shown.size :].reshape(inner.shape) * inner, axis=1) * half_widths
     )  # integral of T d gamma, over the largest torque
     bounds = np.array([0.0, first, second, 1.0])
-    compliance = np.concatenate([real[1, where[:0:-1]], real[0, where]])
+    compliance = np.concatenate([real[1, shown.size - 1 : 0 : -1], real[0, : shown.size]])
 
     def stages(curve: np.ndarray) -> np.ndarray:
         angles = np.stack([read(curve, share) for share in (0.0, first, second, 1.0)])

@@ -162,6 +162,15 @@ def read_materials(extension: str | Path | None = None) -> dict[str, LibraryMate
     InputError
         If an entry is incomplete, has an unknown key, or a number that cannot be read.
     """
+    return dict(_materials_built_in()) if extension is None else _materials(extension)
+
+
+@functools.cache
+def _materials_built_in() -> dict[str, LibraryMaterial]:
+    return _materials(None)
+
+
+def _materials(extension: str | Path | None) -> dict[str, LibraryMaterial]:
     found = {}
     tables = _tables("materials_library.toml", extension)
     with _naming(extension):
@@ -224,6 +233,15 @@ def read_finishes(extension: str | Path | None = None) -> dict[str, Finish]:
     InputError
         If an entry is incomplete, has an unknown key, or a number that cannot be read.
     """
+    return dict(_finishes_built_in()) if extension is None else _finishes(extension)
+
+
+@functools.cache
+def _finishes_built_in() -> dict[str, Finish]:
+    return _finishes(None)
+
+
+def _finishes(extension: str | Path | None) -> dict[str, Finish]:
     known = ("roughness_average", "sampling_length", "fractal_dimension", "published_dimension", *_WORDS)
     found = {}
     tables = _tables("finishes_library.toml", extension)

@@ -15,11 +15,12 @@ from starlette.requests import Request
 from starlette.responses import JSONResponse, Response
 from starlette.routing import Route
 
+from asperity.compilation import called_programs
 from asperity.errors import AsperityError
 from asperity.joint_file.schema import joint_schema
 from asperity.page.answer import joint_answer, stated_values
 from asperity.page.chart import chart_answer, chart_request, chart_results
-from asperity.page.computation import Computations, KeptAnswers
+from asperity.page.computation import Computations, FasterPrograms, KeptAnswers
 from asperity.page.description import description
 from asperity.page.guard import App, Guard
 from asperity.page.jobs import Jobs
@@ -71,6 +72,7 @@ def application(
     hosts: Iterable[str],
     computations: Computations,
     charts: Computations,
+    faster: FasterPrograms | None = None,
     longest_body: float | None = None,
 ) -> App:
     """The page as an ASGI application.
@@ -85,6 +87,8 @@ def application(
         What computes joints.
     charts : Computations
         What computes charts: another thread, because a new chart compiles, and the sliders must not wait for it.
+    faster : FasterPrograms, optional
+        What compiles the programs of the answers again, to run faster.
     longest_body : float, optional
         Time in which the body of a request must arrive [s].
 
@@ -102,8 +106,11 @@ def application(
     def answered(request: JointRequest) -> dict[str, Any]:
         answer = kept.get(request.identity)
         if answer is None:
-            answer = request, joint_answer(request)
+            with called_programs() as called:
+                answer = request, joint_answer(request)
             kept.keep(request.identity, answer)
+            if faster is not None:
+                faster.add(called)
         found: dict[str, Any] = answer[1]
         return found
 
@@ -162,6 +169,8 @@ def application(
         yield
         computations.close()
         charts.close()
+        if faster is not None:
+            faster.close()
         measurements.close()
         jobs.close()
 

@@ -1,14 +1,21 @@
-"""One worker for all computations: requests wait in a short queue, and a full queue refuses."""
+"""One worker for all computations: requests wait in a short queue, and a full queue refuses.
+
+Another worker compiles the programs of the answers again, so that the answers after it come sooner.
+"""
 
 from __future__ import annotations
 
 import asyncio
+import contextlib
+import os
+import sys
 import threading
 from collections import OrderedDict
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from concurrent.futures import Future, ThreadPoolExecutor
 from typing import Any, TypeVar
 
+from asperity.compilation import Program
 from asperity.errors import AsperityError
 
 Found = TypeVar("Found")
@@ -106,6 +113,44 @@ class Computations:
     def close(self) -> None:
         """Drop what waits, and finish what runs."""
         self._pool.shutdown(wait=False, cancel_futures=True)
+
+
+class FasterPrograms:
+    """A thread that compiles programs again, to run faster, one after the other."""
+
+    def __init__(self) -> None:
+        self._pool = ThreadPoolExecutor(1, thread_name_prefix="asperity-faster", initializer=_yield_to_others)
+        self._known: set[Program] = set()
+        self._left: set[Future[None]] = set()
+
+    @property
+    def idle(self) -> bool:
+        """Whether no program is compiled, and none waits."""
+        return all(each.done() for each in self._left)
+
+    def add(self, programs: Iterable[Program]) -> None:
+        """Compile programs again, those of them for which this was not asked before.
+
+        Parameters
+        ----------
+        programs : iterable of Program
+            What was called for an answer.
+        """
+        new = [each for each in programs if each not in self._known]
+        self._known.update(new)
+        self._left = {each for each in self._left if not each.done()}
+        self._left.update(self._pool.submit(each.compile_again) for each in new)
+
+    def close(self) -> None:
+        """Drop what waits, and finish what runs."""
+        self._pool.shutdown(wait=False, cancel_futures=True)
+
+
+def _yield_to_others() -> None:
+    """On Linux, where a thread has a priority of its own, answers go first."""
+    if sys.platform == "linux":
+        with contextlib.suppress(OSError):
+            os.setpriority(os.PRIO_PROCESS, threading.get_native_id(), 10)
 
 
 class KeptAnswers:

@@ -145,11 +145,14 @@ def serve(
     import uvicorn
 
     from asperity.page.application import LONGEST_ANSWER, application
-    from asperity.page.computation import Computations
+    from asperity.page.computation import Computations, FasterPrograms
 
     port = listening.getsockname()[1]
     computations, charts = Computations(longest=LONGEST_ANSWER), Computations(longest=LONGEST_ANSWER)
-    app = application(start, hosts=host_names(host, port), computations=computations, charts=charts)
+    faster = FasterPrograms()
+    app = application(
+        start, hosts=host_names(host, port), computations=computations, charts=charts, faster=faster
+    )
     shown = f"[{host}]" if ":" in host else host
 
     class Announced(uvicorn.Server):
@@ -173,7 +176,7 @@ def serve(
     try:
         server.run(sockets=[listening])
     except KeyboardInterrupt as stopped:
-        if computations.idle and charts.idle:
+        if computations.idle and charts.idle and faster.idle:
             raise
         # a computation cannot be interrupted, and the interpreter would wait for it
         stopping(stopped)

@@ -10,6 +10,7 @@ import { Uploads } from "/upload.js";
 const get = (id) => document.getElementById(id);
 const page = document.documentElement;
 const RETRY = 2000; // ms
+const REST = 300; // ms without a change, before the joint goes into the address
 
 let history = null;
 let controls = null;
@@ -24,6 +25,7 @@ let wanted = false; // something changed since the last request began
 let asking = false;
 let lastPath = null;
 let ownHash = "";
+let addressLater = 0; // the timer of REST
 let shownText = null; // of the joint file whose rows are on the page
 
 page.dataset.revision = "0";
@@ -145,7 +147,14 @@ function notice(text) {
   get("error").textContent = text;
 }
 
+/** The joint in the address: when it rests, because a new address costs a browser more time than the plots. */
+function addressSoon() {
+  clearTimeout(addressLater);
+  addressLater = setTimeout(address, REST);
+}
+
 async function address() {
+  clearTimeout(addressLater);
   const text = await packed(history.state);
   ownHash = `#joint=${text}`;
   window.history.replaceState(null, "", ownHash);
@@ -157,7 +166,7 @@ function refresh() {
   document.title = `${state.name} – asperity`;
   get("undo").disabled = !history.canUndo;
   get("redo").disabled = !history.canRedo;
-  address();
+  addressSoon();
   ask();
 }
 
@@ -232,6 +241,7 @@ function connect() {
   });
   for (const kind of ["html", "pdf"]) get(`save-${kind}`).addEventListener("click", () => saveReport(kind));
   get("copy-link").addEventListener("click", async () => {
+    await address();
     try {
       await navigator.clipboard.writeText(location.href);
       say("The link was copied.");
