@@ -59,6 +59,7 @@ def calibrate(
     give both files; 'offset of drift' is then the offset of the drift curve.
     """
     from asperity.cli.equal_branches import read_for_equal_branches
+    from asperity.cli.named_file import about
     from asperity.cli.progress import progress_bar
     from asperity.errors import InputError
     from asperity.precision import use_compilation_cache, use_double_precision
@@ -81,9 +82,10 @@ def calibrate(
     from asperity.joint.either_kind import unloaded_ratio
     from asperity.joint_file.planar_build import any_joint_from_case
 
-    ratio = unloaded_ratio(any_joint_from_case(case))
+    with about(file):
+        ratio = unloaded_ratio(any_joint_from_case(case))
     measurements = tuple(read_measurement(each, unloaded_ratio=ratio) for each in data)
-    with progress_bar("starts") as report:
+    with progress_bar("starts") as report, about(file, *data):
         found = fit(
             case=case,
             measurements=measurements,
@@ -96,7 +98,7 @@ def calibrate(
         )
     drawn = None
     if draws is not None:
-        with progress_bar("steps of the posterior") as report:
+        with progress_bar("steps of the posterior") as report, about(file, *data):
             drawn = posterior(found, draws=draws, seed=seed, progress=report)
     if out is not None:  # files first: whoever reads the tables may close the pipe
         from asperity.joint_file.edited_text import joint_file_text

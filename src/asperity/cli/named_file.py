@@ -9,13 +9,15 @@ from asperity.errors import InputError, NoSolutionError
 
 
 @contextmanager
-def about(file: str) -> Iterator[None]:
+def about(file: str, *others: str | None) -> Iterator[None]:
     """While the joint of a file is solved: refusals begin with the name of the file.
 
     Parameters
     ----------
     file : str
         The joint file.
+    *others : str or None
+        Further files of the command: a refusal that begins with the name of one of them is about that file.
 
     Yields
     ------
@@ -29,6 +31,6 @@ def about(file: str) -> Iterator[None]:
     try:
         yield
     except (InputError, NoSolutionError) as error:
-        if str(error).startswith(f"{file}: "):
+        if any(str(error).startswith((f"{name}: ", f"{name}, ")) for name in (file, *others)):
             raise
         raise type(error)(f"{file}: {error}", options=error.options) from None

@@ -139,6 +139,7 @@ def _studies(
     design_file: str | None,
 ) -> ReportStudies:
     """Make the studies that a report is to show."""
+    from asperity.cli.named_file import about
     from asperity.cli.progress import progress_bar
     from asperity.joint_file.distribution import parse_distribution
     from asperity.reading import read_text
@@ -150,7 +151,8 @@ def _studies(
     if tolerances:
         from asperity.study.tolerances.uncertainty import toleranced_inputs
 
-        toleranced_inputs(case, otherwise=otherwise)  # refuses before anything long begins
+        with about(file):
+            toleranced_inputs(case, otherwise=otherwise)  # refuses before anything long begins
     problem = None
     if design_file is not None:
         from asperity.study.design.design_file import read_design
@@ -167,7 +169,7 @@ def _studies(
     if sensitivity:
         from asperity.study.tolerances.sensitivity import sensitivity as differentiate
 
-        with progress_bar("sensitivities") as done:
+        with progress_bar("sensitivities") as done, about(file):
             done(0, 1)
             sensitivities = differentiate(case, STUDIED)
             done(1, 1)
@@ -175,7 +177,7 @@ def _studies(
     if tolerances:
         from asperity.study.tolerances.uncertainty import uncertainty
 
-        with progress_bar("samples") as done:
+        with progress_bar("samples") as done, about(file):
             spread = uncertainty(case, results=STUDIED, distribution=otherwise, report=done)
         options += ["--tolerances", *([f"--distribution '{distribution}'"] if distribution else [])]
     if problem is not None:

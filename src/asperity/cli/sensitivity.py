@@ -38,6 +38,7 @@ def sensitivity(file: str, result: str, as_json: bool, plot: str | None) -> None
     An elasticity of 2 says that one per cent more of the number makes about two per cent more of the result.
     """
     from asperity.cli.equal_branches import read_for_equal_branches
+    from asperity.cli.named_file import about
 
     case = read_for_equal_branches(file)
     from asperity.precision import use_compilation_cache, use_double_precision
@@ -54,9 +55,9 @@ def sensitivity(file: str, result: str, as_json: bool, plot: str | None) -> None
     rows = differentiable_rows(table)
     asked = rows[known_result(result, among=tuple(rows))]
     check_image(plot)
-    found = differentiate(
-        case, tuple(dict.fromkeys((*(name for name in DEFAULT_RESULTS if name in table), asked)))
-    )
+    names = tuple(dict.fromkeys((*(name for name in DEFAULT_RESULTS if name in table), asked)))
+    with about(file):
+        found = differentiate(case, names)
     if as_json:
         import json
 

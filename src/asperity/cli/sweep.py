@@ -103,6 +103,7 @@ def sweep(
 
     use_double_precision()
     use_compilation_cache()
+    from asperity.cli.named_file import about
     from asperity.cli.progress import progress_bar
     from asperity.joint_file.any_joint import results_of
     from asperity.joint_file.part_names import WEDGE_TYPE
@@ -131,7 +132,7 @@ def sweep(
             "--scheduler and --workers need an --out of type .zarr, to which the processes write"
         )
     try:
-        with progress_bar("points") as report:
+        with progress_bar("points") as report, about(file, out):
             found = evaluate_sweep(
                 case,
                 grid,

@@ -65,6 +65,7 @@ def uncertainty(
     preload = "1000 N +- 50 N, normal 2 sigma".
     """
     from asperity.cli.equal_branches import read_for_equal_branches
+    from asperity.cli.named_file import about
     from asperity.joint_file.distribution import parse_distribution
     from asperity.joint_file.reader import read_any_case
 
@@ -79,10 +80,12 @@ def uncertainty(
 
     check_image(plot)
     if branches is not None:
-        _unlike_branches(case, otherwise, branches, seed, as_json)
+        with about(file):
+            scattered = _unlike_branches(case, otherwise, branches, seed)
+        _show_branches(scattered, branches, as_json)
         return
     names = None if results is None else [n.strip() for n in results.split(",") if n.strip()]
-    with progress_bar("samples") as report:
+    with progress_bar("samples") as report, about(file):
         found = propagate(
             case, results=names, distribution=otherwise, samples=samples, seed=seed, report=report
         )
@@ -102,9 +105,9 @@ def uncertainty(
 
 
 def _unlike_branches(
-    case: Case | PlanarCase, otherwise: Distribution | None, draws: int, seed: int, as_json: bool
-) -> None:
-    """Drives whose branches have sizes of their own."""
+    case: Case | PlanarCase, otherwise: Distribution | None, draws: int, seed: int
+) -> dict[str, Any]:
+    """What drives do whose branches have sizes of their own."""
     from asperity.cli.progress import progress_bar
     from asperity.joint_file.planar_model import PlanarCase
     from asperity.study.tolerances.branch_scatter import branch_scatter, sector_scatter
@@ -112,9 +115,11 @@ def _unlike_branches(
     asked: dict[str, Any] = {"distribution": otherwise, "draws": draws, "seed": seed}
     with progress_bar("drives") as report:
         if isinstance(case, PlanarCase):
-            found = sector_scatter(case, report=report, **asked).document()
-        else:
-            found = branch_scatter(case, report=report, **asked).document()
+            return sector_scatter(case, report=report, **asked).document()
+        return branch_scatter(case, report=report, **asked).document()
+
+
+def _show_branches(found: dict[str, Any], draws: int, as_json: bool) -> None:
     if as_json:
         import json
 
