@@ -62,6 +62,18 @@ def test_kept_limits_give_no_warning():
     assert text.strip() == "No warnings: every limit of the model is kept"
 
 
+def test_an_infinite_value_is_no_dash():
+    infinite = {"infinite": True}
+    diagnostics = [
+        entry("slip_ratio_with_skew", None, "function", "sp") | infinite,
+        entry("largest_spot", 27.2, "model", "sp"),
+        entry("largest_spot", None, "model", "pwr") | infinite,
+    ]
+    text = shown(show_warnings, {"diagnostics": diagnostics}, width=200)
+    assert "Slip ratio with skew infinite at sp (limit 1)" in text
+    assert "largest spot up to infinite" in text
+
+
 def test_contacts_of_one_limit_share_a_warning_and_limits_of_the_model_a_line():
     diagnostics = [
         entry("slip_ratio", 1.2, "function", "sp"),

@@ -5,7 +5,8 @@ import math
 import numpy as np
 import pytest
 
-from asperity.joint.document import joint_document
+from asperity.joint.contact_notes import Note
+from asperity.joint.document import diagnostic_documents, joint_document, plain_document
 from asperity.joint.solve import solve
 from asperity.joint_file.assumptions import assumptions
 from asperity.joint_file.build import joint_from_case
@@ -60,6 +61,20 @@ def test_what_json_cannot_say_is_null(text, solution):
     document = document_of(text, broken)
     assert document["contacts"]["sp"]["critical_area_m2"] is None
     json.dumps(document, allow_nan=False)
+
+
+def test_what_is_infinite_is_told_from_what_is_not_known():
+    told = {"limit": 1.0, "ok": False, "severity": "function", "meaning": "it slips", "remedy": None}
+    values = {"kept": 0.5, "unknown": math.nan, "endless": math.inf}
+    notes = tuple(
+        Note(name=name, label=name, contact=None, value=value, **told) for name, value in values.items()
+    )
+    found = plain_document({"diagnostics": diagnostic_documents((), notes)})["diagnostics"]
+    assert [(each["value"], each["infinite"]) for each in found] == [
+        (0.5, False),
+        (None, False),
+        (None, True),
+    ]
 
 
 def test_the_document_says_why_there_is_no_stiffness_and_what_a_ring_would_lose(text, load_example):

@@ -12,6 +12,10 @@ def test_quantities_numbers_and_shares():
     assert percent(0.125) == "12.5 %"
 
 
+def test_what_is_infinite_is_a_word_without_a_unit():
+    assert {quantity(math.inf, "h"), number(math.inf), percent(math.inf)} == {"infinite"}
+
+
 def test_what_is_absent_is_a_dash():
     absent = (
         quantity(None, "N"),

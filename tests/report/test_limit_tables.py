@@ -93,6 +93,14 @@ def test_contacts_that_cross_one_limit_share_a_sentence():
     ]
 
 
+def test_an_infinite_value_is_no_dash():
+    crossed = entry("ratio", "sp", None, False, "it slips") | {"infinite": True}
+    (bullets,) = warnings({"diagnostics": [crossed]})
+    assert bullets.items[0].startswith("label of ratio: infinite sp (limit 1;")
+    (_, table) = margins_table([margin("ratio", "sp", math.inf, highest=1.0, passes=False)])
+    assert table.rows[0][4] == "infinite"
+
+
 def test_no_warning_is_a_sentence():
     (said,) = warnings({"diagnostics": [entry("pressure", "sp", 0.5, True, "")]})
     assert said.text == "No warnings: every limit of the model is kept."

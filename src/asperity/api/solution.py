@@ -288,13 +288,15 @@ class JointSolution(Shown):
 
 
 def _warning(checks: list[dict[str, Any]]) -> tuple[str, ...]:
-    """One limit, by the contact that is farthest beyond it; a value that is not known is the farthest."""
-    unknown = [each for each in checks if each["value"] is None]
+    """One limit, by the contact that is farthest beyond it; a value that is infinite or not known is the farthest."""
+    unknown = sorted(
+        (each for each in checks if each["value"] is None), key=lambda each: not each.get("infinite")
+    )
     worst = unknown[0] if unknown else max(checks, key=lambda each: abs(each["value"] - each["limit"]))
     unit = RESULTS[worst["name"]].display_unit if worst["name"] in RESULTS else "1"
     contacts = ", ".join(each["contact"].replace("_", " ") for each in checks if each["contact"])
     value, limit = ("-" if v is None else format_quantity(v, unit) for v in (worst["value"], worst["limit"]))
-    return worst["label"], value, limit, contacts, worst["severity"]
+    return worst["label"], "infinite" if worst.get("infinite") else value, limit, contacts, worst["severity"]
 
 
 def _titled(each: NamedQuantity) -> str:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import textwrap
 from collections import Counter
 from typing import TYPE_CHECKING, Any
@@ -28,6 +29,11 @@ def scaled(value: float | None, factor: float) -> str:
 def in_unit(value: float | None, unit: str, digits: int = 4) -> str:
     """A quantity with its unit; a dash where there is none."""
     return "-" if value is None else format_quantity(value, unit, digits)
+
+
+def judged(entry: Document, digits: int = 4) -> str:
+    """The value of a diagnostic."""
+    return "infinite" if entry.get("infinite") else number(entry["value"], digits)
 
 
 def count(value: float, word: str) -> str:
@@ -136,7 +142,7 @@ def _print_warning(target: Console, heading: str, entries: list[Document], *, me
 
 def _values(entries: list[Document], contacts: int) -> str:
     """Values by contact, or one value where all contacts have the same."""
-    values = [number(entry["value"]) for entry in entries]
+    values = [judged(entry) for entry in entries]
     if len(entries) == contacts and len(set(values)) == 1:
         return f"{values[0]} at every contact"
     return ", ".join(
@@ -146,5 +152,7 @@ def _values(entries: list[Document], contacts: int) -> str:
 
 
 def _largest(entries: list[Document]) -> str:
-    values = [entry["value"] for entry in entries if entry["value"] is not None]
-    return number(max(values), 3) if values else "-"
+    known = [entry for entry in entries if entry["value"] is not None or entry.get("infinite")]
+    if not known:
+        return "-"
+    return judged(max(known, key=lambda entry: math.inf if entry.get("infinite") else entry["value"]), 3)

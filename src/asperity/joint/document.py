@@ -145,9 +145,12 @@ def diagnostic_documents(checks: tuple[LimitCheck, ...], notes: tuple[Note, ...]
     Returns
     -------
     list of dict
-        One entry each, with the same keys.
+        One entry each, with the same keys; ``infinite`` tells an infinite value, which is None in a document, from one
+        that is not known.
     """
     entries = [*map(_limit_document, checks), *map(dataclasses.asdict, notes)]
+    for entry in entries:
+        entry["infinite"] = math.isinf(entry["value"])
     return sorted(entries, key=lambda entry: SEVERITIES.index(entry["severity"]))
 
 

@@ -93,7 +93,7 @@ def _planar(case: PlanarCase) -> tuple[PlanarJoint, PlanarSolution, SolvedJoint,
 
 
 def _margin(each: Margin) -> Answer:
-    """One requirement in the unit of display; bounds that are infinite, and what is not known, are None."""
+    """One requirement in the unit of display; numbers that are infinite, and what is not known, are None."""
     unit = each.result.display_unit
 
     def shown(value: float) -> float | None:
@@ -106,6 +106,7 @@ def _margin(each: Margin) -> Answer:
         "place": each.place.replace("_", " "),
         "unit": unit,
         "actual": shown(each.actual),
+        "infinite": math.isinf(each.actual),
         "lowest": shown(each.lowest),
         "highest": shown(each.highest),
         "used": used if math.isfinite(used) else None,

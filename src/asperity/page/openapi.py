@@ -260,6 +260,10 @@ def _margin_schema() -> Schema:
         "properties": {
             **dict.fromkeys(("name", "label", "place", "unit"), text),
             **dict.fromkeys(("actual", "lowest", "highest"), number),
+            "infinite": {
+                "type": "boolean",
+                "description": "Whether the actual value is infinite; if so, it is null.",
+            },
             "used": {"type": ["number", "null"], "description": "Share of the limit that is used."},
             "ok": {"type": "boolean"},
             "severity": {"enum": list(SEVERITIES)},

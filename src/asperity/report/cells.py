@@ -1,10 +1,13 @@
-"""Numbers as a table of a report shows them; a dash where there is none."""
+"""Numbers as a table of a report shows them; a dash where there is none, a word where it is infinite."""
 
 from __future__ import annotations
 
 import math
 
 from asperity.units import format_quantity
+
+#: What stands in place of a number that is infinite.
+INFINITE = "infinite"
 
 
 def quantity(value: float | None, unit: str, digits: int = 4) -> str:
@@ -24,7 +27,9 @@ def quantity(value: float | None, unit: str, digits: int = 4) -> str:
     str
         Number and unit.
     """
-    return "–" if value is None or math.isnan(value) else format_quantity(value, unit, digits)
+    if value is None or math.isnan(value):
+        return "–"
+    return INFINITE if math.isinf(value) else format_quantity(value, unit, digits)
 
 
 def number(value: float | None, factor: float = 1.0) -> str:
@@ -58,4 +63,7 @@ def percent(value: float | None) -> str:
     str
         Number and sign.
     """
-    return "–" if value is None else f"{number(value, 100.0)} %"
+    if value is None:
+        return "–"
+    shown = number(value, 100.0)
+    return shown if shown == INFINITE else f"{shown} %"

@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence
 from typing import Any
 
 from asperity.joint.margins import Margin
-from asperity.report.cells import number, quantity
+from asperity.report.cells import INFINITE, number, quantity
 from asperity.report.content import Block, Bullets, Paragraph, Table
 
 Document = dict[str, Any]
@@ -126,6 +126,10 @@ def margins_table(found: Sequence[Margin]) -> Iterator[Block]:
     yield Table("Safety margins", head, rows, words=(0, 1, 2), verdicts=True)
 
 
+def _judged(entry: Document) -> str:
+    return INFINITE if entry.get("infinite") else number(entry["value"])
+
+
 def warnings(document: Document) -> Iterator[Block]:
     """Every limit that is crossed, with its meaning and what to do.
 
@@ -150,7 +154,7 @@ def warnings(document: Document) -> Iterator[Block]:
     for entries in crossed.values():
         first = entries[0]
         values = ", ".join(
-            f"{number(each['value'])} {(each['contact'] or '').replace('_', ' ')}".strip() for each in entries
+            f"{_judged(each)} {(each['contact'] or '').replace('_', ' ')}".strip() for each in entries
         )
         meanings = "; ".join(dict.fromkeys(each["meaning"] for each in entries))
         items.append(

@@ -14,6 +14,9 @@ export function number(value, digits = 4) {
   return String(Number(value.toFixed(Math.max(digits - 1 - Math.floor(Math.log10(size)), 0))));
 }
 
+/** A value that is infinite or a number. */
+export const orInfinite = (infinite, value) => (infinite ? "infinite" : number(value));
+
 export const arcmin = (radians) => (radians === null ? null : radians * ARCMIN);
 export const scaled = (value, factor) => (value === null || value === undefined ? null : value * factor);
 

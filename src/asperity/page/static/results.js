@@ -2,7 +2,7 @@
 
 import { curves, driven, standing } from "/curves.js";
 import { driveDrawing, freeBodies } from "/drawing.js";
-import { arcmin, element, number, scaled, table, unitText } from "/numbers.js";
+import { arcmin, element, number, orInfinite, scaled, table, unitText } from "/numbers.js";
 
 const LEVELS = [
   ["assembly", "assembled", "asperities, bodies, rollers free to move, structure"],
@@ -191,7 +191,7 @@ function margins(answer) {
       const required = bounds.map(([bound, word]) => element("span", {}, `${word} ${number(bound)}`));
       return [
         element("span", {}, each.label, element("small", {}, each.place ? `at ${each.place}` : "")),
-        `${number(each.actual)}${unit ? ` ${unit}` : ""}`,
+        `${orInfinite(each.infinite, each.actual)}${unit && !each.infinite ? ` ${unit}` : ""}`,
         element("span", { class: "bounds" }, ...required),
         each.used === null ? "" : bar(each.used, each.ok ? "good" : "bad"),
         verdict(each.ok),
@@ -235,6 +235,7 @@ export function warnings(found) {
     if (!grouped.has(key)) grouped.set(key, { ...each, contacts: [] });
     const kept = grouped.get(key);
     if (each.contact) kept.contacts.push(each.contact);
+    kept.infinite = kept.infinite || each.infinite;
     if (each.value !== null && kept.value !== null && Math.abs(each.value - each.limit) > Math.abs(kept.value - kept.limit)) kept.value = each.value;
   }
   if (!grouped.size) return element("p", { class: "note" }, "None: every limit is kept.");
@@ -252,7 +253,7 @@ export function warnings(found) {
         element(
           "span",
           { class: "how-much" },
-          `(${each.label} ${number(each.value)}, limit ${number(each.limit)}${each.contacts.length ? `; ${each.contacts.join(", ")}` : ""})`,
+          `(${each.label} ${orInfinite(each.infinite, each.value)}, limit ${number(each.limit)}${each.contacts.length ? `; ${each.contacts.join(", ")}` : ""})`,
         ),
         each.remedy ? element("p", { class: "remedy" }, `What to do: ${each.remedy}.`) : "",
       ),
