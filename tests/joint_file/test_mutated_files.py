@@ -232,10 +232,11 @@ def failures(
 @pytest.mark.parametrize("kind", TYPES)
 def test_any_mistake_is_answered(tmp_path, monkeypatch, kind):
     # reading alone: the numbers of a joint have tests of their own
-    monkeypatch.setattr("asperity.joint.solve.solve", lambda joint: joint)
-    monkeypatch.setattr("asperity.joint.document.joint_document", lambda **_: {})
-    monkeypatch.setattr("asperity.joint.planar.solve.solve_planar", lambda joint: joint)
-    monkeypatch.setattr("asperity.joint.planar.document.planar_document", lambda **_: {})
+    reads = "asperity.joint_file.solved_document"
+    for solver in ("solve", "solve_planar"):
+        monkeypatch.setattr(f"{reads}.{solver}", lambda joint: joint)
+    for document in ("joint_document", "planar_document"):
+        monkeypatch.setattr(f"{reads}.{document}", lambda **_: {})
     monkeypatch.setattr(
         "asperity.cli.joint_table.show_joint", lambda target, *_, **__: target.print("N·m/rad")
     )
