@@ -108,6 +108,7 @@ def _same_as_single_files(values, numbers):
             np.testing.assert_allclose(numbers[name][:, index], alone[name], rtol=1e-9, err_msg=name)
 
 
+@pytest.mark.slow
 def test_size_and_mass_by_hand(values, found):
     _, numbers, _ = found
     density = values["materials"]["52100"]["density"]
@@ -122,6 +123,7 @@ def test_size_and_mass_by_hand(values, found):
     np.testing.assert_allclose(numbers["assembly_stiffness_per_mass"][0, :3], stiffness / mass, rtol=1e-12)
 
 
+@pytest.mark.slow
 def test_slopes_are_differences_of_solutions(values, found):
     compared = list(_slopes_and_differences(values, found[2]))
     assert len(compared) >= 8 * len(VARIABLES)

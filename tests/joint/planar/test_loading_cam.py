@@ -78,6 +78,7 @@ def test_a_cam_without_force_changes_nothing(plain):
         assert one == pytest.approx(other, rel=1e-8)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("torque", [10.0, -40.0])
 def test_at_a_torque_it_is_the_drive_with_the_preload_of_that_torque(plain, least, torque):
     found = solve_planar(under_torque(with_cam(plain), torque))
@@ -87,6 +88,7 @@ def test_at_a_torque_it_is_the_drive_with_the_preload_of_that_torque(plain, leas
     assert float(found.result.rest.normal[0]) == pytest.approx(least, rel=1e-12)
 
 
+@pytest.mark.slow
 def test_the_torque_does_the_work_that_compresses_the_contacts(plain, least):
     """Both works by quadrature, that of the ring force beyond its least one from joints without a cam."""
     largest = 40.0
@@ -108,6 +110,7 @@ def test_the_torque_does_the_work_that_compresses_the_contacts(plain, least):
     assert turned[-1] == pytest.approx(force * closed, rel=1e-9)
 
 
+@pytest.mark.slow
 def test_the_stiffness_is_the_slope_of_the_whole_angle(plain, least):
     """Central differences of the cam's angle, in series with the joint whose cam is held."""
     torque, step = 20.0, 0.05
@@ -170,6 +173,7 @@ def test_lives_under_a_duty_are_those_at_its_torques(plain, least):
         assert found.duty_load_hours[k] == pytest.approx(float(alone.life_hours.drive), rel=1e-9)
 
 
+@pytest.mark.slow
 def test_capacity_is_that_of_the_preload_which_it_makes(plain, least):
     weak = 20.0
     found = solve_planar(with_cam(plain, weak)).capacity
@@ -180,6 +184,7 @@ def test_capacity_is_that_of_the_preload_which_it_makes(plain, least):
     assert torque > 1.2 * float(solve_planar(by_force(plain, least)).capacity.output_torque)
 
 
+@pytest.mark.slow
 def test_a_strong_cam_never_slips_and_ends_with_another_limit(plain):
     """Friction holds 0.0144 N·m for each newton of preload, and the cam adds 150 N for each N·m."""
     found = solve_planar(with_cam(plain, CAM))
