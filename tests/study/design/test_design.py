@@ -364,8 +364,26 @@ def test_a_joint_that_cannot_exist_is_no_design(known):
 def test_a_limit_is_missed_by_a_share_of_itself_or_where_it_is_zero_by_what_lacks(evaluator):
     """200 N on 5 mm: 0.4 GPa are twice the limit, the clearance is 0.1 mm below none; 50 M/P = 1.25 keeps 1.5."""
     limits = (("hertz_pressure", True, 2e8), ("clearance", False, 0.0), ("slip_ratio", True, 1.5))
-    make = evaluator((Objective("mass", 1.0),), [Constraint(*limit, (0, 1)) for limit in limits])
+    rows = [Constraint(*limit, (0, 1)) for limit in limits] + [Constraint("preload", True, 160.0, (0,))]
+    make = evaluator((Objective("mass", 1.0),), rows)
     found = make(make.scaled({"load.preload": 200.0, "drive.contact_length": 5e-3}))
     reports = module._limits(make, found, np.zeros(len(make.rows)))
-    assert [report.missed_by for report in reports] == pytest.approx([1.0, 1e-4, 0.0], rel=1e-9)
-    assert [report.value for report in reports] == pytest.approx([4e8, -1e-4, 1.25], rel=1e-9)
+    assert [report.missed_by for report in reports] == pytest.approx([1.0, 1e-4, 0.0, 0.25], rel=1e-9)
+    assert [report.value for report in reports] == pytest.approx([4e8, -1e-4, 1.25, 200.0], rel=1e-9)
+    # what is missed the most holds the design back, and rollers that overlap, which cannot exist
+    assert [report.active for report in reports] == [True, True, False, False]
+
+
+def test_a_design_that_cannot_exist_is_refused_with_what_stands_in_the_way(evaluator):
+    """A slip of 50 M/P = 1.25 at 200 N is more than friction has; 0.9 misses its limit, but exists."""
+    limits = (Constraint("slip_ratio", True, 0.8, (0, 1)), Constraint("preload", True, 160.0, (0,)))
+    make = evaluator((Objective("mass", 1.0),), limits)
+    slips, holds = (
+        make(make.scaled({"load.preload": preload, "drive.contact_length": 5e-3}))
+        for preload in (200.0, 250.0 / 0.9)
+    )
+    with pytest.raises(
+        NoSolutionError, match=r"T/\(mu N\) at sp 1\.25 at 5 N·m, allowed is at most 1; widen"
+    ):
+        module._refuse_what_cannot_exist(make, slips)
+    module._refuse_what_cannot_exist(make, holds)

@@ -96,6 +96,27 @@ def test_a_larger_ring_takes_interference_from_all_and_its_own_deviation_adds(sc
     assert found.all_slip == pytest.approx([12.0, 12.0], rel=1e-4)
 
 
+def test_sizes_of_the_upper_ends_are_larger(scattered, monkeypatch):
+    """A planet of +1 um, rollers of +2 um, and the common 1 um of interference as 1/1.9413 um of a planet."""
+    monkeypatch.setattr(
+        module, "quantiles", lambda entry, _, shares: np.full(shares.shape, entry.value + entry.tolerance)
+    )
+    seen, plain = [], Drive.branches
+    monkeypatch.setattr(
+        Drive, "branches", lambda *given, **slip: seen.append(given[1]) or plain(*given, **slip)
+    )
+    scattered(
+        ('interference = "13 um"', 'interference = "13 um +- 1 um, uniform"'),
+        ('planet_radius = "13.5 mm"', 'planet_radius = "13.5 mm +- 1 um, uniform"'),
+        ('loading_roller_radius = "5 mm"', 'loading_roller_radius = "5 mm +- 2 um, uniform"'),
+        draws=1,
+    )
+    (sizes,) = seen
+    np.testing.assert_allclose(sizes.planet, 1e-6 + 1e-6 / 1.9413, rtol=1e-4)
+    np.testing.assert_allclose(sizes.right_roller, 2e-6, rtol=1e-9)
+    np.testing.assert_allclose(sizes.left_roller, 2e-6, rtol=1e-9)
+
+
 def test_draws_without_a_balance_and_with_loose_branches_are_told_apart(scattered, monkeypatch):
     """Of four draws one finds no balance, and in one every branch is loose, which holds nothing."""
     raised, plain = (
@@ -124,6 +145,8 @@ def test_the_document_states_quantiles(scattered):
     low, middle, high = document["first_slip_Nm"]
     assert low < middle < high < 17.0
     assert document["equal_branches_Nm"] == 13.0
+    even = dataclasses.replace(scattered(LOOSE, draws=1), first_slip=np.linspace(0.0, 1.0, 1001)).document()
+    assert even["quantiles"] == even["first_slip_Nm"] == pytest.approx([0.025, 0.5, 0.975], rel=1e-9)
     assert document["share_with_a_loose_branch"] == 0.0
     assert document["share_that_slips_under_the_torque"] == 0.0
 
