@@ -11,7 +11,7 @@ from asperity.drive.planar.following import followed
 from asperity.errors import InputError
 from asperity.joint.capacity import torque_capacity
 from asperity.joint.either_kind import under_torque
-from asperity.joint.planar.capacity import limiting_torques, smaller_sizes
+from asperity.joint.planar.capacity import capacity_both_ways, limiting_torques, smaller_sizes
 from asperity.joint.planar.description import body_masses
 from asperity.joint.planar.evaluation import laws_and_states
 from asperity.joint.planar.laws import drive_load
@@ -34,6 +34,19 @@ def test_capacity_of_the_planetary_by_hand(planetary):
     assert capacity["output_torque_Nm"] == pytest.approx(by_hand, rel=1e-3)  # N changes a little with T
     assert capacity["reverse"]["output_torque_Nm"] == pytest.approx(capacity["output_torque_Nm"], rel=1e-9)
     assert document["rolling"]["torque_capacity_Nm"] == pytest.approx(capacity["output_torque_Nm"], rel=1e-9)
+
+
+@pytest.mark.parametrize("rolls", [False, True])
+def test_half_of_the_searches_finds_the_capacity_by_hand(planetary, rolls):
+    """As above, both ways: without skew, what turns passes as much as what stands."""
+    joint, solution, _ = planetary
+
+    def both(joint):
+        laws, states = laws_and_states(joint)
+        return capacity_both_ways(joint, states.rest, laws, rolls=rolls).output_torque
+
+    by_hand = 2.0 * COUNT * ORBIT * 0.08 * float(solution.result.forces.normal[0])
+    np.testing.assert_allclose(jax.jit(both)(joint), by_hand, rtol=1e-3)
 
 
 def test_a_strip_stays_below_the_smaller_radius_or_wall(planar_joint):

@@ -125,6 +125,37 @@ def planar_capacity(
     )
 
 
+def capacity_both_ways(
+    joint: PlanarJoint, rest: PlanarState, laws: ContactLaws, *, rolls: bool
+) -> TorqueCapacity:
+    """Torque capacity of a joint in both directions, at rest or in rolling: a half of :func:`planar_capacity`.
+
+    Parameters
+    ----------
+    joint, rest, laws
+        As of :func:`planar_capacity`.
+    rolls : bool
+        Whether the joint rolls.
+
+    Returns
+    -------
+    TorqueCapacity
+        Positive and negative torque along the first axis, as positive torques [N·m].
+
+    References
+    ----------
+    Equations (A9) and (M3) of :doc:`/equations`.
+    """
+    return limiting_torques(
+        joint,
+        rest,
+        laws,
+        direction=jnp.array([1.0, -1.0]),
+        rolls=jnp.full(2, rolls),
+        at_first=jnp.zeros(2, dtype=bool),
+    )
+
+
 def limiting_torques(
     joint: PlanarJoint,
     rest: PlanarState,

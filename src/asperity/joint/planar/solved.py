@@ -20,7 +20,7 @@ from asperity.joint.capacity import TorqueCapacity
 from asperity.joint.contact_notes import Note
 from asperity.joint.loss_note import loss_notes, skew_notes
 from asperity.joint.planar.bearing_lives import planar_bearing_lives
-from asperity.joint.planar.capacity import PlanarCapacity, planar_capacity
+from asperity.joint.planar.capacity import capacity_both_ways
 from asperity.joint.planar.description import PlanarJoint, tracks_of
 from asperity.joint.planar.evaluation import PlanarResult
 from asperity.joint.planar.plausibility import planar_plausibility
@@ -97,13 +97,18 @@ class SolvedPlanarJoint(SolvedJoint):
         self._laws = laws
 
     @functools.cached_property
-    def _capacities(self) -> PlanarCapacity:
+    def _standing(self) -> TorqueCapacity:
+        """Both directions; a study that asks for no other does not search for those in rolling."""
         assert self._laws is not None
-        return planar_capacity(self.joint, self.result.rest, self._laws)
+        return capacity_both_ways(self.joint, self.result.rest, self._laws, rolls=False)
+
+    @functools.cached_property
+    def _rolling(self) -> TorqueCapacity:
+        assert self._laws is not None
+        return capacity_both_ways(self.joint, self.result.rest, self._laws, rolls=True)
 
     def _capacity(self, *, rolls: bool, index: Any) -> TorqueCapacity:
-        both = self._capacities.rolling if rolls else self._capacities.standing
-        return jax.tree.map(lambda leaf: leaf[index], both)
+        return jax.tree.map(lambda leaf: leaf[index], self._rolling if rolls else self._standing)
 
     @functools.cached_property
     def capacity(self) -> TorqueCapacity:
@@ -194,13 +199,11 @@ def solved_planar_joint(
         *skew_notes(result.rolling, result.contact_names),
     )
     solved = SolvedPlanarJoint(joint, result, None, notes, branches)
-    solved._capacities = PlanarCapacity(
-        *(
-            jax.tree.map(lambda *leaves: np.stack(leaves), *both)
-            for both in (
-                (solution.capacity, solution.reverse_capacity),
-                (solution.rolling_capacity, solution.reverse_rolling_capacity),
-            )
+    solved._standing, solved._rolling = (
+        jax.tree.map(lambda *leaves: np.stack(leaves), *both)
+        for both in (
+            (solution.capacity, solution.reverse_capacity),
+            (solution.rolling_capacity, solution.reverse_rolling_capacity),
         )
     )
     return solved
