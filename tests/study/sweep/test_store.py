@@ -1,5 +1,7 @@
 """Blocks of a sweep on disk: what is written is found, what is unfinished is known, nothing else is touched."""
 
+from types import SimpleNamespace
+
 import numpy as np
 import pytest
 
@@ -77,3 +79,14 @@ def test_a_store_of_an_older_format_is_refused(case, tmp_path, monkeypatch, axes
     monkeypatch.undo()
     with pytest.raises(InputError, match=r"different: the format of the store\); choose another folder"):
         prepare_store(tmp_path / "s.zarr", plan)
+
+
+def test_a_full_disk_is_told_with_what_is_needed_and_free(case, tmp_path, axes, monkeypatch):
+    """Twelve points of a byte and six numbers of eight bytes are 588 bytes."""
+    plan = make_plan(case, axes, ("published_stiffness_output", "slip_ratio"))
+    usage = SimpleNamespace(free=587)
+    monkeypatch.setattr("asperity.study.sweep.store.shutil.disk_usage", lambda folder: usage)
+    with pytest.raises(InputError, match=r"12 points .* about 5\.88e-07 GB and 5\.87e-07 GB are free"):
+        prepare_store(tmp_path / "s.zarr", plan)
+    usage.free = 588
+    assert prepare_store(tmp_path / "s.zarr", plan) == [0]
