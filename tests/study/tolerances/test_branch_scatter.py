@@ -212,13 +212,14 @@ def test_every_planet_of_another_drive_is_drawn_by_itself(sectors):
 
 
 def test_sun_and_interference_are_drawn_once_for_all_planets(sectors):
-    wide = ('interference = "30 um"', 'interference = "30 um +- 20 um, uniform"')
+    wide = ('interference = "30 um"', 'interference = "30 um +- 40 um, uniform"')
     scatter, added = sectors("planetary", dict([PLANET, SUN, wide]))
     # at the ring planet and interference, at the sun planet and sun
     common = added[:, :, 1] - added[:, :, 0]
     np.testing.assert_allclose(common, np.tile(common[:, :1], 3), atol=1e-18)
     assert np.ptp(common) > 30e-6
     loose = np.mean([(30e-6 + each.sum(axis=1)).min() <= 0.0 for each in added])
+    assert 0.05 < loose < 0.3  # about an eighth lies below zero
     assert scatter.document()["share_with_a_loose_branch"] == pytest.approx(loose)
     assert np.isnan(scatter.first_slip).mean() == pytest.approx(loose)
 
