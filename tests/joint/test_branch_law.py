@@ -8,7 +8,7 @@ import pytest
 
 from asperity.errors import InputError
 from asperity.joint import branch_law
-from asperity.joint.branch_law import _law, _states, _without_gaps, branch_laws
+from asperity.joint.branch_law import MEMBERS, _law, _states, _without_gaps, branch_laws
 
 PRELOADS = np.geomspace(50.0, 3000.0, 12)
 STEPS = np.linspace(0.0, 1.0, 24)
@@ -179,10 +179,21 @@ def test_a_branch_yields_without_the_shafts_that_all_share(monkeypatch):
             **forces,
             shakedown_ratio=five,
             speed_loss=jnp.ones(2),
+            drift_per_output_turn=jnp.ones(2),
+            output_speed=jnp.ones(2),
+            power=SimpleNamespace(
+                creep=five, skew=five, hysteresis=five, oil=five, bearings=jnp.ones(2), contact=4.0 * five
+            ),
             life_hours=SimpleNamespace(drive=jnp.ones(2)),
         ),
     )
-    pins = SimpleNamespace(pin_radial=2.0 * jnp.ones((2, 2)), pin_tangential=3.0 * jnp.ones((2, 2)))
+    pins = SimpleNamespace(
+        pin_radial=2.0 * jnp.ones((2, 2)),
+        pin_tangential=3.0 * jnp.ones((2, 2)),
+        sun_torque=-1.5 * jnp.ones(2),
+        carrier_torque=9.0 * jnp.ones(2),
+        housing_torque=-7.5 * jnp.ones(2),
+    )
     monkeypatch.setattr(branch_law, "evaluate", lambda joint: result)
     monkeypatch.setattr(branch_law, "loads_of_forces", lambda joint, normal, tangential: pins)
     monkeypatch.setattr(branch_law, "bearing_speeds", lambda joint, result: 7.0)
@@ -193,3 +204,5 @@ def test_a_branch_yields_without_the_shafts_that_all_share(monkeypatch):
     assert np.isnan(found["normal"][:, 1]).all()
     np.testing.assert_array_equal(found["bearing_speed"][:, 0], 7.0)
     np.testing.assert_array_equal(found["rolling_pins"][..., 0], [[2.0, 2.0], [3.0, 3.0]])
+    assert [found[f"rolling_{name}_torque"][0] for name in MEMBERS] == [-1.5, 9.0, -7.5]
+    np.testing.assert_array_equal(found["contact"][:, 0], 4.0)

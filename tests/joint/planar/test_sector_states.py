@@ -2,6 +2,7 @@
 
 import dataclasses
 from types import SimpleNamespace
+from typing import NamedTuple
 
 import equinox as eqx
 import jax
@@ -22,6 +23,7 @@ from asperity.joint.planar.sector_states import (
 from asperity.joint.planar.solve import solve_planar
 from asperity.joint.planar.turning import driving_sense
 from asperity.joint.planar.unfolding import SectorSizes, unfolded_joint
+from asperity.joint.rolling_power import RollingLosses
 from asperity.joint_file.planar_build import deviations_of, planar_joint_from_case
 from asperity.joint_file.si_tables import si_values
 
@@ -158,14 +160,10 @@ def test_each_sector_turns_as_a_joint_of_its_own_forces_and_speeds(planetary_of_
 
     def turned(joint, contacts, creep, state):
         shown = jnp.stack([state.normal, state.tangential, state.creepage])
-        return SimpleNamespace(
-            shakedown_ratio=shown,
-            slip_ratio=creep,
-            life_hours=SimpleNamespace(drive=jnp.concatenate([state.speed, state.pin_force])),
-        )
+        return Turned(shown, creep, Lives(jnp.concatenate([state.speed, state.pin_force])))
 
     monkeypatch.setattr(f"{module}.turning", turned)
-    shown, creep, rest = _turned(joint, sizes, rolling, 3)
+    shown, creep, (rest,) = _turned(joint, sizes, rolling, 3)
     sense = np.asarray(driving_sense(joint.drive))
     expected = np.stack([normal, sense * tangential, 1e-3 * sense * tangential], axis=1)
     np.testing.assert_allclose(shown, expected, rtol=1e-12)
@@ -197,10 +195,17 @@ def test_limits_in_the_sense_of_the_torque_by_the_creep_law_of_each_sector(
         "_followed": lambda *given: (state, given[-1]),
         "loaded_stiffness": lambda *_: loaded,
         "diagnose": lambda **_: ratios,
-        "_turned": lambda *_: (six, six, six),
+        "_turned": lambda *_: SimpleNamespace(
+            power=SimpleNamespace(**dict.fromkeys(RollingLosses._fields, jnp.array([1.0, 2.0, 6.0]))),
+            drift_per_output_turn=six,
+            shakedown_ratio=six,
+            slip_ratio=six,
+            life_hours=Lives(six),
+        ),
         "_on_centre": lambda *_: six,
         "_working_interference": lambda *_: six,
         "_output_moments": lambda *_: six,
+        "_centre_moments": lambda *_: six,
         "creep_law": lambda joint, contacts, *forces: SimpleNamespace(law=forces),
         "limiting_torques": lambda *_, **given: given,
     }.items():
@@ -211,10 +216,27 @@ def test_limits_in_the_sense_of_the_torque_by_the_creep_law_of_each_sector(
     np.testing.assert_array_equal(found.limits["at_first"], [True, False])
     np.testing.assert_array_equal(found.slip_ratio, [[0.25, 1.0], [0.25, 0.25], [1.0, 0.25]])
     assert float(found.most_torque) == np.inf
+    assert found.losses == RollingLosses(
+        *(6 * [3.0])
+    )  # the sectors' mean: each is that of all if all were like it
     normal, tangential = jnp.arange(1.0, 7.0), jnp.arange(11.0, 17.0)
     expected = [normal * np.tile([1.5, 2.0], 3), tangential * np.tile([0.5, 3.0], 3)]
     np.testing.assert_allclose(found.limits["creep_of"](normal, tangential).law, expected, rtol=1e-12)
     np.testing.assert_allclose(asked["creep_of"](normal, tangential), expected, rtol=1e-12)
+
+
+class Lives(NamedTuple):
+    """Of the drive alone."""
+
+    drive: jax.Array
+
+
+class Turned(NamedTuple):
+    """What is read of a joint that turns."""
+
+    shakedown_ratio: jax.Array
+    slip_ratio: jax.Array
+    life_hours: Lives
 
 
 class SolvedState(eqx.Module):
