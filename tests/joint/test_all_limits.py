@@ -13,9 +13,10 @@ from asperity.joint.rolling_conditions import DutyPoint
 DUTY = (DutyPoint(5.0, 50.0 * math.pi, 0.5), DutyPoint(20.0, 100.0 * math.pi, 0.3), DutyPoint(-4.0, 0.0, 0.2))
 
 
-def solved(pressures, *, duty=DUTY, branches=None):
+def solved(pressures, *, slips=None, duty=DUTY, branches=None):
     joint = SimpleNamespace(rolling=SimpleNamespace(duty=duty), ends=("sun", "carrier"), sun_speed=1.0)
-    rolling = SimpleNamespace(duty_shakedown_ratios=np.array(pressures))
+    slips = [0.5 * each for each in pressures] if slips is None else slips
+    rolling = SimpleNamespace(duty_shakedown_ratios=np.array(pressures), duty_slip_ratios=np.array(slips))
     return SimpleNamespace(joint=joint, result=SimpleNamespace(rolling=rolling), branches=branches)
 
 
@@ -28,7 +29,7 @@ def test_a_joint_that_rolls_under_its_duty():
     assert (count.value, count.ok, count.meaning) == (
         0.0,
         True,
-        "the joint rolls under every load of its duty",
+        "the joint carries every load of its duty without gross slip",
     )
     assert (pressure.value, pressure.contact, pressure.ok) == (0.8, "load 2", True)
     assert further_checks(solved([], duty=())) == ()
@@ -38,15 +39,23 @@ def test_loads_that_it_does_not_carry_are_named():
     count, pressure = duty_checks([1.2, math.nan, math.nan])
     assert (count.value, count.ok, count.rule.severity) == (2.0, False, "function")
     named = "load 2, 20 N·m with the sun at 3000 rpm; load 3, -4 N·m with the sun at 0 rpm"
-    assert count.meaning.startswith(f"no steady rolling under {named}: a contact slips")
+    assert count.meaning.startswith(f"not carried: {named}; a contact slips as a whole")
     assert (pressure.value, pressure.contact, pressure.ok) == (1.2, "load 1", False)
     assert [each.value for each in duty_checks(3 * [math.nan])] == [3.0]  # no pressure is known
+
+
+def test_a_skewed_joint_that_turns_while_a_contact_slips_does_not_carry_the_load():
+    count, pressure = duty_checks([0.5, 0.6, 0.4], slips=[0.9, 1.4, 1.0])
+    assert count.value == 2.0
+    assert "load 2, 20 N·m" in count.meaning
+    assert pressure.ok
 
 
 def test_unequal_branches_roll_by_themselves(unequal_branches):
     """The first load by the worst of 3 branches, the second not carried, and standing under the third."""
     found = unequal_branches()
     rolls = dataclasses.replace(found.standing, limits={"shakedown_ratio": np.array([[0.2, 0.7, 0.6]])})
+    slips = dataclasses.replace(rolls, slip_ratio=np.array([[0.2, 1.1, 0.3]]))
     stands = dataclasses.replace(found.standing, limits={"pressure_over_first_yield": np.array([[0.9]])})
     own = dataclasses.replace(found, duty=(rolls, None, stands))
     count, pressure = duty_checks(3 * [math.nan], branches=own)
@@ -54,3 +63,6 @@ def test_unequal_branches_roll_by_themselves(unequal_branches):
     assert "20 N·m" in count.meaning
     assert "-4 N·m" not in count.meaning
     assert (pressure.value, pressure.contact) == (pytest.approx(0.7), "load 1")
+    assert (
+        duty_checks(3 * [0.1], branches=dataclasses.replace(own, duty=(slips, rolls, stands)))[0].value == 1.0
+    )

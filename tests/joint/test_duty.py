@@ -24,6 +24,7 @@ class Rolled(NamedTuple):
     output_speed: object
     life_hours: Lives
     shakedown_ratio: object
+    slip_ratio: object
 
 
 def conditions(*loads, reliability=0.9):
@@ -42,6 +43,7 @@ def rolled(torque, speed):
         output_speed=carrier,
         life_hours=Lives(hours),
         shakedown_ratio=torque * jnp.array([0.1, 0.3, 0.2, 0.1, 0.1]),
+        slip_ratio=torque * jnp.array([0.2, 0.1, 0.2, 0.4, 0.1]),
     )
 
 
@@ -76,6 +78,7 @@ def test_damage_adds_up_over_time():
     np.testing.assert_allclose(life.damage_shares, damage / damage.sum(), rtol=1e-12)
     np.testing.assert_allclose(life.load_hours, alone / np.array([1.0, 8.0, 2.0]), rtol=1e-12)
     np.testing.assert_allclose(life.shakedown_ratios, [0.3, 0.6, 0.3], rtol=1e-12)  # of the worst contact
+    np.testing.assert_allclose(life.slip_ratios, [0.4, 0.8, 0.4], rtol=1e-12)
     assert float(life.turns / life.hours) == pytest.approx(3600.0 * 1.2, rel=1e-12)
 
 

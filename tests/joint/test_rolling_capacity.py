@@ -15,8 +15,8 @@ from asperity.joint.solve import solve
 
 @pytest.mark.slow
 @pytest.mark.parametrize("skew", [None, (np.asarray(0.5e-3),)])
-def test_root_search_and_halving_find_the_same_torque_in_either_direction(wedged, skew):
-    """Two ways: a search on the slip ratio with derivatives, and halving with the whole joint solved each time."""
+def test_root_search_and_extrapolation_find_the_same_torque_in_either_direction(wedged, skew):
+    """Two ways: a search on the slip ratio with derivatives, and extrapolation, the whole joint solved each time."""
     bearings = Bearings(*map(np.asarray, (0.002, 0.001, 0.01, 0.01, 2e-3)))
     rolling = dataclasses.replace(wedged.rolling, skew=skew)
     joint = dataclasses.replace(wedged, bearings=bearings, sun_speed=np.asarray(100.0), rolling=rolling)

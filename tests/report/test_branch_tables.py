@@ -52,5 +52,5 @@ def test_shares_sun_and_capacity():
     ]
     assert turning[0].rows[0][-3:] == ("50", "0.4", "0.4")
     rows = dict(sun.rows)
-    assert rows["displacement of the sun"] == "5 um"
+    assert rows["displacement of the sun, standing"] == "5 um"
     assert rows["torque capacity: contact sp of planet 2 slips first"] == "11 N·m"

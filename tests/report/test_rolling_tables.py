@@ -29,6 +29,7 @@ def document(**changes):
         "forces": {"output_torque_Nm": 5.0},
         "contacts": {"sp": {"shakedown_ratio": 0.9}},
         "input": {},
+        "torque_capacity": {"output_torque_Nm": 9.0, "reverse": {"output_torque_Nm": 9.0}},
     }
 
 
@@ -46,6 +47,18 @@ def test_drift_stands_beside_the_stiffness():
         ("torque over stiffness", "2.5 arcmin"),
         ("torque capacity, rolling", "12.5 N·m"),
     ]
+
+
+def test_a_capacity_at_which_only_what_is_computed_ends():
+    """The wall of one direction is too thin from 12.5 N·m on; a smaller capacity in rolling is one of slip."""
+    thin = {"output_torque_Nm": 12.5, "is_lower_bound": True}
+    both = {"output_torque_Nm": 12.5, "is_lower_bound": False, "reverse": thin}
+    for capacity, words in (
+        (12.5, "at least: what is computed ends there"),
+        (11.0, "beyond, a contact slips"),
+    ):
+        (block, *_) = rolling(document() | {"torque_capacity": both}, capacity=capacity)
+        assert block.rows[-1][2] == words
 
 
 def test_losses_by_contact_and_in_all():

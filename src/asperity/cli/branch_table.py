@@ -7,12 +7,12 @@ from typing import TYPE_CHECKING, Any
 
 from asperity.cli.document_text import in_unit, number, print_wrapped, scaled
 from asperity.cli.terminal import table
+from asperity.joint.branch_document import deviations, force_size
 
 if TYPE_CHECKING:
     from rich.console import Console
 
 Document = dict[str, Any]
-_ROUNDING = 1e-11  # of forces relative to the preloads
 
 
 def show_branches(target: Console, found: Document) -> None:
@@ -26,8 +26,6 @@ def show_branches(target: Console, found: Document) -> None:
         As :func:`asperity.joint.branch_document.branch_document` makes it.
     """
     standing, rolling = found["standing"], found["rolling"]
-    from asperity.joint.branch_document import deviations
-
     names = deviations(found)
     shown = table(
         target,
@@ -70,22 +68,19 @@ def _of(state: Document | None, name: str, index: int, factor: float) -> str:
 
 def _sun(found: Document, standing: Document | None) -> str:
     sun = (standing or found["without_torque"])["sun"]
-    force = _force(found, sun["force_N"]) + ("" if standing else " without torque")
+    force = in_unit(force_size(found, sun["force_N"]), "N") + (" standing" if standing else " without torque")
     if found["sun_support_stiffness_N_per_m"] is None:
         return f"{force} on its bearings, which hold it"
     return f"{in_unit(math.hypot(*sun['displacement_m']), 'um')} off centre, {force} on its bearings"
 
 
-def _force(found: Document, components: list[float]) -> str:
-    """Size of a force; that of rounding, beside the preloads, is shown as none."""
-    size, largest = math.hypot(*components), max(entry["preload_N"] for entry in found["branches"])
-    return in_unit(size if size > _ROUNDING * largest else 0.0, "N")
-
-
 def _others(found: Document, state: Document) -> list[str]:
     """Forces on the other members on the axis, in words."""
     forces = state.get("central_forces_N", {})
-    named = [f"{_force(found, force)} on the {name.replace('_', ' ')}" for name, force in forces.items()]
+    named = [
+        f"{in_unit(force_size(found, force), 'N')} on the {name.replace('_', ' ')}"
+        for name, force in forces.items()
+    ]
     return [", ".join(named)] if named else []
 
 

@@ -16,7 +16,7 @@ from asperity.cli.document_text import (
     show_warnings,
 )
 from asperity.cli.terminal import table
-from asperity.joint.capacity import first_slip_words
+from asperity.joint.capacity import first_slip_words, may_carry_more
 from asperity.joint.document import (
     LEVEL_WORDS,
     NO_SHARE,
@@ -324,7 +324,8 @@ def _rolling_capacity(document: Document) -> str:
         return "not limited by friction"
     if found <= 0.0:
         return "slips without a torque"
-    return f"up to {in_unit(found, 'N*m')} without gross slip"
+    at_least = " at least" if may_carry_more(document["torque_capacity"], found) else ""
+    return f"up to {in_unit(found, 'N*m')}{at_least} without gross slip"
 
 
 def capacity_text(capacity: Document) -> str:

@@ -75,7 +75,7 @@ def _show_output(target: Console, document: Document) -> None:
     shown.add_row(
         "torque capacity, rolling",
         "not limited" if capacity is None else in_unit(capacity, "N*m"),
-        f"beyond, a contact slips; standing: {_standing_capacity(document)}",
+        f"{_beyond(document)}; standing: {_standing_capacity(document)}",
     )
     if "branches" in document:
         shown.add_row(
@@ -84,6 +84,15 @@ def _show_output(target: Console, document: Document) -> None:
             "by its own size; the row above is that of equal branches",
         )
     target.print(shown)
+
+
+def _beyond(document: Document) -> str:
+    """What ends the rolling, or what is computed of it."""
+    from asperity.joint.capacity import may_carry_more
+
+    if may_carry_more(document["torque_capacity"], document["rolling"]["torque_capacity_Nm"]):
+        return "at least: what is computed ends there"
+    return "beyond, a contact slips"
 
 
 def _standing_capacity(document: Document) -> str:

@@ -105,6 +105,7 @@ def sweep(
     use_compilation_cache()
     from asperity.cli.named_file import about
     from asperity.cli.progress import progress_bar
+    from asperity.joint.results import chosen_results
     from asperity.joint_file.any_joint import results_of
     from asperity.joint_file.part_names import WEDGE_TYPE
     from asperity.joint_file.si_tables import si_values
@@ -116,6 +117,7 @@ def sweep(
     kind, table = case.type or WEDGE_TYPE, results_of(si_values(case))
     grid = [parse_axis(axis, kind=kind) for axis in axes]
     names = [name.strip() for name in results.split(",") if name.strip()]
+    chosen_results(names, table=table)
     streamed = out is not None and Path(out).suffix == ".zarr"
     if out is not None and not streamed:
         check_table_path(out, overwrite=overwrite)

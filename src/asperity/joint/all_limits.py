@@ -51,22 +51,22 @@ def further_checks(solved: SolvedJoint) -> tuple[LimitCheck, ...]:
 
 
 def _duty_checks(solved: SolvedJoint) -> tuple[LimitCheck, ...]:
-    """That the joint rolls under every load of its duty, and that none makes its surfaces flow."""
+    """That the joint carries every load of its duty, and that none makes its surfaces flow."""
     joint, branches = solved.joint, solved.branches
     if not joint.rolling.duty:
         return ()
     pressure = np.asarray(solved.result.rolling.duty_shakedown_ratios)
-    stuck = list(np.isnan(pressure))
+    stuck = [not ratio < 1.0 for ratio in np.asarray(solved.result.rolling.duty_slip_ratios)]
     if branches is not None and branches.duty:
         pressure = np.array([_worst(each) for each in branches.duty])
-        stuck = [each is None for each in branches.duty]
+        stuck = [each is None or _slips(each) for each in branches.duty]
     loads = [
         f"load {number}, {format_quantity(float(point.output_torque), 'N*m')} with the {joint.ends[0]} at "
         f"{format_quantity(float(point.sun_speed), 'rpm')}"
         for number, point in enumerate(joint.rolling.duty, start=1)
     ]
     without = [load for load, sticks in zip(loads, stuck, strict=True) if sticks]
-    found = [LimitCheck(_without_rolling(without), None, float(len(without)))]
+    found = [LimitCheck(_not_carried(without), None, float(len(without)))]
     if not np.all(np.isnan(pressure)):
         known = RESULTS["shakedown_ratio"]
         row = dataclasses.replace(
@@ -83,20 +83,26 @@ def _worst(state: BranchState | None) -> float:
     return float(np.nanmax(state.limits["shakedown_ratio"]))
 
 
-def _without_rolling(loads: list[str]) -> Result:
-    """How many loads of a duty do not let the joint roll, with its limit."""
+def _slips(state: BranchState) -> bool:
+    """Whether a contact of a joint that turns slips as a whole."""
+    return "shakedown_ratio" in state.limits and not np.nanmax(state.slip_ratio) < 1.0
+
+
+def _not_carried(loads: list[str]) -> Result:
+    """How many loads of a duty the joint does not carry, with its limit."""
     return Result(
-        "duty_loads_without_rolling",
-        "loads of the duty under which the joint does not roll",
+        "duty_loads_not_carried",
+        "loads of the duty that the joint does not carry",
         Dimension.DIMENSIONLESS,
         "1",
-        "duty_loads_without_rolling",
+        "duty_loads_not_carried",
         limit=Limit(
             "function",
-            "the joint rolls under every load of its duty",
-            f"no steady rolling under {'; '.join(loads)}: a contact slips or lifts off, and there is no life under the "
-            "duty",
-            "lower these loads, or raise the preload or the friction coefficient",
+            "the joint carries every load of its duty without gross slip",
+            f"not carried: {'; '.join(loads)}; a contact slips as a whole or lifts off, or the load is beyond what is "
+            "computed, and the life under the duty does not hold",
+            "lower these loads below the torque capacity, in rolling where the joint turns, or raise the capacity by "
+            "what its limit asks for",
             highest=0.0,
             inclusive=True,
         ),

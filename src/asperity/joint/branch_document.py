@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
@@ -11,6 +12,27 @@ from asperity.joint.branch_limits import equal_branches_note, least_life
 from asperity.joint.branch_results import BranchCapacity, BranchRolling, BranchState, UnequalBranches
 
 Document = dict[str, Any]
+
+_ROUNDING = 1e-11  # of forces relative to the preloads
+
+
+def force_size(found: Document, components: Sequence[float]) -> float:
+    """Size of a force on a member; that of rounding, beside the preloads, is none.
+
+    Parameters
+    ----------
+    found : dict
+        :func:`branch_document`.
+    components : sequence of float
+        Components of the force [N].
+
+    Returns
+    -------
+    float
+        Its size [N].
+    """
+    size, largest = math.hypot(*components), max(entry["preload_N"] for entry in found["branches"])
+    return size if size > _ROUNDING * largest else 0.0
 
 
 def branch_document(found: UnequalBranches) -> Document:

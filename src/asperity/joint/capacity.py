@@ -239,6 +239,25 @@ def capacity_document(
     return found
 
 
+def may_carry_more(both: dict[str, Any], torque: float | None) -> bool:
+    """Whether a capacity in rolling is one at which only what is computed ends.
+
+    Parameters
+    ----------
+    both : dict
+        As for :func:`first_slip_words`.
+    torque : float or None
+        The capacity in rolling [N·m]; None where it is unlimited.
+
+    Returns
+    -------
+    bool
+        Where it is the lower bound of the capacity standing, in either direction.
+    """
+    bounds = [each["output_torque_Nm"] for each in (both, both["reverse"]) if each.get("is_lower_bound")]
+    return torque is not None and any(math.isclose(torque, bound, rel_tol=_SAME) for bound in bounds)
+
+
 def first_slip_words(both: dict[str, Any]) -> list[str]:
     """Where a contact slips while others carry the rest, in words.
 

@@ -31,8 +31,9 @@ class DutyLife(eqx.Module):
         Share of each load in the damage of the drive, loads first [-]; they add up to 1.
     load_hours : Array
         Life under each load alone, loads first [h].
-    shakedown_ratios : Array
-        Hertz pressure over the shakedown limit of the worst contact under each load, loads first [-].
+    shakedown_ratios, slip_ratios : Array
+        Hertz pressure over the shakedown limit, and traction over what friction and skew leave, of the worst contact
+        under each load, loads first [-]; nan where it does not roll.
     """
 
     hours: Array
@@ -40,6 +41,7 @@ class DutyLife(eqx.Module):
     damage_shares: Array
     load_hours: Array
     shakedown_ratios: Array
+    slip_ratios: Array
 
 
 def with_duty_life(
@@ -78,6 +80,7 @@ def with_duty_life(
         duty_damage_shares=life.damage_shares,
         duty_load_hours=life.load_hours,
         duty_shakedown_ratios=life.shakedown_ratios,
+        duty_slip_ratios=life.slip_ratios,
     )
 
 
@@ -143,4 +146,5 @@ def duty_life(
         damage_shares=jnp.sum(shares, axis=(1, 2)),
         load_hours=found.life_hours.drive,
         shakedown_ratios=jnp.max(found.shakedown_ratio, axis=1),
+        slip_ratios=jnp.max(found.slip_ratio, axis=1),
     )

@@ -90,9 +90,9 @@ class RollingResult(eqx.Module):
         Lives in hours of rolling at the joint's speed [h]; nan where the sun stands.
     duty_life_hours, duty_life_turns : Array
         Life of the drive under its duty, in hours and in turns of the output; nan without a duty.
-    duty_damage_shares, duty_load_hours, duty_shakedown_ratios : Array
+    duty_damage_shares, duty_load_hours, duty_shakedown_ratios, duty_slip_ratios : Array
         Share of each load of the duty in the damage [-], life under it alone [h], and Hertz pressure over shakedown
-        limit of the worst contact under it [-], loads first; empty without a duty.
+        limit and slip ratio of the worst contact under it [-], loads first; empty without a duty.
     residual : Array
         Residual of the rolling state, :data:`asperity.drive.rolling_state.ROLLING_TOLERANCE` at most [-].
     crown_creepage_factor : Array or None
@@ -130,6 +130,7 @@ class RollingResult(eqx.Module):
     duty_damage_shares: Array
     duty_load_hours: Array
     duty_shakedown_ratios: Array
+    duty_slip_ratios: Array
     residual: Array
     crown_creepage_factor: Array | None = None
 
@@ -363,6 +364,7 @@ def turning_result(
         duty_damage_shares=jnp.zeros((0, *state.speed_loss.shape)),
         duty_load_hours=jnp.zeros((0, *state.speed_loss.shape)),
         duty_shakedown_ratios=jnp.zeros((0, *state.speed_loss.shape)),
+        duty_slip_ratios=jnp.zeros((0, *state.speed_loss.shape)),
         residual=state.residual,
         crown_creepage_factor=creep.crown_factor,
     )

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+import itertools
 import math
 from collections.abc import Callable
 
@@ -17,9 +18,10 @@ from asperity.joint.rolling_document import unknown_because
 from asperity.joint.solve import Solution
 from asperity.units import format_quantity
 
-_HALVINGS = 30  # the capacity to 1e-9 of that at rest
-#: Most joints roll up to nearly their capacity at rest: shares 2^-k below it that are tried first.
-_NEAR_THE_END = (30, 20, 10)
+_LEAST = 0.5**30  # the capacity to 1e-9 of that at rest
+_FURTHER = 8.0  # times as far from the guess, after a torque that took off less than a half
+_POINTS = 3  # through which a parabola is drawn
+_MISSES = 3  # of these in a row, and the interval is halved
 
 
 def rolling_capacity_of(joint: Joint, solution: Solution, *, direction: float) -> float:
@@ -47,31 +49,70 @@ def rolling_capacity_of(joint: Joint, solution: Solution, *, direction: float) -
     program = compile_fast(evaluate, numbers)
     at_rest = solution.reverse_capacity if direction < 0.0 else solution.capacity
 
-    def rolls(torque: float) -> bool:
+    def slip(torque: float) -> float:
         result = program(dataclasses.replace(numbers, output_torque=np.float64(direction * torque)))
-        rolling = result.rolling
-        return bool(
-            np.isfinite(np.asarray(rolling.residual)) and np.all(np.asarray(rolling.slip_ratio) < 1.0)
-        )
+        rolling, ratio = result.rolling, float(np.max(np.asarray(result.rolling.slip_ratio)))
+        return ratio if np.isfinite(np.asarray(rolling.residual)) else math.nan
 
-    return _largest(rolls, float(at_rest.output_torque))
+    return _largest(slip, float(at_rest.output_torque))
 
 
-def _largest(rolls: Callable[[float], bool], at_rest: float) -> float:
-    """The largest torque that rolls, by halving; the states form one interval from 0."""
+def _largest(slip: Callable[[float], float], at_rest: float) -> float:
+    """The largest torque that rolls; the states form one interval from 0.
+
+    Parameters
+    ----------
+    slip : callable
+        Slip ratio of the worst contact under a torque; from 1 on it does not roll, nor where the ratio is nan.
+    at_rest : float
+        The torque that it is below.
+
+    Notes
+    -----
+    Most joints roll up to nearly the capacity at rest, which is tried first. Then the slip ratios of the torques that
+    roll are extended to 1, and torques a little below and above that enclose the end.
+    """
     if not math.isfinite(at_rest):
         return at_rest
-    low, high = 0.0, at_rest
-    for power in _NEAR_THE_END:
-        edge = at_rest * (1.0 - 0.5**power)
-        if rolls(edge):
-            low = edge
-            break
-        high = edge
-    while high - low > at_rest * 0.5**_HALVINGS:
-        middle = 0.5 * (low + high)
-        low, high = (middle, high) if rolls(middle) else (low, middle)
+    least = at_rest * _LEAST
+    low, high, misses = 0.0, at_rest, 0
+    rolled = [(0.0, 0.0)]  # a guess: no torque, no slip
+    torque = at_rest - 0.9 * least
+    while high - low > least:
+        width = high - low
+        ratio = slip(torque)
+        if ratio < 1.0:
+            low = torque
+            rolled.append((torque, ratio))
+        else:
+            high = torque
+        misses = misses + 1 if high - low > 0.6 * width else 0
+        torque = _next(rolled, low, high, 0.45 * least, misses)
     return low
+
+
+def _next(rolled: list[tuple[float, float]], low: float, high: float, error: float, misses: int) -> float:
+    """The torque to try between one that rolls and one that does not."""
+    guess, off = _extended(rolled[-_POINTS:])
+    margin = (error + off) * _FURTHER**misses
+    if misses < _MISSES and low < guess < high + margin:
+        for torque in (guess - margin, guess + margin):
+            if low + 0.5 * error < torque < high:
+                return torque
+    return 0.5 * (low + high)
+
+
+def _extended(rolled: list[tuple[float, float]]) -> tuple[float, float]:
+    """Where torques as a polynomial of their slip ratios reach a ratio of 1, and how far that may be off; or nan."""
+    if any(two[1] <= one[1] for one, two in itertools.pairwise(rolled)):
+        return math.nan, math.nan
+    value = sum(
+        torque * math.prod((1.0 - other) / (ratio - other) for _, other in rolled if other != ratio)
+        for torque, ratio in rolled
+    )
+    if len(rolled) < _POINTS:
+        return value, 0.0
+    return value, 0.02 * abs(value - _extended(rolled[1:])[0])
 
 
 def refuse_no_rolling(joint: Joint, solution: Solution, capacity: float) -> None:

@@ -10,6 +10,7 @@ import contextlib
 import os
 import sys
 import threading
+import weakref
 from collections import OrderedDict
 from collections.abc import Callable, Iterable
 from concurrent.futures import Future, ThreadPoolExecutor
@@ -120,7 +121,7 @@ class FasterPrograms:
 
     def __init__(self) -> None:
         self._pool = ThreadPoolExecutor(1, thread_name_prefix="asperity-faster", initializer=_yield_to_others)
-        self._known: set[Program] = set()
+        self._known: weakref.WeakSet[Program] = weakref.WeakSet()
         self._left: set[Future[None]] = set()
 
     @property

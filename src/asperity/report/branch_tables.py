@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterator
 from typing import Any
 
-from asperity.joint.branch_document import deviations
+from asperity.joint.branch_document import deviations, force_size
 from asperity.report.cells import number, quantity
 from asperity.report.content import Block, Heading, Paragraph, Table
 
@@ -75,14 +75,14 @@ def branch_tables(found: Document) -> Iterator[Block]:
         ],
     )
     sun = (states[0] or found["without_torque"])["sun"]
-    when = "" if states[0] else " without torque"
+    when = ", standing" if states[0] else " without torque"
     rows = [
-        (f"force on the bearings of the sun{when}", quantity(math.hypot(*sun["force_N"]), "N")),
+        (f"force on the bearings of the sun{when}", quantity(force_size(found, sun["force_N"]), "N")),
         (f"displacement of the sun{when}", quantity(math.hypot(*sun["displacement_m"]), "um")),
     ]
     others = (states[0] or found["without_torque"]).get("central_forces_N", {})
     rows += [
-        (f"force on the {name.replace('_', ' ')}{when}", quantity(math.hypot(*force), "N"))
+        (f"force on the {name.replace('_', ' ')}{when}", quantity(force_size(found, force), "N"))
         for name, force in others.items()
     ]
     if "output_stiffness_Nm_per_rad" in found:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Any
 
+from asperity.joint.capacity import may_carry_more
 from asperity.report.cells import number, percent, quantity
 from asperity.report.content import Block, Bullets, Paragraph, Table
 
@@ -65,7 +66,9 @@ def _position(document: Document, capacity: float | None) -> Table:
         (
             "torque capacity, rolling",
             quantity(capacity, "N*m"),
-            "beyond, a contact slips",
+            "at least: what is computed ends there"
+            if may_carry_more(document["torque_capacity"], capacity)
+            else "beyond, a contact slips",
         ),
     ]
     return Table(
