@@ -59,6 +59,7 @@ def test_entries_of_the_table_recomputed(boundary_elements, with_pressure, i, j)
     assert float(LAWS[with_pressure](**given)) == pytest.approx(expected, rel=6e-3)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("with_pressure", LAWS)
 def test_between_the_entries_of_the_table(boundary_elements, with_pressure):
     rng = np.random.default_rng(5)

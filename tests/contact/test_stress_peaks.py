@@ -36,6 +36,7 @@ GRID = np.meshgrid(np.linspace(-1.2, 1.2, 97), np.linspace(0.1, 1.2, 56), indexi
 FRICTIONS = np.array([0.0, 0.1, 0.2, 0.3, 0.35])
 
 
+@pytest.mark.slow
 def test_without_friction_the_peaks_are_johnsons():
     shear = shear_peak(friction_coefficient=FRICTIONS)
     in_plane = mises_peak(friction_coefficient=FRICTIONS, poisson_ratio=0.5)

@@ -49,5 +49,6 @@ def test_the_output_gives_way_to_the_torque_in_both_senses(found):
     assert np.all((excess > 0.0) & (excess < behind[loaded] / np.pi))
 
 
+@pytest.mark.slow
 def test_two_directions_differ_with_a_constant_pin_force(found):
     assert found.assembly[4] > 1.04 * found.assembly[1]

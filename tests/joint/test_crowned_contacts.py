@@ -142,6 +142,7 @@ def test_what_more_crown_does(crowned):
     np.testing.assert_allclose(found.rolling.crown_creepage_factor[3:], 1.0, rtol=1e-12)
 
 
+@pytest.mark.slow
 def test_creep_at_a_small_torque_is_that_of_the_mean_width(springs_joint, crowned):
     """Carter's slope is proportional to the half-width: the slices' mean takes the place of the even one."""
     at = crowned.forces.normal[:, 5]

@@ -218,6 +218,7 @@ def test_held_planets_may_exceed_the_series(joint, solved):
     assert 1.0 < float(exact.assembly.stiffness.output / exact.series_with_bulk.output) < 1.1
 
 
+@pytest.mark.slow
 def test_shares_of_the_compliance_add_up(joint, solved):
     assembly = solved(joint(ring_support="free")).assembly
     shares = [np.sum(share) for name, share in vars(assembly).items() if name.endswith("_share")]

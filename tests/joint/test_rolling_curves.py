@@ -31,6 +31,7 @@ def curves(joint, solution):
     return rolling_curves(joint=joint, result=solution.result, torque_capacity=capacity)
 
 
+@pytest.mark.slow
 def test_creep_curves_of_smooth_bodies_are_carters(curves, solution):
     """xi = mu a/R (1 - sqrt(1 - q)) with Hertz's a, by hand."""
     normal = np.asarray(solution.result.rolling.normal)

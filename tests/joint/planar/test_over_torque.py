@@ -47,6 +47,7 @@ def test_the_slope_of_the_curve_is_the_stiffness_of_the_solution_there(joint, cu
     assert angle[torque.size // 2] == 0.0
 
 
+@pytest.mark.slow
 def test_no_slip_no_loop_and_the_same_forces(joint, curve):
     """A millionfold friction: T/(mu N) is below 1e-6, and so is what is left of the loop."""
     sticking = dataclasses.replace(joint, friction_coefficients=(1e6,))
@@ -58,6 +59,7 @@ def test_no_slip_no_loop_and_the_same_forces(joint, curve):
     assert float(held.stiffness[middle]) == pytest.approx(float(curve.stiffness[middle]), rel=1e-9)
 
 
+@pytest.mark.slow
 def test_play_at_once_is_its_angle_in_every_curve(joint, curve):
     """Half of it on either side of zero torque: all of it in the lost motion, nothing in the loop's work."""
     loose = curve_of(dataclasses.replace(joint, play=Play(angle=1e-4, take_up_torque=0.0)), 10.0)
@@ -67,6 +69,7 @@ def test_play_at_once_is_its_angle_in_every_curve(joint, curve):
     assert float(loose.dissipated_energy) == pytest.approx(float(curve.dissipated_energy), rel=1e-9)
 
 
+@pytest.mark.slow
 def test_the_drift_begins_as_that_of_its_rolling(joint, curve):
     """The torque that drives loses as much as the one that is driven; both contacts by their power."""
     forward, reverse = (solve_planar(under_torque(joint, torque)).result for torque in (10.0, -10.0))
@@ -106,6 +109,7 @@ def test_creep_damps_as_the_slope_of_the_lost_speed(joint):
     assert float(at.locked_frequency) == pytest.approx(float(expected), rel=1e-9)
 
 
+@pytest.mark.slow
 def test_both_senses_of_rotation(joint):
     """The drift has the sign of the torque, and is nearly the same with and against it."""
     found = both_senses(joint=joint, torque=np.array([-10.0, 10.0]))

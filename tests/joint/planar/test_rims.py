@@ -29,6 +29,7 @@ def result_of(normal, tangential, rest, width, rest_tangential=0.0):
     )
 
 
+@pytest.mark.slow
 def test_a_thin_hollow_planet_by_hand(planar_joint):
     """Two opposite loads P on a thin ring: the moment under a load is P R/pi, and the bore is in tension there."""
     joint = planar_joint(
