@@ -7,7 +7,6 @@ import socket
 import subprocess
 import sys
 import threading
-import time
 import urllib.request
 
 import pytest
@@ -72,9 +71,9 @@ def test_missing_packages_are_said_with_the_command(monkeypatch):
 
 #: A server whose every answer takes a minute.
 SLOW = """
-import time
+import sys, time
 from asperity.page import application
-application.joint_answer = lambda request: time.sleep(60)
+application.joint_answer = lambda request: print("computing", file=sys.stderr, flush=True) or time.sleep(60)
 from asperity.cli import main
 main()
 """
@@ -94,7 +93,7 @@ def test_an_interruption_during_a_computation_says_that_it_stopped_and_no_more(j
 
         asking = threading.Thread(target=ask)
         asking.start()
-        time.sleep(1.0)
+        assert server.stderr.readline() == "computing\n"
         server.send_signal(signal.SIGINT)
         assert server.stderr.read().split() == ["asperity:", "stopped"]
         asking.join()
