@@ -72,9 +72,9 @@ def test_missing_packages_are_said_with_the_command(monkeypatch):
 
 #: A server whose every answer takes a minute.
 SLOW = """
-import time
+import sys, time
 from asperity.page import application
-application.joint_answer = lambda request: time.sleep(60)
+application.joint_answer = lambda request: print("computing", file=sys.stderr, flush=True) or time.sleep(60)
 from asperity.cli import main
 main()
 """
@@ -84,7 +84,9 @@ main()
 def test_an_interruption_during_a_computation_says_that_it_stopped_and_no_more(joint_text):
     command = [sys.executable, "-c", SLOW, "serve", "--port", "0", "--no-browser"]
     with subprocess.Popen(command, stderr=subprocess.PIPE, text=True) as server:
-        address = re.search(r"http://\S+", server.stderr.readline()).group()
+        said = server.stderr.readline() + server.stderr.readline()  # it computes its first joint as it starts
+        assert "computing" in said
+        address = re.search(r"http://\S+", said).group()
         body = json.dumps({"toml": joint_text}).encode()
         request = urllib.request.Request(f"{address}api/joint", body, {"content-type": "application/json"})
 
