@@ -2,11 +2,9 @@
 
 from __future__ import annotations
 
-import contextlib
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from typing import Any, Generic, NamedTuple, TypeVar
 
-from asperity.errors import InputError
 from asperity.joint.branch_results import UnequalBranches
 from asperity.joint.description import Joint
 from asperity.joint.document import joint_document
@@ -38,7 +36,7 @@ class SolvedCase(NamedTuple, Generic[_Described, _Solved]):
         What the joint does with equal branches. Under a torque that only its own branches carry, what all of these do
         together, and nan for all else.
     branches : UnequalBranches or None
-        What its sections ``[[branch]]`` do; None where there are none, or where they were not asked for.
+        What its sections ``[[branch]]`` do; None where there are none.
     document : dict
         All of it as plain data in SI units.
     """
@@ -49,15 +47,13 @@ class SolvedCase(NamedTuple, Generic[_Described, _Solved]):
     document: dict[str, Any]
 
 
-def solve_case(case: Case, *, branches: bool = True) -> SolvedCase[Joint, Solution]:
+def solve_case(case: Case) -> SolvedCase[Joint, Solution]:
     """Solve a joint file with the paper's drive.
 
     Parameters
     ----------
     case : Case
         The joint file.
-    branches : bool, optional
-        Whether its sections ``[[branch]]`` count.
 
     Returns
     -------
@@ -71,7 +67,7 @@ def solve_case(case: Case, *, branches: bool = True) -> SolvedCase[Joint, Soluti
     NoSolutionError
         If no balance was found.
     """
-    joint, solution, found = papers_branches(case, branches=branches)
+    joint, solution, found = papers_branches(case)
     document = joint_document(
         joint=joint,
         solution=solution,
@@ -82,15 +78,13 @@ def solve_case(case: Case, *, branches: bool = True) -> SolvedCase[Joint, Soluti
     return SolvedCase(joint, solution, found, document)
 
 
-def solve_planar_case(case: PlanarCase, *, branches: bool = True) -> SolvedCase[PlanarJoint, PlanarSolution]:
+def solve_planar_case(case: PlanarCase) -> SolvedCase[PlanarJoint, PlanarSolution]:
     """Solve a joint file with another drive.
 
     Parameters
     ----------
     case : PlanarCase
         The joint file.
-    branches : bool, optional
-        Whether its sections ``[[branch]]`` count.
 
     Returns
     -------
@@ -104,7 +98,7 @@ def solve_planar_case(case: PlanarCase, *, branches: bool = True) -> SolvedCase[
     NoSolutionError
         If no balance was found.
     """
-    joint, solution, found = planar_branches(case, branches=branches)
+    joint, solution, found = planar_branches(case)
     document = planar_document(
         joint=joint,
         solution=solution,
@@ -138,15 +132,13 @@ def solved_document(case: AnyCase) -> dict[str, Any]:
     return solve_planar_case(case).document if isinstance(case, PlanarCase) else solve_case(case).document
 
 
-def papers_branches(case: Case, *, branches: bool = True) -> tuple[Joint, Solution, UnequalBranches | None]:
+def papers_branches(case: Case) -> tuple[Joint, Solution, UnequalBranches | None]:
     """Solve a joint file with the paper's drive, with equal branches and with its own.
 
     Parameters
     ----------
     case : Case
         The joint file.
-    branches : bool, optional
-        Whether its sections ``[[branch]]`` count.
 
     Returns
     -------
@@ -165,20 +157,16 @@ def papers_branches(case: Case, *, branches: bool = True) -> tuple[Joint, Soluti
         If no balance was found.
     """
     joint = joint_from_case(case)
-    return _solved(case, joint, solve, lambda _: unequal_branches(case, joint), branches)
+    return _solved(case, joint, solve, lambda _: unequal_branches(case, joint))
 
 
-def planar_branches(
-    case: PlanarCase, *, branches: bool = True
-) -> tuple[PlanarJoint, PlanarSolution, UnequalBranches | None]:
+def planar_branches(case: PlanarCase) -> tuple[PlanarJoint, PlanarSolution, UnequalBranches | None]:
     """Solve a joint file with another drive, as :func:`papers_branches`.
 
     Parameters
     ----------
     case : PlanarCase
         The joint file.
-    branches : bool, optional
-        Whether its sections ``[[branch]]`` count.
 
     Returns
     -------
@@ -191,7 +179,7 @@ def planar_branches(
         As :func:`papers_branches`.
     """
     joint = planar_joint_from_case(case)
-    return _solved(case, joint, solve_planar, lambda found: unequal_sectors(case, joint, found), branches)
+    return _solved(case, joint, solve_planar, lambda found: unequal_sectors(case, joint, found))
 
 
 def _solved(
@@ -199,25 +187,12 @@ def _solved(
     joint: _Described,
     solver: Callable[[_Described], _Solved],
     own_branches: Callable[[_Solved], UnequalBranches | None],
-    count: bool,
 ) -> tuple[_Described, _Solved, UnequalBranches | None]:
-    """A joint with equal branches, and with its own where they are to count."""
-    if not count or case.branch is None:
-        with _equal_branches(case):
-            return joint, solver(joint), None
+    """A joint with equal branches, and with its own where its file states them."""
+    if case.branch is None:
+        return joint, solver(joint), None
     solution, carries = solve_equal_branches(joint, solver)
     found = own_branches(solution)
     if carries or found is None:
         return joint, solution, found
     return joint, without_state(solution, float(joint.output_torque), found), found
-
-
-@contextlib.contextmanager
-def _equal_branches(case: AnyCase) -> Iterator[None]:
-    """Solve with equal branches alone: a refusal says that it is theirs, if the file states others."""
-    try:
-        yield
-    except InputError as error:
-        if case.branch is None:
-            raise
-        raise InputError(f"{error} (for equal branches: [[branch]] does not count here)") from None
