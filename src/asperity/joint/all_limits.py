@@ -11,6 +11,7 @@ from asperity.joint.branch_limits import branch_checks
 from asperity.joint.branch_results import BranchState
 from asperity.joint.limit_check import LimitCheck, checked_limits
 from asperity.joint.results import RESULTS, Limit, Result, SolvedJoint
+from asperity.joint.rolling_conditions import DutyPoint
 from asperity.unit_table import Dimension
 from asperity.units import format_quantity
 
@@ -56,7 +57,8 @@ def _duty_checks(solved: SolvedJoint) -> tuple[LimitCheck, ...]:
     if not joint.rolling.duty:
         return ()
     pressure = np.asarray(solved.result.rolling.duty_shakedown_ratios)
-    stuck = [not ratio < 1.0 for ratio in np.asarray(solved.result.rolling.duty_slip_ratios)]
+    ratios = np.asarray(solved.result.rolling.duty_slip_ratios)
+    stuck = [_equal_slip(solved, *each) for each in zip(joint.rolling.duty, ratios, strict=True)]
     if branches is not None and branches.duty:
         pressure = np.array([_worst(each) for each in branches.duty])
         stuck = [each is None or _slips(each) for each in branches.duty]
@@ -74,6 +76,15 @@ def _duty_checks(solved: SolvedJoint) -> tuple[LimitCheck, ...]:
         )
         found.append(LimitCheck(row, f"load {1 + int(np.nanargmax(pressure))}", float(np.nanmax(pressure))))
     return tuple(found)
+
+
+def _equal_slip(solved: SolvedJoint, point: DutyPoint, slip_ratio: float) -> bool:
+    """Whether equal branches do not carry a load: in rolling, or standing where the input stands."""
+    if float(point.sun_speed) > 0.0:
+        return not slip_ratio < 1.0
+    torque = float(point.output_torque)
+    capacity = solved.reverse_capacity if torque < 0.0 else solved.capacity
+    return not abs(torque) < float(capacity.output_torque)
 
 
 def _worst(state: BranchState | None) -> float:
