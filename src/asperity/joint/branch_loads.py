@@ -10,7 +10,10 @@ import numpy as np
 from asperity.joint.branch_results import UnequalBranches
 
 _NO_STATE = "the branches of the file, [[branch]], do not carry this load, or do not roll under it"
-_NO_THRUST = "equal branches do not carry this load; the axial forces are theirs, and not stated."
+_EQUAL_THRUST = (
+    "Axial forces are those of equal branches, not of those of the file; none are stated where equal ones do not carry "
+    "the load."
+)
 
 Document = dict[str, Any]
 
@@ -33,7 +36,7 @@ class BranchLoads:
         self.count = cases
 
     def entries(self, equal: list[Document], *, skewed: bool) -> tuple[list[Document], list[str]]:
-        """The cases by what these branches do, and a note where equal ones do less.
+        """The cases by what these branches do, and a note on what is that of equal ones.
 
         Parameters
         ----------
@@ -48,12 +51,7 @@ class BranchLoads:
             case | {"unknown_because": _NO_STATE if state is None else None}
             for case, state in zip(equal, self.states, strict=True)
         ]
-        absent = [
-            case["name"]
-            for case, state in zip(equal, self.states, strict=True)
-            if case["unknown_because"] and state is not None
-        ]
-        return own, [f"{', '.join(absent)}: {_NO_THRUST}"] if absent and skewed else []
+        return own, [_EQUAL_THRUST] if skewed else []
 
     def force_on(self, member: str) -> np.ndarray:
         """Force on a member on the axis [N]; nan where the branches do not carry the load."""

@@ -122,7 +122,7 @@ def joint_document(
         "bearings": bearing_entries(solved),
         "rims": rim_entries(solved),
         "rolling": {
-            **rolling_document(joint, result, solved.no_equal_state),
+            **rolling_document(joint, result, solved.no_equal_state, unlike=branches is not None),
             "torque_capacity_Nm": rolling_capacity_of(
                 joint, solution, direction=math.copysign(1.0, float(joint.output_torque))
             ),

@@ -18,7 +18,11 @@ Document = dict[str, Any]
 
 
 def rolling_document(
-    joint: Joint | PlanarJoint, result: JointResult | PlanarResult, absent_because: str | None = None
+    joint: Joint | PlanarJoint,
+    result: JointResult | PlanarResult,
+    absent_because: str | None = None,
+    *,
+    unlike: bool = False,
 ) -> Document:
     """Creep, drift, axial forces, losses and life of a solved joint.
 
@@ -30,6 +34,8 @@ def rolling_document(
         Its result.
     absent_because : str or None, optional
         Why there is none, if its state under the torque does not exist.
+    unlike : bool, optional
+        Whether the joint has branches of unlike sizes, so that these numbers are those of equal ones.
 
     Returns
     -------
@@ -38,7 +44,9 @@ def rolling_document(
     """
     found = result.rolling
     return {
-        "unknown_because": [absent_because] if absent_because else unknown_because(joint, result),
+        "unknown_because": [absent_because]
+        if absent_because
+        else unknown_because(joint, result, unlike=unlike),
         "speed_loss": found.speed_loss,
         "drift_rad_per_output_turn": found.drift_per_output_turn,
         "drift_rad_per_hour": 3600.0 * found.drift_rate,
@@ -158,7 +166,9 @@ def _by_body(names: tuple[str, ...], lives: DriveLives) -> Document:
     return dict(zip(names, np.asarray(lives.body), strict=True))
 
 
-def unknown_because(joint: Joint | PlanarJoint, result: JointResult | PlanarResult) -> list[str]:
+def unknown_because(
+    joint: Joint | PlanarJoint, result: JointResult | PlanarResult, *, unlike: bool = False
+) -> list[str]:
     """Why results of the rolling are absent.
 
     Parameters
@@ -167,6 +177,8 @@ def unknown_because(joint: Joint | PlanarJoint, result: JointResult | PlanarResu
         One joint.
     result : JointResult or PlanarResult
         Its result.
+    unlike : bool, optional
+        Whether the result is that of equal branches, although those of the joint differ.
 
     Returns
     -------
@@ -196,5 +208,6 @@ def unknown_because(joint: Joint | PlanarJoint, result: JointResult | PlanarResu
     elif not bool(np.isfinite(np.asarray(found.power.efficiency))):
         reasons.append("no efficiency: the output torque drives the rotation, but less than the losses take")
     if joint.rolling.duty and np.isnan(np.asarray(found.duty_life_hours)):
-        reasons.append("no life under the duty: a contact slips or lifts off under one of its loads")
+        who = "equal branches do" if unlike else "the joint does"
+        reasons.append(f"no life under the duty: {who} not roll under one of its loads")
     return reasons

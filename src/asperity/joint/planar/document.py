@@ -135,7 +135,7 @@ def planar_document(
             "losses_W": losses(result.rolling),
             "life_hours": result.rolling.life_hours.drive,
             "rolling": {
-                **rolling_document(joint, result, solved.no_equal_state),
+                **rolling_document(joint, result, solved.no_equal_state, unlike=branches is not None),
                 "torque_capacity_Nm": (
                     solution.rolling_capacity if forward else solution.reverse_rolling_capacity
                 ).output_torque,
