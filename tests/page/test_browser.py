@@ -139,7 +139,7 @@ def test_undo_redo_and_back_to_the_file(page):
 
 
 def test_a_link_shows_the_same_joint(page, chromium):
-    page.wait_for_function("location.hash.startsWith('#joint=')")
+    page.wait_for_function("() => location.hash.startsWith('#joint=')")
     before = page.url
     write(page, "load.preload", "1234 N")
     page.wait_for_function("before => location.href !== before", arg=before)

@@ -70,9 +70,11 @@ def test_missing_packages_are_said_with_the_command(monkeypatch):
         require_packages()
 
 
-#: A server whose every answer takes a minute.
+#: A server whose every answer takes a minute, with a handler of SIGINT: a process that a script starts in the
+#: background ignores it.
 SLOW = """
-import sys, time
+import signal, sys, time
+signal.signal(signal.SIGINT, signal.{handler})
 from asperity.page import application
 application.joint_answer = lambda request: print("computing", file=sys.stderr, flush=True) or time.sleep(60)
 from asperity.cli import main
@@ -81,8 +83,9 @@ main()
 
 
 @pytest.mark.slow
-def test_an_interruption_during_a_computation_says_that_it_stopped_and_no_more(joint_text):
-    command = [sys.executable, "-c", SLOW, "serve", "--port", "0", "--no-browser"]
+@pytest.mark.parametrize("handler", ["default_int_handler", "SIG_IGN"])
+def test_an_interruption_during_a_computation_says_that_it_stopped_and_no_more(joint_text, handler):
+    command = [sys.executable, "-c", SLOW.format(handler=handler), "serve", "--port", "0", "--no-browser"]
     with subprocess.Popen(command, stderr=subprocess.PIPE, text=True) as server:
         said = server.stderr.readline() + server.stderr.readline()  # it computes its first joint as it starts
         assert "computing" in said

@@ -173,12 +173,14 @@ def serve(
     server = Announced(config)
     # what still runs when it is interrupted is cut off, and that is no error
     logging.getLogger("uvicorn.error").addFilter(lambda record: not server.should_exit)
-    try:
+    stopped = KeyboardInterrupt()
+    try:  # ends without an exception where a script has started it in the background, which ignores SIGINT
         server.run(sockets=[listening])
-    except KeyboardInterrupt as stopped:
-        if computations.idle and charts.idle and faster.idle:
-            raise
-        # a computation cannot be interrupted, and the interpreter would wait for it
-        stopping(stopped)
-        sys.stderr.flush()
-        os._exit(0 if type(stopped) is KeyboardInterrupt else 143)
+    except KeyboardInterrupt as interruption:
+        stopped = interruption
+    if computations.idle and charts.idle and faster.idle:
+        raise stopped
+    # a computation cannot be interrupted, and the interpreter would wait for it
+    stopping(stopped)
+    sys.stderr.flush()
+    os._exit(0 if type(stopped) is KeyboardInterrupt else 143)
