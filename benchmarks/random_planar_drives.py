@@ -1,6 +1,7 @@
 """Do the solvers of planar drives always find the state, or say that they did not? Random drives of every type.
 
     python benchmarks/random_planar_drives.py [--drives 1e5] [--types planetary,multiroller,stepped_planet,planar]
+        [--seed 2026]
 
 Sizes, walls, interference, friction, surfaces, speed and torque of the shipped files are drawn over wide ranges, drives
 that cannot exist included. Counted are the statuses; of the drives that exist, the worst residual of the equations, of
@@ -142,13 +143,14 @@ def main() -> None:
     )
     parser.add_argument("--drives", type=float, default=1e5, help="of each type")
     parser.add_argument("--types", default=",".join(PLANAR_CASES))
+    parser.add_argument("--seed", type=int, default=2026, help="of the drives: other ones in another run")
     given = parser.parse_args()
     use_double_precision()
     folder = build.__file__.rpartition("/")[0]
     for name in given.types.split(","):
         values = with_tracks(si_values(read_any_case(f"{folder}/{name}.toml")))
         base = numbers_of(values)
-        rng, program = np.random.default_rng(2026), program_of(values, tuple(base))
+        rng, program = np.random.default_rng(given.seed), program_of(values, tuple(base))
         started = time.perf_counter()
         jax.block_until_ready(program(*drawn(rng, base).values()))
         compiled, started = time.perf_counter() - started, time.perf_counter()
