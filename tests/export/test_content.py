@@ -13,6 +13,7 @@ from asperity.export.fmu import fmu_parts
 from asperity.export.mjcf import mjcf_file
 from asperity.export.modelica import modelica_file
 from asperity.export.table import csv_file
+from asperity.joint.planar.description import PlanarJoint
 from asperity.joint.play import Play
 from asperity.joint.solve import solve
 
@@ -116,6 +117,24 @@ def test_texts_name_the_members_of_the_drive(content):
     other = dataclasses.replace(content, joint=joint)
     assert "Stiffness at 5 N*m, driving ring locked" in "\n".join(heading(other, what="Table"))
     assert "angle of the motor at the driving ring" in fmu_parts(other).description
+
+
+def test_files_say_whose_branches_they_hold(content, made_content):
+    def said(joint, unlike):
+        each = dataclasses.replace(content, joint=joint, unlike=unlike)
+        return [line for line in heading(each, what="Table") if line.startswith("Branches")]
+
+    planar = made_content().joint
+    assert said(planar, False) == []
+    assert "equal" in said(planar, True)[0]
+    assert "left out" in said(planar, True)[0]
+    own = object.__new__(PlanarJoint)
+    vars(own).update(
+        unlike=object(), play=content.joint.play, drive=SimpleNamespace(input="sun", output="carrier")
+    )
+    assert said(own, True) == [
+        "Branches: of unlike sizes, as the sections [[branch]] of the joint file state them."
+    ]
 
 
 def test_friction_is_the_power_that_is_not_creep_over_the_speed(content):

@@ -63,6 +63,7 @@ def export_joint(
         source=Path(joint.source).name,
         largest_torque=largest,
         level=level,
+        unlike=case.branch is not None,
     )
     made = exported(content, to=to, suffix=Path(out).suffix)
     write_exported(made, out)

@@ -12,7 +12,7 @@ from asperity.drive.planar.layout import speed_ratio as planar_speed_ratio
 from asperity.errors import printable
 from asperity.joint.both_senses import BothSenses, both_senses
 from asperity.joint.dynamics import Inertias, body_inertias
-from asperity.joint.either_kind import AnyJoint, AnySolution
+from asperity.joint.either_kind import AnyJoint, AnySolution, has_own_branches
 from asperity.joint.planar.description import PlanarJoint
 from asperity.joint.play import Play
 from asperity.joint.rolling_document import unknown_because
@@ -69,6 +69,8 @@ class ExportContent:
         Inertias and friction.
     no_drift_because : tuple of str
         Why there is no steady rolling at the largest torque, one sentence each; empty where there is.
+    unlike : bool
+        Whether the joint file states branches of unlike sizes.
     """
 
     source: str
@@ -78,6 +80,7 @@ class ExportContent:
     curves: BothSenses
     parts: MovingParts
     no_drift_because: tuple[str, ...]
+    unlike: bool = False
 
     @property
     def largest_torque(self) -> float:
@@ -134,6 +137,7 @@ def export_content(
     source: str,
     largest_torque: float | None,
     level: StiffnessLevel,
+    unlike: bool = False,
 ) -> ExportContent:
     """Compute what is exported.
 
@@ -149,6 +153,8 @@ def export_content(
         Largest output torque, of either sign [N·m]; None for the joint's own.
     level : {"published", "series_with_bulk", "assembly"}
         Which stiffness is integrated into the wind-up.
+    unlike : bool
+        Whether the joint file states branches of unlike sizes.
 
     Returns
     -------
@@ -167,7 +173,7 @@ def export_content(
     lost = np.isnan(np.asarray(curves.driving_drift)[-1])
     because = unknown_because(joint, forward.result) if lost else []
     parts = _moving_parts(joint, inertias, forward)
-    return ExportContent(source, joint, level, curve, curves, parts, tuple(because))
+    return ExportContent(source, joint, level, curve, curves, parts, tuple(because), unlike)
 
 
 def _moving_parts(joint: AnyJoint, inertias: Inertias | None, solution: AnySolution) -> MovingParts:
@@ -215,11 +221,23 @@ def heading(content: ExportContent, *, what: str) -> list[str]:
         f"{format_quantity(float(content.windup.hysteresis), 'arcmin')}",
         play_sentence(content),
         friction_sentence(content),
+        *_whose_branches(content),
         "Stiffness and drift are two regimes: the wind-up of a joint that stands comes back, the drift of a joint "
         "that turns does not.",
         f"Range: -{torque} to {torque}; beyond it nothing was computed.",
     ]
     return [_ascii(line) for line in lines]
+
+
+def _whose_branches(content: ExportContent) -> list[str]:
+    """Whose curves these are, where the joint file states branches of unlike sizes."""
+    if not content.unlike:
+        return []
+    if has_own_branches(content.joint):
+        return ["Branches: of unlike sizes, as the sections [[branch]] of the joint file state them."]
+    return [
+        "Branches: equal. The joint file states branches of unlike sizes, [[branch]], which are left out here."
+    ]
 
 
 def drift_sentence(content: ExportContent) -> str:
