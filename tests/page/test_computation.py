@@ -99,3 +99,5 @@ def test_what_waits_to_be_compiled_again_is_dropped_at_the_end():
     faster._pool.shutdown(wait=True)
     assert faster.idle
     assert (one.count, other.count) == (1, 0)
+    faster.add({Slow()})  # an answer of the last moment
+    assert faster.idle

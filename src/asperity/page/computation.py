@@ -140,7 +140,8 @@ class FasterPrograms:
         new = [each for each in programs if each not in self._known]
         self._known.update(new)
         self._left = {each for each in self._left if not each.done()}
-        self._left.update(self._pool.submit(each.compile_again) for each in new)
+        with contextlib.suppress(RuntimeError):  # closed since: an answer of the last moment
+            self._left.update(self._pool.submit(each.compile_again) for each in new)
 
     def close(self) -> None:
         """Drop what waits, and finish what runs."""
