@@ -4,10 +4,11 @@ from types import SimpleNamespace
 
 import pytest
 
+from asperity.errors import InputError
 from asperity.joint import either_kind
-from asperity.joint.either_kind import solve_any, under_torque, unloaded_ratio
+from asperity.joint.either_kind import refuse_no_room, solve_any, under_torque, unloaded_ratio
 from asperity.joint_file.planar_build import any_joint_from_case
-from asperity.joint_file.reader import read_any_case
+from asperity.joint_file.reader import parse_any_case, read_any_case
 
 
 def test_each_kind_has_its_solver_and_its_sense_of_rotation(zou_file, monkeypatch):
@@ -22,6 +23,18 @@ def test_each_kind_has_its_solver_and_its_sense_of_rotation(zou_file, monkeypatc
         turned = under_torque(joint, -3.0)
         assert float(turned.output_torque) == -3.0
         assert float(turned.sun_speed) == pytest.approx(sense * float(joint.sun_speed))
+
+
+@pytest.mark.parametrize(
+    ("name", "message"), [("zou2025", "gap is .* it must be above 0 mm"), ("planetary", "overlap")]
+)
+def test_bodies_that_do_not_fit_are_refused(zou_file, name, message):
+    """Thirty planets around a sun, where there were three."""
+    text = zou_file.with_name(f"{name}.toml").read_text(encoding="utf-8")
+    refuse_no_room(any_joint_from_case(parse_any_case(text, source="x")))
+    crowded = text.replace("planets = 3\n", "planets = 30\n")
+    with pytest.raises(InputError, match=message):
+        refuse_no_room(any_joint_from_case(parse_any_case(crowded, source="x")))
 
 
 @pytest.mark.parametrize(("name", "ratio"), [("zou2025", 9.0), ("planetary", 6.0), ("planar", -9.0)])

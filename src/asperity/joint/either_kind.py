@@ -6,9 +6,11 @@ import dataclasses
 
 from asperity.drive import geometry
 from asperity.drive.planar import layout
+from asperity.drive.planar.existence import refuse_impossible
 from asperity.joint.description import Joint
 from asperity.joint.planar.description import PlanarJoint
 from asperity.joint.planar.solve import PlanarSolution, solve_planar
+from asperity.joint.refusal import refuse_overlap
 from asperity.joint.solve import Solution, solve
 
 AnyJoint = Joint | PlanarJoint
@@ -58,6 +60,25 @@ def under_torque(joint: AnyJoint, output_torque: float) -> AnyJoint:
         return dataclasses.replace(joint, output_torque=output_torque)
     sense = -1.0 if output_torque < 0.0 else 1.0
     return dataclasses.replace(joint, output_torque=output_torque, sun_speed=sense * float(joint.sun_speed))
+
+
+def refuse_no_room(joint: AnyJoint) -> None:
+    """Refuse a joint whose bodies do not fit.
+
+    Parameters
+    ----------
+    joint : Joint or PlanarJoint
+        One joint.
+
+    Raises
+    ------
+    InputError
+        With the members and the gap between them.
+    """
+    if isinstance(joint, PlanarJoint):
+        refuse_impossible(joint.drive)
+    else:
+        refuse_overlap(joint, geometry.clearances(joint.geometry))
 
 
 def unloaded_ratio(joint: AnyJoint) -> float:

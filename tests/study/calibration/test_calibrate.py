@@ -9,7 +9,7 @@ from scipy.stats import f as f_law
 from scipy.stats import t as student
 
 from asperity.errors import InputError, NoSolutionError
-from asperity.joint_file.reader import read_case
+from asperity.joint_file.reader import parse_case, read_case
 from asperity.study.calibration.calibrate import _conclude, calibrate, known_within
 from asperity.study.calibration.curve_model import CurveModel
 from asperity.study.calibration.measurement import Measurement
@@ -268,6 +268,20 @@ def test_a_curve_past_slip_is_refused(case):
     torque, angle = np.array([1.0, 20.0, 3.0]), np.array([3e-5, 6e-4, 1.2e-3])
     with pytest.raises(NoSolutionError, match="slips at the largest measured torque, 20 N"):
         fitted(case, blank(torque), angle, texts=("load.preload",))
+
+
+def test_a_joint_whose_rollers_do_not_fit_is_refused(joint_text, curve):
+    crowded = parse_case(joint_text.replace("planets = 3\n", "planets = 30\n"), source="crowded.toml")
+    with pytest.raises(InputError, match="must be above 0 mm"):
+        calibrate(
+            case=crowded,
+            measurements=(curve[0],),
+            unknowns=(),
+            level="assembly",
+            history="virgin",
+            starts=1,
+            seed=0,
+        )
 
 
 def test_more_unknowns_than_data(case):

@@ -8,7 +8,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from asperity.errors import InputError, NoSolutionError
+from asperity.joint.either_kind import refuse_no_room
 from asperity.joint.windup import StiffnessLevel
+from asperity.joint_file.planar_build import any_joint_from_case
 from asperity.joint_file.si_tables import AnyCase
 from asperity.precision import require_double_precision
 from asperity.study.calibration.fitted_curve import FittedCurve, JoinedCurves
@@ -149,7 +151,7 @@ def calibrate(
     Raises
     ------
     InputError
-        If there are no more data than unknowns.
+        If the bodies of the joint do not fit, or there are no more data than unknowns.
     NoSolutionError
         If no start converged, the sizes of the errors of two curves did not settle, or the fitted joint slips within
         the measured torques.
@@ -169,6 +171,7 @@ def calibrate(
     from scipy.stats import qmc
 
     require_double_precision()
+    refuse_no_room(any_joint_from_case(case))
     if all(each.drift is not None for each in measurements) and history != "virgin":
         raise InputError(
             "a drift curve has no history, because each torque is held while the joint turns; use 'virgin', the default"
