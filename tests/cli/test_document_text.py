@@ -71,7 +71,7 @@ def test_an_infinite_value_is_no_dash():
     ]
     text = shown(show_warnings, {"diagnostics": diagnostics}, width=200)
     assert "Slip ratio with skew infinite at sp (limit 1)" in text
-    assert "largest spot up to infinite" in text
+    assert "largest spot infinite" in text
 
 
 def test_contacts_of_one_limit_share_a_warning_and_limits_of_the_model_a_line():

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 import textwrap
 from collections import Counter
 from typing import TYPE_CHECKING, Any
@@ -123,7 +122,7 @@ def show_warnings(target: Console, document: Document) -> None:
                 entries,
             )
     if model:
-        parts = [f"{entries[0]['label']} up to {_largest(entries)}" for entries in model]
+        parts = [f"{entries[0]['label']} {_largest(entries)}" for entries in model]
         _print_warning(target, f"contact law outside its range: {', '.join(parts)}", model[0], meaning=False)
 
 
@@ -152,7 +151,7 @@ def _values(entries: list[Document], contacts: int) -> str:
 
 
 def _largest(entries: list[Document]) -> str:
-    known = [entry for entry in entries if entry["value"] is not None or entry.get("infinite")]
-    if not known:
-        return "-"
-    return judged(max(known, key=lambda entry: math.inf if entry.get("infinite") else entry["value"]), 3)
+    if any(entry.get("infinite") for entry in entries):
+        return "infinite"
+    known = [entry for entry in entries if entry["value"] is not None]
+    return f"up to {judged(max(known, key=lambda entry: entry['value']), 3)}" if known else "not known"
