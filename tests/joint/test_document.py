@@ -8,6 +8,7 @@ import pytest
 from asperity.joint.contact_notes import Note
 from asperity.joint.document import diagnostic_documents, joint_document, plain_document
 from asperity.joint.solve import solve
+from asperity.joint.solved import SolvedPapersJoint
 from asperity.joint_file.assumptions import assumptions
 from asperity.joint_file.build import joint_from_case
 from asperity.joint_file.reader import parse_case
@@ -26,13 +27,8 @@ def solution(text):
 
 def document_of(text, solution, branches=None):
     case = parse_case(text, source="x")
-    return joint_document(
-        joint=joint_from_case(case),
-        solution=solution,
-        inputs=si_values(case),
-        assumptions=assumptions(case),
-        branches=branches,
-    )
+    solved = SolvedPapersJoint(joint_from_case(case), solution, branches)
+    return joint_document(solved, inputs=si_values(case), assumptions=assumptions(case))
 
 
 def dimensions(document):
@@ -122,7 +118,7 @@ def test_the_capacity_in_numbers_and_words(text, solution):
 
 def test_rolling_is_in_the_document(paper_joint):
     joint = paper_joint()
-    found = joint_document(joint=joint, solution=solve(joint), inputs={}, assumptions=())
+    found = joint_document(SolvedPapersJoint(joint, solve(joint)), inputs={}, assumptions=())
     rolling = found["rolling"]
     assert found["drift_rad_per_output_turn"] == rolling["drift_rad_per_output_turn"] > 0.0103
     assert found["contacts"]["sp"]["creepage"] == rolling["contacts"]["sp"]["creepage"]

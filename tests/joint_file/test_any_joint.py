@@ -8,6 +8,7 @@ import pytest
 from asperity.errors import InputError
 from asperity.joint.planar.document import planar_document
 from asperity.joint.planar.solve import solve_planar
+from asperity.joint.planar.solved import solved_planar_joint
 from asperity.joint.results import GROUPS, RESULTS, chosen_results, known_result
 from asperity.joint.status import NO_ROOM, SLIPS
 from asperity.joint_file.any_joint import evaluated_points, results_of
@@ -223,9 +224,9 @@ def test_rims_of_many_joints_are_those_of_single_ones(planar_case):
 
 def _rim_entry(values, wall):
     joint = planar_joint_from_values(replace_values(values, {WALL: wall}))
-    return planar_document(joint=joint, solution=solve_planar(joint), inputs={}, assumptions=())["rims"][
-        "ring"
-    ]
+    return planar_document(solved_planar_joint(joint, solve_planar(joint)), inputs={}, assumptions=())[
+        "rims"
+    ]["ring"]
 
 
 def test_results_of_the_papers_drive_alone_are_refused_by_name(values):

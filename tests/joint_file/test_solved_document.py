@@ -10,14 +10,8 @@ from click.testing import CliRunner
 from asperity.cli import asperity
 from asperity.errors import InputError
 from asperity.joint.margins import margins
-from asperity.joint.planar.solved import solved_planar_joint
 from asperity.joint_file.reader import parse_any_case, read_any_case
-from asperity.joint_file.solved_document import (
-    papers_branches,
-    planar_branches,
-    solve_planar_case,
-    solved_document,
-)
+from asperity.joint_file.solved_document import solve_case, solved_case
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 UNEQUAL = '[[branch]]\nplanet_deviation = "2 um"\n\n[[branch]]\n\n[[branch]]\n\n'
@@ -31,7 +25,7 @@ def test_the_document_is_that_of_the_command(name, branches, tmp_path):
     file = tmp_path / "joint.toml"
     file.write_text((EXAMPLES / f"{name}.toml").read_text().replace("[model]", f"{branches}[model]"))
     printed = CliRunner().invoke(asperity, ["joint", str(file), "--json"], catch_exceptions=False).stdout
-    assert solved_document(read_any_case(file)) == json.loads(printed)
+    assert solve_case(read_any_case(file)).document == json.loads(printed)
     assert bool(branches) == ('"branches": {' in printed)
 
 
@@ -110,22 +104,25 @@ def same_sums(document, stronger):
 @pytest.mark.slow
 def test_branches_that_press_harder_carry_more_than_equal_ones(planetary):
     """Planets 0.3 um larger all round are an interference 0.6 um larger."""
-    stronger = solve_planar_case(planetary([], 10.5, 5.0))
+    stronger = solve_case(planetary([], 10.5, 5.0))
     assert not bool(stronger.document.get("branches"))
-    equal = solve_planar_case(planetary([], 8.0))
-    limit = float(equal.solution.capacity.output_torque)
-    joint, solution, branches, document = solve_planar_case(planetary([0.3] * 3, 10.5))
+    equal = solve_case(planetary([], 8.0))
+    limit = float(equal.solved.solution.capacity.output_torque)
+    solved, document = solve_case(planetary([0.3] * 3, 10.5))
+    branches = solved.branches
     judge(document, 10.5, limit)
     assert branches.capacity.all_slip == pytest.approx(
-        float(stronger.solution.capacity.output_torque), rel=2e-4
+        float(stronger.solved.solution.capacity.output_torque), rel=2e-4
     )
     assert branches.stiffness == pytest.approx(
-        float(stronger.solution.result.assembly.stiffness.output), rel=1e-3
+        float(stronger.solved.solution.result.assembly.stiffness.output), rel=1e-3
     )
     same_sums(document, stronger.document)
     lives = branches.rolling.limits["life_hours"]
-    assert lives.min() == pytest.approx(float(stronger.solution.result.rolling.life_hours.drive), rel=2e-3)
-    required = {each.result.name: each for each in margins(solved_planar_joint(joint, solution, branches))}
+    assert lives.min() == pytest.approx(
+        float(stronger.solved.solution.result.rolling.life_hours.drive), rel=2e-3
+    )
+    required = {each.result.name: each for each in margins(solved)}
     assert "torque_safety" not in required
     assert not any(math.isnan(each.actual) for each in required.values())
 
@@ -133,7 +130,7 @@ def test_branches_that_press_harder_carry_more_than_equal_ones(planetary):
 @pytest.mark.slow
 def test_unlike_branches_carry_the_sum_of_what_their_friction_holds(planetary):
     """At the sun each holds mu N; the ratio of 6 makes 6 r mu N of it at the output, a third for each planet."""
-    _, _, branches = planar_branches(planetary([0.1, 0.2, 0.5], 10.5))
+    branches = solved_case(planetary([0.1, 0.2, 0.5], 10.5)).branches
     by_hand = 6.0 * 10e-3 * 0.08 * branches.preload.sum()
     assert branches.capacity.all_slip == pytest.approx(
         by_hand, rel=5e-3
@@ -141,21 +138,21 @@ def test_unlike_branches_carry_the_sum_of_what_their_friction_holds(planetary):
     with pytest.raises(
         InputError, match=r"16 N.m is beyond what the branches carry together, 1[12]\.\d+ N.m"
     ):
-        planar_branches(planetary([0.1, 0.2, 0.5], 16.0))
+        solved_case(planetary([0.1, 0.2, 0.5], 16.0))
 
 
 @pytest.mark.slow
 def test_the_papers_drive_by_its_own_branches(papers):
     """13.16 N*m for 1000 N of preload, in proportion to it."""
     case = papers([0.2, 0.4, 0.5], 13.5)
-    document = solved_document(case)
+    document = solve_case(case).document
     judge(document, 13.5, 13.38)
     preloads = sum(each["preload_N"] for each in document["branches"]["branches"])
     by_hand = 13.16 * preloads / 3000.0
     assert document["branches"]["torque_capacity"]["all_slip_Nm"] == pytest.approx(by_hand, rel=1e-3)
     for torque in (14.3, 40.0):
         with pytest.raises(InputError, match=r"beyond what the branches carry together, 14\.19 N.m"):
-            papers_branches(papers([0.2, 0.4, 0.5], torque))
+            solved_case(papers([0.2, 0.4, 0.5], torque))
     # equal ones would carry this one, weaker ones do not
     with pytest.raises(InputError, match="beyond what the branches carry together"):
-        papers_branches(papers([-0.2, -0.4, -0.5], 13.0))
+        solved_case(papers([-0.2, -0.4, -0.5], 13.0))

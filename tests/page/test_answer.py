@@ -45,14 +45,8 @@ def test_without_a_torque_there_is_no_windup(joint_text):
     assert _windup(joint) == {"unknown_because": "no torque, no wind-up: set an output torque"}
 
 
-@pytest.mark.parametrize(("torque", "capacity"), [("5 N*m", 13.0), ("-5 N*m", 11.0)])
-def test_the_curves_go_up_to_the_capacity_in_the_direction_of_the_torque(
-    monkeypatch, joint_text, torque, capacity
-):
-    joint = joint_from_case(parse_case(joint_text.replace('"5 N*m"', f'"{torque}"'), source="x"))
-    solution = SimpleNamespace(
-        capacity=SimpleNamespace(output_torque=13.0), reverse_capacity=SimpleNamespace(output_torque=11.0)
-    )
+def test_the_curves_go_up_to_the_capacity_in_the_direction_of_the_torque(monkeypatch):
+    solved = SimpleNamespace(joint=None, capacity_of_direction=SimpleNamespace(output_torque=13.0))
 
     def curves(*, joint, torque_capacity):
         names = (
@@ -71,8 +65,8 @@ def test_the_curves_go_up_to_the_capacity_in_the_direction_of_the_torque(
         )
 
     monkeypatch.setattr(answer, "torque_curves", curves)
-    found = _curves(joint, solution)
-    assert found["torque_Nm"] == [0.0, capacity]
+    found = _curves(solved)
+    assert found["torque_Nm"] == [0.0, 13.0]
     assert found["largest_slip_ratio"] == [1.0, None]
 
 
@@ -134,16 +128,6 @@ def test_a_joint_with_another_drive(zou_file):
     assert margins["clearance"]["unit"] == "mm"
     assert "_" not in margins["clearance"]["place"]
     assert set(found["document"]["contacts"]) == {each["contact"] for each in found["drawing"]["forces"]}
-
-
-def test_the_document_of_the_page_judges_unequal_branches(monkeypatch, case):
-    solution, told = SimpleNamespace(result=SimpleNamespace(forces=None)), "the branches of the file"
-    monkeypatch.setattr(answer, "solve_case", lambda case: (None, solution, told, {"branches": told}))
-    monkeypatch.setattr(answer, "drive_shapes", lambda joint, forces: {})
-    monkeypatch.setattr(answer, "solved_joint", lambda joint, solution, branches: branches)
-    solved, document = answer._papers(case)[2:4]
-    assert solved == "the branches of the file"
-    assert document == {"branches": "the branches of the file"}
 
 
 @pytest.mark.slow

@@ -11,21 +11,10 @@ import numpy as np
 from asperity.api.joint import DescribedJoint
 from asperity.api.named_quantity import NamedQuantity
 from asperity.api.shown import Shown, Table, displayed, frame, pandas
-from asperity.joint.branch_results import UnequalBranches
-from asperity.joint.description import Joint
-from asperity.joint.document import joint_document
-from asperity.joint.either_kind import AnyJoint, AnySolution
-from asperity.joint.planar.description import PlanarJoint
-from asperity.joint.planar.document import planar_document
-from asperity.joint.planar.solve import PlanarSolution
-from asperity.joint.planar.solved import solved_planar_joint
 from asperity.joint.results import LEVELS, RESULTS, Result, SolvedJoint, known_result, name_at_level
-from asperity.joint.rolling_refusal import rolling_capacity_of
-from asperity.joint.solve import Solution
 from asperity.joint_file.any_joint import results_of
-from asperity.joint_file.planar_model import PlanarCase
 from asperity.joint_file.si_tables import si_values
-from asperity.joint_file.solved_document import papers_branches, planar_branches
+from asperity.joint_file.solved_document import document_of, solved_case
 from asperity.units import format_quantity
 
 if TYPE_CHECKING:
@@ -68,34 +57,7 @@ def solution(joint: DescribedJoint) -> JointSolution:
     NoSolutionError
         If the force balance does not close.
     """
-    case = joint.case
-    solved = planar_branches(case) if isinstance(case, PlanarCase) else papers_branches(case)
-    return JointSolution(joint, *solved)
-
-
-class _Solved(SolvedJoint):
-    """One solved joint, whose capacities in rolling come from the program that solved it."""
-
-    def __init__(self, joint: Joint, solution: Solution, branches: UnequalBranches | None) -> None:
-        super().__init__(joint, solution.result, solution.capacity, branches)
-        self._solution = solution
-
-    @functools.cached_property
-    def rolling_capacity(self) -> float:
-        return rolling_capacity_of(self.joint, self._solution, direction=1.0)
-
-    @functools.cached_property
-    def reverse_rolling_capacity(self) -> float:
-        return rolling_capacity_of(self.joint, self._solution, direction=-1.0)
-
-
-def _solved(joint: AnyJoint, solution: AnySolution, branches: UnequalBranches | None) -> SolvedJoint:
-    """One solved joint, whose capacities come from the program that solved it."""
-    if isinstance(joint, PlanarJoint):
-        assert isinstance(solution, PlanarSolution)
-        return solved_planar_joint(joint, solution, branches)
-    assert isinstance(solution, Solution)
-    return _Solved(joint, solution, branches)
+    return JointSolution(joint, solved_case(joint.case))
 
 
 class JointSolution(Shown):
@@ -105,23 +67,13 @@ class JointSolution(Shown):
     ----------
     joint : DescribedJoint
         What was solved.
-    described : Joint or PlanarJoint
-        The same in numbers.
-    solution : Solution or PlanarSolution
+    solved : SolvedJoint
         What came out.
-    branches : UnequalBranches or None
-        Its branches, if its file states their sizes.
     """
 
-    def __init__(
-        self,
-        joint: DescribedJoint,
-        described: AnyJoint,
-        solution: AnySolution,
-        branches: UnequalBranches | None,
-    ) -> None:
-        self.joint, self.solution = joint, solution
-        self._solved = _solved(described, solution, branches)
+    def __init__(self, joint: DescribedJoint, solved: SolvedJoint) -> None:
+        self.joint, self.solution = joint, solved.solution
+        self._solved = solved
         self._table = results_of(si_values(joint.case))
 
     def __getitem__(self, asked: str | tuple[str, StiffnessLevel]) -> NamedQuantity:
@@ -182,16 +134,7 @@ class JointSolution(Shown):
     @functools.cached_property
     def document(self) -> dict[str, Any]:
         """The document that ``asperity joint --json`` prints, in SI units."""
-        case = self.joint.case
-        told: dict[str, Any] = {
-            "joint": self._solved.joint,
-            "inputs": si_values(case),
-            "assumptions": self.joint.assumptions,
-        }
-        told["branches"] = self._solved.branches
-        if isinstance(self.solution, PlanarSolution):
-            return planar_document(solution=self.solution, **told)
-        return joint_document(solution=self.solution, **told)
+        return document_of(self.joint.case, self._solved)
 
     def to_frame(self) -> Any:
         """Every number as a row of a pandas data frame: label, value, unit, SI value, SI unit, level."""

@@ -66,20 +66,19 @@ def joint(file: str, as_json: bool, surfaces: tuple[str, ...], plot_file: str | 
     from asperity.joint_file.solved_document import solve_case
 
     with about(file):
-        described, solution, branches, document = solve_case(case)
-        document |= _interval(case, described, measured)
+        solved, document = solve_case(case)
+        document |= _interval(case, solved.joint, measured)
     if plot_file:
-        from asperity.joint.solve import solved_joint
         from asperity.show.compliance_figure import joint_figure
         from asperity.show.style import plain_title
 
-        solved, errors = solved_joint(described, solution, branches), None
-        if branches is not None:
+        errors = None
+        if solved.branches is not None:
             from asperity.joint.branches import BranchedJoint
             from asperity.joint_file.build import branches_from_case
 
             interference, sizes = branches_from_case(case)
-            errors = _size_errors(BranchedJoint(described, interference), sizes)
+            errors = _size_errors(BranchedJoint(solved.joint, interference), sizes)
         write_image(joint_figure(solved, title=plain_title(file), size_errors=errors), plot_file)
         say_written(plot_file)
     _show(document, file, as_json)
@@ -117,20 +116,18 @@ def _planar(
     case: PlanarCase, file: str, as_json: bool, measured: SurfaceMeasurement | None, plot_file: str | None
 ) -> None:
     """The joint with another drive than the paper's."""
-    from asperity.joint_file.solved_document import solve_planar_case
+    from asperity.joint_file.solved_document import solve_case
 
     with about(file):
-        described, solution, branches, document = solve_planar_case(case)
-        document |= _interval(case, described, measured)
+        solved, document = solve_case(case)
+        document |= _interval(case, solved.joint, measured)
     if plot_file:
-        from asperity.joint.planar.solved import solved_planar_joint
         from asperity.joint_file.planar_build import branched_planar, deviations_of
         from asperity.joint_file.si_tables import si_values
         from asperity.show.compliance_figure import joint_figure
         from asperity.show.style import plain_title
 
-        solved = solved_planar_joint(described, solution, branches)
-        branched = branched_planar(case, described, solution)
+        branched = branched_planar(case, solved.joint, solved.solution)
         errors = None if branched is None else _size_errors(branched, deviations_of(si_values(case)))
         write_image(joint_figure(solved, title=plain_title(file), size_errors=errors), plot_file)
         say_written(plot_file)

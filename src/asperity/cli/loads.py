@@ -56,24 +56,21 @@ def loads(file: str, csv_file: str | None, as_json: bool) -> None:
 
 def _of_the_papers_drive(case: Case) -> Document:
     from asperity.joint.loads_document import load_cases, loads_document
-    from asperity.joint.results import SolvedJoint
     from asperity.joint.strength_document import bearing_entries
-    from asperity.joint_file.solved_document import papers_branches
+    from asperity.joint_file.solved_document import solved_case
 
-    joint, solution, branches = papers_branches(case)
-    solved = SolvedJoint(joint, solution.result, solution.capacity, branches)
-    return loads_document(joint, load_cases(joint, solution), bearing_entries(solved), branches)
+    solved = solved_case(case)
+    cases = load_cases(solved)
+    return loads_document(solved.joint, cases, bearing_entries(solved), solved.branches)
 
 
 def _of_planar_drive(case: PlanarCase) -> Document:
     from asperity.joint.planar.loads_document import planar_loads_document
-    from asperity.joint.planar.solved import solved_planar_joint
     from asperity.joint.strength_document import bearing_entries
-    from asperity.joint_file.solved_document import planar_branches
+    from asperity.joint_file.solved_document import solved_case
 
-    joint, solution, branches = planar_branches(case)
-    bearings = bearing_entries(solved_planar_joint(joint, solution, branches))
-    return planar_loads_document(joint, solution, bearings, branches)
+    solved = solved_case(case)
+    return planar_loads_document(solved, bearing_entries(solved))
 
 
 def _column(case: Document, line: str) -> str:

@@ -16,6 +16,7 @@ if TYPE_CHECKING:
     from asperity.joint.either_kind import AnyJoint
     from asperity.joint.evaluation import JointResult
     from asperity.joint.planar.evaluation import PlanarResult
+    from asperity.joint.results import SolvedJoint
 
 _WIDTH = 10.0  # of the picture [in]
 
@@ -38,7 +39,6 @@ def roll(file: str, plot_file: str | None, as_json: bool) -> None:
     [rolling], [lubrication] and [[duty]] of FILE are optional; what they leave out is listed under 'Assumed'. The JSON
     document is that of 'asperity joint'. With [[branch]] the last table says what all branches do together.
     """
-    from asperity.joint_file.planar_model import PlanarCase
     from asperity.joint_file.reader import read_any_case
 
     check_image(plot_file)
@@ -47,30 +47,29 @@ def roll(file: str, plot_file: str | None, as_json: bool) -> None:
 
     use_double_precision()
     use_compilation_cache()
-    if isinstance(case, PlanarCase):
-        from asperity.joint.planar.solve import refuse_planar_rolling
-        from asperity.joint_file.solved_document import solve_planar_case
-
-        with about(file):
-            planar, found, branches, document = solve_planar_case(case)
-            if branches is None:
-                refuse_planar_rolling(planar, found)
-            _refuse_for_branches(branches, plot_file)
-        if plot_file:
-            _draw(planar, found.result, document, file, plot_file)
-        _show(document, file, as_json)
-        return
-    from asperity.joint.rolling_refusal import refuse_no_rolling
     from asperity.joint_file.solved_document import solve_case
 
     with about(file):
-        joint, solution, branches, document = solve_case(case)  # refuses a torque beyond the capacity
-        if branches is None:
-            refuse_no_rolling(joint, solution, _capacity(document))
-        _refuse_for_branches(branches, plot_file)
+        solved, document = solve_case(case)  # refuses a torque beyond the capacity
+        if solved.branches is None:
+            _refuse_no_rolling(solved, document)
+        _refuse_for_branches(solved.branches, plot_file)
     if plot_file:
-        _draw(joint, solution.result, document, file, plot_file)
+        _draw(solved.joint, solved.result, document, file, plot_file)
     _show(document, file, as_json)
+
+
+def _refuse_no_rolling(solved: SolvedJoint, document: dict[str, Any]) -> None:
+    from asperity.joint.planar.description import PlanarJoint
+
+    if isinstance(solved.joint, PlanarJoint):
+        from asperity.joint.planar.solve import refuse_planar_rolling
+
+        refuse_planar_rolling(solved.joint, solved.solution)
+    else:
+        from asperity.joint.rolling_refusal import refuse_no_rolling
+
+        refuse_no_rolling(solved.joint, solved.solution, _capacity(document))
 
 
 def _refuse_for_branches(branches: UnequalBranches | None, plot_file: str | None) -> None:

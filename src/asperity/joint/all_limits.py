@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import copy
 import dataclasses
 import math
 
@@ -11,6 +12,7 @@ from asperity.joint.branch_limits import branch_checks
 from asperity.joint.branch_results import BranchState
 from asperity.joint.limit_check import LimitCheck, checked_limits
 from asperity.joint.results import RESULTS, Limit, Result, SolvedJoint
+from asperity.joint.results.drive_table import results_of_joint
 from asperity.joint.rolling_conditions import DutyPoint
 from asperity.unit_table import Dimension
 from asperity.units import format_quantity
@@ -52,7 +54,7 @@ def further_checks(solved: SolvedJoint) -> tuple[LimitCheck, ...]:
 
 
 def _duty_checks(solved: SolvedJoint) -> tuple[LimitCheck, ...]:
-    """That the joint carries every load of its duty, and that none makes its surfaces flow."""
+    """That the joint carries every load of its duty, and that none makes its surfaces flow or breaks its rims."""
     joint, branches = solved.joint, solved.branches
     if not joint.rolling.duty:
         return ()
@@ -75,7 +77,31 @@ def _duty_checks(solved: SolvedJoint) -> tuple[LimitCheck, ...]:
             known, name="duty_shakedown_ratio", label=f"{known.label}, worst load of the duty"
         )
         found.append(LimitCheck(row, f"load {1 + int(np.nanargmax(pressure))}", float(np.nanmax(pressure))))
-    return tuple(found)
+    return (*found, *_duty_rims(solved, stuck))
+
+
+def _duty_rims(solved: SolvedJoint, stuck: list[bool]) -> list[LimitCheck]:
+    """That the rims of rings and hollow rollers bear every load of the duty that the joint carries."""
+    worst: dict[tuple[str, str], LimitCheck] = {}
+    rows = [row for row in results_of_joint(solved).values() if row.limit is not None and row.of_rims]
+    if not any(row.rows_of(solved) for row in rows):
+        return []
+    for number, (rims, sticks) in enumerate(zip(solved.duty_rims, stuck, strict=True), start=1):
+        if sticks:
+            continue
+        under = copy.copy(solved)
+        under.__dict__["rims"] = rims
+        for row in rows:
+            for place, value in row.rows_of(under).items():
+                known = worst.get((row.name, place))
+                if math.isnan(value) or (known is not None and known.value <= value):
+                    continue
+                duty = dataclasses.replace(
+                    row, name=f"duty_{row.name}", label=f"{row.label}, worst load of the duty"
+                )
+                where = f"{place}, load {number}" if place else f"load {number}"
+                worst[row.name, place] = LimitCheck(duty, where, value)
+    return list(worst.values())
 
 
 def _equal_slip(solved: SolvedJoint, point: DutyPoint, slip_ratio: float) -> bool:

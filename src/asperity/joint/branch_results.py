@@ -232,9 +232,9 @@ class UnequalBranches:
         """The state in which the joint works under its torque: rolling where it turns; None where there is none."""
         return self.rolling if turns else self.standing
 
-    def contact_forces(self, *, turns: bool) -> tuple[np.ndarray, np.ndarray]:
-        """Forces of the contacts in the state of :meth:`working` and without torque; nan where there is none [N]."""
-        state, rest = self.working(turns=turns), self.rest.contact_forces
+    def contact_forces(self, state: BranchState | None) -> tuple[np.ndarray, np.ndarray]:
+        """Forces of the contacts in a state and without torque; nan where there is none [N]."""
+        rest = self.rest.contact_forces
         return np.full_like(rest, np.nan) if state is None else state.contact_forces, rest
 
     def cases(self, *, turns: bool) -> tuple[BranchState | None, ...]:

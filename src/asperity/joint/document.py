@@ -12,18 +12,17 @@ import asperity
 from asperity.drive.torsional_stiffness import TorsionalStiffness
 from asperity.joint.all_limits import all_checks
 from asperity.joint.branch_document import branch_document
-from asperity.joint.branch_results import UnequalBranches
 from asperity.joint.capacity import capacity_document
 from asperity.joint.contact_notes import Note
-from asperity.joint.description import Joint, preload_at
+from asperity.joint.description import preload_at
 from asperity.joint.evaluation import JointResult
 from asperity.joint.limit_check import LimitCheck
 from asperity.joint.loading_cam import loading_cam_document
 from asperity.joint.planar.evaluation import PlanarResult
 from asperity.joint.results import GROUPS, RESULTS, SEVERITIES, SolvedJoint
 from asperity.joint.rolling_document import contact_results, losses, rolling_document
-from asperity.joint.rolling_refusal import rolling_capacity_of
-from asperity.joint.solve import Solution, solved_joint
+from asperity.joint.solve import Solution
+from asperity.joint.solved import SolvedPapersJoint
 from asperity.joint.strength_document import bearing_entries, rim_entries
 from asperity.joint.surface_averages import surface_averages
 from asperity.joint.temperature import assembly_document
@@ -63,36 +62,26 @@ def has_whole_bodies(document: Document) -> bool:
     return (document["input"].get("model") or {}).get("bodies") != "springs"
 
 
-def joint_document(
-    *,
-    joint: Joint,
-    solution: Solution,
-    inputs: Document,
-    assumptions: tuple[str, ...],
-    branches: UnequalBranches | None = None,
-) -> Document:
+def joint_document(solved: SolvedPapersJoint, *, inputs: Document, assumptions: tuple[str, ...]) -> Document:
     """Everything that is known about a joint, ready for :func:`json.dumps`.
 
     Parameters
     ----------
-    joint : Joint
-        The joint that was solved.
-    solution : Solution
-        What came out.
+    solved : SolvedPapersJoint
+        The joint, and what came out.
     inputs : dict
         Tables of the joint file in SI units.
     assumptions : tuple of str
         What the file leaves out, one sentence each.
-    branches : UnequalBranches, optional
-        Its branches, if their sizes differ.
 
     Returns
     -------
     dict
         Nested tables of numbers and text. Numbers that are not finite are None; the diagnostics say why.
     """
+    joint, solution, branches = solved.joint, solved.solution, solved.branches
     result = solution.result
-    solved = solved_joint(joint, solution, branches)
+    forward = float(joint.output_torque) >= 0.0
     checks = all_checks(solved)
     document = {
         "asperity_version": asperity.__version__,
@@ -123,9 +112,7 @@ def joint_document(
         "rims": rim_entries(solved),
         "rolling": {
             **rolling_document(joint, result, solved.no_equal_state, unlike=branches is not None),
-            "torque_capacity_Nm": rolling_capacity_of(
-                joint, solution, direction=math.copysign(1.0, float(joint.output_torque))
-            ),
+            "torque_capacity_Nm": (solved.rolling_capacity if forward else solved.reverse_rolling_capacity),
         },
         "diagnostics": diagnostic_documents(checks, solved.notes),
     }

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import dataclasses
 import math
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
@@ -12,15 +11,14 @@ import jax
 import numpy as np
 
 import asperity
-from asperity.compilation import compile_fast
 from asperity.drive.structure_loads import PIN_NAMES, StructureLoads, pin_bending_moment, pin_bending_stress
 from asperity.joint.branch_limits import pressed
 from asperity.joint.branch_loads import BranchLoads
 from asperity.joint.branch_results import UnequalBranches
 from asperity.joint.description import Joint
-from asperity.joint.evaluation import JointResult, evaluate
+from asperity.joint.evaluation import JointResult
+from asperity.joint.results import SolvedJoint
 from asperity.joint.rolling_document import unknown_because
-from asperity.joint.solve import Solution
 from asperity.joint.working_loads import BearingSpeeds, bearing_speeds, loads_at_rest, working_loads
 
 #: A load below this share of the largest one of its unit is what the sums of larger ones leave.
@@ -88,29 +86,24 @@ class LoadCase:
     unknown_because: str | None
 
 
-def load_cases(joint: Joint, solution: Solution) -> tuple[LoadCase, ...]:
+def load_cases(solved: SolvedJoint) -> tuple[LoadCase, ...]:
     """The joint without torque, under its working torque, and under every load of its duty.
 
     Parameters
     ----------
-    joint : Joint
-        One joint.
-    solution : Solution
-        What it does under its working torque.
+    solved : SolvedJoint
+        One joint with the paper's drive.
 
     Returns
     -------
     tuple of LoadCase
         In this order.
     """
-    numbers: Joint = jax.tree.map(lambda leaf: np.asarray(leaf, dtype=float), joint)
+    numbers: Joint = jax.tree.map(lambda leaf: np.asarray(leaf, dtype=float), solved.joint)
     cases = [LoadCase("without torque", 0.0, 0.0, None, None, loads_at_rest(numbers), None, None)]
-    cases.append(_case("working torque", numbers, solution.result, None))
-    if joint.rolling.duty:
-        program = compile_fast(evaluate, numbers)
-    for index, point in enumerate(numbers.rolling.duty, start=1):
-        loaded = dataclasses.replace(numbers, output_torque=point.output_torque, sun_speed=point.sun_speed)
-        cases.append(_case(f"duty {index}", loaded, program(loaded), float(point.share)))
+    cases.append(_case("working torque", numbers, solved.result, None))
+    for index, state in enumerate(solved.duty_states):
+        cases.append(_case(f"duty {index + 1}", *state, float(numbers.rolling.duty[index].share)))
     return tuple(cases)
 
 

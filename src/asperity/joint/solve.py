@@ -13,12 +13,10 @@ from asperity.compilation import compile_fast
 from asperity.drive.existence import some_contact_slips
 from asperity.drive.geometry import Clearance, clearances
 from asperity.errors import InputError
-from asperity.joint.branch_results import UnequalBranches
 from asperity.joint.capacity import LIMIT_KINDS, TorqueCapacity, limit_words, torque_capacity
 from asperity.joint.description import Joint, with_one_rank
 from asperity.joint.evaluation import JointResult, evaluate
-from asperity.joint.loss_note import loss_notes, skew_notes
-from asperity.joint.plausibility import CheckedSizes, checked_sizes, plausibility
+from asperity.joint.plausibility import CheckedSizes, checked_sizes
 from asperity.joint.refusal import (
     refuse_bad_numbers,
     refuse_locked_pins,
@@ -29,7 +27,6 @@ from asperity.joint.refusal import (
     refuse_unknown_variants,
     refuse_wide_contacts,
 )
-from asperity.joint.results import SolvedJoint
 from asperity.joint.temperature import refuse_loose
 from asperity.joint.unsolved import refuse_unsolved
 from asperity.precision import require_double_precision
@@ -115,36 +112,6 @@ def solve(joint: Joint) -> Solution:
     refuse_short_contacts(result)
     refuse_thin_walls(result)
     return Solution(result=result, clearances=gaps, capacity=capacity, reverse_capacity=reverse, sizes=sizes)
-
-
-def solved_joint(joint: Joint, solution: Solution, branches: UnequalBranches | None = None) -> SolvedJoint:
-    """A joint whose capacities are known already, for the table of results.
-
-    Parameters
-    ----------
-    joint : Joint
-        The joint that was solved.
-    solution : Solution
-        What came out.
-    branches : UnequalBranches, optional
-        Its branches, if their sizes differ.
-
-    Returns
-    -------
-    SolvedJoint
-        For margins and figures.
-    """
-    result = solution.result
-    notes = (
-        *plausibility(joint, result, solution.sizes),
-        *loss_notes(result.rolling, result.contact_names),
-        *skew_notes(result.rolling, result.contact_names),
-    )
-    solved = SolvedJoint(joint, result, solution.capacity, branches, notes)
-    solved.reverse_capacity = solution.reverse_capacity
-    forward = float(np.asarray(joint.output_torque)) >= 0.0
-    solved.capacity_of_direction = solution.capacity if forward else solution.reverse_capacity
-    return solved
 
 
 def _refuse_torque(numbers: Joint, found: TorqueCapacity) -> None:

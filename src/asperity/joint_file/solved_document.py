@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Any, Generic, NamedTuple, TypeVar
+from typing import Any, NamedTuple, TypeVar
 
 from asperity.joint.branch_results import UnequalBranches
 from asperity.joint.description import Joint
@@ -12,7 +12,10 @@ from asperity.joint.equal_branches import solve_equal_branches, without_state
 from asperity.joint.planar.description import PlanarJoint
 from asperity.joint.planar.document import planar_document
 from asperity.joint.planar.solve import PlanarSolution, solve_planar
+from asperity.joint.planar.solved import SolvedPlanarJoint, solved_planar_joint
+from asperity.joint.results import SolvedJoint
 from asperity.joint.solve import Solution, solve
+from asperity.joint.solved import SolvedPapersJoint
 from asperity.joint_file.assumptions import assumptions
 from asperity.joint_file.build import joint_from_case, unequal_branches
 from asperity.joint_file.model import Case
@@ -22,95 +25,27 @@ from asperity.joint_file.planar_model import PlanarCase
 from asperity.joint_file.si_tables import AnyCase, si_values
 
 _Described = TypeVar("_Described", Joint, PlanarJoint)
-_Solved = TypeVar("_Solved", Solution, PlanarSolution)
+_Solution = TypeVar("_Solution", Solution, PlanarSolution)
 
 
-class SolvedCase(NamedTuple, Generic[_Described, _Solved]):
+class SolvedCase(NamedTuple):
     """A joint file, solved.
 
     Parameters
     ----------
-    joint : Joint or PlanarJoint
-        The joint that it describes.
-    solution : Solution or PlanarSolution
-        What the joint does with equal branches. Under a torque that only its own branches carry, what all of these do
-        together, and nan for all else.
-    branches : UnequalBranches or None
-        What its sections ``[[branch]]`` do; None where there are none.
+    solved : SolvedJoint
+        As :func:`solved_case` finds it.
     document : dict
-        All of it as plain data in SI units.
+        All of it as plain data in SI units: :func:`asperity.joint.document.joint_document` or
+        :func:`asperity.joint.planar.document.planar_document`.
     """
 
-    joint: _Described
-    solution: _Solved
-    branches: UnequalBranches | None
+    solved: SolvedJoint
     document: dict[str, Any]
 
 
-def solve_case(case: Case) -> SolvedCase[Joint, Solution]:
-    """Solve a joint file with the paper's drive.
-
-    Parameters
-    ----------
-    case : Case
-        The joint file.
-
-    Returns
-    -------
-    SolvedCase
-        With the document of :func:`asperity.joint.document.joint_document`.
-
-    Raises
-    ------
-    InputError
-        If the bodies do not fit, or the output torque exceeds the capacity, of its own branches where they count.
-    NoSolutionError
-        If no balance was found.
-    """
-    joint, solution, found = papers_branches(case)
-    document = joint_document(
-        joint=joint,
-        solution=solution,
-        inputs=si_values(case),
-        assumptions=assumptions(case),
-        branches=found,
-    )
-    return SolvedCase(joint, solution, found, document)
-
-
-def solve_planar_case(case: PlanarCase) -> SolvedCase[PlanarJoint, PlanarSolution]:
-    """Solve a joint file with another drive.
-
-    Parameters
-    ----------
-    case : PlanarCase
-        The joint file.
-
-    Returns
-    -------
-    SolvedCase
-        With the document of :func:`asperity.joint.planar.document.planar_document`.
-
-    Raises
-    ------
-    InputError
-        If the bodies do not fit, or the output torque exceeds the capacity, of its own branches where they count.
-    NoSolutionError
-        If no balance was found.
-    """
-    joint, solution, found = planar_branches(case)
-    document = planar_document(
-        joint=joint,
-        solution=solution,
-        inputs=si_values(case),
-        assumptions=planar_assumptions(case),
-        branches=found,
-    )
-    return SolvedCase(joint, solution, found, document)
-
-
-def solved_document(case: AnyCase) -> dict[str, Any]:
-    """Solve a joint file with any drive.
+def solve_case(case: AnyCase) -> SolvedCase:
+    """Solve a joint file, and write down what comes out.
 
     Parameters
     ----------
@@ -119,8 +54,8 @@ def solved_document(case: AnyCase) -> dict[str, Any]:
 
     Returns
     -------
-    dict
-        The document of :func:`solve_case` or :func:`solve_planar_case`.
+    SolvedCase
+        The joint and its document.
 
     Raises
     ------
@@ -129,70 +64,79 @@ def solved_document(case: AnyCase) -> dict[str, Any]:
     NoSolutionError
         If no balance was found.
     """
-    return solve_planar_case(case).document if isinstance(case, PlanarCase) else solve_case(case).document
+    solved = solved_case(case)
+    return SolvedCase(solved, document_of(case, solved))
 
 
-def papers_branches(case: Case) -> tuple[Joint, Solution, UnequalBranches | None]:
-    """Solve a joint file with the paper's drive, with equal branches and with its own.
+def document_of(case: AnyCase, solved: SolvedJoint) -> dict[str, Any]:
+    """The document of a joint file that is solved already.
 
     Parameters
     ----------
-    case : Case
+    case : Case or PlanarCase
+        The joint file.
+    solved : SolvedJoint
+        As :func:`solved_case` found it.
+
+    Returns
+    -------
+    dict
+        As of :class:`SolvedCase`.
+    """
+    if isinstance(case, PlanarCase):
+        assert isinstance(solved, SolvedPlanarJoint)
+        return planar_document(solved, inputs=si_values(case), assumptions=planar_assumptions(case))
+    assert isinstance(solved, SolvedPapersJoint)
+    return joint_document(solved, inputs=si_values(case), assumptions=assumptions(case))
+
+
+def solved_case(case: AnyCase) -> SolvedJoint:
+    """Solve a joint file, with equal branches and with its own.
+
+    Parameters
+    ----------
+    case : Case or PlanarCase
         The joint file.
 
     Returns
     -------
-    joint : Joint
-        The joint that it describes.
-    solution : Solution
-        With equal branches; as of :class:`SolvedCase` under a torque that only its own branches carry.
-    found : UnequalBranches or None
-        With its own; None where it states none.
+    SolvedJoint
+        What the joint does with equal branches, and what its sections ``[[branch]]`` do. Under a torque that only these
+        carry, the results are what all of them do together, and nan for all else.
 
     Raises
     ------
     InputError
-        If the bodies do not fit, or its branches do not carry the output torque.
+        If the bodies do not fit, or the output torque exceeds the capacity, of its own branches where they count.
     NoSolutionError
         If no balance was found.
     """
+    return _planar(case) if isinstance(case, PlanarCase) else _papers(case)
+
+
+def _papers(case: Case) -> SolvedPapersJoint:
     joint = joint_from_case(case)
-    return _solved(case, joint, solve, lambda _: unequal_branches(case, joint))
-
-
-def planar_branches(case: PlanarCase) -> tuple[PlanarJoint, PlanarSolution, UnequalBranches | None]:
-    """Solve a joint file with another drive, as :func:`papers_branches`.
-
-    Parameters
-    ----------
-    case : PlanarCase
-        The joint file.
-
-    Returns
-    -------
-    PlanarJoint, PlanarSolution, UnequalBranches or None
-        As of :func:`papers_branches`.
-
-    Raises
-    ------
-    InputError, NoSolutionError
-        As :func:`papers_branches`.
-    """
-    joint = planar_joint_from_case(case)
-    return _solved(case, joint, solve_planar, lambda found: unequal_sectors(case, joint, found))
-
-
-def _solved(
-    case: AnyCase,
-    joint: _Described,
-    solver: Callable[[_Described], _Solved],
-    own_branches: Callable[[_Solved], UnequalBranches | None],
-) -> tuple[_Described, _Solved, UnequalBranches | None]:
-    """A joint with equal branches, and with its own where its file states them."""
     if case.branch is None:
-        return joint, solver(joint), None
+        return SolvedPapersJoint(joint, solve(joint))
+    return SolvedPapersJoint(joint, *_with_own(joint, solve, lambda _: unequal_branches(case, joint)))
+
+
+def _planar(case: PlanarCase) -> SolvedPlanarJoint:
+    joint = planar_joint_from_case(case)
+    if case.branch is None:
+        return solved_planar_joint(joint, solve_planar(joint))
+    both = _with_own(joint, solve_planar, lambda equal: unequal_sectors(case, joint, equal))
+    return solved_planar_joint(joint, *both)
+
+
+def _with_own(
+    joint: _Described,
+    solver: Callable[[_Described], _Solution],
+    own_branches: Callable[[_Solution], UnequalBranches | None],
+) -> tuple[_Solution, UnequalBranches | None]:
+    """What a joint does with equal branches, and with its own."""
     solution, carries = solve_equal_branches(joint, solver)
     found = own_branches(solution)
     if carries or found is None:
-        return joint, solution, found
-    return joint, without_state(solution, float(joint.output_torque), found), found
+        return solution, found
+    return without_state(solution, float(joint.output_torque), found), found

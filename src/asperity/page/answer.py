@@ -10,16 +10,10 @@ import numpy as np
 from asperity.errors import AsperityError
 from asperity.joint.branch_results import NO_EQUAL_WINDUP
 from asperity.joint.creep_curves import creep_curves
-from asperity.joint.description import Joint
-from asperity.joint.either_kind import AnyJoint, AnySolution
-from asperity.joint.evaluation import JointResult
+from asperity.joint.either_kind import AnyJoint
 from asperity.joint.margins import Margin, margins
 from asperity.joint.planar.description import PlanarJoint
-from asperity.joint.planar.evaluation import PlanarResult
-from asperity.joint.planar.solve import PlanarSolution
-from asperity.joint.planar.solved import solved_planar_joint
 from asperity.joint.results import SolvedJoint
-from asperity.joint.solve import Solution, solved_joint
 from asperity.joint.torque_curves import torque_curves
 from asperity.joint.windup import windup
 from asperity.joint.windup_document import windup_columns
@@ -28,7 +22,7 @@ from asperity.joint_file.model import Case
 from asperity.joint_file.planar_model import PlanarCase
 from asperity.joint_file.quantity_key import Key
 from asperity.joint_file.si_tables import numeric_keys
-from asperity.joint_file.solved_document import solve_case, solve_planar_case
+from asperity.joint_file.solved_document import solve_case
 from asperity.page.description import form_of
 from asperity.page.drawing import drive_shapes, planar_shapes
 from asperity.page.joint_request import JointRequest, choices_of_case
@@ -61,9 +55,7 @@ def joint_answer(request: JointRequest) -> Answer:
         If the force balance does not close.
     """
     case = request.case()
-    joint, solution, solved, document, drawing = (
-        _planar(case) if isinstance(case, PlanarCase) else _papers(case)
-    )
+    solved, document = solve_case(case)
     interval = drawn_interval(case)
     if interval is not None:
         document["stiffness_interval"] = interval
@@ -72,24 +64,18 @@ def joint_answer(request: JointRequest) -> Answer:
         "name": request.name,
         **stated_values(case),
         "document": document,
-        "drawing": drawing,
+        "drawing": _drawing(solved),
         "margins": [_margin(each) for each in margins(solved)],
-        "curves": _curves(joint, solution),
-        "creep": _creep(joint, solution.result),
-        "windup": {"unknown_because": NO_EQUAL_WINDUP} if solved.no_equal_state else _windup(joint),
+        "curves": _curves(solved),
+        "creep": _creep(solved),
+        "windup": {"unknown_because": NO_EQUAL_WINDUP} if solved.no_equal_state else _windup(solved.joint),
     }
 
 
-def _papers(case: Case) -> tuple[Joint, Solution, SolvedJoint, Answer, Answer]:
-    joint, solution, branches, document = solve_case(case)
-    solved = solved_joint(joint, solution, branches)
-    return joint, solution, solved, document, drive_shapes(joint, solution.result.forces)
-
-
-def _planar(case: PlanarCase) -> tuple[PlanarJoint, PlanarSolution, SolvedJoint, Answer, Answer]:
-    joint, solution, branches, document = solve_planar_case(case)
-    solved = solved_planar_joint(joint, solution, branches)
-    return joint, solution, solved, document, planar_shapes(joint, solution.result)
+def _drawing(solved: SolvedJoint) -> Answer:
+    if isinstance(solved.joint, PlanarJoint):
+        return planar_shapes(solved.joint, solved.result)
+    return drive_shapes(solved.joint, solved.result.forces)
 
 
 def _margin(each: Margin) -> Answer:
@@ -167,10 +153,9 @@ def plain_numbers(values: Any) -> list[float | None]:
     return [number if math.isfinite(number) else None for number in np.asarray(values, dtype=float).tolist()]
 
 
-def _curves(joint: AnyJoint, solution: AnySolution) -> Answer:
-    reverse = float(joint.output_torque) < 0.0
-    capacity = solution.reverse_capacity if reverse else solution.capacity
-    found = torque_curves(joint=joint, torque_capacity=float(capacity.output_torque))
+def _curves(solved: SolvedJoint) -> Answer:
+    capacity = float(solved.capacity_of_direction.output_torque)
+    found = torque_curves(joint=solved.joint, torque_capacity=capacity)
     return {
         "torque_Nm": plain_numbers(found.torque),
         "published_Nm_per_rad": plain_numbers(found.published),
@@ -185,12 +170,14 @@ def _curves(joint: AnyJoint, solution: AnySolution) -> Answer:
     }
 
 
-def _creep(joint: AnyJoint, result: JointResult | PlanarResult) -> Answer:
+def _creep(solved: SolvedJoint) -> Answer:
     """Creep curve of each contact: traction T/N over creepage."""
-    found = creep_curves(joint, result)
+    found = creep_curves(solved.joint, solved.result)
     return {
         name: {"traction": plain_numbers(traction), "creepage": plain_numbers(creepage)}
-        for name, traction, creepage in zip(result.contact_names, found.traction, found.creepage, strict=True)
+        for name, traction, creepage in zip(
+            solved.result.contact_names, found.traction, found.creepage, strict=True
+        )
     }
 
 

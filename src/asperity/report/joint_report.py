@@ -18,10 +18,8 @@ from asperity.joint.loads_document import load_cases, loads_document
 from asperity.joint.margins import margins
 from asperity.joint.measured_surface import stiffness_interval
 from asperity.joint.planar.loads_document import planar_loads_document
-from asperity.joint.planar.solved import solved_planar_joint
 from asperity.joint.results import SolvedJoint
 from asperity.joint.rolling_onset import RollingOnset
-from asperity.joint.solve import solved_joint
 from asperity.joint.windup import Windup
 from asperity.joint.windup_document import examined_windup, windup_document, windup_onsets
 from asperity.joint_file.drawn_surface import drawn_interval
@@ -29,7 +27,7 @@ from asperity.joint_file.model import Case
 from asperity.joint_file.own_branches import with_own_branches
 from asperity.joint_file.planar_model import PlanarCase
 from asperity.joint_file.si_tables import AnyCase
-from asperity.joint_file.solved_document import solve_case, solve_planar_case
+from asperity.joint_file.solved_document import solve_case
 from asperity.report import limit_tables, load_tables, result_tables, rolling_tables, surface_tables
 from asperity.report.branch_tables import branch_tables, equal_branches
 from asperity.report.content import Block, Bullets, Heading, Listing, Paragraph, Picture, Report, Table
@@ -160,12 +158,13 @@ class _Parts:
 
 
 def _papers_parts(source: ReportSource, case: Case) -> _Parts:
-    joint, solution, branches, document = solve_case(case)
+    solved, document = solve_case(case)
+    joint, branches = solved.joint, solved.branches
     return _Parts(
         joint,
-        solved_joint(joint, solution, branches),
+        solved,
         document,
-        loads_document(joint, load_cases(joint, solution), document["bearings"], branches),
+        loads_document(joint, load_cases(solved), document["bearings"], branches),
         surfaces=(*_measured(joint, source, case), surface_tables.averages(document)),
         drive=(*result_tables.drive(document), *load_tables.rims(document)),
         branches=() if branches is None else tuple(branch_tables(document["branches"])),
@@ -173,12 +172,13 @@ def _papers_parts(source: ReportSource, case: Case) -> _Parts:
 
 
 def _planar_parts(source: ReportSource, case: PlanarCase) -> _Parts:
-    joint, solution, branches, document = solve_planar_case(case)
+    solved, document = solve_case(case)
+    joint, branches = solved.joint, solved.branches
     return _Parts(
         joint,
-        solved_planar_joint(joint, solution, branches),
+        solved,
         document,
-        planar_loads_document(joint, solution, document["bearings"], branches),
+        planar_loads_document(solved, document["bearings"]),
         surfaces=(*_measured(joint, source, case), surface_tables.averages(document)),
         drive=(*result_tables.planar_drive(document), *load_tables.rims(document)),
         branches=() if branches is None else tuple(branch_tables(document["branches"])),

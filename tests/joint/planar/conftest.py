@@ -8,7 +8,7 @@ from asperity.drive.planar.drives import wedge_drive
 from asperity.joint.crowned_contacts import crown_curvatures
 from asperity.joint.planar.description import SOLID, BodyShape, PlanarJoint
 from asperity.joint_file.planar_build import planar_joint_from_case
-from asperity.joint_file.solved_document import solve_planar_case
+from asperity.joint_file.solved_document import solve_case
 
 
 @pytest.fixture(scope="session")
@@ -20,8 +20,8 @@ def planar_joint(planar_case):
 @pytest.fixture(scope="session")
 def planetary(planar_case):
     """The planetary example: joint, solution and document."""
-    found = solve_planar_case(planar_case("planetary"))
-    return found.joint, found.solution, found.document
+    solved, document = solve_case(planar_case("planetary"))
+    return solved.joint, solved.solution, document
 
 
 @pytest.fixture(scope="session")
@@ -32,8 +32,8 @@ def skewed_planetary(planar_case):
         'ring_support = "free"': 'ring_support = "rigid_housing"',
         "[lubrication]": '[rolling]\nskew = { sp = "0.5 mrad", pr = "-0.8 mrad" }\n\n[lubrication]',
     }
-    found = solve_planar_case(planar_case("planetary", replaced=replaced))
-    return found.joint, found.solution, found.document
+    solved, document = solve_case(planar_case("planetary", replaced=replaced))
+    return solved.joint, solved.solution, document
 
 
 @pytest.fixture(scope="session")

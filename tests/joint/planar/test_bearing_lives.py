@@ -32,8 +32,9 @@ def rated(planetary):
 
 def test_lives_by_hand_from_the_printed_loads_and_speeds(rated):
     joint, solution = rated
-    entries = bearing_entries(solved_planar_joint(joint, solution))
-    document = planar_loads_document(joint, solution, entries)
+    solved = solved_planar_joint(joint, solution)
+    entries = bearing_entries(solved)
+    document = planar_loads_document(solved, entries)
     printed = {(row["part"], row["quantity"]): row["values"][1] for row in document["loads"]}
     pin, carrier = document["bearings"]
     assert (pin["bearing"], carrier["bearing"]) == ("planet_pin", "carrier")
@@ -51,7 +52,7 @@ def test_lives_by_hand_from_the_printed_loads_and_speeds(rated):
     )
     assert carrier["load_over_dynamic_rating"] == pytest.approx(0.08)
     assert any("ISO 281" in note for note in document["notes"])
-    whole = planar_document(joint=joint, solution=solution, inputs={}, assumptions=())
+    whole = planar_document(solved_planar_joint(joint, solution), inputs={}, assumptions=())
     assert whole["bearings"] == entries
     limits = {(each["name"], each["contact"]) for each in whole["diagnostics"] if "contact" in each}
     assert {("bearing_static_safety", "planet_pin"), ("bearing_load_ratio", "carrier")} <= limits

@@ -5,13 +5,14 @@ import math
 import pytest
 
 from asperity.joint.planar.loads_document import planar_loads_document
-from asperity.joint_file.solved_document import solve_planar_case
+from asperity.joint.planar.solved import solved_planar_joint
+from asperity.joint_file.solved_document import solved_case
 
 
 @pytest.fixture(scope="module")
 def values(planetary):
     joint, solution, _ = planetary
-    document = planar_loads_document(joint, solution, [])
+    document = planar_loads_document(solved_planar_joint(joint, solution), [])
     return {
         (row["part"], row["position"], row["quantity"]): (row["values"], row["unit"])
         for row in document["loads"]
@@ -55,8 +56,8 @@ def test_the_loads_of_a_duty_are_cases_of_their_own(planar_case):
         f'[[duty]]\noutput_torque = "{torque} N*m"\nsun_speed = "{speed} rpm"\nshare = {share}\n\n'
         for torque, speed, share in ((11, 3000, 0.25), (-5, 0, 0.75))
     )
-    joint, solution, *_ = solve_planar_case(planar_case("planetary", replaced={"[model]": duty + "[model]"}))
-    document = planar_loads_document(joint, solution, [])
+    solved = solved_case(planar_case("planetary", replaced={"[model]": duty + "[model]"}))
+    document = planar_loads_document(solved, [])
     assert [case["name"] for case in document["cases"]] == [
         "without torque",
         "working torque",
@@ -77,7 +78,7 @@ def test_axial_forces_of_skewed_contacts(skewed_planetary):
     """Pins, shafts and the ring bear the thrust of their bodies, together none."""
     joint, solution, document = skewed_planetary
     thrust = document["rolling"]["axial_thrust_N"]
-    found = planar_loads_document(joint, solution, [])
+    found = planar_loads_document(solved_planar_joint(joint, solution), [])
     rows = {row["part"]: row["values"] for row in found["loads"] if row["quantity"] == "axial force"}
     assert rows == {
         "carrier pin": pytest.approx([0.0, thrust["planet"]]),

@@ -10,7 +10,7 @@ from asperity.cli.joint_table import show_joint
 from asperity.cli.roll_table import show_rolling
 from asperity.errors import InputError, NoSolutionError
 from asperity.joint.planar.solve import refuse_planar_rolling, solve_planar
-from asperity.joint_file.solved_document import solve_planar_case
+from asperity.joint_file.solved_document import solve_case
 
 ORBIT, COUNT = 30e-3, 3  # of the planetary example
 
@@ -121,13 +121,13 @@ def test_a_torque_beyond_the_capacity_is_refused(planar_case):
     with pytest.raises(
         InputError, match=r"13 N·m is beyond the torque capacity 12\.1\d N·m, at which contact sp slips"
     ):
-        solve_planar_case(slow)
+        solve_case(slow)
 
 
 def test_an_interference_without_a_balance_is_told(planar_case):
     thick = planar_case("planetary", replaced={'"30 um"': '"3 mm"'})
     with pytest.raises(NoSolutionError, match="with an interference of 3000 um no state was found"):
-        solve_planar_case(thick)
+        solve_case(thick)
 
 
 def test_bodies_that_do_not_fit_are_refused(planar_case):
@@ -135,13 +135,13 @@ def test_bodies_that_do_not_fit_are_refused(planar_case):
     with pytest.raises(
         InputError, match="at which contact sp lifts off; raise the preload, or lower the speed"
     ):
-        solve_planar_case(fast)
+        solve_case(fast)
     with pytest.raises(InputError, match=r"neighbours of planet overlap by 10 mm"):
-        solve_planar_case(planar_case("planetary", replaced={"planets = 3": "planets = 6"}))
+        solve_case(planar_case("planetary", replaced={"planets = 3": "planets = 6"}))
     with pytest.raises(InputError, match=r"the bore of planet, 45 mm, leaves no wall in a roller of 40 mm"):
-        solve_planar_case(planar_case("planetary_hollow", replaced={'"26 mm"': '"45 mm"'}))
+        solve_case(planar_case("planetary_hollow", replaced={'"26 mm"': '"45 mm"'}))
     with pytest.raises(InputError, match="there is no place for second_row where it touches"):
-        solve_planar_case(
+        solve_case(
             planar_case(
                 "multiroller",
                 replaced={'first_row_small_radius = "10 mm"': 'first_row_small_radius = "0.1 mm"'},
@@ -151,9 +151,9 @@ def test_bodies_that_do_not_fit_are_refused(planar_case):
 
 @pytest.mark.slow
 def test_preload_and_interference_make_each_other(planar_case):
-    by_size = solve_planar_case(planar_case("planetary")).document["preload"]
+    by_size = solve_case(planar_case("planetary")).document["preload"]
     text = {'interference = "30 um"': f'preload = "{by_size["force_N"]!r} N"'}
-    by_force = solve_planar_case(planar_case("planetary", replaced=text)).document["preload"]
+    by_force = solve_case(planar_case("planetary", replaced=text)).document["preload"]
     assert by_force["interference_m"] == pytest.approx(30e-6, rel=1e-6)
 
 
@@ -161,7 +161,7 @@ def test_preload_and_interference_make_each_other(planar_case):
 def test_hollow_planets_are_softer(planar_case):
     """A thin planet is the preload's spring: the same interference presses less, and the stiffness falls."""
     hollow, thick = (
-        solve_planar_case(planar_case("planetary_hollow", replaced={'"26 mm"': bore})).document
+        solve_case(planar_case("planetary_hollow", replaced={'"26 mm"': bore})).document
         for bore in ('"26 mm"', '"8 mm"')
     )
     assert hollow["preload"]["force_N"] < 0.7 * thick["preload"]["force_N"]
@@ -174,7 +174,7 @@ def test_hollow_planets_are_softer(planar_case):
 
 @pytest.mark.slow
 def test_the_multiroller_by_hand(planar_case):
-    document = solve_planar_case(planar_case("multiroller")).document
+    document = solve_case(planar_case("multiroller")).document
     orbit, half = 26.0, math.pi / 4.0
     far = orbit * math.cos(half) + math.sqrt(28.0**2 - (orbit * math.sin(half)) ** 2)
     ring = far + 9.4
@@ -196,7 +196,7 @@ def test_the_multiroller_by_hand(planar_case):
 
 @pytest.mark.slow
 def test_stepped_planets_by_hand(planar_case):
-    document = solve_planar_case(planar_case("stepped_planet")).document
+    document = solve_case(planar_case("stepped_planet")).document
     ratio = (1.0 + 50.0 / 10.0) / (1.0 - 50.0 * 18.0 / (48.0 * 20.0))
     assert document["geometry"]["speed_ratio"] == pytest.approx(ratio, rel=1e-12)
     forces = document["forces"]
@@ -213,18 +213,16 @@ def test_stepped_planets_by_hand(planar_case):
 @pytest.mark.slow
 def test_a_joint_without_creep_is_told(planar_case):
     """A surface so rough that every spot is plastic has no stiffness for its creep."""
-    joint, solution, _, document = solve_planar_case(
-        planar_case("planetary", replaced={'"1.3e-7 mm"': '"1e-2 mm"'})
-    )
+    solved, document = solve_case(planar_case("planetary", replaced={'"1.3e-7 mm"': '"1e-2 mm"'}))
     assert document["torsional_stiffness"]["assembly"]["output_Nm_per_rad"] is None
     with pytest.raises(NoSolutionError, match="every spot of a contact is plastic"):
-        refuse_planar_rolling(joint, solution)
+        refuse_planar_rolling(solved.joint, solved.solution)
 
 
 @pytest.mark.slow
 def test_the_papers_drive_as_a_list_of_rollers(planar_case):
     """Forces at rest by hand, and the balance of torques."""
-    document = solve_planar_case(planar_case("planar")).document
+    document = solve_case(planar_case("planar")).document
     theta, beta = math.radians(27.083145), math.radians(13.158247)
     side = 500.0 / math.cos(theta)
     rest = document["forces"]["normal_without_torque_N"]
@@ -245,8 +243,8 @@ def test_a_thin_ring_is_the_spring_of_the_preload(planar_case):
     stretching = 0.49340 * force * radius / (modulus * area)
     shear = 0.20473 * force * radius * 1.2 * 2.0 * (1.0 + poisson) / (young * area)
     text = {'"8 mm"': '"3 mm"', 'interference = "30 um"': 'preload = "100 N"', '"10 N*m"': '"0.1 N*m"'}
-    free = solve_planar_case(planar_case("planetary", replaced=text)).document
+    free = solve_case(planar_case("planetary", replaced=text)).document
     held_text = text | {'ring_support = "free"': 'ring_support = "rigid_housing"'}
-    held = solve_planar_case(planar_case("planetary", replaced=held_text)).document
+    held = solve_case(planar_case("planetary", replaced=held_text)).document
     found = free["preload"]["interference_m"] - held["preload"]["interference_m"]
     assert found == pytest.approx(bending + stretching + shear, rel=0.02)

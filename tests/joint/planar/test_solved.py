@@ -6,7 +6,9 @@ import math
 import numpy as np
 import pytest
 
+from asperity.joint.all_limits import further_checks
 from asperity.joint.planar.solved import solved_planar_joint
+from asperity.joint_file.solved_document import solved_case
 
 SUN, PLANET, RING, WALL, LENGTH = 10e-3, 20e-3, 50e-3, 8e-3, 10e-3
 
@@ -63,3 +65,34 @@ def test_each_direction_has_its_capacity(solved, planetary):
 def test_only_the_ring_bends(solved):
     """Sun and planets are solid; the ring is held by nothing."""
     assert np.isnan(np.asarray(solved.rims.yield_safety)).tolist() == [True, True, False]
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("branches", ["", 3 * '[[branch]]\nplanet_deviation = "0.5 um"\n\n'])
+def test_rims_under_a_duty_are_those_of_the_same_load_as_working_torque(planar_case, branches):
+    """Hollow planets that stand under the largest load, and turn under another."""
+
+    def of(torque, speed, duty=""):
+        replaced = {
+            "[model]": duty + branches + "[model]",
+            'output_torque = "10 N*m"': f'output_torque = "{torque} N*m"',
+            'sun_speed = "1500 rpm"': f'sun_speed = "{speed} rpm"',
+        }
+        return solved_case(planar_case("planetary_hollow", replaced=replaced))
+
+    loads = ((8.0, 0.0, 0.25), (-3.0, 600.0, 0.75))
+    duty = "".join(
+        f'[[duty]]\noutput_torque = "{torque} N*m"\nsun_speed = "{speed} rpm"\nshare = {share}\n\n'
+        for torque, speed, share in loads
+    )
+    found = of(5.0, 1500.0, duty)
+    alone = [of(torque, speed).rims for torque, speed, _ in loads]
+    for here, there in zip(found.duty_rims, alone, strict=True):
+        np.testing.assert_allclose(here.stress, there.stress, rtol=1e-7)
+        np.testing.assert_allclose(here.yield_safety, there.yield_safety, rtol=1e-7)
+    checks = {(each.result.name, each.contact): each.value for each in further_checks(found)}
+    planet = [float(np.asarray(each.yield_safety)[1]) for each in alone]
+    worst = int(np.argmin(planet))
+    assert checks["duty_rim_yield_safety", f"planet, load {worst + 1}"] == pytest.approx(
+        planet[worst], rel=1e-7
+    )

@@ -12,6 +12,7 @@ from asperity.joint.interference import joint_preload
 from asperity.joint.planar.document import planar_document
 from asperity.joint.planar.evaluation import evaluate_planar
 from asperity.joint.planar.solve import solve_planar
+from asperity.joint.planar.solved import solved_planar_joint
 from asperity.joint.planar.status import planar_status
 from asperity.joint.planar.temperature import contact_expansion
 from asperity.joint.status import STATUS_NAMES
@@ -115,7 +116,7 @@ def test_it_is_the_joint_with_the_interference_that_is_left(planetary_at):
         lambda each: each.rolling.speed_loss,
     ):
         np.testing.assert_allclose(of(found), of(expected), rtol=1e-8)
-    told = planar_document(joint=joint, solution=solution, inputs={}, assumptions=())["preload"]
+    told = planar_document(solved_planar_joint(joint, solution), inputs={}, assumptions=())["preload"]
     assembled = solved(dataclasses.replace(plain, interference=30e-6))
     assert told["force_N"] == pytest.approx(float(expected.preload), rel=1e-8)
     assert told["at_assembly"]["force_N"] == pytest.approx(float(assembled.preload), rel=1e-8)

@@ -11,7 +11,6 @@ import asperity
 from asperity.drive.planar.loads import pin_components
 from asperity.joint.all_limits import all_checks
 from asperity.joint.branch_document import branch_document
-from asperity.joint.branch_results import UnequalBranches
 from asperity.joint.capacity import capacity_document
 from asperity.joint.document import (
     contact_documents,
@@ -22,10 +21,9 @@ from asperity.joint.document import (
     torsional_stiffness_document,
 )
 from asperity.joint.loading_cam import loading_cam_document
-from asperity.joint.planar.description import PlanarJoint
 from asperity.joint.planar.rims import bends
 from asperity.joint.planar.solve import PlanarSolution
-from asperity.joint.planar.solved import SolvedPlanarJoint, solved_planar_joint
+from asperity.joint.planar.solved import SolvedPlanarJoint
 from asperity.joint.planar.temperature import planar_assembly_document
 from asperity.joint.rolling_document import losses, rolling_document
 from asperity.joint.strength_document import bearing_entries, rim_entry
@@ -34,37 +32,26 @@ from asperity.joint.surface_averages import surface_averages
 Document = dict[str, Any]
 
 
-def planar_document(
-    *,
-    joint: PlanarJoint,
-    solution: PlanarSolution,
-    inputs: Document,
-    assumptions: tuple[str, ...],
-    branches: UnequalBranches | None = None,
-) -> Document:
+def planar_document(solved: SolvedPlanarJoint, *, inputs: Document, assumptions: tuple[str, ...]) -> Document:
     """Everything that is known about a joint, ready for :func:`json.dumps`.
 
     Parameters
     ----------
-    joint : PlanarJoint
-        The joint that was solved.
-    solution : PlanarSolution
-        What came out.
+    solved : SolvedPlanarJoint
+        The joint, and what came out.
     inputs : dict
         Tables of the joint file in SI units.
     assumptions : tuple of str
         What the file leaves out, one sentence each.
-    branches : UnequalBranches, optional
-        Its branches, if their sizes differ.
 
     Returns
     -------
     dict
         Nested tables of numbers and text. Numbers that are not finite are None; the diagnostics say why.
     """
+    joint, solution, branches = solved.joint, solved.solution, solved.branches
     result, drive = solution.result, joint.drive
     forward = float(joint.output_torque) >= 0.0
-    solved = solved_planar_joint(joint, solution, branches)
     pinned = [drive.bodies[body].name for body in drive.pinned]
     names = result.contact_names
     checks = all_checks(solved)

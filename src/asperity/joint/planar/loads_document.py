@@ -2,19 +2,16 @@
 
 from __future__ import annotations
 
-import dataclasses
 from collections.abc import Iterator
 
 import jax
 import jax.numpy as jnp
 import numpy as np
 
-from asperity.compilation import compile_fast
 from asperity.drive.planar.layout import CARRIER, PlanarDrive
 from asperity.drive.planar.loads import PlanarLoads, pin_components
 from asperity.joint.branch_limits import pressed
 from asperity.joint.branch_loads import BranchLoads
-from asperity.joint.branch_results import UnequalBranches
 from asperity.joint.loads_document import (
     RATED,
     UNEQUAL,
@@ -24,14 +21,14 @@ from asperity.joint.loads_document import (
     document_of_rows,
 )
 from asperity.joint.planar.description import PlanarJoint, tracks_of
-from asperity.joint.planar.evaluation import PlanarResult, laws_and_states, planar_result
-from asperity.joint.planar.solve import PlanarSolution
+from asperity.joint.planar.evaluation import PlanarResult
 from asperity.joint.planar.working_loads import (
     member_speeds,
     pin_speeds,
     planar_loads_without_torque,
     working_planar_loads,
 )
+from asperity.joint.results import SolvedJoint
 from asperity.joint.rolling_document import unknown_because
 
 _DIRECTIONS = (
@@ -63,44 +60,30 @@ _BEARINGS = (
 )
 
 
-def planar_loads_document(
-    joint: PlanarJoint,
-    solution: PlanarSolution,
-    bearings: list[Document],
-    branches: UnequalBranches | None = None,
-) -> Document:
+def planar_loads_document(solved: SolvedJoint, bearings: list[Document]) -> Document:
     """Loads of the structure as a document, ready for :func:`json.dumps`.
 
     Parameters
     ----------
-    joint : PlanarJoint
-        The joint.
-    solution : PlanarSolution
-        What it does under its working torque.
+    solved : SolvedJoint
+        One joint.
     bearings : list of dict
         Its :func:`asperity.joint.strength_document.bearing_entries`.
-    branches : UnequalBranches, optional
-        Its branches, if their sizes differ.
 
     Returns
     -------
     dict
         Without torque, under the working torque, and under every load of the duty; None where a value is not known.
     """
-    result = solution.result
+    joint, result, branches = solved.joint, solved.result, solved.branches
     cases = [case_entry("without torque", 0.0, 0.0, None, None)]
     loads = [planar_loads_without_torque(joint, result)]
     numbers: PlanarJoint = jax.tree.map(lambda leaf: np.asarray(leaf, dtype=float), joint)
     loaded: list[tuple[str, float | None, PlanarJoint, PlanarResult]] = [
         ("working torque", None, numbers, result)
     ]
-    for index, point in enumerate(numbers.rolling.duty, start=1):
-        there = dataclasses.replace(numbers, output_torque=point.output_torque, input_speed=point.sun_speed)
-        laws, states = compile_fast(laws_and_states, there)(there)
-        under: PlanarResult = jax.tree.map(
-            np.asarray, compile_fast(planar_result, there, laws, states)(there, laws, states)
-        )
-        loaded.append((f"duty {index}", float(point.share), there, under))
+    for index, state in enumerate(solved.duty_states):
+        loaded.append((f"duty {index + 1}", float(numbers.rolling.duty[index].share), *state))
     drive = joint.drive
     speeds = [np.zeros(len(drive.members))]
     for name, share, there, under in loaded:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 import functools
 from typing import Any
 
@@ -22,7 +23,7 @@ from asperity.joint.loss_note import loss_notes, skew_notes
 from asperity.joint.planar.bearing_lives import planar_bearing_lives
 from asperity.joint.planar.capacity import capacity_both_ways
 from asperity.joint.planar.description import PlanarJoint, tracks_of
-from asperity.joint.planar.evaluation import PlanarResult
+from asperity.joint.planar.evaluation import PlanarResult, laws_and_states, planar_result
 from asperity.joint.planar.plausibility import planar_plausibility
 from asperity.joint.planar.rims import branch_rims, planar_rims
 from asperity.joint.planar.solve import PlanarSolution
@@ -139,13 +140,26 @@ class SolvedPlanarJoint(SolvedJoint):
     _bearing_lives = staticmethod(planar_bearing_lives)
 
     @functools.cached_property
-    def rims(self) -> Any:
-        """Stresses of the rings and hollow rollers that bend, the bodies along the last axis."""
-        if self.branches is None:
-            return call_compiled(planar_rims, self.joint, self.result)
-        turns = float(self.joint.input_speed) != 0.0
-        given = (self.joint, *self.branches.contact_forces(turns=turns))
-        program = compile_fast(branch_rims, *given, options=(given[1].shape[-1],))
+    def duty_states(self) -> tuple[tuple[PlanarJoint, PlanarResult], ...]:
+        """The joint under each load of its duty, and its result, with equal sectors."""
+        numbers: PlanarJoint = jax.tree.map(lambda leaf: np.asarray(leaf, dtype=float), self.joint)
+        found = []
+        for point in numbers.rolling.duty:
+            there = dataclasses.replace(
+                numbers, output_torque=point.output_torque, input_speed=point.sun_speed
+            )
+            laws, states = compile_fast(laws_and_states, there)(there)
+            result: PlanarResult = compile_fast(planar_result, there, laws, states)(there, laws, states)
+            found.append((there, jax.tree.map(np.asarray, result)))
+        return tuple(found)
+
+    def _rims(self, joint: PlanarJoint, result: PlanarResult) -> Any:
+        """The bodies along the last axis."""
+        return call_compiled(planar_rims, joint, result)
+
+    def _branch_rims(self, working: np.ndarray, rest: np.ndarray) -> Any:
+        given = (self.joint, working, rest)
+        program = compile_fast(branch_rims, *given, options=(working.shape[-1],))
         return jax.tree.map(np.asarray, program(*given))
 
     @property
@@ -199,6 +213,7 @@ def solved_planar_joint(
         *skew_notes(result.rolling, result.contact_names),
     )
     solved = SolvedPlanarJoint(joint, result, None, notes, branches)
+    solved.solution = solution
     solved._standing, solved._rolling = (
         jax.tree.map(lambda *leaves: np.stack(leaves), *both)
         for both in (

@@ -24,7 +24,7 @@ from asperity.joint.description import Joint, preload_at
 from asperity.joint.evaluation import JointResult
 from asperity.joint.planar.description import PlanarJoint
 from asperity.joint.planar.evaluation import PlanarResult
-from asperity.joint.rim_safety import RIM_NAMES, JointRims, branch_joint_rims, joint_rims
+from asperity.joint.rim_safety import RIM_NAMES, branch_joint_rims, joint_rims
 from asperity.joint.rolling_capacity import rolling_torque_capacity
 from asperity.joint.size import JointSize, joint_size
 from asperity.joint.working_loads import working_loads
@@ -75,6 +75,9 @@ class SolvedJoint:
     notes : tuple of Note, optional
         Comparisons with what is usual, which are requirements too.
     """
+
+    #: What came out, where one joint was solved on its own.
+    solution: Any = None
 
     def __init__(
         self,
@@ -153,13 +156,30 @@ class SolvedJoint:
     _bearing_lives: Any = staticmethod(bearing_lives)
 
     @functools.cached_property
-    def rims(self) -> JointRims:
+    def rims(self) -> Any:
         """Stresses of ring and hollow rollers."""
-        if self.branches is not None:
-            turns = float(self.joint.sun_speed) != 0.0
-            return call_compiled(branch_joint_rims, self.joint, *self.branches.contact_forces(turns=turns))
-        rims: JointRims = call_compiled(joint_rims, self.joint, self.result)
-        return rims
+        if self.branches is None:
+            return self._rims(self.joint, self.result)
+        working = self.branches.working(turns=float(self.joint.sun_speed) != 0.0)
+        return self._branch_rims(*self.branches.contact_forces(working))
+
+    @functools.cached_property
+    def duty_states(self) -> tuple[tuple[Any, Any], ...]:
+        """The joint under each load of its duty, and its result, with equal branches; of one joint alone."""
+        raise NotImplementedError
+
+    @functools.cached_property
+    def duty_rims(self) -> tuple[Any, ...]:
+        """As ``rims`` under each load of the duty; nan where the joint does not carry it. Of one joint alone."""
+        if self.branches is None:
+            return tuple(self._rims(*each) for each in self.duty_states)
+        return tuple(self._branch_rims(*self.branches.contact_forces(each)) for each in self.branches.duty)
+
+    def _rims(self, joint: Any, result: Any) -> Any:
+        return call_compiled(joint_rims, joint, result)
+
+    def _branch_rims(self, working: np.ndarray, rest: np.ndarray) -> Any:
+        return call_compiled(branch_joint_rims, self.joint, working, rest)
 
     def row_names(self, axis: str) -> tuple[str, ...]:
         """Names of the contacts or bodies of this joint's drive."""
@@ -287,6 +307,11 @@ class Result:
     def si_unit(self) -> str:
         """SI unit; ``"1"`` for a ratio."""
         return self.dimension.si_unit
+
+    @property
+    def of_rims(self) -> bool:
+        """Whether it is read from the rims of a solved joint."""
+        return isinstance(self.value, str) and self.value.startswith("rims.")
 
     @property
     def row_names(self) -> tuple[str, ...]:
