@@ -32,6 +32,7 @@ def found(folder):
     return asperity.design(folder / "design.toml")
 
 
+@pytest.mark.long
 def test_values_are_those_of_the_command(found, folder, printed):
     document = printed("design", folder / "design.toml")
     assert found["load.preload"].si == pytest.approx(document["variables"]["load.preload"], rel=1e-9)

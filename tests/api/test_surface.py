@@ -64,6 +64,7 @@ def test_wrong_input_is_refused(file):
         asperity.measure_surface(file, direction="y")
 
 
+@pytest.mark.slow
 def test_a_surface_without_a_power_law_is_one_message(tmp_path):
     position = np.arange(2000) * 1e-7
     rows = np.stack([position, 1e-6 * np.random.default_rng(0).standard_normal(2000)], axis=1)

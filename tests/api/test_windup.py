@@ -31,6 +31,7 @@ def test_stages_are_thirds_and_the_static_curve_holds_to_a_twentieth_unless_stat
     assert stated["creep_share"].default == 0.05
 
 
+@pytest.mark.slow
 def test_the_sun_turns(curve):
     found = curve.document["rolling"]
     assert curve["static_input_angle"].si == found["static_curve_up_to"]["input_rad"]

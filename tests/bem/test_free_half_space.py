@@ -10,6 +10,7 @@ from asperity.errors import InputError
 PAIR = ElasticPair(contact_modulus=2.0, antiplane_modulus=0.7, dundurs_constant=0.0)
 
 
+@pytest.mark.slow
 def test_far_from_one_pixel_the_surface_moves_as_under_boussinesqs_and_cerrutis_point_loads():
     free = FreeHalfSpace(PAIR, shape=(41, 41), pixel_size=(1.0, 1.0))
     point = np.zeros((2, 41, 41))
@@ -36,6 +37,7 @@ def test_the_padded_convolution_has_no_images():
     assert columns[0, -1] == columns[0].min()
 
 
+@pytest.mark.slow
 def test_the_periodic_response_tends_to_the_free_one_near_a_balanced_load():
     """A curved load's field decays fast: a long period then changes little."""
     n = 64

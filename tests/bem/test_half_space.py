@@ -57,6 +57,7 @@ def test_maxwell_and_betti_the_shear_response_is_symmetric():
     assert left == pytest.approx(float(jnp.sum(b * HALF_SPACE.shear_displacement(a))), rel=1e-12)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("shape", "pixel"), [((10,), (0.3,)), ((9, 14), (0.3, 0.5))])
 def test_the_nearest_neighbour_operator_is_symmetric_and_positive(shape, pixel):
     weights = nearest_neighbour_weights(shape, jnp.array(pixel))

@@ -147,6 +147,7 @@ def test_rolling_back_is_the_mirror_image(contact):
     np.testing.assert_allclose(back.rolled_distance, [0.0, -0.01, -0.03, -0.05], rtol=1e-12)
 
 
+@pytest.mark.slow
 def test_a_contact_that_stands_slips_as_in_partial_slip(contact):
     forces = load(contact) * np.array([0.3, 0.8, -0.2])
     found = rolled(contact, [0, 0, 0], tangential_force=forces)

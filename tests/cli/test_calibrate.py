@@ -85,6 +85,7 @@ def test_a_drift_curve(folder):
     assert "arcsec (standard deviation)" in table.stdout
 
 
+@pytest.mark.slow
 def test_columns_for_the_same_drift_give_the_same_preload(folder):
     torque, drift = np.loadtxt(DRIFT, delimiter=",", skiprows=2).T
     lost = drift * ARCMIN / (2.0 * np.pi)

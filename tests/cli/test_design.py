@@ -79,7 +79,7 @@ def test_a_front_is_a_table(folder):
     assert "a Pareto front is a table of many joints" in str(result.exception)
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_tables_and_conflict(folder):
     text = DESIGN.replace("at_most = 2.0", "at_most = 0.9").replace("at_most = 0.8", "at_most = 0.2")
     (folder / "design.toml").write_text(text)

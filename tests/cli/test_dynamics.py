@@ -38,6 +38,7 @@ def test_inertias_are_needed(call, joint_file):
     assert "has no section [dynamics]" in outcome.err
 
 
+@pytest.mark.slow
 def test_a_joint_that_stands(call, joint_file):
     file = joint_file(("[surface]", f"{SECTION}loss_factor = 0.01\n[surface]"), ('"6000 rpm"', '"0 rpm"'))
     outcome = call("dynamics", file)

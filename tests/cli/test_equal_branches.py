@@ -39,7 +39,7 @@ def test_files_of_equal_branches_have_no_note(call):
     assert "note" not in outcome.err
 
 
-@pytest.mark.slow
+@pytest.mark.long
 @pytest.mark.parametrize("unequal", ["planetary"], indirect=True)
 def test_commands_of_the_files_own_branches_say_so(call, unequal):
     """Three planets 2 um larger carry 13 N·m, and are an interference of 34 um; equal ones of 30 um carry 12.1 N·m."""

@@ -16,6 +16,7 @@ def run(*arguments):
     return CliRunner().invoke(surface, [str(a) for a in arguments], catch_exceptions=True)
 
 
+@pytest.mark.slow
 def test_from_synthetic_files_to_one_equivalent_surface(tmp_path):
     documents = []
     for seed in (1, 2):

@@ -23,6 +23,7 @@ def run(*arguments):
     return CliRunner().invoke(asperity, list(arguments), catch_exceptions=False)
 
 
+@pytest.mark.slow
 def test_uncertainty_needs_tolerances_and_distributions(tmp_path):
     with pytest.raises(InputError, match="no tolerances"):
         run("uncertainty", FILE)

@@ -51,6 +51,7 @@ def test_json_carries_units_and_all_three_routes():
     assert document["real_contact_area_m2"][0][1] > document["real_contact_area_m2"][0][0]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("change", "named"),
     [

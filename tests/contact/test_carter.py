@@ -88,6 +88,7 @@ def test_traction_integrates_to_the_force(share):
     assert total * B == pytest.approx(share * 0.1 * N, rel=1e-6)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("share", [0.3, 0.8])
 def test_stick_zone_strains_uniformly_by_the_creepage(share):
     """Steady rolling: in the stick zone 2/(pi E*) PV int q(s)/(s - x) ds is the creepage."""

@@ -86,6 +86,7 @@ def test_a_soft_layer_is_a_brush(k):
     )
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("factor", LAWS.values())
 def test_limits_signs_and_derivatives(factor):
     assert float(factor(layer_ratio=0.0, slip_ratio=0.4)) == 1.0

@@ -251,6 +251,7 @@ def test_values_and_gradients_are_finite_over_the_whole_domain(values_and_slopes
         assert bool(jnp.all(error[clear] <= 0.0)), name
 
 
+@pytest.mark.slow
 def test_gradients_agree_with_finite_differences_on_both_sides_of_every_border(values_and_slopes):
     start = arguments(domain())
     values, slopes = values_and_slopes(*start)

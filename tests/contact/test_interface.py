@@ -75,6 +75,7 @@ def bodies(strip, tangential_force):
     )
 
 
+@pytest.mark.slow
 def test_a_sticking_line_contact_is_as_stiff_in_shear_as_in_compression_by_boundary_elements(strip):
     found = tangential_stiffness(strip.half_space, strip.pressure > 0.0, axis=0).stiffness
     assert float(bodies(strip, 0.0)) == pytest.approx(float(found), rel=1e-6)

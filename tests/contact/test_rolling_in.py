@@ -35,6 +35,7 @@ def test_shift_is_the_integral_of_the_creepage(q):
     np.testing.assert_allclose(found, expected, atol=0.02)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("q", [0.02, 0.3, 0.6, 0.9])
 def test_shift_against_boundary_elements(q):
     shift, rolled = boundary_elements(q, layer_ratio=0.0)

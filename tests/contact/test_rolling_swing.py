@@ -57,6 +57,7 @@ def test_share_against_boundary_elements(rolled, q, stroke):
     assert model == pytest.approx(found, abs=0.03)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("q", [0.05, 0.36, 0.7])
 def test_short_swings_come_to_rest(rolled, q):
     stroke = int(float(still_stroke(half_width=1.0, slip_ratio=q)) / PIXEL)
@@ -93,6 +94,7 @@ def test_long_swings_lose_the_same_in_every_reversal():
     assert lost(1.001 * end) == pytest.approx(lost(end), rel=1e-9)
 
 
+@pytest.mark.slow
 def test_share_is_continuous_and_between_nothing_and_all():
     q, x = np.meshgrid(np.linspace(-0.999, 0.999, 401), np.linspace(0.0, 12.0, 301), indexing="ij")
     share = np.asarray(swing_drift_share(stroke=x, half_width=1.0, slip_ratio=q))

@@ -171,6 +171,7 @@ def test_interpolation_errors_are_those_stated():
     np.testing.assert_allclose(found, np.minimum(peak, surface), rtol=4e-6)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("poisson", [0.0, 0.15, 0.194, 0.3, 0.5])
 def test_limits_fall_with_friction_and_have_finite_slopes(poisson):
     friction = jnp.linspace(0.0, 1.0, 501)

@@ -47,6 +47,7 @@ def test_without_friction_the_peaks_are_johnsons():
     assert float(in_plane.depth[0]) == pytest.approx(np.sqrt((np.sqrt(5) - 1) / 2), rel=1e-10)
 
 
+@pytest.mark.slow
 def test_peaks_are_the_largest_of_flamants_field():
     shear = shear_peak(friction_coefficient=FRICTIONS)
     mises = mises_peak(friction_coefficient=FRICTIONS, poisson_ratio=0.3)

@@ -77,6 +77,7 @@ def test_slice_without_compression_carries_nothing():
     np.testing.assert_array_equal(found, 0.0)
 
 
+@pytest.mark.slow
 def test_cylinder_is_one_line_contact():
     found = loads(crown=jnp.inf)
     np.testing.assert_allclose(found.line_load, N / B, rtol=1e-11)
@@ -186,6 +187,7 @@ def test_creepage_and_force_are_inverse_and_odd(crown):
         assert float(jax.grad(creep)(at)) == pytest.approx(numeric, rel=1e-5)
 
 
+@pytest.mark.slow
 def test_derivatives_of_the_approach():
     for crown in (10.0, 0.05):
         slopes = jax.grad(lambda f, c: loads(f, c).approach, argnums=(0, 1))(N, crown)

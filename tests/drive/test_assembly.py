@@ -223,6 +223,7 @@ def test_very_stiff_springs_are_as_good_as_rigid_ones():
     assert float(stiff.pin_share) == pytest.approx(0.0, abs=1e-9)
 
 
+@pytest.mark.slow
 def test_coupled_contacts_have_a_share_each():
     normal, tangential = jnp.full(5, 1e8), jnp.full(5, 2e8)
     plain = solve(PAPER, normal, tangential, IDEAL_STRUCTURE)

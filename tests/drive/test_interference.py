@@ -74,6 +74,7 @@ def test_every_size_by_virtual_work(smooth):
     assert abs(float(scaled)) < 1e-15
 
 
+@pytest.mark.slow
 def test_both_ways_and_derivatives(smooth):
     _, compliance = smooth
     forces = jnp.geomspace(0.1, 2e4, 40)
@@ -151,6 +152,7 @@ def crowned(smooth):
     return compliance._replace(crowns=CrownsAtRest(lines, rest.normal_force / 1000.0))
 
 
+@pytest.mark.slow
 def test_crowns_add_the_work_of_their_approach(smooth, crowned):
     rest, compliance = smooth
     force = 0.6 * rest.normal_force

@@ -41,6 +41,7 @@ def test_preload_grows_with_the_torque_in_both_directions():
     assert np.asarray(found).tolist() == [800.0, 200.0, 800.0]
 
 
+@pytest.mark.slow
 def test_the_torque_does_the_work_that_compresses_the_contacts():
     """Both works by quadrature: of the torque on the cam's angle, and of the ring force beyond its least one."""
     torque = np.linspace(0.0, 8.0, 4001)
@@ -54,6 +55,7 @@ def test_the_torque_does_the_work_that_compresses_the_contacts():
     assert by_torque == pytest.approx(by_force, rel=1e-5)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("torque", [0.5, 5.0, -5.0])
 def test_its_compliance_is_the_derivative_of_its_angle(torque):
     # the angle is without sign

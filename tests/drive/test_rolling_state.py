@@ -158,6 +158,7 @@ class RigidBodiesInThePlane:
         return values[:5], np.abs(values[5:10]), values[12], 1.0 - values[-1] / carrier
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("torque", [0.5, 5.0, 10.0])
 def test_agrees_with_rigid_bodies_in_the_plane(rolled, torque):
     _, found = rolled(torque)
@@ -289,6 +290,7 @@ def test_gradients_are_finite_and_right(rolled):
     assert float(jax.grad(loss)(0.0)) == pytest.approx(float(loss(1e-4) / 1e-4), rel=1e-4)
 
 
+@pytest.mark.slow
 def test_batch_is_its_members(rolled):
     torques = jnp.array([0.0, 1.0, 5.0, -8.0])
     _, many = rolled(torques)

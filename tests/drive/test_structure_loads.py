@@ -64,6 +64,7 @@ def cross(a, b):
     return a[0] * b[1] - a[1] * b[0]
 
 
+@pytest.mark.slow
 def test_every_body_of_the_machine_is_in_equilibrium(machines):
     """Positions and forces of all contacts of all branches as vectors; nothing of equations (1) to (5) is used."""
     joint, forces, loads, bearings = machines

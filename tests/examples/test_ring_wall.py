@@ -3,6 +3,7 @@
 import numpy as np
 
 
+@pytest.mark.slow
 def test_a_housing_lies_between_free_and_held(load_example, tmp_path, monkeypatch, saved_figures):
     monkeypatch.setenv("ASPERITY_CACHE_DIR", "")
     springs, held, housing, free = load_example("ring_wall").main(tmp_path / "wall.png").values()

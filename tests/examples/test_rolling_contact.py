@@ -9,6 +9,7 @@ def example(load_example, monkeypatch):
     return load_example("rolling_contact")
 
 
+@pytest.mark.slow
 def test_rolling_starts_at_half_the_steady_creepage(example, tmp_path):
     histories = example.onset(example.LineContact(100), 2.0)
     for distance, shift in histories.values():
@@ -23,6 +24,7 @@ def test_rolling_starts_at_half_the_steady_creepage(example, tmp_path):
     assert (tmp_path / "picture.png").stat().st_size > 10_000
 
 
+@pytest.mark.slow
 def test_short_strokes_do_not_drift(example):
     contact = example.LineContact(100)
     assert abs(example.drift(contact, 0.5, 30)) < 1e-3

@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 
+@pytest.mark.slow
 def test_an_entry_of_the_table(load_example, monkeypatch):
     monkeypatch.setenv("ASPERITY_CACHE_DIR", "")
     example = load_example("rolling_swing")

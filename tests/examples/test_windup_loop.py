@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 
+@pytest.mark.slow
 def test_windup_lies_between_the_springs_at_both_ends(load_example, monkeypatch, tmp_path):
     monkeypatch.setenv("ASPERITY_CACHE_DIR", "")
     curve = load_example("windup_loop").main(str(tmp_path / "loop.png"))

@@ -109,6 +109,7 @@ def cycle(curve):
     return path, np.concatenate([np.asarray(each) for each in angles])
 
 
+@pytest.mark.slow
 @needs_compiler
 def test_cycle_follows_the_windup(made_content, unzipped):
     """Driven along the angles of the loop, the torque is that of the wind-up within 1 % of the loop's height."""

@@ -17,6 +17,7 @@ def planetary(zou_file):
     return joint, solve_planar(joint).result
 
 
+@pytest.mark.slow
 def test_the_working_points_of_a_planetary_lie_on_its_curves(planetary):
     joint, result = planetary
     found, rolling = creep_curves(joint, result), result.rolling

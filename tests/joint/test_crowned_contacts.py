@@ -158,6 +158,7 @@ def test_creep_at_a_small_torque_is_that_of_the_mean_width(springs_joint, crowne
     np.testing.assert_allclose(crowned.rolling.crown_creepage_factor[:, 5], even / mean, rtol=2e-3)
 
 
+@pytest.mark.slow
 def test_peak_pressure_is_that_of_the_middle(springs_joint, crowned):
     numbers, curvature = _lines(springs_joint, RADII[4])
     lines = jax.jit(crowned_line)(
@@ -250,6 +251,7 @@ def test_slices_carry_the_tangential_force(pair):
     )  # narrow slices towards the ends slip first
 
 
+@pytest.mark.slow
 def test_life_by_integration_over_the_line(pair):
     """Failure rates of pieces of track add, weighted by length; for cylinders it is the line's life."""
     pairs, _, force, lines = pair

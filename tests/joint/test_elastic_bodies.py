@@ -247,6 +247,7 @@ def test_derivatives_forward_and_reverse(joint):
     assert jax.jit(jax.jacfwd(of))(here) == pytest.approx(np.asarray(reverse), rel=1e-9)
 
 
+@pytest.mark.slow
 def test_the_number_of_planets_may_differ_within_a_batch(joint, output):
     counts = np.array([2.0, 3.0, 2.0])
     batch = output(joint(planet_count=counts, ring_support="free"))

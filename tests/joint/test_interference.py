@@ -54,6 +54,7 @@ def test_logarithm_of_both_bodies(paper_joint, body_model, plane_state, width):
     np.testing.assert_allclose(found, 2.0 * width / (np.pi * 206e9 * 5e-3), rtol=1e-12)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("bodies", "rel"), [("springs", 1e-12), ("exact", 2e-5)])
 def test_force_and_length_are_two_names_of_one_joint(by_length, evaluated_together, bodies, rel):
     joint = joint_from_case(by_length("11 um", bodies))

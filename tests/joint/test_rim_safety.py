@@ -92,6 +92,7 @@ def test_stress_by_another_sum(joint, result, found, name, member):
     assert float(ours.mean[rim]) == pytest.approx(0.5 * (other.max() + other.min()), abs=2e-3 * other.max())
 
 
+@pytest.mark.slow
 def test_safeties(found, joint):
     ring = found.ring
     mises = math.sqrt(1.0 - 0.3 + 0.09) * float(jnp.max(jnp.maximum(ring.stress, ring.stress_at_rest)))

@@ -175,6 +175,7 @@ def test_hysteresis_and_oil_of_the_check_case(rolled):
     assert float(found.power.efficiency) == pytest.approx(float(found.power.output / found.power.input))
 
 
+@pytest.mark.slow
 def test_skew_of_the_sun_contact(rolled):
     """1 mrad takes 39 % of mu N sideways from smooth bodies without torque (46 N at 1000 N)."""
     angles = (1e-3, 0.0, 0.0, 0.0, 0.0)

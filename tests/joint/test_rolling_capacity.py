@@ -14,7 +14,7 @@ from asperity.joint.solve import solve
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("skew", [None, (np.asarray(0.5e-3),)])
+@pytest.mark.parametrize("skew", [None, pytest.param((np.asarray(0.5e-3),), marks=pytest.mark.long)])
 def test_root_search_and_extrapolation_find_the_same_torque_in_either_direction(wedged, skew):
     """Two ways: a search on the slip ratio with derivatives, and extrapolation, the whole joint solved each time."""
     bearings = Bearings(*map(np.asarray, (0.002, 0.001, 0.01, 0.01, 2e-3)))

@@ -100,6 +100,7 @@ def test_skewed_contacts_on_a_soft_layer_carry_their_force(creep):
     )
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("crown", [None, 2.0])
 def test_what_skew_takes_by_its_own_formulas(creep, crown):
     """z = gamma/xi_y,max leaves sqrt((1 - z^2)/(1 - z^2 + rho z^2)) at gross slip, with rho = xi_y,max/xi_x,max."""

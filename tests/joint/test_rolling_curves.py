@@ -44,6 +44,7 @@ def test_creep_curves_of_smooth_bodies_are_carters(curves, solution):
     assert np.all(share[:, -1] > 0.95)
 
 
+@pytest.mark.slow
 def test_working_points_lie_on_the_creep_curves(curves, solution):
     rolling = solution.result.rolling
     for k in range(5):

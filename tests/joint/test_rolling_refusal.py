@@ -29,6 +29,7 @@ def test_a_torque_beyond_is_refused_with_the_capacity(wedged):
         refuse_no_rolling(beyond, solve(beyond), capacity)
 
 
+@pytest.mark.slow
 def test_the_sun_contact_slips_at_one_torque_at_rest_and_in_rolling(paper_joint):
     """Its force follows from the torque alone: mu N_sp 9 n R_s."""
     joint = paper_joint()

@@ -57,6 +57,7 @@ def codes(case):
     return status, found
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("index", range(len(FAILURES)))
 def test_failed_points_are_those_that_the_joint_command_refuses(case, codes, index):
     changes, name, told = FAILURES[index]

@@ -22,6 +22,7 @@ def test_plastic_contacts_in_the_closure_are_the_cause_not_preload_or_torque(pap
     assert "nan" not in message
 
 
+@pytest.mark.slow
 def test_a_remedy_named_is_one(paper_joint):
     """A bearing that drags more than its roller's traction: each value named alone gives a solution."""
     stuck = {"preload": 20.0, "loading_roller_torque": 0.36, "left_push_angle": 0.1, "output_torque": 0.1}

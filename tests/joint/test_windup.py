@@ -82,6 +82,7 @@ def joint_curve():
     return windup(table_2_joint(operating_grid()), largest_torque=12.0, level="assembly", stage_shares=STAGES)
 
 
+@pytest.mark.slow
 def test_the_joint_agrees_with_a_trapezoidal_integration_of_its_own_stiffness(joint_curve):
     """A second quadrature rule on the tabulated stiffness; its error is the trapezoid's."""
     half = joint_curve.torque >= 0.0
@@ -183,6 +184,7 @@ def directions(joint):
     return curve, np.asarray(curve.angle), -np.asarray(curve.angle)[::-1]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("speed", [0.0, 600.0])
 def test_a_symmetric_joint_is_mirrored(paper_joint, speed):
     """With friction in every bearing, turning or not."""

@@ -90,7 +90,7 @@ def test_points_are_the_solutions_of_their_files(values, found):
     _same_as_single_files(values, numbers)
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_capacities_and_their_slopes(values):
     _, numbers, slopes = at_points(values, CAPACITIES)
     _same_as_single_files(values, numbers)

@@ -88,6 +88,7 @@ def test_other_radii_need_no_other_program():
     assert one != stepped
 
 
+@pytest.mark.slow
 def test_a_listed_drive_closes_its_gaps_and_has_the_ratio_of_its_formula():
     near = (('"76.1 deg"', '"74 deg"'), ('orbit = "17.5 mm"', 'orbit = "17 mm"'))
     drive = planar_joint_from_case(read(*near)).drive

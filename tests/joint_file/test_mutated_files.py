@@ -9,6 +9,7 @@ import random
 import sys
 import time
 from pathlib import Path
+from types import SimpleNamespace
 
 import pytest
 
@@ -235,8 +236,9 @@ def test_any_mistake_is_answered(tmp_path, monkeypatch, kind):
     reads = "asperity.joint_file.solved_document"
     for solver in ("solve", "solve_planar"):
         monkeypatch.setattr(f"{reads}.{solver}", lambda joint: joint)
-    for document in ("joint_document", "planar_document"):
-        monkeypatch.setattr(f"{reads}.{document}", lambda **_: {})
+    for kept in ("SolvedPapersJoint", "solved_planar_joint"):
+        monkeypatch.setattr(f"{reads}.{kept}", lambda joint, *_: SimpleNamespace(joint=joint))
+    monkeypatch.setattr(f"{reads}.document_of", lambda case, solved: {})
     monkeypatch.setattr(
         "asperity.cli.joint_table.show_joint", lambda target, *_, **__: target.print("N·m/rad")
     )

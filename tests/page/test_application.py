@@ -76,6 +76,7 @@ def test_units_are_those_of_the_files(solve):
     assert other["document"]["torsional_stiffness"] == one["document"]["torsional_stiffness"]
 
 
+@pytest.mark.slow
 def test_curves_pass_through_the_joint(solve):
     answer = solve().json()
     curves, document = answer["curves"], answer["document"]

@@ -31,6 +31,7 @@ def asked(joint_text):
     return ask
 
 
+@pytest.mark.slow
 def test_a_chart_says_what_single_joints_say(asked, joint_text):
     """Over a number whose joints differ, up to one that slips; the points are solved one by one for comparison."""
     found = chart_answer(asked(over="load.output_torque", **{"from": "2 N*m", "to": "14 N*m"}))

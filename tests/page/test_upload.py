@@ -107,6 +107,7 @@ def test_a_profile_of_a_known_dimension_is_measured(tmp_path, monkeypatch):
     assert started == ["measure"] * 3
 
 
+@pytest.mark.slow
 def test_a_wrong_file_gets_the_message_of_the_command(tmp_path, monkeypatch):
     """By the process that also the page starts."""
     content = b"hello, no numbers\n"

@@ -37,6 +37,7 @@ def test_sections_in_the_order_of_a_review(made):
     assert [block.sheet for block in made.blocks if isinstance(block, Picture)].count(True) == 1
 
 
+@pytest.mark.slow
 def test_margins_are_required_actual_and_pass(made):
     rows = {row[0]: row[1:] for row in tables(made)["Safety margins"].rows}
     # T/(mu N) = 46.3/(0.12 * 1001) at the sun; tan(beta/2)/mu with beta = 13.158 deg
@@ -57,6 +58,7 @@ def test_every_row_has_as_many_cells_as_the_table_has_columns(made):
         assert {len(row) for row in table.rows} == {len(table.head)}, table.title
 
 
+@pytest.mark.slow
 def test_the_report_follows_from_the_file_that_it_contains(made):
     (listing,) = [block for block in made.blocks if isinstance(block, Listing)]
     assert listing.text == TEXT

@@ -92,6 +92,7 @@ def overlaps(text, line):
     return bool(np.any(np.all((points > low) & (points < high), axis=1)))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("planet", "roller", "sun", "ring"),
     [(13.5, 5.0, 4.0, 40.0), (13.0, 5.0, 5.0, 39.0), (8.0, 9.0, 20.0, 48.0), (15.0, 9.0, 3.0, 40.0)],

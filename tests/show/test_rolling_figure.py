@@ -103,6 +103,7 @@ def test_lives_of_many_decades_are_on_a_logarithmic_axis():
     assert life.get_ylim() == (1e5, 1e9)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("width", [6.5, 10.0])
 def test_every_axis_has_its_unit_and_three_ticks_and_nothing_overlaps(width):
     figure = sheet(width)

@@ -25,6 +25,7 @@ def test_a_function_that_is_off_by_a_thousandth_is_found(monkeypatch, module, na
     assert not all(check.passed for check in group())
 
 
+@pytest.mark.slow
 def test_a_corrupted_table_is_found(monkeypatch, tmp_path):
     text = contact_checks.CONTACT_LAW_TABLE.read_text(encoding="utf-8")
     last = text.strip().splitlines()[-1].split(",")[-1]

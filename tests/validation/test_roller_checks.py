@@ -5,6 +5,7 @@ import pytest
 from asperity.validation import roller_checks
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("module", "name", "group"),
     [

@@ -46,6 +46,7 @@ def test_tangential_over_normal_is_mindlins_ratio(elastic_regime):
     np.testing.assert_allclose(ratio, 2.0 * 0.7 / 1.7, rtol=0.02)
 
 
+@pytest.mark.slow
 def test_without_elastic_spots_all_agree_on_the_area_of_a_plastic_contact():
     """D = 1.2 at this G: load over hardness, the only thing an all-plastic contact can do."""
     found = compare(sample(1.2), seeds=1, relative_pressures=[0.05])

@@ -27,6 +27,7 @@ def test_axis_label_gives_unit_and_power():
     assert axis_label(Axis("fractal dimension", "", "d"), 0) == "fractal dimension"
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", NAMES)
 def test_all_curves_are_drawn_in_the_unit_of_the_axis(drawn, name):
     panel, figure = drawn[name]

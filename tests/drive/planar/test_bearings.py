@@ -76,6 +76,7 @@ def rolled(drives):
     return drive, *(states(drive, each) for each in as_arrays)
 
 
+@pytest.mark.slow
 def test_the_forces_of_a_planetary_drive_by_hand(rolled):
     """F (r + p) n = T + 2 T_c + n M, T_1 + T_2 = F, (T_1 - T_2) p = M with M = 2 T_r + mu F d/2."""
     _, found, _ = rolled

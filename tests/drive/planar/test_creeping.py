@@ -8,6 +8,7 @@ from asperity.drive.planar.layout import speeds
 from asperity.drive.planar.state import surface_speeds
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["wedge", "planetary", "multiroller", "stepped"])
 def test_without_creep_the_speeds_are_those_of_rolling(drives, name):
     drive = drives[name]

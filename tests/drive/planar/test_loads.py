@@ -9,6 +9,7 @@ import pytest
 from asperity.drive.planar.loads import pin_components, planar_loads
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("name", "torque"),
     [

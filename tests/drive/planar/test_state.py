@@ -51,6 +51,7 @@ def test_beyond_999_thousandths_the_tangent_goes_on():
     assert float(slip(1.5 * LIMIT) - slip(1.2 * LIMIT)) == pytest.approx(0.3 * LIMIT * expected, rel=1e-9)
 
 
+@pytest.mark.slow
 def test_crowned_contacts_slip_by_their_shear_compliance_more():
     """The slope of the slip is the compliance of the even contact and that of the crown, under N - T/mu."""
     lines = CrownedLines(*(jnp.array([x]) for x in (0.5, 10e-3, 20e-3 / 3.0, 113e9)))

@@ -87,6 +87,7 @@ def test_scales(machine):
     assert (float(machine.largest), float(machine.lever)) == pytest.approx((REFERENCE, RING))
 
 
+@pytest.mark.slow
 def test_assembled(state):
     """The ring's interference is the sum of both compressions; the planet moves inward by that of the sun's contact."""
     found = state(ASSEMBLED)

@@ -80,6 +80,7 @@ def standing(pair):
     return of
 
 
+@pytest.mark.slow
 def test_a_planet_that_slides_keeps_its_friction_and_the_other_carries_the_rest(standing):
     torques = np.array([0.5, 1.0 - 1e-9, 1.2, 1.3]) * FIRST
     found = standing(torques)

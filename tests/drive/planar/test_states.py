@@ -40,6 +40,7 @@ def test_power_lost_is_the_power_of_creep(drives, solved, name):
     assert float(found.input_torque) == pytest.approx(TORQUE[name] / abs(float(speed_ratio(drive))), rel=1e-9)
 
 
+@pytest.mark.slow
 def test_wedge_at_rest_by_hand(solved):
     rest, _ = solved("wedge", 5.0)
     theta, beta = math.radians(27.0831), math.radians(13.1582)
@@ -107,6 +108,7 @@ def test_drift_is_odd_in_the_torque(solved):
         )
 
 
+@pytest.mark.slow
 def test_gradient_of_the_loss(solved):
     def loss(torque):
         return solved("planetary", torque)[1].speed_loss

@@ -57,6 +57,7 @@ def test_coupling_adds_its_work(planetary):
     )
 
 
+@pytest.mark.slow
 def test_stepped_planets_by_virtual_work():
     """Each spring adds n T^2 c: the driven ring's force 1/(n R_2), the sun's by the ratio, the held ring's balances."""
     drive = stepped_planet_drive(sun_radius=10e-3, planet_radii=(20e-3, 18e-3), planet_count=3)

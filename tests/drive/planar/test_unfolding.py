@@ -19,6 +19,7 @@ CENTRES = {
 }
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", CENTRES)
 def test_the_same_drive(drives, name):
     drive = drives[name]

@@ -30,6 +30,7 @@ def rated(planetary):
     return dataclasses.replace(joint, pin_bearing=PIN, output_bearing=HELD), solution
 
 
+@pytest.mark.slow
 def test_lives_by_hand_from_the_printed_loads_and_speeds(rated):
     joint, solution = rated
     solved = solved_planar_joint(joint, solution)

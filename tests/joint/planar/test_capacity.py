@@ -36,6 +36,7 @@ def test_capacity_of_the_planetary_by_hand(planetary):
     assert document["rolling"]["torque_capacity_Nm"] == pytest.approx(capacity["output_torque_Nm"], rel=1e-9)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("rolls", [False, True])
 def test_half_of_the_searches_finds_the_capacity_by_hand(planetary, rolls):
     """As above, both ways: without skew, what turns passes as much as what stands."""

@@ -157,6 +157,7 @@ def test_derivatives_are_those_of_differences(case, as_planar):
     np.testing.assert_allclose(compiled(5.0), expected, rtol=1e-5)
 
 
+@pytest.mark.long
 def test_derivatives_by_crown_and_skew_are_those_of_differences(case, as_planar):
     joint = joint_from_case(case)
     joint = dataclasses.replace(as_planar(joint), body_model="springs", input_speed=100.0)

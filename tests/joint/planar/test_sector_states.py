@@ -174,6 +174,7 @@ def test_each_sector_turns_as_a_joint_of_its_own_forces_and_speeds(planetary_of_
         assert rest[sector] == pytest.approx([1.0, planet, 0.0, 0.17, pin], rel=1e-12)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("way", [1.0, -1.0])
 def test_limits_in_the_sense_of_the_torque_by_the_creep_law_of_each_sector(
     planetary_of_three, monkeypatch, way

@@ -68,7 +68,9 @@ def test_only_the_ring_bends(solved):
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("branches", ["", 3 * '[[branch]]\nplanet_deviation = "0.5 um"\n\n'])
+@pytest.mark.parametrize(
+    "branches", ["", pytest.param(3 * '[[branch]]\nplanet_deviation = "0.5 um"\n\n', marks=pytest.mark.long)]
+)
 def test_rims_under_a_duty_are_those_of_the_same_load_as_working_torque(planar_case, branches):
     """Hollow planets that stand under the largest load, and turn under another."""
 

@@ -36,6 +36,7 @@ def test_a_joint_that_works_is_solved(planetary):
     assert status(joint, solution.result) == "solved"
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("leaves", "expected"),
     [

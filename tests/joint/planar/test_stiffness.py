@@ -47,6 +47,7 @@ def test_stiffness_of_the_planetary_by_hand(planetary):
     assert total == pytest.approx(1.0, rel=1e-9)
 
 
+@pytest.mark.slow
 def test_shafts_are_in_series_with_the_whole(planetary):
     """1/k = 1/k_drive + 1/(ratio^2 k_input) + 1/k_output, and so are their shares; the levels below have no shafts."""
     joint, solution, _ = planetary

@@ -124,6 +124,7 @@ def test_noisy_data_give_values_within_their_intervals(case, curve):
     assert distance < f_law(len(TRUTH), freedom).ppf(1.0 - 1e-4)
 
 
+@pytest.mark.slow
 def test_misfit_shows_in_the_residuals(case, curve):
     """Neither play nor drift is among the unknowns, but both are in the data."""
     texts = ("load.preload", "load.friction_coefficient", "offset=-1 arcmin:1 arcmin")

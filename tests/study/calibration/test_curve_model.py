@@ -40,6 +40,7 @@ def model(zou_file):
 PLACE = np.array([0.4, 0.3, 0.6, 0.7, 0.45])
 
 
+@pytest.mark.slow
 def test_slopes_are_those_of_the_prediction(model):
     _, slopes = model(PLACE)
     for index in range(PLACE.size):

@@ -86,6 +86,7 @@ CENTRE, SPREAD = np.array([0.4, 0.6, 0.5]), np.diag([0.02, 0.03, 0.1]) ** 2
 NEAR = np.array([0.43, 0.55, 0.7])
 
 
+@pytest.mark.slow
 def test_an_exponential_of_a_polynomial_is_found_as_it_is():
     known = PowerLaw().compliances(NEAR[None])[0]
     stiff, summed = PowerLaw(), PowerLaw(weights=np.array([[1.0, 2.0, 0.0], [0.0, 0.5, 1.0]]))

@@ -95,6 +95,7 @@ def exact(case):
     return found
 
 
+@pytest.mark.slow
 def test_each_curve_is_seen_by_its_own_unknowns(case, exact):
     curves = both(*exact)
     unknowns = read_unknowns(TEXTS, case=case, measurements=curves)

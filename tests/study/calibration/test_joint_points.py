@@ -116,7 +116,7 @@ def known_joint(case):
     return any_joint_from_values(replace_values(si_values(case), dict(zip(PATHS, KNOWN, strict=True))))
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_values_are_those_of_the_joint_solved_there(case):
     joint, torques = known_joint(case), (9.0, -6.0)
     stiffness, drift = (points(case, torques, shown) for shown in ("assembly", "drift"))

@@ -307,7 +307,7 @@ def test_note_on_a_bound_is_certain_only_with_enough_draws():
     assert Posterior(scaled_values=many, **made).note(0) == "cut by lower bound"
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_joint_cut_by_bounds(cut_joint, drawn):
     model, data = cut_joint.curves[0].model, cut_joint.curves[0].model.measurement
     preload, play, width = np.linspace(0.0, 0.4, 41), np.linspace(0.0, 0.3, 76), np.linspace(0.0, 1.0, 51)

@@ -23,9 +23,10 @@ def solved(monkeypatch):
         seen.append(preload)
         if preload < 500.0:
             raise NoSolutionError("slips")
-        return {"diagnostics": [{"name": "a", "ok": True}, {"name": "b", "ok": preload < 2000.0}]}
+        entries = [{"name": "a", "ok": True}, {"name": "b", "ok": preload < 2000.0}]
+        return SimpleNamespace(document={"diagnostics": entries})
 
-    monkeypatch.setattr(found_joint, "solved_document", document)
+    monkeypatch.setattr(found_joint, "solve_case", document)
     return seen
 
 

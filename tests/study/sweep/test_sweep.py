@@ -52,6 +52,7 @@ def test_equals_the_joint_solved_directly(in_memory, evaluated_directly):
     np.testing.assert_allclose(in_memory["normal_force"].values[:, ~slips], forces[:, ~slips], rtol=1e-10)
 
 
+@pytest.mark.slow
 def test_dataset_says_what_it_holds(in_memory):
     assert in_memory["published_stiffness_output"].dims == tuple(axis.path for axis in AXES)
     assert in_memory["normal_force"].dims[0] == "contact"
@@ -66,6 +67,7 @@ def test_dataset_says_what_it_holds(in_memory):
     assert meanings[flag] == "beyond_torque_capacity"
 
 
+@pytest.mark.slow
 def test_from_disk_it_is_the_same(in_memory, filled):
     stored = open_store(filled).load()
     assert set(stored.data_vars) == set(in_memory.data_vars)
@@ -142,6 +144,7 @@ def test_another_sweep_is_not_written_over(case, joint_text, filled):
     assert json.dumps(sorted(str(p) for p in filled.rglob("*"))) == before
 
 
+@pytest.mark.slow
 def test_overwriting_is_only_for_stores_of_sweeps(case, filled, tmp_path):
     path = tmp_path / "s.zarr"
     shutil.copytree(filled, path)

@@ -136,6 +136,7 @@ def test_a_contact_has_no_mean(toleranced, monkeypatch):
     assert set(one["samples"].values) == {0.0, 1.0}
 
 
+@pytest.mark.slow
 def test_samples_follow_their_distributions(spread):
     points = spread["sampled_inputs"]
     radius = points.sel(input="drive.planet_radius").values
@@ -166,6 +167,7 @@ def test_the_same_seed_gives_the_same_numbers(toleranced, spread):
     np.testing.assert_array_equal(again["total_order"].values, spread["total_order"].values)
 
 
+@pytest.mark.slow
 def test_failed_samples_are_counted(joint_text):
     text = joint_text.replace('planet_radius = "13.5 mm"', 'planet_radius = "13.5 mm +- 0.4 mm, uniform"')
     found = uncertainty(parse_case(text, source="x"), results=("planet_mass", "speed_ratio"), samples=2000)
@@ -176,6 +178,7 @@ def test_failed_samples_are_counted(joint_text):
     assert np.all(np.isnan(mass["first_order"].values))
 
 
+@pytest.mark.slow
 def test_plastic_samples_are_counted_and_left_out(joint_text):
     """The stiffness of the solved samples rises with D from the value where the last spots turn elastic."""
     text = joint_text.replace("fractal_dimension = 1.4", 'fractal_dimension = "1.3 +- 0.1, uniform"')
