@@ -1,6 +1,7 @@
 """The stiffness over the wall of the ring."""
 
 import numpy as np
+import pytest
 
 
 @pytest.mark.slow

@@ -1,5 +1,7 @@
 """The map of preload and torque."""
 
+import pytest
+
 
 @pytest.mark.slow
 def test_the_map_ends_at_the_capacity(load_example, monkeypatch, tmp_path):

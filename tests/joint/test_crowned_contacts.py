@@ -181,6 +181,7 @@ def pair(springs_joint):
     return one, jax.tree.map(first, contacts), force, lines
 
 
+@pytest.mark.slow
 def test_tangential_compliance_is_jaegers(pair):
     """Integrated over T, the added compliance is mu times a difference of approaches; without the term of the ends."""
     pairs, contacts, force, _ = pair
@@ -219,6 +220,7 @@ def test_tangential_compliance_is_jaegers(pair):
     assert float(added(2 * friction * 800.0).tangential[0]) == 0.0
 
 
+@pytest.mark.slow
 def test_asperities_add_over_the_slices(pair):
     pairs, contacts, force, lines = pair
     rough = jax.jit(rough_slices, static_argnames="model")
@@ -241,6 +243,7 @@ def test_asperities_add_over_the_slices(pair):
     assert float(whole_contact(slices=none, lines=lines).normal_stiffness[0]) == 0.0
 
 
+@pytest.mark.slow
 def test_slices_carry_the_tangential_force(pair):
     pairs, _, force, lines = pair
     ratios = jax.jit(slice_slip_ratios)(pairs=pairs, lines=lines, slip_ratio=jnp.array([-0.6]))
@@ -280,6 +283,7 @@ def test_life_by_integration_over_the_line(pair):
     assert np.all(found < np.asarray(line))
 
 
+@pytest.mark.slow
 def test_a_contact_too_short_is_refused(crowned):
     one = at_place(crowned, 2)
     refuse_short_contacts(one)

@@ -32,6 +32,7 @@ def test_inertias_by_hand(found):
     assert float(found.at_torque.output_inertia) == pytest.approx(0.05 + 3 * (planet + 2 * roller), rel=1e-12)
 
 
+@pytest.mark.slow
 def test_stiffness_and_frequency_are_those_of_the_solved_joint(paper_joint, found):
     k = float(solve(paper_joint()).result.assembly.stiffness.output)
     assert float(found.at_torque.stiffness) == pytest.approx(k, rel=1e-9)
@@ -43,6 +44,7 @@ def test_stiffness_and_frequency_are_those_of_the_solved_joint(paper_joint, foun
     assert float(at.free_frequency) == pytest.approx(math.sqrt(k * both) / (2 * math.pi), rel=1e-9)
 
 
+@pytest.mark.slow
 def test_creep_damping_is_the_slope_of_the_lost_speed(paper_joint, found):
     torques = np.array([4.999, 5.001])
     lost = [
@@ -55,6 +57,7 @@ def test_creep_damping_is_the_slope_of_the_lost_speed(paper_joint, found):
     assert float(found.at_torque.corner_frequency) == pytest.approx(corner, rel=1e-6)
 
 
+@pytest.mark.slow
 def test_a_joint_that_stands_has_no_creep(paper_joint):
     found = dynamics(paper_joint(sun_speed=0.0), COUPLED)
     assert np.isinf(found.at_torque.creep_damping)
@@ -63,6 +66,7 @@ def test_a_joint_that_stands_has_no_creep(paper_joint):
     assert dynamics_document(found, COUPLED)["at_torque"]["creep_damping_Nms_per_rad"] is None
 
 
+@pytest.mark.slow
 def test_over_torque_up_to_nearly_the_capacity(paper_joint, found):
     over = found.over_torque
     assert over.output_torque[0] == 0.0
@@ -73,6 +77,7 @@ def test_over_torque_up_to_nearly_the_capacity(paper_joint, found):
     assert reverse.over_torque.output_torque[-1] < 0.0
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("torque", "limit", "largest"), [(5.0, 10.0, 9.8), (-5.0, 10.0, -6.86), (5.0, math.inf, 5.0)]
 )
@@ -89,6 +94,7 @@ def test_the_axis_ends_below_the_capacity_in_the_sense_of_the_torque(
     assert float(found.at_torque.output_torque) == torque
 
 
+@pytest.mark.slow
 def test_another_drive_creeps_by_its_lost_speed_at_the_output(planar_case, monkeypatch):
     """A share of 2e-3 and 0 of 1500 rpm over 6 for each N·m; nan where a contact slips, infinite without creep."""
     made_up = SimpleNamespace(
@@ -110,6 +116,7 @@ def test_another_drive_creeps_by_its_lost_speed_at_the_output(planar_case, monke
     np.testing.assert_allclose(found.output_inertia, 0.05 + 0.01, rtol=1e-12)
 
 
+@pytest.mark.slow
 def test_columns_and_document(found):
     columns = response_columns(found)
     assert columns["standing_motor_phase_deg"][0] == pytest.approx(-180.0, abs=0.1)
@@ -124,6 +131,7 @@ def test_columns_and_document(found):
     assert len(document["over_torque"]["locked_frequency_Hz"]) == 25
 
 
+@pytest.mark.slow
 def test_a_joint_that_slips_is_refused(paper_joint):
     with pytest.raises(AsperityError, match="beyond the torque capacity"):
         dynamics(paper_joint(output_torque=50.0), COUPLED)

@@ -53,6 +53,7 @@ def test_margins_are_required_actual_and_pass(made):
     )
 
 
+@pytest.mark.slow
 def test_every_row_has_as_many_cells_as_the_table_has_columns(made):
     for table in tables(made).values():
         assert {len(row) for row in table.rows} == {len(table.head)}, table.title
@@ -80,6 +81,7 @@ def test_a_joint_without_torque_has_a_report_that_says_what_is_absent():
     assert report_html(report)
 
 
+@pytest.mark.slow
 def test_loads_of_the_structure_are_those_of_the_balance(made):
     rows = {row[:2]: row[2:] for row in tables(made)["Loads of the structure"].rows}
     assert rows["carrier, on the axis", "torque of all pins"] == ("0", "5", "N·m")

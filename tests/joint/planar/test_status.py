@@ -70,6 +70,7 @@ def test_each_reason_has_its_code(planetary, leaves, expected):
     assert status(joint, changed(solution.result, leaves)) == expected
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("sizes", "expected"),
     [
@@ -91,6 +92,7 @@ def test_sizes_that_cannot_be_come_first(planetary, sizes, expected):
     assert status(changed(joint, sizes), solution.result) == expected
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("worst", "expected"), [(1e-3, "unbalanced"), (1e-12, "solved")])
 def test_what_a_cam_presses_must_balance_too(planetary, worst, expected):
     joint, solution, _ = planetary
@@ -99,6 +101,7 @@ def test_what_a_cam_presses_must_balance_too(planetary, worst, expected):
     assert status(joint, changed(solution.result, {"cam": cam})) == expected
 
 
+@pytest.mark.slow
 def test_an_output_that_stands_still_has_a_code_of_its_own(planetary, monkeypatch):
     joint, solution, _ = planetary
     monkeypatch.setattr("asperity.joint.planar.status.output_share", lambda drive: jnp.array(1e-12))

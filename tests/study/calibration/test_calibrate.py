@@ -152,6 +152,7 @@ def test_how_well_an_unknown_is_known(unknown, half_width, words):
     assert known_within(unknown, half_width) == words
 
 
+@pytest.mark.slow
 def test_what_cannot_be_told_apart_is_named(case, curve):
     # smooth surfaces are a thousand times stiffer than the bodies below them, so their roughness leaves no trace
     data, _ = curve

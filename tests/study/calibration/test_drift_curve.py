@@ -135,6 +135,7 @@ def test_play_of_the_joint_file_is_no_drift(zou_file, tmp_path, model):
     np.testing.assert_array_equal(loose(scaled(loose))[0], model(scaled(model))[0])
 
 
+@pytest.mark.slow
 def test_exact_data_give_exact_values(case, model):
     found = fitted(case, data_of(TORQUE, model(scaled(model))[0]))
     for each, true in zip(found.estimates, TRUTH, strict=True):
