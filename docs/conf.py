@@ -1,4 +1,4 @@
-"""How the documentation is built: `python -m sphinx -W docs docs/_build/html`. The pages need no network."""
+"""How the documentation is built: `python -m sphinx -j 2 -W docs docs/_build/html`. The pages need no network."""
 
 from __future__ import annotations
 
@@ -73,6 +73,8 @@ def _short_navigation(app: Any, page: str, template: str, context: dict[str, Any
 
 def setup(app: Any) -> None:
     """Connect all three: the shapes before numpydoc sees them, the navigation before the theme asks for it."""
+    # it only copies files; unless it says so, one process reads all pages
+    app.extensions["sphinx-mathjax-offline"].parallel_read_safe = True
     app.connect("html-page-context", _short_navigation, priority=100)
     app.connect("autodoc-skip-member", _skip)
     app.connect("autodoc-process-docstring", _escape_shapes, priority=100)
