@@ -79,12 +79,23 @@ def test_states_of_a_finish_by_hand(states):
 
 
 def test_states_of_a_stated_tolerance_by_hand(states):
-    """0.2 um within a quarter; a partner of half the Ra moves with it."""
+    """0.2 um within a quarter; the partner within its own fifth, together with it."""
+    text = SURFACE.replace("0.2 um", "0.2 um +- 0.05 um")
+    found, _, average = states(text + 'partner_roughness_average = "0.1 um +- 0.02 um"\n')
+    along = np.linspace(-1.0, 1.0, 5)[:, None]
+    both = np.hypot(0.2e-6 * (1.0 + 0.25 * along), 0.1e-6 * (1.0 + 0.2 * along))
+    np.testing.assert_allclose(average, np.tile(both, 15), rtol=1e-6)
+    surface = found["surfaces"]["surface"]
+    np.testing.assert_allclose(surface["roughness_average_m"], [0.15e-6, 0.25e-6])
+    np.testing.assert_allclose(surface["partner_roughness_average_m"], [0.08e-6, 0.12e-6])
+    assert "Ra of both bodies from 0.15 um to 0.25 um and 0.08 um to 0.12 um at the cut-off" in found["words"]
+
+
+def test_a_partner_without_a_tolerance_scatters_as_measured_once(states):
     text = SURFACE.replace("0.2 um", "0.2 um +- 0.05 um") + 'partner_roughness_average = "0.1 um"\n'
-    found, _, average = states(text)
-    factor = np.array([0.75, 0.875, 1.0, 1.125, 1.25])[:, None]
-    np.testing.assert_allclose(average, np.tile(math.sqrt(0.05) * 1e-6 * factor, 15), rtol=1e-6)
-    np.testing.assert_allclose(found["surfaces"]["surface"]["roughness_average_m"], [0.15e-6, 0.25e-6])
+    ends = states(text)[0]["surfaces"]["surface"]["partner_roughness_average_m"]
+    half = 1.959964 * max(scatter_of_average(fractal_dimension=d, cut_offs=5) for d in (1.15, 1.5))
+    np.testing.assert_allclose(ends, [0.1e-6 * (1.0 - half), 0.1e-6 * (1.0 + half)], rtol=1e-6)
 
 
 def test_the_surface_of_the_joint_has_the_ra_of_both_bodies(head):

@@ -90,6 +90,23 @@ def test_each_contact_may_have_its_own():
             'fractal_dimension = "1.9 +- 0.2"\nfrequency_ratio = 1.5\nmean_roughness_depth = "1.6 um"',
             "fractal_dimension: the Ra of an Rz needs a range between 1 and 2, got '1.9 \\+- 0.2'",
         ),
+        (
+            'finish = "ground"\nmean_roughness_depth = "1.6 um"\npartner_mean_roughness_depth = "0.4 um"',
+            r"surface\.partner_mean_roughness_depth: .* the cut-off 0\.25 mm and the other body with 0\.8 mm; measure",
+        ),
+        (
+            'finish = "ground"\nroughness_average = "0.05 um"\npartner_mean_roughness_depth = "1.6 um"',
+            r"cut-off 0\.8 mm and the other body with 0\.25 mm; measure both with one cut-off, and give it as cut_off",
+        ),
+        (
+            'finish = "ground"\nfractal_roughness = "1e-8 mm"\npartner_mean_roughness_depth = "1.6 um"',
+            "only with roughness_average or mean_roughness_depth",
+        ),
+        (
+            'finish = "ground"\nroughness_average = "0.2 um"\npartner_mean_roughness_depth = "1 um"\n'
+            'partner_roughness_average = "0.1 um"',
+            "both partner_mean_roughness_depth and partner_roughness_average are given",
+        ),
         ('finish = "ground"\nRa = "0.2 um"', "did you mean 'roughness_average'"),
         ('finish = "ground"', "exactly one of 'fractal_roughness' and 'roughness_average'.* got neither"),
         (
@@ -128,16 +145,42 @@ def test_an_rz_gives_the_range_of_ra_at_its_own_cut_off(case_with):
     assert shorter.roughness_average.tolerance > 0.1 * shorter.roughness_average.value
 
 
-def test_a_surface_with_an_rz_that_was_filled_in_stays(case_with):
-    case = case_with(RZ)
-    filled, refused = fill_in_finishes(
-        {"surface": {"finish": "ground", "mean_roughness_depth": case.surface.mean_roughness_depth}}
-    )
+def test_the_rz_of_a_partner_is_read_as_its_own_would_be(case_with):
+    """1 um at the cut-off of both bodies: that of the other's Rz or Ra, or the one that is given."""
+    alone = case_with(RZ.replace("1.6 um +- 0.2 um", "1 um")).surface.roughness_average
+    for other, cut_off in (
+        ('mean_roughness_depth = "1.6 um"', 0.8e-3),
+        ('roughness_average = "0.3 um"', 0.8e-3),
+        ('roughness_average = "0.05 um"\ncut_off = "0.8 mm"', 0.8e-3),
+    ):
+        entry = case_with(
+            f'[surface]\nfinish = "ground"\n{other}\npartner_mean_roughness_depth = "1 um"'
+        ).surface
+        found = entry.partner_roughness_average
+        assert (found.value, found.tolerance) == (alone.value, alone.tolerance)
+        assert entry.cut_off.value == pytest.approx(cut_off)
+    finer = 'mean_roughness_depth = "1.6 um"\ncut_off = "0.25 mm"\npartner_mean_roughness_depth = "1 um"'
+    entry = case_with(f'[surface]\nfinish = "ground"\n{finer}').surface
+    ratio = depth_over_average(fractal_dimension=1.325, cut_off=0.25e-3)
+    assert entry.partner_roughness_average.value == pytest.approx(1e-6 / ratio, rel=1e-5)
+
+
+PARTNER = 'partner_mean_roughness_depth = "1 um"'
+
+
+@pytest.mark.parametrize("partner", ["", f"\n{PARTNER}"])
+def test_a_surface_with_an_rz_that_was_filled_in_stays(case_with, partner):
+    case = case_with(f"{RZ}{partner}")
+    stated = {"finish": "ground", "mean_roughness_depth": case.surface.mean_roughness_depth}
+    if partner:
+        stated["partner_mean_roughness_depth"] = "1 um"
+    filled, refused = fill_in_finishes({"surface": stated})
     assert (fill_in_finishes(filled), refused) == ((filled, {}), {})
 
 
-def test_a_file_with_an_rz_is_written_back_with_the_ra_that_a_study_had(case_with):
-    case = case_with(RZ)
+@pytest.mark.parametrize("partner", ["", f"\n{PARTNER}"])
+def test_a_file_with_an_rz_is_written_back_with_the_ra_that_a_study_had(case_with, partner):
+    case = case_with(f"{RZ}{partner}")
     for changes in (
         {"surface.fractal_dimension": 1.4},
         {"surface.roughness_average": 4e-7},
@@ -146,11 +189,14 @@ def test_a_file_with_an_rz_is_written_back_with_the_ra_that_a_study_had(case_wit
         written = joint_file_text(case, changes, comment="")
         back = parse_case(written, source="b.toml")
         assert back.surface.mean_roughness_depth is None
+        assert back.surface.partner_mean_roughness_depth is None
         assert back.text == written
         wanted = replace_values(si_values(case), changes)["surface"]
         assert si_values(back)["surface"] == wanted
     with pytest.raises(InputError, match=r"vary 'surface\.sp\.roughness_average' instead"):
         replace_values(si_values(case), {"surface.sp.mean_roughness_depth": 1e-6})
+    with pytest.raises(InputError, match=r"vary 'surface\.partner_roughness_average' instead"):
+        replace_values(si_values(case), {"surface.partner_mean_roughness_depth": 1e-6})
 
 
 def test_a_g_takes_the_place_of_an_ra_and_its_companions(case_with):

@@ -138,6 +138,17 @@ def test_schema_and_reader_agree_on_materials(schema, tmp_path, said):
             True,
         ),
         ({"roughness_average": "0.2 um", "cut_off": "0.8 mm"}, True),
+        ({"roughness_average": "0.2 um", "partner_mean_roughness_depth": "1.2 um"}, True),
+        ({"mean_roughness_depth": "1.6 um", "partner_mean_roughness_depth": "1.2 um"}, True),
+        ({"fractal_roughness": "1e-8 mm", "partner_mean_roughness_depth": "1.2 um"}, False),
+        (
+            {
+                "roughness_average": "0.2 um",
+                "partner_mean_roughness_depth": "1.2 um",
+                "partner_roughness_average": "0.1 um",
+            },
+            False,
+        ),
         ({"mean_roughness_depth": "1.6 um", "roughness_average": "0.2 um"}, False),
         ({"fractal_roughness": "1e-8 mm", "cut_off": "0.8 mm"}, False),
     ],

@@ -105,9 +105,12 @@ def _surfaces(case: Case) -> list[str]:
         assert average is not None
         if entry.partner_roughness_average is None:
             told.append(f"no {path}.partner_roughness_average: both bodies have the same Ra")
-        if average.tolerance == 0.0:
+        for key in ("roughness_average", "partner_roughness_average"):
+            stated = getattr(entry, key)
+            if stated is None or stated.tolerance > 0.0:
+                continue
             told.append(
-                f"{path}.roughness_average without a tolerance: as measured over one evaluation length, not the upper "
+                f"{path}.{key} without a tolerance: as measured over one evaluation length, not the upper "
                 "limit that a drawing states; surfaces below the limit are smoother"
             )
         known = finishes.get(entry.finish or "")

@@ -14,12 +14,14 @@ from asperity.joint_file.material_entries import SurfaceEntry
 from asperity.joint_file.model import Case
 from asperity.joint_file.planar_build import any_joint_from_case, planar_joint_from_values
 from asperity.joint_file.planar_model import PlanarCase
-from asperity.joint_file.si_tables import replace_values, si_values
+from asperity.joint_file.quantity_key import Quantity
+from asperity.joint_file.si_tables import DEPTH, PARTNER_DEPTH, replace_values, si_values
 from asperity.surface.roughness_average import CUT_OFFS_EVALUATED, scatter_of_average, standard_cut_off
 from asperity.units import format_quantity
 
 #: Values of D between the ends of its range, and of Ra between the ends of its scatter.
 DIMENSIONS, AVERAGES = 15, 5
+_AVERAGE, _PARTNER = "roughness_average", "partner_roughness_average"
 _NORMAL_95 = 1.959963984540054
 
 
@@ -54,20 +56,21 @@ def depth_assumptions(case: Case | PlanarCase) -> list[str]:
     """
     told = []
     for path, entry in surfaces_by_average(case).items():
-        average = entry.roughness_average
-        if entry.mean_roughness_depth is None or average is None:
-            continue
-        low, high = (average.value + sign * average.tolerance for sign in (-1.0, 1.0))
-        told.append(
-            f"{path}.mean_roughness_depth: Rz {entry.mean_roughness_depth} taken of normally distributed heights, Ra "
-            f"{format_quantity(low, 'um', 2)} to {format_quantity(high, 'um', 2)}; a single scratch raises Rz, and the "
-            "surface is then smoother than computed"
-        )
-        if limits.MEAN_ROUGHNESS_DEPTH.read(entry.mean_roughness_depth).tolerance == 0.0:
+        for key, of in ((_AVERAGE, DEPTH), (_PARTNER, PARTNER_DEPTH)):
+            average, depth = getattr(entry, key), getattr(entry, of)
+            if depth is None or average is None:
+                continue
+            low, high = (average.value + sign * average.tolerance for sign in (-1.0, 1.0))
             told.append(
-                f"{path}.mean_roughness_depth without a tolerance: as measured over one evaluation length, not the "
-                "upper limit that a drawing states; surfaces below the limit are smoother"
+                f"{path}.{of}: Rz {depth} taken of normally distributed heights, Ra "
+                f"{format_quantity(low, 'um', 2)} to {format_quantity(high, 'um', 2)}; a single scratch raises Rz, and "
+                "the surface is then smoother than computed"
             )
+            if limits.MEAN_ROUGHNESS_DEPTH.read(depth).tolerance == 0.0:
+                told.append(
+                    f"{path}.{of} without a tolerance: as measured over one evaluation length, not the "
+                    "upper limit that a drawing states; surfaces below the limit are smoother"
+                )
     return told
 
 
@@ -96,8 +99,8 @@ def drawn_interval(case: Case | PlanarCase) -> dict[str, Any] | None:
     Notes
     -----
     D runs over its tolerance in the file, which a finish fills in, and Ra over its own; an Ra without a tolerance is
-    taken for the measurement over one evaluation length of five cut-offs, which scatters by about 10 %. The surfaces
-    of all contacts move together. The contact law and the filter's cut-off stay.
+    taken for the measurement over one evaluation length of five cut-offs, which scatters by about 10 %; likewise
+    that of a partner. All bodies of all contacts move together. The contact law and the filter's cut-off stay.
     """
     entries = surfaces_by_average(case)
     if not entries:
@@ -109,21 +112,19 @@ def drawn_interval(case: Case | PlanarCase) -> dict[str, Any] | None:
         average = entry.roughness_average
         assert average is not None
         dimension = entry.fractal_dimension.value + entry.fractal_dimension.tolerance * across.ravel()
-        spread = _spread(entry, dimension)
-        factor = 1.0 + spread * along.ravel()
+        averages = {
+            key: each.value * (1.0 + _spread(each, dimension) * along.ravel())
+            for key in (_AVERAGE, _PARTNER)
+            if (each := getattr(entry, key)) is not None
+        }
         cut_off = entry.cut_off.value if entry.cut_off else standard_cut_off(roughness_average=average.value)
         changes[f"{path}.fractal_dimension"] = dimension
-        changes[f"{path}.roughness_average"] = average.value * factor
+        changes |= {f"{path}.{key}": each for key, each in averages.items()}
         changes[f"{path}.cut_off"] = cut_off
-        if entry.partner_roughness_average is not None:
-            changes[f"{path}.partner_roughness_average"] = entry.partner_roughness_average.value * factor
         surfaces[path] = {
             "finish": entry.finish,
             "fractal_dimension": [float(dimension.min()), float(dimension.max())],
-            "roughness_average_m": [
-                float(average.value * factor.min()),
-                float(average.value * factor.max()),
-            ],
+            **{f"{key}_m": [float(each.min()), float(each.max())] for key, each in averages.items()},
             "cut_off_m": float(cut_off),
         }
     values, shape = replace_values(si_values(case), changes), across.ravel().shape
@@ -141,11 +142,16 @@ def _words(interval: dict[str, Any]) -> str:
     """The ranges of D and Ra over which an interval is taken."""
     told = []
     for path, entry in interval["surfaces"].items():
-        (low, high), averages = entry["fractal_dimension"], entry["roughness_average_m"]
-        smooth, rough = (format_quantity(each, "um", 3) for each in averages)
+        low, high = entry["fractal_dimension"]
+        ranges = [
+            " to ".join(format_quantity(each, "um", 3) for each in entry[f"{key}_m"])
+            for key in (_AVERAGE, _PARTNER)
+            if f"{key}_m" in entry
+        ]
+        bodies = "Ra of a body from " if len(ranges) == 1 else "Ra of both bodies from "
         finish = f" ({entry['finish']})" if entry["finish"] else ""
         told.append(
-            f"{path}{finish}: D from {low:.4g} to {high:.4g}, Ra of a body from {smooth} to {rough} at the cut-off "
+            f"{path}{finish}: D from {low:.4g} to {high:.4g}, {bodies}{' and '.join(ranges)} at the cut-off "
             f"{format_quantity(entry['cut_off_m'], 'mm')}."
         )
     lost = interval["unsolved"] + interval["all_plastic"]
@@ -154,10 +160,8 @@ def _words(interval: dict[str, Any]) -> str:
     return " ".join([*told, "All other values are those of the middle."])
 
 
-def _spread(entry: SurfaceEntry, dimension: np.ndarray) -> Any:
+def _spread(average: Quantity, dimension: np.ndarray) -> Any:
     """Relative half-width of Ra: its tolerance, or the scatter of one evaluation length for each D."""
-    average = entry.roughness_average
-    assert average is not None
     if average.tolerance > 0.0:
         return average.tolerance / average.value
     return _NORMAL_95 * np.array(

@@ -15,6 +15,7 @@ from asperity.joint_file.quantity_key import Key, Quantity
 from asperity.joint_file.reader import model_of_type, parse_any_case
 from asperity.joint_file.si_tables import (
     DEPTH,
+    PARTNER_DEPTH,
     AnyCase,
     NumericKey,
     change_targets,
@@ -118,9 +119,10 @@ def _edited(text: str, case: AnyCase, written: Mapping[str, float | str]) -> str
         (surfaces, texts),
         *((surfaces[name], each) for name, each in texts.items() if isinstance(each, dict)),
     ]:
-        if DEPTH in stated:
-            del table[DEPTH]
-            table.update({name: stated[name] for name in ("roughness_average", "cut_off")})
+        for depth in {DEPTH, PARTNER_DEPTH} & stated.keys():
+            del table[depth]
+            average = depth.replace(DEPTH, "roughness_average")
+            table.update({name: stated[name] for name in (average, "cut_off")})
     set_texts(document, written)
     return tomlkit.dumps(document)
 

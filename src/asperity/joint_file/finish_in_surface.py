@@ -8,11 +8,16 @@ from typing import Any
 from asperity.errors import InputError, quoted
 from asperity.joint_file import limits
 from asperity.joint_file.quantity_key import Key, Quantity
-from asperity.joint_file.si_tables import DEPTH
+from asperity.joint_file.si_tables import DEPTH, PARTNER_DEPTH
 from asperity.library import FREQUENCY_RATIO, Finish, read_finishes
 from asperity.surface.peak_to_valley import average_from_depth, depth_cut_off
+from asperity.surface.roughness_average import standard_cut_off
+from asperity.units import format_quantity
 
 _PEAK_TO_VALLEY = ("rmax", "rt", "maximum_height")
+_AVERAGE, _PARTNER = "roughness_average", "partner_roughness_average"
+#: Rz → the Ra that it means, and the keys beside which it may not stand.
+_AVERAGES = {DEPTH: (_AVERAGE, (_AVERAGE, "fractal_roughness")), PARTNER_DEPTH: (_PARTNER, (_PARTNER,))}
 _MEANT = {"ra": "roughness_average", "rz": DEPTH, "lambda_c": "cut_off"}
 
 
@@ -25,7 +30,7 @@ def fill_in_finishes(tables: Mapping[str, Any]) -> tuple[dict[str, Any], dict[st
         The joint file as TOML reads it. ``surface = {finish = "ground", roughness_average = "0.2 um"}`` gets the
         published range of D of ground surfaces as a tolerance about its middle; what the file states stays. A
         ``mean_roughness_depth`` gives the Ra of normally distributed heights, with the range that D and the scatter
-        or the tolerance of Rz leave open, and the cut-off of ISO 4288 for this Rz.
+        or the tolerance of Rz leave open, and the cut-off of ISO 4288 for this Rz; so does the Rz of the partner.
 
     Returns
     -------
@@ -97,33 +102,50 @@ def _whole(entry: dict[str, Any]) -> dict[str, Any]:
                 f": {height} alone makes no surface, because {symbol} fixes one combination of D and G; add a finish "
                 f"({', '.join(read_finishes())}), or fractal_dimension with its range, e.g. '1.3 +- 0.2'"
             )
-        return _with_average(entry)
+        return _with_averages(entry)
     name, known = entry["finish"], read_finishes()
     if not isinstance(name, str) or name not in known:
         raise InputError(f".finish: there is no finish {quoted(name)}; known are {', '.join(known)}")
     added = {"fractal_dimension": dimension_text(known[name]), "frequency_ratio": FREQUENCY_RATIO}
-    return _with_average({**added, **entry})
+    return _with_averages({**added, **entry})
 
 
-def _with_average(entry: dict[str, Any]) -> dict[str, Any]:
-    """A surface with the Ra that its Rz means."""
-    if DEPTH not in entry:
-        return entry
-    depth = _read(entry, DEPTH, limits.MEAN_ROUGHNESS_DEPTH)
+def _with_averages(entry: dict[str, Any]) -> dict[str, Any]:
+    """A surface with the Ra that its Rz means, and that of its partner."""
+    filled, given = entry, _read(entry, "cut_off", limits.CUT_OFF).value if "cut_off" in entry else None
+    cut_off = given
+    if DEPTH in entry:
+        depth = _read(entry, DEPTH, limits.MEAN_ROUGHNESS_DEPTH)
+        cut_off = given or depth_cut_off(mean_roughness_depth=depth.value)
+        filled = _with_average(entry, DEPTH, depth, cut_off)
+    if PARTNER_DEPTH not in entry:
+        return filled
+    if cut_off is None and _AVERAGE in entry:
+        average = _read(entry, _AVERAGE, limits.ROUGHNESS_AVERAGE).value
+        cut_off = standard_cut_off(roughness_average=average)
+    depth = _read(entry, PARTNER_DEPTH, limits.MEAN_ROUGHNESS_DEPTH)
+    own = depth_cut_off(mean_roughness_depth=depth.value)
+    if given is None and cut_off not in (None, own):
+        raise InputError(
+            f".{PARTNER_DEPTH}: ISO 4288 measures this Rz with the cut-off {format_quantity(own, 'mm')} and the other "
+            f"body with {format_quantity(cut_off, 'mm')}; measure both with one cut-off, and give it as cut_off"
+        )
+    return _with_average(filled, PARTNER_DEPTH, depth, cut_off or own)
+
+
+def _with_average(entry: dict[str, Any], key: str, depth: Quantity, cut_off: float) -> dict[str, Any]:
+    """A surface with the Ra that one Rz means."""
     dimension = _read(entry, "fractal_dimension", limits.FRACTAL_DIMENSION)
     if depth.distribution and depth.distribution.kind != "uniform":
         raise InputError(
-            f".{DEPTH}: its tolerance counts as the ends of a range; leave '{depth.distribution}' out, or give "
-            "roughness_average"
+            f".{key}: its tolerance counts as the ends of a range; leave '{depth.distribution}' out, or give "
+            f"{_AVERAGES[key][0]}"
         )
     for end in (dimension.value - dimension.tolerance, dimension.value + dimension.tolerance):
         if not limits.FRACTAL_DIMENSION.admits(end):
             raise InputError(
                 f".fractal_dimension: the Ra of an Rz needs a range between 1 and 2, got {quoted(dimension.text)}"
             )
-    cut_off = depth_cut_off(mean_roughness_depth=depth.value)
-    if "cut_off" in entry:
-        cut_off = _read(entry, "cut_off", limits.CUT_OFF).value
     try:
         average, half = average_from_depth(
             mean_roughness_depth=depth.value,
@@ -133,18 +155,19 @@ def _with_average(entry: dict[str, Any]) -> dict[str, Any]:
             cut_off=cut_off,
         )
     except InputError as error:
-        raise InputError(f".cut_off: {error}; or give roughness_average") from None
+        raise InputError(f".cut_off: {error}; or give {_AVERAGES[key][0]}") from None
     if half >= average:
         raise InputError(
-            f".{DEPTH}: {quoted(depth.text)} leaves Ra open down to zero; its tolerance has to be smaller"
+            f".{key}: {quoted(depth.text)} leaves Ra open down to zero; its tolerance has to be smaller"
         )
+    average_key, excluded = _AVERAGES[key]
     made = {
-        "roughness_average": f"{1e6 * average:.6g} um +- {1e6 * half:.6g} um, uniform",
+        average_key: f"{1e6 * average:.6g} um +- {1e6 * half:.6g} um, uniform",
         "cut_off": entry.get("cut_off", f"{1e3 * cut_off:.6g} mm"),
     }
-    for other in ("roughness_average", "fractal_roughness"):
+    for other in excluded:
         if other in entry and entry[other] != made.get(other):  # tables that were filled in before state both
-            raise InputError(f": both {DEPTH} and {other} are given; leave one of them out")
+            raise InputError(f": both {key} and {other} are given; leave one of them out")
     return {**entry, **made}
 
 

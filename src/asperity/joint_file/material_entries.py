@@ -79,6 +79,8 @@ class SurfaceEntry(Section):
     normally distributed heights with this Rz have; studies vary roughness_average."""
     partner_roughness_average: Annotated[Quantity, limits.PARTNER_AVERAGE] | None = None
     """Ra of the other body; the same if absent."""
+    partner_mean_roughness_depth: Annotated[str, StringConstraints(max_length=100)] | None = None
+    """Rz of the other body in place of its Ra, read as mean_roughness_depth is, with the same cut-off."""
     cut_off: Annotated[Quantity, limits.CUT_OFF] | None = None
     """Cut-off of the profile filter with which roughness_average is measured; that of ISO 4288 for this Ra or Rz
     if absent. With an Rz one of 0.08, 0.25, 0.8, 2.5 and 8 mm."""

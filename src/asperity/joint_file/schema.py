@@ -103,5 +103,7 @@ def _offer_finishes(schema: Schema) -> None:
     entry["oneOf"] = [{"required": ["fractal_roughness"]}, *heights]
     entry["anyOf"] = [{"required": ["finish"]}, {"required": entry.pop("required")}]
     entry["dependentSchemas"] = {
-        name: {"anyOf": heights} for name in ("partner_roughness_average", "cut_off")
+        name: {"anyOf": heights}
+        for name in ("partner_roughness_average", "partner_mean_roughness_depth", "cut_off")
     }
+    entry["not"] = {"required": ["partner_roughness_average", "partner_mean_roughness_depth"]}

@@ -22,8 +22,8 @@ from asperity.joint_file.section import Section
 
 #: Nested tables like those of the file; leaves are SI numbers (or arrays of them) and names.
 Values = dict[str, Any]
-#: The Rz of a surface, text beside the roughness_average that the reader makes of it.
-DEPTH = "mean_roughness_depth"
+#: The Rz of a surface, and of its partner, texts beside the Ra that the reader makes of them.
+DEPTH, PARTNER_DEPTH = "mean_roughness_depth", "partner_mean_roughness_depth"
 #: A joint file of any type of drive.
 AnyCase = Case | PlanarCase
 
@@ -39,9 +39,11 @@ _COUNTERPARTS: dict[str, tuple[str, ...]] = {
         "roughness_average",
         DEPTH,
         "partner_roughness_average",
+        PARTNER_DEPTH,
         "cut_off",
     ),
     "roughness_average": ("fractal_roughness", DEPTH),
+    "partner_roughness_average": (PARTNER_DEPTH,),
 }
 _NAMED = ("materials", "duty", "branch", "roller", "contact")
 _ONE_OR_EACH = ("drive.contact_length", "load.friction_coefficient", "rolling.skew", "surface")
@@ -91,7 +93,11 @@ def _plain(node: Any) -> Any:
     if isinstance(node, Quantity):
         return node.value
     if isinstance(node, BaseModel):
-        return {name: _plain(value) for name, value in node if value is not None and name != DEPTH}
+        return {
+            name: _plain(value)
+            for name, value in node
+            if value is not None and name not in (DEPTH, PARTNER_DEPTH)
+        }
     if isinstance(node, dict):
         return {name: _plain(value) for name, value in node.items()}
     if isinstance(node, tuple):
@@ -139,8 +145,8 @@ def key_at(path: str, kind: str | None = None) -> Key:
             return known[generic]
     whose = "a joint file" if kind in (None, WEDGE_TYPE) else f"the joint file of a drive of type {kind}"
     named = parts[0] in _NAMED and len(parts) > 2
-    if parts[0] == "surface" and parts[-1] == DEPTH:
-        average = ".".join([*parts[:-1], "roughness_average"])
+    if parts[0] == "surface" and parts[-1] in (DEPTH, PARTNER_DEPTH):
+        average = ".".join([*parts[:-1], parts[-1].replace(DEPTH, "roughness_average")])
         raise InputError(f"{path}: Rz is read as a range of Ra; vary '{average}' instead")
     near = nearest(".".join([parts[0], "*", *parts[2:]]) if named else path, known)
     raise InputError(f"{whose} has no number '{path}'{near}")
