@@ -56,6 +56,7 @@ def test_the_shear_traction_of_cattaneo_and_mindlin(ball):
     assert np.abs(np.asarray(found.traction[0]) - closed)[away].max() < 0.015 * peak
 
 
+@pytest.mark.slow
 def test_loading_reversal_and_loop_follow_masing_and_dissipate_what_they_enclose(ball):
     """Mindlin & Deresiewicz 1953: displacement at reversal, Masing branch, loop area from two independent sums."""
     limit, pair = MU * FORCE, ball.half_space.pair
@@ -119,6 +120,7 @@ def test_pushed_far_the_bodies_slide_at_the_friction_force_and_return_elasticall
     assert found.tangential_force[2] < 0.999 * limit
 
 
+@pytest.mark.slow
 def test_a_line_contact_slips_from_its_edges():
     """Cattaneo for cylinders: stick half-width b sqrt(1 - T/(mu N)); Johnson 1985, (7.25)."""
     young = 206e9

@@ -117,6 +117,7 @@ def test_a_very_soft_layer_is_a_brush(contact):
     assert float(found.stick_fraction) == pytest.approx(1.0 / (1.0 + k**2), abs=0.011)
 
 
+@pytest.mark.slow
 def test_skew_alone_is_carter_in_anti_plane_shear(contact):
     """Johnson 1985, section 8.3, with 1/G for 2/E: like bodies creep 1/(1 - nu) times as much."""
     found = solved(contact, longitudinal_creepage=0.0, lateral_force=0.5 * load(contact))

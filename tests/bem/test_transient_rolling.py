@@ -102,6 +102,7 @@ def test_the_onset_of_rolling_of_a_ball_as_contact_computes_it():
     np.testing.assert_allclose(found.creepage[1:] * 1e3, CONTACT_ONSET_OF_ROLLING, rtol=1.5e-2)
 
 
+@pytest.mark.slow
 def test_a_prescribed_creepage_leads_to_carters_force(contact):
     """Creepage 0.4 of gross slip: q = 0.64, as in CONTACT's deck carter2d.
 
@@ -135,11 +136,13 @@ def test_a_layer_and_unlike_bodies_end_in_the_state_of_the_steady_solver(with_pr
     np.testing.assert_allclose(found.shear.traction[-1], steady.traction[0], atol=1e-4)
 
 
+@pytest.mark.slow
 def test_across_the_rolling_direction_the_strip_is_in_anti_plane_shear(contact):
     found = rolled(contact, [1] * 400, axis=1, tangential_force=[0.5 * load(contact)] * 400)
     assert float(found.creepage[-1]) == pytest.approx(carter(0.5) / 0.7, rel=3e-3)
 
 
+@pytest.mark.slow
 def test_rolling_back_is_the_mirror_image(contact):
     forth = rolled(contact, [0, 1, 2, 2], tangential_force=[0.5 * load(contact)] * 4)
     back = rolled(contact, [0, -1, -2, -2], tangential_force=[0.5 * load(contact)] * 4)

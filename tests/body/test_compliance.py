@@ -284,6 +284,7 @@ def test_too_few_modes_and_too_wide_contacts_are_no_number():
     assert np.isfinite(matrix(ring(1e-3), SIX[:2], 91.2e-6, copies=3, modes=400)).all()
 
 
+@pytest.mark.slow
 def test_a_batch_is_its_bodies_one_by_one():
     walls = np.array([8e-3, 20e-3, 60e-3])
     angles, widths = np.array(SIX[:2]), np.array([9e-5, 7e-5])

@@ -99,6 +99,7 @@ def test_stiffness_over_the_wall_with_radial_coupling(joint, free):
     assert joint.assembled_stiffness(radial_only(free, springs)) == pytest.approx(RADIAL, rel=0.02)
 
 
+@pytest.mark.slow
 def test_full_coupling_is_softer_the_thinner_the_ring(joint, free):
     """Tangential forces bend a ring, too: a free ring of 4 mm is 17 % softer than with radial coupling alone."""
     found = joint.assembled_stiffness(free) / RADIAL

@@ -122,6 +122,7 @@ def test_sum_over_all_contacts(support, along):
     )
 
 
+@pytest.mark.slow
 def test_one_body_between_three_contacts():
     """A hollow planet: sums of one sector, with its mode 1."""
     body = Annulus(6e-3, 13.5e-3, 5e-3, E, NU, 0.0, 0.0, "outer", "plane_strain")

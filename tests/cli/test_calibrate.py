@@ -46,6 +46,7 @@ def invoke(*arguments):
     return CliRunner().invoke(asperity, ["calibrate", *map(str, arguments)])
 
 
+@pytest.mark.slow
 def test_preload_is_recovered_and_written(folder):
     out, plot = folder / "out.toml", folder / "fit.png"
     result = invoke(folder / "joint.toml", folder / "data.csv", "-u", "load.preload", "--starts", 1,

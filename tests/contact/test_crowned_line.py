@@ -194,6 +194,7 @@ def test_lengths_scale():
     assert compression(1.6, 4 * N, **size) == pytest.approx(2 * compression(0.8), rel=1e-12)
 
 
+@pytest.mark.slow
 def test_more_crown_shortens_the_loaded_length_and_raises_the_peak():
     curvature = jnp.concatenate([jnp.zeros(1), jnp.geomspace(1e-3, 20.0, 60)])
     found = _loaded(normal_force=N, crown_curvature=curvature, **PAIR)

@@ -81,6 +81,7 @@ def test_a_sticking_line_contact_is_as_stiff_in_shear_as_in_compression_by_bound
     assert float(bodies(strip, 0.0)) == pytest.approx(float(found), rel=1e-6)
 
 
+@pytest.mark.slow
 def test_partial_slip_softens_the_bodies_as_by_boundary_elements(strip):
     """Slope of the first loading: the incremental stiffness; the secant one would be 1 to 10 % off here."""
     shares = np.array([0.25, 0.57, 0.85])

@@ -45,6 +45,7 @@ def test_shift_against_boundary_elements(q):
     np.testing.assert_allclose(model, shift, atol=0.03 * (1.0 - np.sqrt(1.0 - q)))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("q", "layer_ratio", "close"), [(0.3, 0.2, 0.04), (0.7, 0.2, 0.04), (0.1, 0.2, 0.09), (0.1, 1.0, 0.16)]
 )
@@ -77,6 +78,7 @@ def boundary_elements(q, *, layer_ratio):
     return shift - shift[0], np.asarray(found.rolled_distance)
 
 
+@pytest.mark.slow
 def test_rolling_starts_at_half_the_creepage_and_ends_at_the_whole():
     def shift(s):
         return rolling_in_shift(rolled_distance=s, half_width=1e-4, slip_ratio=0.4, creepage=3e-4)

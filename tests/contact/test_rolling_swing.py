@@ -65,6 +65,7 @@ def test_short_swings_come_to_rest(rolled, q):
     assert float(swing_drift_share(stroke=stroke * PIXEL, half_width=1.0, slip_ratio=q)) < 0.005
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("q", "stroke"), [(0.3, 100), (0.5, 50), (0.7, 50)])
 def test_an_elastic_layer_changes_little(rolled, q, stroke):
     factor = float(uniform_layer_creepage_factor(layer_ratio=0.2, slip_ratio=q))

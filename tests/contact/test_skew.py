@@ -150,6 +150,7 @@ def test_longitudinal_creepage_against_bisection(force, lateral):
     assert bool(jnp.all(found.solved))
 
 
+@pytest.mark.slow
 def test_forces_come_back_everywhere():
     random = np.random.default_rng(3)
     lateral = np.concatenate([10 ** random.uniform(-12, 0.5, 3000), random.uniform(-2, 2, 3000)])

@@ -93,6 +93,7 @@ def test_cylinder_is_one_line_contact():
         assert float(strips) == pytest.approx(float(carter), rel=1e-9)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("crown", "tilt"), [(10.0, 0.0), (1.0, 1e-3), (0.1, 0.0), (1e-2, 0.0), (1e-3, 0.0)])
 def test_approach_against_bisection(crown, tilt):
     found = loads(crown=crown, tilt=tilt)
@@ -162,6 +163,7 @@ def test_creep_coefficient_of_a_long_ellipse_is_kalkers():
     assert 0.08 < contact / coefficient - 1 < 0.25
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("crown", [10.0, 1.0, 0.1])
 def test_creepage_and_force_are_inverse_and_odd(crown):
     found = loads(crown=crown)

@@ -194,6 +194,7 @@ def three_levels():
     return levels
 
 
+@pytest.mark.slow
 @settings(max_examples=150, deadline=None)
 @given(
     contacts=st.lists(exponents.map(lambda e: 10.0**e), min_size=15, max_size=15),

@@ -72,6 +72,7 @@ def test_dynamic_stiffness_is_a_spring_above_and_a_damper_below_its_corner():
     assert complex(stands) == pytest.approx(3e4 * (1 + 0.02j), rel=1e-12)
 
 
+@pytest.mark.slow
 def test_response_is_that_of_the_differential_equations():
     """Spring and damper in series between two inertias, integrated in time until the start has died away."""
     k, c, first, second, frequency = 900.0, 40.0, 0.05, 0.8, 6.0

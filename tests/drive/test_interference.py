@@ -163,6 +163,7 @@ def test_crowns_add_the_work_of_their_approach(smooth, crowned):
     assert both[0] - both[1] == pytest.approx(float(added), rel=1e-9)
 
 
+@pytest.mark.slow
 def test_derivative_of_the_interference(smooth, crowned):
     for compliance in (smooth[1], crowned):
         found = incremental_interference(compliance=compliance, preload=700.0)

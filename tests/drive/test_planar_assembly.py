@@ -76,6 +76,7 @@ def compliances():
         yield np.concatenate([contacts, supports])
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("compliance", list(compliances()))
 def test_springs_of_any_stiffness_side_by_side_to_rounding(branch, forces, compliance):
     solved = forces(jnp.asarray(compliance))
@@ -144,6 +145,7 @@ def test_elongations_by_displacing_circles():
     np.testing.assert_allclose(found, expected, atol=1e-5)
 
 
+@pytest.mark.slow
 def test_bodies_that_deform_as_a_whole_by_a_dense_solution(branch):
     """B q − C f = 0, B^T f = g with a full matrix C, solved as it stands."""
     rng = np.random.default_rng(2)
@@ -163,6 +165,7 @@ def test_bodies_that_deform_as_a_whole_by_a_dense_solution(branch):
     np.testing.assert_allclose(np.asarray(solved.force)[present], expected, rtol=1e-9, atol=1e-9)
 
 
+@pytest.mark.slow
 def test_gradients_by_compliance_and_direction_are_those_of_the_work(branch):
     """The work of a unit load changes by f_j^2 with compliance j (Castigliano), also for one of compliance 0."""
     own = jnp.concatenate([jnp.linspace(1e-9, 8e-9, 10), jnp.array([0.0, 5e-8, 1e-9, INF, INF, 2e-8])])
@@ -187,6 +190,7 @@ def test_gradients_by_compliance_and_direction_are_those_of_the_work(branch):
     )
 
 
+@pytest.mark.slow
 def test_an_assembly_that_hangs_in_the_air_is_refused():
     loose = PlanarAssembly(
         free=((False, False, True), (False, False, True)),

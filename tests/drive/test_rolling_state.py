@@ -169,6 +169,7 @@ def test_agrees_with_rigid_bodies_in_the_plane(rolled, torque):
     assert float(found.residual) < ROLLING_TOLERANCE
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("torque", "normal", "tangential", "loss"),
     [

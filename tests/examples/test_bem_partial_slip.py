@@ -3,6 +3,7 @@
 import pytest
 
 
+@pytest.mark.slow
 def test_rough_patch_has_mindlins_ratio_and_slips(load_example, monkeypatch):
     monkeypatch.setenv("ASPERITY_CACHE_DIR", "")
     found = load_example("bem_partial_slip").main()

@@ -242,6 +242,7 @@ def test_simulation_by_fmpy(unzipped, closed_form):
     assert found["output_torque"][-1] == pytest.approx(4.0, rel=0.03)  # inputs of the step's beginning
 
 
+@pytest.mark.slow
 def test_description_is_valid_and_states_both_numbers(content, tmp_path):
     from fmpy.validation import validate_fmu
 

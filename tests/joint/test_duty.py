@@ -58,6 +58,7 @@ def found(*loads, **options):
     )
 
 
+@pytest.mark.slow
 def test_one_load_is_that_load():
     life = found((2.0, 20.0 * np.pi, 1.0))
     turns = (

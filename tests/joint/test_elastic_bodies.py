@@ -269,6 +269,7 @@ def test_a_wall_too_thin_for_exact_bodies_is_refused(joint):
     )
 
 
+@pytest.mark.slow
 def test_every_wall_that_is_admitted_has_a_stiffness(joint, solved):
     walls = np.geomspace(0.1e-3, 50e-3, 60)
     made = joint(ring_wall_thickness=walls, ring_support="free", preload=1.0, **REST)

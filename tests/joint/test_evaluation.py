@@ -214,6 +214,7 @@ def test_gradients_with_respect_to_everything_are_finite_and_right(paper_joint):
         assert (error <= allowed)[smooth][~one_sided[smooth]].all(), index
 
 
+@pytest.mark.slow
 def test_batches_broadcast_and_one_joint_is_a_scalar(paper_joint, chain):
     torque = np.linspace(0.0, 5.0, 6).reshape(2, 3)
     batch = eqx.tree_at(lambda j: j.output_torque, paper_joint(), torque)
@@ -246,6 +247,7 @@ def test_carrier_turns_the_other_way_with_the_published_ratio(paper_joint):
     assert math.degrees(float(found.angles.direction)) == pytest.approx(27.0831, abs=6e-5)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "place",
     [

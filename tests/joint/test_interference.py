@@ -64,6 +64,7 @@ def test_force_and_length_are_two_names_of_one_joint(by_length, evaluated_togeth
         assert float(thousand.preload) == pytest.approx(1000.0, abs=0.1)
 
 
+@pytest.mark.slow
 def test_a_spring_of_the_ring_takes_its_own_compression(by_length, evaluated_together):
     """25 N/um under each loading roller, which carries N_o at rest: N_o/k more than in a rigid ring."""
     rigid = dataclasses.replace(

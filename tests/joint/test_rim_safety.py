@@ -103,6 +103,7 @@ def test_safeties(found, joint):
     assert float(found.loading_roller.yield_safety) > 0.0
 
 
+@pytest.mark.slow
 def test_a_held_ring_is_stressed_less_and_solid_rollers_not_at_all(plain, result, found):
     held = rims(dataclasses.replace(plain, ring_wall_thickness=np.float64(10e-3)), result)
     assert float(held.ring.stress[0]) < 0.2 * float(found.ring.stress[0])

@@ -201,6 +201,7 @@ def test_skew_of_the_sun_contact(rolled):
     np.testing.assert_allclose(opposite.creepage, found.creepage, rtol=1e-12)
 
 
+@pytest.mark.slow
 def test_thrusts_balance(rolled):
     found = rolled(conditions(skew=(1e-3, 5e-4, -3e-4, 8e-4, -1e-3)))
     times = np.array([1.0, 3.0, 3.0, 3.0, 1.0])

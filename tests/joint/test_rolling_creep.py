@@ -122,6 +122,7 @@ def test_what_skew_takes_by_its_own_formulas(creep, crown):
     np.testing.assert_allclose(lateral, expected, rtol=1e-9)
 
 
+@pytest.mark.slow
 def test_crowned_contacts_creep_as_their_slices(creep, paper_joint):
     """Smooth: where Carter's slices carry 0.4 of friction, by bisection. Rough: the even contacts as before."""
     q, crown = 0.4, 2.0

@@ -54,6 +54,7 @@ def test_working_points_lie_on_the_creep_curves(curves, solution):
         assert float(rolling.creepage[k]) == pytest.approx(on_curve, rel=5e-3)
 
 
+@pytest.mark.slow
 def test_curves_over_torque_and_the_map_are_the_joint_at_that_load(curves, joint):
     assert curves.torque[0] == 0.0
     assert curves.drift_per_output_turn[0] == pytest.approx(0.0, abs=1e-12)

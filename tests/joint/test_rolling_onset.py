@@ -29,6 +29,7 @@ def onset(joint):
     return onset_of(joint)
 
 
+@pytest.mark.slow
 def test_begins_at_the_static_angle_with_half_the_drift(joint, onset):
     drift = float(solve(joint).result.rolling.drift_per_output_turn) / (2.0 * np.pi)
     assert float(onset.lag[0]) == WINDUP

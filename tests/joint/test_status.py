@@ -73,6 +73,7 @@ def test_failed_points_are_those_that_the_joint_command_refuses(case, codes, ind
             solve(with_values(case, changes))
 
 
+@pytest.mark.slow
 def test_what_has_a_meaning_is_kept(codes):
     status, found = codes
     slips = status == STATUS_NAMES.index("beyond_torque_capacity")

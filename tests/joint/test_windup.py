@@ -93,6 +93,7 @@ def test_the_joint_agrees_with_a_trapezoidal_integration_of_its_own_stiffness(jo
     assert float(joint_curve.hysteresis) > 0.0
 
 
+@pytest.mark.slow
 def test_past_the_capacity_is_refused_with_the_torque():
     with pytest.raises(InputError, match=r"14 N·m is beyond the torque capacity: contact sp slips at 1[34]"):
         windup(table_2_joint(operating_grid()), largest_torque=14.0, level="published", stage_shares=STAGES)

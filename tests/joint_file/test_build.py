@@ -103,6 +103,7 @@ def test_the_last_step_can_be_differentiated(example_case):
     assert jax.jit(lambda force: with_values(example_case, {"load.preload": force}).preload)(7.0) == 7.0
 
 
+@pytest.mark.slow
 def test_a_housing_that_expands_more_than_its_joint_takes_preload_away(example_text):
     """Aluminium around bearing steel: looser where it is warm, tighter where it is cold."""
 

@@ -93,6 +93,7 @@ def test_curves_pass_through_the_joint(solve):
     assert answer["windup"]["loading_angle_rad"][-1] == pytest.approx(5.0 / stiffness, rel=0.02)
 
 
+@pytest.mark.slow
 def test_forces_drawn_on_the_planet_balance(solve):
     """Equation (2): without rotation the three contacts hold the planet, in both directions and in moment."""
     answer = solve(load__sun_speed="0 rpm").json()

@@ -55,6 +55,7 @@ def test_a_chart_says_what_single_joints_say(asked, joint_text):
     assert set(found) == set(schema["properties"])
 
 
+@pytest.mark.slow
 def test_a_family_is_one_curve_for_each_value(asked):
     """The same program, whatever varies; a curve of the family is the chart of the joint with that value."""
     family = {"over": "load.output_torque", "values": ["5 N*m", "8000 N*mm"]}

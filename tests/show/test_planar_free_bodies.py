@@ -33,6 +33,7 @@ def drawn(request, planar_case):
     return joint, planar_free_bodies(joint, solved(joint), middle=(0.0, 0.0), scale=1.0)
 
 
+@pytest.mark.slow
 def test_every_force_has_an_arrow_and_every_number_stands_once(drawn):
     joint, items = drawn
     off_axis = {joint.drive.bodies[number].name for number in joint.drive.floating}

@@ -57,6 +57,7 @@ def test_without_elastic_spots_all_agree_on_the_area_of_a_plastic_contact():
     assert float(found.capped_fraction[0, 0]) > 0.9
 
 
+@pytest.mark.slow
 def test_elastic_solutions_know_no_hardness():
     found = compare(sample(1.3), seeds=1, relative_pressures=[0.1], elastic=True)
     capped = compare(sample(1.3), seeds=1, relative_pressures=[0.1])

@@ -47,6 +47,7 @@ def _tick_labels(axis):
     return [label for label, at in labels if label.get_text() and low <= at <= high]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", NAMES)
 def test_axes_have_several_ticks_and_texts_stay_inside_and_apart(drawn, name):
     _, figure = drawn[name]

@@ -12,6 +12,7 @@ def panels(curves: Curves) -> dict[str, Panel]:
     return {panel.name: panel for panel in all_panels(curves)}
 
 
+@pytest.mark.slow
 def test_fourteen_panels_in_the_order_of_the_paper(panels: dict[str, Panel]) -> None:
     assert list(panels) == [
         "4a",

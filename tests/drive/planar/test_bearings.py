@@ -89,6 +89,7 @@ def test_the_forces_of_a_planetary_drive_by_hand(rolled):
     assert float(state.input_torque) == pytest.approx(3.0 * one * 10e-3 + 0.02, rel=1e-9)
 
 
+@pytest.mark.slow
 def test_what_enters_and_does_not_leave_is_creep_and_bearings(rolled):
     drive, found, _ = rolled
     state = found.rolling

@@ -25,6 +25,7 @@ def added(drive, carrier, **strains):
     return np.asarray(each), float(ring_interference(drive=drive, forces=forces, interference=each))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["wedge", "planetary", "multiroller", "stepped"])
 def test_one_strain_throughout_changes_nothing(drives, name):
     drive = drives[name]

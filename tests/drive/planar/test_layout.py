@@ -40,6 +40,7 @@ def test_no_contact_slips_and_all_touch(drives, name):
     refuse_impossible(drive)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["wedge", "planetary", "multiroller", "stepped"])
 def test_approaches_are_what_the_gaps_lose(drives, name):
     """By automatic differentiation of the distances; sliding is a quarter turn counter-clockwise from it."""

@@ -99,6 +99,7 @@ def test_assembled(state):
     )
 
 
+@pytest.mark.slow
 def test_standing(state):
     """Slips c T turn the carrier by (c_1 + c_2) T over twice the orbit, the planet by their difference."""
     carrier = (ONE + TWO) * TANGENTIAL / (2.0 * ORBIT)

@@ -92,6 +92,7 @@ def test_a_planet_that_slides_keeps_its_friction_and_the_other_carries_the_rest(
     np.testing.assert_array_equal(np.any(np.asarray(found.slides) != 0.0, axis=1), [False, False, True, True])
 
 
+@pytest.mark.slow
 def test_the_carrier_turns_by_the_planets_that_hold(standing):
     """Half as stiff from the first slip on, and the same in both directions."""
     torques = np.array([0.5, 1.2, -1.2]) * FIRST

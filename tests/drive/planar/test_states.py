@@ -51,6 +51,7 @@ def test_wedge_at_rest_by_hand(solved):
     assert float(rest.interference[3]) == pytest.approx(12.904e-6, rel=1e-4)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("torque", "normal", "tangential", "loss", "sideways"),
     [

@@ -143,6 +143,7 @@ def test_a_joint_is_followed_while_its_strips_are_narrower_than_its_bodies(plane
     assert 0.01 * 2.4 < float(asked["first_step"]) < 0.5 * 2.4
 
 
+@pytest.mark.slow
 def test_each_sector_turns_as_a_joint_of_its_own_forces_and_speeds(planetary_of_three, monkeypatch):
     """The creep law is taken at its forces times those of equal sectors standing over rolling."""
     joint, _ = planetary_of_three()

@@ -19,6 +19,7 @@ def solved(planetary):
     return solved_planar_joint(joint, solution)
 
 
+@pytest.mark.slow
 def test_diameter_and_mass_of_discs_and_an_annulus(solved):
     (density,) = {float(material.density) for material in solved.joint.materials}
     discs = SUN**2 + 3.0 * PLANET**2 + (RING + WALL) ** 2 - RING**2

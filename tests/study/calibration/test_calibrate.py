@@ -264,6 +264,7 @@ def test_bad_unknowns(case, curve, text, message):
         read_unknowns([text], case=case, measurements=(curve[0],))
 
 
+@pytest.mark.slow
 def test_a_curve_past_slip_is_refused(case):
     # 20 N·m is beyond the capacity of 13.2 N·m: the fit would end where the preload just carries it, with an interval
     # of no width since the slope is infinite there

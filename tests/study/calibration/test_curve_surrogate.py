@@ -96,6 +96,7 @@ def test_an_exponential_of_a_polynomial_is_found_as_it_is():
     np.testing.assert_allclose(surrogate_prediction(summed)(fitted, jnp.asarray(NEAR)), angle, rtol=1e-5)
 
 
+@pytest.mark.slow
 def test_the_box_shrinks_until_most_joints_in_it_exist():
     model = PowerLaw(exists=lambda places: np.abs(places[:, 0] - CENTRE[0]) < 0.03)
     fitted = fit_surrogate(model, CENTRE, SPREAD, seed=3)

@@ -110,6 +110,7 @@ def test_a_killed_worker_loses_nothing(case, cluster, tmp_path, evaluated_direct
     np.testing.assert_allclose(found["published_stiffness_output"].values, direct, rtol=1e-10)
 
 
+@pytest.mark.slow
 def test_no_scheduler_there(case, tmp_path, monkeypatch):
     monkeypatch.setattr("asperity.study.sweep.cluster._CONNECT_SECONDS", "1s")
     with pytest.raises(InputError, match="no Dask scheduler answers"):

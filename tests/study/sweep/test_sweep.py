@@ -77,6 +77,7 @@ def test_from_disk_it_is_the_same(in_memory, filled):
     assert stored["contact"].values.tolist() == ["sp", "pwr", "pwl", "wro", "wlo"]
 
 
+@pytest.mark.slow
 def test_only_unfinished_blocks_are_computed_again(case, filled, tmp_path, monkeypatch):
     import zarr
 
@@ -104,6 +105,7 @@ def test_only_unfinished_blocks_are_computed_again(case, filled, tmp_path, monke
     assert unfinished_blocks(path) == []
 
 
+@pytest.mark.slow
 def test_damaged_blocks_are_computed_again_and_said(case, in_memory, filled, tmp_path):
     path = tmp_path / "s.zarr"
     shutil.copytree(filled, path)

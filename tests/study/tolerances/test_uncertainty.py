@@ -148,6 +148,7 @@ def test_samples_follow_their_distributions(spread):
     )
 
 
+@pytest.mark.slow
 def test_a_result_that_does_not_vary_has_no_indices(spread):
     one = spread.sel(result="speed_ratio")
     assert np.all(np.isnan(one["first_order"].values))
