@@ -56,6 +56,7 @@ def test_text_and_figure(found):
         found["drive.planets"]
 
 
+@pytest.mark.long
 def test_limits_that_conflict_are_one_message(folder):
     with pytest.raises(NoSolutionError, match="Hertz pressure over first yield"):
         asperity.design(folder / "impossible.toml")

@@ -99,7 +99,7 @@ def test_miners_sum_and_the_largest_load():
     assert float(found.load_ratio[0]) == pytest.approx(300.0 / 1500.0)
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_the_loads_of_the_duty_are_those_of_joints_of_their_own(joint, solution):
     points = ((3.0, 300.0, 0.6), (-5.0, 600.0, 0.4))
     found = call_compiled(bearing_lives, duty(joint, *points), solution.result)

@@ -116,7 +116,7 @@ def of_file(joint_text):
     return found
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_equal_branches_are_the_joint_without_them(of_file):
     joint, branches = of_file([0.0] * 3)
     expected = SolvedJoint(joint, solve(joint).result).bearings

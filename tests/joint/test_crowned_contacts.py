@@ -48,7 +48,7 @@ def crowned(springs_joint):
     return jax.tree.map(np.asarray, jax.jit(evaluate)(planets_crowned(joint, RADII)))
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_cylinders_are_crowns_of_infinite_radius(springs_joint, crowned):
     even = jax.tree.map(np.asarray, jax.jit(evaluate)(springs_joint))
     pairs = zip(

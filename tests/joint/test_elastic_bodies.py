@@ -225,7 +225,7 @@ def test_shares_of_the_compliance_add_up(joint, solved):
     assert sum(shares) == pytest.approx(1.0, abs=1e-12)
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_derivatives_forward_and_reverse(joint):
     def of(x):
         made = joint(ring_support="free")

@@ -67,7 +67,7 @@ def test_draws_beyond_the_dimensions_of_profiles_are_counted(monkeypatch, dimens
     assert np.all((drawn > 1.0) & (drawn < 2.0))
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_a_narrow_interval_is_the_linear_propagation_of_the_covariance(zou_file):
     measured = measurement()
     joint = joint_from_case(with_measured_surface(read_case(zou_file), measured))

@@ -121,7 +121,7 @@ def test_only_bodies_that_bend_are_judged(joint, plain):
         assert RESULTS[f"{body}_yield_safety"].present(stiff) == (False,)
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_branches_that_differ_bend_a_free_ring_by_all_their_forces(joint, result, found):
     """Three branches with 1.4, 1.0 and 0.6 times the forces: the sum of all six contacts without symmetry."""
     forces = np.array([np.asarray(each) for each in working_forces(joint, result)])

@@ -349,7 +349,7 @@ def test_nothing_is_said_of_a_contact_that_slips_or_has_no_stiffness(rolled, cha
     assert all(np.all(np.isnan(leaf)) for leaf in jax.tree.leaves(found))
 
 
-@pytest.mark.slow
+@pytest.mark.long
 @pytest.mark.parametrize("speed", [0.0, 100.0])
 def test_gradients_are_finite_and_right(traced, speed):
     given = conditions(skew=(5e-4,) * 5)

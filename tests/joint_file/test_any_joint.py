@@ -190,7 +190,7 @@ RIMS = ("rim_stress", "rim_stress_at_rest", "rim_stress_amplitude", "rim_yield_s
 WALL = "drive.ring_wall_thickness"
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_rims_of_many_joints_are_those_of_single_ones(planar_case):
     """The document of each file; derivatives are differences of two documents; a stress of a thin ring by hand."""
     values = si_values(planar_case("planetary"))

@@ -121,6 +121,7 @@ def test_the_free_chart_offers_the_results_of_the_drive(page):
     assert title == "Torsional stiffness at the output, assembly over interference"
 
 
+@pytest.mark.long
 def test_a_finish_of_the_library_takes_the_ra_of_the_drawing(page):
     changed(page, lambda: page.locator("#value-finish").select_option("ground"))
     assert page.locator("#error").is_hidden()
@@ -174,6 +175,7 @@ def test_no_rule_of_accessibility_is_broken(page):
     assert [(each["id"], each["help"], each["nodes"][0]["html"]) for each in found] == []
 
 
+@pytest.mark.long
 def test_planets_of_unlike_sizes_have_a_table(page, tmp_path):
     """Shares of three planets, 100 % together, and a word that the rest is that of equal ones."""
     file = tmp_path / "unequal.toml"

@@ -130,7 +130,7 @@ def test_unequal_branches_have_tables_of_their_own():
     assert float(loads[2]) > 100.0
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_a_torque_that_only_the_branches_of_the_file_carry():
     """Planets 2 um too large at 13 N·m, where equal ones of nominal size carry 12.1: no figure without numbers."""
     file = Path(__file__).parents[2] / "examples" / "planetary.toml"

@@ -7,8 +7,7 @@ from collections import Counter
 from collections.abc import Iterator
 from typing import Any
 
-import jax.numpy as jnp
-
+from asperity.arrays import namespace
 from asperity.drive.planar.closure import closed
 from asperity.drive.planar.layout import CARRIER, Body, Contact, PlanarDrive
 from asperity.joint.planar.description import SOLID, BodyShape
@@ -107,6 +106,7 @@ def general_layout(values: Values) -> tuple[PlanarDrive, tuple[BodyShape, ...], 
         The drive with closed contacts, what each body is, and the interference of each contact.
     """
     rollers, contacts, drive = values["roller"].values(), values["contact"].values(), values["drive"]
+    xp = namespace(values["roller"], values["contact"], drive)
     made = PlanarDrive(
         bodies=tuple(Body(roller["name"], roller["place"]) for roller in rollers),
         contacts=tuple(
@@ -120,10 +120,10 @@ def general_layout(values: Values) -> tuple[PlanarDrive, tuple[BodyShape, ...], 
             )
             for each in contacts
         ),
-        centres=jnp.stack([_centre(roller) for roller in rollers]),
-        first_radius=jnp.stack([jnp.asarray(each["first_radius"]) for each in contacts]),
-        second_radius=jnp.stack([jnp.asarray(each["second_radius"]) for each in contacts]),
-        push_angles=jnp.array(
+        centres=xp.stack([_centre(roller) for roller in rollers]),
+        first_radius=xp.stack([xp.asarray(each["first_radius"]) for each in contacts]),
+        second_radius=xp.stack([xp.asarray(each["second_radius"]) for each in contacts]),
+        push_angles=xp.array(
             [roller.get("push_angle", 0.0) for roller in rollers if roller["place"] == "pin"], dtype=float
         ),
         sectors=drive["sectors"],
@@ -139,8 +139,9 @@ def general_layout(values: Values) -> tuple[PlanarDrive, tuple[BodyShape, ...], 
 
 
 def _centre(roller: Values) -> Any:
-    angle = jnp.asarray(roller.get("angle", 0.5 * math.pi))
-    return roller.get("orbit", 0.0) * jnp.stack([jnp.cos(angle), jnp.sin(angle)])
+    angle = roller.get("angle", 0.5 * math.pi)
+    xp = namespace(angle)
+    return roller.get("orbit", 0.0) * xp.stack([xp.cos(angle), xp.sin(angle)])
 
 
 def _shape(roller: Values) -> BodyShape:

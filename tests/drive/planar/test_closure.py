@@ -2,6 +2,7 @@
 
 import dataclasses
 
+import jax
 import jax.numpy as jnp
 import numpy as np
 import pytest
@@ -37,3 +38,17 @@ def test_radii_that_cannot_close_leave_no_more_than_what_is_missing(drives):
     small = dataclasses.replace(drive, first_radius=jnp.asarray(drive.first_radius).at[0].add(-2e-3))
     found = closed(small)
     assert 1e-4 < float(jnp.max(jnp.abs(gaps(found)))) < 1e-3
+
+
+@pytest.mark.parametrize("change", [0.0, 2e-3, np.nan])
+def test_numpy_finds_the_centres_that_a_program_finds(drives, change):
+    """Also where the gaps cannot close, and nothing where there is no layout."""
+    known = drives["wedge"]
+    moved = np.asarray(known.centres) + np.random.default_rng(4).normal(size=known.centres.shape) * 1e-4
+    radii = np.asarray(known.first_radius) - change * np.eye(len(known.contacts))[0]
+    drive = jax.tree.map(np.asarray, dataclasses.replace(known, centres=moved, first_radius=radii))
+    found = closed(drive)
+    assert isinstance(found.centres, np.ndarray)
+    expected = closed(jax.tree.map(jnp.asarray, drive))
+    np.testing.assert_allclose(found.centres, expected.centres, rtol=0.0, atol=1e-13)
+    assert np.all(np.isnan(found.centres)) == np.isnan(change)

@@ -68,7 +68,7 @@ def test_a_drive_that_stands_has_no_lives_in_hours(rated):
     assert float(found.static_safety[0]) == pytest.approx(1200.0 / (0.5 * 10.0 / 3.0 / 30e-3), rel=1e-6)
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_the_loads_of_the_duty_are_those_of_joints_of_their_own(rated):
     joint, solution = rated
     points = ((3.0, 300.0, 0.6), (-5.0, 600.0, 0.3), (12.0, 0.0, 0.1))
@@ -86,7 +86,7 @@ def test_the_loads_of_the_duty_are_those_of_joints_of_their_own(rated):
     assert found.load_ratio[0] == pytest.approx(largest[0] / 1500.0, rel=1e-9)
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_the_papers_drive_as_a_list_agrees_with_its_own_chain(case, as_planar):
     """Its own chain shares the traction by equal creep of both sides, which moves the pins' forces by 0.03 %."""
     own = jax.tree.map(np.float64, joint_from_case(case))

@@ -69,7 +69,7 @@ def test_where_one_path_carries_all_the_first_slip_is_the_end(planetary):
     }
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_the_papers_drive_holds_as_much_as_by_its_own_chain(case, as_planar):
     """There both sides of a planet share the traction equally, here a side slips first and keeps its friction."""
     own = joint_from_case(case)
@@ -146,7 +146,7 @@ def test_two_planets_of_different_friction_hold_the_sum():
         solve_planar(under_torque(joint, 28.81))
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_the_search_from_rest_finds_the_capacity_of_one_loading():
     """Two ways: each torque solved from rest, and the loading followed while two of three planets slide."""
     draws = 64

@@ -53,6 +53,7 @@ def test_the_papers_drive_agrees_with_its_own_solver(both):
     )
 
 
+@pytest.mark.long
 def test_skewed_rollers_of_the_papers_drive_agree_with_its_own_solver(case, as_planar):
     """Skew counts at the traction of the drive at rest, which the published closure shares in another way."""
     joint = dataclasses.replace(joint_from_case(case), body_model="springs")
@@ -69,6 +70,7 @@ def test_skewed_rollers_of_the_papers_drive_agree_with_its_own_solver(case, as_p
     assert float(found.power.efficiency) == pytest.approx(float(expected.power.efficiency), rel=1e-4)
 
 
+@pytest.mark.long
 def test_crowned_rollers_of_the_papers_drive_agree_with_its_own_solver(case, as_planar):
     """Planets with crowns of 0.5 m and of infinite radius; the latter are cylinders."""
     joint = dataclasses.replace(joint_from_case(case), body_model="springs")

@@ -67,7 +67,7 @@ def least(plain):
     return preload
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_a_cam_without_force_changes_nothing(plain):
     found, expected = solve_planar(with_cam(plain, 0.0)), solve_planar(plain)
     like(found.result, expected.result, 1e-9)
@@ -127,7 +127,7 @@ def test_the_stiffness_is_the_slope_of_the_whole_angle(plain, least):
     assert sum(shares) == pytest.approx(1.0, rel=1e-9)
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_curves_over_torque_are_those_of_the_joint_at_each_torque(plain, least):
     cam = with_cam(plain)
     torques = np.array([-30.0, 0.0, 5.0, 30.0])
@@ -159,7 +159,7 @@ def test_curves_over_torque_are_those_of_the_joint_at_each_torque(plain, least):
     assert float(curve.angle[-1]) == pytest.approx(float(expected), rel=1e-7)
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_lives_under_a_duty_are_those_at_its_torques(plain, least):
     duty = (DutyPoint(10.0, 100.0, 0.25), DutyPoint(40.0, 50.0, 0.75))
     cam = with_cam(plain)

@@ -90,7 +90,7 @@ def test_the_drift_begins_as_that_of_its_rolling(joint, curve):
     assert float(one.distance[1]) == pytest.approx(50e-3, rel=1e-3)
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_creep_damps_as_the_slope_of_the_lost_speed(joint):
     found = dynamics(joint, Inertias(2e-5, 0.05, 0.0))
     at, torques = found.at_torque, np.array([9.995, 10.005])
@@ -147,7 +147,7 @@ def test_a_contact_that_slides_uses_all_its_friction(joint, monkeypatch):
         assert (bool(found.balanced), bool(found.solved)) == (balanced, solved)
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_the_papers_drive_agrees_with_its_own_chain(case, as_planar):
     """Its own chain shares the traction equally between both sides of a planet, the general one by the springs."""
     own = joint_from_case(case)

@@ -20,6 +20,7 @@ def curves(planetary):
     return rolling_curves(joint=joint, result=solution.result, torque_capacity=capacity)
 
 
+@pytest.mark.long
 def test_a_load_of_the_curves_and_of_the_map_is_the_joint_under_it(curves, planetary):
     joint, _, _ = planetary
     place, row = 20, 11

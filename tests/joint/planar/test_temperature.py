@@ -164,7 +164,7 @@ def test_the_papers_drive_as_rollers_and_contacts(planar_case, joint_text):
     assert float(found.preload) < 0.6 * float(assembled)
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_two_rings_of_unlike_metals_by_the_interference_of_each(planar_case):
     """Each ring keeps its own interference, 12.6e-6 1/K of planets, and the sun's contact its displacement of them."""
     joint = planar_joint_from_case(

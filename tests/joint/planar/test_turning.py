@@ -28,7 +28,7 @@ def test_rollers_between_sun_and_ring_turn_against_the_sun():
     np.testing.assert_array_equal(driving_sense(two_rows), [1.0, -1.0, -1.0, 1.0])
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_rolling_at_another_torque_is_that_of_a_joint_with_this_torque(planar_joint):
     joint = jax.tree.map(lambda leaf: np.asarray(leaf, dtype=float), planar_joint("planetary"))
 

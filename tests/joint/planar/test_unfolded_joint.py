@@ -67,7 +67,7 @@ def test_equal_sectors_turn_and_live_as_the_joint(planetary, whole):
     )
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_equal_sectors_ring_as_the_joint(planetary, whole):
     inertias = Inertias(2e-5, 0.05, 0.0)
     found, expected = (dynamics(each, inertias) for each in (whole, planetary))

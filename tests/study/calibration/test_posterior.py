@@ -328,7 +328,7 @@ def test_joint_cut_by_bounds(cut_joint, drawn):
     assert drawn.acceptance > 0.95
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_figure(cut_joint, drawn):
     figure = posterior_figure(cut_joint, drawn)
     panels = figure.axes
@@ -337,7 +337,7 @@ def test_figure(cut_joint, drawn):
     assert panels[7].get_xlabel() == "play,\nangle [arcmin]"
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_document_and_tables(cut_joint, drawn, capsys):
     # 940 N and 0.1 N·m are the lower bounds
     document = json.loads(json.dumps(_document(cut_joint, drawn), allow_nan=False))
@@ -355,7 +355,7 @@ def test_document_and_tables(cut_joint, drawn, capsys):
     assert "load.preload: cut by lower bound" in capsys.readouterr().out
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_exact_data_have_no_posterior(cut_joint):
     (curve,) = cut_joint.curves
     exact = replace(cut_joint, curves=(replace(curve, standard_deviation=0.0),))

@@ -26,6 +26,7 @@ def found(homogeneous):
     return sensitivity(homogeneous)
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("base", range(3), ids=["length", "mass", "time"])
 def test_elasticities_obey_the_dimensions(homogeneous, found, base):
     # Euler's theorem: in units of another size every result changes by the power of its dimension
@@ -102,6 +103,7 @@ def test_a_joint_that_slips_has_no_sensitivities(joint_text):
         )
 
 
+@pytest.mark.long
 def test_where_all_spots_are_plastic_only_the_stiffness_has_no_sensitivities(joint_text):
     plastic = parse_case(joint_text.replace("fractal_dimension = 1.4", "fractal_dimension = 1.2"), source="x")
     with pytest.raises(

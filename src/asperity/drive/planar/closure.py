@@ -3,19 +3,20 @@
 from __future__ import annotations
 
 import dataclasses
+from typing import Any
 
 import equinox as eqx
 import jax
-import jax.numpy as jnp
-from jax import Array
+import numpy as np
 
+from asperity.arrays import namespace
 from asperity.drive.planar.layout import PlanarDrive, gaps, incidence
 
 _STEPS = 30
 _LONGEST_STEP = 0.2  # over the smallest radius
+_SHORTEST_STEP = 1e-14  # likewise; below it only rounding moves the centres
 
 
-@eqx.filter_jit
 def closed(drive: PlanarDrive) -> PlanarDrive:
     r"""Move the centres of a drive as little as possible until all contacts just touch.
 
@@ -39,13 +40,36 @@ def closed(drive: PlanarDrive) -> PlanarDrive:
     ----------
     Equation (M1) of :doc:`/equations`.
     """
-    floating = jnp.array(drive.floating, dtype=int)
-    longest = _LONGEST_STEP * jnp.minimum(jnp.min(drive.first_radius), jnp.min(drive.second_radius))
+    if namespace(drive) is not np:
+        return _traced_closed(drive)
+    centres = drive.centres
+    with np.errstate(all="ignore"):  # of a layout that cannot exist they are nan, as with JAX
+        for _ in range(_STEPS):
+            move = _move(drive, centres)
+            centres = centres + move
+            if np.max(np.abs(move)) <= _SHORTEST_STEP * _least_radius(drive):
+                break
+    return dataclasses.replace(drive, centres=centres)
 
-    def nearer(_: int, centres: Array) -> Array:
-        there = dataclasses.replace(drive, centres=centres)
-        moved, *_rest = jnp.linalg.lstsq(incidence(there).approach, gaps(there))
-        moved = moved * jnp.minimum(1.0, longest / jnp.maximum(jnp.max(jnp.abs(moved)), 1e-300))
-        return centres.at[floating].add(moved.reshape(-1, 2))
 
-    return dataclasses.replace(drive, centres=jax.lax.fori_loop(0, _STEPS, nearer, drive.centres))
+@eqx.filter_jit
+def _traced_closed(drive: PlanarDrive) -> PlanarDrive:
+    centres = jax.lax.fori_loop(0, _STEPS, lambda _, each: each + _move(drive, each), drive.centres)
+    return dataclasses.replace(drive, centres=centres)
+
+
+def _least_radius(drive: PlanarDrive) -> Any:
+    xp = namespace(drive)
+    return xp.minimum(xp.min(drive.first_radius), xp.min(drive.second_radius))
+
+
+def _move(drive: PlanarDrive, centres: Any) -> Any:
+    """How far all centres move in one step."""
+    xp, there = namespace(drive, centres), dataclasses.replace(drive, centres=centres)
+    approach, apart = incidence(there).approach, gaps(there)
+    if xp is np and not (np.all(np.isfinite(approach)) and np.all(np.isfinite(apart))):
+        return np.full_like(centres, np.nan)
+    moved, *_ = xp.linalg.lstsq(approach, apart, rcond=None)
+    longest = _LONGEST_STEP * _least_radius(drive)
+    moved = moved * xp.minimum(1.0, longest / xp.maximum(xp.max(xp.abs(moved)), 1e-300))
+    return np.eye(len(drive.bodies))[:, list(drive.floating)] @ moved.reshape(-1, 2)
