@@ -40,9 +40,13 @@ def test_radii_that_cannot_close_leave_no_more_than_what_is_missing(drives):
     assert 1e-4 < float(jnp.max(jnp.abs(gaps(found)))) < 1e-3
 
 
-@pytest.mark.parametrize("change", [0.0, 2e-3, np.nan])
-def test_numpy_finds_the_centres_that_a_program_finds(drives, change):
-    """Also where the gaps cannot close, and nothing where there is no layout."""
+@pytest.mark.parametrize(("change", "apart"), [(0.0, 1e-15), (2e-3, 1e-9), (np.nan, 0.0)])
+def test_numpy_finds_the_centres_that_a_program_finds(drives, change, apart):
+    """Also where the gaps cannot close, and nothing where there is no layout.
+
+    Where they close, the last Newton step is exact to the rounding of a length. Where they cannot, the steps stop at a
+    smallest step, and rounding decides at which: 200 drawn starts differ by up to 6e-12 m.
+    """
     known = drives["wedge"]
     moved = np.asarray(known.centres) + np.random.default_rng(4).normal(size=known.centres.shape) * 1e-4
     radii = np.asarray(known.first_radius) - change * np.eye(len(known.contacts))[0]
@@ -50,5 +54,5 @@ def test_numpy_finds_the_centres_that_a_program_finds(drives, change):
     found = closed(drive)
     assert isinstance(found.centres, np.ndarray)
     expected = closed(jax.tree.map(jnp.asarray, drive))
-    np.testing.assert_allclose(found.centres, expected.centres, rtol=0.0, atol=1e-13)
+    np.testing.assert_allclose(found.centres, expected.centres, rtol=0.0, atol=apart)
     assert np.all(np.isnan(found.centres)) == np.isnan(change)
