@@ -1,5 +1,7 @@
 """Margins as bars: shares of the limits, the fullest first, pass and fail in words."""
 
+import dataclasses
+import itertools
 import math
 
 import pytest
@@ -59,3 +61,19 @@ def test_no_words_lie_on_the_line_of_the_limit(shares):
         assert not words.x0 <= 100.0 <= words.x1, text.get_text()
         assert words.x0 > 0.0
         assert words.x1 < axes.get_xlim()[1]
+
+
+def test_long_names_have_two_lines_and_do_not_meet():
+    label = "safety of a ring or hollow roller against yield, worst load of the duty"
+    row = dataclasses.replace(RESULTS["slip_ratio"], label=label)
+    places = ("planet", "planet, load 1", "ring", "ring, load 12")
+    found = [Margin(row, place, 0.4, -math.inf, 1.0, True, "damage") for place in places]
+    figure = Figure(figsize=(7.0, 1.0 + 0.35 * len(found)), layout="constrained")
+    axes = figure.subplots()
+    draw_margins(axes, found)
+    figure.canvas.draw()
+    names = axes.get_yticklabels()
+    boxes = [name.get_window_extent() for name in names]
+    assert {name.get_text().count("\n") for name in names} == {1}
+    assert not any(one.overlaps(other) for one, other in itertools.combinations(boxes, 2))
+    assert axes.get_position().width > 0.3

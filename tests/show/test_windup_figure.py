@@ -1,5 +1,6 @@
 """Wind-up as a picture: the loop, its deviation from a straight line, and the stiffness, of a known curve."""
 
+import itertools
 import math
 from types import SimpleNamespace
 
@@ -52,6 +53,18 @@ def onset():
 @pytest.fixture
 def turning(onset):
     return windup_figure(loop_of(), onset, title="a joint").axes[3:]
+
+
+def test_tiny_angles_leave_room_for_the_panels_of_a_narrow_page(onset):
+    """Long tick labels took all the width, the layout was given up, and the panels lay over each other."""
+    curve = loop_of()
+    for name in ("angle", "unloading_angle", "reloading_angle"):
+        setattr(curve, name, getattr(curve, name) * 1e-3)
+    figure = windup_figure(curve, onset, title="", stacked=True)
+    FigureCanvasAgg(figure).draw()
+    boxes = [panel.get_tightbbox() for panel in figure.axes]
+    assert not any(one.overlaps(other) for one, other in itertools.combinations(boxes, 2))
+    assert all(panel.get_position().width > 0.2 for panel in figure.axes)
 
 
 def test_deviation_shows_the_hysteresis_that_the_loop_hides(panels):

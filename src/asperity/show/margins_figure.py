@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import textwrap
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
@@ -15,6 +16,7 @@ if TYPE_CHECKING:
 PASS_COLOUR, FAIL_COLOUR = "#2c7fb8", "#d95f02"
 _SERIOUS = ("function", "damage", "accuracy")
 _WORDS = 0.18  # width of the words at a bar over that of the picture
+_LETTERS = 48  # of a line of a bar's name; a longer name has two lines
 
 
 def drawn_margins(found: Sequence[Margin]) -> list[Margin]:
@@ -76,7 +78,7 @@ def draw_margins(axes: Axes, found: Sequence[Margin]) -> None:
             color="white" if inside else "black",
             fontsize="small",
         )
-    axes.set_yticks(range(len(shown)), names)
+    axes.set_yticks(range(len(shown)), names, fontsize="small", linespacing=0.95)
     axes.axvline(100.0, color="black", linewidth=1.2)
     axes.set_xlim(0.0, right)
     axes.invert_yaxis()
@@ -84,4 +86,4 @@ def draw_margins(axes: Axes, found: Sequence[Margin]) -> None:
 
 
 def _name(margin: Margin) -> str:
-    return f"{margin.result.label}, {margin.place}".removesuffix(", ")
+    return textwrap.fill(f"{margin.result.label}, {margin.place}".removesuffix(", "), _LETTERS)

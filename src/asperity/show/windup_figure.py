@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 _ARCMINUTES, _DEGREES = 10800.0 / np.pi, 180.0 / np.pi
 _Rows = tuple[tuple[tuple[int, int], ...], ...]
 #: Columns of the panels out of 6, row by row; the last row is that of the joint that turns.
-_NARROW: _Rows = (((0, 3), (3, 6)), ((0, 6),), ((0, 3), (3, 6)))
+_NARROW: _Rows = (((0, 1), (1, 2)), ((0, 2),), ((0, 1), (1, 2)))
 _WIDE: _Rows = (((0, 2), (2, 4), (4, 6)), ((0, 3), (3, 6)))
 _LEGEND_LINE = 0.11  # height of a line of a legend over that of a narrow panel
 
@@ -48,7 +48,7 @@ def windup_figure(
     rows = rows if onset is not None else rows[:-1]
     width, height = (7.0, 2.8) if stacked else (14.0, 4.2)
     figure = Figure(figsize=(width, height * len(rows)), layout="constrained")
-    grid = figure.add_gridspec(len(rows), 6)
+    grid = figure.add_gridspec(len(rows), rows[-1][-1][1])
     loop, deviation, stiffness, *turning = (
         figure.add_subplot(grid[row, slice(*columns)])
         for row, places in enumerate(rows)
@@ -56,7 +56,7 @@ def windup_figure(
     )
     straight = curve.torque * ((curve.angle[-1] - curve.angle[0]) / (curve.torque[-1] - curve.torque[0]))
     for angle, color, line, label in (
-        (curve.angle, "black", "-", "first loading, either direction"),
+        (curve.angle, "black", "-", "first loading, either way"),
         (curve.unloading_angle, "tab:blue", "--", "unloading"),
         (curve.reloading_angle, "tab:orange", "-.", "reloading"),
     ):
@@ -70,6 +70,7 @@ def windup_figure(
     )
     loop.axhline(0.0, color="0.8", linewidth=0.8, zorder=0)
     loop.axvline(0.0, color="0.8", linewidth=0.8, zorder=0)
+    loop.locator_params(axis="x", nbins=4)
     loop.set(xlabel="angle at the output [arcmin]", ylabel="torque at the output\n[N·m]")
     _legend_above(loop)
     stiffness.plot(curve.torque, curve.stiffness / _ARCMINUTES, color="black", label="incremental")
