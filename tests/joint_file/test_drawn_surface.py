@@ -91,6 +91,15 @@ def test_states_of_a_stated_tolerance_by_hand(states):
     assert "Ra of both bodies from 0.15 um to 0.25 um and 0.08 um to 0.12 um at the cut-off" in found["words"]
 
 
+def test_a_smooth_partner_stays_smooth(states):
+    found, _, average = states(
+        SURFACE.replace("0.2 um", "0.2 um +- 0.05 um") + 'partner_roughness_average = "0 um"\n'
+    )
+    assert found["surfaces"]["surface"]["partner_roughness_average_m"] == [0.0, 0.0]
+    along = np.linspace(-1.0, 1.0, 5)[:, None]
+    np.testing.assert_allclose(average, np.tile(0.2e-6 * (1.0 + 0.25 * along), 15), rtol=1e-6)
+
+
 def test_a_partner_without_a_tolerance_scatters_as_measured_once(states):
     text = SURFACE.replace("0.2 um", "0.2 um +- 0.05 um") + 'partner_roughness_average = "0.1 um"\n'
     ends = states(text)[0]["surfaces"]["surface"]["partner_roughness_average_m"]

@@ -1,6 +1,7 @@
 """A finish in a surface: what it fills in, and what is refused with a reason."""
 
 import pytest
+import tomlkit
 
 from asperity.errors import InputError
 from asperity.joint_file.edited_text import joint_file_text
@@ -100,7 +101,15 @@ def test_each_contact_may_have_its_own():
         ),
         (
             'finish = "ground"\nfractal_roughness = "1e-8 mm"\npartner_mean_roughness_depth = "1.6 um"',
-            "only with roughness_average or mean_roughness_depth",
+            "surface: partner_mean_roughness_depth: only with roughness_average or mean_roughness_depth",
+        ),
+        (
+            'finish = "ground"\nroughness_average = "0.1 um +- 0.2 um"',
+            r"roughness_average: '0\.1 um \+- 0\.2 um' reaches below zero; its tolerance has to be smaller",
+        ),
+        (
+            'finish = "ground"\nroughness_average = "0.2 um"\npartner_roughness_average = "0 um +- 0.1 um"',
+            r"partner_roughness_average: '0 um \+- 0\.1 um' reaches below zero",
         ),
         (
             'finish = "ground"\nroughness_average = "0.2 um"\npartner_mean_roughness_depth = "1 um"\n'
@@ -190,6 +199,9 @@ def test_a_file_with_an_rz_is_written_back_with_the_ra_that_a_study_had(case_wit
         back = parse_case(written, source="b.toml")
         assert back.surface.mean_roughness_depth is None
         assert back.surface.partner_mean_roughness_depth is None
+        keys = list(tomlkit.parse(written)["surface"])  # the same whatever the hashes of texts are
+        both = ["roughness_average", "cut_off", *(["partner_roughness_average"] if partner else [])]
+        assert [key for key in keys if key in both] == both
         assert back.text == written
         wanted = replace_values(si_values(case), changes)["surface"]
         assert si_values(back)["surface"] == wanted

@@ -113,7 +113,7 @@ def drawn_interval(case: Case | PlanarCase) -> dict[str, Any] | None:
         assert average is not None
         dimension = entry.fractal_dimension.value + entry.fractal_dimension.tolerance * across.ravel()
         averages = {
-            key: each.value * (1.0 + _spread(each, dimension) * along.ravel())
+            key: each.value + _half_width(each, dimension) * along.ravel()
             for key in (_AVERAGE, _PARTNER)
             if (each := getattr(entry, key)) is not None
         }
@@ -160,10 +160,9 @@ def _words(interval: dict[str, Any]) -> str:
     return " ".join([*told, "All other values are those of the middle."])
 
 
-def _spread(average: Quantity, dimension: np.ndarray) -> Any:
-    """Relative half-width of Ra: its tolerance, or the scatter of one evaluation length for each D."""
+def _half_width(average: Quantity, dimension: np.ndarray) -> Any:
+    """Half-width of Ra [m]: its tolerance, or the scatter of one evaluation length for each D."""
     if average.tolerance > 0.0:
-        return average.tolerance / average.value
-    return _NORMAL_95 * np.array(
-        [scatter_of_average(fractal_dimension=d, cut_offs=CUT_OFFS_EVALUATED) for d in dimension]
-    )
+        return average.tolerance
+    scatter = [scatter_of_average(fractal_dimension=d, cut_offs=CUT_OFFS_EVALUATED) for d in dimension]
+    return average.value * _NORMAL_95 * np.array(scatter)

@@ -119,7 +119,9 @@ def _edited(text: str, case: AnyCase, written: Mapping[str, float | str]) -> str
         (surfaces, texts),
         *((surfaces[name], each) for name, each in texts.items() if isinstance(each, dict)),
     ]:
-        for depth in {DEPTH, PARTNER_DEPTH} & stated.keys():
+        for depth in (DEPTH, PARTNER_DEPTH):
+            if depth not in stated:
+                continue
             del table[depth]
             average = depth.replace(DEPTH, "roughness_average")
             table.update({name: stated[name] for name in (average, "cut_off")})

@@ -112,25 +112,30 @@ def _whole(entry: dict[str, Any]) -> dict[str, Any]:
 
 def _with_averages(entry: dict[str, Any]) -> dict[str, Any]:
     """A surface with the Ra that its Rz means, and that of its partner."""
-    filled, given = entry, _read(entry, "cut_off", limits.CUT_OFF).value if "cut_off" in entry else None
-    cut_off = given
     if DEPTH in entry:
         depth = _read(entry, DEPTH, limits.MEAN_ROUGHNESS_DEPTH)
-        cut_off = given or depth_cut_off(mean_roughness_depth=depth.value)
-        filled = _with_average(entry, DEPTH, depth, cut_off)
+        standard = depth_cut_off(mean_roughness_depth=depth.value)
+        filled = _with_average(entry, DEPTH, depth, _cut_off(entry, standard))
+    elif PARTNER_DEPTH in entry and _AVERAGE in entry:
+        average = _read(entry, _AVERAGE, limits.ROUGHNESS_AVERAGE)
+        filled, standard = entry, standard_cut_off(roughness_average=average.value)
+    else:
+        return entry
     if PARTNER_DEPTH not in entry:
         return filled
-    if cut_off is None and _AVERAGE in entry:
-        average = _read(entry, _AVERAGE, limits.ROUGHNESS_AVERAGE).value
-        cut_off = standard_cut_off(roughness_average=average)
     depth = _read(entry, PARTNER_DEPTH, limits.MEAN_ROUGHNESS_DEPTH)
     own = depth_cut_off(mean_roughness_depth=depth.value)
-    if given is None and cut_off not in (None, own):
+    if "cut_off" not in entry and own != standard:
         raise InputError(
             f".{PARTNER_DEPTH}: ISO 4288 measures this Rz with the cut-off {format_quantity(own, 'mm')} and the other "
-            f"body with {format_quantity(cut_off, 'mm')}; measure both with one cut-off, and give it as cut_off"
+            f"body with {format_quantity(standard, 'mm')}; measure both with one cut-off, and give it as cut_off"
         )
-    return _with_average(filled, PARTNER_DEPTH, depth, cut_off or own)
+    return _with_average(filled, PARTNER_DEPTH, depth, _cut_off(entry, standard))
+
+
+def _cut_off(entry: dict[str, Any], standard: float) -> float:
+    """The cut-off that a surface states, or else the standard one [m]."""
+    return _read(entry, "cut_off", limits.CUT_OFF).value if "cut_off" in entry else standard
 
 
 def _with_average(entry: dict[str, Any], key: str, depth: Quantity, cut_off: float) -> dict[str, Any]:

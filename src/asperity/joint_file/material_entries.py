@@ -6,7 +6,7 @@ from typing import Annotated
 
 from pydantic import Discriminator, StringConstraints, Tag, model_validator
 
-from asperity.errors import InputError
+from asperity.errors import InputError, quoted
 from asperity.joint_file import limits
 from asperity.joint_file.quantity_key import Quantity
 from asperity.joint_file.section import ONE_FOR_ALL, ONE_FOR_EACH, EachContact, Section, table_or_tables
@@ -96,12 +96,18 @@ class SurfaceEntry(Section):
                 "exactly one of 'fractal_roughness' and 'roughness_average' (or 'mean_roughness_depth') is needed, "
                 f"got {found}"
             )
-        of_average = ("partner_roughness_average", "cut_off")
+        of_average = ("partner_roughness_average", "partner_mean_roughness_depth", "cut_off")
         lonely = [name for name in of_average if getattr(self, name) is not None]
         if lonely and self.roughness_average is None:
             raise InputError(
                 f"{' and '.join(lonely)}: only with roughness_average or mean_roughness_depth; leave out, or give one"
             )
+        for name in ("roughness_average", "partner_roughness_average"):
+            average = getattr(self, name)
+            if average is not None and average.tolerance > average.value:
+                raise InputError(
+                    f"{name}: {quoted(average.text)} reaches below zero; its tolerance has to be smaller"
+                )
         return self
 
 
