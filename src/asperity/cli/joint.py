@@ -12,6 +12,7 @@ from asperity.writing import check_image, write_image
 
 if TYPE_CHECKING:
     from asperity.joint.either_kind import AnyJoint
+    from asperity.joint.results import SolvedJoint
     from asperity.joint.size_errors import SizeErrorCurves
     from asperity.joint_file.model import Case
     from asperity.joint_file.planar_model import PlanarCase
@@ -44,7 +45,6 @@ def joint(file: str, as_json: bool, surfaces: tuple[str, ...], plot_file: str | 
     place of the file's, and their uncertainty comes out as an interval of stiffness and drift. So does what Ra
     leaves open where the file states surfaces by their Ra.
     """
-    from asperity.joint_file.planar_model import PlanarCase
     from asperity.joint_file.reader import read_any_case
 
     check_image(plot_file)
@@ -60,9 +60,6 @@ def joint(file: str, as_json: bool, surfaces: tuple[str, ...], plot_file: str | 
 
         measured = measured_surface(surfaces)
         case = with_measured_surface(case, measured)
-    if isinstance(case, PlanarCase):
-        _planar(case, file, as_json, measured, plot_file)
-        return
     from asperity.joint_file.solved_document import solve_case
 
     with about(file):
@@ -72,24 +69,35 @@ def joint(file: str, as_json: bool, surfaces: tuple[str, ...], plot_file: str | 
         from asperity.show.compliance_figure import joint_figure
         from asperity.show.style import plain_title
 
-        errors = None
-        if solved.branches is not None:
-            from asperity.joint.branches import BranchedJoint
-            from asperity.joint_file.build import branches_from_case
-
-            interference, sizes = branches_from_case(case)
-            errors = _size_errors(BranchedJoint(solved.joint, interference), sizes)
+        errors = _size_errors(case, solved)
         write_image(joint_figure(solved, title=plain_title(file), size_errors=errors), plot_file)
         say_written(plot_file)
     _show(document, file, as_json)
 
 
-def _size_errors(branched: Any, sizes: Any) -> SizeErrorCurves:
-    """Unequal branches over the size of the first."""
+def _size_errors(case: Case | PlanarCase, solved: SolvedJoint) -> SizeErrorCurves | None:
+    """Branches of unlike sizes over the size of the first; None where the file has none."""
     import numpy as np
 
     from asperity.joint.size_errors import size_error_curves
+    from asperity.joint_file.planar_model import PlanarCase
 
+    if solved.branches is None:
+        return None
+    branched: Any
+    sizes: Any
+    if isinstance(case, PlanarCase):
+        from asperity.joint_file.planar_build import branched_planar, deviations_of
+        from asperity.joint_file.si_tables import si_values
+
+        branched = branched_planar(case, solved.joint, solved.solution)
+        sizes = deviations_of(si_values(case))
+    else:
+        from asperity.joint.branches import BranchedJoint
+        from asperity.joint_file.build import branches_from_case
+
+        interference, sizes = branches_from_case(case)
+        branched = BranchedJoint(solved.joint, interference)
     widest = 0.4 * branched.interference
     return size_error_curves(branched, sizes, np.linspace(-widest, widest, 17))
 
@@ -110,28 +118,6 @@ def _interval(
         "measured_surface": measurement_document(measurement=measured),
         "stiffness_interval": stiffness_interval(described, measured),
     }
-
-
-def _planar(
-    case: PlanarCase, file: str, as_json: bool, measured: SurfaceMeasurement | None, plot_file: str | None
-) -> None:
-    """The joint with another drive than the paper's."""
-    from asperity.joint_file.solved_document import solve_case
-
-    with about(file):
-        solved, document = solve_case(case)
-        document |= _interval(case, solved.joint, measured)
-    if plot_file:
-        from asperity.joint_file.planar_build import branched_planar, deviations_of
-        from asperity.joint_file.si_tables import si_values
-        from asperity.show.compliance_figure import joint_figure
-        from asperity.show.style import plain_title
-
-        branched = branched_planar(case, solved.joint, solved.solution)
-        errors = None if branched is None else _size_errors(branched, deviations_of(si_values(case)))
-        write_image(joint_figure(solved, title=plain_title(file), size_errors=errors), plot_file)
-        say_written(plot_file)
-    _show(document, file, as_json)
 
 
 def _show(document: dict[str, Any], file: str, as_json: bool) -> None:

@@ -32,7 +32,6 @@ def loads(file: str, csv_file: str | None, as_json: bool) -> None:
 
     One column each: without torque, under the working torque, and under every load [[duty]] of FILE.
     """
-    from asperity.joint_file.planar_model import PlanarCase
     from asperity.joint_file.reader import read_any_case
 
     check_file(csv_file, file)
@@ -42,7 +41,7 @@ def loads(file: str, csv_file: str | None, as_json: bool) -> None:
     use_double_precision()
     use_compilation_cache()
     with about(file):
-        document = _of_planar_drive(case) if isinstance(case, PlanarCase) else _of_the_papers_drive(case)
+        document = _document(case)
     if csv_file:
         _write(document, csv_file)
         say_written(csv_file)
@@ -54,23 +53,18 @@ def loads(file: str, csv_file: str | None, as_json: bool) -> None:
     _show(document, file)
 
 
-def _of_the_papers_drive(case: Case) -> Document:
+def _document(case: Case | PlanarCase) -> Document:
     from asperity.joint.loads_document import load_cases, loads_document
-    from asperity.joint.strength_document import bearing_entries
-    from asperity.joint_file.solved_document import solved_case
-
-    solved = solved_case(case)
-    cases = load_cases(solved)
-    return loads_document(solved.joint, cases, bearing_entries(solved), solved.branches)
-
-
-def _of_planar_drive(case: PlanarCase) -> Document:
     from asperity.joint.planar.loads_document import planar_loads_document
     from asperity.joint.strength_document import bearing_entries
+    from asperity.joint_file.planar_model import PlanarCase
     from asperity.joint_file.solved_document import solved_case
 
     solved = solved_case(case)
-    return planar_loads_document(solved, bearing_entries(solved))
+    bearings = bearing_entries(solved)
+    if isinstance(case, PlanarCase):
+        return planar_loads_document(solved, bearings)
+    return loads_document(solved.joint, load_cases(solved), bearings, solved.branches)
 
 
 def _column(case: Document, line: str) -> str:

@@ -20,8 +20,6 @@ from asperity.joint.windup import StiffnessLevel, Windup
 from asperity.joint.windup_document import examined_windup
 from asperity.units import format_quantity
 
-#: The wind-up's stages are not exported; any bounds will do.
-
 
 @dataclass(frozen=True)
 class MovingParts:

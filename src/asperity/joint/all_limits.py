@@ -90,7 +90,7 @@ def _duty_rims(solved: SolvedJoint, stuck: list[bool]) -> list[LimitCheck]:
         if sticks:
             continue
         under = copy.copy(solved)
-        under.__dict__["rims"] = rims
+        under.rims = rims
         for row in rows:
             for place, value in row.rows_of(under).items():
                 known = worst.get((row.name, place))

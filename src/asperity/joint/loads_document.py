@@ -102,8 +102,8 @@ def load_cases(solved: SolvedJoint) -> tuple[LoadCase, ...]:
     numbers: Joint = jax.tree.map(lambda leaf: np.asarray(leaf, dtype=float), solved.joint)
     cases = [LoadCase("without torque", 0.0, 0.0, None, None, loads_at_rest(numbers), None, None)]
     cases.append(_case("working torque", numbers, solved.result, None))
-    for index, state in enumerate(solved.duty_states):
-        cases.append(_case(f"duty {index + 1}", *state, float(numbers.rolling.duty[index].share)))
+    for index, (there, result) in enumerate(solved.duty_states):
+        cases.append(_case(f"duty {index + 1}", there, result, float(numbers.rolling.duty[index].share)))
     return tuple(cases)
 
 

@@ -91,16 +91,15 @@ def joint_report(source: ReportSource) -> Report:
     NoSolutionError
         If the force balance does not close.
     """
-    case = source.case
-    parts = _planar_parts(source, case) if isinstance(case, PlanarCase) else _papers_parts(source, case)
+    parts = _parts(source)
     document, solved = parts.document, parts.solved
-    found = _examined(parts.joint, solved, document, case)
+    found = _examined(solved, document, source.case)
     pictures = report_pictures(
-        parts.joint,
+        solved.joint,
         solved,
         found.windup,
         found.onset,
-        math.copysign(found.rolling_capacity, float(parts.joint.output_torque)),
+        math.copysign(found.rolling_capacity, float(solved.joint.output_torque)),
         name=source.name,
     )
     blocks = (
@@ -148,7 +147,6 @@ def joint_report(source: ReportSource) -> Report:
 class _Parts:
     """A solved joint, and the blocks that belong to its kind of drive."""
 
-    joint: AnyJoint
     solved: SolvedJoint
     document: dict[str, Any]
     loads: dict[str, Any]
@@ -157,31 +155,22 @@ class _Parts:
     branches: tuple[Block, ...] = ()
 
 
-def _papers_parts(source: ReportSource, case: Case) -> _Parts:
-    solved, document = solve_case(case)
-    joint, branches = solved.joint, solved.branches
+def _parts(source: ReportSource) -> _Parts:
+    solved, document = solve_case(source.case)
+    bearings = document["bearings"]
+    if isinstance(source.case, PlanarCase):
+        loads = planar_loads_document(solved, bearings)
+        drive = result_tables.planar_drive(document)
+    else:
+        loads = loads_document(solved.joint, load_cases(solved), bearings, solved.branches)
+        drive = result_tables.drive(document)
     return _Parts(
-        joint,
         solved,
         document,
-        loads_document(joint, load_cases(solved), document["bearings"], branches),
-        surfaces=(*_measured(joint, source, case), surface_tables.averages(document)),
-        drive=(*result_tables.drive(document), *load_tables.rims(document)),
-        branches=() if branches is None else tuple(branch_tables(document["branches"])),
-    )
-
-
-def _planar_parts(source: ReportSource, case: PlanarCase) -> _Parts:
-    solved, document = solve_case(case)
-    joint, branches = solved.joint, solved.branches
-    return _Parts(
-        joint,
-        solved,
-        document,
-        planar_loads_document(solved, document["bearings"]),
-        surfaces=(*_measured(joint, source, case), surface_tables.averages(document)),
-        drive=(*result_tables.planar_drive(document), *load_tables.rims(document)),
-        branches=() if branches is None else tuple(branch_tables(document["branches"])),
+        loads,
+        surfaces=(*_measured(solved.joint, source, source.case), surface_tables.averages(document)),
+        drive=(*drive, *load_tables.rims(document)),
+        branches=() if solved.branches is None else tuple(branch_tables(document["branches"])),
     )
 
 
@@ -196,7 +185,8 @@ class _Examined:
     rolling_capacity: float
 
 
-def _examined(joint: AnyJoint, solved: SolvedJoint, document: dict[str, Any], case: AnyCase) -> _Examined:
+def _examined(solved: SolvedJoint, document: dict[str, Any], case: AnyCase) -> _Examined:
+    joint: AnyJoint = solved.joint
     capacity = document["rolling"]["torque_capacity_Nm"]
     capacity = math.inf if capacity is None else float(capacity)
     try:

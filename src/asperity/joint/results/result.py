@@ -76,8 +76,10 @@ class SolvedJoint:
         Comparisons with what is usual, which are requirements too.
     """
 
-    #: What came out, where one joint was solved on its own.
-    solution: Any = None
+    #: Of one joint that was solved on its own: what came out, and the joint under each load of its duty with what comes
+    #: out there, branches equal.
+    solution: Any
+    duty_states: Any
 
     def __init__(
         self,
@@ -162,11 +164,6 @@ class SolvedJoint:
             return self._rims(self.joint, self.result)
         working = self.branches.working(turns=float(self.joint.sun_speed) != 0.0)
         return self._branch_rims(*self.branches.contact_forces(working))
-
-    @functools.cached_property
-    def duty_states(self) -> tuple[tuple[Any, Any], ...]:
-        """The joint under each load of its duty, and its result, with equal branches; of one joint alone."""
-        raise NotImplementedError
 
     @functools.cached_property
     def duty_rims(self) -> tuple[Any, ...]:
