@@ -57,6 +57,44 @@ def test_the_end_is_where_the_slip_ratio_reaches_1_and_found_with_few_joints(cur
     assert len(asked) <= (1 if missing == 0.0 else 16)
 
 
+@pytest.mark.parametrize("missing", [0.0, 1e-9, 1e-7, 1e-4, 0.04, 0.3, 0.6])
+@pytest.mark.parametrize("share", [1e-3, 0.3, 0.99])
+@pytest.mark.parametrize(
+    "curve", [lambda x: x, lambda x: x**1.2, lambda x: x**0.8, lambda x: max(0.9 * x, 1.0 + 4.0 * (x - 1.0))]
+)
+def test_a_state_that_is_known_saves_joints(curve, share, missing):
+    """At most three more than without it, where it tells nothing of the end."""
+    asked, end = [], 10.0 * (1.0 - missing)
+
+    def slip(torque):
+        asked.append(torque)
+        return curve(torque / end) if torque <= end else np.nan
+
+    torque = share * end
+    found = _largest(slip, 10.0, (torque, curve(share)))
+    assert found == pytest.approx(end, abs=2e-8)
+    assert found <= end
+    with_it = len(asked)
+    assert torque < min(asked)
+    asked.clear()
+    _largest(slip, 10.0)
+    assert with_it <= len(asked) + 3
+
+
+def test_a_line_through_the_known_state_ends_at_once():
+    asked = []
+
+    def slip(torque):
+        asked.append(torque)
+        return torque / 8.0 if torque <= 8.0 else np.nan
+
+    assert _largest(slip, 10.0, (4.0, 0.5)) == pytest.approx(8.0, abs=1e-8)
+    assert len(asked) == 2
+    asked.clear()
+    assert _largest(slip, 7.0, (4.0, 0.5)) == pytest.approx(7.0, abs=1e-8)
+    assert len(asked) == 1
+
+
 def test_an_end_without_a_warning_is_found_by_halving():
     """Where the balance ends while no contact slips."""
     for ratio in (0.0, 0.5, -1.0):

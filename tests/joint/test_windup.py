@@ -42,9 +42,22 @@ def test_loading_curve_of_a_mindlin_spring(mindlin):
 def test_unloading_follows_masing(mindlin):
     torque = np.asarray(mindlin.torque)
     expected = mindlin_angle(LARGEST) - 2.0 * mindlin_angle((LARGEST - torque) / 2.0)
-    np.testing.assert_allclose(mindlin.unloading_angle, expected, rtol=1e-9, atol=1e-15)
-    np.testing.assert_allclose(mindlin.reloading_angle, -expected[::-1], rtol=1e-9, atol=1e-15)
+    near_zero = 1e-10 * mindlin_angle(
+        LARGEST
+    )  # where the branch crosses, an error over the angle has no meaning
+    np.testing.assert_allclose(mindlin.unloading_angle, expected, rtol=1e-9, atol=near_zero)
+    np.testing.assert_allclose(mindlin.reloading_angle, -expected[::-1], rtol=1e-9, atol=near_zero)
     np.testing.assert_allclose(torque, -torque[::-1], atol=1e-9)
+
+
+@pytest.mark.parametrize("share", [0.5, 0.9, 0.99, 0.999])
+def test_loops_up_to_nearly_the_capacity_are_exact(share):
+    """With 40 steps, four nodes in every panel err by 1e-4 at 99.9 %."""
+    largest = share * LIMIT
+    found = windup_of(mindlin_compliances, largest_torque=largest, stage_shares=STAGES, play=NO_PLAY)
+    half = mindlin_angle(largest) - 2.0 * mindlin_angle(largest / 2.0)
+    assert float(found.hysteresis) == pytest.approx(2.0 * half, rel=1e-6)
+    assert float(found.angle[-1]) == pytest.approx(mindlin_angle(largest), rel=1e-7)
 
 
 def test_figures_of_the_loop_of_a_mindlin_spring(mindlin):

@@ -45,7 +45,7 @@ class BothSenses(eqx.Module):
     braking_drift: Array
 
 
-def both_senses(*, joint: Joint | PlanarJoint, torque: Array) -> BothSenses:
+def both_senses(*, joint: Joint | PlanarJoint, torque: Array | np.ndarray) -> BothSenses:
     """Stiffness and drift of a joint at given torques.
 
     Parameters
@@ -74,8 +74,8 @@ def both_senses(*, joint: Joint | PlanarJoint, torque: Array) -> BothSenses:
     return BothSenses(torques, published, series, assembly, slip, driving, braking_drift=found[1][-1])
 
 
-def _planar(joint: PlanarJoint, torque: Array) -> BothSenses:
-    found = over_torque(joint, torque, no_slip_friction=NO_SLIP_FRICTION)
+def _planar(joint: PlanarJoint, torque: Array | np.ndarray) -> BothSenses:
+    found = over_torque(joint, np.asarray(torque), no_slip_friction=NO_SLIP_FRICTION)
     slip = np.max(np.asarray(found.slip_ratio), axis=1)
     solved = np.asarray(found.solved)
     levels = {

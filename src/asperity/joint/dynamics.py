@@ -157,7 +157,7 @@ def _between_inertias(
 
 def _planar_dynamics(joint: PlanarJoint, inertias: Inertias, torques: np.ndarray) -> JointDynamics:
     """A joint with a planar drive about each of the torques, as NumPy arrays."""
-    found = over_torque(joint, jnp.asarray(torques), no_slip_friction=NO_SLIP_FRICTION)
+    found = over_torque(joint, np.asarray(torques), no_slip_friction=NO_SLIP_FRICTION)
     stiffness = np.where(found.solved, np.asarray(found.assembly)[:, 0], np.nan)
     ratio = float(np.asarray(planar_speed_ratio(joint.drive)))
     slope = np.asarray(found.lost_speed_slope) * abs(float(joint.input_speed) / ratio)

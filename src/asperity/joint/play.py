@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import equinox as eqx
 import jax.numpy as jnp
+import numpy as np
 from jax import Array
 
 from asperity.types import Real
@@ -28,7 +29,7 @@ class Play(eqx.Module):
 NO_PLAY = Play(angle=0.0, take_up_torque=0.0)
 
 
-def play_angle(*, play: Play, output_torque: Real) -> Array:
+def play_angle(*, play: Play, output_torque: Real | np.ndarray) -> Array:
     r"""Angle that the play adds to the wind-up.
 
     .. math:: \varphi_p(T) = \tfrac12 \varphi_0 \tanh(T/T_p)
@@ -59,7 +60,7 @@ def play_angle(*, play: Play, output_torque: Real) -> Array:
     return 0.5 * play.angle * jnp.where(gradual, jnp.tanh(scaled), jnp.sign(torque))
 
 
-def play_compliance(*, play: Play, output_torque: Real) -> Array:
+def play_compliance(*, play: Play, output_torque: Real | np.ndarray) -> Array:
     r"""Derivative of :func:`play_angle` by the torque.
 
     .. math:: \frac{d\varphi_p}{dT} = \frac{\varphi_0}{2 T_p} \left[1 - \tanh^2(T/T_p)\right]

@@ -13,7 +13,7 @@ import numpy as np
 from asperity.compilation import compile_fast
 from asperity.errors import NoSolutionError
 from asperity.joint.description import Joint
-from asperity.joint.evaluation import evaluate
+from asperity.joint.evaluation import JointResult, evaluate
 from asperity.joint.rolling_document import unknown_because
 from asperity.joint.solve import Solution
 from asperity.units import format_quantity
@@ -50,14 +50,24 @@ def rolling_capacity_of(joint: Joint, solution: Solution, *, direction: float) -
     at_rest = solution.reverse_capacity if direction < 0.0 else solution.capacity
 
     def slip(torque: float) -> float:
-        result = program(dataclasses.replace(numbers, output_torque=np.float64(direction * torque)))
-        rolling, ratio = result.rolling, float(np.max(np.asarray(result.rolling.slip_ratio)))
-        return ratio if np.isfinite(np.asarray(rolling.residual)) else math.nan
+        return _worst_slip(
+            program(dataclasses.replace(numbers, output_torque=np.float64(direction * torque)))
+        )
 
-    return _largest(slip, float(at_rest.output_torque))
+    own, ratio = direction * float(joint.output_torque), _worst_slip(solution.result)
+    known = (own, ratio) if own > 0.0 and 0.0 < ratio < 1.0 else None
+    return _largest(slip, float(at_rest.output_torque), known)
 
 
-def _largest(slip: Callable[[float], float], at_rest: float) -> float:
+def _worst_slip(result: JointResult) -> float:
+    """Slip ratio of the worst contact in rolling; nan where the joint does not roll."""
+    ratio = float(np.max(np.asarray(result.rolling.slip_ratio)))
+    return ratio if np.isfinite(np.asarray(result.rolling.residual)) else math.nan
+
+
+def _largest(
+    slip: Callable[[float], float], at_rest: float, known: tuple[float, float] | None = None
+) -> float:
     """The largest torque that rolls; the states form one interval from 0.
 
     Parameters
@@ -66,11 +76,14 @@ def _largest(slip: Callable[[float], float], at_rest: float) -> float:
         Slip ratio of the worst contact under a torque; from 1 on it does not roll, nor where the ratio is nan.
     at_rest : float
         The torque that it is below.
+    known : tuple of float, optional
+        A torque that rolls, and its slip ratio.
 
     Notes
     -----
-    Most joints roll up to nearly the capacity at rest, which is tried first. Then the slip ratios of the torques that
-    roll are extended to 1, and torques a little below and above that enclose the end.
+    The slip ratios of the torques that roll are extended to 1, and torques a little below and above that enclose the
+    end. Where that is beyond the capacity at rest, or no torque is known that rolls, the joint may roll up to nearly
+    that capacity, which is tried first.
     """
     if not math.isfinite(at_rest):
         return at_rest
@@ -78,6 +91,10 @@ def _largest(slip: Callable[[float], float], at_rest: float) -> float:
     low, high, misses = 0.0, at_rest, 0
     rolled = [(0.0, 0.0)]  # a guess: no torque, no slip
     torque = at_rest - 0.9 * least
+    if known is not None and known[0] < torque:
+        low = known[0]
+        rolled.append(known)
+        torque = _next(rolled, low, high, 0.45 * least, misses, open_end=True)
     while high - low > least:
         width = high - low
         ratio = slip(torque)
@@ -87,18 +104,22 @@ def _largest(slip: Callable[[float], float], at_rest: float) -> float:
         else:
             high = torque
         misses = misses + 1 if high - low > 0.6 * width else 0
-        torque = _next(rolled, low, high, 0.45 * least, misses)
+        torque = _next(rolled, low, high, 0.45 * least, misses, open_end=high == at_rest)
     return low
 
 
-def _next(rolled: list[tuple[float, float]], low: float, high: float, error: float, misses: int) -> float:
-    """The torque to try between one that rolls and one that does not."""
+def _next(
+    rolled: list[tuple[float, float]], low: float, high: float, error: float, misses: int, *, open_end: bool
+) -> float:
+    """The torque to try between one that rolls and one that does not, or is the open end of what may roll."""
     guess, off = _extended(rolled[-_POINTS:])
     margin = (error + off) * _FURTHER**misses
     if misses < _MISSES and low < guess < high + margin:
         for torque in (guess - margin, guess + margin):
             if low + 0.5 * error < torque < high:
                 return torque
+    if open_end and guess >= high:
+        return high - 2.0 * error
     return 0.5 * (low + high)
 
 

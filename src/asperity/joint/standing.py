@@ -11,6 +11,7 @@ import numpy as np
 from jax import Array
 
 from asperity.compilation import compile_fast
+from asperity.drive.planar.state import PlanarState
 from asperity.joint.description import Joint
 from asperity.joint.evaluation import JointResult, evaluate
 from asperity.joint.planar.description import PlanarJoint
@@ -47,15 +48,17 @@ class Standing(NamedTuple):
     levels_without_slip: dict[str, np.ndarray]
 
 
-def standing_at(joint: Joint | PlanarJoint, torques: Array) -> Standing:
+def standing_at(joint: Joint | PlanarJoint, torques: np.ndarray, rest: PlanarState | None = None) -> Standing:
     """What a wind-up needs to know of a joint with any type of drive.
 
     Parameters
     ----------
     joint : Joint or PlanarJoint
         One joint; its own output torque is replaced.
-    torques : Array
+    torques : ndarray
         Output torques of either sign, shape (torques,) [N·m].
+    rest : PlanarState, optional
+        The assembled state of a planar drive without torque, where it is known.
 
     Returns
     -------
@@ -63,7 +66,7 @@ def standing_at(joint: Joint | PlanarJoint, torques: Array) -> Standing:
         Play is left out.
     """
     if isinstance(joint, PlanarJoint):
-        found = standing_over_torque(joint, torques, no_slip_friction=NO_SLIP_FRICTION)
+        found = standing_over_torque(joint, torques, no_slip_friction=NO_SLIP_FRICTION, rest=rest)
         own, without = ({name: np.asarray(getattr(found, name))[:, k] for name in LEVELS} for k in range(2))
         holds, ratio = np.asarray(found.solved), np.asarray(found.slip_ratio).T
         return Standing(np.asarray(found.balanced), holds, ratio, own, without)

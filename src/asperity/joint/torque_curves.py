@@ -12,6 +12,7 @@ import numpy as np
 from jax import Array
 
 from asperity.compilation import compile_fast
+from asperity.drive.planar.state import PlanarState
 from asperity.joint.description import Joint
 from asperity.joint.evaluation import evaluate
 from asperity.joint.planar.description import PlanarJoint
@@ -27,35 +28,37 @@ class TorqueCurves(eqx.Module):
 
     Parameters
     ----------
-    torque : Array
+    torque : ndarray
         Output torques [N·m].
-    published, series_with_bulk, assembly : Array
+    published, series_with_bulk, assembly : ndarray
         Torsional stiffness at the output on the three levels [N·m/rad].
-    drift_per_output_turn : Array
+    drift_per_output_turn : ndarray
         Angle lost in one turn of the output [rad].
-    efficiency : Array
+    efficiency : ndarray
         Output power over input power [-].
-    total_loss : Array
+    total_loss : ndarray
         Power lost, without what the file has no numbers for [W].
-    life_hours, life_turns : Array
+    life_hours, life_turns : ndarray
         Fatigue life of the drive [h], and in turns of the output [-].
-    slip_ratio : Array
+    slip_ratio : ndarray
         The largest T/(mu N) of all contacts [-].
     """
 
-    torque: Array
-    published: Array
-    series_with_bulk: Array
-    assembly: Array
-    drift_per_output_turn: Array
-    efficiency: Array
-    total_loss: Array
-    life_hours: Array
-    life_turns: Array
-    slip_ratio: Array
+    torque: np.ndarray
+    published: np.ndarray
+    series_with_bulk: np.ndarray
+    assembly: np.ndarray
+    drift_per_output_turn: np.ndarray
+    efficiency: np.ndarray
+    total_loss: np.ndarray
+    life_hours: np.ndarray
+    life_turns: np.ndarray
+    slip_ratio: np.ndarray
 
 
-def torque_curves(*, joint: Joint | PlanarJoint, torque_capacity: float) -> TorqueCurves:
+def torque_curves(
+    *, joint: Joint | PlanarJoint, torque_capacity: float, rest: PlanarState | None = None
+) -> TorqueCurves:
     """Stiffness, drift and efficiency of a joint from no torque to its capacity.
 
     Parameters
@@ -64,6 +67,8 @@ def torque_curves(*, joint: Joint | PlanarJoint, torque_capacity: float) -> Torq
         One joint, without batch axes.
     torque_capacity : float
         Capacity in the direction of the joint's torque, without sign; not finite if friction does not limit it [N·m].
+    rest : PlanarState, optional
+        The assembled state of a planar drive without torque, where it is known.
 
     Returns
     -------
@@ -77,31 +82,29 @@ def torque_curves(*, joint: Joint | PlanarJoint, torque_capacity: float) -> Torq
     # the curves are steep near gross slip
     torque = math.copysign(largest, own) * (towards * (2.0 - towards) if limited else towards)
     if isinstance(joint, PlanarJoint):
-        return _planar(joint, torque)
+        return _planar(joint, torque, rest)
     numbers: Joint = jax.tree.map(lambda leaf: np.asarray(leaf, dtype=float), joint)
     numbers = dataclasses.replace(numbers, rolling=dataclasses.replace(numbers.rolling, duty=()))
     points = dataclasses.replace(numbers, output_torque=jnp.asarray(torque))
     found = jax.tree.map(np.asarray, compile_fast(_over_torque, points)(points))
-    return TorqueCurves(jnp.asarray(torque), *found)
+    return TorqueCurves(torque, *found)
 
 
-def _planar(joint: PlanarJoint, torque: np.ndarray) -> TorqueCurves:
-    found = over_torque(joint, jnp.asarray(torque), no_slip_friction=NO_SLIP_FRICTION)
+def _planar(joint: PlanarJoint, torque: np.ndarray, rest: PlanarState | None) -> TorqueCurves:
+    found = over_torque(joint, torque, no_slip_friction=NO_SLIP_FRICTION, rest=rest)
     slip = np.max(np.asarray(found.slip_ratio), axis=1)
     holds = np.asarray(found.solved)
-    levels = {
-        name: jnp.asarray(np.where(holds, np.asarray(getattr(found, name))[:, 0], np.nan)) for name in LEVELS
-    }
+    levels = {name: np.where(holds, np.asarray(getattr(found, name))[:, 0], np.nan) for name in LEVELS}
     with_torque, against = np.asarray(found.drift).T
     return TorqueCurves(
-        torque=jnp.asarray(torque),
+        torque=torque,
         **levels,
-        drift_per_output_turn=jnp.asarray(np.where(torque < 0.0, against, with_torque)),
-        efficiency=jnp.asarray(found.efficiency),
-        total_loss=jnp.asarray(found.total_loss),
-        life_hours=jnp.asarray(found.life_hours),
-        life_turns=jnp.asarray(found.life_turns),
-        slip_ratio=jnp.asarray(np.where(holds, slip, np.nan)),
+        drift_per_output_turn=np.where(torque < 0.0, against, with_torque),
+        efficiency=np.asarray(found.efficiency),
+        total_loss=np.asarray(found.total_loss),
+        life_hours=np.asarray(found.life_hours),
+        life_turns=np.asarray(found.life_turns),
+        slip_ratio=np.where(holds, slip, np.nan),
     )
 
 

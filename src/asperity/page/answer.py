@@ -7,10 +7,10 @@ from typing import Any
 
 import numpy as np
 
+from asperity.drive.planar.state import PlanarState
 from asperity.errors import AsperityError
 from asperity.joint.branch_results import NO_EQUAL_WINDUP
 from asperity.joint.creep_curves import creep_curves
-from asperity.joint.either_kind import AnyJoint
 from asperity.joint.margins import Margin, margins
 from asperity.joint.planar.description import PlanarJoint
 from asperity.joint.results import SolvedJoint
@@ -68,7 +68,7 @@ def joint_answer(request: JointRequest) -> Answer:
         "margins": [_margin(each) for each in margins(solved)],
         "curves": _curves(solved),
         "creep": _creep(solved),
-        "windup": {"unknown_because": NO_EQUAL_WINDUP} if solved.no_equal_state else _windup(solved.joint),
+        "windup": {"unknown_because": NO_EQUAL_WINDUP} if solved.no_equal_state else _windup(solved),
     }
 
 
@@ -155,7 +155,7 @@ def plain_numbers(values: Any) -> list[float | None]:
 
 def _curves(solved: SolvedJoint) -> Answer:
     capacity = float(solved.capacity_of_direction.output_torque)
-    found = torque_curves(joint=solved.joint, torque_capacity=capacity)
+    found = torque_curves(joint=solved.joint, torque_capacity=capacity, rest=_rest(solved))
     return {
         "torque_Nm": plain_numbers(found.torque),
         "published_Nm_per_rad": plain_numbers(found.published),
@@ -170,6 +170,11 @@ def _curves(solved: SolvedJoint) -> Answer:
     }
 
 
+def _rest(solved: SolvedJoint) -> PlanarState | None:
+    """The assembled drive without torque, which the curves of a planar drive start from."""
+    return solved.result.rest if isinstance(solved.joint, PlanarJoint) else None
+
+
 def _creep(solved: SolvedJoint) -> Answer:
     """Creep curve of each contact: traction T/N over creepage."""
     found = creep_curves(solved.joint, solved.result)
@@ -181,13 +186,15 @@ def _creep(solved: SolvedJoint) -> Answer:
     }
 
 
-def _windup(joint: AnyJoint) -> Answer:
+def _windup(solved: SolvedJoint) -> Answer:
     """The loop at the joint's torque, or why there is none."""
-    torque = abs(float(joint.output_torque))
+    torque = abs(float(solved.joint.output_torque))
     if torque == 0.0:
         return {"unknown_because": "no torque, no wind-up: set an output torque"}
     try:
-        curve = windup(joint, largest_torque=torque, level="assembly", steps=_WINDUP_STEPS)
+        curve = windup(
+            solved.joint, largest_torque=torque, level="assembly", steps=_WINDUP_STEPS, rest=_rest(solved)
+        )
     except AsperityError as error:
         return {"unknown_because": str(error)}
     return {

@@ -33,9 +33,9 @@ from asperity.joint.planar.stiffness import loaded_stiffness
 from asperity.joint.planar.turning import driving_sense, turning
 from asperity.types import Real
 
-#: Torques of one call: one program serves curves of any number of points. Those of the page fill it nearly: 49 of its
-#: curves over the torque, and 212 of its wind-up in four calls.
-BATCH = 53
+#: Torques of one call: one program serves curves of any number of points. Those of the page fill it: 49 of its curves
+#: over the torque, and 150 of its wind-up in three calls.
+BATCH = 50
 
 
 class StandingOverTorque(NamedTuple):
@@ -96,35 +96,39 @@ class OverTorque(NamedTuple):
     lost_speed_slope: Array
 
 
-def over_torque(joint: PlanarJoint, torques: Array, *, no_slip_friction: float) -> OverTorque:
+def over_torque(
+    joint: PlanarJoint, torques: np.ndarray, *, no_slip_friction: float, rest: PlanarState | None = None
+) -> OverTorque:
     """What a joint does at torques, as NumPy arrays.
 
     Parameters
     ----------
     joint : PlanarJoint
         One joint; its own output torque is replaced.
-    torques : Array
+    torques : ndarray
         Output torques of either sign, shape (torques,) [N·m].
     no_slip_friction : float
         A friction coefficient under which no contact slips [-].
+    rest : PlanarState, optional
+        Its assembled state without torque, where it is known.
 
     Returns
     -------
     OverTorque
         Results of states that do not balance have no meaning.
     """
-    found: OverTorque = _in_batches(over_torque_program, joint, torques, no_slip_friction)
+    found: OverTorque = _in_batches(over_torque_program, joint, torques, no_slip_friction, rest)
     return found
 
 
 def standing_over_torque(
-    joint: PlanarJoint, torques: Array, *, no_slip_friction: float
+    joint: PlanarJoint, torques: np.ndarray, *, no_slip_friction: float, rest: PlanarState | None = None
 ) -> StandingOverTorque:
     """What a joint that stands does at torques, as NumPy arrays.
 
     Parameters
     ----------
-    joint, torques, no_slip_friction
+    joint, torques, no_slip_friction, rest
         As of :func:`over_torque`.
 
     Returns
@@ -132,15 +136,20 @@ def standing_over_torque(
     StandingOverTorque
         Results of states that do not balance have no meaning.
     """
-    found: StandingOverTorque = _in_batches(standing_program, joint, torques, no_slip_friction)
+    found: StandingOverTorque = _in_batches(standing_program, joint, torques, no_slip_friction, rest)
     return found
 
 
 def _in_batches(
-    program: Callable[..., Any], joint: PlanarJoint, torques: Array, no_slip_friction: float
+    program: Callable[..., Any],
+    joint: PlanarJoint,
+    torques: np.ndarray,
+    no_slip_friction: float,
+    known_rest: PlanarState | None,
 ) -> Any:
     numbers: PlanarJoint = jax.tree.map(lambda leaf: np.asarray(leaf, dtype=float), joint)
-    rest = jax.tree.map(np.asarray, compile_fast(laws_and_states, numbers)(numbers)[1].rest)
+    rest = compile_fast(laws_and_states, numbers)(numbers)[1].rest if known_rest is None else known_rest
+    rest = jax.tree.map(np.asarray, rest)
     asked = np.asarray(torques, dtype=float)
     filled = np.concatenate([asked, np.full(-asked.size % BATCH, asked[-1])])
     friction = np.asarray(no_slip_friction)
