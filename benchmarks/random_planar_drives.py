@@ -7,14 +7,14 @@ Sizes, walls, interference, friction, surfaces, speed and torque of the shipped 
 that cannot exist included. Counted are the statuses; of the drives that exist, the worst residual of the equations, of
 the balance of each roller recomputed from the forces of its contacts, and of rolling; how far a contact bears more than
 its friction, or less where it slides as a whole, and how many drives have one that slides; and how many are said to
-exist without a finite stiffness.
+exist without a finite stiffness. Drives whose rollers have no place or overlap are counted and not solved.
 """
 
 import argparse
 import collections
 import math
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from typing import Any
 
 import jax
@@ -25,9 +25,9 @@ from asperity.drive.planar.layout import PlanarDrive
 from asperity.joint.planar.description import planar_contacts
 from asperity.joint.planar.evaluation import evaluated_with_laws
 from asperity.joint.planar.laws import drive_load
-from asperity.joint.planar.status import planar_status
+from asperity.joint.planar.status import has_room, planar_status
 from asperity.joint.planar.turning import driving_sense
-from asperity.joint.status import STATUS_NAMES
+from asperity.joint.status import NO_ROOM, STATUS_NAMES
 from asperity.joint_file import build
 from asperity.joint_file.part_names import with_tracks
 from asperity.joint_file.planar_build import planar_joint_from_values
@@ -37,6 +37,7 @@ from asperity.joint_file.si_tables import replace_values, si_values
 from asperity.precision import use_double_precision
 
 CHUNK = 1024
+DRAWN = 8 * CHUNK  # at once, before those without room are left out
 #: Dotted paths end with these; factors by which the file's number is multiplied, evenly in their logarithm.
 FACTORS = {
     "_radius": (0.7, 1.4),
@@ -67,10 +68,27 @@ def drawn(rng: np.random.Generator, base: dict[str, float]) -> dict[str, np.ndar
     columns = {}
     for path, value in base.items():
         low, high = next(ends for end, ends in FACTORS.items() if path.endswith(end))
-        even = rng.uniform(size=CHUNK)
+        even = rng.uniform(size=DRAWN)
         factor = low + (high - low) * even if low < 0.0 else low * (high / low) ** even
         columns[path] = value * factor
     return columns
+
+
+def with_room(
+    rng: np.random.Generator, base: dict[str, float], rooms: Callable[..., Any], draws: int
+) -> Iterator[tuple[np.ndarray, int]]:
+    """At most CHUNK drives with room for their rollers, shape (numbers, drives), and how many without were drawn."""
+    left, unfit = np.empty((len(base), 0)), 0
+    for draw in range(draws):
+        columns = np.stack(list(drawn(rng, base).values()))
+        fits = np.asarray(rooms(*columns))
+        left = np.concatenate([left, columns[:, fits]], axis=1)
+        unfit += int(np.sum(~fits))
+        while left.shape[1] >= CHUNK or (draw == draws - 1 and left.size):
+            yield left[:, :CHUNK], unfit
+            left, unfit = left[:, CHUNK:], 0
+    if unfit:
+        yield left, unfit
 
 
 def recomputed(
@@ -113,6 +131,17 @@ def recomputed(
     return jnp.max(jnp.abs(jnp.concatenate(left))) / jnp.max(jnp.abs(normal))
 
 
+def rooms_of(values: dict[str, Any], paths: tuple[str, ...]) -> Callable[..., Any]:
+    """Whether there is room for the rollers: a small program, for all that is drawn."""
+
+    def one(*numbers: jax.Array) -> jax.Array:
+        return has_room(
+            planar_joint_from_values(replace_values(values, dict(zip(paths, numbers, strict=True)))).drive
+        )
+
+    return jax.jit(jax.vmap(one))
+
+
 def program_of(values: dict[str, Any], paths: tuple[str, ...]) -> Callable[..., Any]:
     def one(*numbers: jax.Array) -> dict[str, Any]:
         joint = planar_joint_from_values(replace_values(values, dict(zip(paths, numbers, strict=True))))
@@ -151,14 +180,21 @@ def main() -> None:
         values = with_tracks(si_values(read_any_case(f"{folder}/{name}.toml")))
         base = numbers_of(values)
         rng, program = np.random.default_rng(given.seed), program_of(values, tuple(base))
+        rooms, numbers = rooms_of(values, tuple(base)), tuple(base.values())
         started = time.perf_counter()
-        jax.block_until_ready(program(*drawn(rng, base).values()))
+        jax.block_until_ready(program(*(np.full(CHUNK, number) for number in numbers)))
+        jax.block_until_ready(rooms(*(np.full(DRAWN, number) for number in numbers)))
         compiled, started = time.perf_counter() - started, time.perf_counter()
         statuses: collections.Counter[str] = collections.Counter()
         worst = dict.fromkeys(("equations", "recomputed", "friction", "rolling"), 0.0)
-        without, slide, slips_rolling, chunks = 0, 0, 0, math.ceil(given.drives / CHUNK)
-        for _ in range(chunks):
-            found = {key: np.asarray(each) for key, each in program(*drawn(rng, base).values()).items()}
+        without, slide, slips_rolling, draws = 0, 0, 0, math.ceil(given.drives / DRAWN)
+        for columns, unfit in with_room(rng, base, rooms, draws):
+            statuses[STATUS_NAMES[NO_ROOM]] += unfit
+            count = columns.shape[1]
+            if count == 0:
+                continue
+            filled = np.pad(columns, ((0, 0), (0, -count % CHUNK)), mode="edge")
+            found = {key: np.asarray(each)[:count] for key, each in program(*filled).items()}
             statuses.update(STATUS_NAMES[code] for code in found["status"])
             good = found["status"] == 0
             without += int(np.sum(good & ~(np.isfinite(found["stiffness"]) & (found["stiffness"] > 0.0))))
@@ -170,7 +206,7 @@ def main() -> None:
             worst["rolling"] = max(worst["rolling"], float(found["rolling"][rolls].max(initial=0.0)))
         seconds = time.perf_counter() - started
         print(
-            f"{name}: {chunks * CHUNK} drives, {chunks * CHUNK / seconds:.0f} a second "
+            f"{name}: {draws * DRAWN} drives, {draws * DRAWN / seconds:.0f} a second "
             f"(first call {compiled:.0f} s), {len(base)} numbers varied"
         )
         print("  " + ", ".join(f"{status} {number}" for status, number in statuses.most_common()))

@@ -6,12 +6,29 @@ import jax.numpy as jnp
 from jax import Array
 
 from asperity.drive.planar.existence import LEAST_OUTPUT_SHARE, TOUCH_TOLERANCE, neighbour_gaps, output_share
-from asperity.drive.planar.layout import gaps
+from asperity.drive.planar.layout import PlanarDrive, gaps
 from asperity.drive.planar.state import STATE_TOLERANCE
 from asperity.joint.planar.capacity import smaller_sizes
 from asperity.joint.planar.description import PlanarJoint
 from asperity.joint.planar.evaluation import PlanarResult
 from asperity.joint.status import ALL_PLASTIC, IDLE, LOOSE, NO_ROOM, SLIPS, TOO_WIDE, UNBALANCED
+
+
+def has_room(drive: PlanarDrive) -> Array:
+    """Whether the bodies of every contact touch, and no others overlap.
+
+    Parameters
+    ----------
+    drive : PlanarDrive
+        The drive.
+
+    Returns
+    -------
+    Array
+        True or False; False also where a roller has no place.
+    """
+    touch = jnp.abs(gaps(drive)) <= TOUCH_TOLERANCE * drive.second_radius
+    return jnp.all(jnp.stack([*touch, *(gap >= 0.0 for gap in neighbour_gaps(drive).values())]))
 
 
 def planar_status(joint: PlanarJoint, result: PlanarResult) -> Array:
@@ -30,8 +47,6 @@ def planar_status(joint: PlanarJoint, result: PlanarResult) -> Array:
         Code, an index into :data:`asperity.joint.status.STATUSES`, 8-bit; the first reason that applies.
     """
     drive, residual = joint.drive, result.forces.balance_residual
-    touch = jnp.abs(gaps(drive)) <= TOUCH_TOLERANCE * drive.second_radius
-    fits = jnp.all(jnp.stack([*touch, *(gap >= 0.0 for gap in neighbour_gaps(drive).values())]))
     at_rest = jnp.all(result.rest.normal > 0.0) & (result.rest.residual < STATE_TOLERANCE)
     if result.cam is not None:
         at_rest = at_rest & (result.pressed.residual < STATE_TOLERANCE)
@@ -45,7 +60,7 @@ def planar_status(joint: PlanarJoint, result: PlanarResult) -> Array:
     carried = jnp.isfinite(residual) | ~jnp.all(jnp.isfinite(result.forces.normal))
     code = jnp.zeros((), dtype=jnp.int8)
     for condition, value in (
-        (~fits, NO_ROOM),
+        (~has_room(drive), NO_ROOM),
         (output_share(drive) < LEAST_OUTPUT_SHARE, IDLE),
         (loose, LOOSE),
         (~at_rest, UNBALANCED),
