@@ -56,6 +56,7 @@ def test_each_contact_may_have_its_own():
             r"a\.toml: surface\.finish: there is no finish 'grund'; known are ground, honed",
         ),
         ('roughness_average = "0.2 um"', "Ra fixes one combination of D and G; add a finish"),
+        ('finish = "ground"\nroughness_rz = "1.6 um"', "did you mean 'mean_roughness_depth'"),
         ('finish = "ground"\nRz = "1.6 um"', r"surface\.Rz: .* did you mean 'mean_roughness_depth'"),
         (
             'finish = "ground"\nRt = "1.6 um"',

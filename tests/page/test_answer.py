@@ -42,13 +42,15 @@ def test_a_choice_that_the_file_leaves_out_is_empty(case, joint_text):
 
 def test_without_a_torque_there_is_no_windup(joint_text):
     joint = joint_from_case(parse_case(joint_text.replace('"5 N*m"', '"0 N*m"'), source="x"))
-    assert _windup(joint) == {"unknown_because": "no torque, no wind-up: set an output torque"}
+    assert _windup(SimpleNamespace(joint=joint)) == {
+        "unknown_because": "no torque, no wind-up: set an output torque"
+    }
 
 
 def test_the_curves_go_up_to_the_capacity_in_the_direction_of_the_torque(monkeypatch):
     solved = SimpleNamespace(joint=None, capacity_of_direction=SimpleNamespace(output_torque=13.0))
 
-    def curves(*, joint, torque_capacity):
+    def curves(*, joint, torque_capacity, rest):
         names = (
             "published",
             "series_with_bulk",
@@ -80,7 +82,7 @@ def test_the_windup_is_that_of_the_assembly_up_to_the_torque(monkeypatch, joint_
     monkeypatch.setattr(answer, "windup", windup)
     monkeypatch.setattr(answer, "windup_columns", lambda curve: {"torque_Nm": np.array([0.0, 5.0])})
     joint = joint_from_case(parse_case(joint_text.replace('"5 N*m"', '"-5 N*m"'), source="x"))
-    assert _windup(joint) == {
+    assert _windup(SimpleNamespace(joint=joint)) == {
         "unknown_because": None,
         "hysteresis_rad": 1e-4,
         "lost_motion_rad": 2e-4,

@@ -104,3 +104,15 @@ def test_a_stepped_roller_has_a_radius_for_each_force(zou_file):
     assert sorted(free["radii_m"]) == pytest.approx([18e-3, 20e-3])
     radii = {each["name"]: each["radius_m"] for each in free["forces"]}
     assert radii == pytest.approx({"sp": 20e-3, "pr1": 20e-3, "pr2": 18e-3, "pin": 0.0})
+
+
+def test_a_hollow_roller_has_its_bore_in_both_pictures(zou_file):
+    joint = planar_joint_from_case(read_any_case(zou_file.with_name("planetary_hollow.toml")))
+    one = np.ones(2)
+    forces = SimpleNamespace(normal=one, tangential=one, pins=one[:1])
+    found = planar_shapes(joint, SimpleNamespace(forces=forces))
+    bore = 0.5 * next(float(shape.size) for shape in joint.shapes if shape.kind == "hollow")
+    (free,) = found["bodies"]
+    planets = [each["radius_m"] for each in found["rollers"] if each["body"] == "planet"]
+    for radii in (free["radii_m"], planets):
+        assert sorted(set(radii)) == pytest.approx([bore, 20e-3])

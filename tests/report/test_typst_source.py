@@ -5,7 +5,7 @@ import re
 import pytest
 
 from asperity.report.content import Bullets, Heading, Listing, Paragraph, Picture, Report, Table
-from asperity.report.typst_source import literal, typst_source
+from asperity.report.typst_source import _table, literal, typst_source
 
 HOSTILE = 'a" + read("/etc/passwd") + " #eval("1") \\u{41} $x$ *b* _c_ \x1b[31m\u202e'
 
@@ -59,6 +59,15 @@ def test_short_tables_stay_on_one_page_and_long_ones_may_break():
     )
     assert "breakable: false" in short
     assert "breakable: true" in long
+
+
+def test_long_words_share_what_numbers_and_short_words_leave():
+    """Columns of equal shares left a few letters for the place, under the words beside it."""
+    row = ("a requirement with a long name", "function", "planet to planet", "1.5")
+    found = _table(Table("limits", ("requirement", "concerns", "where", "actual"), [row], words=(0, 1, 2)))
+    assert f"columns: ({len(row[0])}fr, auto, {len(row[2])}fr, auto,)" in found
+    short = _table(Table("limits", ("name", "where", "actual"), [("one", "sp", "1.5")], words=(0, 1)))
+    assert "columns: (auto, 1fr, auto,)" in short
 
 
 def blocks_of(*blocks):

@@ -11,6 +11,7 @@ from asperity.show.planar_free_bodies import planar_free_bodies
 from asperity.show.planar_sheet import planar_forces_sheet, planar_sheet
 from asperity.show.sheet import Circle, Line, Text
 
+ROOM = 143.0
 EXAMPLES = ("planetary", "multiroller", "stepped_planet", "planar")
 
 
@@ -30,7 +31,7 @@ def solved(joint):
 @pytest.fixture(scope="module", params=EXAMPLES)
 def drawn(request, planar_case):
     joint = planar_joint_from_case(planar_case(request.param))
-    return joint, planar_free_bodies(joint, solved(joint), middle=(0.0, 0.0), scale=1.0)
+    return joint, planar_free_bodies(joint, solved(joint), middle=(0.0, 0.0), room=ROOM, scale=1.0)
 
 
 @pytest.mark.slow
@@ -70,6 +71,7 @@ def test_bodies_lie_apart_around_the_middle_and_texts_beside_them(drawn):
         wide = 1.7 * len(text.text)
         left = text.at[0] - {"left": 0.0, "center": 0.5, "right": 1.0}[text.align] * wide
         boxes.append((left, left + wide, text.at[1], text.at[1] + 2.5))
+        assert left + wide < 0.5 * ROOM
         if text.align != "center":  # the name in a body
             for (x, y), radius in bodies:
                 nearest = np.clip(x, left, left + wide), np.clip(y, text.at[1], text.at[1] + 2.5)
@@ -85,11 +87,38 @@ def test_a_force_of_nothing_is_not_drawn(planar_case):
     result = solved(joint)
     result.forces.tangential = np.zeros(2)
     result.forces.pins = np.zeros(1)
-    items = planar_free_bodies(joint, result, middle=(0.0, 0.0), scale=2.0)
+    items = planar_free_bodies(joint, result, middle=(0.0, 0.0), room=ROOM, scale=2.0)
     assert len([item for item in items if isinstance(item, Line)]) == 2
     assert not any(item.text.startswith(("T", "pin")) for item in items if isinstance(item, Text))
     (circle,) = (item for item in items if isinstance(item, Circle))
     assert circle.radius == pytest.approx(10.0)  # 20 mm on paper
+
+
+def test_a_view_that_is_too_wide_reaches_beyond_its_room_on_the_left(planar_case):
+    joint = planar_joint_from_case(planar_case("multiroller"))
+    wide, narrow = (
+        planar_free_bodies(joint, solved(joint), middle=(0.0, 0.0), room=room, scale=1.0)
+        for room in (500.0, 100.0)
+    )
+    moved = [
+        one.at[0] - other.at[0] for one, other in zip(wide, narrow, strict=True) if isinstance(one, Text)
+    ]
+    ends = [
+        text.at[0] + 2.0 * len(text.text)
+        for text in narrow
+        if isinstance(text, Text) and text.align == "left"
+    ]
+    assert moved == pytest.approx([moved[0]] * len(moved))
+    assert moved[0] > 10.0
+    assert max(ends) == pytest.approx(50.0, abs=1.5)
+
+
+def test_a_hollow_roller_has_its_bore(planar_case):
+    joint = planar_joint_from_case(planar_case("planetary_hollow"))
+    items = planar_free_bodies(joint, solved(joint), middle=(0.0, 0.0), room=ROOM, scale=1.0)
+    outer, bore = (item.radius for item in items if isinstance(item, Circle))
+    shape = next(shape for shape in joint.shapes if shape.kind == "hollow")
+    assert bore / outer == pytest.approx(0.5 * float(shape.size) / float(joint.drive.first_radius[-1]))
 
 
 def test_sheets_with_forces(planar_case):

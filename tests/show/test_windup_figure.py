@@ -67,6 +67,27 @@ def test_tiny_angles_leave_room_for_the_panels_of_a_narrow_page(onset):
     assert all(panel.get_position().width > 0.2 for panel in figure.axes)
 
 
+def test_what_lies_beyond_the_capacity_is_shaded_where_it_is_near(onset):
+    _, deviation, stiffness, *_ = windup_figure(loop_of(), title="", capacities=(4.5, 30.0)).axes
+    for panel in (deviation, stiffness):
+        (shaded,) = panel.patches[-1:]
+        assert shaded.get_x() == pytest.approx(4.5)
+        assert panel.get_xlim()[1] == pytest.approx(shaded.get_x() + shaded.get_width())
+        assert panel.get_xlim()[0] == -panel.get_xlim()[1]
+    named = [text.get_text() for text in stiffness.get_legend().get_texts()]
+    assert named.count("beyond the torque capacity") == 1
+
+
+@pytest.mark.parametrize(
+    ("capacities", "said"), [((9.0, 8.0), ["torque capacity 8 N·m"]), ((math.inf,) * 2, [])]
+)
+def test_a_capacity_out_of_the_picture_is_said(capacities, said):
+    _, deviation, stiffness, *_ = windup_figure(loop_of(), title="", capacities=capacities).axes
+    named = [text.get_text() for text in stiffness.get_legend().get_texts()]
+    assert [text for text in named if "capacity" in text] == said
+    assert deviation.get_xlim()[1] < 5.0
+
+
 def test_deviation_shows_the_hysteresis_that_the_loop_hides(panels):
     _, deviation, _ = panels
     first, unloading, reloading, _ = deviation.lines

@@ -17,6 +17,7 @@ from asperity.joint.windup import StiffnessLevel, Windup
 from asperity.joint.windup_document import (
     examined_windup,
     rolling_columns,
+    windup_capacities,
     windup_columns,
     windup_document,
     windup_onsets,
@@ -184,7 +185,10 @@ class JointWindup(Shown):
 
         return displayed(
             windup_figure(
-                self.curve, self.onset, title=f"Wind-up of {self.joint.source}, {self.level} stiffness"
+                self.curve,
+                self.onset,
+                title=f"Wind-up of {self.joint.source}, {self.level} stiffness",
+                capacities=windup_capacities(self.document),
             )
         )
 

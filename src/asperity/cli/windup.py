@@ -102,6 +102,7 @@ def windup(
     from asperity.joint.windup_document import (
         examined_windup,
         rolling_columns,
+        windup_capacities,
         windup_columns,
         windup_document,
         windup_onsets,
@@ -136,7 +137,8 @@ def windup(
         from asperity.show.windup_figure import windup_figure
 
         title = f"Wind-up of {plain_title(file)}, {level} stiffness"
-        write_image(windup_figure(curve, onsets[0], title=title), plot_file)
+        limits = windup_capacities(document)
+        write_image(windup_figure(curve, onsets[0], title=title, capacities=limits), plot_file)
         say_written(plot_file)
     if as_json:
         import json

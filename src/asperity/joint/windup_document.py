@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import Any
 
 import numpy as np
@@ -148,6 +149,27 @@ def windup_document(
             "reverse": _rolling(joint, reverse, onsets[1]),
         },
     }
+
+
+def windup_capacities(document: dict[str, Any]) -> tuple[float, float]:
+    """Torque capacities of both directions, for the picture of a wind-up.
+
+    Parameters
+    ----------
+    document : dict
+        From :func:`windup_document`.
+
+    Returns
+    -------
+    tuple of float
+        Of positive and of negative torques, as positive torques [N·m]; infinite where there are none.
+    """
+    found = document["torque_capacity"]
+    forward, reverse = (
+        math.inf if each["output_torque_Nm"] is None else float(each["output_torque_Nm"])
+        for each in (found, found["reverse"])
+    )
+    return forward, reverse
 
 
 def _capacity(forward: AnySolution, reverse: AnySolution) -> dict[str, Any]:

@@ -18,7 +18,7 @@ _PEAK_TO_VALLEY = ("rmax", "rt", "maximum_height")
 _AVERAGE, _PARTNER = "roughness_average", "partner_roughness_average"
 #: Rz → the Ra that it means, and the keys beside which it may not stand.
 _AVERAGES = {DEPTH: (_AVERAGE, (_AVERAGE, "fractal_roughness")), PARTNER_DEPTH: (_PARTNER, (_PARTNER,))}
-_MEANT = {"ra": "roughness_average", "rz": DEPTH, "lambda_c": "cut_off"}
+_MEANT = {"ra": _AVERAGE, "rz": DEPTH, "roughness_ra": _AVERAGE, "roughness_rz": DEPTH, "lambda_c": "cut_off"}
 
 
 def fill_in_finishes(tables: Mapping[str, Any]) -> tuple[dict[str, Any], dict[str, str]]:

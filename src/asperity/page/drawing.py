@@ -85,8 +85,8 @@ def planar_shapes(joint: PlanarJoint, result: PlanarResult) -> dict[str, Any]:
     dict
         ``rollers``: a circle for every track of every roller; ``rings`` with inner radius and wall [m]; ``forces`` on
         the first body of each contact, as :func:`drive_shapes` gives them; ``bodies``: the rollers of the first sector,
-        each with the radii of its tracks [m] and every force on it: where it acts, as a direction from the axis, and
-        as a vector [N]; no ``forces`` and ``bodies`` where the forces are not known.
+        each with the radii of its tracks and of its bore [m] and every force on it: where it acts, as a direction from
+        the axis, and as a vector [N]; no ``forces`` and ``bodies`` where the forces are not known.
     """
     drive, centres = joint.drive, np.asarray(joint.drive.centres)
     circles, rings = [], []
@@ -97,12 +97,11 @@ def planar_shapes(joint: PlanarJoint, result: PlanarResult) -> dict[str, Any]:
             wall = 0.0 if shape.size is None else float(shape.size)
             rings += [{"body": name, "inner_radius_m": radius, "wall_m": wall} for radius in radii]
             continue
-        bore = [0.5 * float(shape.size)] if shape.size is not None else []
         for sector in range(1 if body.place == "axis" else int(drive.sectors)):
             x, y = sector_rotation(drive, sector) @ centres[number]
             circles += [
                 {"body": name, "x_m": float(x), "y_m": float(y), "radius_m": radius}
-                for radius in sorted([*radii, *bore], reverse=True)
+                for radius in sorted([*radii, *_bore(joint, number)], reverse=True)
             ]
     known = bool(np.all(np.isfinite(np.asarray(result.forces.normal))))
     found = planar_body_forces(joint, result)
@@ -112,6 +111,12 @@ def planar_shapes(joint: PlanarJoint, result: PlanarResult) -> dict[str, Any]:
         "forces": _planar_forces(joint, found) if known else [],
         "bodies": [_free_body(joint, number, found) for number in drive.floating if known],
     }
+
+
+def _bore(joint: PlanarJoint, number: int) -> list[float]:
+    """Radius of the bore of a hollow roller [m]."""
+    size = joint.shapes[number].size
+    return [] if size is None else [0.5 * float(size)]
 
 
 def _planar_forces(joint: PlanarJoint, found: list[BodyForce]) -> list[dict[str, Any]]:
@@ -142,11 +147,11 @@ def _planar_forces(joint: PlanarJoint, found: list[BodyForce]) -> list[dict[str,
 
 
 def _free_body(joint: PlanarJoint, number: int, found: list[BodyForce]) -> dict[str, Any]:
-    """One roller with the forces on it: its tracks, and where around its axis each force acts."""
+    """One roller with the forces on it: its tracks and bore, and where around its axis each force acts."""
     body = joint.drive.bodies[number].name
     return {
         "body": body.replace("_", " "),
-        "radii_m": [float(radius) for radius, _ in tracks_of(joint, number)],
+        "radii_m": [*(float(radius) for radius, _ in tracks_of(joint, number)), *_bore(joint, number)],
         "forces": [
             {
                 "name": each.name,

@@ -34,6 +34,7 @@ def report_pictures(
     onset: RollingOnset | None,
     rolling_capacity: float,
     *,
+    windup_capacities: tuple[float, float],
     name: str,
 ) -> dict[str, str]:
     """All pictures of a joint.
@@ -50,6 +51,8 @@ def report_pictures(
         The same joint when it turns under its largest torque, if it rolls then.
     rolling_capacity : float
         Its torque capacity in rolling [N·m]; nan if it does not roll.
+    windup_capacities : tuple of float
+        Those standing, of positive and of negative torques, for the wind-up [N·m].
     name : str
         What the drawing is called.
 
@@ -79,7 +82,9 @@ def report_pictures(
     draw_margins(bars.subplots(), judged)
     found["margins"] = figure_svg(bars)
     if windup is not None:
-        found["windup"] = figure_svg(windup_figure(windup, onset, title="", stacked=True))
+        found["windup"] = figure_svg(
+            windup_figure(windup, onset, title="", stacked=True, capacities=windup_capacities)
+        )
     if math.isfinite(float(solved.result.rolling.residual)):
         curves = rolling_curves(joint=joint, result=solved.result, torque_capacity=rolling_capacity)
         found["rolling"] = figure_svg(

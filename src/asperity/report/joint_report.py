@@ -21,7 +21,12 @@ from asperity.joint.planar.loads_document import planar_loads_document
 from asperity.joint.results import SolvedJoint
 from asperity.joint.rolling_onset import RollingOnset
 from asperity.joint.windup import Windup
-from asperity.joint.windup_document import examined_windup, windup_document, windup_onsets
+from asperity.joint.windup_document import (
+    examined_windup,
+    windup_capacities,
+    windup_document,
+    windup_onsets,
+)
 from asperity.joint_file.drawn_surface import drawn_interval
 from asperity.joint_file.model import Case
 from asperity.joint_file.own_branches import with_own_branches
@@ -100,6 +105,9 @@ def joint_report(source: ReportSource) -> Report:
         found.windup,
         found.onset,
         math.copysign(found.rolling_capacity, float(solved.joint.output_torque)),
+        windup_capacities=(
+            (math.inf, math.inf) if found.windup_figures is None else windup_capacities(found.windup_figures)
+        ),
         name=source.name,
     )
     blocks = (

@@ -9,6 +9,7 @@ from asperity.report.content import Block, Bullets, Heading, Listing, Paragraph,
 
 _LONGEST_LINE = 128  # letters of a listing
 _COLOURS = {"pass": 'rgb("#05603a")', "FAIL": 'rgb("#a4001d")'}
+_SHORT = 12  # letters of words that a column does not break
 _LONGEST_WHOLE = 25  # rows of a table that is kept on one page
 _HEAD = """\
 #set page(paper: "a4", margin: (x: 20mm, top: 18mm, bottom: 20mm), numbering: "1 / 1")
@@ -146,7 +147,7 @@ def _wrapped(line: str) -> list[str]:
 
 
 def _table(table: Table) -> str:
-    columns = ", ".join("1fr" if place in table.words[1:] else "auto" for place in range(len(table.head)))
+    columns = ", ".join(_widths(table))
     align = ", ".join("left" if place in table.words else "right" for place in range(len(table.head)))
     head = ", ".join(f'text(weight: "bold", {_lines(cell)})' for cell in table.head)
     rows = "\n".join(f"  {', '.join(_cells(row, table))}," for row in table.rows)
@@ -157,6 +158,17 @@ def _table(table: Table) -> str:
     title = f'block(below: 0.5em, sticky: true, text(weight: "bold", {literal(table.title)}))'
     whole = "false" if len(table.rows) <= _LONGEST_WHOLE else "true"
     return f"#block(above: 1.1em, breakable: {whole}, {title} + {made})"
+
+
+def _widths(table: Table) -> list[str]:
+    """Numbers and short words take what they need; long words share the rest by their lengths."""
+    widths = ["auto"] * len(table.head)
+    if len(table.words) > 1:
+        longest = {place: max(len(row[place]) for row in (table.head, *table.rows)) for place in table.words}
+        long = {place: count for place, count in longest.items() if count > _SHORT}
+        for place, count in (long or dict.fromkeys(table.words[1:], 1)).items():
+            widths[place] = f"{count}fr"
+    return widths
 
 
 def _cells(row: tuple[str, ...], table: Table) -> list[str]:

@@ -12,7 +12,7 @@ from asperity.joint.margins import margins
 from asperity.joint.results import LEVELS, RESULTS, SolvedJoint
 from asperity.joint.temperature_curves import temperature_curves
 from asperity.show.branch_figure import draw_size_errors
-from asperity.show.margins_figure import draw_margins
+from asperity.show.margins_figure import draw_margins, drawn_margins
 from asperity.show.style import mark_few_decades
 from asperity.show.temperature_figure import draw_temperatures
 from asperity.units import format_quantity
@@ -25,6 +25,7 @@ if TYPE_CHECKING:
 
 _PER_ARCMINUTE = np.pi / 10800.0
 _NOTE_WIDTH = 58  # letters below a panel of half a sheet
+_ROW = 3.7  # height of a row of panels [in]
 
 
 def compliance_shares(solved: SolvedJoint) -> dict[str, float]:
@@ -102,12 +103,15 @@ def joint_figure(solved: SolvedJoint, *, title: str, size_errors: SizeErrorCurve
 
     fit = solved.joint.fit
     rows = 2 + (fit is not None) + (size_errors is not None)
-    figure = Figure(figsize=(10.0, 3.7 * rows), layout="constrained")
-    upper, lower, *further = figure.subfigures(rows, 1, squeeze=False)[:, 0]
+    judged = margins(solved)
+    heights = [_ROW] * rows
+    heights[1] = max(_ROW, 1.0 + 0.35 * len(drawn_margins(judged)))
+    figure = Figure(figsize=(10.0, sum(heights)), layout="constrained")
+    upper, lower, *further = figure.subfigures(rows, 1, squeeze=False, height_ratios=heights)[:, 0]
     budget, levels = upper.subplots(1, 2)
     draw_budget(budget, solved)
     draw_levels(levels, solved)
-    draw_margins(lower.subplots(), margins(solved))
+    draw_margins(lower.subplots(), judged)
     if fit is not None:
         draw_temperatures(further[0].subplots(1, 3), temperature_curves(solved.joint), fit)
     if size_errors is not None:

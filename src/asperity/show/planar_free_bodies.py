@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from asperity.joint.planar.description import PlanarJoint, tracks_of
+from asperity.joint.planar.description import BodyShape, PlanarJoint, tracks_of
 from asperity.joint.planar.evaluation import PlanarResult
 from asperity.show.free_bodies import APART, BodyForce, body_outlines, force_arrow, force_label
 from asperity.show.planar_forces import planar_body_forces
@@ -20,7 +20,7 @@ _TURNS = (0.0, 0.3, -0.3, 0.6, -0.6, 0.9, -0.9)
 
 
 def planar_free_bodies(
-    joint: PlanarJoint, result: PlanarResult, *, middle: Point, scale: float
+    joint: PlanarJoint, result: PlanarResult, *, middle: Point, room: float, scale: float
 ) -> list[Item]:
     """Bodies off the axis of one sector drawn apart: arrows for directions, numbers for sizes.
 
@@ -32,6 +32,8 @@ def planar_free_bodies(
         Its result.
     middle : tuple of float
         Middle of the view [mm in true size].
+    room : float
+        Width of the view on paper [mm]; a wider one reaches beyond on its left.
     scale : float
         Length on paper over true length [-]. On paper the view has a size of its own.
 
@@ -47,41 +49,29 @@ def planar_free_bodies(
         name: [(float(radius), contacts) for radius, contacts in tracks_of(joint, number)]
         for name, number in zip(names, drive.floating, strict=True)
     }
-    radii = body_outlines({name: [radius for radius, _ in each] for name, each in tracks.items()})
+    radii = body_outlines(
+        {
+            name: [*(radius for radius, _ in tracks[name]), *_bore(joint.shapes[number])]
+            for name, number in zip(names, drive.floating, strict=True)
+        }
+    )
     of_contact = {
         (name, drive.contacts[k].name): shown
         for name, each in tracks.items()
-        for (_, contacts), shown in zip(each, radii[name], strict=True)
+        for (_, contacts), shown in zip(each, radii[name], strict=False)  # the bore is the last
         for k in contacts
     }
     centres = _apart(joint, names, found, {name: max(each) for name, each in radii.items()})
-    extent = [
-        [
-            centre[axis] + sign * (max(radii[name]) + _BEYOND)
-            for name, centre in centres.items()
-            for sign in (-1, 1)
-        ]
-        for axis in (0, 1)
-    ]
-    half = [0.5 * (min(each) + max(each)) for each in extent]
-
-    def on_sheet(x: float, y: float) -> Point:
-        return middle[0] + (x - half[0]) / scale, middle[1] + (y - half[1]) / scale
-
     arrows = [
         force_arrow(each, centres[each.body], of_contact.get((each.body, each.name), max(radii[each.body])))
         for each in found
         if each.size != 0.0
     ]
-    items: list[Item] = [
-        Circle(on_sheet(*centres[name]), radius / scale) for name, each in radii.items() for radius in each
-    ]
-    items += [Line((on_sheet(*tail), on_sheet(*tip)), "force", "end") for tail, tip in arrows]
     bodies = {name: (centres[name], max(each)) for name, each in radii.items()}
     labels = _Labels(list(bodies.values()), arrows)
     for name, (centre, radius) in bodies.items():
         words = name.replace("_", " ")
-        if radius > _ROOM_FOR_NAME:
+        if min(radii[name]) > _ROOM_FOR_NAME:  # no arrow points into it
             labels.write((words,), (centre[0], centre[1] - 6.0), "center")
         else:
             labels.find((words,), centre, radius, (0.0, 1.0))
@@ -94,7 +84,29 @@ def planar_free_bodies(
         if each.kind == "F" and each.size != 0.0:
             towards = (-each.direction[0], -each.direction[1]) if each.size > 0.0 else each.direction
             labels.find((force_label(each),), *bodies[each.body], towards)
-    return items + [Text(on_sheet(*text.at), text.text, text.align) for text in labels.texts]
+    left, right, low, high = labels.extent
+    over = max(0.5 * (right - left - room), 0.0)
+
+    def on_sheet(x: float, y: float) -> Point:
+        return (
+            middle[0] + (x - 0.5 * (left + right) - over) / scale,
+            middle[1] + (y - 0.5 * (low + high)) / scale,
+        )
+
+    return [
+        *(
+            Circle(on_sheet(*centres[name]), radius / scale)
+            for name, each in radii.items()
+            for radius in each
+        ),
+        *(Line((on_sheet(*tail), on_sheet(*tip)), "force", "end") for tail, tip in arrows),
+        *(Text(on_sheet(*text.at), text.text, text.align) for text in labels.texts),
+    ]
+
+
+def _bore(shape: BodyShape) -> list[float]:
+    """Radius of the bore of a hollow roller [m]."""
+    return [0.5 * float(shape.size)] if shape.kind == "hollow" and shape.size is not None else []
 
 
 class _Labels:
@@ -109,6 +121,13 @@ class _Labels:
             for share in (0.0, 0.25, 0.5, 0.75, 1.0)
         ]
         self._boxes: list[tuple[float, float, float, float]] = []
+
+    @property
+    def extent(self) -> tuple[float, float, float, float]:
+        """Left, right, lower and upper edge of all bodies and texts."""
+        boxes = [*self._boxes, *((x - r, x + r, y - r, y + r) for (x, y), r in self._bodies)]
+        left, right, low, high = zip(*boxes, strict=True)
+        return min(left), max(right), min(low), max(high)
 
     def write(self, lines: tuple[str, ...], at: Point, align: Align) -> None:
         """Write lines below each other, the first at a place."""

@@ -69,7 +69,8 @@ def planar_sheet(joint: PlanarJoint, *, name: str, result: PlanarResult | None =
         low = top + _SPACING * (len(loads) + 1)
         items += [Text(on_paper(column, low - _SPACING * (row + 1)), line) for row, line in enumerate(loads)]
         centre = on_paper(0.5 * (column + width - _MARGIN), 0.5 * (low + height - _MARGIN))
-        items += planar_free_bodies(joint, result, middle=centre, scale=scale)
+        across = width - _MARGIN - column
+        items += planar_free_bodies(joint, result, middle=centre, room=across, scale=scale)
     items += [Text(on_paper(column, top - _SPACING * row), line) for row, line in enumerate(lines)]
     items += title_block(on_paper, column, width, name, scale, kind=_kind(joint))
     items.append(frame(on_paper, width, height))
@@ -91,7 +92,7 @@ def planar_forces_sheet(joint: PlanarJoint, result: PlanarResult) -> Sheet:
     Sheet
         A sheet of 170 mm by 140 mm.
     """
-    items = planar_free_bodies(joint, result, middle=(0.0, 5.0), scale=1.0)
+    items = planar_free_bodies(joint, result, middle=(0.0, 5.0), room=166.0, scale=1.0)
     for row, line in enumerate(load_lines(joint, result.forces, part="sector")):
         items.append(Text((-82.0, -56.0 - _SPACING * row), line))
     return Sheet(170.0, 140.0, 1.0, (85.0, 68.0), tuple(items))

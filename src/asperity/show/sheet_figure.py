@@ -48,6 +48,7 @@ def sheet_figure(sheet: Sheet) -> Figure:
                 color="black",
                 family=_FONT,
                 parse_math=False,
+                bbox={"facecolor": "white", "edgecolor": "none", "pad": 0.0},  # no line runs through a word
             )
             continue
         line: dict[str, Any] = {

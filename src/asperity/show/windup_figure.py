@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -18,11 +19,17 @@ _Rows = tuple[tuple[tuple[int, int], ...], ...]
 #: Columns of the panels out of 6, row by row; the last row is that of the joint that turns.
 _NARROW: _Rows = (((0, 1), (1, 2)), ((0, 2),), ((0, 1), (1, 2)))
 _WIDE: _Rows = (((0, 2), (2, 4), (4, 6)), ((0, 3), (3, 6)))
+_NEAR = 1.25  # capacity over the largest torque up to which it is in the picture
 _LEGEND_LINE = 0.11  # height of a line of a legend over that of a narrow panel
 
 
 def windup_figure(
-    curve: Windup, onset: RollingOnset | None = None, *, title: str, stacked: bool = False
+    curve: Windup,
+    onset: RollingOnset | None = None,
+    *,
+    title: str,
+    stacked: bool = False,
+    capacities: tuple[float, float] = (math.inf, math.inf),
 ) -> Figure:
     """Torque–angle loop, its deviation from a straight line, and stiffness; below them the joint that turns.
 
@@ -36,6 +43,8 @@ def windup_figure(
         Title of the picture.
     stacked : bool, optional
         Whether there are at most two panels beside each other, for a narrow page.
+    capacities : tuple of float, optional
+        Torque capacities of positive and of negative torques, as positive torques [N·m]; infinite where there are none.
 
     Returns
     -------
@@ -80,12 +89,31 @@ def windup_figure(
     ):
         stiffness.stairs(values / _ARCMINUTES, bounds, color="tab:red", baseline=None, label=label)
     stiffness.set(xlabel="torque at the output [N·m]", ylabel="stiffness at the output\n[N·m/arcmin]")
+    _shade_beyond(deviation, capacities)
+    _shade_beyond(stiffness, capacities)
     _legend_above(stiffness)
     if onset is not None:
         _draw_beyond(turning[0], onset, torque=float(curve.torque[-1]))
         _draw_swings(turning[1], onset)
     figure.suptitle(title)
     return figure
+
+
+def _shade_beyond(panel: Axes, capacities: tuple[float, float]) -> None:
+    """What the joint does not carry, as far as it is near; a legend says where it begins."""
+    ends = panel.get_xlim()
+    reach = _NEAR * max(map(abs, ends))
+    label = "beyond the torque capacity"
+    for sign, limit in zip((1.0, -1.0), capacities, strict=True):
+        if limit < reach:
+            panel.axvspan(
+                sign * limit, sign * reach, color="tab:orange", alpha=0.25, linewidth=0.0, label=label
+            )
+            label = "_nolegend_"
+    if label.startswith("_"):
+        panel.set_xlim(-reach, reach)
+    elif math.isfinite(min(capacities)):
+        panel.plot([], [], " ", label=f"torque capacity {min(capacities):.4g} N·m")
 
 
 def _draw_beyond(panel: Axes, onset: RollingOnset, *, torque: float) -> None:

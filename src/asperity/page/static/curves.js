@@ -24,6 +24,7 @@ export function curves(answer, baseline) {
   const why = standing(found);
   const loop = windup.unknown_because ? null : windup;
   const before = baseline && !baseline.windup.unknown_because ? baseline.windup : null;
+  const equal = found.branches ? "Of equal branches, not of those of the file, as are all curves here; 'asperity windup' has those of the file where the drive allows. " : "";
   const angles = (from, key) => from[key].map((value) => scaled(value, toArcmin));
   return [
     linePlot({
@@ -54,7 +55,7 @@ export function curves(answer, baseline) {
           ]
         : [],
       note: loop
-        ? `Hysteresis ${number(scaled(loop.hysteresis_rad, toArcmin), 3)} arcmin, lost motion ${number(scaled(loop.lost_motion_rad, toArcmin), 3)} arcmin.`
+        ? `${equal}Hysteresis ${number(scaled(loop.hysteresis_rad, toArcmin), 3)} arcmin, lost motion ${number(scaled(loop.lost_motion_rad, toArcmin), 3)} arcmin.`
         : "",
     }),
     linePlot({
