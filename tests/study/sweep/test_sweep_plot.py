@@ -81,6 +81,26 @@ def test_two_axes_are_a_map_with_the_first_to_the_right():
     assert (axes.get_xlabel()[-5:], axes.get_ylabel()[-3:]) == ("[N·m]", "[N]")
 
 
+@pytest.mark.parametrize(
+    ("stated", "marked"),
+    [
+        ({TORQUE: 3.0, PRELOAD: 250.0}, [(3.0, 250.0)]),
+        ({TORQUE: 0.0, PRELOAD: 700.0}, [(0.0, 700.0)]),
+        ({TORQUE: 3.0, PRELOAD: 750.0}, []),
+        ({TORQUE: 3.0}, []),
+        (None, []),
+    ],
+)
+def test_a_map_marks_the_joint_of_the_file_where_it_holds_it(stated, marked):
+    values = np.add.outer(10.0 * np.arange(8), np.arange(7))
+    data = swept({"mass": values}, f"{TORQUE}=0 N*m:7 N*m:8", f"{PRELOAD}=100 N:700 N:7")
+    figure = sweep_figure(data, stated=stated)
+    points = [tuple(line.get_xydata()[0]) for line in figure.axes[0].lines]
+    assert points == [pytest.approx(point) for point in marked]
+    told = [text.get_text() for legend in figure.legends for text in legend.get_texts()]
+    assert told.count("the joint of the file") == len(marked)
+
+
 def test_few_values_of_the_second_axis_are_curves_and_the_third_panels():
     """Largest of the contacts: the last, 0.5 + 0.01 torque + 0.1 preload + 0.2 speed by their places."""
     places = np.indices((4, 2, 2))

@@ -123,6 +123,7 @@ def draw_map(
     values: np.ndarray,
     label: str,
     limits: Sequence[MapLimit],
+    here: tuple[float, float] | None = None,
 ) -> Axes:
     """Draw a map.
 
@@ -140,6 +141,8 @@ def draw_map(
         Label of the colours.
     limits : sequence of MapLimit
         Limits whose lines are drawn where the map crosses them.
+    here : tuple of float, optional
+        The working point, in the units of the labels.
 
     Returns
     -------
@@ -175,6 +178,12 @@ def draw_map(
         panel.pcolormesh(x, y, np.ma.masked_invalid(values), shading="nearest", rasterized=True)
         panel.set_title(f"{label}: {known[0]:.4g} throughout", fontsize="small")
     keys = [*_hatch_failures(panel, data, x, y), *_draw_limits(panel, data, x, y, limits)]
+    if here is not None:
+        (point,) = panel.plot(
+            *here, "o", color="C3", markersize=8, markeredgecolor="white", clip_on=False, zorder=5
+        )
+        point.set_label("the joint of the file")
+        keys.append(point)
     if keys:
         figure.legend(handles=keys, loc="outside lower center", ncols=1, fontsize="small", frameon=False)
     panel.set_xlim(x.min(), x.max())

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -36,7 +36,11 @@ _FINEST = 400  # values along an axis of a plot; more cannot be seen
 
 
 def sweep_figure(
-    dataset: xarray.Dataset, *, result: str | None = None, limits: Sequence[MapLimit] = ()
+    dataset: xarray.Dataset,
+    *,
+    result: str | None = None,
+    limits: Sequence[MapLimit] = (),
+    stated: Mapping[str, float] | None = None,
 ) -> Figure:
     """Draw a sweep.
 
@@ -48,6 +52,8 @@ def sweep_figure(
         Which result; by default the fullest model's stiffness at the output among those there.
     limits : sequence of MapLimit, optional
         Limits whose lines a map shows; by default those of the model for the results that are there.
+    stated : mapping, optional
+        Numbers of the joint file, dotted path → value in SI units: a map marks the working point, where it holds it.
 
     Returns
     -------
@@ -73,7 +79,7 @@ def sweep_figure(
     if len(axes) == 1:
         _curves(figure.subplots(), data, axes[0], name)
     elif len(axes) == 2 and min(data.sizes[dim] for dim in axes) > _CURVES and len(rows_of(data, name)) == 1:
-        _map(figure, data, axes, name, limits)
+        _map(figure, data, axes, name, limits, stated or {})
     else:
         _panels(figure, data, axes, name)
     failed, count = int((dataset["status"] != 0).sum()), dataset["status"].size
@@ -172,7 +178,12 @@ def _log_if_wide(axes: Axes, values: np.ndarray) -> None:
 
 
 def _map(
-    figure: Figure, data: xarray.Dataset, axes: list[str], name: str, limits: Sequence[MapLimit]
+    figure: Figure,
+    data: xarray.Dataset,
+    axes: list[str],
+    name: str,
+    limits: Sequence[MapLimit],
+    stated: Mapping[str, float],
 ) -> None:
     x, y = (_in_unit(path, data[path].values) for path in axes)
     figure.set_size_inches(8.0, 6.4)
@@ -184,12 +195,24 @@ def _map(
         values=data[name].transpose(axes[1], axes[0]).values,
         label=_label_of_result(data, name),
         limits=limits or limits_of_the_model(data),
+        here=_working_point(data, axes, stated),
     )
     _scale(panel, axes[0], x)
     _scale(panel, axes[1], y, vertical=True)
     for path_values, axis in ((x, panel.xaxis), (y, panel.yaxis)):
         if _is_log(path_values):
             mark_few_decades(axis, float(path_values.min()), float(path_values.max()))
+
+
+def _working_point(
+    data: xarray.Dataset, axes: list[str], stated: Mapping[str, float]
+) -> tuple[float, float] | None:
+    """The values of the file on both axes, in the units of their labels; None where they lie outside."""
+    here = {path: stated.get(path, np.nan) for path in axes}
+    if not all(data[path].min() <= value <= data[path].max() for path, value in here.items()):
+        return None
+    x, y = (float(_in_unit(path, np.array([value]))[0]) for path, value in here.items())
+    return x, y
 
 
 def _panels(figure: Figure, data: xarray.Dataset, axes: list[str], name: str) -> None:
