@@ -113,6 +113,34 @@ def test_a_view_that_is_too_wide_reaches_beyond_its_room_on_the_left(planar_case
     assert max(ends) == pytest.approx(50.0, abs=1.5)
 
 
+def test_positions_on_a_sheet_at_another_scale_and_place(planar_case):
+    joint = planar_joint_from_case(planar_case("multiroller"))
+    once, twice = (
+        planar_free_bodies(joint, solved(joint), middle=middle, room=ROOM, scale=scale)
+        for middle, scale in (((0.0, 0.0), 1.0), ((30.0, -7.0), 2.0))
+    )
+    for one, other in zip(once, twice, strict=True):
+        if isinstance(one, Text):
+            assert other.at == pytest.approx((30.0 + 0.5 * one.at[0], -7.0 + 0.5 * one.at[1]))
+
+
+def test_neighbours_lie_in_the_direction_of_their_contact(drawn):
+    joint, items = drawn
+    circles = [item for item in items if isinstance(item, Circle)]
+    centres = list(dict.fromkeys(circle.centre for circle in circles))
+    names = [joint.drive.bodies[number].name for number in joint.drive.floating]
+    contacts = [each for each in joint.drive.contacts if each.sector == 0]
+    for contact in (each for each in contacts if {each.first, each.second} <= set(names)):
+        one, other = (np.array(centres[names.index(name)]) for name in (contact.first, contact.second))
+        (place,) = (
+            each.place
+            for each in planar_body_forces(joint, solved(joint))
+            if (each.body, each.name, each.kind) == (contact.first, contact.name, "N")
+        )
+        assert (other - one) / np.hypot(*(other - one)) == pytest.approx(np.array(place), abs=1e-9)
+        return  # the first contact of two bodies places the second
+
+
 def test_a_hollow_roller_has_its_bore(planar_case):
     joint = planar_joint_from_case(planar_case("planetary_hollow"))
     items = planar_free_bodies(joint, solved(joint), middle=(0.0, 0.0), room=ROOM, scale=1.0)
