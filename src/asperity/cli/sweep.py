@@ -108,7 +108,7 @@ def sweep(
     from asperity.joint.results import chosen_results
     from asperity.joint_file.any_joint import results_of
     from asperity.joint_file.part_names import WEDGE_TYPE
-    from asperity.joint_file.si_tables import numeric_keys, si_values
+    from asperity.joint_file.si_tables import si_values
     from asperity.study.parameters import parse_axis
     from asperity.study.sweep.sweep import sweep as evaluate_sweep
     from asperity.study.sweep.sweep_map import parse_limit
@@ -155,8 +155,7 @@ def sweep(
     if plot is not None:
         from asperity.study.sweep.sweep_plot import sweep_figure
 
-        stated = {path: entry.value for path, entry in numeric_keys(case).items()}
-        write_image(sweep_figure(found, result=plot_result, limits=drawn, stated=stated), plot)
+        write_image(sweep_figure(found, result=plot_result, limits=drawn), plot)
         say_written(plot)
     _show(found, out)
 

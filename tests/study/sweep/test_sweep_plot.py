@@ -1,5 +1,6 @@
 """Plots of sweeps against datasets that are written out here: places, units, failed points, logarithms."""
 
+import json
 from pathlib import Path
 
 import numpy as np
@@ -12,6 +13,7 @@ from asperity.joint_file.reader import read_any_case
 from asperity.joint_file.si_tables import si_values
 from asperity.study.datasets import coordinate, dataset
 from asperity.study.parameters import parse_axis
+from asperity.study.sweep.sweep_plan import PLAN
 from asperity.study.sweep.sweep_plot import _spread, _with_margin, sweep_figure
 
 ROOT = Path(__file__).parents[3]
@@ -84,17 +86,19 @@ def test_two_axes_are_a_map_with_the_first_to_the_right():
 @pytest.mark.parametrize(
     ("stated", "marked"),
     [
-        ({TORQUE: 3.0, PRELOAD: 250.0}, [(3.0, 250.0)]),
-        ({TORQUE: 0.0, PRELOAD: 700.0}, [(0.0, 700.0)]),
-        ({TORQUE: 3.0, PRELOAD: 750.0}, []),
-        ({TORQUE: 3.0}, []),
+        ({"output_torque": 3.0, "preload": 250.0}, [(3.0, 250.0)]),
+        ({"output_torque": 0.0, "preload": 700.0}, [(0.0, 700.0)]),
+        ({"output_torque": 3.0, "preload": 750.0}, []),
+        ({"output_torque": 3.0}, []),
         (None, []),
     ],
 )
 def test_a_map_marks_the_joint_of_the_file_where_it_holds_it(stated, marked):
     values = np.add.outer(10.0 * np.arange(8), np.arange(7))
     data = swept({"mass": values}, f"{TORQUE}=0 N*m:7 N*m:8", f"{PRELOAD}=100 N:700 N:7")
-    figure = sweep_figure(data, stated=stated)
+    if stated is not None:
+        data.attrs[PLAN] = json.dumps({"joint": {"load": stated}})
+    figure = sweep_figure(data)
     points = [tuple(line.get_xydata()[0]) for line in figure.axes[0].lines]
     assert points == [pytest.approx(point) for point in marked]
     told = [text.get_text() for legend in figure.legends for text in legend.get_texts()]

@@ -23,14 +23,13 @@ from asperity.study.parameters import axis_from_dict
 from asperity.study.sweep.store_integrity import damaged_blocks, same_values, unfinished_blocks
 from asperity.study.sweep.store_layout import (
     MARKS,
-    PLAN,
     build_store,
     plan_identity,
     store_coordinates,
     store_group,
     stored_plan,
 )
-from asperity.study.sweep.sweep_plan import Plan
+from asperity.study.sweep.sweep_plan import PLAN, Plan
 from asperity.writing import cannot_write, check_folder
 
 if TYPE_CHECKING:

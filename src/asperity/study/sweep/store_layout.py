@@ -19,10 +19,10 @@ from asperity.study.datasets import (
     row_coordinates,
     row_dimensions,
 )
-from asperity.study.sweep.sweep_plan import Plan
+from asperity.study.sweep.sweep_plan import PLAN, Plan
 
 #: Name of the attribute with the sweep, and of the array with a mark for each finished block.
-PLAN, MARKS = "asperity_sweep", "progress/finished"
+MARKS = "progress/finished"
 #: Version of the layout of a store; 2: chunks have checksums and are written even if all values are nan.
 FORMAT = 2
 

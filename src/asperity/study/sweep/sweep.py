@@ -20,7 +20,7 @@ from asperity.study.parameters import SweepAxis
 from asperity.study.sweep.cluster import run_on_cluster
 from asperity.study.sweep.store import open_store, prepare_store, remove_store, write_block
 from asperity.study.sweep.store_integrity import repair_store, unfinished_blocks
-from asperity.study.sweep.sweep_plan import Plan, block_results, make_plan
+from asperity.study.sweep.sweep_plan import PLAN, Plan, block_results, make_plan
 
 if TYPE_CHECKING:
     import xarray
@@ -176,5 +176,5 @@ def _in_memory(
         status=status,
         found=found,
         table=results_of(plan.values),
-        attributes={**common_attributes("sweep of a joint"), "asperity_sweep": json.dumps(plan.as_dict())},
+        attributes={**common_attributes("sweep of a joint"), PLAN: json.dumps(plan.as_dict())},
     )

@@ -16,6 +16,8 @@ from asperity.joint_file.si_tables import AnyCase, Values, si_values
 from asperity.study.batch import evaluate_points
 from asperity.study.parameters import SweepAxis, check_axes
 
+#: Attribute of a dataset or a store with the sweep that it belongs to, as JSON.
+PLAN = "asperity_sweep"
 #: Points of one block; a block is computed, written and, after an interruption, repeated as a whole.
 BLOCK_POINTS = 250_000
 #: Numbers of one block: 64 MB of them, so that many results make the blocks smaller.

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+import json
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -14,6 +15,7 @@ from asperity.show.style import mark_few_decades
 from asperity.study.datasets import result_words, row_dimensions, rows_of
 from asperity.study.parameters import long_name
 from asperity.study.sweep.sweep_map import MapLimit, draw_map, limits_of_the_model
+from asperity.study.sweep.sweep_plan import PLAN
 from asperity.units import from_si
 
 if TYPE_CHECKING:
@@ -40,7 +42,6 @@ def sweep_figure(
     *,
     result: str | None = None,
     limits: Sequence[MapLimit] = (),
-    stated: Mapping[str, float] | None = None,
 ) -> Figure:
     """Draw a sweep.
 
@@ -52,15 +53,13 @@ def sweep_figure(
         Which result; by default the fullest model's stiffness at the output among those there.
     limits : sequence of MapLimit, optional
         Limits whose lines a map shows; by default those of the model for the results that are there.
-    stated : mapping, optional
-        Numbers of the joint file, dotted path → value in SI units: a map marks the working point, where it holds it.
 
     Returns
     -------
     matplotlib.figure.Figure
-        Curves over one axis, with all three levels of stiffness; a map over two, with contours, limits, and hatched
-        regions without a solution; curves in panels over three and more, at values that the titles and the legend
-        state. Failed points are counted.
+        Curves over one axis, with all three levels of stiffness; a map over two, with contours, limits, hatched regions
+        without a solution, and the joint of the file where it lies within; curves in panels over three and more, at
+        values that the titles and the legend state. Failed points are counted.
 
     Raises
     ------
@@ -79,7 +78,7 @@ def sweep_figure(
     if len(axes) == 1:
         _curves(figure.subplots(), data, axes[0], name)
     elif len(axes) == 2 and min(data.sizes[dim] for dim in axes) > _CURVES and len(rows_of(data, name)) == 1:
-        _map(figure, data, axes, name, limits, stated or {})
+        _map(figure, data, axes, name, limits)
     else:
         _panels(figure, data, axes, name)
     failed, count = int((dataset["status"] != 0).sum()), dataset["status"].size
@@ -183,7 +182,6 @@ def _map(
     axes: list[str],
     name: str,
     limits: Sequence[MapLimit],
-    stated: Mapping[str, float],
 ) -> None:
     x, y = (_in_unit(path, data[path].values) for path in axes)
     figure.set_size_inches(8.0, 6.4)
@@ -195,7 +193,7 @@ def _map(
         values=data[name].transpose(axes[1], axes[0]).values,
         label=_label_of_result(data, name),
         limits=limits or limits_of_the_model(data),
-        here=_working_point(data, axes, stated),
+        here=_working_point(data, axes),
     )
     _scale(panel, axes[0], x)
     _scale(panel, axes[1], y, vertical=True)
@@ -204,14 +202,18 @@ def _map(
             mark_few_decades(axis, float(path_values.min()), float(path_values.max()))
 
 
-def _working_point(
-    data: xarray.Dataset, axes: list[str], stated: Mapping[str, float]
-) -> tuple[float, float] | None:
-    """The values of the file on both axes, in the units of their labels; None where they lie outside."""
-    here = {path: stated.get(path, np.nan) for path in axes}
-    if not all(data[path].min() <= value <= data[path].max() for path, value in here.items()):
-        return None
-    x, y = (float(_in_unit(path, np.array([value]))[0]) for path, value in here.items())
+def _working_point(data: xarray.Dataset, axes: list[str]) -> tuple[float, float] | None:
+    """What the joint file states on both axes, in the units of their labels; None where that lies outside."""
+    joint = json.loads(data.attrs.get(PLAN, "{}")).get("joint")
+    here = {}
+    for path in axes:
+        value = joint
+        for step in path.split("."):
+            value = value.get(step) if isinstance(value, dict) else None
+        if not isinstance(value, float) or not data[path].min() <= value <= data[path].max():
+            return None
+        here[path] = float(_in_unit(path, np.array([value]))[0])
+    x, y = here.values()
     return x, y
 
 
