@@ -21,11 +21,12 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 
+from asperity.drive.planar.existence import has_room
 from asperity.drive.planar.layout import PlanarDrive
 from asperity.joint.planar.description import planar_contacts
 from asperity.joint.planar.evaluation import evaluated_with_laws
 from asperity.joint.planar.laws import drive_load
-from asperity.joint.planar.status import has_room, planar_status
+from asperity.joint.planar.status import planar_status
 from asperity.joint.planar.turning import driving_sense
 from asperity.joint.status import NO_ROOM, STATUS_NAMES
 from asperity.joint_file import build

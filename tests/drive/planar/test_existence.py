@@ -10,6 +10,7 @@ import pytest
 from asperity.drive.planar.drives import planetary_drive, stepped_planet_drive, two_row_multiroller
 from asperity.drive.planar.existence import (
     LEAST_OUTPUT_SHARE,
+    has_room,
     neighbour_gaps,
     output_share,
     pulling_contacts,
@@ -24,6 +25,19 @@ def test_bodies_that_do_not_touch_are_named(drives):
     larger = dataclasses.replace(drive, second_radius=jnp.asarray(drive.second_radius).at[1].add(1e-4))
     with pytest.raises(InputError, match=r"contact pr: planet and ring do not touch \(gap 0\.1 mm\)"):
         refuse_impossible(larger)
+
+
+@pytest.mark.parametrize("compiled", [False, True])
+def test_room_is_judged_as_it_is_refused(drives, compiled):
+    drive = drives["planetary"]
+    apart = dataclasses.replace(drive, second_radius=jnp.asarray(drive.second_radius).at[1].add(1e-4))
+    crowded = dataclasses.replace(drive, sectors=jnp.asarray(30.0))
+    nowhere = dataclasses.replace(drive, centres=jnp.full_like(drive.centres, jnp.nan))
+    judge = jax.jit(has_room) if compiled else has_room
+    assert [bool(judge(each)) for each in (drive, apart, crowded, nowhere)] == [True, False, False, False]
+    for each in (apart, crowded, nowhere):
+        with pytest.raises(InputError):
+            refuse_impossible(each)
 
 
 def test_gaps_are_judged_by_the_size_of_the_drive(drives):

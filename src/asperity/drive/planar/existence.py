@@ -91,6 +91,25 @@ def refuse_impossible(drive: PlanarDrive) -> None:
         )
 
 
+def has_room(drive: PlanarDrive) -> Array:
+    """Whether the bodies of every contact touch, and no others overlap; for programs, where nothing can be raised.
+
+    Parameters
+    ----------
+    drive : PlanarDrive
+        The drive.
+
+    Returns
+    -------
+    Array
+        True or False; False also where a roller has no place.
+    """
+    xp = namespace(drive)
+    touch = abs(gaps(drive)) <= TOUCH_TOLERANCE * xp.asarray(drive.second_radius)
+    fits: Array = xp.all(xp.stack([*touch, *(gap >= 0.0 for gap in neighbour_gaps(drive).values())]))
+    return fits
+
+
 def output_share(drive: PlanarDrive) -> Array:
     """Speed of the output over that of the fastest member.
 

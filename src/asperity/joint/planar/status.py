@@ -5,30 +5,12 @@ from __future__ import annotations
 import jax.numpy as jnp
 from jax import Array
 
-from asperity.drive.planar.existence import LEAST_OUTPUT_SHARE, TOUCH_TOLERANCE, neighbour_gaps, output_share
-from asperity.drive.planar.layout import PlanarDrive, gaps
+from asperity.drive.planar.existence import LEAST_OUTPUT_SHARE, has_room, output_share
 from asperity.drive.planar.state import STATE_TOLERANCE
 from asperity.joint.planar.capacity import smaller_sizes
 from asperity.joint.planar.description import PlanarJoint
 from asperity.joint.planar.evaluation import PlanarResult
 from asperity.joint.status import ALL_PLASTIC, IDLE, LOOSE, NO_ROOM, SLIPS, TOO_WIDE, UNBALANCED
-
-
-def has_room(drive: PlanarDrive) -> Array:
-    """Whether the bodies of every contact touch, and no others overlap.
-
-    Parameters
-    ----------
-    drive : PlanarDrive
-        The drive.
-
-    Returns
-    -------
-    Array
-        True or False; False also where a roller has no place.
-    """
-    touch = jnp.abs(gaps(drive)) <= TOUCH_TOLERANCE * drive.second_radius
-    return jnp.all(jnp.stack([*touch, *(gap >= 0.0 for gap in neighbour_gaps(drive).values())]))
 
 
 def planar_status(joint: PlanarJoint, result: PlanarResult) -> Array:
