@@ -115,8 +115,8 @@ def planar_shapes(joint: PlanarJoint, result: PlanarResult) -> dict[str, Any]:
 
 def _bore(joint: PlanarJoint, number: int) -> list[float]:
     """Radius of the bore of a hollow roller [m]."""
-    size = joint.shapes[number].size
-    return [] if size is None else [0.5 * float(size)]
+    bore = joint.shapes[number].bore_diameter
+    return [] if bore is None else [0.5 * float(bore)]
 
 
 def _planar_forces(joint: PlanarJoint, found: list[BodyForce]) -> list[dict[str, Any]]:

@@ -15,7 +15,7 @@ from asperity.joint.rolling_onset import RollingOnset
 from asperity.joint.windup import Windup
 from asperity.show.compliance_figure import draw_budget, draw_levels
 from asperity.show.drive_sheet import drive_sheet, forces_sheet
-from asperity.show.margins_figure import draw_margins, drawn_margins
+from asperity.show.margins_figure import draw_margins, margins_height
 from asperity.show.planar_sheet import planar_forces_sheet, planar_sheet
 from asperity.show.rolling_figure import rolling_figure
 from asperity.show.sheet_figure import sheet_figure
@@ -78,7 +78,7 @@ def report_pictures(
         draw_levels(levels, solved)
         found["budget"] = figure_svg(budget)
     judged = margins(solved)
-    bars = Figure(figsize=(_WIDTH, 1.0 + 0.35 * max(1, len(drawn_margins(judged)))), layout="constrained")
+    bars = Figure(figsize=(_WIDTH, margins_height(judged)), layout="constrained")
     draw_margins(bars.subplots(), judged)
     found["margins"] = figure_svg(bars)
     if windup is not None:

@@ -12,7 +12,7 @@ from asperity.joint.margins import margins
 from asperity.joint.results import LEVELS, RESULTS, SolvedJoint
 from asperity.joint.temperature_curves import temperature_curves
 from asperity.show.branch_figure import draw_size_errors
-from asperity.show.margins_figure import draw_margins, drawn_margins
+from asperity.show.margins_figure import draw_margins, margins_height
 from asperity.show.style import mark_few_decades
 from asperity.show.temperature_figure import draw_temperatures
 from asperity.units import format_quantity
@@ -105,7 +105,7 @@ def joint_figure(solved: SolvedJoint, *, title: str, size_errors: SizeErrorCurve
     rows = 2 + (fit is not None) + (size_errors is not None)
     judged = margins(solved)
     heights = [_ROW] * rows
-    heights[1] = max(_ROW, 1.0 + 0.35 * len(drawn_margins(judged)))
+    heights[1] = max(_ROW, margins_height(judged))
     figure = Figure(figsize=(10.0, sum(heights)), layout="constrained")
     upper, lower, *further = figure.subfigures(rows, 1, squeeze=False, height_ratios=heights)[:, 0]
     budget, levels = upper.subplots(1, 2)

@@ -43,6 +43,22 @@ def drawn_margins(found: Sequence[Margin]) -> list[Margin]:
     return sorted(chosen, key=lambda each: -each.utilisation)
 
 
+def margins_height(found: Sequence[Margin]) -> float:
+    """Height of the picture in which the bars have room for their names.
+
+    Parameters
+    ----------
+    found : sequence of Margin
+        The margins.
+
+    Returns
+    -------
+    float
+        Height [in].
+    """
+    return 1.0 + 0.35 * max(1, len(drawn_margins(found)))
+
+
 def draw_margins(axes: Axes, found: Sequence[Margin]) -> None:
     """Bars of the share of each limit that is used; the line at 100 % is the limit, and no words lie on it.
 

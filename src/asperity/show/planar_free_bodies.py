@@ -106,7 +106,7 @@ def planar_free_bodies(
 
 def _bore(shape: BodyShape) -> list[float]:
     """Radius of the bore of a hollow roller [m]."""
-    return [0.5 * float(shape.size)] if shape.kind == "hollow" and shape.size is not None else []
+    return [] if shape.bore_diameter is None else [0.5 * float(shape.bore_diameter)]
 
 
 class _Labels:

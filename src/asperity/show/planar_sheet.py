@@ -151,8 +151,8 @@ def _body(joint: PlanarJoint, number: int, sector: int, rings: dict[int, _Ring],
     radii = [1e3 * float(radius) for radius, _ in tracks_of(joint, number)]
     items: list[Item] = [Circle(centre, radius) for radius in radii]
     shape = joint.shapes[number]
-    if shape.kind == "hollow" and shape.size is not None:
-        items.append(Circle(centre, 0.5e3 * float(shape.size)))
+    if shape.bore_diameter is not None:
+        items.append(Circle(centre, 0.5e3 * float(shape.bore_diameter)))
     if joint.drive.bodies[number].place != "axis":
         angle, half = math.atan2(y, x), min(max(radii) + beyond, 1.25 * max(radii))
         e, f = half * math.cos(angle), half * math.sin(angle)
@@ -208,8 +208,8 @@ def _sizes(joint: PlanarJoint, rings: dict[int, _Ring]) -> list[str]:
         radii = [1e3 * float(radius) for radius, _ in tracks_of(joint, number)]
         sizes = ", ".join(f"⌀{dimension(2.0 * radius)}" for radius in radii)
         shape = joint.shapes[number]
-        if shape.kind == "hollow" and shape.size is not None:
-            sizes += f", bore ⌀{dimension(1e3 * float(shape.size))}"
+        if shape.bore_diameter is not None:
+            sizes += f", bore ⌀{dimension(1e3 * float(shape.bore_diameter))}"
         lines.append(
             f"{words}: {sizes}"
             if body.place == "axis"

@@ -19,7 +19,7 @@ _Rows = tuple[tuple[tuple[int, int], ...], ...]
 #: Columns of the panels out of 6, row by row; the last row is that of the joint that turns.
 _NARROW: _Rows = (((0, 1), (1, 2)), ((0, 2),), ((0, 1), (1, 2)))
 _WIDE: _Rows = (((0, 2), (2, 4), (4, 6)), ((0, 3), (3, 6)))
-_NEAR = 1.25  # capacity over the largest torque up to which it is in the picture
+_NEAR = 1.25  # capacity over the end of the axis up to which it is in the picture
 _LEGEND_LINE = 0.11  # height of a line of a legend over that of a narrow panel
 
 

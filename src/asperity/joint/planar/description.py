@@ -43,6 +43,11 @@ class BodyShape(eqx.Module):
     size: Real | None = None
     support: Literal["free", "rigid_housing"] = eqx.field(static=True, default="free")
 
+    @property
+    def bore_diameter(self) -> Real | None:
+        """Diameter of the bore of a hollow roller [m]; None for other bodies."""
+        return self.size if self.kind == "hollow" else None
+
 
 SOLID = BodyShape("solid")
 

@@ -125,10 +125,10 @@ def refuse_bores(joint: PlanarJoint) -> None:
     """
     for number, (body, shape) in enumerate(zip(joint.drive.bodies, joint.shapes, strict=True)):
         radius = min(float(radius) for radius, _ in tracks_of(joint, number))
-        if shape.kind == "hollow" and shape.size is not None and float(shape.size) >= 2.0 * radius:
+        if shape.bore_diameter is not None and float(shape.bore_diameter) >= 2.0 * radius:
             raise InputError(
-                f"the bore of {body.name}, {format_quantity(float(shape.size), 'mm')}, leaves no wall in a roller of "
-                f"{format_quantity(2.0 * radius, 'mm')}; make the bore smaller"
+                f"the bore of {body.name}, {format_quantity(float(shape.bore_diameter), 'mm')}, leaves no wall in a "
+                f"roller of {format_quantity(2.0 * radius, 'mm')}; make the bore smaller"
             )
 
 
