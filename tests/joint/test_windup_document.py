@@ -1,5 +1,6 @@
 """The document of a wind-up whose curve is a straight line, and the request that is refused."""
 
+import math
 from types import SimpleNamespace
 
 import numpy as np
@@ -8,7 +9,13 @@ import pytest
 from asperity.drive.geometry import CONTACT_NAMES
 from asperity.errors import InputError
 from asperity.joint import windup_document as module
-from asperity.joint.windup_document import examined_windup, rolling_columns, windup_columns, windup_document
+from asperity.joint.windup_document import (
+    examined_windup,
+    rolling_columns,
+    windup_capacities,
+    windup_columns,
+    windup_document,
+)
 
 CAPACITIES = {"forward": {"output_torque_Nm": 13.0}, "reverse": {"output_torque_Nm": 12.0}}
 
@@ -95,3 +102,19 @@ def test_columns_have_their_units():
     columns = rolling_columns(onset)
     np.testing.assert_allclose(columns["input_angle_rad"], [0.9, 1.8])
     assert (columns["angle_behind_rad"], columns["drift_per_swing_rad"]) == ("lag", "drift")
+
+
+@pytest.mark.parametrize(
+    ("forward", "reverse", "found"),
+    [
+        ((13.0, False), (12.5, False), (13.0, 12.5)),
+        ((13.0, True), (12.5, False), (math.inf, 12.5)),
+        ((None, False), (None, False), (math.inf, math.inf)),
+    ],
+)
+def test_capacities_for_the_picture_leave_out_lower_bounds(forward, reverse, found):
+    """Where only what is computed ends, the picture must not say that the joint carries no more."""
+    one, other = (
+        dict(zip(("output_torque_Nm", "is_lower_bound"), each, strict=True)) for each in (forward, reverse)
+    )
+    assert windup_capacities({"torque_capacity": {**one, "reverse": other}}) == found
