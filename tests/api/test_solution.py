@@ -67,7 +67,11 @@ def test_a_joint_without_crossed_limits_says_so(solution):
 def test_a_warning_states_the_worst_of_its_values(solution, monkeypatch):
     """Safeties of 0.9 and 0.5 that should be above 1: the smaller one is the worse."""
     entry = {"name": "rim", "label": "wall", "limit": 1.0, "ok": False, "severity": "damage", "meaning": "m"}
-    crossed = [entry | {"contact": "held_ring", "value": 0.9}, entry | {"contact": "planet", "value": 0.5}]
+    entry["limit_shown"] = "1"
+    values = {"held_ring": 0.9, "planet": 0.5}
+    crossed = [
+        entry | {"contact": place, "value": value, "shown": f"{value}"} for place, value in values.items()
+    ]
     monkeypatch.setattr(type(solution), "limits", crossed)
     (row,) = (line for line in repr(solution).splitlines() if line.startswith("wall "))
     assert row.split()[:3] == ["wall", "0.5", "1"]

@@ -41,6 +41,8 @@ def document():
             "severity": "function",
             "meaning": "it slips",
             "remedy": "press harder",
+            "shown": "-" if value is None else f"{value:g}",
+            "limit_shown": "1",
         }
         for name, value, ok in zip(
             CONTACTS, (0.4, 1.25, 0.5, 1.5, None), (True, False, True, False, False), strict=True
@@ -193,6 +195,8 @@ def limit(name, value, severity, contact=None):
         "limit": 1.0,
         "ok": False,
         "severity": severity,
+        "shown": f"{value:g}",
+        "limit_shown": "1",
         **words,
     }
 

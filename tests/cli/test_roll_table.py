@@ -153,3 +153,21 @@ def test_a_sun_that_stands_has_no_losses(document):
     shown = lines(document)
     assert "Efficiency and losses" in shown
     assert "no oil" in shown
+
+
+def test_what_a_life_has_to_reach_is_compared_below_the_table(document):
+    words = {"limit_shown": "20000 h", "meaning": "it lives", "remedy": None, "severity": "damage"}
+    document["diagnostics"] = [
+        words | {"name": f"required_{name}", "label": name, "contact": contact, "infinite": False} | found
+        for name, contact, found in (
+            ("drive_life", None, {"value": 7.2e7, "shown": "20000 h", "ok": True}),
+            ("bearing_life", "planet_pin", {"value": 3.6e6, "shown": "1000 h", "ok": False}),
+            ("duty_life", None, {"value": None, "shown": "-", "ok": False}),
+        )
+    ]
+    said = [line for line in lines(document) if line.startswith("required")]
+    assert said == [
+        "required 20000 h, met: drive_life 20000 h",
+        "required 20000 h, NOT met: bearing_life, planet pin 1000 h",
+        "required 20000 h, not known: duty_life -",
+    ]

@@ -26,6 +26,7 @@ def solved(pressures, *, slips=None, duty=DUTY, branches=None, standing=(30.0, 3
         joint=joint,
         result=SimpleNamespace(rolling=rolling),
         branches=branches,
+        required_life=None,
         capacity=forward,
         reverse_capacity=back,
     )

@@ -71,6 +71,8 @@ def test_what_is_infinite_is_told_from_what_is_not_known():
         (None, False),
         (None, True),
     ]
+    assert {(each["unit"], each["limit_shown"]) for each in found} == {("1", "1")}
+    assert [each["shown"] for each in found] == ["0.5", "-", "infinite"]
 
 
 def test_the_document_says_why_there_is_no_stiffness_and_what_a_ring_would_lose(text, load_example):

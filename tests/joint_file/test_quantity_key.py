@@ -8,6 +8,7 @@ from asperity.unit_table import Dimension
 
 RADIUS = Key(Dimension.LENGTH, 1e-3, 1e5, "mm")
 DIMENSION = Key(Dimension.DIMENSIONLESS, 1.0, 2.0, open_lower=True, open_upper=True)
+REQUIRED = Key(Dimension.TIME, 0.0, 1e9, "h", open_lower=True, exact=True)
 COUNT = Key(Dimension.DIMENSIONLESS, 2, 100, whole=True)
 
 
@@ -48,6 +49,8 @@ def test_a_closed_bound_belongs_to_the_range_in_every_unit(written):
         (COUNT, 2.5, "2.5 is not allowed; it must be a whole number, at least 2 and at most 100"),
         (COUNT, 1, "1 is not allowed"),
         (COUNT, "3 +- 1", "a whole number has no tolerance"),
+        (REQUIRED, "20000 h +- 1 h", "what is required has no tolerance, got '20000 h +- 1 h'"),
+        (REQUIRED, "0 h", "0 h is not allowed; it must be above 0 h and at most 1e9 h"),
     ],
 )
 def test_everything_else_is_refused_with_the_value_and_what_is_allowed(key, written, said):

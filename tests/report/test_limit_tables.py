@@ -75,6 +75,7 @@ def entry(name, contact, value, ok, meaning):
     return {
         "name": name, "label": f"label of {name}", "contact": contact, "value": value, "limit": 1.0, "ok": ok,
         "severity": "damage", "meaning": meaning, "remedy": "less load",
+        "shown": "infinite" if value is None else f"{value:g}", "limit_shown": "1",
     }  # fmt: skip
 
 
@@ -94,7 +95,7 @@ def test_contacts_that_cross_one_limit_share_a_sentence():
 
 
 def test_an_infinite_value_is_no_dash():
-    crossed = entry("ratio", "sp", None, False, "it slips") | {"infinite": True}
+    crossed = entry("ratio", "sp", None, False, "it slips")
     (bullets,) = warnings({"diagnostics": [crossed]})
     assert bullets.items[0].startswith("label of ratio: infinite sp (limit 1;")
     (_, table) = margins_table([margin("ratio", "sp", math.inf, highest=1.0, passes=False)])

@@ -11,7 +11,7 @@ import numpy as np
 from asperity.api.joint import DescribedJoint
 from asperity.api.named_quantity import NamedQuantity
 from asperity.api.shown import Shown, Table, displayed, frame, pandas
-from asperity.joint.results import LEVELS, RESULTS, Result, SolvedJoint, known_result, name_at_level
+from asperity.joint.results import LEVELS, Result, SolvedJoint, known_result, name_at_level
 from asperity.joint_file.any_joint import results_of
 from asperity.joint_file.si_tables import si_values
 from asperity.joint_file.solved_document import document_of, solved_case
@@ -236,10 +236,8 @@ def _warning(checks: list[dict[str, Any]]) -> tuple[str, ...]:
         (each for each in checks if each["value"] is None), key=lambda each: not each.get("infinite")
     )
     worst = unknown[0] if unknown else max(checks, key=lambda each: abs(each["value"] - each["limit"]))
-    unit = RESULTS[worst["name"]].display_unit if worst["name"] in RESULTS else "1"
     contacts = ", ".join(each["contact"].replace("_", " ") for each in checks if each["contact"])
-    value, limit = ("-" if v is None else format_quantity(v, unit) for v in (worst["value"], worst["limit"]))
-    return worst["label"], "infinite" if worst.get("infinite") else value, limit, contacts, worst["severity"]
+    return worst["label"], worst["shown"], worst["limit_shown"], contacts, worst["severity"]
 
 
 def _titled(each: NamedQuantity) -> str:

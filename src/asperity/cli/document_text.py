@@ -30,11 +30,6 @@ def in_unit(value: float | None, unit: str, digits: int = 4) -> str:
     return "-" if value is None else format_quantity(value, unit, digits)
 
 
-def judged(entry: Document, digits: int = 4) -> str:
-    """The value of a diagnostic."""
-    return "infinite" if entry.get("infinite") else number(entry["value"], digits)
-
-
 def count(value: float, word: str) -> str:
     """How many there are of something."""
     return f"{number(value)} {word}{'' if value == 1 else 's'}"
@@ -118,7 +113,7 @@ def show_warnings(target: Console, document: Document) -> None:
             first = entries[0]
             _print_warning(
                 target,
-                f"{first['label']} {_values(entries, contacts)} (limit {number(first['limit'])})",
+                f"{first['label']} {_values(entries, contacts)} (limit {first['limit_shown']})",
                 entries,
             )
     if model:
@@ -141,7 +136,7 @@ def _print_warning(target: Console, heading: str, entries: list[Document], *, me
 
 def _values(entries: list[Document], contacts: int) -> str:
     """Values by contact, or one value where all contacts have the same."""
-    values = [judged(entry) for entry in entries]
+    values = [entry["shown"] for entry in entries]
     if len(entries) == contacts and len(set(values)) == 1:
         return f"{values[0]} at every contact"
     return ", ".join(
@@ -154,4 +149,4 @@ def _largest(entries: list[Document]) -> str:
     if any(entry.get("infinite") for entry in entries):
         return "infinite"
     known = [entry for entry in entries if entry["value"] is not None]
-    return f"up to {judged(max(known, key=lambda entry: entry['value']), 3)}" if known else "not known"
+    return f"up to {max(known, key=lambda entry: entry['value'])['shown']}" if known else "not known"

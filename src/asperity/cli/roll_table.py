@@ -237,6 +237,9 @@ def _show_life(target: Console, document: Document) -> None:
             style="bold",
         )
     target.print(shown)
+    for entry in document["diagnostics"]:
+        if entry["name"].startswith("required_"):
+            _print_required(target, entry)
     beyond = [n for n, c in document["contacts"].items() if (c["shakedown_ratio"] or 0.0) > 1.0]
     if beyond:
         text = (
@@ -265,6 +268,18 @@ def _show_life(target: Console, document: Document) -> None:
                 _life(found["life_hours"]),
             )
         target.print(duty)
+
+
+def _print_required(target: Console, entry: Document) -> None:
+    """Whether the drive or a bearing lives as long as required."""
+    known = entry["value"] is not None or entry["infinite"]
+    verdict = "met" if entry["ok"] else "NOT met" if known else "not known"
+    where = f", {_words(entry['contact'])}" if entry["contact"] else ""
+    print_wrapped(
+        target,
+        f"  required {entry['limit_shown']}, {verdict}: {entry['label']}{where} {entry['shown']}",
+        indent=4,
+    )
 
 
 def _words(name: str) -> str:

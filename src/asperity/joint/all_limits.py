@@ -11,6 +11,7 @@ import numpy as np
 from asperity.joint.branch_limits import branch_checks
 from asperity.joint.branch_results import BranchState
 from asperity.joint.limit_check import LimitCheck, checked_limits
+from asperity.joint.required_life import life_checks
 from asperity.joint.results import RESULTS, Limit, Result, SolvedJoint
 from asperity.joint.results.drive_table import results_of_joint
 from asperity.joint.rolling_conditions import DutyPoint
@@ -45,12 +46,12 @@ def further_checks(solved: SolvedJoint) -> tuple[LimitCheck, ...]:
     Returns
     -------
     tuple of LimitCheck
-        Of unequal branches, if it has some, and of the loads of its duty, if it has one.
+        Of unequal branches, if it has some, of the loads of its duty, if it has one, and of the life that is required.
     """
     found: tuple[LimitCheck, ...] = ()
     if solved.branches is not None:
         found = branch_checks(solved.branches, turns=float(solved.joint.sun_speed) != 0.0)
-    return found + _duty_checks(solved)
+    return found + _duty_checks(solved) + life_checks(solved)
 
 
 def _duty_checks(solved: SolvedJoint) -> tuple[LimitCheck, ...]:

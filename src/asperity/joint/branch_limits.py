@@ -272,5 +272,21 @@ def least_life(found: UnequalBranches) -> float:
     float
         Life under the joint's torque [h]; nan where it is not known.
     """
-    lives = np.array([]) if found.rolling is None else found.rolling.limits.get("life_hours", np.array([]))
+    return shortest_life(found.rolling)
+
+
+def shortest_life(state: BranchState | None) -> float:
+    """Life of a drive all of whose branches are loaded like the one that lives shortest in a state.
+
+    Parameters
+    ----------
+    state : BranchState or None
+        The branches in rolling; None where they do not roll.
+
+    Returns
+    -------
+    float
+        Life in this state [h]; nan where it is not known.
+    """
+    lives = np.array([]) if state is None else state.limits.get("life_hours", np.array([]))
     return float(np.nanmin(lives)) if np.any(np.isfinite(lives)) else math.nan

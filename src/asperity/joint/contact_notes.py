@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from asperity.joint.diagnostics import Diagnostics
+from asperity.unit_table import Dimension
 from asperity.units import format_quantity
 
 if TYPE_CHECKING:
@@ -47,6 +48,10 @@ class Note:
         What that means.
     remedy : str or None
         What to do if it is not.
+    dimension : Dimension
+        What value and limit measure.
+    display_unit : str
+        Their unit for people.
     """
 
     name: str
@@ -58,6 +63,8 @@ class Note:
     severity: Severity
     meaning: str
     remedy: str | None
+    dimension: Dimension = Dimension.DIMENSIONLESS
+    display_unit: str = "1"
 
 
 def contact_notes(
@@ -222,4 +229,6 @@ def _size(model: str, contact: str, radius: float, length: float) -> Note:
         "model",
         inside if ok else outside,
         None if ok else 'use contact_factor = "unity", which has no such scale',
+        Dimension.LENGTH,
+        "mm",
     )

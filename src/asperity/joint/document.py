@@ -26,6 +26,7 @@ from asperity.joint.solved import SolvedPapersJoint
 from asperity.joint.strength_document import bearing_entries, rim_entries
 from asperity.joint.surface_averages import surface_averages
 from asperity.joint.temperature import assembly_document
+from asperity.units import format_quantity
 
 Document = dict[str, Any]
 
@@ -133,11 +134,16 @@ def diagnostic_documents(checks: tuple[LimitCheck, ...], notes: tuple[Note, ...]
     -------
     list of dict
         One entry each, with the same keys; ``infinite`` tells an infinite value, which is None in a document, from one
-        that is not known.
+        that is not known. ``unit`` is that of value and limit, ``shown`` and ``limit_shown`` are what people read.
     """
-    entries = [*map(_limit_document, checks), *map(dataclasses.asdict, notes)]
+    entries = [*map(_limit_document, checks), *map(_note_document, notes)]
     for entry in entries:
-        entry["infinite"] = math.isinf(entry["value"])
+        value, unit = entry["value"], entry.pop("display_unit")
+        entry["infinite"] = math.isinf(value)
+        entry["shown"] = (
+            "infinite" if entry["infinite"] else "-" if math.isnan(value) else format_quantity(value, unit)
+        )
+        entry["limit_shown"] = format_quantity(entry["limit"], unit)
     return sorted(entries, key=lambda entry: SEVERITIES.index(entry["severity"]))
 
 
@@ -153,7 +159,14 @@ def _limit_document(entry: LimitCheck) -> Document:
         "severity": entry.rule.severity,
         "meaning": entry.meaning,
         "remedy": None if entry.ok else entry.rule.remedy,
+        "unit": entry.result.si_unit,
+        "display_unit": entry.result.display_unit,
     }
+
+
+def _note_document(note: Note) -> Document:
+    words = dataclasses.asdict(note)
+    return words | {"unit": words.pop("dimension").si_unit}
 
 
 def _geometry(solution: Solution) -> Document:

@@ -47,7 +47,7 @@ class LimitCheck:
     def meaning(self) -> str:
         """What it means that the limit is kept or crossed."""
         if math.isnan(self.value):
-            return "no value here: the contact slips, has lifted off or has plastic spots only"
+            return self.rule.unknown
         return self.rule.kept if self.ok else self.rule.crossed
 
 

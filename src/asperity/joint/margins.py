@@ -12,12 +12,9 @@ from asperity.joint.contact_notes import Note
 from asperity.joint.limit_check import LimitCheck
 from asperity.joint.results import SEVERITIES, Limit, Result, Severity, SolvedJoint
 from asperity.joint.results.drive_table import results_of_joint
-from asperity.unit_table import Dimension
 
 #: Results without a limit of their own that must nevertheless exceed a bound for the joint to exist.
 _MUST_EXCEED = ("clearance", "torque_safety")
-#: Notes whose value is a length [m]; the values of all others are numbers.
-_LENGTHS = ("contact_factor_size",)
 
 
 @dataclass(frozen=True, slots=True)
@@ -103,8 +100,7 @@ def _worst_note(notes: list[Note]) -> Margin:
     rule = Limit(
         note.severity, note.meaning, note.meaning, note.remedy or "", lowest, highest, inclusive=True
     )
-    measured = (Dimension.LENGTH, "mm") if note.name in _LENGTHS else (Dimension.DIMENSIONLESS, "1")
-    row = Result(note.name, note.label, *measured, note.name, limit=rule)
+    row = Result(note.name, note.label, note.dimension, note.display_unit, note.name, limit=rule)
     return Margin(row, note.contact or "", note.value, lowest, highest, note.ok, note.severity)
 
 

@@ -63,6 +63,7 @@ TEMPERATURE = Key(Dimension.TEMPERATURE, -273.15, 1000.0, "degC", example="20 de
 SKEW = Key(Dimension.ANGLE, -100.0, 100.0, "mrad", example="0.5 mrad")
 HYSTERESIS_FACTOR = Key(Dimension.DIMENSIONLESS, 0.0, 1.0, example="0.01")
 RELIABILITY = Key(Dimension.DIMENSIONLESS, 0.0, 1.0, open_lower=True, open_upper=True, example="0.9")
+REQUIRED_LIFE = Key(Dimension.TIME, 0.0, 1e9, "h", open_lower=True, exact=True, example="20000 h")
 VISCOSITY = Key(Dimension.VISCOSITY, 1e-6, 1e4, "Pa*s", example="30 mPa*s")
 PRESSURE_COEFFICIENT = Key(Dimension.INVERSE_PRESSURE, 0.0, 1e3, "1/GPa", open_lower=True, example="20 1/GPa")
 ROUGHNESS = Key(Dimension.LENGTH, 1e-3, 1e3, "um", example="0.2 um")

@@ -113,6 +113,9 @@ class PlanarRolling(Section):
     loss is left out."""
     reliability: Annotated[Quantity, limits.RELIABILITY] | None = None
     """Share of all drives that reach the stated life; 0.9 if absent."""
+    required_life: Annotated[Quantity, limits.REQUIRED_LIFE] | None = None
+    """Hours of work that the drive and its rolling bearings have to reach, under the duty if there is one; a limit of
+    the joint, which moves no result."""
 
 
 class PlanarModelChoice(Section):
@@ -151,7 +154,7 @@ class PlanarCase(WholeFile):
     compliance: PlanarCompliance | None = None
     """Springs of pins and shafts; ideal if the section is absent."""
     rolling: PlanarRolling | None = None
-    """Skew, hysteresis and reliability of the joint that turns."""
+    """Skew, hysteresis, reliability and required life of the joint that turns."""
     lubrication: Lubrication | None = None
     """The oil; dry if the section is absent."""
     duty: Duty | None = None

@@ -54,6 +54,8 @@ class Key:
         Whether the bound itself is outside.
     whole : bool
         Whether only whole numbers are allowed.
+    exact : bool
+        Whether it has no tolerance, because somebody decides it.
     example : str
         What to quote in messages; the example of the dimension if empty.
     """
@@ -65,6 +67,7 @@ class Key:
     open_lower: bool = False
     open_upper: bool = False
     whole: bool = False
+    exact: bool = False
     example: str = ""
 
     @property
@@ -141,6 +144,8 @@ class Key:
         self.check(value)
         if self.whole and tolerance != 0.0:
             raise InputError(f"a whole number has no tolerance, got '{written}'")
+        if self.exact and tolerance != 0.0:
+            raise InputError(f"what is required has no tolerance, got '{written}'")
         return Quantity(value=value, tolerance=tolerance, text=str(written), distribution=distribution)
 
     def __get_pydantic_core_schema__(self, source: Any, handler: GetCoreSchemaHandler) -> CoreSchema:

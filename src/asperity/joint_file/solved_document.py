@@ -111,7 +111,10 @@ def solved_case(case: AnyCase) -> SolvedJoint:
     NoSolutionError
         If no balance was found.
     """
-    return _planar(case) if isinstance(case, PlanarCase) else _papers(case)
+    solved = _planar(case) if isinstance(case, PlanarCase) else _papers(case)
+    if case.rolling is not None and case.rolling.required_life is not None:
+        solved.required_life = case.rolling.required_life.value
+    return solved
 
 
 def _papers(case: Case) -> SolvedPapersJoint:

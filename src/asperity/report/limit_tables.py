@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence
 from typing import Any
 
 from asperity.joint.margins import Margin
-from asperity.report.cells import INFINITE, number, quantity
+from asperity.report.cells import quantity
 from asperity.report.content import Block, Bullets, Paragraph, Table
 
 Document = dict[str, Any]
@@ -126,10 +126,6 @@ def margins_table(found: Sequence[Margin]) -> Iterator[Block]:
     yield Table("Safety margins", head, rows, words=(0, 1, 2), verdicts=True)
 
 
-def _judged(entry: Document) -> str:
-    return INFINITE if entry.get("infinite") else number(entry["value"])
-
-
 def warnings(document: Document) -> Iterator[Block]:
     """Every limit that is crossed, with its meaning and what to do.
 
@@ -154,11 +150,12 @@ def warnings(document: Document) -> Iterator[Block]:
     for entries in crossed.values():
         first = entries[0]
         values = ", ".join(
-            f"{_judged(each)} {(each['contact'] or '').replace('_', ' ')}".strip() for each in entries
+            f"{each['shown']} {(each['contact'] or '').replace('_', ' ')}".strip() for each in entries
         )
         meanings = "; ".join(dict.fromkeys(each["meaning"] for each in entries))
         items.append(
-            f"{first['label']}: {values} (limit {number(first['limit'])}; {_WARNINGS_ABOUT[first['severity']]}). "
+            f"{first['label']}: {values} (limit {first['limit_shown']}; "
+            f"{_WARNINGS_ABOUT[first['severity']]}). "
             f"Meaning: {meanings}. What to do: {first['remedy']}."
         )
     yield Bullets(items)

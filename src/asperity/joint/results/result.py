@@ -76,6 +76,8 @@ class SolvedJoint:
         Comparisons with what is usual, which are requirements too.
     """
 
+    #: What the drive and its rolling bearings have to reach [s], where somebody requires a life.
+    required_life: float | None = None
     #: Of one joint that was solved on its own: what came out, and the joint under each load of its duty with what comes
     #: out there, branches equal.
     solution: Any
@@ -210,6 +212,8 @@ class Limit:
         The result must lie between these [SI].
     inclusive : bool
         Whether the bounds themselves are allowed.
+    unknown : str
+        What it means that the result is not known, nan.
     """
 
     severity: Severity
@@ -219,6 +223,7 @@ class Limit:
     lowest: float = -math.inf
     highest: float = math.inf
     inclusive: bool = False
+    unknown: str = "no value here: the contact slips, has lifted off or has plastic spots only"
 
     def is_kept(self, value: float) -> bool:
         """Whether a value keeps the limit; nan never does."""

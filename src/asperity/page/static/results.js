@@ -235,8 +235,8 @@ export function warnings(found) {
     if (!grouped.has(key)) grouped.set(key, { ...each, contacts: [] });
     const kept = grouped.get(key);
     if (each.contact) kept.contacts.push(each.contact);
-    kept.infinite = kept.infinite || each.infinite;
-    if (each.value !== null && kept.value !== null && Math.abs(each.value - each.limit) > Math.abs(kept.value - kept.limit)) kept.value = each.value;
+    if (each.infinite) kept.shown = each.shown;
+    if (each.value !== null && kept.value !== null && Math.abs(each.value - each.limit) > Math.abs(kept.value - kept.limit)) [kept.value, kept.shown] = [each.value, each.shown];
   }
   if (!grouped.size) return element("p", { class: "note" }, "None: every limit is kept.");
   const order = Object.keys(SEVERITIES);
@@ -253,7 +253,7 @@ export function warnings(found) {
         element(
           "span",
           { class: "how-much" },
-          `(${each.label} ${orInfinite(each.infinite, each.value)}, limit ${number(each.limit)}${each.contacts.length ? `; ${each.contacts.join(", ")}` : ""})`,
+          `(${each.label} ${each.shown}, limit ${each.limit_shown}${each.contacts.length ? `; ${each.contacts.join(", ")}` : ""})`,
         ),
         each.remedy ? element("p", { class: "remedy" }, `What to do: ${each.remedy}.`) : "",
       ),
