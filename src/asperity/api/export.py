@@ -63,7 +63,6 @@ def export_joint(
         source=Path(joint.source).name,
         largest_torque=largest,
         level=level,
-        unlike=case.branch is not None,
     )
     made = exported(content, to=to, suffix=Path(out).suffix)
     write_exported(made, out)

@@ -9,8 +9,6 @@ import click
 if TYPE_CHECKING:
     from asperity.joint_file.si_tables import AnyCase
 
-_ALSO = ", in other drives than the paper's also in 'windup', 'dynamics' and 'export'"
-
 
 def read_for_equal_branches(file: str) -> AnyCase:
     """Read a joint file for a command that leaves its sections ``[[branch]]`` out, and say so.
@@ -34,7 +32,7 @@ def read_for_equal_branches(file: str) -> AnyCase:
 
 
 def read_for_own_branches(file: str) -> AnyCase:
-    """Read a joint file for a command whose results are those of its own branches, if its drive allows, and say so.
+    """Read a joint file for a command whose results are those of its own branches, and say so.
 
     Parameters
     ----------
@@ -46,12 +44,11 @@ def read_for_own_branches(file: str) -> AnyCase:
     Case or PlanarCase
         As read, for :func:`asperity.joint_file.own_branches.with_own_branches`.
     """
-    from asperity.joint_file.planar_model import PlanarCase
     from asperity.joint_file.reader import read_any_case
 
     case = read_any_case(file)
     if case.branch is not None:
-        say_whose_branches(own=isinstance(case, PlanarCase))
+        say_whose_branches(own=True)
     return case
 
 
@@ -66,7 +63,7 @@ def say_whose_branches(*, own: bool) -> None:
     said = (
         "the results are those of the branches of the file, [[branch]]; contacts and rollers have the number of theirs"
         if own
-        else "the results are those of equal branches; [[branch]] counts in 'asperity joint', 'loads', 'roll' "
-        f"and 'report'{_ALSO}"
+        else "the results are those of equal branches; [[branch]] counts in 'asperity joint', 'loads', 'roll', "
+        "'windup', 'dynamics', 'export' and 'report'"
     )
     click.echo(f"asperity: note: {said}", err=True)

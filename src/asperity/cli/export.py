@@ -78,7 +78,6 @@ def export(file: str, to: str, out: str, torque: str | None, level: str) -> None
                 source=Path(file).name,
                 largest_torque=asked,
                 level=level,  # type: ignore[arg-type]
-                unlike=case.branch is not None,
             )
         except InputError as error:
             place = "load.output_torque" if asked is None else "--torque"

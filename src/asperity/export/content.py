@@ -12,10 +12,9 @@ from asperity.drive.planar.layout import speed_ratio as planar_speed_ratio
 from asperity.errors import printable
 from asperity.joint.both_senses import BothSenses, both_senses
 from asperity.joint.dynamics import Inertias, body_inertias
-from asperity.joint.either_kind import AnyJoint, AnySolution, has_own_branches
+from asperity.joint.either_kind import AnySolution, OwnJoint, has_own_branches, why_unknown
 from asperity.joint.planar.description import PlanarJoint
 from asperity.joint.play import Play
-from asperity.joint.rolling_document import unknown_because
 from asperity.joint.windup import StiffnessLevel, Windup
 from asperity.joint.windup_document import examined_windup
 from asperity.units import format_quantity
@@ -55,7 +54,7 @@ class ExportContent:
     ----------
     source : str
         Name of the joint file.
-    joint : Joint or PlanarJoint
+    joint : Joint, PlanarJoint or UnlikeJoint
         The joint.
     level : {"published", "series_with_bulk", "assembly"}
         Which stiffness was integrated into the wind-up.
@@ -67,18 +66,15 @@ class ExportContent:
         Inertias and friction.
     no_drift_because : tuple of str
         Why there is no steady rolling at the largest torque, one sentence each; empty where there is.
-    unlike : bool
-        Whether the joint file states branches of unlike sizes.
     """
 
     source: str
-    joint: AnyJoint
+    joint: OwnJoint
     level: StiffnessLevel
     windup: Windup
     curves: BothSenses
     parts: MovingParts
     no_drift_because: tuple[str, ...]
-    unlike: bool = False
 
     @property
     def largest_torque(self) -> float:
@@ -129,19 +125,18 @@ class ExportContent:
 
 
 def export_content(
-    joint: AnyJoint,
+    joint: OwnJoint,
     *,
     inertias: Inertias | None,
     source: str,
     largest_torque: float | None,
     level: StiffnessLevel,
-    unlike: bool = False,
 ) -> ExportContent:
     """Compute what is exported.
 
     Parameters
     ----------
-    joint : Joint or PlanarJoint
+    joint : Joint, PlanarJoint or UnlikeJoint
         One joint.
     inertias : Inertias or None
         Motor and load; None if the joint file has none.
@@ -151,8 +146,6 @@ def export_content(
         Largest output torque, of either sign [N·m]; None for the joint's own.
     level : {"published", "series_with_bulk", "assembly"}
         Which stiffness is integrated into the wind-up.
-    unlike : bool
-        Whether the joint file states branches of unlike sizes.
 
     Returns
     -------
@@ -169,12 +162,12 @@ def export_content(
     curve, (forward, _) = examined_windup(joint, largest_torque=largest_torque, level=level)
     curves = both_senses(joint=joint, torque=curve.torque)
     lost = np.isnan(np.asarray(curves.driving_drift)[-1])
-    because = unknown_because(joint, forward.result) if lost else []
+    because = why_unknown(joint, forward) if lost else []
     parts = _moving_parts(joint, inertias, forward)
-    return ExportContent(source, joint, level, curve, curves, parts, tuple(because), unlike)
+    return ExportContent(source, joint, level, curve, curves, parts, tuple(because))
 
 
-def _moving_parts(joint: AnyJoint, inertias: Inertias | None, solution: AnySolution) -> MovingParts:
+def _moving_parts(joint: OwnJoint, inertias: Inertias | None, solution: AnySolution) -> MovingParts:
     entry, moving = (float(np.asarray(each)) for each in body_inertias(joint))
     power, speed = solution.result.rolling.power, abs(float(joint.sun_speed))
     lost = float(np.asarray(power.loss)) - float(
@@ -229,13 +222,9 @@ def heading(content: ExportContent, *, what: str) -> list[str]:
 
 def _whose_branches(content: ExportContent) -> list[str]:
     """Whose curves these are, where the joint file states branches of unlike sizes."""
-    if not content.unlike:
+    if not has_own_branches(content.joint):
         return []
-    if has_own_branches(content.joint):
-        return ["Branches: of unlike sizes, as the sections [[branch]] of the joint file state them."]
-    return [
-        "Branches: equal. The joint file states branches of unlike sizes, [[branch]], which are left out here."
-    ]
+    return ["Branches: of unlike sizes, as the sections [[branch]] of the joint file state them."]
 
 
 def drift_sentence(content: ExportContent) -> str:

@@ -16,7 +16,8 @@ from asperity.joint.description import Joint
 from asperity.joint.evaluation import evaluate
 from asperity.joint.planar.description import PlanarJoint
 from asperity.joint.planar.over_torque import over_torque
-from asperity.joint.standing import LEVELS, NO_SLIP_FRICTION
+from asperity.joint.standing import LEVELS, NO_SLIP_FRICTION, standing_at
+from asperity.joint.unlike_joint import UnlikeJoint, branch_joints
 
 
 class BothSenses(eqx.Module):
@@ -45,12 +46,12 @@ class BothSenses(eqx.Module):
     braking_drift: Array
 
 
-def both_senses(*, joint: Joint | PlanarJoint, torque: Array | np.ndarray) -> BothSenses:
+def both_senses(*, joint: Joint | PlanarJoint | UnlikeJoint, torque: Array | np.ndarray) -> BothSenses:
     """Stiffness and drift of a joint at given torques.
 
     Parameters
     ----------
-    joint : Joint or PlanarJoint
+    joint : Joint, PlanarJoint or UnlikeJoint
         One joint, without batch axes; its torque and the sense of its speed are replaced.
     torque : Array
         Output torques of either sign, shape (n,) [N·m].
@@ -62,6 +63,8 @@ def both_senses(*, joint: Joint | PlanarJoint, torque: Array | np.ndarray) -> Bo
     """
     if isinstance(joint, PlanarJoint):
         return _planar(joint, torque)
+    if isinstance(joint, UnlikeJoint):
+        return _side_by_side(joint, np.asarray(torque))
     numbers: Joint = jax.tree.map(lambda leaf: np.asarray(leaf, dtype=float), joint)
     numbers = dataclasses.replace(numbers, rolling=dataclasses.replace(numbers.rolling, duty=()))
     torques = jnp.asarray(torque)
@@ -88,6 +91,27 @@ def _planar(joint: PlanarJoint, torque: Array | np.ndarray) -> BothSenses:
         slip_ratio=jnp.asarray(np.where(solved, slip, np.nan)),
         driving_drift=driving,
         braking_drift=braking,
+    )
+
+
+def _side_by_side(unlike: UnlikeJoint, torques: np.ndarray) -> BothSenses:
+    standing = standing_at(unlike, torques)
+    holds = standing.holds & standing.solved
+    drifts = []
+    for sense in (1.0, -1.0):
+        speeds = sense * np.where(torques < 0.0, -1.0, 1.0) * abs(float(unlike.sun_speed))
+        points = branch_joints(unlike, torques, speeds, turns=True)
+        *_, driving, braking = jax.tree.map(
+            np.asarray, compile_fast(_at_torques, points.joints)(points.joints)
+        )
+        drift = points.alike(driving if sense > 0.0 else braking)
+        drifts.append(jnp.asarray(np.where(points.carried, drift, np.nan)))
+    return BothSenses(
+        torque=jnp.asarray(torques),
+        **{name: jnp.asarray(np.where(holds, standing.levels[name], np.nan)) for name in LEVELS},
+        slip_ratio=jnp.asarray(np.where(holds, np.max(standing.slip_ratio, axis=0), np.nan)),
+        driving_drift=drifts[0],
+        braking_drift=drifts[1],
     )
 
 

@@ -196,10 +196,28 @@ def refuse_no_rolling_together(found: UnequalBranches) -> None:
     NoSolutionError
         With the torque up to which they roll.
     """
+    refused = no_rolling_together(found)
+    if refused:
+        raise NoSolutionError(refused)
+
+
+def no_rolling_together(found: UnequalBranches) -> str:
+    """Why branches do not roll steadily under the joint's torque.
+
+    Parameters
+    ----------
+    found : UnequalBranches
+        The branches of a joint.
+
+    Returns
+    -------
+    str
+        With the torque up to which they roll; empty where they do.
+    """
     if found.rolling is not None:
-        return
+        return ""
     capacity = found.rolling_capacity
-    raise NoSolutionError(
+    return (
         f"no steady rolling under {format_quantity(found.torque, 'N*m')}: the branches of the file, [[branch]], roll "
         f"up to {format_quantity(capacity.first_slip, 'N*m')}, at which contact {capacity.contact_name} of "
         f"{found.noun} {capacity.branch + 1} {capacity.event}; lower the torque, state smaller deviations, or raise "

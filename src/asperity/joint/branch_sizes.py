@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+import math
 from dataclasses import dataclass
 
 import numpy as np
@@ -84,6 +85,12 @@ class BranchSizes:
     def deviations(self) -> dict[str, np.ndarray]:
         """Names of the rollers → deviations of their radii [m]."""
         return {"planet": self.planet, "right_roller": self.right_roller, "left_roller": self.left_roller}
+
+    @property
+    def is_symmetric(self) -> bool:
+        """Whether a torque in the other direction finds the mirror image of these branches."""
+        even = bool(np.all(self.right_roller == self.left_roller))
+        return even and (math.isinf(self.sun_support_stiffness) or not np.ptp(self.planet))
 
     def with_first(self, added: float) -> BranchSizes:
         """The same with a further deviation of the first planet [m]."""

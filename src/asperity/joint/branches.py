@@ -10,44 +10,34 @@ from __future__ import annotations
 
 import dataclasses
 import math
-from collections.abc import Callable
 from typing import Any
 
 import jax.numpy as jnp
 import numpy as np
 from scipy.interpolate import CubicSpline
-from scipy.optimize import brentq, root
 
 from asperity.drive.geometry import CONTACT_NAMES, angles, speed_ratio, triangle
 from asperity.drive.mechanism import RestState, rest_state
+from asperity.drive.planar.stiffness import with_shafts
 from asperity.drive.unequal_branches import (
-    added_interference,
     branch_directions,
-    force_on_carrier,
-    force_on_ring,
-    force_on_sun,
 )
-from asperity.errors import InputError, NoSolutionError
-from asperity.joint.branch_law import MEMBERS, BranchLaw, BranchLaws, branch_laws
+from asperity.errors import InputError
+from asperity.joint.branch_law import MEMBERS, BranchLaws, branch_laws
 from asperity.joint.branch_results import (
-    BranchCapacity,
     BranchRolling,
     BranchState,
     UnequalBranches,
     branch_rolling,
 )
-from asperity.joint.branch_sizes import WIDEST, BranchSizes, refuse_loading_cam, refuse_wide
+from asperity.joint.branch_sizes import WIDEST, BranchSizes, refuse_loading_cam
+from asperity.joint.branch_solver import JUST_BELOW, BranchSolver, all_together
 from asperity.joint.description import Joint
 from asperity.joint.interference import joint_preload
 from asperity.joint.rolling_power import RollingLosses
-from asperity.joint.working_loads import loads_at_rest, loads_of_forces
+from asperity.joint.working_loads import loads_of_forces
 
 _LENGTHS = 48  # of the curve of preload over interference
-_LEAST_SUPPORT = 1e-9  # over preload per interference: holds a floating sun where nothing else does
-# shares below the first slip at which its contacts are looked at, until all of them have a state
-_BELOW_SLIP = (1e-9, 1e-6, 1e-4, 1e-3, 1e-2)
-_TOLERANCE = 1e-13
-_BELOW = 1e-9  # share of a branch's torque below which its contacts are looked at
 _TURNING = ("speed_loss", "drift_per_output_turn", "output_speed")  # common to all branches
 
 
@@ -124,8 +114,8 @@ class BranchedJoint:
             raise InputError(
                 f"the drive has {self.count} planets, got the sizes of {sizes.planet.size} branches"
             )
-        standing = _Solver(self, sizes, self.laws.standing, turns=False, slip=slip)
-        rolling = _Solver(self, sizes, self.laws.rolling, turns=True, slip=slip)
+        standing = BranchSolver(self, sizes, self.laws.standing, turns=False, slip=slip)
+        rolling = BranchSolver(self, sizes, self.laws.rolling, turns=True, slip=slip)
         rest = standing.at(0.0)
         if not np.any(rest.preload > 0.0):
             raise InputError(
@@ -144,11 +134,32 @@ class BranchedJoint:
             capacity=standing.capacity(),
             rolling_capacity=rolling.capacity(),
             turning=None if turns is None or not slip else self._turning(turns),
+            stiffness=self._stiffness(sizes, torque) if slip else None,
         )
+
+    def _stiffness(self, sizes: BranchSizes, torque: float) -> float | None:
+        """Stiffness of the assembled joint that stands under a torque; None where its branches do not carry it."""
+        point = self.solver(sizes, turns=False).point(torque)
+        if point is None:
+            return None
+        compliance = self.laws.states(point.preload, point.torque * (1.0 - JUST_BELOW))["compliance"]
+        holds = (point.preload > 0.0) & ~point.slips & (compliance > 0.0)
+        each = np.where(holds, 1.0 / np.where(holds, compliance, 1.0), 0.0)
+        structure = self.joint.structure
+        whole, *_ = with_shafts(
+            stiffness=jnp.asarray(point.moving_sun * np.mean(each)),
+            ratio=speed_ratio(self.joint.geometry),
+            input_shaft_stiffness=structure.input_shaft_stiffness,
+            output_shaft_stiffness=structure.output_shaft_stiffness,
+        )
+        return float(whole)
 
     def _turning(self, state: BranchState) -> BranchRolling:
         """Drift and powers of the joint that turns."""
-        joint, found = self.joint, self.laws.states(state.preload, self.count * state.torque * (1.0 - _BELOW))
+        joint, found = (
+            self.joint,
+            self.laws.states(state.preload, self.count * state.torque * (1.0 - JUST_BELOW)),
+        )
         bears = state.preload > 0.0
         speeds = {name: float(np.mean(found[name][bears])) for name in _TURNING}
         shafts = 2.0 * (
@@ -156,7 +167,7 @@ class BranchedJoint:
             + joint.bearings.carrier_torque * speeds["output_speed"]
         )
         losses: dict[str, Any] = {
-            name: _of_all(found[name], bears, float(shafts) if name == "bearings" else 0.0)
+            name: all_together(found[name], bears, float(shafts) if name == "bearings" else 0.0)
             for name in RollingLosses._fields
         }
         return branch_rolling(
@@ -170,198 +181,16 @@ class BranchedJoint:
         """The state in which branches work under the joint's torque, as one of :meth:`branches`."""
         turns = float(self.joint.sun_speed) != 0.0
         law = self.laws.rolling if turns else self.laws.standing
-        return _Solver(self, sizes, law, turns=turns, slip=True).under(abs(float(self.joint.output_torque)))
+        return BranchSolver(self, sizes, law, turns=turns, slip=True).under(
+            abs(float(self.joint.output_torque))
+        )
+
+    def solver(self, sizes: BranchSizes, *, turns: bool) -> BranchSolver:
+        """How branches of given sizes share torques, standing or in rolling."""
+        law = self.laws.rolling if turns else self.laws.standing
+        return BranchSolver(self, sizes, law, turns=turns, slip=False)
 
     def sun_turns(self, displacement: np.ndarray) -> np.ndarray:
         """Angle at the output by which a displacement of the sun winds up each branch, shape (n,) [rad]."""
         _, along = branch_directions(self.count)
         return np.asarray(self.laws.direction * self._turned * (along @ displacement))
-
-
-class _Solver:
-    """Branches of given sizes, standing or in rolling: one common angle or speed loss decides everything."""
-
-    def __init__(
-        self, drive: BranchedJoint, sizes: BranchSizes, law: BranchLaw, *, turns: bool, slip: bool
-    ) -> None:
-        self.drive, self.sizes, self.law, self.turns, self.slip = drive, sizes, law, turns, slip
-        self.radial, _ = branch_directions(drive.count)
-        none = {"planet": 0.0, "right_roller": 0.0, "left_roller": 0.0}
-        self.per_approach = float(added_interference(rest=drive.rest, approach=1.0, **none))
-        own = added_interference(
-            rest=drive.rest,
-            approach=0.0,
-            planet=jnp.asarray(sizes.planet),
-            right_roller=jnp.asarray(sizes.right_roller),
-            left_roller=jnp.asarray(sizes.left_roller),
-        )
-        self.own = drive.interference + np.asarray(own)
-        self.origin = self._last = np.zeros(2)
-        if not turns:
-            self.origin = self._found(lambda moved: self._loads(np.zeros(drive.count), moved)[2])
-
-    def lengths(self, displacement: np.ndarray) -> np.ndarray:
-        """Interference of each branch [m]."""
-        return self.own + self.per_approach * (self.radial @ displacement)
-
-    def _demands(self, common: float, displacement: np.ndarray) -> np.ndarray:
-        even = np.full(self.drive.count, common)
-        return even if self.turns else even + self.drive.sun_turns(displacement - self.origin)
-
-    def _loads(
-        self, demand: np.ndarray, displacement: np.ndarray
-    ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        """Preload, share of the capacity, and the force on the sun."""
-        preload = self.drive.preload(self.lengths(displacement))
-        share = self.law.share(preload, demand)
-        normal, tangential = self.law.sun_forces(preload, share)
-        return preload, share, force_on_sun(normal=normal, tangential=tangential)
-
-    def displacement(self, common: float) -> np.ndarray:
-        """Displacement of the sun at an angle or a speed loss [m]."""
-        return self._found(lambda moved: self._loads(self._demands(common, moved), moved)[2])
-
-    def _found(self, force_at: Callable[[np.ndarray], np.ndarray]) -> np.ndarray:
-        """Displacement of the sun at which its bearings balance the planets [m]."""
-        support, force = self.sizes.sun_support_stiffness, self.drive.own_preload
-        held = np.zeros(2)
-        if math.isinf(support):
-            return held
-        size = self.drive.interference
-        support = max(support, _LEAST_SUPPORT * force / size)
-
-        def misfit(scaled: np.ndarray) -> np.ndarray:
-            moved = scaled * size
-            return (force_at(moved) - support * moved) / force
-
-        if np.max(np.abs(misfit(held))) < _TOLERANCE:
-            return held
-        found = root(misfit, self._last, method="hybr", options={"xtol": 1e-12})
-        left = float(np.max(np.abs(misfit(found.x))))
-        if left > 1e-6:
-            raise NoSolutionError(
-                f"no place was found at which the bearings of the sun balance its branches: {left:.1g} of the preload "
-                "are left; hold the sun, by leaving out compliance.sun_support_stiffness, or state smaller deviations"
-            )
-        self._last = found.x  # near the next one
-        return np.asarray(found.x * size)
-
-    def total(self, common: float) -> float:
-        """Torque of all branches [N·m]."""
-        moved = self.displacement(common)
-        preload, share, _ = self._loads(self._demands(common, moved), moved)
-        return float(np.mean(self.law.torque(preload, share)))
-
-    def _most(self) -> float:
-        """An angle or speed loss at which all branches slip."""
-        most = 3.0 * self.drive.preload(np.array([np.max(self.own), self.drive.interference])).max()
-        return 3.0 * float(self.law.demand_at_slip(min(most, float(self.law.preloads[-1]))))
-
-    def under(self, torque: float) -> BranchState | None:
-        """The state under a torque; None where all branches slip below it."""
-        most = self._most()
-        if torque > 0.0 and self.total(most) < torque:
-            return None
-        common = 0.0 if torque == 0.0 else _zero(lambda x: self.total(x) - torque, most)
-        state = self.at(common)
-        whole = float(np.sum(state.torque))
-        # the common angle is found to rounding only
-        return dataclasses.replace(state, torque=state.torque * (torque / whole)) if whole > 0.0 else state
-
-    def at(self, common: float) -> BranchState:
-        """The state at an angle or a speed loss."""
-        moved = self.displacement(common)
-        refuse_wide(self.lengths(moved), self.drive.interference)
-        preload, share, force = self._loads(self._demands(common, moved), moved)
-        torque = self.law.torque(preload, share)
-        slip, known = np.full((len(CONTACT_NAMES), self.drive.count), np.nan), {}
-        if self.slip:
-            known = self._contacts(preload, torque * (1.0 - _BELOW), loaded=self.turns or common > 0.0)
-            slip = known.pop("slip_ratio")
-        return BranchState(
-            preload=preload,
-            torque=torque / self.drive.count,
-            slip_ratio=np.where(preload > 0.0, np.where(share >= 1.0, 1.0, np.max(slip, axis=0)), np.nan),
-            sun_displacement=moved,
-            sun_force=force,
-            **known,
-        )
-
-    def _contacts(self, preload: np.ndarray, torque: np.ndarray, *, loaded: bool) -> dict[str, Any]:
-        """What the contacts of each branch do, as fields of its state, without the tables; or the preload alone."""
-        drive, bears = self.drive, preload > 0.0
-        found = drive.laws.states(preload, torque)
-        prefix = "rolling_" if self.turns else ""
-        limits = ("shakedown_ratio", "life_hours") if self.turns else ("pressure_over_first_yield",)
-        forces = np.stack([found[f"{prefix}{kind}"] for kind in ("normal", "tangential")])
-        pins = found[f"{prefix}pins"]
-        if not loaded:
-            forces = np.stack([np.outer(drive.rest.normal_force, preload), np.zeros(forces.shape[1:])])
-            free = loads_at_rest(dataclasses.replace(drive.joint, preload=1.0))
-            pins = np.stack([free.pin_radial, free.pin_tangential])[..., None] * preload
-        forces, pins = (np.where(bears, each, 0.0) for each in (forces, pins))
-        speed = np.max(np.where(bears, found["bearing_speed"], 0.0), axis=-1)
-        torques = {
-            name: float(_of_all(found[f"{prefix}{name}_torque"], bears, drive.friction[name]))
-            for name in MEMBERS
-        }
-        return {
-            "slip_ratio": found[f"{prefix}slip_ratio"],
-            "limits": {name: found[name] for name in limits},
-            "pins": pins,
-            "contact_forces": forces,
-            "centre_forces": {
-                "carrier": force_on_carrier(radial=pins[0], tangential=pins[1], polar=drive.polar),
-                "ring": force_on_ring(normal=forces[0, 3:], tangential=forces[1, 3:], polar=drive.polar),
-            },
-            "bearing_speed": speed if self.turns else np.zeros_like(speed),
-            "torques": torques if loaded else {},
-            "input_torque": torques["sun"] if loaded else 0.0,
-            "speeds": dict(zip(("sun", "carrier"), speed[2:], strict=True)) if self.turns else {},
-        }
-
-    def _used(self, common: float) -> float:
-        """How far the branch nearest to slip is wound up or creeps, over that at which it slips."""
-        moved = self.displacement(common)
-        preload = self.drive.preload(self.lengths(moved))
-        bears = preload > 0.0
-        return float(np.max(self._demands(common, moved)[bears] / self.law.demand_at_slip(preload[bears])))
-
-    def capacity(self) -> BranchCapacity:
-        """Torque at the first slip, and that at which all branches slip."""
-        most = self._most()
-        first = _zero(lambda x: self._used(x) - 1.0, most)
-        moved = self.displacement(first)
-        preload = self.drive.preload(self.lengths(moved))
-        over = np.where(
-            preload > 0.0,
-            self._demands(first, moved) / self.law.demand_at_slip(np.maximum(preload, 1e-9)),
-            0.0,
-        )
-        branch = int(np.argmax(over))
-        slips = np.full(len(CONTACT_NAMES), np.nan)
-        for below in _BELOW_SLIP if self.slip else ():
-            almost = self.law.torque(preload, np.minimum(over, 1.0) * (1.0 - below))
-            slips = self._contacts(preload, almost, loaded=True)["slip_ratio"][:, branch]
-            if np.all(np.isfinite(slips)):
-                break
-        return BranchCapacity(
-            first_slip=self.total(first),
-            branch=branch,
-            contact=int(np.nanargmax(slips)) if np.any(np.isfinite(slips)) else None,
-            all_slip=self.total(most),
-            equal=float(self.law.capacity(self.drive.own_preload)),
-        )
-
-
-def _of_all(each: np.ndarray, bears: np.ndarray, common: float) -> np.ndarray:
-    """What all branches do together, from what the drive would do if all were like each; a loose one does nothing.
-
-    ``common`` is the part of each that no branch does.
-    """
-    own = np.where(bears, each - common, 0.0)
-    return np.asarray(np.sum(own, axis=-1) / bears.size + common)
-
-
-def _zero(function: Callable[[float], float], upper: float) -> float:
-    return float(brentq(function, 0.0, upper, xtol=1e-15 * upper, rtol=1e-14))

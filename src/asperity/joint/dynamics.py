@@ -23,12 +23,14 @@ from asperity.drive.geometry import carrier_speed, speed_ratio
 from asperity.drive.planar.layout import speed_ratio as planar_speed_ratio
 from asperity.errors import InputError
 from asperity.joint.description import Joint, with_one_rank
-from asperity.joint.either_kind import AnyJoint, solve_any
+from asperity.joint.either_kind import AnySolution, OwnJoint, solve_any
 from asperity.joint.evaluation import evaluate, loading_roller_mass, planet_mass, roller_mass
 from asperity.joint.planar.description import PlanarJoint
 from asperity.joint.planar.inertias import planar_inertias
 from asperity.joint.planar.over_torque import over_torque
-from asperity.joint.standing import NO_SLIP_FRICTION
+from asperity.joint.standing import NO_SLIP_FRICTION, standing_branches
+from asperity.joint.unlike_joint import UnlikeJoint, branch_joints
+from asperity.joint.unlike_solution import UnlikeSolution
 from asperity.types import Real
 
 _FREQUENCIES = 400
@@ -155,6 +157,25 @@ def _between_inertias(
     )
 
 
+def _unlike_dynamics(unlike: UnlikeJoint, inertias: Inertias, torques: np.ndarray) -> JointDynamics:
+    """A joint with unlike branches of the paper's drive about each of the torques: springs and dampers side by side."""
+    speeds = np.full_like(torques, float(unlike.sun_speed))
+    standing = standing_branches(unlike, torques, speeds)
+    points = branch_joints(unlike, torques, speeds, turns=True)
+    each = compile_fast(joint_dynamics, points.joints, inertias)(points.joints, inertias)
+    damping = points.moving_sun * points.together(np.asarray(each.creep_damping))
+    made = _between_inertias(
+        jnp.asarray(torques),
+        jnp.asarray(np.where(standing.holds, standing.levels["assembly"], np.nan)),
+        jnp.asarray(np.where(points.carried, 1.0 / damping, np.nan)),
+        float(speed_ratio(unlike.geometry)),
+        body_inertias(unlike),
+        inertias,
+    )
+    numbers: JointDynamics = jax.tree.map(np.asarray, made)
+    return numbers
+
+
 def _planar_dynamics(joint: PlanarJoint, inertias: Inertias, torques: np.ndarray) -> JointDynamics:
     """A joint with a planar drive about each of the torques, as NumPy arrays."""
     found = over_torque(joint, np.asarray(torques), no_slip_friction=NO_SLIP_FRICTION)
@@ -173,12 +194,12 @@ def _planar_dynamics(joint: PlanarJoint, inertias: Inertias, torques: np.ndarray
     return numbers
 
 
-def body_inertias(joint: AnyJoint) -> tuple[Real, Real]:
+def body_inertias(joint: OwnJoint) -> tuple[Real, Real]:
     """Inertias of a joint's own bodies.
 
     Parameters
     ----------
-    joint : Joint or PlanarJoint
+    joint : Joint, PlanarJoint or UnlikeJoint
         One joint; of the paper's drive also many along trailing batch axes.
 
     Returns
@@ -192,6 +213,7 @@ def body_inertias(joint: AnyJoint) -> tuple[Real, Real]:
     """
     if isinstance(joint, PlanarJoint):
         return planar_inertias(joint)
+    joint = joint.joint if isinstance(joint, UnlikeJoint) else joint
     geometry, bodies = joint.geometry, joint.bodies
     sun_mass = roller_mass(
         density=bodies.sun.density, radius=geometry.sun_radius, length=joint.contact_lengths[0], bore=0.0
@@ -242,12 +264,12 @@ class Dynamics(eqx.Module):
     turning_load: Array
 
 
-def dynamics(joint: AnyJoint, inertias: Inertias) -> Dynamics:
+def dynamics(joint: OwnJoint, inertias: Inertias) -> Dynamics:
     """Natural frequencies over torque, and the frequency response at the joint's torque.
 
     Parameters
     ----------
-    joint : Joint or PlanarJoint
+    joint : Joint, PlanarJoint or UnlikeJoint
         One joint.
     inertias : Inertias
         What is coupled to it.
@@ -267,17 +289,19 @@ def dynamics(joint: AnyJoint, inertias: Inertias) -> Dynamics:
     solution = solve_any(joint)
     if not float(solution.result.assembly.stiffness.output) > 0.0:
         raise InputError("the assembled joint has no stiffness, so that it has no natural frequency")
-    numbers: AnyJoint = jax.tree.map(lambda leaf: np.asarray(leaf, dtype=float), joint)
     coupled: Inertias = jax.tree.map(lambda leaf: np.asarray(leaf, dtype=float), inertias)
-    own = float(numbers.output_torque)
-    found = solution.reverse_capacity if own < 0.0 else solution.capacity
-    limit = float(found.output_torque)
+    own = float(joint.output_torque)
+    limit = _limit(solution, own)
     largest = np.copysign(_NEAR_CAPACITY * limit, own) if np.isfinite(limit) else own
     torques = np.append(np.linspace(0.0, largest, _TORQUES), own)
     over: JointDynamics
-    if isinstance(numbers, PlanarJoint):
+    if isinstance(joint, UnlikeJoint):
+        over = _unlike_dynamics(joint, coupled, torques)
+    elif isinstance(joint, PlanarJoint):
+        numbers = jax.tree.map(lambda leaf: np.asarray(leaf, dtype=float), joint)
         over = _planar_dynamics(numbers, coupled, torques)
     else:
+        numbers = jax.tree.map(lambda leaf: np.asarray(leaf, dtype=float), joint)
         points = dataclasses.replace(numbers, output_torque=jnp.asarray(torques))
         over = jax.tree.map(np.asarray, compile_fast(joint_dynamics, points, coupled)(points, coupled))
     at = jax.tree.map(lambda values: values[-1], over)
@@ -304,6 +328,14 @@ def dynamics(joint: AnyJoint, inertias: Inertias) -> Dynamics:
         frequency,
         *(angle for response in both for angle in response),
     )
+
+
+def _limit(solution: AnySolution, torque: float) -> float:
+    """Capacity in the direction of a torque [N·m]."""
+    if isinstance(solution, UnlikeSolution):
+        return solution.branches.capacity.all_slip
+    found = solution.reverse_capacity if torque < 0.0 else solution.capacity
+    return float(found.output_torque)
 
 
 def dynamics_document(found: Dynamics, inertias: Inertias) -> dict[str, Any]:

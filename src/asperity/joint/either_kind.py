@@ -1,8 +1,9 @@
-"""Both kinds of joints asked alike: that of the paper's drive, and one with any planar drive."""
+"""All kinds of joints asked alike: that of the paper's drive, one with any planar drive, and one of unlike branches."""
 
 from __future__ import annotations
 
 import dataclasses
+import math
 
 from asperity.drive import geometry
 from asperity.drive.planar import layout
@@ -11,24 +12,29 @@ from asperity.joint.description import Joint
 from asperity.joint.planar.description import PlanarJoint
 from asperity.joint.planar.solve import PlanarSolution, solve_planar
 from asperity.joint.refusal import refuse_overlap
+from asperity.joint.rolling_document import unknown_because
 from asperity.joint.solve import Solution, solve
+from asperity.joint.unlike_joint import UnlikeJoint
+from asperity.joint.unlike_solution import UnlikeSolution, solve_unlike
 
 AnyJoint = Joint | PlanarJoint
-AnySolution = Solution | PlanarSolution
+#: Those too whose branches are unlike; another drive than the paper's describes them as any of its joints.
+OwnJoint = AnyJoint | UnlikeJoint
+AnySolution = Solution | PlanarSolution | UnlikeSolution
 
 
-def solve_any(joint: AnyJoint) -> AnySolution:
+def solve_any(joint: OwnJoint) -> AnySolution:
     """Solve one joint, whatever its drive.
 
     Parameters
     ----------
-    joint : Joint or PlanarJoint
+    joint : Joint, PlanarJoint or UnlikeJoint
         One joint.
 
     Returns
     -------
-    Solution or PlanarSolution
-        Result and torque capacities have the same names in both.
+    Solution, PlanarSolution or UnlikeSolution
+        Results have the same names in all; torque capacities too, but for unlike branches of the paper's drive.
 
     Raises
     ------
@@ -37,29 +43,33 @@ def solve_any(joint: AnyJoint) -> AnySolution:
     NoSolutionError
         If no balance was found.
     """
+    if isinstance(joint, UnlikeJoint):
+        return solve_unlike(joint)
     return solve_planar(joint) if isinstance(joint, PlanarJoint) else solve(joint)
 
 
-def under_torque(joint: AnyJoint, output_torque: float) -> AnyJoint:
+def under_torque(joint: OwnJoint, output_torque: float) -> OwnJoint:
     """The same joint under another torque, at rest or in the rotation that a wind-up by this torque begins.
 
     Parameters
     ----------
-    joint : Joint or PlanarJoint
+    joint : Joint, PlanarJoint or UnlikeJoint
         One joint.
     output_torque : float
         Output torque of either sign [N·m].
 
     Returns
     -------
-    Joint or PlanarJoint
+    Joint, PlanarJoint or UnlikeJoint
         The paper's drive turns with the torque; the input of another drive has one sense of rotation, so that a
         negative torque drives it.
     """
     if isinstance(joint, PlanarJoint):
         return dataclasses.replace(joint, output_torque=output_torque)
-    sense = -1.0 if output_torque < 0.0 else 1.0
-    return dataclasses.replace(joint, output_torque=output_torque, sun_speed=sense * float(joint.sun_speed))
+    speed = math.copysign(1.0, output_torque) * float(joint.sun_speed)
+    if isinstance(joint, UnlikeJoint):
+        return joint.under(output_torque, speed)
+    return dataclasses.replace(joint, output_torque=output_torque, sun_speed=speed)
 
 
 def refuse_no_room(joint: AnyJoint) -> None:
@@ -99,12 +109,12 @@ def unloaded_ratio(joint: AnyJoint) -> float:
     return float(geometry.speed_ratio(joint.geometry))
 
 
-def has_own_branches(joint: AnyJoint) -> bool:
+def has_own_branches(joint: OwnJoint) -> bool:
     """Whether a joint describes every branch by itself, because their sizes differ.
 
     Parameters
     ----------
-    joint : Joint or PlanarJoint
+    joint : Joint, PlanarJoint or UnlikeJoint
         One joint.
 
     Returns
@@ -112,4 +122,25 @@ def has_own_branches(joint: AnyJoint) -> bool:
     bool
         False where all are equal.
     """
-    return isinstance(joint, PlanarJoint) and joint.unlike is not None
+    return isinstance(joint, UnlikeJoint) or (isinstance(joint, PlanarJoint) and joint.unlike is not None)
+
+
+def why_unknown(joint: OwnJoint, solution: AnySolution) -> list[str]:
+    """Why results of the rolling are absent.
+
+    Parameters
+    ----------
+    joint : Joint, PlanarJoint or UnlikeJoint
+        One joint.
+    solution : Solution, PlanarSolution or UnlikeSolution
+        What it does.
+
+    Returns
+    -------
+    list of str
+        One sentence for each reason; empty if everything is there.
+    """
+    if isinstance(joint, UnlikeJoint):
+        assert isinstance(solution, UnlikeSolution)
+        return solution.unknown_because(joint)
+    return unknown_because(joint, solution.result)

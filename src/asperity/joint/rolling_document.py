@@ -199,15 +199,33 @@ def unknown_because(
             "no steady rolling: a contact slips or lifts off when the creepages share the torque between the contacts"
             + ("" if joint.rolling.skew is None else ", or skew alone makes it slip")
         ]
-    reasons = []
-    if not float(np.asarray(joint.sun_speed)) > 0.0:
-        reasons.append(
-            f"the {joint.ends[0]} stands: drift and life are given per turn, for slow rolling; there is nothing per "
-            "time, and no powers, efficiency, temperatures or oil film"
-        )
-    elif not bool(np.isfinite(np.asarray(found.power.efficiency))):
-        reasons.append("no efficiency: the output torque drives the rotation, but less than the losses take")
+    reasons = absent_in_rolling(joint, result)
     if joint.rolling.duty and np.isnan(np.asarray(found.duty_life_hours)):
         who = "equal branches do" if unlike else "the joint does"
         reasons.append(f"no life under the duty: {who} not roll under one of its loads")
     return reasons
+
+
+def absent_in_rolling(joint: Joint | PlanarJoint, result: JointResult | PlanarResult) -> list[str]:
+    """Why results of a joint are absent although it rolls steadily.
+
+    Parameters
+    ----------
+    joint : Joint or PlanarJoint
+        One joint.
+    result : JointResult or PlanarResult
+        Its result.
+
+    Returns
+    -------
+    list of str
+        One sentence for each reason; empty if everything is there.
+    """
+    if not float(np.asarray(joint.sun_speed)) > 0.0:
+        return [
+            f"the {joint.ends[0]} stands: drift and life are given per turn, for slow rolling; there is nothing per "
+            "time, and no powers, efficiency, temperatures or oil film"
+        ]
+    if not bool(np.isfinite(np.asarray(result.rolling.power.efficiency))):
+        return ["no efficiency: the output torque drives the rotation, but less than the losses take"]
+    return []

@@ -12,6 +12,8 @@ onset of rolling of each contact (:mod:`asperity.contact.rolling_in`) and its sh
 
 from __future__ import annotations
 
+import math
+
 import equinox as eqx
 import jax
 import jax.numpy as jnp
@@ -28,11 +30,12 @@ from asperity.drive.rolling_speeds import rolling_speeds
 from asperity.drive.rolling_state import drift_per_turn, lost_speed, speed_loss
 from asperity.errors import InputError
 from asperity.joint.description import Joint
-from asperity.joint.evaluation import JointResult
+from asperity.joint.evaluation import JointResult, evaluate
 from asperity.joint.planar.description import PlanarJoint
 from asperity.joint.planar.evaluation import PlanarResult
 from asperity.joint.planar.turning import driving_sense
 from asperity.joint.rolling import RollingResult
+from asperity.joint.unlike_joint import UnlikeJoint, branch_joints
 from asperity.types import Real
 
 _POINTS = 241
@@ -289,16 +292,20 @@ def swing_drift(*, contacts: ContactsInSeries, angle: Real) -> Array:
 
 
 def rolling_onset(
-    *, joint: Joint | PlanarJoint, result: JointResult | PlanarResult, windup: Real, creep_share: float
+    *,
+    joint: Joint | PlanarJoint | UnlikeJoint,
+    result: JointResult | PlanarResult,
+    windup: Real,
+    creep_share: float,
 ) -> RollingOnset | None:
     """Up to which angles of a joint that turns its wind-up holds, and the curve beyond.
 
     Parameters
     ----------
-    joint : Joint or PlanarJoint
+    joint : Joint, PlanarJoint or UnlikeJoint
         One joint.
     result : JointResult or PlanarResult
-        Its result under the torque of the step.
+        Its result under the torque of the step; of unlike branches only that torque is read.
     windup : Real
         Angle of its static curve at that torque, without sign [rad].
     creep_share : float
@@ -320,7 +327,13 @@ def rolling_onset(
     """
     if not (np.isfinite(creep_share) and creep_share > 0.0):
         raise InputError(f"the creep share {creep_share:g} is not allowed; it must be positive, e.g. 0.05")
-    if not bool(np.isfinite(np.asarray(result.rolling.residual))):
+    share = None
+    if isinstance(joint, UnlikeJoint):
+        each = _each_branch(joint, float(np.asarray(result.forces.output_torque)))
+        if each is None:
+            return None
+        result, share = each
+    if not np.all(np.isfinite(np.asarray(result.rolling.residual))):
         return None
     grown = np.sqrt(np.asarray(result.rolling.normal) / np.asarray(result.forces.normal))  # Hertz
     width = np.asarray(result.diagnostics.hertz_half_width) * grown
@@ -332,10 +345,68 @@ def rolling_onset(
             width,
             windup,
             creep_share,
+            share,
         ),
     )
     found: RollingOnset = jax.tree.map(np.asarray, compile_fast(_onset, *numbers)(*numbers))
     return found
+
+
+def _each_branch(joint: UnlikeJoint, torque: float) -> tuple[JointResult, np.ndarray] | None:
+    """Unlike branches in rolling, branches last, and their shares in the torque; None where they do not roll.
+
+    A loose branch counts as one of the preload of equal branches without torque, which has no share in the drift.
+    """
+    speed = math.copysign(float(joint.sun_speed), torque)
+    points = branch_joints(joint, np.array([torque]), np.array([speed]), turns=True)
+    if not points.carried[0]:
+        return None
+    return jax.tree.map(np.asarray, compile_fast(evaluate, points.joints)(points.joints)), points.share[:, 0]
+
+
+def side_by_side(contacts: ContactsInSeries, torque_share: Array) -> ContactsInSeries:
+    r"""Contacts of branches that share a torque.
+
+    .. math:: c_{k,b} = \frac{T_b}{T}\, c_k^{(b)}
+
+    Parameters
+    ----------
+    contacts : ContactsInSeries
+        Of drives all of whose branches are like one of them, branches last.
+    torque_share : Array
+        Share of each branch in the torque, shape (branches,) [-].
+
+    Returns
+    -------
+    ContactsInSeries
+        All contacts, branch by branch. Contacts of a branch without torque, which creep with no force, are as wide and
+        roll as far as the others.
+
+    Notes
+    -----
+    All branches lose the same speed in steady rolling. The one with more force counts more, as of
+    :func:`contacts_in_series`.
+
+    References
+    ----------
+    Equations (B10) and (I4) of :doc:`/equations`.
+    """
+
+    def listed(values: Array) -> Array:
+        return jnp.swapaxes(values, 0, 1).reshape(-1)
+
+    def alike(values: Array) -> Array:
+        return jnp.sum(torque_share * jnp.where(torque_share > 0.0, values, 0.0))
+
+    acts = torque_share > 0.0
+    return ContactsInSeries(
+        half_width=listed(contacts.half_width),
+        slip_ratio=listed(contacts.slip_ratio),
+        share=listed(jnp.where(acts, torque_share * contacts.share, 0.0)),
+        distance=listed(contacts.distance),
+        input_angle=alike(contacts.input_angle),
+        drift_per_output_turn=alike(contacts.drift_per_output_turn),
+    )
 
 
 def _onset(
@@ -344,11 +415,14 @@ def _onset(
     half_width: Array,
     windup: Array,
     creep_share: Array,
+    torque_share: Array | None,
 ) -> RollingOnset:
     if isinstance(drive, PlanarDrive):
         contacts = contacts_of_planar_drive(drive=drive, rolling=rolling, half_width=half_width)
     else:
         contacts = contacts_in_series(geometry=drive, rolling=rolling, half_width=half_width)
+    if torque_share is not None:
+        contacts = side_by_side(contacts, torque_share)
     allowed = creep_share * windup
     drift = contacts.drift_per_output_turn / (2.0 * jnp.pi)
 

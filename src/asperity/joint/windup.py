@@ -37,6 +37,7 @@ from asperity.joint.planar.description import PlanarJoint
 from asperity.joint.play import Play, play_angle, play_compliance
 from asperity.joint.stages import STAGE_SHARES
 from asperity.joint.standing import Standing, standing_at
+from asperity.joint.unlike_joint import UnlikeJoint
 from asperity.precision import require_double_precision
 from asperity.types import Real
 from asperity.units import format_quantity
@@ -248,12 +249,12 @@ def windup_of(
     )
 
 
-def is_symmetric(joint: Joint | PlanarJoint) -> bool:
+def is_symmetric(joint: Joint | PlanarJoint | UnlikeJoint) -> bool:
     """Whether a joint behaves alike in both directions of torque.
 
     Parameters
     ----------
-    joint : Joint or PlanarJoint
+    joint : Joint, PlanarJoint or UnlikeJoint
         One joint.
 
     Returns
@@ -263,6 +264,8 @@ def is_symmetric(joint: Joint | PlanarJoint) -> bool:
         length, friction and surface. Of another drive where its sectors are their own mirror images; those of a drive
         whose pins push at an angle are not compared.
     """
+    if isinstance(joint, UnlikeJoint):
+        return is_symmetric(joint.joint) and joint.sizes.is_symmetric
     if isinstance(joint, PlanarJoint):
         return _own_mirror_image(joint)
     if joint.closure == "constant_pin_force":
@@ -305,7 +308,7 @@ def _own_mirror_image(joint: PlanarJoint) -> bool:
 
 
 def windup(
-    joint: Joint | PlanarJoint,
+    joint: Joint | PlanarJoint | UnlikeJoint,
     *,
     largest_torque: Real,
     level: StiffnessLevel,
@@ -317,7 +320,7 @@ def windup(
 
     Parameters
     ----------
-    joint : Joint or PlanarJoint
+    joint : Joint, PlanarJoint or UnlikeJoint
         One joint; its own output torque is replaced.
     largest_torque : Real
         Largest output torque T_m [N·m], below the capacity of both directions; its sign does not matter.

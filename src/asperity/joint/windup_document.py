@@ -9,17 +9,25 @@ import numpy as np
 
 from asperity.errors import InputError
 from asperity.joint.capacity import capacity_document
-from asperity.joint.either_kind import AnyJoint, AnySolution, has_own_branches, solve_any, under_torque
+from asperity.joint.either_kind import (
+    AnySolution,
+    OwnJoint,
+    has_own_branches,
+    solve_any,
+    under_torque,
+    why_unknown,
+)
 from asperity.joint.planar.document import planar_capacity_document
 from asperity.joint.planar.solve import PlanarSolution
-from asperity.joint.rolling_document import unknown_because
 from asperity.joint.rolling_onset import RollingOnset, rolling_onset
+from asperity.joint.solve import Solution
 from asperity.joint.stages import STAGE_SHARES
+from asperity.joint.unlike_solution import UnlikeSolution
 from asperity.joint.windup import StiffnessLevel, Windup, windup
 
 
 def examined_windup(
-    joint: AnyJoint,
+    joint: OwnJoint,
     *,
     largest_torque: float | None,
     level: StiffnessLevel,
@@ -29,7 +37,7 @@ def examined_windup(
 
     Parameters
     ----------
-    joint : Joint or PlanarJoint
+    joint : Joint, PlanarJoint or UnlikeJoint
         One joint.
     largest_torque : float or None
         Largest torque of the curve, of either sign [N·m]; None for the joint's own output torque.
@@ -62,17 +70,17 @@ def examined_windup(
 
 
 def windup_onsets(
-    joint: AnyJoint, curve: Windup, solutions: tuple[AnySolution, AnySolution], *, creep_share: float
+    joint: OwnJoint, curve: Windup, solutions: tuple[AnySolution, AnySolution], *, creep_share: float
 ) -> tuple[RollingOnset | None, RollingOnset | None]:
     """What becomes of both ends of a wind-up when the joint turns under its largest torque.
 
     Parameters
     ----------
-    joint : Joint or PlanarJoint
+    joint : Joint, PlanarJoint or UnlikeJoint
         The joint.
     curve : Windup
         Its wind-up.
-    solutions : tuple of Solution or PlanarSolution
+    solutions : tuple of Solution, PlanarSolution or UnlikeSolution
         The joint at the largest torque in the positive and in the negative direction.
     creep_share : float
         Creep over wind-up up to which the static curve is said to hold [-], above 0.
@@ -95,7 +103,7 @@ def windup_onsets(
 
 
 def windup_document(
-    joint: AnyJoint,
+    joint: OwnJoint,
     curve: Windup,
     solutions: tuple[AnySolution, AnySolution],
     onsets: tuple[RollingOnset | None, RollingOnset | None],
@@ -106,11 +114,11 @@ def windup_document(
 
     Parameters
     ----------
-    joint : Joint or PlanarJoint
+    joint : Joint, PlanarJoint or UnlikeJoint
         The joint.
     curve : Windup
         Curves and figures.
-    solutions : tuple of Solution or PlanarSolution
+    solutions : tuple of Solution, PlanarSolution or UnlikeSolution
         The joint at the largest torque in the positive and in the negative direction.
     onsets : tuple of RollingOnset or None
         What becomes of both when the joint turns.
@@ -178,6 +186,10 @@ def windup_capacities(document: dict[str, Any]) -> tuple[float, float]:
 def _capacity(forward: AnySolution, reverse: AnySolution) -> dict[str, Any]:
     if isinstance(forward, PlanarSolution) and isinstance(reverse, PlanarSolution):
         return planar_capacity_document(forward, reverse)
+    if isinstance(forward, UnlikeSolution) and isinstance(reverse, UnlikeSolution):
+        return {**forward.capacity_document, "reverse": reverse.capacity_document}
+    assert isinstance(forward, Solution)
+    assert isinstance(reverse, Solution)
     names = forward.result.contact_names
     return {
         **capacity_document(forward.capacity, contacts=names),
@@ -185,9 +197,9 @@ def _capacity(forward: AnySolution, reverse: AnySolution) -> dict[str, Any]:
     }
 
 
-def _rolling(joint: AnyJoint, solution: AnySolution, onset: RollingOnset | None) -> dict[str, Any]:
+def _rolling(joint: OwnJoint, solution: AnySolution, onset: RollingOnset | None) -> dict[str, Any]:
     if onset is None:
-        return {"unknown_because": unknown_because(joint, solution.result)}
+        return {"unknown_because": why_unknown(joint, solution)}
     contacts = onset.contacts
 
     def both(angle: Any) -> dict[str, float]:
@@ -207,7 +219,7 @@ def _rolling(joint: AnyJoint, solution: AnySolution, onset: RollingOnset | None)
                 "rolls_its_width_in": both(np.asarray(onset.width_angle)[k]),
                 "share_of_drift": float(np.asarray(contacts.share)[k]),
             }
-            for k, name in enumerate(solution.result.contact_names)
+            for k, name in enumerate(joint.contact_names)
         },
     }
 

@@ -5,6 +5,8 @@ from __future__ import annotations
 import dataclasses
 from typing import TYPE_CHECKING
 
+from asperity.joint.unlike_joint import UnlikeJoint
+from asperity.joint_file.build import branches_from_case, joint_from_case
 from asperity.joint_file.planar_build import (
     any_joint_from_case,
     branched_planar,
@@ -15,11 +17,11 @@ from asperity.joint_file.planar_model import PlanarCase
 from asperity.joint_file.si_tables import AnyCase, si_values
 
 if TYPE_CHECKING:
-    from asperity.joint.either_kind import AnyJoint
+    from asperity.joint.either_kind import OwnJoint
 
 
-def with_own_branches(case: AnyCase) -> AnyJoint:
-    """The joint of a file with its own branches, where they differ and its drive can be described so.
+def with_own_branches(case: AnyCase) -> OwnJoint:
+    """The joint of a file with its own branches, where they differ.
 
     Parameters
     ----------
@@ -28,9 +30,9 @@ def with_own_branches(case: AnyCase) -> AnyJoint:
 
     Returns
     -------
-    Joint or PlanarJoint
-        With sections ``[[branch]]`` in another drive than the paper's: every branch by itself, contacts and rollers
-        with its number behind their names. Otherwise the joint with equal branches.
+    Joint, PlanarJoint or UnlikeJoint
+        With sections ``[[branch]]``: every branch by itself, contacts and rollers with its number behind their names.
+        Otherwise the joint with equal branches.
 
     Raises
     ------
@@ -43,8 +45,10 @@ def with_own_branches(case: AnyCase) -> AnyJoint:
     ----------
     Equation (I4) of :doc:`/equations`.
     """
-    if case.branch is None or not isinstance(case, PlanarCase):
+    if case.branch is None:
         return any_joint_from_case(case)
+    if not isinstance(case, PlanarCase):
+        return UnlikeJoint(joint_from_case(case), *branches_from_case(case))
     from asperity.joint.planar.solve import solve_planar
 
     joint = planar_joint_from_case(case)

@@ -12,8 +12,7 @@ from typing import Any
 
 import asperity
 from asperity.errors import AsperityError
-from asperity.joint.branch_results import NO_EQUAL_WINDUP
-from asperity.joint.either_kind import AnyJoint, has_own_branches
+from asperity.joint.either_kind import AnyJoint, OwnJoint
 from asperity.joint.loads_document import load_cases, loads_document
 from asperity.joint.margins import margins
 from asperity.joint.measured_surface import stiffness_interval
@@ -194,14 +193,12 @@ class _Examined:
 
 
 def _examined(solved: SolvedJoint, document: dict[str, Any], case: AnyCase) -> _Examined:
-    joint: AnyJoint = solved.joint
+    joint: OwnJoint = solved.joint
     capacity = document["rolling"]["torque_capacity_Nm"]
     capacity = math.inf if capacity is None else float(capacity)
     try:
         if solved.branches is not None:
             joint = with_own_branches(case)
-            if solved.no_equal_state and not has_own_branches(joint):
-                return _Examined(None, None, None, NO_EQUAL_WINDUP, capacity)
         curve, both = examined_windup(joint, largest_torque=None, level="assembly")
     except AsperityError as error:
         return _Examined(None, None, None, str(error), capacity)
@@ -236,12 +233,7 @@ def _windup(document: dict[str, Any], found: _Examined, pictures: dict[str, str]
         yield Paragraph(f"No wind-up: {found.no_windup}.")
         return
     if "branches" in document:
-        whose = (
-            "the branches of the file, [[branch]]"
-            if found.windup_figures["of_own_branches"]
-            else "equal branches"
-        )
-        yield Paragraph(f"The wind-up is that of {whose}.")
+        yield Paragraph("The wind-up is that of the branches of the file, [[branch]].")
     yield from result_tables.windup(found.windup_figures)
     turning = "" if found.onset is None else "; the joint that turns under the largest torque"
     yield Picture(f"Torque and angle, deviation from a straight line, stiffness{turning}", pictures["windup"])
