@@ -47,6 +47,7 @@ class FakeLaws(BranchLaws):
             },
             **{name: np.zeros((5, 3)) for name in ("creep", "skew", "hysteresis", "oil")},
             "contact": np.tile(0.01 * torque, (5, 1)),
+            "compliance": 1.0 / (PER_ANGLE * np.where(preload > 0.0, preload, np.nan) / 1000.0),
             "bearings": np.zeros(3),
             **{name: np.full(3, 0.5) for name in ("speed_loss", "drift_per_output_turn", "output_speed")},
         }
@@ -137,6 +138,8 @@ def test_beyond_the_first_slip_the_others_take_over(springs):
         [(11.0 - weakest) / 2.0, (11.0 - weakest) / 2.0, weakest], rel=1e-6
     )
     assert found.standing.slip_ratio[2] == 1.0
+    holding = found.preload[:2].sum() / 1000.0  # springs as stiff as they are pressed; the third slips
+    assert found.stiffness == pytest.approx(PER_ANGLE * holding / 3.0, rel=1e-9)
     assert springs(output_torque=13.5).branches(sizes([2e-6, 0.0, -2e-6])).standing is None
 
 

@@ -9,6 +9,7 @@ import pytest
 from asperity.drive.geometry import CONTACT_NAMES
 from asperity.errors import InputError
 from asperity.joint import windup_document as module
+from asperity.joint.solve import Solution
 from asperity.joint.windup_document import (
     examined_windup,
     rolling_columns,
@@ -24,7 +25,7 @@ CAPACITIES = {"forward": {"output_torque_Nm": 13.0}, "reverse": {"output_torque_
 def document(monkeypatch):
     """12 N·m turn the output by 1.2 mrad; backwards the first stage is half as stiff."""
     monkeypatch.setattr(module, "capacity_document", lambda capacity, contacts: CAPACITIES[capacity])
-    monkeypatch.setattr(module, "unknown_because", lambda joint, result: [f"no {result.name}"])
+    monkeypatch.setattr(module, "why_unknown", lambda joint, solution: [f"no {solution.result.name}"])
     torque = np.linspace(-12.0, 12.0, 5)
     curve = SimpleNamespace(
         torque=torque, angle=1e-4 * torque, hysteresis=2e-5, lost_motion=3e-5, dissipated_energy=4e-3,
@@ -41,15 +42,12 @@ def document(monkeypatch):
         contacts=contacts, creep_share=0.1, static_angle=1e-3, steady_angle=0.05, missing_angle=2e-4,
         still_angle=3e-3, width_angle=1e-2 * np.arange(1.0, 6.0),
     )  # fmt: skip
-    solutions = tuple(
-        SimpleNamespace(
-            capacity="forward",
-            reverse_capacity="reverse",
-            result=SimpleNamespace(name=name, contact_names=CONTACT_NAMES),
-        )
-        for name in ("one", "other")
-    )
-    return windup_document(None, curve, solutions, (onset, None), level="assembly")
+    solutions = tuple(object.__new__(Solution) for _ in range(2))
+    for solution, name in zip(solutions, ("one", "other"), strict=True):
+        result = SimpleNamespace(name=name, contact_names=CONTACT_NAMES)
+        vars(solution).update(capacity="forward", reverse_capacity="reverse", result=result)
+    joint = SimpleNamespace(contact_names=CONTACT_NAMES)
+    return windup_document(joint, curve, solutions, (onset, None), level="assembly")
 
 
 def test_figures_of_both_directions(document):

@@ -1,4 +1,4 @@
-"""The joint of a file with its own branches: where it has them, and where its drive can be described so."""
+"""The joint of a file with its own branches."""
 
 from pathlib import Path
 
@@ -28,11 +28,14 @@ def test_without_sections_they_are_equal(name):
     assert len(joint.contact_names) in (2, 5)
 
 
-def test_the_papers_drive_keeps_equal_ones():
+def test_the_papers_drive_has_its_own_beside_the_equal_ones():
     joint = described(
         "zou2025", ('preload = "1000 N"', 'interference = "13 um"'), ("[model]", f"{BRANCHES}[model]")
     )
-    assert not has_own_branches(joint)
+    assert has_own_branches(joint)
+    assert joint.contact_names[:6] == ("sp_1", "pwr_1", "pwl_1", "wro_1", "wlo_1", "sp_2")
+    assert joint.interference == pytest.approx(13e-6, rel=1e-15)
+    np.testing.assert_allclose(joint.sizes.planet, [2e-6, 0.0, -1e-6], atol=1e-18)
 
 
 @pytest.mark.slow

@@ -87,8 +87,10 @@ def standing_at(
 def _of_joints(joints: Joint) -> Standing:
     """Joints along one axis, each at its torque."""
     # one program evaluates both: two assemblies that run side by side can wait for each other for ever (LAPACK in XLA)
-    twice: Joint = jax.tree.map(lambda leaf: jnp.tile(leaf, 2) if jnp.ndim(leaf) else leaf, joints)
     count = jnp.size(joints.output_torque)
+    twice: Joint = jax.tree.map(
+        lambda leaf: jnp.tile(leaf, 2) if jnp.shape(leaf) == (count,) else leaf, joints
+    )
     slips = np.arange(2 * count) < count
     batch = dataclasses.replace(
         twice,
@@ -120,7 +122,7 @@ def standing_branches(unlike: UnlikeJoint, torques: np.ndarray, speeds: np.ndarr
     Returns
     -------
     Standing
-        Contacts branch by branch; a branch that slips has no stiffness, one that is loose no slip ratio.
+        Contacts branch by branch; a branch that slips has no stiffness, one that is loose no T/(mu N).
     """
     points = branch_joints(unlike, torques, speeds, turns=False)
     found = _of_joints(points.joints)
@@ -142,7 +144,7 @@ def standing_branches(unlike: UnlikeJoint, torques: np.ndarray, speeds: np.ndarr
         )
         return made
 
-    ratio = np.where(points.bears, np.where(points.slips, 1.0, points.of_each(found.slip_ratio)), 0.0)
+    ratio = np.where(points.bears, np.minimum(points.of_each(found.slip_ratio), 1.0), 0.0)
     return Standing(
         solved=np.all(points.of_each(found.solved) | ~points.bears, axis=0),
         holds=points.carried,

@@ -123,8 +123,10 @@ class BranchJoints(NamedTuple):
         return np.mean(np.where(self.bears, self.of_each(values), 0.0), axis=-2)
 
     def alike(self, values: np.ndarray) -> np.ndarray:
-        """Mean over the branches that are not loose, of what is the same for all of them."""
-        return np.mean(self.of_each(values), axis=-2, where=self.bears)
+        """Mean over the branches that are not loose, of what is the same for all of them; nan where there are none."""
+        count = np.sum(self.bears, axis=0)
+        whole = np.sum(np.where(self.bears, self.of_each(values), 0.0), axis=-2)
+        return np.where(count > 0, whole / np.maximum(count, 1), np.nan)
 
 
 def branch_joints(
