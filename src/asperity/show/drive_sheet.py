@@ -14,7 +14,8 @@ from asperity.errors import printable
 from asperity.joint.description import Joint
 from asperity.joint.either_kind import AnyJoint
 from asperity.joint.planar.evaluation import PlanarForces
-from asperity.show.drive_view import dimension, drive_view, gaps, ring_as_drawn
+from asperity.show.dimension_lines import dimension
+from asperity.show.drive_view import drive_view, gaps, ring_as_drawn
 from asperity.show.free_bodies import free_bodies
 from asperity.show.sheet import (
     TEXT_HEIGHT,
@@ -30,7 +31,8 @@ from asperity.show.sheet import (
 from asperity.show.style import CONTACT_LABELS
 from asperity.units import format_quantity
 
-_MARGIN = 10.0
+#: From the edge of the paper to the frame of a drawing [mm].
+MARGIN = 10.0
 _SPACING = 4.4  # between two lines of text
 _LONGEST_TITLE = 42
 #: Size of the paper, room of the view, and left edge of the column beside it, all in mm: A4 and A3.
@@ -62,7 +64,7 @@ def drive_sheet(joint: Joint, *, name: str, forces: DriveForces | None = None) -
     width, height, room, column = PLAIN if forces is None else WITH_FORCES
     ring = ring_as_drawn(joint)
     scale = standard_scale(2.0 * ring.shown, room=room)
-    middle = (_MARGIN + 5.0 + 0.5 * room + 10.0, 0.5 * height + 8.0)
+    middle = (MARGIN + 5.0 + 0.5 * room + 10.0, 0.5 * height + 8.0)
     items: list[Item] = []
 
     def on_paper(x: float, y: float) -> tuple[float, float]:
@@ -73,7 +75,7 @@ def drive_sheet(joint: Joint, *, name: str, forces: DriveForces | None = None) -
             items.append(Text(on_paper(x, y - index * _SPACING), line, height=text_height))
 
     sizes, smallest = _sizes(joint), _clearances(joint)
-    foot, above = _MARGIN + 27.0, -math.inf
+    foot, above = MARGIN + 27.0, -math.inf
     if forces is None:
         lines = [*sizes, "", *smallest]
         write(column, foot + _SPACING * (len(lines) - 1), lines)
@@ -82,14 +84,14 @@ def drive_sheet(joint: Joint, *, name: str, forces: DriveForces | None = None) -
         write(column, level, sizes)
         write(column + 80.0, level, smallest)
         write(column, level + 4.5 * _SPACING, load_lines(joint, forces, part="branch"))
-        room = width - _MARGIN - column
+        room = width - MARGIN - column
         centre = on_paper(column + 0.5 * room, level + 62.0)
         apart = free_bodies(joint, forces, centre=centre, scale=scale, room=room - 4.0)
         above = max(each.at[1] for each in apart if isinstance(each, Text))  # numbers are the highest
         items += apart
         write(
-            _MARGIN + 5.0,
-            height - _MARGIN - 8.0,
+            MARGIN + 5.0,
+            height - MARGIN - 8.0,
             [f"{each}: {words}" for each, words in CONTACT_LABELS.items()],
         )
     items += drive_view(joint, scale=scale, labels_from=(column - middle[0]) / scale, labels_above=above)
@@ -141,8 +143,8 @@ def frame(on_paper: Callable[[float, float], Point], width: float, height: float
     Item
         A closed line.
     """
-    right, top = width - _MARGIN, height - _MARGIN
-    corners = ((_MARGIN, _MARGIN), (right, _MARGIN), (right, top), (_MARGIN, top), (_MARGIN, _MARGIN))
+    right, top = width - MARGIN, height - MARGIN
+    corners = ((MARGIN, MARGIN), (right, MARGIN), (right, top), (MARGIN, top), (MARGIN, MARGIN))
     return Line(tuple(on_paper(*corner) for corner in corners), "frame")
 
 
@@ -177,8 +179,8 @@ def title_block(
     """
     title = printable(name).replace("\n", " ")
     shown = title if len(title) <= _LONGEST_TITLE else f"…{title[1 - _LONGEST_TITLE :]}"
-    top, left = _MARGIN + 22.0, column - 3.0
-    edge = (on_paper(left, _MARGIN), on_paper(left, top), on_paper(width - _MARGIN, top))
+    top, left = MARGIN + 22.0, column - 3.0
+    edge = (on_paper(left, MARGIN), on_paper(left, top), on_paper(width - MARGIN, top))
     return [
         Line(edge, "frame"),
         Text(on_paper(column, top - 6.5), kind, height=TITLE_HEIGHT),

@@ -7,12 +7,14 @@ from typing import NamedTuple
 
 from asperity.drive.geometry import clearances
 from asperity.joint.description import Joint
+from asperity.show.dimension_lines import dimension, leader, widths_below
 from asperity.show.drive_drawing import Roller, rollers
-from asperity.show.sheet import Circle, Item, Line, Point, Text
+from asperity.show.sheet import Circle, Item, Line, Point
 
 #: Wall over inner radius of the ring from which on the drawing breaks it off.
 LONGEST_WALL = 0.5
-_SHOWN_OF_BROKEN = 0.3  # of the inner radius
+#: How much of a wall that is broken off is drawn, over the inner radius.
+SHOWN_OF_BROKEN = 0.3
 _WAVES = 24
 #: How many clearances are drawn.
 MOST_GAPS = 3
@@ -75,7 +77,7 @@ def ring_as_drawn(joint: Joint) -> Ring:
         Its radii [mm].
     """
     inner, wall = 1e3 * float(joint.geometry.ring_radius), 1e3 * float(joint.ring_wall_thickness)
-    shown = wall if wall <= LONGEST_WALL * inner else _SHOWN_OF_BROKEN * inner
+    shown = wall if wall <= LONGEST_WALL * inner else SHOWN_OF_BROKEN * inner
     return Ring(inner, inner + wall, inner + shown)
 
 
@@ -150,22 +152,6 @@ def drive_view(
     return items + _gap_marks(gaps(joint), scale, -ring.shown - 4.0 / scale)
 
 
-def dimension(value: float) -> str:
-    """A length as a drawing states it: mm, six digits, no trailing zeros.
-
-    Parameters
-    ----------
-    value : float
-        The length [mm].
-
-    Returns
-    -------
-    str
-        The number alone.
-    """
-    return f"{value:.6g}"
-
-
 def _millimetres(found: list[Roller]) -> list[Roller]:
     return [Roller(b, (1e3 * x, 1e3 * y), 1e3 * r) for b, (x, y), r in found]
 
@@ -223,17 +209,11 @@ def _axes(placed: list[Roller], ring: Ring, scale: float) -> list[Item]:
 
 def _ring_dimensions(ring: Ring, scale: float) -> list[Item]:
     """Diameters of the ring below the view."""
-    step, over = 7.0 / scale, 1.5 / scale
-    widths = [(ring.inner, f"⌀{dimension(2.0 * ring.inner)}")]
-    if not ring.broken:
-        widths.append((ring.outer, f"⌀{dimension(2.0 * ring.outer)}"))
-    items: list[Item] = []
-    for row, (half, text) in enumerate(widths, start=1):
-        y = -ring.shown - row * step
-        items += [Line(((side, 0.0), (side, y - over))) for side in (-half, half)]
-        items.append(Line(((-half, y), (half, y)), arrows="both"))
-        items.append(Text((6.0 / scale, y + 1.0 / scale), text))
-    return items
+    radii = [ring.inner] if ring.broken else [ring.inner, ring.outer]
+    widths = [(radius, f"⌀{dimension(2.0 * radius)}") for radius in radii]
+    return [
+        item for parts in widths_below(widths, -ring.shown, scale=scale) for part in parts for item in part
+    ]
 
 
 def _diameters(placed: list[Roller], pin: float, scale: float, corner: Point) -> list[Item]:
@@ -258,13 +238,11 @@ def _diameters(placed: list[Roller], pin: float, scale: float, corner: Point) ->
     if pin > 0.0:
         targets.append((_on(roller.centre, pin, 0.3), f"pin ⌀{dimension(2.0 * pin)}"))
     targets.sort(key=lambda each: -each[0][1])
-    spacing, shoulder = _LABEL_SPACING / scale, 3.0 / scale
+    spacing = _LABEL_SPACING / scale
     top = max(targets[0][0][1], 0.5 * spacing * len(targets), above + spacing * (len(targets) + 1))
     items: list[Item] = []
     for index, (target, text) in enumerate(targets):
-        y = top - index * spacing
-        items.append(Line((target, (labels_from - shoulder, y), (labels_from, y)), arrows="start"))
-        items.append(Text((labels_from + 1.0 / scale, y - 1.2 / scale), text))
+        items += leader(target, (labels_from, top - index * spacing), text, scale=scale)
     return items
 
 
@@ -281,7 +259,6 @@ def _gap_marks(found: list[Gap], scale: float, left: float) -> list[Item]:
         x, y = middles[gap]
         below = min(below - spacing, y)
         items.append(Line(gap.ends, "break"))
-        items.append(Line(((x, y), (left + 3.0 / scale, below), (left, below))))
         text = f"{gap.letter} {gap.size:.4g}"
-        items.append(Text((left - 1.0 / scale, below - 1.2 / scale), text, "right"))
+        items += leader((x, y), (left, below), text, scale=scale, align="right", arrow=False)
     return items

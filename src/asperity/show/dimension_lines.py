@@ -1,0 +1,124 @@
+"""Dimension lines and leaders with their texts, for the drawings of every drive."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable
+
+from asperity.show.sheet import ARROW_LENGTH, Align, Line, Point, Text
+from asperity.show.sheet_figure import text_width
+
+#: Of a leader beside its text [mm on paper].
+SHOULDER = 3.0
+_ROW, _BEYOND = (
+    7.0,
+    1.5,
+)  # of dimension lines below each other, and of extension lines beyond them [mm on paper]
+_LOWERED = 1.2  # base line of a text below the middle of its letters [mm on paper]
+_FROM_AXIS, _FROM_LINE = 6.0, 2.0  # of the text of a diameter from the axis, or from an extension line
+_ROOM_FOR_ARROWS = 3.0 * ARROW_LENGTH
+
+
+def dimension(value: float) -> str:
+    """A length as a drawing states it: mm, six digits, no trailing zeros.
+
+    Parameters
+    ----------
+    value : float
+        The length [mm].
+
+    Returns
+    -------
+    str
+        The number alone.
+    """
+    return f"{value:.6g}"
+
+
+def leader(
+    tip: Point, end: Point, text: str, *, scale: float, align: Align = "left", arrow: bool = True
+) -> tuple[Line, Text]:
+    """A line from an outline or a mark to a text beside it.
+
+    Parameters
+    ----------
+    tip : tuple of float
+        Where it begins [mm].
+    end : tuple of float
+        Where the text is [mm].
+    text : str
+        The text.
+    scale : float
+        Length on paper over true length [-].
+    align : {"left", "right"}, optional
+        ``left``: the text stands right of ``end``; ``right``: left of it.
+    arrow : bool, optional
+        Whether an arrow is at the tip, as on an outline.
+
+    Returns
+    -------
+    tuple of Line and Text
+        The leader, whose last part is level, and its text.
+    """
+    x, y = end
+    side = -1.0 if align == "right" else 1.0
+    line = Line((tip, (x - side * SHOULDER / scale, y), end), arrows="start" if arrow else "")
+    return line, Text((x + side * 1.0 / scale, y - _LOWERED / scale), text, align)
+
+
+def widths_below(
+    widths: Iterable[tuple[float, str]], low: float, *, scale: float
+) -> list[tuple[tuple[Line, Line], tuple[Line, Text]]]:
+    """Diameters of circles about the origin as dimension lines below each other.
+
+    Parameters
+    ----------
+    widths : iterable of tuple of float and str
+        Radius [mm] and text of each.
+    low : float
+        Lower edge of the view [mm].
+    scale : float
+        Length on paper over true length [-].
+
+    Returns
+    -------
+    list of tuple
+        For each its two extension lines, which begin on the circle, then the dimension line and its text.
+    """
+    found = []
+    for row, (half, text) in enumerate(widths, start=1):
+        y, end = low - row * _ROW / scale, low - (row * _ROW + _BEYOND) / scale
+        extensions = Line(((-half, 0.0), (-half, end))), Line(((half, 0.0), (half, end)))
+        across = Line(((-half, y), (half, y)), arrows="both")
+        fits = _FROM_AXIS + text_width(text) + _FROM_LINE < half * scale
+        x = _FROM_AXIS / scale if fits else half + _FROM_LINE / scale
+        found.append((extensions, (across, Text((x, y + 1.0 / scale), text))))
+    return found
+
+
+def distance_mark(ends: tuple[Point, Point], *, scale: float) -> tuple[Line, ...]:
+    """A dimension line between two points: its arrows inside, or outside where it is short on paper.
+
+    Parameters
+    ----------
+    ends : tuple of tuple of float
+        The points [mm].
+    scale : float
+        Length on paper over true length [-].
+
+    Returns
+    -------
+    tuple of Line
+        Lines whose arrows point to the ends.
+    """
+    (x, y), (u, v) = ends
+    length = math.dist(*ends)
+    if length * scale >= _ROOM_FOR_ARROWS:
+        return (Line(ends, arrows="both"),)
+    beyond = 2.0 * ARROW_LENGTH / scale / length
+    e, f = beyond * (u - x), beyond * (v - y)
+    return (
+        Line(((x - e, y - f), (x, y)), arrows="end"),
+        Line(ends),
+        Line(((u + e, v + f), (u, v)), arrows="end"),
+    )
