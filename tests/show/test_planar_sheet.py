@@ -1,68 +1,206 @@
 """Drawings of planar drives: every roller at its place, sizes as in the file."""
 
+import io
 import math
-from pathlib import Path
+from itertools import pairwise
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 
+from asperity.drive.planar.existence import refuse_impossible
 from asperity.joint_file.planar_build import planar_joint_from_case
-from asperity.joint_file.reader import parse_any_case
 from asperity.show.planar_sheet import planar_sheet
-from asperity.show.sheet import Circle, Line
+from asperity.show.planar_sizes import planar_clearances, sizes
+from asperity.show.sheet import Circle, Line, Text
+from asperity.show.sheet_dxf import dxf_text, sheet_dxf
 from asperity.show.sheet_figure import sheet_figure
+from asperity.show.taken import Box, distance, text_box
 
-EXAMPLES = Path(__file__).parents[2] / "examples"
+EXAMPLES = ("planetary", "planetary_hollow", "multiroller", "stepped_planet", "planar")
+LONG = "the_right_hand_loading_roller_of_hardened_steel"
+#: Drives that leave little room, or none: changes of the examples.
+ODD = {
+    "tiny sun": ("planetary", {'sun_radius = "10 mm"': 'sun_radius = "3.2 mm"'}),
+    "large sun": (
+        "planetary",
+        {'sun_radius = "10 mm"': 'sun_radius = "60 mm"', 'planet_radius = "20 mm"': 'planet_radius = "4 mm"',
+         '"8 mm"': '"1.5 mm"', "planets = 3": "planets = 8"},
+    ),
+    "many planets": (
+        "planetary",
+        {"planets = 3": "planets = 30", 'sun_radius = "10 mm"': 'sun_radius = "200 mm"'},
+    ),
+    "thin walls": (
+        "planetary_hollow",
+        {'ring_wall_thickness = "30 mm"': 'ring_wall_thickness = "0.5 mm"', '"26 mm"': '"39 mm"'},
+    ),
+    "view that fills its room": (
+        "planetary",
+        {'sun_radius = "10 mm"': 'sun_radius = "15 mm"', 'planet_radius = "20 mm"': 'planet_radius = "25 mm"',
+         '"8 mm"': '"9.9 mm"'},
+    ),
+    "tracks of nearly one size": ("stepped_planet", {'"18 mm"': '"19.8 mm"'}),
+    "twelve stepped rollers": (
+        "multiroller",
+        {"rollers_per_row = 4": "rollers_per_row = 6", 'sun_radius = "10 mm"': 'sun_radius = "20 mm"'},
+    ),
+    "first roller at the side": (
+        "planar",
+        {"90 deg": "10 deg", "103.9 deg": "23.9 deg", "76.1 deg": "-3.9 deg", "sectors = 3": "sectors = 2"},
+    ),
+    "long names": ("planar", {'"right"': f'"{LONG}"', 'right = "5': f'{LONG} = "5', '"pwr"': f'"contact_of_{LONG}"'}),
+}  # fmt: skip
 
 
-def sheet(name):
-    text = (EXAMPLES / f"{name}.toml").read_text(encoding="utf-8")
-    return planar_sheet(planar_joint_from_case(parse_any_case(text, source=name)), name=name)
+@pytest.fixture
+def sheet(planar_case):
+    def draw(name, forces=False):
+        example, replaced = ODD.get(name, (name, {}))
+        joint = planar_joint_from_case(planar_case(example, replaced=replaced))
+        refuse_impossible(joint.drive)
+        count, pins = len(joint.drive.contacts), len(joint.drive.pinned)
+        made_up = SimpleNamespace(
+            normal=np.full(count, 1234.5),
+            tangential=np.full(count, 123.45),
+            pins=np.full(pins, 123.45),
+            input_torque=1.5,
+            output_torque=7.5,
+        )
+        return planar_sheet(joint, name=name, result=SimpleNamespace(forces=made_up) if forces else None)
+
+    return draw
 
 
-@pytest.mark.parametrize("name", ["planetary", "planetary_hollow", "multiroller", "stepped_planet", "planar"])
-def test_every_text_is_inside_the_frame_and_covers_no_other(name):
-    figure = sheet_figure(sheet(name))
+def letters_of(text, scale):
+    """The box of a text without its margin and without what is below its base line."""
+    box, margin = text_box(text, scale), 0.8 / scale
+    return Box(box.left + margin, box.right - margin, text.at[1], box.high - margin)
+
+
+def sizes_of(name, planar_case):
+    example, replaced = ODD.get(name, (name, {}))
+    joint = planar_joint_from_case(planar_case(example, replaced=replaced))
+    return sizes(joint, 1.0), planar_clearances(joint)
+
+
+@pytest.mark.parametrize("forces", [False, True])
+@pytest.mark.parametrize("name", [*EXAMPLES, *ODD])
+def test_every_text_is_inside_the_frame_and_covers_no_other(sheet, name, forces):
+    figure = sheet_figure(sheet(name, forces))
     canvas = FigureCanvasAgg(figure)
     canvas.draw()
     texts = [text for text in figure.axes[0].texts if text.get_text()]
     boxes = [text.get_window_extent(canvas.get_renderer()) for text in texts]
     margin = 10.0 / 25.4 * figure.dpi
-    for index, box in enumerate(boxes):
-        assert margin < box.x0 < box.x1 < figure.bbox.width - margin
-        assert margin < box.y0 < box.y1 < figure.bbox.height - margin
+    for index, (text, box) in enumerate(zip(texts, boxes, strict=True)):
+        assert margin < box.x0 < box.x1 < figure.bbox.width - margin, text
+        assert margin < box.y0 < box.y1 < figure.bbox.height - margin, text
         assert not [
-            t.get_text()
-            for t, other in zip(texts[index + 1 :], boxes[index + 1 :], strict=True)
-            if box.overlaps(other)
-        ]
+            other.get_text()
+            for other, area in zip(texts[index + 1 :], boxes[index + 1 :], strict=True)
+            if box.overlaps(area)
+        ], text
 
 
-def test_sizes_that_the_view_does_not_say():
+@pytest.mark.parametrize("forces", [False, True])
+@pytest.mark.parametrize("name", [*EXAMPLES, *ODD])
+def test_no_leader_runs_through_a_text_or_an_arrow_of_a_force(sheet, name, forces):
+    drawn = sheet(name, forces)
+    lines = [item for item in drawn.items if isinstance(item, Line)]
+    leaders = [line for line in lines if line.style == "thin" and (line.arrows or len(line.points) == 3)]
+    arrows = [line.points for line in lines if line.style == "force"]
+    boxes = [
+        (item.text, letters_of(item, drawn.scale))
+        for item in drawn.items
+        if isinstance(item, Text) and item.text.strip()
+    ]
+    assert leaders
+    for leader in leaders:
+        for part in pairwise(leader.points):
+            assert not [text for text, box in boxes if box.is_crossed_by(*part)]
+            assert all(distance(part, arrow) > 0.0 for arrow in arrows)
+
+
+@pytest.mark.parametrize("forces", [False, True])
+@pytest.mark.parametrize("name", [*EXAMPLES, *ODD])
+def test_every_size_is_said_once(sheet, planar_case, name, forces):
+    """In the view, or in the list; the list may break a line."""
+    texts = sheet(name, forces).texts
+    together = "".join("".join(texts).split())
+    wanted, clearances = sizes_of(name, planar_case)
+    for size in wanted:
+        listed = "".join(f"{size.of}:".split())
+        if size.label not in texts:
+            assert listed in together
+            assert "".join(size.listed.split()) in together[together.index(listed) :], size
+    for gap in clearances:
+        assert "".join(f"{gap.words} {gap.size:.4g}".split()) in together
+
+
+def test_words_of_the_list(sheet):
     """Neighbouring planets: 2 * 30 mm * sin(60 deg) less 40 mm."""
     texts = sheet("planetary").texts
-    assert "ring: inside ⌀100, wall 8" in texts
-    assert "3 × planet: ⌀40, axes on ⌀60" in texts
-    assert f"  clearance between neighbours {60.0 * math.sin(math.pi / 3.0) - 40.0:.4g}" in texts
+    assert {"sun ⌀20", "3 × planet ⌀40", "axes of planet ⌀60", "ring inside ⌀100", "wall of ring 8"} <= set(
+        texts
+    )
+    gap = f"{60.0 * math.sin(math.pi / 3.0) - 40.0:.4g}"
+    assert {f"A {gap}", f"A  planet to planet {gap}"} <= set(texts)
     assert "sun in, carrier out, ring grounded" in texts
     assert "pins of the carrier: planet" in texts
-    assert "  sp: sun – planet" in texts
+    assert {"Contacts, length 10", "sp: sun – planet"} <= set(texts)
     assert "tracks of stepped rollers lie in different planes" not in texts
 
 
-def test_a_thick_wall_is_broken_off_and_bores_are_drawn():
+def test_contacts_of_unlike_lengths_have_their_own(planar_case):
+    case = planar_case(
+        "planetary", replaced={'contact_length = "10 mm"': 'contact_length = { sp = "9 mm", pr = "12 mm" }'}
+    )
+    texts = planar_sheet(planar_joint_from_case(case), name="a").texts
+    assert {"Contacts", "sp: sun – planet, length 9", "pr: planet – ring, length 12"} <= set(texts)
+
+
+def test_leaders_end_on_the_outlines_that_they_measure(sheet):
+    """Each arrow lies on a circle of the radius that its text says, around the right centre."""
+    drawn = sheet("planetary_hollow")
+    orbit = [
+        (30.0 * math.cos(turn), 30.0 * math.sin(turn))
+        for turn in np.pi * np.array([0.5, 7.0 / 6.0, 11.0 / 6.0])
+    ]
+    found = {item.text: before for before, item in pairwise(drawn.items) if isinstance(item, Text)}
+    for text, radius, centres in (
+        ("sun ⌀20", 10.0, [(0.0, 0.0)]),
+        ("3 × planet ⌀40", 20.0, orbit),
+        ("3 × planet, bore ⌀26", 13.0, orbit),
+        ("axes of planet ⌀60", 30.0, [(0.0, 0.0)]),
+    ):
+        tip = found[text].points[0]
+        assert found[text].arrows == "start"
+        assert min(abs(math.dist(tip, centre) - radius) for centre in centres) < 1e-9, text
+    across = found["ring inside ⌀100"]
+    assert [point[0] for point in across.points] == pytest.approx([-50.0, 50.0])
+    assert across.arrows == "both"
+    gap = found["A 11.96"].points[0]  # halfway between two planets: 15 mm from the axis
+    assert math.hypot(*gap) == pytest.approx(15.0)
+
+
+def test_a_size_without_room_stays_in_the_list(sheet):
+    texts = sheet("planetary_hollow").texts
+    assert "ring: wall 30, broken off at the wavy line" in texts
+    assert not any(text.startswith("wall of") for text in texts)
+
+
+def test_a_thick_wall_is_broken_off_and_bores_are_drawn(sheet):
     """30 mm around an inner radius of 50 mm: drawn up to 65 mm; planets with a bore of 26 mm."""
     drawn = sheet("planetary_hollow")
     assert sorted({round(circle.radius, 6) for circle in outlines(drawn)}) == [10.0, 13.0, 20.0, 50.0]
-    (wavy,) = [item for item in drawn.items if isinstance(item, Line) and item.style == "break"]
+    (wavy,) = [item for item in drawn.items if isinstance(item, Line) and len(item.points) > 9]
     radii = np.hypot(*np.array(wavy.points).T)
     assert radii.mean() == pytest.approx(65.0, rel=1e-3)
-    assert any("bore ⌀26" in text for text in drawn.texts)
-    assert "  its wall is broken off at the wavy line" in drawn.texts
 
 
-def test_axes_go_through_the_centres():
+def test_axes_go_through_the_centres(sheet):
     drawn = sheet("planetary")
     (orbit,) = [item for item in drawn.items if isinstance(item, Circle) and item.style == "axis"]
     assert orbit.radius == pytest.approx(30.0)
@@ -80,7 +218,7 @@ def outlines(drawn):
     return [item for item in drawn.items if isinstance(item, Circle) and item.style == "outline"]
 
 
-def test_the_planetary_has_three_planets_that_touch_sun_and_ring():
+def test_the_planetary_has_three_planets_that_touch_sun_and_ring(sheet):
     drawn = sheet("planetary")
     planets = [circle for circle in outlines(drawn) if circle.radius == pytest.approx(20.0)]
     assert len(planets) == 3
@@ -92,10 +230,20 @@ def test_the_planetary_has_three_planets_that_touch_sun_and_ring():
     assert {"sp", "pr"} <= set(drawn.texts)
 
 
-def test_the_multiroller_has_two_tracks_on_eight_rollers():
+def test_the_multiroller_has_two_tracks_on_eight_rollers(sheet):
     drawn = sheet("multiroller")
     radii = [round(circle.radius, 6) for circle in outlines(drawn)]
     assert [radii.count(radius) for radius in (16.0, 18.0, 9.4)] == [4, 4, 4]
     assert radii.count(10.0) == 5  # the sun, and the small tracks of the first row
-    assert any("4 × second row: ⌀36, ⌀18.8" in text for text in drawn.texts)
     assert "tracks of stepped rollers lie in different planes" in drawn.texts
+
+
+def test_a_dxf_file_has_the_texts_and_the_true_lengths_of_the_sheet(sheet):
+    ezdxf = pytest.importorskip("ezdxf", reason="the extra 'report' is not installed")
+    drawn = sheet("planetary")
+    space = ezdxf.read(io.StringIO(sheet_dxf(drawn))).modelspace()
+    texts = {text.dxf.text for text in space.query("TEXT")}
+    assert texts == {dxf_text(text) for text in drawn.texts}
+    assert {"3 × planet %%c40", "ring inside %%c100"} <= texts
+    lines = [list(line.get_points("xy")) for line in space.query('LWPOLYLINE[layer=="DIMENSIONS"]')]
+    assert any(math.dist(*line) == pytest.approx(100.0) for line in lines if len(line) == 2)

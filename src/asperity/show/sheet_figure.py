@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from functools import lru_cache
 from typing import TYPE_CHECKING, Any
 
 from asperity.show.sheet import ARROW_LENGTH, LINE_WIDTHS, TEXT_HEIGHT, Circle, Line, Point, Sheet, Text
@@ -65,6 +66,7 @@ def sheet_figure(sheet: Sheet) -> Figure:
     return figure
 
 
+@lru_cache(maxsize=4096)
 def text_width(text: str, height: float = TEXT_HEIGHT) -> float:
     """Width of a line of text on paper.
 

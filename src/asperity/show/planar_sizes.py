@@ -1,0 +1,212 @@
+"""The sizes of a planar drive: what is said of each, and where in the view it can be shown."""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+from asperity.drive.planar.existence import neighbours
+from asperity.joint.planar.description import PlanarJoint
+from asperity.show.dimension_lines import dimension, distance_mark
+from asperity.show.leader_places import Place, around
+from asperity.show.planar_view import copies_of, radii_of, rings_of
+from asperity.show.sheet import Circle, Line, Point
+from asperity.show.taken import distance
+
+_MOST_COPIES = 8
+_OF_ROLLER, _OF_AXES, _OF_WALL = 24, 72, 36  # places around a circle
+
+
+class Size(NamedTuple):
+    """A size that the drawing shows or the list says.
+
+    Parameters
+    ----------
+    of : str
+        Whose size, in the list.
+    listed, label : str
+        What the list says after that, and what the view says.
+    places : tuple of Place
+        Where a leader to it may begin.
+    radius : float or None, optional
+        Of a circle about the axis whose diameter can stand below the view [mm].
+    """
+
+    of: str
+    listed: str
+    label: str
+    places: tuple[Place, ...]
+    radius: float | None = None
+
+
+class Clearance(NamedTuple):
+    """The free distance between two rollers off the axis.
+
+    Parameters
+    ----------
+    words : str
+        Between which rollers.
+    size : float
+        Free distance [mm].
+    places : tuple of Place
+        Where a line can be drawn between them; none where other rollers lie between.
+    """
+
+    words: str
+    size: float
+    places: tuple[Place, ...]
+
+
+def sizes(joint: PlanarJoint, scale: float) -> list[Size]:
+    """Diameters of the tracks, bores and circles of axes, inner diameters and walls of the rings, each kind once.
+
+    Parameters
+    ----------
+    joint : PlanarJoint
+        One joint.
+    scale : float
+        Length on paper over true length [-].
+
+    Returns
+    -------
+    list of Size
+        Those of one body after each other.
+    """
+    found: list[Size] = []
+    count, rings = round(float(joint.drive.sectors)), rings_of(joint)
+    for kind in _kinds(joint):
+        name = " and ".join(_words(joint, number) for number in kind)
+        mine = [ring for ring in rings if ring.body == kind[0]]
+        for ring in mine:
+            inside, wall = 2.0 * ring.inner, dimension(ring.outer - ring.inner)
+            circle = around((0.0, 0.0), ring.inner, 0.0, _OF_WALL)
+            text = f"⌀{dimension(inside)}"
+            found.append(Size(name, f"inside {text}", f"{name} inside {text}", tuple(circle), ring.inner))
+            marks = [] if ring.shown < ring.outer else _walls(circle, ring.inner, ring.outer, scale)
+            broken = ", broken off at the wavy line" if ring.shown < ring.outer else ""
+            found.append(Size(name, f"wall {wall}{broken}", f"wall of {name} {wall}", tuple(marks)))
+        if mine:
+            continue
+        on_axis = joint.drive.bodies[kind[0]].place == "axis"
+        counted = name if on_axis else f"{count} × {name}"
+        for radius in radii_of(joint, kind[0]):
+            text = f"⌀{dimension(2.0 * radius)}"
+            found.append(Size(counted, text, f"{counted} {text}", _on(joint, kind, radius)))
+        bore = joint.shapes[kind[0]].bore_diameter
+        if bore is not None:
+            text = f"bore ⌀{dimension(1e3 * float(bore))}"
+            found.append(Size(counted, text, f"{counted}, {text}", _on(joint, kind, 0.5e3 * float(bore))))
+        if not on_axis:
+            x, y = copies_of(joint, kind[0])[0]
+            orbit, text = math.hypot(x, y), f"⌀{dimension(2.0 * math.hypot(x, y))}"
+            circle = around((0.0, 0.0), orbit, math.atan2(y, x), _OF_AXES)
+            found.append(Size(counted, f"axes on {text}", f"axes of {name} {text}", tuple(circle)))
+    return found
+
+
+def planar_clearances(joint: PlanarJoint) -> list[Clearance]:
+    """Free distances between the rollers of neighbouring sectors, and between rollers of one track that do not touch.
+
+    Parameters
+    ----------
+    joint : PlanarJoint
+        One joint.
+
+    Returns
+    -------
+    list of Clearance
+        The smallest first.
+    """
+    names = [body.name for body in joint.drive.bodies]
+    rings = {ring.body for ring in rings_of(joint)}
+    discs = [
+        Circle(centre, max(radii_of(joint, number)))
+        for number in range(len(names))
+        if number not in rings
+        for centre in copies_of(joint, number)
+    ]
+    found = []
+    for one, other in neighbours(joint.drive):
+        i, j = names.index(one), names.index(other)
+        if any(joint.drive.bodies[number].place == "axis" for number in (i, j)):
+            continue
+        if i != j and any(len(radii_of(joint, number)) > 1 for number in (i, j)):
+            continue  # their tracks may lie in different planes
+        radii = max(radii_of(joint, i)), max(radii_of(joint, j))
+        pairs = [
+            (math.dist(a, b), a, b)
+            for a in copies_of(joint, i)
+            for b in copies_of(joint, j)
+            if math.dist(a, b) > 0.0
+        ]
+        if not pairs:
+            continue
+        nearest = min(pairs)[0]
+        between = [_gap(a, b, radii) for far, a, b in pairs if far < nearest * (1.0 + 1e-9)]
+        size = nearest - sum(radii)
+        open_ones = [ends for ends in between if size > 0.0 and not _blocked(ends, discs)]
+        marks = tuple(Place(_middle(ends), None, (Line(ends, "break"),)) for ends in open_ones)
+        words = f"{_words(joint, i)} to {_words(joint, j)}"
+        found.append(Clearance(words, size, marks))
+    return sorted(found, key=lambda each: each.size)
+
+
+def _words(joint: PlanarJoint, number: int) -> str:
+    return joint.drive.bodies[number].name.replace("_", " ")
+
+
+def _kinds(joint: PlanarJoint) -> list[tuple[int, ...]]:
+    """Numbers of the bodies, those of one size and orbit together."""
+    rings = {ring.body for ring in rings_of(joint)}
+    found: dict[tuple[object, ...], tuple[int, ...]] = {}
+    for number, body in enumerate(joint.drive.bodies):
+        bore = joint.shapes[number].bore_diameter
+        orbit = math.hypot(*copies_of(joint, number)[0])
+        key: tuple[object, ...] = (
+            tuple(dimension(radius) for radius in sorted(radii_of(joint, number))),
+            None if bore is None else dimension(1e3 * float(bore)),
+            dimension(orbit),
+        )
+        if body.place == "axis" or number in rings:
+            key = (number,)
+        found[key] = (*found.get(key, ()), number)
+    return list(found.values())
+
+
+def _on(joint: PlanarJoint, kind: tuple[int, ...], radius: float) -> tuple[Place, ...]:
+    """Places on a circle of some copies of a kind, those at the sides of the view."""
+    centres = sorted((centre for n in kind for centre in copies_of(joint, n)), key=lambda each: -abs(each[0]))
+    return tuple(
+        place
+        for x, y in centres[:_MOST_COPIES]
+        for place in around((x, y), radius, math.atan2(y, x), _OF_ROLLER)
+    )
+
+
+def _walls(circle: list[Place], inner: float, outer: float, scale: float) -> list[Place]:
+    """Dimension lines across a wall."""
+    found = []
+    for tip, _, _ in circle:
+        end = (tip[0] * outer / inner, tip[1] * outer / inner)
+        found.append(Place(_middle((tip, end)), None, distance_mark((tip, end), scale=scale)))
+    return found
+
+
+def _middle(ends: tuple[Point, Point]) -> Point:
+    return 0.5 * (ends[0][0] + ends[1][0]), 0.5 * (ends[0][1] + ends[1][1])
+
+
+def _gap(a: Point, b: Point, radii: tuple[float, float]) -> tuple[Point, Point]:
+    """Where two circles are closest."""
+    far = math.dist(a, b)
+    e, f = (b[0] - a[0]) / far, (b[1] - a[1]) / far
+    return (a[0] + radii[0] * e, a[1] + radii[0] * f), (b[0] - radii[1] * e, b[1] - radii[1] * f)
+
+
+def _blocked(ends: tuple[Point, Point], discs: list[Circle]) -> bool:
+    """Whether other rollers lie between the ends."""
+    inset = 0.01
+    (x, y), (u, v) = ends
+    e, f = inset * (u - x), inset * (v - y)
+    line = (x + e, y + f), (u - e, v - f)
+    return any(distance((disc.centre, disc.centre), line) < disc.radius for disc in discs)

@@ -1,0 +1,95 @@
+"""Sizes of planar drives: those of the files, computed by hand, and places on the outlines that have them."""
+
+import math
+
+import pytest
+
+from asperity.joint_file.planar_build import planar_joint_from_case
+from asperity.show.planar_sizes import planar_clearances, sizes
+
+# multiroller: s + x_1 = 26; second row by the law of cosines in the triangle of axis, first and second row
+FAR = 26.0 / math.sqrt(2.0) + math.sqrt(28.0**2 - 26.0**2 / 2.0)
+SIZES = {
+    "planetary": ["sun ⌀20", "3 × planet ⌀40", "axes of planet ⌀60", "ring inside ⌀100", "wall of ring 8"],
+    "planetary_hollow": [
+        "sun ⌀20", "3 × planet ⌀40", "3 × planet, bore ⌀26", "axes of planet ⌀60", "ring inside ⌀100",
+        "wall of ring 30",
+    ],
+    "multiroller": [
+        "sun ⌀20", "4 × first row ⌀32", "4 × first row ⌀20", "axes of first row ⌀52", "4 × second row ⌀36",
+        "4 × second row ⌀18.8", f"axes of second row ⌀{2.0 * FAR:.6g}", f"ring inside ⌀{2.0 * (FAR + 9.4):.6g}",
+        "wall of ring 12",
+    ],
+    "stepped_planet": [
+        "sun ⌀20", "3 × planet ⌀40", "3 × planet ⌀36", "axes of planet ⌀60", "held ring inside ⌀100",
+        "wall of held ring 10", "driven ring inside ⌀96", "wall of driven ring 10",
+    ],
+    "planar": [
+        "sun ⌀8", "3 × planet ⌀27", "axes of planet ⌀35", "3 × right and left ⌀10", "axes of right and left ⌀70",
+        "ring inside ⌀80", "wall of ring 20",
+    ],
+}  # fmt: skip
+
+
+@pytest.fixture
+def joint(planar_case):
+    return lambda name: planar_joint_from_case(planar_case(name))
+
+
+@pytest.mark.parametrize("name", SIZES)
+def test_every_size_is_that_of_the_file(joint, name):
+    assert [size.label for size in sizes(joint(name), 1.0)] == SIZES[name]
+
+
+def test_places_lie_on_the_outline_that_has_the_size(joint):
+    found = {size.label: size for size in sizes(joint("planetary_hollow"), 1.0)}
+    for label, radius, orbit in (
+        ("sun ⌀20", 10.0, 0.0),
+        ("3 × planet ⌀40", 20.0, 30.0),
+        ("3 × planet, bore ⌀26", 13.0, 30.0),
+        ("axes of planet ⌀60", 30.0, 0.0),
+        ("ring inside ⌀100", 50.0, 0.0),
+    ):
+        for (x, y), (e, f), _ in found[label].places:
+            assert math.hypot(x - radius * e, y - radius * f) == pytest.approx(orbit, abs=1e-9)
+    assert found["ring inside ⌀100"].radius == pytest.approx(50.0)
+    assert not found["wall of ring 30"].places  # its outer edge is not drawn
+    assert found["wall of ring 30"].listed == "wall 30, broken off at the wavy line"
+
+
+def test_a_wall_is_measured_from_edge_to_edge(joint):
+    (wall,) = (size for size in sizes(joint("multiroller"), 1.0) if size.label == "wall of ring 12")
+    for place in wall.places:
+        assert sorted(math.hypot(*point) for point in place.mark[0].points) == pytest.approx(
+            [FAR + 9.4, FAR + 21.4]
+        )
+        assert math.hypot(*place.tip) == pytest.approx(FAR + 15.4)
+
+
+def test_clearances_are_measured_in_the_view_where_nothing_lies_between(joint):
+    """Planets 2 · 17.5 sin 60° − 27, right to left 70 sin 13.925° − 10, and next sectors 70 sin 60° − 10."""
+    found = planar_clearances(joint("planar"))
+    assert [gap.words for gap in found] == [
+        "planet to planet",
+        "right to left",
+        "right to right",
+        "left to left",
+    ]
+    expected = (35.0 * math.sin(math.pi / 3.0) - 27.0, 6.845, *[70.0 * math.sin(math.pi / 3.0) - 10.0] * 2)
+    assert [gap.size for gap in found] == pytest.approx(expected, rel=1e-4)
+    for gap in found[:2]:
+        assert len({place.tip for place in gap.places}) >= 3
+        for place in gap.places:
+            assert math.dist(*place.mark[0].points) == pytest.approx(gap.size)
+    assert not found[2].places  # planets lie between them
+    (first, second) = planar_clearances(joint("multiroller"))
+    assert first.size == pytest.approx(52.0 * math.sin(math.pi / 4.0) - 32.0)
+    assert first.places
+    assert second.size == pytest.approx(2.0 * FAR * math.sin(math.pi / 4.0) - 36.0)
+    assert not second.places  # the first row lies between them
+
+
+def test_planets_on_both_sides_of_the_sun_have_no_line_through_it(planar_case):
+    opposite = planar_joint_from_case(planar_case("planetary", replaced={"planets = 3": "planets = 2"}))
+    (gap,) = planar_clearances(opposite)
+    assert (gap.size, gap.places) == (pytest.approx(20.0), ())
