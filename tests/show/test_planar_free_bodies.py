@@ -10,6 +10,7 @@ from asperity.show.planar_forces import planar_body_forces
 from asperity.show.planar_free_bodies import planar_free_bodies
 from asperity.show.planar_sheet import planar_forces_sheet, planar_sheet
 from asperity.show.sheet import Circle, Line, Text
+from asperity.show.taken import text_box
 
 ROOM = 143.0
 EXAMPLES = ("planetary", "multiroller", "stepped_planet", "planar")
@@ -163,3 +164,29 @@ def test_sheets_with_forces(planar_case):
             assert left < text.at[0] < right
             assert low < text.at[1] < high
     assert not any("N = " in text for text in plain.texts)
+
+
+def test_bodies_that_touch_only_those_on_the_axis_stand_in_rows(idlers_case):
+    joint = planar_joint_from_case(idlers_case(5))
+    items = planar_free_bodies(joint, solved(joint), middle=(0.0, 0.0), room=ROOM, scale=1.0)
+    centres = [item.centre for item in items if isinstance(item, Circle)]
+    assert len(set(centres)) == 5
+    assert len({round(y, 6) for _, y in centres}) == 3  # two, two and one
+    assert max(x for x, _ in centres) - min(x for x, _ in centres) < ROOM - 40.0
+
+
+@pytest.mark.parametrize("count", [1, 5])
+def test_a_sheet_of_forces_is_as_large_as_its_bodies_need(idlers_case, count):
+    joint = planar_joint_from_case(idlers_case(count))
+    sheet = planar_forces_sheet(joint, solved(joint))
+    left, right, low, high = sheet.window
+    for item in sheet.items:
+        if isinstance(item, Circle):
+            (x, y), radius = item.centre, item.radius
+            assert left < x - radius < x + radius < right
+            assert low < y - radius < y + radius < high
+        elif isinstance(item, Text):
+            box = text_box(item, 1.0)
+            assert left < box.left + 0.8 < box.right - 0.8 < right
+            assert low < item.at[1] < high
+    assert (sheet.height == 140.0) == (count == 1)

@@ -247,3 +247,18 @@ def test_a_dxf_file_has_the_texts_and_the_true_lengths_of_the_sheet(sheet):
     assert {"3 × planet %%c40", "ring inside %%c100"} <= texts
     lines = [list(line.get_points("xy")) for line in space.query('LWPOLYLINE[layer=="DIMENSIONS"]')]
     assert any(math.dist(*line) == pytest.approx(100.0) for line in lines if len(line) == 2)
+
+
+def test_a_long_list_is_written_smaller(idlers_case):
+    drawn = planar_sheet(planar_joint_from_case(idlers_case(12)), name="a")
+    _, _, low, high = drawn.window
+    rows = [item for item in drawn.items if isinstance(item, Text) and "–" in item.text]
+    assert len(rows) > 24
+    assert all(low < item.at[1] < high - 10.0 / drawn.scale for item in rows)
+    assert {item.height < 2.5 for item in rows} == {True}
+    for one, other in pairwise(rows):
+        assert (
+            not text_box(one, drawn.scale)
+            ._replace(low=one.at[1])
+            .meets(text_box(other, drawn.scale)._replace(high=other.at[1] + other.height / drawn.scale))
+        )

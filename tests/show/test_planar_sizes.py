@@ -93,3 +93,12 @@ def test_planets_on_both_sides_of_the_sun_have_no_line_through_it(planar_case):
     opposite = planar_joint_from_case(planar_case("planetary", replaced={"planets = 3": "planets = 2"}))
     (gap,) = planar_clearances(opposite)
     assert (gap.size, gap.places) == (pytest.approx(20.0), ())
+
+
+def test_of_many_rollers_only_the_smallest_clearances_to_others_are_said(idlers_case):
+    """Twelve rollers around the axis, 30 degrees apart on 68 mm; copies of one are on opposite sides."""
+    found = planar_clearances(planar_joint_from_case(idlers_case(6)))
+    assert [gap.size for gap in found] == pytest.approx(
+        [136.0 * math.sin(math.pi / 12.0) - 16.0] * 3 + [120.0] * 6
+    )
+    assert [gap.alike for gap in found] == [False] * 3 + [True] * 6

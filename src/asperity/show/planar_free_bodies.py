@@ -13,6 +13,7 @@ from asperity.show.sheet import Align, Circle, Item, Line, Point, Text
 _BEYOND = 13.0  # of a label beyond its contact on paper [mm]
 _LINE_SPACING = 4.2
 _ROOM_FOR_NAME = 12.0  # least radius of a body with its name in it [mm]
+_FOR_LABELS = 24.0  # beside a row of bodies [mm]
 _LETTER = 2.0  # width of a letter, on the wide side [mm]
 #: Where a label is tried: distances from its body [mm], and turns from the direction of its force [rad].
 _DISTANCES = (4.0, 8.0, 13.0, 18.0, 24.0, 32.0)
@@ -61,7 +62,7 @@ def planar_free_bodies(
         for (_, contacts), shown in zip(each, radii[name], strict=False)  # the bore is the last
         for k in contacts
     }
-    centres = _apart(joint, names, found, {name: max(each) for name, each in radii.items()})
+    centres = _apart(joint, names, found, {name: max(each) for name, each in radii.items()}, room)
     arrows = [
         force_arrow(each, centres[each.body], of_contact.get((each.body, each.name), max(radii[each.body])))
         for each in found
@@ -177,7 +178,7 @@ def _box(lines: tuple[str, ...], at: Point, align: Align) -> tuple[float, float,
 
 
 def _apart(
-    joint: PlanarJoint, names: list[str], found: list[BodyForce], radii: dict[str, float]
+    joint: PlanarJoint, names: list[str], found: list[BodyForce], radii: dict[str, float], room: float
 ) -> dict[str, Point]:
     """Centres of the bodies on paper: each beside the body that it touches, in the direction of the contact."""
     towards = {(each.body, each.name): each.place for each in found if each.kind == "N"}
@@ -190,8 +191,17 @@ def _apart(
                     far = radii[one] + APART + radii[other]
                     x, y = towards[one, contact.name]
                     centres[other] = (centres[one][0] + far * x, centres[one][1] + far * y)
-    for name in names:  # bodies that touch only bodies on the axis
-        if name not in centres:
-            edge = max(x + radii[other] for other, (x, _) in centres.items())
-            centres[name] = (edge + APART + radii[name], 0.0)
+    row, level = list(centres), 0.0
+    for (
+        name
+    ) in names:  # bodies that touch only bodies on the axis: beside each other, as many as there is room for
+        if name in centres:
+            continue
+        left = min(x - radii[other] for other, (x, _) in centres.items())
+        edge = max(centres[other][0] + radii[other] for other in row)
+        if edge + APART + 2.0 * radii[name] - left > room - _FOR_LABELS:
+            low = min(y - radii[other] for other, (_, y) in centres.items())
+            row, edge, level = [], left - APART, low - APART - radii[name]
+        centres[name] = (edge + APART + radii[name], level)
+        row.append(name)
     return centres

@@ -16,8 +16,8 @@ from asperity.show.planar_dimensions import place_dimensions
 from asperity.show.planar_free_bodies import planar_free_bodies
 from asperity.show.planar_sizes import Clearance, Size, planar_clearances, sizes
 from asperity.show.planar_view import planar_view, reach_of, write_contact_names
-from asperity.show.sheet import TEXT_HEIGHT, Circle, Item, Point, Sheet, Text, standard_scale
-from asperity.show.taken import Box, Taken
+from asperity.show.sheet import TEXT_HEIGHT, Circle, Item, Line, Point, Sheet, Text, standard_scale
+from asperity.show.taken import Box, Taken, text_box
 from asperity.show.wrapped import wrapped
 from asperity.units import format_quantity
 
@@ -90,12 +90,25 @@ def planar_forces_sheet(joint: PlanarJoint, result: PlanarResult) -> Sheet:
     Returns
     -------
     Sheet
-        A sheet of 170 mm by 140 mm.
+        A sheet of 170 mm by 140 mm, or larger where the bodies need it.
     """
     items = planar_free_bodies(joint, result, middle=(0.0, 5.0), room=166.0, scale=1.0)
+    boxes = [text_box(item, 1.0) for item in items if isinstance(item, Text)]
+    boxes += [_around(item) for item in items if not isinstance(item, Text)]
+    wider = max(0.0, -84.0 - min(box.left for box in boxes))
+    higher = max(0.0, max(box.high for box in boxes) - min(box.low for box in boxes) - 108.0)
     for row, line in enumerate(load_lines(joint, result.forces, part="sector")):
-        items.append(Text((-82.0, -56.0 - _SPACING * row), line))
-    return Sheet(170.0, 140.0, 1.0, (85.0, 68.0), tuple(items))
+        items.append(Text((-82.0, -56.0 - 0.5 * higher - _SPACING * row), line))
+    return Sheet(170.0 + wider, 140.0 + higher, 1.0, (85.0 + wider, 68.0 + 0.5 * higher), tuple(items))
+
+
+def _around(item: Circle | Line) -> Box:
+    """The box around a circle or a line."""
+    if isinstance(item, Circle):
+        (x, y), radius = item.centre, item.radius
+        return Box(x - radius, x + radius, y - radius, y + radius)
+    x_values, y_values = zip(*item.points, strict=True)
+    return Box(min(x_values), max(x_values), min(y_values), max(y_values))
 
 
 def _edges(

@@ -8,6 +8,7 @@ from typing import NamedTuple
 from asperity.drive.planar.existence import neighbours
 from asperity.joint.planar.description import PlanarJoint
 from asperity.show.dimension_lines import dimension, distance_mark
+from asperity.show.drive_view import MOST_GAPS
 from asperity.show.leader_places import Place, around
 from asperity.show.planar_view import copies_of, radii_of, rings_of
 from asperity.show.sheet import Circle, Line, Point
@@ -50,11 +51,14 @@ class Clearance(NamedTuple):
         Free distance [mm].
     places : tuple of Place
         Where a line can be drawn between them; none where other rollers lie between.
+    alike : bool, optional
+        Whether they are copies of one roller in neighbouring sectors.
     """
 
     words: str
     size: float
     places: tuple[Place, ...]
+    alike: bool = False
 
 
 def sizes(joint: PlanarJoint, scale: float) -> list[Size]:
@@ -105,7 +109,7 @@ def sizes(joint: PlanarJoint, scale: float) -> list[Size]:
 
 
 def planar_clearances(joint: PlanarJoint) -> list[Clearance]:
-    """Free distances between the rollers of neighbouring sectors, and between rollers of one track that do not touch.
+    """Free distances between copies of one roller in neighbouring sectors, and the smallest between different rollers.
 
     Parameters
     ----------
@@ -147,8 +151,9 @@ def planar_clearances(joint: PlanarJoint) -> list[Clearance]:
         open_ones = [ends for ends in between if size > 0.0 and not _blocked(ends, discs)]
         marks = tuple(Place(_middle(ends), None, (Line(ends, "break"),)) for ends in open_ones)
         words = f"{_words(joint, i)} to {_words(joint, j)}"
-        found.append(Clearance(words, size, marks))
-    return sorted(found, key=lambda each: each.size)
+        found.append(Clearance(words, size, marks, i == j))
+    found.sort(key=lambda each: each.size)
+    return [each for rank, each in enumerate(found) if rank < MOST_GAPS or each.alike]
 
 
 def _words(joint: PlanarJoint, number: int) -> str:

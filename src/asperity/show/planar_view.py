@@ -206,6 +206,8 @@ def write_contact_names(joint: PlanarJoint, view: list[Item], taken: Taken) -> l
     for contact, at in zip(drive.contacts, points, strict=True):
         best, least = None, math.inf
         for distance in _DISTANCES:
+            if distance >= least:
+                break
             for index in range(_DIRECTIONS):
                 turn = 2.0 * math.pi * (index + 0.5) / _DIRECTIONS
                 e, f = distance / scale * math.cos(turn), distance / scale * math.sin(turn)

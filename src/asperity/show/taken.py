@@ -52,6 +52,11 @@ class Box(NamedTuple):
 
     def is_crossed_by(self, one: Point, other: Point) -> bool:
         """Whether a straight line between two points runs through it."""
+        (x, y), (u, v) = one, other
+        if (x < self.left and u < self.left) or (x > self.right and u > self.right):
+            return False  # most lines are far away
+        if (y < self.low and v < self.low) or (y > self.high and v > self.high):
+            return False
         first, last = 0.0, 1.0
         for start, end, low, high in (
             (one[0], other[0], self.left, self.right),
