@@ -24,6 +24,8 @@ def entry(name, value, severity, contact=None, ok=False):
         "severity": severity,
         "meaning": f"meaning of {name}",
         "remedy": f"remedy of {name}",
+        "shown": "-" if value is None else f"{value:g}",
+        "limit_shown": "1",
     }
 
 
@@ -63,7 +65,7 @@ def test_kept_limits_give_no_warning():
 
 
 def test_an_infinite_value_is_no_dash():
-    infinite = {"infinite": True}
+    infinite = {"infinite": True, "shown": "infinite"}
     diagnostics = [
         entry("slip_ratio_with_skew", None, "function", "sp") | infinite,
         entry("largest_spot", 27.2, "model", "sp"),

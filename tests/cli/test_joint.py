@@ -42,7 +42,10 @@ def test_the_document_has_every_key_in_si(document):
         assert set(stiffness) == {"input_Nm_per_rad", "output_Nm_per_rad", "output_Nm_per_arcmin"}
     for entry in document["diagnostics"]:
         words = {"label", "severity", "meaning", "remedy"}
-        assert set(entry) == {"name", "contact", "value", "limit", "ok", "infinite"} | words
+        assert (
+            set(entry)
+            == {"name", "contact", "value", "limit", "ok", "infinite", "unit", "shown", "limit_shown"} | words
+        )
         assert (entry["remedy"] is None) == entry["ok"]
     assert document["input"]["load"]["preload"] == 1000.0
     assert any("[bearings]" in sentence for sentence in document["assumptions"])
