@@ -21,7 +21,7 @@ def test_numbers_for_json():
 
 def test_values_are_in_the_unit_of_display_and_in_si(joint_text):
     text = joint_text.replace('"13.5 mm"', '"0.0135 m +- 5 um, uniform"')
-    numbers = stated_values(parse_case(text, source="x"))["numbers"]
+    numbers = stated_values(parse_case(text, source="x"), {})["numbers"]
     assert numbers["drive.planet_radius"] == {
         "value": 13.5,
         "si": pytest.approx(0.0135, rel=1e-15),
@@ -32,12 +32,29 @@ def test_values_are_in_the_unit_of_display_and_in_si(joint_text):
     assert numbers["materials.steel.youngs_modulus"]["value"] == 206.0
 
 
+def test_an_rz_and_the_shares_are_entered_and_no_numbers_of_charts(joint_text):
+    changes = {
+        "surface.mean_roughness_depth": "1.6 um",
+        "duty": "0",
+        "duty.1.output_torque": "1 N*m",
+        "duty.1.sun_speed": "1 rpm",
+        "duty.1.share": 1,
+    }
+    request = JointRequest("x", joint_text, changes)
+    stated = stated_values(request.case(), request.file_tables)
+    assert set(stated["entered"]) == {"surface.mean_roughness_depth", "duty.1.share"}
+    assert not set(stated["entered"]) & set(stated["numbers"])
+    depth = stated["entered"]["surface.mean_roughness_depth"]
+    assert (depth["value"], depth["text"]) == (1.6, "1.6 um")
+    assert stated["lists"]["duty"]["of_file"] == []
+
+
 def test_a_choice_that_the_file_leaves_out_is_empty(case, joint_text):
-    choices = stated_values(case)["choices"]
+    choices = stated_values(case, {})["choices"]
     assert choices["model.contact_factor"] == "printed" or choices["model.contact_factor"] == "unity"
     assert choices["model.bodies"] == "exact"
     lines = [line for line in joint_text.splitlines() if not line.startswith("bodies =")]
-    assert stated_values(parse_case("\n".join(lines), source="x"))["choices"]["model.bodies"] == ""
+    assert stated_values(parse_case("\n".join(lines), source="x"), {})["choices"]["model.bodies"] == ""
 
 
 def test_without_a_torque_there_is_no_windup(joint_text):

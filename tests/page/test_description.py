@@ -60,6 +60,16 @@ def test_what_is_taken_for_a_key_that_is_absent(keys):
     assert "if absent" not in said
 
 
+def test_an_rz_and_a_share_have_meaning_unit_and_range_of_the_file(keys):
+    depth, share = keys["surface.mean_roughness_depth"], keys["duty.*.share"]
+    assert (depth["unit"], depth["lowest"], depth["highest"]) == ("um", 1e-3, 100.0)
+    assert depth["meaning"].startswith("Rz of one body in place of its Ra")
+    assert set(depth["replaces"]) == {"fractal_roughness", "roughness_average"}
+    assert (share["lowest"], share["highest"], share["lowest_included"]) == (0.0, 1.0, False)
+    assert share["meaning"].startswith("Share of the time")
+    assert keys["load.interference"]["replaces"] == ["preload"]
+
+
 def test_the_library_is_listed(described):
     steels = {each["name"]: each for each in described["materials"]}
     assert "62 HRC" in steels["52100"]["description"]

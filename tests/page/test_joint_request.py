@@ -49,9 +49,15 @@ def test_the_text_says_what_the_case_says(joint_text):
     assert "# ours" in request.file_text()
 
 
-def test_the_same_content_has_the_same_identity(joint_text):
+def test_the_same_content_has_the_same_identity_and_the_last_of_changes_that_exclude_each_other_holds(
+    joint_text,
+):
     one, two = ({"a": 1, "b": 2}, {"b": 2, "a": 1})
-    assert JointRequest("a", "x", one).identity == JointRequest("a", "x", two).identity
+    assert JointRequest("a", "x", one).identity == JointRequest("a", "x", dict(one)).identity
+    assert JointRequest("a", "x", one).identity != JointRequest("a", "x", two).identity
+    force, length = {"load.preload": "900 N"}, {"load.interference": "10 um"}
+    assert JointRequest("a", joint_text, force | length).case().load.preload is None
+    assert JointRequest("a", joint_text, length | force).case().load.interference is None
     assert JointRequest("a", "x", one).identity != JointRequest("b", "x", one).identity
 
 
@@ -112,6 +118,22 @@ def test_a_file_that_names_another_file_is_refused(joint_text, tmp_path):
         JointRequest("a.toml", text).case()
 
 
+def test_an_rz_is_kept_as_it_is_written(joint_text):
+    depth = {"surface.mean_roughness_depth": "1.6 um +- 0.2 um"}
+    request = JointRequest("a.toml", joint_text, depth)
+    surface = tomllib.loads(request.file_text())["surface"]
+    assert surface["mean_roughness_depth"] == "1.6 um +- 0.2 um"
+    assert not {"fractal_roughness", "roughness_average"} & set(surface)
+    assert request.case().surface.roughness_average.tolerance > 0.0
+    assert JointRequest("a.toml", request.file_text()).case() == request.case()
+    average = JointRequest("a.toml", request.file_text(), {"surface.roughness_average": "0.3 um"})
+    assert average.case().surface.mean_roughness_depth is None
+    with pytest.raises(InputError, match=r"surface\.mean_roughness_depth: "):
+        JointRequest("a.toml", joint_text, {"surface.mean_roughness_depth": "1.6 N"}).case()
+    with pytest.raises(InputError, match="exactly one of 'fractal_roughness'"):
+        JointRequest("a.toml", request.file_text(), {"surface.mean_roughness_depth": ""}).case()
+
+
 def test_the_number_of_loads_is_bounded(joint_text):
     text = joint_text + 51 * '\n[[duty]]\noutput_torque = "1 N*m"\nsun_speed = "1 rpm"\nshare = 0.01\n'
     with pytest.raises(InputError, match=r"at most 50 loads in \[\[duty\]\], got 51"):
@@ -128,7 +150,7 @@ def test_the_number_of_loads_is_bounded(joint_text):
         ({"toml": "x", "name": ""}, "'name'"),
         ({"toml": "x", "name": "x" * 121}, "'name'"),
         ({"toml": "x", "changes": []}, "'changes'"),
-        ({"toml": "x", "changes": {str(i): 1 for i in range(401)}}, "at most 400"),
+        ({"toml": "x", "changes": {str(i): 1 for i in range(601)}}, "at most 600"),
         ({"toml": "x", "changes": {"load.preload": None}}, "load.preload: a value is text"),
         ({"toml": "x", "changes": {"load.preload": "1" * 201}}, "at most 200 characters"),
     ],

@@ -9,7 +9,8 @@ from typing import Any
 import tomlkit
 from pydantic import BaseModel
 
-from asperity.joint_file.messages import keys_by_path
+from asperity.joint_file.entered_values import entered_key_at
+from asperity.joint_file.key_paths import keys_by_path
 from asperity.joint_file.part_names import paths_of_track, type_of
 from asperity.joint_file.quantity_key import Key, Quantity
 from asperity.joint_file.reader import model_of_type, parse_any_case
@@ -139,7 +140,7 @@ def set_texts(document: Any, written: Mapping[str, float | str]) -> None:
     written : mapping
         Dotted path of a number → its new value as it stands in a file, text with its unit. A section that the file
         leaves out is added; the numbers that it needs are 0 where they may be. An entry for all contacts is split if a
-        path names one.
+        path names one. An Rz takes the place of an Ra.
 
     Raises
     ------
@@ -147,7 +148,8 @@ def set_texts(document: Any, written: Mapping[str, float | str]) -> None:
         If a path is not that of a number of a joint file.
     """
     for path, value in written.items():
-        key_at(path, type_of(document))
+        if entered_key_at(path, type_of(document)) is None:
+            key_at(path, type_of(document))
         section = path.split(".")[0]
         if section not in document and section != "materials":
             document[section] = _new_section(section, type_of(document))

@@ -100,7 +100,7 @@ class GeneralCase(PlanarCase):
     """Contacts of one sector; the internal ones have the interference."""
     branch: tuple[SectorEntry, ...] | None = None
     """Sizes of the rollers of each sector, where they differ: a section [[branch]] for each."""
-    _branches_are: ClassVar[tuple[str, str]] = ("sectors", "sectors")
+    branches_are: ClassVar[tuple[str, str]] = ("sectors", "sectors")
 
     def without_housing(self) -> str:
         """What the file says where no housing holds a ring; empty where one does."""

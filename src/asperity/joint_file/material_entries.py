@@ -8,9 +8,10 @@ from pydantic import Discriminator, StringConstraints, Tag, model_validator
 
 from asperity.errors import InputError, quoted
 from asperity.joint_file import limits
-from asperity.joint_file.quantity_key import Quantity
+from asperity.joint_file.quantity_key import Entered, Quantity
 from asperity.joint_file.section import ONE_FOR_ALL, ONE_FOR_EACH, EachContact, Section, table_or_tables
 
+DepthText = Annotated[str, StringConstraints(max_length=100), Entered(limits.MEAN_ROUGHNESS_DEPTH)]
 MaterialName = Annotated[str, StringConstraints(pattern=r"^[A-Za-z0-9_-]{1,60}$")]
 
 
@@ -74,12 +75,12 @@ class SurfaceEntry(Section):
     """Fractal roughness G; either this or roughness_average."""
     roughness_average: Annotated[Quantity, limits.ROUGHNESS_AVERAGE] | None = None
     """Ra of one body, from its drawing. It does not say what D is: the stiffness comes out as an interval."""
-    mean_roughness_depth: Annotated[str, StringConstraints(max_length=100)] | None = None
+    mean_roughness_depth: DepthText | None = None
     """Rz of one body in place of its Ra, text with its unit, 0.001 to 100 um. It is read as the range of Ra that
     normally distributed heights with this Rz have; studies vary roughness_average."""
     partner_roughness_average: Annotated[Quantity, limits.PARTNER_AVERAGE] | None = None
     """Ra of the other body; the same if absent."""
-    partner_mean_roughness_depth: Annotated[str, StringConstraints(max_length=100)] | None = None
+    partner_mean_roughness_depth: DepthText | None = None
     """Rz of the other body in place of its Ra, read as mean_roughness_depth is, with the same cut-off."""
     cut_off: Annotated[Quantity, limits.CUT_OFF] | None = None
     """Cut-off of the profile filter with which roughness_average is measured; that of ISO 4288 for this Ra or Rz

@@ -2,16 +2,15 @@
 
 from __future__ import annotations
 
-import types
-from collections.abc import Iterable, Iterator, Mapping
-from typing import Annotated, Any, Literal, Union, get_args, get_origin
+from collections.abc import Iterable, Mapping
+from typing import Any, Literal, get_args, get_origin
 
 from pydantic import BaseModel, ValidationError
 from pydantic_core import ErrorDetails
 
 from asperity.errors import quoted
+from asperity.joint_file.key_paths import keys_by_path, models_of, variants
 from asperity.joint_file.model import Case
-from asperity.joint_file.quantity_key import Key
 from asperity.joint_file.section import ONE_FOR_ALL, ONE_FOR_EACH
 
 MOST_ERRORS = 12
@@ -61,89 +60,16 @@ def nearest(name: str, known: Iterable[str]) -> str:
     return f"; did you mean '{other}'?" if other else ""
 
 
-def _variants(annotation: Any) -> Iterator[Any]:
-    """An annotation without its wrappers: the members of unions, the values of dictionaries."""
-    origin = get_origin(annotation)
-    if origin is Annotated:
-        yield from _variants(get_args(annotation)[0])
-    elif origin in (Union, types.UnionType):
-        for member in get_args(annotation):
-            yield from _variants(member)
-    else:
-        yield annotation
-
-
-def models_of(annotation: Any) -> list[type[BaseModel]]:
-    """The sections of a joint file that an annotation allows.
-
-    Parameters
-    ----------
-    annotation : object
-        Annotation of a field: a section, or a union, dictionary or list of them.
-
-    Returns
-    -------
-    list of type
-        Their models.
-    """
-    entries = [entry for variant in _variants(annotation) for entry in _variants(_entry_of(variant))]
-    return [v for v in entries if isinstance(v, type) and issubclass(v, BaseModel)]
-
-
-def keys_by_path(model: type[BaseModel] = Case) -> dict[str, Key]:
-    """Every numeric key of a joint file, with ``*`` for the name of a material.
-
-    Parameters
-    ----------
-    model : type
-        The section to look at.
-
-    Returns
-    -------
-    dict
-        Dotted path → what the key measures and its range.
-    """
-    found: dict[str, Key] = {}
-    for name, field in model.model_fields.items():
-        found.update(_keys_of(name, field.annotation, tuple(field.metadata)))
-    return found
-
-
-def _keys_of(path: str, annotation: Any, metadata: tuple[Any, ...]) -> dict[str, Key]:
-    stated = [note for note in metadata if isinstance(note, Key)]
-    found = {path: stated[0]} if stated else {}
-    origin = get_origin(annotation)
-    if origin is Annotated:
-        inner, *notes = get_args(annotation)
-        found.update(_keys_of(path, inner, tuple(notes)))
-    elif origin in (Union, types.UnionType):
-        for member in get_args(annotation):
-            found.update(_keys_of(path, member, ()))
-    elif origin is tuple:
-        found.update(_keys_of(f"{path}.*", get_args(annotation)[0], ()))
-    elif origin is dict:
-        found.update(_keys_of(f"{path}.*", get_args(annotation)[1], ()))
-    elif isinstance(annotation, type) and issubclass(annotation, BaseModel):
-        found.update({f"{path}.{below}": key for below, key in keys_by_path(annotation).items()})
-    return found
-
-
 def _known_names(path: tuple[str, ...], model: type[BaseModel]) -> list[str]:
     """Names that a table at this path may contain."""
     models: list[type[BaseModel]] = [model]
     for part in path:
         annotations = [model.model_fields[part].annotation for model in models if part in model.model_fields]
-        below = [v for annotation in annotations for v in _variants(annotation)]
+        below = [v for annotation in annotations for v in variants(annotation)]
         models = [m for v in below for m in models_of(v)]
         if any(get_origin(v) in (dict, tuple) for v in below):
             return _names_below(models) if len(path) == 2 else []
     return _names_below(models)
-
-
-def _entry_of(annotation: Any) -> Any:
-    """What one entry of a dictionary or a list is; anything else is itself."""
-    place = {dict: 1, tuple: 0}.get(get_origin(annotation))
-    return annotation if place is None else get_args(annotation)[place]
 
 
 def _names_below(models: list[type[BaseModel]]) -> list[str]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from typing import Annotated, Literal
+from typing import Annotated, ClassVar, Literal
 
 from pydantic import BeforeValidator, Discriminator, Field, Tag, model_validator
 
@@ -12,7 +12,7 @@ from asperity.joint_file import limits
 from asperity.joint_file.bearing_entries import HeldBearing, PinBearing
 from asperity.joint_file.branch_sections import BranchEntry, refuse_branches
 from asperity.joint_file.material_entries import BodyMaterials, MaterialEntry, MaterialName, Surfaces
-from asperity.joint_file.quantity_key import Quantity
+from asperity.joint_file.quantity_key import Entered, Quantity
 from asperity.joint_file.section import (
     ONE_FOR_ALL,
     ONE_FOR_EACH,
@@ -204,7 +204,7 @@ class DutyLoad(Section):
     """Torque at the output; negative where it drives the rotation."""
     sun_speed: Annotated[Quantity, limits.SUN_SPEED]
     """Speed of the sun, or of the input, whatever its name."""
-    share: Annotated[float, BeforeValidator(_share, json_schema_input_type=_Share)]
+    share: Annotated[float, BeforeValidator(_share, json_schema_input_type=_Share), Entered(limits.SHARE)]
     """Share of the time, as 0.4 or "40 %"; the shares of all loads add up to 1."""
 
 
@@ -309,6 +309,9 @@ class Case(WholeFile):
     surface: Surfaces
     """Roughness: one table for all contacts, or tables surface.sp, .pwr, .pwl, .wro, .wlo."""
 
+    #: Number of the branches in [drive], and their name.
+    branches_are: ClassVar[tuple[str, str]] = ("planets", "planets")
+
     @model_validator(mode="after")
     def _whole_duty(self) -> Case:
         refuse_part_of_a_duty(self.duty)
@@ -320,8 +323,8 @@ class Case(WholeFile):
             return self
         refuse_branches(
             len(self.branch),
-            count=round(self.drive.planets.value),
-            what="planets",
+            count=round(getattr(self.drive, self.branches_are[0]).value),
+            what=self.branches_are[1],
             by_interference=self.load.interference is not None,
             cam=self.load.cam_force_per_torque is not None,
         )

@@ -172,8 +172,8 @@ class PlanarCase(WholeFile):
     surface: PartSurfaces
     """Roughness: one table for all contacts, or tables surface.NAME for each."""
 
-    # their number in [drive], and their name
-    _branches_are: ClassVar[tuple[str, str]] = ("planets", "planets")
+    #: Their number in [drive], and their name.
+    branches_are: ClassVar[tuple[str, str]] = ("planets", "planets")
 
     @model_validator(mode="after")
     def _known_materials(self) -> Self:
@@ -229,8 +229,8 @@ class PlanarCase(WholeFile):
         if branches is not None:
             refuse_branches(
                 len(branches),
-                count=round(getattr(self.drive, self._branches_are[0]).value),  # type: ignore[attr-defined]
-                what=self._branches_are[1],
+                count=round(getattr(self.drive, self.branches_are[0]).value),  # type: ignore[attr-defined]
+                what=self.branches_are[1],
                 by_interference=self.load.interference is not None,
                 cam=self.load.cam_force_per_torque is not None,
             )
@@ -271,7 +271,7 @@ class MultirollerCase(PlanarCase):
     """Radii and arrangement."""
     branch: tuple[MultirollerBranch, ...] | None = None
     """Sizes of the rollers of each sector, where they differ: a section [[branch]] for each."""
-    _branches_are: ClassVar[tuple[str, str]] = ("rollers_per_row", "rollers in a row")
+    branches_are: ClassVar[tuple[str, str]] = ("rollers_per_row", "rollers in a row")
 
 
 class SteppedPlanetCase(PlanarCase):

@@ -167,3 +167,16 @@ class Key:
         }
         number = {"type": "integer" if self.whole else "number", **bounds}
         return number if self.whole else {"anyOf": [number, text]}
+
+
+@dataclass(frozen=True, slots=True)
+class Entered:
+    """Annotation of a field that keeps a number as the file writes it: only the file states it, no study varies it.
+
+    Parameters
+    ----------
+    key : Key
+        What it measures, its range and its unit for display.
+    """
+
+    key: Key

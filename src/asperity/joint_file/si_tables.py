@@ -12,7 +12,8 @@ from pydantic import BaseModel
 
 from asperity.errors import InputError
 from asperity.joint_file.distribution import Distribution
-from asperity.joint_file.messages import keys_by_path, nearest
+from asperity.joint_file.key_paths import keys_by_path
+from asperity.joint_file.messages import nearest
 from asperity.joint_file.model import Case
 from asperity.joint_file.part_names import WEDGE_TYPE, contacts_of, paths_of_track, type_of
 from asperity.joint_file.planar_model import PlanarCase
@@ -43,6 +44,8 @@ _COUNTERPARTS: dict[str, tuple[str, ...]] = {
         "cut_off",
     ),
     "roughness_average": ("fractal_roughness", DEPTH),
+    DEPTH: ("fractal_roughness", "roughness_average"),
+    PARTNER_DEPTH: ("partner_roughness_average",),
     "partner_roughness_average": (PARTNER_DEPTH,),
 }
 _NAMED = ("materials", "duty", "branch", "roller", "contact")

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
@@ -18,6 +19,7 @@ from asperity.joint.torque_curves import torque_curves
 from asperity.joint.windup import windup
 from asperity.joint.windup_document import windup_columns
 from asperity.joint_file.drawn_surface import drawn_interval
+from asperity.joint_file.entered_values import entered_values
 from asperity.joint_file.model import Case
 from asperity.joint_file.planar_model import PlanarCase
 from asperity.joint_file.quantity_key import Key
@@ -26,6 +28,7 @@ from asperity.joint_file.solved_document import solve_case
 from asperity.page.description import form_of
 from asperity.page.drawing import drive_shapes, planar_shapes
 from asperity.page.joint_request import JointRequest, choices_of_case
+from asperity.page.list_changes import stated_lists
 from asperity.units import from_si
 
 Answer = dict[str, Any]
@@ -62,7 +65,7 @@ def joint_answer(request: JointRequest) -> Answer:
     return {
         "id": request.identity,
         "name": request.name,
-        **stated_values(case),
+        **stated_values(case, request.file_tables),
         "document": document,
         "drawing": _drawing(solved),
         "margins": [_margin(each) for each in margins(solved)],
@@ -101,18 +104,22 @@ def _margin(each: Margin) -> Answer:
     }
 
 
-def stated_values(case: Case | PlanarCase) -> Answer:
+def stated_values(case: Case | PlanarCase, tables: Mapping[str, Any]) -> Answer:
     """What a joint file states, for the fields of the page.
 
     Parameters
     ----------
     case : Case or PlanarCase
-        The joint file.
+        The joint.
+    tables : mapping
+        The tables of its file without changes.
 
     Returns
     -------
     dict
-        ``numbers``: dotted path → value in the unit of display, and in SI; ``choices``: dotted path → word, empty
+        ``numbers``: dotted path → value in the unit of display, and in SI; ``entered``: the same, with their texts, for
+        numbers that no study varies, an Rz and the shares of a duty; ``lists`` of sections, see
+        :func:`asperity.page.list_changes.stated_lists`; ``choices``: dotted path → word, empty
         where the file leaves it out; ``form``: what can be set in a file with another drive than the paper's, None
         for the paper's, whose form is that of the page.
     """
@@ -128,6 +135,16 @@ def stated_values(case: Case | PlanarCase) -> Answer:
             path: {"value": _shown(entry.value, entry.key), "si": entry.value, "tolerance": entry.tolerance}
             for path, entry in numeric_keys(case).items()
         },
+        "entered": {
+            path: {
+                "value": _shown(entry.value, key),
+                "si": entry.value,
+                "tolerance": entry.tolerance,
+                "text": entry.text,
+            }
+            for path, (key, entry) in entered_values(case).items()
+        },
+        "lists": stated_lists(case, tables),
         "choices": choices,
     }
 

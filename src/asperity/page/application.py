@@ -41,6 +41,8 @@ ASSETS: dict[str, tuple[str, str]] = {
             "state",
             "controls",
             "choices",
+            "lists",
+            "heights",
             "results",
             "curves",
             "plots",
@@ -100,7 +102,7 @@ def application(
     kept, jobs, measurements = KeptAnswers(), Jobs(), Measurements()
     described = {
         **description(),
-        "start": {"name": start.name, "toml": start.text, **stated_values(start.case())},
+        "start": {"name": start.name, "toml": start.text, **stated_values(start.case(), start.file_tables)},
     }
 
     def answered(request: JointRequest) -> dict[str, Any]:

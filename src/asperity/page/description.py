@@ -9,13 +9,13 @@ from typing import Any
 from pydantic import BaseModel
 
 import asperity
-from asperity.joint_file.messages import keys_by_path, models_of
+from asperity.joint_file.key_paths import fields_by_path, models_of
 from asperity.joint_file.model import Case
 from asperity.joint_file.part_names import contacts_of
 from asperity.joint_file.planar_model import PlanarCase
 from asperity.joint_file.quantity_key import Key
 from asperity.joint_file.section import EachContact
-from asperity.joint_file.si_tables import si_values
+from asperity.joint_file.si_tables import counterparts, si_values
 from asperity.library import FREQUENCY_RATIO, read_finishes, read_materials
 from asperity.page.joint_request import CHOICES, choices_of_case
 from asperity.units import from_si, parse_quantity
@@ -109,7 +109,7 @@ def _form(
 
 def _parameters(whole: type[BaseModel], section: str) -> list[dict[str, Any]]:
     found = []
-    for path, key in keys_by_path(whole).items():
+    for path, key in fields_by_path(whole).items():
         if path.split(".")[0] == section:
             model, name = _field(whole, path)
             field = model.model_fields[name]
@@ -130,6 +130,7 @@ def _parameters(whole: type[BaseModel], section: str) -> list[dict[str, Any]]:
                     "example_value": _example(key),
                     "required": field.is_required(),
                     "default": _default(meaning),
+                    "replaces": list(counterparts(name)),
                 }
             )
     return found

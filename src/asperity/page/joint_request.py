@@ -14,8 +14,10 @@ import tomlkit
 
 from asperity.errors import InputError, quoted
 from asperity.joint_file.edited_text import leave_out, set_texts, set_words
+from asperity.joint_file.entered_values import entered_key_at
+from asperity.joint_file.key_paths import models_of
+from asperity.joint_file.listed_sections import rearranged_text
 from asperity.joint_file.material_entries import BodyMaterials
-from asperity.joint_file.messages import models_of
 from asperity.joint_file.model import Case
 from asperity.joint_file.part_names import WEDGE_TYPE, type_of
 from asperity.joint_file.planar_model import PlanarCase
@@ -23,14 +25,14 @@ from asperity.joint_file.planar_types import PLANAR_CASES
 from asperity.joint_file.reader import any_case_from_tables, model_of_type
 from asperity.joint_file.si_tables import key_at
 from asperity.library import read_finishes
+from asperity.page.list_changes import MOST_LOADS, arrange, is_list, places_of_lists, without_lists
 from asperity.reading import parse_toml
 
 #: The key of the finish of all surfaces, and what a file need not state beside it.
 FINISH = "surface.finish"
 _GIVEN_BY_FINISH = ("surface.fractal_dimension", "surface.frequency_ratio")
 
-MOST_CHANGES = 400
-MOST_LOADS = 50
+MOST_CHANGES = 600
 LONGEST_VALUE = 200
 LONGEST_NAME = 120
 
@@ -69,17 +71,11 @@ def _words_of_sections(model: type[Case] | type[PlanarCase]) -> dict[str, tuple[
     return {
         f"{section}.{name}": _words(field.annotation)
         for section, above in model.model_fields.items()
-        if not _is_list(above.annotation)
+        if not is_list(above.annotation)
         for below in models_of(above.annotation)
         for name, field in below.model_fields.items()
         if not models_of(field.annotation) and _words(field.annotation)
     }
-
-
-def _is_list(annotation: Any) -> bool:
-    return annotation is not None and (
-        get_origin(annotation) is tuple or any(_is_list(part) for part in get_args(annotation))
-    )
 
 
 #: The choices of a joint file with the paper's drive.
@@ -125,8 +121,9 @@ class JointRequest:
 
     @property
     def identity(self) -> str:
-        """A name of the content, the same for the same content."""
-        content = json.dumps([self.name, self.text, self.changes, self.tables], sort_keys=True)
+        """A name of the content, the same for the same content; of changes that exclude each other the last holds."""
+        changes = list(self.changes.items())
+        content = json.dumps([self.name, self.text, changes, self.tables], sort_keys=True)
         return hashlib.sha256(content.encode("utf-8", "surrogatepass")).hexdigest()[:32]
 
     def case(self) -> Case | PlanarCase:
@@ -137,10 +134,12 @@ class JointRequest:
         InputError
             If it contains something that is not allowed, has too many loads, or names another file.
         """
-        tables = copy.deepcopy(dict(self.tables)) if self.tables else parse_toml(self.text, source=self.name)
+        tables = copy.deepcopy(self.file_tables)
         refuse_named_files(tables, source=self.name)
         try:
-            _apply(tables, self.changes)
+            places = places_of_lists(tables, self.changes, _model_of(tables))
+            arrange(tables, places)
+            _apply(tables, without_lists(self.changes, places))
         except InputError as error:
             raise InputError(f"{self.name}: {error}") from None
         loads = tables.get("duty")
@@ -150,17 +149,31 @@ class JointRequest:
             )
         return any_case_from_tables(tables, source=self.name)
 
+    @functools.cached_property
+    def file_tables(self) -> dict[str, Any]:
+        """The tables of the file without the changes, which nobody may change."""
+        return dict(self.tables) if self.tables else parse_toml(self.text, source=self.name)
+
     def file_text(self) -> str:
         """The joint file with its changes, with the comments and the layout of the original text."""
-        document = tomlkit.parse(self.text) if self.text else tomlkit.parse(tomlkit.dumps(dict(self.tables)))
-        _apply(document, self.changes)
+        text = self.text or tomlkit.dumps(dict(self.tables))
+        places = places_of_lists(self.file_tables, self.changes, _model_of(self.file_tables))
+        for name, wanted in places.items():
+            text = rearranged_text(text, wanted, name=name)
+        document = tomlkit.parse(text)
+        _apply(document, without_lists(self.changes, places))
         return tomlkit.dumps(document)
+
+
+def _model_of(tables: Mapping[str, Any]) -> type[Case] | type[PlanarCase]:
+    """Model of a joint file; that of the paper's drive where its type is none."""
+    kind = type_of(tables)
+    return model_of_type(kind) if kind in (WEDGE_TYPE, *PLANAR_CASES) else Case
 
 
 def _apply(tables: Any, changes: Mapping[str, Any]) -> None:
     try:
-        kind = type_of(tables)
-        model = model_of_type(kind) if kind in (WEDGE_TYPE, *PLANAR_CASES) else Case
+        kind, model = type_of(tables), _model_of(tables)
         bodies = tables.get("bodies", {}) if issubclass(model, PlanarCase) else BodyMaterials.model_fields
         choices = choices_of(model, bodies)
         numbers = {path: value for path, value in changes.items() if path not in choices}
@@ -198,8 +211,9 @@ def _set_each_finish(tables: Any, word: str) -> None:
 
 def _may_be_absent(path: str, model: type[Case] | type[PlanarCase], kind: str) -> bool:
     """Whether a number of the joint file is optional, or given by a finish."""
-    key_at(path, kind)
-    if path in _GIVEN_BY_FINISH:
+    if entered_key_at(path, kind) is None:
+        key_at(path, kind)
+    if path in _GIVEN_BY_FINISH or path.startswith("branch."):
         return True
     section, *_, name = path.split(".")
     models = models_of(model.model_fields[section].annotation)

@@ -9,6 +9,8 @@ from asperity.joint.results import SEVERITIES
 from asperity.page.chart import MOST_CURVES, MOST_POINTS
 from asperity.page.computation import MOST_KEPT
 from asperity.page.guard import LARGEST_BODY
+from asperity.page.joint_request import MOST_CHANGES
+from asperity.page.list_changes import EACH
 from asperity.page.openapi_work import job_schema, work_paths
 
 Schema = dict[str, Any]
@@ -22,8 +24,38 @@ _VALUE: Schema = {
         "tolerance": {"type": "number", "description": "In SI; 0 where the file states none."},
     },
 }
+_LIST: Schema = {
+    "meaning": {"type": "string"},
+    "keys": {"type": "array", "items": {"type": "string"}, "description": "Of each section, in their order."},
+    "one_for_each": {
+        "type": ["string", "null"],
+        "description": "Dotted path of the number of sections that the list has to have; null for any number.",
+    },
+    "most": {"type": "integer", "description": "Largest number of sections."},
+    "of_file": {
+        "type": "array",
+        "items": {"type": "object", "additionalProperties": {"type": "string"}},
+        "description": "What each section of the file says, without the changes.",
+    },
+}
 _STATED: Schema = {
     "numbers": {"type": "object", "additionalProperties": _VALUE, "description": "By dotted path."},
+    "entered": {
+        "type": "object",
+        "additionalProperties": {
+            **_VALUE,
+            "properties": {
+                **_VALUE["properties"],
+                "text": {"type": "string", "description": "As the file has it."},
+            },
+        },
+        "description": "By dotted path: numbers that no study varies, an Rz and the shares of a duty.",
+    },
+    "lists": {
+        "type": "object",
+        "additionalProperties": {"type": "object", "properties": _LIST},
+        "description": "By name: the sections [[duty]] and [[branch]].",
+    },
     "choices": {"type": "object", "additionalProperties": {"type": "string"}},
 }
 
@@ -244,8 +276,15 @@ def _request_schema() -> Schema:
             "changes": {
                 "type": "object",
                 "additionalProperties": {"type": ["string", "number"]},
-                "description": "Dotted path → value with its unit, or one of the words of a choice.",
-                "examples": [{"load.output_torque": "6000 N*mm", "model.closure": "constant_pin_force"}],
+                "maxProperties": MOST_CHANGES,
+                "description": "Dotted path → value with its unit, or one of the words of a choice; empty to leave a "
+                "key out. Name of a list → its sections as their places in the file, '1 3 0' with 0 for a new one, "
+                f"empty for none; for 'branch' also '{EACH}', one for each branch of the drive: changes of sections "
+                "beyond them wait. Sections are counted from 1 in the new arrangement.",
+                "examples": [
+                    {"load.output_torque": "6000 N*mm", "model.closure": "constant_pin_force"},
+                    {"branch": EACH, "branch.2.planet_deviation": "2 um", "duty": "2"},
+                ],
             },
             "name": {"type": "string", "description": "What messages and downloads call the joint."},
         },

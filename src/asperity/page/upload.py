@@ -78,8 +78,9 @@ def opened_joint(content: bytes, name: str) -> dict[str, Any]:
     """
     name = shown_name(name)
     text = _text(content, name)
-    refuse_named_files(parse_toml(text, source=name), source=name)
-    return {"name": name, "toml": text, **stated_values(parse_any_case(text, source=name))}
+    tables = parse_toml(text, source=name)
+    refuse_named_files(tables, source=name)
+    return {"name": name, "toml": text, **stated_values(parse_any_case(text, source=name), tables)}
 
 
 def opened_design(content: bytes, name: str) -> dict[str, Any]:

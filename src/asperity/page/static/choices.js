@@ -40,14 +40,15 @@ export function showChoice(row, stated, changes) {
 
 const FINISH = "surface.finish";
 
-/** What a finish sets where Ra is that of the drawing: the file's Ra, or the middle of the published range. */
+/** What a finish sets where Ra or Rz is that of the drawing: the file's, or the middle of the published range. */
 function ofDrawing(finish, stated) {
   const own = stated.numbers["surface.roughness_average"];
+  const depth = stated.entered["surface.mean_roughness_depth"];
   const [low, high] = finish.roughness_average_um;
+  const process = { [FINISH]: finish.name, "surface.fractal_dimension": "", "surface.frequency_ratio": "" };
+  if (depth) return { ...process, "surface.mean_roughness_depth": depth.text };
   return {
-    [FINISH]: finish.name,
-    "surface.fractal_dimension": "",
-    "surface.frequency_ratio": "",
+    ...process,
     "surface.roughness_average": own ? `${number(own.value, 6)} um` : `${number(Math.sqrt(low * high), 2)} um`,
   };
 }

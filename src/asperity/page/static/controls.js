@@ -1,6 +1,8 @@
 // The parameters: one row a number with slider and field; choices as lists. Errors stand at their field.
 
 import { choiceRows, finishRow, showChoice } from "/choices.js";
+import { Height, isDepth, otherHeight } from "/heights.js";
+import { Lists, sectionOf } from "/lists.js";
 import { element, number, unitText } from "/numbers.js";
 
 const OPEN = ["drive", "load", "surface", "bodies"];
@@ -13,6 +15,8 @@ export function label(path) {
   const parts = path.split(".").slice(1);
   if (path.startsWith("materials.")) return `${parts[1].replaceAll("_", " ")}, ${parts[0]}`;
   if (/^(roller|contact)\./.test(path)) return `${parts[1].replaceAll("_", " ")}, ${path.split(".")[0]} ${parts[0]}`;
+  const section = sectionOf(path);
+  if (section) return `${section.key.split(".").join(" ").replaceAll("_", " ")}, ${section.title}`;
   const contact = parts.find((part) => contacts.includes(part));
   const words = parts.filter((part) => part !== contact).join(" ").replaceAll("_", " ");
   return contact ? `${words}, ${contact}` : words;
@@ -56,8 +60,8 @@ function scale(kind, low, high, step = 0) {
 
 export class Controls {
   /**
-   * `changed(path, text, moving)` is called for each new value; null puts back that of the file. `together(values,
-   * sections)` sets several keys in one step.
+   * `changed(path, text, moving, also)` is called for each new value; null puts back that of the file; `also` are values
+   * that follow from it. `together(values, sections)` sets several keys in one step.
    */
   constructor(form, description, changed, together) {
     this.form = form;
@@ -65,6 +69,9 @@ export class Controls {
     this.description = description;
     this.changed = changed;
     this.rows = new Map();
+    this.values = {}; // of the newest answer: numbers, and what is only entered
+    this.heights = [];
+    this.lists = new Lists(this);
     this.own = description;
     this.take(null);
     form.addEventListener("submit", (event) => event.preventDefault());
@@ -91,12 +98,16 @@ export class Controls {
     const first = this.rows.size === 0;
     this.form.replaceChildren();
     this.rows.clear();
+    this.heights = [];
+    this.values = { ...stated.numbers, ...stated.entered };
+    this.lists.take(stated);
     const groups = this.description.groups.map((group) => [group.name, group.heading]);
     groups.splice(3, 0, ["bodies", "Bodies"]);
     groups.push(["model", "Model"]);
     this.finish = null;
     for (const [name, heading] of groups) {
-      const rows = [...choiceRows(this, name, stated), ...this.numberRows(name, stated)];
+      const fields = () => [...choiceRows(this, name, stated), ...this.numberRows(name, stated)];
+      const rows = name in stated.lists ? [this.lists.group(name)] : fields();
       if (name === "surface") rows.unshift(finishRow(this, stated));
       if (!rows.length) continue;
       const details = element("details", { "data-group": name }, element("summary", {}, heading), ...rows);
@@ -107,7 +118,7 @@ export class Controls {
 
   numberRows(group, stated) {
     const used = new Set(Object.entries(stated.choices).filter(([path]) => path.startsWith("bodies.")).map((each) => each[1]));
-    const paths = Object.keys(stated.numbers).filter(
+    const paths = Object.keys(this.values).filter(
       (path) => path.startsWith(`${group}.`) && (group !== "materials" || used.has(path.split(".")[1])),
     );
     const present = new Set(paths.map((path) => this.generic(path)));
@@ -118,10 +129,19 @@ export class Controls {
       const partOfSplit = group === "surface" && paths.some((path) => path.split(".").length > 2);
       if (parts[0] === group && single && !present.has(key) && !split && !partOfSplit) paths.push(key);
     }
-    return paths.map((path) => this.numberRow(path, stated.numbers[path]));
+    const row = (path) => this.numberRow(path, this.values[path]);
+    return paths.filter((path) => !isDepth(path)).flatMap((path) => (otherHeight(path) ? this.heightRows(path, row) : [row(path)]));
   }
 
-  numberRow(path, entry) {
+  /** Ra and Rz of a surface below the list that says which of them is given. */
+  heightRows(path, row) {
+    const height = new Height(this, path, `${label(path).replace("roughness average", "roughness")} given as`);
+    this.heights.push(height);
+    return [height.node, row(path), row(height.depth)];
+  }
+
+  /** The row of a number; that of a section in a list knows its place. */
+  numberRow(path, entry, list = null) {
     const parameter = this.parameters.get(this.generic(path));
     const id = `value-${path.replaceAll(".", "-")}`;
     const name = label(path);
@@ -132,7 +152,7 @@ export class Controls {
       id,
       "aria-describedby": `${id}-help ${id}-error`,
       spellcheck: "false",
-      placeholder: (parameter.default || (entry ? parameter.example : "not in the file")).replace("if absent, ", ""),
+      placeholder: this.placeholder(parameter, entry, list),
       autocapitalize: "off",
     });
     const slider = element("input", { type: "range", "aria-label": `${name}, slider`, min: 0, step: 1, tabindex: "0" });
@@ -146,27 +166,28 @@ export class Controls {
     const node = element(
       "div",
       { class: "row", "data-path": path },
-      element("label", { for: id, title: parameter.meaning }, name),
+      element("label", { for: id, title: parameter.meaning }, ...(list ? [name.replace(/, [^,]*$/, ""), element("span", { class: "visually-hidden" }, name.match(/, [^,]*$/)[0])] : [name])),
       slider,
       input,
       back,
       help,
       error,
     );
-    const row = { path, node, input, slider, error, text, parameter, base: entry ? entry.value : null, shown: "" };
+    const row = { path, node, input, slider, error, text, parameter, list, base: entry ? entry.value : null, shown: "" };
     this.rescale(row, row.base);
+    if (list) input.value = row.shown = this.lists.text(row);
     slider.addEventListener("input", () => {
       const value = row.scale.value(Number(slider.value));
       input.value = row.shown = text(value);
       slider.setAttribute("aria-valuetext", input.value);
-      this.changed(path, parameter.unit === "1" ? value : input.value, true);
+      this.changed(path, parameter.unit === "1" ? value : input.value, true, this.lists.balanced(row, value));
     });
     slider.addEventListener("change", () => this.changed(null));
     const commit = () => {
       const written = input.value.trim();
       if (written === row.shown.trim()) return;
       row.shown = input.value;
-      this.changed(path, written === "" && row.base === null ? null : written);
+      this.changed(path, written === "" && row.base === null && !list ? null : written);
     };
     input.addEventListener("change", commit);
     input.addEventListener("keydown", (event) => {
@@ -175,37 +196,47 @@ export class Controls {
     });
     back.addEventListener("click", () => {
       this.changed(path, null);
-      input.focus();
+      const height = this.heights.find((each) => [each.average, each.depth].includes(path));
+      (height ? height.select : input).focus();
     });
     this.rows.set(path, row);
     return node;
   }
 
+  placeholder(parameter, entry, list) {
+    if (isDepth(parameter.key) && !entry) return `e.g. ${parameter.example}`;
+    if (list) return list.name === "branch" ? "0" : "";
+    return (parameter.default || (entry ? parameter.example : "not in the file")).replace("if absent, ", "");
+  }
+
   rescale(row, value) {
     row.slider.disabled = value === null;
     if (value === null) return;
-    row.scale = sliderScale(row.parameter, value);
+    const share = row.list?.key === "share"; // others have a part, too
+    row.scale = sliderScale(share ? { ...row.parameter, highest_included: false } : row.parameter, value);
     row.slider.max = row.scale.steps;
     row.slider.value = row.scale.place(value);
   }
 
   /** Show the values of an answer; what the user has typed stays as typed. */
   show(stated, changes) {
-    const wanted = (path) => path in stated.numbers || path in stated.choices;
-    const missing = Object.keys(stated.numbers).some((path) => !this.rows.has(path) && this.isShown(path, stated));
+    this.values = { ...stated.numbers, ...stated.entered };
+    const missing = Object.keys(this.values).some((path) => !this.rows.has(path) && !sectionOf(path) && this.isShown(path, stated));
     if (missing || this.materials !== this.used(stated)) this.build(stated);
     this.materials = this.used(stated);
     if (this.finish) this.finish.show(stated);
+    this.lists.show(changes, stated.numbers);
+    for (const height of this.heights) height.show(this.values, changes);
     for (const row of this.rows.values()) {
       const changed = row.path in changes;
       if (row.choice) {
         showChoice(row, stated, changes);
         continue;
       }
-      row.node.classList.toggle("changed", changed);
-      const entry = wanted(row.path) ? stated.numbers[row.path] : null;
+      row.node.classList.toggle("changed", changed && row.list?.source !== 0);
+      const entry = this.values[row.path] || (row.list?.name === "branch" ? { value: 0 } : null);
       const typed = changes[row.path];
-      row.shown = changed && typeof typed === "string" ? typed : entry ? row.text(entry.value) : "";
+      row.shown = row.list ? this.lists.text(row) : changed && typeof typed === "string" ? typed : entry ? entry.text || row.text(entry.value) : "";
       if (document.activeElement !== row.input || row.input.value.trim() === "") row.input.value = row.shown;
       if (!entry) {
         this.rescale(row, null);
@@ -215,6 +246,7 @@ export class Controls {
         row.slider.value = row.scale.place(entry.value);
       }
       row.slider.setAttribute("aria-valuetext", row.shown);
+      if (row.list?.key === "share" && entry && entry.value === 1) row.slider.disabled = true; // the only load
     }
   }
 
@@ -222,6 +254,13 @@ export class Controls {
   sliderOf(path) {
     const row = this.rows.get(path);
     return row && row.scale && !row.slider.disabled ? { ...row.scale, text: row.text } : null;
+  }
+
+  /** The keys whose place a key takes, as the server says. */
+  replaced(path) {
+    const parameter = this.parameters.get(this.generic(path));
+    const above = path.split(".").slice(0, -1).join(".");
+    return parameter ? parameter.replaces.map((name) => `${above}.${name}`) : [];
   }
 
   isShown(path, stated) {
@@ -233,11 +272,11 @@ export class Controls {
     return Object.entries(stated.choices).filter(([key]) => key.startsWith("bodies.")).map((each) => each[1]).join();
   }
 
-  /** The fields that a message about several keys names. */
-  named(message) {
+  /** The fields that a message about several keys names, and the list. */
+  named(message, lastPath) {
     const paths = [...this.rows.keys()].filter((path) => message.includes(path));
     const longest = paths.filter((path) => !paths.some((other) => other !== path && other.startsWith(`${path}_`) && !message.replaceAll(other, "").includes(path)));
-    return Object.fromEntries(longest.map((path) => [path, message]));
+    return { ...Object.fromEntries(longest.map((path) => [path, message])), ...this.lists.named(message, lastPath) };
   }
 
   /** Mark the fields that a message is about; the last changed one where it names none. */
@@ -250,8 +289,11 @@ export class Controls {
         row.input.setAttribute("aria-invalid", "true");
         const group = row.input.closest("details");
         if (group) group.open = true;
+        const height = this.heights.find((each) => [each.average, each.depth].includes(row.path));
+        if (height) height.view(row.path === height.depth ? "Rz" : "Ra");
       }
     }
+    this.lists.showErrors(keys);
   }
 }
 

@@ -86,7 +86,7 @@ async function askOnce(state) {
       setTimeout(ask, 500);
     } else {
       page.dataset.state = "error";
-      const named = Object.keys(found.keys).length ? found.keys : controls.named(found.error);
+      const named = Object.keys(found.keys).length ? found.keys : controls.named(found.error, lastPath);
       const keys = Object.keys(named).length || lastPath === null ? named : { [lastPath]: found.error };
       controls.showErrors(keys);
       showError(found.error);
@@ -166,18 +166,23 @@ function refresh() {
   document.title = `${state.name} – asperity`;
   get("undo").disabled = !history.canUndo;
   get("redo").disabled = !history.canRedo;
+  if (state.toml === shownText) controls.lists.show(state.changes);
   addressSoon();
   ask();
 }
 
-function changed(path, value, moving = false) {
+function changed(path, value, moving = false, also = {}) {
   if (path === null) {
     history.settle();
     return;
   }
   const changes = { ...history.state.changes };
-  if (value === null) delete changes[path];
-  else changes[path] = value;
+  delete changes[path];
+  if (value !== null) {
+    if (value !== "") for (const other of controls.replaced(path)) delete changes[other];
+    changes[path] = value; // behind the others: of keys that exclude each other the last holds
+  }
+  Object.assign(changes, also, controls.lists.following(path));
   history.add({ ...history.state, changes }, moving ? path : null);
   lastPath = path;
   refresh();
@@ -185,7 +190,7 @@ function changed(path, value, moving = false) {
 
 /** New values of several keys in one step, in place of the changes below some sections. */
 function changedTogether(values, instead = []) {
-  const kept = Object.entries(history.state.changes).filter(([path]) => !instead.some((section) => path.startsWith(`${section}.`)));
+  const kept = Object.entries(history.state.changes).filter(([path]) => !instead.some((section) => path === section || path.startsWith(`${section}.`)));
   history.add({ ...history.state, changes: { ...Object.fromEntries(kept), ...values } });
   lastPath = null;
   refresh();

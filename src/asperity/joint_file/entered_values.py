@@ -1,0 +1,67 @@
+"""Numbers of a joint file that stay as they are written and that no study varies: an Rz, the share of a load."""
+
+from __future__ import annotations
+
+import functools
+from collections.abc import Iterator
+from typing import Any
+
+from pydantic import BaseModel
+
+from asperity.joint_file.key_paths import entered_keys
+from asperity.joint_file.part_names import WEDGE_TYPE
+from asperity.joint_file.quantity_key import Key, Quantity
+from asperity.joint_file.reader import model_of_type
+from asperity.joint_file.section import Section
+
+
+@functools.lru_cache(maxsize=1024)
+def entered_key_at(path: str, kind: str) -> Key | None:
+    """What a dotted path means where such a number stands.
+
+    Parameters
+    ----------
+    path : str
+        For example ``surface.mean_roughness_depth``.
+    kind : str
+        Type of the drive.
+
+    Returns
+    -------
+    Key or None
+        Dimension, range, unit for display; None where the path is that of another key.
+    """
+    known, parts = entered_keys(model_of_type(kind)), path.split(".")
+    generic = [".".join([*parts[:i], "*", *parts[i + 1 :]]) for i in range(1, len(parts) - 1)]
+    return next((known[each] for each in (path, *generic) if each in known), None)
+
+
+def entered_values(case: Section) -> dict[str, tuple[Key, Quantity]]:
+    """Every such number that a joint file states.
+
+    Parameters
+    ----------
+    case : Case or PlanarCase
+        The joint file.
+
+    Returns
+    -------
+    dict
+        Dotted path → what it means, and the number with its text.
+    """
+    kind = getattr(case, "type", None) or WEDGE_TYPE
+    return {
+        path: (key, key.read(written))
+        for path, written in _leaves(case, "")
+        if (key := entered_key_at(path, kind)) is not None
+    }
+
+
+def _leaves(node: Any, path: str) -> Iterator[tuple[str, str | float]]:
+    if isinstance(node, str | float):
+        yield path, node
+    elif isinstance(node, tuple):
+        yield from _leaves({str(index): value for index, value in enumerate(node, start=1)}, path)
+    elif isinstance(node, BaseModel | dict):
+        for name, value in node.items() if isinstance(node, dict) else node:
+            yield from _leaves(value, f"{path}.{name}" if path else name)

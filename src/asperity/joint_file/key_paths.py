@@ -1,0 +1,135 @@
+"""Dotted paths of the numbers of a joint file, from the annotations of its sections."""
+
+from __future__ import annotations
+
+import functools
+import types
+from collections.abc import Iterator
+from typing import Annotated, Any, Union, get_args, get_origin
+
+from pydantic import BaseModel
+
+from asperity.joint_file.model import Case
+from asperity.joint_file.quantity_key import Entered, Key
+
+
+def variants(annotation: Any) -> Iterator[Any]:
+    """An annotation without its wrappers.
+
+    Parameters
+    ----------
+    annotation : object
+        Annotation of a field.
+
+    Yields
+    ------
+    object
+        The members of a union, or the annotation itself.
+    """
+    origin = get_origin(annotation)
+    if origin is Annotated:
+        yield from variants(get_args(annotation)[0])
+    elif origin in (Union, types.UnionType):
+        for member in get_args(annotation):
+            yield from variants(member)
+    else:
+        yield annotation
+
+
+def models_of(annotation: Any) -> list[type[BaseModel]]:
+    """The sections of a joint file that an annotation allows.
+
+    Parameters
+    ----------
+    annotation : object
+        Annotation of a field: a section, or a union, dictionary or list of them.
+
+    Returns
+    -------
+    list of type
+        Their models.
+    """
+    entries = [entry for variant in variants(annotation) for entry in variants(_entry_of(variant))]
+    return [v for v in entries if isinstance(v, type) and issubclass(v, BaseModel)]
+
+
+def _entry_of(annotation: Any) -> Any:
+    """What one entry of a dictionary or a list is; anything else is itself."""
+    place = {dict: 1, tuple: 0}.get(get_origin(annotation))
+    return annotation if place is None else get_args(annotation)[place]
+
+
+def keys_by_path(model: type[BaseModel] = Case) -> dict[str, Key]:
+    """Every numeric key of a joint file, with ``*`` for the name of a material.
+
+    Parameters
+    ----------
+    model : type
+        The section to look at.
+
+    Returns
+    -------
+    dict
+        Dotted path → what the key measures and its range.
+    """
+    return {path: note for path, note in _notes(model).items() if isinstance(note, Key)}
+
+
+@functools.cache
+def fields_by_path(model: type[BaseModel] = Case) -> dict[str, Key]:
+    """Every key of a joint file in which a number stands: also those that studies do not vary.
+
+    Parameters
+    ----------
+    model : type
+        The section to look at.
+
+    Returns
+    -------
+    dict
+        As :func:`keys_by_path`, in the order of the file's sections.
+    """
+    return {path: note.key if isinstance(note, Entered) else note for path, note in _notes(model).items()}
+
+
+@functools.cache
+def entered_keys(model: type[BaseModel] = Case) -> dict[str, Key]:
+    """The keys in which a number stands that studies do not vary, such as an Rz or the share of a load.
+
+    Parameters
+    ----------
+    model : type
+        The section to look at.
+
+    Returns
+    -------
+    dict
+        As :func:`keys_by_path`.
+    """
+    return {path: note.key for path, note in _notes(model).items() if isinstance(note, Entered)}
+
+
+def _notes(model: type[BaseModel]) -> dict[str, Key | Entered]:
+    found: dict[str, Key | Entered] = {}
+    for name, field in model.model_fields.items():
+        found.update(_notes_of(name, field.annotation, tuple(field.metadata)))
+    return found
+
+
+def _notes_of(path: str, annotation: Any, metadata: tuple[Any, ...]) -> dict[str, Key | Entered]:
+    stated = [note for note in metadata if isinstance(note, Key | Entered)]
+    found: dict[str, Key | Entered] = {path: stated[0]} if stated else {}
+    origin = get_origin(annotation)
+    if origin is Annotated:
+        inner, *notes = get_args(annotation)
+        found.update(_notes_of(path, inner, tuple(notes)))
+    elif origin in (Union, types.UnionType):
+        for member in get_args(annotation):
+            found.update(_notes_of(path, member, ()))
+    elif origin is tuple:
+        found.update(_notes_of(f"{path}.*", get_args(annotation)[0], ()))
+    elif origin is dict:
+        found.update(_notes_of(f"{path}.*", get_args(annotation)[1], ()))
+    elif isinstance(annotation, type) and issubclass(annotation, BaseModel):
+        found.update({f"{path}.{below}": key for below, key in _notes(annotation).items()})
+    return found

@@ -1,0 +1,199 @@
+"""Lists of sections on the page, such as ``[[duty]]``: how many there are, and what each of them may state."""
+
+from __future__ import annotations
+
+import copy
+import re
+from collections.abc import Mapping
+from typing import Any, get_args, get_origin
+
+from asperity.errors import InputError, quoted
+from asperity.joint_file.key_paths import fields_by_path
+from asperity.joint_file.listed_sections import rearranged
+from asperity.joint_file.model import Case
+from asperity.joint_file.part_names import sized_tracks, type_of
+from asperity.joint_file.planar_model import PlanarCase
+from asperity.joint_file.si_tables import key_at, si_values
+
+#: The change of a list that has one section for each branch of the drive, however many those are.
+EACH = "each"
+#: The loads of a duty that the page takes.
+MOST_LOADS = 50
+
+_PLACES = re.compile(r"\d{1,3}( \d{1,3})*")
+
+
+def is_list(annotation: Any) -> bool:
+    """Whether a section of a joint file is a list of tables, by its annotation."""
+    return annotation is not None and (
+        get_origin(annotation) is tuple or any(is_list(part) for part in get_args(annotation))
+    )
+
+
+def lists_of(model: type[Case] | type[PlanarCase]) -> dict[str, str | None]:
+    """The lists of a joint file that it may leave out.
+
+    Parameters
+    ----------
+    model : type
+        The class of the joint file.
+
+    Returns
+    -------
+    dict
+        Name → dotted path of the number of sections that it has to have; None where any number will do.
+    """
+    return {
+        name: f"drive.{model.branches_are[0]}" if name == "branch" else None
+        for name, field in model.model_fields.items()
+        if is_list(field.annotation) and not field.is_required()
+    }
+
+
+def places_of_lists(
+    tables: Mapping[str, Any], changes: Mapping[str, Any], model: type[Case] | type[PlanarCase]
+) -> dict[str, list[int]]:
+    """The wanted arrangement of each list that changes.
+
+    Parameters
+    ----------
+    tables : mapping
+        The tables of the file without the changes.
+    changes : mapping
+        Name of a list → the places of its sections in the file, ``"1 3 0"`` with 0 for a new one; :data:`EACH`; or
+        empty text for none. Other changes are those of the request.
+    model : type
+        The class of the joint file.
+
+    Returns
+    -------
+    dict
+        Name → places, counted from 1; 0 for a new section.
+
+    Raises
+    ------
+    InputError
+        If a change is none of these.
+    """
+    found = {}
+    for name, count_path in lists_of(model).items():
+        if name not in changes:
+            continue
+        if not isinstance(tables.get(name, []), list):
+            raise InputError(f"{name}: expected sections [[{name}]], got {quoted(tables[name])}")
+        wanted, have = str(changes[name]).strip(), len(tables.get(name, []))
+        if wanted == EACH and count_path is not None:
+            count = _count(tables, changes, count_path, otherwise=have)
+            found[name] = [place if place <= have else 0 for place in range(1, count + 1)]
+        elif wanted == "" or _PLACES.fullmatch(wanted):
+            found[name] = [int(each) for each in wanted.split()]
+        else:
+            raise InputError(
+                f"{name}: the sections of [[{name}]] are wanted as their places in the file, e.g. '1 3 0' with 0 for a "
+                f"new one{f', or {EACH!r}' if count_path else ''}; got {quoted(wanted)}"
+            )
+    return found
+
+
+def _count(tables: Mapping[str, Any], changes: Mapping[str, Any], path: str, *, otherwise: int) -> int:
+    """How many branches the drive has; what is wrong with that number is said where it is read."""
+    section, name = path.split(".")
+    try:
+        key = key_at(path, type_of(tables))
+        return round(key.read(changes.get(path, tables[section][name])).value)
+    except (InputError, KeyError, TypeError):
+        return otherwise
+
+
+def arrange(tables: dict[str, Any], places: Mapping[str, list[int]]) -> None:
+    """Give the lists of a joint file another arrangement.
+
+    Parameters
+    ----------
+    tables : dict
+        The tables of the file, which are changed.
+    places : mapping
+        As :func:`places_of_lists` returns them.
+
+    Raises
+    ------
+    InputError
+        If the file has no such section.
+    """
+    for name, wanted in places.items():
+        sections = rearranged(tables.get(name, []), wanted, name=name)
+        tables.pop(name, None)
+        if sections:
+            tables[name] = [copy.deepcopy(each) for each in sections]
+
+
+def without_lists(changes: Mapping[str, Any], places: Mapping[str, list[int]]) -> dict[str, Any]:
+    """The changes that are left when the lists have their arrangement.
+
+    Parameters
+    ----------
+    changes : mapping
+        Those of the request.
+    places : mapping
+        As :func:`places_of_lists` returns them.
+
+    Returns
+    -------
+    dict
+        Changes of sections that :data:`EACH` no longer has are left out: they wait for the drive to have as many
+        branches again.
+    """
+
+    def beyond(path: str) -> bool:
+        name, _, rest = path.partition(".")
+        number = rest.partition(".")[0]
+        return changes.get(name) == EACH and number.isdecimal() and int(number) > len(places[name])
+
+    return {path: value for path, value in changes.items() if path not in places and not beyond(path)}
+
+
+def stated_lists(case: Case | PlanarCase, tables: Mapping[str, Any]) -> dict[str, Any]:
+    """What the page has to know about the lists of a joint file to make their fields.
+
+    Parameters
+    ----------
+    case : Case or PlanarCase
+        The joint.
+    tables : mapping
+        The tables of its file without changes.
+
+    Returns
+    -------
+    dict
+        Name → its ``meaning``, ``keys`` of a section in their order, ``one_for_each`` as :func:`lists_of`, ``most``
+        sections, and ``of_file``: the texts of each section of the file, by key.
+    """
+    found = {}
+    for name, count_path in lists_of(type(case)).items():
+        keys = [path.split(".", 2)[2] for path in fields_by_path(type(case)) if path.startswith(f"{name}.*.")]
+        if any("*" in key for key in keys):  # names of the rollers of this drive
+            rollers = list(sized_tracks(si_values(case)))
+            keys = [
+                each
+                for key in keys
+                for each in ([key.replace("*", r) for r in rollers] if "*" in key else [key])
+            ]
+        found[name] = {
+            "meaning": " ".join((type(case).model_fields[name].description or "").split()),
+            "keys": keys,
+            "one_for_each": count_path,
+            "most": MOST_LOADS if count_path is None else round(key_at(count_path, case.type).upper),
+            "of_file": [_texts(each) for each in tables.get(name, []) if isinstance(each, Mapping)],
+        }
+    return found
+
+
+def _texts(section: Mapping[str, Any]) -> dict[str, str]:
+    """What a section states, by key; ``deviation.left`` for a key in a table of it."""
+    found = {}
+    for key, value in section.items():
+        if isinstance(value, Mapping):
+            found.update({f"{key}.{below}": text for below, text in _texts(value).items()})
+        else:
+            found[key] = str(value)
+    return found

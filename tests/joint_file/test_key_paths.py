@@ -1,0 +1,35 @@
+"""Paths of the numbers of joint files: those that studies vary, and those that are only entered."""
+
+from asperity.joint_file.key_paths import entered_keys, fields_by_path, keys_by_path
+from asperity.joint_file.planar_types import PLANAR_CASES
+from asperity.unit_table import Dimension
+
+
+def test_every_number_of_a_joint_file_has_a_path():
+    keys = keys_by_path()
+    assert keys["drive.sun_radius"].dimension is Dimension.LENGTH
+    assert keys["drive.contact_length"] == keys["drive.contact_length.wlo"]
+    assert keys["materials.*.youngs_modulus"].dimension is Dimension.PRESSURE
+    assert keys["surface.fractal_dimension"] == keys["surface.pwr.fractal_dimension"]
+    assert keys["compliance.pin_stiffness"].dimension is Dimension.STIFFNESS
+    assert keys["bearings.pin_diameter"].dimension is Dimension.LENGTH
+    assert "model.closure" not in keys
+
+
+def test_an_rz_and_a_share_are_entered_and_no_study_varies_them():
+    entered = entered_keys()
+    assert {path for path in entered if path.count(".") == 1} == {
+        "surface.mean_roughness_depth",
+        "surface.partner_mean_roughness_depth",
+    }
+    assert (entered["duty.*.share"].lower, entered["duty.*.share"].upper) == (0.0, 1.0)
+    assert entered["surface.sp.mean_roughness_depth"].unit == "um"
+    assert not set(entered) & set(keys_by_path())
+    for model in PLANAR_CASES.values():
+        assert "surface.*.mean_roughness_depth" in entered_keys(model)
+
+
+def test_fields_are_both_in_the_order_of_the_file():
+    found = [path for path in fields_by_path() if path.startswith("duty.")]
+    assert found == ["duty.*.output_torque", "duty.*.sun_speed", "duty.*.share"]
+    assert set(fields_by_path()) == set(keys_by_path()) | set(entered_keys())

@@ -1,0 +1,206 @@
+"""Rz, branches of unlike sizes and a duty on the page, in a real browser: set, undone, linked and downloaded."""
+
+import json
+import subprocess
+import sys
+import tomllib
+from pathlib import Path
+
+import pytest
+
+pytestmark = pytest.mark.slow
+
+ROOT = Path(__file__).parents[2]
+TEXT = (ROOT / "examples" / "planetary.toml").read_text(encoding="utf-8")
+
+
+@pytest.fixture(scope="module")
+def served(serve, tmp_path_factory):
+    """Takes the place of the server of the tutorial's joint."""
+    file = tmp_path_factory.mktemp("lists") / "planetary.toml"
+    file.write_text(TEXT, encoding="utf-8")
+    return serve(file)
+
+
+def do(page, action):
+    """Do something and wait until the page has been redrawn."""
+    before = int(page.evaluate("document.documentElement.dataset.revision"))
+    action()
+    page.wait_for_function(
+        "before => Number(document.documentElement.dataset.revision) > before", arg=before, timeout=300_000
+    )
+
+
+def field(page, path):
+    return page.locator(f"#value-{path.replace('.', '-')}")
+
+
+def write(page, path, text):
+    def action():
+        field(page, path).fill(text)
+        field(page, path).press("Enter")
+
+    do(page, action)
+
+
+def press(page, name):
+    do(page, lambda: page.get_by_role("button", name=name, exact=True).click())
+
+
+def opened(page, *groups):
+    for name in groups:
+        page.evaluate(f"document.querySelector('details[data-group={name}]').open = true")
+
+
+def downloaded(page, name, file):
+    with page.expect_download() as waiting:
+        page.get_by_role("link", name=name).click()
+    waiting.value.save_as(file)
+    return file.read_text(encoding="utf-8")
+
+
+def test_rz_branches_and_a_duty_are_set_undone_linked_and_downloaded(page, chromium, tmp_path):
+    opened(page, "surface", "branch", "duty", "drive")
+    # Rz in place of G; the file keeps what was written
+    page.get_by_label("roughness given as", exact=True).select_option("Rz")
+    assert field(page, "surface.roughness_average").is_hidden()
+    write(page, "surface.mean_roughness_depth", "0.4 um")
+    assert field(page, "surface.fractal_roughness").input_value() == ""
+    # a branch for each planet, whatever their number
+    press(page, "Give each branch its own sizes")
+    assert page.locator("[data-list=branch] fieldset").count() == 3
+    write(page, "branch.1.planet_deviation", "1.5 um")
+    write(page, "drive.planets", "4")
+    assert page.locator("[data-list=branch] fieldset").count() == 4
+    write(page, "branch.4.planet_deviation", "-1 um")
+    slider = page.get_by_label("planet deviation, branch 2, slider")
+    slider.focus()
+    do(page, lambda: slider.press("ArrowRight"))
+    assert float(field(page, "branch.2.planet_deviation").input_value().removesuffix(" um")) > 0.0
+    # loads: the first is that of the joint, a second takes half of its time
+    press(page, "Add a load")
+    assert page.evaluate("document.activeElement.id") == "value-duty-1-output_torque"
+    press(page, "Add a load")
+    assert [field(page, f"duty.{i}.share").input_value() for i in (1, 2)] == ["0.5", "0.5"]
+    write(page, "duty.2.output_torque", "-3 N*m")
+    slider = page.get_by_label("share, load 1, slider")
+    slider.focus()
+    do(page, lambda: slider.press("ArrowRight"))
+    shares = [float(field(page, f"duty.{i}.share").input_value()) for i in (1, 2)]
+    assert shares[0] > 0.5
+    assert sum(shares) == pytest.approx(1.0, abs=1e-12)
+    assert page.locator("#error").is_hidden()
+    # one step back, and forth
+    do(page, lambda: page.keyboard.press("Control+z"))
+    assert field(page, "duty.1.share").input_value() == "0.5"
+    do(page, lambda: page.keyboard.press("Control+z"))
+    do(page, lambda: page.keyboard.press("Control+z"))
+    assert page.locator("[data-list=duty] fieldset").count() == 1
+    for _ in range(3):
+        press(page, "Redo")
+    # the link shows the same
+    page.wait_for_timeout(500)
+    other = chromium.new_page()
+    other.goto(page.url)
+    other.wait_for_selector("html[data-state=ready]", timeout=60_000)
+    for path in (
+        "surface.mean_roughness_depth",
+        "branch.2.planet_deviation",
+        "branch.4.planet_deviation",
+        "duty.2.share",
+    ):
+        assert field(other, path).input_value() == field(page, path).input_value() != ""
+    assert other.locator("#cards").inner_text() == page.locator("#cards").inner_text()
+    other.close()
+    # the file says the same to the command
+    text = downloaded(page, "Save joint file", tmp_path / "joint.toml")
+    tables = tomllib.loads(text)
+    assert tables["surface"]["mean_roughness_depth"] == "0.4 um"
+    assert "roughness_average" not in tables["surface"]
+    assert [each.get("planet_deviation") for each in tables["branch"]][::3] == ["1.5 um", "-1 um"]
+    assert [each["share"] for each in tables["duty"]] == shares
+    assert "# from the library: asperity materials" in text
+    shown = json.loads(downloaded(page, "Save JSON", tmp_path / "page.json"))
+    command = [sys.executable, "-c", "from asperity.cli import main; main()", "joint", "joint.toml", "--json"]
+    told = json.loads(subprocess.run(command, cwd=tmp_path, capture_output=True, check=True).stdout)
+    for part in ("torsional_stiffness", "forces"):
+        assert flat(told[part]) == pytest.approx(flat(shown[part]), rel=1e-9)
+
+
+def flat(node, path=""):
+    if isinstance(node, dict):
+        return {
+            key: value for name, each in node.items() for key, value in flat(each, f"{path}.{name}").items()
+        }
+    if isinstance(node, list):
+        return flat(dict(enumerate(node)), path)
+    return {path: node}
+
+
+def test_shares_that_do_not_add_up_are_said_at_the_field_and_rows_stay(page):
+    opened(page, "duty", "load")
+    press(page, "Add a load")
+    press(page, "Add a load")
+    write(page, "duty.2.share", "30 %")
+    error = page.locator("#value-duty-2-share-error")
+    assert "the shares of [[duty]] must add up to 1, they add up to 0.8" in error.inner_text()
+    assert "must add up to 1" in page.locator("#list-duty-error").inner_text()
+    assert page.locator("[data-list=duty] fieldset").count() == 2
+    write(page, "duty.1.share", "0.7")
+    assert error.inner_text() == ""
+    assert page.locator("#error").is_hidden()
+    press(page, "Remove load 1")
+    assert field(page, "duty.1.share").input_value() == "1"
+    assert page.get_by_label("share, load 1, slider").is_disabled()
+    press(page, "Remove load 1")
+    assert page.locator("[data-list=duty] fieldset").count() == 0
+    assert page.evaluate("document.activeElement.textContent") == "Add a load"
+
+
+def test_branches_need_an_interference_as_the_file_says(page):
+    opened(page, "branch", "load")
+    write(page, "load.preload", "1000 N")
+    press(page, "Give each branch its own sizes")
+    assert "[[branch]] needs load.interference" in page.locator("#list-branch-error").inner_text()
+    assert field(page, "load.interference").get_attribute("aria-invalid") == "true"
+    write(page, "load.interference", "30 um")
+    assert page.locator("#error").is_hidden()
+    assert field(page, "load.preload").input_value() == ""  # not what was typed before
+    press(page, "Equal branches")
+    assert page.locator("[data-list=branch] fieldset").count() == 0
+
+
+def test_the_lists_of_a_file_are_edited_and_put_back(page, tmp_path):
+    file = tmp_path / "duty.toml"
+    rows = [
+        f'{note}\n[[duty]]\noutput_torque = "{torque} N*m"\nsun_speed = "1500 rpm"\nshare = "{share} %"\n'
+        for note, torque, share in (("# hovering", 8, 40), ("# moving", -3, 25), ("# waiting", 1, 35))
+    ]
+    depth = TEXT.replace('fractal_roughness = "1.3e-7 mm"', 'mean_roughness_depth = "0.4 um +- 0.1 um"')
+    file.write_text(depth + "\n" + "\n".join(rows), encoding="utf-8")
+    do(page, lambda: page.locator("#open-file").set_input_files(file))
+    opened(page, "duty", "surface")
+    assert field(page, "duty.1.share").input_value() == "40 %"
+    assert page.get_by_label("roughness given as", exact=True).input_value() == "Rz"
+    assert field(page, "surface.mean_roughness_depth").input_value() == "0.4 um +- 0.1 um"
+    press(page, "Remove load 2")
+    assert [field(page, f"duty.{i}.share").input_value() for i in (1, 2)] == ["0.65", "35 %"]
+    text = downloaded(page, "Save joint file", tmp_path / "saved.toml")
+    assert "# moving" not in text
+    assert text.index("# hovering") < text.index("# waiting") < text.index('"1 N*m"')
+    assert 'mean_roughness_depth = "0.4 um +- 0.1 um"' in text
+    press(page, "duty: back to the file")
+    assert page.locator("[data-list=duty] fieldset").count() == 3
+    # as Ra, the same joint
+    before = page.locator("#cards").inner_text()
+    do(page, lambda: page.get_by_label("roughness given as", exact=True).select_option("Ra"))
+    assert page.locator("#cards").inner_text() == before
+    assert field(page, "surface.roughness_average").is_visible()
+    assert "mean_roughness_depth" not in downloaded(page, "Save joint file", tmp_path / "ra.toml")
+    do(page, lambda: page.keyboard.press("Control+z"))
+    assert page.get_by_label("roughness given as", exact=True).input_value() == "Rz"
+    # every control has a name, and the rows fit a small screen
+    page.set_viewport_size({"width": 400, "height": 800})
+    assert page.evaluate("document.documentElement.scrollWidth") <= 400
+    ids = page.evaluate("[...document.querySelectorAll('[id]')].map((each) => each.id)")
+    assert len(ids) == len(set(ids))

@@ -1,0 +1,131 @@
+"""Lists of sections that a request adds to, shortens, or fits to the number of branches."""
+
+import pytest
+
+from asperity.errors import InputError
+from asperity.joint_file.model import Case
+from asperity.joint_file.planar_types import PLANAR_CASES
+from asperity.page.joint_request import JointRequest
+from asperity.page.list_changes import EACH, lists_of, places_of_lists, stated_lists, without_lists
+
+LOADS = """
+# hovering
+[[duty]]
+output_torque = "2 N*m"
+sun_speed = "1500 rpm"
+share = "40 %"
+
+# moving
+[[duty]]
+output_torque = "-1 N*m"
+sun_speed = "3000 rpm"
+share = 0.6
+"""
+
+
+@pytest.fixture
+def planetary_text(zou_file):
+    return zou_file.with_name("planetary.toml").read_text(encoding="utf-8")
+
+
+def test_the_lists_are_those_that_a_file_may_leave_out():
+    assert lists_of(Case) == {"duty": None, "branch": "drive.planets"}
+    assert lists_of(PLANAR_CASES["planar"]) == {"duty": None, "branch": "drive.sectors"}
+    assert lists_of(PLANAR_CASES["multiroller"])["branch"] == "drive.rollers_per_row"
+
+
+def test_a_load_is_added_and_one_left_out(planetary_text):
+    new = {"output_torque": "3 N*m", "sun_speed": "100 rpm", "share": 0.4}
+    changes = {"duty": "2 0", **{f"duty.2.{key}": value for key, value in new.items()}}
+    request = JointRequest("a.toml", planetary_text + LOADS, changes)
+    case = request.case()
+    assert [load.output_torque.value for load in case.duty] == [-1.0, 3.0]
+    text = request.file_text()
+    assert "# moving" in text
+    assert "# hovering" not in text
+    assert JointRequest("a.toml", text).case() == case
+
+
+def test_all_loads_leave(planetary_text):
+    request = JointRequest("a.toml", planetary_text + LOADS, {"duty": ""})
+    assert request.case().duty is None
+    assert "duty" not in request.file_text()
+
+
+def test_shares_that_do_not_add_up_have_the_message_of_the_file(planetary_text):
+    with pytest.raises(InputError, match=r"shares of \[\[duty\]\] must add up to 1, they add up to 0.6"):
+        JointRequest("a.toml", planetary_text + LOADS, {"duty": "2"}).case()
+
+
+def test_branches_are_as_many_as_planets(planetary_text):
+    changes = {"branch": EACH, "branch.3.planet_deviation": "2 um", "branch.4.planet_deviation": "1 um"}
+    three = JointRequest("a.toml", planetary_text, changes)
+    assert [each.planet_deviation and each.planet_deviation.text for each in three.case().branch] == [
+        None, None, "2 um",
+    ]  # fmt: skip
+    four = JointRequest("a.toml", planetary_text, {**changes, "drive.planets": "4"})
+    assert four.case().branch[3].planet_deviation.text == "1 um"
+    assert JointRequest("a.toml", four.file_text()).case() == four.case()
+    fewer = JointRequest("a.toml", four.file_text(), {"branch": EACH, "drive.planets": 3})
+    assert fewer.case() == three.case()
+    equal = JointRequest("a.toml", four.file_text(), {"branch": ""})
+    assert equal.case().branch is None
+
+
+def test_another_number_of_planets_alone_is_refused_as_the_file_refuses_it(planetary_text):
+    text = JointRequest("a.toml", planetary_text, {"branch": EACH}).file_text()
+    with pytest.raises(InputError, match=r"has 4 planets, but there are 3 sections \[\[branch\]\]"):
+        JointRequest("a.toml", text, {"drive.planets": 4}).case()
+    with pytest.raises(InputError, match=r"drive\.planets"):
+        JointRequest("a.toml", text, {"branch": EACH, "drive.planets": "many"}).case()
+
+
+def test_branches_of_a_listed_drive_name_their_rollers(zou_file):
+    text = zou_file.with_name("planar.toml").read_text(encoding="utf-8")
+    preload = {"load.interference": "10 um"}  # which branches need
+    request = JointRequest("a.toml", text, {**preload, "branch": EACH, "branch.1.deviation.left": "1 um"})
+    case = request.case()
+    lists = stated_lists(case, request.file_tables)
+    assert lists["branch"]["keys"] == ["deviation.planet", "deviation.right", "deviation.left"]
+    assert lists["branch"]["of_file"] == []
+    assert lists["branch"]["most"] == 100
+    assert JointRequest("a.toml", request.file_text()).case() == case
+    gone = JointRequest("a.toml", request.file_text(), {"branch.1.deviation.left": ""})
+    assert not gone.case().branch[0].deviation
+
+
+def test_what_the_file_says_of_each_section(planetary_text):
+    request = JointRequest("a.toml", planetary_text + LOADS, {"duty": "2 1"})
+    found = stated_lists(request.case(), request.file_tables)["duty"]
+    assert found["keys"] == ["output_torque", "sun_speed", "share"]
+    assert [each["share"] for each in found["of_file"]] == ["40 %", "0.6"]
+    assert found["meaning"].startswith("Loads and their shares of the time")
+    assert found["most"] == 50
+
+
+@pytest.mark.parametrize(
+    ("changes", "said"),
+    [
+        ({"duty": "1,2"}, "wanted as their places"),
+        ({"duty": EACH}, "wanted as their places"),
+        ({"duty": "1 2 3"}, "the file has no section 3"),
+        ({"duty": "1 2" + 60 * " 0"}, "at most 50 loads|share"),
+        ({"duty.3.share": 0.1}, "do not fit the sections"),
+        ({"branch.1.planet_deviation": "1 um"}, "do not fit the sections"),
+    ],
+)
+def test_arrangements_that_are_refused(planetary_text, changes, said):
+    with pytest.raises(InputError, match=said):
+        JointRequest("a.toml", planetary_text + LOADS, changes).case()
+
+
+def test_a_section_that_is_no_list_is_said(planetary_text):
+    with pytest.raises(InputError, match=r"expected sections \[\[duty\]\]"):
+        JointRequest("a.toml", f"duty = 3\n{planetary_text}", {"duty": ""}).case()
+
+
+def test_only_changes_beyond_the_branches_wait():
+    changes = {"branch": EACH, "branch.2.a": 1, "branch.3.a": 1, "load.preload": 1, "duty.9.share": 1}
+    places = {"branch": [1, 2]}
+    assert set(without_lists(changes, places)) == {"branch.2.a", "load.preload", "duty.9.share"}
+    assert places_of_lists({"drive": {"planets": 2}}, changes, Case) == {"branch": [0, 0]}
