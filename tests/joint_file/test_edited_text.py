@@ -186,3 +186,17 @@ def test_loads_of_the_duty_are_counted_from_one():
     assert document.unwrap() == {"duty": [{"share": 0.4}, {}]}
     edited_text.leave_out(document, "duty.1.torque")
     assert document.unwrap() == {"duty": [{"share": 0.4}, {}]}
+
+
+def test_an_rz_stays_where_no_number_changes(example_text):
+    """As 'asperity serve' opens a file; a study, which varies Ra, writes Ra."""
+    text = example_text.replace('fractal_roughness = "', 'mean_roughness_depth = "1.6 um" # was "')
+    assert 'mean_roughness_depth = "1.6 um"' in text
+    case = parse_case(text, source="x")
+    assert joint_file_text(case, {}, comment="") == text
+    plain = joint_file_text(case.with_text(""), {}, comment="")
+    assert "roughness_average" not in plain
+    assert parse_case(plain, source="y") == case
+    changed = joint_file_text(case, {"load.preload": 900.0}, comment="")
+    assert "mean_roughness_depth" not in changed
+    assert "roughness_average" in changed

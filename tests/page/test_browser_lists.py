@@ -199,6 +199,10 @@ def test_the_lists_of_a_file_are_edited_and_put_back(page, tmp_path):
     assert "mean_roughness_depth" not in downloaded(page, "Save joint file", tmp_path / "ra.toml")
     do(page, lambda: page.keyboard.press("Control+z"))
     assert page.get_by_label("roughness given as", exact=True).input_value() == "Rz"
+    # another finish leaves the Rz of the drawing as it is
+    do(page, lambda: page.locator("#value-finish").select_option("honed"))
+    assert page.locator("#error").is_hidden()
+    assert field(page, "surface.mean_roughness_depth").input_value() == "0.4 um +- 0.1 um"
     # every control has a name, and the rows fit a small screen
     page.set_viewport_size({"width": 400, "height": 800})
     assert page.evaluate("document.documentElement.scrollWidth") <= 400

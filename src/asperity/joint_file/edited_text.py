@@ -71,7 +71,8 @@ def joint_file_text(case: AnyCase, changes: Mapping[str, float], *, comment: str
     -------
     str
         TOML with the comments of the original file. An entry of a library file of the user's is replaced by its
-        numbers, because its path would be wrong in another folder, and an Rz by the range of Ra that it was read as.
+        numbers, because its path would be wrong in another folder, and where numbers change, an Rz by the range of Ra
+        that it was read as.
     """
     stated, values = numeric_keys(case), si_values(case)
     kind = type_of(values)
@@ -123,8 +124,11 @@ def _edited(text: str, case: AnyCase, written: Mapping[str, float | str]) -> str
         for depth in (DEPTH, PARTNER_DEPTH):
             if depth not in stated:
                 continue
-            del table[depth]
             average = depth.replace(DEPTH, "roughness_average")
+            if not written:
+                table.pop(average, None)
+                continue
+            del table[depth]
             table.update({name: stated[name] for name in (average, "cut_off")})
     set_texts(document, written)
     return tomlkit.dumps(document)

@@ -135,7 +135,7 @@ export class Controls {
 
   /** Ra and Rz of a surface below the list that says which of them is given. */
   heightRows(path, row) {
-    const height = new Height(this, path, `${label(path).replace("roughness average", "roughness")} given as`);
+    const height = new Height(this, path, label(path).replace("roughness average", "roughness given as"));
     this.heights.push(height);
     return [height.node, row(path), row(height.depth)];
   }

@@ -41,7 +41,7 @@ export class Lists {
     const { of_file: ofFile, one_for_each: counted, most } = this.stated[name];
     const said = changes[name];
     if (said === undefined) return ofFile.map((_, i) => i + 1);
-    if (said !== EACH) return String(said).split(" ").filter(Boolean).map(Number);
+    if (said !== EACH) return String(said).split(" ", most).filter(Boolean).map((each) => Number(each) || 0); // links may say anything
     const count = Number(changes[counted] ?? this.counts[counted]);
     if (!(Number.isInteger(count) && count > 0 && count <= most)) return this.shown.get(name) || [];
     return Array.from({ length: count }, (_, i) => (i < ofFile.length ? i + 1 : 0));
@@ -100,7 +100,7 @@ export class Lists {
   text(row) {
     const changed = this.changes[row.path];
     if (changed !== undefined) return typeof changed === "number" ? row.text(changed) : changed;
-    return row.list.source ? this.stated[row.list.name].of_file[row.list.source - 1][row.list.key] || "" : "";
+    return row.list.source ? this.stated[row.list.name].of_file[row.list.source - 1]?.[row.list.key] ?? "" : "";
   }
 
   textAt(path) {
@@ -135,8 +135,8 @@ export class Lists {
   proposed(name, last, key, values) {
     const before = last ? this.textAt(`${name}.${last}.${key}`) : null;
     if (key !== "share") {
-      const row = this.controls.rows.get(`load.${key}`);
-      return before ?? (row ? row.text(this.controls.values[row.path].value) : "");
+      const [row, stated] = [this.controls.rows, new Map(Object.entries(this.controls.values))].map((each) => each.get(`load.${key}`));
+      return before ?? (row && stated ? row.text(stated.value) : "");
     }
     if (before === null) return 1;
     const half = rounded(shareOf(before) / 2);
