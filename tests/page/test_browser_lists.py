@@ -59,6 +59,7 @@ def downloaded(page, name, file):
     return file.read_text(encoding="utf-8")
 
 
+@pytest.mark.long
 def test_rz_branches_and_a_duty_are_set_undone_linked_and_downloaded(page, chromium, tmp_path):
     opened(page, "surface", "branch", "duty", "drive")
     # Rz in place of G; the file keeps what was written
@@ -170,6 +171,7 @@ def test_branches_need_an_interference_as_the_file_says(page):
     assert page.locator("[data-list=branch] fieldset").count() == 0
 
 
+@pytest.mark.long
 def test_the_lists_of_a_file_are_edited_and_put_back(page, tmp_path):
     file = tmp_path / "duty.toml"
     rows = [
