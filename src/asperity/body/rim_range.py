@@ -171,12 +171,15 @@ def rim_stresses(*, body: Annulus, loads: RimLoads, fineness: int = 1) -> RimStr
     period = 2.0 * math.pi / sectors
     middle = jnp.mean(loads.angles, axis=0, keepdims=True)
     others = jnp.concatenate([loads.angles, middle, middle + 0.5 * period])
-    turns = 2.0 * math.pi * np.outer(steps, numbers)
+    turns = (
+        2.0 * math.pi * jnp.outer(jnp.asarray(steps), jnp.asarray(numbers))
+    )  # its table as numbers would be most of the program
+    table = jnp.cos(turns), jnp.sin(turns)
     there = mode * others[:, None]
 
     def series(even: Array, odd: Array) -> Array:
         """Sum of even cos + odd sin over the modes, at the points of the grid by tables and at the others."""
-        grid = jnp.tensordot(np.cos(turns), even, axes=1) + jnp.tensordot(np.sin(turns), odd, axes=1)
+        grid = jnp.tensordot(table[0], even, axes=1) + jnp.tensordot(table[1], odd, axes=1)
         rest = jnp.sum(jnp.cos(there) * even + jnp.sin(there) * odd, axis=1)
         return jnp.concatenate([grid, jnp.broadcast_to(rest, (rest.shape[0], *grid.shape[1:]))])
 
