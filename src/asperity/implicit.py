@@ -45,7 +45,8 @@ def implicit_root(
     The implicit function theorem.
     """
     start = jax.lax.stop_gradient(start)
-    program, shape = jax.make_jaxpr(equations, return_shape=True)(start)
+    # a function of its own, so that each of its uses and derivatives is written once
+    program, shape = jax.make_jaxpr(jax.jit(equations), return_shape=True)(start)
     structure = jax.tree.structure(shape)
 
     def equations_of(x: Any, numbers: list[Any]) -> Any:

@@ -49,13 +49,13 @@ def closed(drive: PlanarDrive) -> PlanarDrive:
             centres = centres + move
             if np.max(np.abs(move)) <= _SHORTEST_STEP * _least_radius(drive):
                 break
-    return dataclasses.replace(drive, centres=centres)
+    return dataclasses.replace(drive, centres=centres, motion=None)
 
 
 @eqx.filter_jit
 def _traced_closed(drive: PlanarDrive) -> PlanarDrive:
     centres = jax.lax.fori_loop(0, _STEPS, lambda _, each: each + _move(drive, each), drive.centres)
-    return dataclasses.replace(drive, centres=centres)
+    return dataclasses.replace(drive, centres=centres, motion=None)
 
 
 def _least_radius(drive: PlanarDrive) -> Any:
@@ -65,7 +65,7 @@ def _least_radius(drive: PlanarDrive) -> Any:
 
 def _move(drive: PlanarDrive, centres: Any) -> Any:
     """How far all centres move in one step."""
-    xp, there = namespace(drive, centres), dataclasses.replace(drive, centres=centres)
+    xp, there = namespace(drive, centres), dataclasses.replace(drive, centres=centres, motion=None)
     approach, apart = incidence(there).approach, gaps(there)
     if xp is np and not (np.all(np.isfinite(approach)) and np.all(np.isfinite(apart))):
         return np.full_like(centres, np.nan)

@@ -8,8 +8,8 @@ the balance of forces.
 
 from __future__ import annotations
 
+import dataclasses
 import math
-from dataclasses import dataclass
 from typing import Any, Literal, NamedTuple
 
 import equinox as eqx
@@ -27,7 +27,7 @@ from asperity.types import Real
 CARRIER = "carrier"
 
 
-@dataclass(frozen=True)
+@dataclasses.dataclass(frozen=True)
 class Body:
     """One disc or ring.
 
@@ -45,7 +45,7 @@ class Body:
     place: Literal["axis", "free", "pin", "held"]
 
 
-@dataclass(frozen=True)
+@dataclasses.dataclass(frozen=True)
 class Contact:
     """Where two bodies touch.
 
@@ -69,58 +69,6 @@ class Contact:
     internal: bool = False
     sector: int = 0
     tracks: tuple[str, str] = ("", "")
-
-
-class PlanarDrive(eqx.Module):
-    """A drive of discs and rings in one plane. SI units; arrays have the body or contact axis first.
-
-    Parameters
-    ----------
-    bodies : tuple of Body
-        Bodies of one sector.
-    contacts : tuple of Contact
-        Contacts of one sector.
-    centres : Array
-        Centres of the bodies, shape (bodies, 2) [m].
-    first_radius, second_radius : Array
-        Radii of the two tracks of each contact, shape (contacts,) [m]; a stepped roller has one for each track.
-    push_angles : Array
-        Direction of each pin's push from the clockwise tangent, outward, one for each body on a pin, shape (pins,)
-        [rad].
-    sectors : Real
-        Number of sectors of the drive, whole; formulas take it as continuous.
-    input, output, grounded : str
-        Names of members: bodies on the axis, or :data:`CARRIER`.
-    sense : int
-        Sense of rotation of the input, +1 counter-clockwise, −1 clockwise.
-    """
-
-    bodies: tuple[Body, ...] = eqx.field(static=True)
-    contacts: tuple[Contact, ...] = eqx.field(static=True)
-    centres: Array
-    first_radius: Array
-    second_radius: Array
-    push_angles: Array
-    sectors: Real
-    input: str = eqx.field(static=True)
-    output: str = eqx.field(static=True)
-    grounded: str = eqx.field(static=True)
-    sense: int = eqx.field(static=True, default=1)
-
-    @property
-    def members(self) -> tuple[str, ...]:
-        """All rotating members: the bodies, then the carrier."""
-        return (*(body.name for body in self.bodies), CARRIER)
-
-    @property
-    def floating(self) -> tuple[int, ...]:
-        """Indices of the bodies whose centres can move."""
-        return tuple(i for i, body in enumerate(self.bodies) if body.place in ("free", "pin"))
-
-    @property
-    def pinned(self) -> tuple[int, ...]:
-        """Indices of the bodies on pins."""
-        return tuple(i for i, body in enumerate(self.bodies) if body.place == "pin")
 
 
 class Incidence(eqx.Module):
@@ -147,6 +95,62 @@ class Incidence(eqx.Module):
     turning: Array
     pins: Array
     levers: Array
+
+
+class PlanarDrive(eqx.Module):
+    """A drive of discs and rings in one plane. SI units; arrays have the body or contact axis first.
+
+    Parameters
+    ----------
+    bodies : tuple of Body
+        Bodies of one sector.
+    contacts : tuple of Contact
+        Contacts of one sector.
+    centres : Array
+        Centres of the bodies, shape (bodies, 2) [m].
+    first_radius, second_radius : Array
+        Radii of the two tracks of each contact, shape (contacts,) [m]; a stepped roller has one for each track.
+    push_angles : Array
+        Direction of each pin's push from the clockwise tangent, outward, one for each body on a pin, shape (pins,)
+        [rad].
+    sectors : Real
+        Number of sectors of the drive, whole; formulas take it as continuous.
+    input, output, grounded : str
+        Names of members: bodies on the axis, or :data:`CARRIER`.
+    sense : int
+        Sense of rotation of the input, +1 counter-clockwise, −1 clockwise.
+    motion : tuple or None, optional
+        What :func:`incidence`, :func:`speeds` and :func:`contact_angles` say; None where it is not known. It must not
+        be taken over to a drive of another layout.
+    """
+
+    bodies: tuple[Body, ...] = eqx.field(static=True)
+    contacts: tuple[Contact, ...] = eqx.field(static=True)
+    centres: Array
+    first_radius: Array
+    second_radius: Array
+    push_angles: Array
+    sectors: Real
+    input: str = eqx.field(static=True)
+    output: str = eqx.field(static=True)
+    grounded: str = eqx.field(static=True)
+    sense: int = eqx.field(static=True, default=1)
+    motion: tuple[Incidence, Array, tuple[Array, Array]] | None = None
+
+    @property
+    def members(self) -> tuple[str, ...]:
+        """All rotating members: the bodies, then the carrier."""
+        return (*(body.name for body in self.bodies), CARRIER)
+
+    @property
+    def floating(self) -> tuple[int, ...]:
+        """Indices of the bodies whose centres can move."""
+        return tuple(i for i, body in enumerate(self.bodies) if body.place in ("free", "pin"))
+
+    @property
+    def pinned(self) -> tuple[int, ...]:
+        """Indices of the bodies on pins."""
+        return tuple(i for i, body in enumerate(self.bodies) if body.place == "pin")
 
 
 def sectors_of_members(drive: PlanarDrive) -> Array:
@@ -246,6 +250,8 @@ def contact_angles(drive: PlanarDrive) -> tuple[Array, Array]:
     tuple of Array
         About the first and about the second body, counter-clockwise from the x axis, shape (contacts,) [rad].
     """
+    if drive.motion is not None:
+        return drive.motion[2]
     normals, copies = _normals(drive)
     towards = -_sides(drive).outward[:, None] * product(copies.swapaxes(1, 2), normals)
     xp = namespace(normals)
@@ -269,6 +275,8 @@ def incidence(drive: PlanarDrive) -> Incidence:
     ----------
     Plane kinematics of rigid bodies; equation (M1) of :doc:`/equations`.
     """
+    if drive.motion is not None:
+        return drive.motion[0]
     if namespace(drive) is not np:
         return _traced_incidence(drive)
     with np.errstate(all="ignore"):  # of a layout that cannot exist they are nan, as with JAX
@@ -346,6 +354,8 @@ def speeds(drive: PlanarDrive) -> Array:
     ----------
     Rolling without slip at every contact, relative to the carrier; equation (M2) of :doc:`/equations`.
     """
+    if drive.motion is not None:
+        return drive.motion[1]
     turning = incidence(drive).turning
     members = drive.members
     known = [members.index(drive.input), members.index(drive.grounded)]

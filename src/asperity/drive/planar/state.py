@@ -8,6 +8,7 @@ import equinox as eqx
 import jax.numpy as jnp
 from jax import Array
 
+from asperity.body.rim_moments import RimKernel
 from asperity.contact.crowned_shear import crown_slip
 from asperity.drive.mechanism import Bearings, NormalSprings
 from asperity.drive.planar.layout import CARRIER, PlanarDrive
@@ -45,6 +46,8 @@ class ContactLaws(eqx.Module):
         [m/N]; None where every contact deforms under its own force only.
     lateral_strain_compliance : Array or None, optional
         :math:`\sum \nu (1 + \nu)/E` of both bodies [1/Pa]; needed where the springs have crowns.
+    rims : RimKernel or None, optional
+        What the bodies have contributed to the springs at every load; None where it is not known.
     """
 
     springs: NormalSprings
@@ -53,6 +56,7 @@ class ContactLaws(eqx.Module):
     asperity_compliance: Array | None = None
     coupling: Array | None = None
     lateral_strain_compliance: Array | None = None
+    rims: RimKernel | None = None
 
 
 class DriveLoad(eqx.Module):

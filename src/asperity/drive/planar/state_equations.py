@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 from typing import Any, NamedTuple
 
 import jax
@@ -290,6 +291,7 @@ class Misfits(NamedTuple):
     held: Array
 
 
+@functools.partial(jax.jit, static_argnames="by_force")  # traced once for all kinds of states
 def state_misfits(machine: Machine, task: Task, by_force: bool, slides: Array, x: Unknowns) -> Misfits:
     """All equations of a state.
 

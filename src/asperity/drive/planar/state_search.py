@@ -93,10 +93,11 @@ def started_from(machine: Machine, state: PlanarState, size: Array) -> Unknowns:
 
 
 class _Search(NamedTuple):
-    """The last balance that was found and the contacts that slide in it; those that slide in the next trial."""
+    """The last balance, the contacts that slide in it and what they hold; those that slide in the next trial."""
 
     found: Unknowns
     slides: Array
+    held: Array
     trial: Array
     going: Array
     steps: Array
@@ -152,17 +153,20 @@ def solved(
         tried, last = newton(
             lambda x: misfits(x).all, state.found, positive=first.normal.size, longest=longest
         )
-        balanced = (_worst(misfits(tried).all) < _BALANCED) & (last < _DETERMINED)
+        found_there = misfits(tried)
+        balanced = (_worst(found_there.all) < _BALANCED) & (last < _DETERMINED)
         kept = balanced | (state.steps == 0)
-        found, slides = jax.tree.map(
-            lambda new, old: jnp.where(kept, new, old), (tried, state.trial), (state.found, state.slides)
+        found, slides, held = jax.tree.map(
+            lambda new, old: jnp.where(kept, new, old),
+            (tried, state.trial, found_there.held),
+            (state.found, state.slides, state.held),
         )
-        trial = _next_slides(found, slides, misfits(found).held)
+        trial = _next_slides(found, slides, held)
         going = balanced & stands & jnp.any(trial != slides) & (state.steps < 2 * slides.size)
-        return _Search(found, slides, trial, going, state.steps + 1)
+        return _Search(found, slides, held, trial, going, state.steps + 1)
 
     begin = jnp.zeros_like(first.normal) if slides is None else jax.lax.stop_gradient(slides)
-    start_of = _Search(first, begin, begin, jnp.asarray(True), jnp.asarray(0))
+    start_of = _Search(first, begin, begin, begin, jnp.asarray(True), jnp.asarray(0))
     end = jax.lax.while_loop(unfinished, improve, start_of)
     found = known_root(lambda x: state_misfits(machine, task, by_force, end.slides, x).all, end.found)
     return found, end.slides

@@ -71,6 +71,7 @@ def unfolded(drive: PlanarDrive, *, sectors: int, floating: tuple[str, ...] = ()
         second_radius=jnp.tile(drive.second_radius, sectors),
         push_angles=jnp.tile(drive.push_angles, sectors),
         sectors=1.0,
+        motion=None,
     )
 
 
@@ -104,7 +105,7 @@ def forces_on_centre(
     Balance of each body; equations (I4) and (M1) of :doc:`/equations`.
     """
     loose = tuple(Body(each.name, "free" if each.place == "held" else each.place) for each in drive.bodies)
-    matrices = incidence(dataclasses.replace(drive, bodies=loose))
+    matrices = incidence(dataclasses.replace(drive, bodies=loose, motion=None))
     on_bodies = -(matrices.approach.T @ normal + matrices.sliding.T @ tangential).reshape(-1, 2)
     on_carrier = (matrices.pins.T @ pin_force).reshape(-1, 2).sum(axis=0)
     numbers = jnp.array([drive.members.index(name) for name in bodies])
