@@ -108,6 +108,7 @@ def coupled_compliance(
     contact_lengths: Real,
     half_widths: Array,
     stick_half_widths: Array,
+    kernel: RimKernel | None = None,
 ) -> Array:
     r"""Compliance matrix of all contacts of one sector of a machine of elastic bodies.
 
@@ -124,6 +125,8 @@ def coupled_compliance(
         Their half-widths, shape (m, ...) [m].
     stick_half_widths : Array
         Half-widths of their stick zones, shape (m, ...) [m].
+    kernel : RimKernel or None, optional
+        Of :func:`machine_kernel`, where it is known already.
 
     Returns
     -------
@@ -146,7 +149,8 @@ def coupled_compliance(
     rank, count = half_widths.ndim - 1, half_widths.shape[0]
     places, whole = _places(bodies), len(bodies)
     numbers = _numbers(bodies, rank)
-    kernel = _kernel(bodies, places, numbers, rank)
+    if kernel is None:
+        kernel = _kernel(bodies, places, numbers, rank)
 
     # contacts on themselves, normal and tangential, then pairs: both normal, both tangential, and mixed
     widths = jnp.concatenate([half_widths, stick_half_widths])
@@ -246,6 +250,26 @@ def _too_wide(bodies: Sequence[BodyInMachine], half_widths: Array) -> Array:
             widest = jnp.max(half_widths[np.array(member.contacts)], axis=0)
             wide = wide | (widest > WIDEST_CONTACT * wall)
     return wide
+
+
+def machine_kernel(bodies: Sequence[BodyInMachine]) -> RimKernel:
+    """What no load changes in the compliance of a machine of single numbers, for several loads.
+
+    Parameters
+    ----------
+    bodies : sequence of BodyInMachine
+        The bodies.
+
+    Returns
+    -------
+    RimKernel
+        For :func:`coupled_compliance`.
+
+    References
+    ----------
+    Equations (E1)–(E3) of :doc:`/equations`.
+    """
+    return _kernel(bodies, _places(bodies), _numbers(bodies, 0), 0)
 
 
 def _kernel(bodies: Sequence[BodyInMachine], places: _Places, numbers: _Numbers, rank: int) -> RimKernel:

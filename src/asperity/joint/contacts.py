@@ -5,9 +5,11 @@ from __future__ import annotations
 from typing import NamedTuple
 
 import equinox as eqx
+import jax
 import jax.numpy as jnp
 from jax import Array
 
+from asperity.body.rim_moments import RimKernel
 from asperity.contact.crowned_line import CrownedLine
 from asperity.contact.fractal import FractalContact
 from asperity.contact.hertz_line import (
@@ -49,6 +51,8 @@ class JointContacts(eqx.Module):
         Model of lambda.
     crown_curvature : Array or None
         Curvatures of the crowns, shape (contacts, ...) [1/m]; None where no roller is crowned.
+    rims : RimKernel or None, optional
+        Of the exact bodies, :func:`asperity.body.coupling.machine_kernel`; None where it is not known.
     """
 
     pairs: RollerPairs
@@ -57,6 +61,7 @@ class JointContacts(eqx.Module):
     ring_wall_thickness: Real
     contact_factor_model: ContactFactorModel = eqx.field(static=True)
     crown_curvature: Array | None = None
+    rims: RimKernel | None = None
 
     def loads_along(self, normal_force: Array) -> CrownedLine | None:
         """How the loads spread over the lines of crowned contacts; None where they are even.
@@ -276,6 +281,7 @@ def closure_springs(*, contacts: JointContacts, rest_force: Array, model: Closur
     )
 
 
+@jax.jit  # traced once for all states of the contacts
 def rough_joint_contacts(
     *,
     contacts: JointContacts,

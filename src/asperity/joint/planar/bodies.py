@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+import dataclasses
 import math
 
 import jax.numpy as jnp
 import numpy as np
 from jax import Array
 
-from asperity.body.coupling import BodyInMachine, coupled_compliance
+from asperity.body.coupling import BodyInMachine, coupled_compliance, machine_kernel
 from asperity.body.rim_moments import WIDEST_CONTACT, walls_resolved
 from asperity.body.shapes import Annulus, Disc
 from asperity.contact.hertz_line import (
@@ -149,6 +150,7 @@ def body_compliance(
             contact_lengths=contacts.pairs.contact_length,
             half_widths=half_width,
             stick_half_widths=stick_half_width,
+            kernel=contacts.rims,
         )
     if exact.all():
         return found
@@ -167,6 +169,25 @@ def body_compliance(
             parts.append(jnp.where(known, 0.0, secant - bend))
         own.append(parts[0] + parts[1])
     return found + jnp.diag(jnp.concatenate(own))
+
+
+def with_rims(joint: PlanarJoint, contacts: JointContacts) -> JointContacts:
+    """The contacts of a joint, with what its exact bodies do at every load.
+
+    Parameters
+    ----------
+    joint : PlanarJoint
+        The joint.
+    contacts : JointContacts
+        Its contacts.
+
+    Returns
+    -------
+    JointContacts
+        The same contacts, for :func:`body_compliance`.
+    """
+    bodies = exact_bodies(joint) if joint.body_model == "exact" else []
+    return dataclasses.replace(contacts, rims=machine_kernel(bodies)) if bodies else contacts
 
 
 def walls_known(*, joint: PlanarJoint, half_width: Array) -> Array:

@@ -18,9 +18,15 @@ from asperity.drive.planar.state import SLIP_TOLERANCE, STATE_TOLERANCE, Contact
 from asperity.drive.planar.states import loaded_state
 from asperity.joint.capacity import TorqueCapacity, named_capacity
 from asperity.joint.planar.bodies import exact_bodies
-from asperity.joint.planar.description import PlanarJoint, body_masses, planar_contacts, tracks_of
+from asperity.joint.planar.description import (
+    PlanarJoint,
+    body_masses,
+    planar_contacts,
+    tracks_of,
+)
 from asperity.joint.planar.laws import creep_law, drive_load
 from asperity.joint.planar.loading_cam import Pressed, pressed_at
+from asperity.joint.planar.motion import in_motion
 from asperity.joint.rolling_creep import ContactCreep, capacity_loss
 from asperity.types import Real
 
@@ -201,7 +207,8 @@ def limiting_torques(
     ----------
     Equations (A9), (B3) and (M3) of :doc:`/equations`.
     """
-    drive, contacts = joint.drive, planar_contacts(joint)
+    joint = in_motion(joint)
+    drive, contacts = joint.drive, dataclasses.replace(planar_contacts(joint), rims=laws.rims)
     masses, sizes, walls = body_masses(joint), smaller_sizes(joint), _widths_of_walls(joint)
     friction = contacts.pairs.friction_coefficient
     unloaded = drive_load(joint, masses, 0.0)

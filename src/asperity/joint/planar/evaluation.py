@@ -21,6 +21,7 @@ from asperity.drive.rolling_speeds import BodiesOfContacts
 from asperity.drive.torsional_stiffness import TorsionalStiffness, contact_torsional_stiffness
 from asperity.joint.diagnostics import Diagnostics, diagnose
 from asperity.joint.duty import with_duty_life
+from asperity.joint.planar.bodies import with_rims
 from asperity.joint.planar.description import (
     PlanarJoint,
     bodies_of_contacts,
@@ -35,6 +36,7 @@ from asperity.joint.planar.loading_cam import (
     turned_cam,
     with_its_cam,
 )
+from asperity.joint.planar.motion import in_motion
 from asperity.joint.planar.stiffness import loaded_stiffness
 from asperity.joint.planar.turning import driving_sense, rolling_at, turning
 from asperity.joint.rolling import RollingResult
@@ -182,6 +184,7 @@ def evaluated_with_laws(joint: PlanarJoint) -> tuple[PlanarResult, ContactLaws]:
     ----------
     Equations (M1)–(M4) of :doc:`/equations`.
     """
+    joint = in_motion(joint)
     laws, states = laws_and_states(joint)
     return planar_result(joint, laws, states), laws
 
@@ -203,8 +206,8 @@ def laws_and_states(joint: PlanarJoint) -> tuple[ContactLaws, DriveStates]:
     ----------
     Equation (M3) of :doc:`/equations`.
     """
-    joint = jax.tree.map(lambda leaf: jnp.asarray(leaf, dtype=float), joint)
-    contacts = planar_contacts(joint)
+    joint = in_motion(jax.tree.map(lambda leaf: jnp.asarray(leaf, dtype=float), joint))
+    contacts = with_rims(joint, planar_contacts(joint))
     load = drive_load(joint, body_masses(joint), joint.output_torque)
     return states_under_torque(
         joint, contacts, load, lambda normal, tangential: creep_law(joint, contacts, normal, tangential).law
@@ -232,12 +235,11 @@ def planar_result(joint: PlanarJoint, laws: ContactLaws, states: DriveStates) ->
     ----------
     Equations (M1)–(M4) of :doc:`/equations`.
     """
-    joint = jax.tree.map(lambda leaf: jnp.asarray(leaf, dtype=float), joint)
-    drive, contacts = joint.drive, planar_contacts(joint)
+    joint = in_motion(jax.tree.map(lambda leaf: jnp.asarray(leaf, dtype=float), joint))
+    drive, contacts = joint.drive, dataclasses.replace(planar_contacts(joint), rims=laws.rims)
     masses = body_masses(joint)
     rest = states.rest if states.pressed is None else states.pressed
     cam = turned_cam(joint, contacts, states.rest, rest)
-    creep = creep_law(joint, contacts, states.standing.normal, states.standing.tangential)
     sense = driving_sense(drive)
     standing, rolling = (
         dataclasses.replace(state, tangential=sense * state.tangential, creepage=sense * state.creepage)
@@ -246,6 +248,13 @@ def planar_result(joint: PlanarJoint, laws: ContactLaws, states: DriveStates) ->
     slides = standing.slides != 0.0
     stiffness = loaded_stiffness(joint, contacts, standing.normal, standing.tangential, standing.slides)
     loaded = stiffness.contacts
+    creep = creep_law(
+        joint,
+        contacts,
+        states.standing.normal,
+        states.standing.tangential,
+        stiffness=loaded.rough.normal_stiffness,
+    )
     inside = np.array([contact.internal for contact in drive.contacts])
     ideal = speeds(drive)
     diagnostics = diagnose(

@@ -57,12 +57,15 @@ def contact_laws(joint: PlanarJoint, contacts: JointContacts) -> ContactLaws:
     return ContactLaws(
         springs=with_crowns(springs, contacts=contacts, rest_force=reference),
         reference_force=reference,
-        creep=creep_law(joint, contacts, reference, jnp.zeros_like(reference)).law,
+        creep=creep_law(
+            joint, contacts, reference, jnp.zeros_like(reference), stiffness=rough.normal_stiffness
+        ).law,
         asperity_compliance=jnp.where(stiff, 1.0 / jnp.where(stiff, rough.tangential_stiffness, 1.0), 0.0),
         coupling=coupling,
         lateral_strain_compliance=(
             lateral_strain_compliance(contacts.driving, contacts.driven) if crowned else None
         ),
+        rims=contacts.rims,
     )
 
 
@@ -122,7 +125,12 @@ def _approach(
 
 
 def creep_law(
-    joint: PlanarJoint, contacts: JointContacts, normal_force: Array, tangential_force: Array
+    joint: PlanarJoint,
+    contacts: JointContacts,
+    normal_force: Array,
+    tangential_force: Array,
+    *,
+    stiffness: Array | None = None,
 ) -> ContactCreep:
     """Creep of the contacts of a drive with the factors of asperities and skew under its standing forces.
 
@@ -134,6 +142,8 @@ def creep_law(
         The contacts.
     normal_force, tangential_force : Array
         Forces, shape (contacts,) [N].
+    stiffness : Array or None, optional
+        Normal stiffness of the asperities under them, where it is known already, shape (contacts,) [N/m].
 
     Returns
     -------
@@ -144,15 +154,16 @@ def creep_law(
     ----------
     Equations (B1) and (B3) of :doc:`/equations`.
     """
-    rough = rough_joint_contacts(
-        contacts=contacts, normal_force=normal_force, tangential_force=jnp.zeros_like(tangential_force)
-    )
+    if stiffness is None:
+        stiffness = rough_joint_contacts(
+            contacts=contacts, normal_force=normal_force, tangential_force=jnp.zeros_like(tangential_force)
+        ).normal_stiffness
     found = contact_creep(
         contacts=contacts,
         skew=joint.rolling.skew,
         normal_force=normal_force,
         tangential_force=tangential_force,
-        asperity_normal_stiffness=rough.normal_stiffness,
+        asperity_normal_stiffness=stiffness,
     )
     scale = jnp.asarray(found.law.gross_slip_scale)
     friction = jnp.broadcast_to(found.law.friction_coefficient, scale.shape)

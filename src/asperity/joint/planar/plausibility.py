@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 
-from asperity.compilation import call_compiled
+from asperity.contact.hertz_line import effective_radius
 from asperity.joint.contact_notes import Note, contact_notes, crown_notes
-from asperity.joint.planar.description import PlanarJoint, planar_contacts
+from asperity.joint.planar.description import PlanarJoint
 from asperity.joint.planar.evaluation import PlanarResult
 
 
@@ -25,18 +25,27 @@ def planar_plausibility(joint: PlanarJoint, result: PlanarResult) -> tuple[Note,
     tuple of Note
         One or more for each contact; those that are not ok are warnings.
     """
-    contacts = call_compiled(planar_contacts, joint)
-    pairs, crowns = contacts.pairs, contacts.crown_curvature
-    smaller = np.minimum(np.asarray(joint.drive.first_radius), np.asarray(joint.drive.second_radius))
+    drive, crowns = joint.drive, joint.crown_curvatures
+    first, second = (np.asarray(radii, dtype=float) for radii in (drive.first_radius, drive.second_radius))
+    frictions, lengths = (
+        np.broadcast_to(np.asarray(values, dtype=float), first.shape)
+        for values in (joint.friction_coefficients, joint.contact_lengths)
+    )
     films = np.asarray(result.rolling.film_ratio)
     notes: list[Note] = []
     for index, name in enumerate(result.contact_names):
         notes += contact_notes(
             name,
-            friction_coefficient=float(np.asarray(pairs.friction_coefficient)[index]),
-            contact_length=float(np.asarray(pairs.contact_length)[index]),
-            smaller_radius=float(smaller[index]),
-            effective_radius=float(np.asarray(pairs.effective_radius)[index]),
+            friction_coefficient=float(frictions[index]),
+            contact_length=float(lengths[index]),
+            smaller_radius=min(float(first[index]), float(second[index])),
+            effective_radius=float(
+                effective_radius(
+                    radius_1=float(first[index]),
+                    radius_2=float(second[index]),
+                    sign=-1.0 if drive.contacts[index].internal else 1.0,
+                )
+            ),
             film_ratio=float(films[index]),
             contact_factor_model=joint.contact_factor_model,
         )

@@ -16,6 +16,7 @@ from asperity.joint.capacity import LIMIT_KINDS, MODEL_LIMITS, TorqueCapacity, l
 from asperity.joint.planar.capacity import PlanarCapacity, planar_capacity
 from asperity.joint.planar.description import PlanarJoint, tracks_of
 from asperity.joint.planar.evaluation import PlanarResult, laws_and_states, planar_result
+from asperity.joint.planar.motion import in_motion
 from asperity.joint.planar.rims import bends, planar_rims
 from asperity.joint.refusal import refuse_short_contacts
 from asperity.joint.temperature import refuse_loose
@@ -60,6 +61,7 @@ def result_and_capacity(joint: PlanarJoint) -> tuple[PlanarResult, PlanarCapacit
     PlanarResult, PlanarCapacity
         Results, and torque capacities in both directions, with leaves as NumPy arrays.
     """
+    joint = in_motion(joint)
     first = compile_fast(laws_and_states, joint)
     laws, states = first.results
     second = compile_fast(planar_result, joint, laws, states)

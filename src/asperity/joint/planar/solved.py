@@ -24,6 +24,7 @@ from asperity.joint.planar.bearing_lives import planar_bearing_lives
 from asperity.joint.planar.capacity import capacity_both_ways
 from asperity.joint.planar.description import PlanarJoint, tracks_of
 from asperity.joint.planar.evaluation import PlanarResult, laws_and_states, planar_result
+from asperity.joint.planar.motion import in_motion
 from asperity.joint.planar.plausibility import planar_plausibility
 from asperity.joint.planar.rims import branch_rims, planar_rims
 from asperity.joint.planar.solve import PlanarSolution
@@ -148,14 +149,15 @@ class SolvedPlanarJoint(SolvedJoint):
             there = dataclasses.replace(
                 numbers, output_torque=point.output_torque, input_speed=point.sun_speed
             )
-            laws, states = compile_fast(laws_and_states, there)(there)
-            result: PlanarResult = compile_fast(planar_result, there, laws, states)(there, laws, states)
+            moving = in_motion(there)
+            laws, states = compile_fast(laws_and_states, moving)(moving)
+            result: PlanarResult = compile_fast(planar_result, moving, laws, states)(moving, laws, states)
             found.append((there, jax.tree.map(np.asarray, result)))
         return tuple(found)
 
     def _rims(self, joint: PlanarJoint, result: PlanarResult) -> Any:
         """The bodies along the last axis."""
-        return call_compiled(planar_rims, joint, result)
+        return call_compiled(planar_rims, in_motion(joint), result)
 
     def _branch_rims(self, working: np.ndarray, rest: np.ndarray) -> Any:
         given = (self.joint, working, rest)

@@ -134,18 +134,20 @@ def stiffness_levels(
         acts = jnp.asarray(stiffness) > 0.0
         return jnp.where(acts, 1.0 / jnp.where(acts, stiffness, 1.0), jnp.nan)
 
-    def at_both_ends(output: Array) -> TorsionalStiffness:
-        return TorsionalStiffness(sun=output / ratio**2, output=output)
-
-    held = [
-        planar_stiffness(
+    def with_held_centres(tangential: Array) -> Array:
+        return planar_stiffness(
             drive=drive,
             normal_compliance=None,
             tangential_compliance=compliance(tangential),
             sliding_friction=sliding_friction,
         ).output
-        for tangential in (interfaces.asperity_tangential, interfaces.tangential)
-    ]
+
+    def at_both_ends(output: Array) -> TorsionalStiffness:
+        return TorsionalStiffness(sun=output / ratio**2, output=output)
+
+    held = jax.vmap(with_held_centres)(
+        jnp.stack([jnp.asarray(interfaces.asperity_tangential), jnp.asarray(interfaces.tangential)])
+    )
     normal, tangential, coupling = interfaces.normal, interfaces.tangential, None
     if joint.body_model == "exact":
         width, stick = widths_of_bodies(contacts=contacts, loaded=loaded)

@@ -69,11 +69,11 @@ def rolling_at(
     ----------
     Equations (B1) and (M3) of :doc:`/equations`.
     """
-    masses, sense = body_masses(joint), driving_sense(joint.drive)
     pressed = pressed_at(joint, contacts, without_torque)
 
     def rolled(torque: Array, speed: Array) -> RollingResult:
         there = dataclasses.replace(joint, output_torque=torque, input_speed=speed)
+        masses, sense = body_masses(joint), driving_sense(joint.drive)
         laws, rest = pressed(torque)
         standing, rolling = loaded_states(
             drive=joint.drive,
