@@ -43,8 +43,8 @@ from asperity.types import Real
 __all__ = ["Bodies", "Joint", "JointResult", "evaluate", "mechanism"]
 
 
-class JointResult(eqx.Module):
-    """Everything the chain says about a joint. SI units; contact arrays have the contact axis first.
+class StandingResult(eqx.Module):
+    """What the chain says about a joint at rest. SI units; contact arrays have the contact axis first.
 
     Parameters
     ----------
@@ -76,8 +76,6 @@ class JointResult(eqx.Module):
         Angle at the output by which a loading cam has turned, without sign [rad]; 0 without one.
     diagnostics : Diagnostics
         Limits of the model and how close this joint is to each.
-    rolling : RollingResult
-        The joint that turns: creep, drift, axial forces, losses, life; its forces differ a little from those at rest.
     contact_law_holds : Array
         Whether every loaded contact has an elastic spot. Where all are plastic the contact law has no stiffness, which
         is wrong: the three levels are then nan.
@@ -103,10 +101,21 @@ class JointResult(eqx.Module):
     interference: Array
     cam_angle: Array
     diagnostics: Diagnostics
-    rolling: RollingResult
     contact_law_holds: Array
     walls_hold: Array
     solved: Array
+
+
+class JointResult(StandingResult):
+    """Everything the chain says about a joint.
+
+    Parameters
+    ----------
+    rolling : RollingResult
+        The joint that turns: creep, drift, axial forces, losses, life; its forces differ a little from those at rest.
+    """
+
+    rolling: RollingResult
 
     @property
     def contact_names(self) -> tuple[str, ...]:
@@ -276,6 +285,23 @@ def evaluate(joint: Joint) -> JointResult:
     JointResult
         Everything, in the broadcast shape.
     """
+    standing, contacts, drive = standing_joint(joint)
+    return JointResult(**vars(standing), rolling=rolling_joint(joint, standing, contacts, drive))
+
+
+def standing_joint(joint: Joint) -> tuple[StandingResult, JointContacts, Mechanism]:
+    """The first part of the chain: the joint at rest under its torque.
+
+    Parameters
+    ----------
+    joint : Joint
+        As of :func:`evaluate`.
+
+    Returns
+    -------
+    StandingResult, JointContacts, Mechanism
+        What it does at rest; its contacts and its drive for :func:`rolling_joint`.
+    """
     joint = with_one_rank(joint)
     geometry = joint.geometry
     contacts = joint_contacts(joint)
@@ -311,7 +337,7 @@ def evaluate(joint: Joint) -> JointResult:
         walls = walls & jnp.all(loaded.lines.solved | (forces.normal <= 0.0), axis=0)
     published, series = jax.tree.map(lambda value: jnp.where(law_holds, value, jnp.nan), (published, series))
     assembly = jax.tree.map(lambda value: jnp.where(law_holds & walls, value, jnp.nan), assembly)
-    return JointResult(
+    result = StandingResult(
         angles=angles(drive.sides),
         speed_ratio=speed_ratio(geometry),
         output_speed=drive.carrier_speed,
@@ -338,19 +364,37 @@ def evaluate(joint: Joint) -> JointResult:
                 sides=drive.sides, friction_coefficient=contacts.pairs.friction_coefficient
             ),
         ),
-        rolling=_rolling(joint, contacts, drive, forces, loaded.rough.normal_stiffness),
         contact_law_holds=law_holds,
         walls_hold=walls,
         solved=(forces.balance_residual < BALANCE_TOLERANCE) & (forces.closure_residual < BALANCE_TOLERANCE),
     )
+    return result, contacts, drive
 
 
-def _rolling(
-    joint: Joint, contacts: JointContacts, drive: Mechanism, forces: DriveForces, stiffness: Array
+def rolling_joint(
+    joint: Joint, standing: StandingResult, contacts: JointContacts, drive: Mechanism
 ) -> RollingResult:
-    """The joint that turns, with its life under the duty if it has one."""
+    """The second part of the chain: the joint that turns, with its life under the duty if it has one.
+
+    Parameters
+    ----------
+    joint : Joint
+        As of :func:`evaluate`.
+    standing, contacts, drive
+        Of :func:`standing_joint`.
+
+    Returns
+    -------
+    RollingResult
+        Creep, drift, axial forces, losses and life.
+    """
+    joint = with_one_rank(joint)
     found = rolling_result(
-        joint=joint, contacts=contacts, mechanism=drive, forces=forces, asperity_normal_stiffness=stiffness
+        joint=joint,
+        contacts=contacts,
+        mechanism=drive,
+        forces=standing.forces,
+        asperity_normal_stiffness=standing.contacts.normal_stiffness,
     )
 
     def rolled(torque: Array, speed: Array) -> RollingResult:

@@ -10,10 +10,10 @@ from collections.abc import Callable
 import jax
 import numpy as np
 
-from asperity.compilation import compile_fast
 from asperity.errors import NoSolutionError
 from asperity.joint.description import Joint
-from asperity.joint.evaluation import JointResult, evaluate
+from asperity.joint.evaluated import evaluated
+from asperity.joint.evaluation import JointResult
 from asperity.joint.rolling_document import unknown_because
 from asperity.joint.solve import Solution
 from asperity.units import format_quantity
@@ -46,12 +46,11 @@ def rolling_capacity_of(joint: Joint, solution: Solution, *, direction: float) -
         planet loads the weaker side more; infinite or nan where the capacity at rest is.
     """
     numbers: Joint = jax.tree.map(lambda leaf: np.asarray(leaf, dtype=float), joint)
-    program = compile_fast(evaluate, numbers)
     at_rest = solution.reverse_capacity if direction < 0.0 else solution.capacity
 
     def slip(torque: float) -> float:
         return _worst_slip(
-            program(dataclasses.replace(numbers, output_torque=np.float64(direction * torque)))
+            evaluated(dataclasses.replace(numbers, output_torque=np.float64(direction * torque)))
         )
 
     own, ratio = direction * float(joint.output_torque), _worst_slip(solution.result)

@@ -15,7 +15,8 @@ from asperity.drive.geometry import Clearance, clearances
 from asperity.errors import InputError
 from asperity.joint.capacity import LIMIT_KINDS, TorqueCapacity, limit_words, torque_capacity
 from asperity.joint.description import Joint, with_one_rank
-from asperity.joint.evaluation import JointResult, evaluate
+from asperity.joint.evaluated import chain_programs, evaluated
+from asperity.joint.evaluation import JointResult
 from asperity.joint.plausibility import CheckedSizes, checked_sizes
 from asperity.joint.refusal import (
     refuse_bad_numbers,
@@ -94,9 +95,9 @@ def solve(joint: Joint) -> Solution:
     numbers: Joint = jax.tree.map(lambda leaf: np.asarray(leaf, dtype=float), joint)
     refuse_loose(numbers.fit)
     refuse_bad_numbers(numbers)
-    chain = compile_fast(evaluate, numbers)
-    limits = compile_fast(_limits, numbers, chain.results)
-    result = jax.tree.map(np.asarray, chain(numbers))
+    *_, shapes = chain_programs(numbers)
+    limits = compile_fast(_limits, numbers, shapes)
+    result = evaluated(numbers)
     gaps, capacities, sizes = jax.tree.map(np.asarray, limits(numbers, result))
     capacity, reverse = (jax.tree.map(lambda leaf, i=i: leaf[..., i], capacities) for i in range(2))
     in_direction = reverse if float(numbers.output_torque) < 0.0 else capacity

@@ -8,10 +8,10 @@ import functools
 import jax
 import numpy as np
 
-from asperity.compilation import compile_fast
 from asperity.joint.branch_results import UnequalBranches
 from asperity.joint.description import Joint
-from asperity.joint.evaluation import JointResult, evaluate
+from asperity.joint.evaluated import evaluated
+from asperity.joint.evaluation import JointResult
 from asperity.joint.loss_note import loss_notes, skew_notes
 from asperity.joint.plausibility import plausibility
 from asperity.joint.results.result import SolvedJoint
@@ -52,7 +52,7 @@ class SolvedPapersJoint(SolvedJoint):
         found = []
         for point in numbers.rolling.duty:
             there = dataclasses.replace(numbers, output_torque=point.output_torque, sun_speed=point.sun_speed)
-            found.append((there, jax.tree.map(np.asarray, compile_fast(evaluate, numbers)(there))))
+            found.append((there, evaluated(there)))
         return tuple(found)
 
     @functools.cached_property

@@ -15,6 +15,7 @@ from asperity.drive.force_balance import BALANCE_TOLERANCE
 from asperity.drive.geometry import CONTACT_NAMES
 from asperity.errors import NoSolutionError
 from asperity.joint.description import Joint
+from asperity.joint.evaluated import evaluated
 from asperity.joint.evaluation import JointResult, evaluate
 from asperity.units import format_quantity
 
@@ -86,7 +87,7 @@ def _refuse_plastic_springs(joint: Joint) -> None:
     rest = dataclasses.replace(
         joint, closure_springs="bulk", output_torque=np.float64(0.0), sun_speed=np.float64(0.0)
     )
-    result = compile_fast(evaluate, rest)(rest)
+    result = evaluated(rest)
     ratio = np.asarray(result.diagnostics.critical_over_largest_spot)
     plastic = [name for name, value in zip(CONTACT_NAMES, ratio, strict=True) if value >= 1.0]
     if plastic and bool(result.solved):
