@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import math
 
+import jax
 import jax.numpy as jnp
 import numpy as np
 
@@ -201,6 +202,7 @@ def _tabulated(coefficients: list[list[float]], layer_ratio: Real, slip_ratio: R
     return 1.0 + 0.5 * math.pi * layer_ratio * jnp.exp(shape)
 
 
+@jax.jit  # traced once for all states of the contacts
 def uniform_layer_creepage_factor(*, layer_ratio: Real, slip_ratio: Real) -> Real:
     r"""Steady creepage over Carter's with a layer of uniform tangential compliance.
 
