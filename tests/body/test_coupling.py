@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from asperity.body.compliance import compliance_matrix
-from asperity.body.coupling import coupled_compliance
+from asperity.body.coupling import coupled_compliance, machine_kernel
 from asperity.drive.assembly import branch_assembly
 from asperity.drive.geometry import triangle
 from asperity.drive.planar_assembly import elongation_matrix
@@ -167,3 +167,21 @@ def test_elongations_of_the_assembly_are_those_of_the_bodies(joint):
             np.stack([-np.sin(angle), np.cos(angle), 1 + 0 * angle], 1), abs=1e-12
         )
         column += 3
+
+
+def test_one_kernel_serves_every_load(joint):
+    members = [
+        jax.tree.map(lambda number: np.asarray(number).reshape(np.shape(number)[:-1]), member)
+        for member in joint.bodies(np.array([10e-3]))
+    ]
+    kernel = jax.jit(machine_kernel)(members)
+    coupled = jax.jit(coupled_compliance)
+    for width in (5e-5, 2e-4):
+        widths = np.full(5, width)
+        given = {
+            "bodies": members,
+            "contact_lengths": np.full(5, joint.LENGTH),
+            "half_widths": widths,
+            "stick_half_widths": 0.5 * widths,
+        }
+        np.testing.assert_allclose(coupled(**given, kernel=kernel), coupled(**given), rtol=1e-12)
