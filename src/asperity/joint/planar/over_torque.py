@@ -29,6 +29,7 @@ from asperity.joint.planar.loading_cam import (
     turned_cam,
     with_its_cam,
 )
+from asperity.joint.planar.motion import in_motion
 from asperity.joint.planar.stiffness import loaded_stiffness
 from asperity.joint.planar.turning import driving_sense, turning
 from asperity.types import Real
@@ -148,8 +149,10 @@ def _in_batches(
     known_rest: PlanarState | None,
 ) -> Any:
     numbers: PlanarJoint = jax.tree.map(lambda leaf: np.asarray(leaf, dtype=float), joint)
-    rest = compile_fast(laws_and_states, numbers)(numbers)[1].rest if known_rest is None else known_rest
-    rest = jax.tree.map(np.asarray, rest)
+    if known_rest is None:
+        moving = in_motion(numbers)  # the program that solves one joint
+        known_rest = compile_fast(laws_and_states, moving)(moving)[1].rest
+    rest = jax.tree.map(np.asarray, known_rest)
     asked = np.asarray(torques, dtype=float)
     filled = np.concatenate([asked, np.full(-asked.size % BATCH, asked[-1])])
     friction = np.asarray(no_slip_friction)
