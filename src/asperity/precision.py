@@ -52,6 +52,8 @@ def use_compilation_cache() -> None:
         cache.mkdir(parents=True, exist_ok=True)
     except OSError:
         return
+    # programs that are kept need not say where in the source each of their operations stands: a quarter of their size
+    jax.config.update("jax_traceback_in_locations_limit", 0)
     jax.config.update("jax_compilation_cache_dir", str(cache))
     jax.config.update("jax_persistent_cache_min_compile_time_secs", 0.0)
     jax.config.update("jax_persistent_cache_min_entry_size_bytes", -1)
