@@ -170,20 +170,10 @@ def test_a_file_that_is_not_there(call):
 def test_no_solution_is_exit_code_3(call, joint_file, monkeypatch):
     from asperity.joint import solve as solving
 
-    real = solving.compile_fast
-
-    def unsolved(function, *shapes):
-        program = real(function, *shapes)
-        if function is not solving.evaluate:
-            return program
-
-        def run(joint):
-            return dataclasses.replace(program(joint), solved=np.asarray(False))
-
-        run.results = program.results
-        return run
-
-    monkeypatch.setattr(solving, "compile_fast", unsolved)
+    real = solving.evaluated
+    monkeypatch.setattr(
+        solving, "evaluated", lambda joint: dataclasses.replace(real(joint), solved=np.asarray(False))
+    )
     outcome = call("joint", joint_file())
     assert outcome.code == 3
     assert outcome.out == ""

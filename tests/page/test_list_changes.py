@@ -49,7 +49,7 @@ def test_a_load_is_added_and_one_left_out(planetary_text):
 def test_all_loads_leave(planetary_text):
     request = JointRequest("a.toml", planetary_text + LOADS, {"duty": ""})
     assert request.case().duty is None
-    assert "duty" not in request.file_text()
+    assert "[[duty]]" not in request.file_text()
 
 
 def test_shares_that_do_not_add_up_have_the_message_of_the_file(planetary_text):
