@@ -2,11 +2,13 @@
 
 import jax
 import numpy as np
+import pytest
 
 from asperity.joint.evaluated import chain_programs, evaluated
 from asperity.joint.evaluation import evaluate
 
 
+@pytest.mark.slow
 def test_two_programs_find_what_one_finds(paper_joint):
     joint = jax.tree.map(lambda leaf: np.asarray(leaf, dtype=float), paper_joint())
     found, expected = evaluated(joint), jax.jit(evaluate)(joint)

@@ -249,6 +249,7 @@ def test_a_dxf_file_has_the_texts_and_the_true_lengths_of_the_sheet(sheet):
     assert any(math.dist(*line) == pytest.approx(100.0) for line in lines if len(line) == 2)
 
 
+@pytest.mark.slow
 def test_a_long_list_is_written_smaller(idlers_case):
     drawn = planar_sheet(planar_joint_from_case(idlers_case(12)), name="a")
     _, _, low, high = drawn.window
