@@ -119,7 +119,14 @@ def test_margins_of_drive_and_bearings_are_in_the_list(text):
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("duty", [LOADS, LOADS[:1], ()], ids=["duty", "one load", "no duty"])
+@pytest.mark.parametrize(
+    "duty",
+    [
+        pytest.param(LOADS, id="duty", marks=pytest.mark.long),
+        pytest.param(LOADS[:1], id="one load", marks=pytest.mark.long),
+        pytest.param((), id="no duty"),
+    ],
+)
 def test_branches_without_deviations_live_at_least_as_long_as_the_bound(text, duty):
     """Equal for one load, where the bound is exact; two routes through the contact law."""
     shares = sum(share for *_, share in duty)

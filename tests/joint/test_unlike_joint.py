@@ -64,7 +64,7 @@ def test_torques_in_one_direction_stand_for_the_other_where_all_is_its_own_mirro
     assert not is_symmetric(unlike(UNLIKE, right=1e-6))
 
 
-@pytest.mark.slow
+@pytest.mark.long
 def test_torques_of_both_signs_are_shared(unlike):
     """A loose third branch carries nothing; the sum is the torque; beyond the capacity nothing is carried."""
     joint = unlike([3e-6, 0.0, -8e-6])

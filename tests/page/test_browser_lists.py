@@ -138,6 +138,7 @@ def flat(node, path=""):
     return {path: node}
 
 
+@pytest.mark.long
 def test_shares_that_do_not_add_up_are_said_at_the_field_and_rows_stay(page):
     opened(page, "duty", "load")
     press(page, "Add a load")

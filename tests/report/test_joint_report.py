@@ -117,7 +117,7 @@ def test_unequal_branches_have_tables_of_their_own():
     report = report_of(text + branches)
     assert "Branches by their own sizes" in report.sections
     place = report.blocks.index(Heading("Wind-up"))
-    assert report.blocks[place + 1].text == "The wind-up is that of equal branches."
+    assert report.blocks[place + 1].text == "The wind-up is that of the branches of the file, [[branch]]."
     assert [row[1] for row in tables(report)["Branches"].rows] == ["1", "0", "-1"]
     assert "planet 1 is pressed" in report_html(report)
     summary = dict(tables(report)["Summary"].rows)

@@ -20,7 +20,6 @@ import numpy as np
 from asperity.drive.geometry import CONTACT_NAMES, DriveGeometry
 from asperity.joint.branch_results import UnequalBranches
 from asperity.joint.branch_sizes import BranchSizes
-from asperity.joint.branches import BranchedJoint
 from asperity.joint.description import Joint
 from asperity.joint.play import Play
 from asperity.joint.rolling_conditions import RollingConditions
@@ -87,6 +86,8 @@ class UnlikeJoint:
 
     def branches(self) -> UnequalBranches:
         """What its branches do under its torque and at its speed."""
+        from asperity.joint.branches import BranchedJoint
+
         return BranchedJoint(self.joint, self.interference).branches(self.sizes)
 
 
@@ -159,6 +160,8 @@ def branch_joints(
     ----------
     Equation (I4) of :doc:`/equations`.
     """
+    from asperity.joint.branches import BranchedJoint
+
     joint, count = unlike.joint, unlike.sizes.planet.size
     preload, torque, slips = np.zeros((3, count, torques.size))
     moving, carried = np.ones(torques.size), np.ones(torques.size, dtype=bool)
