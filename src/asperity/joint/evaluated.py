@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 import jax
 import numpy as np
 
 from asperity.compilation import Program, compile_fast
 from asperity.joint.description import Joint
 from asperity.joint.evaluation import JointResult, rolling_joint, standing_joint
+from asperity.joint.rolling import RollingResult
 
 
 def chain_programs(joint: Joint) -> tuple[Program, Program, JointResult]:
@@ -42,5 +45,29 @@ def evaluated(joint: Joint) -> JointResult:
         With leaves as NumPy arrays.
     """
     first, second, _ = chain_programs(joint)
-    half = jax.tree.map(np.asarray, first(joint))
-    return JointResult(**vars(half[0]), rolling=jax.tree.map(np.asarray, second(joint, *half)))
+    half = first(joint)
+    found = JointResult(**vars(half[0]), rolling=second(joint, *half))
+    result: JointResult = jax.tree.map(np.asarray, found)
+    return result
+
+
+def rolling_of(joint: Joint) -> Callable[[Joint], RollingResult]:
+    """The joint that turns, for many calls.
+
+    Parameters
+    ----------
+    joint : Joint
+        One joint of NumPy numbers.
+
+    Returns
+    -------
+    callable
+        Joint like this one with other numbers → its creep, drift, axial forces, losses and life.
+    """
+    first, second, _ = chain_programs(joint)
+
+    def rolling(there: Joint) -> RollingResult:
+        found: RollingResult = second(there, *first(there))
+        return found
+
+    return rolling

@@ -12,8 +12,8 @@ import numpy as np
 
 from asperity.errors import NoSolutionError
 from asperity.joint.description import Joint
-from asperity.joint.evaluated import evaluated
-from asperity.joint.evaluation import JointResult
+from asperity.joint.evaluated import rolling_of
+from asperity.joint.rolling import RollingResult
 from asperity.joint.rolling_document import unknown_because
 from asperity.joint.solve import Solution
 from asperity.units import format_quantity
@@ -48,20 +48,22 @@ def rolling_capacity_of(joint: Joint, solution: Solution, *, direction: float) -
     numbers: Joint = jax.tree.map(lambda leaf: np.asarray(leaf, dtype=float), joint)
     at_rest = solution.reverse_capacity if direction < 0.0 else solution.capacity
 
+    rolling = rolling_of(numbers)
+
     def slip(torque: float) -> float:
         return _worst_slip(
-            evaluated(dataclasses.replace(numbers, output_torque=np.float64(direction * torque)))
+            rolling(dataclasses.replace(numbers, output_torque=np.float64(direction * torque)))
         )
 
-    own, ratio = direction * float(joint.output_torque), _worst_slip(solution.result)
+    own, ratio = direction * float(joint.output_torque), _worst_slip(solution.result.rolling)
     known = (own, ratio) if own > 0.0 and 0.0 < ratio < 1.0 else None
     return _largest(slip, float(at_rest.output_torque), known)
 
 
-def _worst_slip(result: JointResult) -> float:
+def _worst_slip(rolling: RollingResult) -> float:
     """Slip ratio of the worst contact in rolling; nan where the joint does not roll."""
-    ratio = float(np.max(np.asarray(result.rolling.slip_ratio)))
-    return ratio if np.isfinite(np.asarray(result.rolling.residual)) else math.nan
+    ratio = float(np.max(np.asarray(rolling.slip_ratio)))
+    return ratio if np.isfinite(np.asarray(rolling.residual)) else math.nan
 
 
 def _largest(
