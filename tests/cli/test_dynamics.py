@@ -38,6 +38,34 @@ def test_inertias_are_needed(call, joint_file):
     assert "has no section [dynamics]" in outcome.err
 
 
+def test_the_reason_why_creep_is_left_out(capsys):
+    """A joint that stands has no creep, a corner at 0 Hz; one that does not roll steadily has no number at all."""
+    from asperity.cli.dynamics import _show
+
+    names = (
+        "output_torque_Nm",
+        "stiffness_output_Nm_per_rad",
+        "input_inertia_at_output_kg_m2",
+        "output_inertia_kg_m2",
+        "locked_frequency_Hz",
+        "free_frequency_Hz",
+    )
+    at = dict.fromkeys(names, 1.0) | {"creep_damping_Nms_per_rad": None}
+    over = {name: [1.0] for name in (*names, "corner_frequency_Hz")}
+    said = []
+    for corner in (0.0, None):
+        document = {
+            "at_torque": at | {"corner_frequency_Hz": corner},
+            "over_torque": over,
+            "of_own_branches": True,
+        }
+        _show(document, "a.toml", damped=True)
+        said.append(" ".join(capsys.readouterr().out.split()))
+    assert "The input stands" in said[0]
+    assert "stands" not in said[1]
+    assert "does not roll steadily, or a branch of it slips" in said[1]
+
+
 @pytest.mark.slow
 def test_a_joint_that_stands(call, joint_file):
     file = joint_file(("[surface]", f"{SECTION}loss_factor = 0.01\n[surface]"), ('"6000 rpm"', '"0 rpm"'))

@@ -15,6 +15,7 @@ from asperity.joint.branch_limits import (
     pressed,
     refuse_beyond,
     refuse_no_rolling_together,
+    shortest_life,
 )
 
 SLIPS_EARLY = {"first_slip": 3.598, "branch": 2, "contact": 0}
@@ -71,6 +72,23 @@ def test_pressures_are_those_of_the_worst_contact_of_the_worst_branch(unequal_br
     assert least_life(found) == 400.0
     assert "life under the torque would be 400 h" in equal_branches_note(found)
     assert checks["branch_slip_in_rolling"].ok
+
+
+def test_a_branch_that_slips_leaves_the_shortest_life_unknown(unequal_branches):
+    """The loose planet 3 has no life and does no harm; planet 2, pressed and slipping, may live shorter than any."""
+    state = dataclasses.replace(unequal_branches().standing, preload=np.array([1100.0, 950.0, 0.0]))
+    lives = {
+        "known": [400.0, 900.0, np.nan],
+        "slips": [400.0, np.nan, np.nan],
+        "unloaded": [np.inf, np.inf, np.nan],
+    }
+    found = {
+        name: shortest_life(dataclasses.replace(state, limits={"life_hours": np.array(each)}))
+        for name, each in lives.items()
+    }
+    assert (found["known"], found["unloaded"]) == (400.0, math.inf)
+    assert math.isnan(found["slips"])
+    assert math.isnan(shortest_life(None))
 
 
 def test_a_joint_that_stands_has_no_requirement_in_rolling(unequal_branches):

@@ -69,7 +69,9 @@ def test_unequal_branches_live_as_long_as_the_worst_of_them(unequal_branches):
 
 def test_damage_of_unequal_branches_adds_up_under_a_duty(unequal_branches):
     """Half the time 400 h, a quarter of it 100 h, else standing: 1/(0.5/400 + 0.25/100) = 800/3 h."""
-    first, second = (rolling(unequal_branches, *hours) for hours in ((700.0, 400.0, 500.0), (100.0, 300.0)))
+    first, second = (
+        rolling(unequal_branches, *hours) for hours in ((700.0, 400.0, math.nan), (100.0, 300.0, math.nan))
+    )
     stands = unequal_branches().standing
     own = dataclasses.replace(unequal_branches(), duty=(first, second, stands))
     (check,) = life_checks(solved(branches=own, duty=DUTY))

@@ -33,3 +33,17 @@ def test_why_there_is_no_rolling(unequal_branches):
     assert said(100.0, rolling=unequal_branches().standing) == []
     assert said(0.0, rolling=unequal_branches().standing)[0].startswith("the sun stands")
     assert said(100.0, rolling=None)[0].startswith("no steady rolling under")
+    slip = np.array([0.5, 0.6, 1.0])
+    slips = dataclasses.replace(unequal_branches().standing, slip_ratio=slip)
+    assert said(100.0, rolling=slips) == [
+        "drift and losses are not known: in rolling under 5 N·m planet 3 slips as a whole while the others carry the "
+        "rest"
+    ]
+
+
+def test_a_loose_branch_has_no_contacts(unequal_branches):
+    """Planet 3 is loose: nothing is said of contacts that it does not have."""
+    pressed = dataclasses.replace(unequal_branches().standing, preload=np.array([1100.0, 950.0, 0.0]))
+    solution = UnlikeSolution(SimpleNamespace(), unequal_branches(rolling=pressed))
+    names = ("sp", "pwr", "pwl", "wro", "wlo")
+    assert solution.rolling_contacts == tuple(f"{name}_{branch}" for branch in (1, 2) for name in names)

@@ -116,6 +116,8 @@ def _show(document: dict[str, Any], file: str, *, damped: bool) -> None:
         "Below the creep corner frequency a joint that turns yields like a damper, above it like its spring. "
         if at["creep_damping_Nms_per_rad"] is not None
         else "The input stands: creep does not act. "
+        if at["corner_frequency_Hz"] == 0.0
+        else "Creep is left out: under this torque the joint does not roll steadily, or a branch of it slips. "
     )
     if not damped:
         said += (

@@ -105,7 +105,7 @@ def _side_by_side(unlike: UnlikeJoint, torques: np.ndarray) -> BothSenses:
             np.asarray, compile_fast(_at_torques, points.joints)(points.joints)
         )
         drift = points.alike(driving if sense > 0.0 else braking)
-        drifts.append(jnp.asarray(np.where(points.carried, drift, np.nan)))
+        drifts.append(jnp.asarray(np.where(points.stick, drift, np.nan)))
     return BothSenses(
         torque=jnp.asarray(torques),
         **{name: jnp.asarray(np.where(holds, standing.levels[name], np.nan)) for name in LEVELS},

@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from asperity.joint.branch_limits import equal_branches_note, least_life
+from asperity.joint.branch_limits import equal_branches_note, least_life, slipping_in_rolling
 from asperity.joint.branch_results import BranchCapacity, BranchRolling, BranchState, UnequalBranches
 
 Document = dict[str, Any]
@@ -71,7 +71,9 @@ def branch_document(found: UnequalBranches) -> Document:
         "rolling_torque_capacity": _capacity(found.rolling_capacity),
     }
     if found.turning is not None:
-        document["turning"] = _turning(found.turning)
+        document["turning"] = _turning(found.turning) | {
+            "unknown_because": slipping_in_rolling(found) or None
+        }
     if found.stiffness is not None:
         document["output_stiffness_Nm_per_rad"] = found.stiffness if math.isfinite(found.stiffness) else None
     return document

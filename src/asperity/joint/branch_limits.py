@@ -304,7 +304,34 @@ def shortest_life(state: BranchState | None) -> float:
     Returns
     -------
     float
-        Life in this state [h]; nan where it is not known.
+        Life in this state [h]; nan where that of a branch that is pressed is not known, as where it slips.
     """
-    lives = np.array([]) if state is None else state.limits.get("life_hours", np.array([]))
-    return float(np.nanmin(lives)) if np.any(np.isfinite(lives)) else math.nan
+    if state is None or "life_hours" not in state.limits:
+        return math.nan
+    lives = state.limits["life_hours"][state.preload > 0.0]
+    return float(np.min(lives)) if lives.size else math.nan
+
+
+def slipping_in_rolling(found: UnequalBranches) -> str:
+    """Which branches slip as a whole in rolling while others carry the rest.
+
+    Parameters
+    ----------
+    found : UnequalBranches
+        The branches of a joint.
+
+    Returns
+    -------
+    str
+        A clause without a full stop; empty where none does.
+    """
+    if found.rolling is None:
+        return ""
+    slips = [str(index + 1) for index in np.flatnonzero(found.rolling.slip_ratio >= 1.0)]
+    if not slips:
+        return ""
+    named = f"{found.noun} {slips[0]} slips" if len(slips) == 1 else f"{found.noun}s {', '.join(slips)} slip"
+    return (
+        f"drift and losses are not known: in rolling under {format_quantity(found.torque, 'N*m')} {named} as a whole "
+        "while the others carry the rest"
+    )

@@ -167,7 +167,7 @@ def _unlike_dynamics(unlike: UnlikeJoint, inertias: Inertias, torques: np.ndarra
     made = _between_inertias(
         jnp.asarray(torques),
         jnp.asarray(np.where(standing.holds, standing.levels["assembly"], np.nan)),
-        jnp.asarray(np.where(points.carried, 1.0 / damping, np.nan)),
+        jnp.asarray(np.where(points.stick, 1.0 / damping, np.nan)),
         float(speed_ratio(unlike.geometry)),
         body_inertias(unlike),
         inertias,

@@ -353,15 +353,16 @@ def rolling_onset(
 
 
 def _each_branch(joint: UnlikeJoint, torque: float) -> tuple[JointResult, np.ndarray] | None:
-    """Unlike branches in rolling, branches last, and their shares in the torque; None where they do not roll.
-
-    A loose branch counts as one of the preload of equal branches without torque, which has no share in the drift.
-    """
+    """The branches that are pressed, in rolling, and their shares in the torque; None where one slips."""
     speed = math.copysign(float(joint.sun_speed), torque)
     points = branch_joints(joint, np.array([torque]), np.array([speed]), turns=True)
-    if not points.carried[0]:
+    if not points.stick[0]:
         return None
-    return jax.tree.map(np.asarray, compile_fast(evaluate, points.joints)(points.joints)), points.share[:, 0]
+    pressed = np.flatnonzero(points.bears[:, 0])
+    joints: Joint = jax.tree.map(
+        lambda leaf: leaf[pressed] if np.shape(leaf) == (points.bears.size,) else leaf, points.joints
+    )
+    return jax.tree.map(np.asarray, compile_fast(evaluate, joints)(joints)), points.share[pressed, 0]
 
 
 def side_by_side(contacts: ContactsInSeries, torque_share: Array) -> ContactsInSeries:
@@ -379,8 +380,7 @@ def side_by_side(contacts: ContactsInSeries, torque_share: Array) -> ContactsInS
     Returns
     -------
     ContactsInSeries
-        All contacts, branch by branch. Contacts of a branch without torque, which creep with no force, are as wide and
-        roll as far as the others.
+        All contacts, branch by branch.
 
     Notes
     -----
@@ -395,17 +395,13 @@ def side_by_side(contacts: ContactsInSeries, torque_share: Array) -> ContactsInS
     def listed(values: Array) -> Array:
         return jnp.swapaxes(values, 0, 1).reshape(-1)
 
-    def alike(values: Array) -> Array:
-        return jnp.sum(torque_share * jnp.where(torque_share > 0.0, values, 0.0))
-
-    acts = torque_share > 0.0
     return ContactsInSeries(
         half_width=listed(contacts.half_width),
         slip_ratio=listed(contacts.slip_ratio),
-        share=listed(jnp.where(acts, torque_share * contacts.share, 0.0)),
+        share=listed(torque_share * contacts.share),
         distance=listed(contacts.distance),
-        input_angle=alike(contacts.input_angle),
-        drift_per_output_turn=alike(contacts.drift_per_output_turn),
+        input_angle=jnp.sum(torque_share * contacts.input_angle),
+        drift_per_output_turn=jnp.sum(torque_share * contacts.drift_per_output_turn),
     )
 
 

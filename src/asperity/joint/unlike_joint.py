@@ -115,6 +115,11 @@ class BranchJoints(NamedTuple):
     moving_sun: np.ndarray
     carried: np.ndarray
 
+    @property
+    def stick(self) -> np.ndarray:
+        """Whether the branches carry the torque and none of them slips as a whole, shape (torques,)."""
+        return self.carried & ~np.any(self.slips, axis=0)
+
     def of_each(self, values: np.ndarray) -> np.ndarray:
         """Values of the joints, shape (..., branches, torques)."""
         return np.asarray(values).reshape(*np.shape(values)[:-1], *self.bears.shape)

@@ -4,7 +4,10 @@ from __future__ import annotations
 
 from typing import Any, NamedTuple
 
-from asperity.joint.branch_limits import no_rolling_together, refuse_beyond
+import numpy as np
+
+from asperity.drive.geometry import CONTACT_NAMES
+from asperity.joint.branch_limits import no_rolling_together, refuse_beyond, slipping_in_rolling
 from asperity.joint.branch_results import UnequalBranches
 from asperity.joint.equal_branches import solve_equal_branches, without_state
 from asperity.joint.evaluation import JointResult
@@ -44,8 +47,15 @@ class UnlikeSolution(NamedTuple):
 
     def unknown_because(self, joint: UnlikeJoint) -> list[str]:
         """Why results of the rolling are absent, one sentence each."""
-        refused = no_rolling_together(self.branches)
+        refused = no_rolling_together(self.branches) or slipping_in_rolling(self.branches)
         return [refused] if refused else absent_in_rolling(joint.joint, self.result)
+
+    @property
+    def rolling_contacts(self) -> tuple[str, ...]:
+        """Names of the contacts of the branches that are pressed in rolling, branch by branch."""
+        rolling = self.branches.rolling
+        pressed = () if rolling is None else np.flatnonzero(rolling.preload > 0.0)
+        return tuple(f"{name}_{branch + 1}" for branch in pressed for name in CONTACT_NAMES)
 
 
 def solve_unlike(joint: UnlikeJoint) -> UnlikeSolution:

@@ -201,6 +201,7 @@ def _rolling(joint: OwnJoint, solution: AnySolution, onset: RollingOnset | None)
     if onset is None:
         return {"unknown_because": why_unknown(joint, solution)}
     contacts = onset.contacts
+    names = solution.rolling_contacts if isinstance(solution, UnlikeSolution) else joint.contact_names
 
     def both(angle: Any) -> dict[str, float]:
         return {"input_rad": float(contacts.input_angle * angle), "output_rad": float(angle)}
@@ -219,7 +220,7 @@ def _rolling(joint: OwnJoint, solution: AnySolution, onset: RollingOnset | None)
                 "rolls_its_width_in": both(np.asarray(onset.width_angle)[k]),
                 "share_of_drift": float(np.asarray(contacts.share)[k]),
             }
-            for k, name in enumerate(joint.contact_names)
+            for k, name in enumerate(names)
         },
     }
 
