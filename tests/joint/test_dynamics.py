@@ -9,7 +9,8 @@ import numpy as np
 import pytest
 
 from asperity.errors import AsperityError
-from asperity.joint.dynamics import Inertias, _planar_dynamics, dynamics, dynamics_document, response_columns
+from asperity.joint.dynamics import Inertias, _planar_dynamics, dynamics
+from asperity.joint.dynamics_document import dynamics_document, response_columns
 from asperity.joint.solve import solve
 from asperity.joint_file.planar_build import any_joint_from_case
 

@@ -1,7 +1,7 @@
 """Tables of unequal branches."""
 
 from asperity.report.branch_tables import branch_tables, equal_branches
-from asperity.report.content import Heading, Paragraph, Table
+from asperity.report.content import Bullets, Heading, Paragraph, Table
 
 CAPACITY = {
     "first_slip_Nm": 11.0,
@@ -54,3 +54,31 @@ def test_shares_sun_and_capacity():
     rows = dict(sun.rows)
     assert rows["displacement of the sun, standing"] == "5 um"
     assert rows["torque capacity: contact sp of planet 2 slips first"] == "11 N·m"
+
+
+def test_what_a_slipping_branch_leaves_unknown_is_said():
+    """Drift and losses are absent where a branch slips in rolling; the table has dashes and the reason is above it."""
+    turning = {
+        "unknown_because": ["drift and losses are not known: planet 2 slips"],
+        "drift_rad_per_output_turn": None,
+        "losses_W": {"total": None},
+        "efficiency": None,
+    }
+    found = {
+        "branch_is": "planet",
+        "note": "Of equal branches.",
+        "branches": [{"planet_deviation_m": 0.0, "interference_m": 1e-5, "preload_N": 950.0}],
+        "without_torque": {"sun": SUN},
+        "standing": None,
+        "rolling": None,
+        "torque_capacity": CAPACITY,
+        "rolling_torque_capacity": CAPACITY,
+        "turning": turning,
+    }
+    blocks = list(branch_tables(found))
+    (said,) = (block for block in blocks if isinstance(block, Bullets))
+    assert said.items == ["drift and losses are not known: planet 2 slips."]
+    rows = dict(blocks[-1].rows)
+    assert rows["losses of these branches"] == "–"
+    known = found | {"turning": turning | {"unknown_because": []}}
+    assert not any(isinstance(block, Bullets) for block in branch_tables(known))

@@ -87,7 +87,7 @@ def _others(found: Document, state: Document) -> list[str]:
 def _turning(found: Document) -> str:
     """Drift and losses of all branches together."""
     if found["unknown_because"]:
-        return str(found["unknown_because"])
+        return "; ".join(found["unknown_because"])
     words = f"drift of {in_unit(found['drift_rad_per_output_turn'], 'arcmin')} per output turn"
     if found["efficiency"] is not None:
         total = in_unit(found["losses_W"]["total"], "W")

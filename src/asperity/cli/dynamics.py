@@ -47,7 +47,7 @@ def dynamics(file: str, plot_file: str | None, csv_file: str | None, as_json: bo
     use_double_precision()
     use_compilation_cache()
     from asperity.joint.dynamics import dynamics as solved_dynamics
-    from asperity.joint.dynamics import dynamics_document, response_columns
+    from asperity.joint.dynamics_document import dynamics_document, response_columns
     from asperity.joint.either_kind import has_own_branches
 
     with about(file):

@@ -71,9 +71,8 @@ def branch_document(found: UnequalBranches) -> Document:
         "rolling_torque_capacity": _capacity(found.rolling_capacity),
     }
     if found.turning is not None:
-        document["turning"] = _turning(found.turning) | {
-            "unknown_because": slipping_in_rolling(found) or None
-        }
+        slipping = slipping_in_rolling(found)
+        document["turning"] = {"unknown_because": [slipping] if slipping else [], **_turning(found.turning)}
     if found.stiffness is not None:
         document["output_stiffness_Nm_per_rad"] = found.stiffness if math.isfinite(found.stiffness) else None
     return document

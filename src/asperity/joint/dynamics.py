@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import dataclasses
-from typing import Any
 
 import equinox as eqx
 import jax
@@ -24,7 +23,8 @@ from asperity.drive.planar.layout import speed_ratio as planar_speed_ratio
 from asperity.errors import InputError
 from asperity.joint.description import Joint, with_one_rank
 from asperity.joint.either_kind import AnySolution, OwnJoint, solve_any
-from asperity.joint.evaluation import evaluate, loading_roller_mass, planet_mass, roller_mass
+from asperity.joint.evaluation import evaluate
+from asperity.joint.masses import loading_roller_mass, planet_mass, roller_mass
 from asperity.joint.planar.description import PlanarJoint
 from asperity.joint.planar.inertias import planar_inertias
 from asperity.joint.planar.over_torque import over_torque
@@ -336,71 +336,3 @@ def _limit(solution: AnySolution, torque: float) -> float:
         return solution.branches.capacity.all_slip
     found = solution.reverse_capacity if torque < 0.0 else solution.capacity
     return float(found.output_torque)
-
-
-def dynamics_document(found: Dynamics, inertias: Inertias) -> dict[str, Any]:
-    """The dynamics of a joint in SI units, ready for :func:`json.dumps`.
-
-    Parameters
-    ----------
-    found : Dynamics
-        As :func:`dynamics` returns it.
-    inertias : Inertias
-        What is coupled to the joint.
-
-    Returns
-    -------
-    dict
-        Numbers at the torque, columns over torque, and the response; what is not finite is None.
-    """
-    names = {
-        "output_torque": "output_torque_Nm",
-        "stiffness": "stiffness_output_Nm_per_rad",
-        "input_inertia": "input_inertia_at_output_kg_m2",
-        "output_inertia": "output_inertia_kg_m2",
-        "locked_frequency": "locked_frequency_Hz",
-        "free_frequency": "free_frequency_Hz",
-        "creep_damping": "creep_damping_Nms_per_rad",
-        "corner_frequency": "corner_frequency_Hz",
-    }
-
-    def plain(values: Any) -> Any:
-        listed = np.asarray(values, dtype=float)
-        if listed.ndim:
-            return [plain(value) for value in listed]
-        return float(listed) if np.isfinite(listed) else None
-
-    return {
-        "inertia": {
-            "input_kg_m2": plain(inertias.input),
-            "output_kg_m2": plain(inertias.output),
-            "loss_factor": plain(inertias.loss_factor),
-        },
-        "at_torque": {key: plain(getattr(found.at_torque, name)) for name, key in names.items()},
-        "over_torque": {key: plain(getattr(found.over_torque, name)) for name, key in names.items()},
-        "response": {key: plain(values) for key, values in response_columns(found).items()},
-    }
-
-
-def response_columns(found: Dynamics) -> dict[str, np.ndarray]:
-    """The frequency response as columns, units in their names.
-
-    Parameters
-    ----------
-    found : Dynamics
-        As :func:`dynamics` returns it.
-
-    Returns
-    -------
-    dict
-        Amplitudes and phases of both sides, standing and turning.
-    """
-    columns = {"frequency_Hz": np.asarray(found.frequency)}
-    for name in ("standing_motor", "standing_load", "turning_motor", "turning_load"):
-        angle = np.asarray(getattr(found, name))
-        columns[f"{name}_rad_per_Nm"] = np.abs(angle)
-        phase = np.degrees(np.unwrap(np.angle(angle)))
-        columns[f"{name}_phase_deg"] = phase - 360.0 * np.round(
-            (phase[0] + 180.0) / 360.0
-        )  # two free masses: -180
-    return columns

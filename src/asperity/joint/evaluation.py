@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import dataclasses
-import math
 
 import equinox as eqx
 import jax
@@ -37,6 +36,7 @@ from asperity.joint.duty import with_duty_life
 from asperity.joint.elastic_bodies import assembly_springs, walls_hold
 from asperity.joint.interference import joint_rest_compliance
 from asperity.joint.loading_cam import followed_by_cam
+from asperity.joint.masses import loading_roller_mass, planet_mass
 from asperity.joint.rolling import RollingResult, rolling_result
 from asperity.types import Real
 
@@ -148,68 +148,6 @@ class JointResult(StandingResult):
             **values,
             "torsional_stiffness": jnp.asarray(self.contact_torsional_stiffness)[index],
         }
-
-
-def roller_mass(*, density: Real, radius: Real, length: Real, bore: Real) -> Real:
-    r"""Mass of a roller, :math:`m = \rho \pi (R^2 - d^2/4) L`.
-
-    Parameters
-    ----------
-    density : Real
-        Density [kg/m^3].
-    radius, length : Real
-        Radius R and length L [m].
-    bore : Real
-        Diameter d of its bore [m]; 0 for a solid roller.
-
-    Returns
-    -------
-    Real
-        Mass [kg].
-    """
-    return density * math.pi * (radius**2 - 0.25 * bore**2) * length
-
-
-def planet_mass(joint: Joint) -> Real:
-    """Mass of one planet.
-
-    Parameters
-    ----------
-    joint : Joint
-        The joint.
-
-    Returns
-    -------
-    Real
-        Mass [kg].
-    """
-    return roller_mass(
-        density=joint.bodies.planet.density,
-        radius=joint.geometry.planet_radius,
-        length=joint.planet_length,
-        bore=0.0 if joint.planet_bore is None else joint.planet_bore,
-    )
-
-
-def loading_roller_mass(joint: Joint) -> Real:
-    """Mass of one loading roller.
-
-    Parameters
-    ----------
-    joint : Joint
-        The joint.
-
-    Returns
-    -------
-    Real
-        Mass [kg].
-    """
-    return roller_mass(
-        density=joint.bodies.loading_roller.density,
-        radius=joint.geometry.loading_roller_radius,
-        length=joint.loading_roller_length,
-        bore=0.0 if joint.loading_roller_bore is None else joint.loading_roller_bore,
-    )
 
 
 def mechanism(joint: Joint) -> Mechanism:

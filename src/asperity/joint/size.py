@@ -10,7 +10,7 @@ import jax.numpy as jnp
 from jax import Array
 
 from asperity.joint.description import Joint
-from asperity.joint.evaluation import loading_roller_mass, planet_mass, roller_mass
+from asperity.joint.masses import loading_roller_mass, planet_mass, roller_mass
 from asperity.types import Real
 
 

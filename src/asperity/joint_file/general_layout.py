@@ -10,7 +10,7 @@ from typing import Any
 from asperity.arrays import namespace
 from asperity.drive.planar.closure import closed
 from asperity.drive.planar.layout import CARRIER, Body, Contact, PlanarDrive
-from asperity.joint.planar.description import SOLID, BodyShape
+from asperity.joint.planar.body_shape import SOLID, BodyShape
 from asperity.joint_file.general_model import GeneralCase
 from asperity.joint_file.messages import nearest
 from asperity.joint_file.part_names import track_of

@@ -8,7 +8,7 @@ from typing import Any
 
 from asperity.drive.planar.drives import planetary_drive, stepped_planet_drive, two_row_multiroller
 from asperity.drive.planar.layout import CARRIER, PlanarDrive
-from asperity.joint.planar.description import SOLID, BodyShape
+from asperity.joint.planar.body_shape import SOLID, BodyShape
 from asperity.joint_file.general_layout import general_layout, misdescribed
 from asperity.joint_file.general_model import GeneralCase
 from asperity.joint_file.messages import nearest

@@ -8,7 +8,7 @@ from typing import Any
 
 from asperity.joint.branch_document import deviations, force_size
 from asperity.report.cells import number, quantity
-from asperity.report.content import Block, Heading, Paragraph, Table
+from asperity.report.content import Block, Bullets, Heading, Paragraph, Table
 
 Document = dict[str, Any]
 
@@ -41,7 +41,7 @@ def branch_tables(found: Document) -> Iterator[Block]:
     Yields
     ------
     Block
-        A heading, a sentence and two tables.
+        A heading, a sentence, what is not known and why, and two tables.
     """
     states, names = (found["standing"], found["rolling"]), deviations(found)
 
@@ -90,6 +90,8 @@ def branch_tables(found: Document) -> Iterator[Block]:
         rows.append(("torsional stiffness of these branches at the output, assembled", stiffness))
     if "turning" in found:
         turning = found["turning"]
+        if turning["unknown_because"]:
+            yield Bullets([f"{reason}." for reason in turning["unknown_because"]])
         rows += [
             (
                 "drift of these branches per output turn",

@@ -6,7 +6,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from asperity.joint.dynamics import Dynamics, response_columns
+from asperity.joint.dynamics import Dynamics
+from asperity.joint.dynamics_document import response_columns
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import math
 
-from asperity.joint.planar.description import BodyShape, PlanarJoint, tracks_of
+from asperity.joint.planar.body_shape import BodyShape
+from asperity.joint.planar.description import PlanarJoint, tracks_of
 from asperity.joint.planar.evaluation import PlanarResult
 from asperity.show.free_bodies import APART, BodyForce, body_outlines, force_arrow, force_label
 from asperity.show.planar_forces import planar_body_forces

@@ -6,7 +6,8 @@ import pytest
 
 from asperity.drive.planar.drives import wedge_drive
 from asperity.joint.crowned_contacts import crown_curvatures
-from asperity.joint.planar.description import SOLID, BodyShape, PlanarJoint
+from asperity.joint.planar.body_shape import SOLID, BodyShape
+from asperity.joint.planar.description import PlanarJoint
 from asperity.joint_file.planar_build import planar_joint_from_case
 from asperity.joint_file.solved_document import solve_case
 

@@ -11,7 +11,8 @@ import pytest
 from asperity.drive.geometry import triangle
 from asperity.drive.mechanism import rest_state
 from asperity.drive.planar.layout import CARRIER
-from asperity.joint.planar.description import SOLID, BodyShape, planar_contacts
+from asperity.joint.planar.body_shape import SOLID, BodyShape
+from asperity.joint.planar.description import planar_contacts
 from asperity.joint.planar.rims import bends, branch_rims, planar_rims
 from asperity.joint.planar.turning import driving_sense
 from asperity.joint.rim_safety import joint_rims

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from asperity.drive.planar.layout import Contact
-from asperity.joint.planar.description import SOLID, BodyShape
+from asperity.joint.planar.body_shape import SOLID, BodyShape
 from asperity.joint.results.planar_stresses import ROWS
 
 FREE, HELD = BodyShape("ring", 5e-3, "free"), BodyShape("ring", 5e-3, "rigid_housing")

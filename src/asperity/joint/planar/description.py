@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any, Literal
+from typing import Any
 
 import equinox as eqx
 import jax.numpy as jnp
@@ -20,36 +20,11 @@ from asperity.drive.planar.layout import PlanarDrive
 from asperity.drive.rolling_speeds import BodiesOfContacts
 from asperity.joint.contacts import JointContacts, elastic_material
 from asperity.joint.description import BodyModel, Fit, per_contact
+from asperity.joint.planar.body_shape import BodyShape
 from asperity.joint.play import NO_PLAY, Play
 from asperity.joint.rolling_conditions import RollingConditions
 from asperity.materials import Material, pair
 from asperity.types import Real
-
-
-class BodyShape(eqx.Module):
-    """What a body is besides its tracks.
-
-    Parameters
-    ----------
-    kind : {"solid", "hollow", "ring"}
-        Solid roller, roller with a bore, or ring with its tracks inside.
-    size : Real or None
-        Diameter of the bore, or wall of the ring [m].
-    support : {"free", "rigid_housing"}
-        What holds the outer rim of a ring.
-    """
-
-    kind: Literal["solid", "hollow", "ring"] = eqx.field(static=True)
-    size: Real | None = None
-    support: Literal["free", "rigid_housing"] = eqx.field(static=True, default="free")
-
-    @property
-    def bore_diameter(self) -> Real | None:
-        """Diameter of the bore of a hollow roller [m]; None for other bodies."""
-        return self.size if self.kind == "hollow" else None
-
-
-SOLID = BodyShape("solid")
 
 
 class PlanarFit(Fit):
