@@ -15,7 +15,7 @@ from hypothesis import strategies as st
 from asperity.drive.force_balance import DriveForces
 from asperity.drive.torsional_stiffness import TorsionalStiffness
 from asperity.errors import PrecisionError
-from asperity.joint.evaluation import evaluate, roller_mass
+from asperity.joint.evaluation import evaluate
 from asperity.joint.solve import solve
 
 SIZE = 16
@@ -226,12 +226,6 @@ def test_batches_broadcast_and_one_joint_is_a_scalar(paper_joint, chain):
     row = chain(output_torque=np.array([1.0, 5.0]))
     assert float(alone.published.sun) == pytest.approx(row.published.sun[1], rel=1e-12)
     assert alone.contact("pwl")["normal_force"] == alone.forces.normal[2]
-
-
-def test_masses_are_those_of_solid_rollers():
-    assert roller_mass(density=7850.0, radius=13.5e-3, length=5e-3, bore=0.0) == pytest.approx(
-        np.pi * 7850.0 * 13.5e-3**2 * 5e-3, rel=1e-12
-    )
 
 
 def test_single_precision_is_refused(paper_joint):

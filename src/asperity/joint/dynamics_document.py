@@ -15,7 +15,7 @@ def dynamics_document(found: Dynamics, inertias: Inertias) -> dict[str, Any]:
     Parameters
     ----------
     found : Dynamics
-        As :func:`dynamics` returns it.
+        As :func:`~asperity.joint.dynamics.dynamics` returns it.
     inertias : Inertias
         What is coupled to the joint.
 
@@ -59,7 +59,7 @@ def response_columns(found: Dynamics) -> dict[str, np.ndarray]:
     Parameters
     ----------
     found : Dynamics
-        As :func:`dynamics` returns it.
+        As :func:`~asperity.joint.dynamics.dynamics` returns it.
 
     Returns
     -------
