@@ -62,7 +62,7 @@ def test_unequal_branches_live_as_long_as_the_worst_of_them(unequal_branches):
     own = dataclasses.replace(unequal_branches(), rolling=rolling(unequal_branches, 400.0, 900.0, math.nan))
     (check,) = life_checks(solved(life=2000.0, branches=own))
     assert check.value == pytest.approx(3600.0 * 400.0, rel=1e-15)
-    assert check.result.label.endswith("as if all branches were the worst")
+    assert check.result.label.endswith("as if every branch were loaded like the worst")
     (check,) = life_checks(solved(life=2000.0, branches=dataclasses.replace(own, rolling=None)))
     assert math.isnan(check.value)
 

@@ -1,6 +1,6 @@
 """Paths of the numbers of joint files: those that studies vary, and those that are only entered."""
 
-from asperity.joint_file.key_paths import entered_keys, fields_by_path, keys_by_path
+from asperity.joint_file.key_paths import keys_by_path
 from asperity.joint_file.planar_types import PLANAR_CASES
 from asperity.unit_table import Dimension
 
@@ -17,7 +17,7 @@ def test_every_number_of_a_joint_file_has_a_path():
 
 
 def test_an_rz_and_a_share_are_entered_and_no_study_varies_them():
-    entered = entered_keys()
+    entered = keys_by_path(numbers="entered")
     assert {path for path in entered if path.count(".") == 1} == {
         "surface.mean_roughness_depth",
         "surface.partner_mean_roughness_depth",
@@ -26,10 +26,10 @@ def test_an_rz_and_a_share_are_entered_and_no_study_varies_them():
     assert entered["surface.sp.mean_roughness_depth"].unit == "um"
     assert not set(entered) & set(keys_by_path())
     for model in PLANAR_CASES.values():
-        assert "surface.*.mean_roughness_depth" in entered_keys(model)
+        assert "surface.*.mean_roughness_depth" in keys_by_path(model, numbers="entered")
 
 
 def test_fields_are_both_in_the_order_of_the_file():
-    found = [path for path in fields_by_path() if path.startswith("duty.")]
+    found = [path for path in keys_by_path(numbers="all") if path.startswith("duty.")]
     assert found == ["duty.*.output_torque", "duty.*.sun_speed", "duty.*.share"]
-    assert set(fields_by_path()) == set(keys_by_path()) | set(entered_keys())
+    assert set(keys_by_path(numbers="all")) == set(keys_by_path()) | set(keys_by_path(numbers="entered"))

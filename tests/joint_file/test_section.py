@@ -9,6 +9,7 @@ from asperity.joint_file.section import (
     ONE_FOR_EACH,
     EachContact,
     Section,
+    leaves,
     number_or_table,
     table_or_tables,
 )
@@ -54,3 +55,20 @@ def test_one_for_all_or_one_for_each():
         ONE_FOR_EACH,
         ONE_FOR_ALL,
     ]
+
+
+class Wall(Section):
+    colours: tuple[Colour, ...]
+    sizes: dict[str, float]
+    named: Colour
+
+
+def test_values_of_some_types_with_their_paths():
+    wall = Wall(
+        colours=(Colour(name="red"), Colour(name="blue")), sizes={"height": 2.5}, named=Colour(name="green")
+    )
+    names = [("colours.1.name", "red"), ("colours.2.name", "blue"), ("named.name", "green")]
+    assert list(leaves(wall, str)) == names
+    assert list(leaves(wall, (str, float))) == [*names[:2], ("sizes.height", 2.5), names[2]]
+    assert list(leaves(wall.named, str, "wall.named")) == [("wall.named.name", "green")]
+    assert list(leaves(wall, int)) == []

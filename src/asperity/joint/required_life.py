@@ -49,7 +49,9 @@ def life_checks(solved: SolvedJoint) -> tuple[LimitCheck, ...]:
         "duty_life" if duty else "drive_life", required, f"{less} make rollers larger or contacts longer"
     )
     if own is not None:
-        of_drive = dataclasses.replace(of_drive, label=f"{of_drive.label}, as if all branches were the worst")
+        of_drive = dataclasses.replace(
+            of_drive, label=f"{of_drive.label}, as if every branch were loaded like the worst"
+        )
     of_bearings = results_of_joint(solved)["bearing_duty_life" if duty else "bearing_life"]
     limit = _required(of_bearings.name, required, f"{less} choose larger bearings or more of them")
     bearings = (

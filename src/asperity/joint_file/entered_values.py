@@ -3,16 +3,12 @@
 from __future__ import annotations
 
 import functools
-from collections.abc import Iterator
-from typing import Any
 
-from pydantic import BaseModel
-
-from asperity.joint_file.key_paths import entered_keys
+from asperity.joint_file.key_paths import keys_by_path
 from asperity.joint_file.part_names import WEDGE_TYPE
 from asperity.joint_file.quantity_key import Key, Quantity
 from asperity.joint_file.reader import model_of_type
-from asperity.joint_file.section import Section
+from asperity.joint_file.section import Section, leaves
 
 
 @functools.lru_cache(maxsize=1024)
@@ -31,7 +27,7 @@ def entered_key_at(path: str, kind: str) -> Key | None:
     Key or None
         Dimension, range, unit for display; None where the path is that of another key.
     """
-    known, parts = entered_keys(model_of_type(kind)), path.split(".")
+    known, parts = keys_by_path(model_of_type(kind), numbers="entered"), path.split(".")
     generic = [".".join([*parts[:i], "*", *parts[i + 1 :]]) for i in range(1, len(parts) - 1)]
     return next((known[each] for each in (path, *generic) if each in known), None)
 
@@ -52,16 +48,6 @@ def entered_values(case: Section) -> dict[str, tuple[Key, Quantity]]:
     kind = getattr(case, "type", None) or WEDGE_TYPE
     return {
         path: (key, key.read(written))
-        for path, written in _leaves(case, "")
+        for path, written in leaves(case, (str, float))
         if (key := entered_key_at(path, kind)) is not None
     }
-
-
-def _leaves(node: Any, path: str) -> Iterator[tuple[str, str | float]]:
-    if isinstance(node, str | float):
-        yield path, node
-    elif isinstance(node, tuple):
-        yield from _leaves({str(index): value for index, value in enumerate(node, start=1)}, path)
-    elif isinstance(node, BaseModel | dict):
-        for name, value in node.items() if isinstance(node, dict) else node:
-            yield from _leaves(value, f"{path}.{name}" if path else name)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import functools
 import types
 from collections.abc import Iterator
-from typing import Annotated, Any, Union, get_args, get_origin
+from typing import Annotated, Any, Literal, Union, get_args, get_origin
 
 from pydantic import BaseModel
 
@@ -59,54 +59,29 @@ def _entry_of(annotation: Any) -> Any:
     return annotation if place is None else get_args(annotation)[place]
 
 
-def keys_by_path(model: type[BaseModel] = Case) -> dict[str, Key]:
-    """Every numeric key of a joint file, with ``*`` for the name of a material.
-
-    Parameters
-    ----------
-    model : type
-        The section to look at.
-
-    Returns
-    -------
-    dict
-        Dotted path → what the key measures and its range.
-    """
-    return {path: note for path, note in _notes(model).items() if isinstance(note, Key)}
-
-
 @functools.cache
-def fields_by_path(model: type[BaseModel] = Case) -> dict[str, Key]:
-    """Every key of a joint file in which a number stands: also those that studies do not vary.
+def keys_by_path(
+    model: type[BaseModel] = Case, *, numbers: Literal["varied", "entered", "all"] = "varied"
+) -> dict[str, Key]:
+    """Every key of a joint file in which a number stands, with ``*`` for the name of a material.
 
     Parameters
     ----------
     model : type
         The section to look at.
+    numbers : {"varied", "entered", "all"}
+        Those that studies vary, those that they do not, such as an Rz or the share of a load, or all.
 
     Returns
     -------
     dict
-        As :func:`keys_by_path`, in the order of the file's sections.
+        Dotted path → what the key measures and its range, in the order of the file's sections.
     """
-    return {path: note.key if isinstance(note, Entered) else note for path, note in _notes(model).items()}
-
-
-@functools.cache
-def entered_keys(model: type[BaseModel] = Case) -> dict[str, Key]:
-    """The keys in which a number stands that studies do not vary, such as an Rz or the share of a load.
-
-    Parameters
-    ----------
-    model : type
-        The section to look at.
-
-    Returns
-    -------
-    dict
-        As :func:`keys_by_path`.
-    """
-    return {path: note.key for path, note in _notes(model).items() if isinstance(note, Entered)}
+    return {
+        path: note.key if isinstance(note, Entered) else note
+        for path, note in _notes(model).items()
+        if numbers == "all" or (numbers == "entered") == isinstance(note, Entered)
+    }
 
 
 def _notes(model: type[BaseModel]) -> dict[str, Key | Entered]:

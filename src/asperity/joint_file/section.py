@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from typing import Any, Generic, Self, TypeVar
 
 from pydantic import BaseModel, ConfigDict, PrivateAttr
@@ -16,6 +17,39 @@ class Section(BaseModel):
     """A table of the file: frozen, and without room for unknown keys."""
 
     model_config = ConfigDict(extra="forbid", frozen=True, use_attribute_docstrings=True)
+
+
+_Leaf = TypeVar("_Leaf")
+
+
+def leaves(
+    node: Any, kinds: type[_Leaf] | tuple[type[_Leaf], ...], path: str = ""
+) -> Iterator[tuple[str, _Leaf]]:
+    """Every value of some types in a section and the sections below it, in the order of the file.
+
+    Parameters
+    ----------
+    node : object
+        A section, or an entry of one.
+    kinds : type or tuple of type
+        Types of the values.
+    path : str, optional
+        Dotted path of the node.
+
+    Yields
+    ------
+    path : str
+        Dotted path; the entries of a list have their numbers from 1 on.
+    value : object
+        What stands there.
+    """
+    if isinstance(node, kinds):
+        yield path, node
+    elif isinstance(node, tuple):
+        yield from leaves({str(index): value for index, value in enumerate(node, start=1)}, kinds, path)
+    elif isinstance(node, BaseModel | dict):
+        for name, value in node.items() if isinstance(node, dict) else node:
+            yield from leaves(value, kinds, f"{path}.{name}" if path else name)
 
 
 class WholeFile(Section):

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import functools
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import Any
 
@@ -19,7 +19,7 @@ from asperity.joint_file.part_names import WEDGE_TYPE, contacts_of, paths_of_tra
 from asperity.joint_file.planar_model import PlanarCase
 from asperity.joint_file.planar_types import PLANAR_CASES
 from asperity.joint_file.quantity_key import Key, Quantity
-from asperity.joint_file.section import Section
+from asperity.joint_file.section import Section, leaves
 
 #: Nested tables like those of the file; leaves are SI numbers (or arrays of them) and names.
 Values = dict[str, Any]
@@ -108,16 +108,6 @@ def _plain(node: Any) -> Any:
     return node
 
 
-def _quantities(node: Any, path: str) -> Iterator[tuple[str, Quantity]]:
-    if isinstance(node, Quantity):
-        yield path, node
-    elif isinstance(node, tuple):
-        yield from _quantities({str(index): value for index, value in enumerate(node, start=1)}, path)
-    elif isinstance(node, BaseModel | dict):
-        for name, value in node.items() if isinstance(node, dict) else node:
-            yield from _quantities(value, f"{path}.{name}" if path else name)
-
-
 def key_at(path: str, kind: str | None = None) -> Key:
     """What a dotted path of a joint file measures, and its range.
 
@@ -182,7 +172,7 @@ def numeric_keys(case: AnyCase) -> dict[str, NumericKey]:
     kind = getattr(case, "type", None) or WEDGE_TYPE
     return {
         path: NumericKey(path, quantity.value, quantity.tolerance, key_at(path, kind), quantity.distribution)
-        for path, quantity in _quantities(case, "")
+        for path, quantity in leaves(case, Quantity)
     }
 
 

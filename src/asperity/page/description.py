@@ -9,7 +9,7 @@ from typing import Any
 from pydantic import BaseModel
 
 import asperity
-from asperity.joint_file.key_paths import fields_by_path, models_of
+from asperity.joint_file.key_paths import keys_by_path, models_of
 from asperity.joint_file.model import Case
 from asperity.joint_file.part_names import contacts_of
 from asperity.joint_file.planar_model import PlanarCase
@@ -109,7 +109,7 @@ def _form(
 
 def _parameters(whole: type[BaseModel], section: str) -> list[dict[str, Any]]:
     found = []
-    for path, key in fields_by_path(whole).items():
+    for path, key in keys_by_path(whole, numbers="all").items():
         if path.split(".")[0] == section:
             model, name = _field(whole, path)
             field = model.model_fields[name]

@@ -8,7 +8,7 @@ from collections.abc import Mapping
 from typing import Any, get_args, get_origin
 
 from asperity.errors import InputError, quoted
-from asperity.joint_file.key_paths import fields_by_path
+from asperity.joint_file.key_paths import keys_by_path
 from asperity.joint_file.listed_sections import rearranged
 from asperity.joint_file.model import Case
 from asperity.joint_file.part_names import sized_tracks, type_of
@@ -170,7 +170,11 @@ def stated_lists(case: Case | PlanarCase, tables: Mapping[str, Any]) -> dict[str
     """
     found = {}
     for name, count_path in lists_of(type(case)).items():
-        keys = [path.split(".", 2)[2] for path in fields_by_path(type(case)) if path.startswith(f"{name}.*.")]
+        keys = [
+            path.split(".", 2)[2]
+            for path in keys_by_path(type(case), numbers="all")
+            if path.startswith(f"{name}.*.")
+        ]
         if any("*" in key for key in keys):  # names of the rollers of this drive
             rollers = list(sized_tracks(si_values(case)))
             keys = [
