@@ -7,10 +7,9 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any, Literal
 
-from asperity.joint.results import GROUPS, Result
+from asperity.joint.results import Result
 from asperity.joint.windup import StiffnessLevel
 from asperity.joint_file.any_joint import results_of
-from asperity.joint_file.part_names import WEDGE_TYPE, type_of
 from asperity.joint_file.si_tables import AnyCase, si_values
 
 
@@ -169,13 +168,10 @@ SUMMARY: dict[str, Literal["nominal", "largest", "smallest"]] = {
     "slip_ratio": "largest",
     "assembly_stiffness_output": "smallest",
 }
-#: Results that take as much as many force balances, or that few designs ask for: computed only on request. Of planar
-#: drives every capacity is a search of its own.
-_COSTLY = ("torque_capacity", "torque_safety", *GROUPS["loads"], *GROUPS["bearings"], *GROUPS["stresses"])
 
 
 def design_results(problem: DesignProblem) -> tuple[str, ...]:
-    """The results that the search computes: always the same ones, so that all designs share one compiled program.
+    """The results that the search computes: few, because a program of all of them takes a minute to compile.
 
     Parameters
     ----------
@@ -185,13 +181,7 @@ def design_results(problem: DesignProblem) -> tuple[str, ...]:
     Returns
     -------
     tuple of str
-        Names of results of the drive: all that have derivatives, the costly ones only if they are
-        asked for.
+        Names of the objectives, of the limits, and of what a report shows beside them, in the order of the table.
     """
     asked = {goal.name for goal in problem.objectives} | {limit.name for limit in problem.constraints}
-    costly = _COSTLY if type_of(si_values(problem.case)) == WEDGE_TYPE else GROUPS["capacity"] + _COSTLY
-    return tuple(
-        name
-        for name, result in problem.table.items()
-        if result.differentiable and (name in asked or name not in costly)
-    )
+    return tuple(name for name in problem.table if name in asked or name in SUMMARY)

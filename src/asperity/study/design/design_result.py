@@ -104,7 +104,8 @@ class DesignResult:
     joint_text : str
         The designed joint as a joint file.
     nominal : dict
-        Results of that file at its own torque [SI], shape (rows,).
+        Objectives, limits and :data:`asperity.study.design.design_problem.SUMMARY` of that file at its own torque [SI],
+        shape (rows,).
     """
 
     problem: DesignProblem
