@@ -55,7 +55,8 @@ def sensitivity(file: str, result: str, as_json: bool, plot: str | None) -> None
     rows = differentiable_rows(table)
     asked = rows[known_result(result, among=tuple(rows))]
     check_image(plot)
-    names = tuple(dict.fromkeys((*(name for name in DEFAULT_RESULTS if name in table), asked)))
+    others = [name for name in DEFAULT_RESULTS if name in table] if as_json else []
+    names = tuple(dict.fromkeys((*others, asked)))
     with about(file):
         found = differentiate(case, names)
     if as_json:
