@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 
 from asperity.errors import InputError
+from asperity.joint import branch_solver
 from asperity.joint.branch_solver import all_together
 
 # the fixture `springs`: 1000 N at 13 um slip at 13 N*m, and turn by one radian at 3e4 N*m
@@ -153,32 +154,44 @@ def as_stiff_as_pressed(springs):
 @pytest.mark.parametrize("support", [math.inf, 5e7, 0.0])
 @pytest.mark.parametrize("turns", [False, True])
 def test_a_point_is_the_state_of_the_whole(springs, sizes, support, turns):
+    """All torques at once, against the search for each by itself."""
     drive = springs()
-    solver = drive.solver(sizes(UNLIKE, support), turns=turns)
-    for torque in (1e-3, 5.0, 9.0, 12.0):
+    torques = np.array([9.0, 1e-3, 0.0, 5.0, 12.0])
+    points = drive.solver(sizes(UNLIKE, support), turns=turns).points(torques)
+    assert points.carried.all()
+    for index, torque in enumerate(torques):
         state = drive.solver(sizes(UNLIKE, support), turns=turns).under(torque)
-        point = solver.point(torque)  # from the second on next to the last one
-        assert point.preload == pytest.approx(state.preload, rel=1e-8)
-        assert point.torque / 3.0 == pytest.approx(state.torque, rel=1e-8)
-        assert point.slips.tolist() == (state.slip_ratio >= 1.0).tolist()
-        assert point.torque.sum() / 3.0 == pytest.approx(torque, rel=1e-13)
+        assert points.preload[index] == pytest.approx(state.preload, rel=1e-8)
+        assert points.torque[index] / 3.0 == pytest.approx(state.torque, rel=1e-7, abs=1e-12)
+        assert points.slips[index].tolist() == (state.slip_ratio >= 1.0).tolist()
+    assert np.sum(points.torque, axis=1) / 3.0 == pytest.approx(torques, rel=1e-13, abs=1e-12)
+
+
+@pytest.mark.parametrize("support", [5e7, 0.0])
+@pytest.mark.parametrize("turns", [False, True])
+def test_where_newton_goes_astray_each_torque_is_searched_for(springs, sizes, monkeypatch, support, turns):
+    drive, torques = springs(), np.array([1.0, 9.0])
+    found = drive.solver(sizes(UNLIKE, support), turns=turns).points(torques)
+    monkeypatch.setattr(branch_solver, "_NEWTON_STEPS", 0)
+    again = drive.solver(sizes(UNLIKE, support), turns=turns).points(torques)
+    assert again.torque == pytest.approx(found.torque, rel=1e-7)
+    assert again.preload == pytest.approx(found.preload, rel=1e-8)
 
 
 def test_branches_that_slip_are_named(springs, sizes):
     """A micrometre of planet is 149.3 N: the third slips at 13 (1 - 0.4480) N*m, when all have that torque."""
     solver = springs().solver(sizes(UNLIKE), turns=False)
     first = 13.0 * (1.0 - 3.0 * 0.14933)
-    assert solver.point(0.999 * first).slips.tolist() == [False] * 3
-    assert solver.point(1.001 * first).slips.tolist() == [False, False, True]
+    found = solver.points(first * np.array([0.999, 1.001]))
+    assert found.slips.tolist() == [[False] * 3, [False, False, True]]
 
 
 def test_beyond_what_all_hold_there_is_no_point(springs, sizes):
     solver = springs().solver(sizes(UNLIKE), turns=False)
     most = solver.capacity().all_slip
     assert most == pytest.approx(13.0 * (1.0 - 0.14933 / 3.0), rel=1e-4)  # the sum of what each holds
-    assert solver.point(1.0001 * most) is None
+    assert solver.points(most * np.array([1.0001, 0.9999])).carried.tolist() == [False, True]
     assert solver.under(1.0001 * most) is None
-    assert solver.point(0.9999 * most) is not None
 
 
 @pytest.mark.parametrize("support", [2e7, 2e8])
@@ -186,8 +199,9 @@ def test_beyond_what_all_hold_there_is_no_point(springs, sizes):
 def test_a_sun_that_gives_way_takes_from_the_stiffness(as_stiff_as_pressed, sizes, support, turns):
     """The slope of the torque over the common angle, with the sun free to follow, over that with the sun nailed."""
     solver = as_stiff_as_pressed.solver(sizes(UNLIKE, support), turns=turns)
-    point = solver.point(4.0)
-    angle, place = solver._last_point
+    torques = np.array([4.0])
+    (moving_sun,) = solver.points(torques).moving_sun
+    (angle,), (place,) = solver._places(torques, solver._most())
     step = 1e-4 * angle
     free = solver.total(angle + step) - solver.total(angle - step)
 
@@ -196,16 +210,17 @@ def test_a_sun_that_gives_way_takes_from_the_stiffness(as_stiff_as_pressed, size
         return float(np.mean(solver.law.torque(preload, share)))
 
     held = nailed(angle + step) - nailed(angle - step)
-    assert point.moving_sun == pytest.approx(free / held, rel=1e-5)
+    assert moving_sun == pytest.approx(free / held, rel=1e-5)
     # three alike in rolling: what the sun takes from one preload it gives to the others
-    assert point.moving_sun == pytest.approx(1.0, rel=1e-9) if turns else abs(point.moving_sun - 1.0) > 1e-4
+    assert moving_sun == pytest.approx(1.0, rel=1e-9) if turns else abs(moving_sun - 1.0) > 1e-4
 
 
 def test_a_sun_among_equal_branches_or_held_stays_where_it_is(as_stiff_as_pressed, sizes):
-    assert as_stiff_as_pressed.solver(sizes(NONE, 5e7), turns=False).point(4.0).moving_sun == pytest.approx(
-        1.0, rel=1e-9
-    )
-    assert as_stiff_as_pressed.solver(sizes(UNLIKE), turns=False).point(4.0).moving_sun == 1.0
+    def factors(of):
+        return as_stiff_as_pressed.solver(of, turns=False).points(np.array([1.0, 4.0])).moving_sun
+
+    assert factors(sizes(NONE, 5e7)) == pytest.approx(np.ones(2), rel=1e-9)
+    assert factors(sizes(UNLIKE)).tolist() == [1.0, 1.0]
 
 
 def test_together_each_counts_once_and_what_no_branch_does_once():

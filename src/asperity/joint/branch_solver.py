@@ -3,6 +3,7 @@ r"""Branches of given sizes, standing or in rolling: one common angle or speed l
 from __future__ import annotations
 
 import dataclasses
+import functools
 import math
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any, NamedTuple
@@ -35,27 +36,32 @@ _LEAST_SUPPORT = 1e-9  # over preload per interference: holds a floating sun whe
 _BELOW_SLIP = (1e-9, 1e-6, 1e-4, 1e-3, 1e-2)
 _TOLERANCE = 1e-13
 _CLOSE = 1e-10  # what may be left of preload and torque where both are found at once
-_STEP = 1e-5  # of the angle or speed loss, in a difference quotient
+_STEP = 1e-5  # in a difference quotient, of the angle or speed loss or of the interference
+_HALVINGS, _ROUGHLY, _NEWTON_STEPS = 60, 12, 40
 
 
-class BranchPoint(NamedTuple):
-    """How branches share a torque: each as a drive all of whose branches are like it.
+class BranchPoints(NamedTuple):
+    """How branches share torques: each as a drive all of whose branches are like it. Branches last.
 
     Parameters
     ----------
     preload, torque : ndarray
-        Preload of each, and the torque of that drive, without the sense of the joint's torque, shape (n,) [N], [N·m].
+        Preload of each, and the torque of that drive, without the sense of the joint's torque, shape (torques, n) [N],
+        [N·m].
     slips : ndarray
-        Which of them slip as a whole, shape (n,).
-    moving_sun : float
+        Which of them slip as a whole, shape (torques, n).
+    moving_sun : ndarray
         By what the torque grows where the sun gives way, over that where it is held, in a small further rotation or
-        speed loss [-].
+        speed loss, shape (torques,) [-].
+    carried : ndarray
+        Whether the branches carry the torque, shape (torques,); where they do not, nothing else holds.
     """
 
     preload: np.ndarray
     torque: np.ndarray
     slips: np.ndarray
-    moving_sun: float
+    moving_sun: np.ndarray
+    carried: np.ndarray
 
 
 class BranchSolver:
@@ -77,16 +83,15 @@ class BranchSolver:
         )
         self.own = drive.interference + np.asarray(own)
         self.origin = self._last = np.zeros(2)
-        self._last_point: tuple[float, np.ndarray] | None = None
         if not turns:
             self.origin = self._found(lambda moved: self._loads(np.zeros(drive.count), moved)[2])
 
     def lengths(self, displacement: np.ndarray) -> np.ndarray:
-        """Interference of each branch [m]."""
-        return self.own + self.per_approach * (self.radial @ displacement)
+        """Interference of each branch, by places of the sun of shape (..., 2) [m]."""
+        return self.own + self.per_approach * (displacement @ self.radial.T)
 
-    def _demands(self, common: float, displacement: np.ndarray) -> np.ndarray:
-        even = np.full(self.drive.count, common)
+    def _demands(self, common: float | np.ndarray, displacement: np.ndarray) -> np.ndarray:
+        even = np.repeat(np.asarray(common)[..., None], self.drive.count, axis=-1)
         return even if self.turns else even + self.drive.sun_turns(displacement - self.origin)
 
     def _loads(
@@ -131,6 +136,9 @@ class BranchSolver:
         preload, share, _ = self._loads(self._demands(common, moved), moved)
         return float(np.mean(self.law.torque(preload, share)))
 
+    def _beyond(self, torque: float, common: float) -> float:
+        return self.total(common) - torque
+
     def _most(self) -> float:
         """An angle or speed loss at which all branches slip."""
         most = 3.0 * self.drive.preload(np.array([np.max(self.own), self.drive.interference])).max()
@@ -138,83 +146,122 @@ class BranchSolver:
 
     def under(self, torque: float) -> BranchState | None:
         """The state under a torque; None where all branches slip below it."""
-        common = self._common(torque)
-        if common is None:
+        most = self._most()
+        if torque > 0.0 and self.total(most) < torque:
             return None
-        state = self.at(common)
+        (common,), _ = self._places(np.array([torque]), most)
+        state = self.at(float(common))
         whole = float(np.sum(state.torque))
         # the common angle is found to rounding only
         return dataclasses.replace(state, torque=state.torque * (torque / whole)) if whole > 0.0 else state
 
-    def _common(self, torque: float) -> float | None:
-        """Angle or speed loss under a torque; None where all branches slip below it."""
+    def points(self, torques: np.ndarray) -> BranchPoints:
+        """How the branches share torques without sign, shape (torques,), all of them at once."""
         most = self._most()
-        if torque > 0.0 and self.total(most) < torque:
-            return None
-        return 0.0 if torque == 0.0 else _zero(lambda x: self.total(x) - torque, most)
-
-    def point(self, torque: float) -> BranchPoint | None:
-        """How the branches share a torque, without sign; None where all of them slip below it."""
-        place = self._near_last(torque)
-        if place is None:
-            common = self._common(torque)
-            if common is None:
-                return None
-            place = common, self.displacement(common)
-        common, moved = self._last_point = place
+        carried = (torques <= self.total(most)) | (torques == 0.0)
+        common, moved = self._places(np.where(carried, torques, 0.0), most)
         refuse_wide(self.lengths(moved), self.drive.interference)
         preload, share, _ = self._loads(self._demands(common, moved), moved)
         own = self.law.torque(preload, share)
-        whole = float(np.mean(own))
-        return BranchPoint(
+        whole = np.mean(own, axis=-1)
+        to_the_torque = np.where(whole > 0.0, torques / np.where(whole > 0.0, whole, 1.0), 1.0)
+        return BranchPoints(
             preload=preload,
-            torque=own * (torque / whole) if whole > 0.0 else own,
+            torque=own * to_the_torque[:, None],
             slips=np.abs(share) >= 1.0,
             moving_sun=self._moving_sun(common, moved),
+            carried=carried,
         )
 
-    def _near_last(self, torque: float) -> tuple[float, np.ndarray] | None:
-        """Angle or speed loss and place of a sun that gives way, both at once from the last ones; None if not found."""
-        if self._last_point is None or math.isinf(self.sizes.sun_support_stiffness) or torque <= 0.0:
-            return None
-        most, size, force = self._most(), self.drive.interference, self.drive.own_preload
-        support = self._support()
+    def _places(self, torques: np.ndarray, most: float) -> tuple[np.ndarray, np.ndarray]:
+        """Angle or speed loss and place of the sun under torques that the branches carry."""
+        moved = np.tile(self.displacement(0.0), (torques.size, 1))
+        held = math.isinf(self.sizes.sun_support_stiffness)
+        common = self._with_sun_at(moved, torques, most, halvings=_HALVINGS if held else _ROUGHLY)
+        if held:
+            return common, moved
+        scale = np.array([most, *2 * (self.drive.interference,)])
+        found, left = self._newton(np.column_stack([common, moved]) / scale, torques, scale)
+        for index in np.flatnonzero(~(left < _CLOSE) & (torques > 0.0)):  # one by one, where that goes astray
+            alone = _zero(functools.partial(self._beyond, float(torques[index])), most)
+            found[index] = np.append(alone, self.displacement(alone)) / scale
+        found = np.where(
+            torques[:, None] > 0.0, found * scale, np.column_stack([np.zeros(torques.size), moved])
+        )
+        return found[:, 0], found[:, 1:]
+
+    def _with_sun_at(
+        self, moved: np.ndarray, torques: np.ndarray, most: float, *, halvings: int
+    ) -> np.ndarray:
+        """Angle or speed loss under torques where the sun is held at places, by halving."""
+        low, high = np.zeros(torques.size), np.full(torques.size, most)
+        for _ in range(halvings):
+            middle = 0.5 * (low + high)
+            preload, share, _ = self._loads(self._demands(middle, moved), moved)
+            more = np.mean(self.law.torque(preload, share), axis=-1) < torques
+            low, high = np.where(more, middle, low), np.where(more, high, middle)
+        return np.where(torques > 0.0, 0.5 * (low + high), 0.0)
+
+    def _newton(
+        self, start: np.ndarray, torques: np.ndarray, scale: np.ndarray
+    ) -> tuple[np.ndarray, np.ndarray]:
+        """Scaled angles or speed losses and places of a sun that gives way, and what is left of preload and torque."""
+        wanted = np.where(torques > 0.0, torques, 1.0)
+        support, force = self._support(), self.drive.own_preload
 
         def misfit(scaled: np.ndarray) -> np.ndarray:
-            common, moved = scaled[0] * most, scaled[1:] * size
+            common, moved = scaled[..., 0] * scale[0], scaled[..., 1:] * scale[1:]
             preload, share, sun = self._loads(self._demands(common, moved), moved)
-            missing = float(np.mean(self.law.torque(preload, share))) / torque - 1.0
-            return np.append((sun - support * moved) / force, missing)
+            missing = np.mean(self.law.torque(preload, share), axis=-1) / wanted - 1.0
+            return np.concatenate([missing[..., None], (sun - support * moved) / force], axis=-1)
 
-        start = np.append(self._last_point[0] / most, self._last_point[1] / size)
-        found = root(misfit, start, method="hybr", options={"xtol": 1e-13})
-        if found.x[0] <= 0.0 or np.max(np.abs(misfit(found.x))) > _CLOSE:
-            return None
-        return float(found.x[0] * most), found.x[1:] * size
+        found, steps = start, np.eye(3)[:, None, :] * _STEP
+        left = misfit(found)
+        for _ in range(_NEWTON_STEPS):
+            size = np.max(np.abs(left), axis=-1)
+            if np.all((size < _CLOSE) | (torques <= 0.0)):
+                break
+            slopes = (misfit(found + steps) - misfit(found - steps)) / (2.0 * _STEP)  # (3 in, torques, 3 out)
+            matrix = np.moveaxis(slopes, 0, -1) + 1e-14 * np.eye(3)
+            ahead = -np.linalg.solve(matrix, left[..., None])[..., 0]
+            for share in (1.0, 0.5, 0.25, 0.1, 0.01):  # the shortest of them, where no other is better
+                tried = found + share * ahead
+                there = misfit(tried)
+                better = np.max(np.abs(there), axis=-1) < size
+                take = (better | (share == 0.01)) & (size >= _CLOSE)
+                found, left = np.where(take[:, None], tried, found), np.where(take[:, None], there, left)
+                size = np.where(take, 0.0, size)  # done in this step
+        return found, np.where(found[:, 0] >= 0.0, np.max(np.abs(left), axis=-1), np.inf)
 
     def _support(self) -> float:
         """Stiffness of the sun's bearings; a little where nothing holds it [N/m]."""
         least = _LEAST_SUPPORT * self.drive.own_preload / self.drive.interference
         return max(self.sizes.sun_support_stiffness, least)
 
-    def _moving_sun(self, common: float, moved: np.ndarray) -> float:
+    def _moving_sun(self, common: np.ndarray, moved: np.ndarray) -> np.ndarray:
         """How much more or less torque a further angle or speed loss takes where the sun gives way to it."""
         if math.isinf(self.sizes.sun_support_stiffness):
-            return 1.0
+            return np.ones(common.size)
         support = self._support()
 
         def loads(point: np.ndarray) -> np.ndarray:
-            preload, share, sun = self._loads(self._demands(point[0], point[1:]), point[1:])
-            return np.append(np.mean(self.law.torque(preload, share)), sun - support * point[1:])
+            preload, share, sun = self._loads(self._demands(point[..., 0], point[..., 1:]), point[..., 1:])
+            torque = np.mean(self.law.torque(preload, share), axis=-1)
+            return np.concatenate([torque[..., None], sun - support * point[..., 1:]], axis=-1)
 
-        steps = _STEP * np.array([max(common, 1e-3 * self._most()), *2 * (self.drive.interference,)])
-        point = np.append(max(common, steps[0]), moved)
-        slopes = np.array(
-            [(loads(point + step) - loads(point - step)) / np.sum(2.0 * step) for step in np.diag(steps)]
-        )
-        gives_way = -np.linalg.solve(slopes[1:, 1:].T, slopes[0, 1:])
-        held = slopes[0, 0]
-        return float(1.0 + slopes[1:, 0] @ gives_way / held) if held > 0.0 else 1.0
+        turned = np.maximum(common, 1e-3 * self._most())
+        length = np.full(common.size, self.drive.interference)
+        steps = _STEP * np.stack([turned, length, length], axis=-1)
+        point = np.column_stack([np.maximum(common, steps[:, 0]), moved])
+        apart = np.eye(3)[:, None, :] * steps
+        slopes = (loads(point + apart) - loads(point - apart)) / (
+            2.0 * steps.T[..., None]
+        )  # (3 in, torques, 3 out)
+        held = slopes[0, :, 0]
+        by_place = np.moveaxis(slopes[1:, :, 1:], 0, -1)  # (torques, 2 out, 2 in)
+        way = -np.linalg.solve(by_place, slopes[0, :, 1:, None])[..., 0]
+        more = np.sum(slopes[1:, :, 0].T * way, axis=-1)
+        return np.where(held > 0.0, 1.0 + more / np.where(held > 0.0, held, 1.0), 1.0)
 
     def at(self, common: float) -> BranchState:
         """The state at an angle or a speed loss."""

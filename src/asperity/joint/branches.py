@@ -134,20 +134,20 @@ class BranchedJoint:
             capacity=standing.capacity(),
             rolling_capacity=rolling.capacity(),
             turning=None if turns is None or not slip else self._turning(turns),
-            stiffness=self._stiffness(sizes, torque) if slip else None,
+            stiffness=self._stiffness(standing, torque) if slip else None,
         )
 
-    def _stiffness(self, sizes: BranchSizes, torque: float) -> float | None:
+    def _stiffness(self, standing: BranchSolver, torque: float) -> float | None:
         """Stiffness of the assembled joint that stands under a torque; None where its branches do not carry it."""
-        point = self.solver(sizes, turns=False).point(torque)
-        if point is None:
+        found = standing.points(np.array([torque]))
+        if not found.carried[0]:
             return None
-        compliance = self.laws.states(point.preload, point.torque * (1.0 - JUST_BELOW))["compliance"]
-        holds = (point.preload > 0.0) & ~point.slips & (compliance > 0.0)
+        compliance = self.laws.states(found.preload[0], found.torque[0] * (1.0 - JUST_BELOW))["compliance"]
+        holds = (found.preload[0] > 0.0) & ~found.slips[0] & (compliance > 0.0)
         each = np.where(holds, 1.0 / np.where(holds, compliance, 1.0), 0.0)
         structure = self.joint.structure
         whole, *_ = with_shafts(
-            stiffness=jnp.asarray(point.moving_sun * np.mean(each)),
+            stiffness=jnp.asarray(found.moving_sun[0] * np.mean(each)),
             ratio=speed_ratio(self.joint.geometry),
             input_shaft_stiffness=structure.input_shaft_stiffness,
             output_shaft_stiffness=structure.output_shaft_stiffness,
@@ -191,6 +191,6 @@ class BranchedJoint:
         return BranchSolver(self, sizes, law, turns=turns, slip=False)
 
     def sun_turns(self, displacement: np.ndarray) -> np.ndarray:
-        """Angle at the output by which a displacement of the sun winds up each branch, shape (n,) [rad]."""
+        """Angle at the output by which a displacement of the sun, shape (..., 2), winds up each branch [rad]."""
         _, along = branch_directions(self.count)
-        return np.asarray(self.laws.direction * self._turned * (along @ displacement))
+        return np.asarray(self.laws.direction * self._turned * (displacement @ along.T))

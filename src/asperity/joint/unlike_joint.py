@@ -176,13 +176,11 @@ def branch_joints(
     ):
         there = unlike.under(sense * float(np.max(np.abs(torques))), speed).joint
         solver = BranchedJoint(there, unlike.interference).solver(unlike.sizes, turns=turns)
-        for index in np.flatnonzero((senses == sense) & (speeds == speed)):
-            point = solver.point(abs(float(torques[index])))
-            if point is None:
-                carried[index] = False
-                continue
-            preload[:, index], torque[:, index], slips[:, index] = point.preload, point.torque, point.slips
-            moving[index] = point.moving_sun
+        here = (senses == sense) & (speeds == speed)
+        found = solver.points(np.abs(torques[here]))
+        carried[here], moving[here] = found.carried, np.where(found.carried, found.moving_sun, 1.0)
+        for whole, each in ((preload, found.preload), (torque, found.torque), (slips, found.slips)):
+            whole[:, here] = np.where(found.carried, each.T, 0.0)
     bears = preload > 0.0
     whole = np.sum(torque, axis=0)
     numbers = jax.tree.map(lambda leaf: np.asarray(leaf, dtype=float), joint)
