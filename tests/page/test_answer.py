@@ -7,9 +7,10 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from asperity.joint.branch_results import NO_EQUAL_WINDUP
+from asperity.joint.windup import windup
 from asperity.joint_file.build import joint_from_case
-from asperity.joint_file.reader import parse_case
+from asperity.joint_file.own_branches import with_own_branches
+from asperity.joint_file.reader import parse_any_case, parse_case
 from asperity.page import answer
 from asperity.page.answer import _curves, _windup, joint_answer, plain_numbers, stated_values
 from asperity.page.joint_request import JointRequest
@@ -58,8 +59,8 @@ def test_a_choice_that_the_file_leaves_out_is_empty(case, joint_text):
 
 
 def test_without_a_torque_there_is_no_windup(joint_text):
-    joint = joint_from_case(parse_case(joint_text.replace('"5 N*m"', '"0 N*m"'), source="x"))
-    assert _windup(SimpleNamespace(joint=joint)) == {
+    case = parse_case(joint_text.replace('"5 N*m"', '"0 N*m"'), source="x")
+    assert _windup(SimpleNamespace(joint=joint_from_case(case)), case) == {
         "unknown_because": "no torque, no wind-up: set an output torque"
     }
 
@@ -98,8 +99,8 @@ def test_the_windup_is_that_of_the_assembly_up_to_the_torque(monkeypatch, joint_
 
     monkeypatch.setattr(answer, "windup", windup)
     monkeypatch.setattr(answer, "windup_columns", lambda curve: {"torque_Nm": np.array([0.0, 5.0])})
-    joint = joint_from_case(parse_case(joint_text.replace('"5 N*m"', '"-5 N*m"'), source="x"))
-    assert _windup(SimpleNamespace(joint=joint)) == {
+    case = parse_case(joint_text.replace('"5 N*m"', '"-5 N*m"'), source="x")
+    assert _windup(SimpleNamespace(joint=joint_from_case(case)), case) == {
         "unknown_because": None,
         "hysteresis_rad": 1e-4,
         "lost_motion_rad": 2e-4,
@@ -155,5 +156,21 @@ def test_under_a_torque_that_only_the_branches_of_the_file_carry(zou_file):
     text += 3 * '\n[[branch]]\nplanet_deviation = "2 um"\n'
     found = joint_answer(JointRequest("p.toml", text, {"load.output_torque": "13 N*m"}))
     json.dumps(found, allow_nan=False)
-    assert found["windup"] == {"unknown_because": NO_EQUAL_WINDUP}
+    # as with an interference of 34 um
+    assert max(found["windup"]["loading_angle_rad"]) == pytest.approx(0.05753 * np.pi / 10800.0, rel=1e-4)
     assert found["drawing"]["forces"] == found["drawing"]["bodies"] == []
+
+
+@pytest.mark.slow
+def test_the_windup_is_that_of_the_branches_of_the_file(zou_file):
+    """The same as that of `asperity windup`, in half as many steps; the joint's own loop is another."""
+    text = zou_file.read_text(encoding="utf-8").replace('preload = "1000 N"', 'interference = "13 um"')
+    unlike = "".join(f'\n[[branch]]\nplanet_deviation = "{size} um"\n' for size in (3, 0, -2))
+    found, equal = (
+        joint_answer(JointRequest("z.toml", each, {}))["windup"] for each in (text + unlike, text)
+    )
+    own = with_own_branches(parse_any_case(text + unlike, source="z.toml"))
+    curve = windup(own, largest_torque=5.0, level="assembly")
+    for name in ("hysteresis", "lost_motion"):
+        assert found[f"{name}_rad"] == pytest.approx(float(getattr(curve, name)), rel=2e-3)
+    assert found["hysteresis_rad"] == pytest.approx(1.06 * equal["hysteresis_rad"], rel=0.01)

@@ -12,8 +12,6 @@ from asperity.drive.geometry import CONTACT_NAMES
 from asperity.joint.branch_sizes import BranchSizes, SectorDeviations
 from asperity.joint.rolling_power import RollingLosses, RollingPower, power_budget
 
-#: Why there is no wind-up under a torque that only the file's own branches carry.
-NO_EQUAL_WINDUP = "the wind-up is that of equal branches, which do not carry this torque"
 #: Why results of a joint are absent whose own branches carry a torque that equal ones do not carry.
 NO_EQUAL_STATE = "equal branches do not carry this torque; see the section on the branches of the file"
 

@@ -10,7 +10,6 @@ import numpy as np
 
 from asperity.drive.planar.state import PlanarState
 from asperity.errors import AsperityError
-from asperity.joint.branch_results import NO_EQUAL_WINDUP
 from asperity.joint.creep_curves import creep_curves
 from asperity.joint.margins import Margin, margins
 from asperity.joint.planar.description import PlanarJoint
@@ -21,6 +20,7 @@ from asperity.joint.windup_document import windup_columns
 from asperity.joint_file.drawn_surface import drawn_interval
 from asperity.joint_file.entered_values import entered_values
 from asperity.joint_file.model import Case
+from asperity.joint_file.own_branches import with_own_branches
 from asperity.joint_file.planar_model import PlanarCase
 from asperity.joint_file.quantity_key import Key
 from asperity.joint_file.si_tables import numeric_keys
@@ -71,7 +71,7 @@ def joint_answer(request: JointRequest) -> Answer:
         "margins": [_margin(each) for each in margins(solved)],
         "curves": _curves(solved),
         "creep": _creep(solved),
-        "windup": {"unknown_because": NO_EQUAL_WINDUP} if solved.no_equal_state else _windup(solved),
+        "windup": _windup(solved, case),
     }
 
 
@@ -203,15 +203,16 @@ def _creep(solved: SolvedJoint) -> Answer:
     }
 
 
-def _windup(solved: SolvedJoint) -> Answer:
-    """The loop at the joint's torque, or why there is none."""
+def _windup(solved: SolvedJoint, case: Case | PlanarCase) -> Answer:
+    """The loop at the joint's torque, of its own branches, or why there is none."""
     torque = abs(float(solved.joint.output_torque))
     if torque == 0.0:
         return {"unknown_because": "no torque, no wind-up: set an output torque"}
     try:
-        curve = windup(
-            solved.joint, largest_torque=torque, level="assembly", steps=_WINDUP_STEPS, rest=_rest(solved)
-        )
+        equal = case.branch is None
+        joint = solved.joint if equal else with_own_branches(case)
+        rest = _rest(solved) if equal else None
+        curve = windup(joint, largest_torque=torque, level="assembly", steps=_WINDUP_STEPS, rest=rest)
     except AsperityError as error:
         return {"unknown_because": str(error)}
     return {
