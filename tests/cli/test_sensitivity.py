@@ -29,15 +29,22 @@ def test_sensitivity_document_and_table(tmp_path, monkeypatch):
     from asperity.joint_file.reader import read_case
     from asperity.study.tolerances import sensitivity as module
 
-    found = module.sensitivity(read_case(FILE))
-    monkeypatch.setattr(
-        module, "sensitivity", lambda case, results: found
-    )  # compiled once for three commands
+    whole = module.sensitivity(read_case(FILE))
+
+    def asked_for(case, results):  # compiled once for all commands
+        rows = [row for row in whole["result"].values.tolist() if row.startswith(tuple(results))]
+        return whole.sel(result=rows)
+
+    monkeypatch.setattr(module, "sensitivity", asked_for)
     document = json.loads(run("sensitivity", FILE, "--json", "--plot").stdout)
     elasticity = document["results"]["torque_capacity"]["elasticity"]
     assert elasticity["drive.planets"] == pytest.approx(1.0, abs=1e-9)
     assert document["inputs"]["drive.sun_radius"] == {"value": 0.004, "unit": "m"}
     assert (tmp_path / "sensitivity.png").stat().st_size > 10_000
+    assert "slip_ratio_sp" in document["results"]
+    pictured = run("sensitivity", FILE, "--result", "torque_capacity", "--plot", str(tmp_path / "t.png"))
+    assert (tmp_path / "t.png").stat().st_size > 10_000
+    assert "drive.ring_radius" in pictured.output
     table = run("sensitivity", FILE, "--result", "torque_capacity").output.splitlines()
     ranks = [line.split()[0] for line in table if line.startswith((" drive.", " load.", "drive.", "load."))]
     assert ranks[0] == "drive.ring_radius"

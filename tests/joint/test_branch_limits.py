@@ -97,6 +97,12 @@ def test_a_joint_that_stands_has_no_requirement_in_rolling(unequal_branches):
         "branch_preload",
         "branch_pressure_over_first_yield",
     ]
+    # but its worst branch is judged as its equal ones are: as if it rolled slowly
+    slow = dataclasses.replace(
+        unequal_branches().standing, limits={"shakedown_ratio": np.array([[0.5, 1.2, np.nan]] * 5)}
+    )
+    shakes = checks_of(unequal_branches(rolling=slow))["branch_shakedown_ratio"]
+    assert (shakes.contact, shakes.value, shakes.ok) == ("sp of planet 2", 1.2, False)
     unknown = checks_of(unequal_branches(), turns=True)["branch_shakedown_ratio"]
     assert math.isnan(unknown.value)
     assert not unknown.ok

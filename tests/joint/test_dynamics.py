@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 from asperity.errors import AsperityError
+from asperity.joint.capacity import LIMIT_KINDS, MODEL_LIMITS
 from asperity.joint.dynamics import Inertias, _planar_dynamics, dynamics
 from asperity.joint.solve import solve
 from asperity.joint_file.planar_build import any_joint_from_case
@@ -77,14 +78,24 @@ def test_over_torque_up_to_nearly_the_capacity(paper_joint, found):
 
 @pytest.mark.slow
 @pytest.mark.parametrize(
-    ("torque", "limit", "largest"), [(5.0, 10.0, 9.8), (-5.0, 10.0, -6.86), (5.0, math.inf, 5.0)]
+    ("torque", "limit", "kind", "largest"),
+    [
+        (5.0, 10.0, "gross_slip", 9.8),
+        (-5.0, 10.0, "gross_slip", -6.86),
+        (5.0, math.inf, "none", 5.0),
+        (5.0, 2e4, MODEL_LIMITS[0], 10.0),
+        (5.0, 6.0, MODEL_LIMITS[0], 5.88),
+    ],
 )
 def test_the_axis_ends_below_the_capacity_in_the_sense_of_the_torque(
-    paper_joint, monkeypatch, torque, limit, largest
+    paper_joint, monkeypatch, torque, limit, kind, largest
 ):
-    """At 98 % of 10 N·m forwards or of 7 N·m backwards, or at the torque itself."""
+    """At 98 % of 10 N·m forwards or of 7 N·m backwards, at the torque itself, or at twice where only the model ends."""
     limits = {"capacity": limit, "reverse_capacity": 7.0}
-    known = {name: SimpleNamespace(output_torque=value) for name, value in limits.items()}
+    known = {
+        name: SimpleNamespace(output_torque=value, limit=LIMIT_KINDS.index(kind))
+        for name, value in limits.items()
+    }
     solution = SimpleNamespace(result=solve(paper_joint()).result, **known)
     monkeypatch.setattr("asperity.joint.dynamics.solve_any", lambda joint: solution)
     found = dynamics(paper_joint(output_torque=torque), COUPLED)

@@ -19,7 +19,8 @@ def document(**changes):
         "drift_rad_per_output_turn": 40.0 * TURN_AN_ARCMINUTE, "speed_loss": 1.85e-3, "efficiency": 0.98,
         "input_power_W": 50.0, "output_power_W": 49.0, "reliability": 0.9,
         "losses_W": {"creep": 1.0, "skew": 0.0, "hysteresis": None, "oil": None, "bearings": 0.25, "total": 1.25},
-        "life_hours": 1e4, "life_output_turns": 4e6, "body_life_hours": {"loading_roller": 2e4},
+        "torque_capacity_Nm": 12.5, "life_hours": 1e4, "life_output_turns": 4e6,
+        "body_life_hours": {"loading_roller": 2e4},
         "body_life_output_turns": {"loading_roller": 8e6}, "duty_life_hours": 3e4, "duty_life_output_turns": 5e6,
     }  # fmt: skip
     found |= changes
@@ -39,7 +40,7 @@ def tables(blocks):
 
 def test_drift_stands_beside_the_stiffness():
     """5 N·m on 2 N·m/arcmin are 2.5 arcmin that come back; 40 arcmin a turn do not."""
-    rows = tables(rolling(document(), capacity=12.5))["Position of the output: drift beside stiffness"]
+    rows = tables(rolling(document()))["Position of the output: drift beside stiffness"]
     assert [row[:2] for row in rows] == [
         ("drift per output turn", "40 arcmin"),
         ("speed loss", "0.185 %"),
@@ -49,20 +50,8 @@ def test_drift_stands_beside_the_stiffness():
     ]
 
 
-def test_a_capacity_at_which_only_what_is_computed_ends():
-    """The wall of one direction is too thin from 12.5 N·m on; a smaller capacity in rolling is one of slip."""
-    thin = {"output_torque_Nm": 12.5, "is_lower_bound": True}
-    both = {"output_torque_Nm": 12.5, "is_lower_bound": False, "reverse": thin}
-    for capacity, words in (
-        (12.5, "at least: what is computed ends there"),
-        (11.0, "beyond, a contact slips"),
-    ):
-        (block, *_) = rolling(document() | {"torque_capacity": both}, capacity=capacity)
-        assert block.rows[-1][2] == words
-
-
 def test_losses_by_contact_and_in_all():
-    found = tables(rolling(document(), capacity=None))
+    found = tables(rolling(document()))
     (title,) = (each for each in found if each.startswith("Losses"))
     assert title == "Losses, W; efficiency 98 %, power in 50 W, out 49 W"
     assert found[title] == [
@@ -76,29 +65,26 @@ def test_losses_by_contact_and_in_all():
 def test_lives_of_drive_and_bodies_and_under_a_duty():
     found = document()
     title = "Fatigue life that 90 % of the drives reach"
-    rows = tables(rolling(found, capacity=None))[title]
+    rows = tables(rolling(found))[title]
     assert [row[0] for row in rows] == ["the drive", "loading roller"]
     found["input"]["duty"] = [{}]
-    assert tables(rolling(found, capacity=None))[title][-1][0] == "the drive under its duty"
+    assert tables(rolling(found))[title][-1][0] == "the drive under its duty"
     assert not any(
-        isinstance(block, Paragraph) and "not to be relied on" in block.text
-        for block in rolling(found, capacity=None)
+        isinstance(block, Paragraph) and "not to be relied on" in block.text for block in rolling(found)
     )
     found["contacts"]["sp"]["shakedown_ratio"] = 1.01
-    (said,) = (
-        b.text for b in rolling(found, capacity=None) if isinstance(b, Paragraph) and "relied" in b.text
-    )
+    (said,) = (b.text for b in rolling(found) if isinstance(b, Paragraph) and "relied" in b.text)
     assert said.endswith("the shakedown limit is exceeded at sp.")
 
 
 def test_thrust_only_where_axes_are_skewed_and_reasons_first():
-    parallel = list(rolling(document(), capacity=None))
+    parallel = list(rolling(document()))
     assert any(
         isinstance(block, Paragraph) and block.text.startswith("Axial thrust: none") for block in parallel
     )
     skewed = document(unknown_because=["the sun stands"], axial_thrust_N={"sun": -30.0, "planet": 10.0})
     skewed["rolling"]["contacts"]["sp"]["axial_force_N"] = 10.0
-    blocks = list(rolling(skewed, capacity=None))
+    blocks = list(rolling(skewed))
     assert isinstance(blocks[0], Bullets)
     assert list(blocks[0].items) == ["the sun stands."]
     assert tables(blocks)["Axial thrust on each body, N"] == [("-30", "10")]

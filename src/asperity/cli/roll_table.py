@@ -15,6 +15,7 @@ from asperity.cli.document_text import (
 )
 from asperity.cli.terminal import table
 from asperity.joint.document import input_member
+from asperity.joint.position_rows import position_rows
 
 if TYPE_CHECKING:
     from rich.console import Console
@@ -49,57 +50,11 @@ def show_rolling(target: Console, document: Document, *, source: str) -> None:
 
 def _show_output(target: Console, document: Document) -> None:
     """Drift and stiffness: two numbers that do not replace each other."""
-    rolling, stiffness = document["rolling"], document["torsional_stiffness"]["assembly"]
-    torque, spring = document["forces"]["output_torque_Nm"], stiffness["output_Nm_per_rad"]
     shown = table(target, "Position of the output", "quantity", "value", "what it is")
     shown.columns[2].justify, shown.columns[2].no_wrap = "left", False
-    shown.add_row(
-        "drift per output turn",
-        in_unit(rolling["drift_rad_per_output_turn"], "arcmin"),
-        "adds up with every turn and does not come back",
-    )
-    shown.add_row(
-        "speed loss", f"{scaled(rolling['speed_loss'], 100.0)} %", "the same, as a share of the output speed"
-    )
-    shown.add_row(
-        "stiffness, standing",
-        f"{number(stiffness['output_Nm_per_arcmin'])} N·m/arcmin",
-        "assembled, at this torque",
-    )
-    shown.add_row(
-        "torque over stiffness",
-        "-" if not spring else in_unit(torque / spring, "arcmin"),
-        "about what comes back without torque; 'asperity windup' integrates it",
-    )
-    capacity = rolling["torque_capacity_Nm"]
-    shown.add_row(
-        "torque capacity, rolling",
-        "not limited" if capacity is None else in_unit(capacity, "N*m"),
-        f"{_beyond(document)}; standing: {_standing_capacity(document)}",
-    )
-    if "branches" in document:
-        shown.add_row(
-            "that of the worst branch",
-            in_unit(document["branches"]["rolling_torque_capacity"]["first_slip_Nm"], "N*m"),
-            "by its own size; the row above is that of equal branches",
-        )
+    for label, value, unit, meaning in position_rows(document):
+        shown.add_row(label, in_unit(value, unit), meaning)
     target.print(shown)
-
-
-def _beyond(document: Document) -> str:
-    """What ends the rolling, or what is computed of it."""
-    from asperity.joint.capacity import may_carry_more
-
-    if may_carry_more(document["torque_capacity"], document["rolling"]["torque_capacity_Nm"]):
-        return "at least: what is computed ends there"
-    return "beyond, a contact slips"
-
-
-def _standing_capacity(document: Document) -> str:
-    capacity = document["torque_capacity"]
-    reverse = document["forces"]["output_torque_Nm"] < 0.0
-    found = (capacity["reverse"] if reverse else capacity)["output_torque_Nm"]
-    return "not limited by friction" if found is None else in_unit(found, "N*m")
 
 
 def _show_losses(target: Console, document: Document) -> None:

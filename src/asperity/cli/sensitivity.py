@@ -55,7 +55,7 @@ def sensitivity(file: str, result: str, as_json: bool, plot: str | None) -> None
     rows = differentiable_rows(table)
     asked = rows[known_result(result, among=tuple(rows))]
     check_image(plot)
-    others = [name for name in DEFAULT_RESULTS if name in table] if as_json else []
+    others = [name for name in DEFAULT_RESULTS if name in table] if as_json or plot is not None else []
     names = tuple(dict.fromkeys((*others, asked)))
     with about(file):
         found = differentiate(case, names)

@@ -26,7 +26,7 @@ def branch_checks(found: UnequalBranches, *, turns: bool) -> tuple[LimitCheck, .
     found : UnequalBranches
         The branches of a joint, with their slip.
     turns : bool
-        Whether the joint turns; the limits in rolling hold for no other.
+        Whether the joint turns; first slip in rolling holds for no other.
 
     Returns
     -------
@@ -42,6 +42,7 @@ def branch_checks(found: UnequalBranches, *, turns: bool) -> tuple[LimitCheck, .
     ]
     if turns:
         checks.insert(1, _slip(found, found.rolling_capacity, found.rolling, "in rolling"))
+    if turns or found.rolling is not None:  # a joint that stands is judged as if it rolled slowly
         checks.append(_worst(found, "shakedown_ratio", found.rolling))
     if found.beyond_equal:
         checks.append(_beyond_equal(found))

@@ -48,7 +48,7 @@ def refuse_wide(interference: np.ndarray, nominal: float) -> None:
     Parameters
     ----------
     interference : ndarray
-        Of the branches [m].
+        Of the branches, which are its last axis [m].
     nominal : float
         That of equal branches [m].
 
@@ -58,9 +58,11 @@ def refuse_wide(interference: np.ndarray, nominal: float) -> None:
         With the largest one.
     """
     if np.any(interference > WIDEST * nominal):
+        branch = int(np.argmax(interference)) % interference.shape[-1] + 1
         raise InputError(
-            f"the interference of a branch, {format_quantity(float(np.max(interference)), 'um')}, is more than "
-            f"{WIDEST:g} times the nominal one; state smaller deviations"
+            f"the interference of branch {branch}, {format_quantity(float(np.max(interference)), 'um')}, is more than "
+            f"{WIDEST:g} times that of equal branches at the working temperature, {format_quantity(nominal, 'um')}; "
+            "state smaller deviations or a larger interference"
         )
 
 

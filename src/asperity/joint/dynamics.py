@@ -21,6 +21,7 @@ from asperity.drive.dynamics import (
 from asperity.drive.geometry import carrier_speed, speed_ratio
 from asperity.drive.planar.layout import speed_ratio as planar_speed_ratio
 from asperity.errors import InputError
+from asperity.joint.capacity import LIMIT_KINDS, MODEL_LIMITS
 from asperity.joint.description import Joint, with_one_rank
 from asperity.joint.either_kind import AnySolution, OwnJoint, solve_any
 from asperity.joint.evaluation import evaluate
@@ -331,8 +332,10 @@ def dynamics(joint: OwnJoint, inertias: Inertias) -> Dynamics:
 
 
 def _limit(solution: AnySolution, torque: float) -> float:
-    """Capacity in the direction of a torque [N·m]."""
+    """Capacity in the direction of a torque [N·m]; where only what is computed ends there, at most twice the torque."""
     if isinstance(solution, UnlikeSolution):
         return solution.branches.capacity.all_slip
     found = solution.reverse_capacity if torque < 0.0 else solution.capacity
-    return float(found.output_torque)
+    limit = float(found.output_torque)
+    ends = LIMIT_KINDS[int(found.limit)] in MODEL_LIMITS and torque != 0.0
+    return min(limit, 2.0 * abs(torque) / _NEAR_CAPACITY) if ends else limit

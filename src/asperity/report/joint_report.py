@@ -240,9 +240,8 @@ def _windup(document: dict[str, Any], found: _Examined, pictures: dict[str, str]
 
 
 def _rolling(document: dict[str, Any], found: _Examined, pictures: dict[str, str]) -> Iterator[Block]:
-    capacity = found.rolling_capacity
     yield from equal_branches(document)
-    yield from rolling_tables.rolling(document, capacity=capacity if math.isfinite(capacity) else None)
+    yield from rolling_tables.rolling(document)
     if "rolling" in pictures:
         yield Picture("Creep, efficiency, drift and life", pictures["rolling"])
 

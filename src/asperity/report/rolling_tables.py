@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Any
 
-from asperity.joint.capacity import may_carry_more
+from asperity.joint.position_rows import position_rows
 from asperity.report.cells import number, percent, quantity
 from asperity.report.content import Block, Bullets, Paragraph, Table
 
@@ -13,15 +13,13 @@ Document = dict[str, Any]
 _CAUSES = ("creep", "skew", "hysteresis", "oil")
 
 
-def rolling(document: Document, *, capacity: float | None) -> Iterator[Block]:
+def rolling(document: Document) -> Iterator[Block]:
     """Drift, losses, contacts, thrust and life.
 
     Parameters
     ----------
     document : dict
         As :func:`asperity.joint.document.joint_document` makes it.
-    capacity : float or None
-        Torque capacity in rolling [N·m]; None if friction does not limit it or there is no rolling.
 
     Yields
     ------
@@ -31,7 +29,7 @@ def rolling(document: Document, *, capacity: float | None) -> Iterator[Block]:
     found = document["rolling"]
     if found["unknown_because"]:
         yield Bullets([f"{reason}." for reason in found["unknown_because"]])
-    yield _position(document, capacity)
+    yield _position(document)
     yield _losses(found)
     yield _contacts(document)
     if any(each["axial_force_N"] for each in found["contacts"].values()):
@@ -47,34 +45,11 @@ def rolling(document: Document, *, capacity: float | None) -> Iterator[Block]:
     yield from _life(document)
 
 
-def _position(document: Document, capacity: float | None) -> Table:
-    found, spring = document["rolling"], document["torsional_stiffness"]["assembly"]["output_Nm_per_rad"]
-    torque = document["forces"]["output_torque_Nm"]
-    rows = [
-        (
-            "drift per output turn",
-            quantity(found["drift_rad_per_output_turn"], "arcmin"),
-            "adds up with every turn and does not come back",
-        ),
-        ("speed loss", percent(found["speed_loss"]), "the same, as a share of the output speed"),
-        ("stiffness, standing", quantity(spring, "N*m/arcmin"), "assembled, at this torque"),
-        (
-            "torque over stiffness",
-            quantity(torque / spring if spring else None, "arcmin"),
-            "about what comes back without torque; the wind-up integrates it",
-        ),
-        (
-            "torque capacity, rolling",
-            quantity(capacity, "N*m"),
-            "at least: what is computed ends there"
-            if may_carry_more(document["torque_capacity"], capacity)
-            else "beyond, a contact slips",
-        ),
-    ]
+def _position(document: Document) -> Table:
     return Table(
         "Position of the output: drift beside stiffness",
         ("quantity", "value", "what it is"),
-        rows,
+        [(label, quantity(value, unit), meaning) for label, value, unit, meaning in position_rows(document)],
         words=(0, 2),
     )
 

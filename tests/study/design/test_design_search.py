@@ -1,8 +1,12 @@
 """The search on power laws: optima, shadow prices, conflicts and existence as they follow by hand."""
 
+import dataclasses
+
 import numpy as np
 import pytest
 
+from asperity.joint.results import RESULTS
+from asperity.study.design import design_evaluation, design_search
 from asperity.study.design.design_problem import Constraint, Objective
 from asperity.study.design.design_search import (
     SearchProgress,
@@ -29,6 +33,17 @@ def test_the_optimum_of_power_laws_from_every_start(evaluator, start):
 
 def test_shadow_prices_are_the_exponents_of_the_optimum(evaluator):
     """m = 100 L = 100 P c^2/p^2 with P = 250/s: 1 % of the pressure limit gains 2 %, of the slip limit 1 %."""
+    made = evaluator(LIGHT, LIMITS)
+    residual, multipliers = optimality(made, made.scaled(BEST))
+    assert residual < 1e-7
+    np.testing.assert_allclose(multipliers, [2.0, 0.0, 1.0, 0.0], atol=1e-5)
+
+
+def test_shadow_prices_of_an_objective_that_may_be_negative_are_relative_too(evaluator, monkeypatch):
+    """The same mass without its logarithm: what 1 % of a limit gains stays 2 % and 1 % of it."""
+    rows = {**RESULTS, "mass": dataclasses.replace(RESULTS["mass"], positive=False)}
+    for module in (design_search, design_evaluation):
+        monkeypatch.setattr(module, "RESULTS", rows)
     made = evaluator(LIGHT, LIMITS)
     residual, multipliers = optimality(made, made.scaled(BEST))
     assert residual < 1e-7

@@ -6,6 +6,7 @@ from collections.abc import Callable
 
 import numpy as np
 
+from asperity.joint.results import RESULTS
 from asperity.joint_file.si_tables import si_values
 from asperity.study.design.design_evaluation import DesignEvaluator
 
@@ -255,7 +256,7 @@ def optimality(
     residual : float
         What is left of the objective's gradient after the gradients of the active limits and bounds, relative to it,
         or to one logarithmic unit over the range of a variable where the objective is flatter than that [-]. It is 0
-        at a local optimum.
+        at a local optimum. An objective that may be negative counts relative to its own size.
     multipliers : ndarray
         Of all margins, shape (rows,); where limits are missed, of the largest violation, adding up to one.
 
@@ -269,6 +270,8 @@ def optimality(
     if design.violation <= FEASIBLE:
         worst = design.objective[0]
         objective = design.objective_slopes[0][worst >= worst.max() - ACTIVE]
+        if not RESULTS[evaluator.problem.objectives[0].name].positive:  # no logarithm, so that it has a size
+            objective = objective / (abs(float(worst.max())) or 1.0)
         active = design.margins < ACTIVE
     else:
         objective, active = np.zeros((0, size)), design.margins < -design.violation + ACTIVE
