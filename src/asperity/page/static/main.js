@@ -2,6 +2,7 @@
 
 import { Chart } from "/chart.js";
 import { Controls } from "/controls.js";
+import { showHelp } from "/help.js";
 import { JobList } from "/jobs.js";
 import { showAnswer } from "/results.js";
 import { History, packed, unpacked } from "/state.js";
@@ -289,6 +290,7 @@ async function begin() {
   const linked = location.hash.startsWith("#joint=") ? await unpacked(location.hash.slice(7)) : null;
   controls = new Controls(get("controls"), described, changed, changedTogether);
   controls.build(described.start);
+  showHelp(get("controls"));
   jobs = new JobList(get("jobs"), post, takeJoint);
   uploads = new Uploads(get("measured"), {
     post,
