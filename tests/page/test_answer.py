@@ -2,18 +2,22 @@
 
 import json
 import math
+from dataclasses import replace
 from types import SimpleNamespace
 
 import numpy as np
 import pytest
 
+from asperity.joint.margins import Margin
+from asperity.joint.results import Limit, Result
 from asperity.joint.windup import windup
 from asperity.joint_file.build import joint_from_case
 from asperity.joint_file.own_branches import with_own_branches
 from asperity.joint_file.reader import parse_any_case, parse_case
 from asperity.page import answer
-from asperity.page.answer import _curves, _windup, joint_answer, plain_numbers, stated_values
+from asperity.page.answer import _curves, _margin, _windup, joint_answer, plain_numbers, stated_values
 from asperity.page.joint_request import JointRequest
+from asperity.unit_table import Dimension
 
 
 def test_numbers_for_json():
@@ -31,6 +35,15 @@ def test_values_are_in_the_unit_of_display_and_in_si(joint_text):
     assert numbers["load.sun_speed"]["value"] == 6000.0
     assert numbers["load.sun_speed"]["si"] == pytest.approx(6000.0 * math.pi / 30.0, rel=1e-15)
     assert numbers["materials.steel.youngs_modulus"]["value"] == 206.0
+
+
+def test_a_margin_says_whether_its_bounds_are_allowed():
+    allowed = Limit("damage", "kept", "crossed", "", 2e-3, math.inf, inclusive=True)
+    for limit, inclusive in ((None, False), (replace(allowed, inclusive=False), False), (allowed, True)):
+        row = Result("gap", "gap", Dimension.LENGTH, "mm", "gap", limit=limit)
+        found = _margin(Margin(row, "a_b", 3e-3, 2e-3, math.inf, True, "damage"))
+        assert (found["inclusive"], found["lowest"], found["highest"]) == (inclusive, 2.0, None)
+        assert (found["unit"], found["place"]) == ("mm", "a b")
 
 
 def test_an_rz_and_the_shares_are_entered_and_no_numbers_of_charts(joint_text):

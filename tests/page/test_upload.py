@@ -12,7 +12,9 @@ from asperity.errors import InputError
 from asperity.page import upload
 from asperity.page.child import StoppedError
 from asperity.page.job_process import run_job
-from asperity.page.upload import measured_upload, opened_design, opened_joint, recognised
+from asperity.page.upload import measured_upload, opened_design, opened_joint, recognised, refuse_downloads
+from asperity.report.content import Report
+from asperity.report.html import report_html
 from asperity.surface.measurement import SCHEMA
 from asperity.surface.read import read_surface
 
@@ -61,6 +63,41 @@ def test_a_joint_is_opened_with_its_values(joint_text):
         opened_joint(
             joint_text.encode() + b'\n[materials.x]\nlibrary = "x"\nfile = "/etc/passwd"\n', "a.toml"
         )
+
+
+@pytest.mark.parametrize(
+    ("content", "name", "said"),
+    [
+        (
+            b'{\n  "asperity_version": "0.1.0",\n  "torsional_stiffness": {}\n}',
+            "a.json",
+            "a.json: this is the result document of a joint: no joint can be read from it; open the joint file (.toml)",
+        ),
+        (b'{"asperity_version": "0.1.0", "inputs": {}}', "s.json", "s.json: this is a result document: "),
+        (
+            report_html(Report("Traction-drive joint: a.toml", ())).encode(),
+            "a.html",
+            "a.html: this is the report of a joint: no joint can be read from it; open the joint file (.toml), whose "
+            "text is in the last section of the report",
+        ),
+        (b"%PDF-1.7\n", "a.pdf", "a.pdf: this is a PDF, such as the report of a joint: "),
+    ],
+)
+def test_a_result_or_a_report_is_refused_with_what_to_open(content, name, said):
+    for read in (lambda: measured_upload(content, name, {}), lambda: opened_joint(content, name)):
+        with pytest.raises(InputError) as refused:
+            read()
+        assert str(refused.value).startswith(said)
+        assert "unit" not in str(refused.value)  # which would ask for those of a surface
+
+
+def test_other_files_are_not_taken_for_results():
+    for content in (
+        b'{"schema": "' + SCHEMA.encode() + b'", "asperity_version": "1"}',
+        b'{"asperity_version"',
+        b"1\n",
+    ):
+        refuse_downloads(content, "m.json")
 
 
 def test_a_design_is_text():

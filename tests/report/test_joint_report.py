@@ -5,7 +5,9 @@ from pathlib import Path
 
 import pytest
 
+from asperity.errors import InputError
 from asperity.joint_file.reader import parse_any_case, parse_case
+from asperity.page.upload import refuse_downloads
 from asperity.report.content import Heading, Listing, Paragraph, Picture, Table
 from asperity.report.html import report_html
 from asperity.report.joint_report import ReportSource, joint_report
@@ -35,6 +37,13 @@ def test_sections_in_the_order_of_a_review(made):
     )  # fmt: skip
     assert len([block for block in made.blocks if isinstance(block, Picture)]) == 6
     assert [block.sheet for block in made.blocks if isinstance(block, Picture)].count(True) == 1
+
+
+@pytest.mark.slow
+def test_the_page_knows_a_report_and_says_where_its_joint_file_is(made):
+    with pytest.raises(InputError, match=r"report of a joint.*in the last section"):
+        refuse_downloads(report_html(made).encode(), "joint.html")
+    assert made.sections[-1] == "Joint file"
 
 
 @pytest.mark.slow

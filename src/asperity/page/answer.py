@@ -98,6 +98,7 @@ def _margin(each: Margin) -> Answer:
         "infinite": math.isinf(each.actual),
         "lowest": shown(each.lowest),
         "highest": shown(each.highest),
+        "inclusive": each.result.limit is not None and each.result.limit.inclusive,
         "used": used if math.isfinite(used) else None,
         "ok": each.passes,
         "severity": each.severity,

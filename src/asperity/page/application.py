@@ -43,6 +43,7 @@ ASSETS: dict[str, tuple[str, str]] = {
             "choices",
             "lists",
             "heights",
+            "help",
             "results",
             "curves",
             "plots",

@@ -303,6 +303,10 @@ def _margin_schema() -> Schema:
                 "type": "boolean",
                 "description": "Whether the actual value is infinite; if so, it is null.",
             },
+            "inclusive": {
+                "type": "boolean",
+                "description": "Whether the bounds 'lowest' and 'highest' themselves are allowed.",
+            },
             "used": {"type": ["number", "null"], "description": "Share of the limit that is used."},
             "ok": {"type": "boolean"},
             "severity": {"enum": list(SEVERITIES)},

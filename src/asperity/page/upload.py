@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import re
 from collections.abc import Callable, Mapping
 from typing import Any, Literal
@@ -17,6 +18,9 @@ from asperity.surface.measurement import SCHEMA
 from asperity.surface.read_instrument import text_format
 from asperity.unit_table import Dimension
 from asperity.units import parse_quantity
+
+#: Largest result document that is recognised as such [byte].
+LARGEST_RESULT = 8 * 1024**2
 
 #: Largest file of a surface [byte], and the time in which it must be measured [s].
 LARGEST_SURFACE = 64 * 1024**2
@@ -56,6 +60,42 @@ def recognised(content: bytes, name: str) -> Kind:
     return "surface"
 
 
+def refuse_downloads(content: bytes, name: str) -> None:
+    """Say of a result document or a report, as the page itself saves them, what to open in their place.
+
+    Parameters
+    ----------
+    content : bytes
+        The file.
+    name : str
+        Its name.
+
+    Raises
+    ------
+    InputError
+        If it is one.
+    """
+    instead = "no joint can be read from it; open the joint file (.toml)"
+    beginning = content[:4096].removeprefix(b"\xef\xbb\xbf").lstrip()
+    if beginning.startswith(b"{") and b'"asperity_version"' in content and len(content) <= LARGEST_RESULT:
+        try:
+            document = json.loads(content)
+        except (ValueError, RecursionError):
+            return
+        if document.get("schema") != SCHEMA and "asperity_version" in document:
+            kind = (
+                "the result document of a joint" if "torsional_stiffness" in document else "a result document"
+            )
+            raise InputError(f"{shown_name(name)}: this is {kind}: {instead}")
+    last = "whose text is in the last section of the report"
+    if beginning.startswith(b"%PDF-"):
+        raise InputError(
+            f"{shown_name(name)}: this is a PDF, such as the report of a joint: {instead}, {last}"
+        )
+    if beginning[:9].lower() == b"<!doctype" and b"<title>Traction-drive joint: " in beginning:
+        raise InputError(f"{shown_name(name)}: this is the report of a joint: {instead}, {last}")
+
+
 def opened_joint(content: bytes, name: str) -> dict[str, Any]:
     """A joint file with what it states.
 
@@ -76,6 +116,7 @@ def opened_joint(content: bytes, name: str) -> dict[str, Any]:
     InputError
         If it is not a joint file.
     """
+    refuse_downloads(content, name)
     name = shown_name(name)
     text = _text(content, name)
     tables = parse_toml(text, source=name)
@@ -186,8 +227,9 @@ def measured_upload(
     Raises
     ------
     InputError
-        As the command, or if the file takes too long.
+        As the command, if the file takes too long, or if it is a result document or a report.
     """
+    refuse_downloads(content, name)
     options: dict[str, Any] = {key: value for key, value in units.items() if value}
     if "spacing" in options:
         options["spacing"] = parse_quantity(options["spacing"], Dimension.LENGTH)

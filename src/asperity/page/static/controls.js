@@ -153,6 +153,7 @@ export class Controls {
       "aria-describedby": `${id}-help ${id}-error`,
       spellcheck: "false",
       placeholder: this.placeholder(parameter, entry, list),
+      title: (!list && parameter.default) || null, // a narrow field cuts its placeholder off
       autocapitalize: "off",
     });
     const slider = element("input", { type: "range", "aria-label": `${name}, slider`, min: 0, step: 1, tabindex: "0" });

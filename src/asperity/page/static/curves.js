@@ -101,11 +101,11 @@ export function curves(answer, baseline) {
     life(answer, ghosts, over, x, torque, why),
     creepCurves(answer, why),
     linePlot({
-      title: "Friction used, fullest contact",
+      title: "Friction used, most heavily loaded contact",
       x,
-      y: "T/(µN)",
+      y: "T/(μ·N)",
       zero: true,
-      series: [...ghosts("largest_slip_ratio"), over("largest_slip_ratio", "T/(µN); slips at 1", "one")],
+      series: [...ghosts("largest_slip_ratio"), over("largest_slip_ratio", "T/(μ·N); slips at 1", "one")],
     }),
   ];
 }

@@ -187,11 +187,11 @@ export class Lists {
     return found ? { [found[0]]: EACH } : {};
   }
 
-  /** The list that a message is about, and its field that was changed last. */
+  /** The field that was changed last in the list that a message is about, or else the list itself. */
   named(message, lastPath) {
     const name = Object.keys(this.stated).find((each) => message.includes(`[[${each}]]`));
     if (!name) return {};
-    return { [name]: message, ...(lastPath?.startsWith(`${name}.`) ? { [lastPath]: message } : {}) };
+    return { [lastPath?.startsWith(`${name}.`) ? lastPath : name]: message };
   }
 
   showErrors(keys) {

@@ -2,6 +2,7 @@
 
 import { Chart } from "/chart.js";
 import { Controls } from "/controls.js";
+import { showHelp } from "/help.js";
 import { JobList } from "/jobs.js";
 import { showAnswer } from "/results.js";
 import { History, packed, unpacked } from "/state.js";
@@ -10,6 +11,7 @@ import { Uploads } from "/upload.js";
 const get = (id) => document.getElementById(id);
 const page = document.documentElement;
 const RETRY = 2000; // ms
+const NOTHING = "There is no joint without errors to save.";
 const REST = 300; // ms without a change, before the joint goes into the address
 
 let history = null;
@@ -115,14 +117,36 @@ function links() {
   for (const kind of ["toml", "json"]) get(`save-${kind}`).href = `/api/joint/${answer.id}/joint.${kind}`;
 }
 
+/** What the form says, and the joint with the newest results does not: dotted paths, or the name of another file. */
+function leftOut() {
+  const { name, toml, changes } = history.state;
+  if (toml !== shown.toml) return [name];
+  const paths = [...new Set([...Object.keys(shown.changes), ...Object.keys(changes)])];
+  return paths.filter((path) => shown.changes[path] !== changes[path]);
+}
+
+/** What is saved, in words; where the form is ahead of the results, what is not part of it. */
+function savedWords(what) {
+  const left = leftOut();
+  if (!left.length) return `${what} is saved.`;
+  const joint = page.dataset.state === "error" ? "the last joint without errors" : "the last joint with results";
+  return `Saved ${joint}; ${left.join(", ")} ${left.length > 1 ? "are" : "is"} not part of it.`;
+}
+
 /** A report takes some seconds, and may not be possible: then the page says why. */
 async function saveReport(kind) {
   const button = get(`save-${kind}`);
-  if (!answer || button.disabled) return;
+  if (button.disabled) return;
+  if (!answer) {
+    say(NOTHING);
+    return;
+  }
+  const { id, name } = answer;
+  const words = savedWords("The report");
   button.disabled = true;
   say("Making the report…");
   try {
-    const response = await fetch(`/api/joint/${answer.id}/joint.${kind}`);
+    const response = await fetch(`/api/joint/${id}/joint.${kind}`);
     if (!response.ok) {
       notice((await response.json()).error);
       say("There is no report: see the message.");
@@ -130,10 +154,10 @@ async function saveReport(kind) {
     }
     const link = document.createElement("a");
     link.href = URL.createObjectURL(await response.blob());
-    link.download = `${answer.name.replace(/\.toml$/, "")}.${kind}`;
+    link.download = `${name.replace(/\.toml$/, "")}.${kind}`;
     link.click();
     setTimeout(() => URL.revokeObjectURL(link.href), 60000);
-    say("The report is saved.");
+    say(words);
   } catch {
     say("The server does not answer.");
   } finally {
@@ -244,6 +268,9 @@ function connect() {
     event.target.value = "";
     if (file) uploads.open(file);
   });
+  for (const [kind, what] of [["toml", "The joint file"], ["json", "The JSON document"]]) {
+    get(`save-${kind}`).addEventListener("click", () => say(answer ? savedWords(what) : NOTHING));
+  }
   for (const kind of ["html", "pdf"]) get(`save-${kind}`).addEventListener("click", () => saveReport(kind));
   get("copy-link").addEventListener("click", async () => {
     await address();
@@ -289,6 +316,7 @@ async function begin() {
   const linked = location.hash.startsWith("#joint=") ? await unpacked(location.hash.slice(7)) : null;
   controls = new Controls(get("controls"), described, changed, changedTogether);
   controls.build(described.start);
+  showHelp(get("controls"));
   jobs = new JobList(get("jobs"), post, takeJoint);
   uploads = new Uploads(get("measured"), {
     post,

@@ -185,10 +185,10 @@ function margins(answer) {
     .map((each) => {
       const unit = unitText(each.unit);
       const bounds = [
-        [each.lowest, "≥"],
-        [each.highest, "≤"],
+        [each.lowest, each.inclusive ? "≥" : ">"],
+        [each.highest, each.inclusive ? "≤" : "<"],
       ].filter(([bound]) => bound !== null);
-      const required = bounds.map(([bound, word]) => element("span", {}, `${word} ${number(bound)}`));
+      const required = bounds.map(([bound, word]) => element("span", {}, `${word} ${number(bound)}${unit && ` ${unit}`}`));
       return [
         element("span", {}, each.label, element("small", {}, each.place ? `at ${each.place}` : "")),
         `${orInfinite(each.infinite, each.actual)}${unit && !each.infinite ? ` ${unit}` : ""}`,
@@ -263,7 +263,7 @@ export function warnings(found) {
 
 function contacts(found) {
   const ratio = Object.fromEntries(found.diagnostics.filter((each) => each.name === "slip_ratio").map((each) => [each.contact, each.value]));
-  const headings = ["contact", "normal, N", "tangential, N", "slip T/(µN)", "Hertz pressure, MPa", "Hertz width, µm", "K_t asperities, N/µm", "K_t bodies, N/µm", "creepage, %"];
+  const headings = ["contact", "normal, N", "tangential, N", "slip T/(μ·N)", "Hertz pressure, MPa", "Hertz width, µm", "K_t asperities, N/µm", "K_t bodies, N/µm", "creepage, %"];
   return table(
     "Contacts",
     headings,
