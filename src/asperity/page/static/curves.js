@@ -101,7 +101,7 @@ export function curves(answer, baseline) {
     life(answer, ghosts, over, x, torque, why),
     creepCurves(answer, why),
     linePlot({
-      title: "Friction used, most heavily loaded contact",
+      title: "Friction used, contact nearest to slip",
       x,
       y: "T/(μ·N)",
       zero: true,
