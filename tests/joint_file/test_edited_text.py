@@ -227,6 +227,16 @@ def test_a_new_key_stands_after_the_last_one_of_its_section(zou_file):
     assert content(started)["load.cam_force_per_torque"] == 20.0
 
 
+def test_a_new_key_stands_after_one_with_a_table_in_its_line(zou_file):
+    text = zou_file.read_text().replace(
+        "friction_coefficient = 0.12 ",
+        "friction_coefficient = { sp = 0.1, pwr = 0.1, pwl = 0.1, wro = 0.1, wlo = 0.1 } ",
+    )
+    case = parse_case(text, source="x")
+    again = joint_file_text(case, {"load.cam_force_per_torque": 20.0}, comment="")
+    assert section(again, "load")[3:6] == ["friction_coefficient", "cam_force_per_torque", "#"]
+
+
 def test_a_new_word_stands_after_the_last_key_of_its_section(zou_file):
     document = tomlkit.parse(zou_file.read_text() + "\n# [rolling]\n# skew = 0\n")
     document["load"].pop("preload")

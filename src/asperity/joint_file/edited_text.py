@@ -8,7 +8,7 @@ from typing import Any
 
 import tomlkit
 from pydantic import BaseModel
-from tomlkit.items import Table
+from tomlkit.items import AoT, Table
 
 from asperity.joint_file.entered_values import entered_key_at
 from asperity.joint_file.key_paths import keys_by_path
@@ -256,7 +256,7 @@ def _put(table: Any, name: str, value: Any) -> None:
     What tomlkit appends stands behind the comments at the end of a section, such as the sections of a template that
     wait to be used: with these the key would change its section.
     """
-    plain = [key for key, each in table.items() if not isinstance(each, dict | list)]
+    plain = [key for key, each in table.items() if not isinstance(each, Table | AoT)]
     if name in table or not plain or not isinstance(table, Table):
         table[name] = value
         return
