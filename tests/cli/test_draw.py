@@ -1,6 +1,14 @@
 """``asperity draw``: files of every kind, and refusals before anything is written."""
 
+from pathlib import Path
+
 import pytest
+
+from asperity.joint.planar.solve import solve_planar
+from asperity.joint_file.planar_build import planar_joint_from_case
+from asperity.joint_file.reader import read_any_case
+
+EXAMPLE = Path(__file__).parents[2] / "examples" / "zou2025.toml"
 
 
 @pytest.mark.parametrize("suffix", ["svg", "pdf", "png"])
@@ -45,3 +53,19 @@ def test_refusals_write_nothing(call, joint_file, tmp_path, monkeypatch, change,
     assert outcome.code == 2
     assert said in outcome.err
     assert not list(tmp_path.glob("d.*"))
+
+
+@pytest.mark.slow
+def test_a_ring_under_a_preload_is_as_small_as_one_under_the_interference_that_makes_it(call, tmp_path):
+    """The force of 30 µm, from the solved joint, gives back 99.94 mm; beyond the capacity it is not known."""
+    ezdxf = pytest.importorskip("ezdxf", reason="the extra 'report' is not installed")
+    example = EXAMPLE.with_name("planetary.toml")
+    result, text = solve_planar(planar_joint_from_case(read_any_case(example))).result, example.read_text()
+    file = tmp_path / "joint.toml"
+    for torque, inside in (("10", "99.94"), ("1e5", "100 less 2 × interference")):
+        pressed = text.replace('interference = "30 um"', f'preload = "{float(result.preload)!r} N"')
+        file.write_text(pressed.replace('output_torque = "10 N', f'output_torque = "{torque} N'))
+        outcome = call("draw", file, "--out", tmp_path / "d.dxf")
+        assert (outcome.code, outcome.out) == (0, "")
+        texts = {each.dxf.text for each in ezdxf.readfile(tmp_path / "d.dxf").query("TEXT")}
+        assert f"ring inside %%c{inside}" in texts

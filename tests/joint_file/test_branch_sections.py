@@ -41,6 +41,10 @@ def test_what_does_not_fit_together_is_told(joint_text):
         read(joint_text, "[[branch]]\n\n[[branch]]\n\n")
     with pytest.raises(InputError, match=r"needs load\.interference in place of load\.preload"):
         read(joint_text, load='preload = "1000 N"')
+    with pytest.raises(InputError) as refused:
+        read(joint_text, ENTRIES.replace('right_roller_deviation = "-1 um"', 'planet_radius = "13.5 mm"'))
+    told = "branch.2.planet_radius: unknown key; it belongs in [drive], or did you mean 'planet_deviation'?"
+    assert str(refused.value) == f"x: {told}"
     for press in ('interference = "13 um"', 'preload = "1000 N"'):
         with pytest.raises(
             InputError, match=r"cannot be combined.*leave out .*cam.*deviations less their mean"

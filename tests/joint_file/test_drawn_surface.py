@@ -88,7 +88,7 @@ def test_states_of_a_stated_tolerance_by_hand(states):
     surface = found["surfaces"]["surface"]
     np.testing.assert_allclose(surface["roughness_average_m"], [0.15e-6, 0.25e-6])
     np.testing.assert_allclose(surface["partner_roughness_average_m"], [0.08e-6, 0.12e-6])
-    assert "Ra of both bodies from 0.15 um to 0.25 um and 0.08 um to 0.12 um at the cut-off" in found["words"]
+    assert "Ra of both bodies from 0.15 µm to 0.25 µm and 0.08 µm to 0.12 µm at the cut-off" in found["words"]
 
 
 def test_a_smooth_partner_stays_smooth(states):

@@ -200,3 +200,45 @@ def test_an_rz_stays_where_no_number_changes(example_text):
     changed = joint_file_text(case, {"load.preload": 900.0}, comment="")
     assert "mean_roughness_depth" not in changed
     assert "roughness_average" in changed
+
+
+def section(text, name):
+    """Keys of a section and where its first comment line stands, in the order of the file."""
+    lines = text.split(f"[{name}]\n", 1)[1].split("\n[", 1)[0].splitlines()
+    return [line.split(" ")[0] for line in lines if line]
+
+
+def test_a_new_key_stands_where_the_replaced_one_stood(zou_file):
+    """Not behind the sections that wait in the comments below: there it would go into another section with them."""
+    again = joint_file_text(read_case(zou_file), {"load.interference": 13e-6}, comment="")
+    found = section(again, "load")
+    assert found[:4] == ["interference", "output_torque", "sun_speed", "friction_coefficient"]
+    assert found[4] == "#"
+    assert content(again)["load.interference"] == pytest.approx(13e-6, rel=1e-15)
+
+
+def test_a_new_key_stands_after_the_last_one_of_its_section(zou_file):
+    again = joint_file_text(read_case(zou_file), {"load.cam_force_per_torque": 20.0}, comment="")
+    assert section(again, "load")[:6] == [
+        "preload", "output_torque", "sun_speed", "friction_coefficient", "cam_force_per_torque", "#",
+    ]  # fmt: skip
+    waiting = "# [compliance]\n"
+    started = again.replace(waiting, waiting[2:]).replace("# pin_stiffness", "pin_stiffness")
+    assert content(started)["load.cam_force_per_torque"] == 20.0
+
+
+def test_a_new_key_stands_after_one_with_a_table_in_its_line(zou_file):
+    text = zou_file.read_text().replace(
+        "friction_coefficient = 0.12 ",
+        "friction_coefficient = { sp = 0.1, pwr = 0.1, pwl = 0.1, wro = 0.1, wlo = 0.1 } ",
+    )
+    case = parse_case(text, source="x")
+    again = joint_file_text(case, {"load.cam_force_per_torque": 20.0}, comment="")
+    assert section(again, "load")[3:6] == ["friction_coefficient", "cam_force_per_torque", "#"]
+
+
+def test_a_new_word_stands_after_the_last_key_of_its_section(zou_file):
+    document = tomlkit.parse(zou_file.read_text() + "\n# [rolling]\n# skew = 0\n")
+    document["load"].pop("preload")
+    edited_text.set_words(document, {"load.word": "new"})
+    assert section(tomlkit.dumps(document), "load")[3:5] == ["word", "#"]

@@ -52,7 +52,7 @@ def test_shares_sun_and_capacity():
     ]
     assert turning[0].rows[0][-3:] == ("50", "0.4", "0.4")
     rows = dict(sun.rows)
-    assert rows["displacement of the sun, standing"] == "5 um"
+    assert rows["displacement of the sun, standing"] == "5 µm"
     assert rows["torque capacity: contact sp of planet 2 slips first"] == "11 N·m"
 
 

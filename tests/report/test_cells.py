@@ -6,7 +6,7 @@ from asperity.report.cells import number, percent, quantity
 
 
 def test_quantities_numbers_and_shares():
-    assert quantity(1.4e-5, "um") == "14 um"
+    assert quantity(1.4e-5, "um") == "14 µm"
     assert quantity(0.4363323, "deg", 3) == "25 deg"
     assert (number(2.5e-3, 1e3), number(3.0)) == ("2.5", "3")
     assert percent(0.125) == "12.5 %"

@@ -30,10 +30,26 @@ def test_required_actual_and_result_of_each_margin():
     assert isinstance(table, Table)
     assert [tuple(row) for row in table.rows] == [
         ("label of a", "function", "sp", "< 1", "1.25", "FAIL"),
+        ("label of d", "function", "", "< 1", "–", "unknown"),
         ("label of b", "function", "roller in ring", "> 0.125", "0.5", "pass"),
         ("label of c", "function", "", "≥ 1 and ≤ 2", "1.5", "pass"),
-        ("label of d", "function", "", "< 1", "–", "unknown"),
     ]
+
+
+def test_what_is_not_met_stands_first_and_then_the_fullest():
+    """Shares of their limits: a 0.2, c 0.9, f -5 (no share is too small), g none."""
+    found = (
+        margin("a", "", 0.2, highest=1.0),
+        margin("g", "", 1.5, lowest=1.0, highest=2.0),
+        margin("f", "", -5.0, highest=1.0),
+        margin("b", "", 1.1, highest=1.0, passes=False),
+        margin("c", "", 0.9, highest=1.0),
+        replace(margin("d", "", 9.0, highest=1.0, passes=False), severity="model"),
+        margin("e", "", math.nan, highest=1.0, passes=False),
+    )
+    _, table = margins_table(found)
+    assert [row[0][-1] for row in table.rows] == ["b", "d", "e", "c", "a", "f", "g"]
+    assert [row[-1] for row in table.rows] == ["FAIL", "FAIL", "unknown", *["pass"] * 4]
 
 
 def test_the_verdict_names_what_fails_and_what_is_not_known():

@@ -27,7 +27,7 @@ def boxes_of(sheet):
 def test_every_text_is_inside_the_frame_and_covers_no_other(joint_of, name, forces):
     joint = joint_of(name)
     found = solve(joint).result.forces if forces else None
-    figure, boxes = boxes_of(drive_sheet(joint, name="x" * 300, forces=found))
+    figure, boxes = boxes_of(drive_sheet(joint, name="x" * 300, forces=found, interference=13.57e-6))
     margin = 10.0 / 25.4 * figure.dpi
     for text, box in boxes:
         assert margin < box.x0 < box.x1 < figure.bbox.width - margin, text
@@ -73,6 +73,9 @@ def test_words_of_the_sheet(joint_of):
     assert "A  neighbouring planets 3.311" in texts
     assert "Scale 1:1   dimensions in mm" in texts
     assert "axes only" in texts
+    assert "interference" not in texts
+    made = drive_sheet(joint_of(), name="a", interference=13e-6)
+    assert "interference 13 µm on the radius, |    not in the ⌀ of the ring" in " | ".join(made.texts)
 
 
 def test_overlap_is_said(joint_of):

@@ -142,7 +142,7 @@ def test_every_size_is_said_once(sheet, planar_case, name, forces):
 def test_words_of_the_list(sheet):
     """Neighbouring planets: 2 * 30 mm * sin(60 deg) less 40 mm."""
     texts = sheet("planetary").texts
-    assert {"sun ⌀20", "3 × planet ⌀40", "axes of planet ⌀60", "ring inside ⌀100", "wall of ring 8"} <= set(
+    assert {"sun ⌀20", "3 × planet ⌀40", "axes of planet ⌀60", "ring inside ⌀99.94", "wall of ring 8"} <= set(
         texts
     )
     gap = f"{60.0 * math.sin(math.pi / 3.0) - 40.0:.4g}"
@@ -158,7 +158,45 @@ def test_contacts_of_unlike_lengths_have_their_own(planar_case):
         "planetary", replaced={'contact_length = "10 mm"': 'contact_length = { sp = "9 mm", pr = "12 mm" }'}
     )
     texts = planar_sheet(planar_joint_from_case(case), name="a").texts
-    assert {"Contacts", "sp: sun – planet, length 9", "pr: planet – ring, length 12"} <= set(texts)
+    assert {"Contacts", "sp: sun – planet, length 9"} <= set(texts)
+    assert "pr: planet – ring, length 12, interference 30 µm" in joined(texts)
+
+
+def joined(texts):
+    """The lines of the list as they are before they are broken."""
+    return " ".join(" ".join(texts).split())
+
+
+WARM = '[temperature]\nassembly = "20 degC"\nworking = "60 degC"\n\n[model]'
+
+
+@pytest.mark.parametrize(
+    ("name", "replaced", "interference", "words"),
+    [
+        ("planetary", {}, None, "pr: planet – ring, interference 30 µm on the radius, in the ⌀ of the ring"),
+        (
+            "planetary", {"[model]": WARM}, None,
+            "pr: planet – ring, interference 30 µm on the radius at 20 °C, in the ⌀ of the ring",
+        ),
+        (
+            "stepped_planet", {}, None, "driven ring, interference 30 µm on the radius, in the ⌀ of the driven ring",
+        ),
+        (
+            "planetary", {'interference = "30 um"': 'preload = "1000 N"'}, 28.31e-6,
+            "pr: planet – ring, interference 28.31 µm on the radius, in the ⌀ of the ring",
+        ),
+        (
+            "planetary", {'interference = "30 um"': 'preload = "1000 N"'}, None,
+            "pr: planet – ring, interference by a preload of 1000 N",
+        ),
+        ("planar", {}, 13e-6, "ring, interference 13 µm on the radius, not in the ⌀ of the ring"),
+    ],
+)  # fmt: skip
+def test_the_list_says_the_interference(planar_case, name, replaced, interference, words):
+    joint = planar_joint_from_case(planar_case(name, replaced=replaced))
+    texts = joined(planar_sheet(joint, name="a", interference=interference).texts)
+    assert words in texts
+    assert "sp: sun – planet, interference" not in texts
 
 
 def test_leaders_end_on_the_outlines_that_they_measure(sheet):
@@ -178,7 +216,7 @@ def test_leaders_end_on_the_outlines_that_they_measure(sheet):
         tip = found[text].points[0]
         assert found[text].arrows == "start"
         assert min(abs(math.dist(tip, centre) - radius) for centre in centres) < 1e-9, text
-    across = found["ring inside ⌀100"]
+    across = found["ring inside ⌀99.94"]
     assert [point[0] for point in across.points] == pytest.approx([-50.0, 50.0])
     assert across.arrows == "both"
     gap = found["A 11.96"].points[0]  # halfway between two planets: 15 mm from the axis
@@ -244,7 +282,7 @@ def test_a_dxf_file_has_the_texts_and_the_true_lengths_of_the_sheet(sheet):
     space = ezdxf.read(io.StringIO(sheet_dxf(drawn))).modelspace()
     texts = {text.dxf.text for text in space.query("TEXT")}
     assert texts == {dxf_text(text) for text in drawn.texts}
-    assert {"3 × planet %%c40", "ring inside %%c100"} <= texts
+    assert {"3 × planet %%c40", "ring inside %%c99.94"} <= texts
     lines = [list(line.get_points("xy")) for line in space.query('LWPOLYLINE[layer=="DIMENSIONS"]')]
     assert any(math.dist(*line) == pytest.approx(100.0) for line in lines if len(line) == 2)
 

@@ -5,24 +5,24 @@ import math
 import pytest
 
 from asperity.joint_file.planar_build import planar_joint_from_case
-from asperity.show.planar_sizes import planar_clearances, sizes
+from asperity.show.planar_sizes import contact_interferences, planar_clearances, rings_follow, sizes
 
 # multiroller: s + x_1 = 26; second row by the law of cosines in the triangle of axis, first and second row
 FAR = 26.0 / math.sqrt(2.0) + math.sqrt(28.0**2 - 26.0**2 / 2.0)
 SIZES = {
-    "planetary": ["sun ⌀20", "3 × planet ⌀40", "axes of planet ⌀60", "ring inside ⌀100", "wall of ring 8"],
+    "planetary": ["sun ⌀20", "3 × planet ⌀40", "axes of planet ⌀60", "ring inside ⌀99.94", "wall of ring 8"],
     "planetary_hollow": [
-        "sun ⌀20", "3 × planet ⌀40", "3 × planet, bore ⌀26", "axes of planet ⌀60", "ring inside ⌀100",
+        "sun ⌀20", "3 × planet ⌀40", "3 × planet, bore ⌀26", "axes of planet ⌀60", "ring inside ⌀99.94",
         "wall of ring 30",
     ],
     "multiroller": [
         "sun ⌀20", "4 × first row ⌀32", "4 × first row ⌀20", "axes of first row ⌀52", "4 × second row ⌀36",
-        "4 × second row ⌀18.8", f"axes of second row ⌀{2.0 * FAR:.6g}", f"ring inside ⌀{2.0 * (FAR + 9.4):.6g}",
+        "4 × second row ⌀18.8", f"axes of second row ⌀{2.0 * FAR:.6g}", f"ring inside ⌀{2.0 * (FAR + 9.4 - 0.04):.6g}",
         "wall of ring 12",
     ],
     "stepped_planet": [
-        "sun ⌀20", "3 × planet ⌀40", "3 × planet ⌀36", "axes of planet ⌀60", "held ring inside ⌀100",
-        "wall of held ring 10", "driven ring inside ⌀96", "wall of driven ring 10",
+        "sun ⌀20", "3 × planet ⌀40", "3 × planet ⌀36", "axes of planet ⌀60", "held ring inside ⌀99.94",
+        "wall of held ring 10", "driven ring inside ⌀95.94", "wall of driven ring 10",
     ],
     "planar": [
         "sun ⌀8", "3 × planet ⌀27", "axes of planet ⌀35", "3 × right and left ⌀10", "axes of right and left ⌀70",
@@ -41,6 +41,33 @@ def test_every_size_is_that_of_the_file(joint, name):
     assert [size.label for size in sizes(joint(name), 1.0)] == SIZES[name]
 
 
+PRESSED = {'interference = "30 um"': 'preload = "1000 N"'}
+
+
+def test_a_ring_is_made_smaller_by_its_interference(planar_case):
+    """10 + 2 · 20 = 50 mm, less 30 µm; less 0.012345 µm to a hundredth of it; stated rings stay."""
+    tight = planar_case("planetary", replaced={'"30 um"': '"0.012345 um"'})
+    for case, interference, text in (
+        (planar_case("planetary"), None, "ring inside ⌀99.94"),
+        (planar_case("planetary"), 1.0, "ring inside ⌀99.94"),  # the file knows it
+        (planar_case("planetary", replaced=PRESSED), 28.31e-6, "ring inside ⌀99.9434"),
+        (planar_case("planetary", replaced=PRESSED), None, "ring inside ⌀100 less 2 × interference"),
+        (tight, None, "ring inside ⌀99.9999753"),
+        (planar_case("planar"), 13e-6, "ring inside ⌀80"),
+    ):
+        assert text in [size.label for size in sizes(planar_joint_from_case(case), 1.0, interference)]
+
+
+def test_interferences_are_those_of_the_contacts_on_rings(planar_case):
+    joint = planar_joint_from_case(planar_case("stepped_planet"))
+    assert contact_interferences(joint) == [0.0, 30e-6, 30e-6]
+    assert rings_follow(joint)
+    pressed = planar_joint_from_case(planar_case("planetary", replaced=PRESSED))
+    assert contact_interferences(pressed) == [0.0, None]
+    assert contact_interferences(pressed, 2e-6) == [0.0, 2e-6]
+    assert not rings_follow(planar_joint_from_case(planar_case("planar")))
+
+
 def test_places_lie_on_the_outline_that_has_the_size(joint):
     found = {size.label: size for size in sizes(joint("planetary_hollow"), 1.0)}
     for label, radius, orbit in (
@@ -48,11 +75,11 @@ def test_places_lie_on_the_outline_that_has_the_size(joint):
         ("3 × planet ⌀40", 20.0, 30.0),
         ("3 × planet, bore ⌀26", 13.0, 30.0),
         ("axes of planet ⌀60", 30.0, 0.0),
-        ("ring inside ⌀100", 50.0, 0.0),
+        ("ring inside ⌀99.94", 50.0, 0.0),
     ):
         for (x, y), (e, f), _ in found[label].places:
             assert math.hypot(x - radius * e, y - radius * f) == pytest.approx(orbit, abs=1e-9)
-    assert found["ring inside ⌀100"].radius == pytest.approx(50.0)
+    assert found["ring inside ⌀99.94"].radius == pytest.approx(50.0)
     assert not found["wall of ring 30"].places  # its outer edge is not drawn
     assert found["wall of ring 30"].listed == "wall 30, broken off at the wavy line"
 

@@ -9,7 +9,7 @@ import click
 
 from asperity.cli.named_file import about
 from asperity.cli.terminal import say, say_written
-from asperity.errors import InputError
+from asperity.errors import InputError, NoSolutionError
 from asperity.writing import IMAGE_SUFFIXES, check_file, write_image, write_text
 
 if TYPE_CHECKING:
@@ -73,6 +73,7 @@ def draw(file: str, out: str, forces: bool) -> None:
 
 def _sheet(case: Case, file: str, forces: bool) -> Sheet:
     from asperity.joint_file.build import joint_from_case
+    from asperity.joint_file.made_interference import made_interference
     from asperity.show.drive_sheet import drive_sheet
 
     joint = joint_from_case(case)
@@ -80,20 +81,38 @@ def _sheet(case: Case, file: str, forces: bool) -> Sheet:
     if forces:
         from asperity.joint.solve import solve
 
-        found = solve(joint).result.forces
-    return drive_sheet(joint, name=file, forces=found)
+        found = solve(joint).result
+    return drive_sheet(
+        joint,
+        name=file,
+        forces=None if found is None else found.forces,
+        interference=made_interference(case, found),
+    )
 
 
 def _planar_sheet(case: PlanarCase, file: str, forces: bool) -> Sheet:
     from asperity.drive.planar.existence import refuse_impossible
+    from asperity.joint_file.made_interference import made_interference
     from asperity.joint_file.planar_build import planar_joint_from_case
     from asperity.show.planar_sheet import planar_sheet
 
     joint = planar_joint_from_case(case)
     refuse_impossible(joint.drive)
     found = None
-    if forces:
+    if forces or (joint.interference is None and joint.cam is None):
         from asperity.joint.planar.solve import solve_planar
 
-        found = solve_planar(joint).result
-    return planar_sheet(joint, name=file, result=found)
+        try:
+            found = solve_planar(joint).result
+        except (
+            InputError,
+            NoSolutionError,
+        ):  # its rings are then drawn without their interference, and say so
+            if forces:
+                raise
+    return planar_sheet(
+        joint,
+        name=file,
+        result=found if forces else None,
+        interference=made_interference(case, found),
+    )

@@ -252,7 +252,8 @@ def equal_branches_note(found: UnequalBranches) -> str:
         )
     life = least_life(found)
     if math.isfinite(life):
-        note += f" Were all loaded like the worst branch, the fatigue life under the torque would be {life:.4g} h."
+        hours = f"{format_quantity(life, '1')} h"
+        note += f" Were all loaded like the worst branch, the fatigue life under the torque would be {hours}."
     return note
 
 

@@ -144,7 +144,7 @@ def _words(interval: dict[str, Any]) -> str:
     for path, entry in interval["surfaces"].items():
         low, high = entry["fractal_dimension"]
         ranges = [
-            " to ".join(format_quantity(each, "um", 3) for each in entry[f"{key}_m"])
+            " to ".join(format_quantity(each, "µm", 3) for each in entry[f"{key}_m"])
             for key in (_AVERAGE, _PARTNER)
             if f"{key}_m" in entry
         ]

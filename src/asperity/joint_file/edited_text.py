@@ -8,6 +8,7 @@ from typing import Any
 
 import tomlkit
 from pydantic import BaseModel
+from tomlkit.items import AoT, Table
 
 from asperity.joint_file.entered_values import entered_key_at
 from asperity.joint_file.key_paths import keys_by_path
@@ -115,7 +116,8 @@ def _edited(text: str, case: AnyCase, written: Mapping[str, float | str]) -> str
         if "file" in entry:
             for key in ("library", "file"):
                 entry.remove(key)
-            entry.update(_texts(case.materials[name]))
+            for key, stated in _texts(case.materials[name]).items():
+                _put(entry, key, stated)
     surfaces, texts = document["surface"], _texts(case.surface)
     for table, stated in [
         (surfaces, texts),
@@ -128,8 +130,9 @@ def _edited(text: str, case: AnyCase, written: Mapping[str, float | str]) -> str
             if not written:
                 table.pop(average, None)
                 continue
+            for key in (average, "cut_off"):
+                _put(table, key, stated[key])
             del table[depth]
-            table.update({name: stated[name] for name in (average, "cut_off")})
     set_texts(document, written)
     return tomlkit.dumps(document)
 
@@ -178,7 +181,7 @@ def set_words(document: Any, written: Mapping[str, str]) -> None:
             continue
         if section not in document:
             document[section] = _new_section(section, type_of(document))
-        document[section][name] = word
+        _put(document[section], name, word)
 
 
 def leave_out(document: Any, path: str) -> None:
@@ -241,10 +244,25 @@ def _set(document: Any, steps: tuple[str, ...], value: float | str) -> None:
                 new["library"] = step
             table[step] = new
         table = table[step]
+    _put(table, steps[-1], value)
     for other in counterparts(steps[-1]):
         if other in table:
             del table[other]
-    table[steps[-1]] = value
+
+
+def _put(table: Any, name: str, value: Any) -> None:
+    """Write a key: in its place, in that of the key that it replaces, or after the last one of its section.
+
+    What tomlkit appends stands behind the comments at the end of a section, such as the sections of a template that
+    wait to be used: with these the key would change its section.
+    """
+    plain = [key for key, each in table.items() if not isinstance(each, Table | AoT)]
+    if name in table or not plain or not isinstance(table, Table):
+        table[name] = value
+        return
+    before = next((other for other in counterparts(name) if other in plain), plain[-1])
+    table.value._insert_after(before, name, tomlkit.item(value))  # no public way for a table of a document
+    dict.__setitem__(table, name, table.value[name])
 
 
 def _says(text: str, wanted: Any) -> bool:

@@ -154,7 +154,10 @@ def _unknown_key(
         return f"{path}: only for drives of type {named}{here}", None
     sections = sorted({each.split(".")[0] for each in keys_by_path(model) if each.split(".")[-1] == name})
     if sections and name not in known:
-        return f"{path}: unknown {what}; it belongs in [{sections[0]}]", None
+        meant = (
+            nearest(name, known).removeprefix("; ") if parts[0] == "branch" else ""
+        )  # has deviations of radii
+        return f"{path}: unknown {what}; it belongs in [{sections[0]}]{meant and f', or {meant}'}", None
     return f"{path}: unknown {what}{nearest(name, known) or '; known here are ' + ', '.join(known)}", None
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 
 from asperity.units import format_quantity
 
@@ -18,7 +19,7 @@ def quantity(value: float | None, unit: str, digits: int = 4) -> str:
     value : float or None
         The value [SI].
     unit : str
-        The unit to show; ``"1"`` for a number.
+        The unit to show; ``"1"`` for a number, ``"um"`` is shown as µm.
     digits : int, optional
         Significant digits.
 
@@ -29,7 +30,7 @@ def quantity(value: float | None, unit: str, digits: int = 4) -> str:
     """
     if value is None or math.isnan(value):
         return "–"
-    return INFINITE if math.isinf(value) else format_quantity(value, unit, digits)
+    return INFINITE if math.isinf(value) else format_quantity(value, re.sub(r"\bum\b", "µm", unit), digits)
 
 
 def number(value: float | None, factor: float = 1.0) -> str:

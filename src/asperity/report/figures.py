@@ -36,6 +36,7 @@ def report_pictures(
     *,
     windup_capacities: tuple[float, float],
     name: str,
+    interference: float | None = None,
 ) -> dict[str, str]:
     """All pictures of a joint.
 
@@ -55,6 +56,8 @@ def report_pictures(
         Those standing, of positive and of negative torques, for the wind-up [N·m].
     name : str
         What the drawing is called.
+    interference : float or None, optional
+        With which the drive is made [m]; None where it is not known.
 
     Returns
     -------
@@ -65,9 +68,15 @@ def report_pictures(
     from matplotlib.figure import Figure
 
     whole, apart = (
-        (planar_sheet(joint, name=name), lambda: planar_forces_sheet(joint, solved.result))
+        (
+            planar_sheet(joint, name=name, interference=interference),
+            lambda: planar_forces_sheet(joint, solved.result),
+        )
         if isinstance(joint, PlanarJoint)
-        else (drive_sheet(joint, name=name), lambda: forces_sheet(joint, solved.result.forces))
+        else (
+            drive_sheet(joint, name=name, interference=interference),
+            lambda: forces_sheet(joint, solved.result.forces),
+        )
     )
     found = {"drive": figure_svg(sheet_figure(whole))}
     if not solved.no_equal_state:

@@ -27,6 +27,7 @@ from asperity.joint.windup_document import (
     windup_onsets,
 )
 from asperity.joint_file.drawn_surface import drawn_interval
+from asperity.joint_file.made_interference import made_interference
 from asperity.joint_file.model import Case
 from asperity.joint_file.own_branches import with_own_branches
 from asperity.joint_file.planar_model import PlanarCase
@@ -108,6 +109,7 @@ def joint_report(source: ReportSource) -> Report:
             (math.inf, math.inf) if found.windup_figures is None else windup_capacities(found.windup_figures)
         ),
         name=source.name,
+        interference=made_interference(source.case, solved.result),
     )
     blocks = (
         *_title_block(source),

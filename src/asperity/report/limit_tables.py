@@ -102,11 +102,13 @@ def margins_table(found: Sequence[Margin]) -> Iterator[Block]:
         A sentence and a table.
     """
     yield Paragraph(
-        "Each requirement at the contact or clearance where it is met worst, the most serious first. A requirement of "
-        "the model that is not met says that the published contact law is outside its range, not that the joint fails."
+        "Each requirement at the contact or clearance where it is met worst. First stand those that are not met, the "
+        "most serious first, then those that are not known, then all others, those that use most of their limit first. "
+        "A requirement of the model that is not met says that the published contact law is outside its range, not that "
+        "the joint fails."
     )
     rows = []
-    for each in found:
+    for each in sorted(found, key=_rank):
         unit = each.result.display_unit
         bounds = [f"> {quantity(each.lowest, unit)}"] if math.isfinite(each.lowest) else []
         bounds += [f"< {quantity(each.highest, unit)}"] if math.isfinite(each.highest) else []
@@ -124,6 +126,13 @@ def margins_table(found: Sequence[Margin]) -> Iterator[Block]:
         )
     head = ("requirement", "concerns", "where", "required", "actual", "result")
     yield Table("Safety margins", head, rows, words=(0, 1, 2), verdicts=True)
+
+
+def _rank(margin: Margin) -> tuple[int, float]:
+    """What is not met, then what is not known, both in their order; then the others by the share of their limit."""
+    if not margin.passes:
+        return int(math.isnan(margin.actual)), 0.0
+    return 2, math.inf if math.isnan(margin.utilisation) else -margin.utilisation
 
 
 def warnings(document: Document) -> Iterator[Block]:

@@ -39,7 +39,9 @@ _LONGEST_TITLE = 42
 PLAIN, WITH_FORCES = (297.0, 210.0, 150.0, 195.0), (420.0, 297.0, 220.0, 270.0)
 
 
-def drive_sheet(joint: Joint, *, name: str, forces: DriveForces | None = None) -> Sheet:
+def drive_sheet(
+    joint: Joint, *, name: str, forces: DriveForces | None = None, interference: float | None = None
+) -> Sheet:
     """Draw a drive to scale.
 
     Parameters
@@ -50,6 +52,8 @@ def drive_sheet(joint: Joint, *, name: str, forces: DriveForces | None = None) -
         What the drawing is called, for example the name of its file.
     forces : DriveForces, optional
         Its forces, to be drawn too.
+    interference : float or None, optional
+        With which it is made [m]; None where it is not known, and then not on the sheet.
 
     Returns
     -------
@@ -74,7 +78,7 @@ def drive_sheet(joint: Joint, *, name: str, forces: DriveForces | None = None) -
         for index, line in enumerate(lines):
             items.append(Text(on_paper(x, y - index * _SPACING), line, height=text_height))
 
-    sizes, smallest = _sizes(joint), _clearances(joint)
+    sizes, smallest = _sizes(joint, interference), _clearances(joint)
     foot, above = MARGIN + 27.0, -math.inf
     if forces is None:
         lines = [*sizes, "", *smallest]
@@ -192,7 +196,7 @@ def title_block(
     ]
 
 
-def _sizes(joint: Joint) -> list[str]:
+def _sizes(joint: Joint, interference: float | None) -> list[str]:
     """What the view itself does not say."""
     found, ring = angles(triangle(joint.geometry)), ring_as_drawn(joint)
     degrees = {name: f"{math.degrees(float(getattr(found, name))):.3f}°" for name in ("polar", "wedge")}
@@ -202,6 +206,7 @@ def _sizes(joint: Joint) -> list[str]:
         f"{round(float(joint.geometry.planet_count))} planets, two loading rollers each",
         wall,
         *(["the wall is broken off at the wavy line"] if ring.broken else []),
+        *([] if interference is None else _interference(joint, interference)),
         f"contact length {_contact_lengths(joint)}",
         f"length of planets {dimension(1e3 * float(joint.planet_length))}, "
         f"of loading rollers {dimension(1e3 * float(joint.loading_roller_length))}",
@@ -211,6 +216,12 @@ def _sizes(joint: Joint) -> list[str]:
     if not float(joint.bearings.pin_diameter) > 0.0:
         lines.append("no diameter of the pins in the file: axes only")
     return lines
+
+
+def _interference(joint: Joint, interference: float) -> list[str]:
+    cold = "" if joint.fit is None else f"at {format_quantity(float(joint.fit.assembly_temperature), '°C')}, "
+    size = format_quantity(interference, "µm")
+    return [f"interference {size} on the radius,", f"   {cold}not in the ⌀ of the ring"]
 
 
 def _clearances(joint: Joint) -> list[str]:

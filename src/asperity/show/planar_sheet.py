@@ -14,7 +14,14 @@ from asperity.show.dimension_lines import dimension
 from asperity.show.drive_sheet import MARGIN, PLAIN, WITH_FORCES, frame, load_lines, title_block
 from asperity.show.planar_dimensions import place_dimensions
 from asperity.show.planar_free_bodies import planar_free_bodies
-from asperity.show.planar_sizes import Clearance, Size, planar_clearances, sizes
+from asperity.show.planar_sizes import (
+    Clearance,
+    Size,
+    contact_interferences,
+    planar_clearances,
+    rings_follow,
+    sizes,
+)
 from asperity.show.planar_view import planar_view, reach_of, write_contact_names
 from asperity.show.sheet import TEXT_HEIGHT, Circle, Item, Line, Point, Sheet, Text, standard_scale
 from asperity.show.taken import Box, Taken, text_box
@@ -25,7 +32,9 @@ _FOOT = 37.0  # of the texts above the title block on paper [mm]
 _SPACING = 4.4
 
 
-def planar_sheet(joint: PlanarJoint, *, name: str, result: PlanarResult | None = None) -> Sheet:
+def planar_sheet(
+    joint: PlanarJoint, *, name: str, result: PlanarResult | None = None, interference: float | None = None
+) -> Sheet:
     """Draw a planar drive to scale.
 
     Parameters
@@ -36,13 +45,15 @@ def planar_sheet(joint: PlanarJoint, *, name: str, result: PlanarResult | None =
         What the drawing is called, for example the name of its file.
     result : PlanarResult, optional
         Its result, if the forces on the bodies are to be drawn too.
+    interference : float or None, optional
+        With which the drive is made where the joint states a force [m]; None where it is not known.
 
     Returns
     -------
     Sheet
         A4 across, or A3 across with forces, at the largest standard scale that fits. Tracks of a stepped roller are
         circles about one centre, although they lie in different planes. A size for which the view has no room is said
-        beside it.
+        beside it. Rings are drawn at the radii at which all contacts just touch.
     """
     width, height, room, column = PLAIN if result is None else WITH_FORCES
     reach = reach_of(joint)
@@ -56,12 +67,14 @@ def planar_sheet(joint: PlanarJoint, *, name: str, result: PlanarResult | None =
     outlines = [item for item in view if isinstance(item, Circle) and item.style == "outline"]
     block = title_block(on_paper, column, width, name, scale, kind=_kind(joint))
     paper = Box(*_edges(on_paper, MARGIN + 2.0, width - MARGIN - 2.0, MARGIN + 2.0, height - MARGIN - 2.0))
-    all_sizes, clearances = sizes(joint, scale), planar_clearances(joint)
+    all_sizes, clearances = sizes(joint, scale, interference), planar_clearances(joint)
     listed = frozenset(n for n, size in enumerate(all_sizes) if not size.places)
     while True:  # what finds no room is listed, and the list needs room
         taken = Taken(scale, paper)
         taken.add_box(Box(*_edges(on_paper, column - 4.0, width, 0.0, _FOOT - 4.0)))
-        lines = _lines(joint, all_sizes, clearances, listed, dict.fromkeys(range(len(clearances)), "C"))
+        lines = _lines(
+            joint, all_sizes, clearances, listed, dict.fromkeys(range(len(clearances)), "C"), interference
+        )
         beside = _beside(joint, result, lines, on_paper, (width, height, column), scale)
         taken.add_areas(beside)
         names = write_contact_names(joint, view, taken)
@@ -71,7 +84,7 @@ def planar_sheet(joint: PlanarJoint, *, name: str, result: PlanarResult | None =
         if not placed.unplaced:
             break
         listed |= placed.unplaced
-    lines = _lines(joint, all_sizes, clearances, listed, placed.letters)
+    lines = _lines(joint, all_sizes, clearances, listed, placed.letters, interference)
     beside = _beside(joint, result, lines, on_paper, (width, height, column), scale)
     items = [*view, *placed.items, *names, *beside, *block, frame(on_paper, width, height)]
     return Sheet(width, height, scale, middle, tuple(items))
@@ -158,6 +171,7 @@ def _lines(
     clearances: Sequence[Clearance],
     listed: frozenset[int],
     letters: dict[int, str],
+    interference: float | None,
 ) -> list[str]:
     """What the view itself does not say."""
     drive = joint.drive
@@ -187,5 +201,22 @@ def _lines(
     return lines + [
         f"{contact.name}: {contact.first.replace('_', ' ')} – {contact.second.replace('_', ' ')}"
         + ("" if alike else f", length {length}")
-        for contact, length in zip(drive.contacts, lengths, strict=True)
+        + _interference(joint, contact.second, less)
+        for contact, length, less in zip(
+            drive.contacts, lengths, contact_interferences(joint, interference), strict=True
+        )
     ]
+
+
+def _interference(joint: PlanarJoint, ring: str, less: float | None) -> str:
+    """By how much the ring of a contact is too small, and whether its diameter on the sheet says so."""
+    if less == 0.0:
+        return ""
+    if less is None:
+        return f", interference by a preload of {format_quantity(float(np.asarray(joint.preload)), 'N')}"
+    cold = "" if joint.fit is None else f" at {format_quantity(float(joint.fit.assembly_temperature), '°C')}"
+    within = "in" if rings_follow(joint) else "not in"
+    return (
+        f", interference {format_quantity(less, 'µm')} on the radius{cold}, {within} the ⌀ of the "
+        f"{ring.replace('_', ' ')}"
+    )

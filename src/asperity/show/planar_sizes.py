@@ -5,12 +5,14 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
+import numpy as np
+
 from asperity.drive.planar.existence import neighbours
-from asperity.joint.planar.description import PlanarJoint
+from asperity.joint.planar.description import PlanarJoint, places
 from asperity.show.dimension_lines import dimension, distance_mark
 from asperity.show.drive_view import MOST_GAPS
 from asperity.show.leader_places import Place, around
-from asperity.show.planar_view import copies_of, radii_of, rings_of
+from asperity.show.planar_view import RingOfBody, copies_of, radii_of, rings_of
 from asperity.show.sheet import Circle, Line, Point
 from asperity.show.taken import distance
 
@@ -61,7 +63,7 @@ class Clearance(NamedTuple):
     alike: bool = False
 
 
-def sizes(joint: PlanarJoint, scale: float) -> list[Size]:
+def sizes(joint: PlanarJoint, scale: float, interference: float | None = None) -> list[Size]:
     """Diameters of the tracks, bores and circles of axes, inner diameters and walls of the rings, each kind once.
 
     Parameters
@@ -70,11 +72,14 @@ def sizes(joint: PlanarJoint, scale: float) -> list[Size]:
         One joint.
     scale : float
         Length on paper over true length [-].
+    interference : float or None, optional
+        That of the drive where the joint states a force [m]; None where it is not known.
 
     Returns
     -------
     list of Size
-        Those of one body after each other.
+        Those of one body after each other. The inner diameter of a ring is that with which it is made: where it follows
+        from the other radii, it is smaller by the interference than the one that is drawn.
     """
     found: list[Size] = []
     count, rings = round(float(joint.drive.sectors)), rings_of(joint)
@@ -82,9 +87,9 @@ def sizes(joint: PlanarJoint, scale: float) -> list[Size]:
         name = " and ".join(_words(joint, number) for number in kind)
         mine = [ring for ring in rings if ring.body == kind[0]]
         for ring in mine:
-            inside, wall = 2.0 * ring.inner, dimension(ring.outer - ring.inner)
+            wall = dimension(ring.outer - ring.inner)
             circle = around((0.0, 0.0), ring.inner, 0.0, _OF_WALL)
-            text = f"⌀{dimension(inside)}"
+            text = _made_inside(joint, ring, interference)
             found.append(Size(name, f"inside {text}", f"{name} inside {text}", tuple(circle), ring.inner))
             marks = [] if ring.shown < ring.outer else _walls(circle, ring.inner, ring.outer, scale)
             broken = ", broken off at the wavy line" if ring.shown < ring.outer else ""
@@ -106,6 +111,60 @@ def sizes(joint: PlanarJoint, scale: float) -> list[Size]:
             circle = around((0.0, 0.0), orbit, math.atan2(y, x), _OF_AXES)
             found.append(Size(counted, f"axes on {text}", f"axes of {name} {text}", tuple(circle)))
     return found
+
+
+def rings_follow(joint: PlanarJoint) -> bool:
+    """Whether the radii of the rings follow from those of the rollers and the interference.
+
+    Parameters
+    ----------
+    joint : PlanarJoint
+        One joint.
+
+    Returns
+    -------
+    bool
+        False where its file states them.
+    """
+    return joint.type != "planar"
+
+
+def contact_interferences(joint: PlanarJoint, interference: float | None = None) -> list[float | None]:
+    """By how much the radius of the ring in each contact is too small.
+
+    Parameters
+    ----------
+    joint : PlanarJoint
+        One joint.
+    interference : float or None, optional
+        That of the drive where the joint states a force [m]; None where it is not known.
+
+    Returns
+    -------
+    list of float or None
+        For each contact [m]: 0 without a ring, None where it is not known.
+    """
+    drive = interference if joint.interference is None else float(joint.interference)
+    shares = [float(share) for share in np.asarray(joint.pattern)]
+    return [0.0 if share == 0.0 else None if drive is None else share * drive for share in shares]
+
+
+def _made_inside(joint: PlanarJoint, ring: RingOfBody, interference: float | None) -> str:
+    """Inner diameter of a ring as it must be made, to a tenth of a micrometre or a hundredth of the interference."""
+    nominal = f"⌀{dimension(2.0 * ring.inner)}"
+    _, second = places(joint.drive)
+    less = next(
+        each
+        for number, each in enumerate(contact_interferences(joint, interference))
+        if second[number] == ring.body
+        and math.isclose(1e3 * float(joint.drive.second_radius[number]), ring.inner)
+    )
+    if not rings_follow(joint) or less == 0.0:
+        return nominal
+    if less is None:
+        return f"{nominal} less 2 × interference"
+    decimals = max(4, 2 - math.floor(math.log10(2e3 * abs(less))))
+    return "⌀" + f"{2.0 * ring.inner - 2e3 * less:.{decimals}f}".rstrip("0").rstrip(".")
 
 
 def planar_clearances(joint: PlanarJoint) -> list[Clearance]:
