@@ -10,6 +10,6 @@ from asperity.joint.branch_sizes import refuse_wide
 def test_up_to_three_times_the_nominal_interference():
     refuse_wide(np.array([-5e-6, 10e-6, 30e-6]), 10e-6)
     with pytest.raises(
-        InputError, match=r"the interference of a branch, 30\.01 um, is more than 3 times the nominal"
+        InputError, match=r"of branch 2, 30\.01 um, is more than 3 times that of equal .* 10 um"
     ):
         refuse_wide(np.array([10e-6, 30.01e-6]), 10e-6)
