@@ -91,13 +91,12 @@ def test_a_result_or_a_report_is_refused_with_what_to_open(content, name, said):
         assert "unit" not in str(refused.value)  # which would ask for those of a surface
 
 
-def test_other_files_are_not_taken_for_results():
-    for content in (
-        b'{"schema": "' + SCHEMA.encode() + b'", "asperity_version": "1"}',
-        b'{"asperity_version"',
-        b"1\n",
-    ):
-        refuse_downloads(content, "m.json")
+@pytest.mark.parametrize(
+    "content",
+    [b'{"schema": "' + SCHEMA.encode() + b'", "asperity_version": "1"}', b'{"asperity_version"', b"1\n"],
+)
+def test_other_files_are_not_taken_for_results(content):
+    assert refuse_downloads(content, "m.json") is None
 
 
 def test_a_design_is_text():

@@ -104,12 +104,10 @@ def _planar_sheet(case: PlanarCase, file: str, forces: bool) -> Sheet:
 
         try:
             found = solve_planar(joint).result
-        except (
-            InputError,
-            NoSolutionError,
-        ):  # its rings are then drawn without their interference, and say so
+        except (InputError, NoSolutionError):
             if forces:
                 raise
+            # without forces there is a drawing all the same: its rings say that their interference is not known
     return planar_sheet(
         joint,
         name=file,

@@ -278,9 +278,8 @@ class BranchSolver:
             torque=torque / self.drive.count,
             slip_ratio=np.where(preload > 0.0, np.where(share >= 1.0, 1.0, np.max(slip, axis=0)), np.nan),
             sun_displacement=moved,
-            sun_force=force
-            if self.sizes.sun_support_stiffness > 0.0
-            else np.zeros(2),  # a floating sun bears none
+            # the bearings of a floating sun bear nothing; what is left of the search is rounding
+            sun_force=force if self.sizes.sun_support_stiffness > 0.0 else np.zeros(2),
             **known,
         )
 

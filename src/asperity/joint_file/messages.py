@@ -154,9 +154,8 @@ def _unknown_key(
         return f"{path}: only for drives of type {named}{here}", None
     sections = sorted({each.split(".")[0] for each in keys_by_path(model) if each.split(".")[-1] == name})
     if sections and name not in known:
-        meant = (
-            nearest(name, known).removeprefix("; ") if parts[0] == "branch" else ""
-        )  # has deviations of radii
+        # a branch has deviations of what another section states
+        meant = nearest(name, known).removeprefix("; ") if parts[0] == "branch" else ""
         return f"{path}: unknown {what}; it belongs in [{sections[0]}]{meant and f', or {meant}'}", None
     return f"{path}: unknown {what}{nearest(name, known) or '; known here are ' + ', '.join(known)}", None
 
