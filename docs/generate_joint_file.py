@@ -16,7 +16,7 @@ from pydantic.fields import FieldInfo
 from asperity.joint_file.model import Case
 from asperity.joint_file.planar_types import PLANAR_CASES
 from asperity.joint_file.quantity_key import Key
-from asperity.joint_file.section import EachContact, Section
+from asperity.joint_file.section import EachContact, Section, meaning
 
 PAGE = Path(__file__).with_name("joint_file.md")
 MOVES = Path(__file__).with_name("joint_file_moves.json")
@@ -133,7 +133,7 @@ def _sections() -> Iterator[tuple[str, type[Section], str]]:
         header = {"duty": "[[duty]]", "branch": "[[branch]]", "materials": "[materials.NAME]"}.get(
             name, f"[{name}]"
         )
-        yield header, model, field.description or ""
+        yield header, model, meaning(Case, name)
 
 
 OTHERS = """\
@@ -157,16 +157,16 @@ def _other_sections() -> Iterator[tuple[str, type[Section], str]]:
     for name in ("roller", "contact"):
         field = PLANAR_CASES["planar"].model_fields[name]
         model = next(p for p in _parts(field.annotation) if isinstance(p, type) and issubclass(p, Section))
-        yield f'[[{name}]] of type = "planar"', model, field.description or ""
+        yield f'[[{name}]] of type = "planar"', model, meaning(PLANAR_CASES["planar"], name)
     for kind, case in PLANAR_CASES.items():
         field = case.model_fields["branch"]
         model = next(p for p in _parts(field.annotation) if isinstance(p, type) and issubclass(p, Section))
-        yield f'[[branch]] of type = "{kind}"', model, field.description or ""
+        yield f'[[branch]] of type = "{kind}"', model, meaning(case, "branch")
     common = next(iter(PLANAR_CASES.values()))
     for name in ("load", "bearings", "compliance", "rolling", "model"):
         field = common.model_fields[name]
         model = next(p for p in _parts(field.annotation) if isinstance(p, type) and issubclass(p, Section))
-        yield f"[{name}] of other drives", model, field.description or ""
+        yield f"[{name}] of other drives", model, meaning(common, name)
 
 
 def _other_table(model: type[Section]) -> Iterator[str]:
@@ -174,7 +174,7 @@ def _other_table(model: type[Section]) -> Iterator[str]:
     for name, field in model.model_fields.items():
         unit, allowed = _allowed(field)
         optional = "" if field.is_required() else " *Optional.*"
-        yield f"| `{name}` | {' '.join((field.description or '').split())}{optional} | {unit} | {allowed} |"
+        yield f"| `{name}` | {meaning(model, name)}{optional} | {unit} | {allowed} |"
     yield ""
 
 
@@ -191,8 +191,7 @@ def _table(header: str, model: type[Section], moves: dict[str, list[str]]) -> It
         moved = moves.get(f"{section}.{name}", [])
         named = "all seven" if len(moved) == len(NAMED) else ", ".join(moved)
         optional = "" if field.is_required() else " *Optional.*"
-        meaning = " ".join((field.description or "").split())
-        yield f"| `{name}` | {meaning}{optional} | {unit} | {allowed} | {named} |"
+        yield f"| `{name}` | {meaning(model, name)}{optional} | {unit} | {allowed} | {named} |"
     yield ""
 
 

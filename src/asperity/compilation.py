@@ -2,8 +2,8 @@
 
 Most of the run time of a command is spent by JAX tracing the Python code and by XLA compiling the result. XLA's
 expensive optimisations are switched off. If a compilation cache is set
-(:func:`asperity.precision.use_compilation_cache`), the traced program is stored in addition to XLA's machine code. Its
-name is formed from the source code and the versions that it depends on. The next process skips both steps.
+(:func:`asperity.precision.use_compilation_cache`), the machine code is kept under a name formed from the source code
+and the versions that it depends on (:mod:`asperity.kept_programs`). The next process skips both steps.
 
 XLA compiles in threads of its own while Python goes on: the next program is traced meanwhile, and a call of one that
 is not ready waits for it.
@@ -17,22 +17,16 @@ from __future__ import annotations
 import contextlib
 import functools
 import gc
-import hashlib
-import importlib.util
-import os
-import pickle
-import platform
-import sys
 from collections.abc import Callable, Iterator
 from concurrent.futures import Future, ThreadPoolExecutor
 from contextvars import ContextVar
-from importlib.metadata import version
-from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 import jax
 import jax.numpy as jnp
 import numpy as np
+
+from asperity.kept_programs import Choices, KeptProgram, Request, keep, kept, without_the_cache_of_jax
 
 _IN_ONE_PART = {
     "xla_backend_optimization_level": 0,
@@ -41,7 +35,7 @@ _IN_ONE_PART = {
 }
 #: XLA's CPU compiler spends four fifths of its time on fusions and optimisations that pay off in millions of points.
 #: The first of these that the installed release of XLA knows.
-_COMPILE_FAST: tuple[dict[str, Any], ...] = (
+_COMPILE_FAST: Choices = (
     {**_IN_ONE_PART, "xla_cpu_use_fusion_emitters": False},
     _IN_ONE_PART,
     {"xla_backend_optimization_level": 0},
@@ -49,9 +43,10 @@ _COMPILE_FAST: tuple[dict[str, Any], ...] = (
 )
 
 #: The same with the optimisations of the machine code: two to four times as long to compile, and as much faster.
-_RUN_FAST = (*({**options, "xla_backend_optimization_level": 1} for options in _COMPILE_FAST[:-1]), {})
-
-_Kinds = tuple[tuple[tuple[int, ...], np.dtype[Any]], ...]
+_RUN_FAST: Choices = (
+    *({**options, "xla_backend_optimization_level": 1} for options in _COMPILE_FAST[:-1]),
+    {},
+)
 
 
 class Program:
@@ -59,21 +54,21 @@ class Program:
 
     Parameters
     ----------
+    request : Request
+        What is compiled.
     compiled : Future
-        What XLA makes of it.
-    lowered : object
-        What XLA is given.
+        What XLA makes of it, or made of it in an earlier process: a function of the list of the leaves.
     results : object
         What it returns, each leaf with its ``shape`` and ``dtype``.
-    flat : bool
-        Whether the compiled function takes the list of the leaves, and returns those of ``results``.
+    traced : object, optional
+        What XLA is given; None if this process has not traced it.
     """
 
     def __init__(
-        self, compiled: Future[Callable[..., Any]], lowered: Any, results: Any, *, flat: bool
+        self, request: Request, compiled: Future[Callable[..., Any]], results: Any, traced: Any = None
     ) -> None:
         self.results = results
-        self._compiled, self._lowered, self._flat = compiled, lowered, flat
+        self._request, self._compiled, self._traced = request, compiled, traced
         self._again: Callable[..., Any] | None = None
 
     def compile_again(self) -> None:
@@ -83,9 +78,9 @@ class Program:
         -----
         XLA rounds differently in what it optimises: results change in their last digits.
         """
-        lowered, self._lowered = self._lowered, None
-        if lowered is not None:
-            self._again = _built(lowered, _RUN_FAST)
+        if self._again is None:
+            traced, self._traced = self._traced, None
+            self._again = _ready(self._request, _RUN_FAST, kept(self._request, _RUN_FAST), traced)
 
     def __call__(self, *arguments: Any) -> Any:
         """The results for arguments of the structure and shapes that it was compiled for."""
@@ -93,8 +88,6 @@ class Program:
         if called is not None:
             called.add(self)
         call = self._again or self._compiled.result()
-        if not self._flat:
-            return call(*arguments)
         return jax.tree.unflatten(jax.tree.structure(self.results), call(jax.tree.leaves(arguments)))
 
 
@@ -186,21 +179,38 @@ def _compilers() -> ThreadPoolExecutor:
 
 
 @functools.lru_cache(maxsize=64)
-def _compiled(
-    function: Callable[..., Any], options: tuple[Any, ...], structure: Any, kinds: _Kinds
-) -> Program:
-    shapes = [jax.ShapeDtypeStruct(shape, dtype) for shape, dtype in kinds]
+def _compiled(function: Callable[..., Any], options: tuple[Any, ...], structure: Any, kinds: Any) -> Program:
+    request = Request(function, options, structure, kinds)
+    known = kept(request, _COMPILE_FAST)
+    traced = _traced(request) if known is None else None
+    compiled = _compilers().submit(_ready, request, _COMPILE_FAST, known, traced)
+    outcome = known or traced
+    assert outcome is not None
+    return Program(request, compiled, outcome.results, traced)
+
+
+class _Traced(NamedTuple):
+    """What XLA is given, and what comes of it, each leaf with its shape and type."""
+
+    lowered: Any
+    results: Any
+
+
+def _traced(request: Request) -> _Traced:
+    """The program of the list of the leaves."""
+    structures = []
+
+    def flat(leaves: list[Any]) -> list[Any]:
+        result = request.function(*request.options, *jax.tree.unflatten(request.structure, leaves))
+        result_leaves, structure = jax.tree.flatten(result)
+        structures.append(structure)
+        return result_leaves
+
+    flat.__name__ = request.name
     with _without_garbage_collection():
-        kept = _kept_program(function, options, structure, kinds)
-        if kept is None:
-            arguments = jax.tree.unflatten(structure, shapes)
-            lowered = jax.jit(functools.partial(function, *options)).lower(*arguments)
-            results = jax.tree.map(lambda out: jax.ShapeDtypeStruct(out.shape, out.dtype), lowered.out_info)
-        else:
-            program, results = kept
-            lowered = jax.jit(program).lower(shapes)
-    compiled = _compilers().submit(_built, lowered, _COMPILE_FAST)
-    return Program(compiled, lowered, results, flat=kept is not None)
+        lowered = jax.jit(flat).lower([jax.ShapeDtypeStruct(shape, dtype) for shape, dtype in request.kinds])
+    shapes = [jax.ShapeDtypeStruct(out.shape, out.dtype) for out in lowered.out_info]
+    return _Traced(lowered, jax.tree.unflatten(structures[0], shapes))
 
 
 @contextlib.contextmanager
@@ -215,8 +225,24 @@ def _without_garbage_collection() -> Iterator[None]:
             gc.enable()
 
 
-def _built(lowered: Any, choices: tuple[dict[str, Any], ...]) -> Callable[..., Any]:
-    """Compiled with the first of some options that this release of XLA knows."""
+def _ready(
+    request: Request, choices: Choices, known: KeptProgram | None, traced: _Traced | None
+) -> Callable[..., Any]:
+    """What XLA makes of a program, read if it is known from an earlier process; traced now if it was not before."""
+    if known is not None:
+        with contextlib.suppress(Exception):  # it cannot be loaded: a result must never depend on the cache
+            return known.load()
+    traced = traced or _traced(request)
+    if not request.known_by_name:
+        return _compiled_with(traced.lowered, choices)
+    with without_the_cache_of_jax():
+        compiled = _compiled_with(traced.lowered, choices)
+    keep(request, choices, compiled, traced.results)
+    return compiled
+
+
+def _compiled_with(lowered: Any, choices: Choices) -> Any:
+    """With the first of some options that this release of XLA knows."""
     *preferred, last = choices
     for options in preferred:
         try:
@@ -224,79 +250,3 @@ def _built(lowered: Any, choices: tuple[dict[str, Any], ...]) -> Callable[..., A
         except jax.errors.JaxRuntimeError:  # a release of XLA without one of these options
             continue
     return lowered.compile(compiler_options=last)
-
-
-def _kept_program(
-    function: Callable[..., Any], options: tuple[Any, ...], structure: Any, kinds: _Kinds
-) -> tuple[Callable[..., Any], Any] | None:
-    """The program of a function of flat leaves and its results, read from the cache or stored there, or None."""
-    folder = jax.config.jax_compilation_cache_dir  # type: ignore[attr-defined]
-    if not folder or importlib.util.find_spec("flatbuffers") is None:  # the file format of jax.export
-        return None
-    if not _known_by_name(function):
-        return None
-    from jax import export
-
-    file = Path(folder) / f"asperity-{_fingerprint(function, options, structure, kinds)}.program"
-    try:
-        # a pickle, as trustworthy as the machine code that XLA keeps in the same folder of the user
-        stored, skeleton = pickle.loads(file.read_bytes())
-        return _with_results(export.deserialize(bytearray(stored)), jax.tree.structure(skeleton))
-    except Exception:  # absent or damaged: a result must never depend on the cache
-        pass
-    result_structures = []
-
-    def flat(leaves: list[Any]) -> list[Any]:
-        result = function(*options, *jax.tree.unflatten(structure, leaves))
-        result_leaves, result_structure = jax.tree.flatten(result)
-        result_structures.append(result_structure)
-        return result_leaves
-
-    exported = export.export(jax.jit(flat))([jax.ShapeDtypeStruct(shape, dtype) for shape, dtype in kinds])
-    (result_structure,) = result_structures
-    skeleton = jax.tree.unflatten(result_structure, [0] * len(exported.out_avals))
-    _keep(file, pickle.dumps((bytes(exported.serialize()), skeleton)))
-    return _with_results(exported, result_structure)
-
-
-def _with_results(exported: Any, structure: Any) -> tuple[Callable[..., Any], Any]:
-    shapes = [jax.ShapeDtypeStruct(out.shape, out.dtype) for out in exported.out_avals]
-    return exported.call, jax.tree.unflatten(structure, shapes)
-
-
-def _known_by_name(function: Callable[..., Any]) -> bool:
-    """Whether the function's name identifies it: a closure of the same name may compute something else."""
-    module = sys.modules.get(function.__module__)
-    return getattr(module, getattr(function, "__qualname__", ""), None) is function
-
-
-def _keep(file: Path, content: bytes) -> None:
-    part = file.with_name(f"{file.name}.{os.getpid()}.part")
-    try:
-        part.write_bytes(content)
-        part.replace(file)
-    except OSError:  # a full or read-only disk only costs time at the next start
-        part.unlink(missing_ok=True)
-
-
-def _fingerprint(
-    function: Callable[..., Any], options: tuple[Any, ...], structure: Any, kinds: _Kinds
-) -> str:
-    """Everything a program depends on: this package's source, the versions of its dependencies, and the request."""
-    name = (function.__module__, function.__qualname__)
-    asked = (*name, options, str(structure), kinds, jax.default_backend())
-    below = (platform.python_version(), *(version(name) for name in ("jax", "jaxlib", "equinox", "numpy")))
-    digest = hashlib.sha256(repr((asked, below)).encode())
-    digest.update(_source_digest())
-    return digest.hexdigest()[:32]
-
-
-@functools.cache
-def _source_digest() -> bytes:
-    """One for all files of this package."""
-    digest = hashlib.sha256()
-    package = Path(__file__).parent
-    for source in sorted(package.rglob("*.py")):
-        digest.update(str(source.relative_to(package)).encode())
-        digest.update(source.read_bytes())
-    return digest.digest()

@@ -6,6 +6,7 @@ import math
 
 import jax.numpy as jnp
 
+from asperity.arrays import namespace
 from asperity.types import Real
 
 #: Peak pressure at first yield over the yield strength, Tresca (Johnson 1985, section 6.2, p0 = 1.67 Y).
@@ -36,7 +37,8 @@ def effective_radius(*, radius_1: Real, radius_2: Real, sign: Real) -> Real:
     >>> round(float(effective_radius(radius_1=10e-3, radius_2=20e-3, sign=1.0)) * 1e3, 4)
     6.6667
     """
-    return radius_1 * radius_2 / jnp.abs(radius_1 + sign * radius_2)
+    total: Real = namespace(radius_1, radius_2).abs(radius_1 + sign * radius_2)
+    return radius_1 * radius_2 / total
 
 
 def half_width(

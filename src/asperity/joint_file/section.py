@@ -2,10 +2,15 @@
 
 from __future__ import annotations
 
+import ast
+import functools
+import inspect
+import itertools
 from collections.abc import Iterator
 from typing import Any, Generic, Self, TypeVar
 
-from pydantic import BaseModel, ConfigDict, PrivateAttr
+from pydantic import BaseModel, ConfigDict, GetJsonSchemaHandler, PrivateAttr
+from pydantic_core import CoreSchema
 
 Entry = TypeVar("Entry")
 
@@ -16,7 +21,61 @@ ONE_FOR_ALL, ONE_FOR_EACH = "<one for all>", "<one for each>"
 class Section(BaseModel):
     """A table of the file: frozen, and without room for unknown keys."""
 
-    model_config = ConfigDict(extra="forbid", frozen=True, use_attribute_docstrings=True)
+    model_config = ConfigDict(extra="forbid", frozen=True)
+
+    @classmethod
+    def __get_pydantic_json_schema__(
+        cls, core_schema: CoreSchema, handler: GetJsonSchemaHandler
+    ) -> dict[str, Any]:
+        """The JSON schema with the meaning of each key, which pydantic does not read."""
+        schema = handler(core_schema)
+        for name, entry in handler.resolve_ref_schema(schema)["properties"].items():
+            said = meaning(cls, name)
+            if said:
+                entry.setdefault("description", said)
+        return schema
+
+
+def meaning(model: type[BaseModel], name: str) -> str:
+    """What the docstring below a key says of it.
+
+    Parameters
+    ----------
+    model : type
+        A section.
+    name : str
+        Key.
+
+    Returns
+    -------
+    str
+        One line; empty where the key has no docstring.
+
+    Notes
+    -----
+    Docstrings are read when they are asked for. Pydantic would read all of them whenever a command starts.
+
+    Examples
+    --------
+    >>> meaning(EachContact, "sp")
+    'Sun–planet.'
+    """
+    return next((said[name] for said in map(_meanings, model.__mro__) if name in said), "")
+
+
+@functools.cache
+def _meanings(model: type[Any]) -> dict[str, str]:
+    """The docstrings of the keys that a section itself declares."""
+    if not issubclass(model, Section) or model.__pydantic_generic_metadata__["args"]:
+        return {}
+    (definition,) = ast.parse(inspect.getsource(model)).body
+    assert isinstance(definition, ast.ClassDef)
+    found = {}
+    for statement, below in itertools.pairwise(definition.body):
+        match statement, below:
+            case ast.AnnAssign(target=ast.Name(id=name)), ast.Expr(value=ast.Constant(value=str(text))):
+                found[name] = " ".join(text.split())
+    return found
 
 
 _Leaf = TypeVar("_Leaf")

@@ -14,7 +14,7 @@ from asperity.joint_file.model import Case
 from asperity.joint_file.part_names import contacts_of
 from asperity.joint_file.planar_model import PlanarCase
 from asperity.joint_file.quantity_key import Key
-from asperity.joint_file.section import EachContact
+from asperity.joint_file.section import EachContact, meaning
 from asperity.joint_file.si_tables import counterparts, si_values
 from asperity.library import FREQUENCY_RATIO, read_finishes, read_materials
 from asperity.page.joint_request import CHOICES, choices_of_case
@@ -113,11 +113,11 @@ def _parameters(whole: type[BaseModel], section: str) -> list[dict[str, Any]]:
         if path.split(".")[0] == section:
             model, name = _field(whole, path)
             field = model.model_fields[name]
-            meaning = " ".join((field.description or "").split())
+            said = meaning(model, name)
             found.append(
                 {
                     "key": path,
-                    "meaning": meaning,
+                    "meaning": said,
                     "dimension": key.dimension.label,
                     "unit": key.unit,
                     "lowest": key.lower,
@@ -129,7 +129,7 @@ def _parameters(whole: type[BaseModel], section: str) -> list[dict[str, Any]]:
                     "example": key.typical,
                     "example_value": _example(key),
                     "required": field.is_required(),
-                    "default": _default(meaning),
+                    "default": _default(said),
                     "replaces": list(counterparts(name)),
                 }
             )
@@ -141,11 +141,11 @@ def _example(key: Key) -> float:
     return float(f"{from_si(parse_quantity(key.typical, key.dimension), key.unit):.14g}")
 
 
-def _default(meaning: str) -> str | None:
+def _default(text: str) -> str | None:
     """What the meaning says of a key that is absent."""
-    said = re.search(r"[^;,.]*(?:\d\.\d+)? if absent[^;.]*", meaning)
+    said = re.search(r"[^;,.]*(?:\d\.\d+)? if absent[^;.]*", text)
     if said is None:
-        said = re.search(r"if absent, [^;.]*|Without it [^.]*", meaning)
+        said = re.search(r"if absent, [^;.]*|Without it [^.]*", text)
     words = said.group(0).strip() if said else "if absent"
     return None if words == "if absent" else words[0].lower() + words[1:]
 
@@ -170,13 +170,13 @@ def _field(whole: type[BaseModel], path: str) -> tuple[type[BaseModel], str]:
 def _choice(whole: type[BaseModel], path: str, words: tuple[str, ...]) -> dict[str, Any]:
     model, name = _field(whole, path)
     field = model.model_fields[name]
-    meaning = " ".join((field.description or "").split())
+    said = meaning(model, name)
     section = path.split(".")[0]
     return {
         "key": path,
         "group": section,
-        "meaning": meaning,
+        "meaning": said,
         "words": list(words),
         "required": field.is_required() and whole.model_fields[section].is_required(),
-        "default": _default(meaning),
+        "default": _default(said),
     }

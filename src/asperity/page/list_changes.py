@@ -13,6 +13,7 @@ from asperity.joint_file.listed_sections import rearranged
 from asperity.joint_file.model import Case
 from asperity.joint_file.part_names import sized_tracks, type_of
 from asperity.joint_file.planar_model import PlanarCase
+from asperity.joint_file.section import meaning
 from asperity.joint_file.si_tables import key_at, si_values
 
 #: The change of a list that has one section for each branch of the drive, however many those are.
@@ -183,7 +184,7 @@ def stated_lists(case: Case | PlanarCase, tables: Mapping[str, Any]) -> dict[str
                 for each in ([key.replace("*", r) for r in rollers] if "*" in key else [key])
             ]
         found[name] = {
-            "meaning": " ".join((type(case).model_fields[name].description or "").split()),
+            "meaning": meaning(type(case), name),
             "keys": keys,
             "one_for_each": count_path,
             "most": MOST_LOADS if count_path is None else round(key_at(count_path, case.type).upper),

@@ -1,0 +1,256 @@
+"""Machine code of programs, kept between processes in the folder of JAX's compilation cache.
+
+JAX's own cache keeps what XLA makes of a program, but has to trace the program to find it. Here the name of a file says
+what a program depends on: the function, what it is asked for, the source of this package, and the releases below it.
+
+A program that JAX has read from its own cache cannot be stored again: its code is missing, which shows when it is
+called. Programs of this module therefore stay out of that cache: they have names of their own, and JAX stores nothing
+while they are compiled.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import dataclasses
+import functools
+import hashlib
+import os
+import pickle
+import platform
+import sys
+import threading
+import time
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import Any
+
+import equinox
+import jax
+import jaxlib
+import numpy as np
+
+_PREFIX = "asperity-"
+#: Time after which a program that is no longer used is removed [s].
+_KEPT_FOR = 90 * 24 * 3600.0
+#: Options of XLA, the preferred ones first.
+Choices = tuple[dict[str, Any], ...]
+
+
+@dataclasses.dataclass(frozen=True)
+class Request:
+    """What is compiled.
+
+    Parameters
+    ----------
+    function : callable
+        A pure function of modules of numbers.
+    options : tuple
+        Its leading arguments that are not numbers, which their ``repr`` identifies completely.
+    structure : PyTreeDef
+        Structure of its other arguments.
+    kinds : tuple
+        Shape and type of each leaf of these.
+    """
+
+    function: Callable[..., Any]
+    options: tuple[Any, ...]
+    structure: Any
+    kinds: tuple[tuple[tuple[int, ...], np.dtype[Any]], ...]
+
+    @property
+    def known_by_name(self) -> bool:
+        """Whether the function's name identifies it: a closure of the same name may compute something else."""
+        module = sys.modules.get(self.function.__module__)
+        return getattr(module, getattr(self.function, "__qualname__", ""), None) is self.function
+
+    @functools.cached_property
+    def fingerprint(self) -> str:
+        """40 hexadecimal digits for everything that the program depends on."""
+        asked = (
+            self.function.__module__,
+            self.function.__qualname__,
+            self.options,
+            str(self.structure),
+            self.kinds,
+        )
+        settings = [jax.config.read(name) for name in ("jax_enable_x64", "jax_disable_most_optimizations")]
+        digest = hashlib.sha256(repr((asked, settings)).encode())
+        digest.update(_surroundings())
+        return digest.hexdigest()[:40]
+
+    @property
+    def name(self) -> str:
+        """A name of its own, if the function has one; short, as it is part of the name of all that XLA makes of it."""
+        return f"p{self.fingerprint[:8]}" if self.known_by_name else "closure"
+
+
+@dataclasses.dataclass(frozen=True)
+class KeptProgram:
+    """A program that an earlier process has compiled.
+
+    Parameters
+    ----------
+    results : object
+        What it returns, each leaf with its ``shape`` and ``dtype``.
+    machine_code : bytes
+        The file format of JAX.
+    argument_count : int
+        Number of leaves of its arguments.
+    needs_lapack : bool
+        Whether it may call functions of linear algebra.
+    """
+
+    results: Any
+    machine_code: bytes
+    argument_count: int
+    needs_lapack: bool
+
+    def load(self) -> Callable[..., Any]:
+        """The program as a function of the list of the leaves.
+
+        Returns
+        -------
+        callable
+            It returns the list of the leaves of the results.
+        """
+        from jax.experimental import serialize_executable
+
+        if self.needs_lapack:
+            _load_lapack()
+        arguments = jax.tree.structure((([0] * self.argument_count,), {}))
+        results = jax.tree.structure([0] * len(jax.tree.leaves(self.results)))
+        return serialize_executable.deserialize_and_load(self.machine_code, arguments, results)
+
+
+@functools.cache
+def _load_lapack() -> None:
+    """Let JAX take LAPACK from SciPy, as it does when it lowers a program that needs it; without, a call crashes."""
+    jax.jit(jax.lax.linalg.lu).lower(jax.ShapeDtypeStruct((1, 1), float))
+
+
+def kept(request: Request, choices: Choices) -> KeptProgram | None:
+    """The machine code of a program, if an earlier process has kept it.
+
+    Parameters
+    ----------
+    request : Request
+        The program.
+    choices : tuple of dict
+        Options of XLA.
+
+    Returns
+    -------
+    KeptProgram or None
+        None where there is none that can be read, or no cache.
+    """
+    file = _file(request, choices)
+    if file is None:
+        return None
+    try:
+        # a pickle, as trustworthy as the machine code that JAX keeps in the same folder of the user
+        shapes, skeleton, machine_code, needs_lapack = pickle.loads(file.read_bytes())
+        os.utime(file)  # it is in use
+    except Exception:  # absent or damaged: a result must never depend on the cache
+        return None
+    results = [jax.ShapeDtypeStruct(*shape) for shape in shapes]
+    found = jax.tree.unflatten(jax.tree.structure(skeleton), results)
+    return KeptProgram(found, machine_code, len(request.kinds), needs_lapack)
+
+
+def keep(request: Request, choices: Choices, compiled: Any, results: Any) -> None:
+    """Keep the machine code of a program for the next process.
+
+    Parameters
+    ----------
+    request : Request
+        The program.
+    choices : tuple of dict
+        Options of XLA.
+    compiled : jax.stages.Compiled
+        What XLA made of it with these, outside JAX's cache.
+    results : object
+        What it returns, each leaf with its ``shape`` and ``dtype``.
+
+    Notes
+    -----
+    It does nothing where there is no cache, or where the program cannot be stored.
+    """
+    file = _file(request, choices)
+    if file is None:
+        return
+    from jax.experimental import serialize_executable
+
+    try:
+        machine_code, _, _ = serialize_executable.serialize(compiled)
+    except (ValueError, NotImplementedError, jax.errors.JaxRuntimeError):
+        return
+    leaves, structure = jax.tree.flatten(results)
+    skeleton = jax.tree.unflatten(structure, [0] * len(leaves))
+    shapes = [(leaf.shape, leaf.dtype) for leaf in leaves]
+    needs_lapack = "scipy.linalg" in sys.modules  # which JAX imports when it lowers a program that does
+    content = pickle.dumps((shapes, skeleton, machine_code, needs_lapack))
+    part = file.with_name(f"{file.name}.{os.getpid()}.{threading.get_ident()}.part")
+    try:
+        part.write_bytes(content)
+        part.replace(file)
+        _remove_unused(file.parent)
+    except OSError:  # a full or read-only disk only costs time at the next start
+        part.unlink(missing_ok=True)
+
+
+def _file(request: Request, choices: Choices) -> Path | None:
+    folder = jax.config.jax_compilation_cache_dir  # type: ignore[attr-defined]
+    if not folder or not request.known_by_name:
+        return None
+    options = hashlib.sha256(repr(choices).encode()).hexdigest()[:8]
+    return Path(folder) / f"{_PREFIX}{request.fingerprint}-{options}.program"
+
+
+def _remove_unused(folder: Path) -> None:
+    """Programs of earlier releases, and of joints that nobody asks for any more."""
+    for file in folder.glob(f"{_PREFIX}*"):
+        if time.time() - file.stat().st_mtime > _KEPT_FOR:
+            file.unlink(missing_ok=True)
+
+
+_LOCK = threading.Lock()
+#: JAX's setting before the first block that is open: one entry for each of them.
+_SETTING_BEFORE: list[float] = []
+
+
+@contextlib.contextmanager
+def without_the_cache_of_jax() -> Iterator[None]:
+    """Let JAX keep nothing of what is compiled in a block, in whatever thread."""
+    name = "jax_persistent_cache_min_compile_time_secs"
+    with _LOCK:
+        _SETTING_BEFORE.append(_SETTING_BEFORE[0] if _SETTING_BEFORE else getattr(jax.config, name))
+        jax.config.update(name, float("inf"))
+    try:
+        yield
+    finally:
+        with _LOCK:
+            before = _SETTING_BEFORE.pop()
+            if not _SETTING_BEFORE:
+                jax.config.update(name, before)
+
+
+@functools.cache
+def _surroundings() -> bytes:
+    """A digest of this package's source, of the releases below it, and of the machine."""
+    releases = (platform.python_version(), *(each.__version__ for each in (jax, jaxlib, equinox, np)))
+    machine = (jax.default_backend(), _processor(), os.environ.get("XLA_FLAGS"))
+    digest = hashlib.sha256(repr((releases, machine)).encode())
+    package = Path(__file__).parent
+    for source in sorted(package.rglob("*.py")):
+        digest.update(str(source.relative_to(package)).encode())
+        digest.update(source.read_bytes())
+    return digest.digest()
+
+
+def _processor() -> str:
+    """What the processor can do, as far as the system says: a folder of the user may serve several machines."""
+    try:
+        lines = Path("/proc/cpuinfo").read_text().splitlines()
+    except OSError:
+        return f"{platform.machine()} {platform.processor()}"
+    return next((line for line in lines if line.startswith(("flags", "Features"))), platform.machine())

@@ -1,0 +1,222 @@
+import os
+import subprocess
+import sys
+import threading
+import time
+from pathlib import Path
+
+import jax
+import jax.numpy as jnp
+import numpy as np
+import pytest
+
+from asperity import kept_programs
+from asperity.kept_programs import Request, keep, kept, without_the_cache_of_jax
+
+FAST = ({"xla_backend_optimization_level": 0}, {})
+
+
+def _line(slope, numbers):
+    return {"y": float(slope) * numbers["x"] + 1.0, "sum": jnp.sum(numbers["x"])}
+
+
+def _solved(numbers):
+    return {"x": jnp.linalg.solve(numbers["matrix"], numbers["right"])}
+
+
+@pytest.fixture
+def cache(tmp_path):
+    """A cache of this test's own."""
+    before = jax.config.jax_compilation_cache_dir
+    jax.config.update("jax_compilation_cache_dir", str(tmp_path))
+    yield tmp_path
+    jax.config.update("jax_compilation_cache_dir", before)
+
+
+def _request(numbers, *, function=_line, options=("2",)):
+    leaves, structure = jax.tree.flatten((numbers,))
+    return Request(function, options, structure, tuple((leaf.shape, leaf.dtype) for leaf in leaves))
+
+
+def _compiled(request):
+    """The program of the leaves, and what comes of it, by JAX alone."""
+
+    def flat(leaves):
+        return jax.tree.leaves(
+            request.function(*request.options, *jax.tree.unflatten(request.structure, leaves))
+        )
+
+    shapes = [jax.ShapeDtypeStruct(*kind) for kind in request.kinds]
+    results = jax.eval_shape(
+        lambda *arguments: request.function(*request.options, *arguments),
+        *jax.tree.unflatten(request.structure, shapes),
+    )
+    with without_the_cache_of_jax():
+        return jax.jit(flat).lower(shapes).compile(), results
+
+
+def _programs(folder):
+    return sorted(folder.glob("asperity-*.program"))
+
+
+def test_what_is_kept_computes_the_same(cache):
+    numbers = {"x": np.arange(3.0)}
+    request = _request(numbers)
+    assert kept(request, FAST) is None
+    keep(request, FAST, *_compiled(request))
+    found = kept(request, FAST)
+    assert jax.tree.map(lambda out: out.shape, found.results) == {"y": (3,), "sum": ()}
+    total, line = found.load()(jax.tree.leaves(numbers))
+    np.testing.assert_array_equal(line, [1.0, 3.0, 5.0])
+    assert total == 3.0
+
+
+MATRIX, RIGHT = np.array([[2.0, 1.0], [1.0, 3.0]]), np.array([3.0, 5.0])
+IN_ANOTHER_PROCESS = """
+import importlib
+import sys
+import jax
+from asperity.kept_programs import kept
+test = importlib.import_module(sys.argv.pop())
+for name, value in zip(sys.argv[1::2], sys.argv[2::2]):
+    jax.config.update(name, {"True": True, "False": False}.get(value, value))
+request = test._request({"matrix": test.MATRIX, "right": test.RIGHT}, function=test._solved, options=())
+print(*kept(request, test.FAST).load()([test.MATRIX, test.RIGHT])[0].tolist())
+"""
+
+
+def test_linear_algebra_is_found_in_a_process_that_has_never_lowered_it(cache):
+    request = _request({"matrix": MATRIX, "right": RIGHT}, function=_solved, options=())
+    keep(request, FAST, *_compiled(request))
+    settings = {
+        "jax_enable_x64": True,
+        "jax_disable_most_optimizations": jax.config.read("jax_disable_most_optimizations"),
+        "jax_compilation_cache_dir": cache,
+    }
+    words = [str(word) for setting in settings.items() for word in setting]
+    done = subprocess.run(
+        [sys.executable, "-c", IN_ANOTHER_PROCESS, *words, __name__],
+        env={**os.environ, "PYTHONPATH": os.pathsep.join([str(Path(__file__).parents[1]), *sys.path])},
+        capture_output=True,
+        text=True,
+    )
+    assert done.returncode == 0, done.stderr
+    assert [float(x) for x in done.stdout.split()] == pytest.approx([0.8, 1.4], rel=1e-15)
+
+
+def test_without_a_folder_nothing_is_kept(cache):
+    request = _request({"x": np.arange(3.0)})
+    jax.config.update("jax_compilation_cache_dir", None)
+    keep(request, FAST, *_compiled(request))
+    assert kept(request, FAST) is None
+    assert not list(cache.iterdir())
+
+
+def test_a_full_disk_leaves_nothing_behind(cache, monkeypatch):
+    request = _request({"x": np.arange(3.0)})
+
+    def full(part, file):
+        raise OSError
+
+    monkeypatch.setattr(kept_programs.Path, "replace", full)
+    keep(request, FAST, *_compiled(request))
+    assert not list(cache.iterdir())
+
+
+def test_a_damaged_file_is_as_good_as_none(cache):
+    request = _request({"x": np.arange(3.0)})
+    keep(request, FAST, *_compiled(request))
+    (file,) = _programs(cache)
+    file.write_bytes(file.read_bytes()[:100])
+    assert kept(request, FAST) is None
+
+
+def test_programs_that_nobody_uses_are_removed_after_three_months(cache):
+    used, unused, other = (_request({"x": np.arange(size)}) for size in (2.0, 3.0, 4.0))
+    for each in (used, unused):
+        keep(each, FAST, *_compiled(each))
+    long_ago = time.time() - 91 * 24 * 3600
+    for file in _programs(cache):
+        os.utime(file, (long_ago, long_ago))
+    assert kept(used, FAST) is not None
+    keep(other, FAST, *_compiled(other))
+    assert kept(used, FAST) is not None
+    assert kept(unused, FAST) is None
+    assert len(_programs(cache)) == 2
+
+
+def test_a_fingerprint_stands_for_all_that_the_code_depends_on(monkeypatch):
+    def fingerprint(**other):
+        return _request({"x": np.arange(3.0)}, **other).fingerprint
+
+    different = {
+        fingerprint(),
+        fingerprint(options=("3",)),
+        fingerprint(function=_solved),
+        _request({"x": np.arange(4.0)}).fingerprint,
+        _request({"z": np.arange(3.0)}).fingerprint,
+    }
+    assert len(different) == 5
+    assert fingerprint() in different
+    monkeypatch.setattr(kept_programs, "_surroundings", lambda: b"another release")
+    assert fingerprint() not in different
+
+
+def test_other_options_of_the_compiler_are_other_machine_code(cache):
+    request = _request({"x": np.arange(3.0)})
+    keep(request, FAST, *_compiled(request))
+    assert kept(request, FAST) is not None
+    assert kept(request, ({},)) is None
+
+
+@pytest.mark.parametrize(
+    "change",
+    [
+        lambda patch: patch.setattr(kept_programs.Path, "read_bytes", lambda path: b"changed"),
+        lambda patch: patch.setattr(kept_programs, "_processor", lambda: "another"),
+        lambda patch: patch.setattr(jax, "__version__", "another"),
+        lambda patch: patch.setenv("XLA_FLAGS", "another"),
+    ],
+    ids=["source", "processor", "release", "flags"],
+)
+def test_surroundings_are_source_releases_and_machine(monkeypatch, change):
+    before = kept_programs._surroundings.__wrapped__()
+    assert kept_programs._surroundings.__wrapped__() == before
+    change(monkeypatch)
+    assert kept_programs._surroundings.__wrapped__() != before
+
+
+def test_a_closure_is_not_known_by_its_name(cache):
+    factor = 2.0
+    request = _request({"x": np.arange(3.0)}, function=lambda numbers: factor * numbers["x"], options=())
+    assert not request.known_by_name
+    assert _request({"x": np.arange(3.0)}).known_by_name
+    keep(request, FAST, *_compiled(request))
+    assert not _programs(cache)
+
+
+def test_jax_keeps_nothing_while_a_block_is_open_in_any_thread():
+    name = "jax_persistent_cache_min_compile_time_secs"
+    before = getattr(jax.config, name)
+    opened, close = threading.Event(), threading.Event()
+
+    def other():
+        with without_the_cache_of_jax():
+            opened.set()
+            close.wait(10.0)
+
+    thread = threading.Thread(target=other)
+    with without_the_cache_of_jax():
+        assert getattr(jax.config, name) == float("inf")
+        thread.start()
+        assert opened.wait(10.0)
+    assert getattr(jax.config, name) == float("inf")
+    close.set()
+    thread.join()
+    assert getattr(jax.config, name) == before
+
+
+def test_the_cache_of_jax_has_no_program_that_is_kept_here(cache):
+    request = _request({"x": np.arange(5.0)})
+    keep(request, FAST, *_compiled(request))
+    assert not [file for file in cache.iterdir() if file not in _programs(cache)]
