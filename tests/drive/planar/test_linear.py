@@ -1,11 +1,11 @@
-"""Small linear systems without LAPACK, against LAPACK."""
+"""Small linear systems, against NumPy."""
 
 import jax
 import jax.numpy as jnp
 import numpy as np
 import pytest
 
-from asperity.drive.planar.linear import least_squares, solve
+from asperity.drive.planar.linear import least_squares, solve, solve_in_turn
 
 
 @pytest.mark.parametrize("count", [1, 2, 5, 17])
@@ -42,6 +42,29 @@ def test_a_batch_needs_no_lapack():
     systems = jnp.zeros((4, 5, 5))
     program = jax.jit(jax.vmap(solve)).lower(systems, jnp.zeros((4, 5))).as_text()
     assert "lapack" not in program
+
+
+@pytest.mark.parametrize("count", [1, 2, 17])
+def test_one_system_and_a_batch_in_a_step_of_an_iteration(count):
+    rng = np.random.default_rng(count)
+    matrices, right = rng.normal(size=(4, count, count)), rng.normal(size=(4, count))
+    expected = np.linalg.solve(matrices, right[..., None])[..., 0]
+    np.testing.assert_allclose(
+        solve_in_turn(jnp.array(matrices[0]), jnp.array(right[0])), expected[0], rtol=1e-10
+    )
+    np.testing.assert_allclose(
+        jax.vmap(solve_in_turn)(jnp.array(matrices), jnp.array(right)), expected, rtol=1e-10
+    )
+    one_matrix = jax.vmap(solve_in_turn, in_axes=(None, 0))(jnp.array(matrices[0]), jnp.array(right))
+    np.testing.assert_allclose(one_matrix, np.linalg.solve(matrices[0], right.T).T, rtol=1e-10)
+    one_side = jax.vmap(solve_in_turn, in_axes=(0, None))(jnp.array(matrices), jnp.array(right[0]))
+    np.testing.assert_allclose(one_side, np.linalg.solve(matrices, right[0]), rtol=1e-10)
+
+
+def test_only_a_batch_needs_lapack_in_a_step_of_an_iteration():
+    systems, right = jnp.zeros((4, 5, 5)), jnp.zeros((4, 5))
+    assert "lapack" in jax.jit(jax.vmap(solve_in_turn)).lower(systems, right).as_text()
+    assert "lapack" not in jax.jit(solve_in_turn).lower(systems[0], right[0]).as_text()
 
 
 def test_solving_again_compiles_nothing(caplog):

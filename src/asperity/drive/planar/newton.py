@@ -11,7 +11,7 @@ import jax.flatten_util
 import jax.numpy as jnp
 from jax import Array
 
-from asperity.drive.planar.linear import solve as linear_solve
+from asperity.drive.planar.linear import solve, solve_in_turn
 from asperity.implicit import implicit_root
 from asperity.types import Real
 
@@ -59,7 +59,7 @@ def newton(
     def improve(state: tuple[Array, Array, Array]) -> tuple[Array, Array, Array]:
         x, _, steps = state
         slopes, value = jax.jacfwd(lambda at: (residual(at),) * 2, has_aux=True)(x)
-        step = jnp.linalg.solve(slopes, value)
+        step = solve_in_turn(slopes, value)
         normal, falling = x[:positive], step[:positive]
         room = jnp.where(falling > 0.0, (1.0 - _SMALLEST_SHARE) * normal / falling, jnp.inf)
         share = jnp.minimum(1.0, jnp.min(room))
@@ -91,7 +91,7 @@ def known_root(equations: Callable[[Any], Any], found: Any) -> Any:
     flat, shape = jax.flatten_util.ravel_pytree(found)
 
     def tangent_solve(linear, right_side: Array) -> Array:  # type: ignore[no-untyped-def]
-        return linear_solve(jax.jacfwd(linear)(right_side), right_side)
+        return solve(jax.jacfwd(linear)(right_side), right_side)
 
     return shape(implicit_root(_flat(equations, shape), flat, lambda _, x: x, tangent_solve))
 
