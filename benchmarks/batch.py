@@ -15,6 +15,7 @@ import multiprocessing
 import os
 import resource
 import time
+from collections.abc import Callable
 from concurrent.futures import ProcessPoolExecutor, ThreadPoolExecutor
 
 # one XLA thread per Python thread: the chunks, not the loops inside them, are what runs side by side
@@ -54,6 +55,7 @@ HIGH = np.array([5.0, 1.9, np.log(1e-11), 20e-3, 0.20, 2000.0])
 #   elastic closure evaluated once: 1 log per contact.
 LOGS = 1 + 1 + 3 + 5 * 3 + 5
 EXPS = 3 + 1 + 1 + 1 + 3 + 5 * 4
+GRADIENT_BATCH = 4096
 
 
 def joint_of(points: jax.Array) -> Joint:
@@ -256,14 +258,19 @@ def main() -> None:
     gradient = compiled(
         lambda x: jax.value_and_grad(lambda x: jnp.sum(evaluate(joint_of(x)).published.output))(x), batches[0]
     )
-    whole_leaves = compiled(whole_gradient, batches[0])
+    # inputs and slopes of more joints at once do not fit into the processor's cache
+    columns, value_of = all_inputs(batches[0][:, :GRADIENT_BATCH])
+    value_of_all = compiled(value_of, columns)
+    gradient_of_all = compiled(jax.value_and_grad(lambda x: jnp.sum(value_of(x))), columns)
     value = compiled(lambda x: evaluate(joint_of(x)).published.output, batches[0])
     plain = best(given.repeats, lambda: value(batches[0]))
     few = best(given.repeats, lambda: gradient(batches[0]))
-    every = best(given.repeats, lambda: whole_leaves(batches[0]))
+    plain_of_all = best(given.repeats, lambda: value_of_all(columns))
+    every = best(given.repeats, lambda: gradient_of_all(columns))
     print(f"value and gradient / value   {few / plain:8.1f}   {len(NAMES)} varied inputs")
     print(
-        f"                             {every / plain:8.1f}   all {continuous_inputs()} inputs, each of them an array"
+        f"                             {every / plain_of_all:8.1f}   all {len(columns)} inputs, each of them an array, "
+        f"{GRADIENT_BATCH} at once"
     )
 
     few_points = random_points(6, seed=99)
@@ -289,26 +296,20 @@ def main() -> None:
     )
 
 
-def whole_gradient(points: jax.Array):  # type: ignore[no-untyped-def]
-    """Value and gradient with respect to every number of the joint, each with one slope per point."""
-    joint = joint_of(points)
-    leaves, tree = jax.tree.flatten(joint)
-    columns = [jnp.broadcast_to(jnp.asarray(leaf, float), points.shape[1:]) for leaf in leaves]
+def all_inputs(points: jax.Array) -> tuple[list[jax.Array], Callable[[list[jax.Array]], jax.Array]]:
+    """Every number of the joints as an array with one entry per point, and K_T as a function of these arrays."""
+    leaves, tree = jax.tree.flatten(joint_of(points))
     finite = [isinstance(leaf, jax.Array) or np.isfinite(leaf) for leaf in leaves]
 
-    def total(moving: list[jax.Array]) -> jax.Array:
-        rest = iter(moving)
+    def value(columns: list[jax.Array]) -> jax.Array:
+        rest = iter(columns)
         whole = [next(rest) if keep else leaf for keep, leaf in zip(finite, leaves, strict=True)]
-        return jnp.sum(evaluate(jax.tree.unflatten(tree, whole)).published.output)
+        return evaluate(jax.tree.unflatten(tree, whole)).published.output
 
-    return jax.value_and_grad(total)([c for keep, c in zip(finite, columns, strict=True) if keep])
-
-
-def continuous_inputs() -> int:
-    return sum(
-        bool(np.all(np.isfinite(leaf)))
-        for leaf in jax.tree.leaves(joint_of(jnp.asarray(random_points(1, 0))))
-    )
+    columns = [
+        jnp.full(points.shape[1:], leaf, float) for leaf, keep in zip(leaves, finite, strict=True) if keep
+    ]
+    return columns, value
 
 
 if __name__ == "__main__":
