@@ -55,7 +55,14 @@ def test_a_joint_that_stands_or_slips_has_no_life_to_compare():
     (check,) = life_checks(solved())
     assert not check.ok
     assert "no life to compare" in check.meaning
+    assert "slips, or stands" in check.meaning
     assert check.rule.severity == "damage"
+
+
+def test_a_duty_that_the_joint_does_not_carry_is_the_reason_why_its_life_is_unknown():
+    (check,) = life_checks(solved(life=600.0, duty=DUTY))
+    assert not check.ok
+    assert check.meaning.endswith("the joint does not carry every load of its [[duty]]")
 
 
 def test_unequal_branches_live_as_long_as_the_worst_of_them(unequal_branches):

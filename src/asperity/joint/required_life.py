@@ -45,15 +45,25 @@ def life_checks(solved: SolvedJoint) -> tuple[LimitCheck, ...]:
     own = solved.branches
     life = _equal_life(solved) if own is None else _own_life(solved, own)
     required, less = solved.required_life, "lower the preload, the torque or the speed, or"
+    unknown = "no life to compare with the required one: " + (
+        "the joint does not carry every load of its [[duty]]"
+        if duty
+        else "the joint slips, or stands (load.sun_speed is 0) and has no [[duty]]"
+    )
     of_drive = _required(
-        "duty_life" if duty else "drive_life", required, f"{less} make rollers larger or contacts longer"
+        "duty_life" if duty else "drive_life",
+        required,
+        f"{less} make rollers larger or contacts longer",
+        unknown,
     )
     if own is not None:
         of_drive = dataclasses.replace(
             of_drive, label=f"{of_drive.label}, as if every branch were loaded like the worst"
         )
     of_bearings = results_of_joint(solved)["bearing_duty_life" if duty else "bearing_life"]
-    limit = _required(of_bearings.name, required, f"{less} choose larger bearings or more of them")
+    limit = _required(
+        of_bearings.name, required, f"{less} choose larger bearings or more of them", unknown
+    )
     bearings = (
         LimitCheck(limit, name, value)
         for name, value in of_bearings.rows_of(solved).items()
@@ -81,7 +91,7 @@ def _own_life(solved: SolvedJoint, own: UnequalBranches) -> float:
     return _HOUR / damage if damage else math.inf
 
 
-def _required(name: str, seconds: float, remedy: str) -> Result:
+def _required(name: str, seconds: float, remedy: str, unknown: str) -> Result:
     """A row of the table of results with the life that is required as its limit."""
     limit = Limit(
         "damage",
@@ -90,7 +100,6 @@ def _required(name: str, seconds: float, remedy: str) -> Result:
         remedy,
         lowest=seconds,
         inclusive=True,
-        unknown="no life to compare with the required one: the joint slips, or stands (load.sun_speed is 0) and has "
-        "no [[duty]]",
+        unknown=unknown,
     )
     return dataclasses.replace(RESULTS[name], name=f"required_{name}", limit=limit)
