@@ -123,12 +123,27 @@ def test_a_full_disk_leaves_nothing_behind(cache, monkeypatch):
     assert not list(cache.iterdir())
 
 
-def test_a_damaged_file_is_as_good_as_none(cache):
+@pytest.mark.parametrize(
+    "damage",
+    [lambda content: content[:100], lambda content: content[:-50] + b"x" + content[-49:], lambda _: b""],
+)
+def test_a_damaged_file_is_as_good_as_none(cache, damage):
     request = _request({"x": np.arange(3.0)})
     keep(request, FAST, *_compiled(request))
     (file,) = _programs(cache)
-    file.write_bytes(file.read_bytes()[:100])
+    file.write_bytes(damage(file.read_bytes()))
     assert kept(request, FAST) is None
+
+
+def test_what_another_user_keeps_can_be_read(cache, monkeypatch):
+    request = _request({"x": np.arange(3.0)})
+    keep(request, FAST, *_compiled(request))
+
+    def refused(path):
+        raise PermissionError
+
+    monkeypatch.setattr(kept_programs.os, "utime", refused)
+    assert kept(request, FAST) is not None
 
 
 def test_programs_that_nobody_uses_are_removed_after_three_months(cache):

@@ -30,6 +30,7 @@ import jaxlib
 import numpy as np
 
 _PREFIX = "asperity-"
+_DIGEST_SIZE = 32
 #: Time after which a program that is no longer used is removed [s].
 _KEPT_FOR = 90 * 24 * 3600.0
 #: Options of XLA, the preferred ones first.
@@ -147,11 +148,16 @@ def kept(request: Request, choices: Choices) -> KeptProgram | None:
     if file is None:
         return None
     try:
-        # a pickle, as trustworthy as the machine code that JAX keeps in the same folder of the user
-        shapes, skeleton, machine_code, needs_lapack = pickle.loads(file.read_bytes())
-        os.utime(file)  # it is in use
-    except Exception:  # absent or damaged: a result must never depend on the cache
+        stored = file.read_bytes()
+    except OSError:
         return None
+    with contextlib.suppress(OSError):  # of another user
+        os.utime(file)  # it is in use
+    digest, content = stored[:_DIGEST_SIZE], stored[_DIGEST_SIZE:]
+    if hashlib.sha256(content).digest() != digest:  # damaged: a result must never depend on the cache
+        return None
+    # a pickle, as trustworthy as the machine code that JAX keeps in the same folder of the user
+    shapes, skeleton, machine_code, needs_lapack = pickle.loads(content)
     results = [jax.ShapeDtypeStruct(*shape) for shape in shapes]
     found = jax.tree.unflatten(jax.tree.structure(skeleton), results)
     return KeptProgram(found, machine_code, len(request.kinds), needs_lapack)
@@ -191,7 +197,7 @@ def keep(request: Request, choices: Choices, compiled: Any, results: Any) -> Non
     content = pickle.dumps((shapes, skeleton, machine_code, needs_lapack))
     part = file.with_name(f"{file.name}.{os.getpid()}.{threading.get_ident()}.part")
     try:
-        part.write_bytes(content)
+        part.write_bytes(hashlib.sha256(content).digest() + content)
         part.replace(file)
         _remove_unused(file.parent)
     except OSError:  # a full or read-only disk only costs time at the next start

@@ -61,9 +61,7 @@ def life_checks(solved: SolvedJoint) -> tuple[LimitCheck, ...]:
             of_drive, label=f"{of_drive.label}, as if every branch were loaded like the worst"
         )
     of_bearings = results_of_joint(solved)["bearing_duty_life" if duty else "bearing_life"]
-    limit = _required(
-        of_bearings.name, required, f"{less} choose larger bearings or more of them", unknown
-    )
+    limit = _required(of_bearings.name, required, f"{less} choose larger bearings or more of them", unknown)
     bearings = (
         LimitCheck(limit, name, value)
         for name, value in of_bearings.rows_of(solved).items()
