@@ -147,17 +147,19 @@ def test_what_another_user_keeps_can_be_read(cache, monkeypatch):
 
 
 def test_programs_that_nobody_uses_are_removed_after_three_months(cache):
-    used, unused, other = (_request({"x": np.arange(size)}) for size in (2.0, 3.0, 4.0))
-    for each in (used, unused):
+    used, unused, recent, other = (_request({"x": np.arange(size)}) for size in (2.0, 3.0, 4.0, 5.0))
+    unused_for = {}
+    for each, days in ((used, 91), (unused, 91), (recent, 89)):
         keep(each, FAST, *_compiled(each))
-    long_ago = time.time() - 91 * 24 * 3600
-    for file in _programs(cache):
-        os.utime(file, (long_ago, long_ago))
+        (file,) = set(_programs(cache)) - set(unused_for)
+        unused_for[file] = days
+    for file, days in unused_for.items():
+        then = time.time() - days * 24 * 3600
+        os.utime(file, (then, then))
     assert kept(used, FAST) is not None
     keep(other, FAST, *_compiled(other))
-    assert kept(used, FAST) is not None
-    assert kept(unused, FAST) is None
-    assert len(_programs(cache)) == 2
+    assert [kept(each, FAST) is not None for each in (used, unused, recent)] == [True, False, True]
+    assert len(_programs(cache)) == 3
 
 
 def test_a_fingerprint_stands_for_all_that_the_code_depends_on(monkeypatch):
