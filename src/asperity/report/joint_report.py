@@ -8,14 +8,13 @@ import platform
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 from importlib.metadata import version
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import asperity
 from asperity.errors import AsperityError
 from asperity.joint.either_kind import AnyJoint, OwnJoint
 from asperity.joint.loads_document import load_cases, loads_document
 from asperity.joint.margins import margins
-from asperity.joint.measured_surface import stiffness_interval
 from asperity.joint.planar.loads_document import planar_loads_document
 from asperity.joint.results import SolvedJoint
 from asperity.joint.rolling_onset import RollingOnset
@@ -39,7 +38,9 @@ from asperity.report.content import Block, Bullets, Heading, Listing, Paragraph,
 from asperity.report.figures import report_pictures
 from asperity.report.input_tables import choices_table, inputs_table
 from asperity.report.study_sections import ReportStudies, study_files, study_sections
-from asperity.surface.measurement import SurfaceMeasurement, measurement_document
+
+if TYPE_CHECKING:
+    from asperity.surface.measurement import SurfaceMeasurement
 
 _PACKAGES = ("jax", "jaxlib", "numpy", "scipy", "equinox", "matplotlib")
 _CREEP_SHARE = 0.05  # as in asperity windup
@@ -253,6 +254,10 @@ def _measured(joint: AnyJoint, source: ReportSource, case: Case | PlanarCase) ->
     if source.measurement is None:
         yield from surface_tables.drawn_stiffness(drawn_interval(case))
         return
+    # not above: a report without a measurement does without SciPy's signal processing
+    from asperity.joint.measured_surface import stiffness_interval
+    from asperity.surface.measurement import measurement_document
+
     measured = measurement_document(measurement=source.measurement)
     yield from surface_tables.measured_stiffness(measured, stiffness_interval(joint, source.measurement))
 

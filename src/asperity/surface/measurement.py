@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 import sys
 from pathlib import Path
+from statistics import NormalDist
 from typing import Any
 
 import equinox as eqx
@@ -12,7 +13,6 @@ import jax.numpy as jnp
 import numpy as np
 from jaxtyping import Array, Float
 from numpy.typing import NDArray
-from scipy.stats import norm
 
 from asperity.errors import InputError
 from asperity.reading import read_json
@@ -61,7 +61,7 @@ class SurfaceMeasurement(eqx.Module):
 
     def interval(self, *, confidence: float) -> dict[str, tuple[float, float]]:
         """Confidence intervals of D [-] and G [m], from the normal law of (D, ln G)."""
-        reach = float(norm.ppf(0.5 + 0.5 * confidence)) * np.sqrt(np.diag(np.asarray(self.covariance)))
+        reach = NormalDist().inv_cdf(0.5 + 0.5 * confidence) * np.sqrt(np.diag(np.asarray(self.covariance)))
         D, log_G = float(self.fractal_dimension), math.log(float(self.fractal_roughness))
         return {
             "fractal_dimension": (D - float(reach[0]), D + float(reach[0])),
