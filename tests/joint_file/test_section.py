@@ -10,6 +10,7 @@ from asperity.joint_file.section import (
     EachContact,
     Section,
     leaves,
+    meaning,
     number_or_table,
     table_or_tables,
 )
@@ -19,6 +20,34 @@ FIVE = dict(zip(("wlo", "wro", "pwl", "pwr", "sp"), range(5), strict=True))
 
 class Colour(Section):
     name: str
+
+
+class Paint(Colour):
+    """A colour that dries."""
+
+    layers: int
+    """How many, one above
+    the other."""
+    gloss: float = 0.5
+    unsaid: str = ""
+
+
+class Tin(Section):
+    paint: Paint
+    """What is in it."""
+
+
+def test_the_meaning_of_a_key_is_its_docstring():
+    assert meaning(Paint, "layers") == "How many, one above the other."
+    assert meaning(Paint, "gloss") == meaning(Paint, "unsaid") == meaning(Paint, "name") == ""
+    assert meaning(EachContact[float], "wro") == "Right loading roller–ring."
+
+
+def test_a_schema_has_the_meanings():
+    schema = Tin.model_json_schema()
+    assert schema["$defs"]["Paint"]["properties"]["layers"]["description"] == "How many, one above the other."
+    assert "description" not in schema["$defs"]["Paint"]["properties"]["gloss"]
+    assert schema["properties"]["paint"] == {"$ref": "#/$defs/Paint", "description": "What is in it."}
 
 
 def test_a_section_is_frozen_and_has_no_room_for_unknown_keys():

@@ -37,7 +37,7 @@ def effective_radius(*, radius_1: Real, radius_2: Real, sign: Real) -> Real:
     >>> round(float(effective_radius(radius_1=10e-3, radius_2=20e-3, sign=1.0)) * 1e3, 4)
     6.6667
     """
-    total: Real = namespace(radius_1, radius_2).abs(radius_1 + sign * radius_2)
+    total: Real = namespace(radius_1, radius_2, sign).abs(radius_1 + sign * radius_2)
     return radius_1 * radius_2 / total
 
 
