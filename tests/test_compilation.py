@@ -1,3 +1,6 @@
+import os
+from pathlib import Path
+
 import jax
 import numpy as np
 import pytest
@@ -96,6 +99,18 @@ def test_a_closure_in_the_cache_of_jax_is_never_taken_for_a_program_that_is_kept
     for _ in range(2):
         np.testing.assert_array_equal(compile_fast(_twice, numbers)(numbers)["l"], [0.0, 2.0, 4.0])
         compilation._compiled.cache_clear()  # as in a new process
+
+
+def test_the_cache_of_jax_has_no_program_that_is_kept(cache):
+    numbers = {"m": np.arange(3.0)}
+    program = compile_fast(_twice, numbers)
+    np.testing.assert_array_equal(program(numbers)["m"], [0.0, 2.0, 4.0])
+    assert len(_programs(cache)) == 1
+    folders = (
+        cache,
+        Path(os.environ["ASPERITY_CACHE_DIR"]),
+    )  # JAX stays with the folder that it has found first
+    assert not [file for folder in folders for file in folder.glob(f"jit_{program._request.name}*")]
 
 
 def _scaled(names, factor, numbers):

@@ -231,9 +231,3 @@ def test_jax_keeps_nothing_while_a_block_is_open_in_any_thread():
     close.set()
     thread.join()
     assert getattr(jax.config, name) == before
-
-
-def test_the_cache_of_jax_has_no_program_that_is_kept_here(cache):
-    request = _request({"x": np.arange(5.0)})
-    keep(request, FAST, *_compiled(request))
-    assert not [file for file in cache.iterdir() if file not in _programs(cache)]
