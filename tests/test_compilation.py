@@ -5,7 +5,7 @@ import jax
 import numpy as np
 import pytest
 
-from asperity import compilation
+from asperity import compilation, kept_programs
 from asperity.compilation import call_compiled, called_programs, compile_fast
 
 
@@ -14,8 +14,9 @@ def _twice(numbers):
 
 
 @pytest.fixture
-def cache(tmp_path):
-    """A compilation cache of this test's own."""
+def cache(tmp_path, monkeypatch):
+    """A compilation cache of this test's own, which keeps the functions of this module."""
+    monkeypatch.setattr(kept_programs, "_PACKAGE", __name__.partition(".")[0])
     before = jax.config.jax_compilation_cache_dir
     jax.config.update("jax_compilation_cache_dir", str(tmp_path))
     compilation._compiled.cache_clear()
@@ -106,10 +107,8 @@ def test_the_cache_of_jax_has_no_program_that_is_kept(cache):
     program = compile_fast(_twice, numbers)
     np.testing.assert_array_equal(program(numbers)["m"], [0.0, 2.0, 4.0])
     assert len(_programs(cache)) == 1
-    folders = (
-        cache,
-        Path(os.environ["ASPERITY_CACHE_DIR"]),
-    )  # JAX stays with the folder that it has found first
+    # JAX stays with the folder that it has found first
+    folders = (cache, Path(os.environ["ASPERITY_CACHE_DIR"]))
     assert not [file for folder in folders for file in folder.glob(f"jit_{program._request.name}*")]
 
 

@@ -29,6 +29,7 @@ import jax
 import jaxlib
 import numpy as np
 
+_PACKAGE = __name__.partition(".")[0]
 _PREFIX = "asperity-"
 _DIGEST_SIZE = 32
 #: Time after which a program that is no longer used is removed [s].
@@ -60,7 +61,12 @@ class Request:
 
     @property
     def known_by_name(self) -> bool:
-        """Whether the function's name identifies it: a closure of the same name may compute something else."""
+        """Whether its name and the source of this package say what the function computes.
+
+        A closure of the same name may compute something else, and so may a function of the user after a change.
+        """
+        if self.function.__module__.partition(".")[0] != _PACKAGE:
+            return False
         module = sys.modules.get(self.function.__module__)
         return getattr(module, getattr(self.function, "__qualname__", ""), None) is self.function
 
@@ -81,7 +87,7 @@ class Request:
 
     @property
     def name(self) -> str:
-        """A name of its own, if the function has one; short, as it is part of the name of all that XLA makes of it."""
+        """A name of its own, if the function is known by its name; short, as XLA makes it part of every symbol."""
         return f"p{self.fingerprint[:8]}" if self.known_by_name else "closure"
 
 
