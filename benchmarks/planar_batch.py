@@ -14,7 +14,7 @@ from pathlib import Path
 
 import numpy as np
 
-from asperity.joint_file.reader import read_any_case
+from asperity.joint_file.reader import read_case
 from asperity.joint_file.si_tables import numeric_keys, si_values
 from asperity.precision import use_double_precision
 from asperity.study.batch import DERIVATIVE_BATCH, derivatives_at, evaluate_points
@@ -37,7 +37,7 @@ def first_and_best(work, repeats: int) -> tuple[float, float]:  # type: ignore[n
 
 def measure(kind: str, points: int, repeats: int) -> None:
     """Print the figures of one type of drive."""
-    case = read_any_case(EXAMPLES / f"{kind}.toml")
+    case = read_case(EXAMPLES / f"{kind}.toml")
     values, inputs = si_values(case), numeric_keys(case)
     torque = values["load"]["output_torque"] * np.linspace(0.3, 0.8, points)
 

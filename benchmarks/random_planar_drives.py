@@ -33,7 +33,7 @@ from asperity.joint_file import build
 from asperity.joint_file.part_names import with_tracks
 from asperity.joint_file.planar_build import planar_joint_from_values
 from asperity.joint_file.planar_types import PLANAR_CASES
-from asperity.joint_file.reader import read_any_case
+from asperity.joint_file.reader import read_case
 from asperity.joint_file.si_tables import replace_values, si_values
 from asperity.precision import use_double_precision
 
@@ -178,7 +178,7 @@ def main() -> None:
     use_double_precision()
     folder = build.__file__.rpartition("/")[0]
     for name in given.types.split(","):
-        values = with_tracks(si_values(read_any_case(f"{folder}/{name}.toml")))
+        values = with_tracks(si_values(read_case(f"{folder}/{name}.toml")))
         base = numbers_of(values)
         rng, program = np.random.default_rng(given.seed), program_of(values, tuple(base))
         rooms, numbers = rooms_of(values, tuple(base)), tuple(base.values())

@@ -13,7 +13,7 @@ from typing import Any, Literal, get_args, get_origin
 
 from pydantic.fields import FieldInfo
 
-from asperity.joint_file.model import Case
+from asperity.joint_file.wedge_model import Case
 from asperity.joint_file.planar_types import PLANAR_CASES
 from asperity.joint_file.quantity_key import Key
 from asperity.joint_file.section import EachContact, Section, meaning

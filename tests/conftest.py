@@ -224,14 +224,14 @@ def case(joint_text):
 @pytest.fixture(scope="session")
 def planar_case():
     """Case of an example with another drive, with replaced pieces of its text."""
-    from asperity.joint_file.reader import parse_any_case
+    from asperity.joint_file.reader import parse_case
 
     def case(name, **changes):
         text = (FILE.parent / f"{name}.toml").read_text(encoding="utf-8")
         for old, new in changes.get("replaced", {}).items():
             assert old in text, old
             text = text.replace(old, new)
-        return parse_any_case(text, source=f"{name}.toml")
+        return parse_case(text, source=f"{name}.toml")
 
     return case
 

@@ -13,8 +13,8 @@ from asperity.cli.calibrate import interval_digits
 from asperity.errors import InputError
 from asperity.joint.either_kind import under_torque
 from asperity.joint.planar.solve import solve_planar
-from asperity.joint_file.planar_build import any_joint_from_case
-from asperity.joint_file.reader import read_any_case, read_case
+from asperity.joint_file.planar_build import planar_joint_from_case
+from asperity.joint_file.reader import read_case, read_case
 from asperity.study.calibration.curve_model import CurveModel
 from asperity.study.calibration.measurement import Measurement
 from asperity.study.calibration.unknowns import read_unknowns
@@ -135,7 +135,7 @@ def test_a_drive_of_another_type_is_compared_with_its_own_ratio(tmp_path):
 def test_a_drive_of_another_type_and_its_new_joint_file(tmp_path):
     """The drift of the example itself, by its solution at three torques: the friction is found again."""
     file, data, out = DRIFT.with_name("planetary.toml"), tmp_path / "drift.csv", tmp_path / "out.toml"
-    joint = any_joint_from_case(read_any_case(file))
+    joint = planar_joint_from_case(read_case(file))
     rows = [
         (
             torque,
@@ -150,4 +150,4 @@ def test_a_drive_of_another_type_and_its_new_joint_file(tmp_path):
     assert result.exit_code == 0, result.output
     (found,) = json.loads(result.stdout)["estimates"]
     assert found["value"] == pytest.approx(0.08, rel=1e-6)
-    assert read_any_case(out).load.friction_coefficient.value == pytest.approx(found["value"], rel=1e-15)
+    assert read_case(out).load.friction_coefficient.value == pytest.approx(found["value"], rel=1e-15)

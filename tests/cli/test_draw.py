@@ -6,7 +6,7 @@ import pytest
 
 from asperity.joint.planar.solve import solve_planar
 from asperity.joint_file.planar_build import planar_joint_from_case
-from asperity.joint_file.reader import read_any_case
+from asperity.joint_file.reader import read_case
 
 EXAMPLE = Path(__file__).parents[2] / "examples" / "zou2025.toml"
 
@@ -60,7 +60,7 @@ def test_a_ring_under_a_preload_is_as_small_as_one_under_the_interference_that_m
     """The force of 30 µm, from the solved joint, gives back 99.94 mm; beyond the capacity it is not known."""
     ezdxf = pytest.importorskip("ezdxf", reason="the extra 'report' is not installed")
     example = EXAMPLE.with_name("planetary.toml")
-    result, text = solve_planar(planar_joint_from_case(read_any_case(example))).result, example.read_text()
+    result, text = solve_planar(planar_joint_from_case(read_case(example))).result, example.read_text()
     file = tmp_path / "joint.toml"
     for torque, inside in (("10", "99.94"), ("1e5", "100 less 2 × interference")):
         pressed = text.replace('interference = "30 um"', f'preload = "{float(result.preload)!r} N"')

@@ -13,7 +13,7 @@ from asperity.joint.results import SolvedJoint
 from asperity.joint.rolling_conditions import DutyPoint
 from asperity.joint.solve import solve
 from asperity.joint_file.build import joint_from_case, unequal_branches
-from asperity.joint_file.reader import parse_any_case
+from asperity.joint_file.reader import parse_case
 
 PIN = RatedBearing(1500.0, 1200.0, 2.0, 0.0, "roller")
 HELD = RatedBearing(5000.0, 3000.0, 1.0, 400.0, "ball")
@@ -109,7 +109,7 @@ def of_file(joint_text):
         for load in loads:
             text += f'[[duty]]\nshare = 0.5\noutput_torque = "{load} N*m"\nsun_speed = "6000 rpm"\n\n'
         text += "".join(f'[[branch]]\nplanet_deviation = "{size} um"\n\n' for size in sizes)
-        case = parse_any_case(text, source="x")
+        case = parse_case(text, source="x")
         joint = joint_from_case(case)
         return joint, unequal_branches(case, joint)
 

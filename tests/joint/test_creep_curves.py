@@ -8,12 +8,12 @@ import pytest
 from asperity.joint.creep_curves import creep_curves
 from asperity.joint.planar.solve import solve_planar
 from asperity.joint_file.planar_build import planar_joint_from_case
-from asperity.joint_file.reader import parse_any_case, read_any_case
+from asperity.joint_file.reader import parse_case, read_case
 
 
 @pytest.fixture(scope="module")
 def planetary(zou_file):
-    joint = planar_joint_from_case(read_any_case(zou_file.with_name("planetary.toml")))
+    joint = planar_joint_from_case(read_case(zou_file.with_name("planetary.toml")))
     return joint, solve_planar(joint).result
 
 
@@ -38,7 +38,7 @@ def test_curves_of_smooth_bodies_are_carters(zou_file):
     smooth = text.replace("fractal_dimension = 1.5", "fractal_dimension = 1.9").replace(
         "1.3e-7 mm", "1e-13 mm"
     )
-    joint = planar_joint_from_case(parse_any_case(smooth, source="smooth"))
+    joint = planar_joint_from_case(parse_case(smooth, source="smooth"))
     result = solve_planar(joint).result
     found = creep_curves(joint, result)
     normal, steel = np.asarray(result.rolling.normal), joint.materials[0]

@@ -11,7 +11,7 @@ from asperity.errors import AsperityError
 from asperity.joint.capacity import LIMIT_KINDS, MODEL_LIMITS
 from asperity.joint.dynamics import Inertias, _planar_dynamics, dynamics
 from asperity.joint.solve import solve
-from asperity.joint_file.planar_build import any_joint_from_case
+from asperity.joint_file.planar_build import planar_joint_from_case
 
 COUPLED = Inertias(2e-6, 0.05, 0.02)
 
@@ -114,7 +114,7 @@ def test_another_drive_creeps_by_its_lost_speed_at_the_output(planar_case, monke
     monkeypatch.setattr("asperity.joint.dynamics.over_torque", lambda *_, **__: made_up)
     monkeypatch.setattr("asperity.joint.dynamics.body_inertias", lambda _: (1e-6, 0.01))
     found = _planar_dynamics(
-        any_joint_from_case(planar_case("planetary")), COUPLED, np.array([1.0, 2.0, 3.0])
+        planar_joint_from_case(planar_case("planetary")), COUPLED, np.array([1.0, 2.0, 3.0])
     )
     lost = 2e-3 * 1500.0 * math.pi / 30.0 / 6.0
     np.testing.assert_allclose(found.creep_damping, [1.0 / lost, math.inf, 1.0 / lost], rtol=1e-12)

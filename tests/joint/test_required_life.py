@@ -11,7 +11,7 @@ from asperity.joint.all_limits import further_checks
 from asperity.joint.margins import margins
 from asperity.joint.required_life import life_checks
 from asperity.joint.rolling_conditions import DutyPoint
-from asperity.joint_file.reader import parse_any_case
+from asperity.joint_file.reader import parse_case
 from asperity.joint_file.solved_document import solved_case
 
 DUTY = (DutyPoint(5.0, 50.0, 0.5), DutyPoint(9.0, 100.0, 0.25), DutyPoint(-4.0, 0.0, 0.25))
@@ -105,7 +105,7 @@ def with_life(text, hours, *, duty=LOADS, branches=0):
 
 
 def solved_text(text):
-    return solved_case(parse_any_case(text, source="mine.toml"))
+    return solved_case(parse_case(text, source="mine.toml"))
 
 
 @pytest.mark.slow

@@ -7,7 +7,7 @@ import pytest
 from asperity.joint.surface_averages import surface_averages
 from asperity.joint_file.build import joint_from_case
 from asperity.joint_file.planar_build import planar_joint_from_case
-from asperity.joint_file.reader import read_any_case
+from asperity.joint_file.reader import read_case
 from asperity.joint_file.si_tables import si_values
 from asperity.surface.roughness_average import corresponding_average
 
@@ -28,7 +28,7 @@ def test_alike_surfaces_are_one_entry(case):
 
 
 def test_the_contacts_are_those_of_the_drive(zou_file):
-    planetary = read_any_case(zou_file.with_name("planetary.toml"))
+    planetary = read_case(zou_file.with_name("planetary.toml"))
     (found,) = surface_averages(planar_joint_from_case(planetary), si_values(planetary)["surface"])
     assert found["contacts"] == ["sp", "pr"]
     assert found["fractal_roughness_m"] == pytest.approx(1.3e-10, rel=1e-6, abs=0.0)

@@ -8,7 +8,7 @@ import pytest
 
 from asperity.joint.solve import solve
 from asperity.joint.torque_curves import torque_curves
-from asperity.joint_file.planar_build import any_joint_from_case
+from asperity.joint_file.planar_build import planar_joint_from_case
 
 
 def test_points_are_joints_solved_alone(paper_joint):
@@ -74,7 +74,7 @@ def test_columns_of_another_drive_are_those_of_its_own_sense(planar_case, monkey
         )
 
     monkeypatch.setattr("asperity.joint.torque_curves.over_torque", made_up)
-    joint = dataclasses.replace(any_joint_from_case(planar_case("planetary")), output_torque=4.0 * way)
+    joint = dataclasses.replace(planar_joint_from_case(planar_case("planetary")), output_torque=4.0 * way)
     found = torque_curves(joint=joint, torque_capacity=10.0)
     size = np.abs(asked[0])
     np.testing.assert_array_equal(found.torque, asked[0])

@@ -10,7 +10,7 @@ from asperity.errors import InputError
 from asperity.joint.play import NO_PLAY, Play
 from asperity.joint.solve import solve
 from asperity.joint.windup import is_symmetric, windup, windup_of
-from asperity.joint_file.planar_build import any_joint_from_case
+from asperity.joint_file.planar_build import planar_joint_from_case
 from asperity.show.windup_figure import windup_figure
 from asperity.zou2025.preset import operating_grid, table_2_joint
 
@@ -252,18 +252,18 @@ def test_sectors_that_are_their_own_mirror_images(planar_case):
         ("multiroller", True),
         ("planar", True),
     ):
-        assert is_symmetric(any_joint_from_case(planar_case(name))) is expected
-    joint = any_joint_from_case(planar_case("planetary"))
+        assert is_symmetric(planar_joint_from_case(planar_case(name))) is expected
+    joint = planar_joint_from_case(planar_case("planetary"))
     pushed = dataclasses.replace(joint.drive, push_angles=np.array([0.1]))
     assert not is_symmetric(dataclasses.replace(joint, drive=pushed))
-    listed = any_joint_from_case(planar_case("planar"))
+    listed = planar_joint_from_case(planar_case("planar"))
     lengths = tuple(0.01 if name == "wlo" else 0.02 for name in listed.contact_names)
     assert not is_symmetric(dataclasses.replace(listed, contact_lengths=lengths))
     left = [body.name for body in listed.drive.bodies].index("left")
     softer = dataclasses.replace(listed.materials[left], youngs_modulus=np.asarray(1e11))
     materials = (*listed.materials[:left], softer, *listed.materials[left + 1 :])
     assert not is_symmetric(dataclasses.replace(listed, materials=materials))
-    multiroller = any_joint_from_case(planar_case("multiroller"))
+    multiroller = planar_joint_from_case(planar_case("multiroller"))
     names = multiroller.contact_names
     for uneven, expected in (("fsl", False), ("sf", True)):
         friction = tuple(0.05 if name == uneven else 0.08 for name in names)

@@ -2,7 +2,7 @@ from pathlib import Path
 
 import pytest
 
-from asperity.joint_file.reader import parse_any_case
+from asperity.joint_file.reader import parse_case
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 EXAMPLE = EXAMPLES / "zou2025.toml"
@@ -29,6 +29,6 @@ def planar_case():
         for old, new in replaced:
             assert old in text, old
             text = text.replace(old, new)
-        return parse_any_case(text, source="mine.toml")
+        return parse_case(text, source="mine.toml")
 
     return case

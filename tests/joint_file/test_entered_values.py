@@ -4,14 +4,14 @@ import pytest
 
 from asperity.joint_file.edited_text import set_texts
 from asperity.joint_file.entered_values import entered_key_at, entered_values
-from asperity.joint_file.reader import parse_any_case
+from asperity.joint_file.reader import parse_case
 
 
 def test_an_rz_and_the_shares_of_a_file(joint_text):
     rough = joint_text.replace('fractal_roughness = "', 'mean_roughness_depth = "1.6 um +- 0.2 um" # was "')
     loads = '[[duty]]\noutput_torque = "1 N*m"\nsun_speed = "1 rpm"\nshare = {}\n\n'
     text = f"{rough}\n\n" + loads.format('"40 %"') + loads.format(0.6)
-    found = entered_values(parse_any_case(text, source="x"))
+    found = entered_values(parse_case(text, source="x"))
     assert {path: entry.value for path, (_, entry) in found.items()} == pytest.approx(
         {"surface.mean_roughness_depth": 1.6e-6, "duty.1.share": 0.4, "duty.2.share": 0.6}
     )

@@ -10,7 +10,7 @@ from asperity.drive.planar.existence import refuse_impossible
 from asperity.drive.planar.layout import gaps, speed_ratio
 from asperity.errors import InputError
 from asperity.joint_file.planar_build import planar_joint_from_case
-from asperity.joint_file.reader import parse_any_case
+from asperity.joint_file.reader import parse_case
 
 TEXT = (Path(__file__).parents[2] / "examples" / "planar.toml").read_text(encoding="utf-8")
 
@@ -20,7 +20,7 @@ def read(*replaced):
     for old, new in replaced:
         assert old in text
         text = text.replace(old, new)
-    return parse_any_case(text, source="mine.toml")
+    return parse_case(text, source="mine.toml")
 
 
 @pytest.mark.parametrize(

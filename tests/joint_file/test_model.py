@@ -7,7 +7,7 @@ from pydantic import ValidationError
 
 from asperity.errors import InputError
 from asperity.joint_file.material_entries import SurfaceEntry
-from asperity.joint_file.model import Case
+from asperity.joint_file.wedge_model import Case
 from asperity.joint_file.section import EachContact
 
 SURFACE = {"fractal_dimension": 1.4, "fractal_roughness": "1e-8 mm", "frequency_ratio": 1.5}

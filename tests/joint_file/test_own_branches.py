@@ -8,7 +8,7 @@ import pytest
 from asperity.errors import InputError
 from asperity.joint.either_kind import has_own_branches
 from asperity.joint_file.own_branches import with_own_branches
-from asperity.joint_file.reader import parse_any_case
+from asperity.joint_file.reader import parse_case
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 BRANCHES = '[[branch]]\nplanet_deviation = "2 um"\n\n[[branch]]\n\n[[branch]]\nplanet_deviation = "-1 um"\n\n'
@@ -18,7 +18,7 @@ def described(name, *changes):
     text = (EXAMPLES / f"{name}.toml").read_text(encoding="utf-8")
     for old, new in changes:
         text = text.replace(old, new, 1)
-    return with_own_branches(parse_any_case(text, source="x"))
+    return with_own_branches(parse_case(text, source="x"))
 
 
 @pytest.mark.parametrize("name", ["zou2025", "planetary"])

@@ -8,7 +8,7 @@ import jsonschema
 import pytest
 
 from asperity.errors import InputError
-from asperity.joint_file.reader import parse_any_case, parse_case
+from asperity.joint_file.reader import parse_case, parse_case
 from asperity.joint_file.schema import joint_schema
 from asperity.reading import parse_toml
 
@@ -25,7 +25,7 @@ def read(name, *replaced):
     for old, new in replaced:
         assert old in text
         text = text.replace(old, new)
-    return parse_any_case(text, source="mine.toml")
+    return parse_case(text, source="mine.toml")
 
 
 @pytest.mark.parametrize("name", NAMES)
@@ -129,7 +129,7 @@ def test_bearings_of_pins_need_pins():
         '[pin_bearing]\ntype = "ball"\ndynamic_rating = "1 kN"\nstatic_rating = "1 kN"\ncount = 1\n\n[model]'
     )
     with pytest.raises(InputError, match=r'pin_bearing: no \[\[roller\]\] has place = "pin"'):
-        parse_any_case(text.replace("[model]", rated), source="mine.toml")
+        parse_case(text.replace("[model]", rated), source="mine.toml")
 
 
 def test_what_reads_the_papers_drive_only_says_so():

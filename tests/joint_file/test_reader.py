@@ -8,7 +8,7 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from asperity.errors import InputError
-from asperity.joint_file.model import Case
+from asperity.joint_file.wedge_model import Case
 from asperity.joint_file.reader import case_from_tables, parse_case, read_case
 from asperity.reading import LARGEST_FILE
 

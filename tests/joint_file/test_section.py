@@ -3,7 +3,7 @@
 import pytest
 from pydantic import ValidationError
 
-from asperity.joint_file.model import Case
+from asperity.joint_file.wedge_model import Case
 from asperity.joint_file.section import (
     ONE_FOR_ALL,
     ONE_FOR_EACH,

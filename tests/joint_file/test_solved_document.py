@@ -10,7 +10,7 @@ from click.testing import CliRunner
 from asperity.cli import asperity
 from asperity.errors import InputError
 from asperity.joint.margins import margins
-from asperity.joint_file.reader import parse_any_case, read_any_case
+from asperity.joint_file.reader import parse_case, read_case
 from asperity.joint_file.solved_document import solve_case, solved_case
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
@@ -25,7 +25,7 @@ def test_the_document_is_that_of_the_command(name, branches, tmp_path):
     file = tmp_path / "joint.toml"
     file.write_text((EXAMPLES / f"{name}.toml").read_text().replace("[model]", f"{branches}[model]"))
     printed = CliRunner().invoke(asperity, ["joint", str(file), "--json"], catch_exceptions=False).stdout
-    assert solve_case(read_any_case(file)).document == json.loads(printed)
+    assert solve_case(read_case(file)).document == json.loads(printed)
     assert bool(branches) == ('"branches": {' in printed)
 
 
@@ -35,7 +35,7 @@ def harder(name, text, sizes, torque):
     for old, new in (text, ("[model]", f"{stated}[model]")):
         name = name.replace(old, new, 1)
     before, rest = name.split('output_torque = "', 1)
-    return parse_any_case(
+    return parse_case(
         f'{before}output_torque = "{torque} N*m"{rest[rest.index(chr(34)) + 1 :]}', source="x"
     )
 

@@ -13,7 +13,7 @@ from asperity.joint.results import Limit, Result
 from asperity.joint.windup import windup
 from asperity.joint_file.build import joint_from_case
 from asperity.joint_file.own_branches import with_own_branches
-from asperity.joint_file.reader import parse_any_case, parse_case
+from asperity.joint_file.reader import parse_case, parse_case
 from asperity.page import answer
 from asperity.page.answer import _curves, _margin, _windup, joint_answer, plain_numbers, stated_values
 from asperity.page.joint_request import JointRequest
@@ -182,7 +182,7 @@ def test_the_windup_is_that_of_the_branches_of_the_file(zou_file):
     found, equal = (
         joint_answer(JointRequest("z.toml", each, {}))["windup"] for each in (text + unlike, text)
     )
-    own = with_own_branches(parse_any_case(text + unlike, source="z.toml"))
+    own = with_own_branches(parse_case(text + unlike, source="z.toml"))
     curve = windup(own, largest_torque=5.0, level="assembly")
     for name in ("hysteresis", "lost_motion"):
         assert found[f"{name}_rad"] == pytest.approx(float(getattr(curve, name)), rel=2e-3)

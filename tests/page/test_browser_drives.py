@@ -9,7 +9,7 @@ import pytest
 from asperity.joint.planar.solve import solve_planar
 from asperity.joint_file.drawn_surface import drawn_interval
 from asperity.joint_file.planar_build import planar_joint_from_case
-from asperity.joint_file.reader import parse_any_case
+from asperity.joint_file.reader import parse_case
 from asperity.units import format_quantity
 
 pytestmark = pytest.mark.slow
@@ -66,7 +66,7 @@ def changed(page, action):
 
 def stiffness(text):
     """Assembled stiffness as the card shows it."""
-    found = solve_planar(planar_joint_from_case(parse_any_case(text, source="planetary")))
+    found = solve_planar(planar_joint_from_case(parse_case(text, source="planetary")))
     return format_quantity(float(found.result.assembly.stiffness.output), "N*m/arcmin").split(" ")[0]
 
 
@@ -131,7 +131,7 @@ def test_a_finish_of_the_library_takes_the_ra_of_the_drawing(page):
         'fractal_roughness = "1.3e-7 mm"', f'roughness_average = "{written}"'
     )
     assert page.locator('[data-value="Stiffness at the output"]').inner_text() == stiffness(text)
-    expected = drawn_interval(parse_any_case(text, source="planetary"))
+    expected = drawn_interval(parse_case(text, source="planetary"))
     (row,) = page.locator("#levels tr", has_text="assembled").all()[1:]
     ends = [expected["assembly"][f"{end}_Nm_per_rad"] for end in ("low", "high")]
     shown = [format_quantity(each, "N*m/arcmin").split(" ")[0] for each in ends]

@@ -9,7 +9,7 @@ from asperity.joint.results import WEDGE_RESULTS
 from asperity.joint.solve import solve
 from asperity.joint_file.build import joint_from_case, with_values
 from asperity.joint_file.planar_build import planar_joint_from_case
-from asperity.joint_file.reader import parse_any_case, parse_case
+from asperity.joint_file.reader import parse_case, parse_case
 from asperity.page.chart import MOST_POINTS, chart_answer, chart_request, chart_results, result_rows
 from asperity.page.joint_request import JointRequest
 from asperity.page.openapi import openapi
@@ -100,7 +100,7 @@ def test_a_chart_of_another_drive_says_what_single_joints_say(zou_file):
     found = chart_answer(chart_request({"toml": text, "name": "p.toml", "chart": chart}))
     assert found["x_shown"] == pytest.approx([4.0, 6.0, 8.0, 10.0])
     for k, wall in ((2, 8.0), (3, 10.0)):
-        case = parse_any_case(text.replace('"8 mm"', f'"{wall} mm"'), source="p")
+        case = parse_case(text.replace('"8 mm"', f'"{wall} mm"'), source="p")
         one = float(solve_planar(planar_joint_from_case(case)).result.published.output)
         assert found["curves"][0]["y"][k] == pytest.approx(one, rel=1e-8)
     assert found["curves"][0]["y"][0] is None

@@ -3,8 +3,8 @@
 import pytest
 
 from asperity.joint_file import limits
-from asperity.joint_file.model import Case
-from asperity.joint_file.reader import read_any_case
+from asperity.joint_file.wedge_model import Case
+from asperity.joint_file.reader import read_case
 from asperity.library import read_finishes
 from asperity.page.description import HEADINGS, description, form_of
 from asperity.units import from_si, parse_quantity
@@ -86,7 +86,7 @@ def test_the_library_is_listed(described):
 
 
 def test_the_form_of_another_drive_has_its_own_keys(zou_file):
-    form = form_of(read_any_case(zou_file.with_name("planar.toml")))
+    form = form_of(read_case(zou_file.with_name("planar.toml")))
     names = [group["name"] for group in form["groups"]]
     assert names == [
         "drive", "branch", "load", "temperature", "surface", "materials", "roller", "contact", "compliance", "play",

@@ -8,7 +8,7 @@ import pytest
 
 from asperity.drive.force_balance import DriveForces
 from asperity.joint_file.planar_build import planar_joint_from_case
-from asperity.joint_file.reader import read_any_case
+from asperity.joint_file.reader import read_case
 from asperity.page.drawing import drive_shapes, planar_shapes
 
 NORMAL = np.array([1000.0, 600.0, 500.0, 590.0, 490.0])
@@ -55,7 +55,7 @@ def test_forces_act_where_the_bodies_touch(shapes):
 
 def test_circles_and_forces_of_another_drive(zou_file):
     """A planetary: sun 10 mm, three planets of 20 mm, a ring of 50 mm with a wall of 8 mm."""
-    joint = planar_joint_from_case(read_any_case(zou_file.with_name("planetary.toml")))
+    joint = planar_joint_from_case(read_case(zou_file.with_name("planetary.toml")))
     forces = SimpleNamespace(
         normal=np.array([1000.0, 1100.0]), tangential=np.array([50.0, 60.0]), pins=np.array([-110.0])
     )
@@ -95,7 +95,7 @@ def test_circles_and_forces_of_another_drive(zou_file):
 
 
 def test_a_stepped_roller_has_a_radius_for_each_force(zou_file):
-    joint = planar_joint_from_case(read_any_case(zou_file.with_name("stepped_planet.toml")))
+    joint = planar_joint_from_case(read_case(zou_file.with_name("stepped_planet.toml")))
     one = np.ones(3)
     found = planar_shapes(
         joint, SimpleNamespace(forces=SimpleNamespace(normal=one, tangential=one, pins=one))
@@ -107,7 +107,7 @@ def test_a_stepped_roller_has_a_radius_for_each_force(zou_file):
 
 
 def test_a_hollow_roller_has_its_bore_in_both_pictures(zou_file):
-    joint = planar_joint_from_case(read_any_case(zou_file.with_name("planetary_hollow.toml")))
+    joint = planar_joint_from_case(read_case(zou_file.with_name("planetary_hollow.toml")))
     one = np.ones(2)
     forces = SimpleNamespace(normal=one, tangential=one, pins=one[:1])
     found = planar_shapes(joint, SimpleNamespace(forces=forces))

@@ -6,7 +6,7 @@ import jax.numpy as jnp
 import pytest
 
 from asperity.errors import InputError
-from asperity.joint_file.reader import read_any_case
+from asperity.joint_file.reader import read_case
 from asperity.page.job_process import BLOCK, design_words, run_job
 from asperity.study.design.design_problem import DesignProblem, Objective, WorstCase
 from asperity.study.design.design_result import LimitReport
@@ -83,7 +83,7 @@ def test_a_design_that_meets_its_limits_has_no_conflict(monkeypatch):
 
 def test_numbers_of_a_design_have_the_units_of_the_file_and_the_words_of_the_drive(zou_file):
     """A wall of 8 mm and a length that the file states; a bore that it does not; a preload and a pressure."""
-    case = read_any_case(zou_file.with_name("planetary.toml"))
+    case = read_case(zou_file.with_name("planetary.toml"))
     problem = DesignProblem(
         case, "p.toml", "assembly", (), (Objective("preload", 1.0),), (), WorstCase((), "none", 0, 0), 1, 0
     )

@@ -5,7 +5,7 @@ import tomllib
 import pytest
 
 from asperity.errors import InputError
-from asperity.joint_file.reader import parse_any_case
+from asperity.joint_file.reader import parse_case
 from asperity.joint_file.si_tables import si_values
 from asperity.page.joint_request import CHOICES, JointRequest, choices_of_case, joint_request
 
@@ -201,7 +201,7 @@ def test_a_finish_with_the_ra_of_the_drawing_takes_the_place_of_d_and_g(planetar
     plain = planetary_text.replace("fractal_dimension = 1.5", 'finish = "ground"').replace(
         'fractal_roughness = "1.3e-7 mm"', 'roughness_average = "0.2 um"'
     )
-    assert si_values(found.case()) == si_values(parse_any_case(plain, source="p"))
+    assert si_values(found.case()) == si_values(parse_case(plain, source="p"))
     assert found.case().surface.finish == "ground"
     assert "fractal_roughness" not in tomllib.loads(found.file_text())["surface"]
     own = {"surface.finish": "", "surface.fractal_dimension": "1.4", "surface.frequency_ratio": "1.5"}

@@ -3,7 +3,7 @@
 import pytest
 
 from asperity.errors import InputError
-from asperity.joint_file.model import Case
+from asperity.joint_file.wedge_model import Case
 from asperity.joint_file.planar_types import PLANAR_CASES
 from asperity.page.joint_request import JointRequest
 from asperity.page.list_changes import EACH, lists_of, places_of_lists, stated_lists, without_lists

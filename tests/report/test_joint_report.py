@@ -6,7 +6,7 @@ from pathlib import Path
 import pytest
 
 from asperity.errors import InputError
-from asperity.joint_file.reader import parse_any_case, parse_case
+from asperity.joint_file.reader import parse_case, parse_case
 from asperity.page.upload import refuse_downloads
 from asperity.report.content import Heading, Listing, Paragraph, Picture, Table
 from asperity.report.html import report_html
@@ -102,7 +102,7 @@ def test_loads_of_the_structure_are_those_of_the_balance(made):
 def test_a_drive_of_another_type_has_all_sections():
     file = Path(__file__).parents[2] / "examples" / "multiroller.toml"
     text = file.read_text(encoding="utf-8")
-    case = parse_any_case(text, source=file.name)
+    case = parse_case(text, source=file.name)
     report = joint_report(ReportSource(file.name, text, case))
     assert report.sections == (
         "Summary", "Inputs", "Assumptions", "Drawing", "Stiffness", "Forces and contacts", "Loads of the structure",
@@ -145,7 +145,7 @@ def test_a_torque_that_only_the_branches_of_the_file_carry():
     file = Path(__file__).parents[2] / "examples" / "planetary.toml"
     text = file.read_text(encoding="utf-8").replace('output_torque = "10 N*m"', 'output_torque = "13 N*m"')
     text += 3 * '\n[[branch]]\nplanet_deviation = "2 um"\n'
-    report = joint_report(ReportSource(file.name, text, parse_any_case(text, source=file.name)))
+    report = joint_report(ReportSource(file.name, text, parse_case(text, source=file.name)))
     captions = [block.title for block in report.blocks if isinstance(block, Picture)]
     assert not any("Forces on the bodies" in each or "Stiffness budget" in each for each in captions)
     said = [block.text for block in report.blocks if isinstance(block, Paragraph)]

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from asperity.joint_file.any_joint import results_of
-from asperity.joint_file.reader import read_any_case
+from asperity.joint_file.reader import read_case
 from asperity.joint_file.si_tables import si_values
 from asperity.report.content import Heading, Listing, Paragraph, Picture, Table
 from asperity.report.study_sections import STUDIED, ReportStudies, study_files, study_sections
@@ -117,7 +117,7 @@ def of(kind, blocks):
 
 @pytest.mark.parametrize("name", ["zou2025", "planetary", "multiroller", "stepped_planet", "planar"])
 def test_every_drive_has_the_results_that_are_studied(name):
-    table = results_of(si_values(read_any_case(ROOT / "examples" / f"{name}.toml")))
+    table = results_of(si_values(read_case(ROOT / "examples" / f"{name}.toml")))
     assert all(table[each].differentiable and not table[each].categories for each in STUDIED)
 
 

@@ -24,11 +24,11 @@ def joint_of():
 @pytest.fixture(scope="session")
 def idlers_case():
     """Case of a listed drive: rollers of 8 mm, so many in a sector, between a sun of 60 mm and a ring."""
-    from asperity.joint_file.reader import parse_any_case
+    from asperity.joint_file.reader import parse_case
 
     def case(count):
         names = [f"idler_{number}" for number in range(count)]
-        return parse_any_case(
+        return parse_case(
             "\n".join(
                 [
                     'type = "planar"',

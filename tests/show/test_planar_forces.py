@@ -9,7 +9,7 @@ import pytest
 from asperity.drive.planar.loads import planar_loads
 from asperity.joint.planar.turning import driving_sense
 from asperity.joint_file.planar_build import planar_joint_from_case
-from asperity.joint_file.reader import read_any_case
+from asperity.joint_file.reader import read_case
 from asperity.show.planar_forces import planar_body_forces
 
 
@@ -18,7 +18,7 @@ def drawn(zou_file):
     """Joint and loads of an example under any forces of its contacts, and the forces that are drawn."""
 
     def make(name):
-        joint = planar_joint_from_case(read_any_case(zou_file.with_name(f"{name}.toml")))
+        joint = planar_joint_from_case(read_case(zou_file.with_name(f"{name}.toml")))
         count = len(joint.drive.contacts)
         normal, tangential = 1000.0 + 100.0 * np.arange(count), 50.0 + 7.0 * np.arange(count) ** 2
         loads = planar_loads(

@@ -10,7 +10,7 @@ from asperity.api.named_quantity import NamedQuantity
 from asperity.api.shown import Shown, Table, displayed, frame
 from asperity.errors import NoSolutionError
 from asperity.joint.results import RESULTS, known_result
-from asperity.joint_file.reader import parse_any_case
+from asperity.joint_file.reader import parse_case
 from asperity.joint_file.si_tables import key_at
 from asperity.precision import use_compilation_cache, use_double_precision
 from asperity.study.design.design import design as search
@@ -77,7 +77,7 @@ class DesignedJoint(Shown):
     def __init__(self, result: DesignResult, *, source: str) -> None:
         self.result = result
         #: The designed joint, ready to be solved or saved.
-        self.joint = DescribedJoint(parse_any_case(result.joint_text, source=source), source)
+        self.joint = DescribedJoint(parse_case(result.joint_text, source=source), source)
 
     def __getitem__(self, path: str) -> NamedQuantity:
         """One free number."""

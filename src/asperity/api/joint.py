@@ -10,8 +10,7 @@ from typing import TYPE_CHECKING, Any
 from asperity.api.named_quantity import NamedQuantity, si_number
 from asperity.api.shown import Shown, Table, frame
 from asperity.errors import InputError, quoted
-from asperity.joint_file.planar_model import PlanarCase
-from asperity.joint_file.reader import parse_any_case, read_any_case
+from asperity.joint_file.reader import parse_case, read_case
 from asperity.joint_file.si_tables import AnyCase
 from asperity.precision import use_compilation_cache, use_double_precision
 from asperity.units import format_quantity
@@ -49,7 +48,7 @@ def load(path: str | Path) -> DescribedJoint:
     """
     use_double_precision()
     use_compilation_cache()
-    return DescribedJoint(read_any_case(path), str(path))
+    return DescribedJoint(read_case(path), str(path))
 
 
 @dataclass(frozen=True, repr=False)
@@ -58,7 +57,7 @@ class DescribedJoint(Shown):
 
     Parameters
     ----------
-    case : Case or PlanarCase
+    case : PlanarCase
         The checked content of the joint file.
     source : str
         Where it comes from, for titles and messages.
@@ -80,12 +79,11 @@ class DescribedJoint(Shown):
 
     def __getitem__(self, path: str) -> NamedQuantity:
         """One number of the file, such as ``load.preload``."""
-        from asperity.joint_file.part_names import WEDGE_TYPE
         from asperity.joint_file.si_tables import key_at
 
         numbers = self.numbers
         if path not in numbers:
-            key_at(path, self.case.type or WEDGE_TYPE)  # raises if no joint file has such a number
+            key_at(path, self.case.type)  # raises if no joint file has such a number
             raise InputError(f"{self.source} does not state '{path}'; it states {', '.join(numbers)}")
         return numbers[path]
 
@@ -95,10 +93,6 @@ class DescribedJoint(Shown):
     @property
     def assumptions(self) -> tuple[str, ...]:
         """What the file leaves out and what is assumed instead, one sentence each."""
-        if isinstance(self.case, PlanarCase):
-            from asperity.joint_file.planar_assumptions import planar_assumptions
-
-            return planar_assumptions(self.case)
         from asperity.joint_file.assumptions import assumptions
 
         return assumptions(self.case)
@@ -124,12 +118,11 @@ class DescribedJoint(Shown):
             If there is no such number, its unit is missing or wrong, or it is outside its range.
         """
         from asperity.joint_file.edited_text import joint_file_text
-        from asperity.joint_file.part_names import WEDGE_TYPE
         from asperity.joint_file.si_tables import check_values, key_at
 
         if not isinstance(changes, Mapping):
             raise InputError(f"expected changes such as {{'load.preload': '1200 N'}}, got {quoted(changes)}")
-        kind = self.case.type or WEDGE_TYPE
+        kind = self.case.type
         numbers = {
             path: si_number(given, key_at(path, kind).dimension, name=path) for path, given in changes.items()
         }
@@ -171,7 +164,7 @@ class DescribedJoint(Shown):
         DescribedJoint
             A new joint.
         """
-        return DescribedJoint(parse_any_case(text, source=self.source), self.source)
+        return DescribedJoint(parse_case(text, source=self.source), self.source)
 
     def save(self, path: str | Path) -> None:
         """Write the joint as a joint file.
@@ -233,7 +226,7 @@ class DescribedJoint(Shown):
         """The joint in one line."""
         stated = ", ".join(f"{self[path].label} {self[path]}" for path in _SUMMARY if path in self.numbers)
         count = next(self[path] for path in _COUNTS if path in self.numbers)
-        what = count.label if isinstance(self.case, PlanarCase) else "planets"
+        what = count.label
         return f"{self.source}: {count.si:g} {what}, {stated}"
 
     def _parts(self) -> list[str | Table]:

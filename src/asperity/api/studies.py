@@ -11,7 +11,6 @@ from asperity.api.joint import DescribedJoint, require_joint
 from asperity.api.named_quantity import NamedQuantity, si_number
 from asperity.api.shown import displayed
 from asperity.errors import InputError, quoted
-from asperity.joint_file.part_names import WEDGE_TYPE
 from asperity.joint_file.si_tables import key_at
 from asperity.study.datasets import require
 from asperity.study.parameters import ListedAxis, SweepAxis, parse_axis
@@ -56,7 +55,7 @@ def sweep(
     require("xarray")
     if not isinstance(over, Mapping) or not over:
         raise InputError(f"expected axes such as {{'load.preload': ['500 N', '1000 N']}}, got {quoted(over)}")
-    kind = joint.case.type or WEDGE_TYPE
+    kind = joint.case.type
     names = [results] if isinstance(results, str) else list(results)
     return evaluated(joint.case, [_axis(path, values, kind) for path, values in over.items()], results=names)
 

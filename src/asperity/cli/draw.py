@@ -13,7 +13,6 @@ from asperity.errors import InputError, NoSolutionError
 from asperity.writing import IMAGE_SUFFIXES, check_file, write_image, write_text
 
 if TYPE_CHECKING:
-    from asperity.joint_file.model import Case
     from asperity.joint_file.planar_model import PlanarCase
     from asperity.show.sheet import Sheet
 
@@ -37,8 +36,7 @@ def draw(file: str, out: str, forces: bool) -> None:
     true sizes in mm; it needs the optional package ezdxf.
     """
     from asperity.cli.equal_branches import read_for_equal_branches
-    from asperity.joint_file.planar_model import PlanarCase
-    from asperity.joint_file.reader import read_any_case
+    from asperity.joint_file.reader import read_case
 
     suffix = Path(out).suffix.lower()
     if suffix not in (*IMAGE_SUFFIXES, ".dxf"):
@@ -48,15 +46,13 @@ def draw(file: str, out: str, forces: bool) -> None:
         from asperity.show.sheet_dxf import require_ezdxf
 
         require_ezdxf()
-    case = read_for_equal_branches(file) if forces else read_any_case(file)
+    case = read_for_equal_branches(file) if forces else read_case(file)
     from asperity.precision import use_compilation_cache, use_double_precision
 
     use_double_precision()
     use_compilation_cache()
     with about(file):
-        sheet = (
-            _planar_sheet(case, file, forces) if isinstance(case, PlanarCase) else _sheet(case, file, forces)
-        )
+        sheet = _sheet(case, file, forces)
     if suffix == ".dxf":
         from asperity.show.sheet_dxf import sheet_dxf
 
@@ -71,26 +67,7 @@ def draw(file: str, out: str, forces: bool) -> None:
         say(f"asperity: warning: {file}: {'; '.join(overlaps)}")
 
 
-def _sheet(case: Case, file: str, forces: bool) -> Sheet:
-    from asperity.joint_file.build import joint_from_case
-    from asperity.joint_file.made_interference import made_interference
-    from asperity.show.drive_sheet import drive_sheet
-
-    joint = joint_from_case(case)
-    found = None
-    if forces:
-        from asperity.joint.solve import solve
-
-        found = solve(joint).result
-    return drive_sheet(
-        joint,
-        name=file,
-        forces=None if found is None else found.forces,
-        interference=made_interference(case, found),
-    )
-
-
-def _planar_sheet(case: PlanarCase, file: str, forces: bool) -> Sheet:
+def _sheet(case: PlanarCase, file: str, forces: bool) -> Sheet:
     from asperity.drive.planar.existence import refuse_impossible
     from asperity.joint_file.made_interference import made_interference
     from asperity.joint_file.planar_build import planar_joint_from_case

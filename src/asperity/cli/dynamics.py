@@ -48,7 +48,6 @@ def dynamics(file: str, plot_file: str | None, csv_file: str | None, as_json: bo
     use_compilation_cache()
     from asperity.joint.dynamics import dynamics as solved_dynamics
     from asperity.joint.dynamics_document import dynamics_document, response_columns
-    from asperity.joint.either_kind import has_own_branches
 
     with about(file):
         inertias = inertias_from_case(case)
@@ -63,7 +62,7 @@ def dynamics(file: str, plot_file: str | None, csv_file: str | None, as_json: bo
 
         write_image(dynamics_figure(found, title=f"{plain_title(file)} between motor and load"), plot_file)
         say_written(plot_file)
-    document = dynamics_document(found, inertias) | {"of_own_branches": has_own_branches(joint)}
+    document = dynamics_document(found, inertias) | {"of_own_branches": (joint.unlike is not None)}
     if as_json:
         import json
 

@@ -20,12 +20,12 @@ def read_for_equal_branches(file: str) -> AnyCase:
 
     Returns
     -------
-    Case or PlanarCase
+    PlanarCase
         As read.
     """
-    from asperity.joint_file.reader import read_any_case
+    from asperity.joint_file.reader import read_case
 
-    case = read_any_case(file)
+    case = read_case(file)
     if case.branch is not None:
         say_whose_branches(own=False)
     return case
@@ -41,12 +41,12 @@ def read_for_own_branches(file: str) -> AnyCase:
 
     Returns
     -------
-    Case or PlanarCase
+    PlanarCase
         As read, for :func:`asperity.joint_file.own_branches.with_own_branches`.
     """
-    from asperity.joint_file.reader import read_any_case
+    from asperity.joint_file.reader import read_case
 
-    case = read_any_case(file)
+    case = read_case(file)
     if case.branch is not None:
         say_whose_branches(own=True)
     return case

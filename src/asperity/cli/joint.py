@@ -11,10 +11,9 @@ from asperity.cli.terminal import say_written
 from asperity.writing import check_image, write_image
 
 if TYPE_CHECKING:
-    from asperity.joint.either_kind import AnyJoint
+    from asperity.joint.planar.description import PlanarJoint
     from asperity.joint.results import SolvedJoint
     from asperity.joint.size_errors import SizeErrorCurves
-    from asperity.joint_file.model import Case
     from asperity.joint_file.planar_model import PlanarCase
     from asperity.surface.measurement import SurfaceMeasurement
 
@@ -45,10 +44,10 @@ def joint(file: str, as_json: bool, surfaces: tuple[str, ...], plot_file: str | 
     place of the file's, and their uncertainty comes out as an interval of stiffness and drift. So does what Ra
     leaves open where the file states surfaces by their Ra.
     """
-    from asperity.joint_file.reader import read_any_case
+    from asperity.joint_file.reader import read_case
 
     check_image(plot_file)
-    case = read_any_case(file)
+    case = read_case(file)
     from asperity.precision import use_compilation_cache, use_double_precision
 
     use_double_precision()
@@ -75,35 +74,26 @@ def joint(file: str, as_json: bool, surfaces: tuple[str, ...], plot_file: str | 
     _show(document, file, as_json)
 
 
-def _size_errors(case: Case | PlanarCase, solved: SolvedJoint) -> SizeErrorCurves | None:
+def _size_errors(case: PlanarCase, solved: SolvedJoint) -> SizeErrorCurves | None:
     """Branches of unlike sizes over the size of the first; None where the file has none."""
     import numpy as np
 
     from asperity.joint.size_errors import size_error_curves
-    from asperity.joint_file.planar_model import PlanarCase
 
     if solved.branches is None:
         return None
-    branched: Any
-    sizes: Any
-    if isinstance(case, PlanarCase):
-        from asperity.joint_file.planar_build import branched_planar, deviations_of
-        from asperity.joint_file.si_tables import si_values
+    from asperity.joint_file.planar_build import branched_planar, deviations_of
+    from asperity.joint_file.si_tables import si_values
 
-        branched = branched_planar(case, solved.joint, solved.solution)
-        sizes = deviations_of(si_values(case))
-    else:
-        from asperity.joint.branches import BranchedJoint
-        from asperity.joint_file.build import branches_from_case
-
-        interference, sizes = branches_from_case(case)
-        branched = BranchedJoint(solved.joint, interference)
+    branched = branched_planar(case, solved.joint, solved.solution)
+    assert branched is not None
+    sizes = deviations_of(si_values(case))
     widest = 0.4 * branched.interference
     return size_error_curves(branched, sizes, np.linspace(-widest, widest, 17))
 
 
 def _interval(
-    case: Case | PlanarCase, described: AnyJoint, measured: SurfaceMeasurement | None
+    case: PlanarCase, described: PlanarJoint, measured: SurfaceMeasurement | None
 ) -> dict[str, Any]:
     """Intervals of stiffness and drift from a measured surface, or from what the Ra of a file leaves open."""
     if measured is None:

@@ -12,7 +12,6 @@ from asperity.cli.terminal import say_written
 from asperity.writing import check_file, replacing
 
 if TYPE_CHECKING:
-    from asperity.joint_file.model import Case
     from asperity.joint_file.planar_model import PlanarCase
 
 Document = dict[str, Any]
@@ -32,10 +31,10 @@ def loads(file: str, csv_file: str | None, as_json: bool) -> None:
 
     One column each: without torque, under the working torque, and under every load [[duty]] of FILE.
     """
-    from asperity.joint_file.reader import read_any_case
+    from asperity.joint_file.reader import read_case
 
     check_file(csv_file, file)
-    case = read_any_case(file)
+    case = read_case(file)
     from asperity.precision import use_compilation_cache, use_double_precision
 
     use_double_precision()
@@ -53,18 +52,14 @@ def loads(file: str, csv_file: str | None, as_json: bool) -> None:
     _show(document, file)
 
 
-def _document(case: Case | PlanarCase) -> Document:
-    from asperity.joint.loads_document import load_cases, loads_document
+def _document(case: PlanarCase) -> Document:
     from asperity.joint.planar.loads_document import planar_loads_document
     from asperity.joint.strength_document import bearing_entries
-    from asperity.joint_file.planar_model import PlanarCase
     from asperity.joint_file.solved_document import solved_case
 
     solved = solved_case(case)
     bearings = bearing_entries(solved)
-    if isinstance(case, PlanarCase):
-        return planar_loads_document(solved, bearings)
-    return loads_document(solved.joint, load_cases(solved), bearings, solved.branches)
+    return planar_loads_document(solved, bearings)
 
 
 def _column(case: Document, line: str) -> str:

@@ -71,7 +71,7 @@ def report(
     made again. The same input gives the same report, byte for byte. HTML is one file without scripts; PDF needs the
     optional package typst.
     """
-    from asperity.joint_file.reader import parse_any_case
+    from asperity.joint_file.reader import parse_case
     from asperity.reading import read_text
 
     suffix = Path(out).suffix.lower()
@@ -85,7 +85,7 @@ def report(
 
         require_typst()
     text = read_text(file, hint="'asperity init' writes an example")
-    case = parse_any_case(text, source=file, folder=Path(file).parent)
+    case = parse_case(text, source=file, folder=Path(file).parent)
     from asperity.precision import use_compilation_cache, use_double_precision
 
     use_double_precision()

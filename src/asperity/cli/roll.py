@@ -13,10 +13,8 @@ from asperity.writing import check_image, write_image
 
 if TYPE_CHECKING:
     from asperity.joint.branch_results import UnequalBranches
-    from asperity.joint.either_kind import AnyJoint
-    from asperity.joint.evaluation import JointResult
+    from asperity.joint.planar.description import PlanarJoint
     from asperity.joint.planar.evaluation import PlanarResult
-    from asperity.joint.results import SolvedJoint
 
 _WIDTH = 10.0  # of the picture [in]
 
@@ -39,37 +37,25 @@ def roll(file: str, plot_file: str | None, as_json: bool) -> None:
     [rolling], [lubrication] and [[duty]] of FILE are optional; what they leave out is listed under 'Assumed'. The JSON
     document is that of 'asperity joint'. With [[branch]] the last table says what all branches do together.
     """
-    from asperity.joint_file.reader import read_any_case
+    from asperity.joint_file.reader import read_case
 
     check_image(plot_file)
-    case = read_any_case(file)
+    case = read_case(file)
     from asperity.precision import use_compilation_cache, use_double_precision
 
     use_double_precision()
     use_compilation_cache()
+    from asperity.joint.planar.solve import refuse_planar_rolling
     from asperity.joint_file.solved_document import solve_case
 
     with about(file):
         solved, document = solve_case(case)  # refuses a torque beyond the capacity
         if solved.branches is None:
-            _refuse_no_rolling(solved, document)
+            refuse_planar_rolling(solved.joint, solved.solution)
         _refuse_for_branches(solved.branches, plot_file)
     if plot_file:
         _draw(solved.joint, solved.result, document, file, plot_file)
     _show(document, file, as_json)
-
-
-def _refuse_no_rolling(solved: SolvedJoint, document: dict[str, Any]) -> None:
-    from asperity.joint.planar.description import PlanarJoint
-
-    if isinstance(solved.joint, PlanarJoint):
-        from asperity.joint.planar.solve import refuse_planar_rolling
-
-        refuse_planar_rolling(solved.joint, solved.solution)
-    else:
-        from asperity.joint.rolling_refusal import refuse_no_rolling
-
-        refuse_no_rolling(solved.joint, solved.solution, _capacity(document))
 
 
 def _refuse_for_branches(branches: UnequalBranches | None, plot_file: str | None) -> None:
@@ -94,7 +80,7 @@ def _capacity(document: dict[str, Any]) -> float:
 
 
 def _draw(
-    joint: AnyJoint, result: JointResult | PlanarResult, document: dict[str, Any], file: str, plot_file: str
+    joint: PlanarJoint, result: PlanarResult, document: dict[str, Any], file: str, plot_file: str
 ) -> None:
     from asperity.joint.rolling_curves import rolling_curves
     from asperity.show.rolling_figure import rolling_figure

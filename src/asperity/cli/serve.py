@@ -74,9 +74,9 @@ def serve(file: str | None, port: int, no_browser: bool, host: str) -> None:
 def _text(file: str) -> str:
     """The text of a joint file; entries of a library file of the user's are replaced by their numbers."""
     from asperity.joint_file.edited_text import joint_file_text
-    from asperity.joint_file.reader import read_any_case
+    from asperity.joint_file.reader import read_case
 
-    return joint_file_text(read_any_case(file), {}, comment="")
+    return joint_file_text(read_case(file), {}, comment="")
 
 
 def _example() -> str:

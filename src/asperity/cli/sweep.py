@@ -107,14 +107,13 @@ def sweep(
     from asperity.cli.progress import progress_bar
     from asperity.joint.results import chosen_results
     from asperity.joint_file.any_joint import results_of
-    from asperity.joint_file.part_names import WEDGE_TYPE
     from asperity.joint_file.si_tables import si_values
     from asperity.study.parameters import parse_axis
     from asperity.study.sweep.sweep import sweep as evaluate_sweep
     from asperity.study.sweep.sweep_map import parse_limit
     from asperity.study.sweep.tables import check_table_path, write_table
 
-    kind, table = case.type or WEDGE_TYPE, results_of(si_values(case))
+    kind, table = case.type, results_of(si_values(case))
     grid = [parse_axis(axis, kind=kind) for axis in axes]
     names = [name.strip() for name in results.split(",") if name.strip()]
     chosen_results(names, table=table)

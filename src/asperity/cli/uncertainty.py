@@ -14,7 +14,6 @@ if TYPE_CHECKING:
     import xarray
 
     from asperity.joint_file.distribution import Distribution
-    from asperity.joint_file.model import Case
     from asperity.joint_file.planar_model import PlanarCase
 
 
@@ -67,9 +66,9 @@ def uncertainty(
     from asperity.cli.equal_branches import read_for_equal_branches
     from asperity.cli.named_file import about
     from asperity.joint_file.distribution import parse_distribution
-    from asperity.joint_file.reader import read_any_case
+    from asperity.joint_file.reader import read_case
 
-    case = read_for_equal_branches(file) if branches is None else read_any_case(file)
+    case = read_for_equal_branches(file) if branches is None else read_case(file)
     otherwise = None if distribution is None else parse_distribution(distribution)
     from asperity.precision import use_compilation_cache, use_double_precision
 
@@ -105,17 +104,14 @@ def uncertainty(
 
 
 def _unlike_branches(
-    case: Case | PlanarCase, otherwise: Distribution | None, draws: int, seed: int
+    case: PlanarCase, otherwise: Distribution | None, draws: int, seed: int
 ) -> dict[str, Any]:
     """What drives do whose branches have sizes of their own."""
     from asperity.cli.progress import progress_bar
-    from asperity.joint_file.planar_model import PlanarCase
-    from asperity.study.tolerances.branch_scatter import branch_scatter, sector_scatter
+    from asperity.study.tolerances.branch_scatter import branch_scatter
 
     asked: dict[str, Any] = {"distribution": otherwise, "draws": draws, "seed": seed}
     with progress_bar("drives") as report:
-        if isinstance(case, PlanarCase):
-            return sector_scatter(case, report=report, **asked).document()
         return branch_scatter(case, report=report, **asked).document()
 
 

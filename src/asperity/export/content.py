@@ -7,14 +7,15 @@ from dataclasses import dataclass
 import numpy as np
 
 import asperity
-from asperity.drive.geometry import speed_ratio
-from asperity.drive.planar.layout import speed_ratio as planar_speed_ratio
+from asperity.drive.planar.layout import speed_ratio
 from asperity.errors import printable
 from asperity.joint.both_senses import BothSenses, both_senses
-from asperity.joint.dynamics import Inertias, body_inertias
-from asperity.joint.either_kind import AnySolution, OwnJoint, has_own_branches, why_unknown
+from asperity.joint.dynamics import Inertias
 from asperity.joint.planar.description import PlanarJoint
+from asperity.joint.planar.inertias import planar_inertias
+from asperity.joint.planar.solve import PlanarSolution
 from asperity.joint.play import Play
+from asperity.joint.rolling_document import unknown_because
 from asperity.joint.windup import StiffnessLevel, Windup
 from asperity.joint.windup_document import examined_windup
 from asperity.units import format_quantity
@@ -54,7 +55,7 @@ class ExportContent:
     ----------
     source : str
         Name of the joint file.
-    joint : Joint, PlanarJoint or UnlikeJoint
+    joint : PlanarJoint
         The joint.
     level : {"published", "series_with_bulk", "assembly"}
         Which stiffness was integrated into the wind-up.
@@ -69,7 +70,7 @@ class ExportContent:
     """
 
     source: str
-    joint: OwnJoint
+    joint: PlanarJoint
     level: StiffnessLevel
     windup: Windup
     curves: BothSenses
@@ -94,9 +95,7 @@ class ExportContent:
     @property
     def speed_ratio(self) -> float:
         """Turns of the input in one turn of the output; negative where they turn opposite ways [-]."""
-        if isinstance(self.joint, PlanarJoint):
-            return float(np.asarray(planar_speed_ratio(self.joint.drive)))
-        return float(np.asarray(speed_ratio(self.joint.geometry)))
+        return float(np.asarray(speed_ratio(self.joint.drive)))
 
     @property
     def reduction(self) -> float:
@@ -111,7 +110,7 @@ class ExportContent:
     @property
     def rollers(self) -> str:
         """The rollers between the two ends, in words."""
-        return "the other rollers" if isinstance(self.joint, PlanarJoint) else "planets with loading rollers"
+        return "the other rollers"
 
     @property
     def friction(self) -> float:
@@ -125,7 +124,7 @@ class ExportContent:
 
 
 def export_content(
-    joint: OwnJoint,
+    joint: PlanarJoint,
     *,
     inertias: Inertias | None,
     source: str,
@@ -136,7 +135,7 @@ def export_content(
 
     Parameters
     ----------
-    joint : Joint, PlanarJoint or UnlikeJoint
+    joint : PlanarJoint
         One joint.
     inertias : Inertias or None
         Motor and load; None if the joint file has none.
@@ -162,13 +161,13 @@ def export_content(
     curve, (forward, _) = examined_windup(joint, largest_torque=largest_torque, level=level)
     curves = both_senses(joint=joint, torque=curve.torque)
     lost = np.isnan(np.asarray(curves.driving_drift)[-1])
-    because = why_unknown(joint, forward) if lost else []
+    because = unknown_because(joint, forward.result) if lost else []
     parts = _moving_parts(joint, inertias, forward)
     return ExportContent(source, joint, level, curve, curves, parts, tuple(because))
 
 
-def _moving_parts(joint: OwnJoint, inertias: Inertias | None, solution: AnySolution) -> MovingParts:
-    entry, moving = (float(np.asarray(each)) for each in body_inertias(joint))
+def _moving_parts(joint: PlanarJoint, inertias: Inertias | None, solution: PlanarSolution) -> MovingParts:
+    entry, moving = (float(np.asarray(each)) for each in planar_inertias(joint))
     power, speed = solution.result.rolling.power, abs(float(joint.sun_speed))
     lost = float(np.asarray(power.loss)) - float(
         np.sum(np.asarray(power.creep))
@@ -222,7 +221,7 @@ def heading(content: ExportContent, *, what: str) -> list[str]:
 
 def _whose_branches(content: ExportContent) -> list[str]:
     """Whose curves these are, where the joint file states branches of unlike sizes."""
-    if not has_own_branches(content.joint):
+    if content.joint.unlike is None:
         return []
     return ["Branches: of unlike sizes, as the sections [[branch]] of the joint file state them."]
 

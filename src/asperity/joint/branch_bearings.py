@@ -14,12 +14,11 @@ from asperity.drive.bearing_life import RatedBearing
 from asperity.errors import InputError, NoSolutionError
 from asperity.joint.bearing_lives import BearingLives, BearingState, lives_of_bearings
 from asperity.joint.branch_results import BranchState, UnequalBranches
-from asperity.joint.description import Joint
 from asperity.joint.planar.description import PlanarJoint
 
 
 def with_duty(
-    found: UnequalBranches, joint: Joint | PlanarJoint, working: Callable[[Any], BranchState | None]
+    found: UnequalBranches, joint: PlanarJoint, working: Callable[[Any], BranchState | None]
 ) -> UnequalBranches:
     """Branches with their states under the loads of a duty.
 
@@ -27,7 +26,7 @@ def with_duty(
     ----------
     found : UnequalBranches
         The branches under the joint's torque.
-    joint : Joint or PlanarJoint
+    joint : PlanarJoint
         The joint.
     working : callable
         The state in which they work in a joint under another torque and speed.
@@ -38,7 +37,7 @@ def with_duty(
         None for a load that they do not carry, or under which they do not roll.
     """
     states: list[BranchState | None] = []
-    speed = "input_speed" if isinstance(joint, PlanarJoint) else "sun_speed"
+    speed = "input_speed"
     rolling = dataclasses.replace(joint.rolling, duty=())
     for point in joint.rolling.duty:
         changes: dict[str, Any] = {"output_torque": point.output_torque, speed: point.sun_speed}
@@ -49,12 +48,12 @@ def with_duty(
     return dataclasses.replace(found, duty=tuple(states))
 
 
-def branch_bearing_lives(joint: Joint | PlanarJoint, branches: UnequalBranches) -> BearingLives:
+def branch_bearing_lives(joint: PlanarJoint, branches: UnequalBranches) -> BearingLives:
     """Lives, static safeties and load ratios of the bearings of one joint whose branches differ.
 
     Parameters
     ----------
-    joint : Joint or PlanarJoint
+    joint : PlanarJoint
         One joint.
     branches : UnequalBranches
         Its branches.

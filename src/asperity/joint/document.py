@@ -242,12 +242,12 @@ def _suffix(unit: str) -> str:
     return "" if unit == "1" else "_" + unit.replace("*", "").replace("^", "").replace("/", "_per_")
 
 
-def torsional_stiffness_document(result: JointResult | PlanarResult) -> Document:
+def torsional_stiffness_document(result: PlanarResult) -> Document:
     """Torsional stiffness on all levels of the model.
 
     Parameters
     ----------
-    result : JointResult or PlanarResult
+    result : PlanarResult
         Result of one joint.
 
     Returns
@@ -306,12 +306,12 @@ def stiffness_rows(document: Document) -> list[tuple[str, Document]]:
     return rows
 
 
-def stiffness_unknown_because(result: JointResult | PlanarResult) -> str | None:
+def stiffness_unknown_because(result: PlanarResult) -> str | None:
     """Why a joint has no stiffness.
 
     Parameters
     ----------
-    result : JointResult or PlanarResult
+    result : PlanarResult
         Result of one joint.
 
     Returns
@@ -340,12 +340,12 @@ def _stiffness(stiffness: TorsionalStiffness) -> Document:
     }
 
 
-def stiffness_budget(result: JointResult | PlanarResult) -> Document:
+def stiffness_budget(result: PlanarResult) -> Document:
     """Shares of the assembly's compliance; they add up to 1.
 
     Parameters
     ----------
-    result : JointResult or PlanarResult
+    result : PlanarResult
         Result of one joint.
 
     Returns

@@ -2,36 +2,25 @@
 
 from __future__ import annotations
 
-import dataclasses
-
 import equinox as eqx
 import jax
 import jax.numpy as jnp
 import numpy as np
 from jax import Array
 
-from asperity.compilation import compile_fast
 from asperity.drive.dynamics import (
-    drive_inertia,
     dynamic_stiffness,
     frequency_response,
     natural_frequencies,
-    roller_inertia,
 )
-from asperity.drive.geometry import carrier_speed, speed_ratio
-from asperity.drive.planar.layout import speed_ratio as planar_speed_ratio
+from asperity.drive.planar.layout import speed_ratio
 from asperity.errors import InputError
 from asperity.joint.capacity import LIMIT_KINDS, MODEL_LIMITS
-from asperity.joint.description import Joint, with_one_rank
-from asperity.joint.either_kind import AnySolution, OwnJoint, solve_any
-from asperity.joint.evaluation import evaluate
-from asperity.joint.masses import loading_roller_mass, planet_mass, roller_mass
 from asperity.joint.planar.description import PlanarJoint
 from asperity.joint.planar.inertias import planar_inertias
 from asperity.joint.planar.over_torque import over_torque
-from asperity.joint.standing import NO_SLIP_FRICTION, standing_branches
-from asperity.joint.unlike_joint import UnlikeJoint, branch_joints
-from asperity.joint.unlike_solution import UnlikeSolution
+from asperity.joint.planar.solve import PlanarSolution, solve_planar
+from asperity.joint.standing import NO_SLIP_FRICTION
 from asperity.types import Real
 
 _FREQUENCIES = 400
@@ -89,48 +78,6 @@ class JointDynamics(eqx.Module):
     corner_frequency: Array
 
 
-def joint_dynamics(joint: Joint, inertias: Inertias) -> JointDynamics:
-    r"""Natural frequencies and damping of a joint about its torque; pure.
-
-    .. math::
-        J_1 = i^2 (J_{motor} + I_s), \qquad J_2 = J_{load} + J_{drive}, \qquad
-        \frac1c = \frac{\partial(s\,\omega_c)}{\partial T}, \qquad f_c = \frac{K}{2\pi c}
-
-    Parameters
-    ----------
-    joint : Joint
-        One joint, or many along trailing batch axes.
-    inertias : Inertias
-        What is coupled to it.
-
-    Returns
-    -------
-    JointDynamics
-        nan where the joint has no solution.
-
-    Notes
-    -----
-    Play is not part of it: a joint that passes through its play is not linear.
-
-    References
-    ----------
-    Equations (D1)–(D3) of :doc:`/equations`.
-    """
-    joint = with_one_rank(joint)
-    geometry = joint.geometry
-
-    speed = jnp.abs(jnp.asarray(carrier_speed(geometry=geometry, sun_speed=joint.sun_speed)))
-
-    def lost_speed(torque: Array) -> tuple[Array, Array]:
-        result = evaluate(dataclasses.replace(joint, output_torque=torque))
-        stiffness = jnp.where(result.solved, result.assembly.stiffness.output, jnp.nan)
-        return result.rolling.speed_loss * speed, stiffness
-
-    torque = jnp.asarray(joint.output_torque)
-    _, slope, stiffness = jax.jvp(lost_speed, (torque,), (jnp.ones_like(torque),), has_aux=True)
-    return _between_inertias(torque, stiffness, slope, speed_ratio(geometry), body_inertias(joint), inertias)
-
-
 def _between_inertias(
     torque: Array, stiffness: Array, slope: Array, ratio: Real, bodies: tuple[Real, Real], inertias: Inertias
 ) -> JointDynamics:
@@ -158,85 +105,22 @@ def _between_inertias(
     )
 
 
-def _unlike_dynamics(unlike: UnlikeJoint, inertias: Inertias, torques: np.ndarray) -> JointDynamics:
-    """A joint with unlike branches of the paper's drive about each of the torques: springs and dampers side by side."""
-    speeds = np.full_like(torques, float(unlike.sun_speed))
-    standing = standing_branches(unlike, torques, speeds)
-    points = branch_joints(unlike, torques, speeds, turns=True)
-    each = compile_fast(joint_dynamics, points.joints, inertias)(points.joints, inertias)
-    damping = points.moving_sun * points.together(np.asarray(each.creep_damping))
-    made = _between_inertias(
-        jnp.asarray(torques),
-        jnp.asarray(np.where(standing.holds, standing.levels["assembly"], np.nan)),
-        jnp.asarray(np.where(points.stick, 1.0 / damping, np.nan)),
-        float(speed_ratio(unlike.geometry)),
-        body_inertias(unlike),
-        inertias,
-    )
-    numbers: JointDynamics = jax.tree.map(np.asarray, made)
-    return numbers
-
-
-def _planar_dynamics(joint: PlanarJoint, inertias: Inertias, torques: np.ndarray) -> JointDynamics:
+def _over_torque(joint: PlanarJoint, inertias: Inertias, torques: np.ndarray) -> JointDynamics:
     """A joint with a planar drive about each of the torques, as NumPy arrays."""
     found = over_torque(joint, np.asarray(torques), no_slip_friction=NO_SLIP_FRICTION)
     stiffness = np.where(found.solved, np.asarray(found.assembly)[:, 0], np.nan)
-    ratio = float(np.asarray(planar_speed_ratio(joint.drive)))
+    ratio = float(np.asarray(speed_ratio(joint.drive)))
     slope = np.asarray(found.lost_speed_slope) * abs(float(joint.input_speed) / ratio)
     made = _between_inertias(
         jnp.asarray(torques),
         jnp.asarray(stiffness),
         jnp.asarray(slope),
         ratio,
-        body_inertias(joint),
+        planar_inertias(joint),
         inertias,
     )
     numbers: JointDynamics = jax.tree.map(np.asarray, made)
     return numbers
-
-
-def body_inertias(joint: OwnJoint) -> tuple[Real, Real]:
-    """Inertias of a joint's own bodies.
-
-    Parameters
-    ----------
-    joint : Joint, PlanarJoint or UnlikeJoint
-        One joint; of the paper's drive also many along trailing batch axes.
-
-    Returns
-    -------
-    tuple of Real
-        Of the sun about its axis, and of planets and loading rollers as the output moves them [kg·m^2].
-
-    References
-    ----------
-    Equation (D1) of :doc:`/equations`.
-    """
-    if isinstance(joint, PlanarJoint):
-        return planar_inertias(joint)
-    joint = joint.joint if isinstance(joint, UnlikeJoint) else joint
-    geometry, bodies = joint.geometry, joint.bodies
-    sun_mass = roller_mass(
-        density=bodies.sun.density, radius=geometry.sun_radius, length=joint.contact_lengths[0], bore=0.0
-    )
-    sun = roller_inertia(mass=sun_mass, radius=geometry.sun_radius, bore_diameter=0.0)
-    planet, roller = planet_mass(joint), loading_roller_mass(joint)
-    moving = drive_inertia(
-        geometry=geometry,
-        planet_mass=planet,
-        planet_inertia=roller_inertia(
-            mass=planet, radius=geometry.planet_radius, bore_diameter=_bore(joint.planet_bore)
-        ),
-        loading_roller_mass=roller,
-        loading_roller_inertia=roller_inertia(
-            mass=roller, radius=geometry.loading_roller_radius, bore_diameter=_bore(joint.loading_roller_bore)
-        ),
-    )
-    return sun, moving
-
-
-def _bore(diameter: Real | None) -> Real:
-    return 0.0 if diameter is None else diameter
 
 
 class Dynamics(eqx.Module):
@@ -265,12 +149,12 @@ class Dynamics(eqx.Module):
     turning_load: Array
 
 
-def dynamics(joint: OwnJoint, inertias: Inertias) -> Dynamics:
+def dynamics(joint: PlanarJoint, inertias: Inertias) -> Dynamics:
     """Natural frequencies over torque, and the frequency response at the joint's torque.
 
     Parameters
     ----------
-    joint : Joint, PlanarJoint or UnlikeJoint
+    joint : PlanarJoint
         One joint.
     inertias : Inertias
         What is coupled to it.
@@ -287,7 +171,7 @@ def dynamics(joint: OwnJoint, inertias: Inertias) -> Dynamics:
     NoSolutionError
         If the force balance does not close, or a contact has no stiffness.
     """
-    solution = solve_any(joint)
+    solution = solve_planar(joint)
     if not float(solution.result.assembly.stiffness.output) > 0.0:
         raise InputError("the assembled joint has no stiffness, so that it has no natural frequency")
     coupled: Inertias = jax.tree.map(lambda leaf: np.asarray(leaf, dtype=float), inertias)
@@ -295,16 +179,8 @@ def dynamics(joint: OwnJoint, inertias: Inertias) -> Dynamics:
     limit = _limit(solution, own)
     largest = np.copysign(_NEAR_CAPACITY * limit, own) if np.isfinite(limit) else own
     torques = np.append(np.linspace(0.0, largest, _TORQUES), own)
-    over: JointDynamics
-    if isinstance(joint, UnlikeJoint):
-        over = _unlike_dynamics(joint, coupled, torques)
-    elif isinstance(joint, PlanarJoint):
-        numbers = jax.tree.map(lambda leaf: np.asarray(leaf, dtype=float), joint)
-        over = _planar_dynamics(numbers, coupled, torques)
-    else:
-        numbers = jax.tree.map(lambda leaf: np.asarray(leaf, dtype=float), joint)
-        points = dataclasses.replace(numbers, output_torque=jnp.asarray(torques))
-        over = jax.tree.map(np.asarray, compile_fast(joint_dynamics, points, coupled)(points, coupled))
+    numbers = jax.tree.map(lambda leaf: np.asarray(leaf, dtype=float), joint)
+    over = _over_torque(numbers, coupled, torques)
     at = jax.tree.map(lambda values: values[-1], over)
     spread = np.geomspace(at.locked_frequency / 100.0, 10.0 * at.free_frequency, _FREQUENCIES)
     own_frequencies = np.array([at.locked_frequency, at.free_frequency])
@@ -331,10 +207,8 @@ def dynamics(joint: OwnJoint, inertias: Inertias) -> Dynamics:
     )
 
 
-def _limit(solution: AnySolution, torque: float) -> float:
+def _limit(solution: PlanarSolution, torque: float) -> float:
     """Capacity in the direction of a torque [N·m]; where only what is computed ends there, at most twice the torque."""
-    if isinstance(solution, UnlikeSolution):
-        return solution.branches.capacity.all_slip
     found = solution.reverse_capacity if torque < 0.0 else solution.capacity
     limit = float(found.output_torque)
     ends = LIMIT_KINDS[int(found.limit)] in MODEL_LIMITS and torque != 0.0

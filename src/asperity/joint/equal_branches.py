@@ -4,8 +4,7 @@ from __future__ import annotations
 
 import dataclasses
 import math
-from collections.abc import Callable
-from typing import Any, TypeVar
+from typing import Any
 
 import equinox as eqx
 import jax
@@ -14,13 +13,8 @@ import numpy as np
 from asperity.drive.torsional_stiffness import TorsionalStiffness
 from asperity.errors import InputError, NoSolutionError
 from asperity.joint.branch_results import UnequalBranches
-from asperity.joint.description import Joint
 from asperity.joint.planar.description import PlanarJoint
-from asperity.joint.planar.solve import PlanarSolution
-from asperity.joint.solve import Solution
-
-_Described = TypeVar("_Described", Joint, PlanarJoint)
-_Solved = TypeVar("_Solved", Solution, PlanarSolution)
+from asperity.joint.planar.solve import PlanarSolution, solve_planar
 
 _SHARE = 0.9  # of the torque that equal branches carry
 _UNDER_TORQUE = (
@@ -36,19 +30,17 @@ _UNDER_TORQUE = (
 )
 
 
-def solve_equal_branches(joint: _Described, solver: Callable[[_Described], _Solved]) -> tuple[_Solved, bool]:
+def solve_equal_branches(joint: PlanarJoint) -> tuple[PlanarSolution, bool]:
     """What a joint does with equal branches, where it may have others that carry more.
 
     Parameters
     ----------
-    joint : Joint or PlanarJoint
+    joint : PlanarJoint
         One joint.
-    solver : callable
-        :func:`asperity.joint.solve.solve` or :func:`asperity.joint.planar.solve.solve_planar`.
 
     Returns
     -------
-    solution : Solution or PlanarSolution
+    solution : PlanarSolution
         What it does; under a smaller torque where equal branches do not carry its own.
     carries : bool
         Whether equal branches carry its own torque.
@@ -56,28 +48,28 @@ def solve_equal_branches(joint: _Described, solver: Callable[[_Described], _Solv
     Raises
     ------
     InputError, NoSolutionError
-        As the solver does, if the reason is not the size of the torque.
+        As :func:`asperity.joint.planar.solve.solve_planar`, if the reason is not the size of the torque.
     """
     torque = float(joint.output_torque)
     try:
-        return solver(joint), True
+        return solve_planar(joint), True
     except (InputError, NoSolutionError) as refusal:
         try:
-            free = solver(dataclasses.replace(joint, output_torque=0.0))
+            free = solve_planar(dataclasses.replace(joint, output_torque=0.0))
         except (InputError, NoSolutionError):
             raise refusal from None
         limit = float((free.reverse_capacity if torque < 0.0 else free.capacity).output_torque)
         if not limit <= abs(torque):
             raise
-    return solver(dataclasses.replace(joint, output_torque=math.copysign(_SHARE * limit, torque))), False
+    return solve_planar(dataclasses.replace(joint, output_torque=math.copysign(_SHARE * limit, torque))), False
 
 
-def without_state(solution: _Solved, output_torque: float, own: UnequalBranches) -> _Solved:
+def without_state(solution: PlanarSolution, output_torque: float, own: UnequalBranches) -> PlanarSolution:
     """A solution of equal branches under a torque that only a joint's own branches carry.
 
     Parameters
     ----------
-    solution : Solution or PlanarSolution
+    solution : PlanarSolution
         What a joint does under a smaller torque.
     output_torque : float
         Its own torque, which equal branches do not carry [N·m].
@@ -86,7 +78,7 @@ def without_state(solution: _Solved, output_torque: float, own: UnequalBranches)
 
     Returns
     -------
-    Solution or PlanarSolution
+    PlanarSolution
         Geometry, masses, the state without torque and the capacities; of its own branches, where they have a state, the
         torque at the input, drift and powers of the joint that turns, and the assembled stiffness where it was
         computed. nan for all else that depends on the torque.
@@ -101,12 +93,12 @@ def without_state(solution: _Solved, output_torque: float, own: UnequalBranches)
 
     masked = [jax.tree.map(unknown, part) for part in under_torque(solution)]
     masked[-1] = dataclasses.replace(masked[-1], output_torque=np.asarray(output_torque, dtype=float))
-    empty: _Solved = eqx.tree_at(under_torque, solution, masked)
+    empty: PlanarSolution = eqx.tree_at(under_torque, solution, masked)
     empty = eqx.tree_at(lambda each: each.result.solved, empty, np.asarray(False))
     return _with_sums(empty, own)
 
 
-def _with_sums(empty: _Solved, own: UnequalBranches) -> _Solved:
+def _with_sums(empty: PlanarSolution, own: UnequalBranches) -> PlanarSolution:
     """With what all branches of a joint do together, whatever each of them does."""
     if own.standing is not None:
         torque = np.asarray(own.standing.input_torque)

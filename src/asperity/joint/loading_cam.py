@@ -15,7 +15,6 @@ from asperity.joint.description import Joint
 from asperity.types import Real
 
 if TYPE_CHECKING:
-    from asperity.joint.evaluation import JointResult
     from asperity.joint.planar.evaluation import PlanarResult
 
 
@@ -62,13 +61,13 @@ def followed_by_cam(
 
 
 def loading_cam_document(
-    result: JointResult | PlanarResult, *, least_preload: Real, force_per_torque: Real | None
+    result: PlanarResult, *, least_preload: Real, force_per_torque: Real | None
 ) -> dict[str, Any] | None:
     """What a loading cam does under the torque.
 
     Parameters
     ----------
-    result : JointResult or PlanarResult
+    result : PlanarResult
         Result of one joint.
     least_preload : Real
         Its preload without torque [N].

@@ -255,12 +255,12 @@ def refuse_thin_walls(result: JointResult) -> None:
         )
 
 
-def refuse_short_contacts(result: JointResult | PlanarResult) -> None:
+def refuse_short_contacts(result: PlanarResult) -> None:
     """Refuse crowned contacts that are too short for their width.
 
     Parameters
     ----------
-    result : JointResult or PlanarResult
+    result : PlanarResult
         The result of one joint.
 
     Raises

@@ -14,9 +14,6 @@ from jax import Array
 
 from asperity.compilation import compile_fast
 from asperity.joint.creep_curves import creep_curves
-from asperity.joint.description import Joint
-from asperity.joint.either_kind import AnyJoint
-from asperity.joint.evaluation import JointResult, evaluate
 from asperity.joint.planar.description import PlanarJoint
 from asperity.joint.planar.evaluation import PlanarResult
 from asperity.joint.planar.rolling_loads import rolling_over_loads
@@ -61,15 +58,15 @@ class RollingCurves(eqx.Module):
 
 
 def rolling_curves(
-    *, joint: AnyJoint, result: JointResult | PlanarResult, torque_capacity: float
+    *, joint: PlanarJoint, result: PlanarResult, torque_capacity: float
 ) -> RollingCurves:
     """Creep curves of the contacts; drift, life and efficiency of the joint over torque and speed.
 
     Parameters
     ----------
-    joint : Joint or PlanarJoint
+    joint : PlanarJoint
         One joint.
-    result : JointResult or PlanarResult
+    result : PlanarResult
         What it does under its own torque and speed.
     torque_capacity : float
         Its torque capacity; infinite or nan if friction does not limit it [N·m].
@@ -80,7 +77,7 @@ def rolling_curves(
         From 0 to the capacity, or to twice the joint's torque if there is no capacity; speeds up to 1.5 times the
         joint's.
     """
-    numbers: AnyJoint = jax.tree.map(lambda leaf: np.asarray(leaf, dtype=float), joint)
+    numbers: PlanarJoint = jax.tree.map(lambda leaf: np.asarray(leaf, dtype=float), joint)
     numbers = dataclasses.replace(numbers, rolling=dataclasses.replace(numbers.rolling, duty=()))
     own, speed = float(numbers.output_torque), float(numbers.sun_speed)
     limited = math.isfinite(torque_capacity)
@@ -93,13 +90,8 @@ def rolling_curves(
         jnp.concatenate([torque, grid_torque.ravel()]),
         jnp.concatenate([np.full_like(torque, speed), grid_speed.ravel()]),
     )
-    if isinstance(numbers, PlanarJoint):
-        assert isinstance(result, PlanarResult)
-        given = (numbers, jax.tree.map(np.asarray, result.rest), *loads)
-        over = compile_fast(_planar_over_loads, *given)(*given)
-    else:
-        points = dataclasses.replace(numbers, output_torque=loads[0], sun_speed=loads[1])
-        over = compile_fast(_over_loads, points)(points)
+    given = (numbers, jax.tree.map(np.asarray, result.rest), *loads)
+    over = compile_fast(_over_loads, *given)(*given)
     drift, turns, hours, efficiency = jax.tree.map(np.asarray, over)
     traction, creepage = creep_curves(joint, result)
     return RollingCurves(
@@ -116,12 +108,8 @@ def rolling_curves(
     )
 
 
-def _planar_over_loads(*given: Any) -> tuple[Array, Array, Array, Array]:
+def _over_loads(*given: Any) -> tuple[Array, Array, Array, Array]:
     return _shown(rolling_over_loads(*given))
-
-
-def _over_loads(joint: Joint) -> tuple[Array, Array, Array, Array]:
-    return _shown(evaluate(joint).rolling)
 
 
 def _shown(found: RollingResult) -> tuple[Array, Array, Array, Array]:

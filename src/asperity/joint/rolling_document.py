@@ -6,8 +6,6 @@ from typing import Any
 
 import numpy as np
 
-from asperity.joint.description import Joint
-from asperity.joint.evaluation import JointResult
 from asperity.joint.planar.description import PlanarJoint
 from asperity.joint.planar.evaluation import PlanarResult
 from asperity.joint.rolling import RollingResult
@@ -18,8 +16,8 @@ Document = dict[str, Any]
 
 
 def rolling_document(
-    joint: Joint | PlanarJoint,
-    result: JointResult | PlanarResult,
+    joint: PlanarJoint,
+    result: PlanarResult,
     absent_because: str | None = None,
     *,
     unlike: bool = False,
@@ -28,9 +26,9 @@ def rolling_document(
 
     Parameters
     ----------
-    joint : Joint or PlanarJoint
+    joint : PlanarJoint
         One joint.
-    result : JointResult or PlanarResult
+    result : PlanarResult
         Its result.
     absent_because : str or None, optional
         Why there is none, if its state under the torque does not exist.
@@ -167,15 +165,15 @@ def _by_body(names: tuple[str, ...], lives: DriveLives) -> Document:
 
 
 def unknown_because(
-    joint: Joint | PlanarJoint, result: JointResult | PlanarResult, *, unlike: bool = False
+    joint: PlanarJoint, result: PlanarResult, *, unlike: bool = False
 ) -> list[str]:
     """Why results of the rolling are absent.
 
     Parameters
     ----------
-    joint : Joint or PlanarJoint
+    joint : PlanarJoint
         One joint.
-    result : JointResult or PlanarResult
+    result : PlanarResult
         Its result.
     unlike : bool, optional
         Whether the result is that of equal branches, although those of the joint differ.
@@ -206,14 +204,14 @@ def unknown_because(
     return reasons
 
 
-def absent_in_rolling(joint: Joint | PlanarJoint, result: JointResult | PlanarResult) -> list[str]:
+def absent_in_rolling(joint: PlanarJoint, result: PlanarResult) -> list[str]:
     """Why results of a joint are absent although it rolls steadily.
 
     Parameters
     ----------
-    joint : Joint or PlanarJoint
+    joint : PlanarJoint
         One joint.
-    result : JointResult or PlanarResult
+    result : PlanarResult
         Its result.
 
     Returns
@@ -221,7 +219,7 @@ def absent_in_rolling(joint: Joint | PlanarJoint, result: JointResult | PlanarRe
     list of str
         One sentence for each reason; empty if everything is there.
     """
-    if not float(np.asarray(joint.sun_speed)) > 0.0:
+    if float(np.asarray(joint.sun_speed)) == 0.0:
         return [
             f"the {joint.ends[0]} stands: drift and life are given per turn, for slow rolling; there is nothing per "
             "time, and no powers, efficiency, temperatures or oil film"

@@ -12,8 +12,6 @@ onset of rolling of each contact (:mod:`asperity.contact.rolling_in`) and its sh
 
 from __future__ import annotations
 
-import math
-
 import equinox as eqx
 import jax
 import jax.numpy as jnp
@@ -23,21 +21,12 @@ from jax import Array
 from asperity.compilation import compile_fast
 from asperity.contact.rolling_in import rolling_in_lag, rolling_in_shift
 from asperity.contact.rolling_swing import still_stroke, swing_drift_share
-from asperity.drive.geometry import DriveGeometry
 from asperity.drive.planar.layout import PlanarDrive
 from asperity.errors import InputError
-from asperity.joint.contacts_in_series import (
-    ContactsInSeries,
-    contacts_in_series,
-    contacts_of_planar_drive,
-    side_by_side,
-)
-from asperity.joint.description import Joint
-from asperity.joint.evaluation import JointResult, evaluate
+from asperity.joint.contacts_in_series import ContactsInSeries, contacts_in_series
 from asperity.joint.planar.description import PlanarJoint
 from asperity.joint.planar.evaluation import PlanarResult
 from asperity.joint.rolling import RollingResult
-from asperity.joint.unlike_joint import UnlikeJoint, branch_joints
 from asperity.types import Real
 
 _POINTS = 241
@@ -171,8 +160,8 @@ def swing_drift(*, contacts: ContactsInSeries, angle: Real) -> Array:
 
 def rolling_onset(
     *,
-    joint: Joint | PlanarJoint | UnlikeJoint,
-    result: JointResult | PlanarResult,
+    joint: PlanarJoint,
+    result: PlanarResult,
     windup: Real,
     creep_share: float,
 ) -> RollingOnset | None:
@@ -180,10 +169,10 @@ def rolling_onset(
 
     Parameters
     ----------
-    joint : Joint, PlanarJoint or UnlikeJoint
+    joint : PlanarJoint
         One joint.
-    result : JointResult or PlanarResult
-        Its result under the torque of the step; of unlike branches only that torque is read.
+    result : PlanarResult
+        Its result under the torque of the step.
     windup : Real
         Angle of its static curve at that torque, without sign [rad].
     creep_share : float
@@ -205,12 +194,6 @@ def rolling_onset(
     """
     if not (np.isfinite(creep_share) and creep_share > 0.0):
         raise InputError(f"the creep share {creep_share:g} is not allowed; it must be positive, e.g. 0.05")
-    share = None
-    if isinstance(joint, UnlikeJoint):
-        each = _each_branch(joint, float(np.asarray(result.forces.output_torque)))
-        if each is None:
-            return None
-        result, share = each
     if not np.all(np.isfinite(np.asarray(result.rolling.residual))):
         return None
     grown = np.sqrt(np.asarray(result.rolling.normal) / np.asarray(result.forces.normal))  # Hertz
@@ -218,45 +201,25 @@ def rolling_onset(
     numbers = jax.tree.map(
         lambda leaf: np.asarray(leaf, dtype=float),
         (
-            joint.drive if isinstance(joint, PlanarJoint) else joint.geometry,
+            joint.drive,
             result.rolling,
             width,
             windup,
             creep_share,
-            share,
         ),
     )
     found: RollingOnset = jax.tree.map(np.asarray, compile_fast(_onset, *numbers)(*numbers))
     return found
 
 
-def _each_branch(joint: UnlikeJoint, torque: float) -> tuple[JointResult, np.ndarray] | None:
-    """The branches that are pressed, in rolling, and their shares in the torque; None where one slips."""
-    speed = math.copysign(float(joint.sun_speed), torque)
-    points = branch_joints(joint, np.array([torque]), np.array([speed]), turns=True)
-    if not points.stick[0]:
-        return None
-    pressed = np.flatnonzero(points.bears[:, 0])
-    joints: Joint = jax.tree.map(
-        lambda leaf: leaf[pressed] if np.shape(leaf) == (points.bears.size,) else leaf, points.joints
-    )
-    return jax.tree.map(np.asarray, compile_fast(evaluate, joints)(joints)), points.share[pressed, 0]
-
-
 def _onset(
-    drive: DriveGeometry | PlanarDrive,
+    drive: PlanarDrive,
     rolling: RollingResult,
     half_width: Array,
     windup: Array,
     creep_share: Array,
-    torque_share: Array | None,
 ) -> RollingOnset:
-    if isinstance(drive, PlanarDrive):
-        contacts = contacts_of_planar_drive(drive=drive, rolling=rolling, half_width=half_width)
-    else:
-        contacts = contacts_in_series(geometry=drive, rolling=rolling, half_width=half_width)
-    if torque_share is not None:
-        contacts = side_by_side(contacts, torque_share)
+    contacts = contacts_in_series(drive=drive, rolling=rolling, half_width=half_width)
     allowed = creep_share * windup
     drift = contacts.drift_per_output_turn / (2.0 * jnp.pi)
 

@@ -4,17 +4,16 @@ from __future__ import annotations
 
 from typing import Any
 
-from asperity.joint.description import Joint
 from asperity.joint.planar.description import PlanarJoint
 from asperity.surface.roughness_average import corresponding_average, standard_cut_off
 
 
-def surface_averages(joint: Joint | PlanarJoint, stated: dict[str, Any]) -> list[dict[str, Any]]:
+def surface_averages(joint: PlanarJoint, stated: dict[str, Any]) -> list[dict[str, Any]]:
     """What an instrument would show on the surfaces of a joint.
 
     Parameters
     ----------
-    joint : Joint or PlanarJoint
+    joint : PlanarJoint
         One joint.
     stated : dict
         Section ``surface`` of its file in SI units; the cut-off of a surface that is stated by its Ra is kept.

@@ -10,20 +10,18 @@ import numpy as np
 
 from asperity.compilation import compile_fast
 from asperity.contact.fractal import Surface
-from asperity.joint.either_kind import AnyJoint
-from asperity.joint.evaluation import JointResult, evaluate
 from asperity.joint.planar.description import PlanarJoint
 from asperity.joint.planar.evaluation import PlanarResult, evaluate_planar
 
 
 def over_surfaces(
-    joint: AnyJoint, surfaces: tuple[Surface, ...], *, shape: tuple[int, ...]
-) -> JointResult | PlanarResult:
+    joint: PlanarJoint, surfaces: tuple[Surface, ...], *, shape: tuple[int, ...]
+) -> PlanarResult:
     """One joint with many surfaces.
 
     Parameters
     ----------
-    joint : Joint or PlanarJoint
+    joint : PlanarJoint
         One joint; its own surfaces do not count.
     surfaces : tuple of Surface
         For all contacts or for each, as those of a joint; their numbers broadcast to the batch.
@@ -32,14 +30,9 @@ def over_surfaces(
 
     Returns
     -------
-    JointResult or PlanarResult
-        The batch is the last axis of the paper's drive and the first one of others; numbers of the whole joint have
-        only this one.
+    PlanarResult
+        The batch is the first axis.
     """
-    if not isinstance(joint, PlanarJoint):
-        batch = dataclasses.replace(joint, surfaces=surfaces)
-        result: JointResult = compile_fast(evaluate, batch)(batch)
-        return result
     numbers = jax.tree.map(
         lambda leaf: np.asarray(leaf, dtype=float), dataclasses.replace(joint, surfaces=())
     )
@@ -56,7 +49,7 @@ def _each_surface(joint: PlanarJoint, surfaces: tuple[Surface, ...]) -> PlanarRe
 
 
 def result_ends(
-    result: JointResult | PlanarResult,
+    result: PlanarResult,
     *,
     shape: tuple[int, ...],
     percentiles: tuple[float, float],
@@ -66,7 +59,7 @@ def result_ends(
 
     Parameters
     ----------
-    result : JointResult or PlanarResult
+    result : PlanarResult
         One joint with many surfaces.
     shape : tuple of int
         Shape of the batch.

@@ -2,21 +2,14 @@
 
 from __future__ import annotations
 
-import dataclasses
 import math
 
 import equinox as eqx
-import jax
 import jax.numpy as jnp
 import numpy as np
 from jax import Array
 
-from asperity.compilation import compile_fast
 from asperity.errors import InputError
-from asperity.joint.capacity import torque_capacity
-from asperity.joint.description import Joint
-from asperity.joint.evaluation import evaluate
-from asperity.joint.interference import joint_preload
 from asperity.joint.planar.description import PlanarJoint
 from asperity.joint.planar.temperature import solved_at
 
@@ -45,12 +38,12 @@ class TemperatureCurves(eqx.Module):
     torque_capacity: Array
 
 
-def temperature_curves(joint: Joint | PlanarJoint) -> TemperatureCurves:
+def temperature_curves(joint: PlanarJoint) -> TemperatureCurves:
     """Preload, assembled stiffness and torque capacity of a joint around the temperatures of its file.
 
     Parameters
     ----------
-    joint : Joint or PlanarJoint
+    joint : PlanarJoint
         One joint with a :class:`asperity.joint.description.Fit`.
 
     Returns
@@ -67,14 +60,11 @@ def temperature_curves(joint: Joint | PlanarJoint) -> TemperatureCurves:
     ends = sorted((float(fit.assembly_temperature), float(fit.working_temperature)))
     margin = max(_LEAST_MARGIN, 0.5 * (ends[1] - ends[0]))
     temperature = np.linspace(ends[0] - margin, ends[1] + margin, _TEMPERATURES)
-    if isinstance(joint, PlanarJoint):
-        found = _of_planar_drive(joint, temperature)
-    else:
-        found = _of_the_papers_drive(joint, temperature)
+    found = _of_drive(joint, temperature)
     return TemperatureCurves(*map(jnp.asarray, (temperature, *found)))
 
 
-def _of_planar_drive(joint: PlanarJoint, temperature: np.ndarray) -> tuple[np.ndarray, ...]:
+def _of_drive(joint: PlanarJoint, temperature: np.ndarray) -> tuple[np.ndarray, ...]:
     """Preload, assembled stiffness and torque capacity, one temperature after the other."""
     backwards = int(float(joint.output_torque) < 0.0)
     rows = []
@@ -91,29 +81,3 @@ def _of_planar_drive(joint: PlanarJoint, temperature: np.ndarray) -> tuple[np.nd
             )
         )
     return tuple(np.array(rows).T)
-
-
-def _of_the_papers_drive(joint: Joint, temperature: np.ndarray) -> tuple[np.ndarray, ...]:
-    """Preload, assembled stiffness and torque capacity at all temperatures at once."""
-    fit = joint.fit
-    assert fit is not None
-    length = float(fit.interference) + float(fit.change_per_kelvin) * (
-        temperature - float(fit.assembly_temperature)
-    )
-    plain = dataclasses.replace(joint, fit=None, rolling=dataclasses.replace(joint.rolling, duty=()))
-    preload = np.asarray(joint_preload(plain, jnp.asarray(length)))
-    numbers = jax.tree.map(lambda leaf: np.asarray(leaf, dtype=float), plain)
-    touching = np.where(preload > 0.0, preload, np.nan)
-    points = dataclasses.replace(numbers, preload=touching)
-    return preload, *map(np.asarray, compile_fast(_over_preload, points)(points))
-
-
-def _over_preload(joint: Joint) -> tuple[Array, Array]:
-    """Assembled stiffness and torque capacity of joints of different preloads."""
-    result = evaluate(joint)
-    capacity = torque_capacity(
-        joint, direction=jnp.where(jnp.asarray(joint.output_torque) < 0.0, -1.0, 1.0)
-    ).output_torque
-    holds = result.solved & jnp.all(result.diagnostics.slip_ratio < 1.0, axis=0)
-    bears = jnp.isfinite(jnp.asarray(joint.preload))
-    return jnp.where(holds, result.assembly.stiffness.output, jnp.nan), jnp.where(bears, capacity, jnp.nan)

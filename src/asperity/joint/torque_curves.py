@@ -2,19 +2,12 @@
 
 from __future__ import annotations
 
-import dataclasses
 import math
 
 import equinox as eqx
-import jax
-import jax.numpy as jnp
 import numpy as np
-from jax import Array
 
-from asperity.compilation import compile_fast
 from asperity.drive.planar.state import PlanarState
-from asperity.joint.description import Joint
-from asperity.joint.evaluation import evaluate
 from asperity.joint.planar.description import PlanarJoint
 from asperity.joint.planar.over_torque import over_torque
 from asperity.joint.standing import LEVELS, NO_SLIP_FRICTION
@@ -57,13 +50,13 @@ class TorqueCurves(eqx.Module):
 
 
 def torque_curves(
-    *, joint: Joint | PlanarJoint, torque_capacity: float, rest: PlanarState | None = None
+    *, joint: PlanarJoint, torque_capacity: float, rest: PlanarState | None = None
 ) -> TorqueCurves:
     """Stiffness, drift and efficiency of a joint from no torque to its capacity.
 
     Parameters
     ----------
-    joint : Joint or PlanarJoint
+    joint : PlanarJoint
         One joint, without batch axes.
     torque_capacity : float
         Capacity in the direction of the joint's torque, without sign; not finite if friction does not limit it [N·m].
@@ -81,16 +74,6 @@ def torque_curves(
     towards = np.linspace(0.0, 1.0, _TORQUES)
     # the curves are steep near gross slip
     torque = math.copysign(largest, own) * (towards * (2.0 - towards) if limited else towards)
-    if isinstance(joint, PlanarJoint):
-        return _planar(joint, torque, rest)
-    numbers: Joint = jax.tree.map(lambda leaf: np.asarray(leaf, dtype=float), joint)
-    numbers = dataclasses.replace(numbers, rolling=dataclasses.replace(numbers.rolling, duty=()))
-    points = dataclasses.replace(numbers, output_torque=jnp.asarray(torque))
-    found = jax.tree.map(np.asarray, compile_fast(_over_torque, points)(points))
-    return TorqueCurves(torque, *found)
-
-
-def _planar(joint: PlanarJoint, torque: np.ndarray, rest: PlanarState | None) -> TorqueCurves:
     found = over_torque(joint, torque, no_slip_friction=NO_SLIP_FRICTION, rest=rest)
     slip = np.max(np.asarray(found.slip_ratio), axis=1)
     holds = np.asarray(found.solved)
@@ -105,21 +88,4 @@ def _planar(joint: PlanarJoint, torque: np.ndarray, rest: PlanarState | None) ->
         life_hours=np.asarray(found.life_hours),
         life_turns=np.asarray(found.life_turns),
         slip_ratio=np.where(holds, slip, np.nan),
-    )
-
-
-def _over_torque(joint: Joint) -> tuple[Array, ...]:
-    result = evaluate(joint)
-    slip = jnp.max(result.diagnostics.slip_ratio, axis=0)
-    holds = result.solved & (slip < 1.0) & result.contact_law_holds
-    rolling = result.rolling
-    stiffness = (result.published.output, result.series_with_bulk.output, result.assembly.stiffness.output)
-    return (
-        *(jnp.where(holds, level, jnp.nan) for level in stiffness),
-        rolling.drift_per_output_turn,
-        rolling.power.efficiency,
-        rolling.power.loss,
-        rolling.life_hours.drive,
-        rolling.life_turns.drive,
-        jnp.where(result.solved, slip, jnp.nan),
     )

@@ -28,16 +28,13 @@ import equinox as eqx
 import jax
 import numpy as np
 
-from asperity.drive.geometry import CONTACT_NAMES
 from asperity.drive.planar.mirror import mirror_image
 from asperity.drive.planar.state import PlanarState
 from asperity.errors import InputError, NoSolutionError
-from asperity.joint.description import Joint
 from asperity.joint.planar.description import PlanarJoint
 from asperity.joint.play import Play, play_angle, play_compliance
 from asperity.joint.stages import STAGE_SHARES
 from asperity.joint.standing import Standing, standing_at
-from asperity.joint.unlike_joint import UnlikeJoint
 from asperity.precision import require_double_precision
 from asperity.types import Real
 from asperity.units import format_quantity
@@ -249,39 +246,19 @@ def windup_of(
     )
 
 
-def is_symmetric(joint: Joint | PlanarJoint | UnlikeJoint) -> bool:
+def is_symmetric(joint: PlanarJoint) -> bool:
     """Whether a joint behaves alike in both directions of torque.
 
     Parameters
     ----------
-    joint : Joint, PlanarJoint or UnlikeJoint
+    joint : PlanarJoint
         One joint.
 
     Returns
     -------
     bool
-        True where the closure treats both sides alike, and the right and the left contacts have the same push angle,
-        length, friction and surface. Of another drive where its sectors are their own mirror images; those of a drive
-        whose pins push at an angle are not compared.
+        True where the sectors are their own mirror images; those of a drive whose pins push at an angle are not compared.
     """
-    if isinstance(joint, UnlikeJoint):
-        return is_symmetric(joint.joint) and joint.sizes.is_symmetric
-    if isinstance(joint, PlanarJoint):
-        return _own_mirror_image(joint)
-    if joint.closure == "constant_pin_force":
-        return False
-    if float(joint.geometry.left_push_angle) != float(joint.geometry.right_push_angle):
-        return False
-    for entries in (joint.surfaces, joint.contact_lengths, joint.friction_coefficients):
-        for right, left in ((1, 2), (3, 4)) if len(entries) == len(CONTACT_NAMES) else ():
-            pairs = zip(jax.tree.leaves(entries[right]), jax.tree.leaves(entries[left]), strict=True)
-            if any(float(one) != float(other) for one, other in pairs):
-                return False
-    return True
-
-
-def _own_mirror_image(joint: PlanarJoint) -> bool:
-    """Whether bodies and contacts of a sector are like their mirror images."""
     image = None if joint.unlike is not None else mirror_image(joint.drive)
     if image is None:
         return False
@@ -308,7 +285,7 @@ def _own_mirror_image(joint: PlanarJoint) -> bool:
 
 
 def windup(
-    joint: Joint | PlanarJoint | UnlikeJoint,
+    joint: PlanarJoint,
     *,
     largest_torque: Real,
     level: StiffnessLevel,
@@ -320,7 +297,7 @@ def windup(
 
     Parameters
     ----------
-    joint : Joint, PlanarJoint or UnlikeJoint
+    joint : PlanarJoint
         One joint; its own output torque is replaced.
     largest_torque : Real
         Largest output torque T_m [N·m], below the capacity of both directions; its sign does not matter.

@@ -2,42 +2,34 @@
 
 from __future__ import annotations
 
+import dataclasses
 import math
 from typing import Any
 
 import numpy as np
 
 from asperity.errors import InputError
-from asperity.joint.capacity import capacity_document
-from asperity.joint.either_kind import (
-    AnySolution,
-    OwnJoint,
-    has_own_branches,
-    solve_any,
-    under_torque,
-    why_unknown,
-)
+from asperity.joint.planar.description import PlanarJoint
 from asperity.joint.planar.document import planar_capacity_document
-from asperity.joint.planar.solve import PlanarSolution
+from asperity.joint.planar.solve import PlanarSolution, solve_planar
+from asperity.joint.rolling_document import unknown_because
 from asperity.joint.rolling_onset import RollingOnset, rolling_onset
-from asperity.joint.solve import Solution
 from asperity.joint.stages import STAGE_SHARES
-from asperity.joint.unlike_solution import UnlikeSolution
 from asperity.joint.windup import StiffnessLevel, Windup, windup
 
 
 def examined_windup(
-    joint: OwnJoint,
+    joint: PlanarJoint,
     *,
     largest_torque: float | None,
     level: StiffnessLevel,
     stage_shares: tuple[float, float] = STAGE_SHARES,
-) -> tuple[Windup, tuple[AnySolution, AnySolution]]:
+) -> tuple[Windup, tuple[PlanarSolution, PlanarSolution]]:
     """Wind-up of a joint in both directions, and its solution at the largest torque of each.
 
     Parameters
     ----------
-    joint : Joint, PlanarJoint or UnlikeJoint
+    joint : PlanarJoint
         One joint.
     largest_torque : float or None
         Largest torque of the curve, of either sign [N·m]; None for the joint's own output torque.
@@ -63,24 +55,24 @@ def examined_windup(
         hint = "" if largest_torque is not None else "; state another one with --torque"
         raise InputError(f"a wind-up needs a torque that is not zero{hint}")
     forward, reverse = (  # refuses rollers that do not fit and a torque beyond the capacity of its direction
-        solve_any(under_torque(joint, torque)) for torque in (largest, -largest)
+        solve_planar(dataclasses.replace(joint, output_torque=torque)) for torque in (largest, -largest)
     )
     curve = windup(joint, largest_torque=largest, level=level, stage_shares=stage_shares)
     return curve, (forward, reverse)
 
 
 def windup_onsets(
-    joint: OwnJoint, curve: Windup, solutions: tuple[AnySolution, AnySolution], *, creep_share: float
+    joint: PlanarJoint, curve: Windup, solutions: tuple[PlanarSolution, PlanarSolution], *, creep_share: float
 ) -> tuple[RollingOnset | None, RollingOnset | None]:
     """What becomes of both ends of a wind-up when the joint turns under its largest torque.
 
     Parameters
     ----------
-    joint : Joint, PlanarJoint or UnlikeJoint
+    joint : PlanarJoint
         The joint.
     curve : Windup
         Its wind-up.
-    solutions : tuple of Solution, PlanarSolution or UnlikeSolution
+    solutions : tuple of PlanarSolution
         The joint at the largest torque in the positive and in the negative direction.
     creep_share : float
         Creep over wind-up up to which the static curve is said to hold [-], above 0.
@@ -103,9 +95,9 @@ def windup_onsets(
 
 
 def windup_document(
-    joint: OwnJoint,
+    joint: PlanarJoint,
     curve: Windup,
-    solutions: tuple[AnySolution, AnySolution],
+    solutions: tuple[PlanarSolution, PlanarSolution],
     onsets: tuple[RollingOnset | None, RollingOnset | None],
     *,
     level: StiffnessLevel,
@@ -114,11 +106,11 @@ def windup_document(
 
     Parameters
     ----------
-    joint : Joint, PlanarJoint or UnlikeJoint
+    joint : PlanarJoint
         The joint.
     curve : Windup
         Curves and figures.
-    solutions : tuple of Solution, PlanarSolution or UnlikeSolution
+    solutions : tuple of PlanarSolution
         The joint at the largest torque in the positive and in the negative direction.
     onsets : tuple of RollingOnset or None
         What becomes of both when the joint turns.
@@ -134,8 +126,8 @@ def windup_document(
     forward, reverse = solutions
     return {
         "level": level,
-        "of_own_branches": has_own_branches(joint),
-        "torque_capacity": _capacity(*solutions),
+        "of_own_branches": joint.unlike is not None,
+        "torque_capacity": planar_capacity_document(*solutions),
         "largest_torque_Nm": float(curve.torque[-1]),
         "windup_rad": float(curve.angle[-1]),
         "reverse_windup_rad": -float(curve.angle[0]),
@@ -183,25 +175,10 @@ def windup_capacities(document: dict[str, Any]) -> tuple[float, float]:
     return forward, reverse
 
 
-def _capacity(forward: AnySolution, reverse: AnySolution) -> dict[str, Any]:
-    if isinstance(forward, PlanarSolution) and isinstance(reverse, PlanarSolution):
-        return planar_capacity_document(forward, reverse)
-    if isinstance(forward, UnlikeSolution) and isinstance(reverse, UnlikeSolution):
-        return {**forward.capacity_document, "reverse": reverse.capacity_document}
-    assert isinstance(forward, Solution)
-    assert isinstance(reverse, Solution)
-    names = forward.result.contact_names
-    return {
-        **capacity_document(forward.capacity, contacts=names),
-        "reverse": capacity_document(reverse.reverse_capacity, contacts=names),
-    }
-
-
-def _rolling(joint: OwnJoint, solution: AnySolution, onset: RollingOnset | None) -> dict[str, Any]:
+def _rolling(joint: PlanarJoint, solution: PlanarSolution, onset: RollingOnset | None) -> dict[str, Any]:
     if onset is None:
-        return {"unknown_because": why_unknown(joint, solution)}
+        return {"unknown_because": unknown_because(joint, solution.result)}
     contacts = onset.contacts
-    names = solution.rolling_contacts if isinstance(solution, UnlikeSolution) else joint.contact_names
 
     def both(angle: Any) -> dict[str, float]:
         return {"input_rad": float(contacts.input_angle * angle), "output_rad": float(angle)}
@@ -220,7 +197,7 @@ def _rolling(joint: OwnJoint, solution: AnySolution, onset: RollingOnset | None)
                 "rolls_its_width_in": both(np.asarray(onset.width_angle)[k]),
                 "share_of_drift": float(np.asarray(contacts.share)[k]),
             }
-            for k, name in enumerate(names)
+            for k, name in enumerate(joint.contact_names)
         },
     }
 

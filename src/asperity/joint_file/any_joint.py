@@ -12,19 +12,15 @@ import jax.numpy as jnp
 from jax import Array
 
 from asperity.drive.planar.existence import neighbours
-from asperity.joint.description import with_one_rank
-from asperity.joint.evaluation import evaluate
 from asperity.joint.planar.description import bearing_names
 from asperity.joint.planar.evaluation import evaluated_with_laws
 from asperity.joint.planar.solved import SolvedPlanarJoint
 from asperity.joint.planar.status import planar_status
-from asperity.joint.results import WEDGE_RESULTS, Result, SolvedJoint, result_values
+from asperity.joint.results import Result, SolvedJoint, result_values
 from asperity.joint.results.drive_table import results_of_drive
-from asperity.joint.status import joint_status
-from asperity.joint_file import build, planar_build
-from asperity.joint_file.build import joint_from_values
-from asperity.joint_file.part_names import WEDGE_TYPE, bodies_of, contacts_of, type_of, with_tracks
-from asperity.joint_file.planar_build import any_joint_from_values, planar_joint_from_values
+from asperity.joint_file import planar_build
+from asperity.joint_file.part_names import bodies_of, contacts_of, with_tracks
+from asperity.joint_file.planar_build import planar_joint_from_values
 from asperity.joint_file.planar_parts import layout_of
 from asperity.joint_file.si_tables import Values
 from asperity.joint_file.table_numbers import numbers, table_structure, with_numbers
@@ -43,8 +39,6 @@ def results_of(tables: Mapping[str, Any]) -> dict[str, Result]:
     dict
         Name → row; :data:`asperity.joint.results.WEDGE_RESULTS` for the drive of Zou et al. 2025.
     """
-    if type_of(tables) == WEDGE_TYPE:
-        return WEDGE_RESULTS
     return _planar_results(table_structure(with_tracks(dict(tables))))
 
 
@@ -80,7 +74,7 @@ def rows_of_file(tables: Mapping[str, Any], result: Result) -> tuple[int, ...]:
     no_result: Any = None
 
     def ask(*each: Array) -> None:
-        there.extend(present(SolvedJoint(any_joint_from_values(with_numbers(values, each)), no_result)))
+        there.extend(present(SolvedJoint(planar_joint_from_values(with_numbers(values, each)), no_result)))
 
     jax.eval_shape(ask, *(jax.ShapeDtypeStruct((), jnp.float64) for _ in numbers(values)))
     return tuple(int(row) for row, present in enumerate(there) if present)
@@ -101,8 +95,6 @@ def with_nominal_sizes(values: Values) -> Values:
         unchanged where the preload is stated as a force, and for type ``planar``, where radii are those of another
         drive with the same interference.
     """
-    if type_of(values) == WEDGE_TYPE:
-        return build.with_nominal_sizes(values)
     return planar_build.with_nominal_sizes(values)
 
 
@@ -125,12 +117,7 @@ def evaluated_points(
     Array, dict of Array
         Codes, shape (points); name → values, shape (points), or (rows, points).
     """
-    if type_of(values) == WEDGE_TYPE:
-        joint = with_one_rank(joint_from_values(values))
-        found = evaluate(joint)
-        status, named = joint_status(joint, found), result_values(results, SolvedJoint(joint, found))
-    else:
-        status, named = _each_planar(values, points, results)
+    status, named = _each_planar(values, points, results)
     table = results_of(values)
     # where only the springs of the structure vary, one status serves all points
     return jnp.broadcast_to(status, points), {

@@ -3,15 +3,23 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from typing import Any
 
+from asperity.joint.planar.rims import bends
 from asperity.joint_file.drawn_surface import depth_assumptions, surfaces_by_average
+from asperity.joint_file.general_model import GeneralCase
 from asperity.joint_file.material_entries import MaterialEntry
-from asperity.joint_file.model import Case, Lubrication, Rolling
+from asperity.joint_file.model import Lubrication
+from asperity.joint_file.part_names import material_key
+from asperity.joint_file.planar_build import planar_joint_from_case
 from asperity.joint_file.planar_model import PlanarCase, PlanarRolling
+from asperity.joint_file.quantity_key import Quantity
+from asperity.joint_file.section import leaves
 from asperity.joint_file.temperature_section import without_expansion
 from asperity.library import read_finishes
 from asperity.units import format_quantity
 
+_STEPPED = {"multiroller": "the rollers of both rows", "stepped_planet": "the planets"}
 #: What is taken of crowned rollers in every drive.
 LOADING_CAM = (
     "loading cam: its ramps have no friction, so that it follows every change of the torque and turns as far as the "
@@ -23,12 +31,12 @@ CROWNED = (
 )
 
 
-def assumptions(case: Case) -> tuple[str, ...]:
+def assumptions(case: PlanarCase) -> tuple[str, ...]:
     """What a joint file leaves out, and what is taken instead.
 
     Parameters
     ----------
-    case : Case
+    case : PlanarCase
         The joint file.
 
     Returns
@@ -36,67 +44,99 @@ def assumptions(case: Case) -> tuple[str, ...]:
     tuple of str
         One sentence each.
     """
-    told = []
+    kind = case.type
+    drive: Any = case.drive  # type: ignore[attr-defined]
+    told: list[str] = []
+    joint = planar_joint_from_case(case)
+    off_axis = [body.name for body in joint.drive.bodies if body.place != "axis"]
     if case.bearings is None:
         told.append("no section [bearings]: the bearings have no friction")
+    if case.play is None:
+        told.append("no section [play]: the output has no play")
     if case.compliance is None:
-        told.append("no section [compliance]: pins and shafts are rigid, the planets float")
+        told.append("no section [compliance]: pins and shafts are rigid, rollers without a pin float")
     else:
         absent = [name for name, value in case.compliance if value is None]
         if absent:
             told.append(f"[compliance] without {', '.join(absent)}: ideal, as their descriptions say")
-    if case.play is None:
-        told.append("no section [play]: the output has no play")
+    if isinstance(case, GeneralCase):
+        told.append(
+            "the rollers lie where all contacts just touch, as near as possible to the places of the file"
+        )
+        told.append("the tracks of a stepped roller lie in one plane, and are one spring for each contact")
+    elif drive.ring_support is None:
+        told.append("no drive.ring_support: a rigid housing holds the outer rim of the ring")
+    if kind in _STEPPED:
+        told.append(
+            f"the tracks of {_STEPPED[kind]} lie in one plane: arrange them symmetrically, or their bearings carry the "
+            "tilting moment; for their compression stepped rollers are one spring for each contact"
+        )
+    if kind == "stepped_planet":
+        told.append("both rings have the interference; the driven ring carries itself")
     if case.model.bodies is None:
-        told.append("no model.bodies: the bodies of the assembly by plane elasticity, exact")
+        told.append("no model.bodies: the bodies by plane elasticity, exact")
     if case.model.bodies != "springs" and case.model.plane_state is None:
         told.append("no model.plane_state: plane strain; plane stress is the bound for thin bodies")
-    if case.drive.ring_support is None:
-        told.append("no drive.ring_support: a rigid housing holds the outer rim of the ring")
-    sizes = [
-        f"{body}_radius"
-        for body in ("sun", "planet", "loading_roller", "ring")
-        if getattr(case.drive, f"{body}_radius").tolerance > 0.0
-    ]
+    told.append("standing: forces from the slip of the contacts on one loading from rest")
+    told.append(
+        "torque capacity, standing: a contact that slips keeps the force of its friction while others carry the rest; "
+        "it is the torque beyond which they cannot, or at which a contact lifts off. In rolling: the first gross slip"
+    )
+    entries = case.surface.values() if isinstance(case.surface, dict) else [case.surface]
+    for ranged, which in (
+        (True, "middle of its range"),
+        (False, "value in the file, which Ra does not confirm"),
+    ):
+        if any(
+            entry.roughness_average is not None and (entry.fractal_dimension.tolerance > 0.0) == ranged
+            for entry in entries
+        ):
+            told.append(
+                f"roughness_average: Ra leaves D open, and all results are those of the {which}; 'asperity joint' "
+                "gives the interval of stiffness and drift"
+            )
+    told += _surfaces(case)
+    sizes = [path for path, key in leaves(case.drive, Quantity, "drive") if path.endswith("_radius") and key.tolerance]
     if case.load.preload is not None and sizes:
+        widest = max(key.tolerance for path, key in leaves(case.drive, Quantity, "drive") if path in sizes)
         told.append(
-            f"load.preload is a force: the tolerance of {', '.join(f'drive.{name}' for name in sizes)}, up to "
-            f"{1e6 * max(getattr(case.drive, name).tolerance for name in sizes):.3g} µm, does not move it; give "
-            "load.interference if the sizes make the preload"
+            f"load.preload is a force: the tolerance of {', '.join(sizes)}, up to {1e6 * widest:.3g} µm, does not move "
+            "it; give load.interference if the sizes make the preload"
         )
+    for track in dict.fromkeys(material_key(body) for body in off_axis):
+        if getattr(drive, f"{track}_length", None) is None:
+            told.append(f"no drive.{track}_length: as long as the longest contact line on it")
     if case.load.cam_force_per_torque is not None:
         told.append(LOADING_CAM)
     if case.branch is not None:
         told.append(
-            "[[branch]]: ring and carrier are centred; the standing drive is loaded after it has rolled without "
-            "torque; all numbers but those of the worst branch, of single planets, of their sums, of the forces on the "
-            "members on the axis, of bearings and of rims that bend are of equal ones"
+            "[[branch]]: every branch is solved by itself, together with the bodies on the axis; rings and carrier are "
+            "centred, and what centres a ring that carries itself acts evenly all round; the standing drive is loaded "
+            "from rest without torque; all numbers but those of the worst branch, of single branches, of their sums, "
+            "of the forces on the members on the axis, of bearings and of rims that bend are of equal ones"
         )
-        if case.drive.ring_support == "free":
-            told.append(
-                "[[branch]] in a free ring: it gives way to each planet as if all planets were like that one, which "
-                "overstates the differences between their preloads"
-            )
         if case.compliance is None or case.compliance.sun_support_stiffness is None:
             told.append(
-                "[[branch]] without compliance.sun_support_stiffness: the sun is held rigidly on the axis; a sun that "
-                "floats (0) shares the load among the branches"
+                "[[branch]] without compliance.sun_support_stiffness: the input is held rigidly on the axis; a sun "
+                "that floats (0) shares the load among the branches"
             )
-    told += _surfaces(case)
-    told += temperature_assumptions(case, housed=case.drive.ring_support != "free")
-    for roller in ("planet", "loading_roller"):
-        if getattr(case.drive, f"{roller}_length") is None:
-            told.append(f"no drive.{roller}_length: as long as the longest contact line on it")
-    if any(
-        getattr(case.drive, f"{body}_crown_radius") for body in ("sun", "planet", "loading_roller", "ring")
-    ):
+    told += temperature_assumptions(case, housed=not case.without_housing())
+    if joint.crown_curvatures is not None:
         told.append(CROWNED)
-    told += _rolling(case)
-    told += _fatigue(case)
+    told += rolling_assumptions(case.rolling)
+    told += lubrication_assumptions(
+        case.lubrication,
+        materials={name: case.materials[name] for name in dict.fromkeys(case.bodies.values())},
+    )
+    told += [
+        fatigue_unknown(body.name, case.bodies[material_key(body.name)])
+        for body, bent, material in zip(joint.drive.bodies, bends(joint), joint.materials, strict=True)
+        if bent and material.fatigue_strength is None
+    ]
     return tuple(told)
 
 
-def _surfaces(case: Case) -> list[str]:
+def _surfaces(case: PlanarCase) -> list[str]:
     """What is taken for surfaces that are stated by their Ra."""
     told = []
     finishes = read_finishes()
@@ -123,12 +163,12 @@ def _surfaces(case: Case) -> list[str]:
     return told + depth_assumptions(case)
 
 
-def temperature_assumptions(case: Case | PlanarCase, *, housed: bool) -> list[str]:
+def temperature_assumptions(case: PlanarCase, *, housed: bool) -> list[str]:
     """What is taken for the temperatures.
 
     Parameters
     ----------
-    case : Case or PlanarCase
+    case : PlanarCase
         The joint file.
     housed : bool
         Whether a housing holds a ring.
@@ -159,22 +199,11 @@ def temperature_assumptions(case: Case | PlanarCase, *, housed: bool) -> list[st
     return told
 
 
-def _thermal_interference(case: Case | PlanarCase) -> float:
-    from asperity.joint.temperature import thermal_interference
-    from asperity.joint_file.build import joint_from_case
+def _thermal_interference(case: PlanarCase) -> float:
     from asperity.joint_file.planar_build import thermal_change_of
     from asperity.joint_file.si_tables import si_values
 
-    values = si_values(case)
-    if isinstance(case, PlanarCase):
-        return thermal_change_of(values)
-    given = values["temperature"]
-    change = thermal_interference(
-        joint_from_case(case),
-        temperature_rise=given["working"] - given["assembly"],
-        housing_expansion=given.get("housing_expansion"),
-    )
-    return float(change)
+    return thermal_change_of(si_values(case))
 
 
 def fatigue_unknown(body: str, material: str) -> str:
@@ -196,34 +225,12 @@ def fatigue_unknown(body: str, material: str) -> str:
     )
 
 
-def _fatigue(case: Case) -> list[str]:
-    """Which bending bodies have no safety against fatigue."""
-    bends = {
-        "ring": case.drive.ring_support in ("free", "elastic_housing"),
-        "planet": case.drive.planet_bore_diameter is not None,
-        "loading_roller": case.drive.loading_roller_bore_diameter is not None,
-    }
-    return [
-        fatigue_unknown(body, name)
-        for body, name in case.bodies
-        if bends.get(body, False) and case.materials[name].fatigue_strength is None
-    ]
-
-
-def _rolling(case: Case) -> list[str]:
-    """What is taken for the joint that turns."""
-    return rolling_assumptions(case.rolling) + lubrication_assumptions(
-        case.lubrication,
-        materials={name: case.materials[name] for name in dict.fromkeys(value for _, value in case.bodies)},
-    )
-
-
-def rolling_assumptions(rolling: Rolling | PlanarRolling | None) -> list[str]:
+def rolling_assumptions(rolling: PlanarRolling | None) -> list[str]:
     """What the model of rolling takes for every joint, and what a file leaves out of it.
 
     Parameters
     ----------
-    rolling : Rolling, PlanarRolling or None
+    rolling : PlanarRolling or None
         Section [rolling] of the file.
 
     Returns

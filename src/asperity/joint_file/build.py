@@ -22,10 +22,10 @@ from asperity.joint.description import Bodies, Crowns, Fit, Joint, PinBeam
 from asperity.joint.interference import joint_preload
 from asperity.joint.temperature import thermal_interference
 from asperity.joint_file.material_build import material_of, surface_of
-from asperity.joint_file.model import Case
 from asperity.joint_file.part_names import contacts_of
 from asperity.joint_file.section_build import entries, play_of, rated_bearing, rolling_conditions
 from asperity.joint_file.si_tables import Values, check_values, replace_values, si_values
+from asperity.joint_file.wedge_model import Case
 from asperity.types import Real
 
 

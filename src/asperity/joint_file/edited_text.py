@@ -14,7 +14,7 @@ from asperity.joint_file.entered_values import entered_key_at
 from asperity.joint_file.key_paths import keys_by_path
 from asperity.joint_file.part_names import paths_of_track, type_of
 from asperity.joint_file.quantity_key import Key, Quantity
-from asperity.joint_file.reader import model_of_type, parse_any_case
+from asperity.joint_file.reader import model_of_type, parse_case
 from asperity.joint_file.si_tables import (
     DEPTH,
     PARTNER_DEPTH,
@@ -61,7 +61,7 @@ def joint_file_text(case: AnyCase, changes: Mapping[str, float], *, comment: str
 
     Parameters
     ----------
-    case : Case or PlanarCase
+    case : PlanarCase
         The joint file to start from.
     changes : mapping
         Dotted path → new value [SI]. A number that has a tolerance keeps it, with its distribution.
@@ -267,7 +267,7 @@ def _put(table: Any, name: str, value: Any) -> None:
 
 def _says(text: str, wanted: Any) -> bool:
     """Whether a file contains these numbers, and nothing else."""
-    found = si_values(parse_any_case(text, source="the edited joint file"))
+    found = si_values(parse_case(text, source="the edited joint file"))
     used = set(wanted["bodies"].values()) & set(wanted["materials"])
     for tables in (found, wanted):
         tables["materials"] = {name: entry for name, entry in tables["materials"].items() if name in used}

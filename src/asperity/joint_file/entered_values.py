@@ -5,7 +5,6 @@ from __future__ import annotations
 import functools
 
 from asperity.joint_file.key_paths import keys_by_path
-from asperity.joint_file.part_names import WEDGE_TYPE
 from asperity.joint_file.quantity_key import Key, Quantity
 from asperity.joint_file.reader import model_of_type
 from asperity.joint_file.section import Section, leaves
@@ -37,7 +36,7 @@ def entered_values(case: Section) -> dict[str, tuple[Key, Quantity]]:
 
     Parameters
     ----------
-    case : Case or PlanarCase
+    case : PlanarCase
         The joint file.
 
     Returns
@@ -45,7 +44,7 @@ def entered_values(case: Section) -> dict[str, tuple[Key, Quantity]]:
     dict
         Dotted path → what it means, and the number with its text.
     """
-    kind = getattr(case, "type", None) or WEDGE_TYPE
+    kind = case.type
     return {
         path: (key, key.read(written))
         for path, written in leaves(case, (str, float))

@@ -10,7 +10,7 @@ from asperity.joint_file import limits
 from asperity.joint_file.branch_sections import Deviation
 from asperity.joint_file.model import CrownRadius, Length, PushAngle
 from asperity.joint_file.planar_drive_sections import Bore, PartLengths, PartName, RingSupport, Wall
-from asperity.joint_file.planar_model import PlanarCase
+from asperity.joint_file.planar_model import AxisCase
 from asperity.joint_file.quantity_key import Quantity
 from asperity.joint_file.section import Section
 
@@ -87,7 +87,7 @@ class SectorEntry(Section):
     are not named."""
 
 
-class GeneralCase(PlanarCase):
+class GeneralCase(AxisCase):
     """A joint file with any planar drive."""
 
     type: Literal["planar"]

@@ -9,8 +9,8 @@ from typing import Annotated, Any, Literal, Union, get_args, get_origin
 
 from pydantic import BaseModel
 
-from asperity.joint_file.model import Case
 from asperity.joint_file.quantity_key import Entered, Key
+from asperity.joint_file.wedge_model import Case
 
 
 def variants(annotation: Any) -> Iterator[Any]:

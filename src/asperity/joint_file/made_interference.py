@@ -4,22 +4,20 @@ from __future__ import annotations
 
 import math
 
-from asperity.joint.evaluation import JointResult
 from asperity.joint.planar.evaluation import PlanarResult
 from asperity.joint_file.planar_build import thermal_change_of
-from asperity.joint_file.planar_model import PlanarCase
 from asperity.joint_file.si_tables import AnyCase, si_values
 from asperity.joint_file.temperature_section import without_expansion
 
 
-def made_interference(case: AnyCase, result: JointResult | PlanarResult | None = None) -> float | None:
+def made_interference(case: AnyCase, result: PlanarResult | None = None) -> float | None:
     """Interference of the parts at their assembly: that of the file, or that which makes the force that it states.
 
     Parameters
     ----------
-    case : Case or PlanarCase
+    case : PlanarCase
         The joint file.
-    result : JointResult or PlanarResult, optional
+    result : PlanarResult, optional
         Its result, for a file that states a force.
 
     Returns
@@ -38,7 +36,6 @@ def made_interference(case: AnyCase, result: JointResult | PlanarResult | None =
         return None
     if case.temperature is None:
         return found
-    bodies = case.bodies if isinstance(case.bodies, dict) else dict(case.bodies)
-    if not isinstance(case, PlanarCase) or without_expansion(bodies, case.materials):
+    if without_expansion(case.bodies, case.materials):
         return None
     return found - thermal_change_of(si_values(case))

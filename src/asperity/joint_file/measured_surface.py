@@ -3,24 +3,23 @@
 from __future__ import annotations
 
 from asperity.joint_file.material_entries import SurfaceEntry
-from asperity.joint_file.model import Case
 from asperity.joint_file.planar_model import PlanarCase
 from asperity.surface.measurement import SurfaceMeasurement
 
 
-def with_measured_surface(case: Case | PlanarCase, measurement: SurfaceMeasurement) -> Case | PlanarCase:
+def with_measured_surface(case: PlanarCase, measurement: SurfaceMeasurement) -> PlanarCase:
     """The joint file with its surfaces replaced by a measured one, at every contact.
 
     Parameters
     ----------
-    case : Case or PlanarCase
+    case : PlanarCase
         A joint file.
     measurement : SurfaceMeasurement
         What was measured.
 
     Returns
     -------
-    Case or PlanarCase
+    PlanarCase
         The same joint with the measured D, G and gamma.
 
     Raises

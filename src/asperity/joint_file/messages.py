@@ -10,8 +10,8 @@ from pydantic_core import ErrorDetails
 
 from asperity.errors import quoted
 from asperity.joint_file.key_paths import keys_by_path, models_of, variants
-from asperity.joint_file.model import Case
 from asperity.joint_file.section import ONE_FOR_ALL, ONE_FOR_EACH
+from asperity.joint_file.wedge_model import Case
 
 MOST_ERRORS = 12
 

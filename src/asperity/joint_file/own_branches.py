@@ -5,32 +5,28 @@ from __future__ import annotations
 import dataclasses
 from typing import TYPE_CHECKING
 
-from asperity.joint.unlike_joint import UnlikeJoint
-from asperity.joint_file.build import branches_from_case, joint_from_case
 from asperity.joint_file.planar_build import (
-    any_joint_from_case,
     branched_planar,
     deviations_of,
     planar_joint_from_case,
 )
-from asperity.joint_file.planar_model import PlanarCase
 from asperity.joint_file.si_tables import AnyCase, si_values
 
 if TYPE_CHECKING:
-    from asperity.joint.either_kind import OwnJoint
+    from asperity.joint.planar.description import PlanarJoint
 
 
-def with_own_branches(case: AnyCase) -> OwnJoint:
+def with_own_branches(case: AnyCase) -> PlanarJoint:
     """The joint of a file with its own branches, where they differ.
 
     Parameters
     ----------
-    case : Case or PlanarCase
+    case : PlanarCase
         The joint file.
 
     Returns
     -------
-    Joint, PlanarJoint or UnlikeJoint
+    PlanarJoint
         With sections ``[[branch]]``: every branch by itself, contacts and rollers with its number behind their names.
         Otherwise the joint with equal branches.
 
@@ -46,9 +42,7 @@ def with_own_branches(case: AnyCase) -> OwnJoint:
     Equation (I4) of :doc:`/equations`.
     """
     if case.branch is None:
-        return any_joint_from_case(case)
-    if not isinstance(case, PlanarCase):
-        return UnlikeJoint(joint_from_case(case), *branches_from_case(case))
+        return planar_joint_from_case(case)
     from asperity.joint.planar.solve import solve_planar
 
     joint = planar_joint_from_case(case)

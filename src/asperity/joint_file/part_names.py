@@ -5,13 +5,18 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from typing import Any
 
-from asperity.joint_file.section import EachContact
-
 #: Type of the drive of Zou et al. 2025, that of a file without a type.
 WEDGE_TYPE = "zou2025"
 
 #: Contacts of each type with the bodies that they join.
 CONTACTS: dict[str, dict[str, tuple[str, str]]] = {
+    WEDGE_TYPE: {
+        "sp": ("sun", "planet"),
+        "pwr": ("planet", "right_loading_roller"),
+        "pwl": ("planet", "left_loading_roller"),
+        "wro": ("right_loading_roller", "ring"),
+        "wlo": ("left_loading_roller", "ring"),
+    },
     "planetary": {"sp": ("sun", "planet"), "pr": ("planet", "ring")},
     "multiroller": {
         "sf": ("sun", "first_row"),
@@ -29,6 +34,13 @@ CONTACTS: dict[str, dict[str, tuple[str, str]]] = {
 
 #: Tracks of the two bodies at each contact: ``TRACK_crown_radius`` is what a file says of their crowns.
 TRACKS: dict[str, dict[str, tuple[str, str]]] = {
+    WEDGE_TYPE: {
+        "sp": ("sun", "planet"),
+        "pwr": ("planet", "loading_roller"),
+        "pwl": ("planet", "loading_roller"),
+        "wro": ("loading_roller", "ring"),
+        "wlo": ("loading_roller", "ring"),
+    },
     "planetary": CONTACTS["planetary"],
     "multiroller": {
         "sf": ("sun", "first_row"),
@@ -58,6 +70,16 @@ def type_of(tables: Mapping[str, Any]) -> str:
         :data:`WEDGE_TYPE` where the file states none.
     """
     return str(tables.get("type", WEDGE_TYPE))
+
+
+def material_keys(kind: str) -> tuple[str, ...]:
+    """Keys of the section [bodies] of a type: its bodies, both loading rollers of a planet as one."""
+    return tuple(dict.fromkeys(map(material_key, bodies_of_type(kind))))
+
+
+def material_key(body: str) -> str:
+    """Key of a body in [bodies]: both loading rollers of a planet are made of one material."""
+    return body.removeprefix("right_").removeprefix("left_") if body.endswith("_loading_roller") else body
 
 
 def bodies_of_type(kind: str) -> tuple[str, ...]:
@@ -90,8 +112,6 @@ def contacts_of(tables: Mapping[str, Any]) -> tuple[str, ...]:
         In the order of the drive.
     """
     kind = type_of(tables)
-    if kind == WEDGE_TYPE:
-        return tuple(EachContact.model_fields)
     return tuple(CONTACTS[kind]) if kind in CONTACTS else _listed(tables["contact"])
 
 
@@ -128,15 +148,18 @@ def sized_tracks(tables: Mapping[str, Any]) -> dict[str, tuple[tuple[str, str], 
     """
     kind = type_of(tables)
     if kind in TRACKS:
-        names = dict.fromkeys(name for pair in TRACKS[kind].values() for name in pair if name not in _COMMON)
+        named = {
+            contact: tuple(_part(track, body) for track, body in zip(TRACKS[kind][contact], bodies, strict=True))
+            for contact, bodies in CONTACTS[kind].items()
+        }
         return {
             name: tuple(
                 (contact, side)
-                for contact, pair in TRACKS[kind].items()
+                for contact, pair in named.items()
                 for side, track in zip(_SIDES, pair, strict=True)
                 if track == name
             )
-            for name in names
+            for name in dict.fromkeys(name for pair in named.values() for name in pair if name not in _COMMON)
         }
     contacts = tables["contact"].values()
     return {
@@ -146,6 +169,23 @@ def sized_tracks(tables: Mapping[str, Any]) -> dict[str, tuple[tuple[str, str], 
         for roller in tables["roller"].values()
         if roller["place"] != "axis"
     }
+
+
+def _part(track: str, body: str) -> str:
+    """Name of a roller's track in sections [[branch]]: both loading rollers of a planet have one radius, not one size."""
+    return f"{body.split('_')[0]}_roller" if track == "loading_roller" else track
+
+
+def sizes_of_tracks(tables: Mapping[str, Any]) -> dict[str, str]:
+    """NAME in the keys ``NAME_deviation`` of a branch → NAME in the key ``NAME_radius`` of the drive."""
+    return {
+        name: "loading_roller" if name in ("right_roller", "left_roller") else name for name in sized_tracks(tables)
+    }
+
+
+def size_keys(tables: Mapping[str, Any]) -> set[str]:
+    """NAME in the keys ``NAME_radius`` that the section [drive] states."""
+    return {key.removesuffix("_radius") for key in tables["drive"] if key.endswith("_radius") and "crown" not in key}
 
 
 def with_tracks(tables: dict[str, Any]) -> dict[str, Any]:

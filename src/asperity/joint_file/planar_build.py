@@ -5,7 +5,7 @@ from __future__ import annotations
 import dataclasses
 import math
 from collections.abc import Collection
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import jax.numpy as jnp
 import numpy as np
@@ -16,19 +16,18 @@ from asperity.drive.mechanism import Bearings
 from asperity.drive.planar.expansion import interference_of_sizes
 from asperity.drive.planar.layout import PlanarDrive
 from asperity.joint.branch_sizes import SectorDeviations
-from asperity.joint.description import Joint
 from asperity.joint.planar.description import PlanarJoint
 from asperity.joint.planar.temperature import planar_fit
-from asperity.joint_file.build import joint_from_case, joint_from_values
 from asperity.joint_file.material_build import material_of, surface_of
-from asperity.joint_file.model import Case
 from asperity.joint_file.part_names import (
     CONTACTS,
     TRACKS,
-    WEDGE_TYPE,
     contacts_of,
+    material_key,
     paths_of_track,
+    size_keys,
     sized_tracks,
+    sizes_of_tracks,
     type_of,
 )
 from asperity.joint_file.planar_model import PlanarCase
@@ -40,38 +39,6 @@ if TYPE_CHECKING:
     from asperity.joint.branch_results import BranchState, UnequalBranches
     from asperity.joint.planar.branches import BranchedPlanarJoint
     from asperity.joint.planar.solve import PlanarSolution
-
-
-def any_joint_from_case(case: Case | PlanarCase) -> Joint | PlanarJoint:
-    """The joint that a file describes, whatever its type of drive.
-
-    Parameters
-    ----------
-    case : Case or PlanarCase
-        The joint file.
-
-    Returns
-    -------
-    Joint or PlanarJoint
-        In SI units.
-    """
-    return planar_joint_from_case(case) if isinstance(case, PlanarCase) else joint_from_case(case)
-
-
-def any_joint_from_values(values: Values) -> Joint | PlanarJoint:
-    """The joint of nested tables of SI numbers, whatever its type of drive.
-
-    Parameters
-    ----------
-    values : dict
-        Tables as :func:`asperity.joint_file.si_tables.si_values` makes them.
-
-    Returns
-    -------
-    Joint or PlanarJoint
-        In SI units.
-    """
-    return joint_from_values(values) if type_of(values) == WEDGE_TYPE else planar_joint_from_values(values)
 
 
 def planar_joint_from_case(case: PlanarCase) -> PlanarJoint:
@@ -111,10 +78,10 @@ def planar_joint_from_values(values: Values) -> PlanarJoint:
         pattern = tuple(jnp.asarray(pattern) + _grown(values, drive) / load["interference"])
     materials = {name: material_of(entry) for name, entry in values["materials"].items()}
     joint = PlanarJoint(
-        type=values["type"],
+        type=type_of(values),
         drive=drive,
         shapes=shapes,
-        materials=tuple(materials[values["bodies"][body.name]] for body in drive.bodies),
+        materials=tuple(materials[values["bodies"][material_key(body.name)]] for body in drive.bodies),
         surfaces=tuple(
             surface_of(entry, asperity_base=model["asperity_base"])
             for entry in entries(values["surface"], names)
@@ -136,8 +103,8 @@ def planar_joint_from_values(values: Values) -> PlanarJoint:
         bearings=_bearings(values.get("bearings")),
         play=play_of(values),
         pin_bearing=rated_bearing(values.get("pin_bearing")),
-        input_bearing=rated_bearing(values.get("input_bearing")),
-        output_bearing=rated_bearing(values.get("output_bearing")),
+        input_bearing=rated_bearing(values.get("input_bearing", values.get("sun_bearing"))),
+        output_bearing=rated_bearing(values.get("output_bearing", values.get("carrier_bearing"))),
         crown_curvatures=_crown_curvatures(values),
         cam=None if cam is None else LoadingCam(force_per_torque=cam, pattern=rings),
     )
@@ -155,8 +122,8 @@ def planar_joint_from_values(values: Values) -> PlanarJoint:
 
 def _crown_curvatures(values: Values) -> tuple[Any, ...] | None:
     """Curvature of the crowns of both tracks of each contact; None where no track is crowned."""
-    if values["type"] in TRACKS:
-        stated, tracks = values["drive"], tuple(TRACKS[values["type"]].values())
+    if type_of(values) in TRACKS:
+        stated, tracks = values["drive"], tuple(TRACKS[type_of(values)].values())
         radii = [[stated.get(f"{track}_crown_radius") for track in pair] for pair in tracks]
     else:
         each = values["contact"].values()
@@ -170,9 +137,9 @@ def _bearings(entry: Values | None) -> Bearings | None:
     if entry is None:
         return None
     return Bearings(
-        sun_torque=entry.get("input_torque", 0.0),
-        loading_roller_torque=entry.get("roller_torque", 0.0),
-        carrier_torque=entry.get("output_torque", 0.0),
+        sun_torque=entry.get("input_torque", entry.get("sun_torque", 0.0)),
+        loading_roller_torque=entry.get("roller_torque", entry.get("loading_roller_torque", 0.0)),
+        carrier_torque=entry.get("output_torque", entry.get("carrier_torque", 0.0)),
         pin_friction_coefficient=entry.get("pin_friction_coefficient", 0.0),
         pin_diameter=entry.get("pin_diameter", 0.0),
     )
@@ -214,7 +181,7 @@ def deviations_of(values: Values) -> SectorDeviations:
     per_size = {name: _per_size(drive, sides) for name, sides in sized_tracks(values).items()}
     equal: Values = {str(index): {} for index in range(round(float(drive.sectors)))}
     entries = list(values.get("branch", equal).values())
-    listed = values["type"] not in CONTACTS
+    listed = type_of(values) not in CONTACTS
     deviations = {
         name: np.array(
             [
@@ -246,7 +213,25 @@ def _per_size(drive: PlanarDrive, sides: Collection[tuple[str, str]]) -> np.ndar
     return np.asarray(interference_of_sizes(drive=drive, first=first, second=second))
 
 
-def toleranced_tracks(values: Values, paths: tuple[str, ...]) -> dict[str, tuple[bool, np.ndarray]]:
+class TolerancedTrack(NamedTuple):
+    """What a number of a joint file does to the interference of the contacts.
+
+    Parameters
+    ----------
+    path : str
+        Dotted path of the number.
+    own : bool
+        Whether every branch has a part of its own with this size.
+    per_size : ndarray
+        Interference of each contact over it, shape (contacts,) [-].
+    """
+
+    path: str
+    own: bool
+    per_size: np.ndarray
+
+
+def toleranced_tracks(values: Values, paths: tuple[str, ...]) -> list[TolerancedTrack]:
     """What numbers of a joint file do to the interference of its contacts, of those that do.
 
     Parameters
@@ -258,23 +243,31 @@ def toleranced_tracks(values: Values, paths: tuple[str, ...]) -> dict[str, tuple
 
     Returns
     -------
-    dict
-        Path → whether every sector has a part of its own with this size, and the interference of each contact over it,
-        shape (contacts,) [-]. Of several paths of one track the first.
+    list of TolerancedTrack
+        One for each part that has the size: both loading rollers of a planet, for example. Of several paths of one
+        track the first.
     """
     drive, _, pattern = layout_of(values)
     own = sized_tracks(values)
     off_axis = {body.name for body in drive.bodies if body.place != "axis"}
-    known: dict[str, tuple[bool, np.ndarray]] = {}
+    known: list[TolerancedTrack] = []
     seen: set[str] = set()
     for path in paths:
         section, *_, key = path.split(".")
         name = key.removesuffix("_radius")
         if path == "load.interference":
-            known[path] = (False, np.asarray(pattern))
-        elif section == "drive" and key.endswith("_radius"):
-            sun = [(contact.name, "first") for contact in drive.contacts if contact.first == "sun"]
-            known[path] = (name in own, _per_size(drive, own.get(name, sun)))
+            known.append(TolerancedTrack(path, False, np.asarray(pattern)))
+        elif section == "drive" and key.endswith("_radius") and name in size_keys(values):
+            parts = [track for track, size in sizes_of_tracks(values).items() if size == name]
+            known += [TolerancedTrack(path, True, _per_size(drive, own[track])) for track in parts]
+            if not parts:
+                sides = [
+                    (contact, side)
+                    for contact, pair in TRACKS[type_of(values)].items()
+                    for side, track in zip(("first", "second"), pair, strict=True)
+                    if track == name
+                ]
+                known.append(TolerancedTrack(path, False, _per_size(drive, sides)))
         elif section == "contact" and key.endswith("_radius") and path not in seen:
             same = paths_of_track(values, path)
             seen.update(same)
@@ -283,7 +276,7 @@ def toleranced_tracks(values: Values, paths: tuple[str, ...]) -> dict[str, tuple
                 (values["contact"][number]["name"], side.removesuffix("_radius")) for _, number, side in steps
             ]
             body = values["contact"][steps[0][1]][sides[0][1]]
-            known[path] = (body in off_axis, _per_size(drive, sides))
+            known.append(TolerancedTrack(path, body in off_axis, _per_size(drive, sides)))
     return known
 
 
@@ -337,14 +330,13 @@ def unequal_sectors(case: PlanarCase, joint: PlanarJoint, solution: PlanarSoluti
     from asperity.joint.branch_limits import refuse_beyond
     from asperity.joint.equal_branches import solve_equal_branches
     from asperity.joint.planar.branches import BranchedPlanarJoint
-    from asperity.joint.planar.solve import solve_planar
 
     sizes = deviations_of(si_values(case))
     found = branched.branches(sizes)
     refuse_beyond(found, float(joint.output_torque))
 
     def working(there: PlanarJoint) -> BranchState | None:
-        equal, _ = solve_equal_branches(there, solve_planar)
+        equal, _ = solve_equal_branches(there)
         return BranchedPlanarJoint(there, equal).branches(sizes).working(turns=float(there.sun_speed) != 0.0)
 
     return with_duty(found, joint, working)
@@ -365,7 +357,7 @@ def with_nominal_sizes(values: Values) -> Values:
         against their rings; unchanged where the preload is stated as a force, and for type ``planar``, whose rings have
         radii of their own.
     """
-    if "interference" not in values["load"] or values["type"] not in CONTACTS:
+    if "interference" not in values["load"] or type_of(values) not in CONTACTS:
         return values
     radii = {name: size for name, size in values["drive"].items() if name.endswith("_radius")}
     return values | {"nominal": radii}

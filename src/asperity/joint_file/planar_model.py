@@ -137,22 +137,17 @@ class PlanarCase(WholeFile):
     type: str
     """Type of the drive."""
     if TYPE_CHECKING:  # a field of every kind of file, each with its own keys
+        drive: Any
         branch: tuple[Any, ...] | None
+        bearings: Any
+        compliance: Any
     load: PlanarLoad
     """Preload, torque, speed, friction."""
     temperature: TemperatureEntry | None = None
     """Temperature of the drive; that of the assembly if the section is absent."""
-    bearings: PlanarBearings | None = None
-    """Friction of the bearings in rolling; none if the section is absent."""
     pin_bearing: PinBearing | None = None
     """Rolling bearings of the rollers on pins, for their life: one section, whose ratings hold for every row of rollers
     on pins; try rows with different bearings one after the other."""
-    input_bearing: HeldBearing | None = None
-    """Rolling bearings of the input, for their life under forces from outside."""
-    output_bearing: HeldBearing | None = None
-    """Rolling bearings of the output, for their life under forces from outside."""
-    compliance: PlanarCompliance | None = None
-    """Springs of pins and shafts; ideal if the section is absent."""
     rolling: PlanarRolling | None = None
     """Skew, hysteresis, reliability and required life of the joint that turns."""
     lubrication: Lubrication | None = None
@@ -251,7 +246,20 @@ class PlanarCase(WholeFile):
         return self
 
 
-class PlanetaryCase(PlanarCase):
+class AxisCase(PlanarCase):
+    """What files have in common that call the members on the axis input and output."""
+
+    bearings: PlanarBearings | None = None
+    """Friction of the bearings in rolling; none if the section is absent."""
+    input_bearing: HeldBearing | None = None
+    """Rolling bearings of the input, for their life under forces from outside."""
+    output_bearing: HeldBearing | None = None
+    """Rolling bearings of the output, for their life under forces from outside."""
+    compliance: PlanarCompliance | None = None
+    """Springs of pins and shafts; ideal if the section is absent."""
+
+
+class PlanetaryCase(AxisCase):
     """A joint file with a plain planetary drive."""
 
     type: Literal["planetary"]
@@ -262,7 +270,7 @@ class PlanetaryCase(PlanarCase):
     """Sizes of each planet, where they differ: a section [[branch]] for each."""
 
 
-class MultirollerCase(PlanarCase):
+class MultirollerCase(AxisCase):
     """A joint file with a two-row multiroller drive."""
 
     type: Literal["multiroller"]
@@ -274,7 +282,7 @@ class MultirollerCase(PlanarCase):
     branches_are: ClassVar[tuple[str, str]] = ("rollers_per_row", "rollers in a row")
 
 
-class SteppedPlanetCase(PlanarCase):
+class SteppedPlanetCase(AxisCase):
     """A joint file with a drive of stepped planets."""
 
     type: Literal["stepped_planet"]

@@ -6,13 +6,19 @@ import dataclasses
 from collections.abc import Callable
 from typing import Any
 
-from asperity.drive.planar.drives import planetary_drive, stepped_planet_drive, two_row_multiroller
+from asperity.drive.geometry import DriveGeometry
+from asperity.drive.planar.drives import (
+    planetary_drive,
+    stepped_planet_drive,
+    two_row_multiroller,
+    wedge_drive,
+)
 from asperity.drive.planar.layout import CARRIER, PlanarDrive
 from asperity.joint.planar.body_shape import SOLID, BodyShape
 from asperity.joint_file.general_layout import general_layout, misdescribed
 from asperity.joint_file.general_model import GeneralCase
 from asperity.joint_file.messages import nearest
-from asperity.joint_file.part_names import CONTACTS, bodies_of_type
+from asperity.joint_file.part_names import CONTACTS, WEDGE_TYPE, material_keys, type_of
 from asperity.joint_file.planar_model import PlanarCase
 from asperity.joint_file.si_tables import Values
 
@@ -45,7 +51,7 @@ def misnamed_parts(case: PlanarCase) -> list[str]:
                 'pin_bearing: no [[roller]] has place = "pin"; leave the section out, or give the roller its pin'
             )
     else:
-        contacts, bodies = tuple(CONTACTS[kind]), bodies_of_type(kind)
+        contacts, bodies = tuple(CONTACTS[kind]), material_keys(kind)
     for path, table, known in (
         ("bodies", case.bodies, bodies),
         ("drive.contact_length", drive.contact_length, contacts),
@@ -70,6 +76,31 @@ def _ring(wall: Any, support: str | None) -> BodyShape:
     return BodyShape("ring", wall, "free" if support == "free" else "rigid_housing")
 
 
+def _wedge(values: Values) -> Layout:
+    drive = values["drive"]
+    made = wedge_drive(
+        DriveGeometry(
+            **{name: drive[name] for name in _WEDGE_SIZES},
+            planet_count=drive["planets"],
+        ),
+        planet_count=drive["planets"],
+    )
+    planet, roller = (_roller(drive.get(f"{name}_bore_diameter")) for name in ("planet", "loading_roller"))
+    ring = _ring(drive["ring_wall_thickness"], drive.get("ring_support"))
+    return made, (SOLID, planet, roller, roller, ring), (0.0, 0.0, 0.0, 1.0, 1.0)
+
+
+_WEDGE_SIZES = (
+    *(f"{name}_radius" for name in ("sun", "planet", "loading_roller", "ring")),
+    "left_push_angle",
+    "right_push_angle",
+)
+
+
+def _roller(bore: Any) -> BodyShape:
+    return SOLID if bore is None else BodyShape("hollow", bore)
+
+
 def _planetary(values: Values) -> Layout:
     drive = values["drive"]
     made = planetary_drive(
@@ -79,8 +110,7 @@ def _planetary(values: Values) -> Layout:
     )
     if drive.get("output") == "ring":
         made = dataclasses.replace(made, output="ring", grounded=CARRIER)
-    bore = drive.get("planet_bore_diameter")
-    planet = SOLID if bore is None else BodyShape("hollow", bore)
+    planet = _roller(drive.get("planet_bore_diameter"))
     ring = _ring(drive["ring_wall_thickness"], drive.get("ring_support"))
     return made, (SOLID, planet, ring), (0.0, 1.0)
 
@@ -112,6 +142,7 @@ def _stepped_planet(values: Values) -> Layout:
 
 
 _LAYOUTS: dict[str, Callable[[Values], Layout]] = {
+    WEDGE_TYPE: _wedge,
     "planetary": _planetary,
     "multiroller": _multiroller,
     "stepped_planet": _stepped_planet,
@@ -132,4 +163,4 @@ def layout_of(values: Values) -> Layout:
     PlanarDrive, tuple of BodyShape, tuple of float
         The drive, what each body is, and the interference of each contact over that of the drive.
     """
-    return _LAYOUTS[values["type"]](values)
+    return _LAYOUTS[type_of(values)](values)

@@ -1,4 +1,4 @@
-"""From a TOML file to a checked :class:`asperity.joint_file.model.Case`, or to that of another type of drive."""
+"""From a TOML file to a checked joint file, :class:`asperity.joint_file.planar_model.PlanarCase`."""
 
 from __future__ import annotations
 
@@ -10,7 +10,6 @@ from pydantic import ValidationError
 from asperity.errors import InputError, quoted
 from asperity.joint_file.finish_in_surface import fill_in_finishes
 from asperity.joint_file.messages import explained, listed, nearest
-from asperity.joint_file.model import Case
 from asperity.joint_file.part_names import WEDGE_TYPE
 from asperity.joint_file.planar_model import PlanarCase
 from asperity.joint_file.planar_types import PLANAR_CASES
@@ -18,7 +17,7 @@ from asperity.library import fill_in_materials
 from asperity.reading import parse_toml, read_text
 
 
-def read_case(path: str | Path) -> Case:
+def read_case(path: str | Path) -> PlanarCase:
     """Read a joint file.
 
     Parameters
@@ -28,50 +27,20 @@ def read_case(path: str | Path) -> Case:
 
     Returns
     -------
-    Case
+    PlanarCase
         Its content, checked.
 
     Raises
     ------
     InputError
-        If the file cannot be read, is not valid TOML, contains something that is not allowed, or describes another
-        drive than the paper's.
-    """
-    return _of_the_paper(read_any_case(path), str(path))
-
-
-def read_any_case(path: str | Path) -> Case | PlanarCase:
-    """Read a joint file with any type of drive.
-
-    Parameters
-    ----------
-    path : str or Path
-        A TOML file.
-
-    Returns
-    -------
-    Case or PlanarCase
-        Its content, checked.
-
-    Raises
-    ------
-    InputError
-        As :func:`read_case`, but for the type of the drive.
+        If the file cannot be read, is not valid TOML, or contains something that is not allowed.
     """
     file = Path(path)
     text = read_text(file, hint="'asperity init' writes an example")
-    return parse_any_case(text, source=str(path), folder=file.parent)
+    return parse_case(text, source=str(path), folder=file.parent)
 
 
-def _of_the_paper(case: Case | PlanarCase, source: str) -> Case:
-    if isinstance(case, PlanarCase):
-        raise InputError(
-            f"{source}: a drive of type '{case.type}', where that of Zou et al. is expected (a file without 'type')"
-        )
-    return case
-
-
-def parse_case(text: str, *, source: str, folder: Path | None = None) -> Case:
+def parse_case(text: str, *, source: str, folder: Path | None = None) -> PlanarCase:
     """Read the text of a joint file.
 
     Parameters
@@ -85,32 +54,7 @@ def parse_case(text: str, *, source: str, folder: Path | None = None) -> Case:
 
     Returns
     -------
-    Case
-        Its content, checked.
-
-    Raises
-    ------
-    InputError
-        If it is not valid TOML, or contains something that is not allowed.
-    """
-    return _of_the_paper(parse_any_case(text, source=source, folder=folder), source)
-
-
-def parse_any_case(text: str, *, source: str, folder: Path | None = None) -> Case | PlanarCase:
-    """Read the text of a joint file with any type of drive.
-
-    Parameters
-    ----------
-    text : str
-        TOML.
-    source : str
-        Name of the file, for messages.
-    folder : Path, optional
-        Where paths of material libraries in the file start.
-
-    Returns
-    -------
-    Case or PlanarCase
+    PlanarCase
         Its content, checked.
 
     Raises
@@ -119,10 +63,12 @@ def parse_any_case(text: str, *, source: str, folder: Path | None = None) -> Cas
         If it is not valid TOML, or contains something that is not allowed.
     """
     tables = parse_toml(text, source=source)
-    return any_case_from_tables(tables, source=source, folder=folder).with_text(text)
+    return case_from_tables(tables, source=source, folder=folder).with_text(text)
 
 
-def case_from_tables(tables: dict[str, Any], *, source: str, folder: Path | None = None) -> Case:
+def case_from_tables(
+    tables: dict[str, Any], *, source: str, folder: Path | None = None
+) -> PlanarCase:
     """Check the nested tables of a joint file.
 
     Parameters
@@ -136,34 +82,7 @@ def case_from_tables(tables: dict[str, Any], *, source: str, folder: Path | None
 
     Returns
     -------
-    Case
-        Their content, checked.
-
-    Raises
-    ------
-    InputError
-        If they contain something that is not allowed; all errors are listed.
-    """
-    return _of_the_paper(any_case_from_tables(tables, source=source, folder=folder), source)
-
-
-def any_case_from_tables(
-    tables: dict[str, Any], *, source: str, folder: Path | None = None
-) -> Case | PlanarCase:
-    """Check the nested tables of a joint file with any type of drive.
-
-    Parameters
-    ----------
-    tables : dict
-        The sections of the file, as :func:`asperity.reading.parse_toml` returns them.
-    source : str
-        Name of the file, for messages.
-    folder : Path, optional
-        Where paths of material libraries in them start.
-
-    Returns
-    -------
-    Case or PlanarCase
+    PlanarCase
         Their content, checked.
 
     Raises
@@ -186,8 +105,8 @@ def any_case_from_tables(
     raise InputError(listed(sentences, source))
 
 
-def _model_of(kind: object, source: str) -> type[Case] | type[PlanarCase]:
-    known = (WEDGE_TYPE, *PLANAR_CASES)
+def _model_of(kind: object, source: str) -> type[PlanarCase]:
+    known = tuple(PLANAR_CASES)
     if not isinstance(kind, str) or kind not in known:
         hint = nearest(kind, known) if isinstance(kind, str) else ""
         raise InputError(
@@ -196,7 +115,7 @@ def _model_of(kind: object, source: str) -> type[Case] | type[PlanarCase]:
     return model_of_type(kind)
 
 
-def model_of_type(kind: str) -> type[Case] | type[PlanarCase]:
+def model_of_type(kind: str) -> type[PlanarCase]:
     """Model of the joint file of a type of drive.
 
     Parameters
@@ -209,4 +128,4 @@ def model_of_type(kind: str) -> type[Case] | type[PlanarCase]:
     type
         A class of pydantic.
     """
-    return PLANAR_CASES.get(kind, Case)
+    return PLANAR_CASES[kind]

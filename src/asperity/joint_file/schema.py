@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from asperity.joint_file.material_entries import BodyMaterials, MaterialEntry, SurfaceEntry
-from asperity.joint_file.model import Case
+from asperity.joint_file.material_entries import MaterialEntry, SurfaceEntry
 from asperity.joint_file.part_names import WEDGE_TYPE
 from asperity.joint_file.planar_types import PLANAR_CASES
 from asperity.library import read_finishes, read_materials
@@ -27,7 +26,7 @@ def joint_schema(kind: str = WEDGE_TYPE) -> Schema:
         JSON Schema, draft 2020-12. Bounds of quantities with units cannot be expressed in it, nor that a body's
         material is one that the file or the library has; the reader checks them.
     """
-    schema = PLANAR_CASES.get(kind, Case).model_json_schema(mode="validation")
+    schema = PLANAR_CASES[kind].model_json_schema(mode="validation")
     _offer_library(schema)
     _offer_finishes(schema)
     return {
@@ -48,12 +47,7 @@ def _offer_library(schema: Schema) -> None:
     del materials["minProperties"]
     materials["additionalProperties"] = False
 
-    of_the_paper = BodyMaterials.__name__ in schema["$defs"]
-    bodies = (
-        schema["$defs"][BodyMaterials.__name__]["properties"]
-        if of_the_paper
-        else schema["properties"]["bodies"]["patternProperties"]
-    )
+    bodies = schema["properties"]["bodies"]["patternProperties"]
     for body in bodies.values():
         own = {
             "type": body.pop("type"),

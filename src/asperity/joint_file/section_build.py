@@ -9,7 +9,6 @@ from asperity.errors import InputError
 from asperity.joint.dynamics import Inertias
 from asperity.joint.play import NO_PLAY, Play
 from asperity.joint.rolling_conditions import PLAIN_ROLLING, DutyPoint, RollingConditions
-from asperity.joint_file.model import Case
 from asperity.joint_file.part_names import contacts_of
 from asperity.joint_file.planar_model import PlanarCase
 from asperity.joint_file.si_tables import Values, si_values
@@ -32,12 +31,12 @@ def play_of(values: Values) -> Play:
     return Play(**{name: play.get(name, none) for name, none in vars(NO_PLAY).items()})
 
 
-def inertias_from_case(case: Case | PlanarCase) -> Inertias:
+def inertias_from_case(case: PlanarCase) -> Inertias:
     """What a joint file couples to its joint.
 
     Parameters
     ----------
-    case : Case or PlanarCase
+    case : PlanarCase
         The joint file.
 
     Returns

@@ -14,7 +14,6 @@ from asperity.errors import InputError
 from asperity.joint_file.distribution import Distribution
 from asperity.joint_file.key_paths import keys_by_path
 from asperity.joint_file.messages import nearest
-from asperity.joint_file.model import Case
 from asperity.joint_file.part_names import WEDGE_TYPE, contacts_of, paths_of_track, type_of
 from asperity.joint_file.planar_model import PlanarCase
 from asperity.joint_file.planar_types import PLANAR_CASES
@@ -26,7 +25,7 @@ Values = dict[str, Any]
 #: The Rz of a surface, and of its partner, texts beside the Ra that the reader makes of them.
 DEPTH, PARTNER_DEPTH = "mean_roughness_depth", "partner_mean_roughness_depth"
 #: A joint file of any type of drive.
-AnyCase = Case | PlanarCase
+AnyCase = PlanarCase
 
 _PAIRS = (
     ("hardness", "hardness_factor"),
@@ -80,7 +79,7 @@ def si_values(case: Section) -> Values:
 
     Parameters
     ----------
-    case : Case or PlanarCase
+    case : PlanarCase
         The joint file.
 
     Returns
@@ -148,12 +147,9 @@ def key_at(path: str, kind: str | None = None) -> Key:
 @functools.cache
 def _keys(kind: str | None) -> dict[str, Key]:
     """Numeric keys of joint files, with ``*`` for the names of materials, entries and parts."""
-    if kind == WEDGE_TYPE:
-        return keys_by_path()
     if kind is not None:
         return keys_by_path(PLANAR_CASES[kind])
-    others = [key for name in PLANAR_CASES for key in _keys(name).items()]
-    return {**dict(others), **_keys(WEDGE_TYPE)}
+    return {path: key for name in reversed(PLANAR_CASES) for path, key in _keys(name).items()}
 
 
 def numeric_keys(case: AnyCase) -> dict[str, NumericKey]:
@@ -161,7 +157,7 @@ def numeric_keys(case: AnyCase) -> dict[str, NumericKey]:
 
     Parameters
     ----------
-    case : Case or PlanarCase
+    case : PlanarCase
         The joint file.
 
     Returns
@@ -169,9 +165,8 @@ def numeric_keys(case: AnyCase) -> dict[str, NumericKey]:
     dict
         Dotted path → the number, in the order of the file's sections.
     """
-    kind = getattr(case, "type", None) or WEDGE_TYPE
     return {
-        path: NumericKey(path, quantity.value, quantity.tolerance, key_at(path, kind), quantity.distribution)
+        path: NumericKey(path, quantity.value, quantity.tolerance, key_at(path, case.type), quantity.distribution)
         for path, quantity in leaves(case, Quantity)
     }
 

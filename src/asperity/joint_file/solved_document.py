@@ -1,31 +1,16 @@
-"""A joint file solved, with the document that ``asperity joint --json`` prints, whatever the type of its drive."""
+"""A joint file solved, with the document that ``asperity joint --json`` prints."""
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from typing import Any, NamedTuple, TypeVar
+from typing import Any, NamedTuple
 
-from asperity.joint.branch_results import UnequalBranches
-from asperity.joint.description import Joint
-from asperity.joint.document import joint_document
 from asperity.joint.equal_branches import solve_equal_branches, without_state
-from asperity.joint.planar.description import PlanarJoint
 from asperity.joint.planar.document import planar_document
-from asperity.joint.planar.solve import PlanarSolution, solve_planar
+from asperity.joint.planar.solve import solve_planar
 from asperity.joint.planar.solved import SolvedPlanarJoint, solved_planar_joint
-from asperity.joint.results import SolvedJoint
-from asperity.joint.solve import Solution, solve
-from asperity.joint.solved import SolvedPapersJoint
 from asperity.joint_file.assumptions import assumptions
-from asperity.joint_file.build import joint_from_case, unequal_branches
-from asperity.joint_file.model import Case
-from asperity.joint_file.planar_assumptions import planar_assumptions
 from asperity.joint_file.planar_build import planar_joint_from_case, unequal_sectors
-from asperity.joint_file.planar_model import PlanarCase
 from asperity.joint_file.si_tables import AnyCase, si_values
-
-_Described = TypeVar("_Described", Joint, PlanarJoint)
-_Solution = TypeVar("_Solution", Solution, PlanarSolution)
 
 
 class SolvedCase(NamedTuple):
@@ -36,11 +21,10 @@ class SolvedCase(NamedTuple):
     solved : SolvedJoint
         As :func:`solved_case` finds it.
     document : dict
-        All of it as plain data in SI units: :func:`asperity.joint.document.joint_document` or
-        :func:`asperity.joint.planar.document.planar_document`.
+        All of it as plain data in SI units: :func:`asperity.joint.planar.document.planar_document`.
     """
 
-    solved: SolvedJoint
+    solved: SolvedPlanarJoint
     document: dict[str, Any]
 
 
@@ -49,7 +33,7 @@ def solve_case(case: AnyCase) -> SolvedCase:
 
     Parameters
     ----------
-    case : Case or PlanarCase
+    case : PlanarCase
         The joint file.
 
     Returns
@@ -68,12 +52,12 @@ def solve_case(case: AnyCase) -> SolvedCase:
     return SolvedCase(solved, document_of(case, solved))
 
 
-def document_of(case: AnyCase, solved: SolvedJoint) -> dict[str, Any]:
+def document_of(case: AnyCase, solved: SolvedPlanarJoint) -> dict[str, Any]:
     """The document of a joint file that is solved already.
 
     Parameters
     ----------
-    case : Case or PlanarCase
+    case : PlanarCase
         The joint file.
     solved : SolvedJoint
         As :func:`solved_case` found it.
@@ -83,19 +67,15 @@ def document_of(case: AnyCase, solved: SolvedJoint) -> dict[str, Any]:
     dict
         As of :class:`SolvedCase`.
     """
-    if isinstance(case, PlanarCase):
-        assert isinstance(solved, SolvedPlanarJoint)
-        return planar_document(solved, inputs=si_values(case), assumptions=planar_assumptions(case))
-    assert isinstance(solved, SolvedPapersJoint)
-    return joint_document(solved, inputs=si_values(case), assumptions=assumptions(case))
+    return planar_document(solved, inputs=si_values(case), assumptions=assumptions(case))
 
 
-def solved_case(case: AnyCase) -> SolvedJoint:
+def solved_case(case: AnyCase) -> SolvedPlanarJoint:
     """Solve a joint file, with equal branches and with its own.
 
     Parameters
     ----------
-    case : Case or PlanarCase
+    case : PlanarCase
         The joint file.
 
     Returns
@@ -111,35 +91,18 @@ def solved_case(case: AnyCase) -> SolvedJoint:
     NoSolutionError
         If no balance was found.
     """
-    solved = _planar(case) if isinstance(case, PlanarCase) else _papers(case)
+    solved = _solved(case)
     if case.rolling is not None and case.rolling.required_life is not None:
         solved.required_life = case.rolling.required_life.value
     return solved
 
 
-def _papers(case: Case) -> SolvedPapersJoint:
-    joint = joint_from_case(case)
-    if case.branch is None:
-        return SolvedPapersJoint(joint, solve(joint))
-    return SolvedPapersJoint(joint, *_with_own(joint, solve, lambda _: unequal_branches(case, joint)))
-
-
-def _planar(case: PlanarCase) -> SolvedPlanarJoint:
+def _solved(case: AnyCase) -> SolvedPlanarJoint:
     joint = planar_joint_from_case(case)
     if case.branch is None:
         return solved_planar_joint(joint, solve_planar(joint))
-    both = _with_own(joint, solve_planar, lambda equal: unequal_sectors(case, joint, equal))
-    return solved_planar_joint(joint, *both)
-
-
-def _with_own(
-    joint: _Described,
-    solver: Callable[[_Described], _Solution],
-    own_branches: Callable[[_Solution], UnequalBranches | None],
-) -> tuple[_Solution, UnequalBranches | None]:
-    """What a joint does with equal branches, and with its own."""
-    solution, carries = solve_equal_branches(joint, solver)
-    found = own_branches(solution)
-    if carries or found is None:
-        return solution, found
-    return without_state(solution, float(joint.output_torque), found), found
+    solution, carries = solve_equal_branches(joint)
+    own = unequal_sectors(case, joint, solution)
+    if not carries and own is not None:
+        solution = without_state(solution, float(joint.output_torque), own)
+    return solved_planar_joint(joint, solution, own)

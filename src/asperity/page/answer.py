@@ -12,21 +12,19 @@ from asperity.drive.planar.state import PlanarState
 from asperity.errors import AsperityError
 from asperity.joint.creep_curves import creep_curves
 from asperity.joint.margins import Margin, margins
-from asperity.joint.planar.description import PlanarJoint
 from asperity.joint.results import SolvedJoint
 from asperity.joint.torque_curves import torque_curves
 from asperity.joint.windup import windup
 from asperity.joint.windup_document import windup_columns
 from asperity.joint_file.drawn_surface import drawn_interval
 from asperity.joint_file.entered_values import entered_values
-from asperity.joint_file.model import Case
 from asperity.joint_file.own_branches import with_own_branches
 from asperity.joint_file.planar_model import PlanarCase
 from asperity.joint_file.quantity_key import Key
 from asperity.joint_file.si_tables import numeric_keys
 from asperity.joint_file.solved_document import solve_case
 from asperity.page.description import form_of
-from asperity.page.drawing import drive_shapes, planar_shapes
+from asperity.page.drawing import planar_shapes
 from asperity.page.joint_request import JointRequest, choices_of_case
 from asperity.page.list_changes import stated_lists
 from asperity.units import from_si
@@ -76,9 +74,7 @@ def joint_answer(request: JointRequest) -> Answer:
 
 
 def _drawing(solved: SolvedJoint) -> Answer:
-    if isinstance(solved.joint, PlanarJoint):
-        return planar_shapes(solved.joint, solved.result)
-    return drive_shapes(solved.joint, solved.result.forces)
+    return planar_shapes(solved.joint, solved.result)
 
 
 def _margin(each: Margin) -> Answer:
@@ -105,12 +101,12 @@ def _margin(each: Margin) -> Answer:
     }
 
 
-def stated_values(case: Case | PlanarCase, tables: Mapping[str, Any]) -> Answer:
+def stated_values(case: PlanarCase, tables: Mapping[str, Any]) -> Answer:
     """What a joint file states, for the fields of the page.
 
     Parameters
     ----------
-    case : Case or PlanarCase
+    case : PlanarCase
         The joint.
     tables : mapping
         The tables of its file without changes.
@@ -131,7 +127,7 @@ def stated_values(case: Case | PlanarCase, tables: Mapping[str, Any]) -> Answer:
         word = above.get(key) if isinstance(above, dict) else getattr(above, key, None)
         choices[path] = word or ""
     return {
-        "form": form_of(case) if isinstance(case, PlanarCase) else None,
+        "form": form_of(case),
         "numbers": {
             path: {"value": _shown(entry.value, entry.key), "si": entry.value, "tolerance": entry.tolerance}
             for path, entry in numeric_keys(case).items()
@@ -190,7 +186,7 @@ def _curves(solved: SolvedJoint) -> Answer:
 
 def _rest(solved: SolvedJoint) -> PlanarState | None:
     """The assembled drive without torque, which the curves of a planar drive start from."""
-    return solved.result.rest if isinstance(solved.joint, PlanarJoint) else None
+    return solved.result.rest
 
 
 def _creep(solved: SolvedJoint) -> Answer:
@@ -204,7 +200,7 @@ def _creep(solved: SolvedJoint) -> Answer:
     }
 
 
-def _windup(solved: SolvedJoint, case: Case | PlanarCase) -> Answer:
+def _windup(solved: SolvedJoint, case: PlanarCase) -> Answer:
     """The loop at the joint's torque, of its own branches, or why there is none."""
     torque = abs(float(solved.joint.output_torque))
     if torque == 0.0:

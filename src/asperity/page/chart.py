@@ -12,7 +12,6 @@ from asperity.errors import InputError, quoted
 from asperity.joint.results import Result, known_result, row_name
 from asperity.joint.status import STATUS_MEANINGS
 from asperity.joint_file.any_joint import results_of
-from asperity.joint_file.part_names import WEDGE_TYPE
 from asperity.joint_file.quantity_key import Key
 from asperity.joint_file.si_tables import AnyCase, key_at, numeric_keys, si_values
 from asperity.page.joint_request import JointRequest, joint_request
@@ -204,7 +203,7 @@ def chart_answer(request: ChartRequest) -> dict[str, Any]:
     result, whichever number varies and whatever the others are.
     """
     case = request.joint.case()
-    kind = case.type or WEDGE_TYPE
+    kind = case.type
     values = si_values(case)
     rows = result_rows(results_of(values))
     result, row = rows[known_result(request.result, among=tuple(rows))]

@@ -6,68 +6,11 @@ from typing import Any
 
 import numpy as np
 
-from asperity.drive.force_balance import DriveForces
-from asperity.drive.geometry import CONTACT_NAMES
 from asperity.drive.planar.layout import sector_rotation
-from asperity.joint.description import Joint
 from asperity.joint.planar.description import PlanarJoint, places, tracks_of
 from asperity.joint.planar.evaluation import PlanarResult
-from asperity.show.drive_drawing import Roller, rollers
-from asperity.show.free_bodies import BodyForce, body_forces
+from asperity.show.free_bodies import BodyForce
 from asperity.show.planar_forces import planar_body_forces
-
-
-def drive_shapes(joint: Joint, forces: DriveForces) -> dict[str, Any]:
-    """Circles of the drive, and points, directions and sizes of the contact forces of its first branch.
-
-    Parameters
-    ----------
-    joint : Joint
-        One joint.
-    forces : DriveForces
-        Its forces.
-
-    Returns
-    -------
-    dict
-        ``rollers`` with centre and radius [m]; ``ring`` with its inner radius and wall [m]; ``forces``: for each
-        contact the point where it acts [m], and normal and tangential force as vectors on the body named [N]; none
-        where the forces are not known. Coordinates: the sun at the origin, the first planet on the positive y axis.
-    """
-    placed = rollers(joint.geometry)
-    return {
-        "rollers": [
-            {"body": each.body, "x_m": each.centre[0], "y_m": each.centre[1], "radius_m": each.radius}
-            for each in placed
-        ],
-        "ring": {
-            "inner_radius_m": float(joint.geometry.ring_radius),
-            "wall_m": float(joint.ring_wall_thickness),
-        },
-        "forces": _forces(joint, forces, {each.body: each for each in reversed(placed)}),
-    }
-
-
-def _forces(joint: Joint, forces: DriveForces, first: dict[str, Roller]) -> list[dict[str, Any]]:
-    """Each contact once: on the planet where it has one, otherwise on the loading roller."""
-    found: dict[str, dict[str, Any]] = {}
-    for force in body_forces(joint, forces):
-        if force.name == "pin" or (force.name.startswith("pw") and force.body != "planet"):
-            continue
-        roller = first[force.body]
-        (x, y), (right, up) = force.place, force.direction
-        entry = found.setdefault(
-            force.name,
-            {
-                "contact": force.name,
-                "on": force.body,
-                "x_m": roller.centre[0] + roller.radius * x,
-                "y_m": roller.centre[1] + roller.radius * y,
-            },
-        )
-        entry["normal_N" if force.kind == "N" else "tangential_N"] = [force.size * right, force.size * up]
-    known = np.all(np.isfinite(np.asarray(forces.normal)))
-    return [found[name] for name in CONTACT_NAMES] if known else []
 
 
 def planar_shapes(joint: PlanarJoint, result: PlanarResult) -> dict[str, Any]:
@@ -84,7 +27,7 @@ def planar_shapes(joint: PlanarJoint, result: PlanarResult) -> dict[str, Any]:
     -------
     dict
         ``rollers``: a circle for every track of every roller; ``rings`` with inner radius and wall [m]; ``forces`` on
-        the first body of each contact, as :func:`drive_shapes` gives them; ``bodies``: the rollers of the first sector,
+        the first body of each contact, as vectors [N]; ``bodies``: the rollers of the first sector,
         each with the radii of its tracks and of its bore [m] and every force on it: where it acts, as a direction from
         the axis, and as a vector [N]; no ``forces`` and ``bodies`` where the forces are not known.
     """

@@ -94,22 +94,22 @@ def run_job(request: dict[str, Any], report: Report) -> dict[str, Any]:
 
 
 def _sensitivity(file: str, options: dict[str, Any], report: Report) -> dict[str, Any]:
-    from asperity.joint_file.reader import read_any_case
+    from asperity.joint_file.reader import read_case
     from asperity.study.tolerances.documents import sensitivity_document
     from asperity.study.tolerances.sensitivity import sensitivity
 
-    return sensitivity_document(sensitivity(read_any_case(file)))
+    return sensitivity_document(sensitivity(read_case(file)))
 
 
 def _uncertainty(file: str, options: dict[str, Any], report: Report) -> dict[str, Any]:
     from asperity.joint_file.distribution import parse_distribution
-    from asperity.joint_file.reader import read_any_case
+    from asperity.joint_file.reader import read_case
     from asperity.study.tolerances.documents import uncertainty_document
     from asperity.study.tolerances.uncertainty import uncertainty
 
     stated = options.get("distribution")
     found = uncertainty(
-        read_any_case(file),
+        read_case(file),
         distribution=parse_distribution(stated) if stated else None,
         samples=options["samples"],
         seed=options["seed"],

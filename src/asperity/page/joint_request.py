@@ -17,13 +17,12 @@ from asperity.joint_file.edited_text import leave_out, set_texts, set_words
 from asperity.joint_file.entered_values import entered_key_at
 from asperity.joint_file.key_paths import models_of
 from asperity.joint_file.listed_sections import rearranged_text
-from asperity.joint_file.material_entries import BodyMaterials
-from asperity.joint_file.model import Case
-from asperity.joint_file.part_names import WEDGE_TYPE, type_of
+from asperity.joint_file.part_names import WEDGE_TYPE, material_keys, type_of
 from asperity.joint_file.planar_model import PlanarCase
 from asperity.joint_file.planar_types import PLANAR_CASES
-from asperity.joint_file.reader import any_case_from_tables, model_of_type
+from asperity.joint_file.reader import case_from_tables
 from asperity.joint_file.si_tables import key_at
+from asperity.joint_file.wedge_model import Case
 from asperity.library import read_finishes
 from asperity.page.list_changes import MOST_LOADS, arrange, is_list, places_of_lists, without_lists
 from asperity.reading import parse_toml
@@ -44,7 +43,7 @@ def _words(annotation: Any) -> tuple[str, ...]:
     return tuple(word for part in get_args(annotation) for word in _words(part))
 
 
-def choices_of(model: type[Case] | type[PlanarCase], bodies: Iterable[str]) -> dict[str, tuple[str, ...]]:
+def choices_of(model: type[PlanarCase], bodies: Iterable[str]) -> dict[str, tuple[str, ...]]:
     """The choices that a joint file offers.
 
     Parameters
@@ -67,7 +66,7 @@ def choices_of(model: type[Case] | type[PlanarCase], bodies: Iterable[str]) -> d
 
 
 @functools.cache
-def _words_of_sections(model: type[Case] | type[PlanarCase]) -> dict[str, tuple[str, ...]]:
+def _words_of_sections(model: type[PlanarCase]) -> dict[str, tuple[str, ...]]:
     return {
         f"{section}.{name}": _words(field.annotation)
         for section, above in model.model_fields.items()
@@ -79,15 +78,15 @@ def _words_of_sections(model: type[Case] | type[PlanarCase]) -> dict[str, tuple[
 
 
 #: The choices of a joint file with the paper's drive.
-CHOICES = choices_of(Case, BodyMaterials.model_fields)
+CHOICES = choices_of(Case, material_keys(WEDGE_TYPE))
 
 
-def choices_of_case(case: Case | PlanarCase) -> dict[str, tuple[str, ...]]:
+def choices_of_case(case: PlanarCase) -> dict[str, tuple[str, ...]]:
     """The choices of one joint file.
 
     Parameters
     ----------
-    case : Case or PlanarCase
+    case : PlanarCase
         The joint file.
 
     Returns
@@ -95,7 +94,7 @@ def choices_of_case(case: Case | PlanarCase) -> dict[str, tuple[str, ...]]:
     dict
         As :func:`choices_of`.
     """
-    return choices_of(type(case), case.bodies) if isinstance(case, PlanarCase) else CHOICES
+    return choices_of(type(case), case.bodies)
 
 
 @dataclass(frozen=True)
@@ -126,7 +125,7 @@ class JointRequest:
         content = json.dumps([self.name, self.text, changes, self.tables], sort_keys=True)
         return hashlib.sha256(content.encode("utf-8", "surrogatepass")).hexdigest()[:32]
 
-    def case(self) -> Case | PlanarCase:
+    def case(self) -> PlanarCase:
         """The checked joint file.
 
         Raises
@@ -147,7 +146,7 @@ class JointRequest:
             raise InputError(
                 f"{self.name}: the page takes at most {MOST_LOADS} loads in [[duty]], got {len(loads)}"
             )
-        return any_case_from_tables(tables, source=self.name)
+        return case_from_tables(tables, source=self.name)
 
     @functools.cached_property
     def file_tables(self) -> dict[str, Any]:
@@ -165,17 +164,16 @@ class JointRequest:
         return tomlkit.dumps(document)
 
 
-def _model_of(tables: Mapping[str, Any]) -> type[Case] | type[PlanarCase]:
+def _model_of(tables: Mapping[str, Any]) -> type[PlanarCase]:
     """Model of a joint file; that of the paper's drive where its type is none."""
     kind = type_of(tables)
-    return model_of_type(kind) if kind in (WEDGE_TYPE, *PLANAR_CASES) else Case
+    return PLANAR_CASES.get(kind, Case)
 
 
 def _apply(tables: Any, changes: Mapping[str, Any]) -> None:
     try:
         kind, model = type_of(tables), _model_of(tables)
-        bodies = tables.get("bodies", {}) if issubclass(model, PlanarCase) else BodyMaterials.model_fields
-        choices = choices_of(model, bodies)
+        choices = choices_of(model, tables.get("bodies", {}))
         numbers = {path: value for path, value in changes.items() if path not in choices}
         empty = [path for path, value in numbers.items() if value == "" and _may_be_absent(path, model, kind)]
         for path in empty:
@@ -209,7 +207,7 @@ def _set_each_finish(tables: Any, word: str) -> None:
             leave_out(tables, path)
 
 
-def _may_be_absent(path: str, model: type[Case] | type[PlanarCase], kind: str) -> bool:
+def _may_be_absent(path: str, model: type[PlanarCase], kind: str) -> bool:
     """Whether a number of the joint file is optional, or given by a finish."""
     if entered_key_at(path, kind) is None:
         key_at(path, kind)

@@ -8,7 +8,7 @@ from collections.abc import Callable, Mapping
 from typing import Any, Literal
 
 from asperity.errors import InputError, printable
-from asperity.joint_file.reader import parse_any_case
+from asperity.joint_file.reader import parse_case
 from asperity.page.answer import stated_values
 from asperity.page.child import Child, file_name
 from asperity.page.computation import Computations
@@ -121,7 +121,7 @@ def opened_joint(content: bytes, name: str) -> dict[str, Any]:
     text = _text(content, name)
     tables = parse_toml(text, source=name)
     refuse_named_files(tables, source=name)
-    return {"name": name, "toml": text, **stated_values(parse_any_case(text, source=name), tables)}
+    return {"name": name, "toml": text, **stated_values(parse_case(text, source=name), tables)}
 
 
 def opened_design(content: bytes, name: str) -> dict[str, Any]:

@@ -6,7 +6,6 @@ import io
 import math
 from typing import TYPE_CHECKING
 
-from asperity.joint.description import Joint
 from asperity.joint.margins import margins
 from asperity.joint.planar.description import PlanarJoint
 from asperity.joint.results import SolvedJoint
@@ -14,7 +13,6 @@ from asperity.joint.rolling_curves import rolling_curves
 from asperity.joint.rolling_onset import RollingOnset
 from asperity.joint.windup import Windup
 from asperity.show.compliance_figure import draw_budget, draw_levels
-from asperity.show.drive_sheet import drive_sheet, forces_sheet
 from asperity.show.margins_figure import draw_margins, margins_height
 from asperity.show.planar_sheet import planar_forces_sheet, planar_sheet
 from asperity.show.rolling_figure import rolling_figure
@@ -28,7 +26,7 @@ _WIDTH = 7.0  # of a picture on a page [in]
 
 
 def report_pictures(
-    joint: Joint | PlanarJoint,
+    joint: PlanarJoint,
     solved: SolvedJoint,
     windup: Windup | None,
     onset: RollingOnset | None,
@@ -42,7 +40,7 @@ def report_pictures(
 
     Parameters
     ----------
-    joint : Joint or PlanarJoint
+    joint : PlanarJoint
         One joint.
     solved : SolvedJoint
         The same with its results.
@@ -67,20 +65,10 @@ def report_pictures(
     """
     from matplotlib.figure import Figure
 
-    whole, apart = (
-        (
-            planar_sheet(joint, name=name, interference=interference),
-            lambda: planar_forces_sheet(joint, solved.result),
-        )
-        if isinstance(joint, PlanarJoint)
-        else (
-            drive_sheet(joint, name=name, interference=interference),
-            lambda: forces_sheet(joint, solved.result.forces),
-        )
-    )
+    whole = planar_sheet(joint, name=name, interference=interference)
     found = {"drive": figure_svg(sheet_figure(whole))}
     if not solved.no_equal_state:
-        found["forces"] = figure_svg(sheet_figure(apart()))
+        found["forces"] = figure_svg(sheet_figure(planar_forces_sheet(joint, solved.result)))
         budget = Figure(figsize=(_WIDTH, 0.65 * _WIDTH), layout="constrained")
         shares, levels = budget.subplots(2, 1, height_ratios=(2.2, 1.0))
         draw_budget(shares, solved)

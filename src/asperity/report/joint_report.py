@@ -12,9 +12,8 @@ from typing import TYPE_CHECKING, Any
 
 import asperity
 from asperity.errors import AsperityError
-from asperity.joint.either_kind import AnyJoint, OwnJoint
-from asperity.joint.loads_document import load_cases, loads_document
 from asperity.joint.margins import margins
+from asperity.joint.planar.description import PlanarJoint
 from asperity.joint.planar.loads_document import planar_loads_document
 from asperity.joint.results import SolvedJoint
 from asperity.joint.rolling_onset import RollingOnset
@@ -27,7 +26,6 @@ from asperity.joint.windup_document import (
 )
 from asperity.joint_file.drawn_surface import drawn_interval
 from asperity.joint_file.made_interference import made_interference
-from asperity.joint_file.model import Case
 from asperity.joint_file.own_branches import with_own_branches
 from asperity.joint_file.planar_model import PlanarCase
 from asperity.joint_file.si_tables import AnyCase
@@ -56,7 +54,7 @@ class ReportSource:
         Name of the joint file.
     text : str
         Its text.
-    case : Case or PlanarCase
+    case : PlanarCase
         Its content.
     measurement : SurfaceMeasurement, optional
         The measured surface that has replaced the surfaces of the file in ``case``.
@@ -70,7 +68,7 @@ class ReportSource:
 
     name: str
     text: str
-    case: Case | PlanarCase
+    case: PlanarCase
     measurement: SurfaceMeasurement | None = None
     measurement_texts: tuple[str, ...] = ()
     date: str = ""
@@ -168,12 +166,8 @@ class _Parts:
 def _parts(source: ReportSource) -> _Parts:
     solved, document = solve_case(source.case)
     bearings = document["bearings"]
-    if isinstance(source.case, PlanarCase):
-        loads = planar_loads_document(solved, bearings)
-        drive = result_tables.planar_drive(document)
-    else:
-        loads = loads_document(solved.joint, load_cases(solved), bearings, solved.branches)
-        drive = result_tables.drive(document)
+    loads = planar_loads_document(solved, bearings)
+    drive = result_tables.planar_drive(document)
     return _Parts(
         solved,
         document,
@@ -196,7 +190,7 @@ class _Examined:
 
 
 def _examined(solved: SolvedJoint, document: dict[str, Any], case: AnyCase) -> _Examined:
-    joint: OwnJoint = solved.joint
+    joint: PlanarJoint = solved.joint
     capacity = document["rolling"]["torque_capacity_Nm"]
     capacity = math.inf if capacity is None else float(capacity)
     try:
@@ -249,7 +243,7 @@ def _rolling(document: dict[str, Any], found: _Examined, pictures: dict[str, str
         yield Picture("Creep, efficiency, drift and life", pictures["rolling"])
 
 
-def _measured(joint: AnyJoint, source: ReportSource, case: Case | PlanarCase) -> Iterator[Block]:
+def _measured(joint: PlanarJoint, source: ReportSource, case: PlanarCase) -> Iterator[Block]:
     """The interval of stiffness and drift from the uncertainty of a measured surface, or of one stated by its Ra."""
     if source.measurement is None:
         yield from surface_tables.drawn_stiffness(drawn_interval(case))

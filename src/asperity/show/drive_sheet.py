@@ -12,7 +12,7 @@ from asperity.drive.force_balance import DriveForces
 from asperity.drive.geometry import CONTACT_NAMES, angles, triangle
 from asperity.errors import printable
 from asperity.joint.description import Joint
-from asperity.joint.either_kind import AnyJoint
+from asperity.joint.planar.description import PlanarJoint
 from asperity.joint.planar.evaluation import PlanarForces
 from asperity.show.dimension_lines import dimension
 from asperity.show.drive_view import drive_view, gaps, ring_as_drawn
@@ -239,12 +239,12 @@ def _contact_lengths(joint: Joint) -> str:
     return ", ".join(f"{name} {length}" for name, length in zip(CONTACT_NAMES, lengths, strict=True))
 
 
-def load_lines(joint: AnyJoint, forces: DriveForces | PlanarForces, *, part: str) -> list[str]:
+def load_lines(joint: PlanarJoint, forces: PlanarForces, *, part: str) -> list[str]:
     """What stands beside bodies that are drawn apart.
 
     Parameters
     ----------
-    joint : Joint or PlanarJoint
+    joint : PlanarJoint
         One joint.
     forces : DriveForces or PlanarForces
         Its forces.

@@ -8,7 +8,6 @@ ones.
 
 from __future__ import annotations
 
-import contextlib
 import functools
 import itertools
 import json
@@ -25,7 +24,7 @@ from asperity.compilation import compile_fast
 from asperity.joint.results import GROUPS, RESULTS
 from asperity.joint.status import OUT_OF_RANGE, has_value
 from asperity.joint_file.any_joint import evaluated_points, results_of
-from asperity.joint_file.part_names import WEDGE_TYPE, type_of, with_tracks
+from asperity.joint_file.part_names import type_of, with_tracks
 from asperity.joint_file.quantity_key import Key
 from asperity.joint_file.si_tables import Values, key_at, replace_values
 from asperity.joint_file.table_numbers import Numbers, numbers, table_structure, with_numbers
@@ -166,7 +165,6 @@ def evaluate_points(
     quick = count <= QUICK_POINTS if quick is None else quick
     size = min(batch_size(results), 1 << max((batch or count) - 1, 0).bit_length())
     program = _program(table_structure(values), paths, results, size, quick)
-    solves = batch_size(results) < BATCH or type_of(values) != WEDGE_TYPE
     base = tuple(np.float64(number) for number in numbers(values))
     outside = np.zeros(count, dtype=bool)
     for path, column in columns.items():
@@ -179,7 +177,7 @@ def evaluate_points(
         part = slice(start, min(start + size, count))
         missing = size - (part.stop - start)
         padded = [np.pad(column[part], (0, missing), mode="edge") for column in columns.values()]
-        with _ALONE if solves else contextlib.nullcontext():
+        with _ALONE:
             code, done = jax.tree.map(np.asarray, program(base, *padded))
         status[part] = code[: size - missing]
         for name, value in done.items():

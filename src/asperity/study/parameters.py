@@ -212,7 +212,7 @@ def check_axes(case: AnyCase, axes: Sequence[SweepAxis]) -> None:
 
     Parameters
     ----------
-    case : Case or PlanarCase
+    case : PlanarCase
         The joint file.
     axes : sequence of Axis
         The axes.
@@ -234,7 +234,7 @@ def check_paths(case: AnyCase, paths: Sequence[str]) -> None:
 
     Parameters
     ----------
-    case : Case or PlanarCase
+    case : PlanarCase
         The joint file.
     paths : sequence of str
         Dotted paths.

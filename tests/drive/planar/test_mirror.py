@@ -9,7 +9,7 @@ from asperity.drive.planar.drives import two_row_multiroller
 from asperity.drive.planar.layout import Body, Contact, PlanarDrive
 from asperity.drive.planar.mirror import MirrorImage, mirror_image
 from asperity.joint.planar.over_torque import standing_over_torque
-from asperity.joint_file.planar_build import any_joint_from_case
+from asperity.joint_file.planar_build import planar_joint_from_case
 
 
 def pair(angle, radius=10e-3, push=0.0):
@@ -107,7 +107,7 @@ def test_rollers_on_either_side_of_the_line_are_exchanged():
 @pytest.mark.slow
 def test_torques_of_either_sign_do_the_same_to_a_mirrored_drive(planar_case):
     """The solver knows nothing of the mirror: both directions are solved."""
-    joint = any_joint_from_case(planar_case("multiroller"))
+    joint = planar_joint_from_case(planar_case("multiroller"))
     torques = np.array([2.0, -2.0, 0.9 * float(joint.output_torque), -0.9 * float(joint.output_torque)])
     found = standing_over_torque(joint, torques, no_slip_friction=1e30)
     np.testing.assert_allclose(found.assembly[::2], found.assembly[1::2], rtol=1e-9)

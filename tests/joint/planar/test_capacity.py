@@ -19,7 +19,7 @@ from asperity.joint.planar.solve import solve_planar
 from asperity.joint.rolling_capacity import rolling_torque_capacity
 from asperity.joint_file.build import joint_from_case
 from asperity.joint_file.planar_build import planar_joint_from_case
-from asperity.joint_file.reader import parse_any_case
+from asperity.joint_file.reader import parse_case
 
 ORBIT, COUNT = 30e-3, 3  # of the planetary example
 
@@ -120,7 +120,7 @@ def unlike_planets(angles, friction):
 def test_two_planets_of_different_friction_hold_the_sum():
     """By hand: n times two orbits times (mu_1 + mu_2) N; at 25 N·m the weak one bears 60 N, the strong one the rest."""
     text = unlike_planets({"one": 90, "two": 30}, "{ sone = 0.06, rone = 0.06, stwo = 0.1, rtwo = 0.1 }")
-    joint = planar_joint_from_case(parse_any_case(text, source="two.toml"))
+    joint = planar_joint_from_case(parse_case(text, source="two.toml"))
     found = solve_planar(joint)
     path = 3.0 * 2.0 * 30e-3
     for whole, first in (
@@ -151,7 +151,7 @@ def test_the_search_from_rest_finds_the_capacity_of_one_loading():
     """Two ways: each torque solved from rest, and the loading followed while two of three planets slide."""
     draws = 64
     text = unlike_planets({"one": 90, "two": 52, "three": 12}, "0.1")
-    joint = planar_joint_from_case(parse_any_case(text, source="three.toml"))
+    joint = planar_joint_from_case(parse_case(text, source="three.toml"))
     joint = jax.tree.map(lambda leaf: np.asarray(leaf, dtype=float), joint)
     random = np.random.default_rng(1)
     frictions = tuple(jnp.asarray(0.03 * 10.0 ** random.uniform(size=draws)) for _ in joint.contact_names)

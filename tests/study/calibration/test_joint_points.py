@@ -8,7 +8,7 @@ from asperity.errors import NoSolutionError
 from asperity.joint.either_kind import under_torque
 from asperity.joint.planar.solve import solve_planar
 from asperity.joint.windup import windup
-from asperity.joint_file.planar_build import any_joint_from_values
+from asperity.joint_file.planar_build import planar_joint_from_values
 from asperity.joint_file.reader import read_case
 from asperity.joint_file.si_tables import replace_values, si_values
 from asperity.study.calibration import joint_points as module
@@ -113,7 +113,7 @@ def test_each_torque_of_another_drive_is_solved_once(case, monkeypatch, shown):
 
 
 def known_joint(case):
-    return any_joint_from_values(replace_values(si_values(case), dict(zip(PATHS, KNOWN, strict=True))))
+    return planar_joint_from_values(replace_values(si_values(case), dict(zip(PATHS, KNOWN, strict=True))))
 
 
 @pytest.mark.long

@@ -13,7 +13,7 @@ from asperity.joint.planar.solve import solve_planar
 from asperity.joint.planar.solved import solved_planar_joint
 from asperity.joint_file.build import joint_from_values
 from asperity.joint_file.planar_build import planar_joint_from_case
-from asperity.joint_file.reader import parse_any_case, parse_case
+from asperity.joint_file.reader import parse_case, parse_case
 from asperity.joint_file.si_tables import si_values
 from asperity.study.batch import derivatives_at, evaluate_points
 from asperity.study.design import design as module
@@ -289,7 +289,7 @@ def test_the_lightest_planetary_whose_ring_has_a_stated_safety(tmp_path, zou_fil
     limit = next(each for each in found.limits if each.name == "rim_yield_safety")
     assert (limit.row, limit.active) == ("ring", True)
     assert limit.value == pytest.approx(2.0, rel=1e-7)
-    solved = parse_any_case(found.joint_text, source="designed")
+    solved = parse_case(found.joint_text, source="designed")
     joint = planar_joint_from_case(solved)
     again = solved_planar_joint(joint, solve_planar(joint)).rims
     assert float(again.yield_safety[2]) == pytest.approx(2.0, rel=1e-6)

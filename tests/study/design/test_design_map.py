@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from asperity.errors import InputError
-from asperity.joint_file.reader import read_any_case
+from asperity.joint_file.reader import read_case
 from asperity.study.design import design_evaluation
 from asperity.study.design.design_map import design_map, limit_text, mapped_variables
 from asperity.study.design.design_problem import Constraint, DesignProblem, Objective, Variable, WorstCase
@@ -123,7 +123,7 @@ def test_limits_in_words(result):
 
 def test_the_map_of_another_drive_has_its_words(result):
     """The case that is known without a search, with the words of a planetary."""
-    planetary = read_any_case(ROOT / "examples" / "planetary.toml")
+    planetary = read_case(ROOT / "examples" / "planetary.toml")
     result.problem = dataclasses.replace(result.problem, case=planetary)
     figure = design_map(result)
     labels = [text.get_text() for text in figure.legends[0].get_texts()]

@@ -5,7 +5,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from asperity.joint_file.reader import read_any_case
+from asperity.joint_file.reader import read_case
 from asperity.study.design.design_problem import DesignProblem, Objective, Variable, WorstCase
 
 ROOT = Path(__file__).parents[3]
@@ -41,7 +41,7 @@ def test_the_goal_is_the_smallest_or_the_largest(case):
 
 def test_the_goal_of_another_drive_has_its_own_words(case):
     """A planetary's first contact need not be one of a sun, and its outer body need not be a ring."""
-    planetary = read_any_case(ROOT / "examples" / "planetary.toml")
+    planetary = read_case(ROOT / "examples" / "planetary.toml")
     for name, papers, own in (
         (
             "preload",

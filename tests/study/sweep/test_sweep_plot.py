@@ -9,7 +9,7 @@ import pytest
 from asperity.errors import InputError
 from asperity.joint.results import RESULTS
 from asperity.joint_file.any_joint import results_of
-from asperity.joint_file.reader import read_any_case
+from asperity.joint_file.reader import read_case
 from asperity.joint_file.si_tables import si_values
 from asperity.study.datasets import coordinate, dataset
 from asperity.study.parameters import parse_axis
@@ -128,7 +128,7 @@ def test_few_values_of_the_second_axis_are_curves_and_the_third_panels():
 
 def test_axes_have_the_words_of_the_drive_that_was_swept():
     """A planetary's input need not be a sun; a drive of this type has two contacts."""
-    table = results_of(si_values(read_any_case(ROOT / "examples" / "planetary.toml")))
+    table = results_of(si_values(read_case(ROOT / "examples" / "planetary.toml")))
     name = "assembly_stiffness_input"
     data = swept({name: np.array([1.0, 2.0, 3.0])}, f"{TORQUE}=0 N*m:2 N*m:3", table=table)
     (axes,) = sweep_figure(data, result=name).axes

@@ -47,16 +47,16 @@ def wedge_drive(geometry: DriveGeometry, *, planet_count: Real) -> PlanarDrive:
         bodies=(
             Body("sun", "axis"),
             Body("planet", "free"),
-            Body("right", "pin"),
-            Body("left", "pin"),
+            Body("right_loading_roller", "pin"),
+            Body("left_loading_roller", "pin"),
             Body("ring", "axis"),
         ),
         contacts=(
             Contact("sp", "sun", "planet"),
-            Contact("pwr", "planet", "right"),
-            Contact("pwl", "planet", "left"),
-            Contact("wro", "right", "ring", internal=True),
-            Contact("wlo", "left", "ring", internal=True),
+            Contact("pwr", "planet", "right_loading_roller"),
+            Contact("pwl", "planet", "left_loading_roller"),
+            Contact("wro", "right_loading_roller", "ring", internal=True),
+            Contact("wlo", "left_loading_roller", "ring", internal=True),
         ),
         centres=xp.stack(
             [

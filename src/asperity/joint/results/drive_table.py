@@ -7,9 +7,8 @@ import functools
 import math
 
 from asperity.joint.capacity import LIMITING_CONTACTS
-from asperity.joint.planar.description import PlanarJoint
 from asperity.joint.results.result import Result, SolvedJoint
-from asperity.joint.results.table import RESULTS, WEDGE_RESULTS
+from asperity.joint.results.table import RESULTS
 
 _LABELS = {
     "preload": "normal force of the first contact in the assembled drive",
@@ -62,8 +61,6 @@ def results_of_joint(solved: SolvedJoint) -> dict[str, Result]:
     dict
         Name → row.
     """
-    if not isinstance(solved.joint, PlanarJoint):
-        return WEDGE_RESULTS
     return results_of_drive(*(solved.row_names(axis) for axis in ("contact", "body", "clearance", "bearing")))
 
 

@@ -20,8 +20,7 @@ from asperity.joint.bearing_lives import BearingLives, bearing_lives
 from asperity.joint.branch_bearings import branch_bearing_lives
 from asperity.joint.branch_results import NO_EQUAL_STATE, UnequalBranches
 from asperity.joint.capacity import TorqueCapacity, torque_capacity
-from asperity.joint.description import Joint, preload_at
-from asperity.joint.evaluation import JointResult
+from asperity.joint.description import preload_at
 from asperity.joint.planar.description import PlanarJoint
 from asperity.joint.planar.evaluation import PlanarResult
 from asperity.joint.rim_safety import RIM_NAMES, branch_joint_rims, joint_rims
@@ -63,9 +62,9 @@ class SolvedJoint:
 
     Parameters
     ----------
-    joint : Joint or PlanarJoint
+    joint : PlanarJoint
         One joint, or many along trailing batch axes; one only with a planar drive.
-    result : JointResult or PlanarResult
+    result : PlanarResult
         What :func:`asperity.joint.evaluation.evaluate` says about it. The results of a planar drive do not include
         capacity, size and clearances.
     capacity : TorqueCapacity, optional
@@ -85,8 +84,8 @@ class SolvedJoint:
 
     def __init__(
         self,
-        joint: Joint | PlanarJoint,
-        result: JointResult | PlanarResult,
+        joint: PlanarJoint,
+        result: PlanarResult,
         capacity: TorqueCapacity | None = None,
         branches: UnequalBranches | None = None,
         notes: tuple[Note, ...] = (),
@@ -330,7 +329,8 @@ class Result:
         own = (
             "contact",
             "body",
-            *(("clearance", "bearing") if isinstance(solved.joint, PlanarJoint) else ()),
+            "clearance",
+            "bearing",
         )
         names = solved.row_names(self.axis) if self.axis in own else self.row_names
         present = (True,) * len(names) if self.present is None else self.present(solved)

@@ -7,10 +7,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from asperity.drive.planar.existence import refuse_impossible
 from asperity.errors import InputError, NoSolutionError
-from asperity.joint.either_kind import refuse_no_room
 from asperity.joint.windup import StiffnessLevel
-from asperity.joint_file.planar_build import any_joint_from_case
+from asperity.joint_file.planar_build import planar_joint_from_case
 from asperity.joint_file.si_tables import AnyCase
 from asperity.precision import require_double_precision
 from asperity.study.calibration.fitted_curve import FittedCurve, JoinedCurves
@@ -126,7 +126,7 @@ def calibrate(
 
     Parameters
     ----------
-    case : Case or PlanarCase
+    case : PlanarCase
         The joint file.
     measurements : tuple of Measurement
         The data: one curve, or one of the joint at rest and one of the joint that turns.
@@ -171,7 +171,7 @@ def calibrate(
     from scipy.stats import qmc
 
     require_double_precision()
-    refuse_no_room(any_joint_from_case(case))
+    refuse_impossible(planar_joint_from_case(case).drive)
     if all(each.drift is not None for each in measurements) and history != "virgin":
         raise InputError(
             "a drift curve has no history, because each torque is held while the joint turns; use 'virgin', the default"

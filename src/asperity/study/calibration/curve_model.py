@@ -15,7 +15,7 @@ import numpy as np
 from asperity.errors import InputError
 from asperity.joint.play import play_compliance
 from asperity.joint.windup import StiffnessLevel, is_symmetric
-from asperity.joint_file.planar_build import any_joint_from_values
+from asperity.joint_file.planar_build import planar_joint_from_values
 from asperity.joint_file.section_build import play_of
 from asperity.joint_file.si_tables import AnyCase, numeric_keys, replace_values, si_values
 from asperity.study.calibration.joint_points import JointPoints, joint_points
@@ -40,7 +40,7 @@ class CurveModel:
 
     Parameters
     ----------
-    case : Case or PlanarCase
+    case : PlanarCase
         The joint file.
     measurement : Measurement
         Torques, times and repetitions of the data, and what was measured.
@@ -99,7 +99,7 @@ class CurveModel:
             )
             for order, index in enumerate(self.in_joint)
         }
-        return is_symmetric(any_joint_from_values(replace_values(self.values, between)))
+        return is_symmetric(planar_joint_from_values(replace_values(self.values, between)))
 
     def _first(self, unknown: Variable, stated: dict) -> float:
         """Scaled value of the first guess: the file's value, no play, no drift."""

@@ -94,7 +94,7 @@ class JoinedCurves:
 
     Parameters
     ----------
-    case : Case or PlanarCase
+    case : PlanarCase
         The joint file.
     measurements : tuple of Measurement
         The data.

@@ -12,14 +12,12 @@ from jax import Array
 
 from asperity.compilation import compile_fast
 from asperity.joint.planar.over_torque import BATCH, curve_program
-from asperity.joint.results import name_at_level
 from asperity.joint.standing import LEVELS, NO_SLIP_FRICTION
 from asperity.joint.windup import StiffnessLevel
-from asperity.joint_file.part_names import WEDGE_TYPE, type_of, with_tracks
+from asperity.joint_file.part_names import with_tracks
 from asperity.joint_file.planar_build import planar_joint_from_values
-from asperity.joint_file.si_tables import Values, replace_values
+from asperity.joint_file.si_tables import Values
 from asperity.joint_file.table_numbers import numbers, table_structure, with_numbers
-from asperity.study.batch import derivatives_at
 
 #: What a curve shows of a joint.
 Shown = StiffnessLevel | Literal["drift"]
@@ -81,52 +79,11 @@ def joint_points(
     JointPoints
         Nothing is replaced by nan where a search passes through joints that cannot exist.
     """
-    if type_of(values) == WEDGE_TYPE:
-        return _of_the_papers_drive(values, paths, sets, torque, slips, shown, slopes)
-    found = [_of_another_drive(values, paths, each, torque, slips, shown, slopes) for each in sets]
+    found = [_of_one_set(values, paths, each, torque, slips, shown, slopes) for each in sets]
     return JointPoints(*(np.stack(parts) for parts in zip(*found, strict=True)))
 
 
-def _of_the_papers_drive(
-    values: Values,
-    paths: tuple[str, ...],
-    sets: np.ndarray,
-    torque: np.ndarray,
-    slips: np.ndarray,
-    shown: Shown,
-    slopes: bool,
-) -> JointPoints:
-    """The chain that is written for batches: every set at every torque is a point."""
-    result = "drift" if shown == "drift" else name_at_level("stiffness", shown)
-    many = {path: np.repeat(sets[:, index], torque.size) for index, path in enumerate(paths)}
-    torques, sense = np.tile(torque, len(sets)), np.ones(len(sets) * torque.size)
-    if shown != "drift":
-        # the bearings' friction of a joint at rest acts against the motion that the torque drives
-        sense = np.where(torques < 0.0, -1.0, 1.0)
-    load = replace_values(values, many)["load"]
-    changes = {**many, "load.output_torque": torques, "load.sun_speed": sense * load["sun_speed"]}
-    friction = load["friction_coefficient"]
-    stated = (
-        {f"load.friction_coefficient.{name}": value for name, value in friction.items()}
-        if isinstance(friction, dict)
-        else {"load.friction_coefficient": friction}
-    )
-    slip = np.tile(slips, len(sets))
-    changes |= {path: np.where(slip, value, NO_SLIP_FRICTION) for path, value in stated.items()}
-    status, found, by = derivatives_at(values, changes, (result, "slip_ratio"), paths if slopes else ())
-    derivatives = by[result][0]
-    if slopes and "load.sun_speed" in paths:
-        derivatives[:, paths.index("load.sun_speed")] *= sense
-    shape = (len(sets), torque.size)
-    return JointPoints(
-        found[result][0].reshape(shape),
-        derivatives.reshape(*shape, len(paths) if slopes else 0),
-        found["slip_ratio"].max(axis=0).reshape(shape),
-        status.reshape(shape) == 0,
-    )
-
-
-def _of_another_drive(
+def _of_one_set(
     values: Values,
     paths: tuple[str, ...],
     one: np.ndarray,

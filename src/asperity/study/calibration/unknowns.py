@@ -7,8 +7,6 @@ from collections.abc import Iterable
 import numpy as np
 
 from asperity.errors import InputError
-from asperity.joint_file.part_names import WEDGE_TYPE
-from asperity.joint_file.planar_model import PlanarCase
 from asperity.joint_file.si_tables import AnyCase, key_at, numeric_keys
 from asperity.study.calibration.measurement import Measurement
 from asperity.study.design.design_problem import Variable
@@ -46,7 +44,7 @@ def read_unknowns(
     texts : iterable of str
         ``KEY`` or ``KEY=LOWER:UPPER`` with units, for example ``load.preload=500 N:2000 N``; a key is a number of
         the joint file, or ``offset``, ``drift``.
-    case : Case or PlanarCase
+    case : PlanarCase
         The joint file. Its value is the first guess; without bounds, five times it and a fifth of it are the bounds
         (1.05 to 1.95 for a fractal dimension).
     measurements : tuple of Measurement
@@ -99,9 +97,7 @@ def read_unknowns(
 
 
 def _sets_the_ratio(path: str, case: AnyCase) -> bool:
-    if isinstance(case, PlanarCase):
-        return path.endswith("_radius")
-    return path in _RATIO_KEYS
+    return path.endswith("_radius") and "crown" not in path
 
 
 def of_measurement(path: str, measurement: Measurement, measurements: tuple[Measurement, ...]) -> bool:
@@ -192,7 +188,7 @@ def _of_curve(name: str, sides: list[str], measurement: Measurement) -> list[Var
 
 
 def _of_joint(path: str, sides: list[str], case: AnyCase) -> Variable:
-    key = key_at(path, case.type or WEDGE_TYPE)
+    key = key_at(path, case.type)
     if path == "load.output_torque":
         raise InputError("load.output_torque is measured here, it cannot be unknown")
     if key.whole:

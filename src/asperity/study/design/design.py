@@ -11,7 +11,7 @@ from asperity.errors import InputError, NoSolutionError
 from asperity.joint.results import RESULTS
 from asperity.joint.status import ALL_PLASTIC, UNBALANCED, has_value
 from asperity.joint_file.edited_text import joint_file_text
-from asperity.joint_file.reader import parse_any_case
+from asperity.joint_file.reader import parse_case
 from asperity.joint_file.si_tables import si_values
 from asperity.precision import require_double_precision
 from asperity.study.batch import derivatives_at
@@ -243,7 +243,7 @@ def nominal_results(joint_text: str, results: tuple[str, ...]) -> dict[str, np.n
     dict
         Name → shape (rows,) [SI].
     """
-    values = si_values(parse_any_case(joint_text, source="the designed joint"))
+    values = si_values(parse_case(joint_text, source="the designed joint"))
     torque = np.array([values["load"]["output_torque"]])
     _, found, _ = derivatives_at(values, {"load.output_torque": torque}, results)
     return {name: value[:, 0] for name, value in found.items()}

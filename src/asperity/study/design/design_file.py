@@ -14,7 +14,7 @@ from asperity.joint.windup import StiffnessLevel
 from asperity.joint_file.any_joint import results_of, rows_of_file
 from asperity.joint_file.messages import nearest
 from asperity.joint_file.part_names import WEDGE_TYPE, type_of
-from asperity.joint_file.reader import read_any_case
+from asperity.joint_file.reader import read_case
 from asperity.joint_file.si_tables import Values, key_at, numeric_keys, si_values
 from asperity.library import read_finishes
 from asperity.reading import read_toml
@@ -118,7 +118,7 @@ def design_from_tables(tables: Mapping[str, Any], *, folder: Path) -> DesignProb
     with errors.gathered():
         if not isinstance(tables["joint"], str):
             raise InputError(f"joint: expected the path of a joint file as text, got {tables['joint']!r}")
-        case = read_any_case(folder / tables["joint"])
+        case = read_case(folder / tables["joint"])
         values = si_values(case)
         kind, known = type_of(values), results_of(values)
     level = tables.get("level", "assembly")

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 from asperity.errors import InputError, NoSolutionError
 from asperity.joint_file.edited_text import joint_file_text
-from asperity.joint_file.reader import parse_any_case
+from asperity.joint_file.reader import parse_case
 from asperity.joint_file.solved_document import solve_case
 from asperity.study.design.design_problem import DesignProblem
 
@@ -32,7 +32,7 @@ def found_diagnostics(joint_text: str) -> Diagnostics:
         has no result under that torque, with the reason in ``no_result_because``.
     """
     try:
-        document = solve_case(parse_any_case(joint_text, source="the designed joint")).document
+        document = solve_case(parse_case(joint_text, source="the designed joint")).document
     except (InputError, NoSolutionError) as error:
         return {"diagnostics": None, "no_result_because": str(error)}
     return {"diagnostics": document["diagnostics"], "no_result_because": None}

@@ -129,7 +129,7 @@ def make_plan(
 
     Parameters
     ----------
-    case : Case or PlanarCase
+    case : PlanarCase
         The joint file.
     axes : sequence of Axis
         What is varied.

@@ -7,19 +7,12 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
-import jax.numpy as jnp
 import numpy as np
 
-from asperity.drive.interference import interference_of_sizes
-from asperity.drive.unequal_branches import added_interference
 from asperity.errors import InputError, NoSolutionError
-from asperity.joint.branch_sizes import BranchSizes
-from asperity.joint.branches import BranchedJoint
 from asperity.joint.planar.branches import BranchedPlanarJoint
 from asperity.joint.planar.solve import solve_planar
-from asperity.joint_file.build import branches_from_case, joint_from_case
 from asperity.joint_file.distribution import Distribution
-from asperity.joint_file.model import Case
 from asperity.joint_file.planar_build import deviations_of, planar_joint_from_case, toleranced_tracks
 from asperity.joint_file.planar_model import PlanarCase
 from asperity.joint_file.si_tables import si_values
@@ -27,8 +20,6 @@ from asperity.study.tolerances.uncertainty import quantiles, toleranced_inputs
 
 #: Shares of the draws below which the stated values lie.
 QUANTILES = (0.025, 0.5, 0.975)
-_COMMON = ("drive.sun_radius", "drive.ring_radius", "load.interference")
-_OWN = ("drive.planet_radius", "drive.loading_roller_radius", "drive.loading_roller_radius")
 
 
 @dataclass(frozen=True)
@@ -38,14 +29,13 @@ class BranchScatter:
     Parameters
     ----------
     first_slip, all_slip, rolling_first_slip : ndarray
-        Torques at which the weakest branch slips standing, all do, and the weakest does in rolling [N·m]; 0 where every
-        branch is loose.
+        Torques at which the weakest branch slips standing, all do, and the weakest does in rolling [N·m].
     largest_share, largest_rolling_share : ndarray
         Largest share of a branch in the torque, standing and in rolling [-]; nan where they do not pass it.
     sun_force : ndarray
         Force of the planets on the sun's bearings [N].
     loose : ndarray of bool
-        Whether a branch is loose. Of a drive other than the paper's nothing else is known then: its numbers are nan.
+        Whether a branch is loose. Nothing else is known then: its numbers are nan.
     equal : float
         Capacity, standing, of equal branches of nominal size [N·m].
     torque : float
@@ -90,81 +80,6 @@ class BranchScatter:
 
 
 def branch_scatter(
-    case: Case,
-    *,
-    distribution: Distribution | None,
-    draws: int,
-    seed: int,
-    report: Callable[[int, int], Any] | None = None,
-) -> BranchScatter:
-    """Draw the sizes of every planet and of every loading roller, and solve the branches.
-
-    Parameters
-    ----------
-    case : Case
-        The joint file, with ``load.interference`` and tolerances of its radii.
-    distribution : Distribution or None
-        For tolerances whose distribution the file does not state.
-    draws, seed : int
-        Number of draws, and seed of the random numbers.
-    report : callable, optional
-        Called with the draws done and all draws.
-
-    Returns
-    -------
-    BranchScatter
-        One entry for each draw.
-
-    Raises
-    ------
-    InputError
-        If neither planets nor loading rollers have a tolerance, or the preload is a force.
-
-    Notes
-    -----
-    Every planet and roller is a part of its own; sun, ring and interference are drawn once for all branches. The
-    deviations of ``[[branch]]`` are added. Other tolerances are left out.
-    """
-    if draws < 1:
-        raise InputError(f"the number of draws must be at least 1, got {draws}", options=["branches"])
-    found = toleranced_inputs(case, otherwise=distribution)
-    if not set(found) & set(_OWN):
-        raise InputError(
-            "neither drive.planet_radius nor drive.loading_roller_radius has a tolerance: the branches are equal"
-        )
-    nominal, base = branches_from_case(case)
-    drive = BranchedJoint(joint_from_case(case), nominal)
-    random = np.random.default_rng(seed)
-
-    def deviations(path: str, shape: tuple[int, ...]) -> np.ndarray:
-        uniform = random.random(shape)
-        if path not in found:
-            return np.zeros(shape)
-        entry, scatter = found[path]
-        return quantiles(entry, scatter, uniform) - entry.value
-
-    planet, right, left = (deviations(path, (draws, drive.count)) for path in _OWN)
-    sun, ring, length = (deviations(path, (draws,)) for path in _COMMON)
-    even = {"planet": 0.0, "right_roller": 0.0, "left_roller": 0.0}
-    common = length + np.asarray(
-        interference_of_sizes(rest=drive.rest, sun=jnp.asarray(sun), ring=jnp.asarray(ring), **even)
-    )
-    # a common interference as that of planets which are all larger
-    weight = float(added_interference(rest=drive.rest, approach=0.0, **(even | {"planet": 1.0})))
-
-    def sizes(index: int) -> BranchSizes:
-        return BranchSizes(
-            base.planet + planet[index] + common[index] / weight,
-            base.right_roller + right[index],
-            base.left_roller + left[index],
-            base.sun_support_stiffness,
-        )
-
-    equal = float(drive.laws.standing.capacity(drive.own_preload))
-    return _scatter(drive, sizes, draws=draws, seed=seed, equal=equal, report=report)
-
-
-def sector_scatter(
     case: PlanarCase,
     *,
     distribution: Distribution | None,
@@ -172,7 +87,7 @@ def sector_scatter(
     seed: int,
     report: Callable[[int, int], Any] | None = None,
 ) -> BranchScatter:
-    """Draw the sizes of every roller of every sector of a planar drive, and solve them together.
+    """Draw the sizes of every roller of every branch, and solve them together.
 
     Parameters
     ----------
@@ -197,8 +112,9 @@ def sector_scatter(
 
     Notes
     -----
-    As :func:`branch_scatter`. Of type ``planar`` the tolerance of a radius is that of its track, wherever it is stated,
-    and that of a ring's radius counts too.
+    Every roller off the axis is a part of its own; those on the axis and the interference are drawn once for all
+    branches. The deviations of ``[[branch]]`` are added. Of type ``planar`` the tolerance of a radius is that of its
+    track, wherever it is stated. Other tolerances are left out.
     """
     if draws < 1:
         raise InputError(f"the number of draws must be at least 1, got {draws}", options=["branches"])
@@ -211,14 +127,14 @@ def sector_scatter(
     joint = planar_joint_from_case(case)
     count = round(float(joint.drive.sectors))
     tracks = toleranced_tracks(values, tuple(found))
-    if not any(own for own, _ in tracks.values()):
+    if not any(each.own for each in tracks):
         raise InputError("no roller off the axis has a tolerance of its radius: the branches are equal")
     base, random = deviations_of(values), np.random.default_rng(seed)
     added = np.tile(base.added, (draws, 1, 1))
-    for path, (own, per_size) in tracks.items():
-        entry, scatter = found[path]
-        uniform = random.random((draws, count if own else 1))
-        added += (quantiles(entry, scatter, uniform) - entry.value)[:, :, None] * per_size
+    for track in tracks:
+        entry, scatter = found[track.path]
+        uniform = random.random((draws, count if track.own else 1))
+        added += (quantiles(entry, scatter, uniform) - entry.value)[:, :, None] * track.per_size
     solution = solve_planar(joint)
     drive = BranchedPlanarJoint(joint, solution)
     forward = float(joint.output_torque) >= 0.0
@@ -234,7 +150,7 @@ def sector_scatter(
 
 
 def _scatter(
-    drive: BranchedJoint | BranchedPlanarJoint,
+    drive: BranchedPlanarJoint,
     sizes: Callable[[int], Any],
     *,
     draws: int,
@@ -263,7 +179,7 @@ def _scatter(
     )
 
 
-def _one(drive: BranchedJoint | BranchedPlanarJoint, sizes: Any) -> tuple[float, ...]:
+def _one(drive: BranchedPlanarJoint, sizes: Any) -> tuple[float, ...]:
     try:
         found = drive.branches(sizes, slip=False)
     except NoSolutionError:
@@ -271,9 +187,7 @@ def _one(drive: BranchedJoint | BranchedPlanarJoint, sizes: Any) -> tuple[float,
     except InputError as error:
         if "loose" not in str(error):
             raise
-        if isinstance(drive, BranchedPlanarJoint):
-            return (np.nan,) * 6 + (1.0,)
-        return (0.0, 0.0, 0.0, np.nan, np.nan, 0.0, 1.0)
+        return (np.nan,) * 6 + (1.0,)
     standing, rolling = (
         np.nan if state is None else float(np.max(state.share)) for state in (found.standing, found.rolling)
     )

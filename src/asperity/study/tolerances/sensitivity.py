@@ -15,11 +15,11 @@ import numpy as np
 
 from asperity.errors import InputError, NoSolutionError
 from asperity.joint.document import stiffness_unknown_because
-from asperity.joint.either_kind import solve_any
+from asperity.joint.planar.solve import solve_planar
 from asperity.joint.results import LEVELS, Result, known_result, row_name
 from asperity.joint.status import ALL_PLASTIC, STATUS_MEANINGS, UNBALANCED
 from asperity.joint_file.any_joint import results_of, with_nominal_sizes
-from asperity.joint_file.planar_build import any_joint_from_case
+from asperity.joint_file.planar_build import planar_joint_from_case
 from asperity.joint_file.si_tables import AnyCase, numeric_keys, si_values
 from asperity.precision import require_double_precision
 from asperity.study.batch import derivatives_at
@@ -65,7 +65,7 @@ def sensitivity(case: AnyCase, results: Sequence[str] | None = None) -> xarray.D
 
     Parameters
     ----------
-    case : Case or PlanarCase
+    case : PlanarCase
         The joint file.
     results : sequence of str, optional
         Names of results of the drive, :func:`asperity.joint_file.any_joint.results_of`; by default
@@ -144,7 +144,7 @@ def refuse_failed(case: AnyCase, status: int) -> None:
 
     Parameters
     ----------
-    case : Case or PlanarCase
+    case : PlanarCase
         The joint file.
     status : int
         Its code, an index into :data:`asperity.joint.status.STATUSES`.
@@ -158,7 +158,7 @@ def refuse_failed(case: AnyCase, status: int) -> None:
     """
     if status == 0:
         return
-    result = solve_any(any_joint_from_case(case)).result  # says it with the numbers
+    result = solve_planar(planar_joint_from_case(case)).result  # says it with the numbers
     reason = stiffness_unknown_because(result) or STATUS_MEANINGS[status]
     if status in (UNBALANCED, ALL_PLASTIC):
         raise NoSolutionError(reason)

@@ -43,7 +43,7 @@ def toleranced_inputs(
 
     Parameters
     ----------
-    case : Case or PlanarCase
+    case : PlanarCase
         The joint file.
     otherwise : Distribution or None
         Distribution of those whose distribution the file does not state.
@@ -121,7 +121,7 @@ def uncertainty(
 
     Parameters
     ----------
-    case : Case or PlanarCase
+    case : PlanarCase
         The joint file, with tolerances.
     results : sequence of str, optional
         Results or groups of them; by default those of :data:`DEFAULT_RESULTS` that the drive has.

@@ -1,0 +1,162 @@
+"""The content of a joint file with the drive of Zou et al. 2025: loading rollers in the wedges between planets and ring."""
+
+from __future__ import annotations
+
+from typing import Annotated, Literal
+
+from pydantic import model_validator
+
+from asperity.errors import InputError
+from asperity.joint_file import limits
+from asperity.joint_file.bearing_entries import HeldBearing
+from asperity.joint_file.branch_sections import BranchEntry
+from asperity.joint_file.model import BearingTorque, BodyLength, CrownRadius, Length, PushAngle
+from asperity.joint_file.planar_drive_sections import PartLengths
+from asperity.joint_file.planar_model import PlanarCase, PlanarModelChoice
+from asperity.joint_file.quantity_key import Quantity
+from asperity.joint_file.section import Section
+
+
+class WedgeDrive(Section):
+    """Radii and arrangement of the drive."""
+
+    planets: Annotated[Quantity, limits.PLANETS]
+    """Number of planets, equally spaced."""
+    sun_radius: Length
+    """Radius R_s of the sun roller."""
+    planet_radius: Length
+    """Radius R_p of the planets."""
+    loading_roller_radius: Length
+    """Radius R_w of the loading rollers, two to a planet."""
+    ring_radius: Length
+    """Inner radius R_o of the fixed outer ring."""
+    ring_wall_thickness: Annotated[Quantity, limits.WALL_THICKNESS]
+    """Wall of the outer ring."""
+    contact_length: PartLengths
+    """Length B of the contact lines: one for all, or a table with sp, pwr, pwl, wro, wlo."""
+    left_push_angle: PushAngle
+    """Direction gamma_l of the carrier's push on the left loading roller, from the tangent."""
+    right_push_angle: PushAngle
+    """Direction gamma_r of the carrier's push on the right loading roller, from the tangent."""
+    planet_length: BodyLength | None = None
+    """Length of a planet, for its mass; if absent, the longest contact line on it."""
+    loading_roller_length: BodyLength | None = None
+    """Length of a loading roller, for its mass; if absent, the longest contact line on it."""
+    planet_bore_diameter: Annotated[Quantity, limits.BORE_DIAMETER] | None = None
+    """Diameter of the bore of hollow planets; solid if absent."""
+    loading_roller_bore_diameter: Annotated[Quantity, limits.BORE_DIAMETER] | None = None
+    """Diameter of the bore of hollow loading rollers; solid if absent."""
+    sun_crown_radius: CrownRadius | None = None
+    """Radius of the sun's crown along its axis, highest in the middle of the contact line; over a length B it drops by
+    B^2/8 over this radius at the ends. A cylinder if absent."""
+    planet_crown_radius: CrownRadius | None = None
+    """Radius of the planets' crown along their axes; cylinders if absent."""
+    loading_roller_crown_radius: CrownRadius | None = None
+    """Radius of the loading rollers' crown along their axes; cylinders if absent."""
+    ring_crown_radius: CrownRadius | None = None
+    """Radius of the ring's crown along its axis; a cylinder if absent."""
+    ring_support: Literal["rigid_housing", "free", "elastic_housing"] | None = None
+    """What holds the outer rim of the ring: a rigid housing into which it is shrunk, nothing, so that it bends, or a
+    housing with the ring_housing_stiffness of [compliance]. A rigid housing if absent."""
+
+
+class BearingFriction(Section):
+    """Friction of the bearings; a joint file without this section has none."""
+
+    sun_torque: BearingTorque
+    """Friction torque of one of the two sun bearings."""
+    loading_roller_torque: BearingTorque
+    """Constant friction torque of one of the two bearings of a loading roller."""
+    carrier_torque: BearingTorque
+    """Friction torque of one of the two carrier bearings."""
+    pin_friction_coefficient: Annotated[Quantity, limits.PIN_FRICTION_COEFFICIENT]
+    """Friction coefficient mu_b of the loading rollers' pins: friction force over pin force, at the pin's diameter."""
+    pin_diameter: Annotated[Quantity, limits.PIN_DIAMETER]
+    """Diameter d of the loading rollers' pins."""
+    pin_length: Annotated[Quantity, limits.PIN_LENGTH] | None = None
+    """Free length of a pin, with the loading roller in its middle: between its two supports, or from its only support
+    to its end. Makes the bending moment of the pin, and with pin_diameter its bending stress."""
+    pin_support: Literal["both_ends", "one_end"] | None = None
+    """How the carrier holds a pin of this length; at both ends, which may turn, if absent."""
+
+
+class Compliance(Section):
+    """Springs of the structure around the rollers; an absent key is the ideal its description names."""
+
+    pin_stiffness: Annotated[Quantity, limits.SPRING] | None = None
+    """Stiffness of one carrier pin along its push; rigid if absent."""
+    pin_transverse_stiffness: Annotated[Quantity, limits.SPRING] | None = None
+    """Stiffness of one carrier pin across its push; free if absent."""
+    planet_support_stiffness: Annotated[Quantity, limits.SPRING] | None = None
+    """Stiffness of a planet's bearing on the carrier; the planet floats if absent."""
+    ring_bending_stiffness: Annotated[Quantity, limits.SPRING] | None = None
+    """Spring under each loading roller for the bending of the ring, in addition to a ring in a rigid housing; rigid if
+    absent. ring_support = "free" computes the bending instead."""
+    ring_housing_stiffness: Annotated[Quantity, limits.HOUSING] | None = None
+    """Radial stiffness of the housing around the ring, per area of the ring's outer surface; needed for, and only for,
+    ring_support = "elastic_housing"."""
+    input_shaft_stiffness: Annotated[Quantity, limits.TORSION_SPRING] | None = None
+    """Torsional stiffness of the shaft to the sun; rigid if absent."""
+    output_shaft_stiffness: Annotated[Quantity, limits.TORSION_SPRING] | None = None
+    """Torsional stiffness of the shaft from the carrier; rigid if absent."""
+    sun_support_stiffness: Annotated[Quantity, limits.SUPPORT] | None = None
+    """Radial stiffness of the sun's bearings together, for branches of their own sizes, [[branch]]; 0 for a floating
+    sun, rigid if absent."""
+
+
+class WedgeModelChoice(PlanarModelChoice):
+    """Which variants of the model to use."""
+
+    closure: Literal["elastic", "constant_pin_force"]
+    """How the forces of the statically indeterminate branch are found."""
+    closure_springs: Literal["bulk", "bulk_and_asperities"]
+    """Normal springs of the elastic closure: the bodies alone, or with their asperities."""
+
+
+class Case(PlanarCase):
+    """A joint file: a planetary traction drive under load."""
+
+    type: Literal["zou2025"] = "zou2025"
+    """Type of the drive: the paper's, with two loading rollers in the wedges between each planet and the ring, if
+    absent."""
+    drive: WedgeDrive
+    """Radii and arrangement."""
+    bearings: BearingFriction | None = None
+    """Friction of the bearings; none if the section is absent."""
+    sun_bearing: HeldBearing | None = None
+    """Rolling bearings of the sun's shaft, for their life under forces from outside."""
+    carrier_bearing: HeldBearing | None = None
+    """Rolling bearings of the carrier, for their life under forces from outside."""
+    compliance: Compliance | None = None
+    """Springs of pins, planet supports, ring and shafts; ideal if the section is absent."""
+    branch: tuple[BranchEntry, ...] | None = None
+    """Sizes of each planet and its loading rollers, where they differ: a section [[branch]] for each planet."""
+    model: WedgeModelChoice
+    """Variants of the model."""
+
+    @model_validator(mode="after")
+    def _one_ring(self) -> Case:
+        compliance = self.compliance or Compliance()
+        support, housing = self.drive.ring_support, compliance.ring_housing_stiffness
+        if (support == "elastic_housing") != (housing is not None):
+            raise InputError(
+                'drive.ring_support = "elastic_housing" and compliance.ring_housing_stiffness belong together: give '
+                "both or neither"
+            )
+        bends = support in ("free", "elastic_housing")
+        if bends and compliance.ring_bending_stiffness is not None:
+            raise InputError(
+                f'drive.ring_support = "{support}" computes the bending of the ring: leave out '
+                "compliance.ring_bending_stiffness, which would count it twice"
+            )
+        if self.model.bodies == "springs":
+            bores = ("planet_bore_diameter", "loading_roller_bore_diameter")
+            exact = [f"drive.{name}" for name in bores if getattr(self.drive, name) is not None]
+            exact += ["drive.ring_support"] if bends else []
+            exact += ["model.plane_state"] if self.model.plane_state == "plane_stress" else []
+            if exact:
+                raise InputError(
+                    f'{", ".join(exact)}: only for model.bodies = "exact"; the springs are those of solid rollers and '
+                    "of a ring in a rigid housing, in plane strain"
+                )
+        return self
