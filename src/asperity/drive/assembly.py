@@ -57,8 +57,6 @@ class StructureSprings(eqx.Module):
     ring_housing_stiffness: Real = math.inf
 
 
-#: Pins rigid along their force and free across it, floating planet, rigid ring and shafts.
-IDEAL_STRUCTURE = StructureSprings(math.inf, 0.0, 0.0, math.inf, math.inf, math.inf)
 
 
 class Assembly(eqx.Module):

@@ -41,47 +41,6 @@ def roller_inertia(*, mass: Real, radius: Real, bore_diameter: Real) -> Real:
     return 0.5 * mass * (radius**2 + 0.25 * bore_diameter**2)
 
 
-def drive_inertia(
-    *,
-    geometry: DriveGeometry,
-    planet_mass: Real,
-    planet_inertia: Real,
-    loading_roller_mass: Real,
-    loading_roller_inertia: Real,
-) -> Real:
-    r"""Inertia of planets and loading rollers, referred to the output: twice their kinetic energy at 1 rad/s.
-
-    .. math::
-        J = n\left[m_p (R_s + R_p)^2 + I_p \left(\frac{R_o}{R_p} + 1\right)^2
-        + 2 m_w (R_o - R_w)^2 + 2 I_w \left(\frac{R_o}{R_w} - 1\right)^2\right]
-
-    Parameters
-    ----------
-    geometry : DriveGeometry
-        The drive.
-    planet_mass, loading_roller_mass : Real
-        Masses of one planet and of one loading roller [kg].
-    planet_inertia, loading_roller_inertia : Real
-        Moments of inertia about their own axes [kg·m^2].
-
-    Returns
-    -------
-    Real
-        Moment of inertia at the output [kg·m^2].
-
-    References
-    ----------
-    Rolling without slip on a ring that stands; equation (D1) of :doc:`/equations`.
-    """
-    ring = geometry.ring_radius
-    planet_spin = ring / geometry.planet_radius + 1.0
-    roller_spin = ring / geometry.loading_roller_radius - 1.0
-    return geometry.planet_count * (
-        planet_mass * (geometry.sun_radius + geometry.planet_radius) ** 2
-        + planet_inertia * planet_spin**2
-        + 2.0 * loading_roller_mass * (ring - geometry.loading_roller_radius) ** 2
-        + 2.0 * loading_roller_inertia * roller_spin**2
-    )
 
 
 class NaturalFrequencies(NamedTuple):

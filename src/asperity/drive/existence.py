@@ -44,20 +44,6 @@ class PinLock(NamedTuple):
     locks: Any
 
 
-def overlaps(*, gap: Real) -> Any:
-    """Whether two bodies overlap, :mod:`asperity.drive.geometry`.
-
-    Parameters
-    ----------
-    gap : Real
-        Free distance of :func:`asperity.drive.geometry.clearances` [m].
-
-    Returns
-    -------
-    Any
-        Truth values; true where there is no gap, also where the triangle does not close (nan).
-    """
-    return ~(_library_of(gap).asarray(gap) > 0.0)
 
 
 def pin_lock(*, geometry: DriveGeometry, bearings: Bearings) -> PinLock:
@@ -121,28 +107,6 @@ def smaller_body(*, geometry: DriveGeometry, ring_wall_thickness: Real) -> Any:
     return library.stack([library.minimum(sun, planet), inner, inner, outer, outer])
 
 
-def too_wide(*, half_width: Real, smaller_body: Real, bulk_normal_stiffness: Real) -> Any:
-    """Whether a contact strip is too wide for line-contact theory, which then has no positive stiffness.
-
-    Parameters
-    ----------
-    half_width : Real
-        Hertzian half-width, shape (5, ...) [m]; 0 where the contact has lifted off.
-    smaller_body : Real
-        As :func:`smaller_body` gives it, shape (5, ...) [m].
-    bulk_normal_stiffness : Real
-        Normal stiffness of the bodies, shape (5, ...) [N/m].
-
-    Returns
-    -------
-    Any
-        Truth values, shape (5, ...).
-
-    References
-    ----------
-    :mod:`asperity.contact.hertz_line`, whose logarithms must stay positive.
-    """
-    return (half_width >= smaller_body) | ((half_width > 0.0) & ~(bulk_normal_stiffness > 0.0))
 
 
 def some_contact_slips(*, slip_ratio: Real) -> Any:

@@ -78,63 +78,6 @@ def ring_expansion(
     return jnp.asarray(ring + (housing - ring) * share * 2.0 / narrowing)
 
 
-def interference_of_expansion(
-    *,
-    geometry: DriveGeometry,
-    sides: Triangle,
-    rest: RestState,
-    sun: Real,
-    planet: Real,
-    loading_roller: Real,
-    ring: Real,
-) -> Array:
-    r"""Interference that thermal strains add.
-
-    .. math::
-        (N_{wro} + N_{wlo})\,(\delta + \epsilon_o R_o) = N_{sp} \epsilon_s R_s
-        + (N_{sp} + N_{pwr} + N_{pwl})\,\epsilon_p R_p + (N_{pwr} + N_{wro} + N_{pwl} + N_{wlo})\,\epsilon_w R_w
-        + (F_{cr} \sin\gamma_r + F_{cl} \sin\gamma_l)\,\epsilon_w\,(R_o - R_w)
-
-    Parameters
-    ----------
-    geometry : DriveGeometry
-        Radii and push angles.
-    sides : Triangle
-        Its triangle of centres.
-    rest : RestState
-        Forces at rest; only their ratios matter [N].
-    sun, planet, loading_roller, ring : Real
-        Strains :math:`\epsilon = \alpha \Delta T` of the radii [-].
-
-    Returns
-    -------
-    Array
-        Interference [m]; 0 for equal strains.
-
-    Notes
-    -----
-    Of first order in the strains, which are below one part in a thousand. The carrier expands like the loading
-    rollers, which matters only where its pins push outwards or inwards, :math:`\gamma \ne 0`: along the tangent they
-    hold the rollers at their angle at any temperature.
-
-    References
-    ----------
-    Equation (I2) of :doc:`/equations`.
-    """
-    outward = rest.pin_force_right * jnp.sin(geometry.right_push_angle) + rest.pin_force_left * jnp.sin(
-        geometry.left_push_angle
-    )
-    roller = loading_roller * geometry.loading_roller_radius
-    sizes = interference_of_sizes(
-        rest=rest,
-        sun=sun * geometry.sun_radius,
-        planet=planet * geometry.planet_radius,
-        right_roller=roller,
-        left_roller=roller,
-        ring=ring * geometry.ring_radius,
-    )
-    on_ring = rest.normal_force[3] + rest.normal_force[4]
-    return jnp.asarray(sizes + outward / on_ring * loading_roller * sides.roller_orbit)
 
 
 def loosening_rise(*, interference: Real, change_per_kelvin: Real) -> Array:

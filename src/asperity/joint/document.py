@@ -63,61 +63,6 @@ def has_whole_bodies(document: Document) -> bool:
     return (document["input"].get("model") or {}).get("bodies") != "springs"
 
 
-def joint_document(solved: SolvedPapersJoint, *, inputs: Document, assumptions: tuple[str, ...]) -> Document:
-    """Everything that is known about a joint, ready for :func:`json.dumps`.
-
-    Parameters
-    ----------
-    solved : SolvedPapersJoint
-        The joint, and what came out.
-    inputs : dict
-        Tables of the joint file in SI units.
-    assumptions : tuple of str
-        What the file leaves out, one sentence each.
-
-    Returns
-    -------
-    dict
-        Nested tables of numbers and text. Numbers that are not finite are None; the diagnostics say why.
-    """
-    joint, solution, branches = solved.joint, solved.solution, solved.branches
-    result = solution.result
-    forward = float(joint.output_torque) >= 0.0
-    checks = all_checks(solved)
-    document = {
-        "asperity_version": asperity.__version__,
-        "input": inputs,
-        "assumptions": list(assumptions),
-        "geometry": _geometry(solution),
-        "preload": {
-            "force_N": preload_at(joint, joint.output_torque),
-            "interference_m": result.interference,
-            "at_assembly": assembly_document(joint),
-            "loading_cam": loading_cam_document(
-                result, least_preload=joint.preload, force_per_torque=joint.cam_force_per_torque
-            ),
-        },
-        "forces": _forces(result),
-        "torque_capacity": _capacity(solution),
-        "contacts": contact_documents(solved),
-        "surfaces": surface_averages(joint, inputs.get("surface", {})),
-        "torsional_stiffness": torsional_stiffness_document(result),
-        "stiffness_unknown_because": solved.no_equal_state or stiffness_unknown_because(result),
-        "stiffness_budget": stiffness_budget(result),
-        "speed_loss": result.rolling.speed_loss,
-        "drift_rad_per_output_turn": result.rolling.drift_per_output_turn,
-        "efficiency": result.rolling.power.efficiency,
-        "losses_W": losses(result.rolling),
-        "life_hours": result.rolling.life_hours.drive,
-        "bearings": bearing_entries(solved),
-        "rims": rim_entries(solved),
-        "rolling": {
-            **rolling_document(joint, result, solved.no_equal_state, unlike=branches is not None),
-            "torque_capacity_Nm": (solved.rolling_capacity if forward else solved.reverse_rolling_capacity),
-        },
-        "diagnostics": diagnostic_documents(checks, solved.notes),
-    }
-    return plain_document(document) | ({} if branches is None else {"branches": branch_document(branches)})
 
 
 def diagnostic_documents(checks: tuple[LimitCheck, ...], notes: tuple[Note, ...]) -> list[Document]:
@@ -169,44 +114,10 @@ def _note_document(note: Note) -> Document:
     return words | {"unit": words.pop("dimension").si_unit}
 
 
-def _geometry(solution: Solution) -> Document:
-    angles = solution.result.angles
-    return {
-        "alpha_rad": angles.polar,
-        "theta_rad": angles.direction,
-        "wedge_angle_rad": angles.wedge,
-        "speed_ratio": solution.result.speed_ratio,
-        "input": "sun",
-        "output": "carrier",
-        "grounded": "ring",
-        "clearances": [
-            {"name": gap.name, "condition": gap.condition, "gap_m": gap.gap} for gap in solution.clearances
-        ],
-    }
 
 
-def _forces(result: JointResult) -> Document:
-    forces = result.forces
-    return {
-        "normal_N": dict(zip(result.contact_names, np.asarray(forces.normal), strict=True)),
-        "tangential_N": dict(zip(result.contact_names, np.asarray(forces.tangential), strict=True)),
-        "pin_N": {"left": forces.pin_left, "right": forces.pin_right},
-        "input_torque_Nm": forces.input_torque,
-        "output_torque_Nm": forces.output_torque,
-        "bearing_torque_Nm": {"left": forces.left_bearing_torque, "right": forces.right_bearing_torque},
-        "planet_mass_kg": result.planet_mass,
-        "loading_roller_mass_kg": result.loading_roller_mass,
-        "output_speed_rad_per_s": result.output_speed,
-        "balance_residual": forces.balance_residual,
-        "closure_residual": forces.closure_residual,
-    }
 
 
-def _capacity(solution: Solution) -> Document:
-    return {
-        **capacity_document(solution.capacity),
-        "reverse": capacity_document(solution.reverse_capacity),
-    }
 
 
 def contact_documents(solved: SolvedJoint) -> Document:

@@ -63,47 +63,6 @@ def has_value(status: ArrayLike, needs: Needs) -> Any:
     return operates | (code == SLIPS) if needs == "balance" else operates
 
 
-def joint_status(joint: Joint, result: JointResult) -> Array:
-    """Status code of every joint of a batch.
-
-    Parameters
-    ----------
-    joint : Joint
-        One joint, or many along trailing batch axes.
-    result : JointResult
-        What :func:`asperity.joint.evaluation.evaluate` says about it.
-
-    Returns
-    -------
-    Array
-        Codes, indices into :data:`STATUSES`, shape (...), 8-bit; the first reason that applies, except that an
-        unbalanced joint is not said to slip.
-    """
-    geometry, bearings = joint.geometry, joint.bearings
-    shape = jnp.broadcast_shapes(result.solved.shape, result.contact_law_holds.shape)
-
-    def mark(code: Array, condition: object, value: int) -> Array:
-        hit = jnp.broadcast_to(jnp.asarray(condition), shape)
-        return jnp.where((code == 0) & hit, jnp.asarray(value, dtype=jnp.int8), code)
-
-    code = jnp.zeros(shape, dtype=jnp.int8)
-    for index, clearance in enumerate(clearances(geometry)):
-        code = mark(code, overlaps(gap=clearance.gap), 1 + index)
-    pins = pin_lock(geometry=geometry, bearings=bearings)
-    code = mark(code, pins.too_thick | pins.locks, LOCKED)
-    code = mark(code, jnp.asarray(joint.preload) <= 0.0, LOOSE)
-    code = mark(code, jnp.isnan(jnp.asarray(joint.preload)), TOO_WIDE)  # of an interference
-    code = mark(code, ~result.solved, UNBALANCED)
-    wide = too_wide(
-        half_width=result.diagnostics.hertz_half_width,
-        smaller_body=smaller_body(
-            geometry=geometry, ring_wall_thickness=jnp.broadcast_to(joint.ring_wall_thickness, shape)
-        ),
-        bulk_normal_stiffness=result.interfaces.bulk_normal,
-    )
-    code = mark(code, jnp.any(wide, axis=0) | ~result.walls_hold, TOO_WIDE)
-    code = mark(code, some_contact_slips(slip_ratio=result.diagnostics.slip_ratio), SLIPS)
-    return mark(code, ~result.contact_law_holds, ALL_PLASTIC)
 
 
 def flag_attributes() -> dict[str, object]:

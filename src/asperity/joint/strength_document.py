@@ -70,26 +70,6 @@ def _absent_because(joint: Joint, found: dict[str, float]) -> list[str]:
     return why
 
 
-def rim_entries(solved: SolvedJoint) -> dict[str, Document]:
-    """Stresses and safeties of the ring where it bends, and of hollow rollers, ready for :func:`json.dumps`.
-
-    Parameters
-    ----------
-    solved : SolvedJoint
-        One joint.
-
-    Returns
-    -------
-    dict
-        Body → its entry: stresses by rim in Pa, tension positive, and safeties; None where there is none.
-    """
-    entries = {}
-    for body in ("ring", "planet", "loading_roller"):
-        present = RESULTS[f"{body}_yield_safety"].present
-        if present is None or not present(solved)[0]:
-            continue
-        entries[body] = rim_entry(getattr(solved.rims, body))
-    return entries
 
 
 def rim_entry(found: BodyRims) -> Document:

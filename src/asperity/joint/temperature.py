@@ -22,69 +22,8 @@ from asperity.units import format_quantity
 #: Above this temperature no material of a roller is solid [degC].
 HOTTEST = 3000.0
 
-_BODIES = ("sun", "planet", "loading_roller", "ring")
 
 
-def thermal_interference(joint: Joint, *, temperature_rise: Real, housing_expansion: Real | None) -> Array:
-    """Interference that a change of temperature adds to that of a joint.
-
-    Parameters
-    ----------
-    joint : Joint
-        The joint; its preload is not looked at.
-    temperature_rise : Real
-        Working temperature above that of the assembly, the same in all bodies [K].
-    housing_expansion : Real or None
-        Expansion coefficient of the housing that holds the ring [1/K]; None for that of the ring.
-
-    Returns
-    -------
-    Array
-        Interference [m]; negative where the ring outgrows its rollers.
-
-    Raises
-    ------
-    InputError
-        If the thermal expansion of a body is not known.
-
-    Notes
-    -----
-    Radii, elastic moduli and friction stay those of the file: over a hundred kelvin the radii change by a thousandth,
-    the moduli of steel by some 3 %.
-
-    References
-    ----------
-    Equation (I2) of :doc:`/equations`.
-    """
-    geometry, bodies = joint.geometry, joint.bodies
-    found = {name: getattr(bodies, name).thermal_expansion for name in _BODIES}
-    unknown = [name for name, value in found.items() if value is None]
-    if unknown:
-        raise InputError(
-            f"the thermal expansion of {', '.join(unknown)} is not known: give thermal_expansion of their materials"
-        )
-    sides = triangle(geometry)
-    ring = found["ring"]
-    if housing_expansion is not None:
-        ring = ring_expansion(
-            ring=ring,
-            housing=housing_expansion,
-            inner_radius=geometry.ring_radius,
-            wall_thickness=joint.ring_wall_thickness,
-            youngs_modulus=bodies.ring.youngs_modulus,
-            poisson_ratio=bodies.ring.poisson_ratio,
-            housing_stiffness=ring_housing_stiffness(joint),
-            plane_state=joint.plane_state,
-        )
-    return interference_of_expansion(
-        geometry=geometry,
-        sides=sides,
-        rest=rest_state(geometry=geometry, sides=sides, preload=1.0),
-        sun=found["sun"] * temperature_rise,
-        planet=found["planet"] * temperature_rise,
-        loading_roller=found["loading_roller"] * temperature_rise,
-        ring=jnp.asarray(ring) * temperature_rise,
-    )
 
 
 def loose_temperature(fit: Fit) -> Array:
@@ -133,23 +72,6 @@ def refuse_loose(fit: Fit | None) -> None:
     )
 
 
-def assembly_document(joint: Joint) -> dict[str, Any] | None:
-    """Preload and interference at the assembly, and what temperature does to them, for a JSON document.
-
-    Parameters
-    ----------
-    joint : Joint
-        One joint.
-
-    Returns
-    -------
-    dict or None
-        As :func:`fit_document`; None where the preload does not depend on temperature.
-    """
-    fit = joint.fit
-    if fit is None:
-        return None
-    return fit_document(fit, joint_preload(dataclasses.replace(joint, fit=None), fit.interference))
 
 
 def fit_document(fit: Fit, preload: Real) -> dict[str, Any]:

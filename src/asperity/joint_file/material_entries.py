@@ -51,17 +51,6 @@ class MaterialEntry(Section):
         return self
 
 
-class BodyMaterials(Section):
-    """Which material each body is made of."""
-
-    sun: MaterialName
-    """Material of the sun roller."""
-    planet: MaterialName
-    """Material of the planets."""
-    loading_roller: MaterialName
-    """Material of the loading rollers."""
-    ring: MaterialName
-    """Material of the outer ring."""
 
 
 class SurfaceEntry(Section):
@@ -112,9 +101,3 @@ class SurfaceEntry(Section):
         return self
 
 
-# on a line of its own: pydantic reads the source around it
-EachSurface = EachContact[SurfaceEntry]
-Surfaces = Annotated[
-    Annotated[SurfaceEntry, Tag(ONE_FOR_ALL)] | Annotated[EachSurface, Tag(ONE_FOR_EACH)],
-    Discriminator(table_or_tables),
-]

@@ -234,37 +234,6 @@ def _crowns(found: Document) -> Table:
     )
 
 
-def drive(document: Document) -> Iterator[Block]:
-    """Angles, torques, pin forces and clearances.
-
-    Parameters
-    ----------
-    document : dict
-        As :func:`asperity.joint.document.joint_document` makes it.
-
-    Yields
-    ------
-    Block
-        A table.
-    """
-    geometry, forces = document["geometry"], document["forces"]
-    rows = [
-        ("angle alpha, planet to loading roller", quantity(geometry["alpha_rad"], "deg", 6)),
-        ("angle theta, direction to loading roller", quantity(geometry["theta_rad"], "deg", 6)),
-        ("wedge angle beta", quantity(geometry["wedge_angle_rad"], "deg", 6)),
-        ("speed ratio, sun over carrier", number(geometry["speed_ratio"])),
-        *_input_torques(document, "sun"),
-        ("torque at the carrier", quantity(forces["output_torque_Nm"], "N*m")),
-        ("force of the left pin", quantity(forces["pin_N"]["left"], "N")),
-        ("force of the right pin", quantity(forces["pin_N"]["right"], "N")),
-        ("mass of one planet", quantity(forces["planet_mass_kg"], "g")),
-        ("mass of one loading roller", quantity(forces["loading_roller_mass_kg"], "g")),
-    ]
-    rows += [
-        (f"clearance, {each['name'].replace('_', ' ')}", quantity(each["gap_m"], "mm"))
-        for each in geometry["clearances"]
-    ]
-    yield Table("Drive", ("quantity", "value"), rows)
 
 
 def _input_torques(document: Document, end: str) -> list[tuple[str, str]]:

@@ -12,10 +12,10 @@ from jax import Array
 from jax.typing import ArrayLike
 
 from asperity.errors import NoSolutionError
-from asperity.joint.evaluation import Joint, evaluate
 from asperity.precision import require_double_precision
 from asperity.types import Real
 from asperity.zou2025 import preset
+from asperity.zou2025.published import PublishedJoint, published_joint
 
 #: Output torques of the families of curves in Figs. 7 and 8 [N·m]; assumed, within the paper's 0–5 N·m.
 OUTPUT_TORQUES = np.arange(0.0, 6.0)
@@ -173,15 +173,15 @@ def pair_curves() -> dict[str, PairCurve]:
 
 
 @eqx.filter_jit
-def _published(joint: Joint) -> tuple[dict[str, Real], Array]:
-    """What the figures show; compiling no more than that leaves out the assembly model, which costs the most."""
-    result = evaluate(joint)
+def _published(joint: PublishedJoint) -> tuple[dict[str, Real], Array]:
+    """What the figures show."""
+    result = published_joint(joint)
     shown = {
         "normal_force": result.forces.normal,
         "tangential_force": result.forces.tangential,
         "contact_torsional_stiffness": result.contact_torsional_stiffness,
-        "output_stiffness": result.published.output,
-        "sun_stiffness": result.published.sun,
+        "output_stiffness": result.stiffness.output,
+        "sun_stiffness": result.stiffness.sun,
     }
     return shown, result.solved
 

@@ -12,13 +12,10 @@ from jax.typing import ArrayLike
 
 from asperity.contact.fractal import FractalContact, Surface
 from asperity.contact.roller_pairs import contact_factors, roller_pairs, rough_contacts
-from asperity.drive.assembly import IDEAL_STRUCTURE
 from asperity.drive.geometry import DriveGeometry
-from asperity.drive.mechanism import Bearings
-from asperity.joint.evaluation import Bodies, Joint
-from asperity.joint.play import NO_PLAY
 from asperity.materials import Material, hardness, pair
 from asperity.types import Real
+from asperity.zou2025.published import PublishedJoint
 
 YIELD_STRENGTH = 450e6  # Pa, Tables 1 and 2
 FRACTAL_DIMENSION = 1.4  # Table 1
@@ -236,7 +233,7 @@ def table_1_contact(**varied: Real) -> FractalContact:
     )
 
 
-def table_2_joint(point: OperatingPoint) -> Joint:
+def table_2_joint(point: OperatingPoint) -> PublishedJoint:
     """The planetary joint of Table 2 at an operating point.
 
     Parameters
@@ -246,11 +243,11 @@ def table_2_joint(point: OperatingPoint) -> Joint:
 
     Returns
     -------
-    Joint
-        Input of :func:`asperity.joint.evaluation.evaluate`; numbers have the shape of the point's fields.
+    PublishedJoint
+        Input of :func:`asperity.zou2025.published.published_joint`; numbers have the shape of the point's fields.
     """
     scale = np.asarray(point.radius_scale)  # NumPy: a single product is not worth compiling
-    return Joint(
+    return PublishedJoint(
         geometry=DriveGeometry(
             sun_radius=jnp.asarray(SUN_RADIUS * scale),
             planet_radius=jnp.asarray(PLANET_RADIUS * scale),
@@ -260,27 +257,12 @@ def table_2_joint(point: OperatingPoint) -> Joint:
             left_push_angle=0.0,
             right_push_angle=0.0,
         ),
-        bodies=Bodies(sun=steel(), planet=steel(), loading_roller=steel(), ring=steel()),
-        surfaces=(_rough_surface(point.fractal_dimension, point.fractal_roughness),),
-        contact_lengths=(point.contact_length,),
-        friction_coefficients=(point.friction_coefficient,),
-        planet_length=point.contact_length,
-        loading_roller_length=point.contact_length,
+        material=steel(),
+        surface=_rough_surface(point.fractal_dimension, point.fractal_roughness),
+        contact_length=point.contact_length,
+        friction_coefficient=point.friction_coefficient,
         ring_wall_thickness=RING_WALL,
-        bearings=Bearings(
-            sun_torque=0.0,
-            loading_roller_torque=0.0,
-            carrier_torque=0.0,
-            pin_friction_coefficient=0.0,
-            pin_diameter=0.0,
-        ),
         preload=PRELOAD,
         output_torque=point.output_torque,
         sun_speed=SUN_SPEED,
-        structure=IDEAL_STRUCTURE,
-        play=NO_PLAY,
-        closure="elastic",
-        closure_springs="bulk",
-        contact_factor_model="printed",
-        ring_support="rigid_housing",
     )

@@ -28,8 +28,6 @@ DEFAULT_FACTOR = 5.0
 #: Numbers of the joint file that add to the angles without a new solution of the joint.
 PLAY_UNKNOWNS = ("play.angle", "play.take_up_torque")
 
-#: Numbers of the joint file of the paper's drive that set the speed ratio without creep; in others all radii do.
-_RATIO_KEYS = ("drive.sun_radius", "drive.ring_radius")
 
 _LINEAR_KINDS = ("fractal_dimension", "poisson_ratio", "push_angle")
 

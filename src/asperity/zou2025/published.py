@@ -1,0 +1,166 @@
+"""The published model of the paper's joint, from its radii to its torsional stiffness, for a million joints at once.
+
+Force balance (1)–(5) with the closure (A3), asperities (6)–(24), stiffness (25)–(30); nothing else: the bodies are
+elastic in the closure only. The chain of :mod:`asperity.joint` contains this model as one of its levels, and reproduces
+it where a file states ``model.traction_split = "equal_coefficients"``.
+"""
+
+from __future__ import annotations
+
+import math
+
+import equinox as eqx
+import jax.numpy as jnp
+from jax import Array
+
+from asperity.contact.fractal import Surface
+from asperity.contact.roller_pairs import roller_pairs
+from asperity.drive.force_balance import BALANCE_TOLERANCE, DriveForces, force_balance
+from asperity.drive.geometry import DriveGeometry, carrier_speed, contact_radii, triangle
+from asperity.drive.mechanism import Bearings, Mechanism, rest_state
+from asperity.drive.torsional_stiffness import (
+    TorsionalStiffness,
+    contact_torsional_stiffness,
+    driven_radii,
+    series_torsional_stiffness,
+)
+from asperity.joint.contacts import JointContacts, bulk_springs, rough_joint_contacts
+from asperity.materials import Material, pair
+from asperity.types import Real
+
+NO_FRICTION = Bearings(
+    sun_torque=0.0,
+    loading_roller_torque=0.0,
+    carrier_torque=0.0,
+    pin_friction_coefficient=0.0,
+    pin_diameter=0.0,
+)
+
+
+class PublishedJoint(eqx.Module):
+    """The numbers of the published model. SI units; they broadcast over trailing batch axes.
+
+    Parameters
+    ----------
+    geometry : DriveGeometry
+        Radii and arrangement.
+    material : Material
+        Of all bodies.
+    surface : Surface
+        Fractal roughness of all contacts.
+    contact_length, friction_coefficient : Real
+        Length B [m] and friction coefficient mu [-] of all contacts; the rollers are as long.
+    ring_wall_thickness : Real
+        Wall of the outer ring, which compresses with it in the closure [m].
+    preload : Real
+        Normal force N_0 between sun and planet at rest [N].
+    output_torque : Real
+        Torque at the carrier [N·m].
+    sun_speed : Real
+        Angular velocity of the sun [rad/s].
+    """
+
+    geometry: DriveGeometry
+    material: Material
+    surface: Surface
+    contact_length: Real
+    friction_coefficient: Real
+    ring_wall_thickness: Real
+    preload: Real
+    output_torque: Real
+    sun_speed: Real
+
+
+class PublishedResult(eqx.Module):
+    """What the published model says. SI units; contact axis first.
+
+    Parameters
+    ----------
+    forces : DriveForces
+        Forces of one branch.
+    tangential_stiffness, contact_torsional_stiffness : Array
+        K_t of each contact [N/m], and its K_T at its driven roller [N·m/rad], shape (5, ...).
+    stiffness : TorsionalStiffness
+        Of the joint, equation (25).
+    solved : Array
+        Whether balance and closure hold.
+    """
+
+    forces: DriveForces
+    tangential_stiffness: Array
+    contact_torsional_stiffness: Array
+    stiffness: TorsionalStiffness
+    solved: Array
+
+
+def published_joint(joint: PublishedJoint) -> PublishedResult:
+    r"""Forces and torsional stiffness of the published model; pure.
+
+    Parameters
+    ----------
+    joint : PublishedJoint
+        One joint, or many along trailing batch axes.
+
+    Returns
+    -------
+    PublishedResult
+        In the broadcast shape; ``solved`` says where there is a solution.
+
+    References
+    ----------
+    Zou et al. 2025, equations (1)–(30); the closure (A3) of :doc:`/equations`.
+    """
+    geometry, material = joint.geometry, joint.material
+    sides = triangle(geometry)
+    radius_1, radius_2, sign = contact_radii(geometry)
+    contacts = JointContacts(
+        pairs=roller_pairs(
+            radius_1=radius_1,
+            radius_2=radius_2,
+            sign=sign,
+            contact_length=joint.contact_length,
+            friction_coefficient=joint.friction_coefficient,
+            moduli=pair(material, material),
+            surface=joint.surface,
+        ),
+        driving=material,
+        driven=material,
+        ring_wall_thickness=joint.ring_wall_thickness,
+        contact_factor_model="printed",
+    )
+    rest = rest_state(geometry=geometry, sides=sides, preload=joint.preload)
+    planet, roller = (
+        material.density * math.pi * radius**2 * joint.contact_length
+        for radius in (geometry.planet_radius, geometry.loading_roller_radius)
+    )
+    drive = Mechanism(
+        geometry=geometry,
+        sides=sides,
+        rest=rest,
+        bearings=NO_FRICTION,
+        springs=bulk_springs(contacts=contacts, half_width=contacts.pairs.half_width(rest.normal_force)),
+        preload=joint.preload,
+        carrier_speed=carrier_speed(geometry=geometry, sun_speed=joint.sun_speed),
+        planet_mass=planet,
+        loading_roller_mass=roller,
+        closure="elastic",
+    )
+    forces = force_balance(mechanism=drive, output_torque=joint.output_torque)
+    rough = rough_joint_contacts(
+        contacts=contacts, normal_force=forces.normal, tangential_force=forces.tangential
+    )
+    holds = jnp.all((rough.normal_stiffness > 0.0) | (forces.normal <= 0.0), axis=0)
+    series = series_torsional_stiffness(geometry=geometry, tangential_stiffness=rough.tangential_stiffness)
+    return PublishedResult(
+        forces=forces,
+        tangential_stiffness=rough.tangential_stiffness,
+        contact_torsional_stiffness=jnp.asarray(
+            contact_torsional_stiffness(
+                tangential_stiffness=rough.tangential_stiffness, radius=driven_radii(geometry)
+            )
+        ),
+        stiffness=TorsionalStiffness(
+            sun=jnp.where(holds, series.sun, jnp.nan), output=jnp.where(holds, series.output, jnp.nan)
+        ),
+        solved=(forces.balance_residual < BALANCE_TOLERANCE) & (forces.closure_residual < BALANCE_TOLERANCE),
+    )
