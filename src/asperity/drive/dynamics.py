@@ -13,7 +13,6 @@ import jax
 import jax.numpy as jnp
 from jax import Array
 
-from asperity.drive.geometry import DriveGeometry
 from asperity.types import Real
 
 
@@ -39,8 +38,6 @@ def roller_inertia(*, mass: Real, radius: Real, bore_diameter: Real) -> Real:
     Closed form of a hollow cylinder; equation (D1) of :doc:`/equations`.
     """
     return 0.5 * mass * (radius**2 + 0.25 * bore_diameter**2)
-
-
 
 
 class NaturalFrequencies(NamedTuple):

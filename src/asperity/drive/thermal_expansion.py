@@ -13,9 +13,6 @@ from typing import Literal
 import jax.numpy as jnp
 from jax import Array
 
-from asperity.drive.geometry import DriveGeometry, Triangle
-from asperity.drive.interference import interference_of_sizes
-from asperity.drive.mechanism import RestState
 from asperity.types import Real
 
 
@@ -76,8 +73,6 @@ def ring_expansion(
     held = jnp.where(rigid, 0.0, housing_stiffness) * compliance
     share = jnp.where(rigid, 1.0, held / (1.0 + held))
     return jnp.asarray(ring + (housing - ring) * share * 2.0 / narrowing)
-
-
 
 
 def loosening_rise(*, interference: Real, change_per_kelvin: Real) -> Array:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import dataclasses
 from typing import Any, NamedTuple
 
 import equinox as eqx
@@ -12,9 +11,6 @@ from jax import Array
 
 from asperity.contact.rolling_fatigue import spectrum_life
 from asperity.drive.bearing_life import LIFE_EXPONENTS, RatedBearing, basic_rating_life, static_safety
-from asperity.joint.description import Joint, per_contact, with_one_rank
-from asperity.joint.evaluation import JointResult, evaluate
-from asperity.joint.working_loads import bearing_speeds, loads_at_rest, stacked_speeds, working_loads
 from asperity.types import Real
 
 
@@ -145,59 +141,3 @@ def _spectrum(rated: tuple[RatedBearing | None, ...], loads: Array, speeds: Arra
         rates = jnp.where(jnp.isnan(speed), jnp.nan, rates)
         lives.append(spectrum_life(lives=turns, cycle_rates=rates, time_shares=share))
     return jnp.stack(jnp.broadcast_arrays(*map(jnp.asarray, lives)))
-
-
-def bearing_lives(joint: Joint, result: JointResult) -> BearingLives:
-    """Lives, static safeties and load ratios of the bearings of the paper's drive; pure.
-
-    Parameters
-    ----------
-    joint : Joint
-        One joint, or many along trailing batch axes.
-    result : JointResult
-        Its result.
-
-    Returns
-    -------
-    BearingLives
-        As :func:`lives_of_bearings`; the reliability of the joint file is that of the tracks.
-
-    References
-    ----------
-    Equation (L2) of :doc:`/equations`.
-    """
-    joint = with_one_rank(joint)
-    under: dict[str, Array | BearingState] = {}
-    if joint.rolling.duty:
-        points = per_contact(joint.rolling.duty)
-        under = {"duty": _under_duty(joint, points.output_torque, points.sun_speed), "shares": points.share}
-    return lives_of_bearings(
-        joint.rated_bearings,
-        working=_state(joint, result),
-        rest=_of_the_drive(loads_at_rest(joint).pin_resultant),
-        **under,  # type: ignore[arg-type]
-    )
-
-
-def _state(joint: Joint, result: JointResult) -> BearingState:
-    return BearingState(
-        _of_the_drive(working_loads(joint, result).pin_resultant),
-        stacked_speeds(bearing_speeds(joint, result)),
-    )
-
-
-def _of_the_drive(pin_forces: Array) -> Array:
-    """Forces at each place: equal branches load the pins only."""
-    return jnp.concatenate([pin_forces, jnp.zeros_like(pin_forces)])
-
-
-def _under_duty(joint: Joint, torques: Array, speeds: Array) -> BearingState:
-    """The bearings under the loads of the duty, which are the first axis."""
-    alone = dataclasses.replace(joint, rolling=dataclasses.replace(joint.rolling, duty=()))
-
-    def under(torque: Array, speed: Array) -> BearingState:
-        loaded = dataclasses.replace(alone, output_torque=torque, sun_speed=speed)
-        return _state(loaded, evaluate(loaded))
-
-    found: BearingState = jax.vmap(under)(torques, speeds)
-    return found

@@ -9,7 +9,7 @@ import jax
 import numpy as np
 
 from asperity.drive.geometry import CONTACT_NAMES
-from asperity.joint.branch_sizes import BranchSizes, SectorDeviations
+from asperity.joint.branch_sizes import SectorDeviations
 from asperity.joint.rolling_power import RollingLosses, RollingPower, power_budget
 
 #: Why results of a joint are absent whose own branches carry a torque that equal ones do not carry.
@@ -189,7 +189,7 @@ class UnequalBranches:
 
     Parameters
     ----------
-    sizes : BranchSizes or SectorDeviations
+    sizes : SectorDeviations
         Sizes of the branches.
     torque, own_preload : float
         Torque of the joint, without sign, and the preload of equal branches [N·m], [N].
@@ -211,7 +211,7 @@ class UnequalBranches:
         Drift and powers of the rolling joint; None where it does not roll, or where slip was not asked for.
     """
 
-    sizes: BranchSizes | SectorDeviations
+    sizes: SectorDeviations
     torque: float
     own_preload: float
     interference: np.ndarray

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import dataclasses
-import math
 from dataclasses import dataclass
 
 import numpy as np
@@ -64,39 +63,6 @@ def refuse_wide(interference: np.ndarray, nominal: float) -> None:
             f"{WIDEST:g} times that of equal branches at the working temperature, {format_quantity(nominal, 'um')}; "
             "state smaller deviations or a larger interference"
         )
-
-
-@dataclass(frozen=True)
-class BranchSizes:
-    """Deviations of the sizes of each branch from the nominal ones, and the bearings of the sun.
-
-    Parameters
-    ----------
-    planet, right_roller, left_roller : ndarray
-        Deviations of the radii, larger positive, one for each planet, shape (n,) [m].
-    sun_support_stiffness : float
-        Radial stiffness of the sun's bearings [N/m]: 0 for a floating sun, ``math.inf`` for one that is held.
-    """
-
-    planet: np.ndarray
-    right_roller: np.ndarray
-    left_roller: np.ndarray
-    sun_support_stiffness: float
-
-    @property
-    def deviations(self) -> dict[str, np.ndarray]:
-        """Names of the rollers → deviations of their radii [m]."""
-        return {"planet": self.planet, "right_roller": self.right_roller, "left_roller": self.left_roller}
-
-    @property
-    def is_symmetric(self) -> bool:
-        """Whether a torque in the other direction finds the mirror image of these branches."""
-        even = bool(np.all(self.right_roller == self.left_roller))
-        return even and (math.isinf(self.sun_support_stiffness) or not np.ptp(self.planet))
-
-    def with_first(self, added: float) -> BranchSizes:
-        """The same with a further deviation of the first planet [m]."""
-        return dataclasses.replace(self, planet=self.planet + added * np.eye(self.planet.size)[0])
 
 
 @dataclass(frozen=True)

@@ -2,23 +2,14 @@
 
 from __future__ import annotations
 
-import dataclasses
 import math
 from typing import Any
 
 import equinox as eqx
-import jax
 import jax.numpy as jnp
 from jax import Array
 
-from asperity.drive.capacity import FirstLimit, first_limit, slip_ratio
-from asperity.drive.existence import pin_lock, smaller_body
-from asperity.drive.force_balance import BALANCE_TOLERANCE, force_balance
-from asperity.drive.geometry import CONTACT_NAMES
-from asperity.joint.contacts import bulk_springs, joint_contacts
-from asperity.joint.description import Joint, with_one_rank
-from asperity.joint.evaluation import drive_under, mechanism
-from asperity.types import Real
+from asperity.drive.capacity import FirstLimit
 from asperity.units import format_quantity
 
 #: Kinds of limits, by the codes of :class:`TorqueCapacity`.
@@ -35,15 +26,9 @@ LIMIT_KINDS = (
 #: Those of them that end what is computed, not what the joint can do: its own capacity is not less.
 MODEL_LIMITS = ("contact_too_wide", "wall_too_thin")
 
-# Share of its force at rest below which a contact has lifted off: beyond lift-off nothing but rounding is left of it.
-_LIFTED = 1e-12
-
 _SAME = 1e-6  # relative difference of torques that are said to be the same
 
 _PER_CONTACT = ("gross_slip", "lift_off", "contact_too_wide")  # these have a limit for each contact
-
-#: What :attr:`TorqueCapacity.limiting_contact` numbers.
-LIMITING_CONTACTS = (*CONTACT_NAMES, "none")
 
 
 class TorqueCapacity(eqx.Module):
@@ -57,87 +42,12 @@ class TorqueCapacity(eqx.Module):
     limit : Array
         Code of the first limit in :data:`LIMIT_KINDS`.
     limiting_contact : Array
-        Place of the contact that reaches it in :data:`LIMITING_CONTACTS`; the last one for a limit that is not a
-        contact's.
+        Number of the contact that reaches it; that of contacts for a limit that is not a contact's.
     """
 
     output_torque: Array
     limit: Array
     limiting_contact: Array
-
-
-def torque_capacity(joint: Joint, *, direction: Real) -> TorqueCapacity:
-    r"""Largest output torque in a direction at which the joint keeps every limit of the model.
-
-    .. math::
-        \max_i \left\{ \frac{T_i}{\mu_i N_i} - 1,\ -\frac{N_i}{N_{i,0}},\ \frac{b_i}{h_i} - 1,\
-        -\frac{c_i}{c_{i,0}} \right\} = 0
-
-    Parameters
-    ----------
-    joint : Joint
-        One joint, or many along trailing batch axes; its own output torque is not used.
-    direction : Real
-        +1 for positive torques, −1 for negative ones [-].
-
-    Returns
-    -------
-    TorqueCapacity
-        The capacity as a positive torque [N·m], and what limits it.
-
-    Notes
-    -----
-    The limits: a contact slips grossly; a contact lifts off (N_i = 0); a contact strip is too wide for line-contact
-    theory (its half-width b reaches the size h of the smaller body, or the compliance c of the bodies is no longer
-    positive); the pins lock; the force balance has no solution. Every torque of the search is a force
-    balance of its own, whose residual is looked at. The derivatives are implicit; a missing
-    solution has none, and 0 is returned for it.
-
-    References
-    ----------
-    Equation (A9) of :doc:`/equations`.
-    """
-    joint = with_one_rank(joint)
-    drive = mechanism(dataclasses.replace(joint, output_torque=jnp.asarray(direction)))
-    contacts = joint_contacts(joint)
-    rest, friction = drive.rest.normal_force, contacts.pairs.friction_coefficient
-    bodies = smaller_body(geometry=joint.geometry, ring_wall_thickness=joint.ring_wall_thickness)
-
-    def compliance(half_width: Real) -> Array:
-        return jnp.asarray(bulk_springs(contacts=contacts, half_width=half_width).incremental_compliance)
-
-    at_rest = compliance(contacts.largest_half_width(rest))
-    pins = pin_lock(geometry=joint.geometry, bearings=joint.bearings)
-
-    def excesses(torque: Array) -> Array:
-        loaded = drive_under(joint, drive, direction * torque)
-        rest = loaded.rest.normal_force
-        forces = force_balance(mechanism=loaded, output_torque=direction * torque)
-        touching = forces.normal > _LIFTED * rest
-        normal = jnp.where(touching, forces.normal, rest)
-        slip = slip_ratio(
-            normal_force=forces.normal,
-            tangential_force=forces.tangential,
-            friction_coefficient=friction,
-        )
-        width = contacts.largest_half_width(normal)
-        too_wide = jnp.where(touching, jnp.maximum(width / bodies - 1.0, -compliance(width) / at_rest), -1.0)
-        solved = (forces.balance_residual < BALANCE_TOLERANCE) & (forces.closure_residual < BALANCE_TOLERANCE)
-        locked = jnp.where(pins.locks | pins.too_thick, 1.0, -1.0)
-        shape = forces.normal.shape[1:]
-        rows = (
-            (1, locked),
-            (5, jnp.where(touching, slip - 1.0, -1.0)),
-            (5, _LIFTED - forces.normal / rest),
-            (5, too_wide),
-            (1, jnp.where(solved, -1.0, 1.0)),
-        )
-        return jnp.concatenate([jnp.broadcast_to(each, (count, *shape)) for count, each in rows])
-
-    guess = jnp.min(friction, axis=0) * joint.preload * drive.sides.roller_orbit * joint.geometry.planet_count
-    shape = jnp.broadcast_shapes(*(jnp.shape(leaf) for leaf in (*jax.tree.leaves(joint), direction)))
-    found = first_limit(excesses=excesses, first_guess=jnp.broadcast_to(guess, shape))
-    return named_capacity(found, contacts=len(CONTACT_NAMES))
 
 
 def named_capacity(found: FirstLimit, *, contacts: int, walls: bool = False) -> TorqueCapacity:
@@ -168,14 +78,14 @@ def named_capacity(found: FirstLimit, *, contacts: int, walls: bool = False) -> 
     )
 
 
-def limit_words(capacity: TorqueCapacity, *, contacts: tuple[str, ...] = CONTACT_NAMES) -> str:
+def limit_words(capacity: TorqueCapacity, *, contacts: tuple[str, ...]) -> str:
     """What limits the capacity of one joint, in words.
 
     Parameters
     ----------
     capacity : TorqueCapacity
         Of one joint and one direction.
-    contacts : tuple of str, optional
+    contacts : tuple of str
         Names of the contacts.
 
     Returns
@@ -200,7 +110,7 @@ def limit_words(capacity: TorqueCapacity, *, contacts: tuple[str, ...] = CONTACT
 def capacity_document(
     capacity: TorqueCapacity,
     *,
-    contacts: tuple[str, ...] = CONTACT_NAMES,
+    contacts: tuple[str, ...],
     first_slip: TorqueCapacity | None = None,
 ) -> dict[str, Any]:
     """The capacity of one joint in one direction as a part of a JSON document.
@@ -209,7 +119,7 @@ def capacity_document(
     ----------
     capacity : TorqueCapacity
         Of one joint and one direction.
-    contacts : tuple of str, optional
+    contacts : tuple of str
         Names of the contacts.
     first_slip : TorqueCapacity or None, optional
         Where the first contact slides, while others may still hold; None for drives in which none is said to hold.

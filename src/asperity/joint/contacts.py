@@ -19,20 +19,17 @@ from asperity.contact.hertz_line import (
 )
 from asperity.contact.interface import Interface, bulk_tangential_stiffness
 from asperity.contact.population import ContactFactorModel
-from asperity.contact.roller_pairs import RollerPairs, contact_factors, roller_pairs, rough_contacts
-from asperity.drive.geometry import CONTACT_BODIES, contact_radii
+from asperity.contact.roller_pairs import RollerPairs, contact_factors, rough_contacts
 from asperity.drive.mechanism import NormalSprings, crowned_springs
 from asperity.joint.crowned_contacts import (
     CrownCompliance,
     crown_compliances,
-    crown_curvatures,
     crowned_lines,
     loads_along,
     rough_slices,
     whole_contact,
 )
-from asperity.joint.description import ClosureSprings, Joint, per_contact
-from asperity.materials import Material, pair
+from asperity.materials import Material
 from asperity.types import Real
 
 
@@ -124,44 +121,6 @@ class LoadedContacts(NamedTuple):
     crown: CrownCompliance | None = None
 
 
-def joint_contacts(joint: Joint) -> JointContacts:
-    """The contacts of a joint, in the order of :data:`asperity.drive.geometry.CONTACT_NAMES`.
-
-    Parameters
-    ----------
-    joint : Joint
-        The joint.
-
-    Returns
-    -------
-    JointContacts
-        Numbers of shape (contacts, ...), or (1, ...) where all contacts share one.
-    """
-    driving, driven = (
-        per_contact(
-            tuple(elastic_material(getattr(joint.bodies, bodies[side])) for bodies in CONTACT_BODIES.values())
-        )
-        for side in (0, 1)
-    )
-    radius_1, radius_2, sign = contact_radii(joint.geometry)
-    return JointContacts(
-        pairs=roller_pairs(
-            radius_1=radius_1,
-            radius_2=radius_2,
-            sign=sign,
-            contact_length=per_contact(joint.contact_lengths),
-            friction_coefficient=per_contact(joint.friction_coefficients),
-            moduli=pair(driving, driven),
-            surface=per_contact(joint.surfaces),
-        ),
-        driving=driving,
-        driven=driven,
-        ring_wall_thickness=joint.ring_wall_thickness,
-        contact_factor_model=joint.contact_factor_model,
-        crown_curvature=None if joint.crowns is None else crown_curvatures(joint.crowns),
-    )
-
-
 def elastic_material(material: Material) -> Material:
     """A material without its thermal properties, which not every material has.
 
@@ -241,44 +200,6 @@ def with_crowns(springs: NormalSprings, *, contacts: JointContacts, rest_force: 
     lines = crowned_lines(pairs=contacts.pairs, crown_curvature=contacts.crown_curvature)
     crowns = crowned_springs(lines=lines, rest_force=rest_force)
     return NormalSprings(springs.secant_compliance, springs.incremental_compliance, crowns)
-
-
-def closure_springs(*, contacts: JointContacts, rest_force: Array, model: ClosureSprings) -> NormalSprings:
-    """Normal springs of the elastic closure around the state at rest.
-
-    Parameters
-    ----------
-    contacts : JointContacts
-        The contacts.
-    rest_force : Array
-        Normal forces at rest, shape (contacts, ...) [N].
-    model : {"bulk", "bulk_and_asperities"}
-        Whether the asperities' normal compliance is added.
-
-    Returns
-    -------
-    NormalSprings
-        Compliances, shape (contacts, ...) [m/N]; infinite, and the balance without solution, where the asperities are
-        asked for and every spot is plastic at rest.
-    """
-    bulk = with_crowns(
-        bulk_springs(contacts=contacts, half_width=contacts.pairs.half_width(rest_force)),
-        contacts=contacts,
-        rest_force=rest_force,
-    )
-    if model == "bulk":
-        return bulk
-    asperities = (
-        1.0
-        / rough_joint_contacts(
-            contacts=contacts, normal_force=rest_force, tangential_force=jnp.zeros_like(rest_force)
-        ).normal_stiffness
-    )
-    return NormalSprings(
-        secant_compliance=bulk.secant_compliance + asperities,
-        incremental_compliance=bulk.incremental_compliance + asperities,
-        crowns=bulk.crowns,
-    )
 
 
 @jax.jit  # traced once for all states of the contacts

@@ -21,8 +21,6 @@ from asperity.contact.fractal import FractalContact
 from asperity.contact.population import ContactFactorModel
 from asperity.contact.roller_pairs import RollerPairs, contact_factors, rough_contacts
 from asperity.contact.strip_theory import strip_creepage
-from asperity.drive.geometry import CONTACT_BODIES
-from asperity.joint.description import Crowns, per_contact
 from asperity.materials import Material
 
 
@@ -37,24 +35,6 @@ class CrownCompliance(NamedTuple):
 
     normal: Array
     tangential: Array
-
-
-def crown_curvatures(crowns: Crowns) -> Array:
-    """Curvatures of the contacts: the sum over both bodies.
-
-    Parameters
-    ----------
-    crowns : Crowns
-        Of the bodies.
-
-    Returns
-    -------
-    Array
-        Shape (5, ...) [1/m].
-    """
-    bodies = (tuple(jnp.asarray(getattr(crowns, body)) for body in pair) for pair in CONTACT_BODIES.values())
-    found: Array = per_contact(tuple(driving + driven for driving, driven in bodies))
-    return found
 
 
 def crowned_lines(*, pairs: RollerPairs, crown_curvature: Array) -> CrownedLines:

@@ -10,7 +10,6 @@ from asperity.contact.crowned_line import CrownedLine
 from asperity.contact.hertz_line import first_yield_pressure, peak_pressure
 from asperity.contact.roller_pairs import RollerPairs
 from asperity.drive.capacity import slip_ratio as traction_used
-from asperity.drive.geometry import Triangle
 from asperity.joint.contacts import LoadedContacts
 from asperity.types import Real
 
@@ -22,8 +21,6 @@ class Diagnostics(eqx.Module):
     ----------
     slip_ratio : Real
         T/(mu N) of each contact, shape (5, ...) [-]; infinite where a lifted contact should carry a force.
-    self_locking_ratio : Real or None
-        tan(beta/2)/mu of the planet's wedge contacts, the larger of both sides, shape (...) [-]; None without wedges.
     real_area_over_hertz_area : Real
         Real area of contact over the Hertzian strip 2bB, shape (5, ...) [-].
     largest_spot_over_hertz_area : Real
@@ -50,7 +47,6 @@ class Diagnostics(eqx.Module):
     """
 
     slip_ratio: Real
-    self_locking_ratio: Real | None
     real_area_over_hertz_area: Real
     largest_spot_over_hertz_area: Real
     critical_over_largest_spot: Real
@@ -66,29 +62,6 @@ class Diagnostics(eqx.Module):
     slices_hold: Array | None = None
 
 
-def self_locking_ratio(*, sides: Triangle, friction_coefficient: Real) -> Array:
-    r"""Friction that a wedge needs to hold itself over the friction it has, :math:`\tan(\beta/2)/\mu`.
-
-    Parameters
-    ----------
-    sides : Triangle
-        Triangle of centres of the drive of Zou et al. 2025.
-    friction_coefficient : Real
-        mu of the contacts, shape (1 or 5, ...) [-].
-
-    Returns
-    -------
-    Array
-        The larger of both sides of a planet [-].
-
-    References
-    ----------
-    Two forces on the loading roller balance where each is inclined by half the wedge angle.
-    """
-    friction = jnp.broadcast_to(friction_coefficient, (5, *jnp.shape(jnp.asarray(friction_coefficient))[1:]))
-    return jnp.asarray(sides.sin_wedge / (1.0 + sides.cos_wedge) / jnp.minimum(friction[1], friction[2]))
-
-
 def diagnose(
     *,
     pairs: RollerPairs,
@@ -96,7 +69,6 @@ def diagnose(
     tangential_force: Array,
     loaded: LoadedContacts,
     rest_force: Real,
-    self_locking_ratio: Real | None,
 ) -> Diagnostics:
     """Compare a solved joint with the limits of the model.
 
@@ -110,8 +82,6 @@ def diagnose(
         Its contacts under these forces, shape (contacts, ...).
     rest_force : Real
         Normal forces at rest, shape (contacts, ...) [N].
-    self_locking_ratio : Real or None
-        :func:`self_locking_ratio`; None for a drive without wedges.
 
     Returns
     -------
@@ -144,7 +114,6 @@ def diagnose(
             tangential_force=tangential_force,
             friction_coefficient=friction_coefficient,
         ),
-        self_locking_ratio=self_locking_ratio,
         real_area_over_hertz_area=contacts.real_contact_area / strip,
         largest_spot_over_hertz_area=contacts.largest_area / (2.0 * width * length),
         critical_over_largest_spot=jnp.where(touching, contacts.critical_area / largest, jnp.inf),

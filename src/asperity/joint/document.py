@@ -8,24 +8,12 @@ from typing import Any
 
 import numpy as np
 
-import asperity
 from asperity.drive.torsional_stiffness import TorsionalStiffness
-from asperity.joint.all_limits import all_checks
-from asperity.joint.branch_document import branch_document
-from asperity.joint.capacity import capacity_document
 from asperity.joint.contact_notes import Note
-from asperity.joint.description import preload_at
-from asperity.joint.evaluation import JointResult
 from asperity.joint.limit_check import LimitCheck
-from asperity.joint.loading_cam import loading_cam_document
 from asperity.joint.planar.evaluation import PlanarResult
 from asperity.joint.results import GROUPS, RESULTS, SEVERITIES, SolvedJoint
-from asperity.joint.rolling_document import contact_results, losses, rolling_document
-from asperity.joint.solve import Solution
-from asperity.joint.solved import SolvedPapersJoint
-from asperity.joint.strength_document import bearing_entries, rim_entries
-from asperity.joint.surface_averages import surface_averages
-from asperity.joint.temperature import assembly_document
+from asperity.joint.rolling_document import contact_results
 from asperity.units import format_quantity
 
 Document = dict[str, Any]
@@ -61,8 +49,6 @@ def has_whole_bodies(document: Document) -> bool:
         False where the joint file has springs in place of bodies.
     """
     return (document["input"].get("model") or {}).get("bodies") != "springs"
-
-
 
 
 def diagnostic_documents(checks: tuple[LimitCheck, ...], notes: tuple[Note, ...]) -> list[Document]:
@@ -112,12 +98,6 @@ def _limit_document(entry: LimitCheck) -> Document:
 def _note_document(note: Note) -> Document:
     words = dataclasses.asdict(note)
     return words | {"unit": words.pop("dimension").si_unit}
-
-
-
-
-
-
 
 
 def contact_documents(solved: SolvedJoint) -> Document:
@@ -268,7 +248,7 @@ def stiffness_budget(result: PlanarResult) -> Document:
     return {
         name: dict(zip(result.contact_names, np.asarray(share), strict=True)) if np.ndim(share) else share
         for name, share in shares
-        if name.endswith("_share") and (isinstance(result, JointResult) or not RESULTS[name].wedge_only)
+        if name.endswith("_share") and (isinstance(result, PlanarResult) or not RESULTS[name].wedge_only)
     }
 
 

@@ -61,7 +61,9 @@ def solve_equal_branches(joint: PlanarJoint) -> tuple[PlanarSolution, bool]:
         limit = float((free.reverse_capacity if torque < 0.0 else free.capacity).output_torque)
         if not limit <= abs(torque):
             raise
-    return solve_planar(dataclasses.replace(joint, output_torque=math.copysign(_SHARE * limit, torque))), False
+    return solve_planar(
+        dataclasses.replace(joint, output_torque=math.copysign(_SHARE * limit, torque))
+    ), False
 
 
 def without_state(solution: PlanarSolution, output_torque: float, own: UnequalBranches) -> PlanarSolution:

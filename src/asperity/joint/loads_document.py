@@ -3,23 +3,12 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
+from collections.abc import Iterable
 from typing import Any
 
-import jax
 import numpy as np
 
 import asperity
-from asperity.drive.structure_loads import PIN_NAMES, StructureLoads, pin_bending_moment, pin_bending_stress
-from asperity.joint.branch_limits import pressed
-from asperity.joint.branch_loads import BranchLoads
-from asperity.joint.branch_results import UnequalBranches
-from asperity.joint.description import Joint
-from asperity.joint.evaluation import JointResult
-from asperity.joint.results import SolvedJoint
-from asperity.joint.rolling_document import unknown_because
-from asperity.joint.working_loads import BearingSpeeds, bearing_speeds, loads_at_rest, working_loads
 
 #: A load below this share of the largest one of its unit is what the sums of larger ones leave.
 _ROUNDING = 1e-12
@@ -39,14 +28,6 @@ UNEQUAL = (
     "Forces of the pins and lives of their bearings are those of the branch that loads them most; {pressed}. Weights "
     "and forces from outside are not counted."
 )
-
-
-
-
-
-
-
-
 
 
 def case_entry(
@@ -136,9 +117,3 @@ def _plain(value: Any, rounding: float) -> float | None:
     if not math.isfinite(number):
         return None
     return number if abs(number) > rounding else 0.0
-
-
-
-
-
-

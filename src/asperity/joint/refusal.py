@@ -2,36 +2,11 @@
 
 from __future__ import annotations
 
-import math
-import operator
-from typing import get_args
-
 import numpy as np
 
-from asperity.body.shapes import PlaneState
-from asperity.contact.asperity import AsperityBase
-from asperity.contact.population import ContactFactorModel
-from asperity.drive.existence import overlaps, pin_lock, smaller_body, too_wide
-from asperity.drive.geometry import CONTACT_NAMES, Clearance, triangle
-from asperity.drive.mechanism import Closure, rest_state
 from asperity.errors import InputError
-from asperity.joint.description import BodyModel, ClosureSprings, Joint, RingSupport
-from asperity.joint.evaluation import JointResult
 from asperity.joint.planar.evaluation import PlanarResult
 from asperity.units import format_quantity
-
-
-
-
-
-
-
-
-
-
-
-
-
 
 
 def refuse_short_contacts(result: PlanarResult) -> None:
@@ -58,7 +33,3 @@ def refuse_short_contacts(result: PlanarResult) -> None:
         f"the crowned rollers touch at {result.contact_names[first]} over a length of {length} and a width of "
         f"{across}: the slices need a contact at least twice as long as wide; choose a larger crown radius"
     )
-
-
-
-

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import functools
 import operator
 
 import equinox as eqx
@@ -14,13 +13,6 @@ from jax import Array
 from asperity.body.coupling import BodyInMachine
 from asperity.body.rim_range import RimLoads, RimRange, fatigue_safety, rim_range, rim_stresses
 from asperity.body.shapes import Annulus
-from asperity.drive.geometry import triangle
-from asperity.drive.mechanism import rest_state
-from asperity.joint.contacts import joint_contacts
-from asperity.joint.description import Joint, with_one_rank
-from asperity.joint.elastic_bodies import machine_bodies
-from asperity.joint.evaluation import JointResult
-from asperity.joint.working_loads import working_forces
 from asperity.materials import Material
 
 #: Rims of a ring or of a hollow roller, in the order of every rim axis.
@@ -49,122 +41,6 @@ class BodyRims(eqx.Module):
     amplitude: Array
     yield_safety: Array
     fatigue_safety: Array
-
-
-class JointRims(eqx.Module):
-    """Strength of the bodies of a joint that have two rims.
-
-    Parameters
-    ----------
-    ring, planet, loading_roller : BodyRims
-        One each; of the loading rollers the worse one.
-    """
-
-    ring: BodyRims
-    planet: BodyRims
-    loading_roller: BodyRims
-
-
-#: Signs of the tangential forces on planet, right and left roller and ring, counter-clockwise, contact by contact.
-_TURNS = ((1.0, -1.0, -1.0), (-1.0, 1.0), (-1.0, 1.0), (-1.0, -1.0))
-
-
-def joint_rims(joint: Joint, result: JointResult) -> JointRims:
-    """Strength of ring and hollow rollers of a joint; pure.
-
-    Parameters
-    ----------
-    joint : Joint
-        One joint, or many along trailing batch axes.
-    result : JointResult
-        Its result.
-
-    Returns
-    -------
-    JointRims
-        Away from the contacts, whose own stresses are judged by yield, shakedown and rolling fatigue.
-
-    Notes
-    -----
-    Exact plane elasticity with the file's ring support. The stress of a fit in the housing, of the pins' pressure on
-    the bores and of rotation is not included.
-
-    References
-    ----------
-    Equation (L3) of :doc:`/equations`.
-    """
-    joint = with_one_rank(joint)
-    sides = triangle(joint.geometry)
-    normal, tangential = working_forces(joint, result)
-    rest = rest_state(geometry=joint.geometry, sides=sides, preload=joint.preload).normal_force
-    shape = normal.shape
-    states = ((normal, tangential), (jnp.broadcast_to(rest, shape), jnp.zeros(shape)))
-    width = jnp.broadcast_to(jnp.asarray(result.diagnostics.hertz_half_width), shape)
-    _, planet, right, left, ring = machine_bodies(joint, sides)
-    bodies = joint.bodies
-    rollers = [
-        body_rims(member, bodies.loading_roller, states, width, turns)
-        for member, turns in ((right, _TURNS[1]), (left, _TURNS[2]))
-    ]
-    return JointRims(
-        ring=body_rims(ring, bodies.ring, states, width, _TURNS[3]),
-        planet=body_rims(planet, bodies.planet, states, width, _TURNS[0]),
-        loading_roller=worse_rims(*rollers),
-    )
-
-
-def branch_joint_rims(joint: Joint, working: Array, rest: Array) -> JointRims:
-    """Strength of ring and hollow rollers of one joint whose branches differ; pure.
-
-    Parameters
-    ----------
-    joint : Joint
-        One joint.
-    working, rest : Array
-        Normal and tangential forces of the contacts of each branch, under the torque and at rest, shape (2, 5, n) [N].
-
-    Returns
-    -------
-    JointRims
-        As :func:`joint_rims`: of a free ring under all its forces, of a ring in a housing as if all branches were like
-        one, and of rollers by themselves, the worst of the branches.
-
-    References
-    ----------
-    Equations (I4) and (L3) of :doc:`/equations`.
-    """
-    sides, count = triangle(joint.geometry), working.shape[-1]
-    width = jax.vmap(joint_contacts(joint).largest_half_width, in_axes=1, out_axes=1)(working[0])
-    _, planet, right, left, ring = machine_bodies(joint, sides)
-    bodies = joint.bodies
-
-    def worst(member: BodyInMachine, material: Material, turns: tuple[float, ...]) -> BodyRims:
-        each = [
-            body_rims(
-                member, material, tuple((s[0, :, b], s[1, :, b]) for s in (working, rest)), width[:, b], turns
-            )
-            for b in range(count)
-        ]
-        return functools.reduce(worse_rims, each)
-
-    if joint.ring_support == "free":
-        at = np.array(ring.contacts)
-        turned = 2.0 * np.pi * np.arange(count)[:, None] / count
-        angles = jnp.ravel(turned + jnp.asarray(ring.contact_angles))
-        alone = BodyInMachine(ring.body, tuple(range(angles.size)), angles, None)
-        states = tuple((s[0, at].T.ravel(), s[1, at].T.ravel()) for s in (working, rest))
-        of_ring = body_rims(alone, bodies.ring, states, width[at].T.ravel(), _TURNS[3] * count, count)
-    else:
-        of_ring = worst(ring, bodies.ring, _TURNS[3])
-    rollers = [
-        worst(member, bodies.loading_roller, turns)
-        for member, turns in ((right, _TURNS[1]), (left, _TURNS[2]))
-    ]
-    return JointRims(
-        ring=of_ring,
-        planet=worst(planet, bodies.planet, _TURNS[0]),
-        loading_roller=worse_rims(*rollers),
-    )
 
 
 def body_rims(

@@ -5,7 +5,6 @@ from __future__ import annotations
 import functools
 import operator
 from collections.abc import Sequence
-from typing import Any
 
 import equinox as eqx
 import jax
@@ -14,18 +13,14 @@ from jax import Array
 
 from asperity.contact.rolling_fatigue import life_at_reliability
 from asperity.contact.skew import axial_force, stick_fraction
-from asperity.drive.force_balance import DriveForces
-from asperity.drive.geometry import CONTACT_BODIES
-from asperity.drive.mechanism import Mechanism
 from asperity.drive.planar.state import PlanarState
-from asperity.drive.rolling_speeds import WEDGE_DRIVE, BodiesOfContacts, RollingSpeeds, rolling_speeds
-from asperity.drive.rolling_state import ROLLING_TOLERANCE, RollingState, drift_per_turn, rolling_state
+from asperity.drive.rolling_speeds import BodiesOfContacts, RollingSpeeds
+from asperity.drive.rolling_state import ROLLING_TOLERANCE, RollingState, drift_per_turn
 from asperity.joint.contacts import JointContacts
-from asperity.joint.description import Joint
 from asperity.joint.rolling_conditions import RollingConditions
-from asperity.joint.rolling_creep import ContactCreep, capacity_loss, contact_creep, lateral_slip_ratio
+from asperity.joint.rolling_creep import ContactCreep, capacity_loss, lateral_slip_ratio
 from asperity.joint.rolling_life import DriveLives, cycle_rates, drive_lives
-from asperity.joint.rolling_power import RollingPower, bearing_power, rolling_power
+from asperity.joint.rolling_power import RollingPower, rolling_power
 from asperity.joint.rolling_strips import rolling_strips
 from asperity.joint.rolling_surface import flash_temperatures, oil_film
 from asperity.materials import Material
@@ -133,85 +128,6 @@ class RollingResult(eqx.Module):
     duty_slip_ratios: Array
     residual: Array
     crown_creepage_factor: Array | None = None
-
-
-def _in_one_shape(forces: DriveForces, others: Any) -> DriveForces:
-    """Forces in the shape of the whole batch: a surface or a friction coefficient that varies does not change them."""
-    rank = jnp.ndim(forces.input_torque)
-    if rank == 0:
-        return forces
-    batch = jnp.broadcast_shapes(*(jnp.shape(leaf)[-rank:] for leaf in jax.tree.leaves((forces, others))))
-    broadcast: DriveForces = jax.tree.map(
-        lambda leaf: jnp.broadcast_to(leaf, (*jnp.shape(leaf)[: jnp.ndim(leaf) - rank], *batch)), forces
-    )
-    return broadcast
-
-
-def rolling_result(
-    *,
-    joint: Joint,
-    contacts: JointContacts,
-    mechanism: Mechanism,
-    forces: DriveForces,
-    asperity_normal_stiffness: Array,
-) -> RollingResult:
-    """Steady rolling of a solved joint under its output torque, at its speed.
-
-    Parameters
-    ----------
-    joint : Joint
-        The joint, its numbers of one rank.
-    contacts : JointContacts
-        Its contacts.
-    mechanism : Mechanism
-        Its drive.
-    forces : DriveForces
-        Its forces at rest.
-    asperity_normal_stiffness : Array
-        Normal stiffness of the asperities under them, shape (5, ...) [N/m].
-
-    Returns
-    -------
-    RollingResult
-        nan where a contact has lifted off or slips, or the equations are not solved; without a duty.
-
-    References
-    ----------
-    Equations (B1)–(B11) of :doc:`/equations`.
-    """
-    geometry = mechanism.geometry
-    forces = _in_one_shape(forces, (contacts, asperity_normal_stiffness, joint.rolling, joint.sun_speed))
-    # computed once: XLA would repeat the balance and the contact law for their uses here
-    forces, asperity_normal_stiffness = jax.lax.optimization_barrier((forces, asperity_normal_stiffness))
-    creep = contact_creep(
-        contacts=contacts,
-        skew=joint.rolling.skew,
-        normal_force=forces.normal,
-        tangential_force=forces.tangential,
-        asperity_normal_stiffness=asperity_normal_stiffness,
-    )
-    state = rolling_state(mechanism=mechanism, standing=forces, law=creep.law)
-    unit = rolling_speeds(geometry=geometry, creepage=state.creepage, sun_speed=1.0)
-    speeds = jax.tree.map(lambda speed: speed * joint.sun_speed, unit)
-    return turning_result(
-        contacts=contacts,
-        conditions=joint.rolling,
-        materials=[
-            (getattr(joint.bodies, first), getattr(joint.bodies, second))
-            for first, second in CONTACT_BODIES.values()
-        ],
-        bodies=WEDGE_DRIVE,
-        branches=geometry.planet_count,
-        creep=creep,
-        state=state,
-        unit_speeds=unit,
-        input_speed=joint.sun_speed,
-        creepage_in_series=state.creepage[0] + state.creepage[1] + state.creepage[3],
-        bearing_power=bearing_power(
-            mechanism=mechanism, state=state, speeds=speeds, sun_speed=joint.sun_speed
-        ),
-        output_torque=forces.output_torque,
-    )
 
 
 def turning_result(

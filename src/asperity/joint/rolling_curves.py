@@ -57,9 +57,7 @@ class RollingCurves(eqx.Module):
     efficiency: Array
 
 
-def rolling_curves(
-    *, joint: PlanarJoint, result: PlanarResult, torque_capacity: float
-) -> RollingCurves:
+def rolling_curves(*, joint: PlanarJoint, result: PlanarResult, torque_capacity: float) -> RollingCurves:
     """Creep curves of the contacts; drift, life and efficiency of the joint over torque and speed.
 
     Parameters

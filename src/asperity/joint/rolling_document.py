@@ -164,9 +164,7 @@ def _by_body(names: tuple[str, ...], lives: DriveLives) -> Document:
     return dict(zip(names, np.asarray(lives.body), strict=True))
 
 
-def unknown_because(
-    joint: PlanarJoint, result: PlanarResult, *, unlike: bool = False
-) -> list[str]:
+def unknown_because(joint: PlanarJoint, result: PlanarResult, *, unlike: bool = False) -> list[str]:
     """Why results of the rolling are absent.
 
     Parameters

@@ -10,8 +10,7 @@ import numpy as np
 
 from asperity.errors import InputError, NoSolutionError
 from asperity.joint.branch_results import BranchState, UnequalBranches
-from asperity.joint.branch_sizes import BranchSizes, SectorDeviations
-from asperity.joint.branches import BranchedJoint
+from asperity.joint.branch_sizes import SectorDeviations
 from asperity.joint.planar.branches import BranchedPlanarJoint
 
 
@@ -46,15 +45,15 @@ class SizeErrorCurves:
 
 
 def size_error_curves(
-    drive: BranchedJoint | BranchedPlanarJoint, sizes: BranchSizes | SectorDeviations, deviation: np.ndarray
+    drive: BranchedPlanarJoint, sizes: SectorDeviations, deviation: np.ndarray
 ) -> SizeErrorCurves:
     """What a wrong size of one planet does.
 
     Parameters
     ----------
-    drive : BranchedJoint or BranchedPlanarJoint
+    drive : BranchedPlanarJoint
         The joint.
-    sizes : BranchSizes or SectorDeviations
+    sizes : SectorDeviations
         Sizes of its branches, of the same kind.
     deviation : ndarray
         Added to the radius of the first planet, or to that track of the first sector which is named first, shape (m,)
@@ -89,7 +88,7 @@ def size_error_curves(
     )
 
 
-def _solved(drive: Any, sizes: BranchSizes | SectorDeviations) -> UnequalBranches | None:
+def _solved(drive: Any, sizes: SectorDeviations) -> UnequalBranches | None:
     """What branches of given sizes do; None where they are refused."""
     try:
         found: UnequalBranches = drive.branches(sizes, slip=False)

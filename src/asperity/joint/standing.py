@@ -40,9 +40,7 @@ class Standing(NamedTuple):
     levels_without_slip: dict[str, np.ndarray]
 
 
-def standing_at(
-    joint: PlanarJoint, torques: np.ndarray, rest: PlanarState | None = None
-) -> Standing:
+def standing_at(joint: PlanarJoint, torques: np.ndarray, rest: PlanarState | None = None) -> Standing:
     """What a wind-up needs to know of a joint with any type of drive.
 
     Parameters

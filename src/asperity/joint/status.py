@@ -4,24 +4,15 @@ from __future__ import annotations
 
 from typing import Any
 
-import jax.numpy as jnp
 import numpy as np
 from jax import Array
 from jax.typing import ArrayLike
 
-from asperity.drive.existence import overlaps, pin_lock, smaller_body, some_contact_slips, too_wide
-from asperity.drive.geometry import CLEARANCE_CONDITIONS, clearances
-from asperity.joint.evaluation import Joint, JointResult
 from asperity.joint.results.result import Needs
 
-#: Each status: its short name in tables and netCDF flags, and its meaning. 0 is solved; new ones are added at the end,
-#: because stores keep the codes.
+#: Each status: its short name in tables and netCDF flags, and its meaning. 0 is solved.
 STATUSES: dict[str, str] = {
     "solved": "solved",
-    **{
-        f"no_{name}_clearance": f"the rollers do not fit: {said}"
-        for name, said in CLEARANCE_CONDITIONS.items()
-    },
     "pin_too_thick_or_locked": "a loading roller's pin is as thick as the roller, or locks by friction",
     "contact_too_wide": "a contact strip is too wide for line-contact theory or for the wall of its body",
     "beyond_torque_capacity": "the output torque is beyond the torque capacity: a contact slips",
@@ -61,8 +52,6 @@ def has_value(status: ArrayLike, needs: Needs) -> Any:
     if needs == "geometry":
         return operates | ((code >= LOCKED) & (code < NO_ROOM))
     return operates | (code == SLIPS) if needs == "balance" else operates
-
-
 
 
 def flag_attributes() -> dict[str, object]:

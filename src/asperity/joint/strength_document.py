@@ -7,8 +7,8 @@ from typing import Any
 
 import numpy as np
 
-from asperity.joint.description import Joint
-from asperity.joint.results import RESULTS, SolvedJoint
+from asperity.joint.planar.description import PlanarJoint
+from asperity.joint.results import SolvedJoint
 from asperity.joint.rim_safety import RIM_NAMES, BodyRims
 
 Document = dict[str, Any]
@@ -50,7 +50,7 @@ def bearing_entries(solved: SolvedJoint) -> list[Document]:
     return entries
 
 
-def _absent_because(joint: Joint, found: dict[str, float]) -> list[str]:
+def _absent_because(joint: PlanarJoint, found: dict[str, float]) -> list[str]:
     """Why lives of a bearing are absent."""
     why = []
     duty = found["duty_life"] if joint.rolling.duty else 1.0
@@ -68,8 +68,6 @@ def _absent_because(joint: Joint, found: dict[str, float]) -> list[str]:
     if math.isinf(duty) and not math.isinf(found["life"]):
         why.append("no load of the duty turns it")
     return why
-
-
 
 
 def rim_entry(found: BodyRims) -> Document:

@@ -2,28 +2,20 @@
 
 from __future__ import annotations
 
-import dataclasses
 import math
 from typing import Any
 
 import jax.numpy as jnp
 from jax import Array
 
-from asperity.drive.geometry import triangle
-from asperity.drive.mechanism import rest_state
-from asperity.drive.thermal_expansion import interference_of_expansion, loosening_rise, ring_expansion
+from asperity.drive.thermal_expansion import loosening_rise
 from asperity.errors import InputError
-from asperity.joint.description import Fit, Joint
-from asperity.joint.elastic_bodies import ring_housing_stiffness
-from asperity.joint.interference import joint_preload
+from asperity.joint.description import Fit
 from asperity.types import Real
 from asperity.units import format_quantity
 
 #: Above this temperature no material of a roller is solid [degC].
 HOTTEST = 3000.0
-
-
-
 
 
 def loose_temperature(fit: Fit) -> Array:
@@ -70,8 +62,6 @@ def refuse_loose(fit: Fit | None) -> None:
         f"{format_quantity(loose, 'degC')}. Choose more interference, materials of more equal expansion, or a preload "
         "by spring (load.preload)"
     )
-
-
 
 
 def fit_document(fit: Fit, preload: Real) -> dict[str, Any]:

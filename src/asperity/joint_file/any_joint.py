@@ -12,7 +12,8 @@ import jax.numpy as jnp
 from jax import Array
 
 from asperity.drive.planar.existence import neighbours
-from asperity.joint.planar.description import bearing_names
+from asperity.drive.planar.wedge import wedges
+from asperity.joint.planar.description import bearing_names, pin_names
 from asperity.joint.planar.evaluation import evaluated_with_laws
 from asperity.joint.planar.solved import SolvedPlanarJoint
 from asperity.joint.planar.status import planar_status
@@ -48,7 +49,14 @@ def _planar_results(structure: str) -> dict[str, Result]:
     shapes = [jax.ShapeDtypeStruct((), jnp.float64) for _ in numbers(values)]
     drive = jax.eval_shape(lambda *each: layout_of(with_numbers(values, each))[0], *shapes)
     pairs = tuple("_to_".join(pair) for pair in neighbours(drive))
-    return results_of_drive(contacts_of(values), bodies_of(values), pairs, bearing_names(drive))
+    return results_of_drive(
+        contacts_of(values),
+        bodies_of(values),
+        pairs,
+        bearing_names(drive),
+        pin_names(drive),
+        has_wedges=bool(wedges(drive)),
+    )
 
 
 def rows_of_file(tables: Mapping[str, Any], result: Result) -> tuple[int, ...]:

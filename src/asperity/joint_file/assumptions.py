@@ -96,7 +96,11 @@ def assumptions(case: PlanarCase) -> tuple[str, ...]:
                 "gives the interval of stiffness and drift"
             )
     told += _surfaces(case)
-    sizes = [path for path, key in leaves(case.drive, Quantity, "drive") if path.endswith("_radius") and key.tolerance]
+    sizes = [
+        path
+        for path, key in leaves(case.drive, Quantity, "drive")
+        if path.endswith("_radius") and key.tolerance
+    ]
     if case.load.preload is not None and sizes:
         widest = max(key.tolerance for path, key in leaves(case.drive, Quantity, "drive") if path in sizes)
         told.append(

@@ -126,7 +126,9 @@ def drawn_interval(case: PlanarCase) -> dict[str, Any] | None:
             "cut_off_m": float(cut_off),
         }
     values, shape = replace_values(si_values(case), changes), across.ravel().shape
-    result = over_surfaces(planar_joint_from_case(case), planar_joint_from_values(values).surfaces, shape=shape)
+    result = over_surfaces(
+        planar_joint_from_case(case), planar_joint_from_values(values).surfaces, shape=shape
+    )
     interval = {
         "states": DIMENSIONS * AVERAGES,
         **result_ends(result, shape=shape, percentiles=(0.0, 100.0), least_usable=1.0),

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from typing import Annotated
 
-from pydantic import Discriminator, StringConstraints, Tag, model_validator
+from pydantic import StringConstraints, model_validator
 
 from asperity.errors import InputError, quoted
 from asperity.joint_file import limits
 from asperity.joint_file.quantity_key import Entered, Quantity
-from asperity.joint_file.section import ONE_FOR_ALL, ONE_FOR_EACH, EachContact, Section, table_or_tables
+from asperity.joint_file.section import Section
 
 DepthText = Annotated[str, StringConstraints(max_length=100), Entered(limits.MEAN_ROUGHNESS_DEPTH)]
 MaterialName = Annotated[str, StringConstraints(pattern=r"^[A-Za-z0-9_-]{1,60}$")]
@@ -49,8 +49,6 @@ class MaterialEntry(Section):
             found = "neither" if self.hardness is None else "both"
             raise InputError(f"exactly one of 'hardness' and 'hardness_factor' is needed, got {found}")
         return self
-
-
 
 
 class SurfaceEntry(Section):
@@ -99,5 +97,3 @@ class SurfaceEntry(Section):
                     f"{name}: {quoted(average.text)} reaches below zero; its tolerance has to be smaller"
                 )
         return self
-
-

@@ -97,5 +97,3 @@ class PlayEntry(Section):
     """Angle that the output turns freely on passing zero torque, from one side to the other."""
     take_up_torque: Annotated[Quantity, limits.TAKE_UP_TORQUE]
     """Torque T_p over which the play is taken up, angle/2 tanh(T/T_p); 0 for all at once."""
-
-

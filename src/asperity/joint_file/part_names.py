@@ -149,7 +149,9 @@ def sized_tracks(tables: Mapping[str, Any]) -> dict[str, tuple[tuple[str, str], 
     kind = type_of(tables)
     if kind in TRACKS:
         named = {
-            contact: tuple(_part(track, body) for track, body in zip(TRACKS[kind][contact], bodies, strict=True))
+            contact: tuple(
+                _part(track, body) for track, body in zip(TRACKS[kind][contact], bodies, strict=True)
+            )
             for contact, bodies in CONTACTS[kind].items()
         }
         return {
@@ -179,13 +181,18 @@ def _part(track: str, body: str) -> str:
 def sizes_of_tracks(tables: Mapping[str, Any]) -> dict[str, str]:
     """NAME in the keys ``NAME_deviation`` of a branch → NAME in the key ``NAME_radius`` of the drive."""
     return {
-        name: "loading_roller" if name in ("right_roller", "left_roller") else name for name in sized_tracks(tables)
+        name: "loading_roller" if name in ("right_roller", "left_roller") else name
+        for name in sized_tracks(tables)
     }
 
 
 def size_keys(tables: Mapping[str, Any]) -> set[str]:
     """NAME in the keys ``NAME_radius`` that the section [drive] states."""
-    return {key.removesuffix("_radius") for key in tables["drive"] if key.endswith("_radius") and "crown" not in key}
+    return {
+        key.removesuffix("_radius")
+        for key in tables["drive"]
+        if key.endswith("_radius") and "crown" not in key
+    }
 
 
 def with_tracks(tables: dict[str, Any]) -> dict[str, Any]:

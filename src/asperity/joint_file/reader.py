@@ -66,9 +66,7 @@ def parse_case(text: str, *, source: str, folder: Path | None = None) -> PlanarC
     return case_from_tables(tables, source=source, folder=folder).with_text(text)
 
 
-def case_from_tables(
-    tables: dict[str, Any], *, source: str, folder: Path | None = None
-) -> PlanarCase:
+def case_from_tables(tables: dict[str, Any], *, source: str, folder: Path | None = None) -> PlanarCase:
     """Check the nested tables of a joint file.
 
     Parameters

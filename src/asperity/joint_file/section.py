@@ -7,11 +7,10 @@ import functools
 import inspect
 import itertools
 from collections.abc import Iterator
-from typing import Any, Generic, Self, TypeVar
+from typing import Any, Self, TypeVar
 
 from pydantic import BaseModel, ConfigDict, GetJsonSchemaHandler, PrivateAttr
 from pydantic_core import CoreSchema
-
 
 #: Marks in pydantic's error locations that are no keys of the file.
 ONE_FOR_ALL, ONE_FOR_EACH = "<one for all>", "<one for each>"
@@ -140,9 +139,3 @@ class WholeFile(Section):
     def __eq__(self, other: object) -> bool:
         """Whether both say the same, in whatever words."""
         return type(other) is type(self) and dict(self) == dict(other)
-
-
-
-
-
-

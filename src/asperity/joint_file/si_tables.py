@@ -166,7 +166,9 @@ def numeric_keys(case: AnyCase) -> dict[str, NumericKey]:
         Dotted path → the number, in the order of the file's sections.
     """
     return {
-        path: NumericKey(path, quantity.value, quantity.tolerance, key_at(path, case.type), quantity.distribution)
+        path: NumericKey(
+            path, quantity.value, quantity.tolerance, key_at(path, case.type), quantity.distribution
+        )
         for path, quantity in leaves(case, Quantity)
     }
 

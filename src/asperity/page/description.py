@@ -96,9 +96,7 @@ def form_of(case: PlanarCase) -> dict[str, Any]:
 
 
 @functools.lru_cache(maxsize=8)
-def _form(
-    whole: type[PlanarCase], choices: tuple[tuple[str, tuple[str, ...]], ...]
-) -> dict[str, Any]:
+def _form(whole: type[PlanarCase], choices: tuple[tuple[str, tuple[str, ...]], ...]) -> dict[str, Any]:
     groups = [
         {"name": name, "heading": heading, "parameters": _parameters(whole, name)}
         for name, heading in HEADINGS.items()

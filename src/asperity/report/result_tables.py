@@ -234,8 +234,6 @@ def _crowns(found: Document) -> Table:
     )
 
 
-
-
 def _input_torques(document: Document, end: str) -> list[tuple[str, str]]:
     """The balance of forces knows no losses of rolling contacts; a motor has to overcome them too."""
     return [

@@ -2,33 +2,20 @@
 
 from __future__ import annotations
 
-import math
-from collections.abc import Callable, Sequence
-
-import numpy as np
+from collections.abc import Callable
 
 import asperity
-from asperity.drive.force_balance import DriveForces
-from asperity.drive.geometry import CONTACT_NAMES, angles, triangle
 from asperity.errors import printable
-from asperity.joint.description import Joint
 from asperity.joint.planar.description import PlanarJoint
 from asperity.joint.planar.evaluation import PlanarForces
-from asperity.show.dimension_lines import dimension
-from asperity.show.drive_view import drive_view, gaps, ring_as_drawn
-from asperity.show.free_bodies import free_bodies
 from asperity.show.sheet import (
-    TEXT_HEIGHT,
     TITLE_HEIGHT,
     Item,
     Line,
     Point,
-    Sheet,
     Text,
     scale_text,
-    standard_scale,
 )
-from asperity.show.style import CONTACT_LABELS
 from asperity.units import format_quantity
 
 #: From the edge of the paper to the frame of a drawing [mm].
@@ -36,10 +23,6 @@ MARGIN = 10.0
 _LONGEST_TITLE = 42
 #: Size of the paper, room of the view, and left edge of the column beside it, all in mm: A4 and A3.
 PLAIN, WITH_FORCES = (297.0, 210.0, 150.0, 195.0), (420.0, 297.0, 220.0, 270.0)
-
-
-
-
 
 
 def frame(on_paper: Callable[[float, float], Point], width: float, height: float) -> Item:
@@ -104,14 +87,6 @@ def title_block(
             f"Scale {scale_text(scale)}   dimensions in mm   asperity {asperity.__version__}",
         ),
     ]
-
-
-
-
-
-
-
-
 
 
 def load_lines(joint: PlanarJoint, forces: PlanarForces, *, part: str) -> list[str]:

@@ -3,13 +3,8 @@
 from __future__ import annotations
 
 import math
-from typing import NamedTuple
 
-from asperity.drive.geometry import clearances
-from asperity.joint.description import Joint
-from asperity.show.dimension_lines import dimension, leader, widths_below
-from asperity.show.drive_drawing import Roller, rollers
-from asperity.show.sheet import Circle, Item, Line, Point
+from asperity.show.sheet import Line
 
 #: Wall over inner radius of the ring from which on the drawing breaks it off.
 LONGEST_WALL = 0.5
@@ -18,20 +13,6 @@ SHOWN_OF_BROKEN = 0.3
 _WAVES = 24
 #: How many clearances are drawn.
 MOST_GAPS = 3
-
-
-
-
-
-
-
-
-
-
-
-
-
-
 
 
 def break_line(inner: float, shown: float) -> Line:
@@ -55,13 +36,3 @@ def break_line(inner: float, shown: float) -> Line:
         radius = shown + amplitude * math.sin(_WAVES * angle)
         points.append((radius * math.cos(angle), radius * math.sin(angle)))
     return Line(tuple(points), "break")
-
-
-
-
-
-
-
-
-
-

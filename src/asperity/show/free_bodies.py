@@ -3,16 +3,9 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
 from typing import NamedTuple
 
-import numpy as np
-
-from asperity.drive.force_balance import DriveForces
-from asperity.drive.geometry import CONTACT_NAMES, triangle
-from asperity.joint.description import Joint
-from asperity.show.sheet import TEXT_HEIGHT, Align, Circle, Item, Line, Point, Text
-from asperity.show.sheet_figure import text_width
+from asperity.show.sheet import Point
 from asperity.units import format_quantity
 
 _ARROW = 10.0  # length of an arrow on paper [mm]
@@ -46,14 +39,6 @@ class BodyForce(NamedTuple):
     place: Point
     direction: Point
     size: float
-
-
-
-
-
-
-
-
 
 
 def body_outlines(radii: dict[str, list[float]], *, size: float = 1.0) -> dict[str, list[float]]:
@@ -121,5 +106,3 @@ def force_label(force: BodyForce) -> str:
     """
     size = format_quantity(abs(force.size), "N")
     return {"N": f"{force.name}: N = {size}", "T": f"T = {size}", "F": f"pin: {size}"}[force.kind]
-
-

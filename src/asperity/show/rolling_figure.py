@@ -216,7 +216,9 @@ def draw_life(axes: Axes, curves: RollingCurves, rolling: RollingResult, *, join
     _finish(axes)
 
 
-def _over_torque(axes: Axes, curves: RollingCurves, values: np.ndarray, here: float, joint: PlanarJoint) -> None:
+def _over_torque(
+    axes: Axes, curves: RollingCurves, values: np.ndarray, here: float, joint: PlanarJoint
+) -> None:
     """A curve over torque with the joint's own point, and where friction ends it."""
     axes.plot(np.asarray(curves.torque), values, color="black")
     axes.plot(float(joint.output_torque), here, "o", color="black")

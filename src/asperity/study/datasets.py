@@ -9,7 +9,7 @@ import numpy as np
 
 from asperity import __version__
 from asperity.extras import optional_module
-from asperity.joint.results import WEDGE_RESULTS, Result, row_name
+from asperity.joint.results import Result, row_name
 from asperity.joint.status import flag_attributes
 from asperity.joint_file.si_tables import key_at
 from asperity.study.parameters import SweepAxis, long_name
@@ -205,7 +205,7 @@ def dataset(
     coordinates: Mapping[str, Any],
     status: np.ndarray,
     found: Mapping[str, np.ndarray],
-    table: Mapping[str, Result] = WEDGE_RESULTS,
+    table: Mapping[str, Result],
     attributes: Mapping[str, Any],
 ) -> xarray.Dataset:
     """A dataset of evaluated points.
@@ -220,8 +220,8 @@ def dataset(
         Codes of the points.
     found : mapping
         Name of a result → values, with the axis of its rows first if there is one.
-    table : mapping, optional
-        The table of results of the drive; that of the paper's by default.
+    table : mapping
+        The table of results of the drive.
     attributes : mapping
         Attributes of the whole.
 

@@ -201,7 +201,23 @@ def bearing_names(drive: PlanarDrive) -> tuple[str, ...]:
     tuple of str
         Those of the rollers on pins, then of input and output.
     """
-    return (*(f"{drive.bodies[body].name}_pin" for body in drive.pinned), drive.input, drive.output)
+    return (*(f"{name}_pin" for name in pin_names(drive)), drive.input, drive.output)
+
+
+def pin_names(drive: PlanarDrive) -> tuple[str, ...]:
+    """Names of the rollers on pins.
+
+    Parameters
+    ----------
+    drive : PlanarDrive
+        The drive.
+
+    Returns
+    -------
+    tuple of str
+        In the order of every pin axis.
+    """
+    return tuple(drive.bodies[body].name for body in drive.pinned)
 
 
 def places(drive: PlanarDrive) -> tuple[tuple[int, ...], tuple[int, ...]]:

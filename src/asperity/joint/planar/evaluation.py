@@ -263,7 +263,6 @@ def planar_result(joint: PlanarJoint, laws: ContactLaws, states: DriveStates) ->
         tangential_force=standing.tangential,
         loaded=loaded,
         rest_force=rest.normal,
-        self_locking_ratio=None,
     )
     return PlanarResult(
         speed_ratio=jnp.asarray(speed_ratio(drive)),

@@ -157,7 +157,6 @@ def sector_states(
         tangential_force=tangential,
         loaded=stiffness.contacts,
         rest_force=rest.normal,
-        self_locking_ratio=None,
     )
     slides = standing.slides != 0.0
     turned = _turned(joint, sizes, rolling, sectors)

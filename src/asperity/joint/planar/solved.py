@@ -15,6 +15,7 @@ from jax import Array
 from asperity.compilation import call_compiled, compile_fast
 from asperity.drive.planar.existence import neighbour_gaps, neighbours
 from asperity.drive.planar.layout import sectors_of_members
+from asperity.drive.planar.loads import PlanarLoads
 from asperity.drive.planar.state import ContactLaws
 from asperity.joint.branch_results import UnequalBranches
 from asperity.joint.capacity import TorqueCapacity
@@ -22,28 +23,38 @@ from asperity.joint.contact_notes import Note
 from asperity.joint.loss_note import loss_notes, skew_notes
 from asperity.joint.planar.bearing_lives import planar_bearing_lives
 from asperity.joint.planar.capacity import capacity_both_ways
-from asperity.joint.planar.description import PlanarJoint, tracks_of
+from asperity.joint.planar.description import PlanarJoint, each_contact, pin_names, tracks_of
 from asperity.joint.planar.evaluation import PlanarResult, laws_and_states, planar_result
 from asperity.joint.planar.motion import in_motion
 from asperity.joint.planar.plausibility import planar_plausibility
 from asperity.joint.planar.rims import branch_rims, planar_rims
 from asperity.joint.planar.solve import PlanarSolution
+from asperity.joint.planar.working_loads import working_planar_loads
 from asperity.joint.results.result import SolvedJoint
 
 
 class PlanarSize(eqx.Module):
-    """Size and mass of a planar drive. How far its tracks lie apart along the axis is not part of its description.
+    """Size and mass of the rolling parts of a drive.
 
     Parameters
     ----------
     envelope_diameter : Array
         Outer diameter of the largest body on the axis [m].
+    envelope_length : Array
+        Length of the longest roller [m]; nan with stepped rollers: how far their tracks lie apart along the axis is not
+        part of their description.
     mass : Array
         Mass of all rolling parts [kg].
     """
 
     envelope_diameter: Array
+    envelope_length: Array
     mass: Array
+
+    @property
+    def envelope_volume(self) -> Array:
+        """Volume of the cylinder around the rolling parts [m^3]."""
+        return 0.25 * jnp.pi * self.envelope_diameter**2 * self.envelope_length
 
 
 def planar_size(joint: PlanarJoint, result: PlanarResult) -> PlanarSize:
@@ -67,7 +78,9 @@ def planar_size(joint: PlanarJoint, result: PlanarResult) -> PlanarSize:
             wall = 0.0 if shape.kind != "ring" or shape.size is None else shape.size
             outer += [radius + wall for radius, _ in tracks_of(joint, number)]
     copies = jnp.asarray(joint.drive.sectors) / sectors_of_members(joint.drive)[:-1]
-    return PlanarSize(2.0 * jnp.max(jnp.stack(outer)), jnp.sum(copies * result.masses))
+    stepped = any(len(tracks_of(joint, number)) > 1 for number in range(len(joint.shapes)))
+    length = jnp.nan if stepped else jnp.max(each_contact(joint, joint.contact_lengths))
+    return PlanarSize(2.0 * jnp.max(jnp.stack(outer)), jnp.asarray(length), jnp.sum(copies * result.masses))
 
 
 class SolvedPlanarJoint(SolvedJoint):
@@ -174,6 +187,8 @@ class SolvedPlanarJoint(SolvedJoint):
         if axis == "bearing":
             names: tuple[str, ...] = self.joint.bearing_names
             return names
+        if axis == "pin":
+            return pin_names(self.joint.drive)
         if axis == "clearance":
             return tuple("_to_".join(pair) for pair in neighbours(self.joint.drive))
         return super().row_names(axis)
@@ -182,6 +197,11 @@ class SolvedPlanarJoint(SolvedJoint):
     def clearances(self) -> list[Any]:
         """Clearances between rollers that must not touch [m]."""
         return list(neighbour_gaps(self.joint.drive).values())
+
+    @functools.cached_property
+    def loads(self) -> PlanarLoads:
+        """Loads of the structure under the joint's torque."""
+        return working_planar_loads(self.joint, self.result)
 
     @functools.cached_property
     def size(self) -> Any:

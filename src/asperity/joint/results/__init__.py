@@ -5,12 +5,11 @@ it is judged, its limit, what crossing it means and what to do. A new result is 
 package, and the function that computes it.
 """
 
-from asperity.joint.results.result import ROW_NAMES, SEVERITIES, Limit, Result, Severity, SolvedJoint
+from asperity.joint.results.result import SEVERITIES, Limit, Result, Severity, SolvedJoint
 from asperity.joint.results.table import (
     GROUPS,
     LEVELS,
     RESULTS,
-    WEDGE_RESULTS,
     chosen_results,
     display_unit,
     known_result,
@@ -23,9 +22,7 @@ __all__ = [
     "GROUPS",
     "LEVELS",
     "RESULTS",
-    "ROW_NAMES",
     "SEVERITIES",
-    "WEDGE_RESULTS",
     "Limit",
     "Result",
     "Severity",

@@ -8,7 +8,7 @@ from asperity.drive.bearing_life import LARGEST_LOAD_RATIO
 from asperity.joint.results.result import Limit, Result
 from asperity.unit_table import Dimension
 
-_NEEDS = "nan without [pin_bearing], [sun_bearing] or [carrier_bearing]"
+_NEEDS = "nan without a section for its ratings, such as [pin_bearing]"
 _bearing = functools.partial(
     Result, group="bearings", axis="bearing", present=lambda solved: solved.has_bearings
 )

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import functools
 
-from asperity.joint.capacity import LIMIT_KINDS, LIMITING_CONTACTS
+from asperity.drive.planar.wedge import wedge_angles
+from asperity.joint.capacity import LIMIT_KINDS
 from asperity.joint.results.result import Result
 from asperity.unit_table import Dimension
 
@@ -19,7 +20,7 @@ ROWS = (
         "angle alpha between planet and loading roller",
         _ANGLE,
         "deg",
-        "result.angles.polar",
+        lambda solved: wedge_angles(solved.joint.drive).polar,
         wedge_only=True,
     ),
     _geometry(
@@ -27,19 +28,25 @@ ROWS = (
         "direction theta from planet to loading roller",
         _ANGLE,
         "deg",
-        "result.angles.direction",
+        lambda solved: wedge_angles(solved.joint.drive).direction,
         wedge_only=True,
     ),
-    _geometry("wedge_angle", "wedge angle beta", _ANGLE, "deg", "result.angles.wedge", wedge_only=True),
+    _geometry(
+        "wedge_angle",
+        "wedge angle beta",
+        _ANGLE,
+        "deg",
+        lambda solved: wedge_angles(solved.joint.drive).wedge,
+        wedge_only=True,
+    ),
     _geometry(
         "speed_ratio",
-        "speed ratio, sun over carrier",
+        "speed ratio, input over output",
         Dimension.DIMENSIONLESS,
         "1",
         "result.speed_ratio",
         positive=False,
-        highest_limit=0.0,
-        note="negative: carrier and sun turn in opposite directions",
+        note="negative: they turn in opposite directions",
     ),
     _geometry(
         "output_speed",
@@ -60,14 +67,14 @@ ROWS = (
         lowest_limit=0.0,
         note="free distance between two rollers; the joint exists where all are positive",
     ),
-    _size("envelope_diameter", "outer diameter of the ring", _LENGTH, "mm", "size.envelope_diameter"),
+    _size("envelope_diameter", "outer diameter of the largest body", _LENGTH, "mm", "size.envelope_diameter"),
     _size(
         "envelope_length",
         "length of the rolling parts",
         _LENGTH,
         "mm",
         "size.envelope_length",
-        wedge_only=True,
+        note="nan where rollers are stepped: how far their tracks lie apart is not part of the description",
     ),
     _size(
         "envelope_volume",
@@ -75,18 +82,10 @@ ROWS = (
         Dimension.VOLUME,
         "cm^3",
         "size.envelope_volume",
-        wedge_only=True,
+        note="nan where rollers are stepped",
     ),
     _size("mass", "mass of the rolling parts", _MASS, "kg", "size.mass"),
-    _size("planet_mass", "mass of one planet", _MASS, "g", "result.planet_mass", wedge_only=True),
-    _size(
-        "loading_roller_mass",
-        "mass of one loading roller",
-        _MASS,
-        "g",
-        "result.loading_roller_mass",
-        wedge_only=True,
-    ),
+    _size("body_mass", "mass of a body", _MASS, "g", "result.masses", axis="body"),
     *(
         row
         for prefix, words in (("", "positive"), ("reverse_", "negative"))
@@ -118,8 +117,7 @@ ROWS = (
                 f"{prefix}capacity.limiting_contact",
                 differentiable=False,
                 positive=False,
-                categories=LIMITING_CONTACTS,
-                note=f"its number in the order {', '.join(LIMITING_CONTACTS)}, from 0",
+                categories=("none",),
             ),
             _capacity(
                 f"{prefix}rolling_torque_capacity",

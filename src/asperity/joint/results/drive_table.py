@@ -1,26 +1,13 @@
-"""The table of results of another drive than that of Zou et al.: the rows that it has, with its names."""
+"""The table of results of a drive: the rows that it has, with its names."""
 
 from __future__ import annotations
 
 import dataclasses
 import functools
-import math
 
-from asperity.joint.capacity import LIMITING_CONTACTS
+from asperity.drive.planar.wedge import wedges
 from asperity.joint.results.result import Result, SolvedJoint
 from asperity.joint.results.table import RESULTS
-
-_LABELS = {
-    "preload": "normal force of the first contact in the assembled drive",
-    "speed_ratio": "speed ratio, input over output",
-    "envelope_diameter": "outer diameter of the largest body",
-}
-#: What is said of the paper's sun holds for the input of any drive.
-_OF_THE_SUN = (
-    ("at the sun", "at the input"),
-    ("where the sun stands", "where the input stands"),
-    ("[sun_bearing] or [carrier_bearing]", "[input_bearing] or [output_bearing]"),
-)
 
 
 @functools.lru_cache(maxsize=32)
@@ -29,22 +16,28 @@ def results_of_drive(
     bodies: tuple[str, ...],
     neighbours: tuple[str, ...],
     bearings: tuple[str, ...],
+    pins: tuple[str, ...],
+    *,
+    has_wedges: bool,
 ) -> dict[str, Result]:
-    """Every result that a planar drive has.
+    """Every result that a drive has.
 
     Parameters
     ----------
-    contacts, bodies, neighbours, bearings : tuple of str
-        Names of its contacts and bodies, of the pairs of bodies that must not touch, and of its rolling bearings.
+    contacts, bodies, neighbours, bearings, pins : tuple of str
+        Names of its contacts and bodies, of the pairs of bodies that must not touch, of its rolling bearings, and of
+        the rollers on pins.
+    has_wedges : bool
+        Whether its rollers on pins lie in wedges.
 
     Returns
     -------
     dict
-        Name → the row of :data:`asperity.joint.results.RESULTS`, with the names of this drive; without those that only
-        the drive of Zou et al. 2025 has.
+        Name → the row of :data:`asperity.joint.results.RESULTS`, with the names of this drive; without those that it
+        does not have.
     """
-    names = {"contact": contacts, "body": bodies, "clearance": neighbours, "bearing": bearings}
-    rows = [_named(row, names) for row in RESULTS.values() if not row.wedge_only]
+    names = {"contact": contacts, "body": bodies, "clearance": neighbours, "bearing": bearings, "pin": pins}
+    rows = [_named(row, names) for row in RESULTS.values() if has_wedges or not row.wedge_only]
     return {row.name: row for row in rows if row.row_names}
 
 
@@ -61,20 +54,16 @@ def results_of_joint(solved: SolvedJoint) -> dict[str, Result]:
     dict
         Name → row.
     """
-    return results_of_drive(*(solved.row_names(axis) for axis in ("contact", "body", "clearance", "bearing")))
+    return results_of_drive(
+        *(solved.row_names(axis) for axis in ("contact", "body", "clearance", "bearing", "pin")),
+        has_wedges=bool(wedges(solved.joint.drive)),
+    )
 
 
 def _named(row: Result, names: dict[str, tuple[str, ...]]) -> Result:
-    if row.name == "speed_ratio":  # of either sign
-        row = dataclasses.replace(
-            row, highest_limit=math.inf, note="negative: they turn in opposite directions"
-        )
-    if row.categories is LIMITING_CONTACTS:
-        places = (*names["contact"], LIMITING_CONTACTS[-1])
+    if row.categories == ("none",):  # the contacts of the drive before it
+        places = (*names["contact"], *row.categories)
         row = dataclasses.replace(
             row, categories=places, note=f"its number in the order {', '.join(places)}, from 0"
         )
-    label, note = _LABELS.get(row.name, row.label), row.note
-    for papers, any_drive in _OF_THE_SUN:
-        label, note = label.replace(papers, any_drive), note.replace(papers, any_drive)
-    return dataclasses.replace(row, label=label, note=note, rows=names.get(row.axis))
+    return dataclasses.replace(row, rows=names.get(row.axis, ()))

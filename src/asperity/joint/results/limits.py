@@ -8,6 +8,8 @@ import jax.numpy as jnp
 
 from asperity.contact.fractal import VERIFIED_FRACTAL_DIMENSIONS
 from asperity.drive.force_balance import BALANCE_TOLERANCE
+from asperity.drive.planar.wedge import self_locking_ratio
+from asperity.joint.planar.description import each_contact
 from asperity.joint.results.result import Limit, Result, SolvedJoint
 from asperity.unit_table import Dimension
 
@@ -56,7 +58,9 @@ ROWS = (
     _ratio(
         "self_locking_ratio",
         "self-locking ratio tan(beta/2)/mu",
-        value="result.diagnostics.self_locking_ratio",
+        value=lambda solved: self_locking_ratio(
+            solved.joint.drive, each_contact(solved.joint, solved.joint.friction_coefficients)
+        ),
         needs="geometry",
         wedge_only=True,
         limit=Limit(

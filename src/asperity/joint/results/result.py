@@ -13,20 +13,11 @@ import jax.numpy as jnp
 import numpy as np
 
 from asperity.compilation import call_compiled
-from asperity.drive.geometry import CLEARANCE_CONDITIONS, CONTACT_NAMES, clearances
-from asperity.drive.rolling_speeds import BODY_NAMES
-from asperity.drive.structure_loads import BEARING_NAMES, PIN_NAMES, StructureLoads
-from asperity.joint.bearing_lives import BearingLives, bearing_lives
+from asperity.joint.bearing_lives import BearingLives
 from asperity.joint.branch_bearings import branch_bearing_lives
 from asperity.joint.branch_results import NO_EQUAL_STATE, UnequalBranches
-from asperity.joint.capacity import TorqueCapacity, torque_capacity
-from asperity.joint.description import preload_at
 from asperity.joint.planar.description import PlanarJoint
 from asperity.joint.planar.evaluation import PlanarResult
-from asperity.joint.rim_safety import RIM_NAMES, branch_joint_rims, joint_rims
-from asperity.joint.rolling_capacity import rolling_torque_capacity
-from asperity.joint.size import JointSize, joint_size
-from asperity.joint.working_loads import working_loads
 from asperity.unit_table import Dimension
 
 if TYPE_CHECKING:
@@ -44,18 +35,6 @@ Severity = Literal["function", "damage", "accuracy", "model"]
 #: Severities, the most serious first.
 SEVERITIES: tuple[Severity, ...] = ("function", "damage", "accuracy", "model")
 
-#: What the rows of a result stand for, with their names: a single number, the contacts, the clearances, the bodies,
-#: the carrier pins, the bearings or the rims of a hollow body.
-ROW_NAMES: dict[str, tuple[str, ...]] = {
-    "one": ("",),
-    "contact": CONTACT_NAMES,
-    "clearance": tuple(CLEARANCE_CONDITIONS),
-    "body": BODY_NAMES,
-    "pin": PIN_NAMES,
-    "bearing": BEARING_NAMES,
-    "rim": RIM_NAMES,
-}
-
 
 class SolvedJoint:
     """A solved joint, with what is worth computing only when it is asked for.
@@ -67,8 +46,6 @@ class SolvedJoint:
     result : PlanarResult
         What :func:`asperity.joint.evaluation.evaluate` says about it. The results of a planar drive do not include
         capacity, size and clearances.
-    capacity : TorqueCapacity, optional
-        Its torque capacity, if that is known already.
     branches : UnequalBranches, optional
         Its branches, if their sizes differ; all results but those of bearings and rims are those of equal ones.
     notes : tuple of Note, optional
@@ -86,7 +63,6 @@ class SolvedJoint:
         self,
         joint: PlanarJoint,
         result: PlanarResult,
-        capacity: TorqueCapacity | None = None,
         branches: UnequalBranches | None = None,
         notes: tuple[Note, ...] = (),
     ) -> None:
@@ -94,56 +70,11 @@ class SolvedJoint:
         self.result: Any = result
         self.branches = branches
         self.notes = notes
-        if capacity is not None:
-            self.capacity = capacity
 
     @property
     def no_equal_state(self) -> str | None:
         """Why all results of equal branches under its torque are nan, where only its own carry it; else None."""
         return None if self.branches is None or bool(self.result.solved) else NO_EQUAL_STATE
-
-    @functools.cached_property
-    def capacity(self) -> TorqueCapacity:
-        """Torque capacity of positive torques, and what limits it."""
-        return torque_capacity(self.joint, direction=1.0)
-
-    @functools.cached_property
-    def reverse_capacity(self) -> TorqueCapacity:
-        """Torque capacity of negative torques, and what limits it."""
-        return torque_capacity(self.joint, direction=-1.0)
-
-    @functools.cached_property
-    def capacity_of_direction(self) -> TorqueCapacity:
-        """Torque capacity in the direction of the output torque."""
-        sign = jnp.where(jnp.asarray(self.joint.output_torque) < 0.0, -1.0, 1.0)
-        return torque_capacity(self.joint, direction=sign)
-
-    @functools.cached_property
-    def rolling_capacity(self) -> Any:
-        """Largest positive output torque under which the joint rolls [N·m]."""
-        rolling = rolling_torque_capacity(self.joint, direction=1.0)
-        return jnp.minimum(rolling, self.capacity.output_torque)
-
-    @functools.cached_property
-    def reverse_rolling_capacity(self) -> Any:
-        """Largest negative output torque under which the joint rolls, as a positive number [N·m]."""
-        rolling = rolling_torque_capacity(self.joint, direction=-1.0)
-        return jnp.minimum(rolling, self.reverse_capacity.output_torque)
-
-    @property
-    def preload(self) -> Any:
-        """Normal force of the first contact at rest [N]."""
-        return preload_at(self.joint, self.joint.output_torque)
-
-    @functools.cached_property
-    def size(self) -> JointSize:
-        """Size and mass of the rolling parts."""
-        return joint_size(self.joint)
-
-    @functools.cached_property
-    def loads(self) -> StructureLoads:
-        """Loads of pins, shafts, carrier and housing under the joint's torque."""
-        return working_loads(self.joint, self.result)
 
     @functools.cached_property
     def bearings(self) -> BearingLives:
@@ -156,7 +87,7 @@ class SolvedJoint:
         lives: BearingLives = call_compiled(self._bearing_lives, self.joint, self.result)
         return lives
 
-    _bearing_lives: Any = staticmethod(bearing_lives)
+    _bearing_lives: Any
 
     @functools.cached_property
     def rims(self) -> Any:
@@ -173,11 +104,8 @@ class SolvedJoint:
             return tuple(self._rims(*each) for each in self.duty_states)
         return tuple(self._branch_rims(*self.branches.contact_forces(each)) for each in self.branches.duty)
 
-    def _rims(self, joint: Any, result: Any) -> Any:
-        return call_compiled(joint_rims, joint, result)
-
-    def _branch_rims(self, working: np.ndarray, rest: np.ndarray) -> Any:
-        return call_compiled(branch_joint_rims, self.joint, working, rest)
+    _rims: Any
+    _branch_rims: Any
 
     def row_names(self, axis: str) -> tuple[str, ...]:
         """Names of the contacts or bodies of this joint's drive."""
@@ -188,11 +116,6 @@ class SolvedJoint:
     def has_bearings(self) -> tuple[bool, ...]:
         """Which rolling bearings have ratings."""
         return tuple(bearing is not None for bearing in self.joint.rated_bearings)
-
-    @functools.cached_property
-    def clearances(self) -> list[Any]:
-        """Clearances of the rollers [m]."""
-        return [clearance.gap for clearance in clearances(self.joint.geometry)]
 
 
 @dataclass(frozen=True)
@@ -255,8 +178,8 @@ class Result:
     value : str or callable
         Where it is in a :class:`SolvedJoint`: a dotted path, or a function of the solved joint. Results with rows may
         be sequences of arrays.
-    axis : {"one", "contact", "clearance", "body", "pin", "bearing", "rim"}
-        Whether it is one number, or one for each contact, clearance, body, pin, bearing or rim: :data:`ROW_NAMES`.
+    axis : {"one", "contact", "clearance", "body", "pin", "bearing"}
+        Whether it is one number, or one for each contact, clearance, body, pin or bearing of the drive.
     needs : {"geometry", "balance", "operation"}
         What must hold for it to mean anything; elsewhere it is nan in datasets.
     group : str
@@ -277,10 +200,10 @@ class Result:
         What else has to be said about it.
     present : callable or None
         Which of its rows a joint has; the others are not judged. None: all of them.
-    wedge_only, planar_only : bool
-        Whether only the drive of Zou et al. 2025 has it, or only the others have.
-    rows : tuple of str or None
-        Names of its rows where they are not those of :data:`ROW_NAMES`, :mod:`asperity.joint.results.drive_table`.
+    wedge_only : bool
+        Whether only a drive with wedges between planets and ring has it.
+    rows : tuple of str
+        Names of its rows; empty in the table of all drives, :mod:`asperity.joint.results.drive_table` fills them in.
     """
 
     name: str
@@ -288,7 +211,7 @@ class Result:
     dimension: Dimension
     display_unit: str
     value: str | Callable[[SolvedJoint], Any]
-    axis: Literal["one", "contact", "clearance", "body", "pin", "bearing", "rim"] = "one"
+    axis: Literal["one", "contact", "clearance", "body", "pin", "bearing"] = "one"
     needs: Needs = "operation"
     group: str = ""
     level: StiffnessLevel | None = None
@@ -301,8 +224,7 @@ class Result:
     note: str = ""
     present: Callable[[SolvedJoint], tuple[bool, ...]] | None = None
     wedge_only: bool = False
-    planar_only: bool = False
-    rows: tuple[str, ...] | None = None
+    rows: tuple[str, ...] = ()
 
     @property
     def si_unit(self) -> str:
@@ -317,7 +239,7 @@ class Result:
     @property
     def row_names(self) -> tuple[str, ...]:
         """Names of its rows; one empty text for a single number."""
-        return ROW_NAMES[self.axis] if self.rows is None else self.rows
+        return ("",) if self.axis == "one" else self.rows
 
     @property
     def row_shape(self) -> tuple[int, ...]:
@@ -326,13 +248,7 @@ class Result:
 
     def rows_of(self, solved: SolvedJoint) -> dict[str, float]:
         """Name → value [SI] of the rows that one joint has, without batch axes."""
-        own = (
-            "contact",
-            "body",
-            "clearance",
-            "bearing",
-        )
-        names = solved.row_names(self.axis) if self.axis in own else self.row_names
+        names = self.row_names if self.axis == "one" else solved.row_names(self.axis)
         present = (True,) * len(names) if self.present is None else self.present(solved)
         found = self.of(solved) if any(present) else None
         if found is None:

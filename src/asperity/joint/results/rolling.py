@@ -15,7 +15,7 @@ _each = functools.partial(_roll, axis="contact")
 _loss = functools.partial(Result, group="losses", dimension=Dimension.POWER, display_unit="W")
 _life = functools.partial(Result, group="life", dimension=Dimension.DIMENSIONLESS, display_unit="1")
 _NUMBER, _TIME = Dimension.DIMENSIONLESS, Dimension.TIME
-_STANDING = "nan where the sun stands"
+_STANDING = "nan where the input stands"
 
 
 def _crown_factor(solved: SolvedJoint) -> Any:
@@ -33,16 +33,6 @@ ROWS = (
         "result.rolling.creepage",
         positive=False,
         note="difference of the surface speeds over their mean, in steady rolling",
-    ),
-    _each(
-        "creepage_share",
-        "share of the contact in the creepage from sun to ring",
-        _NUMBER,
-        "1",
-        "result.rolling.creepage_share",
-        positive=False,
-        note="sp, pwr and wro add up to 1, and so do sp, pwl and wlo",
-        wedge_only=True,
     ),
     _each(
         "traction_coefficient",

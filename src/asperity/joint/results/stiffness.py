@@ -47,14 +47,13 @@ def _rows(level: StiffnessLevel, path: str, words: str, note: str) -> tuple[Resu
             group=_GROUPS[level],
             level=level,
             note=note,
-            wedge_only=name == "stiffness_per_volume",
         )
 
     torsional = Dimension.TORSIONAL_STIFFNESS
     per_mass, per_volume = Dimension.TORSIONAL_STIFFNESS_PER_MASS, Dimension.TORSIONAL_STIFFNESS_PER_VOLUME
     return (
         row("stiffness_output", "torsional stiffness at the output", torsional, f"result.{path}.output"),
-        row("stiffness_input", "torsional stiffness at the sun", torsional, f"result.{path}.sun"),
+        row("stiffness_input", "torsional stiffness at the input", torsional, f"result.{path}.sun"),
         row(
             "stiffness_per_mass", "output stiffness per mass", per_mass, lambda s: stiffness(s) / s.size.mass
         ),
@@ -77,7 +76,6 @@ def _share(name: str, words: str) -> Result:
         axis="contact" if name in ("tangential", "normal") else "one",
         group="assembly",
         positive=False,
-        wedge_only=name in ("ring_bending", "planet_support"),
     )
 
 

@@ -16,7 +16,6 @@ from asperity.joint.results import (
     drive,
     limits,
     loads,
-    planar_stresses,
     rolling,
     stiffness,
     stresses,
@@ -37,13 +36,9 @@ RESULTS: dict[str, Result] = {
         *loads.ROWS,
         *bearings.ROWS,
         *stresses.ROWS,
-        *planar_stresses.ROWS,
         *drive.ROWS,
     )
 }
-
-#: The results of the drive of Zou et al. 2025.
-WEDGE_RESULTS = {name: row for name, row in RESULTS.items() if not row.planar_only}
 
 #: Levels of the stiffness, the fullest model first.
 LEVELS: tuple[StiffnessLevel, ...] = ("assembly", "series_with_bulk", "published")
@@ -72,6 +67,15 @@ RENAMED = {
     "slip_margin": "slip_ratio",
     "pressure_margin": "pressure_over_first_yield",
     "self_locking_margin": "self_locking_ratio",
+    "left_pin_force": "pin_force_left_loading_roller",
+    "right_pin_force": "pin_force_right_loading_roller",
+    "planet_mass": "body_mass_planet",
+    "loading_roller_mass": "body_mass_right_loading_roller",
+    **{
+        f"{body}_{kind}": f"rim_{kind}_{rows}"
+        for body, rows in (("ring", "ring"), ("planet", "planet"), ("loading_roller", "right_loading_roller"))
+        for kind in ("stress", "stress_at_rest", "stress_amplitude", "yield_safety", "fatigue_safety")
+    },
     "life_hours": "drive_life",
     "contact_life_hours": "contact_life",
     "body_life_hours": "body_life",
@@ -125,32 +129,13 @@ def known_result(name: object, *, among: Sequence[str] = (), what: str = "result
     raise InputError(f"there is no {what} '{name}'{hint}")
 
 
-#: Beginning of the names of stresses of rims: those of the drive of Zou et al. 2025, and that of all others.
-_RIMS = (("ring_", "planet_", "loading_roller_"), ("rim_",))
-
-
 def _refuse_for_the_drive(name: str) -> None:
     """Raise if only another kind of drive has these results; called where a drive lacks them."""
     rows = [RESULTS[each] for each in GROUPS.get(name, (name,)) if each in RESULTS]
     if rows and all(row.wedge_only for row in rows):
         raise InputError(
-            f"a drive of this type has no result '{name}': only that of Zou et al. 2025 has it"
-            f"{_counterparts(name, *_RIMS)}"
+            f"a drive of this type has no result '{name}': only one with wedges between planets and ring has it"
         )
-    if rows and all(row.planar_only for row in rows):
-        raise InputError(
-            f"the drive of Zou et al. 2025 has no result '{name}': only drives of other types have it"
-            f"{_counterparts(name, *_RIMS[::-1])}"
-        )
-
-
-def _counterparts(name: str, these: tuple[str, ...], others: tuple[str, ...]) -> str:
-    """What the stress or safety of a rim is called for the other kind of drive, as the end of a message."""
-    for start in these:
-        found = [other + name.removeprefix(start) for other in others]
-        if name.startswith(start) and found[0] in RESULTS:
-            return f"; here ask for {' or '.join(repr(each) for each in found)}"
-    return ""
 
 
 def _hint(name: str, known: Sequence[str]) -> str:
@@ -162,7 +147,7 @@ def _hint(name: str, known: Sequence[str]) -> str:
     return f"; did you mean '{near[0]}'?" if near else ""
 
 
-def chosen_results(names: Iterable[str], *, table: Mapping[str, Result] = WEDGE_RESULTS) -> tuple[str, ...]:
+def chosen_results(names: Iterable[str], *, table: Mapping[str, Result] = RESULTS) -> tuple[str, ...]:
     """Names of single results from names of results and groups.
 
     Parameters
@@ -170,7 +155,7 @@ def chosen_results(names: Iterable[str], *, table: Mapping[str, Result] = WEDGE_
     names : iterable of str
         Results, or the groups of :data:`GROUPS`, which stand for those of their results that the drive has.
     table : mapping, optional
-        Results of the drive; by default those of the drive of Zou et al. 2025.
+        Results of the drive; by default those of all drives.
 
     Returns
     -------

@@ -27,7 +27,7 @@ if TYPE_CHECKING:
     import xarray
 
 #: Results that are followed unless others are asked for, where the drive has them.
-DEFAULT_RESULTS = (*(f"{level}_stiffness_output" for level in LEVELS), "slip_ratio", "self_locking_ratio")
+DEFAULT_RESULTS = (*(f"{level}_stiffness_output" for level in LEVELS), "slip_ratio")
 #: Share of the samples within the stated intervals.
 COVERAGE = 0.95
 _RESAMPLES = 100
