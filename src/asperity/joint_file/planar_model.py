@@ -129,6 +129,9 @@ class PlanarModelChoice(Section):
     """Bodies: by plane elasticity, or one spring for each contact; exact if absent. Stepped rollers are springs."""
     plane_state: Literal["plane_strain", "plane_stress"] | None = None
     """Exact bodies: long, plane strain, or thin, plane stress; plane strain if absent."""
+    closure_springs: Literal["bulk", "bulk_and_asperities"] | None = None
+    """Normal springs of the force balance under load, one for each contact, between rigid pins: the bodies alone, or
+    with their asperities. Those of the assembly if absent."""
 
 
 class PlanarCase(WholeFile):

@@ -10,12 +10,17 @@ import jax.numpy as jnp
 import numpy as np
 from jax import Array
 
-from asperity.drive.mechanism import whole_approach
 from asperity.drive.planar.bearings import friction_moments
 from asperity.drive.planar.layout import Incidence, PlanarDrive, incidence, speeds
 from asperity.drive.planar.linear import product
 from asperity.drive.planar.loads import member_moments
-from asperity.drive.planar.state import ContactLaws, DriveLoad, slip_at_rest, surface_speeds
+from asperity.drive.planar.state import (
+    ContactLaws,
+    DriveLoad,
+    contact_approach,
+    slip_at_rest,
+    surface_speeds,
+)
 from asperity.drive.rolling_state import creepages
 
 #: Kinds of states: assembled without torque, standing under one, rolling under one.
@@ -319,15 +324,12 @@ def state_misfits(machine: Machine, task: Task, by_force: bool, slides: Array, x
     """
     drive, laws, matrices = machine.drive, machine.laws, machine.matrices
     length, largest, lever = machine.length, machine.largest, machine.lever
-    reference = laws.reference_force
     normal, tangential = contact_forces(machine, x)
     pin, moved = x.pin * largest, x.displacement * length
     speed, turned = speeds_and_turns(machine, x, task.kind)
     kind = jnp.asarray(task.kind)
 
-    approach = jnp.asarray(whole_approach(springs=laws.springs, normal_force=normal, rest_force=reference))
-    if laws.coupling is not None:
-        approach = approach + product(laws.coupling, normal)
+    approach = contact_approach(laws=laws, normal=normal)
     misfit = approach - product(matrices.approach, moved) - contact_interference(machine, x)
     creep = creepages(law=laws.creep, normal=normal, tangential=tangential)
     rolling = creep * _rolled(drive, speed) - product(matrices.turning, speed)

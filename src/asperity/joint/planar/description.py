@@ -19,7 +19,7 @@ from asperity.drive.mechanism import Bearings
 from asperity.drive.planar.layout import PlanarDrive
 from asperity.drive.rolling_speeds import BodiesOfContacts
 from asperity.joint.contacts import JointContacts, elastic_material
-from asperity.joint.description import BodyModel, Fit, per_contact
+from asperity.joint.description import BodyModel, ClosureSprings, Fit, per_contact
 from asperity.joint.planar.body_shape import BodyShape
 from asperity.joint.play import NO_PLAY, Play
 from asperity.joint.rolling_conditions import RollingConditions
@@ -120,6 +120,9 @@ class PlanarJoint(eqx.Module):
         equal sectors.
     cam : LoadingCam or None, optional
         Loading cam, which adds to the preload in proportion to the torque; None without.
+    closure_springs : {"bulk", "bulk_and_asperities"} or None, optional
+        Normal springs of the force balance under load, of one roller pair each, between rigid pins: the bodies alone,
+        or with the asperities' stiffness at rest in series. None: the springs of the assembly.
     """
 
     type: str = eqx.field(static=True)
@@ -150,6 +153,7 @@ class PlanarJoint(eqx.Module):
     crown_curvatures: tuple[Real, ...] | None = None
     unlike: UnlikeSectors | None = None
     cam: LoadingCam | None = None
+    closure_springs: ClosureSprings | None = eqx.field(static=True, default=None)
 
     @property
     def working_pattern(self) -> Array:
