@@ -15,7 +15,7 @@ from asperity.drive.assembly import StructureSprings
 from asperity.drive.bearing_life import RatedBearing
 from asperity.drive.geometry import CONTACT_NAMES, DriveGeometry
 from asperity.drive.loading_cam import cam_preload
-from asperity.drive.mechanism import Bearings, Closure
+from asperity.drive.mechanism import Bearings, Closure, leading_sense
 from asperity.drive.structure_loads import BEARING_NAMES, PinSupport
 from asperity.joint.play import Play
 from asperity.joint.rolling_conditions import PLAIN_ROLLING, RollingConditions
@@ -262,9 +262,7 @@ def sense_of_rotation(joint: Joint) -> Any:
         Sign of the sun's speed; of the output torque where the sun stands still, because a joint that begins to
         move follows its torque. A torque against the sense of rotation brakes.
     """
-    speed = jnp.asarray(joint.sun_speed)
-    leading = jnp.where(speed == 0.0, jnp.asarray(joint.output_torque), speed)
-    return jnp.where(leading < 0.0, -1.0, 1.0)
+    return leading_sense(rotation=joint.sun_speed, output_torque=joint.output_torque)
 
 
 def per_contact(values: tuple[Any, ...]) -> Any:

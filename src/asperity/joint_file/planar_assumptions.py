@@ -41,7 +41,8 @@ def planar_assumptions(case: PlanarCase) -> tuple[str, ...]:
         told.append("no section [bearings]: the bearings have no friction")
     else:
         told.append(
-            "[bearings]: their friction acts in rolling; the drive that stands is computed without it"
+            "[bearings]: their friction opposes the rotation, in the drive that stands too; where the input has no "
+            "speed it opposes the sense of the torque"
         )
     if case.play is None:
         told.append("no section [play]: the output has no play")

@@ -52,7 +52,7 @@ class PlanarLoad(Section):
     output_torque: Annotated[Quantity, limits.OUTPUT_TORQUE]
     """Torque at the output; negative where it drives the rotation."""
     sun_speed: Annotated[Quantity, limits.SUN_SPEED]
-    """Speed of the sun, or of the input, whatever its name."""
+    """Speed of the sun, or of the input, whatever its name; the friction of the bearings opposes it."""
     friction_coefficient: PartFriction
     """Friction coefficient mu of the contacts: one for all, or a table with their names."""
 
@@ -65,7 +65,7 @@ class PlanarLoad(Section):
 
 
 class PlanarBearings(Section):
-    """Friction of the bearings of a drive that turns; an absent key is no friction."""
+    """Friction of the bearings; an absent key is no friction."""
 
     input_torque: BearingTorque | None = None
     """Friction torque of one of the two bearings of the input shaft."""
@@ -146,7 +146,7 @@ class PlanarCase(WholeFile):
     temperature: TemperatureEntry | None = None
     """Temperature of the drive; that of the assembly if the section is absent."""
     bearings: PlanarBearings | None = None
-    """Friction of the bearings in rolling; none if the section is absent."""
+    """Friction of the bearings; none if the section is absent."""
     pin_bearing: PinBearing | None = None
     """Rolling bearings of the rollers on pins, for their life: one section, whose ratings hold for every row of rollers
     on pins; try rows with different bearings one after the other."""

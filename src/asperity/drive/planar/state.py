@@ -79,9 +79,15 @@ class DriveLoad(eqx.Module):
     pin_compliance : Real, optional
         Of each pin along its push [m/N].
     bearings : Bearings or None, optional
-        Friction of the bearings of a drive that rolls, as in :mod:`asperity.drive.planar.bearings`; None for none.
+        Friction of the bearings, as in :mod:`asperity.drive.planar.bearings`; None for none.
     support_stiffness : Array or None, optional
         Radial stiffness of the bearings of each floating body, shape (floating,) [N/m]; None for none.
+    rotation, standing_rotation : Real, optional
+        Sense in which the drive rolls, and in which it turns before or after it stands: of any size, 0 for that of its
+        torque [-].
+    friction_on_carrier : bool, optional
+        Whether the friction of the rollers' bearings acts on the carrier too; equation (5) of Zou et al. 2025 leaves it
+        out.
     """
 
     output_torque: Real
@@ -89,6 +95,9 @@ class DriveLoad(eqx.Module):
     pin_compliance: Real = 0.0
     bearings: Bearings | None = None
     support_stiffness: Array | None = None
+    rotation: Real = 1.0
+    standing_rotation: Real = 1.0
+    friction_on_carrier: bool = eqx.field(static=True, default=True)
 
 
 class PlanarState(eqx.Module):

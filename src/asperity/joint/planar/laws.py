@@ -219,4 +219,7 @@ def drive_load(joint: PlanarJoint, masses: list[Real], torque: Real) -> DriveLoa
         pin_compliance=1.0 / jnp.asarray(joint.pin_stiffness, dtype=float),
         bearings=joint.bearings,
         support_stiffness=None if joint.unlike is None else joint.unlike.support_stiffness,
+        rotation=jnp.asarray(joint.input_speed, dtype=float),
+        standing_rotation=jnp.asarray(joint.input_speed, dtype=float),
+        friction_on_carrier=joint.carrier_balance == "complete",
     )
