@@ -49,6 +49,19 @@ def test_tolerances_stay(zou_file):
     assert again["drive.planet_radius"].tolerance == pytest.approx(5e-6, rel=1e-15)
 
 
+def test_a_verdict_of_an_earlier_design_goes_with_its_numbers(zou_file):
+    """What a design said of its joint does not hold for other numbers, nor stand below another verdict."""
+    said = "# Designed by asperity from a.toml: smallest mass.\n# All limits are met.\n"
+    designed = parse_case(said + said + zou_file.read_text(), source="test")
+    assert joint_file_text(designed, {}, comment="") == designed.text
+    for again in (
+        joint_file_text(designed, {"load.preload": 900.0}, comment=""),
+        joint_file_text(designed, {}, comment="new"),
+    ):
+        assert "All limits" not in again
+        assert "The joint of S. Zou" in again
+
+
 def test_comments_order_and_layout_stay(zou_file):
     text = zou_file.read_text()
     case = parse_case(text, source="test")

@@ -59,7 +59,7 @@ def test_a_design_has_one_objective(monkeypatch):
 
 
 def test_a_design_that_meets_its_limits_has_no_conflict(monkeypatch):
-    result = SimpleNamespace(feasible=True, joint_text="text")
+    result = SimpleNamespace(feasible=True, converged=True, joint_text="text")
     monkeypatch.setattr(
         "asperity.study.design.design_file.read_design", lambda file: SimpleNamespace(objectives=[1])
     )

@@ -15,7 +15,7 @@ from asperity.joint_file.si_tables import key_at
 from asperity.precision import use_compilation_cache, use_double_precision
 from asperity.study.design.design import design as search
 from asperity.study.design.design_file import read_design
-from asperity.study.design.design_result import DesignResult, conflict
+from asperity.study.design.design_result import DesignResult, shortcoming
 from asperity.study.parameters import long_name
 from asperity.units import format_quantity
 
@@ -47,7 +47,7 @@ def design(
     InputError
         If the file cannot be read or makes no sense.
     NoSolutionError
-        If no design meets all limits; with those that conflict and by how much.
+        If no design meets all limits, with those that conflict and by how much; or if no search converged.
     """
     use_double_precision()
     use_compilation_cache()
@@ -58,8 +58,8 @@ def design(
         require_pymoo()
         return pareto_front(problem, population=population, generations=generations)
     result = search(problem)
-    if not result.feasible:
-        raise NoSolutionError(conflict(result))
+    if shortcoming(result):
+        raise NoSolutionError(shortcoming(result))
     return DesignedJoint(result, source=f"design of {path}")
 
 

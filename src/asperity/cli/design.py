@@ -88,7 +88,7 @@ def design(
         _front(problem, out, plot, as_json, population, generations)
         return
     from asperity.study.design.design import design as search
-    from asperity.study.design.design_result import conflict
+    from asperity.study.design.design_result import shortcoming
 
     with progress_bar("searches") as report:
         result = search(problem, progress=report)
@@ -114,10 +114,10 @@ def design(
     else:
         _show(result)
         _show_warnings(result)
-    if not result.feasible:
+    if shortcoming(result):
         from asperity.errors import NoSolutionError
 
-        raise NoSolutionError(conflict(result))
+        raise NoSolutionError(shortcoming(result))
 
 
 def _check_map(problem: DesignProblem, map_file: str | None, over: tuple[str, str] | None) -> None:
@@ -317,13 +317,12 @@ def _show_limits(target: Console, result: DesignResult) -> None:
     )
     for limit in result.limits:
         shown = RESULTS[limit.name]
-        state = f"{100.0 * limit.missed_by:.3g} % off" if limit.missed_by > 0.0 else "active" * limit.active
         limits.add_row(
             ", ".join(filter(None, (limit.label, limit.row.replace("_", " ")))),
-            format_quantity(limit.value, shown.display_unit),
+            "-" if limit.value != limit.value else format_quantity(limit.value, shown.display_unit),
             f"{'<=' if limit.at_most else '>='} {format_quantity(limit.limit, shown.display_unit)}",
             format_quantity(limit.output_torque, "N*m"),
-            state,
+            limit.state,
             f"{limit.multiplier:.3g}" if limit.multiplier > 1e-9 else "",
         )
     target.print(limits)

@@ -10,6 +10,7 @@ import jax.numpy as jnp
 
 from asperity.types import Real
 
+ClosureSprings = Literal["bulk", "bulk_and_asperities"]
 #: Bodies of the assembly: discs and annuli by plane elasticity, or one spring for each contact.
 BodyModel = Literal["exact", "springs"]
 

@@ -51,6 +51,11 @@ def assumptions(case: PlanarCase) -> tuple[str, ...]:
     off_axis = [body.name for body in joint.drive.bodies if body.place != "axis"]
     if case.bearings is None:
         told.append("no section [bearings]: the bearings have no friction")
+    else:
+        told.append(
+            "[bearings]: their friction opposes the rotation, in the drive that stands too; where the input has no "
+            "speed it opposes the sense of the torque"
+        )
     if case.play is None:
         told.append("no section [play]: the output has no play")
     if case.compliance is None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Mapping
 from typing import Any
 
@@ -33,6 +34,12 @@ from asperity.units import from_si, parse_quantity
 
 #: Two numbers are the same if they differ by less: conversion to a unit and back costs a few units in the last place.
 _ROUNDING = 1e-12
+
+
+#: What earlier designs said at the head of the file: it holds for their numbers only.
+_EARLIER_VERDICTS = re.compile(
+    r"\A((?:#:schema.*\n)?)(?:# Designed by asperity from .*\n# (?:All|NOT all) limits are met.*\n)+"
+)
 
 
 def exact_text(value_si: float, key: Key) -> str:
@@ -84,6 +91,8 @@ def joint_file_text(case: AnyCase, changes: Mapping[str, float], *, comment: str
     }
     wanted = replace_values(values, changes)
     original = case.text or tomlkit.dumps(_texts(case))
+    if changes or comment:
+        original = _EARLIER_VERDICTS.sub(r"\1", original)
     text = _edited(original, case, written)
     if not _says(text, wanted):  # a layout that cannot be edited in place: the same content without comments
         text = _edited(tomlkit.dumps(_texts(case)), case, written)

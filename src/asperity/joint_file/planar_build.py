@@ -99,6 +99,7 @@ def planar_joint_from_values(values: Values) -> PlanarJoint:
         contact_factor_model=model["contact_factor"],
         body_model=model.get("bodies", "exact"),
         plane_state=model.get("plane_state", "plane_strain"),
+        closure_springs=model.get("closure_springs"),
         rolling=rolling_conditions(values),
         bearings=_bearings(values.get("bearings")),
         play=play_of(values),

@@ -52,7 +52,7 @@ class PlanarLoad(Section):
     output_torque: Annotated[Quantity, limits.OUTPUT_TORQUE]
     """Torque at the output; negative where it drives the rotation."""
     sun_speed: Annotated[Quantity, limits.SUN_SPEED]
-    """Speed of the sun, or of the input, whatever its name."""
+    """Speed of the sun, or of the input, whatever its name; the friction of the bearings opposes it."""
     friction_coefficient: PartFriction
     """Friction coefficient mu of the contacts: one for all, or a table with their names."""
 
@@ -65,7 +65,7 @@ class PlanarLoad(Section):
 
 
 class PlanarBearings(Section):
-    """Friction of the bearings of a drive that turns; an absent key is no friction."""
+    """Friction of the bearings; an absent key is no friction."""
 
     input_torque: BearingTorque | None = None
     """Friction torque of one of the two bearings of the input shaft."""
@@ -129,6 +129,9 @@ class PlanarModelChoice(Section):
     """Bodies: by plane elasticity, or one spring for each contact; exact if absent. Stepped rollers are springs."""
     plane_state: Literal["plane_strain", "plane_stress"] | None = None
     """Exact bodies: long, plane strain, or thin, plane stress; plane strain if absent."""
+    closure_springs: Literal["bulk", "bulk_and_asperities"] | None = None
+    """Normal springs of the force balance under load, one for each contact, between rigid pins: the bodies alone, or
+    with their asperities. Those of the assembly if absent."""
 
 
 class PlanarCase(WholeFile):

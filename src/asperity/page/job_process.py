@@ -124,7 +124,7 @@ def _design(file: str, options: dict[str, Any], report: Report) -> dict[str, Any
     from asperity.study.design.design import design
     from asperity.study.design.design_document import design_document
     from asperity.study.design.design_file import read_design
-    from asperity.study.design.design_result import conflict
+    from asperity.study.design.design_result import shortcoming
     from asperity.study.design.found_joint import found_diagnostics
 
     problem = read_design(file)
@@ -133,8 +133,11 @@ def _design(file: str, options: dict[str, Any], report: Report) -> dict[str, Any
             f"{file}: the page designs for one objective; 'asperity design' makes a front of several"
         )
     result = design(problem, progress=report)
-    said = None if result.feasible else conflict(result)
-    document = {**design_document(result), "conflict": said, "joint_text": result.joint_text}
+    document = {
+        **design_document(result),
+        "conflict": shortcoming(result) or None,
+        "joint_text": result.joint_text,
+    }
     return document | found_diagnostics(result.joint_text) | {"shown": design_words(result)}
 
 
@@ -176,7 +179,9 @@ def design_words(result: DesignResult) -> dict[str, Any]:
         },
         "limits": [
             {
-                "value": format_quantity(each.value, table[each.name].display_unit),
+                "value": "–"
+                if each.value != each.value
+                else format_quantity(each.value, table[each.name].display_unit),
                 "limit": format_quantity(each.limit, table[each.name].display_unit),
             }
             for each in result.limits

@@ -14,7 +14,7 @@ from asperity.report.cells import number, quantity
 from asperity.report.content import Block, Heading, Listing, Paragraph, Picture, Table
 from asperity.report.figures import figure_svg
 from asperity.study.design.design_problem import SUMMARY
-from asperity.study.design.design_result import DesignResult, conflict
+from asperity.study.design.design_result import DesignResult, shortcoming
 from asperity.units import from_si
 
 if TYPE_CHECKING:
@@ -206,7 +206,7 @@ def design_section(result: DesignResult, *, name: str) -> Iterator[Block]:
     yield Heading("Design")
     yield Paragraph(f"{name} asks for the {problem.goal}{over}: {before} before, {after} as designed.")
     yield Paragraph(
-        "All limits are met." if result.feasible else f"{_sentence(conflict(result))}.", strong=True
+        f"{_sentence(shortcoming(result))}." if shortcoming(result) else "All limits are met.", strong=True
     )
     stated = numeric_keys(result.problem.case)
     rows = []
@@ -248,15 +248,12 @@ def _summary(result: DesignResult) -> Iterator[tuple[str, str, str]]:
 def _limits(result: DesignResult) -> Iterator[tuple[str, ...]]:
     for limit in result.limits:
         shown = RESULTS[limit.name]
-        state = (
-            f"{number(limit.missed_by, 100.0)} % off" if limit.missed_by > 0.0 else "active" * limit.active
-        )
         yield (
             ", ".join(filter(None, (limit.label, limit.row.replace("_", " ")))),
             quantity(limit.value, shown.display_unit),
             f"{'≤' if limit.at_most else '≥'} {quantity(limit.limit, shown.display_unit)}",
             quantity(limit.output_torque, "N*m"),
-            state or "met",
+            limit.state or "met",
         )
 
 

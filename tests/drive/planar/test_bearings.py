@@ -10,6 +10,7 @@ from asperity.drive.planar.bearings import friction_moments, friction_power
 from asperity.drive.planar.laws import smooth_contact_laws
 from asperity.drive.planar.layout import speeds
 from asperity.drive.planar.state import DriveLoad
+from asperity.drive.planar.state_equations import ASSEMBLED, ROLLING, STANDING, Task, machine_of, moments_of
 from asperity.drive.planar.states import drive_states
 
 BEARINGS = Bearings(
@@ -77,10 +78,11 @@ def rolled(drives):
 
 
 @pytest.mark.slow
-def test_the_forces_of_a_planetary_drive_by_hand(rolled):
+@pytest.mark.parametrize("kind", ["standing", "rolling"])
+def test_the_forces_of_a_planetary_drive_by_hand(rolled, kind):
     """F (r + p) n = T + 2 T_c + n M, T_1 + T_2 = F, (T_1 - T_2) p = M with M = 2 T_r + mu F d/2."""
     _, found, _ = rolled
-    state = found.rolling
+    state = getattr(found, kind)
     force = (10.0 + 0.1 + 3.0 * 0.04) / (3.0 * (30e-3 - 0.1 * 4e-3))
     moment = 0.04 + 0.1 * 4e-3 * force
     one, two = 0.5 * (force + moment / 20e-3), 0.5 * (force - moment / 20e-3)
@@ -110,8 +112,46 @@ def test_what_enters_and_does_not_leave_is_creep_and_bearings(rolled):
     assert creep + bearings == pytest.approx(entered, rel=1e-9)
 
 
-def test_without_friction_and_standing_nothing_changes(rolled):
-    _, found, free = rolled
-    np.testing.assert_allclose(found.standing.tangential, free.standing.tangential, rtol=1e-12)
-    assert float(free.rolling.input_torque) == pytest.approx(10.0 / 6.0, rel=1e-9)
-    assert float(found.standing.input_torque) == pytest.approx(10.0 / 6.0, rel=1e-9)
+def test_without_friction_the_torque_is_that_of_the_ratio(rolled):
+    _, _, free = rolled
+    for state in (free.standing, free.rolling):
+        assert float(state.input_torque) == pytest.approx(10.0 / 6.0, rel=1e-9)
+
+
+@pytest.mark.parametrize(
+    ("torque", "rotation", "kind", "sense"),
+    [
+        (10.0, 0.0, STANDING, 1.0),
+        (-10.0, 0.0, STANDING, -1.0),
+        (-10.0, 300.0, STANDING, 1.0),
+        (10.0, -300.0, ROLLING, -1.0),
+        (10.0, -300.0, ASSEMBLED, 0.0),
+    ],
+)
+def test_friction_opposes_the_rotation_or_else_the_torque(drives, torque, rotation, kind, sense):
+    drive = drives["planetary"]
+    none = jnp.zeros(2)
+    laws = smooth_contact_laws(
+        drive=drive,
+        youngs_modulus=206e9,
+        poisson_ratio=0.3,
+        friction_coefficient=0.12,
+        contact_length=5e-3,
+        ring_wall_thickness=60e-3,
+        reference_force=1000.0,
+    )
+    machine = machine_of(drive, laws, jnp.array([0.0, 1.0]))
+    load = DriveLoad(torque, bearings=BEARINGS, rotation=rotation, standing_rotation=rotation)
+    moments = moments_of(machine, Task(kind, none, load, none), none, jnp.array([-100.0]))
+    still = moments_of(machine, Task(kind, none, DriveLoad(torque), none), none, jnp.array([-100.0]))
+    pin = 2.0 * 0.02 + 0.1 * 100.0 * 4e-3
+    by_hand = sense * np.array([-0.02, pin, 0.0, -0.1 - 3.0 * pin])
+    np.testing.assert_allclose(np.asarray(moments - still), by_hand, atol=1e-12)
+
+
+def test_equation_5_leaves_the_rollers_bearings_out(drives):
+    drive = drives["planetary"]
+    moments = friction_moments(
+        drive=drive, bearings=BEARINGS, pin_force=jnp.array([-100.0]), ideal=speeds(drive), on_carrier=False
+    )
+    assert np.asarray(moments) == pytest.approx([-0.02, 0.04 + 0.04, 0.0, -0.1])

@@ -98,7 +98,7 @@ def test_followed_up_to_the_last_torque_that_holds(monkeypatch, capacity, sign, 
     )
     found, torque = followed(
         drive=None,
-        laws=None,
+        laws=SimpleNamespace(closure=None),
         rest=rest,
         load=DriveLoad(output_torque=sign * 7.0, pin_compliance=1e-8),
         first_step=1e-5,

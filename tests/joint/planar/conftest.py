@@ -70,6 +70,7 @@ def as_planar():
             plane_state=joint.plane_state,
             rolling=joint.rolling,
             crown_curvatures=None if joint.crowns is None else tuple(crown_curvatures(joint.crowns)),
+            closure_springs=joint.closure_springs,
         )
 
     return described

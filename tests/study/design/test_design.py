@@ -21,7 +21,7 @@ from asperity.study.design import design_evaluation
 from asperity.study.design.design import design, nominal_results
 from asperity.study.design.design_file import design_from_tables, read_design
 from asperity.study.design.design_problem import Constraint, Objective
-from asperity.study.design.design_result import conflict
+from asperity.study.design.design_result import conflict, shortcoming
 
 
 def run(zou_file, text):
@@ -307,16 +307,20 @@ def test_the_lightest_planetary_whose_ring_has_a_stated_safety(tmp_path, zou_fil
 def known(evaluator, monkeypatch):
     """Designs of least mass of the made-up joint: 100 L, pressure 2 MPa sqrt(P/L), slip 50 M/P; the file has 8 mm."""
 
-    def of(*constraints, torques=()):
+    def of(*constraints, torques=(), without_stiffness=False):
         made = evaluator((Objective("mass", 1.0),), constraints, torques=torques)
         given = design_evaluation.derivatives_at
         stated = {"load.preload": 1000.0, "drive.contact_length": 8e-3, "load.output_torque": 5.0}
 
         def filled(values, changes, results, paths=()):
-            return given(
+            status, found, slopes = given(
                 values, {path: np.array(each) for path, each in stated.items()} | changes, results, paths
             )
+            if without_stiffness:
+                found["published_stiffness_output"][:] = np.nan
+            return status, found, slopes
 
+        monkeypatch.setattr(design_evaluation, "derivatives_at", filled)
         monkeypatch.setattr(module, "derivatives_at", filled)
         monkeypatch.setattr(module, "DesignEvaluator", lambda problem: made)
         return design(made.problem)
@@ -354,6 +358,42 @@ def test_limits_that_exclude_each_other_are_missed_by_as_little_as_can_be(known)
     assert slip.missed_by == pytest.approx(0.5625, rel=1e-5)
     assert slip.active
     assert seen.at_bound["load.preload"] == "upper"
+
+
+def test_a_limit_without_a_value_is_not_met_and_the_nearest_value_is_told(known):
+    """The stiffness 10 P exists below 1000 N, the file has 1000 N; 2e4 N·m/rad are out of reach: 1e4 is nearest."""
+    seen = known(Constraint("published_stiffness_output", False, 2e4, (0,)))
+    assert not seen.feasible
+    assert seen.joint_text.splitlines()[1].startswith("# NOT all limits are met")
+    assert not seen.limits[0].met
+    assert 0.9e4 < seen.limits[0].value < 1e4
+    assert seen.limits[0].nearest == pytest.approx(seen.limits[0].value, rel=0.05)
+
+
+def test_a_limit_without_a_value_anywhere_is_not_met_and_says_so(known):
+    """A stiffness that no joint within the bounds has."""
+    seen = known(Constraint("published_stiffness_output", False, 1.0, (0,)), without_stiffness=True)
+    assert not seen.feasible
+    assert np.isnan(seen.violation)
+    assert "published at least 1 N·m/rad (no value there, none of any design, at 5 N·m)" in conflict(seen)
+    assert "nan" not in conflict(seen)
+
+
+def test_an_objective_without_a_value_is_no_design(evaluator, monkeypatch):
+    made = evaluator(
+        (Objective("published_stiffness_output", -1.0),), (Constraint("preload", False, 1100.0, (0,)),)
+    )
+    with pytest.raises(NoSolutionError, match="no value of published_stiffness_output"):
+        module._refuse_without_result(made, made(np.array([0.9, 0.5])))
+
+
+def test_a_design_from_which_no_search_converged_is_no_optimum(known, monkeypatch):
+    monkeypatch.setattr(module, "local_optimum", lambda made, start, fixed=None: (start, False))
+    seen = known(Constraint("slip_ratio", True, 0.8, (0, 1)))
+    assert seen.feasible
+    assert not seen.converged
+    assert "no search converged" in shortcoming(seen)
+    assert "no optimum" in seen.joint_text.splitlines()[1]
 
 
 def test_a_joint_that_cannot_exist_is_no_design(known):

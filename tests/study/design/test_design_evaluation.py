@@ -79,6 +79,28 @@ def test_what_does_not_exist_is_worse_than_anything_and_has_no_slope(evaluator):
     assert not design.margin_slopes.any()
 
 
+@pytest.mark.parametrize("at_most", [True, False])
+def test_a_result_without_a_value_keeps_no_limit(evaluator, at_most):
+    """No stiffness from 1000 N on: neither at most nor at least 1 N·m/rad is met, whatever the search looks at."""
+    made = evaluator(
+        (Objective("mass", 1.0),), (Constraint("published_stiffness_output", at_most, 1.0, (0,)),)
+    )
+    point = made.scaled({"load.preload": 1200.0, "drive.contact_length": 4e-3})
+    assert made(point).margins[0] == -FARTHEST
+    assert made.many(point[None])[1][0, 0] == -FARTHEST
+    assert np.isnan(made.nearest[0][1])  # no design had a value yet
+
+
+@pytest.mark.parametrize("at_most", [True, False])
+def test_the_value_nearest_to_a_limit_is_kept_of_all_designs(evaluator, at_most):
+    """10 P at 300 and 900 N: 9000 is next to at least 2e4, 3000 to at most 100."""
+    limit = Constraint("published_stiffness_output", at_most, 100.0 if at_most else 2e4, (0,))
+    made = evaluator((Objective("mass", 1.0),), (limit,))
+    for preload in (300.0, 900.0, 1200.0):
+        made(made.scaled({"load.preload": preload, "drive.contact_length": 4e-3}))
+    assert made.nearest[0][1] == pytest.approx(3000.0 if at_most else 9000.0)
+
+
 def test_a_joint_exists_while_it_does_not_slip_and_rollers_do_not_overlap(evaluator):
     made = evaluator((Objective("mass", 1.0),), LIMITS)
     slack = made.existence_slack

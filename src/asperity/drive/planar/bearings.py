@@ -1,4 +1,4 @@
-r"""Friction of the bearings of a planar drive that turns: moments on shafts and rollers on pins."""
+r"""Friction of the bearings of a planar drive: moments on shafts and rollers on pins."""
 
 from __future__ import annotations
 
@@ -10,8 +10,10 @@ from asperity.drive.mechanism import Bearings, bearing_torque
 from asperity.drive.planar.layout import CARRIER, PlanarDrive, sectors_of_members
 
 
-def friction_moments(*, drive: PlanarDrive, bearings: Bearings, pin_force: Array, ideal: Array) -> Array:
-    r"""Moments of the bearings on the members of a drive that turns, those of all sectors together.
+def friction_moments(
+    *, drive: PlanarDrive, bearings: Bearings, pin_force: Array, ideal: Array, on_carrier: bool = True
+) -> Array:
+    r"""Moments of the bearings on the members of a drive, those of all sectors together.
 
     .. math::
         M_b = -2\,T_B(F)\,\operatorname{sgn}(\omega_b - \omega_c), \qquad M_c = -n \sum_b M_b, \qquad
@@ -28,6 +30,8 @@ def friction_moments(*, drive: PlanarDrive, bearings: Bearings, pin_force: Array
         Forces of the pins, shape (pins,) [N].
     ideal : Array
         Angular velocities of the members without creep, of which only the signs count, shape (members,) [-].
+    on_carrier : bool, optional
+        Whether the bearings of rollers act on the carrier too.
 
     Returns
     -------
@@ -37,7 +41,7 @@ def friction_moments(*, drive: PlanarDrive, bearings: Bearings, pin_force: Array
     Notes
     -----
     Every bearing acts on both of its parts: the bearings of a roller also act on the carrier that holds its pin, which
-    equation (5) of Zou et al. 2025 leaves out.
+    equation (5) of Zou et al. 2025 leaves out (``on_carrier = False``).
 
     References
     ----------
@@ -52,7 +56,9 @@ def friction_moments(*, drive: PlanarDrive, bearings: Bearings, pin_force: Array
     for pin, body in enumerate(drive.pinned):
         torque = 2.0 * bearing_torque(bearings=bearings, pin_force=pin_force[pin])
         braking = -torque * jnp.sign(ideal[body] - ideal[carrier])
-        moments = moments + braking * unit[body] - drive.sectors * braking * unit[carrier]
+        moments = moments + braking * unit[body]
+        if on_carrier:
+            moments = moments - drive.sectors * braking * unit[carrier]
     return moments
 
 

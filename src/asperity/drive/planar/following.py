@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 from collections.abc import Callable
 from typing import NamedTuple
 
@@ -13,6 +14,7 @@ from asperity.drive.planar.layout import PlanarDrive
 from asperity.drive.planar.state import STATE_TOLERANCE, ContactLaws, DriveLoad, PlanarState
 from asperity.drive.planar.state_equations import STANDING, Task, Unknowns, forces_on, machine_of
 from asperity.drive.planar.state_search import solved, started_from, state_of
+from asperity.drive.planar.states import closed_around
 from asperity.types import Real
 
 #: Relative width of the last step.
@@ -77,13 +79,14 @@ def followed(
     ----------
     Equation (M3) of :doc:`/equations`.
     """
+    laws, rest, load = closed_around(drive=drive, laws=laws, rest=rest, load=load)
     size = jnp.max(rest.interference)
     machine = machine_of(drive, laws, rest.interference / size)
     way = jnp.where(jnp.asarray(load.output_torque) < 0.0, -1.0, 1.0)
     still = forces_on(drive, load)
 
     def task(torque: Array) -> Task:
-        borne = DriveLoad(way * torque, still, load.pin_compliance, load.bearings, load.support_stiffness)
+        borne = dataclasses.replace(load, output_torque=way * torque, body_force=still)
         return Task(STANDING, size, borne, rest.displacement.ravel())
 
     def unfinished(path: _Path) -> Array:

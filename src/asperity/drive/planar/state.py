@@ -10,8 +10,9 @@ from jax import Array
 
 from asperity.body.rim_moments import RimKernel
 from asperity.contact.crowned_shear import crown_slip
-from asperity.drive.mechanism import Bearings, NormalSprings
+from asperity.drive.mechanism import Bearings, NormalSprings, whole_approach
 from asperity.drive.planar.layout import CARRIER, PlanarDrive
+from asperity.drive.planar.linear import product
 from asperity.drive.rolling_state import CreepLaw
 from asperity.types import Real
 
@@ -48,6 +49,11 @@ class ContactLaws(eqx.Module):
         :math:`\sum \nu (1 + \nu)/E` of both bodies [1/Pa]; needed where the springs have crowns.
     rims : RimKernel or None, optional
         What the bodies have contributed to the springs at every load; None where it is not known.
+    linear_compliance : Array or None, optional
+        Approach in proportion to the normal force, besides that of the springs [m/N]; None for none.
+    closure : ContactLaws or None, optional
+        What takes the place of these laws under load, around the assembled state and with rigid pins; None where they
+        hold there too.
     """
 
     springs: NormalSprings
@@ -57,6 +63,8 @@ class ContactLaws(eqx.Module):
     coupling: Array | None = None
     lateral_strain_compliance: Array | None = None
     rims: RimKernel | None = None
+    linear_compliance: Array | None = None
+    closure: ContactLaws | None = None
 
 
 class DriveLoad(eqx.Module):
@@ -71,9 +79,15 @@ class DriveLoad(eqx.Module):
     pin_compliance : Real, optional
         Of each pin along its push [m/N].
     bearings : Bearings or None, optional
-        Friction of the bearings of a drive that rolls, as in :mod:`asperity.drive.planar.bearings`; None for none.
+        Friction of the bearings, as in :mod:`asperity.drive.planar.bearings`; None for none.
     support_stiffness : Array or None, optional
         Radial stiffness of the bearings of each floating body, shape (floating,) [N/m]; None for none.
+    rotation, standing_rotation : Real, optional
+        Sense in which the drive rolls, and in which it turns before or after it stands: of any size, 0 for that of its
+        torque [-].
+    friction_on_carrier : bool, optional
+        Whether the friction of the rollers' bearings acts on the carrier too; equation (5) of Zou et al. 2025 leaves it
+        out.
     """
 
     output_torque: Real
@@ -81,6 +95,9 @@ class DriveLoad(eqx.Module):
     pin_compliance: Real = 0.0
     bearings: Bearings | None = None
     support_stiffness: Array | None = None
+    rotation: Real = 1.0
+    standing_rotation: Real = 1.0
+    friction_on_carrier: bool = eqx.field(static=True, default=True)
 
 
 class PlanarState(eqx.Module):
@@ -135,6 +152,35 @@ class PlanarState(eqx.Module):
     def residual(self) -> Array:
         """Largest relative residual of all equations [-]; infinite where a contact has lifted off or friction fails."""
         return jnp.where(self.carried, self.worst, jnp.inf)
+
+
+def contact_approach(*, laws: ContactLaws, normal: Array) -> Array:
+    r"""Approach of the bodies of each contact from first touch.
+
+    .. math:: \delta_k = \delta_k(N_k) + \sum_j C_{kj} N_j + c_k N_k
+
+    Parameters
+    ----------
+    laws : ContactLaws
+        The contacts.
+    normal : Array
+        Normal forces, shape (contacts,) [N].
+
+    Returns
+    -------
+    Array
+        Approach, shape (contacts,) [m].
+
+    References
+    ----------
+    Equation (M3) of :doc:`/equations`.
+    """
+    found = jnp.asarray(
+        whole_approach(springs=laws.springs, normal_force=normal, rest_force=laws.reference_force)
+    )
+    if laws.coupling is not None:
+        found = found + product(laws.coupling, normal)
+    return found if laws.linear_compliance is None else found + laws.linear_compliance * normal
 
 
 def slip_at_rest(*, laws: ContactLaws, normal: Array, tangential: Array) -> Array:

@@ -10,12 +10,18 @@ import jax.numpy as jnp
 import numpy as np
 from jax import Array
 
-from asperity.drive.mechanism import whole_approach
+from asperity.drive.mechanism import leading_sense
 from asperity.drive.planar.bearings import friction_moments
 from asperity.drive.planar.layout import Incidence, PlanarDrive, incidence, speeds
 from asperity.drive.planar.linear import product
 from asperity.drive.planar.loads import member_moments
-from asperity.drive.planar.state import ContactLaws, DriveLoad, slip_at_rest, surface_speeds
+from asperity.drive.planar.state import (
+    ContactLaws,
+    DriveLoad,
+    contact_approach,
+    slip_at_rest,
+    surface_speeds,
+)
 from asperity.drive.rolling_state import creepages
 
 #: Kinds of states: assembled without torque, standing under one, rolling under one.
@@ -319,18 +325,16 @@ def state_misfits(machine: Machine, task: Task, by_force: bool, slides: Array, x
     """
     drive, laws, matrices = machine.drive, machine.laws, machine.matrices
     length, largest, lever = machine.length, machine.largest, machine.lever
-    reference = laws.reference_force
     normal, tangential = contact_forces(machine, x)
     pin, moved = x.pin * largest, x.displacement * length
     speed, turned = speeds_and_turns(machine, x, task.kind)
     kind = jnp.asarray(task.kind)
 
-    approach = jnp.asarray(whole_approach(springs=laws.springs, normal_force=normal, rest_force=reference))
-    if laws.coupling is not None:
-        approach = approach + product(laws.coupling, normal)
+    approach = contact_approach(laws=laws, normal=normal)
     misfit = approach - product(matrices.approach, moved) - contact_interference(machine, x)
     creep = creepages(law=laws.creep, normal=normal, tangential=tangential)
-    rolling = creep * _rolled(drive, speed) - product(matrices.turning, speed)
+    backwards = jnp.where(jnp.asarray(task.load.rotation) < 0.0, -1.0, 1.0)
+    rolling = backwards * creep * _rolled(drive, speed) - product(matrices.turning, speed)
     slip = slip_at_rest(laws=laws, normal=normal, tangential=tangential)
     standing = slip - product(matrices.sliding, moved - task.origin) - product(matrices.turning, turned)
     force = (
@@ -363,7 +367,7 @@ def state_misfits(machine: Machine, task: Task, by_force: bool, slides: Array, x
 
 
 def moments_of(machine: Machine, task: Task, tangential: Array, pin: Array) -> Array:
-    """Moments of contacts and pins on the members, in rolling also of the bearings.
+    """Moments of contacts, pins and bearings on the members.
 
     Parameters
     ----------
@@ -384,11 +388,19 @@ def moments_of(machine: Machine, task: Task, tangential: Array, pin: Array) -> A
     Equation (M1) of :doc:`/equations`; :mod:`asperity.drive.planar.bearings`.
     """
     moments = member_moments(machine.drive, machine.matrices, tangential, pin)
-    if task.load.bearings is None:
+    load, kind = task.load, jnp.asarray(task.kind)
+    if load.bearings is None:
         return moments
-    rolls = jnp.where(jnp.asarray(task.kind) == ROLLING, 1.0, 0.0)
-    return moments + rolls * friction_moments(
-        drive=machine.drive, bearings=task.load.bearings, pin_force=pin, ideal=machine.ideal
+    sense = leading_sense(
+        rotation=jnp.where(kind == ROLLING, load.rotation, load.standing_rotation),
+        output_torque=load.output_torque,
+    )
+    return moments + jnp.where(kind == ASSEMBLED, 0.0, 1.0) * friction_moments(
+        drive=machine.drive,
+        bearings=load.bearings,
+        pin_force=pin,
+        ideal=sense * machine.ideal,
+        on_carrier=load.friction_on_carrier,
     )
 
 

@@ -22,9 +22,10 @@ import jax
 import jax.numpy as jnp
 from jax import Array
 
-from asperity.drive.planar.layout import PlanarDrive
+from asperity.drive.planar.layout import PlanarDrive, incidence
+from asperity.drive.planar.linear import product
 from asperity.drive.planar.newton import known_root
-from asperity.drive.planar.state import ContactLaws, CreepOf, DriveLoad, PlanarState
+from asperity.drive.planar.state import ContactLaws, CreepOf, DriveLoad, PlanarState, contact_approach
 from asperity.drive.planar.state_equations import (
     ASSEMBLED,
     ROLLING,
@@ -192,6 +193,12 @@ def drive_states(
     ----------
     Equation (M3) of :doc:`/equations`.
     """
+    if laws.closure is not None:
+        rest = state_at_rest(
+            drive=drive, laws=laws, pattern=pattern, preload=preload, interference=interference, load=load
+        )
+        kinds = jnp.array([STANDING, ROLLING])
+        return DriveStates(rest, *_last_two(_loaded(drive, laws, rest, load, kinds, creep_of)))
     machine = machine_of(drive, laws, pattern)
     given = jnp.asarray(preload if interference is None else interference, dtype=float)
     start = _Carry(
@@ -320,10 +327,50 @@ def _loaded(
     kinds: Array,
     creep_of: CreepOf | None,
 ) -> PlanarState:
+    laws, rest, load = closed_around(drive=drive, laws=laws, rest=rest, load=load)
     size = jax.lax.stop_gradient(jnp.max(rest.interference))  # a scale, as those of machine_of
     machine = machine_of(drive, laws, rest.interference / size)
     start = _Carry(started_from(machine, rest, size), rest.slides, size, rest.displacement.ravel())
     return _states(machine, load, start, kinds, creep_of, by_force=False)
+
+
+def closed_around(
+    *, drive: PlanarDrive, laws: ContactLaws, rest: PlanarState, load: DriveLoad
+) -> tuple[ContactLaws, PlanarState, DriveLoad]:
+    """What a drive is loaded with: its laws, its assembled state as they see it, and its springs.
+
+    Parameters
+    ----------
+    drive : PlanarDrive
+        The drive.
+    laws : ContactLaws
+        Its contacts.
+    rest : PlanarState
+        Its assembled state under these laws.
+    load : DriveLoad
+        Torque, forces on the bodies, and pins.
+
+    Returns
+    -------
+    ContactLaws, PlanarState, DriveLoad
+        Those given, without a closure of the laws; else the closure, the same forces with the interferences that make
+        them by its springs, and rigid pins.
+
+    References
+    ----------
+    Equation (A3) of :doc:`/equations`.
+    """
+    if laws.closure is None:
+        return laws, rest, load
+    matrices, moved = incidence(drive), rest.displacement.ravel()
+    moved = moved - product(matrices.pins.T, product(matrices.pins, moved))
+    approach = contact_approach(laws=laws.closure, normal=rest.normal)
+    state = dataclasses.replace(
+        rest,
+        displacement=moved.reshape(rest.displacement.shape),
+        interference=approach - product(matrices.approach, moved),
+    )
+    return laws.closure, state, dataclasses.replace(load, pin_compliance=0.0)
 
 
 class _Carry(NamedTuple):
@@ -350,12 +397,8 @@ def _states(
     def step(carry: _Carry, kind: Array) -> tuple[_Carry, PlanarState]:
         assembled = kind == ASSEMBLED
         acts = jnp.where(assembled, 0.0, 1.0)
-        borne = DriveLoad(
-            output_torque=acts * load.output_torque,
-            body_force=acts * forces_on(drive, load),
-            pin_compliance=load.pin_compliance,
-            bearings=load.bearings,
-            support_stiffness=load.support_stiffness,
+        borne = dataclasses.replace(
+            load, output_torque=acts * load.output_torque, body_force=acts * forces_on(drive, load)
         )
         here = machine
         if creep_of is not None:

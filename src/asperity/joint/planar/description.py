@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import Any, Literal
 
 import equinox as eqx
 import jax.numpy as jnp
@@ -19,7 +19,7 @@ from asperity.drive.mechanism import Bearings
 from asperity.drive.planar.layout import PlanarDrive
 from asperity.drive.rolling_speeds import BodiesOfContacts
 from asperity.joint.contacts import JointContacts, elastic_material
-from asperity.joint.description import BodyModel, Fit, per_contact
+from asperity.joint.description import BodyModel, ClosureSprings, Fit, per_contact
 from asperity.joint.planar.body_shape import BodyShape
 from asperity.joint.play import NO_PLAY, Play
 from asperity.joint.rolling_conditions import RollingConditions
@@ -90,7 +90,8 @@ class PlanarJoint(eqx.Module):
     output_torque : Real
         Torque at the output, of either sign [N·m]; positive where it resists the rotation.
     input_speed : Real
-        Angular velocity of the input, not negative [rad/s].
+        Angular velocity of the input, of either sign [rad/s]; the friction of the bearings opposes it, in a drive
+        without speed the sense of the torque.
     pin_stiffness : Real
         Of one pin along its push [N/m]; ``math.inf`` is rigid.
     input_shaft_stiffness, output_shaft_stiffness : Real
@@ -104,8 +105,7 @@ class PlanarJoint(eqx.Module):
     rolling : RollingConditions
         Skew, losses, oil and reliability of the joint that turns.
     bearings : Bearings or None, optional
-        Friction of the bearings in rolling, ``sun_torque`` for the input and ``carrier_torque`` for the output; None
-        for none.
+        Friction of the bearings, ``sun_torque`` for the input and ``carrier_torque`` for the output; None for none.
     play : Play, optional
         Play at the output, part of every torque–angle curve; none by default.
     fit : PlanarFit or None, optional
@@ -120,6 +120,12 @@ class PlanarJoint(eqx.Module):
         equal sectors.
     cam : LoadingCam or None, optional
         Loading cam, which adds to the preload in proportion to the torque; None without.
+    closure_springs : {"bulk", "bulk_and_asperities"} or None, optional
+        Normal springs of the force balance under load, of one roller pair each, between rigid pins: the bodies alone,
+        or with the asperities' stiffness at rest in series. None: the springs of the assembly.
+    carrier_balance : {"complete", "printed"}, optional
+        ``printed``: equation (5) of Zou et al. 2025, which leaves out the friction torques of the rollers' bearings on
+        the carrier.
     """
 
     type: str = eqx.field(static=True)
@@ -150,6 +156,8 @@ class PlanarJoint(eqx.Module):
     crown_curvatures: tuple[Real, ...] | None = None
     unlike: UnlikeSectors | None = None
     cam: LoadingCam | None = None
+    closure_springs: ClosureSprings | None = eqx.field(static=True, default=None)
+    carrier_balance: Literal["complete", "printed"] = eqx.field(static=True, default="complete")
 
     @property
     def working_pattern(self) -> Array:

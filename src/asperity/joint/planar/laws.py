@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import dataclasses
+
 import jax
 import jax.numpy as jnp
 from jax import Array
@@ -11,7 +13,13 @@ from asperity.drive.planar.equal_springs import rest_forces
 from asperity.drive.planar.layout import CARRIER, speeds
 from asperity.drive.planar.state import ContactLaws, DriveLoad
 from asperity.drive.rolling_state import CreepLaw
-from asperity.joint.contacts import JointContacts, bulk_springs, rough_joint_contacts, with_crowns
+from asperity.joint.contacts import (
+    JointContacts,
+    bulk_springs,
+    closure_springs,
+    rough_joint_contacts,
+    with_crowns,
+)
 from asperity.joint.crowned_contacts import crown_compressions, lateral_strain_compliance
 from asperity.joint.interference import logarithmic_decrease
 from asperity.joint.planar.bodies import body_compliance
@@ -54,7 +62,7 @@ def contact_laws(joint: PlanarJoint, contacts: JointContacts) -> ContactLaws:
         contacts=contacts, normal_force=reference, tangential_force=jnp.zeros_like(reference)
     )
     stiff = rough.tangential_stiffness > 0.0
-    return ContactLaws(
+    laws = ContactLaws(
         springs=with_crowns(springs, contacts=contacts, rest_force=reference),
         reference_force=reference,
         creep=creep_law(
@@ -67,6 +75,12 @@ def contact_laws(joint: PlanarJoint, contacts: JointContacts) -> ContactLaws:
         ),
         rims=contacts.rims,
     )
+    if joint.closure_springs is None:
+        return laws
+    bulk = closure_springs(contacts=contacts, rest_force=reference, model="bulk")
+    asperities = 1.0 / rough.normal_stiffness if joint.closure_springs == "bulk_and_asperities" else None
+    closure = dataclasses.replace(laws, springs=bulk, coupling=None, linear_compliance=asperities)
+    return dataclasses.replace(laws, closure=closure)
 
 
 def _reference_force(joint: PlanarJoint, contacts: JointContacts) -> Array:
@@ -80,10 +94,15 @@ def _reference_force(joint: PlanarJoint, contacts: JointContacts) -> Array:
 
 
 def _expected_preload(joint: PlanarJoint, contacts: JointContacts, forces: Array) -> Array:
-    """Preload by the work of the interference, with the compliance at a small force and its logarithm."""
+    """Preload by the work of the interference: with the compliance at a small force, then with that at the result."""
     young, length = joint.materials[0].youngs_modulus, jnp.asarray(contacts.pairs.contact_length)[0]
     small = _SMALL_FORCE * young * length * jnp.asarray(joint.interference)
-    springs, coupling = _approach(joint, contacts, small * forces)
+    return _preload_by_work(joint, contacts, forces, _preload_by_work(joint, contacts, forces, small))
+
+
+def _preload_by_work(joint: PlanarJoint, contacts: JointContacts, forces: Array, at: Array) -> Array:
+    """Preload by the work of the interference, with the compliance at a preload and its logarithm."""
+    springs, coupling = _approach(joint, contacts, at * forces)
     share = jnp.sum(joint.working_pattern * forces) * jnp.asarray(joint.interference)
     work = jnp.sum(springs.secant_compliance * forces**2)
     work = work if coupling is None else work + forces @ coupling @ forces
@@ -91,9 +110,9 @@ def _expected_preload(joint: PlanarJoint, contacts: JointContacts, forces: Array
     softer = jnp.sum((springs.secant_compliance - springs.incremental_compliance) * forces**2)
 
     def even(preload: Array) -> Array:
-        return jnp.maximum(work - softer * jnp.log(preload / small), 0.2 * work)
+        return jnp.maximum(work - softer * jnp.log(preload / at), 0.2 * work)
 
-    curvature, preload = contacts.crown_curvature, small
+    curvature, preload = contacts.crown_curvature, at
     if curvature is None:
         for _ in range(_REFERENCE_STEPS):
             preload = share / even(preload)
@@ -105,7 +124,7 @@ def _expected_preload(joint: PlanarJoint, contacts: JointContacts, forces: Array
         )
         return share / (even(preload) + jnp.sum(added * forces) / preload)
 
-    found: Array = jax.lax.fori_loop(0, _CROWNED_STEPS, improve, small)
+    found: Array = jax.lax.fori_loop(0, _CROWNED_STEPS, improve, at)
     return found
 
 
@@ -200,4 +219,7 @@ def drive_load(joint: PlanarJoint, masses: list[Real], torque: Real) -> DriveLoa
         pin_compliance=1.0 / jnp.asarray(joint.pin_stiffness, dtype=float),
         bearings=joint.bearings,
         support_stiffness=None if joint.unlike is None else joint.unlike.support_stiffness,
+        rotation=jnp.asarray(joint.input_speed, dtype=float),
+        standing_rotation=jnp.asarray(joint.input_speed, dtype=float),
+        friction_on_carrier=joint.carrier_balance == "complete",
     )

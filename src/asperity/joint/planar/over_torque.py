@@ -14,7 +14,7 @@ from jax import Array
 from asperity.compilation import compile_fast
 from asperity.drive.capacity import slip_ratio
 from asperity.drive.planar.creeping import creeping_speeds
-from asperity.drive.planar.state import STATE_TOLERANCE, PlanarState
+from asperity.drive.planar.state import STATE_TOLERANCE, DriveLoad, PlanarState
 from asperity.drive.planar.states import loaded_states, standing_state
 from asperity.drive.rolling_state import drift_per_turn
 from asperity.joint.contacts import JointContacts
@@ -183,7 +183,7 @@ def standing_program(
     Equations (A9) and (M3) of :doc:`/equations`.
     """
     contacts = planar_contacts(joint)
-    unloaded = drive_load(joint, body_masses(joint), 0.0)
+    unloaded = _with_its_torque(joint)
     pressed = pressed_at(joint, contacts, Pressed(contact_laws(joint, contacts), rest))
 
     def at(torque: Array) -> StandingOverTorque:
@@ -291,7 +291,7 @@ def _states(
     joint: PlanarJoint, contacts: JointContacts, without_torque: Pressed
 ) -> Callable[[Array], _Under]:
     """The joint under an output torque [N·m]."""
-    unloaded = drive_load(joint, body_masses(joint), 0.0)
+    unloaded = _with_its_torque(joint)
     pressed = pressed_at(joint, contacts, without_torque)
 
     def under(torque: Array) -> _Under:
@@ -306,6 +306,11 @@ def _states(
         return _Under(standing, rolling, turned_cam(joint, contacts, without_torque.rest, rest))
 
     return under
+
+
+def _with_its_torque(joint: PlanarJoint) -> DriveLoad:
+    """Loads of a joint that stands and begins to move with its torque, as in a wind-up; the torque is to be put in."""
+    return dataclasses.replace(drive_load(joint, body_masses(joint), 0.0), standing_rotation=jnp.zeros(()))
 
 
 def _standing(

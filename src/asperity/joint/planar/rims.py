@@ -63,7 +63,7 @@ def planar_rims(joint: PlanarJoint, result: PlanarResult) -> BodyRims:
     Equation (L3) of :doc:`/equations`.
     """
     sense = driving_sense(joint.drive)
-    turns = jnp.asarray(joint.input_speed) > 0.0
+    turns = jnp.asarray(joint.input_speed) != 0.0
     moving, standing = result.rolling, result.forces
     working = (
         jnp.where(turns, moving.normal, standing.normal),

@@ -10,6 +10,7 @@ import numpy as np
 from jax import Array
 
 from asperity.arrays import namespace
+from asperity.drive.mechanism import leading_sense
 from asperity.drive.planar.bearings import friction_moments, friction_power
 from asperity.drive.planar.layout import CARRIER, PlanarDrive, speeds
 from asperity.drive.planar.state import PlanarState, surface_speeds
@@ -120,6 +121,7 @@ def turning(
     first, second = places(drive)
     carrier = state.speed[drive.members.index(CARRIER)]
     one, two = surface_speeds(drive=drive, speed=state.speed)
+    backwards = jnp.where(jnp.asarray(joint.input_speed) < 0.0, -1.0, 1.0)
     unit = RollingSpeeds(
         driving=one,
         driven=two,
@@ -135,10 +137,10 @@ def turning(
         creep=creep,
         state=state,
         unit_speeds=unit,
-        input_speed=joint.input_speed,
+        input_speed=jnp.abs(jnp.asarray(joint.input_speed)),
         creepage_in_series=jnp.zeros_like(state.speed_loss),  # no path of a general drive is a single series
         bearing_power=_bearing_power(joint, state),
-        output_torque=jnp.asarray(joint.output_torque),
+        output_torque=backwards * jnp.asarray(joint.output_torque),
     )
 
 
@@ -146,7 +148,11 @@ def _bearing_power(joint: PlanarJoint, state: PlanarState) -> Array:
     """Power lost in bearings and pins at the joint's speed [W]."""
     if joint.bearings is None:
         return jnp.zeros_like(state.speed_loss)
+    sense = leading_sense(rotation=joint.input_speed, output_torque=joint.output_torque)
     moments = friction_moments(
-        drive=joint.drive, bearings=joint.bearings, pin_force=state.pin_force, ideal=speeds(joint.drive)
+        drive=joint.drive,
+        bearings=joint.bearings,
+        pin_force=state.pin_force,
+        ideal=sense * speeds(joint.drive),
     )
     return friction_power(drive=joint.drive, moments=moments, speed=state.speed * joint.input_speed)

@@ -34,7 +34,7 @@ def working_planar_loads(joint: PlanarJoint, result: PlanarResult) -> PlanarLoad
     ----------
     Equations (M1) and (M3) of :doc:`/equations`.
     """
-    turns = jnp.asarray(joint.input_speed) > 0.0
+    turns = jnp.asarray(joint.input_speed) != 0.0
     moving, standing = result.rolling, result.forces
     load = drive_load(joint, [result.masses[k] for k in range(len(joint.shapes))], joint.output_torque)
     known = jnp.where(turns, jnp.isfinite(moving.residual), result.solved)
@@ -93,10 +93,10 @@ def member_speeds(joint: PlanarJoint, result: PlanarResult) -> Array:
     ----------
     Equation (M2) of :doc:`/equations`.
     """
-    creepage = driving_sense(joint.drive) * result.rolling.creepage
-    unit, _ = creeping_speeds(drive=joint.drive, creepage=creepage)
     speed = jnp.asarray(joint.input_speed)
-    return jnp.where(speed > 0.0, unit * speed, 0.0)
+    creepage = driving_sense(joint.drive) * jnp.sign(speed) * result.rolling.creepage
+    unit, _ = creeping_speeds(drive=joint.drive, creepage=creepage)
+    return jnp.where(speed != 0.0, unit * speed, 0.0)
 
 
 def pin_speeds(drive: PlanarDrive, speeds: Array) -> Array:

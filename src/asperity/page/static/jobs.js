@@ -154,11 +154,11 @@ export class JobList {
     const limits = found.limits
       .map((each, i) => ({ ...each, ...shown.limits[i] }))
       .filter((each) => !each.implied)
-      .map((each) => [each.label + (each.row ? `, ${plain(each.row)}` : ""), each.value, `${each.at_most ? "at most" : "at least"} ${each.limit}`, each.missed_by > 0 ? "✗ missed" : each.active ? "✓ reached" : "✓ kept"]);
+      .map((each) => [each.label + (each.row ? `, ${plain(each.row)}` : ""), each.value, `${each.at_most ? "at most" : "at least"} ${each.limit}`, !each.met ? "✗ missed" : each.active ? "✓ reached" : "✓ kept"]);
     const take = element("button", { type: "button" }, "Put this design on the page");
     take.addEventListener("click", () => this.takeOver({ name: item.state.name, toml: found.joint_text }));
     return [
-      element("p", { class: found.feasible ? "pass" : "fail" }, found.feasible ? "✓ all limits are met" : `✗ ${found.conflict}`),
+      element("p", { class: found.conflict ? "fail" : "pass" }, !found.conflict ? "✓ all limits are met" : `✗ ${found.conflict}`),
       element("p", {}, `${shown.goal[0].toUpperCase()}${shown.goal.slice(1)}: ${shown.after}, before ${shown.before}.`),
       scrolled("Free numbers", ["number", "before", "design", "bound"], rows),
       ...(limits.length ? [scrolled("Limits", ["limit", "actual", "required", "result"], limits)] : []),

@@ -15,15 +15,16 @@ from asperity.joint_file.reader import parse_case
 from asperity.joint_file.si_tables import si_values
 from asperity.precision import require_double_precision
 from asperity.study.batch import derivatives_at
-from asperity.study.design.design_evaluation import DesignEvaluator, EvaluatedDesign
+from asperity.study.design.design_evaluation import FARTHEST, DesignEvaluator, EvaluatedDesign
 from asperity.study.design.design_problem import SUMMARY, DesignProblem
-from asperity.study.design.design_result import DesignResult, LimitReport, StartReport
+from asperity.study.design.design_result import OPTIMAL, DesignResult, LimitReport, StartReport
 from asperity.study.design.design_search import (
     ACTIVE,
     FEASIBLE,
     SearchProgress,
     local_optimum,
     optimality,
+    sampled_start,
     smallest_violation,
     starting_points,
     violation_rank,
@@ -98,6 +99,8 @@ def _nearest(evaluator: DesignEvaluator, ended: _Ended, count: SearchProgress) -
     """The design of the smallest violation; a better one where the way to the limits is found only now."""
     ends = sorted((each[0] for each in ended), key=lambda end: violation_rank(evaluator, end))
     ends = ends[: max(3, len(ends) // 2)]
+    if evaluator(ends[0]).violation >= FARTHEST:  # a limit without a value has no slope that leads to one
+        ends = [sampled_start(evaluator), *ends]
     count.expect(len(ends))
     tries = []
     for end in ends:
@@ -147,18 +150,15 @@ def _result(
     point, best = shortened_design(evaluator, best, fixed)
     found = evaluator(best)
     feasible = found.violation <= FEASIBLE
-    text = joint_file_text(
-        problem.case,
-        point,
-        comment=(
-            f"Designed by asperity from {Path(problem.joint_file).name}: {problem.goal}.\n"
-            + (
-                "All limits are met."
-                if feasible
-                else "NOT all limits are met: this is the smallest violation."
-            )
-        ),
+    starts = tuple(
+        StartReport(evaluator.point(end), _worst_objective(evaluator, each), each.violation, converged)
+        for end, each, converged in ended
     )
+    verdict = "All limits are met." if feasible else "NOT all limits are met: this is the smallest violation."
+    if feasible and residual >= OPTIMAL and not any(start.converged for start in starts):
+        verdict = "All limits are met, but no search converged: this is no optimum."
+    head = f"Designed by asperity from {Path(problem.joint_file).name}: {problem.goal}.\n{verdict}"
+    text = joint_file_text(problem.case, point, comment=head)
     _refuse_without_result(evaluator, found)
     status, before, _ = derivatives_at(evaluator.values, evaluator.scenarios.changes({}), evaluator.results)
     worst_before = goal.sign * goal.of(before)[:, evaluator.counted]
@@ -178,10 +178,7 @@ def _result(
         summary_after=_summary(evaluator, found.status, found.values),
         limits=tuple(_limits(evaluator, found, multipliers)),
         optimality_residual=residual,
-        starts=tuple(
-            StartReport(evaluator.point(end), _worst_objective(evaluator, each), each.violation, converged)
-            for end, each, converged in ended
-        ),
+        starts=starts,
         evaluations=evaluator.evaluations,
         joint_text=text,
         nominal=nominal_results(text, evaluator.results),
@@ -189,7 +186,7 @@ def _result(
 
 
 def _refuse_without_result(evaluator: DesignEvaluator, found: EvaluatedDesign) -> None:
-    """Refuse a design whose objective or limits have no value in a scenario that counts."""
+    """Refuse a design whose objective has no value in a scenario that counts, or whose contacts are all plastic."""
     status = found.status[evaluator.counted]
     if np.any(status == UNBALANCED):
         raise NoSolutionError(
@@ -203,6 +200,12 @@ def _refuse_without_result(evaluator: DesignEvaluator, found: EvaluatedDesign) -
         raise NoSolutionError(
             f"the nearest design found has no value of {', '.join(unknown)}: every spot of a contact is plastic, where "
             "the contact law has no stiffness; use a surface of larger fractal_dimension or smaller fractal_roughness"
+        )
+    goal = problem.objectives[0].name
+    if goal in unknown:
+        raise NoSolutionError(
+            f"the nearest design found has no value of {goal}: its joint slips, lifts off or is not carried; widen the "
+            "bounds, or lower the torque"
         )
 
 
@@ -253,7 +256,7 @@ def _limits(evaluator: DesignEvaluator, found: EvaluatedDesign, multipliers: np.
     reports = []
     tight = found.margins < ACTIVE - (found.violation if found.violation > FEASIBLE else 0.0)
     tight |= found.margins + evaluator.existence_slack < ACTIVE
-    for constraint in evaluator.problem.constraints:
+    for constraint, (_, nearest) in zip(evaluator.problem.constraints, evaluator.nearest, strict=True):
         mine = [index for index, row in enumerate(evaluator.rows) if row.constraint is constraint]
         worst = min(mine, key=lambda index: found.margins[index])
         row = evaluator.rows[worst]
@@ -272,6 +275,7 @@ def _limits(evaluator: DesignEvaluator, found: EvaluatedDesign, multipliers: np.
                 multiplier=float(sum(multipliers[index] for index in mine)),
                 implied=constraint.implied,
                 output_torque=float(evaluator.scenarios.torques[row.scenario]),
+                nearest=nearest,
             )
         )
     return reports

@@ -7,6 +7,7 @@ stiffness in N·m/rad and a slip ratio; for other results it is the difference o
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 
 import numpy as np
@@ -108,6 +109,8 @@ class DesignEvaluator:
         #: that have nothing to do with it.
         self.existence_slack = np.array([self._existence_slack(row.constraint) for row in self.rows])
         self.evaluations = 0
+        #: Of each constraint the best margin of all designs that had a value, and the value [SI]; nan before the first.
+        self.nearest = [(-math.inf, math.nan) for _ in problem.constraints]
         self._last: tuple[bytes, EvaluatedDesign] | None = None
 
     def point(self, scaled: np.ndarray) -> dict[str, float]:
@@ -166,11 +169,17 @@ class DesignEvaluator:
         return self._largest_radius if RESULTS[constraint.name].axis == "clearance" else 1.0
 
     def _margins(self, constraint: Constraint, value: np.ndarray) -> np.ndarray:
+        """Margins of a limit; a value that does not exist (nan) misses an upper limit and a lower one."""
         sign = -1.0 if constraint.at_most else 1.0
         if RESULTS[constraint.name].positive:
-            return sign * _log_ratio(value, constraint.limit)
+            return np.where(np.isnan(value), -FARTHEST, sign * _log_ratio(value, constraint.limit))
         apart = (value - constraint.limit) / self._size(constraint)
         return np.where(np.isfinite(apart), sign * apart, -1.0)
+
+    def _keep_nearest(self, constraint: Constraint, value: np.ndarray, margin: np.ndarray) -> None:
+        index, worst = self.problem.constraints.index(constraint), int(np.argmin(margin))
+        if not np.isnan(value).any() and margin.flat[worst] > self.nearest[index][0]:
+            self.nearest[index] = (float(margin.flat[worst]), float(value.flat[worst]))
 
     def _margin_weights(self, constraint: Constraint, value: np.ndarray) -> np.ndarray:
         """Derivative of the margin by the value."""
@@ -223,6 +232,7 @@ class DesignEvaluator:
             rows = np.ix_(np.array(constraint.rows), self.counted)
             value, slope = found[constraint.name][rows], _finite(slopes[constraint.name][rows]) * steps
             margins.append(self._margins(constraint, value).reshape(-1))
+            self._keep_nearest(constraint, value, margins[-1])
             weight = self._margin_weights(constraint, value)
             margin_slopes.append((weight[..., None] * slope).reshape(-1, len(self.paths)))
         design = EvaluatedDesign(
@@ -287,10 +297,10 @@ def exists(objectives: np.ndarray) -> np.ndarray:
 
 
 def _log_ratio(value: np.ndarray, limit: float) -> np.ndarray:
-    """ln(value/limit) within ± :data:`FARTHEST`; nan counts as infinitely far above."""
+    """ln(value/limit) within ± :data:`FARTHEST`."""
     with np.errstate(divide="ignore", invalid="ignore"):
         ratio = np.log(np.asarray(value) / limit)
-    return np.clip(np.where(np.isnan(ratio), np.inf, ratio), -FARTHEST, FARTHEST)
+    return np.clip(ratio, -FARTHEST, FARTHEST)
 
 
 def _finite(slope: np.ndarray) -> np.ndarray:

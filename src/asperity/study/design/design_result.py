@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -9,6 +10,9 @@ import numpy as np
 from asperity.joint.results import RESULTS
 from asperity.study.design.design_problem import DesignProblem
 from asperity.units import format_quantity
+
+#: Largest optimality residual of a local optimum.
+OPTIMAL = 1e-3
 
 
 @dataclass(frozen=True)
@@ -24,7 +28,8 @@ class LimitReport:
     limit, value : float
         The limit and the value closest to it [SI].
     missed_by : float
-        By how much the value misses the limit, as a share of the limit [-]; 0 where it is kept.
+        By how much the value misses the limit, as a share of the limit [-]; 0 where it is kept, nan where the design
+        has no value.
     active : bool
         Whether the limit restricts the design.
     multiplier : float
@@ -34,6 +39,9 @@ class LimitReport:
         Whether it holds for every design, without being stated.
     output_torque : float
         Torque of the worst scenario [N·m].
+    nearest : float
+        The value closest to the limit, or furthest inside it, of all designs that the search looked at [SI]; nan where
+        none had a value.
     """
 
     name: str
@@ -47,6 +55,19 @@ class LimitReport:
     multiplier: float
     implied: bool
     output_torque: float
+    nearest: float = math.nan
+
+    @property
+    def met(self) -> bool:
+        """Whether the limit is kept; what has no value keeps none."""
+        return self.missed_by == 0.0
+
+    @property
+    def state(self) -> str:
+        """How the design stands to the limit, for a cell of a table; empty where the limit is far."""
+        if math.isnan(self.missed_by):
+            return "no value: not met"
+        return f"{100.0 * self.missed_by:.3g} % off" if not self.met else "active" * self.active
 
     @property
     def text(self) -> str:
@@ -54,12 +75,19 @@ class LimitReport:
         result = RESULTS[self.name]
         where = f" at {self.row.replace('_', ' ')}" if self.row else ""
         sense = "at most" if self.at_most else "at least"
-        missed = f", {100.0 * self.missed_by:.3g} % off" if self.missed_by > 0.0 else ""
-        return (
-            f"{self.label}{where} {sense} {format_quantity(self.limit, result.display_unit)} "
-            f"(reached {format_quantity(self.value, result.display_unit)}{missed}, "
-            f"at {format_quantity(self.output_torque, 'N*m')})"
-        )
+        unit, at = result.display_unit, f"at {format_quantity(self.output_torque, 'N*m')}"
+        if math.isnan(self.missed_by):
+            nearest = format_quantity(self.nearest, unit)
+            reached = (
+                "none of any design"
+                if math.isnan(self.nearest)
+                else f"the nearest of any design was {nearest}"
+            )
+            reached = f"no value there, {reached}"
+        else:
+            missed = "" if self.met else f", {100.0 * self.missed_by:.3g} % off"
+            reached = f"reached {format_quantity(self.value, unit)}{missed}"
+        return f"{self.label}{where} {sense} {format_quantity(self.limit, unit)} ({reached}, {at})"
 
 
 @dataclass(frozen=True)
@@ -126,8 +154,36 @@ class DesignResult:
 
     @property
     def violation(self) -> float:
-        """Largest share by which a limit is missed [-]; 0 for a feasible design."""
-        return 0.0 if self.feasible else max(limit.missed_by for limit in self.limits)
+        """Largest share by which a limit is missed [-]; 0 for a feasible design, nan where a result has no value."""
+        return 0.0 if self.feasible else float(np.max([limit.missed_by for limit in self.limits]))
+
+    @property
+    def converged(self) -> bool:
+        """Whether a search ended in a local optimum, or the design is one."""
+        return self.optimality_residual < OPTIMAL or any(start.converged for start in self.starts)
+
+
+def shortcoming(result: DesignResult) -> str:
+    """Why a design is not what was asked for.
+
+    Parameters
+    ----------
+    result : DesignResult
+        A design.
+
+    Returns
+    -------
+    str
+        The limits that conflict, or that no search converged; empty for an optimum that meets all limits.
+    """
+    if not result.feasible:
+        return conflict(result)
+    if not result.converged:
+        return (
+            f"no search converged, of {len(result.starts)}: the design meets all limits, but is no optimum (residual "
+            f"{result.optimality_residual:.2g}); take more starts in [search], or narrow the bounds"
+        )
+    return ""
 
 
 def conflict(result: DesignResult) -> str:
@@ -143,10 +199,12 @@ def conflict(result: DesignResult) -> str:
     str
         Which limits conflict, what is reached of each, and which variables lie on their bounds.
     """
-    parts = [limit.text for limit in result.limits if limit.active]
+    unknown = math.isnan(result.violation)
+    parts = [limit.text for limit in result.limits if limit.active or (unknown and not limit.met)]
     bounds = [f"{path} is at its {side} bound" for path, side in result.at_bound.items()]
     conflicting = "These limits conflict: " if len(parts) > 1 else ""
+    by = "has no value of a limit" if unknown else f"misses a limit by {100.0 * result.violation:.3g} %"
     return (
-        f"no design meets all limits; the best one misses a limit by {100.0 * result.violation:.3g} %. "
+        f"no design meets all limits; the best one {by}. "
         f"{conflicting}{'; '.join([*parts, *bounds])}. Relax one of these, or widen the bounds"
     )

@@ -9,15 +9,16 @@ import numpy as np
 from asperity.joint.results import RESULTS
 from asperity.joint_file.si_tables import si_values
 from asperity.study.design.design_evaluation import DesignEvaluator
+from asperity.study.design.design_result import OPTIMAL
 
 #: Margin below zero (logarithm of the ratio to the limit) that still counts as met: the tolerance of the search.
 FEASIBLE = 1e-7
 
+#: Designs among which a start is looked for where the searches find no value of a limit.
+_SAMPLED = 64
+
 #: A limit with a smaller margin than this is active.
 ACTIVE = 1e-5
-
-#: Largest optimality residual of a local optimum.
-OPTIMAL = 1e-3
 
 
 class SearchProgress:
@@ -73,6 +74,31 @@ def starting_points(evaluator: DesignEvaluator) -> list[np.ndarray]:
     while len(found) < problem.starts:
         found.extend(sampler.random(max(problem.starts - 1, 1)))
     return found[: problem.starts]
+
+
+def sampled_start(evaluator: DesignEvaluator) -> np.ndarray:
+    """The nearest of many designs within the bounds: one that has values where the starts have none.
+
+    Parameters
+    ----------
+    evaluator : DesignEvaluator
+        The problem.
+
+    Returns
+    -------
+    ndarray
+        Scaled variables, shape (n,).
+    """
+    from scipy.stats import qmc
+
+    sampler = qmc.LatinHypercube(
+        d=len(evaluator.variables), rng=np.random.default_rng(evaluator.problem.seed)
+    )
+    points: np.ndarray = sampler.random(_SAMPLED)
+    margins = evaluator.many(points)[1]
+    order = np.lexsort((-margins.min(axis=1), ~evaluator.existing(margins)))
+    nearest: np.ndarray = points[order[0]]
+    return nearest
 
 
 def local_optimum(

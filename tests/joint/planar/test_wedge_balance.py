@@ -1,0 +1,102 @@
+"""The paper's drive, listed as bodies and contacts, satisfies the paper's equations (1) to (5) and their closure."""
+
+import dataclasses
+
+import jax
+import numpy as np
+import pytest
+
+from asperity.compilation import compile_fast
+from asperity.drive.branch import branch_forces, carrier_residual
+from asperity.drive.force_balance import closure_misfit, loaded_branch
+from asperity.drive.mechanism import Bearings
+from asperity.joint.evaluation import mechanism
+from asperity.joint.planar.evaluation import evaluate_planar
+from asperity.joint_file.build import joint_from_case
+
+pytestmark = pytest.mark.slow
+
+
+BEARINGS = Bearings(
+    sun_torque=0.004,
+    loading_roller_torque=0.003,
+    carrier_torque=0.02,
+    pin_friction_coefficient=0.05,
+    pin_diameter=4e-3,
+)
+
+
+def solved(joint):
+    numbers = jax.tree.map(lambda leaf: np.asarray(leaf, dtype=float), joint)
+    return jax.tree.map(np.asarray, compile_fast(evaluate_planar, numbers)(numbers))
+
+
+def balanced(joint, normal, tangential):
+    """Forces by the published equations from two sums of a state and its split, and what they leave over [N]."""
+    branch = loaded_branch(mechanism=mechanism(joint), output_torque=joint.output_torque)
+    force = branch_forces(branch, normal[1] + normal[2], tangential[0], tangential[1])
+    return force, float(closure_misfit(branch, force)), float(carrier_residual(branch, force))
+
+
+@pytest.mark.parametrize("springs", ["bulk", "bulk_and_asperities"])
+def test_forces_close_as_in_the_paper(case, as_planar, springs):
+    """With exact bodies in the assembly: those of the closure are springs, around the same forces at rest."""
+    joint = dataclasses.replace(joint_from_case(case), closure_springs=springs)
+    found = solved(as_planar(joint))
+    assert bool(found.solved)
+    np.testing.assert_allclose(found.rest.normal[0], 1000.0, rtol=1e-12)
+    for state in (found.forces, found.rolling):
+        force, misfit, moment = balanced(joint, state.normal, state.tangential)
+        np.testing.assert_allclose(state.normal, np.ravel(force.normal), rtol=1e-12)
+        np.testing.assert_allclose(state.tangential, np.ravel(force.tangential), rtol=1e-12)
+        assert abs(misfit) < 1e-8
+        assert abs(moment) < 1e-10
+
+
+@pytest.mark.parametrize(("torque", "speed"), [(5.0, 628.0), (-4.0, 628.0), (4.0, -300.0), (-3.0, 0.0)])
+def test_bearings_brake_the_drive_that_stands(case, as_planar, torque, speed):
+    """Constant friction, and that of pins in proportion to their force, against either sense of rotation."""
+    joint = dataclasses.replace(
+        joint_from_case(case), bearings=BEARINGS, output_torque=torque, sun_speed=speed
+    )
+    listed = dataclasses.replace(as_planar(joint), bearings=BEARINGS, carrier_balance="printed")
+    found = solved(listed)
+    assert bool(found.solved)
+    forces = found.forces
+    for state in (forces, found.rolling):
+        force, misfit, moment = balanced(joint, state.normal, state.tangential)
+        np.testing.assert_allclose(state.normal, np.ravel(force.normal), rtol=1e-11)
+        np.testing.assert_allclose(state.tangential, np.ravel(force.tangential), rtol=1e-11)
+        assert abs(misfit) < 1e-8
+        assert abs(moment) < 1e-9
+    sense = -1.0 if speed < 0.0 or (speed == 0.0 and torque < 0.0) else 1.0
+    entered = 3 * 4e-3 * forces.tangential[0] + 2.0 * sense * 0.004  # equation (1)
+    assert float(forces.input_torque) == pytest.approx(float(entered), rel=1e-12)
+
+
+@pytest.mark.parametrize("torque", [5.0, -5.0])
+def test_a_drive_that_turns_backwards_mirrors_its_speeds(case, as_planar, torque):
+    """Under the same torque: a torque that resists one sense drives the other."""
+    listed = dataclasses.replace(as_planar(joint_from_case(case)), output_torque=torque, input_speed=300.0)
+    one, other = (solved(dataclasses.replace(listed, input_speed=speed)).rolling for speed in (300.0, -300.0))
+    assert float(other.speed_loss) == pytest.approx(-float(one.speed_loss), rel=3e-3)  # creep shifts speeds
+    np.testing.assert_allclose(other.tangential, one.tangential, rtol=1e-3)
+    # what one puts in the other gets out, but for the losses of both
+    assert float(np.sum(other.power.creep)) == pytest.approx(float(np.sum(one.power.creep)), rel=1e-2)
+    one_in, other_in = (float(each.power.input - each.power.output) for each in (one, other))
+    assert other_in == pytest.approx(one_in, rel=1e-2)
+    assert one_in > 0.0
+
+
+def test_an_interference_makes_the_preload_that_makes_it(case, as_planar):
+    joint = dataclasses.replace(as_planar(joint_from_case(case)), output_torque=3.0)
+    stated = solved(joint)
+    fitted = solved(dataclasses.replace(joint, preload=None, interference=float(stated.interference)))
+    np.testing.assert_allclose(fitted.rest.normal, stated.rest.normal, rtol=1e-9)
+    for state in ("forces", "rolling"):
+        np.testing.assert_allclose(
+            getattr(fitted, state).normal, getattr(stated, state).normal, rtol=1e-9, err_msg=state
+        )
+    assert float(fitted.assembly.stiffness.output) == pytest.approx(
+        float(stated.assembly.stiffness.output), rel=1e-9
+    )
