@@ -90,33 +90,6 @@ def leading_sense(*, rotation: Real, output_torque: Real) -> Array:
     return jnp.where(leading < 0.0, -1.0, 1.0)
 
 
-def opposed(*, bearings: Bearings, sense_of_rotation: Real) -> Bearings:
-    """Bearing friction with the sign that opposes a rotation, as equations (1)–(5) take it.
-
-    Parameters
-    ----------
-    bearings : Bearings
-        Friction torques and friction coefficient, all >= 0.
-    sense_of_rotation : Real
-        +1 for the sense in which a positive output torque is driven, −1 for the other [-].
-
-    Returns
-    -------
-    Bearings
-        The same friction, negative for the other sense.
-
-    References
-    ----------
-    Zou et al. 2025, equations (1)–(5), written for the positive sense: every friction torque changes its sign with
-    the rotation.
-    """
-    return Bearings(
-        sun_torque=sense_of_rotation * bearings.sun_torque,
-        loading_roller_torque=sense_of_rotation * bearings.loading_roller_torque,
-        carrier_torque=sense_of_rotation * bearings.carrier_torque,
-        pin_friction_coefficient=sense_of_rotation * bearings.pin_friction_coefficient,
-        pin_diameter=bearings.pin_diameter,
-    )
 
 
 class CrownedSprings(eqx.Module):

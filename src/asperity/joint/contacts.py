@@ -29,6 +29,7 @@ from asperity.joint.crowned_contacts import (
     rough_slices,
     whole_contact,
 )
+from asperity.joint.description import ClosureSprings
 from asperity.materials import Material
 from asperity.types import Real
 
@@ -311,4 +312,42 @@ def loaded_contacts(
         ),
         lines=lines,
         crown=crown,
+    )
+
+
+def closure_springs(*, contacts: JointContacts, rest_force: Array, model: ClosureSprings) -> NormalSprings:
+    """Normal springs of the elastic closure around the state at rest.
+
+    Parameters
+    ----------
+    contacts : JointContacts
+        The contacts.
+    rest_force : Array
+        Normal forces at rest, shape (contacts, ...) [N].
+    model : {"bulk", "bulk_and_asperities"}
+        Whether the asperities' normal compliance is added.
+
+    Returns
+    -------
+    NormalSprings
+        Compliances, shape (contacts, ...) [m/N]; infinite, and the balance without solution, where the asperities are
+        asked for and every spot is plastic at rest.
+    """
+    bulk = with_crowns(
+        bulk_springs(contacts=contacts, half_width=contacts.pairs.half_width(rest_force)),
+        contacts=contacts,
+        rest_force=rest_force,
+    )
+    if model == "bulk":
+        return bulk
+    asperities = (
+        1.0
+        / rough_joint_contacts(
+            contacts=contacts, normal_force=rest_force, tangential_force=jnp.zeros_like(rest_force)
+        ).normal_stiffness
+    )
+    return NormalSprings(
+        secant_compliance=bulk.secant_compliance + asperities,
+        incremental_compliance=bulk.incremental_compliance + asperities,
+        crowns=bulk.crowns,
     )
