@@ -256,7 +256,7 @@ def planar_result(joint: PlanarJoint, laws: ContactLaws, states: DriveStates) ->
         stiffness=loaded.rough.normal_stiffness,
     )
     inside = np.array([contact.internal for contact in drive.contacts])
-    ideal = speeds(drive)
+    ideal = drive.sense * speeds(drive)  # in the sense of the input
     diagnostics = diagnose(
         pairs=contacts.pairs,
         normal_force=standing.normal,
