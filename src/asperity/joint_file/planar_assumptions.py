@@ -59,6 +59,18 @@ def planar_assumptions(case: PlanarCase) -> tuple[str, ...]:
             "the rollers lie where all contacts just touch, as near as possible to the places of the file"
         )
         told.append("the tracks of a stepped roller lie in one plane, and are one spring for each contact")
+        told += [
+            f"contact {contact.name}: same_coefficient_as = '{contact.same_coefficient_as}': equal traction "
+            "coefficients in place of the slip of springs, while the drive stands; the first contact that slips then "
+            "ends it, and with springs one may slip earlier"
+            for contact in case.contact
+            if contact.same_coefficient_as is not None
+        ]
+        told += [
+            f"roller {roller.name}: pin_force = 'constant': a soft spring moves the pin and keeps its force"
+            for roller in case.roller
+            if roller.pin_force is not None
+        ]
     elif drive.ring_support is None:
         told.append("no drive.ring_support: a rigid housing holds the outer rim of the ring")
     if kind in _STEPPED:
