@@ -216,6 +216,9 @@ def force_balance(p):
         return np.array([math.sin(angle), math.cos(angle)])
 
     to_right, to_left, out_right, out_left = (direction(angle) for angle in (th, -th, alpha, -alpha))
+    # a roller moves across the push of its pin: outward, and with a push angle also away from the planet
+    away_right, away_left = direction(alpha + math.pi / 2), direction(-alpha - math.pi / 2)
+    free_right, free_left = out_right + math.tan(g_r) * away_right, out_left + math.tan(g_l) * away_left
 
     def residual(x):
         N_sp, N_pwr, N_pwl, N_wro, N_wlo, T_sp, T_pwr, T_pwl, T_wro, T_wlo, F_cl, F_cr, S_in = x[:13] * force
@@ -240,7 +243,7 @@ def force_balance(p):
         if not elastic:
             return np.array([*equations, F_cr - pin0]) / force
         planet = x[13:15] * length
-        right, left = x[15] * length * out_right, x[16] * length * out_left  # rollers move radially only
+        right, left = x[15] * length * free_right, x[16] * length * free_left
         approach = np.array(
             [
                 -planet[1],

@@ -189,9 +189,14 @@ def test_global_balances_and_the_closures_themselves(forces_of, closure):
     rest |= {"pwr": rest["pw"], "pwl": rest["pw"]}
     approach = {c: compression(c, f[f"N_{c}"], x) - compression(c, rest[c], x) for c in COMPRESSED}
     for i in range(0, SIZE, 16):
-        sin, cos, cos_b = np.sin(theta[i]), np.cos(theta[i]), np.cos(beta[i])
+        sin, cos = np.sin(theta[i]), np.cos(theta[i])
+        # a roller moves across the push of its pin: by 1 outward and by the tangent of the push angle away
+        right, left = (
+            np.cos(beta[i]) + np.sin(beta[i]) * np.tan(x[f"{side}_push_angle"][i])
+            for side in ("right", "left")
+        )
         follows = np.array(  # of planet x, planet y, right roller out, left roller out
-            [[0, -1, 0, 0], [sin, cos, -cos_b, 0], [-sin, cos, 0, -cos_b], [0, 0, 1, 0], [0, 0, 0, 1]]
+            [[0, -1, 0, 0], [sin, cos, -right, 0], [-sin, cos, 0, -left], [0, 0, 1, 0], [0, 0, 0, 1]]
         )
         five = np.array([approach[c][i] for c in COMPRESSED])
         moved, *_ = np.linalg.lstsq(follows, five, rcond=None)

@@ -9,6 +9,7 @@ import pytest
 from asperity.drive.planar.existence import refuse_impossible
 from asperity.drive.planar.layout import gaps, speed_ratio
 from asperity.errors import InputError
+from asperity.joint_file.planar_assumptions import planar_assumptions
 from asperity.joint_file.planar_build import planar_joint_from_case
 from asperity.joint_file.reader import parse_case
 
@@ -54,6 +55,21 @@ def read(*replaced):
             'place = "free" ',
             'push_angle = "1 deg"\nplace = "free" ',
             "roller planet: push_angle is for rollers on a pin",
+        ),
+        (
+            'name = "pwl"',
+            'name = "pwl"\nsame_coefficient_as = "pwL"',
+            "contact pwl: same_coefficient_as: there is no other contact 'pwL'; did you mean 'pwr'?",
+        ),
+        (
+            'name = "wlo"',
+            'name = "wlo"\nsame_coefficient_as = "wlo"',
+            "contact wlo: same_coefficient_as: there is no other contact 'wlo'",
+        ),
+        (
+            'place = "free" ',
+            'pin_force = "constant"\nplace = "free" ',
+            "roller planet: pin_force is for rollers on a pin",
         ),
         (
             'first_radius = "13.5 mm"\nsecond_radius = "5 mm"\n\n[[contact]]\nname = "pwl"',
@@ -110,3 +126,18 @@ def test_a_roller_without_an_angle_lies_above_the_axis_and_rings_have_the_interf
     joint = planar_joint_from_case(read(('angle = "90 deg"\n', "")))
     np.testing.assert_allclose(joint.drive.centres[1], [0.0, 17.5e-3], atol=1e-12)
     assert joint.pattern == (0.0, 0.0, 0.0, 1.0, 1.0)
+
+
+def test_what_published_closures_assume():
+    """Of the paper's drive: one coefficient for both contacts of a planet with its rollers, a spring at one pin."""
+    case = read(
+        ('name = "pwl"', 'name = "pwl"\nsame_coefficient_as = "pwr"'),
+        ('name = "right"', 'name = "right"\npin_force = "constant"'),
+    )
+    closure = planar_joint_from_case(case).drive.closure
+    assert closure.equal_coefficients == (("pwr", "pwl"),)
+    assert closure.constant_pins == ("right",)
+    assert planar_joint_from_case(read()).drive.closure == type(closure)()
+    told = " ".join(planar_assumptions(case))
+    assert "contact pwl: same_coefficient_as = 'pwr'" in told
+    assert "roller right: pin_force = 'constant'" in told

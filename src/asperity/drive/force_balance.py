@@ -74,13 +74,20 @@ def _each(springs: NormalSprings) -> list[NormalSprings]:
 def _misfit(branch: Branch, approaches: Sequence[Real]) -> Real:
     r"""Incompatibility of the five contact approaches, as a force [N]; increases with each of them.
 
-    The planet is displaced by (x, y) and the rollers radially by r_r and r_l. The approaches are
-    delta_sp = −y, delta_pwr = x sin th + y cos th − r_r cos b, delta_pwl = −x sin th + y cos th − r_l cos b,
-    delta_wro = r_r, delta_wlo = r_l. Eliminating the four displacements leaves one condition:
-    2 cos th delta_sp + delta_pwr + delta_pwl + cos b (delta_wro + delta_wlo) = 0.
+    The planet is displaced by (x, y) and each roller across the push of its pin, by r outward and by r tan g away from
+    the planet's line of centres. The approaches are delta_sp = −y, delta_pwr = x sin th + y cos th − r_r (cos b + sin b
+    tan g_r), delta_pwl = −x sin th + y cos th − r_l (cos b + sin b tan g_l), delta_wro = r_r, delta_wlo = r_l.
+    Eliminating the four displacements leaves one condition, whose factors are the forces at rest:
+    2 cos th delta_sp + delta_pwr + delta_pwl + (cos b + sin b tan g_r) delta_wro + (cos b + sin b tan g_l) delta_wlo
+    = 0.
     """
     sp, pwr, pwl, wro, wlo = approaches
-    misfit = 2.0 * branch.sides.cos_direction * sp + pwr + pwl + branch.sides.cos_wedge * (wro + wlo)
+    side, geometry = branch.sides, branch.mechanism.geometry
+    right, left = (
+        side.cos_wedge + side.sin_wedge * jnp.tan(angle)
+        for angle in (geometry.right_push_angle, geometry.left_push_angle)
+    )
+    misfit = 2.0 * side.cos_direction * sp + pwr + pwl + right * wro + left * wlo
     return misfit * (1.0 / branch.mechanism.springs.incremental_compliance[1])
 
 

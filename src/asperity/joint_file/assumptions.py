@@ -10,7 +10,7 @@ from asperity.joint_file.drawn_surface import depth_assumptions, surfaces_by_ave
 from asperity.joint_file.general_model import GeneralCase
 from asperity.joint_file.material_entries import MaterialEntry
 from asperity.joint_file.model import Lubrication
-from asperity.joint_file.part_names import material_key
+from asperity.joint_file.part_names import WEDGE_TYPE, material_key
 from asperity.joint_file.planar_build import planar_joint_from_case
 from asperity.joint_file.planar_model import PlanarCase, PlanarRolling
 from asperity.joint_file.quantity_key import Quantity
@@ -19,6 +19,10 @@ from asperity.joint_file.temperature_section import without_expansion
 from asperity.library import read_finishes
 from asperity.units import format_quantity
 
+_EQUAL_COEFFICIENTS = (
+    "while the drive stands; the first contact that slips then ends it. With springs the forces follow from the slip of "
+    "the contacts, and one of them may slip earlier, as windup and hysteresis show"
+)
 _STEPPED = {"multiroller": "the rollers of both rows", "stepped_planet": "the planets"}
 #: What is taken of crowned rollers in every drive.
 LOADING_CAM = (
@@ -69,8 +73,24 @@ def assumptions(case: PlanarCase) -> tuple[str, ...]:
             "the rollers lie where all contacts just touch, as near as possible to the places of the file"
         )
         told.append("the tracks of a stepped roller lie in one plane, and are one spring for each contact")
+        told += [
+            f"contact {contact.name}: same_coefficient_as = '{contact.same_coefficient_as}': equal traction "
+            f"coefficients in place of the slip of springs, {_EQUAL_COEFFICIENTS}"
+            for contact in case.contact
+            if contact.same_coefficient_as is not None
+        ]
+        told += [
+            f"roller {roller.name}: pin_force = 'constant': a soft spring moves the pin and keeps its force"
+            for roller in case.roller
+            if roller.pin_force is not None
+        ]
     elif drive.ring_support is None:
         told.append("no drive.ring_support: a rigid housing holds the outer rim of the ring")
+    if joint.type == WEDGE_TYPE and joint.drive.closure.equal_coefficients:
+        told.append(
+            "model.traction_split: equal traction coefficients at both loading rollers of a planet, as the paper's "
+            f"closure has it, {_EQUAL_COEFFICIENTS}"
+        )
     if kind in _STEPPED:
         told.append(
             f"the tracks of {_STEPPED[kind]} lie in one plane: arrange them symmetrically, or their bearings carry the "

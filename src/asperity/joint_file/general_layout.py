@@ -9,7 +9,7 @@ from typing import Any
 
 from asperity.arrays import namespace
 from asperity.drive.planar.closure import closed
-from asperity.drive.planar.layout import CARRIER, Body, Contact, PlanarDrive
+from asperity.drive.planar.layout import CARRIER, Body, Closure, Contact, PlanarDrive
 from asperity.joint.planar.body_shape import SOLID, BodyShape
 from asperity.joint_file.general_model import GeneralCase
 from asperity.joint_file.messages import nearest
@@ -43,6 +43,7 @@ def misdescribed(case: GeneralCase) -> Iterator[str]:
             if name not in rollers:
                 yield f"contact {contact.name}: {side}: there is no roller '{name}'{nearest(name, rollers)}"
     yield from _unlike_crowns(case)
+    yield from _misassumed(case)
     rings = {contact.second for contact in case.contact if contact.internal}
     touched = {name for contact in case.contact for name in (contact.first, contact.second)}
     for roller in case.roller:
@@ -74,6 +75,23 @@ def misdescribed(case: GeneralCase) -> Iterator[str]:
         yield "drive: input, output and grounded must be three different members"
     if case.drive.grounded != CARRIER and not any(roller.place == "pin" for roller in case.roller):
         yield "drive.grounded: no roller is on a pin, so that nothing turns the carrier; ground it, or use a pin"
+
+
+def _misassumed(case: GeneralCase) -> Iterator[str]:
+    """Assumptions in place of compatibility that cannot be made."""
+    names = [contact.name for contact in case.contact]
+    others = [contact.same_coefficient_as for contact in case.contact]
+    for contact, other in zip(case.contact, others, strict=True):
+        if other is None:
+            continue
+        key = f"contact {contact.name}: same_coefficient_as"
+        if other == contact.name or other not in names:
+            yield f"{key}: there is no other contact '{other}'{nearest(other, set(names) - {contact.name})}"
+        elif others[names.index(other)] is not None:
+            yield f"{key}: contact '{other}' has that of another contact itself; name the same one in both"
+    for roller in case.roller:
+        if roller.pin_force is not None and roller.place != "pin":
+            yield f"roller {roller.name}: pin_force is for rollers on a pin"
 
 
 def _unlike_crowns(case: GeneralCase) -> Iterator[str]:
@@ -130,6 +148,16 @@ def general_layout(values: Values) -> tuple[PlanarDrive, tuple[BodyShape, ...], 
         input=drive["input"],
         output=drive["output"],
         grounded=drive["grounded"],
+        closure=Closure(
+            equal_coefficients=tuple(
+                (each["same_coefficient_as"], each["name"])
+                for each in contacts
+                if "same_coefficient_as" in each
+            ),
+            constant_pins=tuple(
+                roller["name"] for roller in rollers if roller.get("pin_force") == "constant"
+            ),
+        ),
     )
     return (
         closed(made),

@@ -47,6 +47,8 @@ class RollerEntry(Section):
     """Direction of its centre, counter-clockwise; 90 deg if absent."""
     push_angle: PushAngle | None = None
     """Direction of the pin's push, outward from the clockwise tangent; 0 if absent."""
+    pin_force: Literal["constant"] | None = None
+    """The pin keeps its force without torque, because a soft spring moves it; fixed on the carrier if absent."""
     wall_thickness: Wall | None = None
     """Wall of a ring; every roller that is around another one needs it."""
     ring_support: RingSupport | None = None
@@ -77,6 +79,9 @@ class ContactEntry(Section):
     """Whether the first lies inside the second."""
     sector: Annotated[int, Field(strict=True, ge=-1, le=1)] = 0
     """Sector of the second roller, counted counter-clockwise from that of the first: 0, or -1 or 1 for a neighbour."""
+    same_coefficient_as: PartName | None = None
+    """A contact whose traction coefficient T/N it has while the drive stands, as published closures assume, instead of
+    the one that slip of its springs determines; springs if absent."""
 
 
 class SectorEntry(Section):

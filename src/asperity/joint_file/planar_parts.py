@@ -8,12 +8,14 @@ from typing import Any
 
 from asperity.drive.geometry import DriveGeometry
 from asperity.drive.planar.drives import (
+    EQUAL_COEFFICIENTS,
+    SPRING_LOADED_PINS,
     planetary_drive,
     stepped_planet_drive,
     two_row_multiroller,
     wedge_drive,
 )
-from asperity.drive.planar.layout import CARRIER, PlanarDrive
+from asperity.drive.planar.layout import CARRIER, Closure, PlanarDrive
 from asperity.joint.planar.body_shape import SOLID, BodyShape
 from asperity.joint_file.general_layout import general_layout, misdescribed
 from asperity.joint_file.general_model import GeneralCase
@@ -77,13 +79,17 @@ def _ring(wall: Any, support: str | None) -> BodyShape:
 
 
 def _wedge(values: Values) -> Layout:
-    drive = values["drive"]
+    drive, model = values["drive"], values["model"]
     made = wedge_drive(
         DriveGeometry(
             **{name: drive[name] for name in _WEDGE_SIZES},
             planet_count=drive["planets"],
         ),
         planet_count=drive["planets"],
+        closure=Closure(
+            equal_coefficients=EQUAL_COEFFICIENTS if model.get("traction_split") == "equal_coefficients" else (),
+            constant_pins=SPRING_LOADED_PINS if model["closure"] == "constant_pin_force" else (),
+        ),
     )
     planet, roller = (_roller(drive.get(f"{name}_bore_diameter")) for name in ("planet", "loading_roller"))
     ring = _ring(drive["ring_wall_thickness"], drive.get("ring_support"))

@@ -108,7 +108,11 @@ class WedgeModelChoice(PlanarModelChoice):
     """Which variants of the model to use."""
 
     closure: Literal["elastic", "constant_pin_force"]
-    """How the forces of the statically indeterminate branch are found."""
+    """What keeps the preload under torque: the interference of the parts, or a soft spring that keeps the force of the
+    right pin."""
+    traction_split: Literal["springs", "equal_coefficients"] = "springs"
+    """How both loading rollers of a planet share its torque while the drive stands: by the slip of their contacts, or
+    with equal traction coefficients, as the paper's closure assumes; springs if absent."""
     closure_springs: Literal["bulk", "bulk_and_asperities"]
     """Normal springs of the elastic closure: the bodies alone, or with their asperities."""
 

@@ -94,7 +94,10 @@ def test_followed_up_to_the_last_torque_that_holds(monkeypatch, capacity, sign, 
     monkeypatch.setattr(f"{module}.solved", balance)
     monkeypatch.setattr(f"{module}.state_of", state)
     rest = SimpleNamespace(
-        interference=jnp.array([1e-6, 2e-6]), displacement=jnp.zeros((1, 2)), slides=jnp.zeros(2, dtype=bool)
+        interference=jnp.array([1e-6, 2e-6]),
+        displacement=jnp.zeros((1, 2)),
+        slides=jnp.zeros(2, dtype=bool),
+        pin_force=jnp.zeros(1),
     )
     found, torque = followed(
         drive=None,

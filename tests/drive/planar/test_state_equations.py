@@ -16,6 +16,7 @@ from asperity.drive.planar.state_equations import (
     Unknowns,
     machine_of,
     no_displacement,
+    no_force,
 )
 from asperity.drive.planar.state_search import assembled_guess, solved, started_from, state_of
 from asperity.drive.rolling_state import CreepLaw
@@ -56,7 +57,7 @@ def state(machine):
         )
         drive = machine.drive
         load = DriveLoad(jnp.asarray(torque), force)
-        task = Task(kind, jnp.asarray(interference), load, no_displacement(drive))
+        task = Task(kind, jnp.asarray(interference), load, no_displacement(drive), no_force(drive))
         if kind == STANDING:  # slip counts from the assembled drive
             task = task._replace(origin=unknowns.displacement * LENGTH)
         return state_of(machine, task, unknowns, jnp.zeros(2))
@@ -158,7 +159,9 @@ def test_a_known_state_is_where_a_search_starts(machine, state, kind):
     turn = (planet + 0.25, carrier - 1.0 / 6.0) if kind == ROLLING else (0.0, 0.0)
     known = state(kind, tangential=TANGENTIAL if kind == ROLLING else 0.0, torque=TORQUE, turn=turn)
     again = started_from(machine, known, jnp.asarray((ONE + TWO) * NORMAL))
-    task = Task(kind, jnp.asarray((ONE + TWO) * NORMAL), DriveLoad(jnp.asarray(TORQUE)), jnp.zeros(2))
+    task = Task(
+        kind, jnp.asarray((ONE + TWO) * NORMAL), DriveLoad(jnp.asarray(TORQUE)), jnp.zeros(2), jnp.zeros(0)
+    )
     for one, two in zip(
         dataclasses.astuple(known),
         dataclasses.astuple(state_of(machine, task, again, jnp.zeros(2))),
@@ -170,7 +173,13 @@ def test_a_known_state_is_where_a_search_starts(machine, state, kind):
 @pytest.mark.parametrize(("by_force", "size"), [(True, 700.0), (False, (ONE + TWO) * 700.0)])
 def test_a_preload_or_an_interference_is_found_again(machine, by_force, size):
     """Both make 700 N at both contacts of the planet."""
-    task = Task(ASSEMBLED, jnp.asarray(size), DriveLoad(jnp.zeros(())), no_displacement(machine.drive))
+    task = Task(
+        ASSEMBLED,
+        jnp.asarray(size),
+        DriveLoad(jnp.zeros(())),
+        no_displacement(machine.drive),
+        no_force(machine.drive),
+    )
     found = state_of(machine, task, *solved(machine, task, assembled_guess(machine), by_force=by_force))
     np.testing.assert_allclose(found.normal, 700.0, rtol=1e-12)
     assert float(found.interference[1]) == pytest.approx((ONE + TWO) * 700.0, rel=1e-12)

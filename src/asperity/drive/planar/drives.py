@@ -8,11 +8,18 @@ import numpy as np
 
 from asperity.arrays import namespace
 from asperity.drive.geometry import DriveGeometry, triangle
-from asperity.drive.planar.layout import CARRIER, Body, Contact, PlanarDrive
+from asperity.drive.planar.layout import CARRIER, Body, Closure, Contact, PlanarDrive
 from asperity.types import Real
 
+#: What the paper assumes of its drive: both contacts of a planet with its loading rollers have one coefficient (A3).
+EQUAL_COEFFICIENTS = (("pwr", "pwl"),)
+#: The body whose pin force a soft preload spring between two carriers keeps.
+SPRING_LOADED_PINS = ("right_loading_roller",)
 
-def wedge_drive(geometry: DriveGeometry, *, planet_count: Real) -> PlanarDrive:
+
+def wedge_drive(
+    geometry: DriveGeometry, *, planet_count: Real, closure: Closure | None = None
+) -> PlanarDrive:
     """The planetary drive of Zou et al. 2025: two loading rollers in the wedges between each planet and the ring.
 
     Parameters
@@ -21,6 +28,8 @@ def wedge_drive(geometry: DriveGeometry, *, planet_count: Real) -> PlanarDrive:
         Radii and push angles.
     planet_count : Real
         Number of planets.
+    closure : Closure or None, optional
+        The paper's assumptions, :data:`EQUAL_COEFFICIENTS` and :data:`SPRING_LOADED_PINS`; None for neither.
 
     Returns
     -------
@@ -76,6 +85,7 @@ def wedge_drive(geometry: DriveGeometry, *, planet_count: Real) -> PlanarDrive:
         output=CARRIER,
         grounded="ring",
         sense=-1,  # as the paper has it; so that a positive torque loads the right roller
+        closure=Closure() if closure is None else closure,
     )
 
 

@@ -71,6 +71,23 @@ class Contact:
     tracks: tuple[str, str] = ("", "")
 
 
+@dataclasses.dataclass(frozen=True)
+class Closure:
+    """What is assumed of a loaded drive in place of its compatibility, as published closures do; nothing by default.
+
+    Parameters
+    ----------
+    equal_coefficients : tuple of tuple of str, optional
+        Pairs of contacts that have the same traction coefficient T/N while the drive stands, instead of the slip that
+        their springs determine (A3); the equation of the second one's slip gives way.
+    constant_pins : tuple of str, optional
+        Bodies whose pin forces stay those without torque, because a soft spring moves their pins.
+    """
+
+    equal_coefficients: tuple[tuple[str, str], ...] = ()
+    constant_pins: tuple[str, ...] = ()
+
+
 class Incidence(eqx.Module):
     r"""How displacements and rotations move the contacts; its transpose balances the forces.
 
@@ -119,6 +136,8 @@ class PlanarDrive(eqx.Module):
         Names of members: bodies on the axis, or :data:`CARRIER`.
     sense : int
         Sense of rotation of the input, +1 counter-clockwise, −1 clockwise.
+    closure : Closure, optional
+        What is assumed in place of compatibility; nothing by default.
     motion : tuple or None, optional
         What :func:`incidence`, :func:`speeds` and :func:`contact_angles` say; None where it is not known. It must not
         be taken over to a drive of another layout.
@@ -135,6 +154,7 @@ class PlanarDrive(eqx.Module):
     output: str = eqx.field(static=True)
     grounded: str = eqx.field(static=True)
     sense: int = eqx.field(static=True, default=1)
+    closure: Closure = eqx.field(static=True, default=Closure())
     motion: tuple[Incidence, Array, tuple[Array, Array]] | None = None
 
     @property

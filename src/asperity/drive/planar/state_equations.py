@@ -101,12 +101,15 @@ class Task(NamedTuple):
         Torque, forces on the bodies, pins.
     origin : Array
         Displacements of the assembled drive, from which slip is counted, shape (2 floating,) [m].
+    pin_at_rest : Array
+        Forces of the pins of the assembled drive, shape (pins,) [N].
     """
 
     kind: Any
     size: Array
     load: DriveLoad
     origin: Array
+    pin_at_rest: Array
 
 
 def machine_of(drive: PlanarDrive, laws: ContactLaws, pattern: Array, added: Array | None = None) -> Machine:
@@ -281,6 +284,11 @@ def no_displacement(drive: PlanarDrive) -> Array:
     return jnp.zeros(2 * len(drive.floating))
 
 
+def no_force(drive: PlanarDrive) -> Array:
+    """Forces of the pins of a drive that is not pressed, shape (pins,) [N]."""
+    return jnp.zeros(len(drive.pinned))
+
+
 class Misfits(NamedTuple):
     """Residuals of a state, each relative to its scale.
 
@@ -353,17 +361,47 @@ def state_misfits(machine: Machine, task: Task, by_force: bool, slides: Array, x
     if by_force:
         size = jnp.where(kind == ASSEMBLED, (normal[:1] - task.size) / largest, size)
     held = jnp.where(
-        kind == ROLLING, rolling / lever * 1e3, jnp.where(kind == STANDING, standing / length, x.tangential)
+        kind == ROLLING,
+        rolling / lever * 1e3,
+        jnp.where(kind == STANDING, _with_equal_coefficients(machine, x, standing / length), x.tangential),
     )
     equations = Unknowns(
         misfit / length,
         jnp.where(slides == 0.0, held, x.tangential - slides * x.normal),
-        (product(matrices.pins, moved) - task.load.pin_compliance * pin) / length,
+        _of_pins(machine, task, pin, moved),
         (force - forces_on(drive, task.load).ravel()) / largest,
         jnp.where(kind == ASSEMBLED, x.turn, moments),
         size,
     )
     return Misfits(equations, held)
+
+
+def numbers_of_pairs(drive: PlanarDrive) -> np.ndarray:
+    """Numbers of the contacts with equal traction coefficients, shape (pairs, 2)."""
+    names = [contact.name for contact in drive.contacts]
+    pairs = [[names.index(name) for name in pair] for pair in drive.closure.equal_coefficients]
+    return np.array(pairs, dtype=int).reshape(-1, 2)
+
+
+def _with_equal_coefficients(machine: Machine, x: Unknowns, slip: Array) -> Array:
+    """Misfits of the slip; of the second contact of each pair by how much T/N differs from that of the first."""
+    first, second = numbers_of_pairs(machine.drive).T
+    traction = machine.friction * x.tangential
+    differs = (traction[second] * x.normal[first] - traction[first] * x.normal[second]) / machine.friction[
+        second
+    ]
+    return slip.at[second].set(differs)
+
+
+def _of_pins(machine: Machine, task: Task, pin: Array, moved: Array) -> Array:
+    """Misfits of the pins: their springs, or their forces without torque where those stay."""
+    drive = machine.drive
+    springs = (product(machine.matrices.pins, moved) - task.load.pin_compliance * pin) / machine.length
+    kept = np.array(
+        [drive.bodies[body].name in drive.closure.constant_pins for body in drive.pinned], dtype=bool
+    )
+    loaded = jnp.asarray(task.kind) != ASSEMBLED
+    return jnp.where(loaded & kept, (pin - task.pin_at_rest) / machine.largest, springs)
 
 
 def moments_of(machine: Machine, task: Task, tangential: Array, pin: Array) -> Array:

@@ -6,6 +6,7 @@ from typing import NamedTuple
 
 import jax
 import jax.numpy as jnp
+import numpy as np
 from jax import Array
 
 from asperity.drive.planar.newton import known_root, newton
@@ -21,6 +22,7 @@ from asperity.drive.planar.state_equations import (
     contact_interference,
     moments_of,
     no_displacement,
+    numbers_of_pairs,
     speeds_and_turns,
     state_misfits,
     turning_members,
@@ -141,6 +143,7 @@ def solved(
     """
     fixed_machine, fixed_task, first = jax.lax.stop_gradient((machine, task, start))
     stands = jnp.asarray(task.kind) == STANDING
+    paired = np.isin(np.arange(first.normal.size), numbers_of_pairs(machine.drive))
 
     def unfinished(state: _Search) -> Array:
         return state.going
@@ -161,7 +164,7 @@ def solved(
             (tried, state.trial, found_there.held),
             (state.found, state.slides, state.held),
         )
-        trial = _next_slides(found, slides, held)
+        trial = _next_slides(found, slides, held, paired)
         going = balanced & stands & jnp.any(trial != slides) & (state.steps < 2 * slides.size)
         return _Search(found, slides, held, trial, going, state.steps + 1)
 
@@ -172,10 +175,13 @@ def solved(
     return found, end.slides
 
 
-def _next_slides(x: Unknowns, slides: Array, held: Array) -> Array:
-    """Contacts that slide in the next trial: one that has fallen back holds, or else one beyond its friction slides."""
+def _next_slides(x: Unknowns, slides: Array, held: Array, paired: np.ndarray) -> Array:
+    """Contacts that slide in the next trial: one that has fallen back holds, or else one beyond its friction slides.
+
+    Contacts of equal coefficients do not slide one by one.
+    """
     back = slides * held  # positive where the slip is less than that at which the contact begins to slide
-    over = jnp.where(slides == 0.0, jnp.abs(x.tangential) - x.normal, 0.0) / x.normal
+    over = jnp.where((slides == 0.0) & ~paired, jnp.abs(x.tangential) - x.normal, 0.0) / x.normal
     returns = jnp.max(back) > STATE_TOLERANCE
     place = jnp.where(returns, jnp.argmax(back), jnp.argmax(over))
     sign = jnp.where(returns, 0.0, jnp.sign(x.tangential[place]))

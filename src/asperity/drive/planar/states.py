@@ -37,6 +37,7 @@ from asperity.drive.planar.state_equations import (
     forces_on,
     machine_of,
     no_displacement,
+    no_force,
     state_misfits,
 )
 from asperity.drive.planar.state_search import assembled_guess, solved, started_from, state_of
@@ -105,7 +106,7 @@ def state_at_rest(
     given = jnp.asarray(preload if interference is None else interference, dtype=float)
     springs = DriveLoad(jnp.zeros(())) if load is None else load
     unloaded = dataclasses.replace(springs, output_torque=jnp.zeros(()), body_force=None)
-    task = Task(ASSEMBLED, given, unloaded, no_displacement(drive))
+    task = Task(ASSEMBLED, given, unloaded, no_displacement(drive), no_force(drive))
     if known is None:
         found = solved(machine, task, assembled_guess(machine), by_force=interference is None)
         return state_of(machine, task, *found)
@@ -148,7 +149,7 @@ def rolling_state(
     size = jnp.max(interference)
     machine = machine_of(drive, laws, interference / size)
     load = DriveLoad(jnp.asarray(output_torque))
-    task = Task(ROLLING, size, load, no_displacement(drive))
+    task = Task(ROLLING, size, load, no_displacement(drive), start.pin_force)
     return state_of(machine, task, *solved(machine, task, started_from(machine, start, size), by_force=False))
 
 
@@ -202,7 +203,11 @@ def drive_states(
     machine = machine_of(drive, laws, pattern)
     given = jnp.asarray(preload if interference is None else interference, dtype=float)
     start = _Carry(
-        assembled_guess(machine), jnp.zeros_like(laws.reference_force), given, no_displacement(drive)
+        assembled_guess(machine),
+        jnp.zeros_like(laws.reference_force),
+        given,
+        no_displacement(drive),
+        no_force(drive),
     )
     kinds = jnp.array([ASSEMBLED, STANDING, ROLLING])
     states = _states(machine, load, start, kinds, creep_of, by_force=interference is None)
@@ -330,7 +335,9 @@ def _loaded(
     laws, rest, load = closed_around(drive=drive, laws=laws, rest=rest, load=load)
     size = jax.lax.stop_gradient(jnp.max(rest.interference))  # a scale, as those of machine_of
     machine = machine_of(drive, laws, rest.interference / size)
-    start = _Carry(started_from(machine, rest, size), rest.slides, size, rest.displacement.ravel())
+    start = _Carry(
+        started_from(machine, rest, size), rest.slides, size, rest.displacement.ravel(), rest.pin_force
+    )
     return _states(machine, load, start, kinds, creep_of, by_force=False)
 
 
@@ -380,6 +387,7 @@ class _Carry(NamedTuple):
     slides: Array
     size: Array
     origin: Array
+    pin_at_rest: Array
 
 
 def _states(
@@ -404,7 +412,7 @@ def _states(
         if creep_of is not None:
             creep = creep_of(*contact_forces(machine, carry.unknowns))
             here = machine._replace(laws=dataclasses.replace(machine.laws, creep=creep))
-        task = Task(kind, jnp.where(assembled, given, carry.size), borne, carry.origin)
+        task = Task(kind, jnp.where(assembled, given, carry.size), borne, carry.origin, carry.pin_at_rest)
         begin = jnp.where(kind == STANDING, carry.slides, 0.0)
         found, slides = solved(here, task, carry.unknowns, slides=begin, by_force=by_force)
         state = state_of(here, task, found, slides)
@@ -413,6 +421,7 @@ def _states(
             slides,
             jnp.where(assembled, found.interference[0] * machine.length, carry.size),
             jnp.where(assembled, state.displacement.ravel(), carry.origin),
+            jnp.where(assembled, state.pin_force, carry.pin_at_rest),
         )
         return following, state
 

@@ -7,7 +7,7 @@ import dataclasses
 import jax.numpy as jnp
 from jax import Array
 
-from asperity.drive.planar.layout import Body, Contact, PlanarDrive, incidence, sector_rotation
+from asperity.drive.planar.layout import Body, Closure, Contact, PlanarDrive, incidence, sector_rotation
 
 
 def unfolded(drive: PlanarDrive, *, sectors: int, floating: tuple[str, ...] = ()) -> PlanarDrive:
@@ -71,6 +71,16 @@ def unfolded(drive: PlanarDrive, *, sectors: int, floating: tuple[str, ...] = ()
         second_radius=jnp.tile(drive.second_radius, sectors),
         push_angles=jnp.tile(drive.push_angles, sectors),
         sectors=1.0,
+        closure=Closure(
+            equal_coefficients=tuple(
+                (f"{first}_{sector + 1}", f"{second}_{sector + 1}")
+                for sector in range(sectors)
+                for first, second in drive.closure.equal_coefficients
+            ),
+            constant_pins=tuple(
+                named(body, sector) for sector in range(sectors) for body in drive.closure.constant_pins
+            ),
+        ),
         motion=None,
     )
 
