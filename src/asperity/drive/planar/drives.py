@@ -86,6 +86,7 @@ def wedge_drive(
         grounded="ring",
         sense=-1,  # as the paper has it; so that a positive torque loads the right roller
         closure=Closure() if closure is None else closure,
+        turning_alike=(("right_loading_roller", "left_loading_roller"),),
     )
 
 

@@ -138,6 +138,9 @@ class PlanarDrive(eqx.Module):
         Sense of rotation of the input, +1 counter-clockwise, −1 clockwise.
     closure : Closure, optional
         What is assumed in place of compatibility; nothing by default.
+    turning_alike : tuple of tuple of str, optional
+        Bodies that turn by one angle where springs act in series with the centres held, as equations (25) to (29) of
+        Zou et al. add both loading rollers of a planet; none by default.
     motion : tuple or None, optional
         What :func:`incidence`, :func:`speeds` and :func:`contact_angles` say; None where it is not known. It must not
         be taken over to a drive of another layout.
@@ -155,6 +158,7 @@ class PlanarDrive(eqx.Module):
     grounded: str = eqx.field(static=True)
     sense: int = eqx.field(static=True, default=1)
     closure: Closure = eqx.field(static=True, default=Closure())
+    turning_alike: tuple[tuple[str, ...], ...] = eqx.field(static=True, default=())
     motion: tuple[Incidence, Array, tuple[Array, Array]] | None = None
 
     @property

@@ -115,6 +115,8 @@ def planar_stiffness(
     length = jnp.max(drive.second_radius)
     kinematic = jnp.concatenate(turns)[:, turns_at] / length
     static = jnp.concatenate(balances)[:, turns_at] * copies[turns_at] / length
+    tied = np.eye(len(turning)) if floats else _tied(drive, turning)
+    kinematic, static = product(tied.T, kinematic), product(tied.T, static)
     if floats:
         moved = jnp.concatenate(moves)
         kinematic, static = (jnp.concatenate([moved, part], axis=1) for part in (kinematic, static))
@@ -135,7 +137,7 @@ def planar_stiffness(
     if floats and support_stiffness is not None:
         bearings = bearings.at[: 2 * support_stiffness.size].set(jnp.repeat(support_stiffness, 2) * scale)
     system = jnp.block([[laws, -moved_by], [static.T, jnp.diag(bearings)]])
-    place = unknown - len(turning) + turning.index(out)
+    place = unknown - tied.shape[1] + int(np.argmax(tied[turning.index(out)]))
     load = -jnp.eye(system.shape[0])[stiff.shape[0] + place] / length
     found = solve(system, load)
     force = found[: stiff.shape[0]]
@@ -149,6 +151,14 @@ def planar_stiffness(
         pin_share=jnp.sum(shares[2 * count :]) if floats else jnp.zeros(()),
         tangential_force=force[count : 2 * count] if floats else force[:count],
     )
+
+
+def _tied(drive: PlanarDrive, turning: list[int]) -> np.ndarray:
+    """Angles of the turning members over the free ones, of which bodies that turn alike have one, shape (turning, free)."""
+    names = [drive.members[i] for i in turning]
+    leaders = {name: group[0] for group in drive.turning_alike for name in group}
+    free = [name for name in names if leaders.get(name, name) == name]
+    return np.array([[float(leaders.get(name, name) == other) for other in free] for name in names])
 
 
 def with_shafts(
