@@ -14,7 +14,7 @@ from asperity.errors import printable
 from asperity.joint.description import Joint
 from asperity.joint.either_kind import AnyJoint
 from asperity.joint.planar.evaluation import PlanarForces
-from asperity.show.dimension_lines import dimension
+from asperity.show.dimension_lines import dimension, made_bore
 from asperity.show.drive_view import drive_view, gaps, ring_as_drawn
 from asperity.show.free_bodies import free_bodies
 from asperity.show.sheet import (
@@ -53,7 +53,7 @@ def drive_sheet(
     forces : DriveForces, optional
         Its forces, to be drawn too.
     interference : float or None, optional
-        With which it is made [m]; None where it is not known, and then not on the sheet.
+        With which it is made [m]; None where it is not known, as the sheet then says.
 
     Returns
     -------
@@ -98,7 +98,8 @@ def drive_sheet(
             height - MARGIN - 8.0,
             [f"{each}: {words}" for each, words in CONTACT_LABELS.items()],
         )
-    items += drive_view(joint, scale=scale, labels_from=(column - middle[0]) / scale, labels_above=above)
+    left = (column - middle[0]) / scale
+    items += drive_view(joint, scale=scale, labels_from=left, labels_above=above, interference=interference)
     items += title_block(on_paper, column, width, name, scale)
     items.append(frame(on_paper, width, height))
     return Sheet(width, height, scale, middle, tuple(items))
@@ -200,13 +201,13 @@ def _sizes(joint: Joint, interference: float | None) -> list[str]:
     """What the view itself does not say."""
     found, ring = angles(triangle(joint.geometry)), ring_as_drawn(joint)
     degrees = {name: f"{math.degrees(float(getattr(found, name))):.3f}°" for name in ("polar", "wedge")}
-    wall = f"ring: inside ⌀{dimension(2.0 * ring.inner)}, wall {dimension(ring.outer - ring.inner)}, "
-    wall += f"outside ⌀{dimension(2.0 * ring.outer)}"
+    wall = f"ring: made bore {made_bore(ring.inner, interference)},"
     lines = [
         f"{round(float(joint.geometry.planet_count))} planets, two loading rollers each",
         wall,
+        f"   outside ⌀{dimension(2.0 * ring.outer)}",
         *(["the wall is broken off at the wavy line"] if ring.broken else []),
-        *([] if interference is None else _interference(joint, interference)),
+        *_interference(joint, ring.inner, interference),
         f"contact length {_contact_lengths(joint)}",
         f"length of planets {dimension(1e3 * float(joint.planet_length))}, "
         f"of loading rollers {dimension(1e3 * float(joint.loading_roller_length))}",
@@ -218,10 +219,16 @@ def _sizes(joint: Joint, interference: float | None) -> list[str]:
     return lines
 
 
-def _interference(joint: Joint, interference: float) -> list[str]:
-    cold = "" if joint.fit is None else f"at {format_quantity(float(joint.fit.assembly_temperature), '°C')}, "
+def _interference(joint: Joint, radius: float, interference: float | None) -> list[str]:
+    """By how much the bore is less than the diameter at which all just touch, and at which temperature."""
+    if interference is None:
+        return ["interference on the radius not known"]
+    cold = "" if joint.fit is None else f" at {format_quantity(float(joint.fit.assembly_temperature), '°C')}"
     size = format_quantity(interference, "µm")
-    return [f"interference {size} on the radius,", f"   {cold}not in the ⌀ of the ring"]
+    return [
+        f"interference {size} on the radius{cold}",
+        f"   (all just touch in ⌀{dimension(2.0 * radius)})",
+    ]
 
 
 def _clearances(joint: Joint) -> list[str]:

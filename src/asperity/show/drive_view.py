@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 from asperity.drive.geometry import clearances
 from asperity.joint.description import Joint
-from asperity.show.dimension_lines import dimension, leader, widths_below
+from asperity.show.dimension_lines import dimension, leader, made_bore, widths_below
 from asperity.show.drive_drawing import Roller, rollers
 from asperity.show.sheet import Circle, Item, Line, Point
 
@@ -114,7 +114,12 @@ def gaps(joint: Joint) -> list[Gap]:
 
 
 def drive_view(
-    joint: Joint, *, scale: float, labels_from: float, labels_above: float = -math.inf
+    joint: Joint,
+    *,
+    scale: float,
+    labels_from: float,
+    labels_above: float = -math.inf,
+    interference: float | None = None,
 ) -> list[Item]:
     """Outlines, axes, diameters and clearances of a drive.
 
@@ -128,6 +133,8 @@ def drive_view(
         Where the texts of the diameters begin, right of the sun [mm].
     labels_above : float, optional
         Above which they stand, over the sun [mm].
+    interference : float or None, optional
+        With which the ring is made [m]; None where it is not known.
 
     Returns
     -------
@@ -147,7 +154,7 @@ def drive_view(
     if pin > 0.0:
         items += [Circle(each.centre, pin) for each in placed if "loading" in each.body]
     items += _axes(placed, ring, scale)
-    items += _ring_dimensions(ring, scale)
+    items += _ring_dimensions(ring, scale, interference)
     items += _diameters(placed, pin, scale, (labels_from, labels_above))
     return items + _gap_marks(gaps(joint), scale, -ring.shown - 4.0 / scale)
 
@@ -207,10 +214,11 @@ def _axes(placed: list[Roller], ring: Ring, scale: float) -> list[Item]:
     return items
 
 
-def _ring_dimensions(ring: Ring, scale: float) -> list[Item]:
-    """Diameters of the ring below the view."""
-    radii = [ring.inner] if ring.broken else [ring.inner, ring.outer]
-    widths = [(radius, f"⌀{dimension(2.0 * radius)}") for radius in radii]
+def _ring_dimensions(ring: Ring, scale: float, interference: float | None) -> list[Item]:
+    """Diameters of the ring below the view: its bore as it is made."""
+    widths = [(ring.inner, made_bore(ring.inner, interference))]
+    if not ring.broken:
+        widths.append((ring.outer, f"⌀{dimension(2.0 * ring.outer)}"))
     return [
         item for parts in widths_below(widths, -ring.shown, scale=scale) for part in parts for item in part
     ]
