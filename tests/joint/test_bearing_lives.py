@@ -6,17 +6,17 @@ import math
 import jax
 import numpy as np
 import pytest
+from asperity.drive.structure_loads import BEARING_NAMES
+from asperity.joint.working_loads import bearing_speeds, working_loads
 
 from asperity.compilation import call_compiled
 from asperity.drive.bearing_life import RatedBearing
-from asperity.drive.structure_loads import BEARING_NAMES
 from asperity.joint.bearing_lives import BearingState, bearing_lives, lives_of_bearings
+from asperity.joint.planar.solve import solve_planar
 from asperity.joint.results import SolvedJoint
 from asperity.joint.rolling_conditions import DutyPoint
-from asperity.joint.solve import solve
 from asperity.joint.strength_document import bearing_entries
-from asperity.joint.working_loads import bearing_speeds, working_loads
-from asperity.joint_file.build import joint_from_case
+from asperity.joint_file.planar_build import planar_joint_from_case
 
 PIN = RatedBearing(1500.0, 1200.0, 2.0, 0.0, "roller")
 HELD = RatedBearing(5000.0, 3000.0, 1.0, 400.0, "ball")
@@ -24,12 +24,12 @@ HELD = RatedBearing(5000.0, 3000.0, 1.0, 400.0, "ball")
 
 @pytest.fixture(scope="module")
 def plain(case):
-    return jax.tree.map(np.float64, joint_from_case(case))
+    return jax.tree.map(np.float64, planar_joint_from_case(case))
 
 
 @pytest.fixture(scope="module")
 def solution(plain):
-    return solve(plain)
+    return solve_planar(plain)
 
 
 @pytest.fixture(scope="module")
@@ -55,7 +55,7 @@ def test_lives_by_hand(joint, solution):
 
 
 def test_a_bearing_that_stands_has_no_life_in_hours(joint, solution):
-    standing = dataclasses.replace(joint, sun_speed=np.float64(0.0))
+    standing = dataclasses.replace(joint, input_speed=np.float64(0.0))
     found = bearing_lives(standing, solution.result)
     assert np.all(np.isnan(np.asarray(found.life)))
     assert np.asarray(found.static_safety)[[0, 1, 3]].min() > 1.0
@@ -106,5 +106,5 @@ def test_the_loads_of_the_duty_are_those_of_joints_of_their_own(joint, solution)
     damage = 0.0
     for torque, speed, share in points:
         alone = dataclasses.replace(joint, output_torque=np.float64(torque), sun_speed=np.float64(speed))
-        damage = damage + share / np.asarray(bearing_lives(alone, solve(alone).result).life)
+        damage = damage + share / np.asarray(bearing_lives(alone, solve_planar(alone).result).life)
     assert found.duty_life[[0, 1, 3]] == pytest.approx(1.0 / damage[[0, 1, 3]], rel=1e-9)

@@ -5,14 +5,14 @@ import math
 
 import numpy as np
 import pytest
+from asperity.joint_file.build import unequal_branches
 
 from asperity.drive.bearing_life import RatedBearing
 from asperity.errors import InputError
 from asperity.joint.branch_bearings import branch_bearing_lives, with_duty
+from asperity.joint.planar.solve import solve_planar
 from asperity.joint.results import SolvedJoint
 from asperity.joint.rolling_conditions import DutyPoint
-from asperity.joint.solve import solve
-from asperity.joint_file.build import joint_from_case, unequal_branches
 from asperity.joint_file.reader import parse_case
 
 PIN = RatedBearing(1500.0, 1200.0, 2.0, 0.0, "roller")
@@ -22,7 +22,7 @@ HOUR = 3600.0
 
 @pytest.fixture(scope="module")
 def rated(case):
-    joint = joint_from_case(case)
+    joint = planar_joint_from_case(case)
     return dataclasses.replace(joint, pin_bearing=PIN, sun_bearing=HELD, carrier_bearing=HELD)
 
 
@@ -110,7 +110,7 @@ def of_file(joint_text):
             text += f'[[duty]]\nshare = 0.5\noutput_torque = "{load} N*m"\nsun_speed = "6000 rpm"\n\n'
         text += "".join(f'[[branch]]\nplanet_deviation = "{size} um"\n\n' for size in sizes)
         case = parse_case(text, source="x")
-        joint = joint_from_case(case)
+        joint = planar_joint_from_case(case)
         return joint, unequal_branches(case, joint)
 
     return found
@@ -119,7 +119,7 @@ def of_file(joint_text):
 @pytest.mark.long
 def test_equal_branches_are_the_joint_without_them(of_file):
     joint, branches = of_file([0.0] * 3)
-    expected = SolvedJoint(joint, solve(joint).result).bearings
+    expected = SolvedJoint(joint, solve_planar(joint).result).bearings
     found = branch_bearing_lives(joint, branches)
     for name in ("load", "life", "static_safety", "load_ratio"):
         np.testing.assert_allclose(getattr(found, name), getattr(expected, name), rtol=2e-6)
@@ -131,7 +131,7 @@ def test_the_force_of_the_branches_shortens_the_life_of_the_bearings_of_the_sun(
     joint, branches = of_file([1.0, 0.0, -1.0], (5.0, 13.9))
     equal, _ = of_file([0.0] * 3)
     found = branch_bearing_lives(joint, branches)
-    before = SolvedJoint(equal, solve(equal).result).bearings
+    before = SolvedJoint(equal, solve_planar(equal).result).bearings
     load = 400.0 + math.hypot(*branches.rolling.sun_force)
     assert load > 600.0
     assert float(found.load[2]) == pytest.approx(load)

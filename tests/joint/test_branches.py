@@ -5,12 +5,12 @@ import math
 
 import numpy as np
 import pytest
-
 from asperity.drive.unequal_branches import force_on_sun
-from asperity.errors import InputError
-from asperity.joint.branch_sizes import BranchSizes
 from asperity.joint.branches import BranchedJoint
 from asperity.joint.working_loads import working_loads
+
+from asperity.errors import InputError
+from asperity.joint.branch_sizes import BranchSizes
 
 INTERFERENCE = 13e-6
 NONE = np.zeros(3)
@@ -49,10 +49,10 @@ def real(paper_joint):
 @pytest.mark.slow
 def test_equal_branches_are_the_joint(real, sizes):
     from asperity.joint.capacity import torque_capacity
-    from asperity.joint.solve import solve
+    from asperity.joint.planar.solve import solve_planar
 
     found = real.branches(sizes(NONE, 5e7))
-    solution = solve(real.joint)
+    solution = solve_planar(real.joint)
     ratio = float(np.max(solution.result.diagnostics.slip_ratio))
     assert found.standing.slip_ratio == pytest.approx(np.full(3, ratio), rel=1e-8)
     assert found.preload == pytest.approx(np.full(3, 1000.0), rel=1e-12)

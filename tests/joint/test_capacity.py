@@ -17,8 +17,8 @@ from asperity.joint.capacity import (
     limit_words,
     torque_capacity,
 )
-from asperity.joint.evaluation import evaluate
-from asperity.joint.solve import solve
+from asperity.joint.planar.evaluation import evaluate_planar
+from asperity.joint.planar.solve import solve_planar
 
 DIRECTION, WEDGE = math.radians(27.0830551), math.radians(13.1582)  # theta and beta of the paper's joint
 
@@ -30,7 +30,7 @@ def capacity(joint, direction):
 
 @jax.jit
 def solved(joint):
-    return evaluate(joint)
+    return evaluate_planar(joint)
 
 
 def limit_of(found):
@@ -117,12 +117,12 @@ def test_a_contact_that_grows_too_wide_is_the_limit_and_the_refusal_agrees(paper
     """Before this, the capacity was a torque at which the joint was refused for another reason."""
     joint = paper_joint(preload=1e5, friction_coefficient=0.24, ring_wall_thickness=1.1e-3, sun_speed=0.0)
     joint = dataclasses.replace(joint, body_model="springs")  # exact bodies refuse so thin a wall
-    found = solve(dataclasses.replace(joint, output_torque=np.asarray(1.0))).capacity
+    found = solve_planar(dataclasses.replace(joint, output_torque=np.asarray(1.0))).capacity
     assert LIMIT_KINDS[int(found.limit)] == "contact_too_wide"
     torque = float(found.output_torque)
-    solve(dataclasses.replace(joint, output_torque=np.asarray(0.9999 * torque)))
+    solve_planar(dataclasses.replace(joint, output_torque=np.asarray(0.9999 * torque)))
     with pytest.raises(AsperityError, match="too wide for line-contact theory"):
-        solve(dataclasses.replace(joint, output_torque=np.asarray(1.0001 * torque)))
+        solve_planar(dataclasses.replace(joint, output_torque=np.asarray(1.0001 * torque)))
 
 
 def test_pins_that_lock_and_bearings_that_drag_leave_no_capacity(paper_joint):

@@ -10,7 +10,7 @@ from asperity.joint.contacts_in_series import (
     contacts_of_planar_drive,
     side_by_side,
 )
-from asperity.joint.solve import solve
+from asperity.joint.planar.solve import solve_planar
 from asperity.joint_file.solved_document import solve_case
 
 WIDTH = 1e-4 * np.arange(1.0, 6.0)  # m
@@ -20,7 +20,7 @@ WIDTH = 1e-4 * np.arange(1.0, 6.0)  # m
 def test_the_papers_drive_shares_its_drift_by_force_and_creepage(paper_joint):
     """The output loses T s of each contact; 9 turns of the sun for one of the carrier, less 0.2 % of creep."""
     joint = paper_joint()
-    rolling = solve(joint).result.rolling
+    rolling = solve_planar(joint).result.rolling
     found = contacts_in_series(geometry=joint.geometry, rolling=rolling, half_width=WIDTH)
     work = np.asarray(rolling.creepage * rolling.tangential)
     assert np.asarray(found.share) == pytest.approx(work / work.sum(), rel=1e-6)

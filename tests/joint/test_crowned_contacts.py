@@ -13,11 +13,12 @@ from asperity.contact.hertz_line import peak_pressure
 from asperity.contact.rolling_fatigue import BEARING_STEEL, line_contact_life
 from asperity.drive.geometry import triangle
 from asperity.errors import InputError
-from asperity.joint.contacts import bulk_springs, joint_contacts
+from asperity.joint.contacts import bulk_springs
 from asperity.joint.crowned_contacts import crown_compliances, rough_slices, slice_slip_ratios, whole_contact
 from asperity.joint.description import Crowns
-from asperity.joint.evaluation import evaluate
 from asperity.joint.interference import joint_preload
+from asperity.joint.planar.description import planar_contacts
+from asperity.joint.planar.evaluation import evaluate_planar
 from asperity.joint.refusal import refuse_short_contacts
 from asperity.joint.rolling_life import sliced_track_lives, track_lives
 
@@ -45,12 +46,12 @@ def springs_joint(paper_joint):
 @pytest.fixture(scope="module")
 def crowned(springs_joint):
     joint = dataclasses.replace(springs_joint, output_torque=TORQUES)
-    return jax.tree.map(np.asarray, jax.jit(evaluate)(planets_crowned(joint, RADII)))
+    return jax.tree.map(np.asarray, jax.jit(evaluate_planar)(planets_crowned(joint, RADII)))
 
 
 @pytest.mark.long
 def test_cylinders_are_crowns_of_infinite_radius(springs_joint, crowned):
-    even = jax.tree.map(np.asarray, jax.jit(evaluate)(springs_joint))
+    even = jax.tree.map(np.asarray, jax.jit(evaluate_planar)(springs_joint))
     pairs = zip(
         jax.tree_util.tree_leaves_with_path(even),
         jax.tree.leaves(dataclasses.replace(crowned, **_without_crown(crowned))),
@@ -74,7 +75,7 @@ def _without_crown(result):
 
 def _lines(joint, radius):
     """Length, effective radius and modulus of the contacts, and the curvatures of the planets' crowns."""
-    pairs = joint_contacts(joint).pairs
+    pairs = planar_contacts(joint).pairs
     numbers = {
         "contact_length": float(pairs.contact_length[0]),
         "effective_radius": np.asarray(pairs.effective_radius),
@@ -85,7 +86,7 @@ def _lines(joint, radius):
 
 def _approaches(joint, radius, normal):
     """Approach of each contact, the line's by its spring and the crown's by the pure function."""
-    contacts = joint_contacts(joint)
+    contacts = planar_contacts(joint)
     line = bulk_springs(contacts=contacts, half_width=contacts.pairs.half_width(normal)).secant_compliance
     numbers, curvature = _lines(joint, radius)
     crown = jax.jit(crown_compression)(normal_force=normal, crown_curvature=curvature, **numbers)
@@ -171,7 +172,7 @@ def test_peak_pressure_is_that_of_the_middle(springs_joint, crowned):
 @pytest.fixture(scope="module")
 def pair(springs_joint):
     """One contact with a crown of 0.5 m: pairs, curvature, and its load along the line at 800 N."""
-    contacts = joint_contacts(springs_joint)
+    contacts = planar_contacts(springs_joint)
     first = lambda leaf: leaf[:1] if jnp.ndim(leaf) else leaf  # noqa: E731
     one = jax.tree.map(first, contacts.pairs)
     numbers, _ = _lines(springs_joint, 1.0)

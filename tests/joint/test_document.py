@@ -4,13 +4,13 @@ import math
 
 import numpy as np
 import pytest
+from asperity.joint.solved import SolvedPapersJoint
 
 from asperity.joint.contact_notes import Note
 from asperity.joint.document import diagnostic_documents, joint_document, plain_document
-from asperity.joint.solve import solve
-from asperity.joint.solved import SolvedPapersJoint
+from asperity.joint.planar.solve import solve_planar
 from asperity.joint_file.assumptions import assumptions
-from asperity.joint_file.build import joint_from_case
+from asperity.joint_file.planar_build import planar_joint_from_case
 from asperity.joint_file.reader import parse_case
 from asperity.joint_file.si_tables import si_values
 
@@ -22,12 +22,12 @@ def text(request):
 
 @pytest.fixture(scope="module")
 def solution(text):
-    return solve(joint_from_case(parse_case(text, source="x")))
+    return solve_planar(planar_joint_from_case(parse_case(text, source="x")))
 
 
 def document_of(text, solution, branches=None):
     case = parse_case(text, source="x")
-    solved = SolvedPapersJoint(joint_from_case(case), solution, branches)
+    solved = SolvedPapersJoint(planar_joint_from_case(case), solution, branches)
     return joint_document(solved, inputs=si_values(case), assumptions=assumptions(case))
 
 
@@ -79,7 +79,10 @@ def test_the_document_says_why_there_is_no_stiffness_and_what_a_ring_would_lose(
     plastic = text.replace("fractal_dimension = 1.4", "fractal_dimension = 1.2")
     thin = text.replace('ring_wall_thickness = "60 mm"', 'ring_wall_thickness = "10 mm"')
     thin = thin.replace("ring_support =", "# ring_support =")
-    documents = [document_of(t, solve(joint_from_case(parse_case(t, source="x")))) for t in (plastic, thin)]
+    documents = [
+        document_of(t, solve_planar(planar_joint_from_case(parse_case(t, source="x"))))
+        for t in (plastic, thin)
+    ]
     assert "every spot of sp, pwr, pwl, wro, wlo is plastic" in documents[0]["stiffness_unknown_because"]
     assert documents[0]["torsional_stiffness"]["published"]["output_Nm_per_rad"] is None
     assert documents[1]["stiffness_unknown_because"] is None
@@ -120,7 +123,7 @@ def test_the_capacity_in_numbers_and_words(text, solution):
 
 def test_rolling_is_in_the_document(paper_joint):
     joint = paper_joint()
-    found = joint_document(SolvedPapersJoint(joint, solve(joint)), inputs={}, assumptions=())
+    found = joint_document(SolvedPapersJoint(joint, solve_planar(joint)), inputs={}, assumptions=())
     rolling = found["rolling"]
     assert found["drift_rad_per_output_turn"] == rolling["drift_rad_per_output_turn"] > 0.0103
     assert found["contacts"]["sp"]["creepage"] == rolling["contacts"]["sp"]["creepage"]
@@ -130,7 +133,7 @@ def test_rolling_is_in_the_document(paper_joint):
     assert found["losses_W"]["oil"] is None
     assert rolling["unknown_because"] == []
     assert rolling["input_torque_Nm"] == pytest.approx(
-        rolling["input_power_W"] / float(joint.sun_speed), rel=1e-12
+        rolling["input_power_W"] / float(joint.input_speed), rel=1e-12
     )
     # without friction of the bearings, hysteresis and oil the losses are creep, which costs speed and no torque
     assert rolling["input_torque_Nm"] == pytest.approx(found["forces"]["input_torque_Nm"], rel=1e-9)

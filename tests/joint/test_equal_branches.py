@@ -8,8 +8,8 @@ import pytest
 from asperity.errors import InputError
 from asperity.joint.branch_results import branch_rolling
 from asperity.joint.equal_branches import solve_equal_branches, without_state
+from asperity.joint.planar.solve import solve_planar
 from asperity.joint.rolling_power import RollingLosses
-from asperity.joint.solve import solve
 
 
 @pytest.fixture(scope="module")
@@ -30,7 +30,7 @@ def test_a_torque_that_equal_branches_carry(joint):
 
 
 def test_a_torque_beyond_is_solved_below_their_capacity(joint, beyond):
-    own = solve(joint)
+    own = solve_planar(joint)
     for torque, capacity in ((20.0, own.capacity), (-20.0, own.reverse_capacity)):
         solution, carries = solve_equal_branches(dataclasses.replace(joint, output_torque=torque), solve)
         assert not carries
@@ -44,7 +44,7 @@ def test_another_reason_is_told_as_it_is(joint, beyond):
     for torque in (1.0, 20.0):
         bad = dataclasses.replace(beyond, geometry=apart, output_torque=torque)
         with pytest.raises(InputError) as own:
-            solve(bad)
+            solve_planar(bad)
         with pytest.raises(InputError) as told:
             solve_equal_branches(bad, solve)
         assert str(told.value) == str(own.value)

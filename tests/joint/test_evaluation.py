@@ -15,8 +15,8 @@ from hypothesis import strategies as st
 from asperity.drive.force_balance import DriveForces
 from asperity.drive.torsional_stiffness import TorsionalStiffness
 from asperity.errors import PrecisionError
-from asperity.joint.evaluation import evaluate
-from asperity.joint.solve import solve
+from asperity.joint.planar.evaluation import evaluate_planar
+from asperity.joint.planar.solve import solve_planar
 
 SIZE = 16
 
@@ -33,7 +33,7 @@ class Summary(eqx.Module):
 
 
 def summary(joint):
-    found = evaluate(joint)
+    found = evaluate_planar(joint)
     return Summary(
         found.forces,
         found.contacts.tangential_stiffness,
@@ -95,7 +95,7 @@ def test_agreement_with_the_independent_script(chain, closure):
     for i in range(5):
         case = {key: value[i] for key, value in x.items()}
         script = {"ring_wall": 10e-3, "normal_law": "nonlinear", "closure": closure}
-        other = baseline.evaluate({**case, **script})
+        other = baseline.evaluate_planar({**case, **script})
         assert found.published.sun[i] == pytest.approx(other["sun"], rel=1e-7)
         assert found.published.output[i] == pytest.approx(other["output"], rel=1e-7)
         for index, contact in enumerate(other["contacts"].values()):
@@ -181,7 +181,7 @@ def test_gradients_with_respect_to_everything_are_finite_and_right(paper_joint):
     joint = eqx.tree_at(lambda j: j.structure, joint, None)
 
     def stiffness(joint):
-        return evaluate(
+        return evaluate_planar(
             eqx.tree_at(lambda j: j.structure, joint, rigid, is_leaf=lambda x: x is None)
         ).published.sun
 
@@ -221,7 +221,7 @@ def test_batches_broadcast_and_one_joint_is_a_scalar(paper_joint, chain):
     shapes = eqx.filter_eval_shape(evaluate, batch)
     assert shapes.published.sun.shape == (2, 3)
     assert shapes.contacts.tangential_stiffness.shape == (5, 2, 3)
-    alone = solve(paper_joint()).result
+    alone = solve_planar(paper_joint()).result
     assert alone.published.sun.shape == ()
     row = chain(output_torque=np.array([1.0, 5.0]))
     assert float(alone.published.sun) == pytest.approx(row.published.sun[1], rel=1e-12)
@@ -231,11 +231,11 @@ def test_batches_broadcast_and_one_joint_is_a_scalar(paper_joint, chain):
 def test_single_precision_is_refused(paper_joint):
     joint = paper_joint()
     with jax.enable_x64(False), pytest.raises(PrecisionError, match="use_double_precision"):
-        solve(joint)
+        solve_planar(joint)
 
 
 def test_carrier_turns_the_other_way_with_the_published_ratio(paper_joint):
-    found = solve(paper_joint()).result
+    found = solve_planar(paper_joint()).result
     assert float(found.output_speed) == pytest.approx(-69.81317007977317)
     assert float(found.speed_ratio) == pytest.approx(-9.0)
     assert math.degrees(float(found.angles.direction)) == pytest.approx(27.0831, abs=6e-5)

@@ -7,12 +7,12 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 import pytest
+from asperity.joint_file.build import joint_from_values, with_nominal_sizes, with_values
 
 from asperity.errors import InputError
-from asperity.joint.contacts import joint_contacts
 from asperity.joint.interference import joint_preload, logarithmic_decrease
-from asperity.joint.solve import solve
-from asperity.joint_file.build import joint_from_case, joint_from_values, with_nominal_sizes, with_values
+from asperity.joint.planar.description import planar_contacts
+from asperity.joint.planar.solve import solve_planar
 from asperity.joint_file.reader import parse_case
 from asperity.joint_file.si_tables import replace_values, si_values
 
@@ -31,10 +31,10 @@ def by_length(joint_text):
 
 def test_an_interference_without_a_preload_is_no_loose_joint(by_length):
     """100 mm would press the contacts wider than their rollers: no number, and no joint without interference."""
-    joint = joint_from_case(by_length("100 mm"))
+    joint = planar_joint_from_case(by_length("100 mm"))
     assert np.isnan(float(joint.preload))
     with pytest.raises(InputError, match="choose less interference"):
-        solve(joint)
+        solve_planar(joint)
     assert float(joint_preload(joint, 0.0)) == 0.0
 
 
@@ -49,7 +49,7 @@ def test_an_interference_without_a_preload_is_no_loose_joint(by_length):
 def test_logarithm_of_both_bodies(paper_joint, body_model, plane_state, width):
     """Each body of a strip adds (1 - nu^2)/(pi E B) ln(1/N) in plane strain, 1/(pi E B) ln(1/N) in plane stress."""
     found = logarithmic_decrease(
-        contacts=joint_contacts(paper_joint()), body_model=body_model, plane_state=plane_state
+        contacts=planar_contacts(paper_joint()), body_model=body_model, plane_state=plane_state
     )
     np.testing.assert_allclose(found, 2.0 * width / (np.pi * 206e9 * 5e-3), rtol=1e-12)
 
@@ -57,10 +57,10 @@ def test_logarithm_of_both_bodies(paper_joint, body_model, plane_state, width):
 @pytest.mark.slow
 @pytest.mark.parametrize(("bodies", "rel"), [("springs", 1e-12), ("exact", 2e-5)])
 def test_force_and_length_are_two_names_of_one_joint(by_length, evaluated_together, bodies, rel):
-    joint = joint_from_case(by_length("11 um", bodies))
+    joint = planar_joint_from_case(by_length("11 um", bodies))
     assert float(evaluated_together(joint).interference) == pytest.approx(11e-6, rel=rel)
     if bodies == "springs":
-        thousand = joint_from_case(by_length())
+        thousand = planar_joint_from_case(by_length())
         assert float(thousand.preload) == pytest.approx(1000.0, abs=0.1)
 
 
@@ -68,7 +68,7 @@ def test_force_and_length_are_two_names_of_one_joint(by_length, evaluated_togeth
 def test_a_spring_of_the_ring_takes_its_own_compression(by_length, evaluated_together):
     """25 N/um under each loading roller, which carries N_o at rest: N_o/k more than in a rigid ring."""
     rigid = dataclasses.replace(
-        joint_from_case(by_length()), output_torque=np.asarray(0.0), sun_speed=np.asarray(0.0)
+        planar_joint_from_case(by_length()), output_torque=np.asarray(0.0), sun_speed=np.asarray(0.0)
     )
 
     def with_spring(stiffness):
@@ -85,7 +85,7 @@ def test_many_at_once_and_derivatives(by_length):
     lengths = np.array([5e-6, 10e-6, 20e-6])
     joint = with_values(case, {"load.interference": lengths})
     assert np.all(np.diff(np.asarray(joint.preload)) > 0.0)
-    one = joint_from_case(case)
+    one = planar_joint_from_case(case)
 
     def preload(length):
         return joint_preload(one, length)
@@ -123,7 +123,7 @@ def test_a_free_ring_takes_more_micrometres_and_minds_errors_less(by_length, eva
     spread = {}
     for support in ("rigid_housing", "free"):
         case = by_length("12 um", "exact", ring_wall_thickness='"10 mm"', ring_support=f'"{support}"')
-        joint = joint_from_case(case)
+        joint = planar_joint_from_case(case)
         length = float(
             evaluated_together(dataclasses.replace(joint, preload=np.asarray(1000.0))).interference
         )

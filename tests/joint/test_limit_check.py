@@ -4,14 +4,14 @@ import pytest
 
 from asperity.joint.diagnostics import Diagnostics
 from asperity.joint.limit_check import checked_limits
+from asperity.joint.planar.solve import solve_planar
 from asperity.joint.results import SEVERITIES, SolvedJoint
-from asperity.joint.solve import solve
 
 
 @pytest.fixture(scope="module")
 def solved(paper_joint):
     joint = paper_joint()
-    return SolvedJoint(joint, solve(joint).result)
+    return SolvedJoint(joint, solve_planar(joint).result)
 
 
 @pytest.fixture(scope="module")
@@ -60,7 +60,7 @@ def test_the_facts_about_the_paper_s_joint(paper):
 def test_an_undefined_value_is_not_ok(paper_joint):
     """Spinning so fast that the planets leave the sun: no contact there, hence no stiffness to compare."""
     joint = paper_joint(output_torque=0.0, sun_speed=2e5, closure="constant_pin_force")
-    entries = checked_limits(SolvedJoint(joint, solve(joint).result))
+    entries = checked_limits(SolvedJoint(joint, solve_planar(joint).result))
     lifted = by_name(entries, "normal_force_over_preload")["sp"]
     assert (lifted.value, lifted.ok) == (0.0, False)
     undefined = by_name(entries, "asperity_over_bulk_stiffness")["sp"]

@@ -8,7 +8,7 @@ import pytest
 
 from asperity.joint.capacity import LIMIT_KINDS, torque_capacity
 from asperity.joint.description import preload_at
-from asperity.joint.evaluation import evaluate
+from asperity.joint.planar.evaluation import evaluate_planar
 
 CAM, LEAST = 60.0, 300.0
 
@@ -23,7 +23,7 @@ def pressed(paper_joint):
         cam_force_per_torque=np.full(5, CAM),
     )
     held = dataclasses.replace(joint, preload=preload_at(joint, torque), cam_force_per_torque=None)
-    program = jax.jit(evaluate)
+    program = jax.jit(evaluate_planar)
     return joint, program(joint), program(held)
 
 

@@ -6,12 +6,12 @@ from types import SimpleNamespace
 
 import numpy as np
 import pytest
-
 from asperity.drive.structure_loads import StructureLoads
+from asperity.joint.working_loads import BearingSpeeds
+
 from asperity.joint.description import PinBeam
 from asperity.joint.loads_document import LoadCase, document_of_rows, loads_document
-from asperity.joint.working_loads import BearingSpeeds
-from asperity.joint_file.build import joint_from_case
+from asperity.joint_file.planar_build import planar_joint_from_case
 
 
 def case_of(name, factor, speed):
@@ -45,7 +45,7 @@ def row_of(document, part, position, quantity):
 
 
 def test_rows_and_units(case):
-    joint = joint_from_case(case)
+    joint = planar_joint_from_case(case)
     document = loads_document(joint, CASES, [])
     json.dumps(document, allow_nan=False)
     assert [each["name"] for each in document["cases"]] == ["without torque", "working torque", "duty 1"]
@@ -63,7 +63,7 @@ def test_rows_and_units(case):
 
 
 def test_skew_and_pins_add_rows(case):
-    joint = joint_from_case(case)
+    joint = planar_joint_from_case(case)
     joint = dataclasses.replace(
         joint,
         pin=PinBeam(6e-3, "both_ends"),
@@ -89,7 +89,7 @@ def test_unequal_branches_load_pins_and_bearings(case, unequal_branches):
     centre = {"carrier": np.array([6.0, 8.0]), "ring": np.array([-36.0, -48.0])}
     rolling = dataclasses.replace(state, sun_force=np.array([30.0, 40.0]), centre_forces=centre)
     branches = unequal_branches(rest=state, rolling=rolling, duty=(None,))
-    document = loads_document(joint_from_case(case), CASES, [], branches)
+    document = loads_document(planar_joint_from_case(case), CASES, [], branches)
     assert row_of(document, "sun bearing", "on the axis", "resultant force") == [250.0, 50.0, None]
     assert row_of(document, "carrier bearing", "on the axis", "resultant force") == [None, 10.0, None]
     assert row_of(document, "ring in its housing", "on the axis", "resultant force") == [None, 60.0, None]
@@ -102,7 +102,7 @@ def test_unequal_branches_load_pins_and_bearings(case, unequal_branches):
     assert "planet 1 is pressed 1.1 times as hard" in notes
     # the branches carry a load that equal ones do not, and the other way round
     more = unequal_branches(rest=state, duty=(rolling,))
-    document = loads_document(joint_from_case(case), CASES, [], more)
+    document = loads_document(planar_joint_from_case(case), CASES, [], more)
     assert row_of(document, "sun bearing", "on the axis", "resultant force") == [250.0, None, 50.0]
     assert document["cases"][2]["unknown_because"] is None
     assert not any("equal branches do not carry" in note for note in document["notes"])
@@ -113,7 +113,9 @@ def test_unequal_branches_load_pins_and_bearings(case, unequal_branches):
         speeds={"sun": 5.0, "carrier": 0.8},
         bearing_speed=np.array([7.0, 8.0, 5.0, 0.8]),
     )
-    document = loads_document(joint_from_case(case), CASES, [], unequal_branches(rest=state, duty=(own,)))
+    document = loads_document(
+        planar_joint_from_case(case), CASES, [], unequal_branches(rest=state, duty=(own,))
+    )
     assert row_of(document, "sun", "on the axis", "torque of its shaft")[1:] == [None, 1.5]
     assert row_of(document, "ring in its housing", "on the axis", "torque")[2] == 10.5
     assert row_of(document, "carrier", "on the axis", "torque of all pins")[2] == 12.0

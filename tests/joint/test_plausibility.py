@@ -5,16 +5,16 @@ from types import SimpleNamespace
 
 import numpy as np
 import pytest
-
 from asperity.joint.plausibility import checked_sizes, plausibility
-from asperity.joint.solve import solve
+
+from asperity.joint.planar.solve import solve_planar
 
 
 @pytest.fixture(scope="module")
 def notes(paper_joint):
     def of(**changes):
         joint = paper_joint(**changes)
-        solution = solve(joint)
+        solution = solve_planar(joint)
         found = plausibility(joint, solution.result, solution.sizes)
         return {(note.name, note.contact): note for note in found}
 
@@ -34,7 +34,7 @@ def test_the_loss_of_a_ring_that_carries_itself(paper_joint, model, wall, exact,
     radial coupling only, as the spring of the thin ring has it, and with all."""
     joint = paper_joint(ring_wall_thickness=wall, output_torque=1e-3, sun_speed=0.0)
     joint = dataclasses.replace(joint, body_model=model)
-    solution = solve(joint)
+    solution = solve_planar(joint)
     found = plausibility(joint, solution.result, solution.sizes)
     (note,) = (note for note in found if note.name == "ring_bending_loss")
     assert float(solution.result.assembly.stiffness.output) * (1.0 - note.value) == pytest.approx(
@@ -49,7 +49,7 @@ def test_the_loss_of_a_ring_that_carries_itself(paper_joint, model, wall, exact,
 @pytest.mark.parametrize("support", ["rigid_housing", "free"])
 def test_a_stated_support_needs_no_warning(paper_joint, support):
     joint = dataclasses.replace(paper_joint(ring_wall_thickness=6e-3), ring_support=support)
-    solution = solve(joint)
+    solution = solve_planar(joint)
     names = [note.name for note in plausibility(joint, solution.result, solution.sizes)]
     assert "ring_bending_loss" not in names
 
@@ -81,7 +81,7 @@ def test_unusual_numbers_are_named(notes, changes, name, said):
 
 
 def test_a_film_that_carries_load_is_named_where_its_ratio_is_known(paper_joint):
-    solution = solve(paper_joint(ring_wall_thickness=60e-3))
+    solution = solve_planar(paper_joint(ring_wall_thickness=60e-3))
     ratios = np.array([0.4, 0.9, 1.3, np.nan, 3.5])
     rolling = dataclasses.replace(solution.result.rolling, film_ratio=ratios)
     result = dataclasses.replace(solution.result, rolling=rolling)

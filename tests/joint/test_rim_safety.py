@@ -7,16 +7,16 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 import pytest
+from asperity.joint.working_loads import working_forces
 
 from asperity.body.rim_stress import hoop_stress
 from asperity.drive.geometry import triangle
 from asperity.joint.description import with_one_rank
 from asperity.joint.elastic_bodies import machine_bodies
+from asperity.joint.planar.solve import solve_planar
 from asperity.joint.results import RESULTS
 from asperity.joint.rim_safety import branch_joint_rims, joint_rims
-from asperity.joint.solve import solve
-from asperity.joint.working_loads import working_forces
-from asperity.joint_file.build import joint_from_case
+from asperity.joint_file.planar_build import planar_joint_from_case
 
 rims = jax.jit(joint_rims)
 unlike = jax.jit(branch_joint_rims)
@@ -25,13 +25,13 @@ by_sum = jax.jit(hoop_stress, static_argnames="mode_count")
 
 @pytest.fixture(scope="module")
 def plain(case):
-    return jax.tree.map(np.float64, joint_from_case(case))
+    return jax.tree.map(np.float64, planar_joint_from_case(case))
 
 
 @pytest.fixture(scope="module")
 def result(plain):
     """Forces of the paper's joint; those of another wall are the same, because the closure has springs."""
-    return solve(plain).result
+    return solve_planar(plain).result
 
 
 @pytest.fixture(scope="module")

@@ -10,7 +10,7 @@ import pytest
 
 from asperity.contact.carter import creepage
 from asperity.drive.rolling_speeds import BODY_NAMES
-from asperity.joint.evaluation import evaluate
+from asperity.joint.planar.evaluation import evaluate_planar
 from asperity.joint.rolling_conditions import PLAIN_ROLLING, DutyPoint, RollingConditions
 
 TURN = 2.0 * math.pi
@@ -34,7 +34,7 @@ def traced(paper_joint):
 
     def result(conditions, **changes):
         joint = dataclasses.replace(paper_joint(), rolling=conditions)
-        return evaluate(dataclasses.replace(jax.tree.map(jnp.asarray, joint), **changes)).rolling
+        return evaluate_planar(dataclasses.replace(jax.tree.map(jnp.asarray, joint), **changes)).rolling
 
     return result
 

@@ -6,11 +6,11 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 import pytest
-
-from asperity.drive.mechanism import Bearings
 from asperity.joint.rolling_capacity import rolling_torque_capacity
 from asperity.joint.rolling_refusal import rolling_capacity_of
-from asperity.joint.solve import solve
+
+from asperity.drive.mechanism import Bearings
+from asperity.joint.planar.solve import solve_planar
 
 
 @pytest.mark.slow
@@ -31,7 +31,7 @@ def test_root_search_and_extrapolation_find_the_same_torque_in_either_direction(
     for value, torque in zip(found[jnp.array([1, 3])], (8.0, -8.0), strict=True):
         loaded = dataclasses.replace(joint, output_torque=torque)
         assert float(value) == pytest.approx(
-            rolling_capacity_of(loaded, solve(loaded), direction=np.sign(torque)), rel=1e-8
+            rolling_capacity_of(loaded, solve_planar(loaded), direction=np.sign(torque)), rel=1e-8
         )
     assert float(found[1]) != pytest.approx(float(found[3]), rel=1e-3)
 
@@ -49,7 +49,9 @@ def test_skew_takes_its_share_of_the_friction_at_the_capacity(wedged):
     assert 0.5 * parallel < half < 0.999 * parallel
     assert whole == 0.0
     joint = skewed(np.asarray(0.5e-3))
-    at = solve(dataclasses.replace(joint, output_torque=np.asarray(half * (1.0 - 1e-9)))).result.rolling
+    at = solve_planar(
+        dataclasses.replace(joint, output_torque=np.asarray(half * (1.0 - 1e-9)))
+    ).result.rolling
     left = (
         np.asarray(wedged.friction_coefficients[0])
         * np.asarray(at.normal)

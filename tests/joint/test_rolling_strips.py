@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 
 from asperity.contact.rolling_fatigue import BEARING_STEEL, line_contact_life
-from asperity.joint.contacts import joint_contacts
 from asperity.joint.description import Crowns
+from asperity.joint.planar.description import planar_contacts
 from asperity.joint.rolling_strips import rolling_strips
 
 NORMAL = np.array([1000.0, 600.0, 500.0, 600.0, 500.0])
@@ -20,7 +20,7 @@ LENGTH, MODULUS, YIELD = 5e-3, 206e9 / (2.0 * 0.91), 450e6
 @pytest.fixture(scope="module")
 def strips(paper_joint):
     return lambda traction: rolling_strips(
-        contacts=joint_contacts(paper_joint()),
+        contacts=planar_contacts(paper_joint()),
         normal_force=jnp.asarray(NORMAL),
         traction=jnp.asarray(traction),
     )
@@ -59,7 +59,7 @@ def crowned(paper_joint):
         paper_joint(), crowns=Crowns(sun=0.0, planet=1.0 / 0.3, loading_roller=0.0, ring=0.0)
     )
     return lambda traction: rolling_strips(
-        contacts=joint_contacts(joint), normal_force=jnp.asarray(NORMAL), traction=jnp.asarray(traction)
+        contacts=planar_contacts(joint), normal_force=jnp.asarray(NORMAL), traction=jnp.asarray(traction)
     )
 
 

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from asperity.compilation import call_compiled
-from asperity.joint.evaluation import evaluate
+from asperity.joint.planar.evaluation import evaluate_planar
 from asperity.joint.standing import NO_SLIP_FRICTION, _at_torques, at_standstill, standing_at, without_slip
 
 
@@ -48,7 +48,7 @@ def test_only_one_assembly_is_solved_in_a_program(paper_joint):
     batch = at_standstill(joint, jnp.array([-3.0, 4.0]))
     programs = [
         jax.jit(function).lower(batch).as_text()
-        for function in (_at_torques, lambda each: evaluate(each).assembly)
+        for function in (_at_torques, lambda each: evaluate_planar(each).assembly)
     ]
     factorisations = [program.count("@lapack_dgetrf_ffi") for program in programs]
     assert factorisations[0] == factorisations[1] > 0

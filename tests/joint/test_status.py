@@ -5,11 +5,11 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from asperity.joint_file.build import with_values
 
 from asperity.errors import AsperityError
-from asperity.joint.solve import solve
+from asperity.joint.planar.solve import solve_planar
 from asperity.joint.status import STATUS_MEANINGS, STATUS_NAMES, flag_attributes
-from asperity.joint_file.build import with_values
 from asperity.joint_file.si_tables import si_values
 from asperity.study.batch import evaluate_points
 
@@ -70,7 +70,7 @@ def test_failed_points_are_those_that_the_joint_command_refuses(case, codes, ind
     )
     if told is not None and index in (1, 8):  # each solution compiles anew: two stand for all
         with pytest.raises(AsperityError, match=told):
-            solve(with_values(case, changes))
+            solve_planar(with_values(case, changes))
 
 
 @pytest.mark.slow

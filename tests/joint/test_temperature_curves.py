@@ -11,9 +11,9 @@ from asperity.errors import InputError
 from asperity.joint import temperature_curves as module
 from asperity.joint.description import Fit
 from asperity.joint.interference import joint_preload
-from asperity.joint.solve import solve
+from asperity.joint.planar.solve import solve_planar
 from asperity.joint.temperature_curves import temperature_curves
-from asperity.joint_file.build import joint_from_case
+from asperity.joint_file.planar_build import planar_joint_from_case
 from asperity.joint_file.reader import parse_case
 
 
@@ -101,9 +101,9 @@ def test_the_curve_goes_through_the_solved_joint(joint_text):
         'bodies = "exact"', 'bodies = "springs"'
     )
     text = text.replace("[model]", '[temperature]\nassembly = "20 °C"\nworking = "32 °C"\n\n[model]')
-    joint = joint_from_case(parse_case(text, source="x"))
+    joint = planar_joint_from_case(parse_case(text, source="x"))
     curves = temperature_curves(joint)
-    solution = solve(joint)
+    solution = solve_planar(joint)
 
     def at_work(values):
         return float(np.interp(32.0, np.asarray(curves.temperature), np.asarray(values)))

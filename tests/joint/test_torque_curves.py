@@ -6,18 +6,18 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from asperity.joint.solve import solve
+from asperity.joint.planar.solve import solve_planar
 from asperity.joint.torque_curves import torque_curves
 from asperity.joint_file.planar_build import planar_joint_from_case
 
 
 def test_points_are_joints_solved_alone(paper_joint):
     joint = paper_joint()
-    capacity = float(solve(joint).capacity.output_torque)
+    capacity = float(solve_planar(joint).capacity.output_torque)
     found = torque_curves(joint=joint, torque_capacity=capacity)
     assert found.torque[-1] == capacity
     for index in (10, 30):
-        alone = solve(dataclasses.replace(joint, output_torque=np.asarray(found.torque)[index])).result
+        alone = solve_planar(dataclasses.replace(joint, output_torque=np.asarray(found.torque)[index])).result
         assert found.published[index] == pytest.approx(float(alone.published.output), rel=1e-10)
         assert found.series_with_bulk[index] == pytest.approx(float(alone.series_with_bulk.output), rel=1e-10)
         assert found.assembly[index] == pytest.approx(float(alone.assembly.stiffness.output), rel=1e-10)

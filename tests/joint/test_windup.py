@@ -7,8 +7,8 @@ import numpy as np
 import pytest
 
 from asperity.errors import InputError
+from asperity.joint.planar.solve import solve_planar
 from asperity.joint.play import NO_PLAY, Play
-from asperity.joint.solve import solve
 from asperity.joint.windup import is_symmetric, windup, windup_of
 from asperity.joint_file.planar_build import planar_joint_from_case
 from asperity.show.windup_figure import windup_figure
@@ -230,7 +230,7 @@ def test_stiffness_of_both_directions_is_that_of_the_solver(paper_joint):
     )
     at = {torque: int(np.argmin(np.abs(np.asarray(curve.torque) - torque))) for torque in (-8.0, 8.0)}
     for torque, index in at.items():
-        solved = solve(paper_joint(closure="constant_pin_force", output_torque=torque)).result
+        solved = solve_planar(paper_joint(closure="constant_pin_force", output_torque=torque)).result
         assert float(curve.stiffness[index]) == pytest.approx(
             float(solved.assembly.stiffness.output), rel=1e-9
         )

@@ -5,11 +5,11 @@ from types import SimpleNamespace
 
 import numpy as np
 import pytest
+from asperity.joint.solve import Solution
 
 from asperity.drive.geometry import CONTACT_NAMES
 from asperity.errors import InputError
 from asperity.joint import windup_document as module
-from asperity.joint.solve import Solution
 from asperity.joint.windup_document import (
     examined_windup,
     rolling_columns,

@@ -6,20 +6,20 @@ from types import SimpleNamespace
 import jax
 import numpy as np
 import pytest
-
-from asperity.joint.solve import solve
 from asperity.joint.working_loads import bearing_speeds, loads_at_rest, working_loads
-from asperity.joint_file.build import joint_from_case
+
+from asperity.joint.planar.solve import solve_planar
+from asperity.joint_file.planar_build import planar_joint_from_case
 
 
 @pytest.fixture(scope="module")
 def joint(case):
-    return jax.tree.map(np.float64, joint_from_case(case))
+    return jax.tree.map(np.float64, planar_joint_from_case(case))
 
 
 @pytest.fixture(scope="module")
 def result(joint):
-    return solve(joint).result
+    return solve_planar(joint).result
 
 
 def test_a_turning_joint_has_the_forces_of_rolling(joint, result):
@@ -36,7 +36,7 @@ def test_a_turning_joint_has_the_forces_of_rolling(joint, result):
 
 
 def test_a_standing_joint_has_the_forces_of_the_balance(joint, result):
-    loads = working_loads(dataclasses.replace(joint, sun_speed=np.float64(0.0)), result)
+    loads = working_loads(dataclasses.replace(joint, input_speed=np.float64(0.0)), result)
     expected = [abs(float(result.forces.pin_right)), float(result.forces.pin_left)]
     assert np.asarray(loads.pin_resultant) == pytest.approx(expected, rel=1e-9)
 
@@ -46,7 +46,7 @@ def test_a_slipping_joint_has_none(joint, result):
         result,
         diagnostics=SimpleNamespace(slip_ratio=np.array([0.5, 1.2, 0.5, 0.5, 0.5])),
     )
-    standing = dataclasses.replace(joint, sun_speed=np.float64(0.0))
+    standing = dataclasses.replace(joint, input_speed=np.float64(0.0))
     assert np.all(np.isnan(np.asarray(working_loads(standing, slips).pin_tangential)))
 
 
@@ -67,5 +67,5 @@ def test_speeds_of_the_bearings(joint, result):
     assert float(speeds.sun) == pytest.approx(sun)
     assert float(speeds.carrier) == pytest.approx(sun / 9.0 * (1.0 - loss), rel=1e-12)
     assert np.asarray(speeds.pin) == pytest.approx(np.full(2, sun * 4.0 / 5.0 * (1.0 + 1.0 / 9.0)), rel=3e-3)
-    still = bearing_speeds(dataclasses.replace(joint, sun_speed=np.float64(0.0)), result)
+    still = bearing_speeds(dataclasses.replace(joint, input_speed=np.float64(0.0)), result)
     assert [float(value) for value in (*still.pin, still.sun, still.carrier)] == [0.0] * 4

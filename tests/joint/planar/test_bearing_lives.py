@@ -6,6 +6,8 @@ import math
 import jax
 import numpy as np
 import pytest
+from asperity.joint.solve import solve
+from asperity.joint_file.build import joint_from_case
 
 from asperity.compilation import call_compiled
 from asperity.drive.bearing_life import RatedBearing
@@ -16,9 +18,7 @@ from asperity.joint.planar.loads_document import planar_loads_document
 from asperity.joint.planar.solve import solve_planar
 from asperity.joint.planar.solved import solved_planar_joint
 from asperity.joint.rolling_conditions import DutyPoint
-from asperity.joint.solve import solve
 from asperity.joint.strength_document import bearing_entries
-from asperity.joint_file.build import joint_from_case
 
 PIN = RatedBearing(1500.0, 1200.0, 2.0, 0.0, "roller")
 HELD = RatedBearing(5000.0, 3000.0, 1.0, 400.0, "ball")

@@ -7,12 +7,12 @@ from typing import NamedTuple
 
 import numpy as np
 import pytest
+from asperity.joint.branches import BranchedJoint
 
 from asperity.drive.planar.loads import pin_components
 from asperity.errors import InputError
 from asperity.joint.branch_document import branch_document
 from asperity.joint.branch_sizes import BranchSizes, SectorDeviations
-from asperity.joint.branches import BranchedJoint
 from asperity.joint.capacity import LIMIT_KINDS
 from asperity.joint.planar import branches as module
 from asperity.joint.planar.branches import BranchedPlanarJoint

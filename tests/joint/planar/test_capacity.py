@@ -6,18 +6,18 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 import pytest
+from asperity.joint.either_kind import under_torque
+from asperity.joint.rolling_capacity import rolling_torque_capacity
+from asperity.joint_file.build import joint_from_case
 
 from asperity.drive.planar.following import followed
 from asperity.errors import InputError
 from asperity.joint.capacity import torque_capacity
-from asperity.joint.either_kind import under_torque
 from asperity.joint.planar.capacity import capacity_both_ways, limiting_torques, smaller_sizes
 from asperity.joint.planar.description import body_masses
 from asperity.joint.planar.evaluation import laws_and_states
 from asperity.joint.planar.laws import drive_load
 from asperity.joint.planar.solve import solve_planar
-from asperity.joint.rolling_capacity import rolling_torque_capacity
-from asperity.joint_file.build import joint_from_case
 from asperity.joint_file.planar_build import planar_joint_from_case
 from asperity.joint_file.reader import parse_case
 

@@ -7,13 +7,13 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 import pytest
+from asperity.joint.evaluation import evaluate
+from asperity.joint_file.build import joint_from_case
 
 from asperity.compilation import compile_fast
 from asperity.joint.description import Crowns
-from asperity.joint.evaluation import evaluate
 from asperity.joint.planar.evaluation import evaluate_planar
 from asperity.joint.rolling_conditions import DutyPoint
-from asperity.joint_file.build import joint_from_case
 from asperity.joint_file.planar_build import planar_joint_from_case
 
 pytestmark = pytest.mark.slow

@@ -4,12 +4,12 @@ import dataclasses
 
 import numpy as np
 import pytest
+from asperity.joint.either_kind import under_torque
+from asperity.joint.evaluation import evaluate
 
 from asperity.drive.loading_cam import LoadingCam
 from asperity.errors import InputError
 from asperity.joint.capacity import LIMIT_KINDS, capacity_document
-from asperity.joint.either_kind import under_torque
-from asperity.joint.evaluation import evaluate
 from asperity.joint.planar.branches import BranchedPlanarJoint
 from asperity.joint.planar.over_torque import over_torque
 from asperity.joint.planar.solve import solve_planar

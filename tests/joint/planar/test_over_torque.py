@@ -6,10 +6,11 @@ from types import SimpleNamespace
 import jax.numpy as jnp
 import numpy as np
 import pytest
+from asperity.joint.either_kind import under_torque
+from asperity.joint_file.build import joint_from_case
 
 from asperity.joint.both_senses import both_senses
 from asperity.joint.dynamics import Inertias, dynamics
-from asperity.joint.either_kind import under_torque
 from asperity.joint.planar.description import planar_contacts
 from asperity.joint.planar.inertias import planar_inertias
 from asperity.joint.planar.over_torque import _standing
@@ -17,7 +18,6 @@ from asperity.joint.planar.solve import solve_planar
 from asperity.joint.play import Play
 from asperity.joint.rolling_onset import rolling_onset
 from asperity.joint.windup import windup
-from asperity.joint_file.build import joint_from_case
 
 STAGES = (1.0 / 3.0, 2.0 / 3.0)
 

@@ -5,6 +5,7 @@ import dataclasses
 import jax
 import numpy as np
 import pytest
+from asperity.joint_file.build import joint_from_case
 
 from asperity.compilation import compile_fast
 from asperity.errors import InputError
@@ -18,7 +19,6 @@ from asperity.joint.planar.temperature import contact_expansion
 from asperity.joint.status import STATUS_NAMES
 from asperity.joint.temperature import refuse_loose
 from asperity.joint.temperature_curves import temperature_curves
-from asperity.joint_file.build import joint_from_case
 from asperity.joint_file.planar_build import planar_joint_from_case
 from asperity.joint_file.reader import parse_case
 

@@ -5,14 +5,14 @@ import dataclasses
 import jax
 import numpy as np
 import pytest
+from asperity.joint.evaluation import mechanism
+from asperity.joint_file.build import joint_from_case
 
 from asperity.compilation import compile_fast
 from asperity.drive.branch import branch_forces, carrier_residual
 from asperity.drive.force_balance import closure_misfit, loaded_branch
 from asperity.drive.mechanism import Bearings
-from asperity.joint.evaluation import mechanism
 from asperity.joint.planar.evaluation import evaluate_planar
-from asperity.joint_file.build import joint_from_case
 
 pytestmark = pytest.mark.slow
 

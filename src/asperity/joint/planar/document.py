@@ -157,6 +157,8 @@ def planar_capacity_document(forward: PlanarSolution, reverse: PlanarSolution) -
 
 def _rims(solved: SolvedPlanarJoint) -> Document:
     """Stresses and safeties of the rings and hollow rollers that bend, by the name of the body."""
+    if not any(bends(solved.joint)):
+        return {}
     names, found = solved.row_names("body"), solved.rims
     return {
         names[number]: rim_entry(jax.tree.map(lambda leaf, number=number: leaf[..., number], found))
