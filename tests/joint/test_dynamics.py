@@ -9,7 +9,7 @@ import pytest
 
 from asperity.errors import AsperityError
 from asperity.joint.capacity import LIMIT_KINDS, MODEL_LIMITS
-from asperity.joint.dynamics import Inertias, _planar_dynamics, dynamics
+from asperity.joint.dynamics import Inertias, _over_torque, dynamics
 from asperity.joint.planar.solve import solve_planar
 from asperity.joint_file.planar_build import planar_joint_from_case
 
@@ -97,7 +97,7 @@ def test_the_axis_ends_below_the_capacity_in_the_sense_of_the_torque(
         for name, value in limits.items()
     }
     solution = SimpleNamespace(result=solve_planar(paper_joint()).result, **known)
-    monkeypatch.setattr("asperity.joint.dynamics.solve_any", lambda joint: solution)
+    monkeypatch.setattr("asperity.joint.dynamics.solve_planar", lambda joint: solution)
     found = dynamics(paper_joint(output_torque=torque), COUPLED)
     assert float(found.over_torque.output_torque[-1]) == pytest.approx(largest, rel=1e-12)
     assert float(found.at_torque.output_torque) == torque
@@ -112,10 +112,8 @@ def test_another_drive_creeps_by_its_lost_speed_at_the_output(planar_case, monke
         lost_speed_slope=np.array([2e-3, 0.0, 2e-3]),
     )
     monkeypatch.setattr("asperity.joint.dynamics.over_torque", lambda *_, **__: made_up)
-    monkeypatch.setattr("asperity.joint.dynamics.body_inertias", lambda _: (1e-6, 0.01))
-    found = _planar_dynamics(
-        planar_joint_from_case(planar_case("planetary")), COUPLED, np.array([1.0, 2.0, 3.0])
-    )
+    monkeypatch.setattr("asperity.joint.dynamics.planar_inertias", lambda _: (1e-6, 0.01))
+    found = _over_torque(planar_joint_from_case(planar_case("planetary")), COUPLED, np.array([1.0, 2.0, 3.0]))
     lost = 2e-3 * 1500.0 * math.pi / 30.0 / 6.0
     np.testing.assert_allclose(found.creep_damping, [1.0 / lost, math.inf, 1.0 / lost], rtol=1e-12)
     np.testing.assert_allclose(found.stiffness, [9000.0, 8000.0, math.nan], rtol=1e-12)

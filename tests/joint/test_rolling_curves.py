@@ -5,7 +5,6 @@ import math
 
 import numpy as np
 import pytest
-from asperity.joint.rolling_refusal import rolling_capacity_of
 
 from asperity.joint.planar.solve import solve_planar
 from asperity.joint.rolling_curves import rolling_curves
@@ -15,9 +14,7 @@ FRICTION = 0.12
 
 @pytest.fixture(scope="module")
 def joint(paper_joint):
-    return dataclasses.replace(
-        paper_joint(fractal_dimension=1.9, fractal_roughness=1e-16), sun_speed=200.0, output_torque=5.0
-    )
+    return paper_joint(fractal_dimension=1.9, fractal_roughness=1e-16, sun_speed=200.0)
 
 
 @pytest.fixture(scope="module")
@@ -27,7 +24,7 @@ def solution(joint):
 
 @pytest.fixture(scope="module")
 def curves(joint, solution):
-    capacity = rolling_capacity_of(joint, solution, direction=1.0)
+    capacity = float(solution.rolling_capacity.output_torque)
     return rolling_curves(joint=joint, result=solution.result, torque_capacity=capacity)
 
 
@@ -69,7 +66,7 @@ def test_curves_over_torque_and_the_map_are_the_joint_at_that_load(curves, joint
     )
     assert curves.life_turns[place + 1] == pytest.approx(float(own.life_turns.drive), rel=1e-9)
     assert curves.life_hours[place + 1] == pytest.approx(float(own.life_hours.drive), rel=1e-9)
-    there = solve_planar(dataclasses.replace(joint, output_torque=torque, sun_speed=speed)).result.rolling
+    there = solve_planar(dataclasses.replace(joint, output_torque=torque, input_speed=speed)).result.rolling
     assert curves.efficiency[3, place] == pytest.approx(float(there.power.efficiency), rel=1e-9)
 
 
