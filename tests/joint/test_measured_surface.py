@@ -143,8 +143,8 @@ def drawn(zou_file, monkeypatch):
     """Interval of draws whose stiffness is their rank over 1000, some of them without a stiffness."""
 
     def interval(unsolved, plastic):
-        def evaluated(batch):
-            rank = np.arange(np.size(batch.surfaces[0].fractal_dimension))
+        def evaluated(joint, surfaces):
+            rank = np.arange(np.size(surfaces[0].fractal_dimension))
             level = SimpleNamespace(output=rank / 1000.0)
             return SimpleNamespace(
                 solved=rank >= unsolved,

@@ -16,13 +16,13 @@ from asperity.study.batch import evaluate_points
 # changes of the paper's joint in SI units, the status they should have, and what the joint alone is refused for
 FAILURES = [
     ({}, "solved", None),
-    ({"drive.loading_roller_radius": 0.0041}, "no_place_for_rollers", "reach"),
-    ({"drive.planet_radius": 0.0185}, "no_place_for_rollers", "planet must not touch the ring"),
-    ({"drive.planets": 7.0}, "no_place_for_rollers", "neighbouring planets"),
+    ({"drive.loading_roller_radius": 0.0041}, "no_place_for_rollers", "no place"),
+    ({"drive.planet_radius": 0.0185}, "no_place_for_rollers", "planet and ring overlap"),
+    ({"drive.planets": 7.0}, "no_place_for_rollers", "neighbours of planet"),
     (
         {"drive.loading_roller_radius": 0.0049, "drive.ring_radius": 0.0407},
         "no_place_for_rollers",
-        "one planet",
+        "left_loading_roller",
     ),
     (
         {"drive.planets": 5.0, "drive.planet_radius": 0.0125, "drive.loading_roller_radius": 0.0059},
