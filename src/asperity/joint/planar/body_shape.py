@@ -20,11 +20,14 @@ class BodyShape(eqx.Module):
         Diameter of the bore, or wall of the ring [m].
     support : {"free", "rigid_housing"}
         What holds the outer rim of a ring.
+    length : Real or None
+        Length of its tracks [m]; None for that of the longest contact line on each.
     """
 
     kind: Literal["solid", "hollow", "ring"] = eqx.field(static=True)
     size: Real | None = None
     support: Literal["free", "rigid_housing"] = eqx.field(static=True, default="free")
+    length: Real | None = None
 
     @property
     def bore_diameter(self) -> Real | None:
