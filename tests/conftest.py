@@ -1,6 +1,7 @@
 """Shared set-up: double precision, strict promotion, and where the optional shared measurement files live."""
 
 import atexit
+import dataclasses
 import gc
 import os
 import shutil
@@ -62,127 +63,121 @@ def shared_data() -> Path:
     return folder
 
 
+#: Names of numbers of the formulas → their places in a joint file.
+PLACES = {
+    **{
+        name: f"drive.{name}"
+        for name in (
+            *(f"{body}_radius" for body in ("sun", "planet", "loading_roller", "ring")),
+            "left_push_angle",
+            "right_push_angle",
+            "ring_wall_thickness",
+            "contact_length",
+            "planet_length",
+            "loading_roller_length",
+        )
+    },
+    "planet_count": "drive.planets",
+    **{
+        name: f"materials.steel.{name}"
+        for name in ("youngs_modulus", "poisson_ratio", "density", "yield_strength", "hardness")
+    },
+    **{name: f"surface.{name}" for name in ("fractal_dimension", "fractal_roughness", "frequency_ratio")},
+    **{
+        name: f"load.{name}"
+        for name in ("preload", "interference", "output_torque", "sun_speed", "friction_coefficient")
+    },
+    **{
+        name: f"bearings.{name}"
+        for name in (
+            "sun_torque",
+            "loading_roller_torque",
+            "carrier_torque",
+            "pin_friction_coefficient",
+            "pin_diameter",
+        )
+    },
+}
+CHOICES = {
+    "closure": "closure",
+    "closure_springs": "closure_springs",
+    "traction_split": "traction_split",
+    "contact_factor_model": "contact_factor",
+    "asperity_base": "asperity_base",
+    "body_model": "bodies",
+    "plane_state": "plane_state",
+}
+
+
 @pytest.fixture(scope="session")
-def paper_joint():
-    """Maker of the paper's joint (assumptions: steel, N_0 = 1000 N, 5 N·m, no bearing friction) with changes.
+def paper_values(case):
+    """Maker of the SI tables of the paper's joint with a ring of 10 mm and changes, which may be arrays.
 
-    Names of changes are those of the formulas' arguments; numbers may be arrays of one shape.
+    Changes are named as the numbers of the formulas are, or by their path in a joint file with ``__`` for the dots.
     """
-    from asperity.contact.fractal import Surface
-    from asperity.drive.assembly import IDEAL_STRUCTURE
-    from asperity.drive.geometry import DriveGeometry
-    from asperity.drive.mechanism import Bearings
-    from asperity.joint.evaluation import Bodies, Joint
-    from asperity.joint.play import NO_PLAY
-    from asperity.materials import Material
+    from asperity.joint_file.si_tables import replace_values, si_values
 
-    standard = {
-        "sun_radius": 4e-3,
-        "planet_radius": 13.5e-3,
-        "loading_roller_radius": 5e-3,
-        "ring_radius": 40e-3,
-        "planet_count": 3.0,
-        "left_push_angle": 0.0,
-        "right_push_angle": 0.0,
-        "youngs_modulus": 206e9,
-        "poisson_ratio": 0.3,
-        "density": 7850.0,
-        "yield_strength": 450e6,
-        "hardness": 1260e6,
-        "fractal_dimension": 1.4,
-        "fractal_roughness": 1e-11,
-        "contact_length": 5e-3,
-        "friction_coefficient": 0.12,
-        "ring_wall_thickness": 10e-3,
-        "sun_torque": 0.0,
-        "loading_roller_torque": 0.0,
-        "carrier_torque": 0.0,
-        "pin_friction_coefficient": 0.0,
-        "pin_diameter": 0.0,
-        "preload": 1000.0,
-        "output_torque": 5.0,
-        "sun_speed": 6000 * np.pi / 30,
-        "structure": IDEAL_STRUCTURE,
-        "play": NO_PLAY,
-        "closure": "elastic",
-        "closure_springs": "bulk",
-        "contact_factor_model": "printed",
-        "asperity_base": "majumdar_bhushan_1991",
-    }
+    standard = replace_values(si_values(case), {"drive.ring_wall_thickness": 10e-3})
 
     def make(**changes):
-        unknown = changes.keys() - standard.keys()
-        assert not unknown, unknown
-        x = standard | changes
-        numbers = {
-            key: np.asarray(value, float)
-            for key, value in x.items()
-            if isinstance(value, int | float | np.ndarray)
-        }
-        shape = np.broadcast_shapes(*(value.shape for value in numbers.values()))
-        x |= {key: np.broadcast_to(value, shape).copy() for key, value in numbers.items()}
+        choices = {CHOICES[name]: changes.pop(name) for name in CHOICES.keys() & changes.keys()}
+        support = {"ring_support": changes.pop("ring_support")} if "ring_support" in changes else {}
+        paths = {PLACES.get(name, name.replace("__", ".")): value for name, value in changes.items()}
+        values = replace_values(standard, paths)
+        return values | {"model": values["model"] | choices, "drive": values["drive"] | support}
 
-        def pick(module, *names):
-            return module(*(x[name] for name in names))
+    return make
 
-        body = pick(Material, "youngs_modulus", "poisson_ratio", "density", "yield_strength", "hardness")
-        surface = Surface(
-            x["fractal_dimension"], x["fractal_roughness"], np.full(shape, 1.5), x["asperity_base"]
-        )
-        return Joint(
-            geometry=pick(DriveGeometry, *list(standard)[:7]),
-            bodies=Bodies(body, body, body, body),
-            surfaces=(surface,),
-            contact_lengths=(x["contact_length"],),
-            friction_coefficients=(x["friction_coefficient"],),
-            planet_length=x["contact_length"],
-            loading_roller_length=x["contact_length"],
-            ring_wall_thickness=x["ring_wall_thickness"],
-            bearings=pick(
-                Bearings,
-                "sun_torque",
-                "loading_roller_torque",
-                "carrier_torque",
-                "pin_friction_coefficient",
-                "pin_diameter",
-            ),
-            preload=x["preload"],
-            output_torque=x["output_torque"],
-            sun_speed=x["sun_speed"],
-            structure=x["structure"],
-            play=x["play"],
-            closure=x["closure"],
-            closure_springs=x["closure_springs"],
-            contact_factor_model=x["contact_factor_model"],
-        )
+
+@pytest.fixture(scope="session")
+def paper_joint(paper_values):
+    """Maker of the paper's joint (assumptions: steel, N_0 = 1000 N, 5 N·m, no bearing friction) with changes.
+
+    Arrays of one shape (n,) make a batch: every number of the joint then has this axis first.
+    """
+    from asperity.joint_file.planar_build import planar_joint_from_values
+
+    def make(*, play=None, **changes):
+        def one(**numbers):
+            joint = planar_joint_from_values(paper_values(**numbers))
+            return joint if play is None else dataclasses.replace(joint, play=play)
+
+        arrays = {name: value for name, value in changes.items() if np.ndim(value)}
+        if not arrays:
+            return one(**changes)
+        (count,) = np.broadcast_shapes(*(value.shape for value in arrays.values()))
+        joints = [
+            one(**changes | {name: float(value[i]) for name, value in arrays.items()}) for i in range(count)
+        ]
+        return jax.tree.map(lambda *leaves: np.stack([np.asarray(leaf, float) for leaf in leaves]), *joints)
 
     return make
 
 
 @pytest.fixture(scope="session")
 def evaluated_together():
-    """What the chain says of up to 64 joints, always by the program for 64: one compilation for each variant."""
-    from asperity.compilation import compile_fast
-    from asperity.joint.evaluation import evaluate
+    """What the chain says of up to 64 joints, always by the program for 64: one compilation for each variant.
+
+    The axis of the joints, first in ``paper_joint``, is last in the results.
+    """
+    from asperity.joint.planar.evaluation import evaluate_planar
 
     most = 64
+    program = jax.jit(jax.vmap(evaluate_planar, out_axes=-1))
 
     def evaluated(joint):
-        shape = np.broadcast_shapes(*(np.shape(leaf) for leaf in jax.tree.leaves(joint)))
+        shape = np.shape(joint.output_torque)
         count = int(np.prod(shape))
         assert count <= most
 
         def padded(leaf):
-            values = np.broadcast_to(np.asarray(leaf, dtype=float), shape).ravel()
-            return np.concatenate([values, np.full(most - count, values[-1])])
+            values = np.asarray(leaf, dtype=float).reshape(count, *np.shape(leaf)[len(shape) :])
+            return np.concatenate([values, np.repeat(values[-1:], most - count, axis=0)])
 
-        numbers = jax.tree.map(padded, joint)
-
-        def asked(leaf):
-            values = np.asarray(leaf)  # without an axis where it is the same for all
-            return values[..., :count].reshape((*values.shape[:-1], *shape)) if values.ndim else values
-
-        return jax.tree.map(asked, compile_fast(evaluate, numbers)(numbers))
+        found = program(jax.tree.map(padded, joint))
+        return jax.tree.map(
+            lambda leaf: np.asarray(leaf)[..., :count].reshape((*np.shape(leaf)[:-1], *shape)), found
+        )
 
     return evaluated
 
@@ -241,16 +236,18 @@ def evaluated_directly(case):
     """What the chain says on a grid of axes, in one call without the machinery of studies."""
 
     def evaluated(axes):
-        from asperity.compilation import compile_fast
-        from asperity.joint.evaluation import evaluate
-        from asperity.joint_file.build import with_values
+        from asperity.joint.planar.evaluation import evaluate_planar
+        from asperity.joint_file.planar_build import planar_joint_from_values
+        from asperity.joint_file.si_tables import replace_values, si_values
+
+        def at(*numbers):
+            changes = {axis.path: number for axis, number in zip(axes, numbers, strict=True)}
+            return evaluate_planar(planar_joint_from_values(replace_values(si_values(case), changes)))
 
         grid = np.meshgrid(*(axis.values for axis in axes), indexing="ij")
-        joint = with_values(case, {axis.path: v.ravel() for axis, v in zip(axes, grid, strict=True)})
-        numbers = jax.tree.map(lambda leaf: np.asarray(leaf, dtype=float), joint)
-        result = compile_fast(evaluate, numbers)(numbers)
-        assert np.all(result.solved)
-        return result
+        found = jax.jit(jax.vmap(at, out_axes=-1))(*(np.ravel(each) for each in grid))
+        assert np.all(found.solved)
+        return found
 
     return evaluated
 
@@ -259,7 +256,9 @@ def evaluated_directly(case):
 def unequal_branches():
     """Three branches by hand under 5 N·m: the third loose, the first pressed 1.1 times as hard as equal ones."""
     from asperity.joint.branch_results import BranchCapacity, BranchState, UnequalBranches
-    from asperity.joint.branch_sizes import BranchSizes
+    from asperity.joint.branch_sizes import SectorDeviations
+
+    planets, per_size = np.array([1e-6, 0.0, -7e-6]), np.array([0.0, 0.0, 0.0, 2.0, 2.0])
 
     def of(support=5e7, **changes):
         state = {
@@ -272,7 +271,7 @@ def unequal_branches():
         falling = np.outer(np.linspace(1.0, 0.6, 5), [1.2, 1.1, np.nan])
         capacity = BranchCapacity(first_slip=8.0, branch=1, contact=0, all_slip=12.5, equal=13.0)
         known = {
-            "sizes": BranchSizes(np.array([1e-6, 0.0, -7e-6]), np.zeros(3), np.zeros(3), support),
+            "sizes": SectorDeviations({"planet": planets}, np.outer(planets, per_size), per_size, support),
             "torque": 5.0,
             "own_preload": 1000.0,
             "interference": np.array([14e-6, 12e-6, -1e-6]),
