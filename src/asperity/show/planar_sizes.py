@@ -105,6 +105,10 @@ def sizes(joint: PlanarJoint, scale: float, interference: float | None = None) -
         if bore is not None:
             text = f"bore ⌀{dimension(1e3 * float(bore))}"
             found.append(Size(counted, text, f"{counted}, {text}", _on(joint, kind, 0.5e3 * float(bore))))
+        pin = pin_diameter_of(joint, kind[0])
+        if pin:
+            text = f"pin ⌀{dimension(pin)}"
+            found.append(Size(counted, text, f"{counted}, {text}", _on(joint, kind, 0.5 * pin)))
         if not on_axis:
             x, y = copies_of(joint, kind[0])[0]
             orbit, text = math.hypot(x, y), f"⌀{dimension(2.0 * math.hypot(x, y))}"
