@@ -7,6 +7,7 @@ import pytest
 
 from asperity.drive.thermal_expansion import loosening_rise, ring_expansion
 
+
 def lame(ring, housing, inner, wall, young, poisson, support, plane_state):
     """Displacement of the inner rim per kelvin from the two boundary conditions, in the two constants A r + B/r."""
     outer = inner + wall

@@ -48,7 +48,9 @@ RADII = {"sun": 4e-3, "planet": 13.5e-3, "loading_roller": 5e-3, "ring": 40e-3}
 def wedge_change(left=0.0, right=0.0, carrier=0.0, **strains):
     """Interference that strains of the bodies add to the paper's drive."""
     drive = wedge_drive(DriveGeometry(*RADII.values(), 3.0, left, right), planet_count=3)
-    rollers = dict.fromkeys(("right_loading_roller", "left_loading_roller"), strains.pop("loading_roller", 0.0))
+    rollers = dict.fromkeys(
+        ("right_loading_roller", "left_loading_roller"), strains.pop("loading_roller", 0.0)
+    )
     return added(drive, carrier, **strains, **rollers)[1]
 
 
