@@ -116,3 +116,58 @@ def test_what_is_neither_toml_nor_json(tmp_path, name, text, reason):
     (tmp_path / name).write_text(text)
     with pytest.raises(InputError, match=re.escape(reason)):
         (read_toml if name.endswith("toml") else read_json)(tmp_path / name)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "# " + "a" * 900_000,
+        "# " + "a." * 450_000,
+        'x = "' + "a." * 450_000 + '"',
+        'x = """' + 'a."' * 300_000 + 'a"""',
+        "x = '''" + "a.\n" * 300_000 + "'''",
+        "\n" * 900_000,
+        "a" + " " * 900_000 + "= 1",
+    ],
+    ids=["word", "dotted comment", "text", "long text", "raw text", "empty lines", "spaces"],
+)
+def test_a_long_word_is_read_in_no_time_and_only_keys_are_counted(text):
+    start = time.perf_counter()
+    parse_toml(text, source="x")
+    assert time.perf_counter() - start < 3.0  # .1 to 1 s here; an hour where the time grows with the square
+
+
+@pytest.mark.parametrize(
+    "text",
+    ["a" * 900_000, '"\\' * 450_000, '"""' + '\\"""' * 220_000, "'" * 900_000, ("a." * 15 + "a ") * 28_000],
+)
+def test_what_never_ends_is_refused_in_no_time(text):
+    start = time.perf_counter()
+    with pytest.raises(InputError, match="not valid TOML"):
+        parse_toml(text, source="x")
+    assert time.perf_counter() - start < 3.0
+
+
+LONG = ".".join("abcdefghijklmnopq")
+
+
+@pytest.mark.parametrize(
+    "before",
+    [
+        "x = 'a\"b' # 'c\n",
+        'x = "a\'b" # "c\n',
+        'x = "\\"" \n',
+        'x = """a"""""\n',
+        "x = '''a'''''\n",
+        'x = """\\""""\n',
+        'x = [""""a"""", {',
+        "x = {y = '''a'''', z = {",
+        "'#' = 1\n",
+        '"#" = 1\n',
+    ],
+)
+def test_no_text_or_comment_hides_a_long_key(before):
+    with pytest.raises(InputError, match="a key has at most 16 parts"):
+        parse_toml(f"{before}{LONG} = 1", source="x")
+    closed = "}]" if "[" in before else "}}" if "{" in before else ""
+    assert "x" in parse_toml(f"{before}{LONG[:-4]} = 1{closed}", source="x") or before[1] == "#"

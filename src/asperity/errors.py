@@ -8,6 +8,9 @@ from collections.abc import Sequence
 from contextvars import ContextVar
 
 LONGEST_QUOTE = 80
+#: Errors of one file that are told; the others are counted.
+MOST_ERRORS = 20
+_LONGEST_SENTENCE = 1000
 
 #: What runs, in words, where the command line has set it; messages name it.
 RUNNING: ContextVar[str] = ContextVar("RUNNING", default="this function")
@@ -64,6 +67,38 @@ def quoted(value: object) -> str:
     except RecursionError:
         return "a deeply nested value"
     return text if len(text) <= LONGEST_QUOTE else f"{text[:LONGEST_QUOTE]}…"
+
+
+def listed(sentences: Sequence[str], *, more: int = 0) -> str:
+    """Errors of one file as one text.
+
+    Parameters
+    ----------
+    sentences : sequence of str
+        At least one.
+    more : int, optional
+        Errors besides these.
+
+    Returns
+    -------
+    str
+        One sentence, or the number of errors and the first :data:`MOST_ERRORS` of them on a line each; a sentence is
+        shortened if it is long, as the name of a key may be as long as the file.
+    """
+    told = [_shortened(sentence) for sentence in sentences[:MOST_ERRORS]]
+    count = len(sentences) + more
+    if count == 1:
+        return told[0]
+    left = count - len(told)
+    lines = "".join(f"\n  {sentence}" for sentence in told)
+    return f"{count} errors{lines}" + (f"\n  and {left} more" if left else "")
+
+
+def _shortened(sentence: str) -> str:
+    if len(sentence) <= _LONGEST_SENTENCE:
+        return sentence
+    half = _LONGEST_SENTENCE // 2
+    return f"{sentence[:half]}…{sentence[-half:]}"
 
 
 class AsperityError(Exception):

@@ -24,8 +24,24 @@ MOST_LEVELS = 32
 #: Parts of a dotted key; the time that tomllib takes grows with the square of them.
 MOST_KEY_PARTS = 16
 
-_KEY_PART = r"""(?:[A-Za-z0-9_-]+|"(?:[^"\\\n]|\\.)*"|'[^'\n]*')"""
-_LONG_KEY = rf"{_KEY_PART}(?:[ \t]*\.[ \t]*{_KEY_PART}){{{MOST_KEY_PARTS},}}"
+_KEY_PART = r"""(?:[A-Za-z0-9_-]++|"(?:[^"\\\n]|\\.)*+"|'[^'\n]*+')"""
+_NEXT_PART = rf"[ \t]*+\.[ \t]*+{_KEY_PART}"
+#: What a TOML text consists of: comments and texts as a whole, too long keys, other words. Whatever the text says, each
+#: character is looked at a few times at most: a text without an end reaches to the end of its line or of the file.
+_TOKEN = re.compile(
+    "|".join(
+        (
+            r"#[^\n]*+",
+            r'"{3}(?:[^\\]|\\.)*?(?:"{3,5}|\Z)',
+            r"'{3}.*?(?:'{3,5}|\Z)",
+            rf"(?P<long_key>{_KEY_PART}(?:{_NEXT_PART}){{{MOST_KEY_PARTS}}})",
+            rf"{_KEY_PART}(?:{_NEXT_PART})*+",
+            r'"(?:[^"\\\n]|\\.)*+',
+            r"'[^'\n]*+",
+        )
+    ),
+    re.DOTALL,
+)
 
 
 def _refusal(path: str | Path, error: OSError, hint: str = "") -> InputError:
@@ -184,10 +200,10 @@ def parse_toml(text: str, *, source: str) -> dict[str, Any]:
         If it is not valid TOML, a key has more than :data:`MOST_KEY_PARTS` parts, or it is nested deeper than
         :data:`MOST_LEVELS`.
     """
-    long_key = re.search(_LONG_KEY, text)
-    if long_key is not None:
-        line = text.count("\n", 0, long_key.start()) + 1
-        raise InputError(f"{source}: line {line}: a key has at most {MOST_KEY_PARTS} parts")
+    for token in _TOKEN.finditer(text):
+        if token.lastgroup:
+            line = text.count("\n", 0, token.start()) + 1
+            raise InputError(f"{source}: line {line}: a key has at most {MOST_KEY_PARTS} parts")
     try:
         tables = tomllib.loads(text)
     except tomllib.TOMLDecodeError as error:
@@ -196,7 +212,7 @@ def parse_toml(text: str, *, source: str) -> dict[str, Any]:
         raise _too_deep(source) from None
     except ValueError:  # Python refuses to read whole numbers of thousands of digits
         raise InputError(f"{source}: not valid TOML: a number has too many digits") from None
-    _check_depth(tables, source)
+    check_depth(tables, source)
     return tables
 
 
@@ -252,7 +268,7 @@ def read_json(path: str | Path, *, largest: int = LARGEST_FILE) -> Any:
         raise _too_deep(path) from None
     except ValueError:
         raise InputError(f"{path}: not valid JSON: a number has too many digits") from None
-    _check_depth(document, path)
+    check_depth(document, path)
     return document
 
 
@@ -260,8 +276,21 @@ def _too_deep(source: str | Path) -> InputError:
     return InputError(f"{source}: nested too deeply; at most {MOST_LEVELS} levels are read")
 
 
-def _check_depth(document: Any, source: str | Path) -> None:
-    """Raise if tables and lists are nested too deeply for code that walks through them."""
+def check_depth(document: Any, source: str | Path) -> None:
+    """Raise if tables and lists are nested too deeply for code that walks through them.
+
+    Parameters
+    ----------
+    document : object
+        Nested dictionaries and lists.
+    source : str or Path
+        Its name, for the message.
+
+    Raises
+    ------
+    InputError
+        If there are more than :data:`MOST_LEVELS` levels.
+    """
     level = [document] if isinstance(document, dict | list) else []
     for _ in range(MOST_LEVELS):
         if not level:

@@ -1,12 +1,15 @@
 """``asperity draw``: files of every kind, and refusals before anything is written."""
 
+import re
 from pathlib import Path
 
 import pytest
 
+from asperity.joint.description import Joint
 from asperity.joint.planar.solve import solve_planar
-from asperity.joint_file.planar_build import planar_joint_from_case
-from asperity.joint_file.reader import read_case
+from asperity.joint_file.planar_build import any_joint_from_values
+from asperity.joint_file.reader import parse_any_case
+from asperity.joint_file.si_tables import si_values
 
 EXAMPLE = Path(__file__).parents[2] / "examples" / "zou2025.toml"
 
@@ -29,7 +32,7 @@ def test_dxf_has_the_radii_and_forces_of_the_file(call, joint_file, tmp_path):
     for radius, count in ((4.0, 1), (13.5, 3), (5.0, 6), (40.0, 1)):
         assert sum(abs(each - radius) < 1e-9 for each in radii) == count
     texts = {text.dxf.text for text in document.query("TEXT")}
-    assert {"%%c80", "sun %%c8", "Torque at the sun 0.5556 N·m, at the carrier 5 N·m."} <= texts
+    assert {"sun %%c8", "Torque at the sun 0.5556 N·m, at the carrier 5 N·m."} <= texts
     assert "sp: N = 1001 N" in texts  # machine.md and model.md: 1001.05 N at 5 N*m
 
 
@@ -55,17 +58,63 @@ def test_refusals_write_nothing(call, joint_file, tmp_path, monkeypatch, change,
     assert not list(tmp_path.glob("d.*"))
 
 
+def texts_of(path):
+    """Every text of a drawing: of DXF from its entities, broken lines together."""
+    if path.suffix == ".dxf":
+        ezdxf = pytest.importorskip("ezdxf", reason="the extra 'report' is not installed")
+        texts = " ".join(each.dxf.text for each in ezdxf.readfile(path).query("TEXT"))
+        return " ".join(texts.split()).replace("%%c", "⌀")
+    return path.read_text()
+
+
+def preload_of(joint):
+    """Force that the interference of a joint makes [N]."""
+    return float(joint.preload if isinstance(joint, Joint) else solve_planar(joint).result.preload)
+
+
 @pytest.mark.slow
-def test_a_ring_under_a_preload_is_as_small_as_one_under_the_interference_that_makes_it(call, tmp_path):
-    """The force of 30 µm, from the solved joint, gives back 99.94 mm; beyond the capacity it is not known."""
-    ezdxf = pytest.importorskip("ezdxf", reason="the extra 'report' is not installed")
-    example = EXAMPLE.with_name("planetary.toml")
-    result, text = solve_planar(planar_joint_from_case(read_case(example))).result, example.read_text()
-    file = tmp_path / "joint.toml"
-    for torque, inside in (("10", "99.94"), ("1e5", "100 less 2 × interference")):
-        pressed = text.replace('interference = "30 um"', f'preload = "{float(result.preload)!r} N"')
-        file.write_text(pressed.replace('output_torque = "10 N', f'output_torque = "{torque} N'))
-        outcome = call("draw", file, "--out", tmp_path / "d.dxf")
+@pytest.mark.parametrize("forces", [(), ("--forces",)])
+@pytest.mark.parametrize("name", ["zou2025", "planetary", "stepped_planet", "multiroller", "planar"])
+def test_a_ring_under_a_preload_is_as_small_as_one_under_the_interference_that_makes_it(
+    call, tmp_path, name, forces
+):
+    """The force of the stated interference gives its bore back, also far beyond the torque that the drive carries."""
+    text = EXAMPLE.with_name(f"{name}.toml").read_text()
+    load = text[text.index("[load]") :]
+    stated = next(line for line in load.splitlines() if line.startswith(("preload", "interference")))
+    by_interference = text.replace(stated, 'interference = "30 um"')
+    joint = any_joint_from_values(si_values(parse_any_case(by_interference, source="test")))
+    force = preload_of(joint)
+    file, said = tmp_path / "joint.toml", []
+    for line in ('interference = "30 um"', f'preload = "{force!r} N"'):
+        file.write_text(text.replace(stated, line))
+        outcome = call("draw", file, "--out", tmp_path / "d.dxf", *forces)
         assert (outcome.code, outcome.out) == (0, "")
-        texts = {each.dxf.text for each in ezdxf.readfile(tmp_path / "d.dxf").query("TEXT")}
-        assert f"ring inside %%c{inside}" in texts
+        said.append(texts_of(tmp_path / "d.dxf"))
+    assert said[0] == said[1]
+    assert "interference 30 µm on the radius" in said[0]
+
+
+def test_the_bore_is_known_at_any_torque_and_in_every_format(call, joint_file, tmp_path):
+    """A preload of 1000 N at 500 N·m, which no contact carries; the interference is that of the rest."""
+    joint = joint_file(("5 N*m", "500 N*m"))
+    for suffix in ("dxf", "svg"):
+        assert call("draw", joint, "--out", tmp_path / f"d.{suffix}").code == 0
+    said = texts_of(tmp_path / "d.dxf")
+    bore = float(re.search(r"ring: made bore ⌀([0-9.]+),", said)[1])
+    assert 79.9 < bore < 79.99
+    made = EXAMPLE.read_text().replace('preload = "1000 N"', f'interference = "{500.0 * (80.0 - bore)!r} um"')
+    # the bore has a tenth of a micrometre
+    assert preload_of(any_joint_from_values(si_values(parse_any_case(made, source="x")))) == pytest.approx(
+        1000.0, rel=1e-2
+    )
+
+
+def test_a_bore_that_is_not_known_is_said(call, joint_file, tmp_path):
+    """A temperature, and materials whose expansion the file does not give."""
+    warm = ("[model]", '[temperature]\nassembly = "20 degC"\nworking = "60 degC"\n\n[model]')
+    outcome = call("draw", joint_file(warm), "--out", tmp_path / "d.dxf")
+    assert outcome.code == 0
+    assert "warning" in outcome.err
+    assert "thermal_expansion of steel" in outcome.err
+    assert "⌀80 less 2 × interference" in texts_of(tmp_path / "d.dxf")

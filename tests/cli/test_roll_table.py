@@ -11,7 +11,6 @@ from asperity.cli.roll_table import show_rolling
 LOSSES = {"creep": 2.0, "skew": 0.0, "hysteresis": None, "oil": None, "total": 2.0}
 CONTACT = {
     "creepage": 5.4e-4,
-    "creepage_share": 0.6,
     "traction_coefficient": 0.05,
     "capacity_loss": 0.0,
     "shakedown_ratio": 0.5,

@@ -1,3 +1,6 @@
+import re
+import time
+
 import pytest
 
 from asperity.errors import InputError
@@ -54,3 +57,35 @@ def test_what_only_other_drives_have_names_them(planar_case, example_text):
         parse_case(example_text + '\n[[roller]]\nname = "x"\n', source="mine.toml")
     with pytest.raises(InputError, match=r'bore_diameter: only for drives of type "zou2025", "planetary"$'):
         planar_case("multiroller", ("[load]", 'planet_bore_diameter = "2 mm"\n\n[load]'))
+
+
+MANY = {
+    "sections": lambda text: text + "".join(f"\n[a{i}]" for i in range(60_000)),
+    "keys": lambda text: text.replace("[drive]", "[drive]\n" + "".join(f"k{i} = 1\n" for i in range(40_000))),
+    "loads": lambda text: text + "\n[[duty]]\nx = 1" * 40_000,
+    "materials": lambda text: text + "".join(f"\n[materials.m{i}]\nlibrary = 'x'" for i in range(20_000)),
+    "bodies": lambda text: text.replace(
+        "[bodies]", "[bodies]\n" + "".join(f"k{i} = 'x{i}'\n" for i in range(40_000))
+    ),
+}
+
+
+@pytest.mark.parametrize("what", MANY)
+def test_of_a_great_many_errors_the_first_are_told_in_no_time(what, example_text):
+    text = MANY[what](example_text)
+    start = time.perf_counter()
+    with pytest.raises(InputError) as caught:
+        parse_case(text, source="x.toml")
+    assert time.perf_counter() - start < 5.0  # .3 to 1 s here; 8 s to hours where each was explained
+    first, *lines, last = str(caught.value).split("\n  ")
+    count = int(re.fullmatch(r"x\.toml: (\d+) errors", first).group(1))
+    assert count >= 20_000
+    assert len(lines) == 20
+    assert last == f"and {count - 20} more"
+    assert len(str(caught.value)) < 10_000
+
+
+def test_a_key_as_long_as_the_file_is_shortened(example_text):
+    with pytest.raises(InputError, match=r"drive\.kkk.*…") as caught:
+        parse_case(example_text.replace("[drive]", "[drive]\n" + "k" * 900_000 + " = 1"), source="x")
+    assert len(str(caught.value)) < 1100

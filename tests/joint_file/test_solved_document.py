@@ -35,9 +35,7 @@ def harder(name, text, sizes, torque):
     for old, new in (text, ("[model]", f"{stated}[model]")):
         name = name.replace(old, new, 1)
     before, rest = name.split('output_torque = "', 1)
-    return parse_case(
-        f'{before}output_torque = "{torque} N*m"{rest[rest.index(chr(34)) + 1 :]}', source="x"
-    )
+    return parse_case(f'{before}output_torque = "{torque} N*m"{rest[rest.index(chr(34)) + 1 :]}', source="x")
 
 
 @pytest.fixture(scope="module")

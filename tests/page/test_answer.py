@@ -187,3 +187,6 @@ def test_the_windup_is_that_of_the_branches_of_the_file(zou_file):
     for name in ("hysteresis", "lost_motion"):
         assert found[f"{name}_rad"] == pytest.approx(float(getattr(curve, name)), rel=2e-3)
     assert found["hysteresis_rad"] > equal["hysteresis_rad"]  # the branch that is pressed least slips most
+    assert found["drawing"]["made_interference_m"] == pytest.approx(
+        30e-6
+    )  # a ring at which all just touch has no preload

@@ -225,3 +225,12 @@ def test_a_finish_of_a_file_with_a_surface_for_each_contact(planetary_text):
     surfaces = tomllib.loads(JointRequest("p.toml", each, asked).file_text())["surface"]
     expected = {"finish": "honed", "roughness_average": "0.1 um", "frequency_ratio": 1.5}
     assert surfaces == {"sp": expected, "pr": expected}
+
+
+@pytest.mark.parametrize("levels", [33, 500, 900])
+def test_deeply_nested_tables_are_refused(levels):
+    tables = {"a": 1}
+    for _ in range(levels):
+        tables = {"a": tables}
+    with pytest.raises(InputError, match="nested too deeply"):
+        joint_request({"joint": tables})

@@ -1,6 +1,8 @@
 """Addresses for files and jobs, as a script uses them."""
 
 import json
+import threading
+import time
 
 import pytest
 
@@ -12,9 +14,11 @@ from starlette.testclient import TestClient
 
 from asperity.errors import AsperityError
 from asperity.page import jobs as jobs_module
+from asperity.page import work_routes as work_routes_module
+from asperity.page.computation import Computations
 from asperity.page.jobs import Jobs
 from asperity.page.problems import problem
-from asperity.page.upload import Measurements
+from asperity.page.upload import Measurements, recognised
 from asperity.page.work_routes import work_routes
 
 KIND = {"content-type": "application/octet-stream"}
@@ -37,16 +41,19 @@ class Done:
 @pytest.fixture
 def client(monkeypatch):
     monkeypatch.setattr(jobs_module, "Child", Done)
-    jobs, measurements = Jobs(), Measurements()
+    jobs, measurements, readers = Jobs(), Measurements(), Computations(longest=60.0)
 
     async def wrong(request, error):
         return problem(error, source="")
 
-    app = Starlette(routes=work_routes(jobs, measurements), exception_handlers={AsperityError: wrong})
+    app = Starlette(
+        routes=work_routes(jobs, measurements, readers), exception_handlers={AsperityError: wrong}
+    )
     with TestClient(app) as found:
         yield found
     jobs.close()
     measurements.close()
+    readers.close()
 
 
 def test_a_job_is_begun_watched_and_downloaded(client, joint_text):
@@ -70,6 +77,35 @@ def test_a_job_is_begun_watched_and_downloaded(client, joint_text):
     assert file.json() == {"samples": 200}
     assert file.headers["content-disposition"] == 'attachment; filename="my_joint-uncertainty.json"'
     assert client.post(f"/api/jobs/{identity}/stop", json={}).json()["state"] == "done"
+
+
+@pytest.mark.parametrize("name", ["opened_joint", "opened_design", "job_request"])
+def test_files_are_read_beside_the_loop_of_events(client, monkeypatch, name):
+    """The text of a file may take seconds, and the page must answer others meanwhile."""
+    began, answered = threading.Event(), threading.Event()
+
+    def slow(*arguments):
+        began.set()
+        assert answered.wait(20.0), "nothing was answered while a file was read"
+        raise AsperityError("read")
+
+    monkeypatch.setattr(work_routes_module, name, slow)
+    content = b"[variables.x]\n" if name == "opened_design" else b"{}"
+    path = "/api/jobs" if name == "job_request" else "/api/open?name=x.toml"
+    kind = {"content-type": "application/json"} if name == "job_request" else KIND
+    asking = threading.Thread(target=client.post, args=(path,), kwargs={"content": content, "headers": kind})
+    asking.start()
+    assert began.wait(20.0)
+    assert client.get("/api/jobs/0123").status_code == 410
+    answered.set()
+    asking.join()
+
+
+def test_empty_lines_are_recognised_in_no_time():
+    start = time.perf_counter()
+    assert recognised(b"\n" * 900_000, "x.toml") == "joint"
+    assert recognised(b"x = 1\n\n  [variables.y]\n", "x.toml") == "design"
+    assert time.perf_counter() - start < 2.0
 
 
 def test_a_job_that_is_not_there(client):

@@ -10,7 +10,7 @@ TURN_AN_ARCMINUTE = math.pi / 180.0 / 60.0
 
 def document(**changes):
     contact = {
-        "creepage": 1.5e-3, "creepage_share": 0.6, "traction_coefficient": 0.046, "life_output_turns": 2e6,
+        "creepage": 1.5e-3, "traction_coefficient": 0.046, "life_output_turns": 2e6,
         "axial_force_N": 0.0, "losses_W": {"creep": 1.0, "skew": 0.0, "hysteresis": None, "oil": None, "total": 1.0},
         "capacity_loss": 0.0,
     }  # fmt: skip
@@ -59,7 +59,7 @@ def test_losses_by_contact_and_in_all():
         ("bearings and pins", "", "", "", "", "0.25"),
         ("all", "1", "0", "–", "–", "1.25"),
     ]
-    assert found["Contacts in rolling"] == [("sp", "1.5", "60", "0.046", "0.9", "2e6")]
+    assert found["Contacts in rolling"] == [("sp", "1.5", "0.046", "0.9", "2e6")]
 
 
 def test_lives_of_drive_and_bodies_and_under_a_duty():

@@ -69,13 +69,23 @@ def test_words_of_the_sheet(joint_of):
     sheet = drive_sheet(joint_of(), name="examples/zou2025.toml")
     assert (sheet.width, sheet.height, sheet.scale) == (297.0, 210.0, 1.0)
     texts = " | ".join(sheet.texts)
-    assert "ring: inside ⌀80, wall 60, outside ⌀200 | the wall is broken off at the wavy line" in texts
+    assert "   outside ⌀200 | the wall is broken off at the wavy line" in texts
     assert "A  neighbouring planets 3.311" in texts
     assert "Scale 1:1   dimensions in mm" in texts
     assert "axes only" in texts
-    assert "interference" not in texts
-    made = drive_sheet(joint_of(), name="a", interference=13e-6)
-    assert "interference 13 µm on the radius, |    not in the ⌀ of the ring" in " | ".join(made.texts)
+    assert sheet.texts.count("⌀80 less 2 × interference") == 1
+    assert "interference on the radius not known" in texts
+
+
+def test_the_ring_is_drawn_with_the_bore_that_is_made(joint_of):
+    """A ring of 94 mm, as it was drawn, has no preload: 47 µm on the radius make it 93.906 mm."""
+    joint = joint_of(drive__ring_radius=47e-3, drive__planet_radius=17e-3)
+    sheet = drive_sheet(joint, name="a", interference=47e-6)
+    texts = " | ".join(sheet.texts)
+    assert "⌀93.906" in sheet.texts
+    assert "⌀94" not in sheet.texts
+    assert "ring: made bore ⌀93.906, | " in texts
+    assert "interference 47 µm on the radius |    (all just touch in ⌀94)" in texts
 
 
 def test_overlap_is_said(joint_of):

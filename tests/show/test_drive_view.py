@@ -19,7 +19,9 @@ def texts(items):
 
 
 def test_radii_are_those_of_the_file_and_a_thin_wall_is_drawn_in_full(joint_of):
-    items = drive_view(joint_of(drive__ring_wall_thickness=12e-3), scale=1.0, labels_from=90.0)
+    items = drive_view(
+        joint_of(drive__ring_wall_thickness=12e-3), scale=1.0, labels_from=90.0, interference=0.0
+    )
     expected = [4.0] + 3 * [13.5] + 6 * [5.0] + [40.0, 52.0]
     assert outlines(items) == pytest.approx(sorted(expected))
     assert not [

@@ -189,7 +189,7 @@ WARM = '[temperature]\nassembly = "20 degC"\nworking = "60 degC"\n\n[model]'
             "planetary", {'interference = "30 um"': 'preload = "1000 N"'}, None,
             "pr: planet – ring, interference by a preload of 1000 N",
         ),
-        ("planar", {}, 13e-6, "ring, interference 13 µm on the radius, not in the ⌀ of the ring"),
+        ("planar", {}, 13e-6, "ring, interference 13 µm on the radius, in the ⌀ of the ring"),
     ],
 )  # fmt: skip
 def test_the_list_says_the_interference(planar_case, name, replaced, interference, words):

@@ -5,7 +5,7 @@ import math
 import pytest
 
 from asperity.joint_file.planar_build import planar_joint_from_case
-from asperity.show.planar_sizes import contact_interferences, planar_clearances, rings_follow, sizes
+from asperity.show.planar_sizes import contact_interferences, planar_clearances, sizes
 
 # multiroller: s + x_1 = 26; second row by the law of cosines in the triangle of axis, first and second row
 FAR = 26.0 / math.sqrt(2.0) + math.sqrt(28.0**2 - 26.0**2 / 2.0)
@@ -26,7 +26,7 @@ SIZES = {
     ],
     "planar": [
         "sun ⌀8", "3 × planet ⌀27", "axes of planet ⌀35", "3 × right and left ⌀10", "axes of right and left ⌀70",
-        "ring inside ⌀80", "wall of ring 20",
+        "ring inside ⌀80 less 2 × interference", "wall of ring 20",
     ],
 }  # fmt: skip
 
@@ -53,7 +53,7 @@ def test_a_ring_is_made_smaller_by_its_interference(planar_case):
         (planar_case("planetary", replaced=PRESSED), 28.31e-6, "ring inside ⌀99.9434"),
         (planar_case("planetary", replaced=PRESSED), None, "ring inside ⌀100 less 2 × interference"),
         (tight, None, "ring inside ⌀99.9999753"),
-        (planar_case("planar"), 13e-6, "ring inside ⌀80"),
+        (planar_case("planar"), 13e-6, "ring inside ⌀79.974"),
     ):
         assert text in [size.label for size in sizes(planar_joint_from_case(case), 1.0, interference)]
 
@@ -61,11 +61,9 @@ def test_a_ring_is_made_smaller_by_its_interference(planar_case):
 def test_interferences_are_those_of_the_contacts_on_rings(planar_case):
     joint = planar_joint_from_case(planar_case("stepped_planet"))
     assert contact_interferences(joint) == [0.0, 30e-6, 30e-6]
-    assert rings_follow(joint)
     pressed = planar_joint_from_case(planar_case("planetary", replaced=PRESSED))
     assert contact_interferences(pressed) == [0.0, None]
     assert contact_interferences(pressed, 2e-6) == [0.0, 2e-6]
-    assert not rings_follow(planar_joint_from_case(planar_case("planar")))
 
 
 def test_places_lie_on_the_outline_that_has_the_size(joint):

@@ -9,11 +9,13 @@ import click
 
 from asperity.cli.named_file import about
 from asperity.cli.terminal import say, say_written
-from asperity.errors import InputError, NoSolutionError
+from asperity.errors import InputError
 from asperity.writing import IMAGE_SUFFIXES, check_file, write_image, write_text
 
 if TYPE_CHECKING:
+    from asperity.joint.planar.evaluation import PlanarResult
     from asperity.joint_file.planar_model import PlanarCase
+    from asperity.joint_file.si_tables import AnyCase
     from asperity.show.sheet import Sheet
 
 
@@ -32,7 +34,8 @@ def draw(file: str, out: str, forces: bool) -> None:
     """Draw the drive described in FILE to scale: rollers, ring, axes and pins, with diameters and clearances in mm.
 
     The scale is the largest standard one that fits the sheet (A4, with --forces A3); print it in full size. A wall of
-    the ring that is thicker than half the inner radius is broken off, and the drawing says so. A DXF file contains the
+    the ring that is thicker than half the inner radius is broken off, and the drawing says so. The bore of a ring is
+    the one to be made, smaller by the interference that makes the preload, which is stated. A DXF file contains the
     true sizes in mm; it needs the optional package ezdxf.
     """
     from asperity.cli.equal_branches import read_for_equal_branches
@@ -69,25 +72,27 @@ def draw(file: str, out: str, forces: bool) -> None:
 
 def _sheet(case: PlanarCase, file: str, forces: bool) -> Sheet:
     from asperity.drive.planar.existence import refuse_impossible
-    from asperity.joint_file.made_interference import made_interference
     from asperity.joint_file.planar_build import planar_joint_from_case
     from asperity.show.planar_sheet import planar_sheet
 
     joint = planar_joint_from_case(case)
     refuse_impossible(joint.drive)
     found = None
-    if forces or (joint.interference is None and joint.cam is None):
+    if forces:
         from asperity.joint.planar.solve import solve_planar
 
-        try:
-            found = solve_planar(joint).result
-        except (InputError, NoSolutionError):
-            if forces:
-                raise
-            # without forces there is a drawing all the same: its rings say that their interference is not known
-    return planar_sheet(
-        joint,
-        name=file,
-        result=found if forces else None,
-        interference=made_interference(case, found),
-    )
+        found = solve_planar(joint).result
+    return planar_sheet(joint, name=file, result=found, interference=_interference(case, found, file))
+
+
+def _interference(case: AnyCase, found: PlanarResult | None, file: str) -> float | None:
+    """The interference with which the ring is made; without it there is a drawing all the same, with a warning."""
+    from asperity.joint_file.made_interference import made_interference
+
+    made = made_interference(case, found)
+    if made.size is None:
+        say(
+            f"asperity: warning: {file}: the interference of the preload is not known, and the ring's bore without it: "
+            f"{made.unknown_because}"
+        )
+    return made.size

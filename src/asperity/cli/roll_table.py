@@ -97,7 +97,6 @@ def _show_contacts(target: Console, document: Document) -> None:
         "Contacts",
         "contact",
         "creepage\n10⁻³",
-        "share of\ncreepage %",
         "traction\nT/N",
         "limit\nT/N",
         "pressure\nMPa",
@@ -113,7 +112,6 @@ def _show_contacts(target: Console, document: Document) -> None:
         shown.add_row(
             name,
             scaled(contact["creepage"], 1e3),
-            scaled(contact["creepage_share"], 1e2),
             number(traction),
             number(limit),
             scaled(document["contacts"][name]["hertz_pressure_Pa"], 1e-6),

@@ -90,8 +90,6 @@ def leading_sense(*, rotation: Real, output_torque: Real) -> Array:
     return jnp.where(leading < 0.0, -1.0, 1.0)
 
 
-
-
 class CrownedSprings(eqx.Module):
     """What crowns add to the normal springs of the contacts around their preload; arrays of one shape.
 

@@ -37,10 +37,9 @@ class RollingSpeeds(eqx.Module):
     Parameters
     ----------
     driving, driven : Array
-        Speeds of the two surfaces of each contact, shape (5, ...) [m/s].
+        Speeds of the two surfaces of each contact, shape (contacts, ...) [m/s].
     body : Array
-        Angular velocities of the bodies of :data:`BODY_NAMES` relative to the carrier, shape (5, ...) [rad/s];
-        positive.
+        Angular velocities of the bodies of one sector relative to the carrier, shape (bodies, ...) [rad/s]; positive.
     output : Array
         Angular velocity of the output relative to the ground, reduced by creep [rad/s]; positive.
     """

@@ -15,7 +15,7 @@ from asperity.contact.rolling_fatigue import life_at_reliability
 from asperity.contact.skew import axial_force, stick_fraction
 from asperity.drive.planar.state import PlanarState
 from asperity.drive.rolling_speeds import BodiesOfContacts, RollingSpeeds
-from asperity.drive.rolling_state import ROLLING_TOLERANCE, RollingState, drift_per_turn
+from asperity.drive.rolling_state import ROLLING_TOLERANCE, drift_per_turn
 from asperity.joint.contacts import JointContacts
 from asperity.joint.rolling_conditions import RollingConditions
 from asperity.joint.rolling_creep import ContactCreep, capacity_loss, lateral_slip_ratio
@@ -36,9 +36,6 @@ class RollingResult(eqx.Module):
         Forces of the contacts, shape (5, ...) [N]; the tangential ones are those of equal creep on both sides.
     creepage : Array
         Creepages, shape (5, ...) [-].
-    creepage_share : Array
-        Each creepage over the sum from sun to ring, shape (5, ...) [-]; the right and the left side add up to 1 each
-        with the sun's contact. nan without a torque.
     traction_coefficient : Array
         T/N, shape (5, ...) [-].
     slip_ratio : Array
@@ -55,8 +52,7 @@ class RollingResult(eqx.Module):
     axial_force : Array
         Axial force of one contact on its driven body, shape (5, ...) [N].
     axial_thrust : Array
-        Sum of the axial forces on each body of :data:`asperity.drive.rolling_speeds.BODY_NAMES`, on sun and ring those
-        of all branches, shape (5, ...) [N].
+        Sum of the axial forces on each body of a sector, on a body on the axis those of all sectors, shape (bodies, ...) [N].
     speed_loss : Array
         Share of the output speed that creep takes [-].
     drift_per_output_turn : Array
@@ -97,7 +93,6 @@ class RollingResult(eqx.Module):
     normal: Array
     tangential: Array
     creepage: Array
-    creepage_share: Array
     traction_coefficient: Array
     slip_ratio: Array
     stick_fraction: Real
@@ -138,10 +133,9 @@ def turning_result(
     bodies: BodiesOfContacts,
     branches: Real,
     creep: ContactCreep,
-    state: RollingState | PlanarState,
+    state: PlanarState,
     unit_speeds: RollingSpeeds,
     input_speed: Real,
-    creepage_in_series: Array,
     bearing_power: Array,
     output_torque: Real,
 ) -> RollingResult:
@@ -161,14 +155,12 @@ def turning_result(
         Number of branches [-].
     creep : ContactCreep
         Creep law of the contacts.
-    state : RollingState or PlanarState
+    state : PlanarState
         Forces, creepages and speed loss of one branch.
     unit_speeds : RollingSpeeds
         Speeds for one unit of the input's speed.
     input_speed : Real
         Angular velocity of the input, not negative [rad/s].
-    creepage_in_series : Array
-        Sum of the creepages from input to ground [-].
     bearing_power : Array
         Power lost in bearings and pins [W].
     output_torque : Real
@@ -244,7 +236,6 @@ def turning_result(
         normal=state.normal,
         tangential=state.tangential,
         creepage=state.creepage,
-        creepage_share=state.creepage / jnp.where(creepage_in_series != 0.0, creepage_in_series, jnp.nan),
         traction_coefficient=traction,
         slip_ratio=jnp.abs(traction) / (friction * (1.0 - lost)),
         stick_fraction=stuck,

@@ -137,7 +137,6 @@ def _contact(found: RollingResult, k: int) -> Document:
         "film_ratio": found.film_ratio[k],
         "normal_N": found.normal[k],
         "tangential_N": found.tangential[k],
-        "creepage_share": found.creepage_share[k],
         "stick_fraction": np.asarray(found.stick_fraction)[k],
         "layer_ratio": found.layer_ratio[k],
         "layer_creepage_factor": found.layer_creepage_factor[k],

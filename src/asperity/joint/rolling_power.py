@@ -17,10 +17,8 @@ from asperity.contact.rolling_losses import (
     inlet_rolling_force,
     inlet_rolling_power,
 )
-from asperity.drive.mechanism import Mechanism
 from asperity.drive.planar.state import PlanarState
 from asperity.drive.rolling_speeds import RollingSpeeds
-from asperity.drive.rolling_state import RollingState
 from asperity.joint.rolling_conditions import RollingConditions
 from asperity.types import Real
 
@@ -76,47 +74,12 @@ class RollingPower(eqx.Module):
     efficiency: Array
 
 
-def bearing_power(
-    *, mechanism: Mechanism, state: RollingState, speeds: RollingSpeeds, sun_speed: Real
-) -> Array:
-    """Power lost in the bearings of sun, loading rollers and carrier, and at the pins.
-
-    Parameters
-    ----------
-    mechanism : Mechanism
-        The drive of Zou et al. 2025.
-    state : RollingState
-        Its friction torques.
-    speeds : RollingSpeeds
-        Speeds of its bodies.
-    sun_speed : Real
-        Angular velocity of the sun, not negative [rad/s].
-
-    Returns
-    -------
-    Array
-        Power, all branches together [W].
-
-    References
-    ----------
-    Equations (1)–(5) of Zou et al. 2025: torque times speed of each bearing.
-    """
-    count, bearings = mechanism.geometry.planet_count, mechanism.bearings
-    return jnp.asarray(
-        2.0 * bearings.sun_torque * sun_speed
-        + 2.0
-        * count
-        * (state.right_bearing_torque * speeds.body[2] + state.left_bearing_torque * speeds.body[3])
-        + 2.0 * bearings.carrier_torque * speeds.output
-    )
-
-
 def rolling_power(
     *,
     branches: Real,
     pairs: RollerPairs,
     conditions: RollingConditions,
-    state: RollingState | PlanarState,
+    state: PlanarState,
     half_width: Real,
     speeds: RollingSpeeds,
     axial_force: Real,
@@ -137,7 +100,7 @@ def rolling_power(
         Its contacts.
     conditions : RollingConditions
         Which losses are counted.
-    state : RollingState or PlanarState
+    state : PlanarState
         Forces and creepages.
     half_width : Real
         Half-widths of the contacts, shape (contacts, ...) [m]; of crowned ones the mean by load.

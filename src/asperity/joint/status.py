@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import Any, Literal
 
 import numpy as np
 from jax import Array
 from jax.typing import ArrayLike
 
-from asperity.joint.results.result import Needs
+#: What must hold for a result to mean anything: the rollers fit; in addition the forces balance; in addition no
+#: contact slips.
+Needs = Literal["geometry", "balance", "operation"]
 
 #: Each status: its short name in tables and netCDF flags, and its meaning. 0 is solved.
 STATUSES: dict[str, str] = {

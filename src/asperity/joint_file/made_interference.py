@@ -2,15 +2,34 @@
 
 from __future__ import annotations
 
+import dataclasses
 import math
+from typing import NamedTuple
 
+from asperity.errors import InputError, NoSolutionError
 from asperity.joint.planar.evaluation import PlanarResult
-from asperity.joint_file.planar_build import thermal_change_of
+from asperity.joint.planar.solve import solve_planar
+from asperity.joint_file.planar_build import planar_joint_from_values, thermal_change_of
 from asperity.joint_file.si_tables import AnyCase, si_values
 from asperity.joint_file.temperature_section import without_expansion
 
 
-def made_interference(case: AnyCase, result: PlanarResult | None = None) -> float | None:
+class MadeInterference(NamedTuple):
+    """By how much the inner radius of the rings is made smaller than that at which all contacts just touch.
+
+    Parameters
+    ----------
+    size : float or None
+        Interference [m]; None where it is not known.
+    unknown_because : str
+        Why it is not known.
+    """
+
+    size: float | None
+    unknown_because: str = ""
+
+
+def made_interference(case: AnyCase, result: PlanarResult | None = None) -> MadeInterference:
     """Interference of the parts at their assembly: that of the file, or that which makes the force that it states.
 
     Parameters
@@ -18,24 +37,28 @@ def made_interference(case: AnyCase, result: PlanarResult | None = None) -> floa
     case : PlanarCase
         The joint file.
     result : PlanarResult, optional
-        Its result, for a file that states a force.
+        Its result, if it is known; otherwise the joint is solved without torque, as it is assembled.
 
     Returns
     -------
-    float or None
-        Interference [m]. None where it is not known: without a result, with a loading cam, whose force is not that of
-        the assembly, and with a temperature whose effect on it is not known.
+    MadeInterference
+        A loading cam adds nothing to it: without torque the drive has its least preload. At another temperature than
+        that of the assembly, less what temperature adds.
     """
     load = case.load
     if load.interference is not None:
-        return load.interference.value
-    if result is None or load.cam_force_per_torque is not None:
-        return None
-    found = float(result.interference)
-    if not math.isfinite(found):
-        return None
-    if case.temperature is None:
-        return found
-    if without_expansion(case.bodies, case.materials):
-        return None
-    return found - thermal_change_of(si_values(case))
+        return MadeInterference(load.interference.value)
+    values, added = si_values(case), 0.0
+    if case.temperature is not None:
+        unknown = without_expansion(case.bodies, case.materials)
+        if unknown:
+            return MadeInterference(None, f"the thermal_expansion of {', '.join(unknown)} is not in the file")
+    try:
+        if case.temperature is not None:
+            added = thermal_change_of(values)
+        if result is None or load.cam_force_per_torque is not None or not math.isfinite(result.interference):
+            joint = planar_joint_from_values(values)
+            result = solve_planar(dataclasses.replace(joint, output_torque=0.0)).result
+    except (InputError, NoSolutionError) as error:
+        return MadeInterference(None, str(error))
+    return MadeInterference(float(result.interference) - added)

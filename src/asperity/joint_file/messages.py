@@ -8,12 +8,15 @@ from typing import Any, Literal, get_args, get_origin
 from pydantic import BaseModel, ValidationError
 from pydantic_core import ErrorDetails
 
-from asperity.errors import quoted
+from asperity.errors import MOST_ERRORS, quoted
 from asperity.joint_file.key_paths import keys_by_path, models_of, variants
 from asperity.joint_file.section import ONE_FOR_ALL, ONE_FOR_EACH
 from asperity.joint_file.wedge_model import Case
 
-MOST_ERRORS = 12
+#: Errors of pydantic that are explained: a misspelt key is two of them, an unknown key and a missing one.
+_MOST_EXPLAINED = 10 * MOST_ERRORS
+#: Bodies that a sentence names.
+_MOST_NAMES = 8
 
 #: Keys of the file from its root to what is meant.
 Parts = tuple[str, ...]
@@ -225,11 +228,17 @@ def unknown_materials(bodies: Any, known: Iterable[str], *, model: type[BaseMode
             and body in (_known_names(("bodies",), model) or bodies)
         ):
             users.setdefault(name, []).append(f"bodies.{body}")
-    choice = f"; the file defines {', '.join(defined)}; 'asperity materials' lists the library"
+    choice = f"; the file defines {_joined(defined)}; 'asperity materials' lists the library"
     return [
-        f"{', '.join(paths)}: there is no material {quoted(name)}{nearest(name, defined) or choice}"
-        for name, paths in users.items()
+        f"{_joined(paths)}: there is no material {quoted(name)}"
+        f"{(nearest(name, defined) if number < MOST_ERRORS else '') or choice}"
+        for number, (name, paths) in enumerate(users.items())
     ]
+
+
+def _joined(names: list[str]) -> str:
+    more = len(names) - _MOST_NAMES
+    return ", ".join(names[:_MOST_NAMES]) + (f" and {more} more" if more > 0 else "")
 
 
 def explained(
@@ -238,8 +247,8 @@ def explained(
     refused: Mapping[str, str],
     *,
     model: type[BaseModel] = Case,
-) -> list[str]:
-    """Messages about all errors of a file, one for each mistake.
+) -> tuple[list[str], int]:
+    """Messages about the errors of a file, one for each mistake.
 
     Parameters
     ----------
@@ -254,15 +263,20 @@ def explained(
 
     Returns
     -------
-    list of str
-        Sentences.
+    sentences : list of str
+        About all mistakes, or about the first ones of a great many.
+    more : int
+        Errors that no sentence is about.
     """
     found = [(_parts(each), each) for each in error.errors(include_url=False)]
-    found = [
-        (parts, each)
-        for parts, each in found
-        if not any(".".join(parts[:length]) in refused for length in (1, 2))
-    ]
+    if refused:
+        found = [
+            (parts, each)
+            for parts, each in found
+            if not any(".".join(parts[:length]) in refused for length in (1, 2))
+        ]
+    more = max(len(found) - _MOST_EXPLAINED, 0)
+    found = found[:_MOST_EXPLAINED]
     wrong = {parts[:1] for parts, _ in found if len(parts) > 1}
     found = [(parts, each) for parts, each in found if each["type"] != "too_short" or parts not in wrong]
     absent = {parts for parts, each in found if each["type"] == "missing"}
@@ -270,11 +284,12 @@ def explained(
     likely = set.intersection(*map(set, foreign)) - {"zou2025"} if foreign else set()
     if absent and likely and "type" not in tables:
         kinds = " or ".join(f'type = "{kind}"' for kind in foreign[0] if kind in likely)
-        names = ", ".join(".".join(parts) for parts, each in found if each["type"] == "extra_forbidden")
-        return [
+        names = _joined([".".join(parts) for parts, each in found if each["type"] == "extra_forbidden"])
+        sentence = (
             f"{names}: the paper's drive, which a file without a type describes, has no such key; for another drive "
             f"write {kinds} in the first line"
-        ]
+        )
+        return [sentence], more
     sentences = list(refused.values())
     for parts, each in found:
         if each["type"] == "extra_forbidden":
@@ -290,26 +305,4 @@ def explained(
             sentences += _sentence(parts, each, model).split("\n  ")
     if () not in [parts for parts, _ in found] and isinstance(tables.get("materials"), dict):
         sentences += unknown_materials(tables.get("bodies"), tables["materials"], model=model)
-    return sentences
-
-
-def listed(sentences: list[str], source: str) -> str:
-    """Messages about one file as one text.
-
-    Parameters
-    ----------
-    sentences : list of str
-        At least one.
-    source : str
-        Name of the file.
-
-    Returns
-    -------
-    str
-        One sentence, or the first dozen of them on a line each.
-    """
-    if len(sentences) == 1:
-        return f"{source}: {sentences[0]}"
-    more = len(sentences) - MOST_ERRORS
-    lines = "".join(f"\n  {sentence}" for sentence in sentences[:MOST_ERRORS])
-    return f"{source}: {len(sentences)} errors{lines}" + (f"\n  and {more} more" if more > 0 else "")
+    return sentences, more

@@ -87,7 +87,9 @@ def _wedge(values: Values) -> Layout:
         ),
         planet_count=drive["planets"],
         closure=Closure(
-            equal_coefficients=EQUAL_COEFFICIENTS if model.get("traction_split") == "equal_coefficients" else (),
+            equal_coefficients=EQUAL_COEFFICIENTS
+            if model.get("traction_split") == "equal_coefficients"
+            else (),
             constant_pins=SPRING_LOADED_PINS if model["closure"] == "constant_pin_force" else (),
         ),
     )

@@ -7,9 +7,9 @@ from typing import Any
 
 from pydantic import ValidationError
 
-from asperity.errors import InputError, quoted
+from asperity.errors import InputError, listed, quoted
 from asperity.joint_file.finish_in_surface import fill_in_finishes
-from asperity.joint_file.messages import explained, listed, nearest
+from asperity.joint_file.messages import explained, nearest
 from asperity.joint_file.part_names import WEDGE_TYPE
 from asperity.joint_file.planar_model import PlanarCase
 from asperity.joint_file.planar_types import PLANAR_CASES
@@ -95,12 +95,12 @@ def case_from_tables(tables: dict[str, Any], *, source: str, folder: Path | None
     try:
         case = model.model_validate(filled)
     except ValidationError as error:
-        sentences = explained(error, filled, refused, model=model)
+        sentences, more = explained(error, filled, refused, model=model)
     else:
         if not refused:
             return case
-        sentences = list(refused.values())
-    raise InputError(listed(sentences, source))
+        sentences, more = list(refused.values()), 0
+    raise InputError(f"{source}: {listed(sentences, more=more)}")
 
 
 def _model_of(kind: object, source: str) -> type[PlanarCase]:

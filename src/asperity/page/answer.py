@@ -18,6 +18,7 @@ from asperity.joint.windup import windup
 from asperity.joint.windup_document import windup_columns
 from asperity.joint_file.drawn_surface import drawn_interval
 from asperity.joint_file.entered_values import entered_values
+from asperity.joint_file.made_interference import made_interference
 from asperity.joint_file.own_branches import with_own_branches
 from asperity.joint_file.planar_model import PlanarCase
 from asperity.joint_file.quantity_key import Key
@@ -65,7 +66,7 @@ def joint_answer(request: JointRequest) -> Answer:
         "name": request.name,
         **stated_values(case, request.file_tables),
         "document": document,
-        "drawing": _drawing(solved),
+        "drawing": _drawing(solved) | {"made_interference_m": made_interference(case, solved.result).size},
         "margins": [_margin(each) for each in margins(solved)],
         "curves": _curves(solved),
         "creep": _creep(solved),

@@ -101,6 +101,7 @@ def application(
         ASGI application behind a :class:`asperity.page.guard.Guard`.
     """
     kept, jobs, measurements = KeptAnswers(), Jobs(), Measurements()
+    readers = Computations(longest=LONGEST_ANSWER)
     described = {
         **description(),
         "start": {"name": start.name, "toml": start.text, **stated_values(start.case(), start.file_tables)},
@@ -129,7 +130,8 @@ def application(
 
     async def results(request: Request) -> Response:
         require_type(request, "application/json")
-        return JSONResponse(chart_results(joint_request(parsed(await request.body()))))
+        asked = joint_request(parsed(await request.body()))
+        return JSONResponse(await readers.run(chart_results, asked))
 
     async def schema(request: Request) -> Response:
         return JSONResponse(joint_schema())
@@ -172,6 +174,7 @@ def application(
         yield
         computations.close()
         charts.close()
+        readers.close()
         if faster is not None:
             faster.close()
         measurements.close()
@@ -186,7 +189,7 @@ def application(
         Route("/api/joint", joint, methods=["POST"]),
         Route("/api/chart", chart, methods=["POST"]),
         Route("/api/joint/{identity:str}/joint.{kind}", download, methods=["GET"]),
-        *work_routes(jobs, measurements),
+        *work_routes(jobs, measurements, readers),
     ]
     handlers: dict[Any, Any] = {AsperityError: _wrong, HTTPException: _not_here, Exception: _failed}
     app = Starlette(routes=routes, exception_handlers=handlers, lifespan=life)

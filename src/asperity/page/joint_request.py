@@ -25,7 +25,7 @@ from asperity.joint_file.si_tables import key_at
 from asperity.joint_file.wedge_model import Case
 from asperity.library import read_finishes
 from asperity.page.list_changes import MOST_LOADS, arrange, is_list, places_of_lists, without_lists
-from asperity.reading import parse_toml
+from asperity.reading import check_depth, parse_toml
 
 #: The key of the finish of all surfaces, and what a file need not state beside it.
 FINISH = "surface.finish"
@@ -280,4 +280,5 @@ def joint_request(body: Any) -> JointRequest:
             raise InputError(f"{path}: a value is text with its unit or a number, got {quoted(value)}")
         if isinstance(value, str) and len(value) > LONGEST_VALUE:
             raise InputError(f"{path}: a value has at most {LONGEST_VALUE} characters, got {len(value)}")
+    check_depth(tables, name)
     return JointRequest(name=name, text=text, changes=changes, tables=tables)

@@ -146,6 +146,7 @@ def serve(
 
     from asperity.page.application import LONGEST_ANSWER, application
     from asperity.page.computation import Computations, FasterPrograms
+    from asperity.page.slow_clients import impatient_protocol
 
     port = listening.getsockname()[1]
     computations, charts = Computations(longest=LONGEST_ANSWER), Computations(longest=LONGEST_ANSWER)
@@ -162,6 +163,7 @@ def serve(
 
     config = uvicorn.Config(
         app,
+        http=impatient_protocol(),
         log_level="warning",
         access_log=False,
         ws="none",

@@ -54,7 +54,7 @@ def recognised(content: bytes, name: str) -> Kind:
     if name.lower().endswith(".toml") or (
         text and text_format(beginning) is None and _TOML_LINE.search(beginning)
     ):
-        return "design" if re.search(rb"^\s*\[variables[\].]", content, re.MULTILINE) else "joint"
+        return "design" if re.search(rb"^[ \t]*\[variables[\].]", content, re.MULTILINE) else "joint"
     if text and beginning.lstrip().startswith(b"{"):
         return "measurement"
     return "surface"

@@ -14,6 +14,7 @@ from starlette.responses import JSONResponse, Response, StreamingResponse
 from starlette.routing import Route
 
 from asperity.errors import AsperityError
+from asperity.page.computation import Computations
 from asperity.page.jobs import ENDED, Job, Jobs, job_request
 from asperity.page.problems import parsed, problem, require_type
 from asperity.page.upload import Measurements, opened_design, opened_joint, recognised, shown_name
@@ -22,7 +23,7 @@ from asperity.page.upload import Measurements, opened_design, opened_joint, reco
 LOOK, SILENCE = 0.1, 10.0
 
 
-def work_routes(jobs: Jobs, measurements: Measurements) -> list[Route]:
+def work_routes(jobs: Jobs, measurements: Measurements, readers: Computations) -> list[Route]:
     """The addresses.
 
     Parameters
@@ -31,6 +32,8 @@ def work_routes(jobs: Jobs, measurements: Measurements) -> list[Route]:
         The queue of jobs.
     measurements : Measurements
         What measures surfaces.
+    readers : Computations
+        What reads files, so that other requests are answered meanwhile.
 
     Returns
     -------
@@ -49,12 +52,12 @@ def work_routes(jobs: Jobs, measurements: Measurements) -> list[Route]:
         require_type(request, "application/octet-stream", "application/toml")
         name = request.query_params.get("name", "joint.toml")
         content = await request.body()
-        kind = recognised(content, name)
+        kind = await readers.run(recognised, content, name)
         try:
             if kind == "joint":
-                return JSONResponse({"kind": kind, **opened_joint(content, name)})
+                return JSONResponse({"kind": kind, **await readers.run(opened_joint, content, name)})
             if kind == "design":
-                return JSONResponse({"kind": kind, **opened_design(content, name)})
+                return JSONResponse({"kind": kind, **await readers.run(opened_design, content, name)})
             return await measured(request, content, name)
         except AsperityError as error:
             return problem(error, source=shown_name(name))
@@ -63,7 +66,7 @@ def work_routes(jobs: Jobs, measurements: Measurements) -> list[Route]:
         require_type(request, "application/octet-stream", "application/toml")
         name = request.query_params.get("name", "joint.toml")
         try:
-            return JSONResponse(opened_joint(await request.body(), name))
+            return JSONResponse(await readers.run(opened_joint, await request.body(), name))
         except AsperityError as error:
             return problem(error, source=shown_name(name))
 
@@ -73,7 +76,7 @@ def work_routes(jobs: Jobs, measurements: Measurements) -> list[Route]:
 
     async def begin(request: Request) -> Response:
         require_type(request, "application/json")
-        kind, joint, files, options = job_request(parsed(await request.body()))
+        kind, joint, files, options = await readers.run(job_request, parsed(await request.body()))
         job = jobs.begin(kind, joint.name, files, options)
         return JSONResponse(job.told(), status_code=202)
 

@@ -108,7 +108,7 @@ def joint_report(source: ReportSource) -> Report:
             (math.inf, math.inf) if found.windup_figures is None else windup_capacities(found.windup_figures)
         ),
         name=source.name,
-        interference=made_interference(source.case, solved.result),
+        interference=made_interference(source.case, solved.result).size,
     )
     blocks = (
         *_title_block(source),

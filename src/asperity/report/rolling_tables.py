@@ -78,7 +78,6 @@ def _contacts(document: Document) -> Table:
         (
             name,
             number(each["creepage"], 1e3),
-            number(each["creepage_share"], 100.0),
             number(each["traction_coefficient"]),
             number(document["contacts"][name]["shakedown_ratio"]),
             number(each["life_output_turns"]),
@@ -88,7 +87,6 @@ def _contacts(document: Document) -> Table:
     head = (
         "contact",
         "creepage\n10⁻³",
-        "share of\ncreepage %",
         "traction\nT/N",
         "pressure over\nshakedown limit",
         "life\noutput turns",

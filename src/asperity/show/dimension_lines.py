@@ -35,6 +35,30 @@ def dimension(value: float) -> str:
     return f"{value:.6g}"
 
 
+def made_bore(radius: float, interference: float | None) -> str:
+    """The diameter to which a ring is made.
+
+    Parameters
+    ----------
+    radius : float
+        Inner radius at which all contacts just touch [mm].
+    interference : float or None
+        By how much the radius is made smaller [m]; None where it is not known.
+
+    Returns
+    -------
+    str
+        Sign and number, to a tenth of a micrometre or a hundredth of the interference; where that is not known, what to
+        take off.
+    """
+    if interference is None:
+        return f"⌀{dimension(2.0 * radius)} less 2 × interference"
+    if interference == 0.0:
+        return f"⌀{dimension(2.0 * radius)}"
+    decimals = max(4, 2 - math.floor(math.log10(2e3 * abs(interference))))
+    return "⌀" + f"{2.0 * radius - 2e3 * interference:.{decimals}f}".rstrip("0").rstrip(".")
+
+
 def leader(
     tip: Point, end: Point, text: str, *, scale: float, align: Align = "left", arrow: bool = True
 ) -> tuple[Line, Text]:

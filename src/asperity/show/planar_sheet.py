@@ -19,7 +19,6 @@ from asperity.show.planar_sizes import (
     Size,
     contact_interferences,
     planar_clearances,
-    rings_follow,
     sizes,
 )
 from asperity.show.planar_view import planar_view, reach_of, write_contact_names
@@ -213,10 +212,14 @@ def _interference(joint: PlanarJoint, ring: str, less: float | None) -> str:
     if less == 0.0:
         return ""
     if less is None:
-        return f", interference by a preload of {format_quantity(float(np.asarray(joint.preload)), 'N')}"
+        force = (
+            ""
+            if joint.preload is None
+            else f" by a preload of {format_quantity(float(np.asarray(joint.preload)), 'N')}"
+        )
+        return f", interference{force}"
     cold = "" if joint.fit is None else f" at {format_quantity(float(joint.fit.assembly_temperature), '°C')}"
-    within = "in" if rings_follow(joint) else "not in"
     return (
-        f", interference {format_quantity(less, 'µm')} on the radius{cold}, {within} the ⌀ of the "
+        f", interference {format_quantity(less, 'µm')} on the radius{cold}, in the ⌀ of the "
         f"{ring.replace('_', ' ')}"
     )

@@ -9,7 +9,7 @@ import numpy as np
 
 from asperity.drive.planar.existence import neighbours
 from asperity.joint.planar.description import PlanarJoint, places
-from asperity.show.dimension_lines import dimension, distance_mark
+from asperity.show.dimension_lines import dimension, distance_mark, made_bore
 from asperity.show.drive_view import MOST_GAPS
 from asperity.show.leader_places import Place, around
 from asperity.show.planar_view import RingOfBody, copies_of, radii_of, rings_of
@@ -78,8 +78,8 @@ def sizes(joint: PlanarJoint, scale: float, interference: float | None = None) -
     Returns
     -------
     list of Size
-        Those of one body after each other. The inner diameter of a ring is that with which it is made: where it follows
-        from the other radii, it is smaller by the interference than the one that is drawn.
+        Those of one body after each other. The inner diameter of a ring is that with which it is made, smaller by the
+        interference than the one that is drawn.
     """
     found: list[Size] = []
     count, rings = round(float(joint.drive.sectors)), rings_of(joint)
@@ -113,22 +113,6 @@ def sizes(joint: PlanarJoint, scale: float, interference: float | None = None) -
     return found
 
 
-def rings_follow(joint: PlanarJoint) -> bool:
-    """Whether the radii of the rings follow from those of the rollers and the interference.
-
-    Parameters
-    ----------
-    joint : PlanarJoint
-        One joint.
-
-    Returns
-    -------
-    bool
-        False where its file states them.
-    """
-    return joint.type != "planar"
-
-
 def contact_interferences(joint: PlanarJoint, interference: float | None = None) -> list[float | None]:
     """By how much the radius of the ring in each contact is too small.
 
@@ -150,8 +134,7 @@ def contact_interferences(joint: PlanarJoint, interference: float | None = None)
 
 
 def _made_inside(joint: PlanarJoint, ring: RingOfBody, interference: float | None) -> str:
-    """Inner diameter of a ring as it must be made, to a tenth of a micrometre or a hundredth of the interference."""
-    nominal = f"⌀{dimension(2.0 * ring.inner)}"
+    """Inner diameter of a ring as it must be made."""
     _, second = places(joint.drive)
     less = next(
         each
@@ -159,12 +142,7 @@ def _made_inside(joint: PlanarJoint, ring: RingOfBody, interference: float | Non
         if second[number] == ring.body
         and math.isclose(1e3 * float(joint.drive.second_radius[number]), ring.inner)
     )
-    if not rings_follow(joint) or less == 0.0:
-        return nominal
-    if less is None:
-        return f"{nominal} less 2 × interference"
-    decimals = max(4, 2 - math.floor(math.log10(2e3 * abs(less))))
-    return "⌀" + f"{2.0 * ring.inner - 2e3 * less:.{decimals}f}".rstrip("0").rstrip(".")
+    return made_bore(ring.inner, less)
 
 
 def planar_clearances(joint: PlanarJoint) -> list[Clearance]:

@@ -260,3 +260,14 @@ def test_limits_of_rims_hold_for_the_bodies_that_bend(tmp_path, zou_file):
     ):
         with pytest.raises(InputError, match=says):
             limited(limit, support)
+
+
+@pytest.mark.parametrize("section", ["variables", "constraints"])
+def test_a_section_of_thousands_of_entries_is_refused_at_once(section, tmp_path, zou_file):
+    parts = {"objective": 'torsional_stiffness = "maximise"\n', "variables": "", "constraints": ""}
+    parts[section] = "".join(f"k{i} = {{ lower = 1 }}\n" for i in range(20_000))
+    text = f'joint = "{zou_file}"\n' + "".join(f"[{name}]\n{part}" for name, part in parts.items())
+    (tmp_path / "d.toml").write_text(text)
+    with pytest.raises(InputError, match=f"{section}: at most 1000 entries, got 20000") as caught:
+        read_design(tmp_path / "d.toml")
+    assert len(str(caught.value)) < 1000

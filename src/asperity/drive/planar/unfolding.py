@@ -82,7 +82,9 @@ def unfolded(drive: PlanarDrive, *, sectors: int, floating: tuple[str, ...] = ()
             ),
         ),
         turning_alike=tuple(
-            tuple(named(body, sector) for body in group) for sector in range(sectors) for group in drive.turning_alike
+            tuple(named(body, sector) for body in group)
+            for sector in range(sectors)
+            for group in drive.turning_alike
         ),
         motion=None,
     )

@@ -138,7 +138,6 @@ def turning(
         state=state,
         unit_speeds=unit,
         input_speed=jnp.abs(jnp.asarray(joint.input_speed)),
-        creepage_in_series=jnp.zeros_like(state.speed_loss),  # no path of a general drive is a single series
         bearing_power=_bearing_power(joint, state),
         output_torque=backwards * jnp.asarray(joint.output_torque),
     )

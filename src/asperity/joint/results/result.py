@@ -18,15 +18,12 @@ from asperity.joint.branch_bearings import branch_bearing_lives
 from asperity.joint.branch_results import NO_EQUAL_STATE, UnequalBranches
 from asperity.joint.planar.description import PlanarJoint
 from asperity.joint.planar.evaluation import PlanarResult
+from asperity.joint.status import Needs
 from asperity.unit_table import Dimension
 
 if TYPE_CHECKING:
     from asperity.joint.contact_notes import Note
     from asperity.joint.windup import StiffnessLevel
-
-#: What must hold for a result to mean anything: the rollers fit; in addition the forces balance; in addition no
-#: contact slips.
-Needs = Literal["geometry", "balance", "operation"]
 
 #: How serious it is that a limit is crossed: the joint does not work as it should; it is damaged; the numbers cannot be
 #: trusted; the published model is used outside its range, which is so for most joints.

@@ -22,9 +22,17 @@ export function driveDrawing(drawing, document_) {
       { class: "note" },
       "Enlarged: one branch",
       ...keys(drawing, "the planet and on its loading rollers", largest),
-      ` ${note}`,
+      ` ${note} ${made(drawing, [drawing.ring])}`,
     ),
   ];
+}
+
+/** The interference with which rings are made, and the bore of a single one: the drawing shows where all just touch. */
+function made(drawing, rings) {
+  const less = drawing.made_interference_m;
+  if (less === null) return "The interference with which the ring is made is not known.";
+  const bore = rings.length === 1 ? ` (made bore ⌀${number(2e3 * (rings[0].inner_radius_m - less), 7)} mm, all just touch in ⌀${number(2e3 * rings[0].inner_radius_m, 7)} mm)` : "";
+  return `Interference ${number(1e6 * less)} µm on the radius${bore}.`;
 }
 
 /** What the arrows mean, or that there are none. */
@@ -63,7 +71,7 @@ function planarDrawing(drawing, document_) {
       { class: "note" },
       "One sector",
       ...keys(drawing, "the first body of each contact", largest),
-      thinner,
+      `${thinner} ${made(drawing, drawing.rings)}`,
     ),
   ];
 }

@@ -8,7 +8,7 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
-from asperity.errors import InputError
+from asperity.errors import InputError, listed, quoted
 from asperity.joint.results import LEVELS, RESULTS, Result, known_result, name_at_level
 from asperity.joint.windup import StiffnessLevel
 from asperity.joint_file.any_joint import results_of, rows_of_file
@@ -35,6 +35,8 @@ _LOGARITHMIC = ("fractal_roughness", "preload", "stiffness")
 #: Key that picks rows of a result, by what they stand for.
 _PLURALS = {"contact": "contacts", "body": "bodies", "pin": "pins", "bearing": "bearings", "rim": "rims"}
 
+#: Entries of one section; a file with more was not written by a person.
+_MOST_ENTRIES = 1000
 _SECTIONS = ("joint", "level", "variables", "objective", "constraints", "worst_case", "search")
 
 
@@ -81,10 +83,8 @@ class _Errors:
 
     def refuse(self) -> None:
         """Raise if there were any."""
-        if len(self.found) == 1:
-            raise InputError(self.found[0])
         if self.found:
-            raise InputError(f"{len(self.found)} errors" + "".join(f"\n  {each}" for each in self.found))
+            raise InputError(listed(self.found))
 
 
 def design_from_tables(tables: Mapping[str, Any], *, folder: Path) -> DesignProblem:
@@ -168,7 +168,9 @@ def design_from_tables(tables: Mapping[str, Any], *, folder: Path) -> DesignProb
 
 def _table(value: Any, name: str) -> dict[str, Any]:
     if not isinstance(value, dict):
-        raise InputError(f"{name}: expected a table, got {value!r}")
+        raise InputError(f"{name}: expected a table, got {quoted(value)}")
+    if len(value) > _MOST_ENTRIES:
+        raise InputError(f"{name}: at most {_MOST_ENTRIES} entries, got {len(value)}")
     return value
 
 
