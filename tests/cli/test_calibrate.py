@@ -6,15 +6,15 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from asperity.joint.either_kind import under_torque
 from click.testing import CliRunner
 
 from asperity.cli import asperity
 from asperity.cli.calibrate import interval_digits
 from asperity.errors import InputError
-from asperity.joint.either_kind import under_torque
 from asperity.joint.planar.solve import solve_planar
 from asperity.joint_file.planar_build import planar_joint_from_case
-from asperity.joint_file.reader import read_case, read_case
+from asperity.joint_file.reader import read_case
 from asperity.study.calibration.curve_model import CurveModel
 from asperity.study.calibration.measurement import Measurement
 from asperity.study.calibration.unknowns import read_unknowns

@@ -250,13 +250,20 @@ def _own_rows(document: Document) -> tuple[Rows, Rows]:
     before = [("members", members), ("speed", f"ratio {number(geometry['speed_ratio'])}, output {speed}")]
     if "wedge_angle_rad" in geometry:
         angles = ("alpha", "alpha_rad"), ("theta", "theta_rad"), ("wedge beta", "wedge_angle_rad")
-        before.append(("angles", ", ".join(f"{name} {in_unit(geometry[key], 'deg', 6)}" for name, key in angles)))
+        before.append(
+            ("angles", ", ".join(f"{name} {in_unit(geometry[key], 'deg', 6)}" for name, key in angles))
+        )
     after = [*((("pin force", pins),) if pins else ()), *_strength(document), ("mass", masses)]
-    after += [("roughness", _roughness(each, of_all=len(document["surfaces"]) == 1)) for each in document["surfaces"]]
+    after += [
+        ("roughness", _roughness(each, of_all=len(document["surfaces"]) == 1))
+        for each in document["surfaces"]
+    ]
     gaps = [entry for entry in geometry["clearances"] if entry["gap_m"] is not None]
     if gaps:
         gap = min(gaps, key=lambda entry: entry["gap_m"])
-        after.append(("clearance", f"at least {in_unit(gap['gap_m'], 'mm')}, {gap['name'].replace('_', ' ')}"))
+        after.append(
+            ("clearance", f"at least {in_unit(gap['gap_m'], 'mm')}, {gap['name'].replace('_', ' ')}")
+        )
     return tuple(before), tuple(after)
 
 

@@ -40,7 +40,10 @@ def summary(document: Document) -> Table:
         _branches(document),
         ("output torque", quantity(load["output_torque"], "N*m")),
         (f"speed of the {input_member(document)}", quantity(load["sun_speed"], "rpm")),
-        (f"preload, contact {next(iter(document['contacts']))}", quantity(document["preload"]["force_N"], "N")),
+        (
+            f"preload, contact {next(iter(document['contacts']))}",
+            quantity(document["preload"]["force_N"], "N"),
+        ),
         ("interference that makes it", quantity(document["preload"]["interference_m"], "um")),
         *_at_assembly(document),
         *_loading_cam(document),

@@ -152,6 +152,7 @@ def planar_view(joint: PlanarJoint, scale: float) -> list[Item]:
     """
     rings, beyond = rings_of(joint), 3.0 / scale
     items: list[Item] = []
+    orbits: list[float] = []
     for number, body in enumerate(joint.drive.bodies):
         mine = [ring for ring in rings if ring.body == number]
         for ring in mine:
@@ -170,10 +171,10 @@ def planar_view(joint: PlanarJoint, scale: float) -> list[Item]:
                 items.append(Circle((x, y), 0.5 * pin))
             if body.place != "axis":
                 items += _cross((x, y), min(max(radii) + beyond, 1.25 * max(radii)), math.atan2(y, x))
-        orbit = math.hypot(*copies_of(joint, number)[0])
-        drawn = any(isinstance(item, Circle) and item.style == "axis" and math.isclose(item.radius, orbit) for item in items)
-        if body.place != "axis" and not drawn:
-            items.append(Circle((0.0, 0.0), orbit, "axis"))
+        if body.place != "axis":
+            orbits.append(math.hypot(*copies_of(joint, number)[0]))
+            if not any(math.isclose(orbits[-1], other) for other in orbits[:-1]):
+                items.append(Circle((0.0, 0.0), orbits[-1], "axis"))
     return items + _cross((0.0, 0.0), reach_of(joint) + beyond, 0.0)
 
 
