@@ -8,6 +8,7 @@ import jsonschema
 import pytest
 
 from asperity.errors import InputError
+from asperity.joint_file.planar_build import planar_joint_from_case
 from asperity.joint_file.reader import parse_case
 from asperity.joint_file.schema import joint_schema
 from asperity.reading import parse_toml
@@ -136,3 +137,37 @@ def test_a_file_without_a_type_has_the_papers_drive():
     plain = (EXAMPLES / "zou2025.toml").read_text(encoding="utf-8")
     assert parse_case(plain, source="mine.toml").type == "zou2025"
     assert parse_case('type = "zou2025"\n' + plain, source="mine.toml").type == "zou2025"
+
+
+def test_springs_of_the_structure_reach_the_joint():
+    keys = (
+        '[compliance]\npin_transverse_stiffness = "20 N/um"\nplanet_support_stiffness = "30 N/um"\n'
+        'ring_housing_stiffness = "400 MPa/mm"\n\n[model]'
+    )
+    changes = (
+        ("[model]", keys),
+        ('ring_support = "rigid_housing"', 'ring_support = "elastic_housing"'),
+    )
+    joint = planar_joint_from_case(read("planar", *changes))
+    assert float(joint.pin_transverse_stiffness) == pytest.approx(2e7)
+    assert float(joint.planet_support_stiffness) == pytest.approx(3e7)
+    assert joint.ring_bending_stiffness is None
+    assert joint.shapes[-1].rim_stiffness == (pytest.approx(4e11), 0.0)
+    of_type = ('ring_support = "free"', 'ring_support = "elastic_housing"')
+    planetary = planar_joint_from_case(read("planetary", changes[0], of_type))
+    assert planetary.shapes[-1].rim_stiffness == (pytest.approx(4e11), 0.0)
+
+
+@pytest.mark.parametrize(
+    ("support", "springs", "told"),
+    [
+        ("elastic_housing", 'pin_stiffness = "1 N/um"', "belong together"),
+        ("rigid_housing", 'ring_housing_stiffness = "400 MPa/mm"', "belong together"),
+        ("free", 'ring_bending_stiffness = "1 N/um"', "count it twice"),
+    ],
+)
+@pytest.mark.parametrize("name", ["planetary", "planar"])
+def test_a_ring_bends_in_one_way(name, support, springs, told):
+    own = 'ring_support = "free"' if name == "planetary" else 'ring_support = "rigid_housing"'
+    with pytest.raises(InputError, match=told):
+        read(name, (own, f'ring_support = "{support}"'), ("[model]", f"[compliance]\n{springs}\n\n[model]"))

@@ -10,7 +10,7 @@ from typing import Any
 from asperity.arrays import namespace
 from asperity.drive.planar.closure import closed
 from asperity.drive.planar.layout import CARRIER, Body, Closure, Contact, PlanarDrive
-from asperity.joint.planar.body_shape import SOLID, BodyShape
+from asperity.joint.planar.body_shape import SOLID, BodyShape, ring_shape
 from asperity.joint_file.general_model import GeneralCase
 from asperity.joint_file.messages import nearest
 from asperity.joint_file.part_names import track_of
@@ -125,6 +125,7 @@ def general_layout(values: Values) -> tuple[PlanarDrive, tuple[BodyShape, ...], 
     """
     rollers, contacts, drive = values["roller"].values(), values["contact"].values(), values["drive"]
     xp = namespace(values["roller"], values["contact"], drive)
+    housing = values.get("compliance", {}).get("ring_housing_stiffness")
     made = PlanarDrive(
         bodies=tuple(Body(roller["name"], roller["place"]) for roller in rollers),
         contacts=tuple(
@@ -161,7 +162,7 @@ def general_layout(values: Values) -> tuple[PlanarDrive, tuple[BodyShape, ...], 
     )
     return (
         closed(made),
-        tuple(_shape(roller) for roller in rollers),
+        tuple(_shape(roller, housing) for roller in rollers),
         tuple(1.0 if each["internal"] else 0.0 for each in contacts),
     )
 
@@ -172,8 +173,7 @@ def _centre(roller: Values) -> Any:
     return roller.get("orbit", 0.0) * xp.stack([xp.cos(angle), xp.sin(angle)])
 
 
-def _shape(roller: Values) -> BodyShape:
+def _shape(roller: Values, housing: Any) -> BodyShape:
     if "wall_thickness" in roller:
-        free = roller.get("ring_support") == "free"
-        return BodyShape("ring", roller["wall_thickness"], "free" if free else "rigid_housing")
+        return ring_shape(roller["wall_thickness"], roller.get("ring_support"), housing)
     return BodyShape("hollow", roller["bore_diameter"]) if "bore_diameter" in roller else SOLID

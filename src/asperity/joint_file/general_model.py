@@ -52,7 +52,8 @@ class RollerEntry(Section):
     wall_thickness: Wall | None = None
     """Wall of a ring; every roller that is around another one needs it."""
     ring_support: RingSupport | None = None
-    """What holds the outer rim of a ring; a rigid housing if absent."""
+    """What holds the outer rim of a ring: a rigid housing, nothing, or a housing with the ring_housing_stiffness of
+    [compliance]. A rigid housing if absent."""
     bore_diameter: Bore | None = None
     """Diameter of the bore of a hollow roller; solid if absent."""
 
@@ -106,6 +107,11 @@ class GeneralCase(AxisCase):
     branch: tuple[SectorEntry, ...] | None = None
     """Sizes of the rollers of each sector, where they differ: a section [[branch]] for each."""
     branches_are: ClassVar[tuple[str, str]] = ("sectors", "sectors")
+    ring_key: ClassVar[str] = "ring_support"
+
+    def ring_supports(self) -> tuple[str | None, ...]:
+        """What the file says that holds the outer rim of each ring; None where it says nothing."""
+        return tuple(roller.ring_support for roller in self.roller if roller.wall_thickness is not None)
 
     def without_housing(self) -> str:
         """What the file says where no housing holds a ring; empty where one does."""

@@ -51,7 +51,9 @@ PartSkews = Annotated[
 ]
 Wall = Annotated[Quantity, limits.WALL_THICKNESS]
 Bore = Annotated[Quantity, limits.BORE_DIAMETER]
-RingSupport = Literal["rigid_housing", "free"]
+RingSupport = Literal["rigid_housing", "free", "elastic_housing"]
+#: Supports in which a ring bends.
+BENT = ("free", "elastic_housing")
 
 
 class PlanetaryDrive(Section):
@@ -70,8 +72,8 @@ class PlanetaryDrive(Section):
     output: Literal["carrier", "ring"] | None = None
     """Which member is the output, the other one being grounded: the carrier if absent."""
     ring_support: RingSupport | None = None
-    """What holds the outer rim of the ring: a rigid housing, or nothing, so that it bends. A rigid housing if
-    absent."""
+    """What holds the outer rim of the ring: a rigid housing, nothing, so that it bends, or a housing with the
+    ring_housing_stiffness of [compliance]. A rigid housing if absent."""
     planet_bore_diameter: Bore | None = None
     """Diameter of the bore of hollow planets; solid if absent."""
     sun_crown_radius: CrownRadius | None = None
@@ -102,8 +104,8 @@ class MultirollerDrive(Section):
     contact_length: PartLengths
     """Length B of the contact lines: one for all, or a table with sf, fsl, fsr, sr."""
     ring_support: RingSupport | None = None
-    """What holds the outer rim of the ring: a rigid housing, or nothing, so that it bends. A rigid housing if
-    absent."""
+    """What holds the outer rim of the ring: a rigid housing, nothing, so that it bends, or a housing with the
+    ring_housing_stiffness of [compliance]. A rigid housing if absent."""
     sun_crown_radius: CrownRadius | None = None
     """Radius of the sun's crown along its axis, highest in the middle of the contact line; a cylinder if absent."""
     first_row_crown_radius: CrownRadius | None = None
@@ -136,7 +138,8 @@ class SteppedPlanetDrive(Section):
     contact_length: PartLengths
     """Length B of the contact lines: one for all, or a table with sp, pr1, pr2."""
     ring_support: RingSupport | None = None
-    """What holds the outer rim of the grounded ring: a rigid housing, or nothing. A rigid housing if absent."""
+    """What holds the outer rim of the grounded ring: a rigid housing, nothing, or a housing with the
+    ring_housing_stiffness of [compliance]. A rigid housing if absent."""
     sun_crown_radius: CrownRadius | None = None
     """Radius of the sun's crown along its axis, highest in the middle of the contact line; a cylinder if absent."""
     planet_crown_radius: CrownRadius | None = None

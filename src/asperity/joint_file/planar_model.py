@@ -25,6 +25,7 @@ from asperity.joint_file.model import (
     refuse_part_of_a_duty,
 )
 from asperity.joint_file.planar_drive_sections import (
+    BENT,
     MultirollerDrive,
     PartFriction,
     PartName,
@@ -93,6 +94,17 @@ class PlanarCompliance(Section):
 
     pin_stiffness: Annotated[Quantity, limits.SPRING] | None = None
     """Stiffness of one carrier pin along its push; rigid if absent."""
+    pin_transverse_stiffness: Annotated[Quantity, limits.SPRING] | None = None
+    """Stiffness of one carrier pin across its push, relaxed in the assembled drive; free if absent."""
+    planet_support_stiffness: Annotated[Quantity, limits.SPRING] | None = None
+    """Stiffness of the bearing on the carrier of every roller without a pin, relaxed in the assembled drive; such
+    rollers float if absent."""
+    ring_bending_stiffness: Annotated[Quantity, limits.SPRING] | None = None
+    """Spring in series with each contact of a ring, for its bending, in addition to a ring in a rigid housing; rigid if
+    absent. ring_support = "free" computes the bending instead."""
+    ring_housing_stiffness: Annotated[Quantity, limits.HOUSING] | None = None
+    """Radial stiffness of the housing around rings, per area of their outer surface; needed for, and only for,
+    ring_support = "elastic_housing"."""
     input_shaft_stiffness: Annotated[Quantity, limits.TORSION_SPRING] | None = None
     """Torsional stiffness of the shaft to the sun; rigid if absent."""
     output_shaft_stiffness: Annotated[Quantity, limits.TORSION_SPRING] | None = None
@@ -143,7 +155,6 @@ class PlanarCase(WholeFile):
         drive: Any
         branch: tuple[Any, ...] | None
         bearings: Any
-        compliance: Any
     load: PlanarLoad
     """Preload, torque, speed, friction."""
     temperature: TemperatureEntry | None = None
@@ -151,6 +162,8 @@ class PlanarCase(WholeFile):
     pin_bearing: PinBearing | None = None
     """Rolling bearings of the rollers on pins, for their life: one section, whose ratings hold for every row of rollers
     on pins; try rows with different bearings one after the other."""
+    compliance: PlanarCompliance | None = None
+    """Springs of pins, supports, rings and shafts; ideal if the section is absent."""
     rolling: PlanarRolling | None = None
     """Skew, hysteresis, reliability and required life of the joint that turns."""
     lubrication: Lubrication | None = None
@@ -172,6 +185,8 @@ class PlanarCase(WholeFile):
 
     #: Their number in [drive], and their name.
     branches_are: ClassVar[tuple[str, str]] = ("planets", "planets")
+    #: The key that says what holds a ring.
+    ring_key: ClassVar[str] = "drive.ring_support"
 
     @model_validator(mode="after")
     def _known_materials(self) -> Self:
@@ -189,12 +204,16 @@ class PlanarCase(WholeFile):
             exact = [
                 f"roller {roller.name}"
                 for roller in getattr(self, "roller", ())
-                if roller.ring_support == "free" or roller.bore_diameter is not None
+                if roller.ring_support in BENT or roller.bore_diameter is not None
             ]
-            exact += ["drive.ring_support"] if getattr(drive, "ring_support", None) == "free" else []
+            exact += ["drive.ring_support"] if getattr(drive, "ring_support", None) in BENT else []
             exact += [
                 f"drive.{name}"
-                for name in ("planet_bore_diameter", "driven_ring_wall_thickness")
+                for name in (
+                    "planet_bore_diameter",
+                    "loading_roller_bore_diameter",
+                    "driven_ring_wall_thickness",
+                )
                 if getattr(drive, name, None) is not None
             ]
             exact += ["model.plane_state"] if self.model.plane_state == "plane_stress" else []
@@ -204,6 +223,27 @@ class PlanarCase(WholeFile):
                     "of rings in a rigid housing, in plane strain"
                 )
         return self
+
+    @model_validator(mode="after")
+    def _housing_of_rings(self) -> Self:
+        compliance = self.compliance or PlanarCompliance()
+        supports = self.ring_supports()
+        if ("elastic_housing" in supports) != (compliance.ring_housing_stiffness is not None):
+            raise InputError(
+                f'{self.ring_key} = "elastic_housing" and compliance.ring_housing_stiffness belong together: give both '
+                "or neither"
+            )
+        bent = [support for support in supports if support in BENT]
+        if bent and compliance.ring_bending_stiffness is not None:
+            raise InputError(
+                f'{self.ring_key} = "{bent[0]}" computes the bending of the ring: leave out '
+                "compliance.ring_bending_stiffness, which would count it twice"
+            )
+        return self
+
+    def ring_supports(self) -> tuple[str | None, ...]:
+        """What the file says that holds the outer rim of each ring; None where it says nothing."""
+        return (self.drive.ring_support,)  # type: ignore[attr-defined]
 
     @model_validator(mode="after")
     def _whole_duty(self) -> Self:
@@ -258,8 +298,6 @@ class AxisCase(PlanarCase):
     """Rolling bearings of the input, for their life under forces from outside."""
     output_bearing: HeldBearing | None = None
     """Rolling bearings of the output, for their life under forces from outside."""
-    compliance: PlanarCompliance | None = None
-    """Springs of pins and shafts; ideal if the section is absent."""
 
 
 class PlanetaryCase(AxisCase):

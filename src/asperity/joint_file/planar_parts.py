@@ -16,7 +16,7 @@ from asperity.drive.planar.drives import (
     wedge_drive,
 )
 from asperity.drive.planar.layout import CARRIER, Closure, PlanarDrive
-from asperity.joint.planar.body_shape import SOLID, BodyShape
+from asperity.joint.planar.body_shape import SOLID, BodyShape, ring_shape
 from asperity.joint_file.general_layout import general_layout, misdescribed
 from asperity.joint_file.general_model import GeneralCase
 from asperity.joint_file.messages import closest, nearest
@@ -79,8 +79,9 @@ def misnamed_parts(case: PlanarCase) -> list[str]:
     return found
 
 
-def _ring(wall: Any, support: str | None) -> BodyShape:
-    return BodyShape("ring", wall, "free" if support == "free" else "rigid_housing")
+def _ring(values: Values) -> BodyShape:
+    drive, housing = values["drive"], values.get("compliance", {}).get("ring_housing_stiffness")
+    return ring_shape(drive["ring_wall_thickness"], drive.get("ring_support"), housing)
 
 
 def _wedge(values: Values) -> Layout:
@@ -102,8 +103,7 @@ def _wedge(values: Values) -> Layout:
         _roller(drive.get(f"{name}_bore_diameter"), drive.get(f"{name}_length"))
         for name in ("planet", "loading_roller")
     )
-    ring = _ring(drive["ring_wall_thickness"], drive.get("ring_support"))
-    return made, (SOLID, planet, roller, roller, ring), (0.0, 0.0, 0.0, 1.0, 1.0)
+    return made, (SOLID, planet, roller, roller, _ring(values)), (0.0, 0.0, 0.0, 1.0, 1.0)
 
 
 _WEDGE_SIZES = (
@@ -127,8 +127,7 @@ def _planetary(values: Values) -> Layout:
     if drive.get("output") == "ring":
         made = dataclasses.replace(made, output="ring", grounded=CARRIER)
     planet = _roller(drive.get("planet_bore_diameter"))
-    ring = _ring(drive["ring_wall_thickness"], drive.get("ring_support"))
-    return made, (SOLID, planet, ring), (0.0, 1.0)
+    return made, (SOLID, planet, _ring(values)), (0.0, 1.0)
 
 
 def _multiroller(values: Values) -> Layout:
@@ -139,8 +138,7 @@ def _multiroller(values: Values) -> Layout:
         second_row_radii=(drive["second_row_radius"], drive["second_row_small_radius"]),
         roller_count=drive["rollers_per_row"],
     )
-    ring = _ring(drive["ring_wall_thickness"], drive.get("ring_support"))
-    return made, (SOLID, SOLID, SOLID, ring), (0.0, 0.0, 0.0, 1.0)
+    return made, (SOLID, SOLID, SOLID, _ring(values)), (0.0, 0.0, 0.0, 1.0)
 
 
 def _stepped_planet(values: Values) -> Layout:
@@ -150,10 +148,7 @@ def _stepped_planet(values: Values) -> Layout:
         planet_radii=(drive["planet_radius"], drive["planet_second_radius"]),
         planet_count=drive["planets"],
     )
-    rings = (
-        _ring(drive["ring_wall_thickness"], drive.get("ring_support")),
-        _ring(drive["driven_ring_wall_thickness"], "free"),
-    )
+    rings = _ring(values), BodyShape("ring", drive["driven_ring_wall_thickness"], "free")
     return made, (SOLID, SOLID, *rings), (0.0, 1.0, 1.0)
 
 

@@ -4,14 +4,11 @@ from __future__ import annotations
 
 from typing import Annotated, Literal
 
-from pydantic import model_validator
-
-from asperity.errors import InputError
 from asperity.joint_file import limits
 from asperity.joint_file.bearing_entries import HeldBearing
 from asperity.joint_file.branch_sections import BranchEntry
 from asperity.joint_file.model import BearingTorque, BodyLength, CrownRadius, Length, PushAngle
-from asperity.joint_file.planar_drive_sections import PartLengths
+from asperity.joint_file.planar_drive_sections import PartLengths, RingSupport
 from asperity.joint_file.planar_model import PlanarCase, PlanarModelChoice
 from asperity.joint_file.quantity_key import Quantity
 from asperity.joint_file.section import Section
@@ -55,7 +52,7 @@ class WedgeDrive(Section):
     """Radius of the loading rollers' crown along their axes; cylinders if absent."""
     ring_crown_radius: CrownRadius | None = None
     """Radius of the ring's crown along its axis; a cylinder if absent."""
-    ring_support: Literal["rigid_housing", "free", "elastic_housing"] | None = None
+    ring_support: RingSupport | None = None
     """What holds the outer rim of the ring: a rigid housing into which it is shrunk, nothing, so that it bends, or a
     housing with the ring_housing_stiffness of [compliance]. A rigid housing if absent."""
 
@@ -80,30 +77,6 @@ class BearingFriction(Section):
     """How the carrier holds a pin of this length; at both ends, which may turn, if absent."""
 
 
-class Compliance(Section):
-    """Springs of the structure around the rollers; an absent key is the ideal its description names."""
-
-    pin_stiffness: Annotated[Quantity, limits.SPRING] | None = None
-    """Stiffness of one carrier pin along its push; rigid if absent."""
-    pin_transverse_stiffness: Annotated[Quantity, limits.SPRING] | None = None
-    """Stiffness of one carrier pin across its push; free if absent."""
-    planet_support_stiffness: Annotated[Quantity, limits.SPRING] | None = None
-    """Stiffness of a planet's bearing on the carrier; the planet floats if absent."""
-    ring_bending_stiffness: Annotated[Quantity, limits.SPRING] | None = None
-    """Spring under each loading roller for the bending of the ring, in addition to a ring in a rigid housing; rigid if
-    absent. ring_support = "free" computes the bending instead."""
-    ring_housing_stiffness: Annotated[Quantity, limits.HOUSING] | None = None
-    """Radial stiffness of the housing around the ring, per area of the ring's outer surface; needed for, and only for,
-    ring_support = "elastic_housing"."""
-    input_shaft_stiffness: Annotated[Quantity, limits.TORSION_SPRING] | None = None
-    """Torsional stiffness of the shaft to the sun; rigid if absent."""
-    output_shaft_stiffness: Annotated[Quantity, limits.TORSION_SPRING] | None = None
-    """Torsional stiffness of the shaft from the carrier; rigid if absent."""
-    sun_support_stiffness: Annotated[Quantity, limits.SUPPORT] | None = None
-    """Radial stiffness of the sun's bearings together, for branches of their own sizes, [[branch]]; 0 for a floating
-    sun, rigid if absent."""
-
-
 class WedgeModelChoice(PlanarModelChoice):
     """Which variants of the model to use."""
 
@@ -113,6 +86,9 @@ class WedgeModelChoice(PlanarModelChoice):
     traction_split: Literal["springs", "equal_coefficients"] = "springs"
     """How both loading rollers of a planet share its torque while the drive stands: by the slip of their contacts, or
     with equal traction coefficients, as the paper's closure assumes; springs if absent."""
+    carrier_balance: Literal["complete", "printed"] | None = None
+    """Moment of the carrier: with the friction torques of the loading rollers' bearings, complete, or without them as
+    equation (5) is printed; complete if absent."""
     closure_springs: Literal["bulk", "bulk_and_asperities"]
     """Normal springs of the elastic closure: the bodies alone, or with their asperities."""
 
@@ -131,36 +107,7 @@ class Case(PlanarCase):
     """Rolling bearings of the sun's shaft, for their life under forces from outside."""
     carrier_bearing: HeldBearing | None = None
     """Rolling bearings of the carrier, for their life under forces from outside."""
-    compliance: Compliance | None = None
-    """Springs of pins, planet supports, ring and shafts; ideal if the section is absent."""
     branch: tuple[BranchEntry, ...] | None = None
     """Sizes of each planet and its loading rollers, where they differ: a section [[branch]] for each planet."""
     model: WedgeModelChoice
     """Variants of the model."""
-
-    @model_validator(mode="after")
-    def _one_ring(self) -> Case:
-        compliance = self.compliance or Compliance()
-        support, housing = self.drive.ring_support, compliance.ring_housing_stiffness
-        if (support == "elastic_housing") != (housing is not None):
-            raise InputError(
-                'drive.ring_support = "elastic_housing" and compliance.ring_housing_stiffness belong together: give '
-                "both or neither"
-            )
-        bends = support in ("free", "elastic_housing")
-        if bends and compliance.ring_bending_stiffness is not None:
-            raise InputError(
-                f'drive.ring_support = "{support}" computes the bending of the ring: leave out '
-                "compliance.ring_bending_stiffness, which would count it twice"
-            )
-        if self.model.bodies == "springs":
-            bores = ("planet_bore_diameter", "loading_roller_bore_diameter")
-            exact = [f"drive.{name}" for name in bores if getattr(self.drive, name) is not None]
-            exact += ["drive.ring_support"] if bends else []
-            exact += ["model.plane_state"] if self.model.plane_state == "plane_stress" else []
-            if exact:
-                raise InputError(
-                    f'{", ".join(exact)}: only for model.bodies = "exact"; the springs are those of solid rollers and '
-                    "of a ring in a rigid housing, in plane strain"
-                )
-        return self

@@ -33,7 +33,7 @@ def summary(document: Document) -> Table:
     Table
         One row a number.
     """
-    load, geometry = document["input"]["load"], document["geometry"]
+    load = document["input"]["load"]
     stiffness = document["torsional_stiffness"]["assembly"]["output_Nm_per_rad"]
     equal = " of equal branches" if "branches" in document else ""
     rows = [

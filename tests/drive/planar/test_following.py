@@ -79,7 +79,7 @@ def test_followed_up_to_the_last_torque_that_holds(monkeypatch, capacity, sign, 
     """Where balances exist up to a torque, the following ends there or at the torque asked for, in its sense."""
     module = "asperity.drive.planar.following"
     for name in ("machine_of", "forces_on"):
-        monkeypatch.setattr(f"{module}.{name}", lambda *_: None)
+        monkeypatch.setattr(f"{module}.{name}", lambda *_, **__: None)
     monkeypatch.setattr(f"{module}.started_from", lambda *_: jnp.zeros(()))
 
     def balance(machine, task, found, *, slides, by_force):

@@ -13,6 +13,7 @@ from asperity.drive.planar.layout import speed_ratio
 from asperity.drive.planar.state import STATE_TOLERANCE, ContactLaws, DriveLoad
 from asperity.drive.planar.states import drive_states
 from asperity.drive.planar.stiffness import planar_stiffness, with_shafts
+from asperity.drive.planar.supports import carrier_supports
 from asperity.drive.rolling_state import CreepLaw
 
 ORBIT, COUNT = 30e-3, 3
@@ -98,7 +99,8 @@ def test_a_rigid_shaft_has_finite_derivatives():
 
 
 @pytest.mark.slow
-def test_the_stiffness_is_the_slope_of_the_states_also_where_a_contact_slides(drives):
+@pytest.mark.parametrize("held", [None, (2e7, 3e7)])
+def test_the_stiffness_is_the_slope_of_the_states_also_where_a_contact_slides(drives, held):
     """Linear springs, whose slip does not depend on the normal force: 5 N·m, and 10 N·m with a roller that slides."""
     drive, friction = drives["wedge"], jnp.array([0.12, 0.12, 0.12, 0.09, 0.09])
     normal, pins = jnp.array([6e-9, 5e-9, 5e-9, 4e-9, 4e-9]), 3e-9
@@ -108,11 +110,16 @@ def test_the_stiffness_is_the_slope_of_the_states_also_where_a_contact_slides(dr
         creep=CreepLaw(friction, jnp.full(5, 3e-5)),
     )
     pattern = jnp.array([0.0, 0.0, 0.0, 1.0, 1.0])
+    supports = None
+    if held is not None:
+        supports = carrier_supports(
+            drive=drive, pin_transverse_stiffness=held[0], planet_support_stiffness=held[1], planets=(1,)
+        )
 
     @jax.vmap
     def compared(torque):
         def turned(torque):
-            load = DriveLoad(torque, pin_compliance=pins)
+            load = DriveLoad(torque, pin_compliance=pins, supports=supports)
             state = drive_states(drive=drive, laws=laws, pattern=pattern, preload=1000.0, load=load).standing
             return state.rotation[-1], state
 
@@ -123,15 +130,18 @@ def test_the_stiffness_is_the_slope_of_the_states_also_where_a_contact_slides(dr
             tangential_compliance=normal,
             pin_compliance=pins,
             sliding_friction=friction * state.slides,
+            supports=supports,
         )
         return state, jnp.abs(slope), found
 
     state, slope, found = jax.jit(compared)(jnp.array([5.0, 10.0]))
-    np.testing.assert_array_equal(np.count_nonzero(state.slides, axis=1), [0, 1])
+    assert np.count_nonzero(state.slides[0]) == 0
+    assert np.count_nonzero(state.slides[1]) == 1
     assert np.all(np.asarray(state.residual) < STATE_TOLERANCE)
     np.testing.assert_allclose(found.output, 1.0 / slope, rtol=1e-9)
     assert float(found.output[1]) < float(found.output[0])
     shares = np.sum(found.tangential_share + found.normal_share, axis=1) + found.pin_share
+    shares = shares + np.sum(found.support_share, axis=1)
     np.testing.assert_allclose(shares, 1.0, rtol=1e-9)
 
 

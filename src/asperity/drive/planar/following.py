@@ -81,7 +81,7 @@ def followed(
     """
     laws, rest, load = closed_around(drive=drive, laws=laws, rest=rest, load=load)
     size = jnp.max(rest.interference)
-    machine = machine_of(drive, laws, rest.interference / size)
+    machine = machine_of(drive, laws, rest.interference / size, supports=load.supports)
     way = jnp.where(jnp.asarray(load.output_torque) < 0.0, -1.0, 1.0)
     still = forces_on(drive, load)
 

@@ -13,6 +13,7 @@ from asperity.contact.crowned_shear import crown_slip
 from asperity.drive.mechanism import Bearings, NormalSprings, whole_approach
 from asperity.drive.planar.layout import CARRIER, PlanarDrive
 from asperity.drive.planar.linear import product
+from asperity.drive.planar.supports import Supports
 from asperity.drive.rolling_state import CreepLaw
 from asperity.types import Real
 
@@ -85,6 +86,8 @@ class DriveLoad(eqx.Module):
     rotation, standing_rotation : Real, optional
         Sense in which the drive rolls, and in which it turns before or after it stands: of any size, 0 for that of its
         torque [-].
+    supports : Supports or None, optional
+        Springs between floating centres and the carrier, relaxed in the assembled drive; None for none.
     friction_on_carrier : bool, optional
         Whether the friction of the rollers' bearings acts on the carrier too; equation (5) of Zou et al. 2025 leaves it
         out.
@@ -97,6 +100,7 @@ class DriveLoad(eqx.Module):
     support_stiffness: Array | None = None
     rotation: Real = 1.0
     standing_rotation: Real = 1.0
+    supports: Supports | None = None
     friction_on_carrier: bool = eqx.field(static=True, default=True)
 
 

@@ -22,6 +22,7 @@ from asperity.drive.planar.state import (
     slip_at_rest,
     surface_speeds,
 )
+from asperity.drive.planar.supports import Supports, with_supports
 from asperity.drive.rolling_state import creepages
 
 #: Kinds of states: assembled without torque, standing under one, rolling under one.
@@ -36,7 +37,7 @@ class Unknowns(NamedTuple):
     normal, tangential : Array
         Forces of the contacts over the reference, and over the friction limit at it [-].
     pin : Array
-        Forces of the pins over the largest reference [-].
+        Forces of the pins, then of the supports on the carrier, over the largest reference [-].
     displacement : Array
         Displacements of the floating centres over the approach at the reference [-].
     turn : Array
@@ -63,7 +64,7 @@ class Machine(NamedTuple):
     laws : ContactLaws
         Its contacts.
     matrices : Incidence
-        How displacements and rotations move the contacts.
+        How displacements and rotations move the contacts, the pins, and after these the supports on the carrier.
     ideal : Array
         Speeds without slip, shape (members,) [-].
     pattern : Array
@@ -112,7 +113,13 @@ class Task(NamedTuple):
     pin_at_rest: Array
 
 
-def machine_of(drive: PlanarDrive, laws: ContactLaws, pattern: Array, added: Array | None = None) -> Machine:
+def machine_of(
+    drive: PlanarDrive,
+    laws: ContactLaws,
+    pattern: Array,
+    added: Array | None = None,
+    supports: Supports | None = None,
+) -> Machine:
     """What all states of a drive have in common.
 
     Parameters
@@ -125,6 +132,8 @@ def machine_of(drive: PlanarDrive, laws: ContactLaws, pattern: Array, added: Arr
         Interference of each contact over that of the drive, shape (contacts,) [-].
     added : Array or None, optional
         Interference of each contact besides that of the drive, shape (contacts,) [m]; None for none.
+    supports : Supports or None, optional
+        Those of the load; None for none.
 
     Returns
     -------
@@ -142,7 +151,7 @@ def machine_of(drive: PlanarDrive, laws: ContactLaws, pattern: Array, added: Arr
     return Machine(
         drive=drive,
         laws=laws,
-        matrices=incidence(drive),
+        matrices=with_supports(incidence(drive), supports),
         ideal=speeds(drive),
         pattern=pattern,
         friction=jnp.broadcast_to(laws.creep.friction_coefficient, reference.shape),
@@ -394,14 +403,19 @@ def _with_equal_coefficients(machine: Machine, x: Unknowns, slip: Array) -> Arra
 
 
 def _of_pins(machine: Machine, task: Task, pin: Array, moved: Array) -> Array:
-    """Misfits of the pins: their springs, or their forces without torque where those stay."""
-    drive = machine.drive
-    springs = (product(machine.matrices.pins, moved) - task.load.pin_compliance * pin) / machine.length
+    """Misfits of the pins: their springs, or their forces without torque where those stay; then of the supports."""
+    drive, matrices, supports = machine.drive, machine.matrices, task.load.supports
+    count, loaded = len(drive.pinned), jnp.asarray(task.kind) != ASSEMBLED
+    springs = product(matrices.pins[:count], moved) - task.load.pin_compliance * pin[:count]
     kept = np.array(
         [drive.bodies[body].name in drive.closure.constant_pins for body in drive.pinned], dtype=bool
     )
-    loaded = jnp.asarray(task.kind) != ASSEMBLED
-    return jnp.where(loaded & kept, (pin - task.pin_at_rest) / machine.largest, springs)
+    constant = (pin[:count] - task.pin_at_rest) / machine.largest
+    own = jnp.where(loaded & kept, constant, springs / machine.length)
+    if supports is None:
+        return own
+    beside = product(supports.direction, moved - task.origin) - supports.compliance * pin[count:]
+    return jnp.concatenate([own, jnp.where(loaded, beside / machine.length, pin[count:] / machine.largest)])
 
 
 def moments_of(machine: Machine, task: Task, tangential: Array, pin: Array) -> Array:

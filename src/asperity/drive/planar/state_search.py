@@ -55,7 +55,7 @@ def assembled_guess(machine: Machine) -> Unknowns:
     return Unknowns(
         jnp.ones_like(reference),
         jnp.zeros_like(reference),
-        jnp.zeros(len(drive.pinned)),
+        jnp.zeros(machine.matrices.levers.size),
         no_displacement(drive),
         jnp.zeros(len(turning_members(drive))),
         jnp.ones(1),
@@ -87,7 +87,7 @@ def started_from(machine: Machine, state: PlanarState, size: Array) -> Unknowns:
     return Unknowns(
         state.normal / reference,
         state.tangential / (machine.friction * reference),
-        state.pin_force / machine.largest,
+        jnp.pad(state.pin_force / machine.largest, (0, machine.matrices.levers.size - state.pin_force.size)),
         state.displacement.ravel() / machine.length,
         (state.speed - machine.ideal)[jnp.array(turning_members(machine.drive))],
         (size / machine.length)[None],
@@ -230,7 +230,7 @@ def state_of(machine: Machine, task: Task, x: Unknowns, slides: Array) -> Planar
     return PlanarState(
         normal=normal,
         tangential=tangential,
-        pin_force=pin,
+        pin_force=pin[: len(drive.pinned)],
         displacement=(x.displacement * machine.length).reshape(-1, 2),
         rotation=turned,
         speed=speed,

@@ -102,7 +102,7 @@ def state_at_rest(
     ----------
     Equation (M3) of :doc:`/equations`.
     """
-    machine = machine_of(drive, laws, pattern, added)
+    machine = machine_of(drive, laws, pattern, added, None if load is None else load.supports)
     given = jnp.asarray(preload if interference is None else interference, dtype=float)
     springs = DriveLoad(jnp.zeros(())) if load is None else load
     unloaded = dataclasses.replace(springs, output_torque=jnp.zeros(()), body_force=None)
@@ -200,7 +200,7 @@ def drive_states(
         )
         kinds = jnp.array([STANDING, ROLLING])
         return DriveStates(rest, *_last_two(_loaded(drive, laws, rest, load, kinds, creep_of)))
-    machine = machine_of(drive, laws, pattern)
+    machine = machine_of(drive, laws, pattern, supports=load.supports)
     given = jnp.asarray(preload if interference is None else interference, dtype=float)
     start = _Carry(
         assembled_guess(machine),
@@ -334,7 +334,7 @@ def _loaded(
 ) -> PlanarState:
     laws, rest, load = closed_around(drive=drive, laws=laws, rest=rest, load=load)
     size = jax.lax.stop_gradient(jnp.max(rest.interference))  # a scale, as those of machine_of
-    machine = machine_of(drive, laws, rest.interference / size)
+    machine = machine_of(drive, laws, rest.interference / size, supports=load.supports)
     start = _Carry(
         started_from(machine, rest, size), rest.slides, size, rest.displacement.ravel(), rest.pin_force
     )
@@ -361,7 +361,7 @@ def closed_around(
     -------
     ContactLaws, PlanarState, DriveLoad
         Those given, without a closure of the laws; else the closure, the same forces with the interferences that make
-        them by its springs, and rigid pins.
+        them by its springs, and rigid pins without other supports.
 
     References
     ----------
@@ -377,7 +377,7 @@ def closed_around(
         displacement=moved.reshape(rest.displacement.shape),
         interference=approach - product(matrices.approach, moved),
     )
-    return laws.closure, state, dataclasses.replace(load, pin_compliance=0.0)
+    return laws.closure, state, dataclasses.replace(load, pin_compliance=0.0, supports=None)
 
 
 class _Carry(NamedTuple):

@@ -16,6 +16,7 @@ from jax import Array
 
 from asperity.drive.planar.layout import CARRIER, PlanarDrive, incidence, sectors_of_members
 from asperity.drive.planar.linear import product, solve
+from asperity.drive.planar.supports import Supports, with_supports
 from asperity.types import Real
 
 
@@ -30,8 +31,10 @@ class PlanarStiffness(NamedTuple):
         Shares of each contact's springs in the compliance, shape (contacts,) [-].
     pin_share : Array
         Share of the pins [-].
-    tangential_force : Array
-        Tangential forces of the contacts under a unit torque, shape (contacts,) [N].
+    tangential_force, normal_force : Array
+        Forces of the contacts under a unit torque, shape (contacts,) [N].
+    support_share : Array
+        Shares of the supports on the carrier, shape (springs,) [-].
     """
 
     output: Array
@@ -39,6 +42,8 @@ class PlanarStiffness(NamedTuple):
     normal_share: Array
     pin_share: Array
     tangential_force: Array
+    normal_force: Array
+    support_share: Array
 
 
 def planar_stiffness(
@@ -50,6 +55,7 @@ def planar_stiffness(
     pin_compliance: Real = 0.0,
     sliding_friction: Array | None = None,
     support_stiffness: Array | None = None,
+    supports: Supports | None = None,
 ) -> PlanarStiffness:
     r"""Torsional stiffness at the output of a planar drive with springs at its contacts.
 
@@ -76,6 +82,8 @@ def planar_stiffness(
         hold.
     support_stiffness : Array or None, optional
         Radial stiffness of the bearings of each floating body, shape (floating,) [N/m]; None for none.
+    supports : Supports or None, optional
+        Springs between floating centres and the carrier; None for none.
 
     Returns
     -------
@@ -87,7 +95,7 @@ def planar_stiffness(
     Equations (A8) and (M1) of :doc:`/equations`.
     """
     matrices, members = incidence(drive), drive.members
-    count, carrier = len(drive.contacts), members.index(CARRIER)
+    count, carrier, held = len(drive.contacts), members.index(CARRIER), len(drive.pinned)
     turning = [i for i, name in enumerate(members) if name not in (drive.input, drive.grounded)]
     turns_at = np.array(turning)
     out = members.index(drive.output)
@@ -99,7 +107,10 @@ def planar_stiffness(
     # rows: springs; columns: displacements of the centres, then rotations
     moves, balances = [matrices.sliding], [rotating]
     turns = [matrices.turning]
-    pins = jnp.broadcast_to(jnp.asarray(pin_compliance, dtype=float), (len(drive.pinned),))
+    pins = jnp.broadcast_to(jnp.asarray(pin_compliance, dtype=float), (held,))
+    if supports is not None:
+        pins = jnp.concatenate([pins, supports.compliance])
+        matrices = with_supports(matrices, supports)
     lever = -matrices.levers[:, None] * at_carrier
     if normal_compliance is not None:
         nothing = jnp.zeros_like(rotating)
@@ -148,8 +159,10 @@ def planar_stiffness(
         output=1.0 / turned,
         tangential_share=shares[count : 2 * count] if floats else shares[:count],
         normal_share=shares[:count] if floats else jnp.zeros(count),
-        pin_share=jnp.sum(shares[2 * count :]) if floats else jnp.zeros(()),
+        pin_share=jnp.sum(shares[2 * count : 2 * count + held]) if floats else jnp.zeros(()),
         tangential_force=force[count : 2 * count] if floats else force[:count],
+        normal_force=force[:count] if floats else jnp.zeros(count),
+        support_share=shares[2 * count + held :],
     )
 
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import dataclasses
-import math
 
 import jax.numpy as jnp
 import numpy as np
@@ -34,8 +33,7 @@ def exact_bodies(joint: PlanarJoint) -> list[BodyInMachine]:
     Returns
     -------
     list of BodyInMachine
-        Without stepped rollers: their tracks lie in different planes. A rigid housing holds the outer rim of a ring in
-        both directions.
+        Without stepped rollers: their tracks lie in different planes.
     """
     lengths = each_contact(joint, joint.contact_lengths)
     first, _ = places(joint.drive)
@@ -52,9 +50,9 @@ def exact_bodies(joint: PlanarJoint) -> list[BodyInMachine]:
         elastic = (length, material.youngs_modulus, material.poisson_ratio)
         solid: Disc | Annulus
         if shape.kind == "ring":
-            held = math.inf if shape.support == "rigid_housing" else 0.0
             assert shape.size is not None
-            solid = Annulus(radius, radius + shape.size, *elastic, held, held, "inner", joint.plane_state)
+            outer = radius + shape.size
+            solid = Annulus(radius, outer, *elastic, *shape.rim_stiffness, "inner", joint.plane_state)
         elif shape.kind == "hollow":
             assert shape.size is not None
             solid = Annulus(0.5 * shape.size, radius, *elastic, 0.0, 0.0, "outer", joint.plane_state)

@@ -123,6 +123,12 @@ class PlanarJoint(eqx.Module):
     closure_springs : {"bulk", "bulk_and_asperities"} or None, optional
         Normal springs of the force balance under load, of one roller pair each, between rigid pins: the bodies alone,
         or with the asperities' stiffness at rest in series. None: the springs of the assembly.
+    pin_transverse_stiffness : Real or None, optional
+        Of one pin across its push [N/m]; None where the roller is free to move there.
+    planet_support_stiffness : Real or None, optional
+        Of the bearing on the carrier of each roller without a pin, in both directions [N/m]; None for floating ones.
+    ring_bending_stiffness : Real or None, optional
+        Of a spring in series with each contact of a ring [N/m]; None for none.
     carrier_balance : {"complete", "printed"}, optional
         ``printed``: equation (5) of Zou et al. 2025, which leaves out the friction torques of the rollers' bearings on
         the carrier.
@@ -157,6 +163,9 @@ class PlanarJoint(eqx.Module):
     unlike: UnlikeSectors | None = None
     cam: LoadingCam | None = None
     closure_springs: ClosureSprings | None = eqx.field(static=True, default=None)
+    pin_transverse_stiffness: Real | None = None
+    planet_support_stiffness: Real | None = None
+    ring_bending_stiffness: Real | None = None
     carrier_balance: Literal["complete", "printed"] = eqx.field(static=True, default="complete")
 
     @property

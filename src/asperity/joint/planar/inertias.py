@@ -13,7 +13,13 @@ from asperity.types import Real
 def planar_inertias(joint: PlanarJoint) -> tuple[Real, Real]:
     r"""Inertia of the input roller, and that of all other bodies as the output moves them.
 
-    .. math:: J = \sum_b n_b \left[m_b\,(r_b\,\omega_c)^2 + I_b\,\omega_b^2\right] / \omega_{out}^2
+    .. math::
+        J_{in} = I_{in} + \sum_b n_b I_b \left(\frac{\omega_b}{\omega_{in}}\right)^2, \qquad
+        J_{out} = \sum_b n_b m_b r_b^2 \left(\frac{\omega_c}{\omega_{out}}\right)^2
+        + \sum_a I_a \left(\frac{\omega_a}{\omega_{out}}\right)^2
+
+    over the bodies b off the axis, whose spin the input drives and whose orbit is that of the carrier, and the bodies a
+    on the axis.
 
     Parameters
     ----------
@@ -28,8 +34,8 @@ def planar_inertias(joint: PlanarJoint) -> tuple[Real, Real]:
 
     Notes
     -----
-    All rollers between input and output count at the output, as if the joint were stiff between them: in a drive of
-    several rows the locked frequency comes out a little low.
+    A vibration of the input against the load turns the rollers between them with the input: the free frequency of the
+    planetary example is within 1 % of that of all its bodies on the springs of all contacts.
 
     References
     ----------
@@ -46,9 +52,11 @@ def planar_inertias(joint: PlanarJoint) -> tuple[Real, Real]:
             for part, radius, bore in cylinders(joint, number)
         )
         if body.name == drive.input:
-            own = spin
+            own = own + spin
             continue
-        copies = 1 if body.place == "axis" else drive.sectors
-        orbit = jnp.sum(drive.centres[number] ** 2) if body.place != "axis" else 0.0
-        moved = moved + copies * (mass * orbit * carrier**2 + spin * speed[number] ** 2) / out**2
+        if body.place == "axis":
+            moved = moved + spin * (speed[number] / out) ** 2
+            continue
+        own = own + drive.sectors * spin * speed[number] ** 2  # the input has the speed 1
+        moved = moved + drive.sectors * mass * jnp.sum(drive.centres[number] ** 2) * (carrier / out) ** 2
     return own, moved

@@ -6,12 +6,14 @@ import dataclasses
 
 import jax
 import jax.numpy as jnp
+import numpy as np
 from jax import Array
 
 from asperity.drive.mechanism import NormalSprings
 from asperity.drive.planar.equal_springs import rest_forces
 from asperity.drive.planar.layout import CARRIER, speeds
 from asperity.drive.planar.state import ContactLaws, DriveLoad
+from asperity.drive.planar.supports import Supports, carrier_supports
 from asperity.drive.rolling_state import CreepLaw
 from asperity.joint.contacts import (
     JointContacts,
@@ -74,6 +76,7 @@ def contact_laws(joint: PlanarJoint, contacts: JointContacts) -> ContactLaws:
             lateral_strain_compliance(contacts.driving, contacts.driven) if crowned else None
         ),
         rims=contacts.rims,
+        linear_compliance=ring_springs(joint),
     )
     if joint.closure_springs is None:
         return laws
@@ -106,6 +109,8 @@ def _preload_by_work(joint: PlanarJoint, contacts: JointContacts, forces: Array,
     share = jnp.sum(joint.working_pattern * forces) * jnp.asarray(joint.interference)
     work = jnp.sum(springs.secant_compliance * forces**2)
     work = work if coupling is None else work + forces @ coupling @ forces
+    rings = ring_springs(joint)
+    work = work if rings is None else work + jnp.sum(rings * forces**2)
     # the work falls by this for each e-fold of the force
     softer = jnp.sum((springs.secant_compliance - springs.incremental_compliance) * forces**2)
 
@@ -189,6 +194,31 @@ def creep_law(
     return found._replace(law=CreepLaw(friction, scale))
 
 
+def ring_springs(joint: PlanarJoint) -> Array | None:
+    """Compliance of the springs in series with the contacts of rings, shape (contacts,) [m/N]; None for none."""
+    if joint.ring_bending_stiffness is None:
+        return None
+    inside = np.array([contact.internal for contact in joint.drive.contacts])
+    return jnp.where(inside, 1.0 / jnp.asarray(joint.ring_bending_stiffness, dtype=float), 0.0)
+
+
+def supports_of(joint: PlanarJoint) -> Supports | None:
+    """Springs that hold the rollers of a joint on the carrier besides its pins along their push; None for none."""
+    drive = joint.drive
+    central = () if joint.unlike is None else joint.unlike.central
+    planets = tuple(
+        body
+        for body in drive.floating
+        if drive.bodies[body].place == "free" and drive.bodies[body].name not in central
+    )
+    return carrier_supports(
+        drive=drive,
+        pin_transverse_stiffness=joint.pin_transverse_stiffness,
+        planet_support_stiffness=joint.planet_support_stiffness,
+        planets=planets,
+    )
+
+
 def drive_load(joint: PlanarJoint, masses: list[Real], torque: Real) -> DriveLoad:
     r"""What acts on the drive of a joint: torque and the centrifugal forces :math:`m \omega_c^2 r`.
 
@@ -219,6 +249,7 @@ def drive_load(joint: PlanarJoint, masses: list[Real], torque: Real) -> DriveLoa
         pin_compliance=1.0 / jnp.asarray(joint.pin_stiffness, dtype=float),
         bearings=joint.bearings,
         support_stiffness=None if joint.unlike is None else joint.unlike.support_stiffness,
+        supports=supports_of(joint),
         rotation=jnp.asarray(joint.input_speed, dtype=float),
         standing_rotation=jnp.asarray(joint.input_speed, dtype=float),
         friction_on_carrier=joint.carrier_balance == "complete",

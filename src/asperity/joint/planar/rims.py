@@ -17,7 +17,7 @@ from asperity.joint.rim_safety import BodyRims, body_rims, worse_rims
 
 
 def bends(joint: PlanarJoint) -> tuple[bool, ...]:
-    """Which bodies have a rim that nothing holds, and one track.
+    """Which bodies have one track and a rim that nothing rigid holds.
 
     Parameters
     ----------
@@ -31,7 +31,7 @@ def bends(joint: PlanarJoint) -> tuple[bool, ...]:
         part of plane elasticity.
     """
     return tuple(
-        (shape.kind == "hollow" or (shape.kind == "ring" and shape.support == "free"))
+        (shape.kind == "hollow" or (shape.kind == "ring" and shape.support != "rigid_housing"))
         and len(tracks_of(joint, number)) == 1
         for number, shape in enumerate(joint.shapes)
     )

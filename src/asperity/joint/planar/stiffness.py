@@ -18,6 +18,7 @@ from asperity.joint.contacts import JointContacts, LoadedContacts, loaded_contac
 from asperity.joint.elastic_bodies import springs_of_compliance, widths_of_bodies
 from asperity.joint.planar.bodies import body_compliance, walls_known
 from asperity.joint.planar.description import PlanarJoint
+from asperity.joint.planar.laws import ring_springs, supports_of
 from asperity.types import Real
 
 
@@ -160,15 +161,21 @@ def stiffness_levels(
         )
         normal, tangential = springs.normal_stiffness, springs.tangential_stiffness
         coupling = springs.coupling
+    rings = ring_springs(joint)
     whole = planar_stiffness(
         drive=drive,
-        normal_compliance=compliance(normal),
+        normal_compliance=compliance(normal) if rings is None else compliance(normal) + rings,
         tangential_compliance=compliance(tangential),
         coupling=coupling,
         pin_compliance=1.0 / jnp.asarray(joint.pin_stiffness, dtype=float),
         sliding_friction=sliding_friction,
         support_stiffness=None if joint.unlike is None else joint.unlike.support_stiffness,
+        supports=supports_of(joint),
     )
+    across = 0 if joint.pin_transverse_stiffness is None else len(drive.pinned)
+    bending = jnp.zeros(len(drive.contacts))
+    if rings is not None:
+        bending = rings * whole.normal_force**2 * jnp.asarray(drive.sectors) * whole.output
     output, input_share, output_share = with_shafts(
         stiffness=whole.output,
         ratio=ratio,
@@ -176,17 +183,16 @@ def stiffness_levels(
         output_shaft_stiffness=joint.output_shaft_stiffness,
     )
     rest = output / whole.output
-    nothing = jnp.zeros_like(rest)
     return (
         at_both_ends(held[0]),
         at_both_ends(held[1]),
         Assembly(
             stiffness=at_both_ends(output),
             tangential_share=whole.tangential_share * rest,
-            normal_share=whole.normal_share * rest,
-            ring_bending_share=nothing,
-            pin_share=whole.pin_share * rest,
-            planet_support_share=nothing,
+            normal_share=(whole.normal_share - bending) * rest,
+            ring_bending_share=jnp.sum(bending) * rest,
+            pin_share=(whole.pin_share + jnp.sum(whole.support_share[:across])) * rest,
+            planet_support_share=jnp.sum(whole.support_share[across:]) * rest,
             input_shaft_share=input_share,
             output_shaft_share=output_share,
         ),

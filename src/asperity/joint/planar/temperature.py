@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import dataclasses
-import math
 from typing import Any
 
 import jax
@@ -53,7 +52,7 @@ def contact_expansion(joint: PlanarJoint, *, housing_expansion: Real | None) -> 
     for contact, body in enumerate(second):
         shape, material = joint.shapes[body], joint.materials[body]
         expansion: Any = own[body]
-        if housing_expansion is not None and shape.kind == "ring" and shape.support == "rigid_housing":
+        if housing_expansion is not None and shape.kind == "ring" and shape.support != "free":
             assert shape.size is not None
             expansion = ring_expansion(
                 ring=expansion,
@@ -62,7 +61,7 @@ def contact_expansion(joint: PlanarJoint, *, housing_expansion: Real | None) -> 
                 wall_thickness=shape.size,
                 youngs_modulus=material.youngs_modulus,
                 poisson_ratio=material.poisson_ratio,
-                housing_stiffness=math.inf,
+                housing_stiffness=shape.rim_stiffness[0],
                 plane_state=joint.plane_state,
             )
         outer.append(expansion)
