@@ -6,9 +6,6 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 import pytest
-
-from asperity.contact.crowned_line import CrownedLines, crown_compression
-from asperity.drive.geometry import triangle
 from asperity.drive.interference import (
     CrownsAtRest,
     RestCompliance,
@@ -19,11 +16,14 @@ from asperity.drive.interference import (
     preload_of_interference,
     rest_compliance,
 )
+from asperity.joint.evaluation import evaluate
+
+from asperity.contact.crowned_line import CrownedLines, crown_compression
+from asperity.drive.geometry import triangle
 from asperity.drive.mechanism import rest_state
 from asperity.joint.contacts import joint_contacts
 from asperity.joint.description import with_one_rank
 from asperity.joint.elastic_bodies import AssemblySprings
-from asperity.joint.evaluation import evaluate
 from asperity.joint.interference import joint_rest_compliance
 
 
