@@ -44,6 +44,8 @@ def test_clearances(value):
     gaps = value("clearance")
     planets = 2.0 * (SUN + PLANET) * math.sin(math.pi / 3.0) - 2.0 * PLANET
     assert np.any(np.isclose(gaps, planets, rtol=1e-12))
+    # a planet and the ring: 40 - 17.5 - 13.5
+    assert np.any(np.isclose(gaps, RING - SUN - 2.0 * PLANET, rtol=1e-12))
 
 
 def test_capacity_is_that_of_slip(value):
