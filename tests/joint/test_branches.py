@@ -32,8 +32,8 @@ def test_five_micrometres_by_the_published_numbers(branches):
     """±5 um on a planet make 218 and 1854 N, computed independently; the pressure of a line grows as the root."""
     found = branches([5.0, 0.0, -5.0])
     assert found.preload == pytest.approx([1854.0, 1000.0, 218.0], abs=1.0)
-    pressure = found.rest.limits["pressure_over_first_yield"]
-    force = found.rest.contact_forces[0]
+    pressure = found.standing.limits["pressure_over_first_yield"]
+    force = found.standing.contact_forces[0]
     assert pressure / pressure[:, 1:2] == pytest.approx(np.sqrt(force / force[:, 1:2]), rel=1e-6)
     lives = found.rolling.limits["life_hours"]
     # Lundberg and Palmgren: the life of a line falls with the fourth power of its force

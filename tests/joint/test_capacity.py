@@ -94,6 +94,7 @@ def test_a_contact_that_grows_too_wide_is_the_limit_and_the_refusal_agrees(paper
         solve_planar(joint(1.0001 * torque))
 
 
+@pytest.mark.slow
 def test_directions_of_a_symmetric_joint_are_alike_and_of_another_are_not(paper_joint):
     other = solve_planar(paper_joint(closure="constant_pin_force"))
     assert float(other.reverse_capacity.output_torque) < 0.2 * float(other.capacity.output_torque)

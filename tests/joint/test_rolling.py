@@ -110,6 +110,7 @@ def balance(found, torque, sun_speed, sun_torque, roller_torque, carrier_torque)
     return lost, power_in - torque * carrier, power_in
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("torque", [0.7, 5.0, -3.0])
 def test_creep_and_bearings_are_what_is_missing_at_the_output(rolled, torque):
     friction = {"sun_torque": 0.01, "loading_roller_torque": 0.003, "carrier_torque": 0.02}
@@ -198,6 +199,7 @@ def test_thrusts_balance(rolled):
     assert np.sum(times * np.asarray(found.axial_thrust)) == pytest.approx(0.0, abs=1e-9)
 
 
+@pytest.mark.slow
 def test_no_skew_is_skew_zero(rolled):
     plain, zero = rolled(), rolled(conditions(skew=(0.0,) * 5))
     np.testing.assert_allclose(zero.creepage, plain.creepage, rtol=1e-9)

@@ -29,7 +29,7 @@ def document(monkeypatch):
         "planar_capacity_document",
         lambda one, other: CAPACITIES[one.capacity] | {"reverse": CAPACITIES[other.reverse_capacity]},
     )
-    monkeypatch.setattr(module, "why_unknown", lambda joint, solution: [f"no {solution.result.name}"])
+    monkeypatch.setattr(module, "unknown_because", lambda joint, result: [f"no {result.name}"])
     torque = np.linspace(-12.0, 12.0, 5)
     curve = SimpleNamespace(
         torque=torque, angle=1e-4 * torque, hysteresis=2e-5, lost_motion=3e-5, dissipated_energy=4e-3,
@@ -50,7 +50,7 @@ def document(monkeypatch):
     for solution, name in zip(solutions, ("one", "other"), strict=True):
         result = SimpleNamespace(name=name, contact_names=CONTACT_NAMES)
         vars(solution).update(capacity="forward", reverse_capacity="reverse", result=result)
-    joint = SimpleNamespace(contact_names=CONTACT_NAMES)
+    joint = SimpleNamespace(contact_names=CONTACT_NAMES, unlike=None)
     return windup_document(joint, curve, solutions, (onset, None), level="assembly")
 
 
