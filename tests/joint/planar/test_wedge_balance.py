@@ -9,14 +9,16 @@ import pytest
 from asperity.compilation import compile_fast
 from asperity.drive.branch import branch_forces, carrier_residual
 from asperity.drive.force_balance import closure_misfit, loaded_branch
-from asperity.drive.mechanism import Bearings
-from asperity.joint.evaluation import mechanism
+from asperity.drive.geometry import DriveGeometry, carrier_speed, triangle
+from asperity.drive.mechanism import Bearings, Mechanism, leading_sense, rest_state
+from asperity.joint.contacts import closure_springs
+from asperity.joint.planar.description import body_masses, planar_contacts
 from asperity.joint.planar.evaluation import evaluate_planar
-from asperity.joint_file.build import joint_from_case
+from asperity.zou2025.published import NO_FRICTION
 
 pytestmark = pytest.mark.slow
 
-
+GEOMETRY = DriveGeometry(4e-3, 13.5e-3, 5e-3, 40e-3, 3.0, 0.0, 0.0)
 BEARINGS = Bearings(
     sun_torque=0.004,
     loading_roller_torque=0.003,
@@ -31,6 +33,41 @@ def solved(joint):
     return jax.tree.map(np.asarray, compile_fast(evaluate_planar, numbers)(numbers))
 
 
+def mechanism(joint):
+    """The paper's statics of the joint; the friction of its bearings opposes the rotation."""
+    sides = triangle(GEOMETRY)
+    rest = rest_state(geometry=GEOMETRY, sides=sides, preload=joint.preload)
+    own = NO_FRICTION if joint.bearings is None else joint.bearings
+    against = leading_sense(rotation=joint.input_speed, output_torque=joint.output_torque)
+    masses = dict(zip((body.name for body in joint.drive.bodies), body_masses(joint), strict=True))
+    return Mechanism(
+        geometry=GEOMETRY,
+        sides=sides,
+        rest=rest,
+        bearings=Bearings(
+            against * own.sun_torque,
+            against * own.loading_roller_torque,
+            against * own.carrier_torque,
+            against * own.pin_friction_coefficient,
+            own.pin_diameter,
+        ),
+        springs=closure_springs(
+            contacts=planar_contacts(joint), rest_force=rest.normal_force, model=joint.closure_springs
+        ),
+        preload=joint.preload,
+        carrier_speed=carrier_speed(geometry=GEOMETRY, sun_speed=joint.input_speed),
+        planet_mass=masses["planet"],
+        loading_roller_mass=masses["left_loading_roller"],
+        closure="elastic",
+    )
+
+
+@pytest.fixture(scope="module")
+def listed(paper_joint):
+    """The paper's joint, whose rollers share the traction by their springs."""
+    return lambda **changes: paper_joint(ring_wall_thickness=60e-3, traction_split="springs", **changes)
+
+
 def balanced(joint, normal, tangential):
     """Forces by the published equations from two sums of a state and its split, and what they leave over [N]."""
     branch = loaded_branch(mechanism=mechanism(joint), output_torque=joint.output_torque)
@@ -39,10 +76,10 @@ def balanced(joint, normal, tangential):
 
 
 @pytest.mark.parametrize("springs", ["bulk", "bulk_and_asperities"])
-def test_forces_close_as_in_the_paper(case, as_planar, springs):
+def test_forces_close_as_in_the_paper(listed, springs):
     """With exact bodies in the assembly: those of the closure are springs, around the same forces at rest."""
-    joint = dataclasses.replace(joint_from_case(case), closure_springs=springs)
-    found = solved(as_planar(joint))
+    joint = listed(closure_springs=springs)
+    found = solved(joint)
     assert bool(found.solved)
     np.testing.assert_allclose(found.rest.normal[0], 1000.0, rtol=1e-12)
     for state in (found.forces, found.rolling):
@@ -54,13 +91,12 @@ def test_forces_close_as_in_the_paper(case, as_planar, springs):
 
 
 @pytest.mark.parametrize(("torque", "speed"), [(5.0, 628.0), (-4.0, 628.0), (4.0, -300.0), (-3.0, 0.0)])
-def test_bearings_brake_the_drive_that_stands(case, as_planar, torque, speed):
+def test_bearings_brake_the_drive_that_stands(listed, torque, speed):
     """Constant friction, and that of pins in proportion to their force, against either sense of rotation."""
     joint = dataclasses.replace(
-        joint_from_case(case), bearings=BEARINGS, output_torque=torque, sun_speed=speed
+        listed(output_torque=torque, sun_speed=speed), bearings=BEARINGS, carrier_balance="printed"
     )
-    listed = dataclasses.replace(as_planar(joint), bearings=BEARINGS, carrier_balance="printed")
-    found = solved(listed)
+    found = solved(joint)
     assert bool(found.solved)
     forces = found.forces
     for state in (forces, found.rolling):
@@ -75,10 +111,9 @@ def test_bearings_brake_the_drive_that_stands(case, as_planar, torque, speed):
 
 
 @pytest.mark.parametrize("torque", [5.0, -5.0])
-def test_a_drive_that_turns_backwards_mirrors_its_speeds(case, as_planar, torque):
+def test_a_drive_that_turns_backwards_mirrors_its_speeds(listed, torque):
     """Under the same torque: a torque that resists one sense drives the other."""
-    listed = dataclasses.replace(as_planar(joint_from_case(case)), output_torque=torque, input_speed=300.0)
-    one, other = (solved(dataclasses.replace(listed, input_speed=speed)).rolling for speed in (300.0, -300.0))
+    one, other = (solved(listed(output_torque=torque, sun_speed=speed)).rolling for speed in (300.0, -300.0))
     assert float(other.speed_loss) == pytest.approx(-float(one.speed_loss), rel=3e-3)  # creep shifts speeds
     np.testing.assert_allclose(other.tangential, one.tangential, rtol=1e-3)
     # what one puts in the other gets out, but for the losses of both
@@ -88,8 +123,8 @@ def test_a_drive_that_turns_backwards_mirrors_its_speeds(case, as_planar, torque
     assert one_in > 0.0
 
 
-def test_an_interference_makes_the_preload_that_makes_it(case, as_planar):
-    joint = dataclasses.replace(as_planar(joint_from_case(case)), output_torque=3.0)
+def test_an_interference_makes_the_preload_that_makes_it(listed):
+    joint = listed(output_torque=3.0)
     stated = solved(joint)
     fitted = solved(dataclasses.replace(joint, preload=None, interference=float(stated.interference)))
     np.testing.assert_allclose(fitted.rest.normal, stated.rest.normal, rtol=1e-9)
