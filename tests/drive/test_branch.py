@@ -9,7 +9,6 @@ import pytest
 
 from asperity.drive.branch import Branch, branch_forces, carrier_residual, contact_floors, held_load_sum
 from asperity.drive.equilibrium import balance_equations
-from asperity.joint.evaluation import mechanism
 
 LOSSES = {
     "pin_friction_coefficient": 3e-3,
@@ -23,8 +22,8 @@ T = jnp.array([0.0, 46.3, 60.0])
 
 
 @pytest.fixture(scope="module")
-def branch(paper_joint):
-    drive = mechanism(paper_joint(**LOSSES))
+def branch(mechanism):
+    drive = mechanism(**LOSSES)
     return Branch(
         mechanism=drive,
         sides=drive.sides,

@@ -10,15 +10,11 @@ from scipy.integrate import solve_ivp
 from scipy.linalg import eigh
 
 from asperity.drive.dynamics import (
-    drive_inertia,
     dynamic_stiffness,
     frequency_response,
     natural_frequencies,
     roller_inertia,
 )
-from asperity.drive.geometry import DriveGeometry
-
-GEOMETRY = DriveGeometry(4e-3, 13.5e-3, 5e-3, 40e-3, 3.0, 0.0, 0.0)
 
 
 def test_a_hollow_roller_by_quadrature():
@@ -28,28 +24,6 @@ def test_a_hollow_roller_by_quadrature():
     assert float(roller_inertia(mass=mass, radius=radius, bore_diameter=bore)) == pytest.approx(
         by_quadrature, rel=1e-8
     )
-
-
-def test_inertia_is_twice_the_kinetic_energy_of_the_bodies():
-    """Velocities of two points of every body: its touching point on a body of known motion, and its centre."""
-    planet, roller = (0.022, 2e-6), (0.003, 4e-8)
-    carrier = 1.0
-    centre = (4e-3 + 13.5e-3) * carrier
-    orbit = 35e-3 * carrier
-    # the roller touches the ring, which stands, 5 mm outside its centre
-    roller_spin = -orbit / 5e-3
-    # in the carrier's frame the surfaces of ring, roller and planet have one speed; the planet turns against the roller
-    planet_spin = carrier + 40e-3 * carrier / 13.5e-3
-    energy = 0.5 * (planet[0] * centre**2 + planet[1] * planet_spin**2)
-    energy += 2 * 0.5 * (roller[0] * orbit**2 + roller[1] * roller_spin**2)
-    found = drive_inertia(
-        geometry=GEOMETRY,
-        planet_mass=planet[0],
-        planet_inertia=planet[1],
-        loading_roller_mass=roller[0],
-        loading_roller_inertia=roller[1],
-    )
-    assert float(found) == pytest.approx(2.0 * 3.0 * energy, rel=1e-12)
 
 
 def test_frequencies_of_two_inertias_are_the_eigenvalues():

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from asperity.drive.equilibrium import balance_equations
-from asperity.drive.geometry import DriveGeometry, angles, triangle
+from asperity.drive.geometry import DriveGeometry, triangle
 from asperity.drive.mechanism import Bearings
 
 GEOMETRY = DriveGeometry(4e-3, 13.5e-3, 5e-3, 40e-3, 3.0, 0.0, 0.0)
@@ -15,8 +15,11 @@ NAMES = ("1", "2x", "2y", "2M", "3t", "3r", "3M", "4t", "4r", "4M", "5")
 
 def balanced():
     """A loss-free state with T_sp = 40 N and S = 1100 N, worked out line by line from (1)–(5)."""
-    found = angles(triangle(GEOMETRY))
-    theta, beta = float(found.direction), float(found.wedge)
+    sides = triangle(GEOMETRY)
+    theta, beta = (
+        math.atan2(*map(float, pair))
+        for pair in ((sides.sin_direction, sides.cos_direction), (sides.sin_wedge, sides.cos_wedge))
+    )
     t_sp, load = 40.0, 1100.0
     difference = t_sp / math.tan(theta / 2.0)
     n_pwr, n_pwl = (load + difference) / 2.0, (load - difference) / 2.0

@@ -7,7 +7,6 @@ import importlib.util
 import math
 from pathlib import Path
 
-import equinox as eqx
 import jax
 import numpy as np
 import pytest
@@ -295,28 +294,18 @@ def test_no_losses_nine_to_one_and_rest_at_no_torque(forces_of, closure):
 
 
 @pytest.mark.slow
-def test_gradients_of_all_forces_are_those_of_the_equations(paper_joint, solved_forces):
+def test_gradients_of_all_forces_are_those_of_the_equations(solved_forces):
     """Derivatives along a random direction in all continuous inputs, against central differences."""
-    x, closure = random_drives(8), "elastic"
-    keys = [key for key in x if key != "planet_count"]
+    x = random_drives(8)
     rng = np.random.default_rng(9)
-    direction = {key: rng.uniform(-1, 1, SIZE) * np.abs(x[key]) for key in keys}
+    direction = {
+        key: (key != "planet_count") * rng.uniform(-1, 1, SIZE) * np.abs(value) for key, value in x.items()
+    }
 
-    @eqx.filter_jit
-    def along(joint, tangent):
-        return jax.jvp(lambda j: solved_forces(j).normal, (joint,), (tangent,))
+    def normal(step):
+        return solved_forces({key: x[key] + step * direction[key] for key in x}, "elastic").normal
 
-    joint = paper_joint(closure=closure, **x)
-    moved = paper_joint(closure=closure, **(x | {key: x[key] + direction[key] for key in keys}))
-    rigid = lambda leaf: np.where(np.isinf(leaf), 0.0, leaf)  # noqa: E731
-    tangent = jax.tree.map(lambda there, here: rigid(there) - rigid(here), moved, joint)
-    value, slope = along(joint, tangent)
+    value, slope = jax.jvp(normal, (0.0,), (1.0,))
     h = 1e-5
-    up, down = (
-        solved_forces(
-            paper_joint(closure=closure, **(x | {key: x[key] + k * h * direction[key] for key in keys}))
-        )
-        for k in (1, -1)
-    )
-    difference = np.asarray(up.normal - down.normal) / (2 * h)
+    difference = np.asarray(normal(h) - normal(-h)) / (2 * h)
     np.testing.assert_allclose(slope, difference, rtol=1e-6, atol=1e-6 * float(np.max(value)))

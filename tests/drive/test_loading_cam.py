@@ -7,14 +7,17 @@ import pytest
 
 from asperity.drive.assembly import Assembly
 from asperity.drive.geometry import DriveGeometry, triangle
-from asperity.drive.interference import RestCompliance, incremental_interference, interference
 from asperity.drive.loading_cam import cam_angle, cam_compliance, cam_preload, with_cam
 from asperity.drive.mechanism import rest_state
 from asperity.drive.torsional_stiffness import TorsionalStiffness
 
 GEOMETRY = DriveGeometry(4e-3, 13.5e-3, 5e-3, 40e-3, 3.0, 0.0, 0.0)
-SPRING = RestCompliance(jnp.asarray(1.29e-8), jnp.asarray(6e-10), jnp.asarray(1000.0))
 LEAST, CAM = 200.0, 150.0
+SECANT, FALL = 1.29e-8, 6e-10  # of the interference at 1000 N, and by how much less per e-fold [m/N]
+
+
+def interference(preload):
+    return preload * (SECANT - FALL * jnp.log(preload / 1000.0))
 
 
 def state(torque):
@@ -30,9 +33,7 @@ def state(torque):
 
 def angle(torque):
     cam = state(torque)
-    closed = interference(compliance=SPRING, preload=cam["preload"]) - interference(
-        compliance=SPRING, preload=LEAST
-    )
+    closed = interference(cam["preload"]) - interference(LEAST)
     return cam_angle(**cam, closed=closed[None])
 
 
@@ -50,7 +51,7 @@ def test_the_torque_does_the_work_that_compresses_the_contacts():
     preload = LEAST + CAM * torque
     alpha, theta = np.radians(13.9248), np.radians(27.0831)
     on_ring = 2.0 * np.cos(theta - alpha) / (2.0 * np.cos(theta))  # of both rollers, over the preload
-    length = np.asarray(interference(compliance=SPRING, preload=jnp.asarray(preload)))
+    length = np.asarray(interference(jnp.asarray(preload)))
     by_force = 3.0 * np.trapezoid(on_ring * (preload - LEAST), length)
     assert by_torque == pytest.approx(by_force, rel=1e-5)
 
@@ -61,7 +62,7 @@ def test_its_compliance_is_the_derivative_of_its_angle(torque):
     # the angle is without sign
     slope = float(jax.grad(angle)(torque)) * np.sign(torque)
     cam = state(torque)
-    softness = incremental_interference(compliance=SPRING, preload=cam["preload"])[None]
+    softness = (SECANT - FALL * (jnp.log(cam["preload"] / 1000.0) + 1.0))[None]
     assert float(cam_compliance(**cam, softness=softness)) == pytest.approx(slope, rel=1e-12)
 
 

@@ -7,7 +7,7 @@ import jax.numpy as jnp
 import numpy as np
 import pytest
 
-from asperity.drive.geometry import DriveGeometry, angles, triangle
+from asperity.drive.geometry import DriveGeometry, triangle
 from asperity.drive.mechanism import NormalSprings, compression, rest_state, steepest_compliance
 
 RADII = (4e-3, 13.5e-3, 5e-3, 40e-3)
@@ -17,8 +17,11 @@ RADII = (4e-3, 13.5e-3, 5e-3, 40e-3)
 def test_rest_state_balances_with_inclined_pins(left, right):
     geometry = DriveGeometry(*RADII, 3.0, left, right)
     rest = rest_state(geometry=geometry, sides=triangle(geometry), preload=1000.0)
-    found = angles(triangle(geometry))
-    theta, beta = float(found.direction), float(found.wedge)
+    sides = triangle(geometry)
+    theta, beta = (
+        math.atan2(*map(float, pair))
+        for pair in ((sides.sin_direction, sides.cos_direction), (sides.sin_wedge, sides.cos_wedge))
+    )
     sp, pwr, pwl, wro, wlo = np.asarray(rest.normal_force)
     assert sp == pytest.approx((pwr + pwl) * math.cos(theta), rel=1e-12)
     for pw, wo, pin, angle in (

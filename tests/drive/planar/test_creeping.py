@@ -6,6 +6,7 @@ import pytest
 from asperity.drive.planar.creeping import creeping_speeds
 from asperity.drive.planar.layout import speeds
 from asperity.drive.planar.state import surface_speeds
+from asperity.joint.planar.turning import driving_sense
 
 
 @pytest.mark.slow
@@ -35,3 +36,21 @@ def test_a_planetary_by_hand(drives):
     left = np.prod((1.0 - 0.5 * np.array([0.02, 0.03])) / (1.0 + 0.5 * np.array([0.02, 0.03])))
     # the ring, of five times the sun's radius, stands: 50 omega_c = 10 (omega_s - omega_c) left
     assert float(carrier / sun) == pytest.approx(10.0 * left / (50.0 + 10.0 * left), rel=1e-12)
+
+
+def test_a_wedge_drive_by_hand(drives):
+    """Large creepages, equal in series on both sides of the planet; the first body of each contact is faster."""
+    drive = drives["wedge"]
+    creep = np.array([0.20, 0.12, 0.04, 0.06, 0.0])
+    creep[4] = 2 * np.tanh(sum(np.arctanh(creep[[1, 3]] / 2)) - np.arctanh(creep[2] / 2))
+    speed, rolled = creeping_speeds(drive=drive, creepage=driving_sense(drive) * creep)
+    sun, ring, carrier = (float(speed[drive.members.index(name)]) for name in ("sun", "ring", "carrier"))
+    assert (sun, ring) == pytest.approx((-1.0, 0.0), abs=1e-15)
+    # seen from the carrier, which turns against the sun, the ring is slower by all contacts on the way
+    left = np.prod((1.0 - 0.5 * creep[[0, 1, 3]]) / (1.0 + 0.5 * creep[[0, 1, 3]]))
+    assert carrier == pytest.approx(4.0 * left / (40.0 - 4.0 * left), rel=1e-12)
+    first = 4e-3 * (1.0 + carrier)
+    slowed = first / (1.0 + 0.5 * creep[0])  # the rolling speed of the sun's contact
+    assert abs(float(rolled[0])) == pytest.approx(slowed, rel=1e-12)
+    one, two = (np.abs(side) for side in surface_speeds(drive=drive, speed=speed))
+    np.testing.assert_allclose(2.0 * (one - two) / (one + two), creep, rtol=1e-11)

@@ -131,8 +131,10 @@ def test_gaps_between_neighbours(drives):
     cosine = ((sun + planet) ** 2 + orbit**2 - (planet + roller) ** 2) / (2.0 * (sun + planet) * orbit)
     apart = math.acos(cosine)
     between = 2.0 * orbit * math.sin(apart)
-    assert found["right", "left"] == pytest.approx(between - 2.0 * roller, rel=1e-9)
-    assert found["sun", "right"] == pytest.approx(orbit - sun - roller, rel=1e-9)
+    assert found["right_loading_roller", "left_loading_roller"] == pytest.approx(
+        between - 2.0 * roller, rel=1e-9
+    )
+    assert found["sun", "right_loading_roller"] == pytest.approx(orbit - sun - roller, rel=1e-9)
     assert found["planet", "planet"] == pytest.approx(
         2.0 * (sun + planet) * math.sin(math.pi / 3.0) - 2.0 * planet
     )

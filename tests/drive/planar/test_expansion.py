@@ -7,12 +7,10 @@ import jax.numpy as jnp
 import numpy as np
 import pytest
 
-from asperity.drive.geometry import DriveGeometry, triangle
-from asperity.drive.mechanism import rest_state
+from asperity.drive.geometry import DriveGeometry
 from asperity.drive.planar.drives import wedge_drive
 from asperity.drive.planar.equal_springs import rest_forces
 from asperity.drive.planar.expansion import interference_of_strains, ring_interference
-from asperity.drive.thermal_expansion import interference_of_expansion
 
 
 def added(drive, carrier, **strains):
@@ -44,18 +42,65 @@ def test_a_planetary_drive_by_hand(drives):
     assert each == pytest.approx([-1e-4 * 10e-3, -3e-4 * 50e-3], rel=1e-12)
 
 
-@pytest.mark.parametrize("angles", [(0.0, 0.0), (0.2, 0.2), (-0.1, 0.3)])
-def test_the_wedge_drive_as_its_own_formula_has_it(angles):
-    left, right = angles
-    geometry = DriveGeometry(4e-3, 13.5e-3, 5e-3, 40e-3, 3.0, left, right)
-    sides = triangle(geometry)
-    rest = rest_state(geometry=geometry, sides=sides, preload=1000.0)
-    own = interference_of_expansion(
-        geometry=geometry, sides=sides, rest=rest, sun=1e-4, planet=2e-4, loading_roller=3.5e-4, ring=5e-4
+RADII = {"sun": 4e-3, "planet": 13.5e-3, "loading_roller": 5e-3, "ring": 40e-3}
+
+
+def wedge_change(left=0.0, right=0.0, carrier=0.0, **strains):
+    """Interference that strains of the bodies add to the paper's drive."""
+    drive = wedge_drive(DriveGeometry(*RADII.values(), 3.0, left, right), planet_count=3)
+    rollers = dict.fromkeys(
+        ("right_loading_roller", "left_loading_roller"), strains.pop("loading_roller", 0.0)
     )
-    drive = wedge_drive(geometry, planet_count=3)
-    _, found = added(drive, 3.5e-4, sun=1e-4, planet=2e-4, right=3.5e-4, left=3.5e-4, ring=5e-4)
-    assert found == pytest.approx(float(own), rel=1e-9)
+    return added(drive, carrier, **strains, **rollers)[1]
+
+
+def touching_ring(sun, planet, loading_roller):
+    """Radius at which the ring just touches rollers held at the polar angle of the nominal drive."""
+    orbit, reach, far = (
+        RADII["sun"] + RADII["planet"],
+        RADII["planet"] + RADII["loading_roller"],
+        RADII["ring"] - RADII["loading_roller"],
+    )
+    cosine = (orbit**2 + far**2 - reach**2) / (2.0 * orbit * far)
+    orbit, reach = sun + planet, planet + loading_roller
+    return orbit * cosine + math.sqrt(reach**2 - orbit**2 * (1.0 - cosine**2)) + loading_roller
+
+
+def test_a_steel_wedge_drive_in_an_aluminium_ring_loses_nine_micrometres():
+    """11.5e-6 1/K of difference times 40 mm times 20 K."""
+    steel, aluminium = 11.5e-6 * 20.0, 23e-6 * 20.0
+    found = wedge_change(sun=steel, planet=steel, loading_roller=steel, ring=aluminium)
+    assert found == pytest.approx(-9.2e-6, rel=1e-12)
+
+
+@pytest.mark.parametrize("body", RADII)
+def test_each_body_of_the_wedge_drive_by_exact_geometry(body):
+    strain = 2.3e-4
+    sizes = {name: radius * (1.0 + strain * (name == body)) for name, radius in RADII.items()}
+    exact = touching_ring(sizes["sun"], sizes["planet"], sizes["loading_roller"]) - sizes["ring"]
+    assert wedge_change(**{body: strain}) == pytest.approx(exact, rel=5e-4)
+
+
+def test_unlike_bodies_by_exact_geometry():
+    """Ceramic rollers, a steel sun and an aluminium ring; what is left is of second order in the strain."""
+    for rise, most in ((60.0, 1e-3), (6.0, 1e-4)):
+        strains = {"sun": 12.6e-6 * rise, "planet": 2.6e-6 * rise, "loading_roller": 2.6e-6 * rise}
+        sizes = [RADII[name] * (1.0 + strain) for name, strain in strains.items()]
+        exact = touching_ring(*sizes) - RADII["ring"] * (1.0 + 23.6e-6 * rise)
+        assert wedge_change(**strains, ring=23.6e-6 * rise) == pytest.approx(exact, rel=most)
+
+
+@pytest.mark.parametrize("angles", [(0.2, 0.2), (-0.1, 0.3)])
+def test_one_material_throughout_keeps_its_interference_whatever_the_push(angles):
+    left, right = angles
+    assert abs(wedge_change(left, right, carrier=1e-3, **dict.fromkeys(RADII, 1e-3))) < 1e-17
+
+
+def test_a_planet_of_the_wedge_drive_counts_twice_nearly():
+    """1.9413, computed independently; a nearer sun counts with cos(theta)/cos(beta)."""
+    theta, beta = np.radians(27.0831), np.radians(13.1582)
+    assert wedge_change(planet=1.0) == pytest.approx(1.9413 * RADII["planet"], rel=3e-5)
+    assert wedge_change(sun=1.0) == pytest.approx(RADII["sun"] * np.cos(theta) / np.cos(beta), rel=1e-5)
 
 
 @pytest.mark.parametrize("body", ["sun", "first_row", "second_row", "ring"])

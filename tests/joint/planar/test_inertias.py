@@ -48,7 +48,10 @@ def test_free_frequency_is_that_of_all_bodies_on_the_springs_of_all_contacts(pla
     springs = [
         (np.hstack([matrices.approach, nothing]), np.asarray(result.interfaces.normal)),
         (np.hstack([matrices.sliding, matrices.turning]), np.asarray(result.interfaces.tangential)),
-        (np.hstack([matrices.pins, np.zeros((len(drive.pinned), len(members)))]), np.full(len(drive.pinned), 1e12)),
+        (
+            np.hstack([matrices.pins, np.zeros((len(drive.pinned), len(members)))]),
+            np.full(len(drive.pinned), 1e12),
+        ),
     ]
     stiffness = sectors * sum(rows.T @ np.diag(values) @ rows for rows, values in springs)
     mass = np.zeros_like(stiffness)
@@ -56,7 +59,9 @@ def test_free_frequency_is_that_of_all_bodies_on_the_springs_of_all_contacts(pla
     for number, (body, each) in enumerate(zip(drive.bodies, body_masses(joint), strict=True)):
         copies = 1.0 if body.place == "axis" else sectors
         for part, radius, bore in cylinders(joint, number):
-            mass[(place[body.name],) * 2] += copies * 0.5 * float(part) * (float(radius) ** 2 + float(bore) ** 2 / 4)
+            mass[(place[body.name],) * 2] += (
+                copies * 0.5 * float(part) * (float(radius) ** 2 + float(bore) ** 2 / 4)
+            )
         if body.place != "axis":
             mass[(place["carrier"],) * 2] += copies * float(each) * float(np.sum(drive.centres[number] ** 2))
             at = 2 * drive.floating.index(number)
@@ -75,3 +80,15 @@ def test_free_frequency_is_that_of_all_bodies_on_the_springs_of_all_contacts(pla
     ratio = float(speed_ratio(drive))
     two = (1.0 / (ratio**2 * (motor + entry)) + 1.0 / (load + moved)) / turned
     assert math.sqrt(two / squared) == pytest.approx(1.0, abs=0.01)
+
+
+def test_the_wedge_drive_is_twice_the_kinetic_energy_of_its_bodies(paper_joint):
+    """The carrier turns with 1 rad/s: rollers on the standing ring, planets that turn against them."""
+    entry, moved = planar_inertias(paper_joint(density=DENSITY))
+    rolling = (float(entry) - disc(4e-3, 5e-3)[1]) * 9.0**2 + float(moved)
+    mass, spin = disc(13.5e-3, 5e-3)
+    roller_mass, roller_spin = disc(5e-3, 5e-3)
+    # in the carrier's frame the surfaces of ring, roller and planet have one speed, 40 mm/s
+    energy = 0.5 * (mass * 17.5e-3**2 + spin * (1.0 + 40.0 / 13.5) ** 2)
+    energy += 2 * 0.5 * (roller_mass * 35e-3**2 + roller_spin * (35.0 / 5.0) ** 2)
+    assert rolling == pytest.approx(2.0 * 3.0 * energy, rel=1e-12)

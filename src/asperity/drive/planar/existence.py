@@ -171,11 +171,11 @@ def _driven(drive: PlanarDrive, measures: _Measures) -> np.ndarray:
 
 
 def neighbour_gaps(drive: PlanarDrive) -> dict[tuple[str, str], Array]:
-    r"""Clearances between discs that have no contact with each other.
+    r"""Clearances between bodies that have no contact with each other.
 
-    .. math:: \sqrt{r_i^2 + r_j^2 - 2 r_i r_j \cos\varphi} - R_i - R_j
+    .. math:: \sqrt{r_i^2 + r_j^2 - 2 r_i r_j \cos\varphi} - R_i - R_j, \qquad R_j - r_i - R_i
 
-    with the orbits r of their centres and the smallest angle φ between any two of their copies.
+    with the orbits r of their centres and the smallest angle φ between any two of their copies; the second in a ring.
 
     Parameters
     ----------
@@ -201,9 +201,12 @@ def neighbour_gaps(drive: PlanarDrive) -> dict[tuple[str, str], Array]:
     x, y = drive.centres[:, 0], drive.centres[:, 1]
     squares = x**2 + y**2
     orbit = xp.where(squares > 0.0, xp.sqrt(xp.where(squares > 0.0, squares, 1.0)), 0.0)
-    found = {}
+    found, rings = {}, _rings(drive)
     for one, two in neighbours(drive):
         i, j = (drive.members.index(name) for name in (one, two))
+        if two in rings:
+            found[one, two] = xp.max(xp.stack(radii[two])) - orbit[i] - xp.min(xp.stack(radii[one]))
+            continue
         if i == j:
             turned, size = step, 2.0 * xp.max(xp.stack(radii[one]))
         else:
@@ -226,7 +229,7 @@ def _polar(x: Array, y: Array) -> Array:
 
 
 def neighbours(drive: PlanarDrive) -> tuple[tuple[str, str], ...]:
-    """Pairs of discs that have no contact with each other and must not overlap.
+    """Pairs of bodies that have no contact with each other and must not overlap: discs, and rollers in a ring.
 
     Parameters
     ----------
@@ -244,13 +247,21 @@ def neighbours(drive: PlanarDrive) -> tuple[tuple[str, str], ...]:
     """
     joined = {frozenset((contact.first, contact.second)) for contact in drive.contacts}
     touched = frozenset().union(*joined)
-    rings = {contact.second for contact in drive.contacts if contact.internal}
+    rings = _rings(drive)
     discs = [body for body in drive.bodies if body.name in touched and body.name not in rings]
-    return tuple(
+    pairs = [
         (one.name, two.name)
         for one, two in itertools.combinations_with_replacement(discs, 2)
-        if not (one is two and one.place == "axis") and frozenset((one.name, two.name)) not in joined
-    )
+        if not (one is two and one.place == "axis")
+    ]
+    pairs += [(body.name, ring) for body in discs if body.place != "axis" for ring in rings]
+    return tuple(pair for pair in pairs if frozenset(pair) not in joined)
+
+
+def _rings(drive: PlanarDrive) -> tuple[str, ...]:
+    """Names of the rings on the axis, in which others roll."""
+    inside = {contact.second for contact in drive.contacts if contact.internal}
+    return tuple(body.name for body in drive.bodies if body.name in inside and body.place == "axis")
 
 
 def _refuse_overlap(clearances: dict[tuple[str, str], Array]) -> None:
