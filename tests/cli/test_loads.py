@@ -12,11 +12,11 @@ def test_table_and_json_agree_with_the_joint(call, zou_file):
     shown = call("loads", zou_file)
     assert shown.code == 0
     for text in (
-        "carrier pin, right roller",
+        "right loading roller pin",
         "without torque",
         "working torque",
         "6000 rpm",
-        "All branches are equal",
+        "All sectors are equal",
     ):
         assert text in shown.out
     document = json.loads(call("loads", zou_file, "--json").out)

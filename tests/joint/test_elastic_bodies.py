@@ -12,11 +12,12 @@ from asperity.body.compliance import compliance_matrix, modes_needed
 from asperity.body.coupling import coupled_compliance
 from asperity.drive.geometry import triangle
 from asperity.errors import InputError
-from asperity.joint.contacts import joint_contacts, loaded_contacts
+from asperity.joint.contacts import loaded_contacts
 from asperity.joint.description import with_one_rank
 from asperity.joint.elastic_bodies import assembly_springs, machine_bodies, walls_hold
-from asperity.joint.evaluation import evaluate
-from asperity.joint.solve import solve
+from asperity.joint.planar.description import planar_contacts
+from asperity.joint.planar.evaluation import evaluate_planar
+from asperity.joint.planar.solve import solve_planar
 from asperity.joint.status import STATUS_NAMES, TOO_WIDE, joint_status
 from asperity.joint.windup import windup
 
@@ -121,7 +122,7 @@ def test_bodies_of_unequal_contacts(joint):
 def test_shear_follows_the_logarithm_of_the_traction(joint):
     r"""The zone that sticks gives :math:`C(T) - C(0) = \sum (1-\nu^2)/(\pi E B) \ln[1/(1-T/\mu N)]`, Cattaneo."""
     made = with_one_rank(joint())
-    contacts, sides = joint_contacts(made), triangle(made.geometry)
+    contacts, sides = planar_contacts(made), triangle(made.geometry)
     normal = jnp.array([1000.0, 657.0, 465.0, 647.0, 449.0])
 
     def compliance(share):
@@ -237,7 +238,7 @@ def test_derivatives_forward_and_reverse(joint):
             preload=made.preload * x[1],
             output_torque=made.output_torque * x[3],
         )
-        return evaluate(changed).assembly.stiffness.output
+        return evaluate_planar(changed).assembly.stiffness.output
 
     here, step = jnp.ones(4), 1e-4
     value = jax.jit(of)
@@ -261,11 +262,12 @@ def test_a_wall_too_thin_for_exact_bodies_is_refused(joint):
     with pytest.raises(
         InputError, match=r'too thin for exact bodies.*choose a thicker wall, or bodies = "springs"'
     ):
-        solve(thin)
-    assert int(jax.jit(lambda made: joint_status(made, evaluate(made)))(thin)) == TOO_WIDE
+        solve_planar(thin)
+    assert int(jax.jit(lambda made: joint_status(made, evaluate_planar(made)))(thin)) == TOO_WIDE
     assert STATUS_NAMES[TOO_WIDE] == "contact_too_wide"
     assert (
-        float(solve(dataclasses.replace(thin, body_model="springs")).result.assembly.stiffness.output) > 0.0
+        float(solve_planar(dataclasses.replace(thin, body_model="springs")).result.assembly.stiffness.output)
+        > 0.0
     )
 
 

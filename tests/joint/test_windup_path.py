@@ -17,9 +17,9 @@ import pytest
 from asperity.compilation import compile_fast
 from asperity.drive.assembly import assembly_stiffness
 from asperity.drive.geometry import triangle
-from asperity.joint.contacts import joint_contacts, loaded_contacts
+from asperity.joint.contacts import loaded_contacts
 from asperity.joint.description import with_one_rank
-from asperity.joint.evaluation import evaluate
+from asperity.joint.planar.description import planar_contacts
 from asperity.joint.standing import at_standstill, without_slip
 from asperity.joint.windup import windup
 from asperity.zou2025.preset import operating_grid, table_2_joint
@@ -63,7 +63,7 @@ def shapes(joint, result):
         jax.tree.map(lambda leaf: np.broadcast_to(np.asarray(leaf, float), table.shape), joint)
     )
     found = loaded_contacts(
-        contacts=joint_contacts(batch),
+        contacts=planar_contacts(batch),
         normal_force=jnp.asarray(normal),
         tangential_force=jnp.asarray(MU * normal * table),
     ).interfaces

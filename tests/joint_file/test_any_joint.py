@@ -229,22 +229,19 @@ def _rim_entry(values, wall):
     ]["ring"]
 
 
-def test_results_of_the_papers_drive_alone_are_refused_by_name(values):
+def test_results_of_drives_with_wedges_are_refused_by_name(values, planar_case):
     table = results_of(values)
-    only = {name for name, row in RESULTS.items() if row.wedge_only}
-    assert set(table) == set(RESULTS) - only
-    assert {"wedge_angle", "self_locking_ratio", "pin_load"} <= only
-    for name in ("wedge_angle", "loads"):
-        with pytest.raises(InputError, match=f"no result '{name}': only that of Zou et al"):
-            chosen_results([name], table=table)
-    with pytest.raises(
-        InputError, match=r"only that of Zou et al\. 2025 has it; here ask for 'rim_yield_safety'"
-    ):
-        chosen_results(["ring_yield_safety"], table=table)
-    with pytest.raises(InputError, match="no result 'wedge_angle': only that of Zou et al"):
+    only = {"wedge_angle", "self_locking_ratio", "direction_angle", "polar_angle"}
+    named = {name for name, row in RESULTS.items() if row.wedge_only}
+    assert only <= named
+    assert set(table) == set(RESULTS) - named
+    assert named <= set(results_of(si_values(planar_case("planar"))))
+    assert named <= set(results_of(si_values(planar_case("zou2025"))))
+    with pytest.raises(InputError, match="no result 'wedge_angle': only one with wedges between planets"):
+        chosen_results(["wedge_angle"], table=table)
+    with pytest.raises(InputError, match="no result 'wedge_angle': only one with wedges between planets"):
         known_result("wedge_angle", among=tuple(table))
     with pytest.raises(InputError, match="did you mean 'slip_ratio'"):
         chosen_results(["slip_rato"], table=table)
-    everything = chosen_results(["all"], table=table)
-    assert set(everything) == set(GROUPS["all"]) - only
-    assert chosen_results(["forces"], table=table) == tuple(n for n in GROUPS["forces"] if n not in only)
+    assert set(chosen_results(["all"], table=table)) == set(GROUPS["all"]) & set(table)
+    assert chosen_results(["forces"], table=table) == tuple(n for n in GROUPS["forces"] if n in table)

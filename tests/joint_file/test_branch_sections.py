@@ -6,7 +6,6 @@ import numpy as np
 import pytest
 
 from asperity.errors import InputError
-from asperity.joint_file.build import branches_from_case
 from asperity.joint_file.planar_build import deviations_of
 from asperity.joint_file.reader import parse_case
 from asperity.joint_file.si_tables import numeric_keys, si_values
@@ -25,15 +24,19 @@ def read(text, entries=ENTRIES, load='interference = "13 um"'):
 
 def test_sizes_of_a_file(joint_text):
     case = read(joint_text)
-    nominal, sizes = branches_from_case(case)
-    assert nominal == 13e-6
-    assert sizes.planet.tolist() == [2e-6, 0.0, 0.0]
-    assert sizes.right_roller.tolist() == [0.0, -1e-6, 0.0]
-    assert sizes.left_roller.tolist() == [0.0, 0.0, 5e-7]
-    assert sizes.sun_support_stiffness == math.inf
+    found = deviations_of(si_values(case))
+    assert {name: each.tolist() for name, each in found.deviations.items()} == {
+        "planet": [2e-6, 0.0, 0.0],
+        "right_roller": [0.0, -1e-6, 0.0],
+        "left_roller": [0.0, 0.0, 5e-7],
+    }
+    # contacts sp, pwr, pwl, wro, wlo of each branch
+    expected = [[2.0, 2.0, 2.0, 0.0, 0.0], [0.0, -1.0, 0.0, -1.0, 0.0], [0.0, 0.0, 0.5, 0.0, 0.5]]
+    np.testing.assert_allclose(found.added, 1e-6 * np.array(expected), atol=1e-18)
+    assert found.sun_support_stiffness == math.inf
     assert numeric_keys(case)["branch.1.planet_deviation"].tolerance == pytest.approx(1e-6)
     soft = joint_text.replace("[model]", '[compliance]\nsun_support_stiffness = "50 N/um"\n\n[model]')
-    assert branches_from_case(read(soft))[1].sun_support_stiffness == 5e7
+    assert deviations_of(si_values(read(soft))).sun_support_stiffness == 5e7
 
 
 def test_what_does_not_fit_together_is_told(joint_text):
@@ -54,15 +57,12 @@ def test_what_does_not_fit_together_is_told(joint_text):
         read(joint_text, '[branch]\nplanet_deviation = "2 um"\n\n')
     with pytest.raises(InputError, match=r"branch\.2\.planet_deviation: expected a length"):
         read(joint_text, ENTRIES.replace('right_roller_deviation = "-1 um"', 'planet_deviation = "2 N"'))
-    with pytest.raises(InputError, match=r"give load\.interference"):
-        branches_from_case(parse_case(joint_text, source="x"))
 
 
 def test_without_sections_all_are_equal(joint_text):
-    _, sizes = branches_from_case(read(joint_text, ""))
-    assert (
-        sizes.planet.tolist() == sizes.right_roller.tolist() == sizes.left_roller.tolist() == [0.0, 0.0, 0.0]
-    )
+    found = deviations_of(si_values(read(joint_text, "")))
+    assert not found.added.any()
+    assert {tuple(each) for each in found.deviations.values()} == {(0.0, 0.0, 0.0)}
 
 
 def sections(*entries):

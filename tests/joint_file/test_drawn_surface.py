@@ -2,16 +2,19 @@
 
 import math
 
+import jax
 import numpy as np
 import pytest
 
+from asperity.compilation import compile_fast
+from asperity.joint.planar.evaluation import evaluate_planar
 from asperity.joint.planar.solve import solve_planar
 from asperity.joint_file import drawn_surface as module
 from asperity.joint_file.assumptions import assumptions
-from asperity.joint_file.build import joint_from_case, with_values
 from asperity.joint_file.drawn_surface import _words, drawn_interval, surfaces_by_average
-from asperity.joint_file.planar_build import planar_joint_from_case
+from asperity.joint_file.planar_build import planar_joint_from_case, planar_joint_from_values
 from asperity.joint_file.reader import parse_case
+from asperity.joint_file.si_tables import replace_values, si_values
 from asperity.surface.roughness_average import roughness_average, scatter_of_average
 
 SURFACE = '[surface]\nfinish = "ground"\nroughness_average = "0.2 um"\n'
@@ -109,7 +112,7 @@ def test_a_partner_without_a_tolerance_scatters_as_measured_once(states):
 
 def test_the_surface_of_the_joint_has_the_ra_of_both_bodies(head):
     text = SURFACE + 'partner_roughness_average = "0.15 um"\n'
-    (surface,) = joint_from_case(parse_case(head + text, source="a.toml")).surfaces
+    (surface,) = planar_joint_from_case(parse_case(head + text, source="a.toml")).surfaces
     back = roughness_average(
         fractal_dimension=surface.fractal_dimension,
         fractal_roughness=surface.fractal_roughness,
@@ -119,14 +122,19 @@ def test_the_surface_of_the_joint_has_the_ra_of_both_bodies(head):
 
 
 @pytest.mark.slow
-def test_joints_at_the_ends_lie_inside(drawn_case, interval, evaluated_together):
+def test_joints_at_the_ends_lie_inside(drawn_case, interval):
     half = 1.959964 * np.array([scatter_of_average(fractal_dimension=d, cut_offs=5) for d in (1.15, 1.5)])
-    corners = {
-        "surface.fractal_dimension": np.array([1.15, 1.15, 1.5, 1.5, 1.325]),
-        "surface.roughness_average": 0.2e-6 * (1.0 + np.array([-half[0], half[0], -half[1], half[1], 0.0])),
-        "surface.cut_off": 0.8e-3,
-    }
-    result = evaluated_together(with_values(drawn_case, corners))
+    corners = (
+        np.array([1.15, 1.15, 1.5, 1.5, 1.325]),
+        0.2e-6 * (1.0 + np.array([-half[0], half[0], -half[1], half[1], 0.0])),
+    )
+
+    def at(dimension, average):
+        changes = {"surface.fractal_dimension": dimension, "surface.roughness_average": average}
+        values = replace_values(si_values(drawn_case), changes | {"surface.cut_off": 0.8e-3})
+        return evaluate_planar(planar_joint_from_values(values))
+
+    result = compile_fast(jax.vmap(at), *corners)(*corners)
     for name, values, unit in (
         ("assembly", result.assembly.stiffness.output, "Nm_per_rad"),
         ("published", result.published.output, "Nm_per_rad"),
@@ -175,10 +183,11 @@ def test_assumptions_name_what_an_rz_leaves_open(head, tolerance):
 
 def test_ra_is_a_number_like_any_other(example_case):
     """A study may vary Ra where the file states G; the cut-off is then that of the standard for each Ra."""
-    joint = with_values(example_case, {"surface.roughness_average": np.array([0.05e-6, 0.2e-6])})
-    g = np.asarray(joint.surfaces[0].fractal_roughness)
-    for average, cut_off, each in zip((0.05e-6, 0.2e-6), (0.25e-3, 0.8e-3), g, strict=True):
-        back = roughness_average(fractal_dimension=1.4, fractal_roughness=each, cut_off=cut_off)
+    for average, cut_off in ((0.05e-6, 0.25e-3), (0.2e-6, 0.8e-3)):
+        values = replace_values(si_values(example_case), {"surface.roughness_average": average})
+        (surface,) = planar_joint_from_values(values).surfaces
+        g = surface.fractal_roughness
+        back = roughness_average(fractal_dimension=1.4, fractal_roughness=g, cut_off=cut_off)
         assert back == pytest.approx(math.sqrt(2.0) * average)
 
 

@@ -9,7 +9,7 @@ import pytest
 from asperity.drive.planar.existence import refuse_impossible
 from asperity.drive.planar.layout import gaps, speed_ratio
 from asperity.errors import InputError
-from asperity.joint_file.planar_assumptions import planar_assumptions
+from asperity.joint_file.assumptions import assumptions
 from asperity.joint_file.planar_build import planar_joint_from_case
 from asperity.joint_file.reader import parse_case
 
@@ -138,6 +138,6 @@ def test_what_published_closures_assume():
     assert closure.equal_coefficients == (("pwr", "pwl"),)
     assert closure.constant_pins == ("right",)
     assert planar_joint_from_case(read()).drive.closure == type(closure)()
-    told = " ".join(planar_assumptions(case))
+    told = " ".join(assumptions(case))
     assert "contact pwl: same_coefficient_as = 'pwr'" in told
     assert "roller right: pin_force = 'constant'" in told

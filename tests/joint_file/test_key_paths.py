@@ -8,9 +8,9 @@ from asperity.unit_table import Dimension
 def test_every_number_of_a_joint_file_has_a_path():
     keys = keys_by_path()
     assert keys["drive.sun_radius"].dimension is Dimension.LENGTH
-    assert keys["drive.contact_length"] == keys["drive.contact_length.wlo"]
+    assert keys["drive.contact_length"] == keys["drive.contact_length.*"]
     assert keys["materials.*.youngs_modulus"].dimension is Dimension.PRESSURE
-    assert keys["surface.fractal_dimension"] == keys["surface.pwr.fractal_dimension"]
+    assert keys["surface.fractal_dimension"] == keys["surface.*.fractal_dimension"]
     assert keys["compliance.pin_stiffness"].dimension is Dimension.STIFFNESS
     assert keys["bearings.pin_diameter"].dimension is Dimension.LENGTH
     assert "model.closure" not in keys
@@ -23,7 +23,7 @@ def test_an_rz_and_a_share_are_entered_and_no_study_varies_them():
         "surface.partner_mean_roughness_depth",
     }
     assert (entered["duty.*.share"].lower, entered["duty.*.share"].upper) == (0.0, 1.0)
-    assert entered["surface.sp.mean_roughness_depth"].unit == "um"
+    assert entered["surface.*.mean_roughness_depth"].unit == "um"
     assert not set(entered) & set(keys_by_path())
     for model in PLANAR_CASES.values():
         assert "surface.*.mean_roughness_depth" in keys_by_path(model, numbers="entered")

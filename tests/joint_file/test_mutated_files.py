@@ -234,10 +234,8 @@ def failures(
 def test_any_mistake_is_answered(tmp_path, monkeypatch, kind):
     # reading alone: the numbers of a joint have tests of their own
     reads = "asperity.joint_file.solved_document"
-    for solver in ("solve", "solve_planar"):
-        monkeypatch.setattr(f"{reads}.{solver}", lambda joint: joint)
-    for kept in ("SolvedPapersJoint", "solved_planar_joint"):
-        monkeypatch.setattr(f"{reads}.{kept}", lambda joint, *_: SimpleNamespace(joint=joint))
+    monkeypatch.setattr(f"{reads}.solve_planar", lambda joint: joint)
+    monkeypatch.setattr(f"{reads}.solved_planar_joint", lambda joint, *_: SimpleNamespace(joint=joint))
     monkeypatch.setattr(f"{reads}.document_of", lambda case, solved: {})
     monkeypatch.setattr(
         "asperity.cli.joint_table.show_joint", lambda target, *_, **__: target.print("N·m/rad")

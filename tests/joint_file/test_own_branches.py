@@ -6,7 +6,6 @@ import numpy as np
 import pytest
 
 from asperity.errors import InputError
-from asperity.joint.either_kind import has_own_branches
 from asperity.joint_file.own_branches import with_own_branches
 from asperity.joint_file.reader import parse_case
 
@@ -24,18 +23,19 @@ def described(name, *changes):
 @pytest.mark.parametrize("name", ["zou2025", "planetary"])
 def test_without_sections_they_are_equal(name):
     joint = described(name)
-    assert not has_own_branches(joint)
+    assert joint.unlike is None
     assert len(joint.contact_names) in (2, 5)
 
 
-def test_the_papers_drive_has_its_own_beside_the_equal_ones():
+@pytest.mark.slow
+def test_the_papers_drive_unfolded():
     joint = described(
         "zou2025", ('preload = "1000 N"', 'interference = "13 um"'), ("[model]", f"{BRANCHES}[model]")
     )
-    assert has_own_branches(joint)
     assert joint.contact_names[:6] == ("sp_1", "pwr_1", "pwl_1", "wro_1", "wlo_1", "sp_2")
     assert joint.interference == pytest.approx(13e-6, rel=1e-15)
-    np.testing.assert_allclose(joint.sizes.planet, [2e-6, 0.0, -1e-6], atol=1e-18)
+    expected = [*3 * [2e-6], *7 * [0.0], *3 * [-1e-6], 0.0, 0.0]
+    np.testing.assert_allclose(joint.unlike.added, expected, atol=1e-18)
 
 
 @pytest.mark.slow
@@ -51,7 +51,6 @@ def test_every_planet_by_itself():
         ("[model]", f"{BRANCHES}[model]"),
         ('output_torque = "10 N*m"', 'output_torque = "900 N*m"'),
     )
-    assert has_own_branches(joint)
     assert joint.contact_names == ("sp_1", "pr_1", "sp_2", "pr_2", "sp_3", "pr_3")
     assert float(joint.output_torque) == 900.0
     np.testing.assert_allclose(joint.unlike.added, [2e-6, 2e-6, 0.0, 0.0, -1e-6, -1e-6], atol=1e-18)

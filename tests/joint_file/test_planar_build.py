@@ -5,7 +5,7 @@ import math
 import numpy as np
 import pytest
 
-from asperity.joint_file.planar_assumptions import planar_assumptions
+from asperity.joint_file.assumptions import assumptions
 from asperity.joint_file.planar_build import (
     planar_joint_from_case,
     planar_joint_from_values,
@@ -68,7 +68,7 @@ def test_crowns_of_both_tracks_of_a_contact_add(planar_case):
     assert planar_joint_from_case(case).crown_curvatures == pytest.approx((0.0, 0.0, 0.0, 0.25, 0.25))
     changed = replace_values(si_values(case), {"contact.2.first_crown_radius": 2.0})
     assert planar_joint_from_values(changed).crown_curvatures == pytest.approx((0.5, 0.5, 0.5, 0.25, 0.25))
-    assert any(told.startswith("crowned rollers: in slices") for told in planar_assumptions(case))
+    assert any(told.startswith("crowned rollers: in slices") for told in assumptions(case))
 
 
 def test_surfaces_for_each_contact(planar_case):
@@ -143,14 +143,25 @@ def test_what_a_radius_does_to_the_contacts(planar_case):
         "contact.1.first_radius",
     )
     found = toleranced_tracks(values, (*paths, "load.output_torque", "load.interference"))
-    assert list(found) == [paths[0], paths[2], paths[3], "load.interference"]
-    assert [own for own, _ in found.values()] == [True, False, False, False]
+    assert [each.path for each in found] == [paths[0], paths[2], paths[3], "load.interference"]
+    assert [each.own for each in found] == [True, False, False, False]
     np.testing.assert_array_equal(
-        [each for _, each in found.values()],
+        [each.per_size for each in found],
         [[1, 1, 1, 0, 0], [0, 0, 0, -1, -1], [1, 0, 0, 0, 0], [0, 0, 0, 1, 1]],
     )
     typed = toleranced_tracks(
         si_values(planar_case("stepped_planet")), ("drive.sun_radius", "drive.planet_second_radius")
     )
-    np.testing.assert_array_equal([each for _, each in typed.values()], [[1, 0, 0], [0, 0, 1]])
-    assert [own for own, _ in typed.values()] == [False, True]
+    np.testing.assert_array_equal([each.per_size for each in typed], [[1, 0, 0], [0, 0, 1]])
+    assert [each.own for each in typed] == [False, True]
+
+
+def test_both_loading_rollers_of_a_planet_have_one_radius_and_sizes_of_their_own(planar_case):
+    radii = tuple(f"drive.{name}_radius" for name in ("sun", "planet", "loading_roller", "ring"))
+    found = toleranced_tracks(si_values(planar_case("zou2025")), radii)
+    assert [each.path for each in found] == [*radii[:3], *radii[2:]]
+    assert [each.own for each in found] == [False, True, True, True, False]
+    np.testing.assert_array_equal(
+        [each.per_size for each in found],
+        [[1, 0, 0, 0, 0], [1, 1, 1, 0, 0], [0, 1, 0, 1, 0], [0, 0, 1, 0, 1], [0, 0, 0, -1, -1]],
+    )

@@ -133,12 +133,9 @@ def test_bearings_of_pins_need_pins():
         parse_case(text.replace("[model]", rated), source="mine.toml")
 
 
-def test_what_reads_the_papers_drive_only_says_so():
-    with pytest.raises(
-        InputError, match=r"a drive of type 'planetary', where that of Zou et al. is expected"
-    ):
-        parse_case(text_of("planetary"), source="mine.toml")
+def test_a_file_without_a_type_has_the_papers_drive():
     plain = (EXAMPLES / "zou2025.toml").read_text(encoding="utf-8")
+    assert parse_case(plain, source="mine.toml").type == "zou2025"
     assert parse_case('type = "zou2025"\n' + plain, source="mine.toml").type == "zou2025"
 
 

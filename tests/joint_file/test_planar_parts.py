@@ -3,7 +3,8 @@
 import pytest
 
 from asperity.errors import InputError
-from asperity.joint_file.planar_parts import CONTACTS, bodies_of_type, layout_of, misnamed_parts
+from asperity.joint_file.part_names import CONTACTS, bodies_of_type
+from asperity.joint_file.planar_parts import layout_of, misnamed_parts
 from asperity.joint_file.si_tables import si_values
 
 

@@ -1,21 +1,10 @@
-"""What every section of a joint file is, and entries that differ from contact to contact."""
+"""What every section of a joint file is."""
 
 import pytest
 from pydantic import ValidationError
 
+from asperity.joint_file.section import Section, leaves, meaning
 from asperity.joint_file.wedge_model import Case
-from asperity.joint_file.section import (
-    ONE_FOR_ALL,
-    ONE_FOR_EACH,
-    EachContact,
-    Section,
-    leaves,
-    meaning,
-    number_or_table,
-    table_or_tables,
-)
-
-FIVE = dict(zip(("wlo", "wro", "pwl", "pwr", "sp"), range(5), strict=True))
 
 
 class Colour(Section):
@@ -40,7 +29,6 @@ class Tin(Section):
 def test_the_meaning_of_a_key_is_its_docstring():
     assert meaning(Paint, "layers") == "How many, one above the other."
     assert meaning(Paint, "gloss") == meaning(Paint, "unsaid") == meaning(Paint, "name") == ""
-    assert meaning(EachContact[float], "wro") == "Right loading roller–ring."
 
 
 def test_a_schema_has_the_meanings():
@@ -62,28 +50,6 @@ def test_the_sections_of_a_joint_file_are_frozen(example_case):
     assert isinstance(example_case, Case)
     with pytest.raises(ValidationError, match="frozen"):
         example_case.drive.planets = example_case.drive.sun_radius
-
-
-def test_entries_are_in_the_order_of_the_contacts_and_all_there():
-    assert EachContact[int].model_validate(FIVE).entries() == (4, 3, 2, 1, 0)
-    with pytest.raises(ValidationError, match="sp"):
-        EachContact[int].model_validate({name: 1 for name in FIVE if name != "sp"})
-
-
-def test_one_for_all_or_one_for_each():
-    each = EachContact[int].model_validate(FIVE)
-    assert [number_or_table(written) for written in (3.0, "3 mm", {"sp": 1}, each)] == [
-        ONE_FOR_ALL,
-        ONE_FOR_ALL,
-        ONE_FOR_EACH,
-        ONE_FOR_EACH,
-    ]
-    assert [table_or_tables(written) for written in ({"D": 1.4}, {"sp": {"D": 1.4}}, each, 3.0)] == [
-        ONE_FOR_ALL,
-        ONE_FOR_EACH,
-        ONE_FOR_EACH,
-        ONE_FOR_ALL,
-    ]
 
 
 class Wall(Section):

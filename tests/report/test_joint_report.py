@@ -6,7 +6,7 @@ from pathlib import Path
 import pytest
 
 from asperity.errors import InputError
-from asperity.joint_file.reader import parse_case, parse_case
+from asperity.joint_file.reader import parse_case
 from asperity.page.upload import refuse_downloads
 from asperity.report.content import Heading, Listing, Paragraph, Picture, Table
 from asperity.report.html import report_html

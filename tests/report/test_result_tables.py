@@ -3,7 +3,7 @@
 import math
 
 from asperity.report.content import Paragraph, Table
-from asperity.report.result_tables import contacts, drive, stiffness, windup
+from asperity.report.result_tables import contacts, planar_drive, stiffness, windup
 
 ARCMINUTE = math.pi / 180.0 / 60.0
 
@@ -114,23 +114,24 @@ def test_the_drive_in_degrees_grams_and_millimetres():
     document = {
         "rolling": {"input_torque_Nm": 0.55},
         "geometry": {
+            "input": "sun", "output": "carrier", "grounded": "outer_ring",
             "alpha_rad": math.pi / 12.0,
             "theta_rad": math.pi / 6.0,
             "wedge_angle_rad": math.pi / 12.0,
             "speed_ratio": -9.0,
-            "clearances": [{"name": "planet_to_ring", "gap_m": 3e-3}],
+            "clearances": [{"name": "planet_to_planet", "gap_m": 3e-3}, {"name": "idler_to_idler", "gap_m": None}],
         },
         "forces": {
             "input_torque_Nm": 0.5,
             "output_torque_Nm": 5.0,
-            "pin_N": {"left": 111.0, "right": 222.0},
-            "planet_mass_kg": 0.0225,
-            "loading_roller_mass_kg": 0.003,
+            "output_speed_rad_per_s": -math.pi,
+            "body_mass_kg": {"planet": 0.0225, "loading_roller": 0.003},
         },
-    }
-    values = dict(rows_of(drive(document))["Drive"])
+    }  # fmt: skip
+    values = dict(rows_of(planar_drive(document))["Drive"])
     assert list(values.values()) == [
-        "15 deg", "30 deg", "15 deg", "-9", "0.5 N·m", "0.55 N·m", "5 N·m", "111 N", "222 N", "22.5 g", "3 g", "3 mm",
+        "sun", "carrier", "outer ring", "-9", "30 rpm", "0.5 N·m", "0.55 N·m", "5 N·m", "15 deg", "30 deg", "15 deg",
+        "22.5 g", "3 g", "3 mm",
     ]  # fmt: skip
-    assert values["torque at the sun in rolling, all losses counted"] == "0.55 N·m"
-    assert "clearance, planet to ring" in values
+    assert values["torque at the input in rolling, all losses counted"] == "0.55 N·m"
+    assert values["clearance, planet to planet"] == "3 mm"

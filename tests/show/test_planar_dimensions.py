@@ -60,7 +60,7 @@ def test_what_the_list_says_is_not_shown(placed):
 
 
 def test_the_smallest_clearances_have_letters(placed):
-    """Planets 3.311 apart, right and left roller of a planet 6.845."""
+    """Planets 3.311 apart, right and left roller of a planet 6.845, planets 9 from the ring."""
     _, found, texts = placed("planar", WIDE)
-    assert found.letters == {0: "A", 1: "B"}
-    assert {"A 3.311", "B 6.845"} <= set(texts)
+    assert found.letters == {0: "A", 1: "B", 2: "C"}
+    assert {"A 3.311", "B 6.845", "C 9"} <= set(texts)

@@ -40,7 +40,7 @@ def radius_of(joint, force):
     return float(radii[drive.contacts.index(contact)])
 
 
-@pytest.mark.parametrize("name", ["planetary", "multiroller", "stepped_planet", "planar"])
+@pytest.mark.parametrize("name", ["planetary", "multiroller", "stepped_planet", "planar", "zou2025"])
 def test_forces_and_moments_on_each_roller_are_those_of_the_balance(drawn, name):
     """Whatever the contacts do, what pins do not hold is left over on the rollers."""
     joint, loads, found = drawn(name)

@@ -13,7 +13,7 @@ from asperity.show.sheet import Circle, Line, Text
 from asperity.show.taken import text_box
 
 ROOM = 143.0
-EXAMPLES = ("planetary", "multiroller", "stepped_planet", "planar")
+EXAMPLES = ("planetary", "multiroller", "stepped_planet", "zou2025")
 
 
 def solved(joint):

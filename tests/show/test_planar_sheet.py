@@ -18,7 +18,7 @@ from asperity.show.sheet_dxf import dxf_text, sheet_dxf
 from asperity.show.sheet_figure import sheet_figure
 from asperity.show.taken import Box, distance, text_box
 
-EXAMPLES = ("planetary", "planetary_hollow", "multiroller", "stepped_planet", "planar")
+EXAMPLES = ("planetary", "planetary_hollow", "multiroller", "stepped_planet", "zou2025")
 LONG = "the_right_hand_loading_roller_of_hardened_steel"
 #: Drives that leave little room, or none: changes of the examples.
 ODD = {
@@ -151,6 +151,18 @@ def test_words_of_the_list(sheet):
     assert "pins of the carrier: planet" in texts
     assert {"Contacts, length 10", "sp: sun – planet"} <= set(texts)
     assert "tracks of stepped rollers lie in different planes" not in texts
+
+
+def test_words_of_a_drive_with_wedges(planar_case):
+    """Angles by the law of cosines in the triangle of 17.5, 18.5 and 35 mm; a planet ends 9 mm inside the ring."""
+    stated = {"contact_length =": 'planet_length = "20 mm"\ncontact_length ='}
+    joint = planar_joint_from_case(planar_case("zou2025", replaced=stated))
+    texts = joined(planar_sheet(joint, name="a").texts)
+    assert "Planetary traction drive" in texts
+    assert "angle alpha, planet to loading roller, 13.925°; wedge angle beta 13.158°" in texts
+    assert "length of planet 20" in texts
+    assert "planet to ring 9" in texts
+    assert "A planet to planet 3.311" in texts
 
 
 def test_contacts_of_unlike_lengths_have_their_own(planar_case):

@@ -6,6 +6,8 @@ import pytest
 
 from asperity.joint_file.planar_build import planar_joint_from_case
 from asperity.show.planar_sizes import contact_interferences, planar_clearances, sizes
+from asperity.show.planar_view import planar_view
+from asperity.show.sheet import Circle
 
 # multiroller: s + x_1 = 26; second row by the law of cosines in the triangle of axis, first and second row
 FAR = 26.0 / math.sqrt(2.0) + math.sqrt(28.0**2 - 26.0**2 / 2.0)
@@ -28,6 +30,11 @@ SIZES = {
         "sun ⌀8", "3 × planet ⌀27", "axes of planet ⌀35", "3 × right and left ⌀10", "axes of right and left ⌀70",
         "ring inside ⌀80 less 2 × interference", "wall of ring 20",
     ],
+    "zou2025": [
+        "sun ⌀8", "3 × planet ⌀27", "axes of planet ⌀35", "3 × right and left loading roller ⌀10",
+        "axes of right and left loading roller ⌀70", "ring inside ⌀80 less 2 × interference",
+        "wall of ring 60",
+    ],
 }  # fmt: skip
 
 
@@ -39,6 +46,21 @@ def joint(planar_case):
 @pytest.mark.parametrize("name", SIZES)
 def test_every_size_is_that_of_the_file(joint, name):
     assert [size.label for size in sizes(joint(name), 1.0)] == SIZES[name]
+
+
+def test_pins_are_drawn_where_the_file_gives_their_diameter(planar_case):
+    pins = '[bearings]\npin_friction_coefficient = 0\npin_diameter = "3 mm"\nsun_torque = "0 N*m"\n'
+    pins += 'loading_roller_torque = "0 N*m"\ncarrier_torque = "0 N*m"\n\n[model]'
+    joint = planar_joint_from_case(planar_case("zou2025", replaced={"[model]": pins}))
+    (pin,) = (size for size in sizes(joint, 1.0) if "pin" in size.label)
+    assert pin.label == "3 × right and left loading roller, pin ⌀3"
+    circles = [item for item in planar_view(joint, 1.0) if isinstance(item, Circle)]
+    drawn = [
+        circle for circle in circles if circle.style == "outline" and circle.radius == pytest.approx(1.5)
+    ]
+    assert [math.hypot(*circle.centre) for circle in drawn] == pytest.approx(6 * [35.0])
+    # both loading rollers of a planet go round on one circle
+    assert [circle.radius for circle in circles if circle.style == "axis"] == pytest.approx([17.5, 35.0])
 
 
 PRESSED = {'interference = "30 um"': 'preload = "1000 N"'}
@@ -92,21 +114,27 @@ def test_a_wall_is_measured_from_edge_to_edge(joint):
 
 
 def test_clearances_are_measured_in_the_view_where_nothing_lies_between(joint):
-    """Planets 2 · 17.5 sin 60° − 27, right to left 70 sin 13.925° − 10, and next sectors 70 sin 60° − 10."""
+    """Planets 2 · 17.5 sin 60° − 27, right to left 70 sin 13.925° − 10, to the ring 40 − 31, next 70 sin 60° − 10."""
     found = planar_clearances(joint("planar"))
     assert [gap.words for gap in found] == [
         "planet to planet",
         "right to left",
+        "planet to ring",
         "right to right",
         "left to left",
     ]
-    expected = (35.0 * math.sin(math.pi / 3.0) - 27.0, 6.845, *[70.0 * math.sin(math.pi / 3.0) - 10.0] * 2)
+    expected = (
+        35.0 * math.sin(math.pi / 3.0) - 27.0,
+        6.845,
+        9.0,
+        *[70.0 * math.sin(math.pi / 3.0) - 10.0] * 2,
+    )
     assert [gap.size for gap in found] == pytest.approx(expected, rel=1e-4)
-    for gap in found[:2]:
+    for gap in found[:3]:
         assert len({place.tip for place in gap.places}) >= 3
         for place in gap.places:
             assert math.dist(*place.mark[0].points) == pytest.approx(gap.size)
-    assert not found[2].places  # planets lie between them
+    assert not found[3].places  # planets lie between them
     (first, second) = planar_clearances(joint("multiroller"))
     assert first.size == pytest.approx(52.0 * math.sin(math.pi / 4.0) - 32.0)
     assert first.places

@@ -65,9 +65,6 @@ def draw(file: str, out: str, forces: bool) -> None:
 
         write_image(sheet_figure(sheet), out)
     say_written(out)
-    overlaps = [text for text in sheet.texts if "OVERLAP" in text]
-    if overlaps:
-        say(f"asperity: warning: {file}: {'; '.join(overlaps)}")
 
 
 def _sheet(case: PlanarCase, file: str, forces: bool) -> Sheet:

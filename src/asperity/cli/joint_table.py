@@ -217,8 +217,7 @@ def _show_drive(target: Console, document: Document) -> None:
         *(("first slip", text) for text in first_slip_words(capacity)),
         ("rolling", _first_slip(document, "rolling_torque_capacity") + _rolling_capacity(document)),
     )
-    own = _of_the_paper if "wedge_angle_rad" in document["geometry"] else _of_another_type
-    before, after = own(document)
+    before, after = _own_rows(document)
     target.print("Drive", style="bold")
     for label, text in (*before, *common, *after):
         print_wrapped(target, f"  {label:<10} {text}", indent=13)
@@ -233,40 +232,8 @@ def _first_slip(document: Document, name: str) -> str:
     return f"{capacity_words(document['branches'], name)}; equal branches: "
 
 
-def _of_the_paper(document: Document) -> tuple[Rows, Rows]:
-    """Rows of the paper's drive before and after those of every drive."""
-    geometry, forces = document["geometry"], document["forces"]
-    gap = min(geometry["clearances"], key=lambda entry: entry["gap_m"])
-    before = (
-        (
-            "angles",
-            f"alpha {in_unit(geometry['alpha_rad'], 'deg', 6)}, theta {in_unit(geometry['theta_rad'], 'deg', 6)}, "
-            f"wedge beta {in_unit(geometry['wedge_angle_rad'], 'deg', 6)}",
-        ),
-        (
-            "speed",
-            f"ratio {number(geometry['speed_ratio'])}, carrier {in_unit(forces['output_speed_rad_per_s'], 'rpm')}",
-        ),
-    )
-    after = (
-        (
-            "pin force",
-            f"left {in_unit(forces['pin_N']['left'], 'N')}, right {in_unit(forces['pin_N']['right'], 'N')}",
-        ),
-        *_strength(document),
-        (
-            "mass",
-            f"planet {in_unit(forces['planet_mass_kg'], 'g')}, "
-            f"loading roller {in_unit(forces['loading_roller_mass_kg'], 'g')}",
-        ),
-        *(("roughness", _roughness(each)) for each in document["surfaces"]),
-        ("clearance", f"at least {in_unit(gap['gap_m'], 'mm')}: {gap['condition']}"),
-    )
-    return before, after
-
-
-def _of_another_type(document: Document) -> tuple[Rows, Rows]:
-    """Rows of any other drive."""
+def _own_rows(document: Document) -> tuple[Rows, Rows]:
+    """Rows of a drive before and after those of its torques."""
     geometry, forces = document["geometry"], document["forces"]
     speed = in_unit(forces["output_speed_rad_per_s"], "rpm")
     members = "{} in, {} out, {} grounded".format(
@@ -280,10 +247,24 @@ def _of_another_type(document: Document) -> tuple[Rows, Rows]:
         f"{in_unit(force['tangential'], 'N')}"
         for name, force in forces["pin_N"].items()
     )
-    return (
-        (("members", members), ("speed", f"ratio {number(geometry['speed_ratio'])}, output {speed}")),
-        (*((("pin force", pins),) if pins else ()), *_strength(document), ("mass", masses)),
-    )
+    before = [("members", members), ("speed", f"ratio {number(geometry['speed_ratio'])}, output {speed}")]
+    if "wedge_angle_rad" in geometry:
+        angles = ("alpha", "alpha_rad"), ("theta", "theta_rad"), ("wedge beta", "wedge_angle_rad")
+        before.append(
+            ("angles", ", ".join(f"{name} {in_unit(geometry[key], 'deg', 6)}" for name, key in angles))
+        )
+    after = [*((("pin force", pins),) if pins else ()), *_strength(document), ("mass", masses)]
+    after += [
+        ("roughness", _roughness(each, of_all=len(document["surfaces"]) == 1))
+        for each in document["surfaces"]
+    ]
+    gaps = [entry for entry in geometry["clearances"] if entry["gap_m"] is not None]
+    if gaps:
+        gap = min(gaps, key=lambda entry: entry["gap_m"])
+        after.append(
+            ("clearance", f"at least {in_unit(gap['gap_m'], 'mm')}, {gap['name'].replace('_', ' ')}")
+        )
+    return tuple(before), tuple(after)
 
 
 def _strength(document: Document) -> list[tuple[str, str]]:
@@ -306,9 +287,9 @@ def _strength(document: Document) -> list[tuple[str, str]]:
     return rows
 
 
-def _roughness(surface: Document) -> str:
+def _roughness(surface: Document, *, of_all: bool) -> str:
     """Which Ra the D and G of a surface mean."""
-    where = "" if len(surface["contacts"]) == 5 else f"{', '.join(surface['contacts'])}: "
+    where = "" if of_all else f"{', '.join(surface['contacts'])}: "
     low, high = (in_unit(surface[f"roughness_average_{end}_m"], "um", 2) for end in ("low", "high"))
     return (
         f"{where}D {number(surface['fractal_dimension'])}, G {in_unit(surface['fractal_roughness_m'], 'mm', 3)} "

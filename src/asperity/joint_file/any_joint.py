@@ -38,7 +38,7 @@ def results_of(tables: Mapping[str, Any]) -> dict[str, Result]:
     Returns
     -------
     dict
-        Name → row; :data:`asperity.joint.results.WEDGE_RESULTS` for the drive of Zou et al. 2025.
+        Name → row.
     """
     return _planar_results(table_structure(with_tracks(dict(tables))))
 

@@ -52,7 +52,6 @@ def assumptions(case: PlanarCase) -> tuple[str, ...]:
     drive: Any = case.drive  # type: ignore[attr-defined]
     told: list[str] = []
     joint = planar_joint_from_case(case)
-    off_axis = [body.name for body in joint.drive.bodies if body.place != "axis"]
     if case.bearings is None:
         told.append("no section [bearings]: the bearings have no friction")
     else:
@@ -132,9 +131,14 @@ def assumptions(case: PlanarCase) -> tuple[str, ...]:
             f"load.preload is a force: the tolerance of {', '.join(sizes)}, up to {1e6 * widest:.3g} µm, does not move "
             "it; give load.interference if the sizes make the preload"
         )
-    for track in dict.fromkeys(material_key(body) for body in off_axis):
-        if getattr(drive, f"{track}_length", None) is None:
-            told.append(f"no drive.{track}_length: as long as the longest contact line on it")
+    if joint.type != WEDGE_TYPE:
+        told.append("every track is as long as its longest contact line")
+    else:
+        told += [
+            f"no drive.{roller}_length: as long as the longest contact line on it"
+            for roller in ("planet", "loading_roller")
+            if getattr(drive, f"{roller}_length") is None
+        ]
     if case.load.cam_force_per_torque is not None:
         told.append(LOADING_CAM)
     if case.branch is not None:

@@ -10,6 +10,7 @@ from pydantic_core import ErrorDetails
 
 from asperity.errors import MOST_ERRORS, quoted
 from asperity.joint_file.key_paths import keys_by_path, models_of, variants
+from asperity.joint_file.part_names import CONTACTS, material_keys
 from asperity.joint_file.section import ONE_FOR_ALL, ONE_FOR_EACH
 from asperity.joint_file.wedge_model import Case
 
@@ -184,20 +185,27 @@ def _drives_with(parts: Parts) -> list[str]:
 
 def _missing_sections(sections: list[Parts], model: type[BaseModel]) -> str:
     names = ", ".join(f"[{'.'.join(each)}]" for each in sections)
-    if sections[0][0] == "surface" and len(sections[0]) > 1:
-        verb = "is" if len(sections) == 1 else "are"
-        return f"{names} {verb} missing; write one [surface] for all contacts, or a section for each"
     if len(sections) == 1:
-        content = ", ".join(_known_names(sections[0], model)) or "a section for each material"
-        return f"the section {names} is missing; it contains {content}"
+        return f"the section {names} is missing; it contains {_content(sections[0], model)}"
     return f"the sections {names} are missing; 'asperity init' writes a complete example"
+
+
+def _content(parts: Parts, model: type[BaseModel]) -> str:
+    """What a section contains, whose entries may have names of their own."""
+    if parts == ("materials",):
+        return "a section for each material"
+    if parts == ("bodies",):
+        (kind,) = get_args(model.model_fields["type"].annotation)
+        return ", ".join(material_keys(kind)) if kind in CONTACTS else "the material of each roller"
+    return ", ".join(
+        _known_names(parts, model) or _names_below(models_of(model.model_fields[parts[0]].annotation))
+    )
 
 
 def _is_section(parts: Parts, model: type[BaseModel]) -> bool:
     known = _known_names(parts, model)
-    return parts == ("materials",) or (
-        bool(known) and parts[-1] not in known
-    )  # a key of the table for all contacts
+    # the keys of a table for all contacts stand beside the names of the contacts
+    return parts in (("materials",), ("bodies",), ("surface",)) or (bool(known) and parts[-1] not in known)
 
 
 def unknown_materials(bodies: Any, known: Iterable[str], *, model: type[BaseModel] = Case) -> list[str]:

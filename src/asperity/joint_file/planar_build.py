@@ -164,7 +164,7 @@ def thermal_change_of(values: Values) -> float:
         Interference [m].
     """
     load = {name: value for name, value in values["load"].items() if name != "preload"}
-    fit = any_joint_from_values(values | {"load": load | {"interference": 1e-5}}).fit
+    fit = planar_joint_from_values(values | {"load": load | {"interference": 1e-5}}).fit
     assert fit is not None
     return float(fit.thermal_change)
 
@@ -369,7 +369,16 @@ def with_nominal_sizes(values: Values) -> Values:
 
 
 def _grown(values: Values, drive: PlanarDrive) -> Array:
-    """By how much the rings of finished parts are smaller than those that would just touch, beyond the nominal, [m]."""
+    """Interference of each contact that the deviations of finished parts from their nominal sizes add, [m].
+
+    Rings whose radii follow from the rollers keep the nominal ones.
+    """
     nominal, *_ = layout_of(values | {"drive": values["drive"] | values["nominal"]})
+    if "ring_radius" in values["drive"]:
+        return interference_of_sizes(
+            drive=drive,
+            first=drive.first_radius - nominal.first_radius,
+            second=drive.second_radius - nominal.second_radius,
+        )
     inside = jnp.array([contact.internal for contact in drive.contacts])
     return jnp.where(inside, drive.second_radius - nominal.second_radius, 0.0)

@@ -19,7 +19,7 @@ from asperity.drive.planar.layout import CARRIER, Closure, PlanarDrive
 from asperity.joint.planar.body_shape import SOLID, BodyShape, ring_shape
 from asperity.joint_file.general_layout import general_layout, misdescribed
 from asperity.joint_file.general_model import GeneralCase
-from asperity.joint_file.messages import nearest
+from asperity.joint_file.messages import closest, nearest
 from asperity.joint_file.part_names import CONTACTS, WEDGE_TYPE, material_keys, type_of
 from asperity.joint_file.planar_model import PlanarCase
 from asperity.joint_file.si_tables import Values
@@ -68,9 +68,14 @@ def misnamed_parts(case: PlanarCase) -> list[str]:
                 for name in table
                 if name not in known
             ]
-            missing = [name for name in known if name not in table]
+            meant = {closest(name, known) for name in table if name not in known}
+            missing = [name for name in known if name not in table and name not in meant]
             if missing:
-                found.append(f"{path}: {', '.join(missing)} {'is' if len(missing) == 1 else 'are'} missing")
+                instead = "; write one [surface] for all contacts, or a section for each"
+                found.append(
+                    f"{path}: {', '.join(missing)} {'is' if len(missing) == 1 else 'are'} missing"
+                    + (instead if path == "surface" else "")
+                )
     return found
 
 
@@ -94,7 +99,10 @@ def _wedge(values: Values) -> Layout:
             constant_pins=SPRING_LOADED_PINS if model["closure"] == "constant_pin_force" else (),
         ),
     )
-    planet, roller = (_roller(drive.get(f"{name}_bore_diameter")) for name in ("planet", "loading_roller"))
+    planet, roller = (
+        _roller(drive.get(f"{name}_bore_diameter"), drive.get(f"{name}_length"))
+        for name in ("planet", "loading_roller")
+    )
     return made, (SOLID, planet, roller, roller, _ring(values)), (0.0, 0.0, 0.0, 1.0, 1.0)
 
 
@@ -105,8 +113,8 @@ _WEDGE_SIZES = (
 )
 
 
-def _roller(bore: Any) -> BodyShape:
-    return SOLID if bore is None else BodyShape("hollow", bore)
+def _roller(bore: Any, length: Any = None) -> BodyShape:
+    return BodyShape("solid" if bore is None else "hollow", bore, length=length)
 
 
 def _planetary(values: Values) -> Layout:

@@ -1,4 +1,4 @@
-"""What every section of a joint file is, and the entries that may differ from contact to contact."""
+"""What every section of a joint file is."""
 
 from __future__ import annotations
 
@@ -55,8 +55,9 @@ def meaning(model: type[BaseModel], name: str) -> str:
 
     Examples
     --------
-    >>> meaning(EachContact, "sp")
-    'Sun–planet.'
+    >>> from asperity.joint_file.model import PlayEntry
+    >>> meaning(PlayEntry, "angle")
+    'Angle that the output turns freely on passing zero torque, from one side to the other.'
     """
     return next((said[name] for said in map(_meanings, model.__mro__) if name in said), "")
 

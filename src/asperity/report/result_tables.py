@@ -33,7 +33,7 @@ def summary(document: Document) -> Table:
     Table
         One row a number.
     """
-    load, geometry = document["input"]["load"], document["geometry"]
+    load = document["input"]["load"]
     stiffness = document["torsional_stiffness"]["assembly"]["output_Nm_per_rad"]
     equal = " of equal branches" if "branches" in document else ""
     rows = [
@@ -41,7 +41,7 @@ def summary(document: Document) -> Table:
         ("output torque", quantity(load["output_torque"], "N*m")),
         (f"speed of the {input_member(document)}", quantity(load["sun_speed"], "rpm")),
         (
-            f"preload, {'contact ' + next(iter(document['contacts'])) if 'sectors' in geometry else 'sun and planet'}",
+            f"preload, contact {next(iter(document['contacts']))}",
             quantity(document["preload"]["force_N"], "N"),
         ),
         ("interference that makes it", quantity(document["preload"]["interference_m"], "um")),
@@ -272,9 +272,25 @@ def planar_drive(document: Document) -> Iterator[Block]:
         ("speed of the output", quantity(abs(forces["output_speed_rad_per_s"]), "rpm")),
         *_input_torques(document, "input"),
         ("torque at the output", quantity(forces["output_torque_Nm"], "N*m")),
+        *_wedge(geometry),
         *((f"mass of {words(name)}", quantity(mass, "g")) for name, mass in forces["body_mass_kg"].items()),
+        *(
+            (f"clearance, {words(each['name'])}", quantity(each["gap_m"], "mm"))
+            for each in geometry["clearances"]
+            if each["gap_m"] is not None
+        ),
     ]
     yield Table("Drive", ("quantity", "value"), rows)
+
+
+def _wedge(geometry: Document) -> list[tuple[str, str]]:
+    """Angles of the wedges of a drive that has them."""
+    labels = {
+        "alpha_rad": "angle alpha between planet and loading roller",
+        "theta_rad": "direction theta from planet to loading roller",
+        "wedge_angle_rad": "wedge angle beta",
+    }
+    return [(label, quantity(geometry[key], "deg")) for key, label in labels.items() if key in geometry]
 
 
 def windup(found: Document) -> Iterator[Block]:

@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Sequence
 from itertools import groupby
 
 import numpy as np
 
 from asperity.drive.planar.layout import CARRIER, speed_ratio
+from asperity.drive.planar.wedge import wedge_angles, wedges
 from asperity.joint.planar.description import PlanarJoint, each_contact, tracks_of
 from asperity.joint.planar.evaluation import PlanarResult
+from asperity.joint_file.part_names import WEDGE_TYPE
 from asperity.show.dimension_lines import dimension
 from asperity.show.drive_sheet import MARGIN, PLAIN, WITH_FORCES, frame, load_lines, title_block
 from asperity.show.planar_dimensions import place_dimensions
@@ -131,7 +134,7 @@ def _edges(
 
 
 def _kind(joint: PlanarJoint) -> str:
-    words = joint.type.replace("_", " ")
+    words = "planetary" if joint.type == WEDGE_TYPE else joint.type.replace("_", " ")
     return f"{words[0].upper()}{words[1:]} traction drive"
 
 
@@ -185,6 +188,19 @@ def _lines(
     unsaid = [all_sizes[number] for number in sorted(listed)]
     for of, each in groupby(unsaid, key=lambda size: size.of):
         lines.append(f"{of}: {', '.join(size.listed for size in each)}")
+    if wedges(drive):
+        angles = wedge_angles(drive)
+        lines.append(
+            f"angle alpha, planet to loading roller, {math.degrees(angles.polar):.5g}°; "
+            f"wedge angle beta {math.degrees(angles.wedge):.5g}°"
+        )
+    lengths_of = {
+        body.name.replace("_", " "): dimension(1e3 * float(shape.length))
+        for body, shape in zip(drive.bodies, joint.shapes, strict=True)
+        if shape.length is not None
+    }
+    if lengths_of:
+        lines.append(f"length of {', of '.join(f'{name} {length}' for name, length in lengths_of.items())}")
     if any(len(tracks_of(joint, number)) > 1 for number in range(len(drive.bodies))):
         lines.append("tracks of stepped rollers lie in different planes")
     if clearances:

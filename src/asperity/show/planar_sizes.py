@@ -12,7 +12,7 @@ from asperity.joint.planar.description import PlanarJoint, places
 from asperity.show.dimension_lines import dimension, distance_mark, made_bore
 from asperity.show.drive_view import MOST_GAPS
 from asperity.show.leader_places import Place, around
-from asperity.show.planar_view import RingOfBody, copies_of, radii_of, rings_of
+from asperity.show.planar_view import RingOfBody, copies_of, pin_diameter_of, radii_of, rings_of
 from asperity.show.sheet import Circle, Line, Point
 from asperity.show.taken import distance
 
@@ -43,7 +43,7 @@ class Size(NamedTuple):
 
 
 class Clearance(NamedTuple):
-    """The free distance between two rollers off the axis.
+    """The free distance between two rollers off the axis, or between one and a ring.
 
     Parameters
     ----------
@@ -84,7 +84,7 @@ def sizes(joint: PlanarJoint, scale: float, interference: float | None = None) -
     found: list[Size] = []
     count, rings = round(float(joint.drive.sectors)), rings_of(joint)
     for kind in _kinds(joint):
-        name = " and ".join(_words(joint, number) for number in kind)
+        name = _together([_words(joint, number) for number in kind])
         mine = [ring for ring in rings if ring.body == kind[0]]
         for ring in mine:
             wall = dimension(ring.outer - ring.inner)
@@ -105,6 +105,10 @@ def sizes(joint: PlanarJoint, scale: float, interference: float | None = None) -
         if bore is not None:
             text = f"bore ⌀{dimension(1e3 * float(bore))}"
             found.append(Size(counted, text, f"{counted}, {text}", _on(joint, kind, 0.5e3 * float(bore))))
+        pin = pin_diameter_of(joint, kind[0])
+        if pin:
+            text = f"pin ⌀{dimension(pin)}"
+            found.append(Size(counted, text, f"{counted}, {text}", _on(joint, kind, 0.5 * pin)))
         if not on_axis:
             x, y = copies_of(joint, kind[0])[0]
             orbit, text = math.hypot(x, y), f"⌀{dimension(2.0 * math.hypot(x, y))}"
@@ -169,6 +173,10 @@ def planar_clearances(joint: PlanarJoint) -> list[Clearance]:
     found = []
     for one, other in neighbours(joint.drive):
         i, j = names.index(one), names.index(other)
+        if j in rings:
+            if all(len(radii_of(joint, number)) == 1 for number in (i, j)):
+                found.append(_to_ring(joint, i, j, discs))
+            continue
         if any(joint.drive.bodies[number].place == "axis" for number in (i, j)):
             continue
         if i != j and any(len(radii_of(joint, number)) > 1 for number in (i, j)):
@@ -193,8 +201,32 @@ def planar_clearances(joint: PlanarJoint) -> list[Clearance]:
     return [each for rank, each in enumerate(found) if rank < MOST_GAPS or each.alike]
 
 
+def _to_ring(joint: PlanarJoint, number: int, ring: int, discs: list[Circle]) -> Clearance:
+    """Free distance between a roller and a ring that it does not touch."""
+    (radius,), (inner,) = radii_of(joint, number), radii_of(joint, ring)
+    orbit = math.hypot(*copies_of(joint, number)[0])
+    between = [
+        tuple((x * reach / orbit, y * reach / orbit) for reach in (orbit + radius, inner))
+        for x, y in copies_of(joint, number)
+    ]
+    size = inner - orbit - radius
+    open_ones = [(one, two) for one, two in between if size > 0.0 and not _blocked((one, two), discs)]
+    marks = tuple(Place(_middle(ends), None, (Line(ends, "break"),)) for ends in open_ones)
+    return Clearance(f"{_words(joint, number)} to {_words(joint, ring)}", size, marks)
+
+
 def _words(joint: PlanarJoint, number: int) -> str:
     return joint.drive.bodies[number].name.replace("_", " ")
+
+
+def _together(names: list[str]) -> str:
+    """Names of alike rollers as one, with the words in which they all end said once."""
+    words = [name.split() for name in names]
+    tail: list[str] = []
+    while len(names) > 1 and all(len(each) > 1 for each in words) and len({each[-1] for each in words}) == 1:
+        tail.insert(0, words[0][-1])
+        words = [each[:-1] for each in words]
+    return " ".join([" and ".join(" ".join(each) for each in words), *tail])
 
 
 def _kinds(joint: PlanarJoint) -> list[tuple[int, ...]]:

@@ -83,6 +83,13 @@ def radii_of(joint: PlanarJoint, number: int) -> list[float]:
     return list(dict.fromkeys(1e3 * float(radius) for radius, _ in tracks_of(joint, number)))
 
 
+def pin_diameter_of(joint: PlanarJoint, number: int) -> float:
+    """Diameter of the pin of a body [mm]; 0 where it has none, or the joint does not state it."""
+    if joint.bearings is None or joint.drive.bodies[number].place != "pin":
+        return 0.0
+    return 1e3 * float(joint.bearings.pin_diameter)
+
+
 def copies_of(joint: PlanarJoint, number: int) -> list[Point]:
     """Centres of the copies of a body in all sectors.
 
@@ -145,6 +152,7 @@ def planar_view(joint: PlanarJoint, scale: float) -> list[Item]:
     """
     rings, beyond = rings_of(joint), 3.0 / scale
     items: list[Item] = []
+    orbits: list[float] = []
     for number, body in enumerate(joint.drive.bodies):
         mine = [ring for ring in rings if ring.body == number]
         for ring in mine:
@@ -158,10 +166,15 @@ def planar_view(joint: PlanarJoint, scale: float) -> list[Item]:
             items += [Circle((x, y), radius) for radius in radii]
             if bore is not None:
                 items.append(Circle((x, y), 0.5e3 * float(bore)))
+            pin = pin_diameter_of(joint, number)
+            if pin:
+                items.append(Circle((x, y), 0.5 * pin))
             if body.place != "axis":
                 items += _cross((x, y), min(max(radii) + beyond, 1.25 * max(radii)), math.atan2(y, x))
         if body.place != "axis":
-            items.append(Circle((0.0, 0.0), math.hypot(*copies_of(joint, number)[0]), "axis"))
+            orbits.append(math.hypot(*copies_of(joint, number)[0]))
+            if not any(math.isclose(orbits[-1], other) for other in orbits[:-1]):
+                items.append(Circle((0.0, 0.0), orbits[-1], "axis"))
     return items + _cross((0.0, 0.0), reach_of(joint) + beyond, 0.0)
 
 

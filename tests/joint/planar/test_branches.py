@@ -7,6 +7,7 @@ from typing import NamedTuple
 
 import numpy as np
 import pytest
+from asperity.joint.branches import BranchedJoint
 
 from asperity.drive.planar.loads import pin_components
 from asperity.errors import InputError

@@ -85,10 +85,10 @@ def test_free_frequency_is_that_of_all_bodies_on_the_springs_of_all_contacts(pla
 def test_the_wedge_drive_is_twice_the_kinetic_energy_of_its_bodies(paper_joint):
     """The carrier turns with 1 rad/s: rollers on the standing ring, planets that turn against them."""
     entry, moved = planar_inertias(paper_joint(density=DENSITY))
-    rolling = (float(entry) - disc(4e-3, 5e-3)[1]) * 9.0**2 + float(moved)
     mass, spin = disc(13.5e-3, 5e-3)
     roller_mass, roller_spin = disc(5e-3, 5e-3)
     # in the carrier's frame the surfaces of ring, roller and planet have one speed, 40 mm/s
     energy = 0.5 * (mass * 17.5e-3**2 + spin * (1.0 + 40.0 / 13.5) ** 2)
     energy += 2 * 0.5 * (roller_mass * 35e-3**2 + roller_spin * (35.0 / 5.0) ** 2)
-    assert rolling == pytest.approx(2.0 * 3.0 * energy, rel=1e-12)
+    sun = 0.5 * disc(4e-3, 5e-3)[1] * 9.0**2
+    assert float(moved + entry * 9.0**2) == pytest.approx(2.0 * (3.0 * energy + sun), rel=1e-12)

@@ -40,7 +40,8 @@ def wedge_drive(
     ----------
     Equation (A1) of :doc:`/equations`.
     """
-    xp, sides = namespace(geometry), triangle(geometry)
+    sides = triangle(geometry)
+    xp = namespace(geometry, sides)
     x, y = sides.roller_orbit * sides.sin_polar, sides.roller_orbit * sides.cos_polar
     zero = xp.zeros_like(x)
     sun, planet, roller, ring = (

@@ -36,13 +36,13 @@ def mirror_image(drive: PlanarDrive) -> MirrorImage | None:
     Returns
     -------
     MirrorImage or None
-        None where the sectors differ from their images, or a pin pushes at an angle.
+        None where the sectors differ from their images, a pin pushes at an angle, or a spring keeps its force.
 
     References
     ----------
     Elementary.
     """
-    if np.any(np.asarray(drive.push_angles)):
+    if np.any(np.asarray(drive.push_angles)) or drive.closure.constant_pins:
         return None
     x, y = np.asarray(drive.centres, dtype=float).T
     orbits, angles = np.hypot(x, y), np.arctan2(y, x)

@@ -380,7 +380,7 @@ def cylinders(joint: PlanarJoint, body: int) -> list[tuple[Real, Real, Real]]:
     Returns
     -------
     list of tuple
-        Mass [kg], outer radius and diameter of the bore [m]; every track is as long as its longest contact.
+        Mass [kg], outer radius and diameter of the bore [m]; a track of unknown length is as long as its longest contact.
     """
     lengths = each_contact(joint, joint.contact_lengths)
     shape, material = joint.shapes[body], joint.materials[body]
@@ -390,7 +390,7 @@ def cylinders(joint: PlanarJoint, body: int) -> list[tuple[Real, Real, Real]]:
         bore: Real = 0.0 if shape.size is None else shape.size
         if shape.kind == "ring" and shape.size is not None:
             outer, bore = radius + shape.size, 2.0 * radius
-        length = jnp.max(lengths[np.array(contacts)])
+        length = jnp.max(lengths[np.array(contacts)]) if shape.length is None else shape.length
         found.append((material.density * jnp.pi * (outer**2 - 0.25 * bore**2) * length, outer, bore))
     return found
 

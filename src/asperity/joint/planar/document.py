@@ -8,7 +8,9 @@ import jax
 import numpy as np
 
 import asperity
+from asperity.drive.planar.layout import PlanarDrive
 from asperity.drive.planar.loads import pin_components
+from asperity.drive.planar.wedge import wedge_angles, wedges
 from asperity.joint.all_limits import all_checks
 from asperity.joint.branch_document import branch_document
 from asperity.joint.capacity import capacity_document
@@ -79,6 +81,11 @@ def planar_document(solved: SolvedPlanarJoint, *, inputs: Document, assumptions:
                         strict=True,
                     )
                 },
+                **_wedge_document(drive),
+                "clearances": [
+                    {"name": name, "gap_m": gap}
+                    for name, gap in zip(solved.row_names("clearance"), solved.clearances, strict=True)
+                ],
                 "speeds_over_input": dict(zip(drive.members, np.asarray(result.speeds), strict=True)),
             },
             "preload": {
@@ -133,6 +140,14 @@ def planar_document(solved: SolvedPlanarJoint, *, inputs: Document, assumptions:
     return document | ({} if branches is None else {"branches": branch_document(branches)})
 
 
+def _wedge_document(drive: PlanarDrive) -> Document:
+    """Angles of the wedges of a drive that has them [rad]."""
+    if not wedges(drive):
+        return {}
+    angles = wedge_angles(drive)
+    return {"alpha_rad": angles.polar, "theta_rad": angles.direction, "wedge_angle_rad": angles.wedge}
+
+
 def planar_capacity_document(forward: PlanarSolution, reverse: PlanarSolution) -> Document:
     """Torque capacity of a joint that stands, in both directions.
 
@@ -157,6 +172,8 @@ def planar_capacity_document(forward: PlanarSolution, reverse: PlanarSolution) -
 
 def _rims(solved: SolvedPlanarJoint) -> Document:
     """Stresses and safeties of the rings and hollow rollers that bend, by the name of the body."""
+    if not any(bends(solved.joint)):
+        return {}
     names, found = solved.row_names("body"), solved.rims
     return {
         names[number]: rim_entry(jax.tree.map(lambda leaf, number=number: leaf[..., number], found))

@@ -17,6 +17,7 @@ from asperity.joint.planar.capacity import PlanarCapacity, planar_capacity
 from asperity.joint.planar.description import PlanarJoint, tracks_of
 from asperity.joint.planar.evaluation import PlanarResult, laws_and_states, planar_result
 from asperity.joint.planar.motion import in_motion
+from asperity.joint.planar.pins import refuse_pins
 from asperity.joint.planar.rims import bends, planar_rims
 from asperity.joint.refusal import refuse_short_contacts
 from asperity.joint.temperature import refuse_loose
@@ -105,6 +106,7 @@ def solve_planar(joint: PlanarJoint) -> PlanarSolution:
     refuse_impossible(numbers.drive)
     refuse_loose(numbers.fit)
     refuse_bores(numbers)
+    refuse_pins(numbers)
     result, capacity = result_and_capacity(numbers)
     both = [jax.tree.map(lambda leaf, i=i: leaf[i], part) for part in capacity for i in range(2)]
     solution = PlanarSolution(result, *both)

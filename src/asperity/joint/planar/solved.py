@@ -70,7 +70,7 @@ def planar_size(joint: PlanarJoint, result: PlanarResult) -> PlanarSize:
     Returns
     -------
     PlanarSize
-        Diameter [m] and mass [kg]; every track is as long as its longest contact.
+        Diameter [m] and mass [kg]; a track of unknown length is as long as its longest contact.
     """
     outer = []
     for number, shape in enumerate(joint.shapes):
@@ -79,7 +79,10 @@ def planar_size(joint: PlanarJoint, result: PlanarResult) -> PlanarSize:
             outer += [radius + wall for radius, _ in tracks_of(joint, number)]
     copies = jnp.asarray(joint.drive.sectors) / sectors_of_members(joint.drive)[:-1]
     stepped = any(len(tracks_of(joint, number)) > 1 for number in range(len(joint.shapes)))
-    length = jnp.nan if stepped else jnp.max(each_contact(joint, joint.contact_lengths))
+    stated = [jnp.asarray(shape.length) for shape in joint.shapes if shape.length is not None]
+    length = (
+        jnp.nan if stepped else jnp.max(jnp.stack([*each_contact(joint, joint.contact_lengths), *stated]))
+    )
     return PlanarSize(2.0 * jnp.max(jnp.stack(outer)), jnp.asarray(length), jnp.sum(copies * result.masses))
 
 

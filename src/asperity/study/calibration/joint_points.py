@@ -16,7 +16,7 @@ from asperity.joint.standing import LEVELS, NO_SLIP_FRICTION
 from asperity.joint.windup import StiffnessLevel
 from asperity.joint_file.part_names import with_tracks
 from asperity.joint_file.planar_build import planar_joint_from_values
-from asperity.joint_file.si_tables import Values
+from asperity.joint_file.si_tables import Values, replace_values
 from asperity.joint_file.table_numbers import numbers, table_structure, with_numbers
 
 #: What a curve shows of a joint.
