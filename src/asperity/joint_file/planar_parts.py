@@ -94,7 +94,7 @@ def _wedge(values: Values) -> Layout:
             constant_pins=SPRING_LOADED_PINS if model["closure"] == "constant_pin_force" else (),
         ),
     )
-    planet, roller = (_roller(drive.get(f"{name}_bore_diameter")) for name in ("planet", "loading_roller"))
+    planet, roller = (_roller(drive, name) for name in ("planet", "loading_roller"))
     return made, (SOLID, planet, roller, roller, _ring(values)), (0.0, 0.0, 0.0, 1.0, 1.0)
 
 
@@ -105,8 +105,9 @@ _WEDGE_SIZES = (
 )
 
 
-def _roller(bore: Any) -> BodyShape:
-    return SOLID if bore is None else BodyShape("hollow", bore)
+def _roller(drive: Values, name: str) -> BodyShape:
+    bore = drive.get(f"{name}_bore_diameter")
+    return BodyShape("solid" if bore is None else "hollow", bore, length=drive.get(f"{name}_length"))
 
 
 def _planetary(values: Values) -> Layout:
@@ -118,7 +119,7 @@ def _planetary(values: Values) -> Layout:
     )
     if drive.get("output") == "ring":
         made = dataclasses.replace(made, output="ring", grounded=CARRIER)
-    planet = _roller(drive.get("planet_bore_diameter"))
+    planet = _roller(drive, "planet")
     return made, (SOLID, planet, _ring(values)), (0.0, 1.0)
 
 

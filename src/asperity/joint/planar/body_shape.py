@@ -26,12 +26,15 @@ class BodyShape(eqx.Module):
         What holds the outer rim of a ring.
     housing_stiffness : Real or None
         Radial stiffness of an elastic housing, per area of the outer rim [N/m^3]; None for others.
+    length : Real or None
+        Length along the axis, for mass and pin [m]; None: that of the contact lines.
     """
 
     kind: Literal["solid", "hollow", "ring"] = eqx.field(static=True)
     size: Real | None = None
     support: RingSupport = eqx.field(static=True, default="free")
     housing_stiffness: Real | None = None
+    length: Real | None = None
 
     @property
     def rim_stiffness(self) -> tuple[Real, Real]:
