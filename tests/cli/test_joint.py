@@ -41,7 +41,7 @@ def test_the_document_has_every_key_in_si(document):
         stiffness = document["torsional_stiffness"][level]
         assert set(stiffness) == {"input_Nm_per_rad", "output_Nm_per_rad", "output_Nm_per_arcmin"}
     for entry in document["diagnostics"]:
-        words = {"label", "severity", "meaning", "remedy"}
+        words = {"label", "severity", "state", "meaning", "remedy"}
         assert (
             set(entry)
             == {"name", "contact", "value", "limit", "ok", "infinite", "unit", "shown", "limit_shown"} | words

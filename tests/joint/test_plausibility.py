@@ -80,19 +80,22 @@ def test_unusual_numbers_are_named(notes, changes, name, said):
     assert said in (note.meaning + str(note.remedy))
 
 
-def test_a_film_that_carries_load_is_named_where_its_ratio_is_known(paper_joint):
+def test_every_film_is_a_state_with_a_consequence_where_its_ratio_is_known(paper_joint):
     solution = solve(paper_joint(ring_wall_thickness=60e-3))
     ratios = np.array([0.4, 0.9, 1.3, np.nan, 3.5])
     rolling = dataclasses.replace(solution.result.rolling, film_ratio=ratios)
     result = dataclasses.replace(solution.result, rolling=rolling)
     notes = plausibility(paper_joint(), result, solution.sizes)
     found = {note.contact: note for note in notes if note.name == "film_ratio"}
-    assert {name: note.ok for name, note in found.items()} == {
-        "sp": True,
-        "pwr": True,
-        "pwl": False,
-        "wlo": False,
+    states = {name: (note.ok, note.severity, note.state) for name, note in found.items()}
+    boundary = (False, "state", "boundary lubrication")  # never a limit that is kept
+    assert states == {
+        "sp": boundary,
+        "pwr": boundary,
+        "pwl": (False, "accuracy", "mixed lubrication"),
+        "wlo": (False, "accuracy", "full lubrication"),
     }
+    assert "a life without a factor for the film is too long" in found["sp"].meaning
     assert "the oil film carries a part of the load" in found["pwl"].meaning
 
 

@@ -19,8 +19,10 @@ BEARINGS = '\n[pin_bearing]\ntype = "roller"\ndynamic_rating = "8 kN"\nstatic_ra
 LOADS = (("10 N*m", "1500 rpm", 0.3), ("6 N*m", "3000 rpm", 0.5), ("8 N*m", "0 rpm", 0.2))
 
 
-def solved(*, life=math.nan, under_duty=math.nan, duty=(), branches=None, required=3600.0 * 500.0):
-    rolling = SimpleNamespace(life_hours=SimpleNamespace(drive=life), duty_life_hours=under_duty)
+def solved(*, life=math.nan, under_duty=math.nan, duty=(), branches=None, required=3600.0 * 500.0, films=()):
+    rolling = SimpleNamespace(
+        life_hours=SimpleNamespace(drive=life), duty_life_hours=under_duty, film_ratio=np.array(films)
+    )
     joint = SimpleNamespace(rolling=SimpleNamespace(duty=duty))
     return SimpleNamespace(
         joint=joint,
@@ -49,6 +51,21 @@ def test_a_life_is_compared_with_what_is_required(hours, ok):
     (check,) = life_checks(solved(life=1.0, under_duty=hours, duty=DUTY))
     assert check.ok is ok
     assert check.result.label == "fatigue life of the drive under its duty"
+
+
+@pytest.mark.parametrize(
+    ("films", "beside"),
+    [
+        ((math.nan, 0.16, 4.0), ", without a factor for the film (boundary lubrication, lambda 0.16)"),
+        ((1.2, 4.0), ", without a factor for the film (mixed lubrication, lambda 1.2)"),
+        ((3.5, 4.0), ""),
+        ((math.nan,), ""),
+    ],
+)
+def test_a_life_says_beside_its_verdict_what_the_film_leaves_of_it(films, beside):
+    (check,) = life_checks(solved(life=600.0, films=films))
+    assert check.ok
+    assert check.result.label == f"fatigue life of the drive{beside}"
 
 
 def test_a_joint_that_stands_or_slips_has_no_life_to_compare():
