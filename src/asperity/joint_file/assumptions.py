@@ -93,6 +93,12 @@ def assumptions(case: PlanarCase) -> tuple[str, ...]:
             "model.traction_split: equal traction coefficients at both loading rollers of a planet, as the paper's "
             f"closure has it, {_EQUAL_COEFFICIENTS}"
         )
+    if joint.closure_springs is not None:
+        told.append(
+            f"model.closure_springs = '{joint.closure_springs}': forces under load are those of one spring for each "
+            "contact between rigid pins, as in the paper's closure; rings that bend and pins that give way do not move "
+            "them, and without the key they do"
+        )
     if kind in _STEPPED:
         told.append(
             f"the tracks of {_STEPPED[kind]} lie in one plane: arrange them symmetrically, or their bearings carry the "
