@@ -237,7 +237,13 @@ def _warning(checks: list[dict[str, Any]]) -> tuple[str, ...]:
     )
     worst = unknown[0] if unknown else max(checks, key=lambda each: abs(each["value"] - each["limit"]))
     contacts = ", ".join(each["contact"].replace("_", " ") for each in checks if each["contact"])
-    return worst["label"], worst["shown"], worst["limit_shown"], contacts, worst["severity"]
+    return (
+        worst["label"],
+        worst["shown"],
+        worst.get("state") or worst["limit_shown"],
+        contacts,
+        worst["severity"],
+    )
 
 
 def _titled(each: NamedQuantity) -> str:

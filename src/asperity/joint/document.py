@@ -88,6 +88,7 @@ def _limit_document(entry: LimitCheck) -> Document:
         "limit": entry.limit,
         "ok": entry.ok,
         "severity": entry.rule.severity,
+        "state": "" if entry.ok else entry.rule.state,
         "meaning": entry.meaning,
         "remedy": None if entry.ok else entry.rule.remedy,
         "unit": entry.result.si_unit,

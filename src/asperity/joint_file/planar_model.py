@@ -78,13 +78,22 @@ class PlanarBearings(Section):
     """Friction coefficient mu_b of these bearings: friction force over the force of the pin, at pin_diameter, which it
     needs."""
     pin_diameter: Annotated[Quantity, limits.PIN_DIAMETER] | None = None
-    """Diameter d at which the friction coefficient acts."""
+    """Diameter d of the pins, at which the friction coefficient acts."""
+    pin_length: Annotated[Quantity, limits.PIN_LENGTH] | None = None
+    """Free length of a pin, with its roller in the middle: between its two supports, or from its only support to its
+    end. Makes the bending moment of the pin, and with pin_diameter its bending stress."""
+    pin_support: Literal["both_ends", "one_end"] | None = None
+    """How the carrier holds a pin of this length; at both ends, which may turn, if absent."""
 
     @model_validator(mode="after")
     def _coefficient_at_a_diameter(self) -> Self:
-        if (self.pin_friction_coefficient is None) != (self.pin_diameter is None):
+        alone = self.pin_friction_coefficient is None and self.pin_length is None
+        if (self.pin_diameter is None and self.pin_friction_coefficient is not None) or (
+            self.pin_diameter is not None and alone
+        ):
             raise InputError(
-                "pin_friction_coefficient and pin_diameter belong together: give both or neither"
+                "pin_friction_coefficient and pin_diameter belong together: give both or neither; or pin_diameter with "
+                "pin_length, for the bending stress of the pins"
             )
         return self
 

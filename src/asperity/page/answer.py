@@ -99,6 +99,7 @@ def _margin(each: Margin) -> Answer:
         "used": used if math.isfinite(used) else None,
         "ok": each.passes,
         "severity": each.severity,
+        "state": each.state,
     }
 
 

@@ -5,8 +5,6 @@ import math
 
 import numpy as np
 import pytest
-from asperity.joint.solve import solve
-from asperity.joint_file.build import joint_from_case
 
 from asperity.compilation import call_compiled
 from asperity.drive.bearing_life import RatedBearing

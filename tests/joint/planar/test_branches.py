@@ -7,13 +7,12 @@ from typing import NamedTuple
 
 import numpy as np
 import pytest
-from asperity.joint.branches import BranchedJoint
 
 from asperity.drive.planar.loads import pin_components
-from asperity.errors import InputError
+from asperity.errors import InputError, NoSolutionError
 from asperity.joint.branch_document import branch_document
 from asperity.joint.branch_sizes import SectorDeviations
-from asperity.joint.capacity import LIMIT_KINDS
+from asperity.joint.capacity import LIMIT_KINDS, TorqueCapacity
 from asperity.joint.planar import branches as module
 from asperity.joint.planar.branches import BranchedPlanarJoint
 from asperity.joint.planar.solve import solve_planar
@@ -179,6 +178,22 @@ def test_loose_and_floating_sectors_are_refused_before_any_state(made_up):
     drive.count = 2
     with pytest.raises(InputError, match="nothing holds a floating sun between two sectors"):
         drive.branches(sized("planet", [1.0, 1.0], [0.0, 0.0], 0.0))
+
+
+@pytest.mark.parametrize(
+    ("limit", "contact", "said"),
+    [
+        ("no_solution", 6, "the force balance has no solution"),
+        ("wall_too_thin", 5, "the wall at contact pr of sector 3"),
+        ("wall_too_thin", 0, "the wall at contact sp of sector 1"),
+    ],
+)
+def test_what_ends_the_branches_before_any_contact_does_is_said(limit, contact, said):
+    """Limits of branches count the contacts of all sectors: their names were looked up among those of one."""
+    drive = SimpleNamespace(joint=SimpleNamespace(contact_names=("sp", "pr")), count=3)
+    first = TorqueCapacity(np.array(0.5), np.array(LIMIT_KINDS.index(limit)), np.array(contact))
+    with pytest.raises(NoSolutionError, match=rf"cannot be compared: {said}.*beyond 0.5 N"):
+        BranchedPlanarJoint._capacity(drive, first, math.nan, first)
 
 
 @pytest.fixture(scope="module")

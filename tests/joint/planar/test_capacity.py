@@ -7,8 +7,6 @@ import jax.numpy as jnp
 import numpy as np
 import pytest
 from asperity.joint.either_kind import under_torque
-from asperity.joint.rolling_capacity import rolling_torque_capacity
-from asperity.joint_file.build import joint_from_case
 
 from asperity.drive.planar.following import followed
 from asperity.errors import InputError

@@ -7,8 +7,6 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 import pytest
-from asperity.joint.evaluation import evaluate
-from asperity.joint_file.build import joint_from_case
 
 from asperity.compilation import compile_fast
 from asperity.drive.mechanism import Bearings

@@ -5,7 +5,6 @@ import dataclasses
 import jax
 import numpy as np
 import pytest
-from asperity.joint_file.build import joint_from_case
 
 from asperity.compilation import compile_fast
 from asperity.errors import InputError

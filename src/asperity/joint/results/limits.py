@@ -64,13 +64,14 @@ ROWS = (
         needs="geometry",
         wedge_only=True,
         limit=Limit(
-            "function",
+            "state",
             "the wedge holds itself by friction",
             "the friction coefficient is below tan(beta/2): the wedge does not hold itself by friction, and the "
-            "carrier pins have to keep the loading rollers in it",
+            "carrier pins keep the loading rollers in it",
             "make sure that the pins can (see the pin forces), or raise the friction coefficient, or make the wedge "
             "angle beta smaller: smaller loading rollers or planets, or a larger ring",
             highest=1.0,
+            state="held by the pins",
         ),
     ),
     _ratio(

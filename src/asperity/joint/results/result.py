@@ -26,11 +26,12 @@ if TYPE_CHECKING:
     from asperity.joint.windup import StiffnessLevel
 
 #: How serious it is that a limit is crossed: the joint does not work as it should; it is damaged; the numbers cannot be
-#: trusted; the published model is used outside its range, which is so for most joints.
-Severity = Literal["function", "damage", "accuracy", "model"]
+#: trusted; the joint is in a state that works, with a consequence that has to be known; the published model is used
+#: outside its range, which is so for most joints.
+Severity = Literal["function", "damage", "accuracy", "state", "model"]
 
 #: Severities, the most serious first.
-SEVERITIES: tuple[Severity, ...] = ("function", "damage", "accuracy", "model")
+SEVERITIES: tuple[Severity, ...] = ("function", "damage", "accuracy", "state", "model")
 
 
 class SolvedJoint:
@@ -121,7 +122,7 @@ class Limit:
 
     Parameters
     ----------
-    severity : {"function", "damage", "accuracy", "model"}
+    severity : {"function", "damage", "accuracy", "state", "model"}
         How serious it is.
     kept, crossed : str
         What it means that the limit is kept or crossed.
@@ -133,6 +134,8 @@ class Limit:
         Whether the bounds themselves are allowed.
     unknown : str
         What it means that the result is not known, nan.
+    state : str
+        Of severity ``state``: in which state the joint is where the limit is crossed, in a few words.
     """
 
     severity: Severity
@@ -143,6 +146,7 @@ class Limit:
     highest: float = math.inf
     inclusive: bool = False
     unknown: str = "no value here: the contact slips, has lifted off or has plastic spots only"
+    state: str = ""
 
     def is_kept(self, value: float) -> bool:
         """Whether a value keeps the limit; nan never does."""

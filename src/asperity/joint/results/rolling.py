@@ -208,7 +208,8 @@ ROWS = (
         _NUMBER,
         "1",
         "result.rolling.film_ratio",
-        note=f"below 1 the asperities carry the load, above 3 the film; nan without lubrication.roughness; {_STANDING}",
+        note=f"below 1 boundary, to 3 mixed, above full lubrication; nan without lubrication.roughness or the "
+        f"Ra of every surface; {_STANDING}",
     ),
     _roll(
         "efficiency",
