@@ -6,7 +6,6 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 import pytest
-from asperity.joint.either_kind import under_torque
 
 from asperity.drive.planar.following import followed
 from asperity.errors import InputError

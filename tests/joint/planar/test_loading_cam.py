@@ -4,7 +4,6 @@ import dataclasses
 
 import numpy as np
 import pytest
-from asperity.joint.either_kind import under_torque
 
 from asperity.drive.loading_cam import LoadingCam
 from asperity.errors import InputError

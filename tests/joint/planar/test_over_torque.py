@@ -6,7 +6,6 @@ from types import SimpleNamespace
 import jax.numpy as jnp
 import numpy as np
 import pytest
-from asperity.joint.either_kind import under_torque
 
 from asperity.joint.both_senses import both_senses
 from asperity.joint.dynamics import Inertias, dynamics
