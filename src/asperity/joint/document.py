@@ -12,7 +12,8 @@ from asperity.drive.torsional_stiffness import TorsionalStiffness
 from asperity.joint.contact_notes import Note
 from asperity.joint.limit_check import LimitCheck
 from asperity.joint.planar.evaluation import PlanarResult
-from asperity.joint.results import GROUPS, RESULTS, SEVERITIES, SolvedJoint
+from asperity.joint.planar.solved import SolvedJoint
+from asperity.joint.results import GROUPS, RESULTS, SEVERITIES
 from asperity.joint.rolling_document import contact_results
 from asperity.units import format_quantity
 

@@ -5,7 +5,8 @@ from __future__ import annotations
 import dataclasses
 import math
 
-from asperity.joint.results import Result, SolvedJoint
+from asperity.joint.planar.solved import SolvedJoint
+from asperity.joint.results import Result
 from asperity.joint.results.drive_table import results_of_joint
 from asperity.units import format_quantity
 

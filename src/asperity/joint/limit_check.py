@@ -6,7 +6,8 @@ import math
 from dataclasses import dataclass
 
 from asperity.joint.held_by_pins import with_pins
-from asperity.joint.results import SEVERITIES, Limit, Result, SolvedJoint
+from asperity.joint.planar.solved import SolvedJoint
+from asperity.joint.results import SEVERITIES, Limit, Result
 from asperity.joint.results.drive_table import results_of_joint
 
 

@@ -11,7 +11,8 @@ from asperity.joint.all_limits import further_checks
 from asperity.joint.contact_notes import Note
 from asperity.joint.held_by_pins import with_pins
 from asperity.joint.limit_check import LimitCheck
-from asperity.joint.results import SEVERITIES, Limit, Result, Severity, SolvedJoint
+from asperity.joint.planar.solved import SolvedJoint
+from asperity.joint.results import SEVERITIES, Limit, Result, Severity
 from asperity.joint.results.drive_table import results_of_joint
 
 #: Results without a limit of their own that must nevertheless exceed a bound for the joint to exist.

@@ -11,7 +11,8 @@ from asperity.joint.branch_limits import shortest_life
 from asperity.joint.branch_results import UnequalBranches
 from asperity.joint.contact_notes import film_band
 from asperity.joint.limit_check import LimitCheck
-from asperity.joint.results import RESULTS, Limit, Result, SolvedJoint
+from asperity.joint.planar.solved import SolvedJoint
+from asperity.joint.results import RESULTS, Limit, Result
 from asperity.joint.results.drive_table import results_of_joint
 
 _HOUR = 3600.0

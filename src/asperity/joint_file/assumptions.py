@@ -51,7 +51,7 @@ def assumptions(case: PlanarCase) -> tuple[str, ...]:
         One sentence each.
     """
     kind = case.type
-    drive: Any = case.drive  # type: ignore[attr-defined]
+    drive: Any = case.drive
     told: list[str] = []
     joint = planar_joint_from_case(case)
     if case.bearings is None:

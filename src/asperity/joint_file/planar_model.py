@@ -208,7 +208,7 @@ class PlanarCase(WholeFile):
 
     @model_validator(mode="after")
     def _exact_where_needed(self) -> Self:
-        drive: Any = self.drive  # type: ignore[attr-defined]
+        drive: Any = self.drive
         if self.model.bodies == "springs":
             exact = [
                 f"roller {roller.name}"
@@ -252,7 +252,7 @@ class PlanarCase(WholeFile):
 
     def ring_supports(self) -> tuple[str | None, ...]:
         """What the file says that holds the outer rim of each ring; None where it says nothing."""
-        return (self.drive.ring_support,)  # type: ignore[attr-defined]
+        return (self.drive.ring_support,)
 
     @model_validator(mode="after")
     def _whole_duty(self) -> Self:
@@ -276,7 +276,7 @@ class PlanarCase(WholeFile):
         if branches is not None:
             refuse_branches(
                 len(branches),
-                count=round(getattr(self.drive, self.branches_are[0]).value),  # type: ignore[attr-defined]
+                count=round(getattr(self.drive, self.branches_are[0]).value),
                 what=self.branches_are[1],
                 by_interference=self.load.interference is not None,
                 cam=self.load.cam_force_per_torque is not None,
@@ -285,7 +285,7 @@ class PlanarCase(WholeFile):
 
     def without_housing(self) -> str:
         """What the file says where no housing holds a ring; empty where one does."""
-        drive: Any = self.drive  # type: ignore[attr-defined]
+        drive: Any = self.drive
         return 'drive.ring_support = "free"' if drive.ring_support == "free" else ""
 
     @model_validator(mode="after")

@@ -42,7 +42,7 @@ def misnamed_parts(case: PlanarCase) -> list[str]:
         One sentence for each unknown or missing entry.
     """
     kind = case.type
-    drive: Any = case.drive  # type: ignore[attr-defined]
+    drive: Any = case.drive
     found: list[str] = []
     if isinstance(case, GeneralCase):
         contacts = tuple(contact.name for contact in case.contact)

@@ -22,6 +22,7 @@ from asperity.joint.loads_document import (
 )
 from asperity.joint.planar.description import PlanarJoint, tracks_of
 from asperity.joint.planar.evaluation import PlanarResult
+from asperity.joint.planar.solved import SolvedJoint
 from asperity.joint.planar.working_loads import (
     member_speeds,
     pin_bending,
@@ -29,7 +30,6 @@ from asperity.joint.planar.working_loads import (
     planar_loads_without_torque,
     working_planar_loads,
 )
-from asperity.joint.results import SolvedJoint
 from asperity.joint.rolling_document import unknown_because
 
 _DIRECTIONS = (

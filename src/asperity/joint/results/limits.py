@@ -10,7 +10,8 @@ from asperity.contact.fractal import VERIFIED_FRACTAL_DIMENSIONS
 from asperity.drive.force_balance import BALANCE_TOLERANCE
 from asperity.drive.planar.wedge import self_locking_ratio
 from asperity.joint.planar.description import each_contact
-from asperity.joint.results.result import Limit, Result, SolvedJoint
+from asperity.joint.planar.solved import SolvedJoint
+from asperity.joint.results.result import Limit, Result
 from asperity.unit_table import Dimension
 
 _ratio = functools.partial(Result, dimension=Dimension.DIMENSIONLESS, display_unit="1", group="diagnostics")
