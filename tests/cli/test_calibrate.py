@@ -139,7 +139,12 @@ def test_a_drive_of_another_type_and_its_new_joint_file(tmp_path):
     rows = [
         (
             torque,
-            float(solve_planar(dataclasses.replace(joint, output_torque=torque)).result.rolling.drift_per_output_turn) / ARCMIN,
+            float(
+                solve_planar(
+                    dataclasses.replace(joint, output_torque=torque)
+                ).result.rolling.drift_per_output_turn
+            )
+            / ARCMIN,
         )
         for torque in (2.0, 8.0, 11.0)
     ]

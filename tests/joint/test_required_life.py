@@ -27,8 +27,10 @@ def rows(monkeypatch):
     monkeypatch.setattr(module, "results_of_joint", lambda solved: RESULTS)
 
 
-def solved(*, life=math.nan, under_duty=math.nan, duty=(), branches=None, required=3600.0 * 500.0):
-    rolling = SimpleNamespace(life_hours=SimpleNamespace(drive=life), duty_life_hours=under_duty)
+def solved(*, life=math.nan, under_duty=math.nan, duty=(), branches=None, required=3600.0 * 500.0, films=()):
+    rolling = SimpleNamespace(
+        life_hours=SimpleNamespace(drive=life), duty_life_hours=under_duty, film_ratio=np.array(films)
+    )
     joint = SimpleNamespace(rolling=SimpleNamespace(duty=duty))
     return SimpleNamespace(
         joint=joint,
@@ -63,6 +65,21 @@ def test_a_life_is_compared_with_what_is_required(hours, ok):
 
 
 @pytest.mark.usefixtures("rows")
+@pytest.mark.parametrize(
+    ("films", "beside"),
+    [
+        ((math.nan, 0.16, 4.0), ", without a factor for the film (boundary lubrication, lambda 0.16)"),
+        ((1.2, 4.0), ", without a factor for the film (mixed lubrication, lambda 1.2)"),
+        ((3.5, 4.0), ""),
+        ((math.nan,), ""),
+    ],
+)
+def test_a_life_says_beside_its_verdict_what_the_film_leaves_of_it(films, beside):
+    (check,) = life_checks(solved(life=600.0, films=films))
+    assert check.ok
+    assert check.result.label == f"fatigue life of the drive{beside}"
+
+
 def test_a_joint_that_stands_or_slips_has_no_life_to_compare():
     (check,) = life_checks(solved())
     assert not check.ok

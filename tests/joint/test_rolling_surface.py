@@ -65,7 +65,7 @@ def test_oil_film_of_the_example_pair():
     )
 
     def film(speed=1.0, **changes):
-        oil = {"viscosity": 0.0305, "pressure_viscosity_coefficient": 2.918e-8, "roughness": 0.2e-6}
+        oil = {"viscosity": 0.0305, "pressure_viscosity_coefficient": 2.918e-8, "roughness": (0.2e-6,)}
         conditions = dataclasses.replace(PLAIN_ROLLING, **(oil | changes))
         return oil_film(
             conditions=conditions, pairs=pairs, normal_force=EACH * 2000.0, rolling_speed=EACH * speed
@@ -76,6 +76,10 @@ def test_oil_film_of_the_example_pair():
     np.testing.assert_allclose(ratio, 1.064, rtol=5e-4)
     for absent in (film(viscosity=None), film(pressure_viscosity_coefficient=None), film(speed=0.0)):
         assert np.all(np.isnan(absent))
+    apart = film(roughness=tuple(0.1e-6 * (1 + k) for k in range(EACH.size)))[1]
+    np.testing.assert_allclose(
+        apart, 2.128 / (1.0 + np.arange(EACH.size)), rtol=5e-4
+    )  # each contact has its own
     thickness, ratio = film(roughness=None)
     assert np.all(np.isfinite(thickness))
     assert np.all(np.isnan(ratio))

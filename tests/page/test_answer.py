@@ -7,13 +7,13 @@ from types import SimpleNamespace
 
 import numpy as np
 import pytest
+from asperity.joint_file.build import joint_from_case
 
 from asperity.joint.margins import Margin
 from asperity.joint.results import Limit, Result
 from asperity.joint.windup import windup
-from asperity.joint_file.build import joint_from_case
 from asperity.joint_file.own_branches import with_own_branches
-from asperity.joint_file.reader import parse_case, parse_case
+from asperity.joint_file.reader import parse_case
 from asperity.page import answer
 from asperity.page.answer import _curves, _margin, _windup, joint_answer, plain_numbers, stated_values
 from asperity.page.joint_request import JointRequest

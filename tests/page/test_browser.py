@@ -5,9 +5,9 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-
 from asperity.joint.solve import solve
 from asperity.joint_file.build import joint_from_case, with_values
+
 from asperity.joint_file.reader import parse_case, read_case
 from asperity.library import read_finishes
 from asperity.units import format_quantity

@@ -2,14 +2,14 @@
 
 import jsonschema
 import pytest
+from asperity.joint.solve import solve
+from asperity.joint_file.build import joint_from_case, with_values
 
 from asperity.errors import InputError
 from asperity.joint.planar.solve import solve_planar
 from asperity.joint.results import WEDGE_RESULTS
-from asperity.joint.solve import solve
-from asperity.joint_file.build import joint_from_case, with_values
 from asperity.joint_file.planar_build import planar_joint_from_case
-from asperity.joint_file.reader import parse_case, parse_case
+from asperity.joint_file.reader import parse_case
 from asperity.page.chart import MOST_POINTS, chart_answer, chart_request, chart_results, result_rows
 from asperity.page.joint_request import JointRequest
 from asperity.page.openapi import openapi

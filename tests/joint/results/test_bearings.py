@@ -4,7 +4,8 @@ from types import SimpleNamespace
 
 import numpy as np
 
-from asperity.joint.results import RESULTS, SolvedJoint
+from asperity.joint.planar.solved import SolvedJoint
+from asperity.joint.results import RESULTS
 
 
 def test_a_joint_without_ratings_has_no_lives(paper_joint):

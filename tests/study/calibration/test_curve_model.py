@@ -5,10 +5,10 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from asperity.joint_file.build import joint_from_case
 
 from asperity.errors import InputError
 from asperity.joint.windup import windup
-from asperity.joint_file.build import joint_from_case
 from asperity.joint_file.reader import parse_case, read_case
 from asperity.study.calibration import curve_model
 from asperity.study.calibration.curve_model import CurveModel

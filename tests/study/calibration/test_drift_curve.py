@@ -6,12 +6,12 @@ from pathlib import Path
 import jax.numpy as jnp
 import numpy as np
 import pytest
+from asperity.joint.solve import solve
+from asperity.joint_file.build import joint_from_case
 from scipy.optimize import brentq
 from scipy.stats import binom, chi2
 
 from asperity.errors import InputError, NoSolutionError
-from asperity.joint.solve import solve
-from asperity.joint_file.build import joint_from_case
 from asperity.joint_file.reader import read_case
 from asperity.study.calibration.calibrate import calibrate
 from asperity.study.calibration.curve_model import CurveModel

@@ -2,10 +2,10 @@
 
 import numpy as np
 import pytest
+from asperity.joint.either_kind import under_torque
 from scipy.stats import binom, chi2
 
 from asperity.errors import NoSolutionError
-from asperity.joint.either_kind import under_torque
 from asperity.joint.planar.solve import solve_planar
 from asperity.joint.windup import windup
 from asperity.joint_file.planar_build import planar_joint_from_values

@@ -5,15 +5,15 @@ import tomllib
 
 import numpy as np
 import pytest
+from asperity.joint_file.build import joint_from_values
 from scipy.optimize import brentq
 
 from asperity.drive.geometry import clearances
 from asperity.errors import NoSolutionError
 from asperity.joint.planar.solve import solve_planar
 from asperity.joint.planar.solved import solved_planar_joint
-from asperity.joint_file.build import joint_from_values
 from asperity.joint_file.planar_build import planar_joint_from_case
-from asperity.joint_file.reader import parse_case, parse_case
+from asperity.joint_file.reader import parse_case
 from asperity.joint_file.si_tables import si_values
 from asperity.study.batch import derivatives_at, evaluate_points
 from asperity.study.design import design as module
