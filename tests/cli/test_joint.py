@@ -163,11 +163,17 @@ def test_a_file_that_is_not_there(call):
 
 def test_no_solution_is_exit_code_3(call, joint_file, monkeypatch):
 
-    raise_it = XX
+    real = solving.result_and_capacity
+
+    def unbalanced(joint):
+        result, capacity = real(joint)
+        return dataclasses.replace(result, solved=np.asarray(False)), capacity
+
+    monkeypatch.setattr(solving, "result_and_capacity", unbalanced)
     outcome = call("joint", joint_file())
     assert outcome.code == 3
     assert outcome.out == ""
-    assert "the force balance has no solution with these numbers" in outcome.err
+    assert "no balance under 5 N·m was found" in outcome.err
 
 
 def test_picture_of_budget_levels_and_margins(call, joint_file, tmp_path):
