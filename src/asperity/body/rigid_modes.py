@@ -47,7 +47,8 @@ def uniform_compliance(wall: Wall) -> tuple[Array, Array]:
     Returns
     -------
     radial, tangential : Array
-        In units of R/4G [-]; the tangential one is 0 for a ring without torsional support (balanced loads).
+        In units of R/4G [-]. The torque on a ring is reacted evenly along its outer rim, whatever supports it; that on a
+        roller is balanced, and its tangential compliance without torsional support 0.
 
     References
     ----------
@@ -57,9 +58,10 @@ def uniform_compliance(wall: Wall) -> tuple[Array, Array]:
     even, odd = uniform_field(wall)
     traction, held = wall.tangential
     turns = held > 0.0
-    turn = side * traction / (jnp.where(turns, held, 1.0) * ratio**3) + 1.0 / ratio**2
+    supported = side * traction / (jnp.where(turns, held, 1.0) * ratio**3)
+    turn = jnp.where(turns, supported, 0.0) + 1.0 / ratio**2
     radial = side * (0.5 * (wall.kolosov - 1.0) * even - odd)
-    return jnp.asarray(2.0 * radial), 2.0 * jnp.where(turns, side * (turn - 1.0), 0.0)
+    return jnp.asarray(2.0 * radial), 2.0 * jnp.where(turns | (side < 0.0), side * (turn - 1.0), 0.0)
 
 
 class TranslationField(NamedTuple):
