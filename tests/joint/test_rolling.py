@@ -85,12 +85,12 @@ def test_drift_of_the_rough_joint_at_other_torques(rolled, torque, minutes):
 
 @pytest.mark.parametrize("torque", [5.0, 12.0])
 def test_rolling_takes_its_own_forces(rolled, torque):
-    """The closure shares the traction of the drive that stands, by up to 30 % otherwise; in rolling the creep decides."""
+    """At rest the closures share the traction differently, by up to 30 %; in rolling the creep decides."""
     equal, springs = (
         rolled(output_torque=torque, traction_split=split) for split in ("equal_coefficients", "springs")
     )
     np.testing.assert_allclose(springs.tangential, equal.tangential, rtol=1e-5)
-    np.testing.assert_allclose(springs.layer_creepage_factor, equal.layer_creepage_factor, rtol=1e-5)
+    np.testing.assert_allclose(springs.layer_creepage_factor, equal.layer_creepage_factor, rtol=1e-4)
     assert float(springs.speed_loss) == pytest.approx(float(equal.speed_loss), rel=1e-5)
 
 

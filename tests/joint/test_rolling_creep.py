@@ -70,9 +70,8 @@ def test_the_law_grows_as_the_law_around_neighbouring_forces(creep, skew):
         misses.append(creepages(law=found.law, **force) / creepages(law=there, **force) - 1.0)
     np.testing.assert_allclose(np.abs(misses[1]), 0.0, atol=2e-4)
     np.testing.assert_allclose(misses[0] / misses[1], 4.0, rtol=0.1)
-    at_rest = creep(1e9, skew=skew, slip_ratio=0.0).law
-    assert np.all(np.isfinite(at_rest.growth))
-    assert np.all(np.asarray(creep(1e9, skew=skew, slip_ratio=1.5).law.growth) == 0.0)
+    for q in (0.0, 1.5):  # around rest, and around a contact that slides while the drive stands
+        assert np.all(np.isfinite(creep(1e9, skew=skew, slip_ratio=q).law.growth))
 
 
 def test_stiffness_of_the_contact_law_where_none_is_given(creep, paper_joint):

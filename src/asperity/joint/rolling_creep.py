@@ -113,8 +113,7 @@ def contact_creep(
         found = _creep_at(contacts, skew, normal_force, q, stiffness)
         return jnp.log(jnp.asarray(found.law.gross_slip_scale)), found
 
-    _, slope, found = jax.jvp(around, (q,), (1.0 - q,), has_aux=True)
-    growth = jnp.where(q < _MOST_SLIP, slope, 0.0)
+    _, growth, found = jax.jvp(around, (q,), (1.0 - q,), has_aux=True)
     # without the barrier XLA evaluates the layer's polynomial anew for every use of the law
     law = CreepLaw(friction, *jax.lax.optimization_barrier((found.law.gross_slip_scale, q, growth)))
     return found._replace(law=law)

@@ -42,7 +42,7 @@ from asperity.drive.planar.state_search import assembled_guess, known_state, sol
 from asperity.types import Real
 
 #: How often a rolling state is found, each time with the creep law around the forces of the state before.
-CREEP_PASSES = 2
+CREEP_PASSES = 3
 
 
 class DriveStates(NamedTuple):
@@ -256,7 +256,7 @@ def loaded_state(
     Equation (M3) of :doc:`/equations`.
     """
     kind = jnp.where(rolls, ROLLING, STANDING)
-    kinds = jnp.full(1 + CREEP_PASSES, kind)
+    kinds = jnp.full(CREEP_PASSES, kind)
     return _nth(_loaded(drive, laws, rest, load, kinds, creep_of), -1)
 
 
